@@ -15,7 +15,7 @@ LICENCES = set(
 # Those of data that our own crates carry: their terms stand in NOTICE, in the metadata of the crate, and beside the data.
 OF_OUR_DATA = {"ODbL-1.0", "CC-BY-4.0"}
 # Our crates with such data, and what their metadata must say.
-WITH_DATA = {"mckibben": {"ODbL-1.0"}, "mckibben-fem": {"ODbL-1.0", "CC-BY-4.0"}}
+WITH_DATA = {"mckibben": {"ODbL-1.0"}, "mckibben-fit": {"ODbL-1.0", "CC-BY-4.0"}}
 # Crates that nobody maintains any more, and how they come here; off the list when they are gone.
 UNMAINTAINED = {"paste": "RUSTSEC-2024-0436: a macro without run time, through nalgebra and its simba"}
 # Licences of single crates, with what they ask for.

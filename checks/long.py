@@ -2,6 +2,7 @@
 """Long checks of what changes seldom. Each part guards some files, and runs when they have changed since it last passed.
 
     python3 checks/long.py              parts whose files have changed; a part that passes is recorded in checks/long.json
+    python3 checks/long.py --short      of these the short ones, with the build of the tests (.ci/run)
     python3 checks/long.py --all        all parts (nightly, before a release)
     python3 checks/long.py NAME ...     parts by name
     python3 checks/long.py --list       parts, and whether their files have changed
@@ -23,8 +24,23 @@ ROOT = Path(__file__).resolve().parent.parent
 RECORD = ROOT / "checks/long.json"
 MANIFESTS = [r"(.*/)?Cargo\.toml", r"Cargo\.lock"]
 
+# Parts of a minute or two, which need the build of the tests alone.
+SHORT = ("golds", "figures", "programs", "server")
+
 # Name: what it checks, files that it guards (patterns of whole paths), text that a file must hold as well, commands.
 PARTS = {
+    "golds": ("tables and formulas that the program makes itself", [
+        r"crates/mckibben(-units|-table|-fit|-fem|-campaign|-parquet)?/(src|data|examples)/.*", r"plans/.*", r"data/(campaign|silicones|treloar)/.*",
+    ], None, ["cargo xtask golds --check"]),
+    "figures": ("figures of README and docs", [
+        r"crates/.*/src/.*", r"crates/.*/data/.*", r"docs/figures/.*", r"examples/.*", r"data/.*\.csv", r"xtask/.*",
+    ], None, ["cargo xtask figures --check"]),
+    "programs": ("other programs read what is written", [
+        r"crates/mckibben-(fem|motion|campaign|parquet|report)/src/.*", r"crates/mckibben-app/src/(figure|simulate)/.*", r"checks/.*\.py",
+    ], None, ["bash checks/programs.sh"]),
+    "server": ("the server: made-up requests, two hundred clients", [
+        r"crates/mckibben-(server|app)/src/.*", r"checks/server.*",
+    ], None, ["bash checks/server_schema.sh \"$MCKIBBEN\" 3 coverage", "python3 checks/server_load.py \"$MCKIBBEN\" --sessions 200 --seconds 5"]),
     "release": ("the release build and README's first command", MANIFESTS, None, [
         "cargo build --release --locked",
         "cargo run --release --locked -- design --force 700N --contraction 15% --max-pressure 2.5bar",
@@ -37,7 +53,7 @@ PARTS = {
         r"crates/mckibben-fem/src/(element|solver)/.*", r"crates/mckibben-fem/src/lanes.*", r"crates/mckibben/src/.*lanes.*",
     ], r"target_feature|lanes", ["bash checks/processors.sh"]),
     "wheel": ("the Python package from its wheel: types, stubs, tests, notebooks", [
-        r"pyproject\.toml", r"python/.*", r"crates/mckibben-python/.*", r"checks/wheel\.sh",
+        r"pyproject\.toml", r"python/.*", r"crates/mckibben-python/.*", r"checks/wheel\.sh", r"docs/contract\.txt",
     ], None, ["bash checks/wheel.sh"]),
     "engine": ("the page on its engine as WebAssembly", [
         r"web/(build|test)\.sh", r"web/page/js/engine/.*", r"crates/mckibben-wasm/.*", r"web/tests/engines\.mjs",
@@ -50,7 +66,7 @@ PARTS = {
         r"crates/mckibben-fem/src/(three_dimensional|element|output)/.*", r"benches/peers/.*", r"data/peers/.*",
     ], None, ["cargo xtask peers --check"]),
     "mutations": ("made-up and damaged input at length", [
-        r"crates/mckibben/src/(table|muscle/file)/.*", r"crates/mckibben-(server|files)/src/.*", r"crates/mckibben-campaign/src/campaign/store/.*",
+        r"crates/mckibben-table/src/.*", r"crates/mckibben/src/muscle/file/.*", r"crates/mckibben-(server|files)/src/.*", r"crates/mckibben-campaign/src/campaign/store/.*", r"crates/mckibben-parquet/src/.*",
     ], None, ["MCKIBBEN_ROUNDS=2000 cargo test --workspace --locked --test all mutat"]),
 }
 
@@ -81,6 +97,9 @@ def main():
         for part, (about, *_) in PARTS.items():
             print(f"{part:<11} {'changed' if part in changed else 'passed '}  {about}")
         return
+    if "--short" in sys.argv:
+        changed = [part for part in changed if part in SHORT]
+    os.environ.setdefault("MCKIBBEN", str(Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug/mckibben"))
     for part in asked or (list(PARTS) if "--all" in sys.argv else changed):
         about, *_, commands = PARTS[part]
         print(f"\n== {part}: {about}{'' if asked or '--all' in sys.argv else ' (its files have changed)'}", flush=True)

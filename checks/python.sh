@@ -5,7 +5,6 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 PYTHON=${PYTHON:-python3}
 target=${CARGO_TARGET_DIR:-$PWD/target}
-"$PYTHON" python/generate.py --check
 
 test -x "$target/venv/bin/python" || "$PYTHON" -m venv "$target/venv"
 "$target/venv/bin/python" -m pip install --quiet pytest numpy pandas polars pyarrow pint matplotlib plotly scipy tqdm jax
@@ -16,4 +15,5 @@ trap 'rm -rf "$work"' EXIT
 cargo build --quiet --workspace --profile test --locked
 cp -r python/mckibben python/tests "$work"
 cp "$target/debug/lib_native.so" "$work/mckibben/_native.abi3.so"
+"$target/venv/bin/python" python/write.py stubs "$work/mckibben"
 MCKIBBEN=$target/debug/mckibben MCKIBBEN_ROOT=$PWD PYTHONPATH=$work "$target/venv/bin/python" -m pytest -q -p no:cacheprovider "$work/tests"

@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# The Python package as its users get it: a wheel, in a fresh environment, against the oracles of the Rust tests; its types, generated files and
-# notebooks. Says how long each step took.
+# The Python package as its users get it: a wheel, in a fresh environment, against the oracles of the Rust tests; its types and notebooks. Says how long each step took.
 #
 #   checks/wheel.sh             builds and checks
 #   PYTHON=python3.13 checks/wheel.sh
@@ -17,9 +16,14 @@ export PATH="$work/venv/bin:$PATH"
 python -m pip install --quiet "maturin>=1.12,<2" mypy pytest numpy pandas polars pyarrow pint matplotlib plotly scipy tqdm jax \
     nbclient nbformat ipykernel pandas-stubs types-tqdm
 
+step "types of what is made from the schema"
+cargo build --quiet --workspace --profile test --locked
+python python/write.py stubs
+
 step "wheel"
 maturin build --quiet --release --features stubs -o "$work/dist"
 python/stubs.sh --check
+test "$(python -m zipfile -l "$work"/dist/*.whl | grep -cE '/_(answers|commands|errors|native)\.pyi ')" = 4
 
 step "types"
 mypy python/mckibben python/tests python/examples/*.py python/*.py
@@ -29,7 +33,6 @@ python -m pip install --quiet --no-index --no-deps "$work"/dist/*.whl
 # The wheel is what is tested: the sources are not on the path, and a library that was built beside them is not there.
 cp -r python/tests "$work/tests"
 # The program of the command line, with which the package is compared.
-cargo build --quiet --workspace --profile test --locked
 program=${CARGO_TARGET_DIR:-$PWD/target}/debug/mckibben
 MCKIBBEN=$program MCKIBBEN_ROOT=$PWD PYTHONSAFEPATH=1 python -m pytest -q -p no:cacheprovider "$work/tests"
 "$PYTHON" -m venv "$work/bare"

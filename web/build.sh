@@ -41,6 +41,13 @@ if [ -n "$site" ]; then
     sed -i 's#\.\./benches/README\.md#benches.md#g' "$book"/*.md
     mkdir "$book/theme"
     echo '<p style="margin:0;padding:4px 16px;text-align:right"><a href="{{ path_to_root }}../index.html">Workbench</a> · <a href="{{ path_to_root }}../api/mckibben/index.html">API of the crates</a></p>' >"$book/theme/header.hbs"
+    # Schemas and the Python reference are made by the program and its library.
+    cargo build --workspace --profile test --locked --quiet
+    "$CARGO_TARGET_DIR/debug/mckibben" schema -o "$book/schema"
+    test -x "$CARGO_TARGET_DIR/venv/bin/python" || python3 -m venv "$CARGO_TARGET_DIR/venv"
+    "$CARGO_TARGET_DIR/venv/bin/python" -m pip install --quiet numpy
+    "$CARGO_TARGET_DIR/venv/bin/python" python/write.py reference "$book/python-reference.md"
+    sed -i 's#^- \[The Python package\].*#&\n- [Python reference](python-reference.md)#' "$book/SUMMARY.md"
     mdbook build "$book" --dest-dir "$made/docs"
     (cd "$book/schema" && ls *.json | sed 's#.*#<li><a href="&">&</a></li>#' | sed '1i <!DOCTYPE html><html lang="en"><title>JSON Schemas</title><h1>JSON Schemas of the commands</h1><ul>' && echo '</ul></html>') >"$made/docs/schema/index.html"
     cp -r literature.bib examples "$made"

@@ -9,13 +9,13 @@ from typing import Any, Union
 
 Progress = Union[bool, Callable[[int, int], object], None]
 
-# Commands whose answer carries a figure where it is asked for. All but `curve` are asked for it at once: they take longer than to draw.
-FIGURES = {"compare", "curve", "design", "identify", "joint", "motion", "rubber-fit", "simulate", "study"}
 
+def figure_in(command: str, units: str) -> str | bool | None:
+    """What asks for a figure in these units, or for one in its own; None where a command has no figure."""
+    from . import _schema
 
-def figure_in(command: str, units: str) -> str | bool:
-    """What asks for a figure in these units; that of `rubber-fit` is in MPa."""
-    return True if command == "rubber-fit" else units
+    figure = _schema.request(command).get("figure")
+    return None if figure is None else True if figure.get("type") == "boolean" else units
 
 
 def ask(command: str, request: dict[str, Any] | None = None, *, progress: Progress = None) -> dict[str, Any]:
@@ -26,7 +26,7 @@ def ask(command: str, request: dict[str, Any] | None = None, *, progress: Progre
     command
         Its name: the words of the command line, joined by a hyphen, such as ``force`` or ``muscle-show``.
     request
-        What ``docs/schema`` says, numbers in mm, MPa, N and degrees.
+        What ``mckibben schema`` says, numbers in mm, MPa, N and degrees.
     progress
         True for a progress bar, or a function that is called with (done, total).
 
@@ -51,8 +51,9 @@ def answered(command: str, values: dict[str, Any], answer: str, progress: Progre
     from . import _answers, _native, _plain, _results
 
     request = _plain.request(command, values)
-    if command in FIGURES and command != "curve":
-        request.setdefault("figure", figure_in(command, "MPa"))
+    # With its figure, as the answer takes longer than to draw. A curve is drawn when it is wanted, and so are measured muscles, which may be rubbers alone.
+    if command not in ("curve", "measured") and (figure := figure_in(command, "MPa")) is not None:
+        request.setdefault("figure", figure)
     own = getattr(_results, answer, None)
     with listening(progress, command) as heard:
         if own is not None:

@@ -55,7 +55,7 @@ class Campaign:
         threads
             As many as cores where it is left out. The table does not depend on them.
         overwrite
-            What stands at ``output`` and is not of this plan is replaced.
+            Overwrite a file at ``output`` that is not of this plan.
         yes
             A plan of more than 10 GB or a day is begun.
         progress

@@ -8,6 +8,10 @@ from typing import Any
 
 from . import _native
 
+# Fields of requests whose files are tables, and those whose files are formulas.
+TABLES = ("data", "table", "tables", "load_tables")
+FORMULAS = ("formulas", "file")
+
 
 def text(value: Any) -> dict[str, str]:
     """A file that was written by hand."""

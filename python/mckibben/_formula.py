@@ -19,7 +19,7 @@ class Formula:
     Parameters
     ----------
     text
-        What stands in its file.
+        The content of its file.
     name
         How it is named as a model; the name in the file where it is left out.
     """
@@ -50,7 +50,7 @@ class Formula:
         return self._name
 
     def to_json(self) -> str:
-        """What stands in its file."""
+        """The content of its file."""
         return self._text
 
     def to_dict(self) -> dict[str, Any]:

@@ -11,7 +11,7 @@ from . import _quantity
 
 
 def columns_of(data: Any) -> dict[str, Any]:
-    """The columns of a data frame, of an answer, or of a map in which a single value stands for all rows."""
+    """The columns of a data frame, of an answer, or of a map in which a single value applies to all rows."""
     if isinstance(data, Mapping):
         return _spread({str(name): _values(str(name), values) for name, values in data.items()})
     if hasattr(data, "columns") and hasattr(data, "items"):

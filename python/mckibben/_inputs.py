@@ -1,4 +1,4 @@
-"""What may be given where a type is asked for."""
+"""Accepted values of each argument type."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ Numbers = Union[Sequence[Number], "NDArray[np.floating[Any]]", str, Measured]
 Choice = Union[Number, Numbers, Mapping[str, Number]]
 # What a model is asked for: anything that NumPy reads as numbers, texts with a unit, quantities of pint.
 Floats = Union["ArrayLike", Number, Numbers]
-# A path, or what stands in the file as {"name": …, "text": …}.
+# A path, or the content of the file as {"name": …, "text": …}.
 FileLike = Union[str, "PathLike[str]", Mapping[str, str]]
 # The same, or a data frame, or columns by name.
 TableLike = Union[str, "PathLike[str]", Mapping[str, Any], Any]

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from ._commands import MuscleCommands
-from ._fields import MuscleFields
+from ._commands import MuscleCommands, MuscleFields
 
 if TYPE_CHECKING:
     from os import PathLike
@@ -63,10 +62,6 @@ class Muscle(MuscleFields, MuscleCommands):
         with open(path, "w", encoding="utf-8") as file:
             file.write(self._text)
 
-    def replace(self, **values: Any) -> Muscle:
-        """The same with other values; the arguments are those of :class:`Muscle`."""
-        return Muscle(self, **values)
-
     def model(self, model: Any = None, **options: Any) -> Model:
         """A model of this muscle, to be asked for arrays; the arguments are those of :class:`Model`."""
         from ._model import Model
@@ -91,7 +86,7 @@ class Muscle(MuscleFields, MuscleCommands):
         return muscle
 
     def report(self, path: str | PathLike[str] | None = None, *, pressure_mpa: Number | None = None, contraction: Number | None = None, units: str = "MPa", progress: Any = None) -> str:
-        """All that is known of the muscle as one HTML page that needs no network; written to ``path`` where one is given."""
+        """A report of the muscle as one HTML page for reading offline; written to ``path`` if one is given."""
         from . import _native, _plain
         from ._ask import listening
 
@@ -109,26 +104,6 @@ class Muscle(MuscleFields, MuscleCommands):
 
             object.__setattr__(self, "_summary", _native.ask("muscle-show", {"muscle": {"name": "muscle", "text": self._text}}))
         return self._summary or {}
-
-    @property
-    def outer_diameter_mm(self) -> float:
-        """Outer diameter D0 at rest, mm."""
-        return float(self._field("outer_diameter_mm"))
-
-    @property
-    def wall_mm(self) -> float:
-        """Wall s at rest, mm."""
-        return float(self._field("wall_mm"))
-
-    @property
-    def length_mm(self) -> float:
-        """Length L0 between the terminals at rest, mm."""
-        return float(self._field("length_mm"))
-
-    @property
-    def angle_deg(self) -> float:
-        """Braid angle θ0 at rest, degrees."""
-        return float(self._field("angle_deg"))
 
     @property
     def rubber(self) -> str:

@@ -11,7 +11,7 @@ from _typeshed import SupportsGetItem
 from os import PathLike
 from typing import Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Model", "arrow_stream", "ask", "body_html", "choice", "curve", "design", "drive_files", "joint_files", "muscle_fields", "muscle_text", "muscle_with", "parameters", "plan", "quantity", "read_formula", "read_table", "read_text", "report_html", "unit_of", "values"]
+__all__ = ["VERSION", "Model", "arrow_stream", "ask", "body_html", "choice", "curve", "design", "drive_files", "joint_files", "muscle_fields", "muscle_text", "muscle_with", "parameters", "plan", "quantity", "read_formula", "read_table", "read_text", "report_html", "schema", "unit_of", "values"]
 
 VERSION: Final[str]
 """
@@ -148,6 +148,11 @@ def read_text(path: str | PathLike[str]) -> str:
 def report_html(request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> str:
     """
     A page with all that is known of a muscle.
+    """
+
+def schema() -> "dict[str, typing.Any]":
+    """
+    Request, answer and error of every command as JSON Schema, and in `$defs` what they refer to.
     """
 
 def unit_of(name: "str") -> "tuple[str | None, str] | None":

@@ -28,7 +28,7 @@ class _Part:
     _values: dict[str, Any]
 
     def to_toml(self) -> str:
-        """The table as it stands in a muscle file."""
+        """The table as in a muscle file."""
         return "\n".join([f"[{self._table}]", *(f"{name} = {_toml(value)}" for name, value in self._values.items()), ""])
 
     def __setattr__(self, name: str, value: object) -> None:
@@ -163,7 +163,7 @@ class Braid(_Part):
         name: str | None = None,
         compression: bool | None = None,
     ) -> None:
-        from . import _plain, _quantity
+        from . import _plain, _quantity, _schema
 
         given = {
             "angle_deg": angle_deg, "strand_area_mm2": strand_area_mm2, "strand_modulus_mpa": strand_modulus_mpa, "strand_strength_n": strand_strength_n,
@@ -174,6 +174,6 @@ class Braid(_Part):
             unit = (_quantity.kind_of(key) or ("", ""))[1]
             values[key.rsplit("_", 1)[0]] = None if value is None else f"{_number(key, value)!r} {unit}"
         if stiffness is not None:
-            k = _plain.field("stiffness", stiffness)
+            k = _plain.field("stiffness", stiffness, _schema.muscle()["stiffness"])
             values["stiffness"] = k if isinstance(k, str) else f"{k!r} N/mm"
         self._set({**values, "strands": strands, "compression": compression})

@@ -6,52 +6,39 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
-from . import _native
-from ._fields import CHOICES, LISTS, MUSCLE
-from ._files import beside, formula, measured, table, text
-from ._quantity import kind_of, number, numbers
-
-TEXTS = {"muscle", "muscles", "joint", "drive", "plan"}
-TABLES = {"data", "table", "tables", "load_tables"}
-FORMULAS = {"formulas", "file"}
+from . import _native, _schema
+from ._files import FORMULAS, TABLES, beside, formula, measured, table, text
+from ._quantity import number, numbers
 
 
-def field(name: str, value: Any, *, within: str = "") -> Any:
-    """A field of a request."""
-    kind = kind_of(name, within)
-    if isinstance(value, bool) and kind is None or isinstance(value, int) and name == "muscles":
-        return value
-    if name in TEXTS:
-        return [text(v) for v in value] if name == "muscles" else text(value)
-    if name in TABLES:
-        many = name in ("tables", "load_tables") or within == "identify"
-        return [table(v) for v in (value if isinstance(value, (list, tuple)) else [value])] if many else table(value)
-    if name in FORMULAS:
-        return [formula(v) for v in value] if name == "formulas" else formula(value)
-    if name == "cases":
-        return [measured(v) for v in (value if isinstance(value, (list, tuple)) else [value])]
+def field(name: str, value: Any, schema: _schema.Schema) -> Any:
+    """A field of a request, by its schema."""
+    kind, holds = _schema.quantity(schema), None if isinstance(schema.get("type"), str) and "items" not in schema else _schema.record_of(schema)
+    if holds == "TextFile" or name == "cases":
+        read = measured if name == "cases" else table if name in TABLES else formula if name in FORMULAS else text
+        return [read(v) for v in (value if isinstance(value, (list, tuple)) else [value])] if _schema.is_list(schema) else read(value)
+    if kind is None or isinstance(value, bool):
+        return rest(name, value, schema)
     if isinstance(value, Mapping):
-        return {str(k): field(str(k), v, within=name) for k, v in value.items() if v is not None}
-    if kind is None or kind[0] is None or isinstance(value, bool):
-        return rest(value, within=name)
+        # All between two ends.
+        return {str(end): number(name, v, kind) for end, v in value.items() if v is not None}
     if kind[0] == "stiffness" and isinstance(value, str) and value.strip().lower() in ("paper", "inextensible"):
         return value.strip().lower()
-    if name in LISTS:
-        return numbers(name, value, within)
-    if name in CHOICES.get(within, ()):
-        if isinstance(value, str):
-            return _native.choice(value, kind[0], name)
-        several = isinstance(value, (list, tuple, range)) or getattr(value, "ndim", 0) == 1
-        return numbers(name, value, within) if several else number(name, value, within)
-    return number(name, value, within)
+    several = isinstance(value, (list, tuple, range)) or getattr(value, "ndim", 0) == 1
+    if holds == "Choice" and isinstance(value, str):
+        return _native.choice(value, kind[0], name)
+    return numbers(name, value, kind) if _schema.is_list(schema) or holds == "Choice" and several else number(name, value, kind)
 
 
-def rest(value: Any, *, within: str = "") -> Any:
+def rest(name: str, value: Any, schema: _schema.Schema) -> Any:
     """What is neither a quantity nor a file."""
+    if isinstance(value, Mapping):
+        fields = _schema.object_of(schema)
+        return {str(n): field(str(n), v, fields.get(str(n), {})) for n, v in value.items() if v is not None}
     if isinstance(value, os.PathLike):
         return os.fspath(value)
     if isinstance(value, (list, tuple)):
-        return [field(within, v) if isinstance(v, Mapping) else rest(v, within=within) for v in value]
+        return [rest(name, v, _schema.items(schema)) for v in value]
     if hasattr(value, "tolist") and not isinstance(value, (str, bytes)):
         return value.tolist()
     return value
@@ -90,9 +77,10 @@ def request(command: str, values: dict[str, Any]) -> dict[str, Any]:
     models(values)
     beside(values)
     if not isinstance(values.get("rubber", ""), str) or not isinstance(values.get("braid", ""), str):
-        muscle = {name: values.pop(name) for name in ("muscle", *MUSCLE) if name in values}
+        muscle = {name: values.pop(name) for name in ("muscle", *_schema.muscle()) if name in values}
         values["muscle"] = {"name": "muscle", "text": muscle_text(muscle)}
-    return {name: field(name, value, within=command) for name, value in values.items()}
+    fields = _schema.request(command)
+    return {name: field(name, value, fields[name]) for name, value in values.items()}
 
 
 def muscle_text(values: dict[str, Any]) -> str:
@@ -105,4 +93,5 @@ def muscle_text(values: dict[str, Any]) -> str:
             if not hasattr(part, "to_toml"):
                 raise TypeError(f"{name}: a name or a {name.capitalize()}, not {type(part).__name__}")
             parts[name] = part.to_toml()
-    return _native.muscle_text({name: field(name, value) for name, value in values.items()}, parts.get("rubber"), parts.get("braid"))
+    fields = _schema.request("muscle-show")
+    return _native.muscle_text({name: field(name, value, fields[name]) for name, value in values.items()}, parts.get("rubber"), parts.get("braid"))

@@ -45,7 +45,7 @@ def _ramp(share: float) -> str:
 
 
 def _label(series: dict[str, Any]) -> str:
-    """What the legend calls it: a text that the program writes at the end of a line stands in the legend here."""
+    """What the legend calls it: a text that the program writes at the end of a line is in the legend here."""
     return str(series.get("label") or series.get("end_label") or "")
 
 

@@ -5,38 +5,32 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Mapping
+from functools import lru_cache
 from typing import Any
 
 from . import _native
-from ._fields import GROUPS
 
-# What fields of these names measure and their unit, once asked for: a question takes a part of a microsecond.
-_KNOWN: dict[str, tuple[str | None, str] | None] = {}
-
-
-def kind_of(name: str, within: str = "") -> tuple[str | None, str] | None:
-    """The kind of quantity of a field and its unit, as the field's group or its name has it; None of a plain number."""
-    group = GROUPS.get(within)
-    if group is not None and name in group:
-        return group[name]
-    if name not in _KNOWN:
-        if len(_KNOWN) > 1000:
-            _KNOWN.clear()
-        _KNOWN[name] = _native.unit_of(name)
-    return _KNOWN[name]
+# Kind of quantity and unit of a field.
+Kind = tuple["str | None", str]
 
 
-def typed(name: str, text: str, within: str) -> str:
-    """The kind of quantity of a field in which a text with a unit may stand."""
-    kind = kind_of(name, within)
+@lru_cache(1000)
+def kind_of(name: str) -> Kind | None:
+    """The kind of quantity and the unit that a name carries; none of a plain number. For what has no schema, such as columns of a table."""
+    return _native.unit_of(name)
+
+
+def typed(name: str, text: str, kind: Kind | None) -> str:
+    """The kind of quantity of a field that accepts a text with a unit."""
+    kind = kind or kind_of(name)
     if kind is None or kind[0] is None:
         raise wrong(name, f'"{text}" is a text, and this is a plain number')
     return kind[0]
 
 
-def unit_for_pint(name: str, within: str = "") -> str:
+def unit_for_pint(name: str, kind: Kind | None = None) -> str:
     """The unit of a field as pint writes it."""
-    kind = kind_of(name, within)
+    kind = kind or kind_of(name)
     return re.sub(r"(?<=[a-z])(?=[23]\b)", "**", kind[1]) if kind and kind[1] else "dimensionless"
 
 
@@ -47,11 +41,11 @@ def wrong(field: str, message: str, hint: str = "") -> Exception:
     return QuantityError(message, kind="quantity", hint=hint, field=field)
 
 
-def number(name: str, value: Any, within: str = "") -> float:
+def number(name: str, value: Any, kind: Kind | None = None) -> float:
     """A number in the unit of its field."""
     if isinstance(value, str):
-        return _native.quantity(value, typed(name, value, within), name)
-    value = unpinted(name, value, within)
+        return _native.quantity(value, typed(name, value, kind), name)
+    value = unpinted(name, value, kind)
     if isinstance(value, bool) or not hasattr(value, "__float__"):
         raise TypeError(f"{name}: a number, a text with its unit or a quantity of pint, not {type(value).__name__}")
     if getattr(value, "shape", ()) != ():
@@ -62,26 +56,26 @@ def number(name: str, value: Any, within: str = "") -> float:
     return out
 
 
-def unpinted(name: str, value: Any, within: str = "") -> Any:
+def unpinted(name: str, value: Any, kind: Kind | None = None) -> Any:
     """The magnitude of a quantity of pint in the unit inside; anything else as it is."""
     if not (hasattr(value, "magnitude") and hasattr(value, "to")):
         return value
-    unit = unit_for_pint(name, within)
+    unit = unit_for_pint(name, kind)
     try:
         return value.to(unit).magnitude
     except Exception as error:
         raise wrong(name, f"{value} is not in a unit of {'a plain number' if unit == 'dimensionless' else unit}: {error}") from None
 
 
-def numbers(name: str, value: Any, within: str = "") -> list[Any]:
+def numbers(name: str, value: Any, kind: Kind | None = None) -> list[Any]:
     """Several numbers; lists of lists stay such."""
     if isinstance(value, str):
-        return _native.values(value, typed(name, value, within), name)
-    value = unpinted(name, value, within)
+        return _native.values(value, typed(name, value, kind), name)
+    value = unpinted(name, value, kind)
     if hasattr(value, "mask") and hasattr(value, "compressed") and value.mask.any():
         raise wrong(name, "some values are masked", "leave them out: values.compressed()")
     if hasattr(value, "tolist"):
         value = value.tolist()
     if not isinstance(value, Iterable) or isinstance(value, (bytes, Mapping)):
-        return [number(name, value, within)]
-    return [numbers(name, item, within) if isinstance(item, (list, tuple)) else number(name, item, within) for item in value]
+        return [number(name, value, kind)]
+    return [numbers(name, item, kind) if isinstance(item, (list, tuple)) else number(name, item, kind) for item in value]

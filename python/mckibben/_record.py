@@ -161,12 +161,13 @@ class Record:
         if figure is not None and units is None:
             return dict(figure)
         from . import _native
-        from ._ask import FIGURES, figure_in
+        from ._ask import figure_in
 
-        if self._asked is None or self._asked[0] not in FIGURES:
+        command, request = self._asked or ("", {})
+        wanted = figure_in(command, units or "MPa") if command else None
+        if wanted is None:
             raise AttributeError(f"{type(self).__name__} has no figure")
-        command, request = self._asked
-        figure = _native.ask(command, {**request, "figure": figure_in(command, units or "MPa")}).get("figure")
+        figure = _native.ask(command, {**request, "figure": wanted}).get("figure")
         if figure is None:
             raise AttributeError(f"there is no figure of this {type(self).__name__}")
         return dict(figure)

@@ -125,7 +125,7 @@ class RubberFit(_Plain, _answers.RubberFitAnswer):
                 constants: dict[str, Any] = {}
                 for p in found.parameters:
                     constant = p.name.rsplit(".", 1)[-1]
-                    # The terms of Ogden's law stand in lists: mu1, mu2 are mu = […].
+                    # The terms of Ogden's law are in lists: mu1, mu2 are mu = […].
                     if found.law == "ogden":
                         constants.setdefault(constant.rstrip("0123456789"), []).append(p.value)
                     else:
@@ -145,7 +145,7 @@ class Shape(_Plain, _answers.ShapeAnswer):
         return values.reshape(self.stations, -1) if values.size == self.stations * self.across else values
 
     def to_html(self) -> str:
-        """A page with the muscle in space, which turns under the mouse and needs no network."""
+        """A page with the muscle in space, to rotate with the mouse, for use offline."""
         if self._asked is None:
             raise AttributeError("a shape that was not asked for has no page")
         return _native.body_html(self._asked[1])

@@ -58,7 +58,7 @@ class Table:
 
     @classmethod
     def _of(cls, columns: dict[str, Any]) -> Table:
-        """The table of columns that are nobody else's, as they lie."""
+        """The table of columns that belong to no other object, without a copy."""
         table = object.__new__(cls)
         table._hold(columns)
         return table
@@ -66,7 +66,7 @@ class Table:
     @classmethod
     def of(cls, data: Any) -> Table:
         """The table of a data frame (pandas, Polars, Arrow, any that has ``__arrow_c_stream__``), of an answer, or of columns by name, in
-        which a single value stands for all rows.
+        which a single value applies to all rows.
         """
         from ._frames import columns_of
         from ._record import Record

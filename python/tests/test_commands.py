@@ -87,7 +87,7 @@ def test_a_measured_muscle_is_a_folder_or_its_files(root: Path) -> None:
     files = {"case": "case.toml", "muscle": "muscle.toml", "points": "points.csv"}
     texts = {"name": "bench", **{name: (folder / file).read_text("utf-8") for name, file in files.items()}}
     assert mk.measured(cases=[texts]) == found
-    rubber = root / "crates/mckibben-fem/data/measured/rubber-rtv615"
+    rubber = root / "crates/mckibben-fit/data/measured/rubber-rtv615"
     assert [r.name for r in mk.measured(cases=rubber).rubbers] == ["rubber-rtv615"]
     with pytest.raises(mk.FileError):
         mk.measured(cases=folder / "nowhere")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import pickle
 import subprocess
 import sys
@@ -13,7 +12,7 @@ import numpy as np
 import pytest
 
 import mckibben as mk
-from mckibben import _errors
+from mckibben import _errors, _schema
 
 
 @pytest.mark.parametrize(
@@ -154,14 +153,13 @@ def test_a_name_that_is_not_there() -> None:
     assert "force" in dir(mk) and "OutOfRangeError" in dir(mk)
 
 
-def test_the_words_are_those_of_json(root: Path) -> None:
+def test_the_words_are_those_of_json() -> None:
     """The exception says what the command line says, in JSON."""
     try:
         mk.force(pressure_mpa=0.3, model="paper")
     except mk.OutOfRangeError as error:
         assert error.message == "outside the range of the paper model: pressure 0.3 MPa, outside 0 to 0.25 MPa"
-    schema = json.loads((root / "docs/schema/force.json").read_text("utf-8"))
-    kinds = {kind["const"] for kind in schema["error"]["$defs"]["ProblemKind"]["oneOf"]}
+    kinds = {kind["const"] for kind in _schema.bundle()["$defs"]["ProblemKind"]["oneOf"]}
     assert kinds == set(_errors.KINDS)
 
 

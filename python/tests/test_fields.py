@@ -2,60 +2,62 @@
 
 from __future__ import annotations
 
-import json
+import inspect
 import re
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 import mckibben as mk
-from mckibben import _answers, _commands, _fields, _quantity
+from mckibben import _answers, _commands, _quantity, _schema
 
-# A value of each field of a muscle with its unit, the number that it is, a text in a unit of another kind, and what must stand beside it.
-FIELDS: dict[str, tuple[str, float, str, dict[str, Any]]] = {
-    "outer_diameter_mm": ("3.1 cm", 31.0, "1 N", {}),
-    "wall_mm": ("2500 um", 2.5, "1 mm/N", {}),
-    "length_mm": ("0.3 m", 300.0, "1 mm2", {}),
-    "density_kg_per_m3": ("0.93 g/cm3", 930.0, "1 N", {}),
-    "prestretch": ("", 1.1, "1 mm", {}),
-    "angle_deg": ("25 deg", 25.0, "25 mm", {}),
-    "strand_diameter_mm": ("0.25 mm", 0.25, "1 N", {"braid": "flexo-overexpanded-0.75in", "strand_modulus_mpa": 8530}),
-    "strand_modulus_mpa": ("8.5 GPa", 8500.0, "1 N", {"braid": "flexo-overexpanded-0.75in", "strand_diameter_mm": 0.25}),
-    "stiffness": ("0.5 kN/mm", 500.0, "1 mm/N", {}),
-    "seating_mm": ("1600 um", 1.6, "1 N", {}),
-    "slip_mm_per_n": ("4 mm/kN", 0.004, "1 N", {}),
-    "grip_mm": ("0.5 cm", 5.0, "1 mm/N", {}),
-    "end_factor": ("", 1.1, "1 mm", {}),
-    "cone_factor": ("", 0.4, "1 mm", {}),
-    "strand_length_mm": ("33 cm", 330.0, "1 N", {"turns": 1.6}),
-    "turns": ("", 1.6, "1 mm", {"strand_length_mm": 330}),
+# Of fields of a muscle: a value with its unit, the number that it is, and what must stand beside it. Another measure needs no line here.
+FIELDS: dict[str, tuple[str, float, dict[str, Any]]] = {
+    "outer_diameter_mm": ("3.1 cm", 31.0, {}),
+    "wall_mm": ("2500 um", 2.5, {}),
+    "length_mm": ("0.3 m", 300.0, {}),
+    "density_kg_per_m3": ("0.93 g/cm3", 930.0, {}),
+    "prestretch": ("", 1.1, {}),
+    "angle_deg": ("25 deg", 25.0, {}),
+    "strand_diameter_mm": ("0.25 mm", 0.25, {"braid": "flexo-overexpanded-0.75in", "strand_modulus_mpa": 8530}),
+    "strand_modulus_mpa": ("8.5 GPa", 8500.0, {"braid": "flexo-overexpanded-0.75in", "strand_diameter_mm": 0.25}),
+    "stiffness": ("0.5 kN/mm", 500.0, {}),
+    "seating_mm": ("1600 um", 1.6, {}),
+    "slip_mm_per_n": ("4 mm/kN", 0.004, {}),
+    "grip_mm": ("0.5 cm", 5.0, {}),
+    "end_factor": ("", 1.1, {}),
+    "cone_factor": ("", 0.4, {}),
+    "strand_length_mm": ("33 cm", 330.0, {"turns": 1.6}),
+    "turns": ("", 1.6, {"strand_length_mm": 330}),
 }
 
 
-def schemas(root: Path) -> dict[str, Any]:
-    return {path.stem: json.loads(path.read_text("utf-8")) for path in sorted((root / "docs/schema").glob("*.json"))}
-
-
-def each(schema: Any, name: str = "") -> Any:
-    """Every field below a schema, with its name."""
+def each(schema: Any, path: str = "") -> Iterator[tuple[str, str, Any]]:
+    """Every field below a schema: where it is, its name and its schema."""
     if isinstance(schema, dict):
         for field, value in schema.get("properties", {}).items():
-            yield field, value
-        for value in schema.values():
-            yield from each(value)
+            yield path, field, value
+        for key, value in schema.items():
+            yield from each(value, f"{path}.{key}")
     elif isinstance(schema, list):
         for value in schema:
-            yield from each(value)
+            yield from each(value, path)
 
 
-def test_every_field_of_a_muscle_is_here() -> None:
-    assert set(FIELDS) | {"rubber", "braid"} == set(_fields.MUSCLE)
+def test_every_field_of_a_muscle_is_an_argument_of_it() -> None:
+    names = {"rubber", "braid", *FIELDS}
+    assert names <= set(_schema.muscle()) and set(inspect.signature(mk.Muscle).parameters) == {"base", *_schema.muscle()}
 
 
-@pytest.mark.parametrize("name", FIELDS)
+@pytest.mark.parametrize("name", [name for name in _schema.muscle() if name not in ("rubber", "braid")])
 def test_a_field_of_a_muscle_is_given_replaced_and_read_back(name: str) -> None:
-    text, value, other, beside = FIELDS[name]
+    schema = _schema.muscle()[name]
+    # Between the bounds, beside the value where nothing is stated.
+    low, high, usual = (schema.get(key, other) for key, other in (("minimum", 0.0), ("maximum", 2.0), ("default", 1.0)))
+    text, value, beside = FIELDS.get(name, ("", min(max(1.05 * usual, low + 0.05), high), {}))
+    unit = _schema.unit(schema)
 
     def given(of: Any) -> dict[str, Any]:
         return {**beside, name: of}
@@ -65,11 +67,17 @@ def test_a_field_of_a_muscle_is_given_replaced_and_read_back(name: str) -> None:
     assert getattr(muscle, name) == (pytest.approx(value, rel=1e-15) if name == "strand_diameter_mm" else value)
     assert mk.Muscle().replace(**given(value)) == muscle == mk.Muscle.from_toml(muscle.to_toml())
     assert mk.muscle_show(**given(value)).to_dict() == muscle.show().to_dict()
-    if text:
-        assert mk.Muscle(**given(text)) == muscle == mk.Muscle().replace(**given(text))
+    for same in (text, f"{value!r} {unit}" if unit else ""):
+        if same:
+            assert mk.Muscle(**given(same)) == muscle == mk.Muscle().replace(**given(same))
+    # A text in a unit of another kind of quantity.
+    other = "1 mm2" if unit != "mm2" else "1 N"
     for call in (lambda: mk.Muscle(**given(other)), lambda: mk.Muscle().replace(**given(other)), lambda: mk.muscle_show(**given(other))):
         with pytest.raises(mk.MckibbenError):
             call()
+    # Documented with its unit, as an argument and as an attribute.
+    about = inspect.getdoc(mk.Muscle.__init__) or ""
+    assert re.search(rf"^{name}{f' : {re.escape(unit)}' if unit else ''}$", about, flags=re.MULTILINE) and getattr(mk.Muscle, name).__doc__
 
 
 def test_what_a_muscle_does_not_have_is_none_and_what_no_muscle_has_is_an_error() -> None:
@@ -114,58 +122,63 @@ def test_what_a_field_holds_is_said_where_something_else_is_given() -> None:
         mk.Muscle().model(5)
 
 
-def test_kinds_by_name_are_those_of_the_schemas(root: Path) -> None:
-    """Every field of every schema: by its name, or by its group, it is what the schema says."""
+def test_kinds_by_name_are_those_of_the_schemas() -> None:
+    """A column of a table has its unit by its name: it is that of the field of the same name. Tolerances of moduli are ratios."""
     seen = set()
-    for command, schema in schemas(root).items():
-        for name, field in each(schema["request"]):
-            if not isinstance(field, dict) or "x-quantity" not in field:
-                continue
-            said = (field["x-quantity"], field.get("x-unit", ""))
-            groups = [g for g, of in _fields.GROUPS.items() if of.get(name) == said]
-            assert _quantity.kind_of(name) == said or groups, (command, name, said)
+    for path, name, field in each(_schema.bundle()):
+        if isinstance(field, dict) and {"x-unit", "x-quantity"} & field.keys() and "ToleranceFields" not in path:
+            known = _quantity.kind_of(name)
+            assert known is not None and known[1] == field.get("x-unit", "") and known[0] in (field.get("x-quantity"), None), (path, name)
             seen.add(name)
-        for name, field in each(schema["answer"]):
-            if isinstance(field, dict) and "x-unit" in field:
-                known = _quantity.kind_of(name)
-                assert known is not None and known[1] == field["x-unit"], (command, name)
-    assert {"slip_mm_per_n", "contraction", "damping_n_s_per_m", "stiffness_nm_per_rad"} <= seen
+    assert {"slip_mm_per_n", "contraction", "damping_n_s_per_m", "stiffness_nm_per_rad", "force_per_pressure_n_per_mpa"} <= seen
 
 
-def test_every_unit_is_one_of_pint(root: Path) -> None:
+def test_every_unit_is_one_of_pint() -> None:
     """What is 1 in the unit of a field is 1 from pint; 1 of another dimension is refused."""
     pint = pytest.importorskip("pint")
     unit = pint.UnitRegistry()
-    names = {name for schema in schemas(root).values() for name, field in each(schema["request"]) if isinstance(field, dict) and "x-unit" in field}
-    assert len(names) > 30
-    for name in sorted(names):
-        spelled = _quantity.unit_for_pint(name)
-        assert _quantity.number(name, unit.Quantity(1.0, spelled)) == 1.0, name
+    fields = {(name, kind) for _, name, field in each(_schema.bundle()) if (kind := _schema.quantity(field)) is not None and kind[1]}
+    assert len(fields) > 30
+    for name, kind in sorted(fields):
+        spelled = _quantity.unit_for_pint(name, kind)
+        assert _quantity.number(name, unit.Quantity(1.0, spelled), kind) == 1.0, name
         with pytest.raises(mk.QuantityError):
-            _quantity.number(name, unit.Quantity(1.0, "kelvin"))
+            _quantity.number(name, unit.Quantity(1.0, "candela"), kind)
     assert _quantity.number("slip_mm_per_n", 1 * unit.meter / unit.newton) == pytest.approx(1000)
 
 
-def test_documentation_has_the_units_of_the_schemas(root: Path) -> None:
-    page = (root / "docs/python-reference.md").read_text("utf-8")
-    sources = "\n".join(Path(str(module.__file__)).read_text("utf-8") for module in (_answers, _commands, _fields))
+def test_documentation_has_the_units_of_the_schemas(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.syspath_prepend(str(root / "python"))
+    page = __import__("write").reference()
+    made = [getattr(module, name) for module in (_answers, _commands) for name in module.__all__]
+    sources = "\n".join(inspect.getdoc(thing) or "" for thing in [*made, mk.Muscle.__init__])
     said: dict[str, set[str]] = {}
-    for name, unit in re.findall(r"^- `(\w+)` \(([^)]*(?:\([^)]*\))?)\): ", page, flags=re.MULTILINE) + re.findall(r"^ +(\w+) : ([^|\n\[]*)$", sources, flags=re.MULTILINE):
+    for name, unit in re.findall(r"^- `(\w+)` \(([^)]*(?:\([^)]*\))?)\): ", page, flags=re.MULTILINE) + re.findall(r"^(\w+) : ([^|\n\[]*)$", sources, flags=re.MULTILINE):
         said.setdefault(name, set()).add(unit)
     for name, units in {"slip_mm_per_n": "mm/N", "force_per_pressure_n_per_mpa": "N/MPa", "stiffness_n_per_mm": "N/mm", "volume_mm3": "mm3"}.items():
         assert said[name] == {units}, (name, said[name])
-    for name, field in (pair for schema in schemas(root).values() for pair in each(schema)):
+    assert len(said) > 150
+    for _, name, field in each(_schema.bundle()):
         if isinstance(field, dict) and "x-unit" in field and name in said:
             # Hand-written pages name degrees, and several names with their units in one line.
             assert said[name] <= {field["x-unit"], "degrees"} or name == "stiffness", (name, said[name])
 
 
-def test_signatures_are_those_of_the_schemas(root: Path) -> None:
-    import inspect
-
-    own = set(inspect.signature(mk.Muscle).parameters)
-    assert own == {"base", *_fields.MUSCLE}
+def test_signatures_are_those_of_the_schemas() -> None:
     for command in ("force", "pressure", "contraction", "curve", "muscle-show", "design"):
-        fields = set(schemas(root)[command]["request"]["properties"])
-        given = set(inspect.signature(getattr(_commands, command.replace("-", "_"))).parameters)
-        assert fields <= given, (command, fields - given)
+        given = set(inspect.signature(getattr(mk, command.replace("-", "_"))).parameters)
+        assert set(_schema.request(command)) <= given, command
+    assert str(inspect.signature(mk.braid_show)).startswith("(name: 'str | None' = None, *, outer_diameter_mm: 'Number | None' = None, ")
+    curve = inspect.signature(mk.Muscle.curve)
+    assert list(curve.parameters)[:2] == ["self", "test"] and curve.parameters["test"].default == "isobaric" and not set(_schema.muscle()) & set(curve.parameters)
+    assert inspect.signature(mk.sweep).parameters["muscles"].default == 100 and inspect.signature(mk.force).parameters["two_sided"].default is False
+
+
+def test_stubs_are_python_and_have_every_name(root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    import ast
+
+    monkeypatch.syspath_prepend(str(root / "python"))
+    __import__("write").stubs(tmp_path)
+    there = {node.name for file in tmp_path.glob("*.pyi") for node in ast.parse(file.read_text("utf-8")).body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
+    assert there >= {*_answers.__all__, *_commands.__all__, "MuscleFields", "MuscleCommands", "OutOfRangeError"}
+    assert "slip_mm_per_n: 'Number | None' = None" in (tmp_path / "_commands.pyi").read_text("utf-8")

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import inspect
+import pickle
 import pydoc
 import subprocess
 import sys
+from typing import Any
 
 import pytest
 
@@ -62,6 +64,30 @@ def test_all_that_is_listed_is_there() -> None:
 
 def test_a_star_import_gives_what_is_listed() -> None:
     assert run("from mckibben import *\nimport mckibben\nassert all(n in globals() for n in mckibben.__all__)\nassert 'torch' not in globals() and 'import_module' not in globals()\nprint(Muscle().wall_mm)").strip() == "3.0"
+
+
+def test_what_is_made_from_the_schema_is_as_if_it_were_written() -> None:
+    """Functions and classes with names, signatures and documentation, found by pickle, refused arguments named."""
+    muscle = mk.Muscle()
+    for thing in (mk.force, mk.Muscle.force, mk.OutOfRangeError, type(muscle.force(0.2, 0.1, model="ideal"))):
+        assert pickle.loads(pickle.dumps(thing)) is thing and thing.__doc__ and thing.__module__.startswith("mckibben.")
+    assert inspect.isfunction(mk.force) and mk.force.__name__ == "force" and mk.Muscle.force.__qualname__ == "MuscleCommands.force"
+    assert "pressure_mpa : MPa\n    Gauge pressure P in MPa." in (inspect.getdoc(mk.force) or "")
+    assert "pressure_mpa : MPa" in pydoc.plain(pydoc.render_doc(mk.force)) and "force_per_pressure_n_per_mpa : N/MPa" in (type(muscle.force(0.2, 0.1, model="ideal")).__doc__ or "")
+    ask: Any = mk.force
+    with pytest.raises(TypeError, match=r"force\(\) got an unexpected keyword argument 'presure_mpa'"):
+        ask(presure_mpa=1)
+    with pytest.raises(TypeError, match=r"force\(\) too many positional"):
+        ask(muscle, 0.2, 0.1, "ideal")
+    with pytest.raises(AttributeError):
+        mk.report
+    assert muscle.force(0.2, contraction=0.1, model="ideal") == mk.force(muscle, 0.2, 0.1, model="ideal")
+
+
+def test_the_schema_is_not_asked_for_by_the_import() -> None:
+    """What takes time is done when it is used first."""
+    code = "import sys, mckibben; print([m for m in sys.modules if m.startswith(('mckibben.', 'numpy'))])"
+    assert run(code).strip() == "[]"
 
 
 def test_a_name_that_is_none_is_an_attribute_error() -> None:

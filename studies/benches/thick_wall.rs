@@ -1,7 +1,7 @@
 //! The thick-wall model: one muscle built, one pull, one inverse; and a design over a fine grid.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use mckibben::design::{BraidChoice, Limits, Objective, OperatingPoint, Spec, design};
+use mckibben_design::{BraidChoice, Limits, Objective, OperatingPoint, Spec, design};
 use mckibben::model::{ForceModel, Inverse, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::units::Values;

@@ -75,6 +75,6 @@ test("a server that is gone ends its job with a sentence, and one that comes bac
   await sources[0].onerror();
   assert.equal(sources[0].readyState, 0);
   there = false;
-  await Promise.all([assert.rejects(job, /the server went away/), sources[0].onerror()]);
+  await Promise.all([assert.rejects(job, /the connection to the server was lost/), sources[0].onerror()]);
   assert.equal(sources[0].readyState, 2);
 });

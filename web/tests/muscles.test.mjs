@@ -103,8 +103,8 @@ for (const [name, { start, point: within, motion }] of engines({
       const text = await page.canonical(state, engine.ask);
       await writeFile(saved, text);
       const again = page.opened(state, text);
-      const { warnings: _, ...numbers } = await engine.ask("muscle-show", page.fields(again)), { warnings: __, ...told } = shown;
-      same(numbers, told, Math.max(within, 1e-15), `the saved muscle ${seed}`);
+      const { warnings: _, ...numbers } = await engine.ask("muscle-show", page.fields(again)), { warnings: __, ...printed } = shown;
+      same(numbers, printed, Math.max(within, 1e-15), `the saved muscle ${seed}`);
 
       // Muscle: the pull, of the state, of what was saved, and what the shape carries.
       const [pull, bySaved, force, ofSaved, shape] = await Promise.all([

@@ -136,7 +136,7 @@ inBrowser(({ name, url, open, blank }) => {
   test("sleeves in a design have the same fields", async () => {
     const { page, context } = await open("#design?F=300N&e=10%25&pmax=4bar&s=1.5mm&D=10..18mm");
     await page.waitForSelector("table", { timeout: 60_000 });
-    await page.getByText("What may be varied").click();
+    await page.getByText("Search space").click();
     await page.getByLabel("Sleeves as sold").fill("flexo-overexpanded-0.38in");
     await type(page, "Diameter of a strand", "0.25 mm");
     const best = ask("design", "-F", "300N", "-e", "10%", "-p", "4bar", "-s", "1.5mm", "-D", "10..18mm", "--braid", "flexo-overexpanded-0.38in", "--strand-diameter", "0.25mm").candidates[0];
@@ -300,7 +300,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.getByRole("button", { name: "Compute the plan" }).click();
     await page.getByRole("progressbar").first().waitFor({ timeout: 20_000 });
     own.kill();
-    await page.getByText("The engine does not answer: the server went away").waitFor({ timeout: 20_000 });
+    await page.getByText("The computation engine stopped: the connection to the server was lost").waitFor({ timeout: 20_000 });
     assert.equal(await page.getByRole("progressbar").count(), 0);
     await context.close();
   });

@@ -181,7 +181,7 @@ inBrowser(({ name, url, open, blank }) => {
     const map = page.getByRole("region", { name: "design map" });
     const [cells] = await Promise.all([page.waitForEvent("download"), map.getByRole("button", { name: "CSV" }).click()]);
     const lines = readFileSync(/** @type {string} */ (await cells.path())).toString().trim().split("\n");
-    assert.match(lines[0], /^curve,outer diameter D0 \[mm\],wall s \[mm\],"needs \[bar\], or misses"$/);
+    assert.match(lines[0], /^curve,outer diameter D0 \[mm\],wall s \[mm\],"required pressure \[bar\], or missed limit"$/);
     assert.equal(lines.length, 1 + 29 * 25);
     await map.locator(".heatmaplayer, .contourlayer").first().waitFor({ state: "attached", timeout: 30_000 });
     const box = /** @type {any} */ (await map.locator(".plot").first().boundingBox());
@@ -269,7 +269,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.locator("input[type=file]").setInputFiles({ name: "thin.toml", mimeType: "application/toml", buffer: Buffer.from(thin) });
     await page.getByText("Muscle 2 is that of its file.").waitFor();
     assert.match(page.url(), /file2=/);
-    await page.getByRole("button", { name: "Twice the same muscle" }).click();
+    await page.getByRole("button", { name: "Use the same muscle twice" }).click();
     await page.getByText("Both muscles are those of the page Muscle.").waitFor();
     await context.close();
   });
@@ -303,7 +303,7 @@ inBrowser(({ name, url, open, blank }) => {
     const blocked = await blank();
     await blocked.page.route("**/live.wasm", (route) => route.abort());
     await blocked.page.goto(url() + "#muscle?D=25");
-    await blocked.page.getByText("The engine does not answer").waitFor();
+    await blocked.page.getByText("The computation engine stopped").waitFor();
     await blocked.page.unroute("**/live.wasm");
     await blocked.page.getByRole("button", { name: "Try again" }).click();
     await alive(blocked.page);

@@ -16,7 +16,7 @@ const TASKS: [Task; 13] = [
     ("figures", "figures of README and docs, drawn by the program; --check compares", figures),
     ("study-figures", "figures that scripts of studies/ draw; --check compares", study_figures),
     ("golds", "tables and formulas that the program computes itself; --check compares", golds),
-    ("schemas", "JSON Schemas of requests and answers in docs/schema; --check compares", schemas),
+    ("schemas", "words of requests and answers in docs/contract.txt; --check compares", schemas),
     ("checks", "outputs read by other programs (python3, ccx, chromium)", checks),
     ("wasm", "numeric crates build for wasm32-unknown-unknown", |_| script("bash", "checks/wasm.sh")),
     ("workbench", "the page in a browser, on both of its engines (npm, chromium)", |_| {
@@ -138,14 +138,9 @@ fn golds(check: bool) -> Done {
 }
 
 fn schemas(check: bool) -> Done {
-    let (program, made) = (program()?, made("schemas")?);
-    run(Command::new(&program).args(["schema", "-o"]).arg(&made))?;
-    for entry in fs::read_dir(&made).map_err(|e| e.to_string())? {
-        let path = entry.map_err(|e| e.to_string())?.path();
-        let Some(name) = path.file_name() else { continue };
-        keep(&path, &Path::new("docs/schema").join(name), check)?;
-    }
-    Ok(())
+    let mut test = cargo();
+    test.args(["test", "--workspace", "--test", "layer", "--", "the_words_of_requests_and_answers"]);
+    run(if check { &mut test } else { test.env("MCKIBBEN_WRITE", "yes") })
 }
 
 fn checks(_: bool) -> Done {

@@ -58,7 +58,7 @@ fn internal(cause: &(dyn Any + Send)) -> Problem {
         said.or_else(|| cause.downcast_ref::<String>().map(String::as_str)).unwrap_or("no reason given");
     let place = PLACE.lock().unwrap_or_else(PoisonError::into_inner).take();
     let place = place.map_or_else(String::new, |place| format!(" ({place})"));
-    let message = format!("mckibben {} is at fault itself: {said}{place}", env!("CARGO_PKG_VERSION"));
-    let hint = "please report this message with the request and the files that show it; the same request would fail again";
+    let message = format!("internal error of mckibben {}: {said}{place}", env!("CARGO_PKG_VERSION"));
+    let hint = "please report this message with the request and its files; the same request will fail again";
     Problem::new(ProblemKind::Internal, message, hint)
 }

@@ -15,15 +15,15 @@ use std::path::{Path, PathBuf};
 pub struct CampaignRequest {
     /// The plan (TOML).
     pub plan: Option<TextFile>,
-    /// Where the table goes: one file that ends in .parquet, or a folder of parts. The same request resumes it.
+    /// Output table: one file that ends in .parquet, or a folder of parts. The same request continues an interrupted run.
     pub output: Option<PathBuf>,
-    /// Only share i of n of the plan, as i/n, as parts in a folder.
+    /// Compute only share i of n of the plan, as i/n, as parts in a folder.
     pub shard: Option<String>,
-    /// Threads; as many as cores where it is left out. The table does not depend on them.
+    /// Number of threads; default: one per core. The table does not depend on it.
     pub threads: Option<usize>,
-    /// What stands at `output` and is not of this plan is replaced.
+    /// Overwrite a file at `output` that is not of this plan.
     pub overwrite: bool,
-    /// A plan of more than 10 GB or a day is begun.
+    /// Start even if the plan needs more than 10 GB or one day.
     pub yes: bool,
 }
 
@@ -75,7 +75,7 @@ pub struct CampaignShowRequest {
     pub campaign: PathBuf,
 }
 
-/// What a campaign holds.
+/// Contents of a campaign.
 ///
 /// # Errors
 /// [`Problem`] where it is none.
@@ -91,7 +91,7 @@ pub struct CampaignMergeRequest {
     pub folders: Vec<PathBuf>,
     /// The file.
     pub output: PathBuf,
-    /// What stands at `output` and is not of the same plan is replaced.
+    /// Overwrite a file at `output` that is not of the same plan.
     pub overwrite: bool,
 }
 

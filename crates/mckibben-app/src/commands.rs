@@ -15,8 +15,6 @@ use mckibben::progress::Progress;
 use mckibben_campaign::campaign::{Merged, Outcome, Summary};
 #[cfg(feature = "schema")]
 use schemars::{JsonSchema, generate::SchemaSettings};
-#[cfg(feature = "schema")]
-use serde::Deserialize;
 use serde::Serialize;
 use serde_json::Value;
 use std::sync::LazyLock;
@@ -30,14 +28,31 @@ pub struct CommandEntry {
     pub name: &'static str,
     #[cfg(feature = "schema")]
     schema: fn() -> Value,
-    ask: fn(Value, &dyn Progress) -> Result<Value, Problem>,
-    #[cfg(feature = "schema")]
-    understood: fn(&Value) -> Result<(), Problem>,
+    read: fn(Value) -> Result<Ready, Problem>,
     /// Whether it may take more than a moment, and reports its progress: a job.
     pub long: bool,
     /// What its request holds, from the schema, which is made once.
     #[cfg(feature = "schema")]
     expected: OnceLock<Expected>,
+}
+
+/// A request that was read, and waits to be answered.
+pub struct Ready(Box<dyn FnOnce(&dyn Progress) -> Result<Value, Problem> + Send>);
+
+impl Ready {
+    /// Answers it, within the caller's budget.
+    ///
+    /// # Errors
+    /// [`Problem`].
+    pub fn answer(self, progress: &dyn Progress) -> Result<Value, Problem> {
+        within(&progress.budget(), || (self.0)(progress))
+    }
+}
+
+impl std::fmt::Debug for Ready {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Ready")
+    }
 }
 
 impl CommandEntry {
@@ -72,14 +87,14 @@ impl CommandEntry {
         self.expected().fields().iter().any(|(field, _)| tables.contains(&field.as_str()))
     }
 
-    /// Whether a request is one of this command, before any work is done for it: what is said at once of what begins later.
+    /// Reads a request, before any work is done for it: what is wrong with it is an error at once.
     ///
     /// # Errors
     /// [`Problem`] of kind `usage`.
-    #[cfg(feature = "schema")]
-    pub fn check(&self, request: &Value) -> Result<(), Problem> {
-        self.check_fields(request)?;
-        (self.understood)(request)
+    pub fn read(&self, request: Value) -> Result<Ready, Problem> {
+        #[cfg(feature = "schema")]
+        self.check_fields(&request)?;
+        (self.read)(request)
     }
 
     /// A field that no request of this kind has is an error: a mistyped one must not turn into a default. So is one with something in it
@@ -104,13 +119,13 @@ macro_rules! command {
             name: $name,
             #[cfg(feature = "schema")]
             schema: schemas::<$request, $answer>,
-            ask: |value, $progress| {
+            read: |value| {
                 let $r: $request = serde_json::from_value(value).map_err(|e| not_understood(&e))?;
-                let answer: $answer = $body?;
-                json(&answer)
+                Ok(Ready(Box::new(move |$progress| {
+                    let answer: $answer = $body?;
+                    json(&answer)
+                })))
             },
-            #[cfg(feature = "schema")]
-            understood: |value| <$request>::deserialize(value).map(drop).map_err(|e| not_understood(&e)),
             #[cfg(feature = "schema")]
             expected: OnceLock::new(),
             long: false,
@@ -262,10 +277,7 @@ pub fn parsed(request: &str) -> Result<Value, Problem> {
 }
 
 fn of_value(command: &str, value: Value, progress: &dyn Progress) -> Result<Value, Problem> {
-    let command = find(command)?;
-    #[cfg(feature = "schema")]
-    command.check_fields(&value)?;
-    (command.ask)(value, progress)
+    (find(command)?.read(value)?.0)(progress)
 }
 
 /// A request, or a group of its fields.

@@ -11,22 +11,22 @@ use crate::warnings;
 use crate::words::number;
 use mckibben::answer::{Options, point};
 use mckibben::budget::{Budget, Resource};
-use mckibben::compare::{Comparison, MeasuredPoint, compare as errors_of, mean_of_branches};
-use mckibben::identify::{
-    DataPoint, IdentifyError, Parameter, Request, Target, identify, matters, own_value,
-};
-use mckibben::least_squares::Loss;
-use mckibben::measured::{PointOptions, read_points};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::muscle::measures::END_FACTOR;
 use mckibben::progress::Progress;
 use mckibben::warning::Warning;
+use mckibben_fit::compare::{Comparison, MeasuredPoint, compare as errors_of, mean_of_branches};
+use mckibben_fit::identify::{
+    DataPoint, IdentifyError, Parameter, Request, Target, identify, matters, own_value,
+};
+use mckibben_fit::least_squares::Loss;
+use mckibben_fit::measured::{PointOptions, read_points};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Models held against measured points, or against the first of them.
+/// Models compared with measured points, or with the first model.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct CompareRequest {
@@ -45,7 +45,7 @@ pub struct CompareRequest {
     pub branch: Direction,
     /// Constants to fit to the points, for each model that knows them.
     pub fit: Vec<FitConstant>,
-    /// Pressures P in MPa where there are no measured points; 0.05 to 0.25 by 0.05 where they are left out.
+    /// Pressures P in MPa where there are no measured points; default 0.05 to 0.25 by 0.05.
     pub pressures_mpa: Option<Vec<f64>>,
     /// Contraction ratios ε, likewise; 0 to 0.2 by 0.01.
     pub contractions: Option<Vec<f64>>,
@@ -55,7 +55,7 @@ pub struct CompareRequest {
     /// How the models are asked.
     #[serde(flatten)]
     pub asking: AskFields,
-    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
+    /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
 }
 
@@ -96,7 +96,7 @@ impl FitConstant {
 /// Models and their errors.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct CompareAnswer {
-    /// `measured`, or the model that the others are held against.
+    /// `measured`, or the reference model.
     pub reference: String,
     /// How many points.
     pub points: usize,
@@ -108,7 +108,7 @@ pub struct CompareAnswer {
     pub understood: Vec<UnderstoodTable>,
     /// The models.
     pub models: Vec<ComparedModel>,
-    /// What the user should know of the muscle and its rubber, in sentences.
+    /// Warnings about the muscle and its rubber, in sentences.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The figure, where it was asked for.
@@ -116,7 +116,7 @@ pub struct CompareAnswer {
     pub figure: Option<Figure>,
 }
 
-/// A model and its errors, model less reference.
+/// A model and its errors, model − reference.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
 pub struct ComparedModel {
     /// Its name.
@@ -125,7 +125,7 @@ pub struct ComparedModel {
     pub rms_n: Option<f64>,
     /// The largest, N.
     pub max_n: Option<f64>,
-    /// The mean, N: above zero where the model promises too much.
+    /// The mean, N: above zero if the model predicts too much pull.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mean_n: Option<f64>,
     /// Points that it answered.
@@ -178,7 +178,7 @@ struct Compared {
     row: ComparedModel,
 }
 
-/// Models held against measured points, or against the first of them.
+/// Models compared with measured points, or with the first model.
 ///
 /// # Errors
 /// [`Problem`] for a wrong request, or where no model could be compared; a single model that cannot carries its cause.
@@ -357,7 +357,7 @@ fn answers(
 /// k in N/mm from which the search begins where the strands do not stretch.
 const STIFF: f64 = 1e5;
 
-type Fitted = (Muscle, Vec<(FitConstant, f64)>);
+type FittedMuscle = (Muscle, Vec<(FitConstant, f64)>);
 
 /// The muscle with the constants that bring a model closest to the points, of those that the model knows.
 fn fitted(
@@ -366,7 +366,7 @@ fn fitted(
     direction: Direction,
     constants: &[FitConstant],
     points: &[MeasuredPoint],
-) -> Result<Fitted, Problem> {
+) -> Result<FittedMuscle, Problem> {
     let build = |m: &Muscle| model.build(m);
     // All points count, zeros among them.
     let points: Vec<DataPoint> =

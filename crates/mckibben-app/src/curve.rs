@@ -23,7 +23,7 @@ use mckibben::units::{Values, short_numbers};
 use mckibben::warning::Warning;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 /// A family of curves of one test. Isometric: ε fixed, F over P; isotonic: F fixed, ε over P; isobaric: P fixed, F over ε.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -39,23 +39,23 @@ pub struct CurveRequest {
     /// How it is asked.
     #[serde(flatten)]
     pub asking: AskFields,
-    /// Gauge pressures P in MPa; isobaric 0.05 to 0.25 by 0.05, else 0 to 0.25 by 0.01 where they are left out.
+    /// Gauge pressures P in MPa; default isobaric 0.05 to 0.25 by 0.05, else 0 to 0.25 by 0.01.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pressures_mpa: Option<Vec<f64>>,
-    /// Contraction ratios ε; where they are left out, from 0 to the free contraction at the highest pressure (or the end of the
+    /// Contraction ratios ε; default: from 0 to the free contraction at the highest pressure (or the end of the
     /// model's range): isobaric by 0.01, isometric by 0.05.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contractions: Option<Vec<f64>>,
-    /// Pulls F in N of an isotonic test; 20, 80 and 150 where they are left out.
+    /// Pulls F in N of an isotonic test; default 20, 80 and 150.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub forces_n: Option<Vec<f64>>,
-    /// A load that the muscle meets in an isobaric test: its equilibria at each pressure, and its line in the figure.
+    /// A load in an isobaric test: its equilibria at each pressure, and its line in the figure.
     #[serde(flatten)]
     pub load: LoadFields,
-    /// Each curve shall be given on both branches of the friction's hysteresis.
+    /// Give each curve on both branches of the friction hysteresis.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub both: bool,
-    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
+    /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub figure: Option<Units>,
 }
@@ -71,22 +71,21 @@ pub struct CurveAnswer {
     pub muscle: MuscleSummary,
     /// What is fixed along each curve: ε, F in N, or P in MPa; of two curves, where both branches were asked for.
     pub fixed: Vec<f64>,
-    /// What the user should know, of each kind the gravest.
+    /// Warnings; of each kind the most serious.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
-    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none where that is not stated.
+    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none if that is not stated.
     pub burst_pressure_mpa: Option<f64>,
     /// The points, curve after curve; all curves have the same number of points.
-    pub points: Vec<PointRow>,
+    #[serde(rename = "points", serialize_with = "points")]
+    #[schemars(with = "Vec<PointRow>")]
+    pub curves: Vec<Curve>,
     /// The equilibria with the load, where there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loaded: Option<LoadAnswer>,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
-    /// The curves themselves.
-    #[serde(skip)]
-    pub curves: Vec<Curve>,
     /// Whether every two curves are the branches of one: shortening, then lengthening.
     #[serde(skip)]
     pub both: bool,
@@ -128,6 +127,10 @@ pub struct FailedPoint {
     pub cause: String,
 }
 
+fn points<S: Serializer>(curves: &[Curve], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(curves.iter().flat_map(|curve| &curve.points).map(PointRow::from))
+}
+
 impl From<&CurvePoint> for PointRow {
     fn from(point: &CurvePoint) -> Self {
         match &point.answer {
@@ -155,7 +158,6 @@ pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAns
     })?;
     let figure = request.figure.as_ref();
     answer.figure = figure.map(|unit| figure::curves(&answer, request.test, &list, request.both, unit));
-    answer.points = list.iter().flat_map(|c| c.points.iter().map(PointRow::from)).collect();
     answer.curves = list;
     Ok(answer)
 }
@@ -220,7 +222,7 @@ fn each(
         (None, _) => None,
         (Some(_), true) => loaded(&request.load, model, workspace, &fixed, question.options)?,
         (Some(_), false) => {
-            let message = "`load` goes with an isobaric test, where the pressure is the same along a curve";
+            let message = "`load` is for isobaric tests only, where the pressure is constant along a curve";
             return Err(Problem::new(ProblemKind::Usage, message, "").in_field("load"));
         }
     };
@@ -255,7 +257,6 @@ fn each(
         test: request.test,
         muscle: MuscleSummary::from(&question.muscle),
         fixed,
-        points: vec![],
         loaded,
         warnings: said,
         figure: None,
@@ -293,11 +294,11 @@ pub(crate) fn check_test(test: Test, contractions: bool, forces: bool) -> Result
     match test {
         Test::Isotonic => Problem::refuse_unused(
             &[("contractions", contractions)],
-            format!("`test` {name} takes pulls (`forces_n`) and answers with contractions"),
+            format!("`test` {name} needs pulls (`forces_n`) and computes contractions"),
         ),
         Test::Isometric | Test::Isobaric => Problem::refuse_unused(
             &[("forces_n", forces)],
-            format!("`test` {name} takes contractions (`contractions`) and answers with pulls"),
+            format!("`test` {name} needs contractions (`contractions`) and computes pulls"),
         ),
     }
 }

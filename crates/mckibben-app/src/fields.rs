@@ -1,10 +1,13 @@
 //! Fields that requests share.
 
-pub use crate::muscle_fields::{MeasureValues, MuscleFields, NamedFields};
+pub use crate::muscle_fields::{MuscleFields, NamedFields};
 pub use mckibben::muscle::Direction;
-pub use mckibben::table::{Columns, Understood, UnderstoodColumn};
-use schemars::JsonSchema;
+pub use mckibben::muscle::measures::MeasureValues;
+pub use mckibben_table::{Columns, Understood, UnderstoodColumn};
+use schemars::transform::Transform;
+use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 /// A file that a front end read, or that its user dropped in.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
@@ -52,9 +55,24 @@ pub enum NamedStiffness {
     Paper,
 }
 
+/// Says of all fields of a schema to which group they belong in a form or a help text.
+pub(crate) struct InGroup(pub &'static str);
+
+impl Transform for InGroup {
+    fn transform(&mut self, schema: &mut Schema) {
+        let fields = schema.get_mut("properties").and_then(Value::as_object_mut);
+        for field in
+            fields.into_iter().flat_map(|fields| fields.values_mut()).filter_map(Value::as_object_mut)
+        {
+            field.insert("x-group".into(), self.0.into());
+        }
+    }
+}
+
 /// Which model answers: `fe` unless another one is named.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
+#[schemars(transform = InGroup("model"))]
 pub struct ModelFields {
     /// Name of the model, or of one of the formulas.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -70,13 +88,14 @@ pub struct ModelFields {
 /// The mesh of finite elements.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
+#[schemars(transform = InGroup("model"))]
 pub struct MeshFields {
     /// Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal
     /// behind (2x8:2); of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along
     /// (2x12x39), with :quadratic or :circle behind.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mesh: Option<String>,
-    /// What `fe3d` keeps where bricks with strands at ±θ0 do not fill the length.
+    /// Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
     #[serde(rename = "match", skip_serializing_if = "is_default")]
     pub keep: Keep,
     /// Terminal of `fe3d` that is a body; without it a rigid plane.
@@ -125,11 +144,12 @@ pub enum TerminalMaterial {
 /// How a model is asked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
+#[schemars(transform = InGroup("model"))]
 pub struct AskFields {
-    /// Answer outside of the model's range, with a warning.
+    /// Compute outside the model's range too, with a warning.
     #[serde(skip_serializing_if = "is_default")]
     pub extrapolate: bool,
-    /// Negative force instead of slack where the muscle would have to push.
+    /// Give the negative force, not slack, where the muscle would have to push.
     #[serde(skip_serializing_if = "is_default")]
     pub two_sided: bool,
     /// Branch of the friction hysteresis; needs the braid's friction.

@@ -12,27 +12,27 @@ use crate::warnings::largest_stretch;
 use crate::words::number;
 use mckibben::answer::Options;
 use mckibben::budget::Resource;
-use mckibben::identify::{
-    Fitted, Identification, Identified, IdentifyError, LawTrial, Parameter, ParameterError, Request, Spread,
-    Target, identify_default, identify_with, try_laws,
-};
-use mckibben::least_squares::{EstimateError, Loss};
-use mckibben::measured::{
-    DataPoint, MeasuredPoint, PointOptions, Quantity, Section, mean_of_data, read_points,
-};
 use mckibben::model::Workspace;
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
 use mckibben::warning::Warning;
+use mckibben_fit::identify::{
+    Identification, Identified, IdentifyError, LawTrial, Parameter, ParameterError, PointFit, Request,
+    Target, identify_default, identify_with, try_laws,
+};
+use mckibben_fit::least_squares::{EstimateError, Loss};
+use mckibben_fit::measured::{
+    DataPoint, MeasuredPoint, PointOptions, Quantity, Section, mean_of_data, read_points,
+};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 /// Points of a formula at most.
 const MOST_POINTS: usize = 100_000;
 
-/// Points, and what of a muscle they shall tell.
+/// Points, and the parameters of a muscle to identify from them.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct IdentifyRequest {
@@ -48,60 +48,47 @@ pub struct IdentifyRequest {
     pub columns: Columns,
     /// A published formula as data: the name of a model, or of one of `formulas`.
     pub formula: Option<String>,
-    /// Pressures P of `formula` in MPa; 0.05 to 0.25 by 0.05 where they are left out.
+    /// Pressures P of `formula` in MPa; default 0.05 to 0.25 by 0.05.
     pub pressures_mpa: Option<Vec<f64>>,
-    /// Contraction ratios ε of `formula`; 0 to 0.2 by 0.05 where they are left out.
+    /// Contraction ratios ε of `formula`; default 0 to 0.2 by 0.05.
     pub contractions: Option<Vec<f64>>,
-    /// Outer diameters D0 of `formula` in mm; that of the muscle where they are left out.
+    /// Outer diameters D0 of `formula` in mm; default that of the muscle.
     pub outer_diameters_mm: Option<Vec<f64>>,
-    /// Walls s of `formula` in mm; that of the muscle where they are left out.
+    /// Walls s of `formula` in mm; default that of the muscle.
     pub walls_mm: Option<Vec<f64>>,
-    /// Weight of each of `data`, then of `formula`; 1 where they are left out.
+    /// Weight of each of `data`, then of `formula`; default 1.
     pub weights: Vec<f64>,
-    /// What is done with the branches of the hysteresis.
+    /// Treatment of the branches of the hysteresis.
     pub branches: Branches,
-    /// Forces of zero and below are measurements; else the muscle was slack there.
+    /// Use points with a force of zero or below as measurements; by default the muscle counts as slack there.
     pub two_sided: bool,
-    /// What is free: NAME, NAME=START or NAME=START:LOW:HIGH. Where nothing is named, the modulus, and stiffness and friction
-    /// where the data tell them.
+    /// Free parameters: NAME, NAME=START or NAME=START:LOW:HIGH. Default: the modulus, and stiffness and friction
+    /// if the data determine them.
     pub free: Vec<String>,
     /// Fix a parameter: NAME=VALUE.
     pub fix: Vec<String>,
-    /// Bounds of what is free: NAME=LOW:HIGH.
+    /// Bounds of free parameters: NAME=LOW:HIGH.
     pub bounds: Vec<String>,
-    /// How residuals count.
-    pub loss: LossWord,
-    /// Every law of the rubber is tried, with all of its constants free beside what else is.
+    /// Loss function of the residuals.
+    pub loss: Loss,
+    /// Fit every rubber law, with all its constants free, together with the other free parameters.
     pub laws: bool,
-    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
+    /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
 }
 
-/// How residuals count.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum LossWord {
-    /// By their squares.
-    #[default]
-    Squares,
-    /// Those far off less (Huber).
-    Huber,
-    /// The largest most (sixth powers).
-    Largest,
-}
-
-/// What is done with the branches of the hysteresis.
+/// Treatment of the branches of the hysteresis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Branches {
-    /// Both, with the friction between them.
+    /// Both branches, with the friction between them.
     #[default]
     Both,
-    /// Their mean.
+    /// Mean of the branches.
     Mean,
 }
 
-/// What the points tell.
+/// Result of the identification.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct IdentifyAnswer {
     /// The model.
@@ -110,46 +97,28 @@ pub struct IdentifyAnswer {
     pub data: String,
     /// What was understood of each table.
     pub understood: Vec<UnderstoodTable>,
-    /// What was free, with its value and error.
-    pub parameters: Vec<Identified>,
-    /// Correlation of the parameters, row by row.
-    pub correlation: Vec<Vec<f64>>,
-    /// Root mean square of the residuals at the start, N.
-    pub rms_before_n: f64,
-    /// Root mean square of the residuals, N.
-    pub rms_n: f64,
-    /// Largest residual, N.
-    pub max_n: f64,
-    /// Standard deviation of one point: in N, or of stated errors.
-    pub deviation: f64,
-    /// Whether the points state their errors.
-    pub errors_stated: bool,
-    /// Points less parameters that lie on no bound.
-    pub degrees_of_freedom: usize,
-    /// Residuals by branch, by what was read, and by table.
-    pub spreads: Vec<Spread>,
-    /// Points that were left out because the muscle was slack.
-    pub slack_points: usize,
+    /// What was found.
+    #[serde(flatten)]
+    pub found: Identification,
     /// The muscle with the values found.
     pub muscle: MuscleSummary,
     /// The same as a muscle file, with what was identified in its head.
     pub muscle_file: String,
-    /// The points, with what the model makes of them.
-    pub points: Vec<IdentifiedPoint>,
-    /// What the points say of each law of the rubber, the one that they prefer first; empty where it was not asked.
+    /// The points, with the values of the model.
+    #[serde(serialize_with = "points")]
+    #[schemars(with = "Vec<IdentifiedPoint>")]
+    pub points: Vec<PointFit>,
+    /// Fit of each rubber law, the best first; empty if it was not requested.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub laws: Vec<LawRow>,
-    /// What does not fit together, is not identifiable, or should be measured.
+    /// Warnings: contradictions, parameters that are not identifiable, missing measurements.
     pub warnings: Vec<String>,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
-    /// What was found, muscle and all.
-    #[serde(skip)]
-    pub found: Identification,
 }
 
-/// What the points say of a law of the rubber.
+/// Fit of a rubber law to the points.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct LawRow {
     /// The law.
@@ -195,7 +164,7 @@ impl LawRow {
     }
 }
 
-/// A point, with what the model makes of it.
+/// A point, with the value of the model.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct IdentifiedPoint {
     /// Measures of its muscle that it states.
@@ -204,7 +173,7 @@ pub struct IdentifiedPoint {
     /// Pressure, contraction, pull and branch.
     #[serde(flatten)]
     pub at: MeasuredPoint,
-    /// What the bench read; the two others were set.
+    /// The measured quantity; the two others were set.
     pub measured: Quantity,
     /// The model's pull where that was read, N.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -215,11 +184,11 @@ pub struct IdentifiedPoint {
     /// The model's pressure where that was read, MPa.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model_pressure_mpa: Option<f64>,
-    /// Model less measured, N.
+    /// Model − measured, N.
     pub residual_n: f64,
-    /// What it counted in the end.
+    /// Its final weight.
     pub weight: f64,
-    /// Whether it lies far off the others.
+    /// Whether it is an outlier.
     pub outlier: bool,
     /// Its line in its table.
     pub line: u64,
@@ -227,8 +196,12 @@ pub struct IdentifiedPoint {
     pub data: usize,
 }
 
-impl From<&Fitted> for IdentifiedPoint {
-    fn from(f: &Fitted) -> Self {
+fn points<S: Serializer>(points: &[PointFit], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(points.iter().map(IdentifiedPoint::from))
+}
+
+impl From<&PointFit> for IdentifiedPoint {
+    fn from(f: &PointFit) -> Self {
         let DataPoint { at, measured, section, line, set, .. } = f.point;
         let of = |quantity, read: f64| (measured == quantity).then_some(read + f.residual);
         Self {
@@ -279,12 +252,12 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         free: &free,
         fixed: &fixed,
         points: &points,
-        loss: request.loss.into(),
+        loss: request.loss,
         two_sided: request.two_sided,
     };
     model.admit(&muscle, &progress.budget())?;
     let build = |m: &Muscle| model.build(m);
-    let found = if free.is_empty() {
+    let mut found = if free.is_empty() {
         identify_default(&asked, build, progress)?
     } else {
         identify_with(&asked, build, progress)?
@@ -314,21 +287,11 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         muscle_file: muscle_file(&origin, model.name(), &found, request.formula.is_none()),
         data: origin,
         understood,
-        parameters: found.parameters.clone(),
-        correlation: found.correlation.clone(),
-        rms_before_n: found.rms_before_n,
-        rms_n: found.rms_n,
-        max_n: found.max_n,
-        deviation: found.deviation,
-        errors_stated: found.errors_stated,
-        degrees_of_freedom: found.freedom,
-        spreads: found.spreads.clone(),
-        slack_points: found.slack.len(),
         muscle: summary,
-        points: found.points.iter().map(IdentifiedPoint::from).collect(),
         laws,
         warnings: model.seal_warning().into_iter().chain(self::warnings(request, &found, beyond)).collect(),
         figure,
+        points: std::mem::take(&mut found.points),
         found,
     })
 }
@@ -363,7 +326,7 @@ impl IdentifyRequest {
         }
         if sets.is_empty() {
             let hint = "give `data` with pressures, contractions and forces, or `formula` paper";
-            return Err(Problem::new(ProblemKind::MissingInput, "there is nothing to identify from", hint));
+            return Err(Problem::new(ProblemKind::MissingInput, "there are no data to identify from", hint));
         }
         self.check_weights(sets.len())?;
         let mut points = vec![];
@@ -441,7 +404,7 @@ impl IdentifyRequest {
             match p.start.filter(|_| p.bounds.is_none()) {
                 Some(value) => fixed.push((p.target, value)),
                 None => {
-                    return wrong("fix", format!("\"{}\" holds nothing", text.trim()), "write NAME=VALUE");
+                    return wrong("fix", format!("\"{}\" has no value", text.trim()), "write NAME=VALUE");
                 }
             }
         }
@@ -485,16 +448,6 @@ fn in_one_line(parameters: &[Identified]) -> String {
     parameters.iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
-impl From<LossWord> for Loss {
-    fn from(word: LossWord) -> Self {
-        match word {
-            LossWord::Squares => Self::Squares,
-            LossWord::Huber => Self::Huber,
-            LossWord::Largest => Self::Largest,
-        }
-    }
-}
-
 impl From<ParameterError> for Problem {
     fn from(error: ParameterError) -> Self {
         Self::new(ProblemKind::Parameter, error.to_string(), "")
@@ -517,7 +470,7 @@ impl From<IdentifyError> for Problem {
                 "forces are positive where the muscle pulls, contractions where it is shorter than at rest",
             ),
             IdentifyError::NoRubber { .. } => {
-                let hint = "look at the signs and units of the columns, at diameter, wall and angle of the muscle, and at where its contraction is zero";
+                let hint = "check the signs and units of the columns, the diameter, wall and angle of the muscle, and the zero of its contraction";
                 (ProblemKind::NotConverged, hint)
             }
             IdentifyError::TooFew { .. } | IdentifyError::ErrorsOfSome { .. } => (ProblemKind::Data, ""),

@@ -48,7 +48,7 @@ impl JointFields {
         let file = parse_joint(&text.text).map_err(|e| Problem::from(e.of(Path::new(&text.name))))?;
         let muscle = |name: &str| -> Result<Muscle, Problem> {
             let of = self.muscles.iter().find(|m| m.name == name).ok_or_else(|| {
-                let message = format!("{}: its muscle file {name} is not there", text.name);
+                let message = format!("{}: its muscle file {name} is missing", text.name);
                 Problem::new(ProblemKind::File, message, "").in_field("muscles")
             })?;
             MuscleFields::of_file(of.clone()).resolve()
@@ -58,8 +58,8 @@ impl JointFields {
     }
 }
 
-/// A joint to be asked. With pressures and angles its torques; with pressures alone where it rests; with angles and without
-/// pressures the pressures for a torque and a stiffness.
+/// A joint. Pressures and angles give its torques; pressures alone give its rest position; angles alone give
+/// the pressures for a torque and a stiffness.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct JointRequest {
@@ -73,17 +73,17 @@ pub struct JointRequest {
     pub pressures_mpa: Vec<Vec<f64>>,
     /// Angles from the neutral one in degrees.
     pub angles_deg: Option<Vec<f64>>,
-    /// Torque in N m: without pressures the one wanted (0 where it is left out), beside pressures alone one from outside that turns to +.
+    /// Torque in N m: without pressures the required torque (default 0); with pressures alone an external torque that turns to +.
     pub torque_nm: Option<f64>,
-    /// Stiffness wanted, N m/rad; the lowest pressures where it is left out.
+    /// Required stiffness, N m/rad; default: the lowest pressures.
     pub stiffness_nm_per_rad: Option<f64>,
-    /// Pressure of the supply in MPa, for pressures that are sought and for the map; 0.6 where it is left out.
+    /// Supply pressure in MPa, for computed pressures and for the map; default 0.6.
     pub max_pressure_mpa: Option<f64>,
-    /// The map of angles and stiffnesses that the joint reaches, with so many pressures of each muscle.
+    /// Map of the reachable angles and stiffnesses, with this number of pressures of each muscle.
     pub map: Option<usize>,
-    /// Answer outside of the model's range, with a warning.
+    /// Compute outside the model's range too, with a warning.
     pub extrapolate: bool,
-    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
+    /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
 }
 
@@ -110,7 +110,7 @@ pub struct JointRow {
     pub torque_turning_minus_nm: Option<f64>,
     /// −dτ/dφ at these pressures, N m/rad.
     pub stiffness_nm_per_rad: f64,
-    /// Of a joint at rest: `stable`, `unstable`, at a `limit` of its range, or `loose`: rests anywhere about this angle.
+    /// Of a joint at rest: `stable`, `unstable`, at a `limit` of its range, or `loose`: it rests at any angle near this one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rest: Option<RestWord>,
     /// Pull of the first muscle, N.
@@ -158,9 +158,9 @@ pub enum RestWord {
     Stable,
     /// It does not.
     Unstable,
-    /// It leans on a limit of its range.
+    /// It rests at a limit of its range.
     Limit,
-    /// Nothing acts, and it rests anywhere about this angle.
+    /// No torque acts, and it rests at any angle near this one.
     Loose,
 }
 
@@ -192,7 +192,7 @@ pub struct JointAnswer {
     /// What the joint reaches, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub map: Option<JointMap>,
-    /// What the user should know.
+    /// Warnings.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The figure, where it was asked for.
@@ -235,11 +235,11 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
         }
     };
     if rows.is_empty() && map.is_none() {
-        let message = "nothing is asked: give `pressures_mpa`, `angles_deg`, or `map`";
+        let message = "the request is incomplete: give `pressures_mpa`, `angles_deg` or `map`";
         return Err(Problem::new(
             ProblemKind::Usage,
             message,
-            "`pressures_mpa` alone says where the joint rests",
+            "`pressures_mpa` alone gives the rest position",
         ));
     }
     let summaries: Vec<MuscleSummary> = joint.muscles().iter().map(|m| (&m.muscle).into()).collect();
@@ -289,12 +289,12 @@ impl Asked<'_> {
         let angles = request.angles_deg.as_deref();
         if !families.is_empty() {
             let (torque, sought) = (request.torque_nm.is_some(), request.stiffness_nm_per_rad.is_some());
-            let why = "it is wanted of pressures that are sought, and `pressures_mpa` are given";
+            let why = "it applies if the pressures are computed, and `pressures_mpa` are given";
             Problem::refuse_unused(&[("stiffness_nm_per_rad", sought)], why)?;
             let why = "with `pressures_mpa` and `angles_deg` the torque is the answer";
             Problem::refuse_unused(&[("torque_nm", torque && angles.is_some())], why)?;
             let supply = request.max_pressure_mpa.is_some() && request.map.is_none();
-            let why = "it bounds pressures that are sought, and `pressures_mpa` are given";
+            let why = "it limits pressures that are computed, and `pressures_mpa` are given";
             Problem::refuse_unused(&[("max_pressure_mpa", supply)], why)?;
         }
         for &p in families.iter().flatten() {
@@ -313,7 +313,7 @@ impl Asked<'_> {
             (true, None) if request.torque_nm.or(request.stiffness_nm_per_rad).is_some() => {
                 return Err(Problem::missing(
                     "angles_deg",
-                    "the angle at which the torque and the stiffness are wanted",
+                    "the angle at which the torque and the stiffness are required",
                 ));
             }
             (true, None) => {}

@@ -28,6 +28,8 @@
 mod annotate;
 mod border;
 mod braid;
+#[cfg(feature = "schema")]
+mod bundle;
 mod burst;
 #[cfg(feature = "files")]
 mod campaign;
@@ -61,7 +63,6 @@ mod question;
 mod report;
 mod rubber;
 mod rubber_fit;
-mod rubber_over_time;
 mod shape;
 mod show;
 mod simulate;
@@ -73,9 +74,11 @@ pub mod words;
 
 pub use border::{guarded, panics_are_problems, within};
 pub use braid::*;
+#[cfg(feature = "schema")]
+pub use bundle::bundle;
 #[cfg(feature = "files")]
 pub use campaign::*;
-pub use commands::{COMMANDS, CommandEntry, ask, ask_packed, ask_value, find, packed, parsed};
+pub use commands::{COMMANDS, CommandEntry, Ready, ask, ask_packed, ask_value, find, packed, parsed};
 #[cfg(feature = "schema")]
 pub use commands::{RequestFields, schema, understood};
 pub use compare::*;
@@ -86,7 +89,7 @@ pub use fit::*;
 pub use identify::*;
 pub use joint::*;
 pub use json_size::JsonSize;
-pub use load::{Equilibrium, LoadAnswer, LoadFields, LoadedAt};
+pub use load::{LoadAnswer, LoadFields, LoadedAt};
 pub use many::{
     AnswerColumns, ArrayError, BoundModel, Column, Many, Pairs, Unanswered, Wanted as WantedOfPoint,
     curve_columns, with_parameters,
@@ -107,7 +110,6 @@ pub use quantities::*;
 pub use report::*;
 pub use rubber::*;
 pub use rubber_fit::*;
-pub use rubber_over_time::*;
 pub use shape::*;
 pub use show::*;
 pub use simulate::*;

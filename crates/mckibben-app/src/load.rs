@@ -2,13 +2,15 @@
 
 use crate::fields::TextFile;
 use crate::problem::{Problem, ProblemKind};
-use mckibben::answer::{Answer, Options};
-use mckibben::load::{Balance, Cycle, Load, LoadError, LoadTable, balances, cycle, read_load};
+use mckibben::answer::Options;
+use mckibben::load::{Balance, Cycle, Load, LoadError, LoadTable, balances, cycle};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::units::short_numbers;
+use mckibben_table::read_load;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 use std::collections::BTreeMap;
+use std::fmt;
 
 /// What a muscle works against.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
@@ -28,44 +30,16 @@ impl LoadFields {
     pub(crate) fn resolve(&self, rest_length_mm: f64) -> Result<Option<Load>, Problem> {
         let Some(text) = &self.load else { return Ok(None) };
         let read = |file: &TextFile| -> Result<(String, LoadTable), Problem> {
-            let table = read_load(file.text.as_bytes(), rest_length_mm).map_err(|error| {
+            let bad = |error: &dyn fmt::Display| {
                 Problem::new(ProblemKind::Data, format!("{}: {error}", file.name), "").in_field("load_tables")
-            })?;
-            Ok((file.name.clone(), table))
+            };
+            let points = read_load(file.text.as_bytes(), rest_length_mm).map_err(|e| bad(&e))?;
+            Ok((file.name.clone(), LoadTable::new(points).map_err(|e| bad(&e))?))
         };
         let tables = self.load_tables.iter().map(read).collect::<Result<BTreeMap<_, _>, _>>()?;
         Load::parse(text, &|name| tables.get(name).cloned())
             .map(Some)
             .map_err(|error| Problem::new(ProblemKind::Quantity, error.to_string(), "").in_field("load"))
-    }
-}
-
-/// An equilibrium with the load.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct Equilibrium {
-    /// The muscle there.
-    #[serde(flatten)]
-    pub answer: Answer,
-    /// How far it is shortened, mm.
-    pub shortening_mm: f64,
-    /// Stiffness of muscle and load together at this pressure, N/mm.
-    pub held_stiffness_n_per_mm: f64,
-    /// Whether the load comes back after a small step.
-    pub stable: bool,
-    /// Natural frequency at constant pressure in Hz, where a mass moves.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub natural_frequency_hz: Option<f64>,
-}
-
-impl From<Balance> for Equilibrium {
-    fn from(balance: Balance) -> Self {
-        Self {
-            answer: balance.answer,
-            shortening_mm: balance.shortening_mm,
-            held_stiffness_n_per_mm: balance.stiffness_n_per_mm,
-            stable: balance.stable,
-            natural_frequency_hz: balance.frequency_hz,
-        }
     }
 }
 
@@ -75,7 +49,7 @@ impl From<LoadError> for Problem {
             LoadError::Analysis(error) => error.into(),
             error => {
                 let hint = match error {
-                    LoadError::NotLifted { .. } => "`two_sided` says how far it stretches the muscle",
+                    LoadError::NotLifted { .. } => "`two_sided` gives the stretch of the muscle",
                     _ => "",
                 };
                 Self::new(ProblemKind::NoAnswer, error.to_string(), hint)
@@ -105,13 +79,15 @@ pub struct LoadedAt {
     /// The pressure, MPa.
     pub pressure_mpa: f64,
     /// The equilibria, by rising contraction.
-    pub equilibria: Vec<Equilibrium>,
+    pub equilibria: Vec<Balance>,
     /// Why there is none.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub cause: Option<String>,
-    /// The same as a value.
-    #[serde(skip)]
+    #[serde(rename = "cause", default, skip_serializing_if = "Option::is_none", serialize_with = "reason")]
+    #[schemars(with = "Option<String>")]
     pub error: Option<LoadError>,
+}
+
+fn reason<S: Serializer>(error: &Option<LoadError>, serializer: S) -> Result<S::Ok, S::Error> {
+    error.as_ref().map(|e| short_numbers(&e.to_string()).into_owned()).serialize(serializer)
 }
 
 /// Equilibria of a model and a load at pressures.
@@ -134,12 +110,7 @@ pub(crate) fn loaded(
             Err(error) => (vec![], Some(error)),
         };
         stable.push((pressure_mpa, found.iter().find(|b| b.stable).cloned()));
-        at.push(LoadedAt {
-            pressure_mpa,
-            equilibria: found.into_iter().map(Equilibrium::from).collect(),
-            cause: error.as_ref().map(|e| short_numbers(&e.to_string()).into_owned()),
-            error,
-        });
+        at.push(LoadedAt { pressure_mpa, equilibria: found, error });
     }
     let least = stable.iter().min_by(|a, b| a.0.total_cmp(&b.0));
     let most = stable.iter().max_by(|a, b| a.0.total_cmp(&b.0));

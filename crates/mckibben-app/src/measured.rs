@@ -1,4 +1,4 @@
-//! `validate --measured`: the dossier of everything measured, what each fit leaves of its points and of those it predicts blind.
+//! `validate --measured`: the validation report of every measured case: the errors of each fit at fitted points and at predicted points.
 
 use crate::fields::MeshFields;
 use crate::figure;
@@ -7,25 +7,25 @@ use crate::model::Model;
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
 use mckibben::budget::Resource;
-use mckibben::identify::Identified;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
-use mckibben_fem::validation::case::{Case, CaseError, CaseFiles, Facts, Measurement, measurements};
-use mckibben_fem::validation::dossier::{DossierError, FitResult, Group, dossier};
-use mckibben_fem::validation::rubber::RubberCase;
+use mckibben_fit::identify::Identified;
+use mckibben_fit::validation::case::{CaseError, CaseFiles, Facts, Measurement, MuscleCase, measurements};
+use mckibben_fit::validation::report::{FitResult, Group, ReportError, report};
+use mckibben_fit::validation::rubber::RubberCase;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Measured muscles and rubbers, each with what is known of it and what is to be fitted.
+/// Measured muscles and rubbers, each with its known data and its fits.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct MeasuredRequest {
-    /// The folders; those that are built in where there are none.
+    /// The folders; default: the built-in cases.
     pub cases: Vec<MeasuredFolder>,
     /// The model of the muscles; `fe` where none is named.
     pub model: Option<String>,
-    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
+    /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
 }
 
@@ -42,18 +42,18 @@ pub struct MeasuredFolder {
     pub points: String,
 }
 
-/// The dossiers of measured muscles.
+/// The validation reports of measured muscles and rubbers.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct MeasuredAnswer {
     /// The model.
     pub model: String,
     /// The muscles.
     pub cases: Vec<MeasuredCase>,
-    /// What is left of their points, fit by fit.
+    /// Errors at their points, fit by fit.
     pub results: Vec<MeasuredResult>,
     /// The rubbers.
     pub rubbers: Vec<MeasuredRubber>,
-    /// What is left of their stresses, fit by fit.
+    /// Errors at their stresses, fit by fit.
     pub stresses: Vec<MeasuredStress>,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -81,7 +81,7 @@ pub struct MeasuredFacts {
     pub title: String,
     /// Who measured it.
     pub source: String,
-    /// On what terms the points may be used.
+    /// Terms of use of the points.
     pub terms: String,
     /// What is known of it.
     pub known: String,
@@ -107,7 +107,7 @@ pub struct MeasuredFit {
     pub parameters: Vec<Identified>,
 }
 
-/// What a fit leaves of some points: measured less computed.
+/// Errors of a fit at some points: measured − computed.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct MeasuredResult {
     /// Name of the case's folder.
@@ -126,15 +126,15 @@ pub struct MeasuredResult {
     pub rms_n: f64,
     /// Largest difference in N.
     pub largest_n: f64,
-    /// Mean of measured less computed in N.
+    /// Mean of measured − computed in N.
     pub bias_n: f64,
     /// `rms_n` over the largest blocked force of these points.
     pub rms_of_blocked: f64,
-    /// Share of the points that the ± of the model holds; null where there are none, or no ±.
+    /// Share of the points within the ± of the model; null if there are none, or no ±.
     pub held: Option<f64>,
     /// How many points of single branches there are.
     pub branch_points: usize,
-    /// Share of these that the ± with its part for friction holds; null where there are none.
+    /// Share of these within the ± with its part for friction; null if there are none.
     pub branch_held: Option<f64>,
     /// The points of each branch of the hysteresis, where it was measured.
     pub by_branch: Vec<MeasuredBranch>,
@@ -144,7 +144,7 @@ pub struct MeasuredResult {
     pub by_contraction: Vec<MeasuredBin>,
 }
 
-/// What a fit leaves of the points of one branch of the hysteresis.
+/// Errors of a fit at the points of one branch of the hysteresis.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct MeasuredBranch {
     /// The branch: `contraction` while the muscle shortened or its pressure rose, `elongation` back.
@@ -153,13 +153,13 @@ pub struct MeasuredBranch {
     pub points: usize,
     /// Root mean square in N.
     pub rms_n: f64,
-    /// Mean of measured less computed in N.
+    /// Mean of measured − computed in N.
     pub bias_n: f64,
-    /// Share of the points that the ± holds, with its part for friction where the muscle states none.
+    /// Share of the points within the ±, with its part for friction if the muscle states none.
     pub held: Option<f64>,
 }
 
-/// What a fit leaves of points of about one contraction.
+/// Errors of a fit at points of about one contraction.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct MeasuredBin {
     /// From this contraction ratio,
@@ -168,23 +168,23 @@ pub struct MeasuredBin {
     pub to: f64,
     /// How many points.
     pub points: usize,
-    /// Mean of measured less computed in N.
+    /// Mean of measured − computed in N.
     pub bias_n: f64,
     /// Root mean square in N.
     pub rms_n: f64,
 }
 
-/// The dossier of everything measured.
+/// The validation report of every measured case.
 ///
 /// # Errors
 /// [`Problem`] names the folder and the fit.
 pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<MeasuredAnswer, Problem> {
     let own: Vec<Measurement> = request.cases.iter().map(read).collect::<Result<_, _>>()?;
     let all = if own.is_empty() { measurements().map_err(Problem::from)? } else { &own };
-    let cases: Vec<&Case> = all.iter().filter_map(Measurement::muscle).collect();
+    let cases: Vec<&MuscleCase> = all.iter().filter_map(Measurement::muscle).collect();
     let stretched: Vec<&RubberCase> = all.iter().filter_map(Measurement::rubber).collect();
     if request.figure.is_some() && cases.is_empty() {
-        let message = "the figure shows measured muscles, and these are rubbers alone: leave it out";
+        let message = "the figure shows measured muscles, and these cases are rubbers only: leave it out";
         return Err(Problem::new(
             ProblemKind::Usage,
             message,
@@ -196,7 +196,7 @@ pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<Me
     progress.budget().admit(Resource::Points, (points + stresses) as f64)?;
     let model = Model::named(request.model.as_deref().unwrap_or("fe"), &[], &MeshFields::default())?;
     let build = |muscle: &Muscle| model.build(muscle);
-    let found = dossier(&cases, &build, progress)?;
+    let found = report(&cases, &build, progress)?;
     let (rubbers, stresses) = rubbers(&stretched, progress)?;
     let name = model.name().to_owned();
     let figure = request.figure.as_ref().map(|u| figure::measured(&cases, &found, (&name, &build), u));
@@ -216,7 +216,7 @@ fn read(folder: &MeasuredFolder) -> Result<Measurement, Problem> {
     Measurement::read(&CaseFiles { name, case, muscle, points }).map_err(|error| (&error).into())
 }
 
-fn facts(number: usize, case: &Case, found: &[FitResult]) -> MeasuredCase {
+fn facts(number: usize, case: &MuscleCase, found: &[FitResult]) -> MeasuredCase {
     let fits = found.iter().filter(|r| r.case == number).map(|r| MeasuredFit {
         fit: case.fits[r.fit].name.clone(),
         fitted_to: r.fitted_to.clone(),
@@ -225,7 +225,7 @@ fn facts(number: usize, case: &Case, found: &[FitResult]) -> MeasuredCase {
     MeasuredCase { facts: (&case.facts).into(), points: case.points.len(), fits: fits.collect() }
 }
 
-fn result(cases: &[&Case], r: &FitResult, group: &Group) -> MeasuredResult {
+fn result(cases: &[&MuscleCase], r: &FitResult, group: &Group) -> MeasuredResult {
     let case = cases[r.case];
     let (means, branches) = (group.means, group.branches);
     let bins = group.by_contraction.iter().map(|(bin, left)| MeasuredBin {
@@ -273,16 +273,16 @@ impl From<&CaseError> for Problem {
     }
 }
 
-impl From<DossierError> for Problem {
-    fn from(error: DossierError) -> Self {
+impl From<ReportError> for Problem {
+    fn from(error: ReportError) -> Self {
         match error {
-            DossierError::Cancelled => Self::cancelled(),
-            DossierError::Fit { case, fit, fitted_to, error } => {
+            ReportError::Cancelled => Self::cancelled(),
+            ReportError::Fit { case, fit, fitted_to, error } => {
                 let problem = Self::from(error);
                 let message = format!("{case}, fit \"{fit}\" on {fitted_to}: {}", problem.message);
                 Self { message, ..problem }
             }
-            DossierError::Rubber { case, fit, error } => {
+            ReportError::Rubber { case, fit, error } => {
                 let problem = Self::from(error);
                 let message = format!("{case}, fit \"{fit}\": {}", problem.message);
                 Self { message, ..problem }

@@ -3,8 +3,8 @@
 use crate::measured::MeasuredFacts;
 use crate::problem::Problem;
 use mckibben::progress::Progress;
-use mckibben::rubber::fit::Parameter;
-use mckibben_fem::validation::rubber::{RubberCase, RubberFitResult, dossier};
+use mckibben_fit::rubber::Parameter;
+use mckibben_fit::validation::rubber::{RubberCase, RubberFitResult, report};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -36,7 +36,7 @@ pub struct MeasuredRubberFit {
     pub stable: bool,
 }
 
-/// What a fit leaves of some nominal stresses: measured less computed.
+/// Errors of a fit at some nominal stresses: measured − computed.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct MeasuredStress {
     /// Name of the case's folder.
@@ -55,7 +55,7 @@ pub struct MeasuredStress {
     pub rms_mpa: f64,
     /// The same over the root mean square of the measured stresses.
     pub relative: f64,
-    /// Mean of measured less computed in MPa.
+    /// Mean of measured − computed in MPa.
     pub bias_mpa: f64,
     /// Largest difference in MPa.
     pub largest_mpa: f64,
@@ -66,7 +66,7 @@ pub(crate) fn rubbers(
     cases: &[&RubberCase],
     progress: &dyn Progress,
 ) -> Result<(Vec<MeasuredRubber>, Vec<MeasuredStress>), Problem> {
-    let found = dossier(cases, progress)?;
+    let found = report(cases, progress)?;
     let of = |(number, case): (usize, &&RubberCase)| {
         let fits = found.iter().filter(|r| r.case == number).map(|r| {
             let RubberFitResult { fit, parameters, prony, stable, .. } = r.clone();

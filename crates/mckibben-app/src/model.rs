@@ -41,7 +41,7 @@ impl Model {
     pub const FE: Model =
         Model::Elements(Elements::Axisymmetric(MeshSpec { through: None, along: None, grading: None }));
 
-    /// Every model there is.
+    /// All models.
     pub fn all() -> Vec<ModelEntry> {
         ModelKind::ALL.into_iter().map(ModelKind::entry).chain(Elements::ENTRIES).collect()
     }
@@ -93,7 +93,7 @@ impl Model {
     /// [`Problem`] of kind `formula`.
     pub fn of_formula(file: &TextFile) -> Result<Self, Problem> {
         if !cfg!(feature = "whole") {
-            let message = "files of formulas need the whole engine, and this one is a part of it";
+            let message = "formula files need the full engine; this is a reduced one";
             return Err(Problem::new(ProblemKind::Formula, message, ""));
         }
         let read = Document::parse(&file.text).map_err(|e| e.in_file(std::path::Path::new(&file.name)))?;
@@ -157,7 +157,7 @@ impl Model {
             // Bricks and their solver are as large as all the rest.
             Self::Elements(elements) if cfg!(feature = "whole") => Ok(elements.build(muscle)?),
             Self::Elements(elements) => {
-                let missing = "the engine with every model, which this one is not";
+                let missing = "the full engine; this is a reduced one";
                 Err(ModelError::Missing { model: elements.name(), missing, key: "" })
             }
         }
@@ -191,17 +191,18 @@ impl MeshFields {
                 }
                 MeshTextError::Mesh(error) => error.to_string(),
             };
-            Problem::new(ProblemKind::Mesh, message, "leave it out and the program chooses").in_field("mesh")
+            Problem::new(ProblemKind::Mesh, message, "leave it out: the program then selects the mesh")
+                .in_field("mesh")
         })
     }
 
     /// Refuses a mesh that none of the models has.
     pub(crate) fn check_used(&self, models: &[&Model]) -> Result<(), Problem> {
         let elements = models.iter().any(|m| matches!(m, Model::Elements(_)));
-        let why = "only `model` fe and fe3d divide the muscle into elements";
+        let why = "only `model` fe and fe3d have a mesh";
         Problem::refuse_unused(&[("mesh", self.mesh.is_some() && !elements)], why)?;
         let bricks = |m: &&Model| matches!(m, Model::Elements(Elements::ThreeDimensional(_)));
-        let why = "only the bricks of `model` fe3d have to fit the length or the angle";
+        let why = "it applies only to the bricks of `model` fe3d";
         let unused = self.keep != Keep::default() && !models.iter().any(bricks);
         Problem::refuse_unused(&[("match", unused)], why)
     }
@@ -211,7 +212,7 @@ impl MeshFields {
         if self.terminal.is_none() {
             return Ok(());
         }
-        let message = "only `model` fe3d has a terminal that can be a body";
+        let message = "only `model` fe3d can model the terminal as a body";
         let hint = "the other models have rigid planes: leave it out";
         Err(Problem::new(ProblemKind::Terminal, message, hint).in_field("terminal"))
     }
@@ -242,7 +243,7 @@ pub(crate) fn check_both(direction: Direction, muscle: &Muscle) -> Result<(), Pr
         return check_direction(Direction::Contraction, muscle);
     }
     let hint = "leave one of them out";
-    Err(Problem::new(ProblemKind::Usage, "`direction` and `both` ask for one branch and for two", hint))
+    Err(Problem::new(ProblemKind::Usage, "`direction` selects one branch and `both` selects two", hint))
 }
 
 /// Refuses a branch of the hysteresis of a muscle that does not state its friction.

@@ -12,14 +12,14 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct ModelsRequest {
-    /// A model by name; all of them where it is left out.
+    /// A model by name; default all of them.
     pub model: Option<String>,
 }
 
 /// The force models.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct ModelsAnswer {
-    /// Every model there is, or the one that was asked for.
+    /// All models, or the requested one.
     pub models: Vec<ModelEntry>,
     /// What is known of the one that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -31,14 +31,14 @@ pub struct ModelsAnswer {
 pub struct ModelStory {
     /// Where it comes from: author, year, equation.
     pub source: String,
-    /// How the parts of its ± are known.
+    /// Basis of the parts of its ±.
     pub uncertainty_basis: String,
-    /// What a muscle must state for it, where it needs more than the others.
+    /// Extra data of the muscle that this model needs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub needs: Option<String>,
 }
 
-/// Every model there is, or one of them with its story.
+/// All models, or one of them with its source and the basis of its ±.
 ///
 /// # Errors
 /// [`Problem`] of kind `model` where there is none of that name.

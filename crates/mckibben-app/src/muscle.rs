@@ -81,7 +81,7 @@ impl MuscleFields {
         let strands = self.named.strand_diameter_mm.is_some() || self.named.strand_modulus_mpa.is_some();
         if strands && (self.named.braid.is_none() || self.named.stiffness.is_some()) {
             let message = "`strand_diameter_mm` and `strand_modulus_mpa` complete a named `braid`, in place of a `stiffness`";
-            return Err(Problem::new(ProblemKind::Usage, message, "other strands stand in a muscle file"));
+            return Err(Problem::new(ProblemKind::Usage, message, "state other strands in a muscle file"));
         }
         let mut braid = match self.named.braid.as_deref().map(sleeve).transpose()? {
             Some(sleeve) => {
@@ -152,12 +152,12 @@ pub fn sleeve(name: &str) -> Result<Sleeve, Problem> {
 
 impl From<SleeveError> for Problem {
     fn from(error: SleeveError) -> Self {
-        // Keys of a muscle file there, fields of a request here.
-        let message = error
-            .to_string()
-            .replace("`strand_diameter`", "`strand_diameter_mm`")
-            .replace("`strand_modulus`", "`strand_modulus_mpa`");
-        Self::new(ProblemKind::Braid, message, "")
+        let field = |key| match key {
+            "strand_diameter" => "strand_diameter_mm",
+            "strand_modulus" => "strand_modulus_mpa",
+            other => other,
+        };
+        Self::new(ProblemKind::Braid, error.named(field).to_string(), "")
     }
 }
 

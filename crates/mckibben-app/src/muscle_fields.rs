@@ -1,18 +1,18 @@
 //! A muscle in requests: a file, names, and a field for each measure of [`mckibben::muscle::measures`].
 
-use crate::fields::{Stiffness, TextFile};
-use mckibben::muscle::measures::fields;
+use crate::fields::{InGroup, Stiffness, TextFile};
+use mckibben::muscle::measures::{MeasureValues, fields};
 use mckibben::muscle::{Measure, Muscle};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{IgnoredAny, MapAccess, Visitor};
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use serde_json::{Map, Value, json};
+use serde_json::{Map, Value};
 use std::borrow::Cow;
 use std::fmt;
 use std::sync::LazyLock;
 
-/// A muscle: a muscle file, and values that take the place of what it says. What nobody says is that of the paper's
+/// A muscle: a muscle file, and values that replace those of the file. Default values are those of the paper's
 /// prototype: D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid `paper`.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MuscleFields {
@@ -25,6 +25,7 @@ pub struct MuscleFields {
 /// What of a muscle has a name, or completes one.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
+#[schemars(transform = InGroup(mckibben::muscle::measures::GROUP))]
 pub struct NamedFields {
     /// Muscle file (TOML); the other fields override what it says.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -44,38 +45,6 @@ pub struct NamedFields {
     /// Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stiffness: Option<Stiffness>,
-}
-
-/// Values of measures, in the order of their table.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct MeasureValues(Vec<(&'static Measure, f64)>);
-
-impl MeasureValues {
-    /// The value of a measure.
-    pub fn get(&self, measure: &Measure) -> Option<f64> {
-        self.0.iter().find(|v| v.0 == measure).map(|v| v.1)
-    }
-
-    /// Puts a value in.
-    pub fn set(&mut self, measure: &'static Measure, value: f64) {
-        self.0.retain(|v| v.0 != measure);
-        self.0.push((measure, value));
-        let place = |m: &Measure| fields().position(|(_, other)| other == m);
-        self.0.sort_by_key(|v| place(v.0));
-    }
-
-    /// All of them.
-    pub fn iter(&self) -> impl Iterator<Item = (&'static Measure, f64)> {
-        self.0.iter().copied()
-    }
-}
-
-impl<const N: usize> From<[(&'static Measure, f64); N]> for MeasureValues {
-    fn from(values: [(&'static Measure, f64); N]) -> Self {
-        let mut out = Self::default();
-        values.into_iter().for_each(|(measure, value)| out.set(measure, value));
-        out
-    }
 }
 
 impl From<NamedFields> for MuscleFields {
@@ -162,11 +131,6 @@ impl<'de> Visitor<'de> for Fields {
     }
 }
 
-/// The schema of a measure's field.
-fn schema_of(measure: &Measure, more: &str) -> Value {
-    json!({ "description": measure.documentation(more), "type": ["number", "null"], "format": "double" })
-}
-
 impl JsonSchema for MuscleFields {
     fn schema_name() -> Cow<'static, str> {
         "MuscleFields".into()
@@ -179,8 +143,9 @@ impl JsonSchema for MuscleFields {
             _ => Map::new(),
         };
         let one = |name: &&str| {
-            let measure = Measure::of_field(name).map(|m| schema_of(m, ""));
-            Some(((*name).to_owned(), measure.or_else(|| named.remove(*name))?))
+            let field =
+                Measure::of_field(name).map(Measure::request_schema).or_else(|| named.remove(*name))?;
+            Some(((*name).to_owned(), field))
         };
         let properties: Map<String, Value> = NAMES.iter().filter_map(one).collect();
         schema.insert("properties".into(), properties.into());
@@ -226,7 +191,7 @@ impl JsonSchema for Stated {
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         let one =
-            |(field, measure): (&str, _)| (field.to_owned(), schema_of(measure, ", where it is stated"));
+            |(field, measure): (&str, &Measure)| (field.to_owned(), measure.schema(", where it is stated"));
         let properties: Map<String, Value> = Self::fields().map(one).collect();
         json_schema!({ "type": "object", "properties": properties })
     }
@@ -250,7 +215,7 @@ mod tests {
         assert_eq!(serde_json::from_str::<ForceRequest>(&text).unwrap().muscle, fields);
         let written: Map<String, Value> = serde_json::from_str(&text).unwrap();
         let order: Vec<usize> = written.keys().filter_map(|k| NAMES.iter().position(|n| n == k)).collect();
-        assert!(order.is_sorted() && order.len() == fields.measures.0.len() + 1, "{text}");
+        assert!(order.is_sorted() && order.len() == fields.measures.iter().count() + 1, "{text}");
         let wrong = serde_json::from_str::<ForceRequest>(r#"{"grip_mm": "x"}"#).unwrap_err().to_string();
         assert!(wrong.contains("invalid type: string \"x\", expected f64"), "{wrong}");
     }

@@ -6,7 +6,7 @@ use crate::many::{AnswerColumns, Column};
 use crate::problem::{Problem, ProblemKind};
 use mckibben::budget::Resource;
 use mckibben::progress::Progress;
-use mckibben_campaign::Row;
+use mckibben_campaign::PointRow;
 use mckibben_campaign::campaign::{self, Plan};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -75,17 +75,17 @@ pub fn plan_columns(request: &PlanRequest, progress: &dyn Progress) -> Result<An
 }
 
 /// What a row was asked for, in the order of [`COLUMNS`].
-fn set(r: &Row) -> [f64; 6] {
+fn set(r: &PointRow) -> [f64; 6] {
     [r.outer_diameter_mm, r.wall_mm, r.length_mm, r.angle_deg, r.pressure_mpa, r.contraction]
 }
 
 /// The answer without the text of its table, and its rows.
-fn computed(request: &PlanRequest, progress: &dyn Progress) -> Result<(PlanAnswer, Vec<Row>), Problem> {
+fn computed(request: &PlanRequest, progress: &dyn Progress) -> Result<(PlanAnswer, Vec<PointRow>), Problem> {
     let file = request.plan.as_ref().ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))?;
     let plan = Plan::parse(&file.text).map_err(|e| e.of(Path::new(&file.name)))?;
     let points = plan.muscles().saturating_mul(plan.points_per_muscle() as u64);
     if points > MOST_POINTS {
-        let message = format!("{points} points are more than the {MOST_POINTS} that are held in memory");
+        let message = format!("{points} points exceed the limit of {MOST_POINTS} points in memory");
         return Err(Problem::new(
             ProblemKind::Budget,
             message,

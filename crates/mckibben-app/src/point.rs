@@ -31,9 +31,9 @@ pub struct ForceRequest {
     pub asking: AskFields,
     /// Gauge pressure P in MPa.
     pub pressure_mpa: Option<f64>,
-    /// Contraction ratio ε = ΔL/L0; 0 where it is left out.
+    /// Contraction ratio ε = ΔL/L0; default 0.
     pub contraction: Option<f64>,
-    /// The answer shall hold both branches of the friction's hysteresis too.
+    /// Add both branches of the friction hysteresis to the answer.
     pub both: bool,
 }
 
@@ -52,9 +52,9 @@ pub struct PressureRequest {
     pub asking: AskFields,
     /// Pull F in N.
     pub force_n: Option<f64>,
-    /// Contraction ratio ε = ΔL/L0; 0 where it is left out.
+    /// Contraction ratio ε = ΔL/L0; default 0.
     pub contraction: Option<f64>,
-    /// The answer shall hold both branches of the friction's hysteresis too.
+    /// Add both branches of the friction hysteresis to the answer.
     pub both: bool,
 }
 
@@ -71,18 +71,18 @@ pub struct ContractionRequest {
     /// How it is asked.
     #[serde(flatten)]
     pub asking: AskFields,
-    /// Pull F in N; 0 where it is left out.
+    /// Pull F in N; default 0.
     pub force_n: Option<f64>,
     /// A load in place of the pull: the contraction at which muscle and load are in balance.
     #[serde(flatten)]
     pub load: LoadFields,
     /// Gauge pressure P in MPa.
     pub pressure_mpa: Option<f64>,
-    /// The answer shall hold both branches of the friction's hysteresis too.
+    /// Add both branches of the friction hysteresis to the answer.
     pub both: bool,
 }
 
-/// One point: what the model knows of it, of which muscle, by which model.
+/// One point: its values, the muscle and the model.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct PointAnswer {
     /// The point.
@@ -91,9 +91,9 @@ pub struct PointAnswer {
     /// The same while the muscle is shortened and while it is lengthened, where both were asked for.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub branches: Vec<Answer>,
-    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none where that is not stated.
+    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none if that is not stated.
     pub burst_pressure_mpa: Option<f64>,
-    /// Every equilibrium with the load, where there is one; the point is the first that is stable, or the first.
+    /// All equilibria with the load, if any; the point is the first stable one, or the first.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loaded: Option<LoadAnswer>,
     /// The muscle.
@@ -107,7 +107,7 @@ pub struct PointAnswer {
 pub struct ModelAbout {
     /// Where the formula comes from: author, year, equation.
     pub source: String,
-    /// How the parts of the ± are known.
+    /// Basis of the parts of the ±.
     pub uncertainty_basis: String,
 }
 
@@ -153,7 +153,7 @@ pub fn contraction(request: &ContractionRequest, progress: &dyn Progress) -> Res
         });
     }
     if request.force_n.is_some() {
-        let message = "`force_n` and `load` exclude one another: give the load, or the pull";
+        let message = "`force_n` conflicts with `load`: give the load, or the pull";
         return Err(Problem::new(ProblemKind::Usage, message, "`load` takes `force:300N` as well"));
     }
     let mut said: Option<LoadAnswer> = None;

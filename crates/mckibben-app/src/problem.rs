@@ -2,16 +2,16 @@
 
 use mckibben::analysis::AnalysisError;
 use mckibben::budget::{Exceeded, Resource};
-use mckibben::design::{SpecError, SpreadError};
 use mckibben::formula::FormulaError;
 use mckibben::model::ModelError;
 use mckibben::muscle::MuscleError;
 use mckibben::muscle::file::FileError;
 use mckibben::study::StudyError;
-use mckibben::table::TableError;
 use mckibben::units::short_numbers;
 use mckibben_campaign::campaign::CampaignError;
+use mckibben_design::{SpecError, SpreadError, ToleranceError};
 use mckibben_fem::FemError;
+use mckibben_table::TableError;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -177,11 +177,7 @@ impl Problem {
 
     /// A field that is there and would change nothing, with the reason, which names the other field.
     pub fn unused(field: &str, why: impl fmt::Display) -> Self {
-        Self::new(
-            ProblemKind::Usage,
-            format!("`{field}` would change nothing: {why}"),
-            "leave one of them out",
-        )
+        Self::new(ProblemKind::Usage, format!("`{field}` has no effect: {why}"), "leave one of them out")
     }
 
     /// Refuses fields that are there and would change nothing.
@@ -221,7 +217,7 @@ impl From<Exceeded> for Problem {
         let hint = match resource {
             Resource::Points => "take larger steps, or",
             Resource::Elements | Resource::Bytes => "take a coarser mesh, or",
-            Resource::Factorisations | Resource::Seconds => "ask for less, or",
+            Resource::Factorisations | Resource::Seconds => "reduce the request, or",
         };
         Self::new(
             ProblemKind::Budget,
@@ -272,7 +268,7 @@ impl From<AnalysisError> for Problem {
             AnalysisError::NoContraction { model, force_n, nearest_force_n, nearest_contraction, .. } => {
                 hint = if nearest_force_n > force_n {
                     format!(
-                        "it still pulls where the range of {model} ends; fe and thick-wall have no such limit"
+                        "the muscle still pulls at the limit of the range of {model}; fe and thick-wall have no such limit"
                     )
                 } else {
                     "take more pressure, or a larger muscle".to_owned()
@@ -319,6 +315,12 @@ impl From<SpecError> for Problem {
 impl From<SpreadError> for Problem {
     fn from(error: SpreadError) -> Self {
         Self::new(ProblemKind::Tolerance, error.to_string(), "take smaller tolerances")
+    }
+}
+
+impl From<ToleranceError> for Problem {
+    fn from(error: ToleranceError) -> Self {
+        Self::new(ProblemKind::Quantity, error.to_string(), "").in_field("tolerance")
     }
 }
 

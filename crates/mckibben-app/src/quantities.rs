@@ -58,7 +58,7 @@ pub enum Reading {
 /// Parts of an interval without a step.
 const DIVISIONS: usize = 20;
 
-/// What a user typed, as numbers; of all texts together as many as the budget allows.
+/// Texts of a user as numbers; at most as many numbers as the budget allows.
 ///
 /// # Errors
 /// [`Problem`] of kind `budget` for more; each text has its own.

@@ -27,9 +27,9 @@ pub struct ReportRequest {
     /// The muscle.
     #[serde(flatten)]
     pub muscle: MuscleFields,
-    /// Gauge pressure P in MPa; 0.25 where it is left out.
+    /// Gauge pressure P in MPa; default 0.25.
     pub pressure_mpa: Option<f64>,
-    /// Contraction ratio ε of the state that is shown; half the free contraction where it is left out.
+    /// Contraction ratio ε of the state that is shown; default half the free contraction.
     pub contraction: Option<f64>,
     /// Units: `bar`, or `psi,lbf,in`.
     pub units: Units,
@@ -40,9 +40,9 @@ pub struct ReportRequest {
 pub struct ReportAnswer {
     /// The muscle.
     pub muscle: MuscleSummary,
-    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none where that is not stated.
+    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none if that is not stated.
     pub burst_pressure_mpa: Option<f64>,
-    /// What the user should know, in sentences.
+    /// Warnings, in sentences.
     pub warnings: Vec<String>,
     /// The report.
     pub document: Document,
@@ -51,7 +51,7 @@ pub struct ReportAnswer {
 /// Models that are compared.
 const MODELS: [&str; 4] = ["fe", "universal", "thick-wall", "ideal"];
 
-/// All that is known of a muscle, by `fe`.
+/// A report of a muscle, by `fe`.
 ///
 /// # Errors
 /// [`Problem`].
@@ -108,7 +108,7 @@ pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<Report
     let document = Document {
         title: format!("McKibben muscle: {}", shown.summary.line(units)),
         lead: format!(
-            "At {} and a contraction of {}. All numbers by {}, axisymmetric finite elements, unless said otherwise; ± covers 95 % against a measured muscle.",
+            "At {} and a contraction of {}. All numbers by {}, axisymmetric finite elements, unless stated otherwise; ± covers 95 % against a measured muscle.",
             units.pressure.show(pressure_mpa),
             percent(contraction),
             point.point.model
@@ -149,12 +149,12 @@ fn state(shown: &MuscleShowAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> 
         ("pull", Some(pull)),
         ("starts to pull at", p.start_pressure_mpa.map(|v| u.pressure.show(v))),
         ("stiffness", r.stiffness_n_per_mm.map(|v| u.stiffness().show(v))),
-        ("diameter when bulged", r.bulged_diameter_mm.map(|v| u.length.show(v))),
+        ("bulged diameter", r.bulged_diameter_mm.map(|v| u.length.show(v))),
         ("cavity", r.volume_mm3.map(|v| u.volume.show(v))),
         ("largest stretch of the rubber", r.max_stretch.map(|v| number(v, 4))),
         ("tension of a strand", r.strand_tension_n.map(|v| u.force.show(v))),
-        ("pull when not shortened", c.map(|c| u.force.show(c.blocked_force_n))),
-        ("contraction without a load", c.and_then(|c| c.free_contraction).map(percent)),
+        ("blocked force", c.map(|c| u.force.show(c.blocked_force_n))),
+        ("free contraction", c.and_then(|c| c.free_contraction).map(percent)),
         ("work of a free stroke", c.and_then(|c| c.work_j).map(|v| format!("{} J", number(v, 4)))),
         (
             "air of a free stroke",
@@ -162,7 +162,7 @@ fn state(shown: &MuscleShowAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> 
         ),
         ("burst pressure", c.and_then(|c| c.burst_pressure_mpa).map(|v| u.pressure.show(v))),
     ];
-    vec![Part::Heading("What it does".into()), pairs(rows)]
+    vec![Part::Heading("Performance".into()), pairs(rows)]
 }
 
 /// The deformed muscle by itself, without the picture for paper (of 600 kB), for front ends that show many.
@@ -258,7 +258,7 @@ fn build(shown: &MuscleShowAnswer, u: &Units) -> Vec<Part> {
         ("rubber between the terminals", shown.summary.rubber_mass_g.map(|g| format!("{} g", number(g, 4)))),
         ("braid", Some(format!("{}, {}°", shown.summary.braid, number(m.braid().angle_deg, 4)))),
         ("braid to cut", mm(sheet.braid_cut_mm)),
-        ("strand in it", mm(sheet.strand_cut_mm)),
+        ("strand in the braid", mm(sheet.strand_cut_mm)),
         ("turns of a strand", Some(number(derived.turns, 4))),
         ("strand length per turn", mm(derived.strand_length_per_turn_mm)),
         ("strands", sheet.strands.map(|n| n.to_string())),
@@ -267,17 +267,17 @@ fn build(shown: &MuscleShowAnswer, u: &Units) -> Vec<Part> {
     vec![Part::Heading("Build sheet".into()), pairs(rows)]
 }
 
-/// What is assumed, and what to mind.
+/// Assumptions and limits.
 fn limits(shown: &MuscleShowAnswer, point: &PointAnswer) -> Vec<Part> {
     let mut list = vec![
         "The tube is bonded to rigid terminals; the strands move with its outer surface and turn freely at their crossings, with friction only where the muscle file states it.".to_owned(),
-        "The braid has no thickness and lies on the tube from the start; the rubber has no memory.".to_owned(),
+        "The braid has no thickness and lies on the tube from the start; the rubber has no relaxation and no softening.".to_owned(),
         format!("The ±: {}", point.about.uncertainty_basis),
     ];
     if shown.muscle.terminals().insertion_mm.is_none() {
         let assumed = number(shown.muscle.terminals().insertion_mm(), 4);
         list.push(format!(
-            "How far the tube lies on its plugs is not stated; {assumed} mm are assumed for what to cut."
+            "The clamped length on each plug is not stated; the cut lengths assume {assumed} mm."
         ));
     }
     list.extend(shown.warnings.iter().cloned());

@@ -7,7 +7,7 @@ use mckibben::rubber::library::{
 };
 use mckibben::rubber::{Law, RubberLaw};
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 use std::collections::BTreeMap;
 
 /// All named rubbers.
@@ -76,7 +76,7 @@ pub struct RubberShowAnswer {
     pub note: Option<String>,
     /// The word for `rubber` by which the fits are found that are taken.
     pub rubber: String,
-    /// What to mind about the fit that is taken in the prototype.
+    /// Warnings about the fit that the prototype uses.
     pub warnings: Vec<String>,
 }
 
@@ -96,8 +96,9 @@ pub struct LibraryFit {
     /// stand for comparison.
     pub reach_up_to: Option<f64>,
     /// Its constants; those in MPa end in `_mpa`.
-    #[serde(flatten)]
-    pub constants: BTreeMap<String, f64>,
+    #[serde(flatten, serialize_with = "columns")]
+    #[schemars(with = "BTreeMap<String, f64>")]
+    pub fit: Law,
     /// Shear modulus μ at rest, MPa.
     pub shear_modulus_mpa: f64,
     /// Engineering strain up to which data were used.
@@ -107,9 +108,10 @@ pub struct LibraryFit {
     /// What is known of a law that was fitted to the curve.
     #[serde(flatten)]
     pub fitted: Option<FittedToCurve>,
-    /// The law itself.
-    #[serde(skip)]
-    pub fit: Law,
+}
+
+fn columns<S: Serializer>(law: &Law, serializer: S) -> Result<S::Ok, S::Error> {
+    law.columns().serialize(serializer)
 }
 
 /// What is known of a law that was fitted to a curve.
@@ -194,7 +196,7 @@ fn of_curve(word: &str, window: &Window, l: &WindowLaw) -> LibraryFit {
         taken: means(word, None, &l.law, Some(window.fitted_to_stretch)),
         by_reach: means(word, Some(reach), &l.law, Some(window.fitted_to_stretch)),
         reach_up_to: Some(reach),
-        constants: columns(&l.law),
+        fit: l.law.clone(),
         shear_modulus_mpa: l.law.shear_modulus_mpa(),
         up_to_strain: Some(window.fitted_to_stretch - 1.0),
         r_squared: Some(l.r_squared),
@@ -211,7 +213,6 @@ fn of_curve(word: &str, window: &Window, l: &WindowLaw) -> LibraryFit {
             rms_mpa: l.rms_mpa,
             planar_difference: planar_difference(&l.law, best, window.fitted_to_stretch),
         }),
-        fit: l.law.clone(),
     }
 }
 
@@ -225,17 +226,12 @@ fn as_published(word: &str, entry: &RubberEntry, fit: &RubberFit) -> LibraryFit 
         taken: alone && means(word, None, &fit.law, fitted),
         by_reach: alone && means(word, end, &fit.law, fitted),
         reach_up_to: end.filter(|_| alone),
-        constants: columns(&fit.law),
+        fit: fit.law.clone(),
         shear_modulus_mpa: fit.law.shear_modulus_mpa(),
         up_to_strain: fit.up_to_strain,
         r_squared: fit.r_squared,
         fitted: None,
-        fit: fit.law.clone(),
     }
-}
-
-fn columns(law: &Law) -> BTreeMap<String, f64> {
-    law.constants().into_iter().map(|c| (c.column(), c.value)).collect()
 }
 
 /// max |P − P_best| over max |P_best| of stretches from 1 to `end`.

@@ -5,23 +5,24 @@ use crate::figure;
 use crate::muscle::muscle_of;
 use crate::point::finite;
 use crate::problem::{Problem, ProblemKind};
-use crate::rubber_over_time::{PronyAnswer, SofteningAnswer, relaxation, softening};
 use mckibben::budget::Resource;
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Muscle, Rubber};
 use mckibben::progress::Progress;
-use mckibben::rubber::fit::{
-    FitSettings, FittedLaw, Form, HeldOutError, Measure, Mode, ModeError, Parameter, ReadOptions, TensionFit,
-    TensionFitError, fit_tension_with, read_tests,
+use mckibben_fit::rubber::{
+    FitSettings, FittedLaw, Form, LawQuality, Measure, Mode, Parameter, ReadOptions, TensionFitError,
+    fit_tension_with, read_tests,
 };
-use mckibben::rubber::{RubberLaw, Stability};
+use mckibben_fit::rubber_over_time::{
+    OverTimeFitError, PronyFit, SofteningFit, fit_prony, fit_softening, read_history,
+};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// Tension tests, and what is wanted of the laws.
+/// Tension tests, and the laws to fit.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct RubberFitRequest {
@@ -30,9 +31,9 @@ pub struct RubberFitRequest {
     pub data: Option<TextFile>,
     /// Columns of `data` whose heading does not say what they are: quantity to "heading:unit".
     pub columns: Columns,
-    /// Laws by name, or `all`; all that the points carry where none is named.
+    /// Laws by name, or `all`; all that the points determine if none is named.
     pub laws: Vec<String>,
-    /// Terms of `ogden`; 1, 2 and 3 where it is left out.
+    /// Terms of `ogden`; default 1, 2 and 3.
     pub terms: Option<usize>,
     /// How the specimens were stretched, where the table has no column `mode`; with a column `stretch_2` that is `general`.
     pub mode: Mode,
@@ -40,30 +41,30 @@ pub struct RubberFitRequest {
     pub area_mm2: Option<f64>,
     /// Length of the specimen at rest, mm, for a column of extensions or lengths.
     pub gauge_length_mm: Option<f64>,
-    /// Modes that are fitted, all where none is named. The others are held out, and how well each law follows them is said.
+    /// Modes to fit; default: all. The others are held out, and the answer gives the errors of each law there.
     pub fit_modes: Vec<Mode>,
-    /// Leave out what is stretched further.
+    /// Leave out points beyond this stretch.
     pub up_to_stretch: Option<f64>,
-    /// Differences over the measured stress: small stretches count as much as large ones.
+    /// Minimise relative differences: small stretches count as much as large ones.
     pub relative: bool,
-    /// Every mode counts alike, however many points it has.
+    /// Give every mode the same weight, whatever its number of points.
     pub balance: bool,
-    /// Factors on the modes.
+    /// Weights of the modes.
     pub weights: BTreeMap<Mode, f64>,
-    /// Laws that stay stable in a muscle only.
+    /// Fit only laws that stay stable in a muscle.
     pub stable: bool,
-    /// Hoop stretch of the muscle up to which a law should be stable; 3 where it is left out.
+    /// Hoop stretch of the muscle up to which a law must be stable; default 3.
     pub hoop_stretch: Option<f64>,
     /// Branches of a Prony series that is fitted as well, 1 to 8, from a column of times: one specimen, uniaxial, from rest on.
     /// Of the one law of `laws`, else of the recommended one.
     pub relaxation: Option<usize>,
     /// Softening by Ogden and Roxburgh is fitted as well, from a column of times that begins with the first loading. Of the same law.
     pub softening: bool,
-    /// Name of the rubber in the muscle file; that of the table where it is left out.
+    /// Name of the rubber in the muscle file; default that of the table.
     pub name: Option<String>,
-    /// Muscle that gets the rubber; the prototype where it is left out.
+    /// Muscle that receives the rubber; default: the prototype.
     pub muscle: Option<TextFile>,
-    /// The answer shall carry a figure.
+    /// Add a figure to the answer.
     pub figure: bool,
 }
 
@@ -82,84 +83,29 @@ pub struct RubberFitAnswer {
     pub held_out: usize,
     /// Largest principal stretch of the points.
     pub fitted_to_stretch: f64,
-    /// What was made small.
+    /// The objective of the fit.
     pub measure: Measure,
-    /// Whether every mode counted alike.
+    /// Whether every mode had the same weight.
     pub balance: bool,
     /// The law to take, where one is stable in a muscle.
     pub recommended: Option<String>,
     /// Constants of that law.
     pub parameters: Vec<Parameter>,
     /// The laws.
-    pub laws: Vec<LawAnswer>,
+    pub laws: Vec<FittedLaw>,
     /// Laws without a fit, and why.
     pub failed: Vec<String>,
-    /// What to mind.
+    /// Warnings.
     pub warnings: Vec<String>,
     /// Relaxation, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub relaxation: Option<PronyAnswer>,
+    pub relaxation: Option<PronyFit>,
     /// Softening, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub softening: Option<SofteningAnswer>,
+    pub softening: Option<SofteningFit>,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
-    /// What was wanted.
-    #[serde(skip)]
-    pub settings: FitSettings,
-    /// What was found.
-    #[serde(skip)]
-    pub fit: TensionFit,
-    /// The muscle that gets the rubber.
-    #[serde(skip)]
-    base: Muscle,
-    /// The name of the rubber in it.
-    #[serde(skip)]
-    name: Option<String>,
-}
-
-/// A fitted law.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct LawAnswer {
-    /// The law, as in muscle files.
-    pub law: String,
-    /// The same with the number of its terms.
-    pub name: String,
-    /// Whether it was held among the laws that are stable in a muscle.
-    pub constrained: bool,
-    /// How well it does.
-    #[serde(flatten)]
-    pub quality: LawQuality,
-    /// Its constants.
-    pub parameters: Vec<Parameter>,
-    /// Its errors by mode.
-    pub modes: Vec<ModeError>,
-    /// Its errors in modes that were held out, and over their points in whose state a muscle's wall may be.
-    pub held_out: Vec<HeldOutError>,
-}
-
-/// How well a law follows the points, and where it is stable.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-pub struct LawQuality {
-    /// Shear modulus μ at rest, MPa.
-    pub shear_modulus_mpa: f64,
-    /// R² of the nominal stresses.
-    pub r_squared: f64,
-    /// R² of the free fit, where this one was held.
-    pub free_r_squared: Option<f64>,
-    /// Root mean square of the differences of nominal stress, MPa.
-    pub rms_mpa: f64,
-    /// Root mean square of the differences over the measured stress.
-    pub relative_rms: f64,
-    /// Akaike's criterion for small samples.
-    pub aicc: f64,
-    /// Largest principal stretch of the points.
-    pub fitted_to_stretch: f64,
-    /// Whether it is stable in a muscle.
-    pub stable: bool,
-    /// Hoop stretch from which on it is not.
-    pub unstable_from_hoop_stretch: Option<f64>,
 }
 
 /// A constant with the law that it belongs to: a row of a table.
@@ -178,12 +124,22 @@ pub struct ConstantRow {
 }
 
 impl RubberFitAnswer {
+    /// Whether a law is the one to take.
+    pub fn is_recommended(&self, law: &FittedLaw) -> bool {
+        law.is_trusted() && self.recommended.as_ref() == Some(&law.form.name())
+    }
+
+    /// The law to take, where one is stable in a muscle.
+    pub fn taken(&self) -> Option<&FittedLaw> {
+        self.laws.iter().find(|law| self.is_recommended(law))
+    }
+
     /// The constants of all laws, one row each.
     pub fn constants(&self) -> Vec<ConstantRow> {
-        let rows = |(i, law): (usize, &LawAnswer)| {
-            let recommended = self.fit.recommended == Some(i);
+        let rows = |law: &FittedLaw| {
+            let recommended = self.is_recommended(law);
             let row = |p: &Parameter| ConstantRow {
-                law: law.name.clone(),
+                law: law.form.name(),
                 constrained: law.constrained,
                 recommended,
                 constant: p.name.clone(),
@@ -195,7 +151,7 @@ impl RubberFitAnswer {
             };
             law.parameters.iter().map(row).collect::<Vec<_>>()
         };
-        self.laws.iter().enumerate().flat_map(rows).collect()
+        self.laws.iter().flat_map(rows).collect()
     }
 
     /// A muscle file with the recommended law. With a softening it is the law of the first loading, with a relaxation alone the one at once,
@@ -203,30 +159,31 @@ impl RubberFitAnswer {
     ///
     /// # Errors
     /// [`Problem`] of kind `no_answer` where no law is stable in a muscle.
-    pub fn muscle_file(&self) -> Result<String, Problem> {
-        let taken = self.fit.recommended.and_then(|i| self.fit.laws.get(i)).ok_or_else(|| {
+    pub fn muscle_file(&self, request: &RubberFitRequest) -> Result<String, Problem> {
+        let taken = self.taken().ok_or_else(|| {
             let message =
                 "none of these laws is stable over the stretches of a muscle; no muscle file is written";
             Problem::new(ProblemKind::NoAnswer, message, "add `stable`, or take `laws` neo-hookean")
         })?;
-        let relaxation = self.relaxation.as_ref().map(|r| &r.found);
-        let softening = self.softening.as_ref().map(|s| &s.found);
-        let over_time = softening.map(|s| &s.0).or(relaxation.map(|r| &r.0));
-        let mut tube = self.base.tube().clone();
+        let (relaxation, softening) = (self.relaxation.as_ref(), self.softening.as_ref());
+        let over_time = softening.map(|s| &s.first_loading).or(relaxation.map(|r| &r.instantaneous));
+        let stem = || Path::new(&self.data).file_stem().map(|s| s.to_string_lossy().into_owned());
+        let base = request.base()?;
+        let mut tube = base.tube().clone();
         tube.rubber = Rubber {
-            name: self.name.clone(),
+            name: request.name.clone().or_else(stem),
             // 1 + strain has digits that nobody measured.
-            fitted_to_stretch: Some((self.fit.fitted_to_stretch * 1e4).round() / 1e4),
-            softening: softening.map(|s| s.1),
-            prony: relaxation.map(|r| r.1.clone()),
+            fitted_to_stretch: Some((self.fitted_to_stretch * 1e4).round() / 1e4),
+            softening: softening.map(SofteningFit::softening),
+            prony: relaxation.map(PronyFit::prony),
             ..Rubber::of(over_time.unwrap_or(&taken.law).clone())
         };
-        Ok(to_toml(&self.base.with_tube(tube)?))
+        Ok(to_toml(&base.with_tube(tube)?))
     }
 }
 
-const APART: &str = "softening and relaxation were fitted apart, each as if there were nothing but it: what relaxes in the test counts as softening, and the \
-     reverse; a muscle file holds the law of the first loading with both";
+const APART: &str = "softening and relaxation were fitted separately, each without the other: relaxation during the test counts as softening, and the \
+     reverse; the muscle file has the law of the first loading with both";
 
 /// The laws that follow the tests, with the errors of their constants, and where they are stable.
 ///
@@ -234,7 +191,7 @@ const APART: &str = "softening and relaxation were fitted apart, each as if ther
 /// [`Problem`].
 pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result<RubberFitAnswer, Problem> {
     let settings = request.settings()?;
-    let base = request.muscle.as_ref().map_or_else(|| Ok(Muscle::prototype()), muscle_of)?;
+    request.base()?;
     let file = request.data.as_ref().ok_or_else(|| Problem::missing("data", "a table of tension tests"))?;
     let options = ReadOptions {
         mode: request.mode,
@@ -261,15 +218,24 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
             Err(Problem::new(ProblemKind::NoAnswer, message, "take `laws` with one law"))
         }
     };
-    let of_branches = |n| relaxation(file, &request.columns, form()?, n);
-    let relaxation = request.relaxation.map(of_branches).transpose()?;
-    let softens = || softening(file, &request.columns, form()?);
+    let history = || {
+        let points = read_history(file.text.as_bytes(), &request.columns);
+        points.map_err(|error| Problem::of_table(&file.name, &error))
+    };
+    let relaxes = |branches| -> Result<_, Problem> {
+        let form = form()?;
+        Ok(fit_prony(&history()?, form, branches)?)
+    };
+    let relaxation = request.relaxation.map(relaxes).transpose()?;
+    let softens = || -> Result<_, Problem> {
+        let form = form()?;
+        Ok(fit_softening(&history()?, form)?)
+    };
     let softening = request.softening.then(softens).transpose()?;
     let mut warnings: Vec<String> = fit.warnings.iter().map(ToString::to_string).collect();
     if relaxation.is_some() && softening.is_some() {
         warnings.push(APART.into());
     }
-    let stem = || Path::new(&file.name).file_stem().map(|s| s.to_string_lossy().into_owned());
     Ok(RubberFitAnswer {
         data: file.name.clone(),
         understood: vec![UnderstoodTable { data: file.name.clone(), table }],
@@ -281,44 +247,13 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         balance: settings.balance,
         recommended: taken.map(|law| law.form.name()),
         parameters: taken.map_or_else(Vec::new, |law| law.parameters.clone()),
-        laws: fit.laws.iter().map(|law| LawAnswer::new(law, fit.fitted_to_stretch)).collect(),
         failed: fit.failed.iter().map(ToString::to_string).collect(),
         warnings,
         relaxation,
         softening,
         figure: request.figure.then(|| figure::tension(&fit, &file.name)),
-        name: request.name.clone().or_else(stem),
-        settings,
-        fit,
-        base,
+        laws: fit.laws,
     })
-}
-
-impl LawAnswer {
-    fn new(law: &FittedLaw, fitted_to_stretch: f64) -> Self {
-        Self {
-            law: law.form.law().into(),
-            name: law.form.name(),
-            constrained: law.constrained,
-            quality: LawQuality {
-                shear_modulus_mpa: law.law.shear_modulus_mpa(),
-                r_squared: law.r_squared,
-                free_r_squared: law.free_r_squared,
-                rms_mpa: law.rms_mpa,
-                relative_rms: law.relative_rms,
-                aicc: law.aicc,
-                fitted_to_stretch,
-                stable: law.is_stable(),
-                unstable_from_hoop_stretch: match law.stability {
-                    Stability::Stable => None,
-                    Stability::UnstableFrom { hoop_stretch } => Some(hoop_stretch),
-                },
-            },
-            parameters: law.parameters.clone(),
-            modes: law.modes.clone(),
-            held_out: law.held_out.clone(),
-        }
-    }
 }
 
 fn positive(field: &str, value: Option<f64>) -> Result<Option<f64>, Problem> {
@@ -332,6 +267,11 @@ fn positive(field: &str, value: Option<f64>) -> Result<Option<f64>, Problem> {
 }
 
 impl RubberFitRequest {
+    /// The muscle that gets the rubber.
+    fn base(&self) -> Result<Muscle, Problem> {
+        self.muscle.as_ref().map_or_else(|| Ok(Muscle::prototype()), muscle_of)
+    }
+
     fn settings(&self) -> Result<FitSettings, Problem> {
         let usual = FitSettings::default();
         Ok(FitSettings {
@@ -347,7 +287,7 @@ impl RubberFitRequest {
         })
     }
 
-    /// The laws that are asked for; none means all that the points carry.
+    /// The laws that are asked for; none means all that the points determine.
     fn forms(&self) -> Result<Vec<Form>, Problem> {
         let mut forms: Vec<Form> = vec![];
         if self.laws.is_empty() && self.terms.is_none() {
@@ -357,7 +297,7 @@ impl RubberFitRequest {
             word.trim() == "all" || Form::parse(word).iter().any(|form| form.terms().is_some())
         };
         let alone = self.terms.is_some() && !self.laws.is_empty() && !self.laws.iter().any(several);
-        Problem::refuse_unused(&[("terms", alone)], "none of these `laws` has a number of terms")?;
+        Problem::refuse_unused(&[("terms", alone)], "none of these `laws` has a selectable number of terms")?;
         let all = ["all".to_owned()];
         for word in if self.laws.is_empty() { &all[..] } else { &self.laws } {
             let found = if word.trim() == "all" { Form::all() } else { Form::parse(word) };
@@ -375,7 +315,7 @@ impl RubberFitRequest {
             }
         }
         if forms.is_empty() {
-            let message = "none of these laws has so many terms";
+            let message = "none of these laws has this number of terms";
             let hint = "leave `terms` out, or take `laws` ogden";
             return Err(Problem::new(ProblemKind::Usage, message, hint).in_field("terms"));
         }
@@ -395,5 +335,17 @@ impl From<TensionFitError> for Problem {
             _ => (ProblemKind::Fit, ""),
         };
         Self::new(kind, error.to_string(), hint)
+    }
+}
+
+impl From<OverTimeFitError> for Problem {
+    fn from(error: OverTimeFitError) -> Self {
+        match error {
+            OverTimeFitError::Law(error) => error.into(),
+            OverTimeFitError::NotConverged { .. } => {
+                Self::new(ProblemKind::NotConverged, error.to_string(), "take `laws` with fewer constants")
+            }
+            _ => Self::new(ProblemKind::Fit, error.to_string(), ""),
+        }
     }
 }

@@ -31,7 +31,7 @@ pub struct ShapeRequest {
     pub mesh: MeshFields,
     /// Gauge pressure P in MPa.
     pub pressure_mpa: Option<f64>,
-    /// Contraction ratio ε = ΔL/L0; 0 where it is left out.
+    /// Contraction ratio ε = ΔL/L0; default 0.
     pub contraction: Option<f64>,
     /// Pull F in N in place of the contraction.
     pub force_n: Option<f64>,
@@ -81,7 +81,7 @@ pub(crate) fn shaped(
     let budget = progress.budget();
     model.admit(&muscle, &budget)?;
     let Model::Elements(Elements::Axisymmetric(mesh)) = &model else {
-        return Err(Problem::new(ProblemKind::Model, "the shape is that of `fe`", ""));
+        return Err(Problem::new(ProblemKind::Model, "the shape is always computed by `fe`", ""));
     };
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
     if pressure_mpa < 0.0 {

@@ -30,14 +30,14 @@ pub struct MuscleShowRequest {
     /// How it is asked.
     #[serde(flatten)]
     pub asking: AskFields,
-    /// Also what it does at this pressure, MPa.
+    /// Also give its values at this pressure, MPa.
     pub pressure_mpa: Option<f64>,
-    /// The answer shall carry the muscle file that says the same.
+    /// Add the equivalent muscle file to the answer.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub muscle_file: bool,
 }
 
-/// What was understood of a muscle, and what follows from it.
+/// The data of a muscle, and derived quantities.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct MuscleShowAnswer {
     /// The muscle.
@@ -58,16 +58,16 @@ pub struct MuscleShowAnswer {
     /// Measures that need not be stated.
     #[serde(flatten)]
     pub stated: Stated,
-    /// What follows from the measures.
+    /// Derived quantities.
     pub derived: Derived,
-    /// What to cut.
+    /// Build sheet.
     pub build_sheet: BuildSheetAnswer,
-    /// What the user should know, in sentences.
+    /// Warnings, in sentences.
     pub warnings: Vec<String>,
-    /// What it does at the pressure that was asked for.
+    /// Its values at the given pressure.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub characteristics: Option<Characteristics>,
-    /// The muscle file (TOML) that says the same, where it was asked for: file and fields of the request in one.
+    /// The equivalent muscle file (TOML), if requested: file and fields of the request in one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub muscle_file: Option<String>,
     /// The muscle itself.
@@ -75,7 +75,7 @@ pub struct MuscleShowAnswer {
     pub muscle: Muscle,
 }
 
-/// What follows from a muscle's measures.
+/// Quantities derived from the dimensions of a muscle.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Derived {
     /// Inner diameter at rest, mm.
@@ -94,7 +94,7 @@ pub struct Derived {
     pub volume_mm3: f64,
 }
 
-/// What to cut.
+/// Build sheet.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct BuildSheetAnswer {
     /// Tube, with what lies on the plugs, mm.
@@ -111,14 +111,14 @@ pub struct BuildSheetAnswer {
     pub rubber_volume_mm3: f64,
 }
 
-/// What a muscle does at one pressure.
+/// Values of a muscle at one pressure.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Characteristics {
     /// The model that says so.
     pub model: String,
     /// The pressure, MPa.
     pub pressure_mpa: f64,
-    /// Pull without contraction, N.
+    /// Blocked force, N.
     pub blocked_force_n: f64,
     /// Contraction without pull.
     pub free_contraction: Option<f64>,
@@ -128,11 +128,11 @@ pub struct Characteristics {
     pub volume_mm3: Option<f64>,
     /// Air from rest to there, normal litres.
     pub air_normal_litres: Option<f64>,
-    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none where that is not stated.
+    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none if that is not stated.
     pub burst_pressure_mpa: Option<f64>,
 }
 
-/// What was understood of a muscle, and what follows from it.
+/// The data of a muscle, and derived quantities.
 ///
 /// # Errors
 /// [`Problem`].
@@ -147,7 +147,7 @@ pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Prob
             ("two_sided", asking.two_sided),
             ("direction", !asking.direction.is_mean()),
         ];
-        let why = "a model is asked what the muscle does at a pressure, and no `pressure_mpa` is given";
+        let why = "the model is used only for values at a pressure, and no `pressure_mpa` is given";
         Problem::refuse_unused(&fields, why)
             .map_err(|p| p.with_hint("give `pressure_mpa`, such as 0.2 MPa"))?;
     }

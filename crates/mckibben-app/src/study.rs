@@ -11,11 +11,11 @@ use crate::warnings;
 use mckibben::curve::Test;
 use mckibben::muscle::measures::{LENGTH, OUTER_DIAMETER, WALL, fields};
 use mckibben::progress::Progress;
-use mckibben::study::{Finding, Study, thickness};
+use mckibben::study::{Finding, Study, StudyPanel, thickness};
 use mckibben::warning::Warning;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 /// The thickness study with a rubber, a braid and a model.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
@@ -30,7 +30,7 @@ pub struct StudyRequest {
     /// How it is asked.
     #[serde(flatten)]
     pub asking: AskFields,
-    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
+    /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
 }
 
@@ -42,29 +42,17 @@ pub struct StudyAnswer {
     /// `thickness`.
     pub test: String,
     /// The paper's findings.
-    pub findings: Vec<FindingAnswer>,
+    pub findings: Vec<Finding>,
     /// The points of all curves.
-    pub points: Vec<StudyRow>,
-    /// What the user should know, in sentences: those of the points, once a wall.
+    #[serde(rename = "points", serialize_with = "points")]
+    #[schemars(with = "Vec<StudyRow>")]
+    pub panels: Vec<StudyPanel>,
+    /// Warnings, in sentences: those of the points, once per wall.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
-    /// The study itself.
-    #[serde(skip)]
-    pub study: Study,
-}
-
-/// One of the paper's statements beside what this model says.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct FindingAnswer {
-    /// What the paper reports.
-    pub statement: String,
-    /// What came out here.
-    pub ours: String,
-    /// Whether it holds.
-    pub holds: bool,
 }
 
 /// A point of the study.
@@ -111,9 +99,13 @@ pub fn study(request: &StudyRequest, progress: &dyn Progress) -> Result<StudyAns
     });
     let curves = study.panels.iter().flat_map(|p| &p.curves).map(|c| &c.curve);
     let warnings = warnings::of_points(answered(curves));
-    let finding =
-        |f: &Finding| FindingAnswer { statement: f.statement.into(), ours: f.ours.clone(), holds: f.holds };
-    let points = study.panels.iter().flat_map(|panel| {
+    let Study { model, panels, findings } = study;
+    Ok(StudyAnswer { model, test: "thickness".into(), findings, panels, warnings, figure })
+}
+
+/// The points of all curves, row by row.
+fn points<S: Serializer>(panels: &[StudyPanel], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(panels.iter().flat_map(|panel| {
         panel.curves.iter().flat_map(move |curve| {
             curve.curve.points.iter().map(move |point| StudyRow {
                 point: point.into(),
@@ -123,14 +115,5 @@ pub fn study(request: &StudyRequest, progress: &dyn Progress) -> Result<StudyAns
                 wall_mm: curve.wall_mm,
             })
         })
-    });
-    Ok(StudyAnswer {
-        model: study.model.clone(),
-        test: "thickness".into(),
-        findings: study.findings.iter().map(finding).collect(),
-        points: points.collect(),
-        warnings,
-        figure,
-        study,
-    })
+    }))
 }

@@ -1,14 +1,17 @@
 //! `validate`: verification against exact values, validation against measured muscles, and a sweep of random muscles.
 
+use crate::model::Model;
 use crate::problem::Problem;
 use mckibben::budget::Resource;
 use mckibben::joint;
+use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use mckibben::threads;
-use mckibben::verification::{Kind, Measure, Row};
+use mckibben::verification::Row;
 use mckibben_campaign::fit::held_out;
 use mckibben_fem::axisymmetric::sweep::{Sweep, SweepRow, question};
-use mckibben_fem::{validation, verification};
+use mckibben_fem::verification;
+use mckibben_fit::validation;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -25,81 +28,13 @@ pub struct ValidateRequest {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct ValidateAnswer {
     /// The cases.
-    pub cases: Vec<Case>,
+    pub cases: Vec<Row>,
 }
 
 impl ValidateAnswer {
     /// Whether every case holds.
     pub fn ok(&self) -> bool {
         self.cases.iter().all(|case| case.ok)
-    }
-}
-
-/// A case.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct Case {
-    /// What is computed.
-    pub name: String,
-    /// Verification or validation.
-    pub kind: CaseKind,
-    /// What its numbers are.
-    pub measure: CaseMeasure,
-    /// Where the reference comes from.
-    pub source: String,
-    /// The reference.
-    pub reference: f64,
-    /// Our value, where there was an answer.
-    pub ours: Option<f64>,
-    /// |ours − reference|, relative where the reference is not zero.
-    pub error: Option<f64>,
-    /// Largest error that passes.
-    pub tolerance: f64,
-    /// Whether it passes.
-    pub ok: bool,
-}
-
-/// Whether equations are solved right, or are the right equations.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum CaseKind {
-    /// Against exact values.
-    Verification,
-    /// Against measurements.
-    Validation,
-}
-
-/// What the numbers of a case are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum CaseMeasure {
-    /// A value and what it should be.
-    Value,
-    /// A root mean square of forces in N, beside the largest or the blocked force; the error is their ratio.
-    Rms,
-    /// A share of points, beside the least share.
-    Share,
-}
-
-impl From<Row> for Case {
-    fn from(row: Row) -> Self {
-        Self {
-            name: row.name,
-            kind: match row.kind {
-                Kind::Verification => CaseKind::Verification,
-                Kind::Validation => CaseKind::Validation,
-            },
-            measure: match row.measure {
-                Measure::Value => CaseMeasure::Value,
-                Measure::Rms => CaseMeasure::Rms,
-                Measure::Share => CaseMeasure::Share,
-            },
-            source: row.source.into(),
-            reference: row.reference,
-            ours: row.ours,
-            error: row.error,
-            tolerance: row.tolerance,
-            ok: row.ok,
-        }
     }
 }
 
@@ -115,11 +50,11 @@ pub fn validate(request: &ValidateRequest, progress: &dyn Progress) -> Result<Va
     rows.extend(joint::verification::cases());
     rows.extend(mckibben_motion::verification::cases());
     rows.extend(held_out::cases());
-    rows.extend(validation::cases(progress)?);
-    Ok(ValidateAnswer { cases: rows.into_iter().map(Case::from).collect() })
+    rows.extend(validation::cases(&|muscle: &Muscle| Model::FE.build(muscle), progress)?);
+    Ok(ValidateAnswer { cases: rows })
 }
 
-/// Random muscles, one question each.
+/// Random muscles, one point each.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SweepRequest {
     /// How many.
@@ -133,24 +68,24 @@ fn one() -> u64 {
     1
 }
 
-/// Which share of the questions was answered. It holds nothing that depends on the machine.
+/// The share of points with an answer. It does not depend on the machine.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct SweepAnswer {
     /// How many muscles.
     pub muscles: usize,
     /// Seed of the random numbers.
     pub seed: u64,
-    /// Questions that must have an answer: the infinitely long muscle pulls and its strands stretch by less than 5 %.
+    /// Points that must have an answer: the infinitely long muscle pulls and its strands stretch by less than 5 %.
     pub required: usize,
     /// How many of them have one.
     pub required_answered: usize,
-    /// The other questions.
+    /// The other points.
     pub others: usize,
     /// How many of them have an answer.
     pub others_answered: usize,
-    /// Most factorisations that a question took.
+    /// Largest number of factorisations of a point.
     pub most_factorisations: usize,
-    /// Why required questions have no answer.
+    /// Reasons why required points have no answer.
     pub unanswered: Vec<String>,
     /// The sweep itself, with its times.
     #[serde(skip)]

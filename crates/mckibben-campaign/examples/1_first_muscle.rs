@@ -3,6 +3,7 @@
 //! `cargo run --release -p mckibben-campaign --example 1_first_muscle`
 
 use mckibben::prelude::*;
+use mckibben_design::{OperatingPoint, Spec, design};
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fem::output::{Shape, VtuSeries};
 use std::error::Error;

@@ -4,7 +4,7 @@
 
 use mckibben::muscle::Rubber;
 use mckibben::prelude::*;
-use mckibben::rubber::fit::{FitSettings, ReadOptions, fit_tension, read_tension};
+use mckibben_fit::rubber::{FitSettings, ReadOptions, fit_tension, read_tension};
 use std::error::Error;
 
 /// Stretch and nominal stress in uniaxial tension; a file of your own needs the same two columns.
@@ -21,7 +21,7 @@ fn shear_modulus() -> Result<f64, Box<dyn Error>> {
     for fitted in &fit.laws {
         let constants: Vec<String> =
             fitted.parameters.iter().map(|p| format!("{} {:.4} {}", p.name, p.value, p.unit)).collect();
-        println!("{:<14} R² {:.4}   {}", fitted.law.name(), fitted.r_squared, constants.join(", "));
+        println!("{:<14} R² {:.4}   {}", fitted.law.name(), fitted.quality.r_squared, constants.join(", "));
     }
     for warning in &fit.warnings {
         println!("mind: {warning}");

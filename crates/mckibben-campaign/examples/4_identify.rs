@@ -2,12 +2,12 @@
 //!
 //! `cargo run --release -p mckibben-campaign --example 4_identify`
 
-use mckibben::identify::{Request, Target, identify_default, read_data};
-use mckibben::least_squares::Loss;
 use mckibben::muscle::file::parse_muscle;
 use mckibben::prelude::*;
 use mckibben::progress::Silent;
 use mckibben_fem::axisymmetric::Axisymmetric;
+use mckibben_fit::identify::{Request, Target, identify_default, read_data};
+use mckibben_fit::least_squares::Loss;
 use std::error::Error;
 
 /// What a ruler tells, and guesses for the rest.

@@ -1,7 +1,7 @@
 //! The columns of a campaign's table, declared once: Parquet's schema and its encoding, `campaign show` and the table in
 //! `docs/commands.md` follow from [`COLUMNS`].
 
-use crate::Row;
+use crate::PointRow;
 use mckibben::status::Status;
 use std::fmt::Write as _;
 
@@ -33,6 +33,8 @@ pub enum Slot<'a> {
     Status(&'a mut Status),
     /// One column for each constant of the law; a number each.
     Constants(&'a mut Vec<(String, f64)>),
+    /// One column for each other measure that varies; a number each.
+    Measures(&'a mut Vec<(String, f64)>),
     /// One column for each sensitivity; a number or nothing each.
     Sensitivities(&'a mut Vec<(String, f64)>),
 }
@@ -49,7 +51,7 @@ pub struct Column {
     /// What it tells.
     pub role: Role,
     /// Where it stands in a row.
-    pub slot: fn(&mut Row) -> Slot<'_>,
+    pub slot: fn(&mut PointRow) -> Slot<'_>,
 }
 
 const fn column(
@@ -57,15 +59,15 @@ const fn column(
     name: &'static str,
     unit: &'static str,
     meaning: &'static str,
-    slot: fn(&mut Row) -> Slot<'_>,
+    slot: fn(&mut PointRow) -> Slot<'_>,
 ) -> Column {
     Column { name, unit, meaning, role, slot }
 }
 
 /// All columns in their order.
-pub static COLUMNS: [Column; 22] = {
+pub static COLUMNS: [Column; 23] = {
     use Role::{Answer, Note, Question};
-    use Slot::{Constants, Count, Number, Optional, Sensitivities, Text, Whole};
+    use Slot::{Constants, Count, Measures, Number, Optional, Sensitivities, Text, Whole};
     [
         column(Note, "muscle", "", "number of the muscle in the plan, from 0", |r| Whole(&mut r.muscle)),
         column(Question, "outer_diameter_mm", "mm", "D0", |r| Number(&mut r.outer_diameter_mm)),
@@ -82,6 +84,13 @@ pub static COLUMNS: [Column; 22] = {
             "N/mm",
             "k of one strand family; nothing for inextensible strands",
             |r| Optional(&mut r.stiffness_of_braid_n_per_mm),
+        ),
+        column(
+            Question,
+            "seating_mm",
+            "mm, …",
+            "any other measure of the muscle that varies, a column each",
+            |r| Measures(&mut r.measures),
         ),
         column(Question, "pressure_mpa", "MPa", "P", |r| Number(&mut r.pressure_mpa)),
         column(Question, "contraction", "", "ε", |r| Number(&mut r.contraction)),
@@ -128,8 +137,8 @@ pub static COLUMNS: [Column; 22] = {
 pub fn documentation() -> String {
     let mut out = String::from("| column | unit | |\n|---|---|---|\n");
     for c in &COLUMNS {
-        let more = match (c.slot)(&mut Row::default()) {
-            Slot::Constants(_) | Slot::Sensitivities(_) => ", …",
+        let more = match (c.slot)(&mut PointRow::default()) {
+            Slot::Constants(_) | Slot::Measures(_) | Slot::Sensitivities(_) => ", …",
             _ => "",
         };
         // Writing to a text does not fail.

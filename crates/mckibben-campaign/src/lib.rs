@@ -12,4 +12,4 @@ mod hash;
 mod row;
 
 pub use hash::hex as sha256;
-pub use row::Row;
+pub use row::PointRow;

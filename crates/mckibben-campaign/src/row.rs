@@ -5,7 +5,7 @@ use mckibben::status::Status;
 /// A row of a campaign's table: a muscle, a question, and what came out. Failures are rows too. How each is called in
 /// tables, and its unit, says [`crate::columns`].
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Row {
+pub struct PointRow {
     /// Number of the muscle in the plan, from 0.
     pub muscle: u64,
     /// D0 in mm.
@@ -22,6 +22,8 @@ pub struct Row {
     pub constants: Vec<(String, f64)>,
     /// k of one strand family in N/mm; `None` for inextensible strands.
     pub stiffness_of_braid_n_per_mm: Option<f64>,
+    /// What varies beside these, with its column: (`seating_mm`, 1.5).
+    pub measures: Vec<(String, f64)>,
     /// P in MPa.
     pub pressure_mpa: f64,
     /// ε

@@ -21,11 +21,11 @@ use crate::commands::schema::SchemaArgs;
 use crate::commands::serve::ServeArgs;
 use crate::commands::simulate::SimulateArgs;
 use crate::commands::validate::ValidateArgs;
-use crate::flags::Format;
+use crate::format::Format;
 use clap::{Parser, Subcommand};
 use mckibben::budget::Resource;
 
-const ABOUT: &str = "Design McKibben pneumatic muscles: from a specification to a muscle one can build.
+const ABOUT: &str = "Design McKibben pneumatic muscles: from a specification to a muscle that you can build.
 
 Quantities carry a unit (30mm, 2.5bar, 0.25MPa, 36psi, 28deg, 300N, 10%); a bare number is mm, MPa, N, degrees, \
 or a ratio. Ranges are low..high:step (0..2.5:0.1bar), lists are 1,2,3.";
@@ -39,10 +39,10 @@ pub struct Cli {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
-    /// What is printed: text for people, json or csv for programs
+    /// Output format: text for reading, json or csv for programs
     #[arg(long, value_enum, global = true, default_value_t = Format::Text, help_heading = "Output")]
     pub format: Format,
-    /// What the answer may cost: points, elements, bytes, factorisations or seconds [points=1e6, elements=250000, bytes=4e9]
+    /// Limit of the work: points, elements, bytes, factorisations or seconds [points=1e6, elements=250000, bytes=4e9]
     #[arg(long, value_name = "NAME=NUMBER", global = true, value_parser = limit, help_heading = "Output")]
     pub limit: Vec<(Resource, f64)>,
 }
@@ -59,7 +59,7 @@ fn limit(text: &str) -> Result<(Resource, f64), String> {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// From a specification to ranked muscles (the main job)
+    /// Find muscles that meet a specification, ranked (the main command)
     #[command(after_help = commands::design::EXAMPLES)]
     Design(Box<DesignArgs>),
     /// Pull at a pressure and contraction: F(P, ε)
@@ -71,52 +71,52 @@ pub enum Command {
     /// Contraction at which a pressure gives a pull: ε(F, P)
     #[command(after_help = "Example:\n  mckibben contraction -D 40 -s 2 -F 600N -p 2.5bar")]
     Contraction(Box<ContractionArgs>),
-    /// A family of curves: isometric, isotonic or isobaric
+    /// Family of curves: isometric, isotonic or isobaric
     #[command(after_help = commands::curve::EXAMPLES)]
     Curve(Box<CurveArgs>),
-    /// A muscle against a spring, or two against each other, about a joint: torque, stiffness, rest, pressures
+    /// Joint with one muscle and a spring, or with two opposed muscles: torque, stiffness, rest position, pressures
     #[command(after_help = commands::joint::EXAMPLES)]
     Joint(Box<JointArgs>),
-    /// A muscle or a joint on a valve, over time
+    /// Motion over time of a muscle or a joint with valves
     #[command(after_help = commands::motion::EXAMPLES)]
     Motion(Box<MotionArgs>),
-    /// One finite-element test with everything it knows: curves, shape, strands, stretches, sensitivities
+    /// One finite-element test with all results: curves, shape, strands, stretches, sensitivities
     #[command(after_help = commands::simulate::EXAMPLES)]
     Simulate(Box<SimulateArgs>),
-    /// All that is known of a muscle as one HTML file that opens offline and prints well
+    /// Report of a muscle as one HTML file, for reading offline and for printing
     #[command(after_help = commands::report::EXAMPLES)]
     Report(Box<ReportArgs>),
-    /// Many finite-element tests from a plan, resumable, into Parquet
+    /// Many finite-element tests from a plan into one Parquet table; an interrupted run continues
     #[command(after_help = commands::campaign::EXAMPLES)]
     Campaign(Box<CampaignArgs>),
     /// Verification against exact values and validation against measured muscles
     #[command(after_help = commands::validate::EXAMPLES)]
     Validate(ValidateArgs),
-    /// Several models, and measured points, on one figure with their errors
+    /// Compare models with each other or with measured points: errors and figure
     #[command(after_help = commands::compare::EXAMPLES)]
     Compare(Box<CompareArgs>),
     /// Constants of rubber, braid and friction from measured or published curves, with their uncertainty
     #[command(after_help = commands::identify::EXAMPLES)]
     Identify(Box<IdentifyArgs>),
-    /// From a table of finite-element points to a formula, with its errors and where it holds
+    /// Fit a formula to a table of finite-element points, with its errors and its range
     #[command(after_help = commands::fit::EXAMPLES)]
     Fit(Box<FitArgs>),
     /// Fitted formulas
     #[command(subcommand)]
     Formula(FormulaCommand),
-    /// What was understood of a muscle, what follows from it, and a build sheet
+    /// Muscle data, derived quantities and build sheet
     #[command(subcommand)]
     Muscle(MuscleCommand),
     /// Named rubbers
     #[command(subcommand)]
     Rubber(RubberCommand),
-    /// Named sleeves: braids that one can buy
+    /// Named sleeves: braids on sale
     #[command(subcommand)]
     Braid(BraidCommand),
-    /// The force models: what they are, their source, and where they hold
+    /// Force models: method, source and range
     #[command(after_help = crate::commands::models::EXAMPLES)]
     Models(ModelsArgs),
-    /// The workbench in a browser, and every command over HTTP, on this computer
+    /// Local web server: the workbench in a browser, and every command over HTTP
     #[command(after_help = commands::serve::EXAMPLES)]
     Serve(ServeArgs),
     /// JSON Schema of requests and answers
@@ -135,7 +135,7 @@ pub enum Command {
 /// `muscle …`.
 #[derive(Debug, Subcommand)]
 pub enum MuscleCommand {
-    /// Show a muscle: what was understood, derived quantities, build sheet
+    /// Show a muscle: its data, derived quantities, build sheet
     #[command(
         after_help = "Examples:\n  mckibben muscle show examples/prototype.toml\n  mckibben muscle show -D 40 -s 2 --rubber dragon-skin-30"
     )]
@@ -145,7 +145,7 @@ pub enum MuscleCommand {
 /// `formula …`.
 #[derive(Debug, Subcommand)]
 pub enum FormulaCommand {
-    /// Show a formula: its terms, where it holds, its errors, where it comes from
+    /// Show a formula: its terms, range, errors and origin
     #[command(after_help = commands::formula::EXAMPLES)]
     Show(FormulaShowArgs),
 }
@@ -169,7 +169,7 @@ pub enum RubberCommand {
     /// One rubber: its laws, constants, source and terms
     #[command(after_help = "Example:\n  mckibben rubber show dragon-skin-30")]
     Show(RubberShowArgs),
-    /// Laws from tension tests: constants with their errors, and where they are stable
+    /// Fit rubber laws to tension tests: constants with their errors, range of stability
     #[command(after_help = commands::rubber_fit::EXAMPLES)]
     Fit(Box<RubberFitArgs>),
 }

@@ -1,7 +1,6 @@
 //! What a command ends with when it does not end well: kind, message, hint, exit code, in the words of the command line.
 
-use crate::output::clean;
-use crate::{shown, typed};
+use crate::{clean, shown, typed};
 use mckibben::muscle::Measure;
 use mckibben_app::{Ending, Problem, ProblemKind};
 use mckibben_files::ReadError;
@@ -185,7 +184,7 @@ impl Failure {
     pub fn unread(path: &Path, error: &ReadError) -> Self {
         let hint = match error {
             ReadError::System(e) if e.kind() != std::io::ErrorKind::NotFound => {
-                "the system did not let it be read; that does not mean that it is damaged"
+                "the operating system refused to read it; it is not necessarily damaged"
             }
             _ => "",
         };
@@ -298,7 +297,7 @@ mod tests {
         let failure = mckibben_app::guarded(work).unwrap_err();
         assert_eq!(failure.exit(), 4);
         let text = failure.to_text();
-        assert!(text.contains("at fault itself: index out of bounds: the len is 2"), "{text}");
+        assert!(text.contains(": index out of bounds: the len is 2"), "{text}");
         assert!(text.contains("hint: please report"), "{text}");
         assert!(failure.to_json().starts_with("{\"error\":{\"kind\":\"internal\""), "{}", failure.to_json());
     }

@@ -2,8 +2,8 @@
 
 use crate::failure::Failure;
 use mckibben::muscle::file;
-use mckibben::table::{MAX_BYTES, read_text};
 use mckibben_app::{Model, Problem, TextFile};
+use mckibben_table::{MAX_BYTES, read_text};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 

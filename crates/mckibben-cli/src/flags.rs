@@ -7,7 +7,7 @@ use crate::names::MODELS;
 use crate::output::Target;
 use crate::quantities::quantity;
 use crate::word::word;
-use clap::{Args, ValueEnum};
+use clap::Args;
 use mckibben::load::Load;
 use mckibben::units::Dimension;
 use mckibben_app::units::Units;
@@ -39,10 +39,10 @@ impl LoadFlag {
 /// What the strands of a braid are.
 #[derive(Debug, Clone, Default, Args)]
 pub struct StrandFlags {
-    /// Diameter of one strand of a named sleeve, where its source does not state it
+    /// Diameter of one strand of a named sleeve, if its source does not state it
     #[arg(long, value_name = "DIAMETER", allow_hyphen_values = true)]
     pub strand_diameter: Option<String>,
-    /// Young's modulus of a strand of a named sleeve, where its source does not state it
+    /// Young's modulus of a strand of a named sleeve, if its source does not state it
     #[arg(long, value_name = "MODULUS", allow_hyphen_values = true)]
     pub strand_modulus: Option<String>,
     /// Stiffness of one strand family: N/mm, `inextensible`, or `paper` [paper]
@@ -70,7 +70,7 @@ impl StrandFlags {
 /// Which column of a table is what.
 #[derive(Debug, Clone, Default, Args)]
 pub struct ColumnsFlag {
-    /// Columns whose heading does not say what they are, as QUANTITY="HEADING:UNIT" (#2 is the second column); such as
+    /// Quantity and unit of columns that the program does not recognise: QUANTITY="HEADING:UNIT" (#2 is the second column), such as
     /// pressure="P1:kPa",contraction="x:mm"
     #[arg(long, value_name = "LIST", help_heading = "Data")]
     pub columns: Option<String>,
@@ -88,7 +88,7 @@ impl ColumnsFlag {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Model")]
 pub struct ModelFlags {
-    /// Force model, or the JSON of a fitted formula [fe]; `mckibben models` lists them
+    /// Force model, or the JSON file of a fitted formula [fe]; `mckibben models` lists the models
     #[arg(long, value_name = "NAME", value_parser = MODELS, hide_possible_values = true)]
     pub model: Option<String>,
     #[command(flatten)]
@@ -99,23 +99,23 @@ pub struct ModelFlags {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Model")]
 pub struct AskFlags {
-    /// Answer outside of the model's range, with a warning
+    /// Compute outside the model's range too, with a warning
     #[arg(long)]
     pub extrapolate: bool,
-    /// Negative force instead of slack where the muscle would have to push
+    /// Give the negative force, not slack, where the muscle would have to push
     #[arg(long)]
     pub two_sided: bool,
     /// Mesh of `fe`: elements along the half length, or through the wall x along, or with :grading; of `fe3d`: bricks
-    /// around the quarter, or through x around, or through x around x along [chosen]
+    /// around the quarter, or through x around, or through x around x along [automatic]
     #[arg(long, value_name = "N or MxN:G")]
     pub mesh: Option<String>,
-    /// What `fe3d` keeps where bricks with strands at ±θ0 do not fill the length
+    /// Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly
     #[arg(long = "match", value_parser = word::<Keep>(), value_name = "WHAT", default_value = "length")]
     pub keep: Keep,
     /// Terminal of `fe3d`: none (a rigid plane), rigid or aluminium (a plug), with :insertion and :radius of its nose [none]
     #[arg(long, value_name = "WORD:MM:MM")]
     pub terminal: Option<String>,
-    /// Branch of the friction's hysteresis: of the model ([friction] in the muscle file), and of measured points
+    /// Branch of the friction hysteresis, for the model ([friction] in the muscle file) and for measured points
     #[arg(long, alias = "motion", value_parser = word::<Direction>(), default_value = "mean")]
     pub branch: Direction,
 }
@@ -172,7 +172,7 @@ pub fn mesh_fields(mesh: Option<&str>, keep: Keep, terminal: Option<&str>) -> Re
 fn terminal(text: &str) -> Result<Option<Terminal>, Failure> {
     let wrong = || {
         let message = format!(
-            "--terminal: \"{text}\" is not a terminal; expected none, rigid or aluminium, with the insertion and the radius of the nose behind if you like (aluminium:20mm:3mm)"
+            "--terminal: \"{text}\" is not a terminal; expected none, rigid or aluminium, with an optional insertion and radius of the nose (aluminium:20mm:3mm)"
         );
         Failure::input(ProblemKind::Terminal, message, "leave it out for a rigid plane")
     };
@@ -195,7 +195,7 @@ fn terminal(text: &str) -> Result<Option<Terminal>, Failure> {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Output")]
 pub struct UnitsFlag {
-    /// Units of text and figures, such as bar or psi,lbf,in [those you typed, else MPa, N, mm]
+    /// Units of text and figures, such as bar or psi,lbf,in [the units of your flags, else MPa, N, mm]
     #[arg(long, value_name = "UNIT,…", value_parser = |text: &str| text.parse::<Units>().map(Box::new))]
     // Read by `shown`, which looks at every flag.
     #[allow(dead_code)]
@@ -222,11 +222,11 @@ impl OutputFlags {
     }
 }
 
-/// Whether what stands there may be lost. `--force` is the pull in newtons where a command takes one, so this is its name
+/// Whether an existing file may be overwritten. `--force` is the pull in newtons where a command takes one, so this is its name
 /// everywhere.
 #[derive(Debug, Clone, Default, Args)]
 pub struct OverwriteFlag {
-    /// Overwrite an existing file, whoever wrote it [only one that this program wrote]
+    /// Overwrite any existing file [only files written by this program]
     #[arg(long, help_heading = "Output")]
     pub overwrite: bool,
 }
@@ -234,7 +234,7 @@ pub struct OverwriteFlag {
 /// The same, of commands in which `--force` means nothing else.
 #[derive(Debug, Clone, Default, Args)]
 pub struct OverwriteOrForceFlag {
-    /// Overwrite an existing file, whoever wrote it [only one that this program wrote]
+    /// Overwrite any existing file [only files written by this program]
     #[arg(long, visible_alias = "force", help_heading = "Output")]
     pub overwrite: bool,
 }
@@ -243,19 +243,7 @@ pub struct OverwriteOrForceFlag {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Output")]
 pub struct PlotFlag {
-    /// Write a figure; the ending says which kind: .svg, .png or .html
+    /// Write a figure; the file ending selects the format: .svg, .png or .html
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
-}
-
-/// Form of the output.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub enum Format {
-    /// Aligned text with units
-    #[default]
-    Text,
-    /// One JSON object; keys carry their unit
-    Json,
-    /// One row a point; columns carry their unit
-    Csv,
 }

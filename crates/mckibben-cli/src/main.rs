@@ -3,11 +3,13 @@
 //! `main` parses and dispatches; a command turns its flags into a request of the application layer (`flags`, `quantities`,
 //! `files`), asks it, and turns the answer into text, JSON or CSV (`output`) and files (`plot`).
 
+mod clean;
 mod cli;
 mod commands;
 mod failure;
 mod files;
 mod flags;
+mod format;
 mod muscle_flags;
 mod names;
 mod output;
@@ -15,13 +17,14 @@ mod overlap;
 mod plot;
 mod progress;
 mod quantities;
+mod quotes;
 mod shown;
 mod typed;
 mod word;
 
 use clap::{CommandFactory, FromArgMatches};
 use failure::Failure;
-use flags::Format;
+use format::Format;
 use mckibben::threads;
 use mckibben_app::{guarded, panics_are_problems};
 use quantities::unit_hint;
@@ -32,7 +35,7 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     panics_are_problems();
     let args: Vec<String> = std::env::args_os().map(|arg| arg.to_string_lossy().into_owned()).collect();
-    if let Err(failure) = typed::check_quotes(&args) {
+    if let Err(failure) = quotes::check_quotes(&args) {
         return report(&failure, if json_wanted() { Format::Json } else { Format::Text });
     }
     progress::no_signal_for_long_files();
@@ -49,7 +52,7 @@ fn main() -> ExitCode {
             let code = if error.use_stderr() { 2 } else { 0 };
             let text = error.render().to_string();
             // Nothing better can be done if the terminal is gone.
-            let _ = match output::clean::lines(&text) {
+            let _ = match clean::lines(&text) {
                 Cow::Borrowed(_) => error.print(),
                 Cow::Owned(text) => std::io::stderr().write_all(text.as_bytes()),
             };

@@ -24,10 +24,10 @@ pub struct MuscleFlags {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Muscle")]
 struct FileFlags {
-    /// Muscle file; flags override what it says
+    /// Muscle file; flags override its values
     #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle", help_heading = "Arguments")]
     file: Option<PathBuf>,
-    /// Muscle file, as [MUSCLE.toml]
+    /// Muscle file, same as [MUSCLE.toml]
     #[arg(long, value_name = "FILE")]
     muscle: Option<PathBuf>,
 }

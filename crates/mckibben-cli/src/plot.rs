@@ -27,7 +27,7 @@ pub fn save(figure: Option<Figure>, path: Option<&Path>) -> Result<(), Failure> 
     }
 }
 
-/// Refuses a file that this command has read, by whatever way. What else stands there was looked at before the work (`overlap`).
+/// Refuses a file that this command has read, by any name. Other existing files were checked before the work (`overlap`).
 pub fn unread(path: &Path) -> Result<(), Failure> {
     if files::was_read(path) { Err(of_input(path)) } else { Ok(()) }
 }

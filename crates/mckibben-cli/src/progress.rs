@@ -114,7 +114,7 @@ impl Bar {
         let template = format!("{{bar:32}} {{pos}}/{{len}} {things}, {{rate}}, {{eta}} left{{msg}}");
         if let Ok(style) = ProgressStyle::with_template(&template) {
             let rate = |s: &ProgressState, to: &mut dyn Write| {
-                // Nothing better can be done where nobody can be told.
+                // Nothing better can be done if the message cannot be shown.
                 let _ = write!(to, "{} a second", number(s.per_sec(), 3));
             };
             bar.set_style(style.with_key("rate", rate));

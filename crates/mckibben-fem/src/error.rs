@@ -163,7 +163,7 @@ fn ended(
     let begins = match (status, other_n) {
         (_, Some(force)) => {
             format!(
-                "no equilibrium found that continues the taut muscle {asked} (another one pulls {force:.1} N)"
+                "no equilibrium found on the branch of the taut muscle {asked} (one on another branch has a pull of {force:.1} N)"
             )
         }
         (Status::Collapsed, None) => format!("no equilibrium found {asked} (the tube may have collapsed)"),

@@ -49,7 +49,6 @@ mod seated;
 pub mod simulation;
 pub mod solver;
 pub mod three_dimensional;
-pub mod validation;
 pub mod verification;
 
 pub use error::{FemError, LastConverged};

@@ -27,16 +27,16 @@ pub fn replace(path: &Path, bytes: &[u8]) -> Result<()> {
 /// `IsADirectory`, `PermissionDenied` for a file that is read-only, `NotFound` where the folder does not exist, and
 /// whatever the system says.
 pub fn check_writable(path: &Path) -> Result<()> {
-    Place::of(path).map(drop)
+    Destination::of(path).map(drop)
 }
 
 /// Where a file goes: behind links, with what is there.
-struct Place {
+struct Destination {
     target: PathBuf,
     old: Option<Metadata>,
 }
 
-impl Place {
+impl Destination {
     fn of(path: &Path) -> Result<Self> {
         let target = behind_links(path)?;
         let old = match std::fs::metadata(&target) {
@@ -103,7 +103,7 @@ impl Unfinished {
     /// # Errors
     /// As [`check_writable`].
     pub fn beside(path: &Path) -> Result<Self> {
-        let place = Place::of(path)?;
+        let place = Destination::of(path)?;
         let prefix = prefix(&place.target);
         let mut builder = tempfile::Builder::new();
         builder.prefix(&prefix);
@@ -127,7 +127,7 @@ impl Unfinished {
         self.temporary.as_file_mut()
     }
 
-    /// Brings it to the disk and gives it its name. What stands there is replaced only with `clobber`.
+    /// Brings it to the disk and gives it its name. An existing file is overwritten only with `clobber`.
     ///
     /// # Errors
     /// `AlreadyExists` without `clobber` where there is such a file now; whatever the system says. What was there before is

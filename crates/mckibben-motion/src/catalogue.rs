@@ -1,8 +1,11 @@
 //! Named valves.
 
 use crate::error::MotionError;
-use crate::valve::Orifice;
+use crate::valve::{Orifice, Valve};
+use mckibben::nearest::nearest;
+use mckibben::units::{Dimension, QuantityError, parse_quantity};
 use std::sync::LazyLock;
+use thiserror::Error;
 
 /// A valve that one can buy.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,6 +21,9 @@ pub struct NamedValve {
     /// Where the numbers come from, and how they were converted.
     pub source: String,
 }
+
+/// Critical ratio of a valve that states none.
+pub(crate) const CRITICAL_RATIO: f64 = 0.3;
 
 static VALVES: LazyLock<Vec<NamedValve>> =
     LazyLock::new(|| read(include_str!("../data/valves.toml")).unwrap_or_default());
@@ -42,6 +48,47 @@ pub fn valves() -> &'static [NamedValve] {
 /// One by its name.
 pub fn valve_named(name: &str) -> Option<&'static NamedValve> {
     valves().iter().find(|v| v.name == name)
+}
+
+/// What valves there are, beginning with the one that a wrong name may mean.
+pub(crate) fn known(name: &str) -> String {
+    let all: Vec<&str> = valves().iter().map(|v| v.name.as_str()).collect();
+    let near = nearest(name, all.iter().copied());
+    let near = near.map_or_else(String::new, |n| format!("did you mean {n}? "));
+    format!("{near}there are {}", all.join(", "))
+}
+
+/// Why a text is not a valve.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ValveError {
+    /// No valve has this name.
+    #[error("{name} is not a known valve: {}", known(.name))]
+    Unknown {
+        /// The name.
+        name: String,
+    },
+    /// A number that is not a conductance.
+    #[error(transparent)]
+    Conductance(#[from] QuantityError),
+    /// A conductance that no valve has.
+    #[error(transparent)]
+    Orifice(#[from] MotionError),
+}
+
+impl std::str::FromStr for Valve {
+    type Err = ValveError;
+
+    /// A valve by its name, or by its sonic conductance such as `0.5 L/(s bar)`.
+    fn from_str(text: &str) -> Result<Self, ValveError> {
+        let text = text.trim();
+        if text.starts_with(|c: char| c.is_ascii_digit() || c == '.' || c == '-') {
+            let conductance = parse_quantity(text, Dimension::Conductance)?;
+            MotionError::positive("the valve's sonic conductance in L/(s bar)", conductance)?;
+            return Ok(Self::new(Orifice::new(conductance, CRITICAL_RATIO)?));
+        }
+        let named = valve_named(text).ok_or_else(|| ValveError::Unknown { name: text.into() })?;
+        Ok(Self { exhaust: named.exhaust, ..Self::new(named.supply) })
+    }
 }
 
 /// The file's rows; those that state a rated flow have C by [`conductance_of_rated_flow`].

@@ -10,7 +10,7 @@ pub enum CommandError {
     #[error("a command needs at least one time and value")]
     Empty,
     /// Time goes back, or stands.
-    #[error("the command's times must grow: {time_s} s follows {before_s} s (point {point})")]
+    #[error("the command's times must increase: {time_s} s follows {before_s} s (point {point})")]
     Order {
         /// Which point, from 1.
         point: usize,
@@ -28,7 +28,7 @@ pub enum CommandError {
         value: f64,
     },
     /// A frequency or time that is not above zero.
-    #[error("the command's {what} must be above zero, and is {value}")]
+    #[error("the command's {what} is {value}; it must be above zero")]
     NotPositive {
         /// What.
         what: &'static str,

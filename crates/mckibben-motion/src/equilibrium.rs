@@ -1,4 +1,4 @@
-//! Where a drive stands still.
+//! Where a drive rests.
 
 use crate::control::PidOutput;
 use crate::drive::{Actuator, Drive, Target};
@@ -16,11 +16,11 @@ pub struct Equilibrium {
     pub coordinate: f64,
     /// Gauge pressures in MPa.
     pub pressures_mpa: Vec<f64>,
-    /// Standing on the lower (−1) or the upper (1) stop.
+    /// On the lower (−1) or the upper (1) stop.
     pub stop: Option<f64>,
 }
 
-/// Where a drive stands at rest under given gauge pressures: the first equilibrium from the position of unshortened muscles on, in the
+/// Where a drive rests under given gauge pressures: the first equilibrium from the position of unshortened muscles on, in the
 /// direction of the net force.
 ///
 /// # Errors
@@ -45,7 +45,7 @@ pub(crate) fn net(
         let force = match member.answer(*p, lever.contraction) {
             Ok(answer) => answer.force_n,
             Err(ModelError::Exceeded(e)) => return Err(e.into()),
-            Err(_) if member.hanging(*p).is_ok_and(|h| lever.contraction >= h.contraction) => 0.0,
+            Err(_) if member.slack(*p).is_ok_and(|h| lever.contraction >= h.contraction) => 0.0,
             Err(error) => return Err(MotionError::model(error, 0.0, i, *p, lever.contraction)),
         };
         sum += force.max(0.0) * member.length_mm * lever.per_coordinate;
@@ -107,7 +107,7 @@ pub(crate) fn at_start(drive: &Drive<'_>, members: &[Member<'_>]) -> Result<Equi
         let own = drive.muscles.iter().map(|m| m.initial_pressure_mpa);
         own.zip(pressures).map(|(own, p)| own.unwrap_or(p)).collect()
     };
-    let standing = |pressures: Vec<f64>| match drive.initial_coordinate {
+    let at_rest = |pressures: Vec<f64>| match drive.initial_coordinate {
         Some(coordinate) => {
             let (low, high) = drive.mechanism.stops();
             let net = net(drive, members, &pressures, coordinate)?;
@@ -126,7 +126,7 @@ pub(crate) fn at_start(drive: &Drive<'_>, members: &[Member<'_>]) -> Result<Equi
         None => at_pressures(drive, members, &pressures),
     };
     let (command, pid) = match &drive.target {
-        Target::Pressure(c) => return standing(given(c.iter().map(|c| c.value(0.0)).collect())),
+        Target::Pressure(c) => return at_rest(given(c.iter().map(|c| c.value(0.0)).collect())),
         Target::Opening(c) => {
             let filling = |(c, m): (&crate::command::Command, &crate::drive::Actuated<'_>)| {
                 let least = match m.actuator {
@@ -137,7 +137,7 @@ pub(crate) fn at_start(drive: &Drive<'_>, members: &[Member<'_>]) -> Result<Equi
                 };
                 if c.value(0.0) > least { supply } else { 0.0 }
             };
-            return standing(given(c.iter().zip(&drive.muscles).map(filling).collect()));
+            return at_rest(given(c.iter().zip(&drive.muscles).map(filling).collect()));
         }
         Target::Position { command, pid } => (command, pid),
     };

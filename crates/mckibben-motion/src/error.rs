@@ -9,7 +9,7 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum MotionError {
     /// A number that cannot be.
-    #[error("{what} must be {must}, and is {value}")]
+    #[error("{what} is {value}; it must be {must}")]
     Value {
         /// What it is, with its unit.
         what: &'static str,
@@ -30,7 +30,7 @@ pub enum MotionError {
     },
     /// The supply cannot reach what is commanded.
     #[error(
-        "the command asks for {command_mpa} MPa, and the supply has {supply_mpa} MPa; raise the supply or lower the command"
+        "the command is {command_mpa} MPa, above the supply pressure of {supply_mpa} MPa; raise the supply or lower the command"
     )]
     Supply {
         /// The largest command in MPa.
@@ -42,16 +42,14 @@ pub enum MotionError {
     #[error(transparent)]
     Command(#[from] CommandError),
     /// A model without volume.
-    #[error(
-        "the {model} model has no volume, without which there is no air; take fe, universal or thick-wall"
-    )]
+    #[error("the {model} model does not give the volume of the air; use fe, universal or thick-wall")]
     NoVolume {
         /// The model's name.
         model: String,
     },
     /// A regulator has no opening that could be commanded.
     #[error(
-        "an opening is commanded, and muscle {muscle} is on a regulator; command its pressure, or give it a valve"
+        "an opening is commanded, but muscle {muscle} has a regulator; command its pressure, or give it a valve"
     )]
     NoOpening {
         /// Which muscle, from 1.
@@ -134,7 +132,7 @@ pub enum MotionError {
         "a rise time of {wanted_s} s is not met by any valve: with {largest_l_per_s_bar} L/(s bar) {}; raise the supply or lower the mass", reached(*.reached_s)
     )]
     NoValve {
-        /// What was wanted.
+        /// The request.
         wanted_s: f64,
         /// The largest conductance that was tried.
         largest_l_per_s_bar: f64,
@@ -142,13 +140,21 @@ pub enum MotionError {
         reached_s: Option<f64>,
     },
     /// No rise to be timed.
-    #[error("the command asks for no rise, so there is no valve to size by it")]
+    #[error("the command has no rise, so that no valve can be sized by it")]
     NoRise,
     /// Nothing to look at.
     #[error("there is no equilibrium about which to linearise: {why}")]
     NotAtRest {
         /// Why.
         why: &'static str,
+    },
+    /// Numbers that are no state of the drive.
+    #[error("{given} numbers were given for a state of {needed}")]
+    Length {
+        /// How many were given.
+        given: usize,
+        /// How many the state has.
+        needed: usize,
     },
     /// The budget of the request, or the caller's wish.
     #[error(transparent)]
@@ -200,6 +206,6 @@ impl MotionError {
 fn reached(reached_s: Option<f64>) -> String {
     match reached_s {
         Some(s) => format!("it is {s} s"),
-        None => "the load does not come to 90 % of its way".to_owned(),
+        None => "the load does not reach 90 % of its stroke".to_owned(),
     }
 }

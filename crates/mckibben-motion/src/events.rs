@@ -2,7 +2,7 @@
 
 use crate::drive::{Actuator, Target};
 use crate::error::MotionError;
-use crate::integrate::Equations;
+use crate::state::State;
 use crate::system::{Point, Switch, System};
 use crate::valve::ValveKind;
 use serde::{Deserialize, Serialize};
@@ -69,17 +69,17 @@ const SIGNAL: f64 = 1e-9;
 impl System<'_> {
     /// Speed in coordinate units a second that is none.
     fn still(&self) -> f64 {
-        1e-6 * self.scales().get(1).copied().unwrap_or(1.0)
+        1e-6 * self.scale.velocity
     }
 
     /// All guards at a time, with their functions; those that ask a model only where `all`.
-    pub fn guards(&self, t: f64, y: &[f64], all: bool) -> Result<Vec<(Guard, f64)>, MotionError> {
+    pub fn guards(&self, t: f64, state: &State, all: bool) -> Result<Vec<(Guard, f64)>, MotionError> {
         let mut guards = vec![];
         let modes = self.modes.borrow();
-        let (q, v) = (y.first().copied().unwrap_or(0.0), y.get(1).copied().unwrap_or(0.0));
+        let (q, v) = (state.coordinate, state.velocity);
         let mechanism = self.drive.mechanism;
         let (low, high) = mechanism.stops();
-        let width = 1e-9 * self.scales().first().copied().unwrap_or(1.0);
+        let width = 1e-9 * self.scale.coordinate;
         if modes.stop.is_none() {
             guards.push((Guard::Stop(-1.0), q - low + width));
             guards.push((Guard::Stop(1.0), high - q + width));
@@ -95,7 +95,7 @@ impl System<'_> {
                 && !matches!(self.drive.target, Target::Pressure(_));
         drop(modes);
         // Signals of the valves follow from the state alone where the command is a pressure.
-        let point = if needed { self.point(t, y, None)? } else { Point::default() };
+        let point = if needed { self.point(t, state)? } else { Point::default() };
         let modes = self.modes.borrow();
         if all {
             if let Some(side) = modes.stop.filter(|_| !mechanism.is_held()) {
@@ -109,15 +109,12 @@ impl System<'_> {
                 });
             }
         }
-        for (i, (m, mode)) in self.drive.muscles.iter().zip(&modes.muscles).enumerate() {
+        let parts = self.drive.muscles.iter().zip(&state.muscles).zip(&modes.muscles);
+        for (i, ((m, own), mode)) in parts.enumerate() {
             let Some((hysteresis, closed_centre)) = switches(&m.actuator) else { continue };
-            let signal = match (point.muscles.get(i), self.slots.get(i)) {
-                (Some(p), _) => p.signal,
-                (None, Some(slot)) => {
-                    let p = y.get(slot.pressure).copied().unwrap_or(0.0) - crate::air::ATMOSPHERE_MPA;
-                    self.command(t, i, None).0 - p
-                }
-                (None, None) => continue,
+            let signal = match point.muscles.get(i) {
+                Some(p) => p.signal,
+                None => self.command(t, i, None).0 - own.gauge_mpa(),
             };
             let is_pressure = match &self.drive.target {
                 Target::Pressure(_) => true,
@@ -161,22 +158,20 @@ impl System<'_> {
     }
 
     /// Goes over to the other side of a kink.
-    pub fn pass(&self, t: f64, y: &mut [f64], guard: Guard) -> Result<Event, MotionError> {
+    pub fn apply_event(&self, t: f64, state: &mut State, guard: Guard) -> Result<Event, MotionError> {
         let mut event = Event { time_s: t, kind: EventKind::Lifted, muscle: 0, lost_j: 0.0 };
         let mut modes = self.modes.borrow_mut();
         match guard {
             Guard::Stop(side) => {
                 let (low, high) = self.drive.mechanism.stops();
                 event.kind = if side < 0.0 { EventKind::LowerStop } else { EventKind::UpperStop };
-                if let [q, v, ..] = y {
-                    event.lost_j = 0.5e-3 * self.drive.mechanism.inertia() * *v * *v;
-                    *q = if side < 0.0 { low } else { high };
-                    *v = 0.0;
-                }
+                event.lost_j = 0.5e-3 * self.drive.mechanism.inertia() * state.velocity * state.velocity;
+                state.coordinate = if side < 0.0 { low } else { high };
+                state.velocity = 0.0;
                 modes.stop = None;
                 drop(modes);
                 // It stays where the net force holds it there.
-                let net = self.point(t, y, None)?.net;
+                let net = self.point(t, state)?.net;
                 if side * net >= 0.0 {
                     self.modes.borrow_mut().stop = Some(side);
                 }

@@ -11,7 +11,7 @@ use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
 use differential_equations::status::Status;
 
 /// Why the library takes no step; what it says itself is about its own settings.
-const NO_START: &str = "the integrator finds no first step";
+const NO_START: &str = "the integrator found no first step";
 const NO_STEP: &str = "the equations of a step cannot be solved";
 
 /// ẏ = f(t, y).

@@ -34,17 +34,23 @@ mod equilibrium;
 mod error;
 mod events;
 mod file;
+mod flows;
 mod friction;
 mod hose;
 mod integrate;
 mod linear;
+mod locate;
 mod mechanism;
 mod member;
 mod metrics;
+mod motion;
+mod record;
 mod rest;
 mod run;
+mod series;
 mod size;
 mod start;
+mod state;
 mod system;
 mod valve;
 pub mod verification;
@@ -54,7 +60,7 @@ pub use air::{
     ATMOSPHERE_MPA, Air, Cavity, Flow, GAS_CONSTANT_J_PER_KG_K, HEAT_RATIO, Heat, REFERENCE_DENSITY_G_PER_L,
     cavity_area_mm2,
 };
-pub use catalogue::{NamedValve, conductance_of_rated_flow, valve_named, valves};
+pub use catalogue::{NamedValve, ValveError, conductance_of_rated_flow, valve_named, valves};
 pub use command::{Command, CommandError};
 pub use control::{Pid, PidOutput};
 pub use drive::{Actuated, Actuator, Drive, Supply, Target, Tolerance};
@@ -65,9 +71,10 @@ pub use file::{DriveFile, Names, Subject, Tables, drive_names, parse_drive, with
 pub use friction::Dahl;
 pub use hose::Hose;
 pub use linear::{FrequencyPoint, Linear};
-pub use mechanism::{Lever, Mechanism, SingleMuscle};
-pub use metrics::StepFigures;
-pub use run::{Energies, Motion, Moves, MuscleSeries, Rest, run, run_as_far};
+pub use mechanism::{Coordinate, Lever, Mechanism, SingleMuscle};
+pub use motion::{Energies, Motion, MotionEnd, Moves, StepFigures};
+pub use run::{run, run_as_far};
+pub use series::{MotionSeries, MuscleSeries};
 pub use size::{Sized, size};
 pub use valve::{LINEAR_SHARE, Orifice, Valve, ValveKind, in_series};
 pub use viscoelastic::{Branch, Prony};

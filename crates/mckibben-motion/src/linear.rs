@@ -39,17 +39,17 @@ impl Linear {
     /// As [`crate::equilibrium`]; [`MotionError::NotAtRest`] on a stop, or where nothing moves.
     pub fn new(drive: &Drive<'_>) -> Result<Self, MotionError> {
         let system = System::new(drive, &Budget::current())?;
-        let y = system.initial_state()?;
+        let start = system.initial_state()?;
+        let (y, coordinate) = (start.to_vec(), start.coordinate);
         if system.modes.borrow().stop.is_some() {
-            return Err(MotionError::NotAtRest { why: "the load lies on a stop" });
+            return Err(MotionError::NotAtRest { why: "the load rests on a stop" });
         }
         if drive.mechanism.inertia().is_infinite() {
             return Err(MotionError::NotAtRest { why: "the mechanism is held" });
         }
         let n = system.core();
         let rates = |y: &[f64]| -> Result<Vec<f64>, MotionError> {
-            let mut rates = vec![0.0; Equations::len(&system)];
-            system.point(0.0, y, Some(&mut rates))?;
+            let mut rates = system.point(0.0, &system.layout.state(y)?)?.rates.to_vec();
             rates.truncate(n);
             Ok(rates)
         };
@@ -81,7 +81,7 @@ impl Linear {
         };
         let b = DVector::from_vec(difference(&offset(step)?, &offset(-step)?, 2.0 * step));
         let per_coordinate = drive.mechanism.position_per_coordinate();
-        Ok(Self { a, b, per_coordinate, coordinate: y.first().copied().unwrap_or(0.0) })
+        Ok(Self { a, b, per_coordinate, coordinate })
     }
 
     /// The coordinate of the equilibrium in mm or rad.

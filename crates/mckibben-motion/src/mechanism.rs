@@ -14,6 +14,19 @@ pub struct Lever {
     pub per_coordinate: f64,
 }
 
+/// What the coordinate of a mechanism is.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Coordinate {
+    /// The angle of a joint in rad.
+    #[default]
+    Angle,
+    /// The shortening in mm of a single muscle.
+    Shortening {
+        /// Its length L0 in mm.
+        rest_length_mm: f64,
+    },
+}
+
 /// A mechanism with one coordinate q: a shortening in mm, or an angle in rad.
 ///
 /// ```text
@@ -54,9 +67,15 @@ pub trait Mechanism: Send + Sync {
         self.inertia().is_infinite() || low >= high
     }
 
+    /// What q is.
+    fn coordinate(&self) -> Coordinate;
+
     /// What a reader calls position, over q: 1/L0 for the contraction of a single muscle, 1 for an angle.
     fn position_per_coordinate(&self) -> f64 {
-        1.0
+        match self.coordinate() {
+            Coordinate::Angle => 1.0,
+            Coordinate::Shortening { rest_length_mm } => 1.0 / rest_length_mm,
+        }
     }
 
     /// Whether the numbers make a mechanism that can move.
@@ -135,8 +154,8 @@ impl Mechanism for SingleMuscle {
         self.stops_mm
     }
 
-    fn position_per_coordinate(&self) -> f64 {
-        1.0 / self.length_mm
+    fn coordinate(&self) -> Coordinate {
+        Coordinate::Shortening { rest_length_mm: self.length_mm }
     }
 
     fn check(&self) -> Result<(), MotionError> {
@@ -196,6 +215,10 @@ impl Mechanism for Joint {
 
     fn damping(&self) -> f64 {
         1e3 * self.link().damping_nm_s_per_rad
+    }
+
+    fn coordinate(&self) -> Coordinate {
+        Coordinate::Angle
     }
 
     fn stops(&self) -> (f64, f64) {

@@ -27,16 +27,16 @@ pub(crate) struct SlackState {
     pub contraction_p: f64,
 }
 
-/// What stands in for the model between two answers.
+/// What replaces the model between two answers.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Stand {
+pub(crate) enum Substitute {
     /// At one moment within a step.
     Moment(SlackState),
     /// About a pressure and contraction: first order.
     Near(f64, f64, SlackState),
 }
 
-impl Stand {
+impl Substitute {
     /// At the share `s` of a step of length `h` between two answers with their derivatives in time.
     pub fn between(a: &(SlackState, SlackState), b: &(SlackState, SlackState), s: f64, h: f64) -> Self {
         let r = 1.0 - s;
@@ -97,7 +97,7 @@ pub(crate) struct Member<'a> {
     clamp_slack: Cell<Option<f64>>,
     pub asked: Cell<usize>,
     /// In place of the model, where there is one.
-    pub stand: Cell<Option<Stand>>,
+    pub substitute: Cell<Option<Substitute>>,
 }
 
 impl<'a> Member<'a> {
@@ -111,7 +111,7 @@ impl<'a> Member<'a> {
             next: Cell::new(0),
             clamp_slack: Cell::new(None),
             asked: Cell::new(0),
-            stand: Cell::new(None),
+            substitute: Cell::new(None),
         }
     }
 
@@ -122,8 +122,8 @@ impl<'a> Member<'a> {
 
     /// F and V with their derivatives.
     pub fn answer(&self, pressure_mpa: f64, contraction: f64) -> Result<Answer, ModelError> {
-        if let Some(stand) = self.stand.get() {
-            return Ok(stand.at(pressure_mpa, contraction).answer);
+        if let Some(substitute) = self.substitute.get() {
+            return Ok(substitute.at(pressure_mpa, contraction).answer);
         }
         let p = pressure_mpa.max(LEAST_MPA);
         let known = self.kept.borrow().iter().flatten().find(|k| k.0 == p && k.1 == contraction).map(|k| k.2);
@@ -192,8 +192,8 @@ impl<'a> Member<'a> {
     }
 
     /// The slack muscle at a pressure: Newton's method from where it was slack last, else a search.
-    pub fn hanging(&self, pressure_mpa: f64) -> Result<SlackState, ModelError> {
-        if let Some(Stand::Moment(h)) = self.stand.get() {
+    pub fn slack(&self, pressure_mpa: f64) -> Result<SlackState, ModelError> {
+        if let Some(Substitute::Moment(h)) = self.substitute.get() {
             return Ok(h);
         }
         let p = pressure_mpa.max(LEAST_MPA);

@@ -1,24 +1,16 @@
 //! Figures of a response: rise, settling, overshoot, fill and vent.
 
 use crate::drive::Drive;
-use crate::run::{Motion, Passed};
-use serde::{Deserialize, Serialize};
+use crate::motion::{Motion, StepFigures};
 
-/// The answer to one step of the command, up to the next.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct StepFigures {
-    /// When the command changed, in s.
+/// A point that was integrated.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Passed {
     pub time_s: f64,
-    /// The coordinate there.
-    pub from: f64,
-    /// The coordinate at the end of the piece.
-    pub to: f64,
-    /// From 10 % to 90 % of the way between them, in s.
-    pub rise_time_s: Option<f64>,
-    /// From the command until it stays within 2 % of the way, in s; `None` where it still moves at the end.
-    pub settling_time_s: Option<f64>,
-    /// Farthest beyond the end, as a share of the way.
-    pub overshoot: f64,
+    pub coordinate: f64,
+    pub velocity: f64,
+    /// Gauge pressure of the first muscle.
+    pub gauge_mpa: f64,
 }
 
 /// A column over time, cubic between its points where its slope is known.
@@ -81,7 +73,8 @@ impl Track<'_> {
 
 /// The time from 10 % to 90 % of the way between two positions after a time.
 pub(crate) fn rise_time(motion: &Motion, from: f64, to: f64, after: f64, until: f64) -> Option<f64> {
-    let track = Track { time: &motion.time_s, value: &motion.coordinate, slope: Some(&motion.velocity) };
+    let series = &motion.series;
+    let track = Track { time: &series.time_s, value: &series.coordinate, slope: Some(&series.velocity) };
     track.rise_time(from, to, after, until)
 }
 
@@ -106,7 +99,8 @@ pub(crate) fn changes(drive: &Drive<'_>) -> Vec<f64> {
 /// Fills in the figures of a motion, of everything that was passed: with a long run the points of its series lie far apart.
 pub(crate) fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Passed], cycle: Option<f64>) {
     let of = |pick: fn(&Passed) -> f64| passed.iter().map(pick).collect::<Vec<f64>>();
-    let (time, value, velocity, gauge) = (of(|p| p.0), of(|p| p.1), of(|p| p.2), of(|p| p.3));
+    let (time, value, velocity, gauge) =
+        (of(|p| p.time_s), of(|p| p.coordinate), of(|p| p.velocity), of(|p| p.gauge_mpa));
     let track = Track { time: &time, value: &value, slope: Some(&velocity) };
     let at = |list: &[f64], t: f64| {
         let i = time.partition_point(|x| *x <= t).saturating_sub(1);
@@ -145,11 +139,12 @@ pub(crate) fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Pas
     motion.rise_time_s = first.and_then(|f| f.rise_time_s);
     motion.settling_time_s = first.and_then(|f| f.settling_time_s);
     motion.overshoot = first.map(|f| f.overshoot);
-    let Some((from, muscle)) = cycle.zip(motion.muscles.first()) else { return };
-    let points: Vec<(f64, f64)> = motion
+    let Some((from, muscle)) = cycle.zip(motion.series.muscles.first()) else { return };
+    let series = &motion.series;
+    let points: Vec<(f64, f64)> = series
         .time_s
         .iter()
-        .zip(muscle.pressure_mpa.iter().zip(&motion.coordinate))
+        .zip(muscle.pressure_mpa.iter().zip(&series.coordinate))
         .filter(|(t, _)| **t >= from)
         .map(|(_, (p, x))| (*p, *x))
         .collect();

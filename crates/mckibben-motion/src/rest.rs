@@ -3,7 +3,8 @@
 use crate::command::Command;
 use crate::drive::Target;
 use crate::equilibrium::at_pressures;
-use crate::run::{Moves, Passed, Rest};
+use crate::metrics::Passed;
+use crate::motion::{MotionEnd, Moves};
 use crate::system::System;
 
 /// The share of the way within which a load rests.
@@ -22,8 +23,9 @@ fn constant_from(command: &Command) -> Option<f64> {
     }
 }
 
-/// How the load moves at the end, where the command is constant there and the load can move.
-pub(crate) fn rest(system: &System<'_>, passed: &[Passed]) -> Option<Rest> {
+/// How the load moves at the end, where the command is constant there and the load can move; with the coordinate of the static
+/// equilibrium under the commanded pressures, without friction, where that is sought and found.
+pub(crate) fn rest(system: &System<'_>, passed: &[Passed]) -> Option<(MotionEnd, Option<f64>)> {
     let drive = system.drive;
     let until = drive.until_s;
     if drive.mechanism.is_held() {
@@ -36,8 +38,8 @@ pub(crate) fn rest(system: &System<'_>, passed: &[Passed]) -> Option<Rest> {
         return None;
     }
     let last = until - LAST * (until - from);
-    let begin = passed.iter().take_while(|p| p.0 <= from).last().or(passed.first())?.1;
-    let late: Vec<f64> = passed.iter().filter(|p| p.0 >= last).map(|p| p.1).collect();
+    let begin = passed.iter().take_while(|p| p.time_s <= from).last().or(passed.first())?.coordinate;
+    let late: Vec<f64> = passed.iter().filter(|p| p.time_s >= last).map(|p| p.coordinate).collect();
     let (first, end) = (*late.first()?, *late.last()?);
     let low = late.iter().copied().fold(f64::INFINITY, f64::min);
     let high = late.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -57,5 +59,5 @@ pub(crate) fn rest(system: &System<'_>, passed: &[Passed]) -> Option<Rest> {
         }
         Target::Opening(_) | Target::Position { .. } => None,
     };
-    Some(Rest { moves, between: (low, high), equilibrium })
+    Some((MotionEnd { moves, between: (low, high) }, equilibrium))
 }

@@ -5,12 +5,12 @@ use crate::drive::{Actuator, Drive, Target};
 use crate::equilibrium::equilibrium;
 use crate::error::MotionError;
 use crate::metrics::{changes, rise_time};
-use crate::run::{Motion, run};
+use crate::motion::Motion;
+use crate::run::run;
 use mckibben::progress::Progress;
-use serde::{Deserialize, Serialize};
 
 /// A valve that is large enough.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Sized {
     /// C of the supply path of the first valve in L/(s bar); all conductances were changed by the same factor.
     pub conductance_l_per_s_bar: f64,

@@ -3,7 +3,7 @@
 use crate::error::Wrong;
 use crate::{run, value};
 use mckibben::units::{Dimension, NamedUnit, Values, parse_quantity, parse_values};
-use mckibben_app::{Problem, ProblemKind, ask_value, find};
+use mckibben_app::{Problem, ProblemKind, ask_value, bundle, find};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 
@@ -25,6 +25,13 @@ pub fn ask<'py>(
     let request = value::request(request)?;
     let work = |progress: &dyn mckibben::progress::Progress| Ok(ask_value(entry.name, request, progress)?);
     value::answer(py, &run::long(py, progress, work)?)
+}
+
+/// Request, answer and error of every command as JSON Schema, and in `$defs` what they refer to.
+#[pyfunction]
+#[pyo3(signature = () -> "dict[str, typing.Any]")]
+pub fn schema(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+    value::answer(py, &bundle())
 }
 
 fn kind(word: &str) -> Result<Dimension, Wrong> {

@@ -1,8 +1,9 @@
 //! Files that users name, read through the workspace's one door.
 
 use crate::error::Wrong;
-use mckibben::{formula, muscle, table};
+use mckibben::{formula, muscle};
 use mckibben_app::{JointFields, MotionRequest, Problem, ProblemKind, Subject, TextFile};
+use mckibben_table as table;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 

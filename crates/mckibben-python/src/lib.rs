@@ -25,7 +25,7 @@ mod _native {
     #[pymodule_export]
     use crate::arrow::arrow_stream;
     #[pymodule_export]
-    use crate::ask::{ask, choice, quantity, unit_of, values};
+    use crate::ask::{ask, choice, quantity, schema, unit_of, values};
     #[pymodule_export]
     use crate::columns::{curve, plan};
     #[pymodule_export]

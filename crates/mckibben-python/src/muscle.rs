@@ -2,13 +2,13 @@
 
 use crate::error::Wrong;
 use crate::{run, value};
-use mckibben::identify::{Target, own_value};
 use mckibben::muscle::Muscle;
 use mckibben::muscle::file::to_toml;
 use mckibben_app::{
     DesignRequest, MuscleFields, Problem, ProblemKind, TextFile, design as designed, muscle_of, understood,
     with_parameters,
 };
+use mckibben_fit::identify::{Target, own_value};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

@@ -1,7 +1,7 @@
 //! Work with the interpreter released.
 //!
 //! Work that may take long runs on a thread of its own, while the calling thread waits: it sees signals (Ctrl-C) and calls the caller's
-//! progress function, which only the calling thread may do. Either may raise, and then the work is told to end, is waited for, and what
+//! progress function, which only the calling thread may do. Either may raise, and then the work is cancelled, is waited for, and what
 //! was raised is what the call ends with.
 
 use crate::error::Wrong;
@@ -70,12 +70,13 @@ pub fn long<T: Send>(
                 return Err(Problem::new(ProblemKind::Internal, message, "end other programs").into());
             }
             let mut raised = None;
-            let mut told = (0, 0);
+            let mut reported = (0, 0);
             let done = loop {
                 match receiver.recv_timeout(TICK) {
                     Ok(done) => break done,
                     Err(RecvTimeoutError::Timeout) => {
-                        let heard = Python::attach(|py| listen(py, &watched, progress.as_ref(), &mut told));
+                        let heard =
+                            Python::attach(|py| listen(py, &watched, progress.as_ref(), &mut reported));
                         if let Err(error) = heard {
                             watched.budget.cancel();
                             raised.get_or_insert(error);
@@ -94,7 +95,7 @@ pub fn long<T: Send>(
             match raised {
                 Some(error) => Err(error.into()),
                 None => {
-                    Python::attach(|py| listen(py, &watched, progress.as_ref(), &mut told))?;
+                    Python::attach(|py| listen(py, &watched, progress.as_ref(), &mut reported))?;
                     done
                 }
             }
@@ -107,13 +108,13 @@ fn listen(
     py: Python<'_>,
     watched: &Watched,
     progress: Option<&Py<PyAny>>,
-    told: &mut (usize, usize),
+    reported: &mut (usize, usize),
 ) -> PyResult<()> {
     py.check_signals()?;
     let Some(progress) = progress else { return Ok(()) };
     let now = (watched.done.load(Ordering::Relaxed), watched.total.load(Ordering::Relaxed));
-    if now != *told {
-        *told = now;
+    if now != *reported {
+        *reported = now;
         progress.call1(py, now)?;
     }
     Ok(())

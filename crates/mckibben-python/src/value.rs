@@ -19,7 +19,7 @@ pub fn request(object: &Bound<'_, PyAny>) -> PyResult<Value> {
 
 fn of(object: Borrowed<'_, '_, PyAny>, deeper: usize) -> PyResult<Value> {
     let Some(deeper) = deeper.checked_sub(1) else {
-        return Err(PyValueError::new_err("the request is nested too deep, or a list holds itself"));
+        return Err(PyValueError::new_err("the request is nested too deep, or a list contains itself"));
     };
     if object.is_none() {
         return Ok(Value::Null);

@@ -91,7 +91,7 @@ fn spread(wanted: &[f64], step: f64, low: f64, high: f64) -> Vec<f64> {
 }
 
 /// A text set into its line.
-struct Place {
+struct LabelPosition {
     cost: f64,
     label: Label,
     /// The room it takes.
@@ -103,7 +103,7 @@ fn common_station(lines: &[Ended], metrics: &Metrics, room: &mut Room) -> Option
     if lines.len() < 2 {
         return None;
     }
-    let mut best: Option<(f64, Vec<Place>)> = None;
+    let mut best: Option<(f64, Vec<LabelPosition>)> = None;
     for station in 0..=STATIONS {
         let part = station as f64 / STATIONS as f64;
         let places: Vec<_> = lines.iter().map_while(|l| set_into(l, part, metrics, room)).collect();
@@ -121,13 +121,15 @@ fn common_station(lines: &[Ended], metrics: &Metrics, room: &mut Room) -> Option
     Some(places.into_iter().map(|p| p.label).collect())
 }
 
-fn meet(places: &[Place]) -> bool {
-    let touch = |a: &Place, b: &Place| a.boxes.iter().any(|r| b.boxes.iter().any(|s| r.grown(1.0).meets(s)));
+fn meet(places: &[LabelPosition]) -> bool {
+    let touch = |a: &LabelPosition, b: &LabelPosition| {
+        a.boxes.iter().any(|r| b.boxes.iter().any(|s| r.grown(1.0).meets(s)))
+    };
     places.iter().enumerate().any(|(i, a)| places[..i].iter().any(|b| touch(a, b)))
 }
 
 /// A text set into its line, turned with it, a part of the way back from the end.
-fn set_into(line: &Ended, part: f64, metrics: &Metrics, room: &Room) -> Option<Place> {
+fn set_into(line: &Ended, part: f64, metrics: &Metrics, room: &Room) -> Option<LabelPosition> {
     let w = metrics.width(&line.text, SIZE);
     let total = length_of(&line.line);
     if total < 1.6 * w {
@@ -167,7 +169,7 @@ fn set_into(line: &Ended, part: f64, metrics: &Metrics, room: &Room) -> Option<P
         colour: line.colour,
         leader: None,
     };
-    Some(Place { cost: worst + 8.0 * part + 60.0 * sag, label, boxes })
+    Some(LabelPosition { cost: worst + 8.0 * part + 60.0 * sag, label, boxes })
 }
 
 /// A text beside its line, as near to its end as there is room.

@@ -18,7 +18,7 @@ impl Figure {
     /// No line is wider than `width` columns or ends in blanks. A figure of one panel takes
     /// about `height` lines, every row of panels of a larger figure as many again; very small
     /// sizes are exceeded in height rather than left without a chart. With `colour` the
-    /// series are told apart by ANSI colours (escape codes of the 256-colour set), without
+    /// series are distinguished by ANSI colours (escape codes of the 256-colour set), without
     /// by letters on the lines and no escape code is written.
     ///
     /// A panel that cannot be drawn (see [`Figure::to_svg`]) shows the reason in its place.

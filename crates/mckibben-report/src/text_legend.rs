@@ -19,7 +19,7 @@ pub(crate) struct Key {
 }
 
 /// A row of the legend: sample, name and colour number of each entry.
-type Row = Vec<(String, String, usize)>;
+type LegendRow = Vec<(String, String, usize)>;
 
 impl Sheet<'_> {
     /// The entries of the legend, and the entry of each series.
@@ -49,8 +49,8 @@ impl Sheet<'_> {
     }
 
     /// Legend entries as they stand in rows: sample, name.
-    pub fn legend_rows(&self, keys: &[Key]) -> Vec<Row> {
-        let mut rows: Vec<Row> = Vec::new();
+    pub fn legend_rows(&self, keys: &[Key]) -> Vec<LegendRow> {
+        let mut rows: Vec<LegendRow> = Vec::new();
         let mut used = usize::MAX;
         for key in keys {
             let sample = match (key.style, self.colour) {
@@ -86,7 +86,7 @@ impl Sheet<'_> {
     }
 
     /// Writes legend and operating points below the axes.
-    pub fn foot(&self, buffer: &mut Buffer, top: usize, legend: &[Row], marks: &[String]) {
+    pub fn foot(&self, buffer: &mut Buffer, top: usize, legend: &[LegendRow], marks: &[String]) {
         for (i, row) in legend.iter().enumerate() {
             let mut x = 0;
             for (sample, name, number) in row {

@@ -5,7 +5,7 @@ use crate::events;
 use crate::openapi;
 use crate::refusal::Refusal;
 use crate::serve::State;
-use crate::work::{Asked, Question, answer, worked};
+use crate::work::{Asked, answer, worked};
 use axum::body::{Body, Bytes};
 use axum::extract::{FromRequestParts, Path, State as Shared};
 use axum::http::header::{ACCEPT, CONTENT_TYPE, LOCATION};
@@ -27,7 +27,7 @@ impl<S: Send + Sync> FromRequestParts<S> for Name {
 
     async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Refusal> {
         let name = Path::<String>::from_request_parts(parts, state).await;
-        name.map(|Path(name)| Self(name)).map_err(|_| Refusal::not_found("there is nothing at this address"))
+        name.map(|Path(name)| Self(name)).map_err(|_| Refusal::not_found("this address does not exist"))
     }
 }
 
@@ -124,14 +124,10 @@ pub async fn start(
 ) -> Result<Response, Refusal> {
     let asked = asked(&state, command, &headers, body).await?;
     let place = state.jobs.enter()?;
-    // What can be refused at once is, and not told as a job that failed.
-    let check = move |progress: &dyn Progress| -> Result<Question, Refusal> {
-        let question = asked.read(&progress.budget())?;
-        question.command.check(&question.request)?;
-        Ok(question)
-    };
+    // A wrong request is refused at once; it does not become a failed job.
+    let read = move |progress: &dyn Progress| asked.read(&progress.budget());
     let question =
-        worked(state.gate.enter()?, state.stopping.clone(), state.config.limits, |_, _| {}, check).await?;
+        worked(state.gate.enter()?, state.stopping.clone(), state.config.limits, |_, _| {}, read).await?;
     let id = state.jobs.start(place, state.stopping.clone(), question)?;
     let at = format!("/api/v1/jobs/{id}");
     let links = json!({ "id": id, "events": format!("{at}/events"), "answer": at });

@@ -55,7 +55,7 @@ fn admitted(config: &Config, request: &Request) -> Result<(), Refusal> {
         let hint = "the server answers to `localhost`, `127.0.0.1` and to names that it was started with";
         return Err(Refusal::new(
             StatusCode::FORBIDDEN,
-            format!("the host \"{host}\" is not this one"),
+            format!("\"{host}\" is not a name of this server"),
             hint,
         ));
     }
@@ -66,7 +66,11 @@ fn admitted(config: &Config, request: &Request) -> Result<(), Refusal> {
     };
     if header(ORIGIN).is_some_and(|origin| !same(origin)) {
         let message = "this comes from a page of another origin";
-        return Err(Refusal::new(StatusCode::FORBIDDEN, message, "ask from the server's own page"));
+        return Err(Refusal::new(
+            StatusCode::FORBIDDEN,
+            message,
+            "send the request from the server's own page",
+        ));
     }
     Ok(())
 }
@@ -102,7 +106,7 @@ pub async fn received(
 ) -> Result<(String, Held), Refusal> {
     let too_large = || {
         let message = format!("the request is longer than {most} bytes");
-        Refusal::new(StatusCode::PAYLOAD_TOO_LARGE, message, "ask for less at once")
+        Refusal::new(StatusCode::PAYLOAD_TOO_LARGE, message, "send a smaller request")
     };
     let slow = |_| Refusal::new(StatusCode::REQUEST_TIMEOUT, "the request did not come to its end", "");
     let stated = headers.get(CONTENT_LENGTH).and_then(|v| v.to_str().ok()?.parse::<usize>().ok());
@@ -131,6 +135,6 @@ pub async fn received(
         bytes.extend_from_slice(&data);
     }
     let text = String::from_utf8(bytes)
-        .map_err(|_| Refusal::new(StatusCode::BAD_REQUEST, "this is no JSON: it is not UTF-8", ""))?;
+        .map_err(|_| Refusal::new(StatusCode::BAD_REQUEST, "this is not JSON: it is not UTF-8", ""))?;
     Ok((text, held))
 }

@@ -11,7 +11,7 @@ use std::time::Duration;
 use tokio::sync::watch;
 use tokio::time::sleep;
 
-/// Progress is told this often at most.
+/// Progress is reported this often at most.
 const TICK: Duration = Duration::from_millis(100);
 /// A sign of life where there is nothing to tell.
 const ALIVE: Duration = Duration::from_secs(5);
@@ -19,13 +19,13 @@ const ALIVE: Duration = Duration::from_secs(5);
 struct Telling {
     listener: Listener,
     phase: watch::Receiver<Phase>,
-    told: Option<(usize, usize)>,
+    reported: Option<(usize, usize)>,
     over: bool,
 }
 
 /// `progress` now and then, at last `answer` or `problem`.
 pub fn stream(jobs: &Jobs, job: Arc<Job>) -> impl IntoResponse + use<> {
-    let telling = Telling { phase: job.phase(), listener: jobs.listen(&job), told: None, over: false };
+    let telling = Telling { phase: job.phase(), listener: jobs.listen(&job), reported: None, over: false };
     let events = stream::unfold(telling, |mut telling| async {
         let event = telling.next().await?;
         Some((Ok::<_, Infallible>(event), telling))
@@ -41,8 +41,8 @@ impl Telling {
             }
             let now = self.phase.borrow_and_update().clone();
             let progress = self.listener.job.progress();
-            if self.told != Some(progress) {
-                self.told = Some(progress);
+            if self.reported != Some(progress) {
+                self.reported = Some(progress);
                 let (done, total) = progress;
                 return Some(
                     Event::default()

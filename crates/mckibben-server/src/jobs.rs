@@ -2,7 +2,7 @@
 
 use crate::config::JobConfig;
 use crate::refusal::Refusal;
-use crate::work::{Gate, Place, Question, answer, worked};
+use crate::work::{Gate, Question, QueueSlot, answer, worked};
 use axum::http::StatusCode;
 use mckibben::threads::Threads;
 use mckibben_app::{Problem, ProblemKind};
@@ -153,14 +153,14 @@ impl Jobs {
     }
 
     /// A place for another one.
-    pub fn enter(&self) -> Result<Place, Refusal> {
+    pub fn enter(&self) -> Result<QueueSlot, Refusal> {
         self.gate.enter()
     }
 
     /// Starts one.
     pub fn start(
         &self,
-        place: Place,
+        place: QueueSlot,
         stopping: watch::Receiver<bool>,
         question: Question,
     ) -> Result<String, Refusal> {
@@ -231,7 +231,7 @@ impl Jobs {
 
     pub fn find(&self, id: &str) -> Result<Arc<Job>, Refusal> {
         self.kept().jobs.get(id).cloned().ok_or_else(|| {
-            let hint = "it may have been forgotten: answers are kept for a while";
+            let hint = "it may have expired: answers are kept for a limited time";
             Refusal::new(StatusCode::NOT_FOUND, "there is no such job", hint)
         })
     }

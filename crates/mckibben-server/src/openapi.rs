@@ -1,15 +1,19 @@
 //! The OpenAPI document, made of the schemas of the commands.
 
-use mckibben_app::{COMMANDS, CommandEntry, schema};
+use mckibben_app::bundle;
 use serde_json::{Map, Value, json};
-use std::collections::{BTreeMap, HashMap};
 
 /// The document.
 pub fn document() -> Value {
-    let mut parts = Components::default();
-    let mut paths = Map::new();
-    for command in COMMANDS.iter() {
-        add(command, &mut paths, &mut parts);
+    let mut all = bundle();
+    each_reference(&mut all, &mut |text| *text = text.replace("#/$defs/", "#/components/schemas/"));
+    let (mut schemas, mut paths) = (own(), Map::new());
+    for (name, part) in all.as_object_mut().into_iter().flatten() {
+        if name != "$defs" {
+            add(name, part, &mut paths, &mut schemas);
+        } else if let Value::Object(defs) = part.take() {
+            schemas.extend(defs);
+        }
     }
     let described = |text: &str| json!({ "description": text, "content": { "application/json": {} } });
     let get = |id: &str, text: &str, parameters: Value| {
@@ -22,23 +26,22 @@ pub fn document() -> Value {
     let command =
         json!([{ "name": "command", "in": "path", "required": true, "schema": { "type": "string" } }]);
     paths.insert("/api/v1".into(), get("list", "The commands.", json!([])));
-    paths.insert("/api/v1/health".into(), get("health", "That the server is there.", json!([])));
+    paths.insert("/api/v1/health".into(), get("health", "Whether the server is running.", json!([])));
     paths.insert("/api/v1/openapi.json".into(), get("openapi", "This document.", json!([])));
     paths.insert(
         "/api/v1/schema/{command}".into(),
         get("schema", "The schema of a command: request, answer, error.", command),
     );
-    let mut job = get("job", "How a job is getting on.", id.clone());
+    let mut job = get("job", "The state of a job.", id.clone());
     job["get"]["responses"]["200"]["content"]["application/json"]["schema"] = reference("job.state");
     job["delete"] = json!({
-        "operationId": "forget", "summary": "Ends a job and forgets it.", "parameters": id,
-        "responses": with_problems(json!({ "204": { "description": "It is forgotten." } }), &FOUND),
+        "operationId": "forget", "summary": "Ends a job and deletes it.", "parameters": id,
+        "responses": with_problems(json!({ "204": { "description": "It is deleted." } }), &FOUND),
     });
     paths.insert("/api/v1/jobs/{id}".into(), job);
     let mut events = get("events", "`progress` now and then, at last `answer` or `problem`.", id);
     events["get"]["responses"]["200"]["content"] = json!({ "text/event-stream": {} });
     paths.insert("/api/v1/jobs/{id}/events".into(), events);
-    parts.add_own();
     json!({
         "openapi": "3.1.0",
         "info": {
@@ -49,7 +52,7 @@ pub fn document() -> Value {
         },
         "paths": paths,
         "components": {
-            "schemas": parts.schemas,
+            "schemas": schemas,
             "responses": { "problem": {
                 "description": "Why there is no answer.",
                 "content": { "application/problem+json": { "schema": reference("problem") } },
@@ -58,17 +61,14 @@ pub fn document() -> Value {
     })
 }
 
-fn add(command: &CommandEntry, paths: &mut Map<String, Value>, parts: &mut Components) {
-    // Every command of the list has a schema.
-    let Ok(Value::Object(mut all)) = schema(command.name) else { return };
-    let name = command.name;
-    let mut part = |key: &str| parts.add(&format!("{name}.{key}"), all.remove(key).unwrap_or_default());
-    let (request, answer) = (part("request"), part("answer"));
-    if let Some(error) = all.remove("error") {
-        parts.add("problem.error", error);
-    }
+fn add(name: &str, command: &mut Value, paths: &mut Map<String, Value>, schemas: &mut Map<String, Value>) {
+    let summary = command["request"]["description"].clone();
+    let [request, answer] = ["request", "answer"].map(|part| {
+        let unique = format!("{name}.{part}");
+        schemas.insert(unique.clone(), command[part].take());
+        reference(&unique)
+    });
     let body = json!({ "required": true, "content": { "application/json": { "schema": request } } });
-    let summary = command.about();
     let ask = json!({
         "operationId": name, "summary": summary, "requestBody": body,
         "responses": with_problems(json!({ "200": {
@@ -77,9 +77,9 @@ fn add(command: &CommandEntry, paths: &mut Map<String, Value>, parts: &mut Compo
         }}), &ASKED),
     });
     let job = json!({
-        "operationId": format!("job-{name}"), "summary": format!("A job: {summary}"), "requestBody": body,
+        "operationId": format!("job-{name}"), "summary": format!("A job: {}", summary.as_str().unwrap_or_default()), "requestBody": body,
         "responses": with_problems(json!({ "202": {
-            "description": "It is under way.",
+            "description": "It is running.",
             "headers": { "Location": { "schema": { "type": "string" } } },
             "content": { "application/json": { "schema": reference("job.links") } },
         }}), &ASKED),
@@ -103,90 +103,45 @@ fn with_problems(mut responses: Value, statuses: &[u16]) -> Value {
     responses
 }
 
-/// Schemas by unique names.
-#[derive(Default)]
-struct Components {
-    schemas: Map<String, Value>,
-    /// The names of what has one, by its own name and all that it refers to.
-    names: HashMap<(String, String), String>,
+/// What only the server has.
+fn own() -> Map<String, Value> {
+    let text = json!({ "type": "string" });
+    let count = json!({ "type": "integer", "minimum": 0 });
+    let states = json!({ "enum": ["queued", "running", "done", "failed", "cancelled"] });
+    [
+        (
+            "problem",
+            json!({
+                "description": "A problem by RFC 9457, with the fields of the application layer.",
+                "allOf": [reference("Problem")],
+                "properties": { "type": text, "title": text, "status": count, "detail": text },
+                "required": ["type", "title", "status", "detail"],
+            }),
+        ),
+        (
+            "job.links",
+            json!({
+                "type": "object",
+                "properties": { "id": text, "events": text, "answer": text },
+                "required": ["id", "events", "answer"],
+            }),
+        ),
+        (
+            "job.state",
+            json!({
+                "type": "object",
+                "properties": {
+                    "id": text, "command": text, "state": states, "done": count, "total": count,
+                    "answer": true, "problem": reference("problem"),
+                },
+                "required": ["id", "command", "state", "done", "total"],
+            }),
+        ),
+    ]
+    .map(|(name, schema): (&str, _)| (name.to_owned(), schema))
+    .into_iter()
+    .collect()
 }
-
-impl Components {
-    /// Takes in a schema with all that it defines; where it stands then.
-    fn add(&mut self, name: &str, mut root: Value) -> Value {
-        let mut defs = Map::new();
-        if let Some(fields) = root.as_object_mut() {
-            fields.remove("$schema");
-            if let Some(Value::Object(found)) = fields.remove("$defs") {
-                defs = found;
-            }
-        }
-        let mut own = HashMap::new();
-        let mut fresh = vec![];
-        for def in defs.keys() {
-            let mut reached = BTreeMap::new();
-            reach(def, &defs, &mut reached);
-            let key = (def.clone(), json!(reached).to_string());
-            let unique = self.names.get(&key).cloned().unwrap_or_else(|| {
-                let count = self.names.keys().filter(|(name, _)| name == def).count();
-                let unique = if count == 0 { def.clone() } else { format!("{def}.{}", count + 1) };
-                fresh.push(def.clone());
-                self.names.insert(key, unique.clone());
-                unique
-            });
-            own.insert(def.clone(), unique);
-        }
-        for def in fresh {
-            let mut schema = defs.remove(&def).unwrap_or_default();
-            rename(&mut schema, &own);
-            self.schemas.insert(own[&def].clone(), schema);
-        }
-        rename(&mut root, &own);
-        self.schemas.insert(name.into(), root);
-        reference(name)
-    }
-
-    /// What only the server has.
-    fn add_own(&mut self) {
-        let text = json!({ "type": "string" });
-        let count = json!({ "type": "integer", "minimum": 0 });
-        let states = json!({ "enum": ["queued", "running", "done", "failed", "cancelled"] });
-        for (name, schema) in [
-            (
-                "problem",
-                json!({
-                    "description": "A problem by RFC 9457, with what the application layer says.",
-                    "allOf": [reference("problem.error")],
-                    "properties": { "type": text, "title": text, "status": count, "detail": text },
-                    "required": ["type", "title", "status", "detail"],
-                }),
-            ),
-            (
-                "job.links",
-                json!({
-                    "type": "object",
-                    "properties": { "id": text, "events": text, "answer": text },
-                    "required": ["id", "events", "answer"],
-                }),
-            ),
-            (
-                "job.state",
-                json!({
-                    "type": "object",
-                    "properties": {
-                        "id": text, "command": text, "state": states, "done": count, "total": count,
-                        "answer": true, "problem": reference("problem"),
-                    },
-                    "required": ["id", "command", "state", "done", "total"],
-                }),
-            ),
-        ] {
-            self.schemas.insert(name.into(), schema);
-        }
-    }
-}
-
-const DEFS: &str = "#/$defs/";
 
 /// Hands every reference below a schema to `visit`.
 fn each_reference(schema: &mut Value, visit: &mut dyn FnMut(&mut String)) {
@@ -202,20 +157,4 @@ fn each_reference(schema: &mut Value, visit: &mut dyn FnMut(&mut String)) {
         Value::Array(list) => list.iter_mut().for_each(|value| each_reference(value, visit)),
         _ => {}
     }
-}
-
-/// A definition, and all that it refers to.
-fn reach(def: &str, defs: &Map<String, Value>, reached: &mut BTreeMap<String, Value>) {
-    let Some(schema) = defs.get(def).filter(|_| !reached.contains_key(def)) else { return };
-    let mut schema = schema.clone();
-    reached.insert(def.into(), schema.clone());
-    each_reference(&mut schema, &mut |text| reach(text.strip_prefix(DEFS).unwrap_or(text), defs, reached));
-}
-
-fn rename(schema: &mut Value, names: &HashMap<String, String>) {
-    each_reference(schema, &mut |text| {
-        if let Some(name) = text.strip_prefix(DEFS).and_then(|def| names.get(def)) {
-            *text = format!("#/components/schemas/{name}");
-        }
-    });
 }

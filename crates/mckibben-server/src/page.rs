@@ -63,7 +63,7 @@ pub async fn page(method: Method, uri: Uri, headers: HeaderMap) -> Response {
         Some(path) => path,
     };
     let Some(file) = FILES.get(path) else {
-        return Refusal::not_found("there is nothing at this address").into_response();
+        return Refusal::not_found("this address does not exist").into_response();
     };
     if method != Method::GET && method != Method::HEAD {
         return (

@@ -36,12 +36,12 @@ impl Refusal {
 
     /// The queue is full.
     pub fn busy(message: impl Into<String>) -> Self {
-        Self::new(StatusCode::TOO_MANY_REQUESTS, message, "ask again in a second")
+        Self::new(StatusCode::TOO_MANY_REQUESTS, message, "send the request again in a second")
     }
 
     /// The server ends.
     pub fn ending() -> Self {
-        Self::new(StatusCode::SERVICE_UNAVAILABLE, "the server ends", "start it again")
+        Self::new(StatusCode::SERVICE_UNAVAILABLE, "the server is shutting down", "start it again")
     }
 
     /// As JSON: what RFC 9457 has, and what the application layer says.

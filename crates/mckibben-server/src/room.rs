@@ -51,7 +51,7 @@ impl Held {
     pub fn grow(&mut self, bytes: usize) -> Result<(), Refusal> {
         let more = u32::try_from(bytes).unwrap_or(u32::MAX);
         let more = Arc::clone(&self.room.0).try_acquire_many_owned(more);
-        let more = more.map_err(|_| Refusal::busy("too much is asked at once"))?;
+        let more = more.map_err(|_| Refusal::busy("the server is busy: too much work at once"))?;
         match &mut self.permit {
             Some(permit) => permit.merge(more),
             permit => *permit = Some(more),

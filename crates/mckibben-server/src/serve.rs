@@ -34,7 +34,7 @@ use tokio_io_timeout::TimeoutStream;
 use tower_http::compression::predicate::{DefaultPredicate, NotForContentType, Predicate};
 use tower_http::compression::{CompressionLayer, CompressionLevel};
 
-/// After the wish to end, connections have this long to be told.
+/// After the wish to end, connections have this time to be notified.
 pub const GRACE: Duration = Duration::from_millis(1200);
 /// The wish is looked for this often.
 const TICK: Duration = Duration::from_millis(50);
@@ -104,7 +104,7 @@ fn routes(config: Config, stopping: watch::Receiver<bool>) -> Router {
         .route("/api/v1/jobs/{name}/events", get(api::events))
         .route("/api/v1/{command}", post(api::ask))
         .method_not_allowed_fallback(|| async {
-            let hint = "`GET /api/v1/openapi.json` says which there are";
+            let hint = "`GET /api/v1/openapi.json` lists them";
             Refusal::new(StatusCode::METHOD_NOT_ALLOWED, "there is no such method at this address", hint)
         })
         .fallback(page)
@@ -152,7 +152,7 @@ pub async fn serve(
     }
     drop(listener);
     stopper.send_replace(true);
-    // Who has not been told by then is left.
+    // Connections that were not notified by then are closed.
     let _ = timeout(GRACE, async { while connections.join_next().await.is_some() {} }).await;
     Ok(())
 }

@@ -5,8 +5,7 @@ use crate::room::Held;
 use axum::http::StatusCode;
 use mckibben::budget::{Budget, Exceeded, Limits, Resource};
 use mckibben::progress::Progress;
-use mckibben_app::{CommandEntry, JsonSize, Problem, ProblemKind, ask_value, parsed};
-use serde_json::Value;
+use mckibben_app::{CommandEntry, JsonSize, Problem, ProblemKind, Ready, parsed};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
@@ -24,7 +23,7 @@ pub struct Gate {
 
 /// A place in the queue.
 #[derive(Debug)]
-pub struct Place {
+pub struct QueueSlot {
     turns: Arc<Semaphore>,
     held: Vec<OwnedSemaphorePermit>,
 }
@@ -37,14 +36,14 @@ impl Gate {
     }
 
     /// A place, where there is one.
-    pub fn enter(&self) -> Result<Place, Refusal> {
+    pub fn enter(&self) -> Result<QueueSlot, Refusal> {
         let place = Arc::clone(&self.places).try_acquire_owned();
-        let place = place.map_err(|_| Refusal::busy("too many requests wait already"))?;
-        Ok(Place { turns: Arc::clone(&self.turns), held: vec![place] })
+        let place = place.map_err(|_| Refusal::busy("too many requests are waiting"))?;
+        Ok(QueueSlot { turns: Arc::clone(&self.turns), held: vec![place] })
     }
 }
 
-impl Place {
+impl QueueSlot {
     /// Waits for the turn; who drops the place leaves the queue.
     pub async fn turn(&mut self) -> Result<(), Refusal> {
         let turn = Arc::clone(&self.turns).acquire_owned().await.map_err(|_| Refusal::ending())?;
@@ -94,7 +93,7 @@ pub struct Asked {
 #[derive(Debug)]
 pub struct Question {
     pub command: &'static CommandEntry,
-    pub request: Value,
+    pub request: Ready,
     /// Given back when the answer is made.
     _held: Held,
 }
@@ -118,13 +117,14 @@ impl Asked {
                 format!("on the command line it is `mckibben {}`", self.command.name.replace('-', " "));
             return Err(Refusal::new(StatusCode::FORBIDDEN, "the server touches no files", hint));
         }
+        let request = self.command.read(request)?;
         Ok(Question { command: self.command, request, _held: self.held })
     }
 }
 
 /// Work on a thread of its own in its turn; ended when this future is dropped or the server ends.
 pub async fn worked<T: Send + 'static>(
-    mut place: Place,
+    mut place: QueueSlot,
     mut stopping: watch::Receiver<bool>,
     limits: Limits,
     report: impl Fn(usize, usize) + Send + Sync + 'static,
@@ -162,6 +162,6 @@ pub async fn worked<T: Send + 'static>(
 
 /// The answer to a question, as JSON or packed.
 pub fn answer(question: Question, packed: bool, progress: &dyn Progress) -> Result<Vec<u8>, Refusal> {
-    let answer = ask_value(question.command.name, question.request, progress)?;
+    let answer = question.request.answer(progress)?;
     Ok(if packed { mckibben_app::packed(answer) } else { answer.to_string().into_bytes() })
 }

@@ -50,7 +50,7 @@ pub struct Answer {
     /// Its parts, each a 95 % half-width in N; they add as squares.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uncertainty_parts_n: Option<UncertaintyParts>,
-    /// What the user should know, in sentences.
+    /// Warnings, in sentences.
     #[cfg_attr(feature = "schema", schemars(with = "Vec<String>"))]
     pub warnings: Vec<Warning>,
 }
@@ -244,7 +244,7 @@ pub(crate) const FLAT_MPA: f64 = 0.1;
 /// What is said where the pull hardly changes with what is sought.
 fn flat(sought: &str, half_n: f64) -> String {
     format!(
-        "the {sought} has no ±: here the pull changes so little with it that the ± of the pull, {half_n:.1} N, leaves it open"
+        "the {sought} has no ±: here the pull changes so little with it that the ± of the pull, {half_n:.1} N, does not bound it"
     )
 }
 
@@ -266,7 +266,8 @@ impl Answer {
 const FLAT_CONTRACTION: f64 = 0.4;
 
 /// Said of a contraction below zero that a pull made.
-const STRETCHED: &str = "the pull is above what the muscle holds at its length at rest: it stretches the muscle (contraction below zero)";
+const STRETCHED: &str =
+    "the pull exceeds the blocked force: it stretches the muscle (contraction below zero)";
 
 /// The point at which the pull is `force_n` at a pressure: ε(F, P), below zero where the pull is above the blocked force.
 ///

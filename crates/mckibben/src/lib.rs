@@ -1,11 +1,11 @@
-//! McKibben pneumatic muscles: rubber laws, force models, their inverses, curves, and design.
+//! McKibben pneumatic muscles: rubber laws, force models, their inverses and curves.
 //!
 //! Data flows one way: specification → [`muscle`] → [`model`] → response → curve → figure. The central trait is
-//! [`model::ForceModel`]: whatever answers F(P, ε) for a muscle can be inverted, plotted, compared and designed with.
+//! [`model::ForceModel`]: whatever answers F(P, ε) for a muscle can be inverted, plotted, compared and designed with (`mckibben-fit`, `mckibben-design`).
 //!
 //! Units: mm, MPa (= N/mm²), N. Angles are in degrees where a name says `_deg`.
 //!
-//! A first session: build a muscle, ask a model, find a muscle for a job.
+//! A first session: build a muscle and ask a model.
 //!
 //! ```
 //! use mckibben::prelude::*;
@@ -22,11 +22,6 @@
 //! let pressure_mpa = pressure_at(&model, workspace, 500.0, 0.10, Options::default())?;
 //! assert!(pressure_mpa < 0.25);
 //! assert!(free_contraction(&model, workspace, 0.25, Options::default())? < muscle.max_ideal_contraction());
-//!
-//! // The smallest muscle that pulls 700 N at 15 % with at most 0.25 MPa.
-//! let found = design(&Spec::new(vec![OperatingPoint { force_n: 700.0, contraction: 0.15 }], 0.25), &|m| Ok(Box::new(ThickWall::new(m))))?;
-//! let best = found.candidates.first().ok_or("nothing fits")?;
-//! assert!(best.margin >= 0.0 && best.pressure_mpa <= 0.25);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -40,19 +35,13 @@
 pub mod analysis;
 pub mod answer;
 pub mod budget;
-pub mod compare;
 pub mod curve;
-pub mod design;
 pub mod differences;
 pub mod formula;
-pub mod identify;
 pub mod joint;
-pub mod least_squares;
 pub mod load;
-pub mod measured;
 pub mod model;
 pub mod muscle;
-pub mod nearest;
 pub mod prelude;
 pub mod progress;
 pub mod random;
@@ -60,12 +49,13 @@ pub mod rubber;
 pub mod sleeve;
 pub mod status;
 pub mod study;
-pub mod table;
 pub mod threads;
 pub mod uncertainty;
-pub mod units;
 pub mod verification;
 pub mod warning;
+
+pub use mckibben_units as units;
+pub use mckibben_units::nearest;
 
 /// The paper whose formula (11) is [`model::Paper`] and whose method makes formulas from campaigns; equation numbers in
 /// code and documents are its. Sources are cited by their key in `literature.bib`.

@@ -1,7 +1,11 @@
 //! Rows of the tables that `mckibben validate` prints: verification against exact values, validation against measurements.
 
-/// Whether equations are solved right or are the right equations.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+use serde::Serialize;
+
+/// Whether equations are solved right, or are the right equations.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "CaseKind"))]
 pub enum Kind {
     /// Against exact values.
     Verification,
@@ -9,24 +13,27 @@ pub enum Kind {
     Validation,
 }
 
-/// What the numbers of a row are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+/// What the numbers of a case are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "CaseMeasure"))]
 pub enum Measure {
     /// A value and what it should be.
     #[default]
     Value,
-    /// A root mean square of forces in N, beside the largest force or the blocked force; its error is their ratio.
+    /// A root mean square of forces in N, beside the largest or the blocked force; the error is their ratio.
     Rms,
     /// A share of points, beside the least share.
     Share,
 }
 
-/// A row of the table.
-#[derive(Debug, Clone, PartialEq)]
+/// A case.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Case"))]
 pub struct Row {
     /// What is computed.
     pub name: String,
-    /// Which of the two it is.
+    /// Verification or validation.
     pub kind: Kind,
     /// What its numbers are.
     pub measure: Measure,
@@ -34,7 +41,7 @@ pub struct Row {
     pub source: &'static str,
     /// The reference.
     pub reference: f64,
-    /// Our value; `None` where there was no answer.
+    /// Our value, where there was an answer.
     pub ours: Option<f64>,
     /// |ours − reference|, relative where the reference is not zero.
     pub error: Option<f64>,

@@ -7,7 +7,7 @@ use crate::units::short_numbers;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
 
-/// Strand strain beyond which no model was compared with anything.
+/// Strand strain at which the validated range of all models ends.
 pub const VALIDATED_STRAND_STRAIN: f64 = 0.06;
 
 /// What the user should know of an answer; as data it is its sentence.
@@ -33,7 +33,7 @@ pub enum Warning {
         /// Pressure in MPa.
         pressure_mpa: f64,
     },
-    /// The strands stretch further than the models were compared with anything.
+    /// The strands stretch beyond the validated range of the models.
     StrandStrain {
         /// Strain of the strands.
         strain: f64,

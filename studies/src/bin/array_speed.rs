@@ -6,7 +6,7 @@ use mckibben::model::{ForceModel, ModelError, ModelKind, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;
 use mckibben_app::{
-    AskFields, BoundModel, CurveRequest, Many, ModelFields, MuscleFields, Pairs, Unanswered, WantedOfPoint,
+    AskFields, BoundModel, CurveRequest, Many, ModelFields, Pairs, Unanswered, WantedOfPoint,
     curve,
 };
 use mckibben_fem::axisymmetric::Axisymmetric;
@@ -32,8 +32,7 @@ fn points(n: usize) -> [Vec<f64>; 2] {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let fields = MuscleFields { outer_diameter_mm: Some(50.0), wall_mm: Some(2.0), ..Default::default() };
-    let muscle: Muscle = fields.resolve()?;
+    let muscle = Muscle::prototype().with_section(50.0, 2.0)?;
     for (kind, n, rounds) in [
         (ModelKind::Paper, 10_000, 300),
         (ModelKind::Paper, 1_000_000, 40),

@@ -3,8 +3,8 @@
 //! `cargo study calibration`
 
 use mckibben::progress::Silent;
-use mckibben_fem::validation::case::muscles;
-use mckibben_fem::validation::coverage::of_first_fit;
+use mckibben_fit::validation::case::muscles;
+use mckibben_fit::validation::coverage::of_first_fit;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     for set in muscles()? {

@@ -3,7 +3,7 @@
 //! `cargo study compare_tables -- paper-3d.parquet paper.parquet`, after
 //! `mckibben campaign plans/paper-3d.toml -o paper-3d.parquet` and `mckibben campaign plans/paper.toml -o paper.parquet`.
 
-use mckibben_campaign::Row;
+use mckibben_campaign::PointRow;
 use mckibben_campaign::campaign::read;
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -37,7 +37,7 @@ impl Spread {
     }
 }
 
-fn same(a: &Row, b: &Row) -> bool {
+fn same(a: &PointRow, b: &PointRow) -> bool {
     let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b.abs().max(1.0);
     near(a.outer_diameter_mm, b.outer_diameter_mm)
         && near(a.wall_mm, b.wall_mm)

@@ -1,7 +1,7 @@
 //! The figure of `docs/finite-elements-3d.md`: one muscle by three-dimensional and axisymmetric elements, by the ideal formula, and by
 //! other programs (`data/peers`). `cargo study peers_figure -- FILE.svg`, from the root of the repository.
 
-use mckibben::compare::read_measured;
+use mckibben_fit::compare::read_measured;
 use mckibben::model::{ForceModel, Ideal, Workspace};
 use mckibben::muscle::file::read_muscle;
 use mckibben_fem::axisymmetric::Axisymmetric;

@@ -108,7 +108,7 @@ export class Chart {
       this.placeMark();
     } catch (error) {
       const retry = el("button", { type: "button", onclick: () => this.draw() }, "Try again");
-      this.plot.replaceChildren(el("p", { class: "waiting" }, `${/** @type {Error} */ (error).message} The table has the numbers. `, retry));
+      this.plot.replaceChildren(el("p", { class: "waiting" }, `${/** @type {Error} */ (error).message} The table shows the numbers. `, retry));
       this.ready = false;
     }
     this.drawing = false;

@@ -19,7 +19,7 @@ export const STRANDS = /** @type {const} @satisfies {readonly Measure[]} */ ([
 export const STIFFNESS = /** @type {const} @satisfies {Measure} */ ({ key: "k", field: "stiffness", filed: "braid.stiffness", kind: "stiffness", label: "Stiffness of a strand family", symbol: "k", low: 20, high: 2000 });
 /** What the ends of the muscle do. */
 export const ENDS = /** @type {const} @satisfies {readonly Measure[]} */ ([
-  { key: "seating", field: "seating_mm", filed: "terminals.seating", kind: "length", label: "Give of both ends", low: 0, high: 10 },
+  { key: "seating", field: "seating_mm", filed: "terminals.seating", kind: "length", label: "Seating of both ends", low: 0, high: 10 },
   { key: "slip", field: "slip_mm_per_n", filed: "terminals.slip", kind: "compliance", label: "Slip of both ends", low: 0, high: 0.02 },
   { key: "grip", field: "grip_mm", filed: "terminals.grip", kind: "length", label: "Held at each end", low: 0, high: 40 },
 ]);

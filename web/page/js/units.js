@@ -3,7 +3,7 @@ import { engine } from "./ask.js";
 
 /**
  * Kinds of the engine, and moduli: pressures that are always in MPa.
- * @typedef {import("../../types/commands").units_answer.Answer["kinds"][number]["kind"] | "modulus"} Kind
+ * @typedef {import("../../types/commands").Commands["units"]["answer"]["kinds"][number]["kind"] | "modulus"} Kind
  */
 /** @type {Map<string, { expectation: string, units: { name: string, multiply: number, divide: number }[] }>} */
 const kinds = new Map();

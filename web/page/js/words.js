@@ -5,7 +5,7 @@ import { number, outside, unitName } from "./units.js";
 const LABELS = {
   outer_diameter_mm: "outer diameter", "tube.outer_diameter": "outer diameter", wall_mm: "wall", "tube.wall_thickness": "wall", length_mm: "length", "tube.length": "length",
   angle_deg: "braid angle", "braid.angle": "braid angle", stiffness: "stiffness of a strand family", "braid.stiffness": "stiffness of a strand family",
-  strand_diameter_mm: "diameter of a strand", strand_modulus_mpa: "Young's modulus of a strand", seating_mm: "give of both ends", "terminals.seating": "give of both ends",
+  strand_diameter_mm: "diameter of a strand", strand_modulus_mpa: "Young's modulus of a strand", seating_mm: "seating of both ends", "terminals.seating": "seating of both ends",
   slip_mm_per_n: "slip of both ends", "terminals.slip": "slip of both ends", grip_mm: "length held at each end", "terminals.grip": "length held at each end",
   pressure_mpa: "pressure", pressures_mpa: "pressures", max_pressure_mpa: "pressure of the supply", contraction: "contraction", contractions: "contractions", force_n: "pull", angles_deg: "angles",
   torque_nm: "torque", stiffness_nm_per_rad: "stiffness", stroke_mm: "stroke", outer_diameter: "outer diameter", wall_thickness: "wall", strand_diameter: "diameter of a strand", strand_modulus: "Young's modulus of a strand",

@@ -8,62 +8,62 @@ use crate::muscle::MuscleSummary;
 use crate::units::Units;
 use crate::words::{braid_name, number, percent, rubber_name};
 use mckibben::analysis::{Burst, NoBurst};
-use mckibben::design::{
-    BraidChoice, Candidate, CandidatePoint, Closest, Demand, Limit, Outcome, Rejected, Relaxation, Spec,
-    Spread, Sure, Way,
-};
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Braid, BraidStiffness};
 use mckibben::warning::Warning;
+use mckibben_design::{
+    BraidChoice, Candidate, CandidatePoint, Closest, Demand, Limit, Outcome, Rejected, Relaxation, Spec,
+    Spread, Sure, Way,
+};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Ranked muscles, and why others fail.
+/// Ranked muscles, and the reasons why others fail.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct DesignAnswer {
     /// The model that all numbers come from.
     pub model: String,
-    /// The model that looked at most muscles.
+    /// The model that computed most muscles of the search.
     pub searched_with: String,
     /// Pressure of the supply, MPa.
     pub max_pressure_mpa: f64,
     /// What the muscle must do.
     pub wanted: DemandAnswer,
-    /// What was searched with, and what bounds it.
+    /// Search space and limits.
     pub searched: SearchedAnswer,
     /// The load that is lifted, as it was written.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub load: Option<String>,
-    /// What was assumed where nothing was said, in sentences.
+    /// Assumptions for values that were not given, in sentences.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub assumptions: Vec<String>,
-    /// Muscles that were looked at.
+    /// Number of muscles examined.
     pub looked_at: usize,
     /// How many of them fit.
     pub fitting: usize,
-    /// How many of those that were looked at burst too early for the margin that is asked for; of strands whose strength is not stated
-    /// nobody can say.
+    /// How many of the examined muscles burst below the required margin; unknown if the strength of the strands is not
+    /// stated.
     pub excluded_by_burst: usize,
     /// How many of these meet every other limit.
     pub excluded_by_burst_alone: usize,
-    /// The best, best first.
+    /// The best muscles, best first.
     pub candidates: Vec<CandidateAnswer>,
-    /// Muscles that just miss, or come closest.
+    /// Near misses, or the muscles that come closest.
     pub rejected: Vec<RejectedAnswer>,
-    /// Where another model was named: the winner by finite elements.
+    /// With another model: the best muscle by finite elements.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub verification: Option<Verified>,
-    /// What the user should know of the winner; where nothing fits, whether burst was checked.
+    /// Warnings about the best muscle; if nothing fits, whether burst was checked.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
-    /// Spread of the winner's pull under the tolerances, point by point.
+    /// Spread of the pull of the best muscle under the tolerances, point by point.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tolerance: Vec<Spread>,
-    /// Where the winner has less to spare than its ±: what to ask for to be sure of what is wanted.
+    /// If the margin of the best muscle is smaller than its ±: the specification that covers the ±.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub to_be_sure: Option<SureAnswer>,
-    /// Where nothing fits: the muscle that comes closest.
+    /// If nothing fits: the muscle that comes closest.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub closest: Option<ClosestAnswer>,
     /// The figure, where it was asked for and something fits.
@@ -102,7 +102,7 @@ pub enum DemandAnswer {
     },
 }
 
-/// What was searched with, and what bounds it.
+/// Search space and limits.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct SearchedAnswer {
     /// The rubber, or how many.
@@ -130,7 +130,7 @@ pub struct CandidateAnswer {
     pub muscle: MuscleSummary,
     /// Largest pressure any point needs, MPa.
     pub pressure_mpa: f64,
-    /// Least margin over the points: pull at the maximum pressure over the pull wanted, minus 1.
+    /// Smallest margin over the points: pull at the maximum pressure over the required pull, minus 1.
     pub margin: f64,
     /// Blocked force at the maximum pressure, N.
     pub blocked_force_n: f64,
@@ -144,7 +144,7 @@ pub struct CandidateAnswer {
     pub stiffness_n_per_mm: Option<f64>,
     /// Largest air per stroke over the points, normal litres.
     pub air_normal_litres: Option<f64>,
-    /// Work from ε = 0 to the largest contraction wanted at the maximum pressure, J.
+    /// Work from ε = 0 to the largest required contraction at the maximum pressure, J.
     pub work_j: Option<f64>,
     /// Largest tension of one strand, N.
     pub strand_tension_n: Option<f64>,
@@ -165,7 +165,7 @@ pub struct CandidateAnswer {
     pub joint: Option<CandidateJoint>,
     /// The model that all its numbers come from.
     pub model: String,
-    /// The limit that keeps it from being better, where less than 1 % of it is left.
+    /// The active limit: less than 1 % of it is left.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub binds: Option<Limit>,
 }
@@ -181,7 +181,7 @@ pub struct CandidateJoint {
     pub largest_angle_deg: f64,
 }
 
-/// What to ask for so that the lower end of the ± of the muscle that answers it is what is wanted.
+/// The specification whose best muscle meets the requirement with the lower end of its ±.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct SureAnswer {
     /// Pulls at contractions; of a load those that it takes.
@@ -190,7 +190,7 @@ pub struct SureAnswer {
     /// Torques at angles, of a joint.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub torques: Vec<TorqueWanted>,
-    /// Of a load on muscles whose length is searched: how many times as heavy a load to ask for.
+    /// For a load on muscles whose length is searched: the factor on the load.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub load_factor: Option<f64>,
     /// Outer diameter D0 of the muscle that answers, mm.
@@ -228,9 +228,9 @@ pub struct ClosestAnswer {
     /// The muscle and the bound it misses.
     #[serde(flatten)]
     pub rejected: RejectedAnswer,
-    /// Limits that could give, each alone.
+    /// Limits to relax, each alone.
     pub relaxations: Vec<Relaxation>,
-    /// Contractions that no braid of the search reaches, and the angle that would; a stiffer sleeve that would do.
+    /// Contractions beyond every braid of the search, and the angle that reaches them; a stiffer sleeve that fits.
     pub hint: Option<String>,
 }
 
@@ -239,7 +239,7 @@ pub struct ClosestAnswer {
 pub struct Verified {
     /// By which model.
     pub model: String,
-    /// Whether the specification, limits and all, holds by it.
+    /// Whether it meets the specification with all limits.
     pub holds: bool,
     /// The operating points.
     pub points: Vec<VerifiedPoint>,
@@ -248,7 +248,7 @@ pub struct Verified {
 /// The winner at one operating point by finite elements.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct VerifiedPoint {
-    /// Pull wanted, N.
+    /// Required pull, N.
     pub force_n: f64,
     /// At this contraction.
     pub contraction: f64,

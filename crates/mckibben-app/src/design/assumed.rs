@@ -2,18 +2,20 @@
 
 use super::request::DesignRequest;
 use crate::words::{number, percent};
-use mckibben::design::{BraidChoice, Build, Closest, Reason, Relaxation, Spec, fits};
 use mckibben::muscle::{BraidStiffness, Muscle};
+use mckibben_design::{BraidChoice, Build, Closest, Reason, Relaxation, Spec, fits};
 
 /// What was assumed, in sentences.
 pub(super) fn assumptions(request: &DesignRequest, spec: &Spec) -> Vec<String> {
     let mut out = vec![];
     if request.rubbers.is_empty() && request.muscle.is_none() {
-        out.push("the rubber is the paper's, since none is named (`rubbers`, or a muscle file)".into());
+        out.push(
+            "the rubber is that of the paper, because none is named (`rubbers`, or a muscle file)".into(),
+        );
     }
     if is_paper(spec) && request.muscle.is_none() && request.stiffness.is_none() {
         let named = "(`braids`, `stiffness`, or a muscle file)";
-        out.push(format!("the braid is the paper's sleeve, since none is named {named}"));
+        out.push(format!("the braid is that of the paper, because none is named {named}"));
     }
     out
 }
@@ -42,17 +44,17 @@ pub(super) fn stiffer_sleeve(spec: &Spec, build: &Build<'_>, closest: &Closest) 
         || closest.relaxations.iter().any(|r| matches!(r, Relaxation::MaxStrandStrain { .. }));
     let limit = percent(spec.limits.strand_strain?);
     let first = format!(
-        "The braid is the paper's, whose stiffness of one strand family is {} N/mm here; its strands may stretch by {limit}, the validated range.",
+        "The braid is that of the paper. Its stiffness of one strand family is {} N/mm here; its strands may stretch by {limit}, the validated range.",
         number(own, 3)
     );
     let name = "a sleeve (`braids`), a `stiffness`, or a muscle file with strands";
     match fitting {
         Some(k) => Some(format!(
-            "{first} A stiffer sleeve would do: with {} N/mm this muscle fits. Name {name}.",
+            "{first} Use a stiffer sleeve: with {} N/mm this muscle fits. Give {name}.",
             number(k, 3)
         )),
         None if strained => {
-            Some(format!("{first} The strands of a stiffer sleeve stretch by less. Name {name}."))
+            Some(format!("{first} The strands of a stiffer sleeve stretch less. Give {name}."))
         }
         None => None,
     }
@@ -66,7 +68,7 @@ pub(super) fn thin_wall(muscle: &Muscle) -> Option<String> {
     let least = LEAST.0.max(LEAST.1 * diameter);
     (wall < least * (1.0 - 1e-9)).then(|| {
         format!(
-            "a wall of {} mm on a tube of {} mm is hardly made: tubes of this diameter have walls of {} mm and more; ask for such walls (`wall_mm`)",
+            "a wall of {} mm on a tube of {} mm is rarely available: tubes of this diameter have walls of {} mm or more; limit the walls (`wall_mm`)",
             number(wall, 3),
             number(diameter, 3),
             number((10.0 * least).ceil() / 10.0, 3)

@@ -9,7 +9,7 @@ pub use answer::{
     CandidateAnswer, CandidateJoint, ClosestAnswer, DemandAnswer, DesignAnswer, RejectedAnswer,
     SearchedAnswer, SureAnswer, Verified, VerifiedPoint,
 };
-pub use request::{Choice, DesignRequest, ObjectiveWord, ToleranceFields, TorqueWanted, Verify, Wanted};
+pub use request::{Choice, DesignRequest, ObjectiveWord, TorqueWanted, Verify, Wanted};
 
 use crate::figure;
 use crate::model::Model;
@@ -17,15 +17,15 @@ use crate::problem::Problem;
 use mckibben::analysis::{force_on, pressure_at};
 use mckibben::answer::Options;
 use mckibben::budget::{Exceeded, Resource};
-use mckibben::design::{
-    Build, Candidate, CandidatePoint, Models, OperatingPoint, Outcome, Spec, Spread, Sure, Tolerances,
-    design_joint, design_with, fits, is_doubtful, spread, to_be_sure,
-};
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben::units::Values;
 use mckibben::warning::Warning;
+use mckibben_design::{
+    Build, Candidate, CandidatePoint, Models, OperatingPoint, Outcome, Spec, Spread, Sure, Tolerances,
+    design_joint, design_with, fits, is_doubtful, spread, to_be_sure,
+};
 use policy::ModelPolicy;
 use request::Search;
 
@@ -39,7 +39,9 @@ const DRAWN: usize = 3;
 pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<DesignAnswer, Problem> {
     let budget = progress.budget();
     budget.admit(Resource::Points, request.points_held())?;
-    let tolerances = request.tolerances()?;
+    if let Some(tolerances) = &request.tolerance {
+        tolerances.check()?;
+    }
     let Search { spec, models: model, radius_mm } = request.search()?;
     // A mesh that one muscle has no room for is no reason against each of them.
     model.decide(&spec.base, &budget)?;
@@ -51,7 +53,7 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         Some(radius_mm) => design_joint(&spec, radius_mm, models, progress)?,
         None => design_with(&spec, models, progress).map(|outcome| (spec, outcome))?,
     };
-    let spreads = spreads(tolerances, &decide, &outcome)?;
+    let spreads = spreads(request.tolerance.as_ref(), &decide, &outcome)?;
     let winner = outcome.candidates.first();
     let verified = match (request.verify, winner) {
         (Verify::Fe, Some(winner)) if winner.model != Model::FE.name() => Some(verified(&spec, winner)?),
@@ -72,9 +74,9 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         Ok(sure) => answer.to_be_sure = sure.as_ref().map(Into::into),
         Err(Exceeded::Cancelled) => return Err(Problem::cancelled()),
         // What was searched is an answer without it.
-        Err(spent) => answer.warnings.push(Warning::from(format!(
-            "what to ask for to be sure of what is wanted was not computed: {spent}"
-        ))),
+        Err(spent) => answer
+            .warnings
+            .push(Warning::from(format!("the specification that covers the ± was not computed: {spent}"))),
     }
     Ok(DesignAnswer { load: request.load.load.clone(), assumptions, ..answer })
 }
@@ -108,7 +110,7 @@ fn sure(
 }
 
 fn spreads(
-    tolerances: Option<Tolerances>,
+    tolerances: Option<&Tolerances>,
     build: &Build<'_>,
     outcome: &Outcome,
 ) -> Result<Vec<Spread>, Problem> {

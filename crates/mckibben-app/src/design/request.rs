@@ -8,36 +8,36 @@ use crate::muscle::{rubber, sleeve};
 use crate::point::{finite, given, ratio};
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
-use mckibben::design::{
-    BraidChoice, Demand, JointDemand, Limits, SAFETY, Spec, Tolerances, VALIDATED_STRAND_STRAIN, Way,
-};
-pub use mckibben::design::{Objective as ObjectiveWord, OperatingPoint as Wanted, TorqueWanted};
 use mckibben::muscle::measures::LENGTH;
 use mckibben::muscle::{Braid, Muscle, Tube};
 use mckibben::units::Values;
+use mckibben_design::{
+    BraidChoice, Demand, JointDemand, Limits, SAFETY, Spec, Tolerances, VALIDATED_STRAND_STRAIN, Way,
+};
+pub use mckibben_design::{Objective as ObjectiveWord, OperatingPoint as Wanted, TorqueWanted};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A specification. Wanted are pulls at contractions, with at most a pressure; everything else has a default.
+/// A specification: required pulls at contractions with a maximum pressure. All other fields have a default.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct DesignRequest {
-    /// Pull wanted, N.
+    /// Required pull, N.
     pub force_n: Option<f64>,
-    /// Contraction ratio at which it is wanted.
+    /// Contraction ratio at which the pull is required.
     pub contraction: Option<f64>,
     /// Several operating points, in place of the two fields above.
     pub points: Vec<Wanted>,
-    /// A load that is lifted over the stroke, or to the contraction, in place of a pull.
+    /// A load to lift over the stroke, or to the contraction, instead of a pull.
     #[serde(flatten)]
     pub load: LoadFields,
-    /// Torques wanted of a joint with two equal muscles against each other on a pulley, in place of operating points.
+    /// Required torques of a joint with two equal opposed muscles on a pulley, instead of operating points.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub torques: Vec<TorqueWanted>,
-    /// Largest angle of the joint to either side of the neutral one, degrees; the largest of `torques` where it is left out.
+    /// Largest angle of the joint to either side of the neutral angle, degrees; default: the largest of `torques`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub largest_angle_deg: Option<f64>,
-    /// Radii of the pulley, mm; searched where they are left out.
+    /// Radii of the pulley, mm; default: searched.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radius_mm: Option<Choice>,
     /// Pressure of the supply, MPa.
@@ -46,17 +46,17 @@ pub struct DesignRequest {
     pub stroke_mm: Option<f64>,
     /// Largest outer diameter at the operating points, mm.
     pub max_bulged_diameter_mm: Option<f64>,
-    /// Least ratio of burst pressure to maximum pressure; 1.5 where the strands' strength is known, 0 for none.
+    /// Smallest ratio of burst pressure to maximum pressure; default 1.5 if the strength of the strands is known; 0 for none.
     pub min_burst_margin: Option<f64>,
-    /// Largest stretch of the rubber at the operating points (2 means twice its length); where it is left out, that to which the
-    /// rubber's law was fitted.
+    /// Largest stretch of the rubber at the operating points (2 means twice its length); default: the largest stretch of the data
+    /// behind the rubber's law.
     pub max_stretch: Option<f64>,
-    /// Largest strain of the strands at the maximum pressure, not shortened and at the operating points; 0.06 where it is left out,
+    /// Largest strain of the strands at the maximum pressure, not shortened and at the operating points; default 0.06,
     /// the validated range.
     pub max_strand_strain: Option<f64>,
-    /// What to rank by.
+    /// Quantity to rank by.
     pub objective: ObjectiveWord,
-    /// Muscle file (TOML) for what is not searched; the other fields override it.
+    /// Muscle file (TOML) for all values that are not searched; the other fields override it.
     pub muscle: Option<TextFile>,
     /// Outer diameters D0 at rest, mm.
     pub outer_diameter_mm: Option<Choice>,
@@ -64,7 +64,7 @@ pub struct DesignRequest {
     pub wall_mm: Option<Choice>,
     /// Braid angles θ0 at rest, degrees.
     pub angle_deg: Option<Choice>,
-    /// Sleeves as sold: lengths of strand per turn, mm; the diameter then sets the angle.
+    /// Sleeves on sale, by strand length per turn, mm; the tube diameter then sets the angle.
     pub strand_length_per_turn_mm: Vec<f64>,
     /// Named sleeves; the diameter then sets the angle and, where the strands are known, the stiffness.
     pub braids: Vec<String>,
@@ -78,18 +78,18 @@ pub struct DesignRequest {
     pub stiffness: Option<Stiffness>,
     /// Lengths L0 between the terminals at rest, mm.
     pub length_mm: Option<Choice>,
-    /// Tolerances of the workshop and the supply, for the spread of the winner's pull.
-    pub tolerance: Option<ToleranceFields>,
+    /// Tolerances of the workshop and the supply, for the spread of the pull of the best muscle.
+    pub tolerance: Option<Tolerances>,
     /// The model.
     #[serde(flatten)]
     pub model: ModelFields,
-    /// Answer outside of the model's range.
+    /// Compute outside the model's range too, with a warning.
     pub extrapolate: bool,
-    /// With what the winner is computed again.
+    /// Method that computes the best muscle again.
     pub verify: Verify,
-    /// How many candidates and rejected muscles to report; 5 where it is left out.
+    /// How many candidates and rejected muscles to report; default 5.
     pub top: Option<usize>,
-    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
+    /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
 }
 
@@ -110,7 +110,7 @@ pub enum Choice {
     },
 }
 
-/// With what the winner of a design is computed again.
+/// Method that computes the best muscle of a design again.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verify {
@@ -119,28 +119,6 @@ pub enum Verify {
     Fe,
     /// Nothing.
     None,
-}
-
-/// Half-widths of what may vary, each ±.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(default)]
-pub struct ToleranceFields {
-    /// Wall, mm.
-    pub wall_mm: f64,
-    /// Outer diameter, mm.
-    pub outer_diameter_mm: f64,
-    /// Pressure, MPa.
-    pub pressure_mpa: f64,
-    /// Braid angle, degrees.
-    pub angle_deg: f64,
-    /// Length, mm.
-    pub length_mm: f64,
-    /// All moduli of the rubber, as a share.
-    #[schemars(extend("x-quantity" = "ratio"))]
-    pub modulus: f64,
-    /// Stiffness k of a strand family, as a share.
-    #[schemars(extend("x-quantity" = "ratio"))]
-    pub stiffness: f64,
 }
 
 /// A specification with the models that search it.
@@ -258,7 +236,7 @@ impl DesignRequest {
         let points = !self.points.is_empty() || self.force_n.is_some();
         let asked = [points, self.load.load.is_some(), !self.torques.is_empty()];
         if asked.iter().filter(|a| **a).count() > 1 {
-            let message = "`force_n` or `points`, `load` and `torques` each say what the muscle must do: give one of them";
+            let message = "`force_n` or `points`, `load` and `torques` each state the requirement: give only one of them";
             return Err(Problem::new(ProblemKind::Usage, message, ""));
         }
         if !self.torques.is_empty() {
@@ -279,7 +257,7 @@ impl DesignRequest {
                 (Some(e), _) => Way::Contraction(ratio(e)?),
                 (None, Some(stroke)) => Way::Stroke(stroke),
                 (None, None) => {
-                    return Err(Problem::missing("stroke_mm", "how far the load is lifted, such as 40 mm")
+                    return Err(Problem::missing("stroke_mm", "the lift of the load, such as 40 mm")
                         .with_hint("or give `contraction`, such as 0.15 (15 %)"));
                 }
             };
@@ -370,7 +348,7 @@ impl DesignRequest {
         if self.length_mm.is_some() {
             let have = largest * length;
             let message = format!(
-                "{stroke} mm and `length_mm` {length} mm and a contraction are one too many: the largest contraction makes {have:.2} mm of that length"
+                "{stroke} mm, `length_mm` {length} mm and a contraction are too many data: with that length the largest contraction gives {have:.2} mm"
             );
             let hint = "leave out `stroke_mm`, `length_mm` or the contraction";
             return Err(wrong(message, hint).in_field("stroke_mm"));
@@ -380,33 +358,6 @@ impl DesignRequest {
         }
         let tube = Tube { length_mm: stroke / largest, ..base.tube().clone() };
         Ok((base.with_tube(tube)?, points))
-    }
-
-    pub(super) fn tolerances(&self) -> Result<Option<Tolerances>, Problem> {
-        let Some(t) = self.tolerance else { return Ok(None) };
-        let all = [
-            ("wall", t.wall_mm),
-            ("diameter", t.outer_diameter_mm),
-            ("pressure", t.pressure_mpa),
-            ("angle", t.angle_deg),
-            ("length", t.length_mm),
-            ("modulus", t.modulus),
-            ("stiffness", t.stiffness),
-        ];
-        if let Some((name, value)) = all.into_iter().find(|(_, v)| !(*v >= 0.0 && v.is_finite())) {
-            let message =
-                format!("the tolerance of the {name} is {value}; tolerances are ± half-widths above zero");
-            return Err(Problem::new(ProblemKind::Quantity, message, "").in_field("tolerance"));
-        }
-        Ok(Some(Tolerances {
-            wall_mm: t.wall_mm,
-            outer_diameter_mm: t.outer_diameter_mm,
-            pressure_mpa: t.pressure_mpa,
-            angle_deg: t.angle_deg,
-            length_mm: t.length_mm,
-            modulus: t.modulus,
-            stiffness: t.stiffness,
-        }))
     }
 }
 
@@ -424,7 +375,8 @@ impl Choice {
                 Values::Interval(finite(field, *low)?, finite(field, *high)?)
             }
             Self::Between { low, high } => {
-                let message = format!("the interval from {low} to {high} runs backwards");
+                let message =
+                    format!("the interval from {low} to {high} is reversed: write the smaller value first");
                 return Err(Problem::new(ProblemKind::Range, message, "").in_field(field));
             }
         })

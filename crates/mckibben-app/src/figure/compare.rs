@@ -4,9 +4,9 @@ use super::caption;
 use super::curves::{line, pull};
 use crate::units::Units;
 use mckibben::answer::Options;
-use mckibben::compare::MeasuredPoint;
 use mckibben::curve::{Test, curves};
 use mckibben::model::{ForceModel, Workspace};
+use mckibben_fit::compare::MeasuredPoint;
 use mckibben_report::{Axis, Figure, Panel, Series, Style};
 
 /// Isobaric curves of every model (one colour a model) at each pressure, with the measured points.

@@ -6,8 +6,8 @@ use crate::units::Units;
 use crate::words::percent;
 use mckibben::answer::Options;
 use mckibben::curve::{Test, curves};
-use mckibben::design::{Candidate, OperatingPoint};
 use mckibben::model::{ForceModel, Workspace};
+use mckibben_design::{Candidate, OperatingPoint};
 use mckibben_report::{Axis, Figure, Mark, Panel, Series, Style};
 
 /// One colour a candidate: solid at the maximum pressure, dashed at the pressure it needs.

@@ -3,7 +3,7 @@
 use super::caption;
 use crate::words::number;
 use mckibben::formula::Formula;
-use mckibben_campaign::fit::Fitted;
+use mckibben_campaign::fit::FittedFormula;
 use mckibben_campaign::fit::data::{distinct, same};
 use mckibben_campaign::fit::errors::Compared;
 use mckibben_campaign::fit::paper_method::{CurveFit, LineFit, PaperMethod};
@@ -54,7 +54,7 @@ fn curve_panel<'a>(
 }
 
 /// Figures 5 to 11 where the paper's method was used, and 12, with names for their files.
-pub(crate) fn fitted(f: &Fitted) -> Vec<(&'static str, Figure)> {
+pub(crate) fn fitted(f: &FittedFormula) -> Vec<(&'static str, Figure)> {
     let mut all = f.paper.as_ref().map_or_else(Vec::new, |m| paper_figures(m, &f.formula));
     all.push(("figure_12_formula_and_points", against_points(&f.formula, &f.compared)));
     all

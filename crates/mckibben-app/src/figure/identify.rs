@@ -5,10 +5,10 @@ use super::curves::pull;
 use crate::units::Units;
 use crate::words::percent;
 use mckibben::analysis::force_on;
-use mckibben::identify::{Fitted, Identification};
-use mckibben::measured::Section;
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::{Direction, Muscle};
+use mckibben_fit::identify::{Identification, PointFit};
+use mckibben_fit::measured::Section;
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 
 /// Makes the model of a muscle.
@@ -51,12 +51,12 @@ impl Levels {
         Self { isobaric, fixed: thinned(if isobaric { &pressures } else { &contractions }) }
     }
 
-    fn key(&self, f: &Fitted) -> f64 {
+    fn key(&self, f: &PointFit) -> f64 {
         if self.isobaric { f.point.at.pressure_mpa } else { f.point.at.contraction }
     }
 
     /// The level that is nearest to a point.
-    fn nearest(&self, f: &Fitted) -> usize {
+    fn nearest(&self, f: &PointFit) -> usize {
         let off = |n: usize| (self.fixed[n] - self.key(f)).abs();
         (0..self.fixed.len()).min_by(|&a, &b| off(a).total_cmp(&off(b))).unwrap_or(0)
     }
@@ -87,7 +87,7 @@ pub(crate) fn identified(
     for section in sections.iter().take(if sections.len() > 1 { 2 } else { 1 }) {
         figure = figure.panel(fit(found, build, section, &levels, u, sections.len() > 1));
     }
-    let left = |x: fn(&Fitted) -> f64, axis: Axis, scale: f64| {
+    let left = |x: fn(&PointFit) -> f64, axis: Axis, scale: f64| {
         let mut panel = Panel::new(axis, Axis::new(u.force.heading("model − data")).from_zero());
         for n in 0..levels.fixed.len() {
             let mine = found.points.iter().filter(|f| levels.nearest(f) == n);
@@ -133,7 +133,7 @@ fn fit(
     u: &Units,
     named: bool,
 ) -> Panel {
-    let mine: Vec<&Fitted> = found.points.iter().filter(|f| f.point.section == *section).collect();
+    let mine: Vec<&PointFit> = found.points.iter().filter(|f| f.point.section == *section).collect();
     let isobaric = levels.isobaric;
     let x_axis =
         if isobaric { "contraction ratio ε [–]".into() } else { u.pressure.heading("pressure P") };
@@ -148,9 +148,9 @@ fn fit(
     }
     let model = muscle.ok().and_then(|m| build(&m).ok());
     for (n, &value) in levels.fixed.iter().enumerate() {
-        let key = |f: &&&Fitted| same(levels.key(f), value);
+        let key = |f: &&&PointFit| same(levels.key(f), value);
         let label = levels.label(n, u);
-        let on: Vec<&&Fitted> = mine.iter().filter(key).collect();
+        let on: Vec<&&PointFit> = mine.iter().filter(key).collect();
         let dots = on.iter().map(|f| {
             let at = &f.point.at;
             (

@@ -3,11 +3,11 @@
 use super::caption;
 use super::curves::pull;
 use crate::units::Units;
-use mckibben::identify::Build;
-use mckibben::measured::{DataPoint, Section, mean_of_data};
 use mckibben::model::Workspace;
-use mckibben_fem::validation::case::Case;
-use mckibben_fem::validation::dossier::FitResult;
+use mckibben_fit::identify::Build;
+use mckibben_fit::measured::{DataPoint, Section, mean_of_data};
+use mckibben_fit::validation::case::MuscleCase;
+use mckibben_fit::validation::report::FitResult;
 use mckibben_report::{Axis, Figure, Palette, Panel, Series};
 
 /// Pressures of a panel at most; of more some are shown.
@@ -17,7 +17,7 @@ const LINE: u32 = 30;
 
 /// Measured points and lines of a model, muscle by muscle.
 pub(crate) fn measured<B: Build>(
-    cases: &[&Case],
+    cases: &[&MuscleCase],
     found: &[FitResult],
     model: (&str, &B),
     u: &Units,

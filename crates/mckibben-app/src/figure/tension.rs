@@ -1,7 +1,7 @@
 //! Tension tests with the laws fitted to them.
 
 use super::caption;
-use mckibben::rubber::fit::{FittedLaw, Mode, TensionFit, TensionPoint};
+use mckibben_fit::rubber::{FittedLaw, Mode, TensionFit, TensionPoint};
 use mckibben_report::{Axis, Figure, Panel, Series, Style};
 
 /// Most laws on one figure.
@@ -13,7 +13,7 @@ const WITHOUT_POINTS: f64 = 2.0;
 pub(crate) fn tension(fit: &TensionFit, file: &str) -> Figure {
     let laws = drawn(fit);
     let about = format!(
-        "Nominal stress; points of {file}. Dashed: unstable over the stretches of a muscle; dotted: held stable"
+        "Nominal stress; points of {file}. Dashed: unstable over the stretches of a muscle; dotted: constrained to be stable"
     );
     let mut figure =
         Figure::new("Laws fitted to tension tests").caption(caption(about)).columns(3).size_mm(240.0, 110.0);
@@ -31,7 +31,7 @@ fn drawn(fit: &TensionFit) -> Vec<&FittedLaw> {
     let first = fit.recommended.and_then(|i| fit.laws.get(i));
     let others = fit.laws.iter().enumerate().filter(|(i, _)| fit.recommended != Some(*i)).map(|o| o.1);
     let mut others: Vec<&FittedLaw> = others.collect();
-    others.sort_by(|a, b| a.aicc.total_cmp(&b.aicc));
+    others.sort_by(|a, b| a.quality.aicc.total_cmp(&b.quality.aicc));
     first.into_iter().chain(others).take(LAWS).collect()
 }
 
@@ -63,7 +63,7 @@ fn panel(mode: Mode, fit: &TensionFit, laws: &[&FittedLaw]) -> Panel {
     let stress = |l: &FittedLaw, x: f64| mode.nominal_stress_mpa(&l.law, x).unwrap_or(0.0);
     // The height follows from points, else from the laws that are stable: an unstable one may run anywhere.
     let measured = points.iter().map(|p| p.nominal_stress_mpa);
-    let stable = laws.iter().filter(|l| points.is_empty() && l.is_stable()).map(|l| stress(l, end));
+    let stable = laws.iter().filter(|l| points.is_empty() && l.quality.stable).map(|l| stress(l, end));
     let heights: Vec<f64> = measured.chain(stable).filter(|y| y.is_finite()).collect();
     let top = heights.iter().copied().fold(0.0, f64::max);
     let bottom = heights.iter().copied().fold(0.0, f64::min);
@@ -83,12 +83,12 @@ fn panel(mode: Mode, fit: &TensionFit, laws: &[&FittedLaw]) -> Panel {
         let at = |i: u32| low + (end - low) * f64::from(i) / 120.0;
         let line: Vec<(f64, f64)> = (0..=120).map(|i| (at(i), stress(law, at(i)))).collect();
         // A law on its bound may lie on another one, as Mooney–Rivlin with C01 = 0 on the neo-Hookean.
-        let style = match (law.is_stable(), law.constrained) {
+        let style = match (law.quality.stable, law.constrained) {
             (false, _) => Style::Dashed,
             (true, true) => Style::Dotted,
             (true, false) => Style::Line,
         };
-        let held = if law.constrained { ", held stable" } else { "" };
+        let held = if law.constrained { ", constrained to be stable" } else { "" };
         let label = labelled(format!("{}{held}", law.form.name()));
         panel = panel.series(Series::new(label, line).colour(n).style(style));
     }

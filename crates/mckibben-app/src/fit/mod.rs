@@ -14,14 +14,14 @@ use mckibben::formula::{Document, Form, Made, UniversalFormula};
 use mckibben::model::ModelKind;
 use mckibben::progress::Progress;
 use mckibben_campaign::fit::tables::{Table, tables};
-use mckibben_campaign::fit::{FitError, Fitted, Method, Request, Rules, SlackRule, ThinRule, make};
+use mckibben_campaign::fit::{FitError, FittedFormula, Method, Request, Rules, SlackRule, ThinRule, make};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use table::Points;
 
-/// Most terms of the method `global`.
+/// Largest number of terms of the method `global`.
 const MOST_TERMS: usize = 48;
 
 /// A table of points, and how the formula is made.
@@ -32,27 +32,27 @@ pub struct FitRequest {
     pub table: Option<TextFile>,
     /// A campaign on disk in place of the table: its file, or its folder of parts.
     pub campaign: Option<PathBuf>,
-    /// How the formula is made.
+    /// Fitting method.
     pub method: FitMethod,
-    /// Diameters D0 in mm that are kept out of the fit, to test it.
+    /// Diameters D0 in mm to leave out of the fit, to test it.
     pub hold_out_mm: Vec<f64>,
-    /// Most terms of `global`; 48 where it is left out.
+    /// Largest number of terms of `global`; default 48.
     pub terms: Option<usize>,
-    /// Thick walls of thin muscles at low pressure, in the paper's method.
+    /// Treatment of thick walls of thin muscles at low pressure, in the paper's method.
     pub thin_rule: ThinRule,
-    /// Points where the muscle would have to push, in the paper's method.
+    /// Treatment of points where the muscle would have to push, in the paper's method.
     pub slack_rule: SlackRule,
-    /// Name that answers of the formula carry; the method's where it is left out.
+    /// Name of the formula in answers; default: that of the method.
     pub name: Option<String>,
-    /// Rubber of the table's muscles, where the table does not say it; `paper` where it is left out.
+    /// Rubber of the muscles, if the table does not state it; default `paper`.
     pub rubber: Option<String>,
-    /// Braid of the table's muscles, likewise.
+    /// Braid of the muscles, if the table does not state it; default `paper`.
     pub stiffness: Option<Stiffness>,
-    /// Muscle file that says rubber and braid.
+    /// Muscle file with the rubber and the braid.
     pub muscle: Option<TextFile>,
-    /// The answer shall carry the intermediate tables of the paper's method.
+    /// Add the intermediate tables of the paper's method to the answer.
     pub tables: bool,
-    /// The answer shall carry figures: the paper's 5 to 12, or with `global` the last.
+    /// Add figures to the answer: figures 5 to 12 of the paper, or with `global` figure 12.
     pub figures: bool,
 }
 
@@ -71,7 +71,7 @@ pub enum FitMethod {
     UniversalSmall,
 }
 
-/// A formula with all that is known of it, as its file holds it.
+/// A formula with its data, as in its file.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct FitAnswer {
     /// The formula.
@@ -88,7 +88,7 @@ pub struct FitAnswer {
     pub failed: usize,
     /// What the methods for muscles of one make found on their way.
     #[serde(skip)]
-    pub fitted: Option<Fitted>,
+    pub fitted: Option<FittedFormula>,
 }
 
 /// A figure among several.
@@ -131,7 +131,7 @@ fn section(request: &FitRequest) -> Result<FitAnswer, Problem> {
     match method {
         Method::Paper(_) => Problem::refuse_unused(
             &[("terms", request.terms.is_some())],
-            "the paper's `method` has a number of terms of its own",
+            "`method` paper has a fixed number of terms",
         )?,
         Method::Global(_) => request.check_rules("global")?,
     }
@@ -212,7 +212,8 @@ fn universal(request: &FitRequest, _: Form, _: &dyn Progress) -> Result<FitAnswe
 /// Where there is no file system there are no campaigns on disk.
 #[cfg(not(feature = "files"))]
 fn no_files() -> Problem {
-    Problem::new(ProblemKind::Usage, "there are no campaigns on disk here", "").in_field("campaign")
+    Problem::new(ProblemKind::Usage, "this build of the program cannot read campaigns from disk", "")
+        .in_field("campaign")
 }
 
 /// Why a table gives no formula.
@@ -228,9 +229,9 @@ impl FitRequest {
     fn check_name(&self) -> Result<(), Problem> {
         let why = match self.name.as_deref() {
             Some(n) if Model::is_taken(n) || n.trim().is_empty() => {
-                format!("\"{n}\" cannot be told from a model that exists already")
+                format!("\"{n}\" is already the name of a model")
             }
-            Some(n) if n.contains(char::is_control) => "a name does not hold control characters".into(),
+            Some(n) if n.contains(char::is_control) => "a name must not contain control characters".into(),
             _ => return Ok(()),
         };
         Err(Problem::new(ProblemKind::Usage, why, "take another name").in_field("name"))
@@ -258,11 +259,11 @@ impl FitRequest {
         self.check_rules("universal")?;
         Problem::refuse_unused(
             &[("terms", self.terms.is_some())],
-            "`method` universal has terms of its own",
+            "`method` universal has a fixed set of terms",
         )?;
         let Some((field, _)) = foreign.into_iter().find(|f| f.1) else { return Ok(()) };
-        let message = "the methods universal and universal-small know no such thing";
-        let hint = "leave it out; a campaign says everything of its muscles";
+        let message = "the methods universal and universal-small do not use it";
+        let hint = "leave it out; a campaign states all data of its muscles";
         Err(Problem::new(ProblemKind::Usage, message, hint).in_field(field))
     }
 
@@ -302,11 +303,11 @@ pub struct FormulaShowRequest {
     pub file: Option<TextFile>,
     /// A built-in formula in its place: `universal` or `universal-small`.
     pub name: Option<String>,
-    /// The answer shall carry the equation as LaTeX.
+    /// Add the equation as LaTeX to the answer.
     pub latex: bool,
 }
 
-/// A formula with all that is known of it.
+/// A formula with its data.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct FormulaShowAnswer {
     /// The formula, as its file holds it.
@@ -315,7 +316,7 @@ pub struct FormulaShowAnswer {
     /// The equation with its numbers as LaTeX (amsmath), where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub latex: Option<String>,
-    /// What the user should know of the file, where there is something.
+    /// Warnings about the file, if any.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<String>,
 }

@@ -4,8 +4,8 @@ use super::file_name;
 use crate::fields::TextFile;
 use crate::problem::{Problem, ProblemKind};
 use mckibben::formula::Made;
-use mckibben::measured::{DataPoint, PointOptions, read_points};
 use mckibben_campaign::fit::data::FitPoint;
+use mckibben_fit::measured::{DataPoint, PointOptions, read_points};
 use std::path::Path;
 
 /// What a table holds.
@@ -38,7 +38,7 @@ pub(crate) const COLUMNS: [&str; 7] =
 
 /// The rows of a campaign's file, or of its folder of parts.
 #[cfg(feature = "files")]
-pub(super) fn rows(path: &Path) -> Result<(Vec<mckibben_campaign::Row>, Origin), Problem> {
+pub(super) fn rows(path: &Path) -> Result<(Vec<mckibben_campaign::PointRow>, Origin), Problem> {
     let table = mckibben_campaign::campaign::rows(path)?;
     let origin = Origin {
         name: path.display().to_string(),

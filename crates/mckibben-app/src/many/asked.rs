@@ -1,7 +1,7 @@
 //! What is asked of many points, and why there is no answer.
 
 use crate::problem::Problem;
-use mckibben::identify::Target;
+use mckibben_fit::identify::Target;
 
 /// What is asked of each pair of numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -22,11 +22,11 @@ use crate::fields::{AskFields, ModelFields};
 use crate::model::{Model, Purpose};
 use crate::problem::{Problem, ProblemKind};
 use mckibben::answer::Options;
-use mckibben::identify::Target;
 use mckibben::model::{ForceModel, ModelKind, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use mckibben::threads::Threads;
+use mckibben_fit::identify::Target;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -187,9 +187,9 @@ fn parameter(muscle: &Muscle, name: &str) -> Result<Target, Problem> {
     let wrong = |e: String| Problem::new(ProblemKind::Parameter, e, "");
     let target = Target::parse(name, muscle).map_err(|e| wrong(e.to_string()))?;
     match target {
-        Target::ContractionOffset | Target::StiffnessExponent => {
-            Err(wrong(format!("`{name}` belongs to data and not to a muscle: there is no derivative by it")))
-        }
+        Target::ContractionOffset | Target::StiffnessExponent => Err(wrong(format!(
+            "`{name}` is a property of measured data, not of the muscle: it has no derivative"
+        ))),
         target => Ok(target),
     }
 }

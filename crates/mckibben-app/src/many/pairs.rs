@@ -28,7 +28,11 @@ impl Pairs<'_> {
     pub fn count(&self) -> Result<usize, Problem> {
         match self {
             Self::Lists([a, b]) if a.len() != b.len() => {
-                let message = format!("lists of {} and {} numbers are no pairs", a.len(), b.len());
+                let message = format!(
+                    "the two lists must have the same length; they have {} and {} numbers",
+                    a.len(),
+                    b.len()
+                );
                 Err(Problem::new(ProblemKind::Usage, message, ""))
             }
             Self::Lists([a, _]) => Ok(a.len()),

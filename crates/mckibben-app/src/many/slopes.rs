@@ -12,10 +12,10 @@ use crate::point::finite;
 use crate::problem::Problem;
 use mckibben::analysis::{force_on, response_on, slope_by_pressure, stiffness_of};
 use mckibben::differences::slope;
-use mckibben::identify::{Candidate, Target, own_value};
 use mckibben::model::Workspace;
 use mckibben::muscle::{BraidStiffness, Muscle};
 use mckibben::rubber::RubberLaw;
+use mckibben_fit::identify::{Candidate, Target, own_value};
 
 /// Step of differences in θ, relative. With fourth-order differences their error is below 1e-9 of the derivative.
 const STEP: f64 = 1e-3;

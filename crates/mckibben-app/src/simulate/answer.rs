@@ -10,9 +10,9 @@ use mckibben::status::Status;
 use mckibben::warning::Warning;
 use mckibben_report::{Figure, Scene};
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
-/// A finite-element test with everything it knows.
+/// A finite-element test with all its results.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct SimulateAnswer {
     /// `fe` or `fe3d`.
@@ -22,13 +22,15 @@ pub struct SimulateAnswer {
     /// The muscle.
     pub muscle: MuscleSummary,
     /// The points, curve after curve.
-    pub points: Vec<SimulatedRow>,
-    /// What the user should know of the mesh.
+    #[serde(rename = "points", serialize_with = "points")]
+    #[schemars(with = "Vec<SimulatedRow>")]
+    pub simulated: Vec<Simulated>,
+    /// Warnings about the mesh.
     pub notes: Vec<String>,
-    /// What the user should know, of each kind the gravest.
+    /// Warnings; of each kind the most serious.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
-    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none where that is not stated.
+    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none if that is not stated.
     pub burst_pressure_mpa: Option<f64>,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -39,9 +41,6 @@ pub struct SimulateAnswer {
     /// The picture, where it was asked for.
     #[serde(skip)]
     pub picture: Option<Scene>,
-    /// The points themselves.
-    #[serde(skip)]
-    pub simulated: Vec<Simulated>,
     /// Where no point has an answer: the reason.
     #[serde(skip)]
     pub problem: Option<Problem>,
@@ -82,7 +81,7 @@ pub struct SlackPoint {
 /// An equilibrium.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct SimulatedPoint {
-    /// What every model tells; the pull of a slack muscle is 0.
+    /// The values that every model gives; the pull of a slack muscle is 0.
     #[serde(flatten)]
     pub response: Response,
     /// Whether the muscle would have to push, and lies slack instead.
@@ -162,6 +161,10 @@ pub struct SensitivityRow {
     pub unit: String,
     /// ∂F, N per unit.
     pub force_n_per_unit: f64,
+}
+
+fn points<S: Serializer>(simulated: &[Simulated], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(simulated.iter().map(SimulatedRow::from))
 }
 
 impl From<&Simulated> for SimulatedRow {

@@ -160,9 +160,8 @@ pub fn simulate(
     let muscle = request.muscle.resolve()?;
     let model = Model::named(request.model.as_deref().unwrap_or("fe"), &[], &request.mesh)?;
     let Model::Elements(elements) = &model else {
-        let message = format!(
-            "a test is simulated by finite elements, and \"{model}\" is none; the models are fe and fe3d"
-        );
+        let message =
+            format!("a test needs a finite-element model, and \"{model}\" is not one; give fe or fe3d");
         return Err(Problem::new(ProblemKind::Model, message, "`curve` draws the curves of every model"));
     };
     let budget = progress.budget();
@@ -220,7 +219,6 @@ pub fn simulate(
         model: name.into(),
         test: request.test,
         muscle: summary,
-        points: simulated.iter().map(SimulatedRow::from).collect(),
         notes: notes_of(&*simulation, workspace),
         warnings,
         burst_pressure_mpa: found.pressure_mpa(),
@@ -328,11 +326,11 @@ fn written_deck(
         Problem::new(ProblemKind::Deck, message, hint)
     };
     let Meshed::ThreeDimensional(model) = meshed else {
-        return Err(wrong("an input deck is written of the mesh of `fe3d`".into()));
+        return Err(wrong("an input deck needs the model `fe3d`".into()));
     };
     if ends.give() {
         return Err(wrong(
-            "an input deck holds no seating, slip or grip of the terminals: leave them out".into(),
+            "an input deck cannot describe seating, slip or grip of the terminals: leave them out".into(),
         ));
     }
     let contractions: Vec<f64> = questions
@@ -343,10 +341,10 @@ fn written_deck(
         })
         .collect();
     let (Test::Isometric, Some(&contraction)) = (test, contractions.first()) else {
-        return Err(wrong("an input deck is written of an isometric test".into()));
+        return Err(wrong("an input deck needs an isometric test".into()));
     };
     if contractions.iter().any(|e| *e != contraction) {
-        return Err(wrong("an input deck is written of a test at one contraction".into()));
+        return Err(wrong("an input deck needs a test at one contraction".into()));
     }
     let pressures: Vec<f64> = questions.iter().map(|q| q.0).collect();
     deck(model, contraction, &pressures).map_err(|e| wrong(e.to_string()))

@@ -14,35 +14,35 @@ pub struct SimulateRequest {
     /// The muscle.
     #[serde(flatten)]
     pub muscle: MuscleFields,
-    /// `fe` or `fe3d`; `fe` where it is left out.
+    /// `fe` or `fe3d`; default `fe`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub model: Option<String>,
     /// The mesh.
     #[serde(flatten)]
     pub mesh: MeshFields,
-    /// Gauge pressures P in MPa; 0.05 to 0.25 by 0.05 where they are left out.
+    /// Gauge pressures P in MPa; default 0.05 to 0.25 by 0.05.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pressures_mpa: Option<Vec<f64>>,
-    /// Contraction ratios ε; where they are left out, isometric 0, 0.1, 0.2, isobaric by 0.02 to the free contraction at the highest
+    /// Contraction ratios ε; default: isometric 0, 0.1, 0.2, isobaric by 0.02 to the free contraction at the highest
     /// pressure.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contractions: Option<Vec<f64>>,
     /// Contractions are shares of the free contraction at the highest pressure.
     #[serde(default)]
     pub of_largest: bool,
-    /// Pulls F in N of an isotonic test; 20, 80 and 150 where they are left out.
+    /// Pulls F in N of an isotonic test; default 20, 80 and 150.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub forces_n: Option<Vec<f64>>,
-    /// Negative force instead of slack where the muscle would have to push.
+    /// Give the negative force, not slack, where the muscle would have to push.
     #[serde(default)]
     pub two_sided: bool,
-    /// The answer shall carry the input deck of the test for other programs; of `fe3d` only.
+    /// Add the input deck of the test for other programs to the answer; only with `fe3d`.
     #[serde(default)]
     pub deck: bool,
-    /// The answer shall carry a picture of the last point that has an answer.
+    /// Add a picture of the last converged point to the answer.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub picture: Option<PictureFields>,
-    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
+    /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub figure: Option<Units>,
 }
@@ -51,9 +51,9 @@ pub struct SimulateRequest {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct PictureFields {
-    /// What colours it, such as `hoop_stretch` or `stress_hoop_mpa`.
+    /// Quantity that colours it, such as `hoop_stretch` or `stress_hoop_mpa`.
     pub show: String,
-    /// Cut a quarter out, so that wall and cavity show.
+    /// Cut a quarter out, to show wall and cavity.
     pub cut: bool,
     /// Units of its title.
     #[serde(alias = "pressure_unit")]

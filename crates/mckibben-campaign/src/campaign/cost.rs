@@ -67,7 +67,7 @@ impl Plan {
 
     /// The same with the mesh that a muscle of the plan gets; none where it gets none.
     fn points_per_second_of(&self, number: u64) -> Option<f64> {
-        let muscle = self.inputs(number).muscle(self.base()).ok()?;
+        let muscle = self.inputs(number).muscle().ok()?;
         let (tube, half) = (muscle.tube(), 0.5 * muscle.length_mm());
         Some(match self.testing().elements {
             Elements::Axisymmetric(mesh) => {
@@ -97,7 +97,7 @@ impl Plan {
             budget.admit(Resource::Points, points)?;
         }
         for number in self.some() {
-            let Ok(muscle) = self.inputs(number).muscle(self.base()) else { continue };
+            let Ok(muscle) = self.inputs(number).muscle() else { continue };
             // What is no mesh is a row without an answer.
             if let Err(FemError::Exceeded(exceeded)) = self.testing().elements.admit(&muscle, budget) {
                 return Err(exceeded.into());

@@ -15,7 +15,7 @@ pub enum CampaignError {
     #[error("{0}")]
     Plan(#[from] FileError),
     /// The store holds the table of another plan.
-    #[error("{} holds a campaign of another plan (sha256 {}, this plan has {})", .path.display(), short(.theirs), short(.ours))]
+    #[error("{} contains a campaign of another plan (sha256 {}, this plan has {})", .path.display(), short(.theirs), short(.ours))]
     OtherPlan {
         /// The store, or the file in it.
         path: PathBuf,
@@ -25,7 +25,7 @@ pub enum CampaignError {
         ours: String,
     },
     /// The store was made by another version of the program, whose numbers may differ.
-    #[error("{} was made by mckibben {theirs}, and this is {ours}", .path.display())]
+    #[error("{} was written by mckibben {theirs}, and this is version {ours}", .path.display())]
     OtherVersion {
         /// The store, or the file in it.
         path: PathBuf,
@@ -75,7 +75,7 @@ pub enum CampaignError {
         other: PathBuf,
     },
     /// Nothing of a campaign is there.
-    #[error("{} holds no campaign: {why}", .path.display())]
+    #[error("{} is not a campaign: {why}", .path.display())]
     NoCampaign {
         /// The file or folder.
         path: PathBuf,
@@ -120,15 +120,15 @@ pub enum CampaignError {
         codec: String,
     },
     /// Something that is not of this campaign stands where a file of it would.
-    #[error("{} is not a file of a campaign ({why}), and would be lost", .path.display())]
+    #[error("{} is not a file of a campaign ({why}) and would be overwritten", .path.display())]
     Foreign {
-        /// What stands there.
+        /// The value in the file.
         path: PathBuf,
         /// What it is.
         why: String,
     },
     /// A file that was not there when the campaign began.
-    #[error("{} has come since the campaign began, and would be lost", .path.display())]
+    #[error("{} was created after the campaign began and would be overwritten", .path.display())]
     Appeared {
         /// The file.
         path: PathBuf,
@@ -159,11 +159,11 @@ impl CampaignError {
                 "write to another place, or replace it with `overwrite`; any change of a plan's text makes another plan"
             }
             Self::OtherVersion { .. } | Self::OtherColumns { .. } => {
-                "write to another place, go on with that version, or replace it with `overwrite`"
+                "write to another place, continue with that version, or replace it with `overwrite`"
             }
             Self::Foreign { .. } => "write to another place, move it away, or replace it with `overwrite`",
             Self::Appeared { .. } => {
-                "move it away, and the same command goes on from here; `overwrite` replaces it"
+                "move it away, and the same command continues from here; `overwrite` replaces it"
             }
             Self::Codec { .. } => {
                 "an older version wrote it: run its plan again, or read it with that version"
@@ -172,7 +172,7 @@ impl CampaignError {
             Self::Read { source: mckibben_files::ReadError::System(error), .. }
                 if error.kind() != std::io::ErrorKind::NotFound =>
             {
-                "the system did not let it be read; that does not mean that it is damaged"
+                "the operating system refused to read it; it is not necessarily damaged"
             }
             Self::Locked { .. } => "wait for it to end, or write to another place",
             Self::Damaged { .. } => {
@@ -189,9 +189,9 @@ impl CampaignError {
                 "name it FILE.parquet, which pandas, DuckDB and others read, and write as CSV"
             }
             Self::Write { .. } | Self::Encode(_) => {
-                "what was written before is a valid store; the same command goes on from there"
+                "what was written before is a valid store; the same command continues from there"
             }
-            Self::Large(_) => "fewer muscles or points, shards, or `yes` to begin it all the same",
+            Self::Large(_) => "reduce the muscles or points, use shards, or start it with `yes`",
             Self::Threads(_) => "take fewer threads; the table does not depend on them",
             _ => "",
         }

@@ -2,8 +2,9 @@
 
 use super::CampaignError;
 use super::resume::{belongs, of_this_plan};
-use super::store::{Folder, Opened, Provenance, Table, Which, is_file_name, part_name, seal_of, whole};
+use super::store::{Folder, Opened, Provenance, Table, Which, is_file_name, part_name, whole};
 use mckibben_files::{Unfinished, sync};
+use mckibben_parquet::seal_of;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::io::ErrorKind;
@@ -11,18 +12,18 @@ use std::path::{Path, PathBuf};
 
 /// Where a part is.
 #[derive(Debug)]
-pub(super) enum Place {
+pub(super) enum PartSource {
     /// In a file.
     File(PathBuf),
     /// In memory, as the bytes of its file.
     Memory(Vec<u8>),
 }
 
-impl Place {
+impl PartSource {
     fn open(self, number: u64) -> Result<Opened, CampaignError> {
         match self {
-            Place::File(path) => Opened::file(&path),
-            Place::Memory(bytes) => Opened::bytes(bytes, Path::new(&part_name(number))),
+            PartSource::File(path) => Opened::file(&path),
+            PartSource::Memory(bytes) => Opened::bytes(bytes, Path::new(&part_name(number))),
         }
     }
 }
@@ -49,18 +50,18 @@ pub struct Merged {
 /// The tables of parts in the order of the plan, each checked against the plan it must belong to.
 pub(super) fn tables<'a>(
     provenance: &'a Provenance,
-    places: impl Iterator<Item = (u64, Place)> + 'a,
+    places: impl Iterator<Item = (u64, PartSource)> + 'a,
 ) -> impl Iterator<Item = Result<Table, CampaignError>> + 'a {
     places.flat_map(move |(number, place)| {
         let name = match &place {
-            Place::File(path) => path.clone(),
-            Place::Memory(_) => part_name(number).into(),
+            PartSource::File(path) => path.clone(),
+            PartSource::Memory(_) => part_name(number).into(),
         };
         let read = || {
             let opened = place.open(number)?;
             belongs(&opened.provenance, provenance, &name)?;
             if opened.which != Which::Part(number) {
-                return Err(CampaignError::damaged(&name, "it holds another part than its name says"));
+                return Err(CampaignError::damaged(&name, "it contains a different part from its name"));
             }
             (0..opened.groups()).map(|g| opened.group(g)).collect::<Result<Vec<_>, _>>()
         };
@@ -71,10 +72,10 @@ pub(super) fn tables<'a>(
     })
 }
 
-/// Writes all parts as one file, which appears whole or not at all; with `clobber` in the place of what stands there.
+/// Writes all parts as one file, which appears whole or not at all; with `clobber` instead of an existing file.
 pub(super) fn write_whole(
     provenance: &Provenance,
-    places: BTreeMap<u64, Place>,
+    places: BTreeMap<u64, PartSource>,
     out: &Path,
     clobber: bool,
 ) -> Result<(), CampaignError> {
@@ -143,7 +144,7 @@ pub fn merge(folders: &[PathBuf], out: &Path, overwrite: bool) -> Result<Merged,
     if there && !overwrite {
         of_this_plan(&provenance, out)?;
     }
-    let places = found.into_iter().map(|(n, path)| (n, Place::File(path))).collect();
+    let places = found.into_iter().map(|(n, path)| (n, PartSource::File(path))).collect();
     write_whole(&provenance, places, out, there || overwrite)?;
     Ok(Merged {
         output: out.into(),

@@ -1,9 +1,9 @@
 //! Reads a campaign: one file, or a folder of parts.
 
 use super::CampaignError;
-use super::merge::{Place, gather, tables};
+use super::merge::{PartSource, gather, tables};
 use super::store::{Opened, Provenance, Table, Which};
-use crate::Row;
+use crate::PointRow;
 use std::path::{Path, PathBuf};
 
 /// The rows of a campaign one after another; holds one group of them at a time.
@@ -31,7 +31,7 @@ impl Rows {
 }
 
 impl Iterator for Rows {
-    type Item = Result<Row, CampaignError>;
+    type Item = Result<PointRow, CampaignError>;
 
     fn next(&mut self) -> Option<Self::Item> {
         while !self.failed {
@@ -77,13 +77,13 @@ pub fn rows(path: impl AsRef<Path>) -> Result<Rows, CampaignError> {
 }
 
 fn part_tables(of: &Provenance, number: u64, path: PathBuf) -> Vec<Result<Table, CampaignError>> {
-    tables(of, std::iter::once((number, Place::File(path)))).collect()
+    tables(of, std::iter::once((number, PartSource::File(path)))).collect()
 }
 
 /// All rows of a campaign, file or folder of parts.
 ///
 /// # Errors
 /// As [`rows`].
-pub fn read(path: impl AsRef<Path>) -> Result<Vec<Row>, CampaignError> {
+pub fn read(path: impl AsRef<Path>) -> Result<Vec<PointRow>, CampaignError> {
     rows(path)?.collect()
 }

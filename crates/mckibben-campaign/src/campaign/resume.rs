@@ -1,7 +1,7 @@
 //! What is there already, and whether it belongs to a plan.
 
 use super::CampaignError;
-use super::merge::Place;
+use super::merge::PartSource;
 use super::run::{Counts, Outcome, Recomputed};
 use super::store::{Folder, Opened, Provenance, Which};
 use mckibben::threads::Threads;
@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 pub(super) fn finished(provenance: &Provenance, out: &Path, parts: &Path) -> Result<Outcome, CampaignError> {
     let opened = of_this_plan(provenance, out)?;
     if opened.which != Which::Whole {
-        return Err(CampaignError::damaged(out, "it holds only a part of the campaign"));
+        return Err(CampaignError::damaged(out, "it contains only a part of the campaign"));
     }
     if parts.is_dir() {
         // A run was killed between writing the file and removing its parts.
@@ -50,7 +50,7 @@ fn foreign(error: CampaignError) -> CampaignError {
 }
 
 /// The parts that are there and whole, and those that are damaged, with what is wrong with them.
-pub(super) type There = (BTreeMap<u64, Place>, Vec<Recomputed>);
+pub(super) type There = (BTreeMap<u64, PartSource>, Vec<Recomputed>);
 
 /// Looks through the parts in a folder, all of them with their bytes. With `overwrite` those that are not of this plan are
 /// taken for damaged.
@@ -65,7 +65,7 @@ pub(super) fn there(
     let cause = |(number, path): &(u64, PathBuf)| match of_this_plan(provenance, path) {
         Ok(opened) => {
             let right = opened.which == Which::Part(*number);
-            Ok((!right).then(|| "it holds another part than its name says".to_owned()))
+            Ok((!right).then(|| "it contains a different part from its name".to_owned()))
         }
         Err(CampaignError::Damaged { why, .. }) => Ok(Some(why)),
         Err(error @ CampaignError::Read { .. }) => Err(error),
@@ -76,7 +76,7 @@ pub(super) fn there(
     let (mut whole, mut damaged) = (BTreeMap::new(), vec![]);
     for ((number, path), checked) in parts.into_iter().zip(checked) {
         match checked? {
-            None if mine(&number) => drop(whole.insert(number, Place::File(path))),
+            None if mine(&number) => drop(whole.insert(number, PartSource::File(path))),
             None => {}
             Some(_) if mine(&number) && overwrite && number >= provenance.parts() => folder.discard(&path)?,
             Some(cause) if mine(&number) => damaged.push(Recomputed { file: path, cause }),

@@ -1,6 +1,6 @@
 //! Runs a plan into a store.
 
-use super::merge::{Place, write_whole};
+use super::merge::{PartSource, write_whole};
 use super::plan::Plan;
 use super::resume::{finished, there};
 use super::store::{Folder, Provenance, Table, check_name, is_file_name, part, part_name};
@@ -25,7 +25,7 @@ pub struct RunOptions {
     pub threads: Option<usize>,
     /// What stands there and is not of this plan is replaced.
     pub overwrite: bool,
-    /// A plan of more than 10 GB or a day is begun.
+    /// Start even if the plan needs more than 10 GB or one day.
     pub yes: bool,
 }
 
@@ -188,7 +188,9 @@ pub fn run(
         if error.is_none() && flushed.elapsed() > FLUSH {
             let numbers: Vec<u64> = pending.iter().map(|p: &(u64, Vec<u8>)| p.0).collect();
             match folder.write(&mut pending) {
-                Ok(()) => places.extend(numbers.iter().map(|&n| (n, Place::File(store.join(part_name(n)))))),
+                Ok(()) => {
+                    places.extend(numbers.iter().map(|&n| (n, PartSource::File(store.join(part_name(n))))))
+                }
                 Err(e) => error = Some(e),
             }
             flushed = Instant::now();
@@ -206,7 +208,7 @@ pub fn run(
             folder.write(&mut pending)?;
             return Err(CampaignError::Appeared { path: out.into() });
         }
-        places.extend(pending.into_iter().map(|(n, bytes)| (n, Place::Memory(bytes))));
+        places.extend(pending.into_iter().map(|(n, bytes)| (n, PartSource::Memory(bytes))));
         write_whole(&provenance, places, out, options.overwrite)?;
         folder.remove(0..provenance.parts())?;
     } else {

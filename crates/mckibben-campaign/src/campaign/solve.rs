@@ -2,7 +2,7 @@
 
 use super::CampaignError;
 use super::plan::{Inputs, Plan, constants, rounded};
-use crate::Row;
+use crate::PointRow;
 use mckibben::model::Workspace;
 use mckibben::progress::{Progress, Silent};
 use mckibben::status::Status;
@@ -16,7 +16,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 ///
 /// # Errors
 /// [`CampaignError::Stopped`] where the caller wanted it to end.
-pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<Row>, CampaignError> {
+pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<PointRow>, CampaignError> {
     let (done, total) = (AtomicUsize::new(0), plan.muscles() as usize);
     let one = |&number: &u64| {
         if progress.cancelled() {
@@ -30,16 +30,16 @@ pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<Row>, Campaig
         Ok(rows)
     };
     let numbers: Vec<u64> = (0..plan.muscles()).collect();
-    let all: Vec<Vec<Row>> = threads::map(&numbers, one).into_iter().collect::<Result<_, _>>()?;
+    let all: Vec<Vec<PointRow>> = threads::map(&numbers, one).into_iter().collect::<Result<_, _>>()?;
     Ok(all.concat())
 }
 
 /// All rows of muscle `number`, contraction by contraction.
-pub(super) fn rows(plan: &Plan, number: u64) -> Vec<Row> {
+pub(super) fn rows(plan: &Plan, number: u64) -> Vec<PointRow> {
     let inputs = plan.inputs(number);
     let testing = plan.testing();
     let model = inputs
-        .muscle(plan.base())
+        .muscle()
         .map_err(|e| e.to_string())
         .and_then(|muscle| testing.elements.build(&muscle).map_err(|e| e.to_string()));
     let workspace = &mut Workspace::new();
@@ -48,7 +48,7 @@ pub(super) fn rows(plan: &Plan, number: u64) -> Vec<Row> {
         let contraction = if testing.of_ideal { rounded(e * largest(&inputs)) } else { e };
         let blank = |p: f64| blank(number, &inputs, p, contraction);
         match &model {
-            Err(why) => out.extend(testing.pressures_mpa.iter().map(|&p| Row {
+            Err(why) => out.extend(testing.pressures_mpa.iter().map(|&p| PointRow {
                 status: Status::NoMuscle,
                 cause: why.clone(),
                 ..blank(p)
@@ -68,32 +68,34 @@ pub(super) fn rows(plan: &Plan, number: u64) -> Vec<Row> {
 
 /// 1 − 1/(√3 cosθ0)
 fn largest(inputs: &Inputs) -> f64 {
-    (1.0 - 1.0 / (3f64.sqrt() * inputs.angle_deg.to_radians().cos())).max(0.0)
+    (1.0 - 1.0 / (3f64.sqrt() * inputs.parts.braid.angle_deg.to_radians().cos())).max(0.0)
 }
 
 /// A row without an answer.
-fn blank(muscle: u64, inputs: &Inputs, pressure_mpa: f64, contraction: f64) -> Row {
-    let law = &inputs.tube.rubber.law;
-    Row {
+fn blank(muscle: u64, inputs: &Inputs, pressure_mpa: f64, contraction: f64) -> PointRow {
+    let tube = &inputs.parts.tube;
+    let law = &tube.rubber.law;
+    PointRow {
         muscle,
-        outer_diameter_mm: inputs.tube.outer_diameter_mm,
-        wall_mm: inputs.tube.wall_mm,
-        length_mm: inputs.tube.length_mm,
-        angle_deg: inputs.angle_deg,
+        outer_diameter_mm: tube.outer_diameter_mm,
+        wall_mm: tube.wall_mm,
+        length_mm: tube.length_mm,
+        angle_deg: inputs.parts.braid.angle_deg,
         law: law.name().into(),
         constants: constants(law),
+        measures: inputs.measures.clone(),
         stiffness_of_braid_n_per_mm: inputs.family_stiffness_n_per_mm(),
         pressure_mpa,
         contraction,
-        ..Row::default()
+        ..PointRow::default()
     }
 }
 
-fn filled(row: Row, point: Result<CurvePoint, FemError>) -> Row {
+fn filled(row: PointRow, point: Result<CurvePoint, FemError>) -> PointRow {
     match point {
         Ok(CurvePoint { response: Some(r), sensitivities, iterations, .. }) if r.force_n.is_finite() => {
             let finite = |v: Option<f64>| v.filter(|v| v.is_finite());
-            Row {
+            PointRow {
                 force_n: Some(r.force_n),
                 volume_mm3: finite(r.volume_mm3),
                 stiffness_n_per_mm: finite(r.stiffness_n_per_mm),
@@ -112,7 +114,7 @@ fn filled(row: Row, point: Result<CurvePoint, FemError>) -> Row {
                 ..row
             }
         }
-        Ok(_) => Row { status: Status::NotConverged, cause: "the pull is not finite".into(), ..row },
+        Ok(_) => PointRow { status: Status::NotConverged, cause: "the pull is not finite".into(), ..row },
         Err(error) => {
             let (status, iterations) = match &error {
                 FemError::Path { status, iterations, .. } => {
@@ -120,7 +122,7 @@ fn filled(row: Row, point: Result<CurvePoint, FemError>) -> Row {
                 }
                 _ => (Status::NotConverged, 0),
             };
-            Row { status, cause: error.to_string(), iterations, ..row }
+            PointRow { status, cause: error.to_string(), iterations, ..row }
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::CampaignError;
 use super::store::{Field, Folder, Opened, Provenance, Which};
-use crate::Row;
+use crate::PointRow;
 use crate::columns::Role;
 use mckibben::status::Status;
 use serde::Serialize;
@@ -33,7 +33,7 @@ pub struct Extent {
     pub largest: f64,
 }
 
-/// What a campaign holds.
+/// Contents of a campaign.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Summary {
@@ -82,7 +82,7 @@ impl Summary {
         }
     }
 
-    fn add(&mut self, mut row: Row, fields: &[Field]) {
+    fn add(&mut self, mut row: PointRow, fields: &[Field]) {
         self.points += 1;
         self.iterations += u64::from(row.iterations);
         if row.status.is_ok() {
@@ -147,7 +147,7 @@ pub fn summary(path: impl AsRef<Path>) -> Result<Summary, CampaignError> {
                     out.add_file(&opened, &part)?;
                     there += 1;
                 } else {
-                    damaged.push(format!("{}: it holds another part than its name says", part.display()));
+                    damaged.push(format!("{}: it contains a different part from its name", part.display()));
                 }
             }
             Err(CampaignError::Damaged { why, .. } | CampaignError::NoCampaign { why, .. }) => {

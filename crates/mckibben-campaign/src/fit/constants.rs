@@ -1,6 +1,6 @@
 //! The constants of the paper's finite elements, from what they left behind: its Table 1 and its formula (11).
 //!
-//! Unknown are C10 (C01 comes out as 0) and the stiffness k = k₅₀ (D0/50 mm)ⁿ of a strand family. [`mckibben::identify`] does
+//! Unknown are C10 (C01 comes out as 0) and the stiffness k = k₅₀ (D0/50 mm)ⁿ of a strand family. [`mckibben_fit::identify`] does
 //! it in three steps; errors count as shares of the blocked force of each muscle.
 //!
 //! 1. Both sets together by least squares: C10. Walls of 1 to 5 mm tell it, Table 1 with its one thin wall hardly does.
@@ -10,14 +10,14 @@
 
 use super::data::{CONTRACTIONS, DIAMETERS, FULL_PRESSURE, FitPoint, PRESSURES, WALLS, compute_with, same};
 use super::error::FitError;
-use mckibben::compare::MeasuredPoint;
 use mckibben::formula::Coefficients;
-use mckibben::identify::{DataPoint, Parameter, Request, Section, Target, identify};
-use mckibben::least_squares::Loss;
 use mckibben::model::{ForceModel, ModelError};
 use mckibben::muscle::{Braid, BraidStiffness, Direction, Muscle, Rubber};
 use mckibben::rubber::{Law, MooneyRivlin};
 use mckibben_fem::axisymmetric::Axisymmetric;
+use mckibben_fit::compare::MeasuredPoint;
+use mckibben_fit::identify::{DataPoint, Parameter, Request, Section, Target, identify};
+use mckibben_fit::least_squares::Loss;
 use serde::Serialize;
 
 /// Table 1 of the paper: P in MPa, and a, b, c in N of F = a ε² + b ε + c at D0 50, s 1.

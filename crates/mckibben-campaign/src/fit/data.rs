@@ -1,6 +1,6 @@
 //! The points that formulas are fitted to: of a campaign's table, or computed here.
 
-use crate::Row;
+use crate::PointRow;
 use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;
@@ -45,7 +45,7 @@ pub struct FitPoint {
 
 impl FitPoint {
     /// The point of a row, where it has an answer.
-    pub fn of(row: &Row) -> Option<Self> {
+    pub fn of(row: &PointRow) -> Option<Self> {
         let force_n = row.force_n.filter(|f| f.is_finite() && row.status.is_ok())?;
         Some(Self {
             outer_diameter_mm: row.outer_diameter_mm,
@@ -60,7 +60,7 @@ impl FitPoint {
 }
 
 /// The answered points of a table.
-pub fn points(rows: &[Row]) -> Vec<FitPoint> {
+pub fn points(rows: &[PointRow]) -> Vec<FitPoint> {
     rows.iter().filter_map(FitPoint::of).collect()
 }
 

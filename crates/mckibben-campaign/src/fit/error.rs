@@ -22,7 +22,7 @@ pub enum FitError {
     },
     /// Muscles that one formula cannot describe.
     #[error(
-        "the table mixes muscles of different {quantity} ({low} to {high}); a formula knows one: fit them one by one"
+        "the table mixes muscles of different {quantity} ({low} to {high}); a formula covers only one: fit them separately"
     )]
     Mixed {
         /// Of what.
@@ -33,8 +33,13 @@ pub enum FitError {
         high: f64,
     },
     /// Muscles of different make.
-    #[error("the table mixes muscles of different {0}; a formula knows one: fit them one by one")]
+    #[error("the table mixes muscles of different {0}; a formula covers only one: fit them separately")]
     MixedMake(&'static str),
+    /// A measure varies that no formula has.
+    #[error(
+        "in the table {0} varies, which is not a variable of the formula; fit a table in which it is constant"
+    )]
+    Varies(String),
     /// An error is a share of the blocked force, which is not in the table.
     #[error(
         "the muscle D0 {outer_diameter_mm} mm, s {wall_mm} mm has no point at contraction 0, so that its errors cannot be stated as shares of its blocked force"

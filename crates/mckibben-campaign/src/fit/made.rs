@@ -1,7 +1,7 @@
 //! What the muscles of a table have in common.
 
 use super::error::FitError;
-use crate::Row;
+use crate::PointRow;
 use mckibben::formula::{Made, MadeBraid, MadeRubber, NamedBraid};
 use mckibben::muscle::Muscle;
 
@@ -15,10 +15,11 @@ fn close(a: f64, b: f64) -> bool {
 /// Rubber and braid of a table's muscles; length and angle are those of its first row.
 ///
 /// # Errors
-/// [`FitError::MixedMake`] where they have more than one, [`FitError::Empty`] without rows.
-pub fn made_for(rows: &[Row]) -> Result<Made, FitError> {
+/// [`FitError::MixedMake`] where they have more than one, [`FitError::Varies`] where a measure varies that no formula has,
+/// [`FitError::Empty`] without rows.
+pub fn made_for(rows: &[PointRow]) -> Result<Made, FitError> {
     let first = rows.first().ok_or(FitError::Empty(""))?;
-    let rubber = |r: &Row| MadeRubber {
+    let rubber = |r: &PointRow| MadeRubber {
         name: None,
         law: r.law.clone(),
         constants: r.constants.iter().cloned().collect(),
@@ -27,6 +28,9 @@ pub fn made_for(rows: &[Row]) -> Result<Made, FitError> {
     let ours = rubber(first);
     if !rows.iter().all(|r| rubber(r).is_like(&ours, TOLERANCE)) {
         return Err(FitError::MixedMake("rubber"));
+    }
+    if let Some((column, _)) = rows.iter().find_map(|r| r.measures.first()) {
+        return Err(FitError::Varies(column.clone()));
     }
     let paper = Made::of(&Muscle::prototype()).rubber;
     let name = paper.name.clone().filter(|_| paper.is_like(&ours, TOLERANCE));
@@ -43,12 +47,14 @@ pub fn made_for(rows: &[Row]) -> Result<Made, FitError> {
     choices.extend(k.map(|k| MadeBraid::TimesDiameter(k * first.outer_diameter_mm)));
     for braid in choices {
         let made = Made { braid, ..made.clone() };
-        let fits =
-            |r: &Row| match (made.stiffness_n_per_mm(r.outer_diameter_mm), r.stiffness_of_braid_n_per_mm) {
-                (None, None) => true,
-                (Some(a), Some(b)) => close(a, b),
-                _ => false,
-            };
+        let fits = |r: &PointRow| match (
+            made.stiffness_n_per_mm(r.outer_diameter_mm),
+            r.stiffness_of_braid_n_per_mm,
+        ) {
+            (None, None) => true,
+            (Some(a), Some(b)) => close(a, b),
+            _ => false,
+        };
         if rows.iter().all(fits) {
             return Ok(made);
         }

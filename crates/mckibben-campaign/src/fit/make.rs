@@ -71,7 +71,7 @@ pub struct Request<'a> {
 
 /// What comes out.
 #[derive(Debug, Clone)]
-pub struct Fitted {
+pub struct FittedFormula {
     /// The formula.
     pub formula: Formula,
     /// The tables of the paper's method.
@@ -88,7 +88,7 @@ pub struct Fitted {
 ///
 /// # Errors
 /// [`FitError`].
-pub fn make(request: &Request<'_>) -> Result<Fitted, FitError> {
+pub fn make(request: &Request<'_>) -> Result<FittedFormula, FitError> {
     if request.points.is_empty() {
         return Err(FitError::Empty(""));
     }
@@ -145,7 +145,7 @@ pub fn make(request: &Request<'_>) -> Result<Fitted, FitError> {
         errors: summary(Some(e)),
     });
     let unused = request.points.len() - points.len();
-    Ok(Fitted { formula, paper, global, compared: list, unused })
+    Ok(FittedFormula { formula, paper, global, compared: list, unused })
 }
 
 /// The paper's method takes the paper's five pressures where the table has them all and none above, else every pressure above

@@ -18,7 +18,7 @@ pub mod universal;
 pub use error::FitError;
 pub use global::{GlobalFit, global};
 pub use made::made_for;
-pub use make::{Fitted, Method, Request, fitted, make};
+pub use make::{FittedFormula, Method, Request, fitted, make};
 pub use paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method};
 
 #[cfg(test)]

@@ -9,7 +9,7 @@
 
 use super::data::{FitPoint, distinct, same};
 use super::error::FitError;
-use super::polynomial::{Fitted, fit};
+use super::polynomial::{PolynomialFit, fit};
 use mckibben::formula::Coefficients;
 use serde::{Deserialize, Serialize};
 
@@ -61,7 +61,7 @@ pub struct CurveFit {
     /// P in MPa.
     pub pressure_mpa: f64,
     /// a, b, c in N, with R²; `None` where a rule leaves the curve out.
-    pub abc: Option<Fitted<3>>,
+    pub abc: Option<PolynomialFit<3>>,
     /// (ε, F) as used.
     pub points: Vec<(f64, f64)>,
     /// The rule that was applied to it, in words; empty where none was.
@@ -76,7 +76,7 @@ pub struct LineFit {
     /// s in mm.
     pub wall_mm: f64,
     /// Slope m (mm²) and intercept q (N) of a, b and c.
-    pub lines: [Fitted<2>; 3],
+    pub lines: [PolynomialFit<2>; 3],
     /// How many pressures they rest on.
     pub pressures: usize,
 }
@@ -87,7 +87,7 @@ pub struct WallFit {
     /// D0 in mm.
     pub outer_diameter_mm: f64,
     /// Of a, b and c: the parabola of m (X1, X2, X3) and that of q (X4, X5, X6).
-    pub parabolas: [[Fitted<3>; 2]; 3],
+    pub parabolas: [[PolynomialFit<3>; 2]; 3],
 }
 
 impl WallFit {
@@ -182,7 +182,7 @@ fn curve(d: f64, s: f64, p: f64, all: Vec<(f64, f64)>, rules: Rules) -> Result<C
         rule = "straight line over ε ≤ 0.05: D0 < 35, s > 3 at 0.05 MPa";
         let line = fit::<2>(&points).ok_or_else(|| singular(d, s, p))?;
         let [b, c] = line.coefficients;
-        let abc = Some(Fitted { coefficients: [0.0, b, c], r2: line.r2 });
+        let abc = Some(PolynomialFit { coefficients: [0.0, b, c], r2: line.r2 });
         return Ok(CurveFit { outer_diameter_mm: d, wall_mm: s, pressure_mpa: p, abc, points, rule });
     }
     let count = distinct(points.iter().map(|q| q.0)).len();

@@ -4,14 +4,14 @@ use nalgebra::{DMatrix, DVector};
 
 /// A fitted polynomial of degree N − 1, highest power first.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Fitted<const N: usize> {
+pub struct PolynomialFit<const N: usize> {
     /// Coefficients, of the highest power first.
     pub coefficients: [f64; N],
     /// R² = 1 − Σ(y − ŷ)²/Σ(y − ȳ)²; 1 where all y are the same and met.
     pub r2: f64,
 }
 
-impl<const N: usize> Fitted<N> {
+impl<const N: usize> PolynomialFit<N> {
     /// Its value.
     pub fn at(&self, x: f64) -> f64 {
         self.coefficients.iter().fold(0.0, |sum, c| sum * x + c)
@@ -20,7 +20,7 @@ impl<const N: usize> Fitted<N> {
 
 /// Σ (y − ŷ)² → min over ŷ = c₁ xᴺ⁻¹ + … + c_N, by QR of the matrix in x/max|x|. `None` for fewer than N points, or
 /// points that do not determine it.
-pub fn fit<const N: usize>(points: &[(f64, f64)]) -> Option<Fitted<N>> {
+pub fn fit<const N: usize>(points: &[(f64, f64)]) -> Option<PolynomialFit<N>> {
     let scale = points.iter().map(|p| p.0.abs()).fold(0.0, f64::max);
     if points.len() < N || N == 0 || !(scale > 0.0 || N == 1) {
         return None;
@@ -38,7 +38,7 @@ pub fn fit<const N: usize>(points: &[(f64, f64)]) -> Option<Fitted<N>> {
     if coefficients.iter().any(|c| !c.is_finite()) {
         return None;
     }
-    let mut fitted = Fitted { coefficients, r2: 1.0 };
+    let mut fitted = PolynomialFit { coefficients, r2: 1.0 };
     let mean = points.iter().map(|p| p.1).sum::<f64>() / points.len() as f64;
     let left: f64 = points.iter().map(|p| (p.1 - fitted.at(p.0)).powi(2)).sum();
     let all: f64 = points.iter().map(|p| (p.1 - mean).powi(2)).sum();

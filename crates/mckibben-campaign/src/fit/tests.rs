@@ -2,7 +2,7 @@ use super::data::*;
 use super::errors::{compared, errors};
 use super::paper_method::{Rules, SlackRule, ThinRule, paper_method};
 use super::*;
-use crate::Row;
+use crate::PointRow;
 use mckibben::formula::{Body, Coefficients, Formula, Made};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;
@@ -138,8 +138,8 @@ fn errors_by_hand() {
     assert_eq!(e.points, 500);
 }
 
-fn row(force_n: Option<f64>, status: Status) -> Row {
-    Row {
+fn row(force_n: Option<f64>, status: Status) -> PointRow {
+    PointRow {
         muscle: 0,
         outer_diameter_mm: 30.0,
         wall_mm: 3.0,
@@ -152,7 +152,7 @@ fn row(force_n: Option<f64>, status: Status) -> Row {
         contraction: 0.05,
         force_n,
         status,
-        ..Row::default()
+        ..PointRow::default()
     }
 }
 
@@ -204,14 +204,14 @@ fn signs_and_tables_are_complete() {
 #[test]
 fn the_make_of_a_table_is_found_or_refused() {
     use mckibben::formula::{MadeBraid, NamedBraid};
-    let with = |d: f64, k: Option<f64>, c10: f64| Row {
+    let with = |d: f64, k: Option<f64>, c10: f64| PointRow {
         outer_diameter_mm: d,
         stiffness_of_braid_n_per_mm: k,
         constants: vec![("c10_mpa".into(), c10), ("c01_mpa".into(), 0.0)],
         ..row(Some(1.0), Status::Ok)
     };
     let paper = |d: f64| Made::of(&Muscle::prototype()).stiffness_n_per_mm(d);
-    let braid = |rows: &[Row]| made_for(rows).map(|m| m.braid);
+    let braid = |rows: &[PointRow]| made_for(rows).map(|m| m.braid);
     let found = made_for(&[with(30.0, paper(30.0), 0.112), with(50.0, paper(50.0), 0.112)]).unwrap();
     assert_eq!(found, Made::of(&Muscle::prototype()));
     assert_eq!(

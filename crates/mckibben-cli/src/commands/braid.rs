@@ -1,7 +1,8 @@
 //! `braid list|show`.
 
 use crate::failure::Failure;
-use crate::flags::{Format, OutputFlags};
+use crate::flags::OutputFlags;
+use crate::format::Format;
 use crate::names::SLEEVES;
 use crate::output::show as print;
 use crate::output::text::{number, or_dash, pairs, percent, table};
@@ -32,13 +33,13 @@ pub struct BraidShowArgs {
     /// Name
     #[arg(value_parser = SLEEVES, hide_possible_values = true)]
     pub name: String,
-    /// Only on a tube of this outer diameter
+    /// Show it only on a tube of this outer diameter
     #[arg(short = 'D', long, value_name = "DIAMETER", allow_hyphen_values = true)]
     pub outer_diameter: Option<String>,
-    /// Diameter of one strand, where the source does not state it
+    /// Diameter of one strand, if the source does not state it
     #[arg(long, value_name = "DIAMETER", allow_hyphen_values = true)]
     pub strand_diameter: Option<String>,
-    /// Young's modulus of a strand, where the source does not state it
+    /// Young's modulus of a strand, if the source does not state it
     #[arg(long, value_name = "MODULUS", allow_hyphen_values = true)]
     pub strand_modulus: Option<String>,
     #[command(flatten)]
@@ -68,7 +69,7 @@ fn list_text(answer: &BraidListAnswer) -> String {
     let row = |m: &MaterialSummary| vec![m.name.clone(), number(m.modulus_mpa * 1e-3, 4), m.title.clone()];
     let materials = table(&["strands of", "E [GPa]", ""], answer.materials.iter().map(row).collect());
     format!(
-        "{sleeves}\n{materials}\nD0: tubes on which a muscle of it contracts. What is not stated has to be given for a stiffness. `mckibben braid show NAME` tells more.\n"
+        "{sleeves}\n{materials}\nD0: tubes on which a muscle of it contracts. A stiffness needs the data that are not stated. `mckibben braid show NAME` shows the details.\n"
     )
 }
 
@@ -90,8 +91,11 @@ pub fn show(args: &BraidShowArgs, format: Format) -> Result<u8, Failure> {
 }
 
 fn strands(answer: &BraidShowAnswer) -> String {
-    let bound =
-        if answer.strands_stated { "" } else { " (as many as touch; k with so many is an upper bound)" };
+    let bound = if answer.strands_stated {
+        ""
+    } else {
+        " (strands that touch each other; their k is an upper bound)"
+    };
     or_dash(answer.strands, |n| format!("{n}{bound}"))
 }
 

@@ -2,11 +2,13 @@
 
 mod show;
 
+use crate::clean;
 use crate::failure::{Failure, NOT_CONVERGED};
 use crate::files;
-use crate::flags::{Format, OutputFlags, OverwriteOrForceFlag};
+use crate::flags::{OutputFlags, OverwriteOrForceFlag};
+use crate::format::Format;
 use crate::output::text::{number, place};
-use crate::output::{Target, clean, emit, json, show as print, warn};
+use crate::output::{Target, emit, json, show as print, warn};
 use crate::progress::{self, Bar, INTERRUPTED, stopped};
 use clap::{Args, Subcommand};
 use mckibben::progress::Progress;
@@ -46,19 +48,19 @@ pub struct CampaignRunArgs {
     /// Plan file (TOML)
     #[arg(value_name = "PLAN.toml", required = true)]
     pub plan: Option<PathBuf>,
-    /// Where the table goes: one file, FILE.parquet, or a folder of parts, DIR/. The same command resumes it
+    /// Output table: one file, FILE.parquet, or a folder of parts, DIR/. The same command continues an interrupted run
     #[arg(short, long, value_name = "FILE.parquet or DIR", required = true)]
     pub output: Option<PathBuf>,
-    /// Only share i of n of the plan, as parts in a folder; `campaign merge` joins them
+    /// Compute only share i of n of the plan, as parts in a folder; `campaign merge` joins them
     #[arg(long, value_name = "i/n")]
     pub shard: Option<Shard>,
-    /// Threads [as many as cores]; the table does not depend on them
+    /// Number of threads [one per core]; the table does not depend on it
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// Begin a plan of more than 10 GB or a day
+    /// Start even if the plan needs more than 10 GB or one day
     #[arg(long)]
     pub yes: bool,
-    /// Neither progress nor summary
+    /// Print neither progress nor summary
     #[arg(short, long)]
     pub quiet: bool,
     #[command(flatten)]
@@ -68,10 +70,10 @@ pub struct CampaignRunArgs {
 /// `campaign …`.
 #[derive(Debug, Subcommand)]
 pub enum CampaignCommand {
-    /// What a campaign holds: muscles, points, failures by cause, ranges, where it comes from
+    /// Summary of a campaign: muscles, points, failures by cause, ranges, origin
     #[command(after_help = SHOW_EXAMPLES)]
     Show(CampaignShowArgs),
-    /// Join folders of parts into one file, the same bytes as those of a single run
+    /// Join folders of parts into one file, identical to that of a single run
     #[command(after_help = MERGE_EXAMPLES)]
     Merge(CampaignMergeArgs),
 }
@@ -205,12 +207,15 @@ fn as_text(outcome: &Outcome, time: Duration) -> String {
         let rate = number(p.points as f64 / seconds, 3);
         text.push_str(&format!("{} points in {} s ({rate} a second)", p.points, number(seconds, 3)));
         if p.failed > 0 {
-            text.push_str(&format!(", {} without an answer: `mckibben campaign show` says why", p.failed));
+            text.push_str(&format!(
+                ", {} without an answer: `mckibben campaign show` gives the reasons",
+                p.failed
+            ));
         }
         text.push('\n');
     }
     if !outcome.complete {
-        text.push_str("Interrupted: the same command goes on from here.\n");
+        text.push_str("Interrupted: the same command continues from here.\n");
     }
     text
 }

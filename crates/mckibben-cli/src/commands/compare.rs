@@ -2,7 +2,8 @@
 
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{AskFlags, ColumnsFlag, Format, MuscleFlags, OutputFlags, PlotFlag};
+use crate::flags::{AskFlags, ColumnsFlag, MuscleFlags, OutputFlags, PlotFlag};
+use crate::format::Format;
 use crate::names::MODELS;
 use crate::output::text::{Units, columns, percent, percents, place, understood};
 use crate::output::{show, warn};
@@ -28,7 +29,7 @@ pub struct CompareArgs {
     /// Models, by name [fe,paper,thick-wall,ideal]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = MODELS, hide_possible_values = true)]
     pub models: Vec<String>,
-    /// One model, as --models
+    /// One model, same as --models with one name
     #[arg(long, value_name = "NAME", conflicts_with = "models", value_parser = MODELS, hide_possible_values = true)]
     pub model: Option<String>,
     /// Measured points: a table of pressures, contractions (or shortenings, or lengths) and forces, with units
@@ -39,10 +40,10 @@ pub struct CompareArgs {
     /// Constants to fit to the points, for each model: modulus, end-factor, stiffness
     #[arg(long, value_name = "LIST", value_delimiter = ',', requires = "data")]
     pub fit: Vec<String>,
-    /// Pressures, without --data [0.05..0.25:0.05]
+    /// Pressures, if there is no --data [0.05..0.25:0.05]
     #[arg(short, long, value_name = "RANGE", allow_hyphen_values = true, conflicts_with = "data")]
     pub pressure: Option<String>,
-    /// Contraction ratios, without --data [0..0.2:0.01]
+    /// Contraction ratios, if there is no --data [0..0.2:0.01]
     #[arg(short = 'e', long, value_name = "RANGE", allow_hyphen_values = true, conflicts_with = "data")]
     pub contraction: Option<String>,
     #[command(flatten)]
@@ -107,7 +108,7 @@ fn as_text(args: &CompareArgs, answer: &CompareAnswer, u: &Units) -> String {
     match &args.data {
         Some(path) => {
             let mean = args.asking.branch == Direction::Mean;
-            let which = if mean { " (mean of the branches where both stand)" } else { "" };
+            let which = if mean { " (mean of the branches where both are given)" } else { "" };
             out.push_str(&format!(
                 "against {} points of {}{which}, largest {}\n\n",
                 answer.points,
@@ -132,7 +133,7 @@ fn as_text(args: &CompareArgs, answer: &CompareAnswer, u: &Units) -> String {
         (u.force.heading("mean"), u.force.column(error(|m| m.mean_n), 3)),
         ("points".into(), answered.iter().map(|m| m.points.to_string()).collect()),
     ]));
-    out.push_str("\nmean: above zero where the model promises too much\n");
+    out.push_str("\nmean: above zero if the model predicts too much pull\n");
     for m in answer.models.iter().filter(|m| m.rms_n.is_none()) {
         out.push_str(&format!(
             "{}: not compared: {}\n",
@@ -144,7 +145,7 @@ fn as_text(args: &CompareArgs, answer: &CompareAnswer, u: &Units) -> String {
         if !m.fitted().is_empty() {
             out.push_str(&format!("{}: fitted {}\n", m.model, m.fitted()));
         } else if !args.fit.is_empty() {
-            out.push_str(&format!("{}: nothing of --fit to fit, taken as it is\n", m.model));
+            out.push_str(&format!("{}: has no constant of --fit; used without a fit\n", m.model));
         }
         if m.unanswered > 0 {
             let share = m.unanswered as f64 / (m.unanswered + m.points) as f64;

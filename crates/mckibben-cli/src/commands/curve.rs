@@ -1,7 +1,8 @@
 //! `curve isometric|isotonic|isobaric`, and `curve --study`.
 
 use crate::failure::Failure;
-use crate::flags::{Format, LoadFlag, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
+use crate::flags::{LoadFlag, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
+use crate::format::Format;
 use crate::output::loaded::loaded as text_of_load;
 use crate::output::text::{Units, columns, number, percent, percents};
 use crate::output::{burst_first, is_json, show, streamed, warn};
@@ -34,10 +35,10 @@ pub enum StudyWord {
 /// `curve`.
 #[derive(Debug, Args)]
 pub struct CurveArgs {
-    /// Which test
+    /// Kind of test
     #[arg(value_parser = word::<Test>(), required_unless_present = "study", conflicts_with = "study")]
     pub test: Option<Test>,
-    /// A study of the paper instead
+    /// Compute a study of the paper
     #[arg(long, value_enum, conflicts_with_all = ["pressure", "contraction", "force", "load"])]
     pub study: Option<StudyWord>,
     #[command(flatten)]
@@ -55,7 +56,7 @@ pub struct CurveArgs {
     pub force: Option<String>,
     #[command(flatten)]
     pub load: LoadFlag,
-    /// Both branches of the friction's hysteresis
+    /// Both branches of the friction hysteresis
     #[arg(long, conflicts_with = "study")]
     pub both: bool,
     #[command(flatten)]

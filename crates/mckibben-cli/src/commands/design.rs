@@ -2,23 +2,27 @@
 
 mod text;
 
+use crate::clean;
 use crate::failure::{Failure, NO_ANSWER};
 use crate::files;
-use crate::flags::{Format, LoadFlag, OverwriteFlag, PlotFlag, StrandFlags, UnitsFlag};
+use crate::flags::{LoadFlag, OverwriteFlag, PlotFlag, StrandFlags, UnitsFlag};
+use crate::format::Format;
 use crate::names::{MODELS, RUBBERS, SLEEVES};
 use crate::output::text::{Units, place};
-use crate::output::{Content, Target, burst_first, check, clean, colour, emit, save, show};
+use crate::output::{Content, Target, burst_first, check, colour, emit, save, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contraction as contraction_ratio, quantity, ratio, values};
 use crate::shown;
 use crate::word::word;
 use clap::Args;
+use mckibben::muscle::Measure;
+use mckibben::muscle::measures::fields;
 use mckibben::units::{Dimension, Values};
 use mckibben_app::{
-    Choice, DesignRequest, MeshFields, ModelFields, ObjectiveWord, ProblemKind, ToleranceFields,
-    TorqueWanted, Verify, Wanted,
+    Choice, DesignRequest, MeshFields, ModelFields, ObjectiveWord, ProblemKind, TorqueWanted, Verify, Wanted,
 };
+use mckibben_design::Tolerances;
 use std::path::PathBuf;
 
 pub const EXAMPLES: &str = "Examples:
@@ -37,7 +41,7 @@ pub const EXAMPLES: &str = "Examples:
 /// `design`.
 #[derive(Debug, Args)]
 pub struct DesignArgs {
-    /// Pull wanted
+    /// Required pull
     #[arg(
         short = 'F',
         long,
@@ -46,7 +50,7 @@ pub struct DesignArgs {
         help_heading = "Specification"
     )]
     pub force: Option<String>,
-    /// Contraction ratio at which it is wanted
+    /// Contraction ratio ΔL/L0 at which the pull is required
     #[arg(
         short = 'e',
         long,
@@ -60,17 +64,17 @@ pub struct DesignArgs {
     pub at: Option<String>,
     #[command(flatten, next_help_heading = "Specification")]
     pub load: LoadFlag,
-    /// Torques that a joint must hold at angles, to either side: 8Nm@45deg,3Nm@60deg. Two equal muscles against each other
-    /// on a pulley, one of them without pressure
+    /// Required torques of a joint at angles, to either side: 8Nm@45deg,3Nm@60deg. Two equal opposed muscles on a
+    /// pulley, one of them without pressure
     #[arg(long, value_name = "T@ANGLE,…", allow_hyphen_values = true, conflicts_with_all = ["force", "contraction", "at", "load", "stroke"], help_heading = "Specification")]
     pub joint: Option<String>,
-    /// Largest angle of the joint to either side [the largest of --joint]
+    /// Largest angle of the joint to either side [largest of --joint]
     #[arg(long, value_name = "ANGLE", requires = "joint", help_heading = "Specification")]
     pub largest_angle: Option<String>,
     /// Radii of the joint's pulley [searched]
     #[arg(long, value_name = "RANGE", requires = "joint", help_heading = "Search space")]
     pub radius: Option<String>,
-    /// Pressure of the supply
+    /// Supply pressure
     #[arg(
         short = 'p',
         long,
@@ -86,7 +90,7 @@ pub struct DesignArgs {
     /// Largest outer diameter at the operating points
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Limits")]
     pub max_bulged_diameter: Option<String>,
-    /// Least ratio of burst pressure to maximum pressure, 0 for none [1.5 where the strands' strength is known]
+    /// Smallest ratio of burst pressure to supply pressure, 0 for none [1.5 if the strength of the strands is known]
     #[arg(
         long,
         visible_alias = "min-burst-margin",
@@ -95,19 +99,19 @@ pub struct DesignArgs {
         help_heading = "Limits"
     )]
     pub safety: Option<String>,
-    /// Largest stretch of the rubber at the operating points; 2 means twice its length [as far as its law was fitted]
+    /// Largest stretch of the rubber at the operating points; 2 means twice its length [range of its fitted data]
     #[arg(long, value_name = "STRETCH", allow_hyphen_values = true, help_heading = "Limits")]
     pub max_stretch: Option<String>,
-    /// Largest strain of the strands at the maximum pressure [6 %: the validated range]
+    /// Largest strain of the strands at the supply pressure [6 %: the validated range]
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = "Limits")]
     pub max_strand_strain: Option<String>,
-    /// What to rank by
+    /// Quantity to rank by
     #[arg(long, value_parser = word::<ObjectiveWord>(), default_value = "diameter", help_heading = "Specification")]
     pub objective: ObjectiveWord,
-    /// Muscle file for what is not searched; flags override it
+    /// Muscle file for all values that are not searched; flags override it
     #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle", help_heading = "Arguments")]
     pub file: Option<PathBuf>,
-    /// Muscle file, as [MUSCLE.toml]
+    /// Muscle file, same as [MUSCLE.toml]
     #[arg(long, value_name = "FILE", help_heading = "Search space")]
     pub muscle: Option<PathBuf>,
     /// Outer diameters at rest: a value, list, range or stepped range [5..80]
@@ -119,7 +123,7 @@ pub struct DesignArgs {
         help_heading = "Search space"
     )]
     pub outer_diameter: Option<String>,
-    /// Walls [0.5..10]
+    /// Wall thicknesses at rest [0.5..10]
     #[arg(
         short = 's',
         long,
@@ -128,10 +132,10 @@ pub struct DesignArgs {
         help_heading = "Search space"
     )]
     pub wall: Option<String>,
-    /// Braid angles [28deg]
+    /// Braid angles to the axis at rest [28deg]
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, help_heading = "Search space")]
     pub angle: Option<String>,
-    /// Sleeves as sold: length of strand per turn; the diameter then sets the angle
+    /// Sleeves on sale, by their strand length per turn; the tube diameter then sets the angle
     #[arg(
         long,
         value_name = "LIST",
@@ -140,7 +144,7 @@ pub struct DesignArgs {
         help_heading = "Search space"
     )]
     pub strand_length_per_turn: Option<String>,
-    /// Sleeves and braids that one can buy, by name (mckibben braid list); the diameter then sets angle and stiffness
+    /// Sleeves on sale, by name (mckibben braid list); the tube diameter then sets angle and stiffness
     #[arg(long, value_name = "LIST", value_delimiter = ',', conflicts_with_all = ["angle", "strand_length_per_turn"], value_parser = SLEEVES, hide_possible_values = true, help_heading = "Search space")]
     pub braid: Vec<String>,
     /// Rubbers, by name [paper]
@@ -157,23 +161,23 @@ pub struct DesignArgs {
         help_heading = "Search space"
     )]
     pub length: Option<String>,
-    /// Spread of the winner's pull for ± tolerances of wall, diameter, length, angle, pressure, modulus, stiffness:
+    /// Spread of the pull of the best muscle for ± tolerances of pressure, modulus, stiffness and dimensions (named as their flags):
     /// wall=0.1mm,angle=1deg,modulus=10%
     #[arg(long, value_name = "LIST", allow_hyphen_values = true, help_heading = "Search space")]
     pub tolerance: Option<String>,
-    /// Force model [fe; it is searched with universal where its range allows]
+    /// Force model [fe; the search uses universal within its range]
     #[arg(long, value_name = "NAME", value_parser = MODELS, hide_possible_values = true, help_heading = "Model")]
     pub model: Option<String>,
-    /// Mesh of `fe` or `fe3d`, as for the other commands [chosen]
+    /// Mesh of `fe` or `fe3d`, as for the other commands [automatic]
     #[arg(long, value_name = "N or MxN:G", help_heading = "Model")]
     pub mesh: Option<String>,
-    /// Answer outside of the model's range, with a warning
+    /// Compute outside the model's range too, with a warning
     #[arg(long, help_heading = "Model")]
     pub extrapolate: bool,
-    /// Where another model is named, compute the winner again by finite elements and show the difference
+    /// With another --model: compute the best muscle again by finite elements and show the difference
     #[arg(long, value_parser = word::<Verify>(), default_value = "fe", help_heading = "Model")]
     pub verify: Verify,
-    /// How many candidates to show
+    /// Number of candidates to show
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=1000), help_heading = "Output")]
     pub top: u16,
     #[command(flatten)]
@@ -183,7 +187,7 @@ pub struct DesignArgs {
     /// No chart in the terminal
     #[arg(long, help_heading = "Output")]
     pub no_chart: bool,
-    /// Write the winner as a muscle file
+    /// Write the best muscle as a muscle file
     #[arg(short, long, value_name = "FILE.toml", help_heading = "Output")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
@@ -304,32 +308,31 @@ fn torque(text: &str) -> Result<TorqueWanted, Failure> {
     Ok(TorqueWanted { torque_nm, angle_deg })
 }
 
-fn tolerances(text: &str) -> Result<ToleranceFields, Failure> {
-    let mut out = ToleranceFields::default();
+fn tolerances(text: &str) -> Result<Tolerances, Failure> {
+    let mut out = Tolerances::default();
     for part in text.split(',') {
         let wrong = || {
+            let names: Vec<String> = fields().filter_map(|(_, measure)| measure.flag()).collect();
             let message = format!(
-                "--tolerance: \"{part}\" is not a valid tolerance; expected wall, diameter, length, angle, pressure, modulus or stiffness with a half-width, such as wall=0.1mm, angle=1deg or modulus=10%"
+                "--tolerance: \"{part}\" is not a valid tolerance; expected pressure, modulus, stiffness, {} with a half-width, such as wall=0.1mm, angle=1deg or modulus=10%",
+                names.join(", ")
             );
             Failure::input(ProblemKind::Quantity, message, "")
         };
         let (name, value) = part.split_once('=').ok_or_else(wrong)?;
-        let (slot, dimension) = match name.trim() {
-            "wall" => (&mut out.wall_mm, Dimension::Length),
-            "diameter" => (&mut out.outer_diameter_mm, Dimension::Length),
-            "length" => (&mut out.length_mm, Dimension::Length),
-            "angle" => (&mut out.angle_deg, Dimension::Angle),
-            "pressure" => (&mut out.pressure_mpa, Dimension::Pressure),
-            "modulus" => (&mut out.modulus, Dimension::Ratio),
-            "stiffness" => (&mut out.stiffness, Dimension::Ratio),
-            _ => return Err(wrong()),
-        };
-        let value = quantity("--tolerance", Some(value), dimension)?.unwrap_or(0.0);
-        if value < 0.0 {
-            let message = format!("--tolerance: {} is below zero; tolerances are ± half-widths", part.trim());
-            return Err(Failure::input(ProblemKind::Quantity, message, ""));
+        let read = |dimension| quantity("--tolerance", Some(value), dimension).map(Option::unwrap_or_default);
+        match name.trim() {
+            "pressure" => out.pressure_mpa = read(Dimension::Pressure)?,
+            "modulus" => out.modulus = read(Dimension::Ratio)?,
+            "stiffness" => out.stiffness = read(Dimension::Ratio)?,
+            name => {
+                let named = |m: &Measure| {
+                    m.flag().is_some_and(|flag| flag == name || flag == format!("outer-{name}"))
+                };
+                let (_, measure) = fields().find(|(_, m)| named(m)).ok_or_else(wrong)?;
+                out.measures.set(measure, read(measure.dimension)?);
+            }
         }
-        *slot = value;
     }
     Ok(out)
 }

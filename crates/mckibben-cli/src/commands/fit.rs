@@ -6,7 +6,8 @@ mod text;
 pub use text::{error_rows, errors_table, made_text, range_text, universal as universal_text};
 
 use crate::failure::Failure;
-use crate::flags::{Format, OverwriteOrForceFlag, stiffness};
+use crate::flags::{OverwriteOrForceFlag, stiffness};
+use crate::format::Format;
 use crate::output::{Content, Target, check, json, save, show};
 use crate::progress::Bar;
 use crate::quantities::points;
@@ -31,43 +32,43 @@ pub const EXAMPLES: &str = "Examples:
 /// `fit`.
 #[derive(Debug, Args)]
 pub struct FitArgs {
-    /// Table of points (CSV: outer_diameter_mm, wall_mm, length_mm, angle_deg, pressure_mpa, contraction, force_n, status)
+    /// Table of points (CSV with columns outer_diameter_mm, wall_mm, length_mm, angle_deg, pressure_mpa, contraction, force_n, status)
     #[arg(value_name = "FILE", required_unless_present = "report", conflicts_with = "report")]
     pub file: Option<PathBuf>,
-    /// Instead: compute the paper's campaign anew and print how everything compares
+    /// Compute the paper's campaign again and print all comparisons, without a table
     #[arg(long, conflicts_with_all = ["method", "hold_out", "terms", "thin_rule", "slack_rule", "name", "rubber", "stiffness", "muscle", "tables", "plots"])]
     pub report: bool,
-    /// How the formula is made
+    /// Fitting method
     #[arg(long, value_parser = word::<FitMethod>(), default_value = "paper")]
     pub method: FitMethod,
-    /// Diameters kept out of the fit, to test it [none]
+    /// Diameters to leave out of the fit, to test it [none]
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     pub hold_out: Option<String>,
-    /// Most terms of `global` [48]
+    /// Largest number of terms of `global` [48]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=48))]
     pub terms: Option<u8>,
-    /// Thick walls of thin muscles at low pressure, in the paper's method
+    /// Treatment of thick walls of thin muscles at low pressure, in the paper's method
     #[arg(long, value_parser = word::<ThinRule>(), default_value = "leave-out")]
     pub thin_rule: ThinRule,
-    /// Points where the muscle would have to push, in the paper's method
+    /// Treatment of points where the muscle would have to push, in the paper's method
     #[arg(long, value_parser = word::<SlackRule>(), default_value = "two-sided")]
     pub slack_rule: SlackRule,
-    /// Name that answers of the formula carry [the method's]
+    /// Name of the formula in answers [that of the method]
     #[arg(long)]
     pub name: Option<String>,
-    /// Rubber of the table's muscles, where the table does not say it [paper]
+    /// Rubber of the muscles, if the table does not state it [paper]
     #[arg(long, value_name = "NAME")]
     pub rubber: Option<String>,
-    /// Braid of the table's muscles, where the table does not say it: N/mm, `inextensible`, or `paper` [paper]
+    /// Braid of the muscles, if the table does not state it: N/mm, `inextensible`, or `paper` [paper]
     #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true)]
     pub stiffness: Option<String>,
-    /// Muscle file that says rubber and braid
+    /// Muscle file with the rubber and the braid
     #[arg(long, value_name = "FILE")]
     pub muscle: Option<PathBuf>,
     /// Write the intermediate tables of the paper's method (CSV and JSON) into a folder
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub tables: Option<PathBuf>,
-    /// Write figures into a folder: the paper's 5 to 12, or with `global` the last
+    /// Write figures into a folder: figures 5 to 12 of the paper, or with `global` figure 12
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub plots: Option<PathBuf>,
     /// Write the formula

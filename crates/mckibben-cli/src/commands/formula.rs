@@ -3,7 +3,8 @@
 use super::fit::{error_rows, errors_table, made_text, range_text, universal_text};
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{Format, OutputFlags};
+use crate::flags::OutputFlags;
+use crate::format::Format;
 use crate::output::text::{number, pairs, table};
 use crate::output::{Content, check, emit, show as print, warn};
 use clap::Args;
@@ -22,7 +23,7 @@ pub struct FormulaShowArgs {
     /// The formula (JSON), or the built-in `universal` or `universal-small`
     #[arg(value_name = "FILE.json")]
     pub file: PathBuf,
-    /// The equation with its numbers as LaTeX
+    /// Print the equation with its numbers as LaTeX
     #[arg(long)]
     pub latex: bool,
     #[command(flatten)]

@@ -4,7 +4,8 @@ mod text;
 
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{ColumnsFlag, Format, MuscleFlags, OverwriteOrForceFlag, PlotFlag, UnitsFlag};
+use crate::flags::{ColumnsFlag, MuscleFlags, OverwriteOrForceFlag, PlotFlag, UnitsFlag};
+use crate::format::Format;
 use crate::names::MODELS;
 use crate::output::text::place;
 use crate::output::{Content, Target, check, save, show};
@@ -16,7 +17,8 @@ use crate::word::word;
 use clap::Args;
 use mckibben::muscle::Measure;
 use mckibben::muscle::measures::{OUTER_DIAMETER, WALL};
-use mckibben_app::{Branches, IdentifyRequest, LossWord, MeshFields, ModelFields};
+use mckibben_app::{Branches, IdentifyRequest, MeshFields, ModelFields};
+use mckibben_fit::least_squares::Loss;
 use std::path::PathBuf;
 
 pub const EXAMPLES: &str = "Examples:
@@ -68,13 +70,13 @@ pub struct IdentifyArgs {
         help_heading = "Data"
     )]
     pub weights: Vec<String>,
-    /// What is done with the branches of the hysteresis
+    /// Treatment of the branches of the hysteresis
     #[arg(long, value_parser = word::<Branches>(), default_value = "both", help_heading = "Data")]
     pub branches: Branches,
-    /// Forces of zero and below are measurements; else the muscle was slack there
+    /// Use points with a force of zero or below as measurements; by default the muscle counts as slack there
     #[arg(long, help_heading = "Data")]
     pub two_sided: bool,
-    /// What is free: NAME, NAME=START or NAME=START:LOW:HIGH [modulus, and stiffness and friction where the data tell them]
+    /// Free parameters: NAME, NAME=START or NAME=START:LOW:HIGH [modulus; stiffness and friction if the data determine them]
     #[arg(
         long,
         value_name = "LIST",
@@ -92,7 +94,7 @@ pub struct IdentifyArgs {
         help_heading = "Parameters"
     )]
     pub fix: Vec<String>,
-    /// Bounds of what is free: NAME=LOW:HIGH
+    /// Bounds of free parameters: NAME=LOW:HIGH
     #[arg(
         long,
         value_name = "LIST",
@@ -101,19 +103,19 @@ pub struct IdentifyArgs {
         help_heading = "Parameters"
     )]
     pub bounds: Vec<String>,
-    /// Try every law of the rubber with its constants free, and say which the points prefer
+    /// Fit every rubber law with its constants free, and show which law fits the points best
     #[arg(long, help_heading = "Parameters")]
     pub laws: bool,
-    /// How residuals count
-    #[arg(long, value_parser = word::<LossWord>(), default_value = "squares", help_heading = "Parameters")]
-    pub loss: LossWord,
+    /// Loss function of the residuals
+    #[arg(long, value_parser = word::<Loss>(), default_value = "squares", help_heading = "Parameters")]
+    pub loss: Loss,
     /// The same as --loss huber
     #[arg(long, conflicts_with = "loss", help_heading = "Parameters")]
     pub robust: bool,
     /// Force model [fe]
     #[arg(long, value_name = "NAME", value_parser = MODELS, hide_possible_values = true, help_heading = "Model")]
     pub model: Option<String>,
-    /// Mesh of `fe`, as for the other commands [chosen]
+    /// Mesh of `fe`, as for the other commands [automatic]
     #[arg(long, value_name = "N or MxN:G", help_heading = "Model")]
     pub mesh: Option<String>,
     #[command(flatten)]
@@ -122,7 +124,7 @@ pub struct IdentifyArgs {
     pub units: UnitsFlag,
     #[command(flatten)]
     pub plot: PlotFlag,
-    /// Write the muscle with what was found as a muscle file
+    /// Write the muscle with the identified values as a muscle file
     #[arg(short, long, value_name = "FILE.toml", help_heading = "Output")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
@@ -179,7 +181,7 @@ fn request(args: &IdentifyArgs) -> Result<IdentifyRequest, Failure> {
         fix: args.fix.clone(),
         bounds: args.bounds.clone(),
         laws: args.laws,
-        loss: if args.robust { LossWord::Huber } else { args.loss },
+        loss: if args.robust { Loss::Huber } else { args.loss },
         figure: args.plot.plot.as_ref().map(|_| shown::units()),
     })
 }

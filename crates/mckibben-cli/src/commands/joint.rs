@@ -2,7 +2,8 @@
 
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{Format, ModelFlags, OutputFlags, PlotFlag};
+use crate::flags::{ModelFlags, OutputFlags, PlotFlag};
+use crate::format::Format;
 use crate::output::text::{Units, number, table};
 use crate::output::{burst_first, show};
 use crate::plot;
@@ -27,22 +28,22 @@ pub struct JointArgs {
     /// Joint file
     #[arg(value_name = "JOINT.toml", help_heading = "Arguments")]
     pub file: PathBuf,
-    /// Pressures of the muscles, as 2bar,1bar; several times for a family
+    /// Pressures of the muscles, such as 2bar,1bar; may be repeated for a family
     #[arg(short, long, value_name = "PRESSURES", allow_hyphen_values = true)]
     pub pressure: Vec<String>,
-    /// Angles from the neutral one [none: where the joint rests]
+    /// Angles from the neutral angle [none: the rest position]
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     pub angle: Option<String>,
-    /// Torque wanted at the angle [0]; with pressures and no angle, one from outside
+    /// Required torque at the angle [0]; with pressures and without an angle: an external torque
     #[arg(long, value_name = "TORQUE", allow_hyphen_values = true)]
     pub torque: Option<String>,
-    /// Stiffness wanted at the angle [none: the lowest pressures]
+    /// Required stiffness at the angle [none: the lowest pressures]
     #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true)]
     pub stiffness: Option<String>,
-    /// Pressure of the supply [6bar]
+    /// Supply pressure [6bar]
     #[arg(long, value_name = "PRESSURE", allow_hyphen_values = true)]
     pub max_pressure: Option<String>,
-    /// Map of the angles and stiffnesses that it reaches, with so many pressures of each muscle
+    /// Map of the reachable angles and stiffnesses, with N pressures of each muscle
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..))]
     pub map: Option<u16>,
     #[command(flatten)]
@@ -134,7 +135,7 @@ fn as_text(answer: &JointAnswer, u: &Units) -> String {
         let most = map.torques.iter().map(|t| t.2).fold(f64::NEG_INFINITY, f64::max);
         let least = map.torques.iter().map(|t| t.1).fold(f64::INFINITY, f64::min);
         if at_rest.is_empty() {
-            text += "\nat rest it leans on a limit of its range, or is loose, at all of these pressures\n";
+            text += "\nat all of these pressures the joint rests at a limit of its range, or is loose\n";
         } else {
             text += &format!(
                 "\nat rest it reaches {} to {} ° and {} to {} N m/rad\n",

@@ -24,7 +24,7 @@ pub mod validate;
 
 use crate::cli::{BraidCommand, Cli, Command, FormulaCommand, MuscleCommand, RubberCommand};
 use crate::failure::Failure;
-use crate::flags::Format;
+use crate::format::Format;
 use crate::output::emit;
 use clap::CommandFactory;
 use mckibben::budget::Resource;

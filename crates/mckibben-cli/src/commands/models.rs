@@ -1,7 +1,8 @@
 //! `models`: the force models, and the story of one.
 
 use crate::failure::Failure;
-use crate::flags::{Format, OutputFlags};
+use crate::flags::OutputFlags;
+use crate::format::Format;
 use crate::names::MODELS;
 use crate::output::show;
 use clap::Args;
@@ -14,7 +15,7 @@ pub const EXAMPLES: &str = "Examples:
 /// `models`.
 #[derive(Debug, Args)]
 pub struct ModelsArgs {
-    /// One model: where it comes from, and how its ± is known
+    /// One model: its source, and the basis of its ±
     #[arg(value_name = "NAME", value_parser = MODELS, hide_possible_values = true)]
     pub model: Option<String>,
     #[command(flatten)]

@@ -3,7 +3,8 @@
 use super::joint;
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{Format, ModelFlags, OutputFlags, PlotFlag};
+use crate::flags::{ModelFlags, OutputFlags, PlotFlag};
+use crate::format::Format;
 use crate::output::text::{Units, number, pairs, percent};
 use crate::output::{burst_first, show};
 use crate::plot;
@@ -32,18 +33,18 @@ pub const EXAMPLES: &str = "Examples:
 /// `motion`.
 #[derive(Debug, Args)]
 pub struct MotionArgs {
-    /// Drive file; or a muscle, a load, a valve and a pressure by the flags below
+    /// Drive file; or give a muscle, a load, a valve and a pressure by the flags below
     #[arg(value_name = "DRIVE.toml", required_unless_present = "muscle", help_heading = "Arguments")]
     pub file: Option<PathBuf>,
     #[command(flatten)]
     pub step: StepFlags,
-    /// One run for each value of a key of the drive file
+    /// Run once for each value of a key of the drive file
     #[arg(long, value_name = "KEY=VALUE,…")]
     pub sweep: Option<String>,
-    /// What to find the size of
+    /// Part to size
     #[arg(long, value_name = "WHAT", value_parser = ["valve"], requires = "rise_time")]
     pub size: Option<String>,
-    /// Rise time (10 to 90 %) that the smallest valve shall have
+    /// Required rise time (10 to 90 %) with the smallest valve
     #[arg(long, value_name = "TIME", requires = "size")]
     pub rise_time: Option<String>,
     #[command(flatten)]
@@ -70,13 +71,13 @@ pub struct StepFlags {
     /// Valve: a name, or its sonic conductance such as 0.5L/(s bar)
     #[arg(long, value_name = "VALVE", requires = "muscle")]
     pub valve: Option<String>,
-    /// Pressure of the supply [6bar]
+    /// Supply pressure [6bar]
     #[arg(long, value_name = "PRESSURE", requires = "muscle")]
     pub supply: Option<String>,
-    /// Damper of the load [0]
+    /// Damping of the load [0]
     #[arg(long, value_name = "DAMPING", requires = "muscle")]
     pub damping: Option<String>,
-    /// End of the run [2s]
+    /// End time of the run [2s]
     #[arg(long, value_name = "TIME", requires = "muscle")]
     pub until: Option<String>,
 }
@@ -132,9 +133,7 @@ pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
         ("--branch", !asking.direction.is_mean()),
     ];
     if let Some((flag, _)) = ignored.into_iter().find(|f| f.1) {
-        let message = format!(
-            "{flag} would change nothing: a motion follows the model, its friction and what goes slack by itself"
-        );
+        let message = format!("{flag} has no effect: a motion always computes friction and slack");
         return Err(Failure::input(ProblemKind::Usage, message, "leave it out"));
     }
     let files = files_of(args)?;
@@ -145,7 +144,7 @@ pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
             let hint = "as in --sweep 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'";
             Failure::input(
                 ProblemKind::Usage,
-                format!("--sweep: \"{text}\" has no = with values behind it"),
+                format!("--sweep: \"{text}\" has no = followed by values"),
                 hint,
             )
         })?;
@@ -167,7 +166,7 @@ pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
     let text = || burst_first(&answer.warnings) + &as_text(&answer, &unit);
     show(&answer, format, "series", text, args.output.target())?;
-    Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))
+    Ok(answer.problem().map_or(0, |problem| Failure::from(problem).exit()))
 }
 
 fn as_text(answer: &MotionAnswer, u: &Units) -> String {
@@ -181,7 +180,7 @@ fn as_text(answer: &MotionAnswer, u: &Units) -> String {
     if let Some(c) = answer.sonic_conductance_l_per_s_bar {
         text += &format!("\nthe smallest valve has {} L/(s bar)\n", number(c, 4));
     }
-    for run in std::iter::once(&answer.motion).chain(&answer.others) {
+    for run in answer.runs() {
         text += &format!("\n{}", one(run, u));
     }
     text
@@ -189,18 +188,19 @@ fn as_text(answer: &MotionAnswer, u: &Units) -> String {
 
 fn one(run: &MotionRun, u: &Units) -> String {
     let s = |v: f64| format!("{} s", number(v, 4));
-    let joint = run.series.angle_deg.is_some();
+    let (value, run) = (&run.value, &run.motion);
+    let degrees = run.series.degrees();
+    let joint = degrees.is_some();
     let mut list: Vec<(&str, String)> = vec![];
-    list.extend(run.value.as_ref().map(|v| ("with", v.clone())));
+    list.extend(value.as_ref().map(|v| ("with", v.clone())));
     let last = |list: &[f64]| list.last().copied();
-    if let Some(angle) = run.series.angle_deg.as_deref().and_then(last) {
-        list.push(("ends at", format!("{} °", number(angle, 4))));
-    }
-    if let Some(muscle) = &run.series.muscle {
+    if let Some([angle, _]) = &degrees {
+        list.extend(last(angle).map(|angle| ("ends at", format!("{} °", number(angle, 4)))));
+    } else if let Some(muscle) = run.series.muscles.first() {
         let ends = last(&muscle.contraction).zip(last(&muscle.pressure_mpa));
         list.extend(ends.map(|(e, p)| ("ends at", format!("{}, {}", percent(e), u.pressure.show(p)))));
     }
-    if run.at_rest == Some(false) {
+    if run.at_rest() == Some(false) {
         let angle = run.equilibrium_angle_deg.map(|v| format!("{} °", number(v, 4)));
         let at = run.equilibrium_contraction.map(percent).or(angle);
         let at = at.map_or_else(String::new, |at| format!("; its equilibrium is {at}"));

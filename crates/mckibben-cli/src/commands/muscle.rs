@@ -1,7 +1,8 @@
 //! `muscle show`.
 
 use crate::failure::Failure;
-use crate::flags::{Format, ModelFlags, MuscleFlags, OutputFlags};
+use crate::flags::{ModelFlags, MuscleFlags, OutputFlags};
+use crate::format::Format;
 use crate::output::text::{Units, braid_name, law_text, number, or_dash, pairs, percent, rubber_name};
 use crate::output::{FLAT, burst_first, show as print};
 use crate::quantities::quantity;
@@ -15,7 +16,7 @@ use mckibben_app::{Characteristics, MuscleShowAnswer, MuscleShowRequest, muscle_
 /// `muscle show`.
 #[derive(Debug, Args)]
 pub struct MuscleShowArgs {
-    /// Also what it does at this pressure: blocked force, free contraction, work, air, burst
+    /// Also show its values at this pressure: blocked force, free contraction, work, air, burst
     #[arg(short, long, value_name = "PRESSURE", allow_hyphen_values = true)]
     pub pressure: Option<String>,
     #[command(flatten)]
@@ -62,7 +63,7 @@ fn characteristics(c: &Characteristics, u: &Units) -> String {
 fn reach_text(m: &Muscle) -> String {
     let known = m.tube().rubber.fitted_to_stretch;
     let known = known.map_or_else(String::new, |end| format!(", fitted up to {}", number(end, 3)));
-    format!("to {} at the bore{known}", number(m.reach(), 3))
+    format!("{} at the bore{known}", number(m.reach(), 3))
 }
 
 fn as_text(answer: &MuscleShowAnswer, u: &Units) -> String {
@@ -84,11 +85,11 @@ fn as_text(answer: &MuscleShowAnswer, u: &Units) -> String {
         ("braid angle θ0", format!("{}°", number(m.braid().angle_deg, 5))),
         ("rubber", rubber_name(m)),
         ("law", law_text(&rubber.law)),
-        ("stretched, at most", reach_text(m)),
+        ("largest stretch", reach_text(m)),
         ("shear modulus", format!("{} MPa", number(rubber.law.shear_modulus_mpa(), 4))),
         ("bulk modulus", bulk),
         ("braid", stiffness),
-        ("strands in compression", if m.braid().compression { "carry it" } else { "go slack" }.into()),
+        ("strands in compression", if m.braid().compression { "carry load" } else { "go slack" }.into()),
     ];
     if let Some(s) = m.braid().strands {
         understood.push(("strands", s.count.to_string()));
@@ -133,15 +134,10 @@ fn as_text(answer: &MuscleShowAnswer, u: &Units) -> String {
     let build = [
         ("tube to cut", format!("{} ({clamp} on each plug)", mm(sheet.tube_cut_mm))),
         ("braid to cut", format!("{} at {}°", mm(sheet.braid_cut_mm), number(m.braid().angle_deg, 4))),
-        ("strand in it", mm(sheet.strand_cut_mm)),
+        ("strand in the braid", mm(sheet.strand_cut_mm)),
         ("plug diameter", mm(sheet.plug_diameter_mm)),
         ("strands", sheet.strands.map_or_else(|| "not stated".into(), |n| n.to_string())),
         ("rubber", u.volume.show(sheet.rubber_volume_mm3)),
     ];
-    format!(
-        "Understood\n{}\nDerived\n{}\nBuild sheet\n{}",
-        pairs(&understood),
-        pairs(&derived),
-        pairs(&build)
-    )
+    format!("Muscle\n{}\nDerived\n{}\nBuild sheet\n{}", pairs(&understood), pairs(&derived), pairs(&build))
 }

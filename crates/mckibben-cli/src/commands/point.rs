@@ -1,7 +1,8 @@
 //! `force`, `pressure`, `contraction`: one point.
 
 use crate::failure::Failure;
-use crate::flags::{Format, LoadFlag, ModelFlags, MuscleFlags, OutputFlags};
+use crate::flags::{LoadFlag, ModelFlags, MuscleFlags, OutputFlags};
+use crate::format::Format;
 use crate::output::loaded::loaded;
 use crate::output::text::{Units, number, pairs, percent};
 use crate::output::{burst_first, show};
@@ -26,7 +27,7 @@ pub struct ForceArgs {
     /// Contraction ratio ΔL/L0 [0]
     #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
     pub contraction: Option<String>,
-    /// Both branches of the friction's hysteresis, and the band between them
+    /// Both branches of the friction hysteresis, and the band between them
     #[arg(long)]
     pub both: bool,
     #[command(flatten)]
@@ -40,13 +41,13 @@ pub struct PressureArgs {
     pub muscle: MuscleFlags,
     #[command(flatten)]
     pub model: ModelFlags,
-    /// Pull wanted
+    /// Required pull
     #[arg(short = 'F', long, value_name = "FORCE", allow_hyphen_values = true)]
     pub force: Option<String>,
     /// Contraction ratio ΔL/L0 [0]
     #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
     pub contraction: Option<String>,
-    /// Both branches of the friction's hysteresis, and the band between them
+    /// Both branches of the friction hysteresis, and the band between them
     #[arg(long)]
     pub both: bool,
     #[command(flatten)]
@@ -60,7 +61,7 @@ pub struct ContractionArgs {
     pub muscle: MuscleFlags,
     #[command(flatten)]
     pub model: ModelFlags,
-    /// Pull wanted [0N: free contraction]
+    /// Required pull [0N: free contraction]
     #[arg(short = 'F', long, value_name = "FORCE", allow_hyphen_values = true)]
     pub force: Option<String>,
     #[command(flatten)]
@@ -68,7 +69,7 @@ pub struct ContractionArgs {
     /// Gauge pressure
     #[arg(short, long, value_name = "PRESSURE", allow_hyphen_values = true)]
     pub pressure: Option<String>,
-    /// Both branches of the friction's hysteresis, and the band between them
+    /// Both branches of the friction hysteresis, and the band between them
     #[arg(long)]
     pub both: bool,
     #[command(flatten)]

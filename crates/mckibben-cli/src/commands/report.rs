@@ -1,7 +1,8 @@
 //! `report`: all that is known of a muscle, as one file.
 
 use crate::failure::Failure;
-use crate::flags::{Format, MuscleFlags, OverwriteFlag, UnitsFlag};
+use crate::flags::{MuscleFlags, OverwriteFlag, UnitsFlag};
+use crate::format::Format;
 use crate::output::{Content, Target, check, emit, ending, json, save, warn};
 use crate::progress::Bar;
 use crate::quantities::{contraction, quantity};
@@ -19,20 +20,20 @@ pub const EXAMPLES: &str = "Examples:
 /// `report`.
 #[derive(Debug, Args)]
 pub struct ReportArgs {
-    /// Pressure of the state that is shown [0.25]
+    /// Pressure of the state in the report [0.25]
     #[arg(short, long, value_name = "PRESSURE", allow_hyphen_values = true)]
     pub pressure: Option<String>,
-    /// Its contraction [half of the free contraction]
+    /// Contraction of that state [half of the free contraction]
     #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
     pub contraction: Option<String>,
     #[command(flatten)]
     pub muscle: MuscleFlags,
     #[command(flatten)]
     pub units: UnitsFlag,
-    /// Write the page to a file instead of standard output; FILE.pdf as --pdf
+    /// Write the page to a file instead of standard output; FILE.pdf acts as --pdf
     #[arg(short, long, value_name = "FILE.html", help_heading = "Output")]
     pub output: Option<PathBuf>,
-    /// Also write it as PDF, by Chromium where it is installed
+    /// Also write a PDF (needs an installed Chromium)
     #[arg(long, value_name = "FILE.pdf", help_heading = "Output")]
     pub pdf: Option<PathBuf>,
     #[command(flatten)]
@@ -90,7 +91,7 @@ fn browser() -> Result<&'static str, Failure> {
         quiet.is_ok_and(|status| status.success())
     };
     names.iter().find(runs).copied().ok_or_else(|| {
-        let message = "a PDF is printed by Chromium or Chrome, and none is installed";
+        let message = "a PDF needs Chromium or Chrome, which is not installed";
         Failure::input(
             ProblemKind::Output,
             message,
@@ -104,7 +105,7 @@ fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Failure> {
     let wrong = |why: String| {
         Failure::input(
             ProblemKind::Output,
-            format!("{browser} does not print the page: {why}"),
+            format!("{browser} could not print the page: {why}"),
             "print the HTML page",
         )
     };

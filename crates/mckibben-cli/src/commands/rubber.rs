@@ -1,7 +1,8 @@
 //! `rubber list|show`.
 
 use crate::failure::Failure;
-use crate::flags::{Format, OutputFlags};
+use crate::flags::OutputFlags;
+use crate::format::Format;
 use crate::names::RUBBERS;
 use crate::output::text::{law_text, number, or_dash, pairs, percent, table};
 use crate::output::{show as print, warn};
@@ -51,8 +52,8 @@ fn list_text(answer: &RubberListAnswer) -> String {
     }
     out.push_str(
         "\nμ: shear modulus at rest of the law that the name means in the prototype.\n\
-         *: fitted to its curve, up to the stretches that a muscle reaches: another muscle may have another law.\n\
-         `mckibben rubber show NAME` tells more; NAME:LAW asks for another law.\n",
+         *: fitted to its curve, up to the stretches in the prototype: another muscle may use another law.\n\
+         `mckibben rubber show NAME` shows the details; NAME:LAW selects another law.\n",
     );
     out
 }
@@ -168,8 +169,8 @@ fn others_text(answer: &RubberShowAnswer, curve: &[&LibraryFit]) -> String {
     header.extend(ends.iter().map(|end| format!("to {}", number(1.0 + end, 3))));
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
     format!(
-        "Laws that can be asked for, and how far they part from the recommended one (→) in planar tension, by the end of the data\n\
-         (=: the data do not tell it from that one):\n{}",
+        "Available laws, and their largest difference from the recommended one (→) in planar tension, up to the end of the data\n\
+         (=: the data do not distinguish it from the recommended one):\n{}",
         table(&header, answer.laws.iter().map(row).collect())
     )
 }

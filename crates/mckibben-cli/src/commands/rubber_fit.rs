@@ -4,16 +4,17 @@ mod text;
 
 use crate::failure::{Failure, in_flags};
 use crate::files;
-use crate::flags::{ColumnsFlag, Format, OverwriteOrForceFlag, PlotFlag};
+use crate::flags::{ColumnsFlag, OverwriteOrForceFlag, PlotFlag};
+use crate::format::Format;
 use crate::output::{Content, Target, check, save, show, warn};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{quantity, ratio};
 use crate::word::word_or;
 use clap::Args;
-use mckibben::rubber::fit::{Form, Mode};
 use mckibben::units::Dimension;
 use mckibben_app::{ConstantRow, ProblemKind, RubberFitRequest, rubber_fit};
+use mckibben_fit::rubber::{Form, Mode};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -28,13 +29,13 @@ pub const EXAMPLES: &str = "Examples:
 /// Help of `--law`.
 fn laws() -> String {
     let mut words: Vec<String> = Form::words();
-    // Numbers of terms are told as a range.
+    // Numbers of terms are shown as a range.
     let terms: Vec<String> = words.extract_if(.., |w| w.ends_with(|c: char| c.is_ascii_digit())).collect();
     let range = match (terms.first(), terms.last()) {
         (Some(first), Some(last)) => format!(" (or {first} to {last})"),
         _ => String::new(),
     };
-    format!("Laws: {}{range}, or `all` [all that the points carry]", words.join(", "))
+    format!("Laws: {}{range}, or `all` [all that the points determine]", words.join(", "))
 }
 
 /// `rubber fit`.
@@ -58,37 +59,37 @@ pub struct RubberFitArgs {
     /// Length of the specimen at rest, for a column of extensions or lengths
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub gauge_length: Option<String>,
-    /// Fit these modes alone and hold out the others: how well the laws follow them is said
+    /// Fit only these modes; hold out the others and show the errors of the laws there
     #[arg(long, value_name = "LIST")]
     pub fit_mode: Option<String>,
-    /// Leave out what is stretched further: a stretch (3), or a strain (200%)
+    /// Leave out points beyond this stretch (3) or strain (200%)
     #[arg(long, value_name = "STRETCH", allow_hyphen_values = true)]
     pub up_to: Option<String>,
-    /// Differences over the measured stress: small stretches count as much as large ones
+    /// Minimise relative differences: small stretches count as much as large ones
     #[arg(long)]
     pub relative: bool,
-    /// Every mode counts alike [every point counts alike]
+    /// Give every mode the same weight [every point has the same weight]
     #[arg(long)]
     pub balance: bool,
-    /// Factors on the modes, such as uniaxial=1,equibiaxial=2
+    /// Weights of the modes, such as uniaxial=1,equibiaxial=2
     #[arg(long, value_name = "LIST")]
     pub weights: Option<String>,
-    /// Laws that stay stable in a muscle only (C01 not below 0)
+    /// Fit only laws that stay stable in a muscle (C01 not below 0)
     #[arg(long)]
     pub stable: bool,
-    /// Hoop stretch of the muscle up to which a law should be stable
+    /// Hoop stretch of the muscle up to which a law must be stable
     #[arg(long, value_name = "STRETCH", default_value = "3", allow_hyphen_values = true)]
     pub hoop_stretch: String,
-    /// Fit a Prony series of N branches too, from a column of times
+    /// Also fit a Prony series of N branches; needs a column of times
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=8))]
     pub relaxation: Option<u8>,
-    /// Fit Ogden–Roxburgh softening too, from a column of times that begins with the first loading
+    /// Also fit Ogden–Roxburgh softening; needs a column of times that begins with the first loading
     #[arg(long)]
     pub softening: bool,
     /// Name of the rubber in the muscle file [that of the data file]
     #[arg(long)]
     pub name: Option<String>,
-    /// Muscle that gets the rubber, for -o [the prototype]
+    /// Muscle file that receives the rubber, for -o [the prototype]
     #[arg(long, value_name = "FILE")]
     pub muscle: Option<PathBuf>,
     #[command(flatten)]
@@ -111,9 +112,10 @@ pub fn run(args: &RubberFitArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
     check(target, &Content::Muscle)?;
-    let mut answer = rubber_fit(&request(args)?, &Bar::hidden())?;
+    let request = request(args)?;
+    let mut answer = rubber_fit(&request, &Bar::hidden())?;
     if target.path.is_some() {
-        save(target, Content::Muscle, answer.muscle_file()?.as_bytes())?;
+        save(target, Content::Muscle, answer.muscle_file(&request)?.as_bytes())?;
     }
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
     if format == Format::Csv {
@@ -123,7 +125,7 @@ pub fn run(args: &RubberFitArgs, format: Format) -> Result<u8, Failure> {
     }
     let text = || {
         answer.warnings.iter().chain(&answer.failed).for_each(|w| warn(in_flags(w)));
-        text::of(&answer, args.output.as_deref())
+        text::of(&answer, &request, args.output.as_deref())
     };
     show(&answer, format, "", text, Target::STDOUT)?;
     Ok(0)
@@ -160,7 +162,7 @@ fn request(args: &RubberFitArgs) -> Result<RubberFitRequest, Failure> {
 fn modes(text: Option<&str>) -> Result<Vec<Mode>, Failure> {
     let one = |word: &str| {
         let short: String = word.trim().chars().take(60).collect();
-        let message = format!("--fit-mode: the mode \"{short}\" is none of {}", Mode::WORDS);
+        let message = format!("--fit-mode: \"{short}\" is not a valid mode; expected one of {}", Mode::WORDS);
         Mode::parse(word).ok_or_else(|| Failure::input(ProblemKind::Usage, message, "write uniaxial,planar"))
     };
     text.into_iter().flat_map(|t| t.split(',')).map(one).collect()
@@ -175,10 +177,11 @@ fn weights(text: Option<&str>) -> Result<BTreeMap<Mode, f64>, Failure> {
             Failure::input(ProblemKind::Usage, format!("--weights: {why}"), "write uniaxial=1,equibiaxial=2")
         };
         let (word, value) = entry.split_once('=').ok_or_else(|| bad(format!("\"{short}\" has no =")))?;
-        let mode = Mode::parse(word)
-            .ok_or_else(|| bad(format!("\"{short}\": the mode is none of {}", Mode::WORDS)))?;
+        let mode = Mode::parse(word).ok_or_else(|| {
+            bad(format!("\"{short}\" is not a valid mode; expected one of {}", Mode::WORDS))
+        })?;
         if out.insert(mode, ratio("--weights", Some(value))?.unwrap_or(1.0)).is_some() {
-            return Err(bad(format!("{mode} is there twice")));
+            return Err(bad(format!("{mode} is given twice")));
         }
     }
     Ok(out)

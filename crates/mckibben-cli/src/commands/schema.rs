@@ -4,16 +4,16 @@ use crate::failure::Failure;
 use crate::flags::OverwriteFlag;
 use crate::output::{Content, Target, emit, save};
 use clap::Args;
-use mckibben_app::{COMMANDS, schema};
+use mckibben_app::{COMMANDS, bundle, schema};
 use std::path::{Path, PathBuf};
 
 /// `schema`.
 #[derive(Debug, Args)]
 pub struct SchemaArgs {
-    /// Which command, in its words joined by a hyphen (force, rubber-fit); all of them where none is named
+    /// Command, its words joined by a hyphen (force, rubber-fit) [all commands in one document with shared `$defs`]
     #[arg(value_name = "COMMAND")]
     pub command: Option<String>,
-    /// Write to a file instead of standard output; without COMMAND into a folder, a file for each command
+    /// Write to a file instead of standard output; without COMMAND: into a folder, one file per command
     #[arg(short, long, value_name = "FILE", help_heading = "Output")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
@@ -31,11 +31,7 @@ pub fn run(args: &SchemaArgs) -> Result<u8, Failure> {
         return written.map(|()| 0);
     }
     let Some(folder) = &args.output else {
-        let all: serde_json::Map<String, serde_json::Value> = COMMANDS
-            .iter()
-            .map(|c| Ok((c.name.to_owned(), schema(c.name)?)))
-            .collect::<Result<_, Failure>>()?;
-        return emit(format!("{:#}\n", serde_json::Value::Object(all)), None).map(|()| 0);
+        return emit(format!("{:#}\n", bundle()), None).map(|()| 0);
     };
     for command in COMMANDS.iter() {
         put(&folder.join(format!("{}.json", command.name)), &text(command.name)?)?;

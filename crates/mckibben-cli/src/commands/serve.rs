@@ -1,7 +1,7 @@
 //! `serve`: the workbench in a browser.
 
 use crate::failure::Failure;
-use crate::flags::Format;
+use crate::format::Format;
 use crate::output::{emit, warn};
 use crate::progress;
 use clap::Args;
@@ -19,16 +19,16 @@ Open the address that it prints in a browser; Ctrl-C ends it.";
 /// `serve`.
 #[derive(Debug, Args)]
 pub struct ServeArgs {
-    /// Port; 0 takes any free one
+    /// Port; 0 selects a free port
     #[arg(long, value_name = "PORT", default_value_t = 8080)]
     pub port: u16,
     /// Open the page in the browser
     #[arg(long)]
     pub open: bool,
-    /// Address to listen at; another one than this computer's own needs --host-name, and lets everybody in who reaches it
+    /// Address to listen on; any address other than this computer's own requires --host-name, and opens the server to everyone on that network
     #[arg(long, value_name = "ADDRESS", default_value_t = IpAddr::V4(Ipv4Addr::LOCALHOST))]
     pub address: IpAddr,
-    /// Name by which this computer is asked, besides localhost; may be repeated
+    /// Host name of this computer that the server accepts besides localhost; may be repeated
     #[arg(long, value_name = "NAME")]
     pub host_name: Vec<String>,
 }
@@ -37,7 +37,7 @@ pub struct ServeArgs {
 pub fn run(args: ServeArgs, format: Format, limits: &[(Resource, f64)]) -> Result<u8, Failure> {
     if !args.address.is_loopback() && args.host_name.is_empty() {
         let message = format!("--address: {} requires --host-name", args.address);
-        let hint = "say by which name or address others ask, as in --host-name bench.local";
+        let hint = "give the name or address that clients use, such as --host-name bench.local";
         return Err(Failure::input(ProblemKind::Usage, message, hint));
     }
     // Signals are taken over before anybody can know that the server is there.

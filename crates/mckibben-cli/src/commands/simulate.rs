@@ -1,7 +1,8 @@
 //! `simulate`: one finite-element test with everything it knows.
 
 use crate::failure::Failure;
-use crate::flags::{Format, MuscleFlags, OutputFlags, PlotFlag, mesh_fields};
+use crate::flags::{MuscleFlags, OutputFlags, PlotFlag, mesh_fields};
+use crate::format::Format;
 use crate::output::text::{Units, aligned, columns, number, percent, percents, place};
 use crate::output::{Content, Target, burst_first, check, ending, save, show};
 use crate::plot;
@@ -35,7 +36,7 @@ pub const EXAMPLES: &str = "Examples:
 /// `simulate`.
 #[derive(Debug, Args)]
 pub struct SimulateArgs {
-    /// Which test
+    /// Kind of test
     #[arg(long, value_parser = word::<Test>(), default_value = "isometric")]
     pub test: Test,
     /// Pressures [0.05..0.25:0.05]
@@ -44,7 +45,7 @@ pub struct SimulateArgs {
     /// Contraction ratios of an isometric or isobaric test [0..0.2:0.1]
     #[arg(short = 'e', long, value_name = "RANGE", allow_hyphen_values = true)]
     pub contraction: Option<String>,
-    /// Contractions are shares of the free contraction at the highest pressure
+    /// Give contractions as shares of the free contraction at the highest pressure
     #[arg(long)]
     pub of_largest: bool,
     /// Pulls of an isotonic test [20,80,150N]
@@ -54,31 +55,31 @@ pub struct SimulateArgs {
     #[arg(long, value_name = "NAME", default_value = "fe")]
     pub model: String,
     /// Mesh of fe: elements along the half length, or through the wall x along, or with :grading; of fe3d: bricks around
-    /// the quarter, or through x around, or through x around x along [chosen]
+    /// the quarter, or through x around, or through x around x along [automatic]
     #[arg(long, value_name = "N or MxN:G")]
     pub mesh: Option<String>,
-    /// What fe3d keeps where bricks with strands at ±θ0 do not fill the length
+    /// Dimension that fe3d keeps if bricks with strands at ±θ0 do not fill the length exactly
     #[arg(long = "match", value_parser = word::<Keep>(), value_name = "WHAT", default_value = "length")]
     pub keep: Keep,
     /// Terminal of fe3d: none (a rigid plane), rigid or aluminium (a plug), with :insertion and :radius of its nose [none]
     #[arg(long, value_name = "WORD:MM:MM")]
     pub terminal: Option<String>,
-    /// Negative force instead of slack where the muscle would have to push
+    /// Give the negative force, not slack, where the muscle would have to push
     #[arg(long)]
     pub two_sided: bool,
     /// Write the deformed muscle, point by point, into a folder that ParaView opens (muscle.pvd)
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub vtu: Option<PathBuf>,
-    /// Write all of the muscle there, not the eighth that fe3d computes; fe always does
+    /// Write the whole muscle, not only the eighth that fe3d computes; fe always writes the whole muscle
     #[arg(long, requires = "vtu", help_heading = "Output")]
     pub whole: bool,
     /// Write mesh, material, loads and steps of an isometric test with fe3d as an input deck for CalculiX and Abaqus
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub export_inp: Option<PathBuf>,
-    /// Draw the deformed muscle of the last point that has an answer: a file ending in .png or .svg
+    /// Draw the deformed muscle at the last converged point: a file ending in .png or .svg
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub picture: Option<PathBuf>,
-    /// What colours the picture, e.g. hoop_stretch, stress_hoop_mpa
+    /// Quantity that colours the picture, such as hoop_stretch or stress_hoop_mpa
     #[arg(
         long,
         value_name = "NAME",
@@ -87,7 +88,7 @@ pub struct SimulateArgs {
         help_heading = "Output"
     )]
     pub show: String,
-    /// Cut a quarter out of the picture, so that wall and cavity show
+    /// Cut a quarter out of the picture, to show wall and cavity
     #[arg(long, requires = "picture", help_heading = "Output")]
     pub cut: bool,
     #[command(flatten)]
@@ -159,7 +160,8 @@ fn check_picture(path: Option<&Path>) -> Result<(), Failure> {
     if ending(path).is_some_and(|e| ["svg", "png"].contains(&e.as_str())) {
         return Ok(());
     }
-    let message = format!("cannot tell the format of {}: a picture ends in .svg or .png", path.display());
+    let message =
+        format!("unknown format of {}: the name of a picture must end in .svg or .png", path.display());
     Err(Failure::input(ProblemKind::Plot, message, "`--plot` draws curves, and also as .html"))
 }
 
@@ -227,7 +229,7 @@ fn as_text(answer: &SimulateAnswer, u: &Units) -> String {
         ("ε".into(), percents(contractions, 4)),
         (u.force.heading("F"), u.force.column(pulls, 5)),
         (u.volume.heading("V"), u.volume.column(of(|r| r.volume_mm3), 4)),
-        (u.length.heading("bulges to"), u.length.column(of(|r| r.bulged_diameter_mm), 4)),
+        (u.length.heading("bulged D"), u.length.column(of(|r| r.bulged_diameter_mm), 4)),
         (
             u.force.heading(if strands { "strand" } else { "braid" }),
             u.force.column(responses().map(|r| r.and_then(tension)), 4),
@@ -251,7 +253,7 @@ fn as_text(answer: &SimulateAnswer, u: &Units) -> String {
 
 /// Where a slack muscle hangs.
 fn hangs(q: &Simulated) -> String {
-    q.free_contraction.map_or_else(|| "slack".into(), |e| format!("slack, hangs at {}", percent(e)))
+    q.free_contraction.map_or_else(|| "slack".into(), |e| format!("slack, free contraction {}", percent(e)))
 }
 
 /// What is known of one equilibrium beyond the table.
@@ -283,7 +285,7 @@ fn last_text(s: &Solution, u: &Units) -> String {
         ));
     }
     if !s.sensitivities.is_empty() {
-        out.push_str("\nWhat the pull gains when one of these grows by 1 %\n");
+        out.push_str("\nChange of the pull if one of these grows by 1 %\n");
     }
     for x in &s.sensitivities {
         let gain = 0.01 * x.value * x.force_n_per_unit;

@@ -2,15 +2,15 @@
 
 use super::curve::CurveArgs;
 use crate::failure::Failure;
-use crate::flags::Format;
+use crate::format::Format;
 use crate::output::text::{Units, columns, percents};
 use crate::output::{show, warn};
 use crate::plot;
 use crate::progress::Bar;
 use crate::shown;
 use mckibben::curve::Test;
-use mckibben::study::{Study, StudyPanel};
-use mckibben_app::{StudyRequest, study};
+use mckibben::study::StudyPanel;
+use mckibben_app::{StudyAnswer, StudyRequest, study};
 
 /// Runs the study.
 pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
@@ -26,13 +26,13 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
     let text = || {
         answer.warnings.iter().for_each(warn);
-        as_text(&answer.study, &unit)
+        as_text(&answer, &unit)
     };
     show(&answer, format, "points", text, args.output.target())?;
     Ok(0)
 }
 
-fn as_text(study: &Study, u: &Units) -> String {
+fn as_text(study: &StudyAnswer, u: &Units) -> String {
     let mut out = format!(
         "Thickness study, model {}: D0 {}, L0 {}\n",
         study.model,
@@ -60,7 +60,7 @@ fn as_text(study: &Study, u: &Units) -> String {
         });
         out.push_str(&columns(std::iter::once((fixed, along)).chain(curves)));
     }
-    out.push_str("\nThe paper's findings and what comes out here\n");
+    out.push_str("\nThe paper's findings and the results here\n");
     for f in &study.findings {
         let verdict = if f.holds { "holds" } else { "does not hold" };
         out.push_str(&format!("  {verdict:<14} {}\n                 {}\n", f.statement, f.ours));

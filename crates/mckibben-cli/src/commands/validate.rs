@@ -3,13 +3,15 @@
 mod measured;
 
 use crate::failure::{Failure, NO_ANSWER};
-use crate::flags::{Format, OutputFlags, PlotFlag};
+use crate::flags::{OutputFlags, PlotFlag};
+use crate::format::Format;
 use crate::names::MODELS;
 use crate::output::show;
 use crate::output::text::{aligned, number, or_dash, table};
 use crate::progress::Bar;
 use clap::Args;
-use mckibben_app::{Case, CaseKind, CaseMeasure, ProblemKind, SweepAnswer, SweepRequest, ValidateRequest};
+use mckibben::verification::{Kind, Measure, Row};
+use mckibben_app::{ProblemKind, SweepAnswer, SweepRequest, ValidateRequest};
 use std::path::PathBuf;
 
 pub const EXAMPLES: &str = "Examples:
@@ -22,19 +24,19 @@ pub const EXAMPLES: &str = "Examples:
 /// `validate`.
 #[derive(Debug, Args)]
 pub struct ValidateArgs {
-    /// The finest meshes as well (some seconds more)
+    /// Also compute the finest meshes (some seconds more)
     #[arg(long, conflicts_with = "sweep")]
     pub all: bool,
-    /// Robustness sweep over N random muscles: the share of single questions that is answered
+    /// Robustness sweep over N random muscles: the share of random points with an answer
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub sweep: Option<u32>,
     /// Seed of the random muscles
     #[arg(long, default_value_t = 1, requires = "sweep")]
     pub seed: u64,
-    /// Instead: what is known of each measured muscle and rubber, what was fitted, and what the model leaves of its points, blind predictions apart; of those in DIR, a folder each, or of those built in
+    /// Validation report of measured muscles and rubbers: known data, fitted constants, errors at fitted points and at predicted points. Cases of DIR, one folder each [the built-in cases]
     #[arg(long, value_name = "DIR", num_args = 0..=1, conflicts_with_all = ["sweep", "all"])]
     pub measured: Option<Option<PathBuf>>,
-    /// Of these folders only
+    /// Only these cases, by folder name
     #[arg(long, value_name = "NAME", value_delimiter = ',', requires = "measured")]
     pub only: Vec<String>,
     /// Model of the measured muscles [fe]
@@ -59,7 +61,7 @@ pub fn run(args: &ValidateArgs, format: Format) -> Result<u8, Failure> {
         return measured::run(args, folder.as_deref(), format);
     }
     if args.plot.plot.is_some() {
-        let message = "--plot draws the measured muscles: it goes with --measured";
+        let message = "--plot draws the measured muscles: it requires --measured";
         return Err(Failure::input(
             ProblemKind::Usage,
             message,
@@ -74,7 +76,7 @@ pub fn run(args: &ValidateArgs, format: Format) -> Result<u8, Failure> {
 /// Times are for people only: JSON and CSV hold nothing that depends on the machine.
 fn sweep_text(a: &SweepAnswer) -> String {
     format!(
-        "{} random muscles, one question each (seed {})\n\n  {} of {} answered where the infinitely long muscle pulls and its strands stretch by less than 5 %\n  {} of {} answered elsewhere; the others ended in a reason\n  at most {} factorisations; median {:.2} ms, longest {:.2} ms\n",
+        "{} random muscles, one point each (seed {})\n\n  {} of {} answered where the infinitely long muscle pulls and its strands stretch by less than 5 %\n  {} of {} answered elsewhere; the others ended with a reason\n  at most {} factorisations; median {:.2} ms, longest {:.2} ms\n",
         a.muscles,
         a.seed,
         a.required_answered,
@@ -87,33 +89,32 @@ fn sweep_text(a: &SweepAnswer) -> String {
     )
 }
 
-fn as_text(cases: &[Case]) -> String {
-    let of = |kind, measure| -> Vec<&Case> {
+fn as_text(cases: &[Row]) -> String {
+    let of = |kind, measure| -> Vec<&Row> {
         cases.iter().filter(|c| c.kind == kind && c.measure == measure).collect()
     };
-    let values = of(CaseKind::Verification, CaseMeasure::Value);
-    let (rms, shares) =
-        (of(CaseKind::Validation, CaseMeasure::Rms), of(CaseKind::Validation, CaseMeasure::Share));
+    let values = of(Kind::Verification, Measure::Value);
+    let (rms, shares) = (of(Kind::Validation, Measure::Rms), of(Kind::Validation, Measure::Share));
     let newton =
-        |c: &Case| c.ours.map(|v| vec![Some(v)]).map_or_else(|| "–".into(), |v| aligned(&v, 3).concat());
+        |c: &Row| c.ours.map(|v| vec![Some(v)]).map_or_else(|| "–".into(), |v| aligned(&v, 3).concat());
     let percent = |v: f64| format!("{:.2} %", 100.0 * v);
-    let value = |c: &Case| {
+    let value = |c: &Row| {
         let error = or_dash(c.error, |v| format!("{v:.1e}"));
         let ours = or_dash(c.ours, |v| number(v, 9));
         vec![number(c.reference, 9), ours, error, format!("{:.0e}", c.tolerance)]
     };
-    let of_blocked = |c: &Case| {
+    let of_blocked = |c: &Row| {
         let error = or_dash(c.error, percent);
         vec![newton(c), number(c.reference, 4), error, percent(c.tolerance)]
     };
-    let covered = |c: &Case| vec![or_dash(c.ours, percent), percent(c.reference)];
+    let covered = |c: &Row| vec![or_dash(c.ours, percent), percent(c.reference)];
     [
         "Verification: are the equations solved right?\n\n".to_owned(),
         section(&values, &["reference", "ours", "error", "allowed"], &value),
         "\nValidation: are they the right equations? Root mean square of the differences from measured pulls\n\n"
             .into(),
         section(&rms, &["rms [N]", "largest or blocked [N]", "rms of it", "allowed"], &of_blocked),
-        "\nValidation: does the ± hold the measured points?\n\n".into(),
+        "\nValidation: does the ± cover the measured points?\n\n".into(),
         section(&shares, &["held", "at least"], &covered),
         summary(&values, &rms, &shares),
     ]
@@ -121,19 +122,19 @@ fn as_text(cases: &[Case]) -> String {
 }
 
 /// The cases of a kind: whether each holds, its numbers, its name and source.
-fn section(cases: &[&Case], columns: &[&str], numbers: &dyn Fn(&Case) -> Vec<String>) -> String {
+fn section(cases: &[&Row], columns: &[&str], numbers: &dyn Fn(&Row) -> Vec<String>) -> String {
     let header: Vec<&str> = [""].iter().chain(columns).chain(&["case", "source"]).copied().collect();
-    let row = |c: &&Case| {
+    let row = |c: &&Row| {
         let mut row = vec![if c.ok { "ok" } else { "FAILS" }.to_owned()];
         row.extend(numbers(c));
-        row.extend([c.name.clone(), c.source.clone()]);
+        row.extend([c.name.clone(), c.source.to_owned()]);
         row
     };
     table(&header, cases.iter().map(row).collect())
 }
 
-fn summary(values: &[&Case], rms: &[&Case], shares: &[&Case]) -> String {
-    let held = |list: &[&Case]| format!("{} of {}", list.iter().filter(|c| c.ok).count(), list.len());
+fn summary(values: &[&Row], rms: &[&Row], shares: &[&Row]) -> String {
+    let held = |list: &[&Row]| format!("{} of {}", list.iter().filter(|c| c.ok).count(), list.len());
     let least = shares.iter().filter_map(|c| c.ours).reduce(f64::min);
     let least =
         least.map_or_else(String::new, |v| format!("; the least share of points is {:.1} %", 100.0 * v));

@@ -121,7 +121,7 @@ impl Content {
             return Ok(());
         }
         let (name, ending) = (self.name(), ending.unwrap_or_default());
-        let message = format!("{} would hold {name}, and its name ends in .{ending}", path.display());
+        let message = format!("{} would contain {name}, but its name ends in .{ending}", path.display());
         let list: Vec<String> = endings.iter().map(|e| format!(".{e}")).collect();
         Err(Failure::input(ProblemKind::Output, message, format!("end it in {}", list.join(" or "))))
     }
@@ -179,12 +179,12 @@ pub fn check(target: Target<'_>, content: &Content) -> Result<(), Failure> {
         return Ok(());
     }
     let (path, name) = (path.display(), content.name());
-    let message = format!("{path} is not {name}, and would be lost");
+    let message = format!("{path} is not {name} and would be overwritten");
     Err(Failure::input(ProblemKind::Output, message, "name another file, or replace it with --overwrite"))
 }
 
 /// A result that would take the place of what it was made from.
 pub fn of_input(path: &Path) -> Failure {
-    let message = format!("{} is an input of this command, and would be lost", path.display());
+    let message = format!("{} is an input of this command and would be overwritten", path.display());
     Failure::input(ProblemKind::Output, message, "name another file, or replace it with --overwrite")
 }

@@ -29,9 +29,9 @@ pub fn loaded(answer: &LoadAnswer, u: &Units) -> String {
                     .map_or_else(|| "–".into(), |h| format!("{} %", number(100.0 * h, 2))),
                 u.length.to(e.shortening_mm, 4),
                 u.force.within(r.force_n, e.answer.uncertainty_n),
-                u.stiffness().to(e.held_stiffness_n_per_mm, 4),
+                u.stiffness().to(e.stiffness_n_per_mm, 4),
                 if e.stable { "stable" } else { "unstable" }.into(),
-                e.natural_frequency_hz.map_or_else(|| "–".into(), |f| number(f, 3)),
+                e.frequency_hz.map_or_else(|| "–".into(), |f| number(f, 3)),
             ]);
         }
         if let (true, Some(error)) = (at.equilibria.is_empty(), &at.error) {

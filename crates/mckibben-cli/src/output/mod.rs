@@ -1,6 +1,5 @@
 //! Results as text, JSON and CSV, and where they go.
 
-pub mod clean;
 mod columns;
 mod csv;
 mod guard;
@@ -15,8 +14,9 @@ pub use guard::{Content, check, ending, of_input};
 pub use stream::streamed;
 pub use write::{Target, burst_first, colour, complain, emit, save, warn, warn_behind};
 
+use crate::clean;
 use crate::failure::Failure;
-use crate::flags::Format;
+use crate::format::Format;
 use crate::quantities::unit_hint;
 use mckibben_app::ProblemKind;
 use schemars::JsonSchema;
@@ -109,7 +109,7 @@ fn form(path: Option<&Path>, format: Format) -> Result<Form, Failure> {
         "csv" => Form::Csv,
         "parquet" => Form::Parquet,
         other => {
-            let message = format!("--output: nothing is written that ends in .{other}");
+            let message = format!("--output: .{other} is not a supported file ending");
             let hint = "the endings are .txt, .json, .csv and .parquet";
             return Err(Failure::input(ProblemKind::Output, message, hint));
         }
@@ -118,5 +118,9 @@ fn form(path: Option<&Path>, format: Format) -> Result<Form, Failure> {
         return Ok(by_ending);
     }
     let message = "--output and --format name two formats";
-    Err(Failure::input(ProblemKind::Output, message, "leave out --format: the ending of the file says it"))
+    Err(Failure::input(
+        ProblemKind::Output,
+        message,
+        "leave out --format: the file ending selects the format",
+    ))
 }

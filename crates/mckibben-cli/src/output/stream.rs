@@ -9,14 +9,14 @@ use serde_json::Value;
 use std::io::{BufWriter, Error, Write};
 
 /// Takes a row.
-pub type Row<'a, R> = &'a mut dyn FnMut(&R) -> Result<(), Problem>;
+pub type TakeRow<'a, R> = &'a mut dyn FnMut(&R) -> Result<(), Problem>;
 
 /// Prints an answer whose list named `rows` is made while it is printed: `make` hands over each row and returns the answer without them,
 /// with something for the caller.
 pub fn streamed<R: Serialize, A: Serialize, T>(
     rows: &str,
     target: Target<'_>,
-    make: impl FnOnce(Row<'_, R>) -> Result<(A, T), Problem>,
+    make: impl FnOnce(TakeRow<'_, R>) -> Result<(A, T), Problem>,
 ) -> Result<T, Failure> {
     check(target, &Content::Json { key: rows.to_owned() })?;
     // A file appears whole: its text is collected.

@@ -1,6 +1,6 @@
 //! Text for people: aligned, with units, rounded to what is worth reading.
 
-use super::clean::line;
+use crate::clean::line;
 use comfy_table::{CellAlignment, Table, presets};
 use mckibben_app::UnderstoodTable;
 pub use mckibben_app::units::Units;

@@ -1,7 +1,7 @@
 //! Where results go: standard output, or a file that appears whole or not at all.
 
-use super::clean;
 use super::guard::{Content, check};
+use crate::clean;
 use crate::failure::Failure;
 use crate::shown;
 use anstyle::{AnsiColor, Style};
@@ -15,7 +15,7 @@ use std::sync::Mutex;
 pub struct Target<'a> {
     /// The file; else standard output.
     pub path: Option<&'a Path>,
-    /// What stands there is replaced, whatever it is.
+    /// An existing file is overwritten.
     pub overwrite: bool,
 }
 

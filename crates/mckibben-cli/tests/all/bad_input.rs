@@ -38,7 +38,13 @@ const FLAGS: &[Case] = &[
         "or `inextensible`, or `paper`",
     ),
     // Pictures.
-    ("a picture as a page", "simulate -p 0.2 -e 0 --picture DIR/a.html", 2, "plot", "ends in .svg or .png"),
+    (
+        "a picture as a page",
+        "simulate -p 0.2 -e 0 --picture DIR/a.html",
+        2,
+        "plot",
+        "must end in .svg or .png",
+    ),
     (
         "a picture of something unknown",
         "simulate -p 0.2 -e 0 --picture DIR/a.svg --show colour",
@@ -209,7 +215,7 @@ const FLAGS: &[Case] = &[
     ("half a range", "curve isobaric -p 0..", 2, "quantity", "the value is empty"),
     ("an empty list", "curve isobaric -p ,", 2, "quantity", "the value is empty"),
     ("a hole in a list", "curve isobaric -e 0,,0.1", 2, "quantity", "the value is empty"),
-    ("a reversed range", "curve isobaric -p 0.2..0.1", 2, "range", "runs backwards"),
+    ("a reversed range", "curve isobaric -p 0.2..0.1", 2, "range", "is reversed"),
     ("no step", "curve isobaric -p 0..0.2:0", 2, "range", "must be above zero"),
     ("a step back", "curve isobaric -p 0..0.2:-0.1", 2, "range", "must be above zero"),
     ("a step without range", "curve isobaric -p 0.2:0.1", 2, "range", "low..high:step"),
@@ -217,7 +223,7 @@ const FLAGS: &[Case] = &[
     ("points without end", "curve isobaric -p 0..1:1e-300", 2, "range", "take a larger step"),
     ("many times many", "curve isobaric -p 0..0.25:1e-5 -e 0..0.2:1e-5", 2, "budget", "larger steps"),
     ("NaN in a range", "curve isobaric -p 0..NaN", 2, "quantity", "not a finite number"),
-    ("mixed units", "curve isobaric -p 1bar,2,3bar", 2, "range", "put one unit behind the last"),
+    ("mixed units", "curve isobaric -p 1bar,2,3bar", 2, "range", "put one unit after the last"),
     ("a wrong unit in a range", "curve isobaric -p 0..3:1mm", 2, "quantity", "a length"),
     ("percent in a curve", "curve isometric -e 0,5,10", 2, "quantity", "not a valid contraction ratio"),
     ("no test", "curve", 2, "usage", "<TEST>"),
@@ -346,7 +352,7 @@ const FLAGS: &[Case] = &[
         "design -F 300 -e 10% -p 2.5bar --tolerance wall=-1",
         2,
         "quantity",
-        "half-widths",
+        "a tolerance is a half-width of zero or above",
     ),
     (
         "a tolerance beyond the wall",

@@ -116,7 +116,7 @@ fn a_limit_of_time_is_kept_by_every_command_and_is_its_answer() {
     }
     // The campaign's store is valid, and the same command goes on.
     let shown = mckibben(&format!("campaign show {}/out.parquet.parts", dir.path().display()));
-    assert!(shown.code == 0 || shown.err.contains("no campaign"), "{shown:?}");
+    assert!(shown.code == 0 || shown.err.contains("not a campaign"), "{shown:?}");
 }
 
 #[test]

@@ -144,7 +144,7 @@ fn a_full_disk_ends_in_a_clear_error_with_a_valid_store() {
         let full = limited(blocks, out);
         assert_eq!(full.code, 2, "{full:?}");
         assert!(full.err.contains(&format!("error: cannot write {what}")), "{}", full.err);
-        assert!(full.err.contains("the same command goes on"), "{}", full.err);
+        assert!(full.err.contains("the same command continues"), "{}", full.err);
         assert!(!dir.path().join("c.parquet").exists(), "nothing half-written");
         for entry in std::fs::read_dir(dir.path()).unwrap() {
             let name = entry.unwrap().file_name().to_string_lossy().into_owned();

@@ -307,7 +307,7 @@ fn a_design_that_fails_names_the_closest() {
     assert_eq!(found["candidates"], serde_json::json!([]));
     let closest = &found["closest"];
     numbers(closest, &["outer_diameter_mm", "wall_mm", "angle_deg", "length_mm"]);
-    assert!(closest["reason"].as_str().unwrap().contains("5000 N wanted"));
+    assert!(closest["reason"].as_str().unwrap().contains("5000 N required"));
     assert!(closest["relaxations"].as_array().unwrap().iter().all(|r| r["relax"].is_string()));
     let text = mckibben("design --force 5000N --contraction 15% --max-pressure 2.5bar");
     assert_eq!(text.code, 1);

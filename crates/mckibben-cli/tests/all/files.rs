@@ -40,7 +40,7 @@ fn are_refused(dir: &Path, name: &str, says: &str) {
         let error = result.error();
         let message = error["message"].as_str().unwrap();
         assert!(message.contains(says), "{line}: {message}");
-        // Nobody is told to remove what the system would not let be read.
+        // The message does not advise to remove a file that the system refused to read.
         assert!(!error["hint"].as_str().unwrap().contains("remove"), "{line}: {error}");
     }
 }
@@ -76,7 +76,7 @@ fn a_hole_of_twenty_gigabytes_is_refused_at_once() {
     file.write_all_at(b"PAR1", 0).unwrap();
     file.write_all_at(b"\xff\xff\xff\x7fPAR1", (20 << 30) - 8).unwrap();
     let result = bounded(dir.path(), "campaign show hole.parquet");
-    assert!(result.code == 2 && result.err.contains("holds no campaign"), "{}", result.err);
+    assert!(result.code == 2 && result.err.contains("is not a campaign"), "{}", result.err);
 }
 
 #[cfg(target_os = "linux")]
@@ -145,7 +145,7 @@ fn a_formula_that_was_changed_says_so_in_every_answer() {
         for (file, changed, absent) in [("f.json", 0, 0), ("edited.json", 1, 0), ("bare.json", 0, 1)] {
             let line = line.replace('X', file);
             assert_eq!(warnings(dir.path(), &line, "was changed after it was written"), changed, "{line}");
-            assert_eq!(warnings(dir.path(), &line, "carries no seal"), absent, "{line}");
+            assert_eq!(warnings(dir.path(), &line, "has no seal"), absent, "{line}");
         }
     }
     let answer = |file: &str| {
@@ -171,7 +171,7 @@ fn a_formula_whose_numbers_make_no_sense_is_refused() {
         let line = line.replace('X', "wild.json");
         let result = run_in(dir.path(), &line.split(' ').collect::<Vec<_>>());
         assert!(
-            result.code == 2 && result.err.contains("its numbers make no sense"),
+            result.code == 2 && result.err.contains("its numbers are not plausible"),
             "{line}: {}",
             result.err
         );
@@ -202,7 +202,7 @@ fn a_file_of_another_kind_is_replaced_only_where_that_is_asked_for() {
         let command = format!("{command}{file}");
         fs::write(at(file), "notes of mine").unwrap();
         let result = line(dir.path(), &command);
-        assert!(result.code == 2 && result.err.contains("would be lost"), "{command}: {}", result.err);
+        assert!(result.code == 2 && result.err.contains("would be overwritten"), "{command}: {}", result.err);
         assert!(result.err.contains("--overwrite"), "{}", result.err);
         assert_eq!(fs::read(at(file)).unwrap(), b"notes of mine");
         line(dir.path(), &format!("{command} {flag}")).ok();
@@ -214,7 +214,7 @@ fn a_file_of_another_kind_is_replaced_only_where_that_is_asked_for() {
     }
     // An answer is no formula, and a table no campaign.
     let result = line(dir.path(), "force -p 0.1 --model ideal -o f.json");
-    assert!(result.code == 2 && result.err.contains("would be lost"), "{}", result.err);
+    assert!(result.code == 2 && result.err.contains("would be overwritten"), "{}", result.err);
 }
 
 /// What this program did not write is nowhere lost without a word: not for texts, tables, JSON and figures either. What it wrote is replaced.
@@ -242,7 +242,7 @@ fn a_foreign_file_is_replaced_by_no_text_table_or_figure() {
         let command = format!("{command}{file}");
         fs::write(at(file), foreign).unwrap();
         let result = line(dir.path(), &command);
-        assert!(result.code == 2 && result.err.contains("would be lost"), "{command}: {}", result.err);
+        assert!(result.code == 2 && result.err.contains("would be overwritten"), "{command}: {}", result.err);
         assert!(result.err.contains("--overwrite"), "{command}: {}", result.err);
         assert_eq!(fs::read(at(file)).unwrap(), foreign.as_bytes(), "{command}");
         line(dir.path(), &format!("{command} --overwrite")).ok();
@@ -407,7 +407,7 @@ fn folders_of_results_keep_what_others_put_there() {
         let csv = csv.unwrap();
         fs::write(&csv, "mine").unwrap();
         let refused = run_in(dir.path(), &words);
-        assert!(refused.code == 2 && refused.err.contains("would be lost"), "{line}: {refused:?}");
+        assert!(refused.code == 2 && refused.err.contains("would be overwritten"), "{line}: {refused:?}");
         assert_eq!(fs::read(&csv).unwrap(), b"mine");
         run_in(dir.path(), &[&words[..], &["--overwrite"]].concat()).ok();
         assert!(fs::read(&csv).unwrap() != b"mine" && out.join(name).exists());

@@ -147,7 +147,7 @@ fn wrong_tables_and_formulas_are_named() {
         ("fit kpa.csv", "data", ["column pressure_mpa: 250 is more", "unit"]),
         ("fit twice.csv", "data", ["wall_mm", "could all be wall"]),
         ("fit none.csv", "file", ["none.csv", "cannot be read"]),
-        ("fit .", "file", ["holds no campaign", "no part"]),
+        ("fit .", "file", ["is not a campaign", "no part"]),
         ("formula show cut.json", "formula", ["cut.json", "no JSON"]),
         ("force -p 0.1 --model cut.json", "formula", ["cut.json", "no JSON"]),
         ("force -p 0.1 --model key.json", "formula", ["key.json", "`range` is missing"]),

@@ -8,7 +8,7 @@ fn parameter<'a>(found: &'a Value, name: &str) -> &'a Value {
     list.iter().find(|p| p["name"] == name).unwrap_or_else(|| panic!("{name}: {found}"))
 }
 
-fn told(found: &Value, name: &str) -> bool {
+fn identifiable(found: &Value, name: &str) -> bool {
     parameter(found, name)["identifiable"].as_bool().unwrap()
 }
 
@@ -52,7 +52,7 @@ fn the_bench_example_finds_what_made_its_points() {
     let found = json(&format!("identify examples/bench.toml --data examples/bench.csv -o {}", out.display()));
     for (name, truth, unit) in [("tube.material.mu", 0.4, "MPa"), ("braid.stiffness", 900.0, "N/mm")] {
         let p = parameter(&found, name);
-        assert!(told(&found, name) && p["unit"] == unit, "{p}");
+        assert!(identifiable(&found, name) && p["unit"] == unit, "{p}");
         assert!((number(p, "value") - truth).abs() <= number(p, "half_width_95"), "{p}");
         assert!(number(p, "standard_error") > 0.0);
     }
@@ -69,10 +69,10 @@ fn the_bench_example_finds_what_made_its_points() {
 #[test]
 fn table_1_does_not_tell_c01() {
     let found = json("identify -D 50 -s 1 --data data/paper/table1.csv --free c10,c01,braid.stiffness");
-    assert!(!told(&found, "tube.material.c01") && told(&found, "braid.stiffness"), "{found}");
+    assert!(!identifiable(&found, "tube.material.c01") && identifiable(&found, "braid.stiffness"), "{found}");
     assert!(says(&found, "tube.material.c10 and tube.material.c01 move against each other"), "{found}");
     let found = json("identify -D 50 -s 1 --data data/paper/table1.csv --free c10,braid.stiffness");
-    assert!(told(&found, "tube.material.c10"), "{found}");
+    assert!(identifiable(&found, "tube.material.c10"), "{found}");
 }
 
 /// Fig. 3 of B. Tondu (2012): its loops' half-widths alone give C 71.5 and β 0.560 (examples/tondu2012.toml).
@@ -116,13 +116,13 @@ fn data_that_cannot_be_right_are_refused_with_the_reason() {
         (table(|(p, e, f)| (p, e, f / 9.81)), "", "kgf"),
         (table(|(p, e, f)| (100.0 * p, e, f)), "", "name the column pressure_bar"),
         (table(|(p, e, f)| (p, 100.0 * e, f)), "", "contraction_percent"),
-        (table(|(p, e, _)| (p, e, 0.0)), "", "(6 more read no force and were left out)"),
+        (table(|(p, e, _)| (p, e, 0.0)), "", "(6 more points without a measured force were left out)"),
         (format!("{HEAD}1,0,242\n2,0,482\n"), "--free mu,braid.stiffness", "at least 3 are needed"),
-        (table(|r| r), "--free mo", "is nothing that can be identified"),
+        (table(|r| r), "--free mo", "cannot be identified"),
         (table(|r| r), "--free mu,mu", "named twice"),
         (table(|r| r), "--free mu --fix mu=3", "named twice"),
         (table(|r| r), "--free mu=1:2:3", "must lie between"),
-        (table(|r| r), "--fix mu", "holds nothing"),
+        (table(|r| r), "--fix mu", "has no value"),
         (table(|r| r), "--bounds mu=0.1:1", "is not free"),
         (table(|r| r), "--stiffness inextensible --free braid.stiffness", "write braid.stiffness=START"),
         (table(|r| r), "--weights 1,2", "2 numbers for 1 sets"),
@@ -143,7 +143,7 @@ fn bounds_fixes_and_weights_do_what_they_say() {
     let held = json(&format!("{base} --free mu --fix braid.stiffness=900"));
     assert!((number(parameter(&held, "tube.material.mu"), "value") - 0.4).abs() < 0.02, "{held}");
     let bound = json(&format!("{base} --free mu,braid.stiffness --bounds mu=0.2:0.38"));
-    assert!(!told(&bound, "tube.material.mu") && says(&bound, "lies on its bound"), "{bound}");
+    assert!(!identifiable(&bound, "tube.material.mu") && says(&bound, "is at its bound"), "{bound}");
     let twice = json(&format!("{base} --data examples/bench.csv --weights 1,0 --free mu,braid.stiffness"));
     let once = json(&format!("{base} --free mu,braid.stiffness"));
     assert_eq!(

@@ -1,4 +1,4 @@
-//! `validate --measured`: dossiers of measured muscles and rubbers.
+//! `validate --measured`: validation reports of measured muscles and rubbers.
 
 use crate::common::{folder, json, mckibben, root};
 use serde_json::Value;
@@ -40,7 +40,7 @@ fn what_is_no_case_is_told() {
     };
     assert!(said("validate --measured --only tundo2012").contains("there are dmsp-10-250, dmsp-10-hose"));
     assert!(said("validate --measured no-such-folder").contains("no-such-folder"));
-    assert!(said("validate --measured docs").contains("holds a case.toml"));
+    assert!(said("validate --measured docs").contains("contains a case.toml"));
     assert!(said("validate --plot a.svg").contains("--measured"));
     let dir = folder();
     let case = dir.path().join("mine");
@@ -50,11 +50,11 @@ fn what_is_no_case_is_told() {
     }
     let text = std::fs::read_to_string(case.join("case.toml")).unwrap();
     std::fs::write(case.join("case.toml"), text.replace("unknown =", "unknwon =")).unwrap();
-    let told = said(&format!("validate --measured {}", dir.path().display()));
-    assert!(told.contains("mine/case.toml: `unknwon` is not known"), "{told}");
+    let message = said(&format!("validate --measured {}", dir.path().display()));
+    assert!(message.contains("mine/case.toml: `unknwon` is not known"), "{message}");
 }
 
-/// A rubber's dossier is what `rubber fit` says of the same points, mode by mode, and over time branch by branch.
+/// The validation report of a rubber agrees with `rubber fit` of the same points, mode by mode, and over time branch by branch.
 #[test]
 fn a_rubber_leaves_what_rubber_fit_says() {
     let number = |v: &Value| v.as_f64().unwrap();
@@ -89,7 +89,7 @@ fn a_rubber_leaves_what_rubber_fit_says() {
 
 /// Another model has its own ±; the single branches of a hysteresis loop lie on either side of their means.
 #[test]
-fn a_dossier_is_of_the_model_that_was_asked_for() {
+fn a_validation_report_is_of_the_model_that_was_asked_for() {
     let answer = json("validate --measured --only tondu2012 --model thick-wall");
     assert_eq!(answer["model"], "thick-wall");
     let results = answer["results"].as_array().unwrap();

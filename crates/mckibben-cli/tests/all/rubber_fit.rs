@@ -100,7 +100,7 @@ const REFUSED: &[(&str, i32, &str, &str)] = &[
     ("--law ogden-3 --up-to 1.2", 2, "fit", "a law with fewer constants"),
     ("--weights planar", 2, "usage", "has no ="),
     ("--weights bent=1", 2, "usage", "none of uniaxial"),
-    ("--weights planar=1,planar=2", 2, "usage", "there twice"),
+    ("--weights planar=1,planar=2", 2, "usage", "is given twice"),
     ("--weights planar=-1", 2, "fit", "a weight is -1"),
     ("--hoop-stretch 0.9", 2, "fit", "the hoop stretch is 0.9"),
     ("--area 0mm2", 2, "quantity", "must be above zero"),

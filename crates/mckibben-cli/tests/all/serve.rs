@@ -75,8 +75,8 @@ fn it_prints_an_address_that_answers_and_a_signal_ends_it() {
 fn a_browser_is_opened_at_the_address() {
     use std::os::unix::fs::PermissionsExt;
     let folder = tempfile::tempdir().unwrap();
-    let (opener, told) = (folder.path().join("xdg-open"), folder.path().join("told"));
-    std::fs::write(&opener, format!("#!/bin/sh\necho \"$1\" > {0}.new\nmv {0}.new {0}\n", told.display()))
+    let (opener, opened) = (folder.path().join("xdg-open"), folder.path().join("opened"));
+    std::fs::write(&opener, format!("#!/bin/sh\necho \"$1\" > {0}.new\nmv {0}.new {0}\n", opened.display()))
         .unwrap();
     std::fs::set_permissions(&opener, std::fs::Permissions::from_mode(0o755)).unwrap();
     let path = format!("{}:{}", folder.path().display(), std::env::var("PATH").unwrap());
@@ -90,11 +90,11 @@ fn a_browser_is_opened_at_the_address() {
     let mut line = String::new();
     BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
     let from = Instant::now();
-    while !told.exists() && from.elapsed() < Duration::from_secs(20) {
+    while !opened.exists() && from.elapsed() < Duration::from_secs(20) {
         std::thread::sleep(Duration::from_millis(20));
     }
     ended(child);
-    assert_eq!(std::fs::read_to_string(told).unwrap().trim(), line.trim());
+    assert_eq!(std::fs::read_to_string(opened).unwrap().trim(), line.trim());
 }
 
 #[test]
@@ -140,7 +140,7 @@ fn what_cannot_be_is_said() {
     for (args, says) in [
         (["--port", &port], "hint: --port 0 takes any free port"),
         (["--port", "65536"], "65536 is not in 0..=65535"),
-        (["--address", "0.0.0.0"], "hint: say by which name or address others ask, as in --host-name"),
+        (["--address", "0.0.0.0"], "hint: give the name or address that clients use, such as --host-name"),
         (["--address", "192.0.2.1"], "--host-name"),
     ] {
         let run = ran(command(&root()).arg("serve").args(args).output().unwrap());

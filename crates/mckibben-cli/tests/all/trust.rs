@@ -106,5 +106,9 @@ fn what_design_says_to_ask_for_is_sure() {
     let half = number(&sure["candidates"][0], "uncertainty_n");
     assert!(ask - half >= 700.0 && ask - half < 710.0, "{ask} ± {half}");
     let text = mckibben(line).ok();
-    assert!(text.text().contains(&format!("to be sure of 700 N, ask for {ask} N")), "{}", text.text());
+    assert!(
+        text.text().contains(&format!("to cover 700 N with the ±, design for {ask} N")),
+        "{}",
+        text.text()
+    );
 }

@@ -3,7 +3,7 @@
 use super::discretisation::{BraidSpec, Discretisation};
 use crate::element::plane::{self, AnyPlaneLaw};
 use crate::element::q2::{MODES, NODES, PADDED};
-use crate::element::solid::{self, Contribution, Material, Row, Unknowns};
+use crate::element::solid::{self, Contribution, Material, NodalRow, Unknowns};
 use crate::element::strand::STRAND_POINTS;
 use crate::load::cavity::volume;
 use crate::solver::body::{State, Totals};
@@ -23,7 +23,7 @@ pub struct Assembled {
     /// ∂V/∂x of the cavity
     pub volume: Vec<f64>,
     /// B of every element: ∂g/∂u_r, ∂g/∂u_z as of the last tangent.
-    pub coupling: Vec<[[Row; MODES]; 2]>,
+    pub coupling: Vec<[[NodalRow; MODES]; 2]>,
     /// ∂λf/∂u of every strand point (zero where slack) as of the last tangent.
     pub strand: Vec<[f64; 6]>,
     element: Contribution,

@@ -102,7 +102,7 @@ pub struct Body {
     pub discretisation: Arc<Discretisation>,
     /// The present iterate.
     pub state: State,
-    /// What is held.
+    /// What is kept fixed.
     pub control: Control,
     /// Sums of the last assembly.
     pub totals: Totals,

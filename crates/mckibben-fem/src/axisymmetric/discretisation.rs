@@ -161,7 +161,7 @@ impl Discretisation {
         })
     }
 
-    /// Size of a force that is to be told from zero, in N, at a pressure in MPa. Stiff strands add what rounding
+    /// Smallest force that is distinguished from zero, in N, at a pressure in MPa. Stiff strands add what rounding
     /// leaves of their tension.
     pub fn force_scale(&self, pressure: f64) -> f64 {
         let k = self.problem.braid.and_then(|b| b.stiffness).unwrap_or(0.0);

@@ -11,15 +11,15 @@ use super::softened::soften;
 use mckibben::rubber::over_time::OgdenRoxburgh;
 
 /// A row of nodal values.
-pub type Row = [f64; PADDED];
+pub type NodalRow = [f64; PADDED];
 
 /// Nodal displacements (mm) and pressure modes (MPa) of an element.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Unknowns {
     /// u_r
-    pub r: Row,
+    pub r: NodalRow,
     /// u_z
-    pub z: Row,
+    pub z: NodalRow,
     /// p_k
     pub p: [f64; MODES],
 }
@@ -28,21 +28,21 @@ pub struct Unknowns {
 #[derive(Debug, Clone)]
 pub struct Contribution {
     /// Forces on the nodes, r.
-    pub fr: Row,
+    pub fr: NodalRow,
     /// Forces on the nodes, z.
-    pub fz: Row,
+    pub fz: NodalRow,
     /// Volume defects g_k.
     pub g: [f64; MODES],
     /// B, r.
-    pub br: [Row; MODES],
+    pub br: [NodalRow; MODES],
     /// B, z.
-    pub bz: [Row; MODES],
+    pub bz: [NodalRow; MODES],
     /// Tangent r × r.
-    pub rr: [Row; NODES],
+    pub rr: [NodalRow; NODES],
     /// Tangent r × z.
-    pub rz: [Row; NODES],
+    pub rz: [NodalRow; NODES],
     /// Tangent z × z.
-    pub zz: [Row; NODES],
+    pub zz: [NodalRow; NODES],
     /// Energy of the rubber in N·mm.
     pub energy: f64,
     /// Smallest volume ratio at an integration point.
@@ -94,7 +94,7 @@ impl Material<'_> {
 }
 
 #[inline(always)]
-fn dot(a: &Row, b: &Row) -> f64 {
+fn dot(a: &NodalRow, b: &NodalRow) -> f64 {
     let mut lanes = [0.0; 4];
     for k in 0..PADDED / 4 {
         for (i, lane) in lanes.iter_mut().enumerate() {

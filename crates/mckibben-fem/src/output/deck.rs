@@ -2,7 +2,7 @@
 //!
 //! Bricks are C3D8 (C3D20 and C3D27 do not exist or do not converge there), strands are SPRINGA, whose force k (l − L) is that of a
 //! truss with engineering strain and k = E A/L. Laws are those of *HYPERELASTIC: W = U(Ī1, Ī2) + (J − 1)²/D1 with
-//! D1 = 2/K; Ogden's are written there as 2 μi/αi². What is told of the mesh stands in comments `** key = value`.
+//! D1 = 2/K; Ogden's are written there as 2 μi/αi². Data of the mesh are in comments `** key = value`.
 
 use crate::FemError;
 use crate::three_dimensional::{Brick, ThreeDimensional};
@@ -24,7 +24,7 @@ const CONTRACTION: f64 = 0.005;
 #[derive(Debug, Error)]
 pub enum DeckError {
     /// A law that decks do not know.
-    #[error("an input deck has no law \"{law}\"; it has {}", known())]
+    #[error("an input deck cannot describe the law \"{law}\"; it can describe {}", known())]
     Law {
         /// Its name.
         law: &'static str,
@@ -33,13 +33,13 @@ pub enum DeckError {
     #[error("an input deck needs strands that stretch: give the braid a stiffness")]
     Inextensible,
     /// Quadratic bricks.
-    #[error("an input deck is made of eight-node bricks")]
+    #[error("an input deck needs eight-node bricks")]
     Quadratic,
     /// A terminal that is a body.
-    #[error("an input deck has the rigid plane for a terminal: leave out `terminal`")]
+    #[error("an input deck has a rigid plane as the terminal: leave out `terminal`")]
     Plug,
     /// A tube that is stressed at rest.
-    #[error("an input deck begins from rubber without stress: leave out tube.prestretch")]
+    #[error("an input deck starts from unstressed rubber: leave out tube.prestretch")]
     Prestretch,
     /// No pressures, or pressures that fall or are not above zero.
     #[error("an input deck needs rising pressures above zero, the first of them {first_mpa} MPa here")]

@@ -4,7 +4,7 @@ use thiserror::Error;
 
 /// A number that is none.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("{file} is not written: its {name} holds a value that is no finite number")]
+#[error("{file} is not written: its {name} contains a value that is not a finite number")]
 pub struct VtuError {
     /// The file that would hold it.
     pub file: String,

@@ -18,7 +18,7 @@ pub fn drawn(section: &Section) -> u32 {
 }
 
 /// A place along a strand.
-struct Place {
+struct StrandPoint {
     turn: f64,
     now: [f64; 2],
     state: [f64; 4],
@@ -48,7 +48,7 @@ pub fn braid(section: &Section) -> Grid {
     };
     for family in [1.0, -1.0] {
         for (c, s) in &lines {
-            for Place { turn, now: [r, z], .. } in &places {
+            for StrandPoint { turn, now: [r, z], .. } in &places {
                 let (sin, cos) = (family * turn).sin_cos();
                 grid.points.push([r * (c * cos - s * sin), r * (s * cos + c * sin), *z]);
             }
@@ -90,11 +90,13 @@ pub(super) fn places_of_half(section: &Section) -> Vec<Along> {
 }
 
 /// Places from end to end.
-fn places(section: &Section) -> Vec<Place> {
-    let place = |p: Along| Place { turn: p.turn, now: p.now, state: state(section.strands(), p.rest_z_mm) };
-    let mut half: Vec<Place> = places_of_half(section).into_iter().map(place).collect();
-    let mirrored = |p: &Place| Place { turn: -p.turn, now: [p.now[0], -p.now[1]], state: p.state };
-    let mut all: Vec<Place> = half.iter().skip(1).rev().map(mirrored).collect();
+fn places(section: &Section) -> Vec<StrandPoint> {
+    let place =
+        |p: Along| StrandPoint { turn: p.turn, now: p.now, state: state(section.strands(), p.rest_z_mm) };
+    let mut half: Vec<StrandPoint> = places_of_half(section).into_iter().map(place).collect();
+    let mirrored =
+        |p: &StrandPoint| StrandPoint { turn: -p.turn, now: [p.now[0], -p.now[1]], state: p.state };
+    let mut all: Vec<StrandPoint> = half.iter().skip(1).rev().map(mirrored).collect();
     all.append(&mut half);
     all
 }

@@ -87,7 +87,7 @@ impl State {
     }
 }
 
-/// What is held while the rest finds its equilibrium.
+/// What is kept fixed while the rest reaches equilibrium.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Control {
     /// Pressure and the terminal's displacement (mm).

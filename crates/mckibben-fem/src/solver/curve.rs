@@ -59,7 +59,7 @@ impl CurvePoint {
 /// Points of a curve in the order they were asked for.
 pub type Curve = Vec<Result<CurvePoint, FemError>>;
 
-/// What is held along a curve.
+/// What is kept fixed along a curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Test {
     /// A contraction, at given pressures; from the highest pressure down.

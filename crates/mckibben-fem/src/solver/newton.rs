@@ -52,7 +52,7 @@ pub enum Stopped {
     #[error(transparent)]
     Singular(#[from] Singular),
     /// Corrections that do not become smaller.
-    #[error("the search for the deformed shape did not settle")]
+    #[error("the iteration for the deformed shape did not converge")]
     Iterations {
         /// Iterations done.
         iterations: usize,
@@ -60,13 +60,13 @@ pub enum Stopped {
         residual: f64,
     },
     /// No equilibrium continues the one before.
-    #[error("the shapes that begin at the taut muscle end before it")]
+    #[error("the equilibrium path from the taut muscle ends before this point")]
     Branch,
     /// The equilibrium is not stable.
-    #[error("the shape that was found is not stable: the muscle would leave it")]
+    #[error("the equilibrium that was found is unstable")]
     Unstable,
     /// The work that a question may cost is spent.
-    #[error("the search for the deformed shape took too long and was given up")]
+    #[error("the iteration for the deformed shape was stopped because it took too long")]
     Budget {
         /// Factorisations done.
         factorisations: usize,
@@ -75,7 +75,7 @@ pub enum Stopped {
     #[error(transparent)]
     Exceeded(#[from] Exceeded),
     /// Corrections beyond any sense.
-    #[error("the search for the deformed shape left all shapes of a muscle")]
+    #[error("the iteration for the deformed shape diverged")]
     Diverged {
         /// Size of the correction.
         correction: f64,
@@ -83,7 +83,7 @@ pub enum Stopped {
 }
 
 impl Stopped {
-    /// Whether trying on makes no sense: the work that was allowed is done.
+    /// Whether further attempts are useless: the allowed work is done.
     pub fn is_final(&self) -> bool {
         matches!(self, Self::Budget { .. } | Self::Exceeded(_))
     }

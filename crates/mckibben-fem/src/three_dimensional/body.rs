@@ -30,7 +30,7 @@ pub struct Body {
     pub state: State,
     /// What the last assembly filled.
     pub assembled: Assembled,
-    /// What is held.
+    /// What is kept fixed.
     pub control: Control,
     /// Totals of the last assembly.
     pub totals: Totals,

@@ -115,7 +115,7 @@ fn notes(divided: &MuscleMesh, muscle: &Muscle) -> Vec<String> {
     if let Some(plug) = mesh.plug() {
         let (name, insertion, nose) = (plug.material.name(), plug.insertion_mm, plug.nose_mm);
         let assumed = if divided.insertion_assumed {
-            " (what is assumed where nobody states it; a pull falls by some 5 % for it)"
+            " (assumed, because it is not stated; it reduces the pull by about 5 %)"
         } else {
             ""
         };

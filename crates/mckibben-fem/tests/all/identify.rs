@@ -1,12 +1,12 @@
 //! Identification with finite elements: their own derivatives, and known constants that come back.
 
-use mckibben::compare::MeasuredPoint;
-use mckibben::identify::{DataPoint, Identification, Parameter, Quantity, Request, Section, identify};
-use mckibben::least_squares::Loss;
 use mckibben::model::{Accuracy, ForceModel, ModelError, ModelInfo, Response, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Law, MooneyRivlin};
 use mckibben_fem::axisymmetric::Axisymmetric;
+use mckibben_fit::compare::MeasuredPoint;
+use mckibben_fit::identify::{DataPoint, Identification, Parameter, Quantity, Request, Section, identify};
+use mckibben_fit::least_squares::Loss;
 
 /// The elements without their derivatives, so that differences are taken.
 struct Bare {

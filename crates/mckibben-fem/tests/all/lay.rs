@@ -1,13 +1,13 @@
 //! Muscles with thick braids, wide sleeves and crimp, as a user meets them.
 
-use mckibben::compare::MeasuredPoint;
-use mckibben::identify::{DataPoint, Parameter, Request, identify};
-use mckibben::least_squares::Loss;
 use mckibben::model::{ForceModel, ModelError, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Crimp, Direction, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Law, NeoHookean};
 use mckibben_fem::FemError;
 use mckibben_fem::axisymmetric::Axisymmetric;
+use mckibben_fit::compare::MeasuredPoint;
+use mckibben_fit::identify::{DataPoint, Parameter, Request, identify};
+use mckibben_fit::least_squares::Loss;
 
 fn muscle(change: impl FnOnce(&mut Braid)) -> Muscle {
     let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 0.2 }));

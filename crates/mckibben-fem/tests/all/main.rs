@@ -9,7 +9,6 @@ mod conditioned;
 mod contact;
 mod identify;
 mod lay;
-mod measured;
 mod prestretch;
 mod shared;
 mod small_angles;

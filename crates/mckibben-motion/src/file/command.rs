@@ -5,8 +5,8 @@ use crate::command::Command;
 use crate::control::{Pid, PidOutput};
 use crate::drive::Target;
 use mckibben::muscle::file::{FileError, Section};
-use mckibben::table::{OverTime, read_over_time};
 use mckibben::units::{Dimension, Values, parse_quantity, parse_values};
+use mckibben_table::{OverTime, read_over_time};
 
 /// Keys of [command].
 pub(super) const KEYS: &[&str] = &[
@@ -37,6 +37,7 @@ pub(super) fn target(
     command: &Section<'_>,
     pid: &Section<'_>,
     about_joint: bool,
+    base: Option<&Target>,
     tables: &Tables,
 ) -> Result<Target, FileError> {
     pid.only(CONTROLLER, CONTROLLER)?;
@@ -50,7 +51,7 @@ pub(super) fn target(
             (Some(all), None, None) => Ok(vec![all]),
             (None, Some(first), second) => Ok(std::iter::once(first).chain(second).collect()),
             (None, None, None) => Ok(vec![]),
-            _ => Err(said(command, key, format!("stands beside {key}_1 or {key}_2"))),
+            _ => Err(said(command, key, format!("conflicts with {key}_1 and {key}_2"))),
         }
     };
     let pressures = each("pressure", OverTime::Pressure)?;
@@ -64,11 +65,10 @@ pub(super) fn target(
             let position = if about_joint { position.scaled(std::f64::consts::PI / 180.0) } else { position };
             Ok(Target::Position { command: position, pid: controller(pid)? })
         }
-        (true, true, None) => Err(command.missing(
-            "pressure",
-            None,
-            "what is commanded: pressure, valve (its opening) or position",
-        )),
+        (true, true, None) => base.cloned().ok_or_else(|| {
+            let expected = "what is commanded: pressure, valve (its opening) or position";
+            command.missing("pressure", None, expected)
+        }),
         _ => Err(said(command, "until", "belongs to one command: give pressure, valve or position")),
     }
 }
@@ -126,9 +126,9 @@ fn read_command(
             let wrong = |why: String| said(section, key, format!("names {}, {why}", name.trim()));
             let table =
                 tables.texts.get(name.trim()).ok_or_else(|| wrong("which was not supplied".into()))?;
-            let points =
-                read_over_time(table.as_bytes(), what).map_err(|e| wrong(format!("which is none: {e}")))?;
-            return Command::table(points).map(Some).map_err(|e| wrong(format!("which is none: {e}")));
+            let points = read_over_time(table.as_bytes(), what)
+                .map_err(|e| wrong(format!("which is not valid: {e}")))?;
+            return Command::table(points).map(Some).map_err(|e| wrong(format!("which is not valid: {e}")));
         }
         spoken(text, dimension.unwrap_or(Dimension::Ratio))
             .ok_or_else(|| said(section, key, format!("is not a command; write {expected}")))?

@@ -7,10 +7,12 @@ use crate::air::Air;
 use crate::drive::{Actuator, Supply, Target};
 use crate::error::MotionError;
 use crate::viscoelastic::{Branch, Prony};
-use mckibben::load::{Load, read_load};
+use mckibben::load::{Load, LoadTable};
 use mckibben::muscle::file::{FileError, Problem, Section, Source};
 use mckibben::units::{Dimension, Values};
+use mckibben_table::read_load;
 use std::collections::BTreeMap;
+use std::fmt;
 
 /// What moves: its file, relative to the drive file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -87,6 +89,8 @@ const TOP: &[&str] = &[
 ];
 const SUPPLY: &[&str] = &["pressure", "temperature"];
 const LOAD: &[&str] = &["mass", "level", "line", "damping", "stops", "held"];
+/// The stops of a load that has none.
+const FREE_MM: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 /// Presliding length in mm where none is said.
 const PRESLIDING_MM: f64 = 0.5;
 
@@ -108,16 +112,51 @@ const PRESLIDING_MM: f64 = 0.5;
 /// # Errors
 /// [`FileError`] with line, column, key, what stood there and what is expected.
 pub fn parse_drive(text: &str, tables: &Tables) -> Result<DriveFile, FileError> {
+    read(text, None, tables)
+}
+
+impl DriveFile {
+    /// A drive without load, with the defaults of a drive file.
+    pub fn new(subject: Subject, actuator: Actuator, target: Target, until_s: f64) -> Self {
+        Self {
+            subject,
+            supply: Supply::default(),
+            actuator,
+            air: Air::default(),
+            load: None,
+            held: None,
+            damping_n_s_per_m: 0.0,
+            stops_mm: FREE_MM,
+            presliding_mm: PRESLIDING_MM,
+            rubber: Prony::default(),
+            target,
+            until_s,
+            output_step_s: until_s / 1000.0,
+        }
+    }
+
+    /// The drive with another value at a dotted key of a drive file: a number, `true` or `false`, or else a text.
+    ///
+    /// # Errors
+    /// As [`parse_drive`].
+    pub fn with(&self, dotted: &str, value: &str, tables: &Tables) -> Result<Self, FileError> {
+        read(&with_value("", dotted, value)?, Some(self), tables)
+    }
+}
+
+/// A drive file; what it leaves out is as in `base`, where there is one.
+fn read(text: &str, base: Option<&DriveFile>, tables: &Tables) -> Result<DriveFile, FileError> {
     let source = Source::parse(text)?;
     let root = source.root();
     root.only(TOP, TOP)?;
     for key in ["name", "notes"] {
         root.text(key, "a text in quotes")?;
     }
-    let subject = subject(&root)?;
+    let subject = base.map_or_else(|| subject(&root), |base| Ok(base.subject.clone()))?;
     let about_joint = matches!(subject, Subject::Joint(_));
-    let supply = supply(&root.section("supply", "supply")?)?;
-    let actuator = valve::actuator(&root)?;
+    let supply =
+        supply(&root.section("supply", "supply")?, base.map_or_else(Supply::default, |base| base.supply))?;
+    let actuator = valve::actuator(&root, base.map(|base| base.actuator))?;
     let air = valve::air(&root.section("air", "air")?, supply.temperature_k)?;
     let load = root.section("load", "load")?;
     load.only(LOAD, LOAD)?;
@@ -129,26 +168,31 @@ pub fn parse_drive(text: &str, tables: &Tables) -> Result<DriveFile, FileError> 
     let rubber = root.section("rubber", "rubber")?;
     rubber.only(&["prony"], &["rubber.prony"])?;
     let expected = "pairs of a share and a time, as in [[0.1, \"50 ms\"]]";
-    let prony = rubber.pairs("prony", (None, Some(Dimension::Time)), expected)?.unwrap_or_default();
+    let prony = rubber.pairs("prony", (None, Some(Dimension::Time)), expected)?.map(|pairs| {
+        Prony(pairs.into_iter().map(|(share, time_constant_s)| Branch { share, time_constant_s }).collect())
+    });
     let command = root.section("command", "command")?;
     command.only(command::KEYS, command::KEYS)?;
     let until_s = above(&command, "until", Dimension::Time)?
+        .or(base.map(|base| base.until_s))
         .ok_or_else(|| command.missing("until", None, "the end of the run, such as \"5 s\""))?;
     let output_step_s = above(&command, "output_step", Dimension::Time)?.unwrap_or(until_s / 1000.0);
-    let target = command::target(&command, &root.section("controller", "controller")?, about_joint, tables)?;
+    let controller = root.section("controller", "controller")?;
+    let target = command::target(&command, &controller, about_joint, base.map(|base| &base.target), tables)?;
     Ok(DriveFile {
         subject,
         supply,
         actuator,
         air,
-        load: line(&load, tables)?,
-        held: held(&load)?,
-        damping_n_s_per_m: load.quantity("damping", Dimension::Damping)?.unwrap_or(0.0),
-        stops_mm: stops(&load)?,
-        presliding_mm: above(&friction, "presliding", Dimension::Length)?.unwrap_or(PRESLIDING_MM),
-        rubber: Prony(
-            prony.into_iter().map(|(share, time_constant_s)| Branch { share, time_constant_s }).collect(),
-        ),
+        load: line(&load, base, tables)?,
+        held: held(&load, base)?,
+        damping_n_s_per_m: load
+            .quantity("damping", Dimension::Damping)?
+            .unwrap_or(base.map_or(0.0, |base| base.damping_n_s_per_m)),
+        stops_mm: stops(&load)?.or(base.map(|base| base.stops_mm)).unwrap_or(FREE_MM),
+        presliding_mm: above(&friction, "presliding", Dimension::Length)?
+            .unwrap_or(base.map_or(PRESLIDING_MM, |base| base.presliding_mm)),
+        rubber: prony.unwrap_or_else(|| base.map_or_else(Prony::default, |base| base.rubber.clone())),
         target,
         until_s,
         output_step_s,
@@ -158,7 +202,7 @@ pub fn parse_drive(text: &str, tables: &Tables) -> Result<DriveFile, FileError> 
 /// The files that a drive file names, before they are there.
 ///
 /// # Errors
-/// [`FileError`] for a text that is no TOML, or moves nothing.
+/// [`FileError`] for a text that is not valid TOML, or moves nothing.
 pub fn drive_names(text: &str) -> Result<Names, FileError> {
     let source = Source::parse(text)?;
     let root = source.root();
@@ -177,7 +221,7 @@ fn subject(root: &Section<'_>) -> Result<Subject, FileError> {
         (Some(muscle), None) => Ok(Subject::Muscle(muscle.into())),
         (None, Some(joint)) => Ok(Subject::Joint(joint.into())),
         (Some(_), Some(_)) => {
-            Err(said(root, "joint", "stands beside a muscle: a drive moves one or the other"))
+            Err(said(root, "joint", "conflicts with muscle: a drive moves one or the other"))
         }
         (None, None) => Err(root.missing("muscle", None, "what moves: a muscle or a joint")),
     }
@@ -186,12 +230,13 @@ fn subject(root: &Section<'_>) -> Result<Subject, FileError> {
 /// The text of a drive file with another value at a dotted key: a number, `true` or `false`, or else a text.
 ///
 /// # Errors
-/// [`FileError`] for a text that is no TOML, or a key whose parents are no tables.
+/// [`FileError`] for a text that is not valid TOML, or a key whose parents are no tables.
 pub fn with_value(text: &str, dotted: &str, value: &str) -> Result<String, FileError> {
     // Errors of syntax with their places.
     let source = Source::parse(text)?;
     let wrong = |what: &str| source.error(dotted, Problem::Said(what.into()));
-    let mut document: toml_edit::DocumentMut = text.parse().map_err(|_| wrong("stands in no TOML"))?;
+    let mut document: toml_edit::DocumentMut =
+        text.parse().map_err(|_| wrong("is in a text that is not valid TOML"))?;
     let mut table: &mut dyn toml_edit::TableLike = document.as_table_mut();
     let (parents, last) = dotted.rsplit_once('.').unwrap_or(("", dotted));
     for part in parents.split('.').filter(|p| !p.is_empty()) {
@@ -224,9 +269,8 @@ fn at<T>(section: &Section<'_>, key: &str, result: Result<T, MotionError>) -> Re
     result.map_err(|error| said(section, key, format!("is invalid: {error}")))
 }
 
-fn supply(section: &Section<'_>) -> Result<Supply, FileError> {
+fn supply(section: &Section<'_>, default: Supply) -> Result<Supply, FileError> {
     section.only(SUPPLY, SUPPLY)?;
-    let default = Supply::default();
     let celsius = section.quantity("temperature", Dimension::Temperature)?;
     if celsius.is_some_and(|t| t <= -273.15) {
         return Err(said(section, "temperature", "must be above absolute zero"));
@@ -240,30 +284,41 @@ fn supply(section: &Section<'_>) -> Result<Supply, FileError> {
 const LINE: &str = "a load in quotes, such as \"spring:12N/mm@50N\"";
 
 /// Mass and line as one load.
-fn line(section: &Section<'_>, tables: &Tables) -> Result<Option<Load>, FileError> {
+fn line(section: &Section<'_>, base: Option<&DriveFile>, tables: &Tables) -> Result<Option<Load>, FileError> {
     let level = section.boolean("level")? == Some(true);
     let mass = above(section, "mass", Dimension::Mass)?.map(|mass_kg| Load::Mass { mass_kg, level });
-    let Some(text) = section.text("line", LINE)? else { return Ok(mass) };
+    let Some(text) = section.text("line", LINE)? else {
+        return Ok(sum(mass, base.and_then(|base| base.load.clone())));
+    };
     let mut read = BTreeMap::new();
     for name in Load::tables(text) {
         let Some(table) = tables.texts.get(name) else { continue };
-        let table = read_load(table.as_bytes(), tables.rest_length_mm)
-            .map_err(|error| said(section, "line", format!("is not a valid load: {name}: {error}")))?;
+        let said_of =
+            |error: &dyn fmt::Display| said(section, "line", format!("is not a valid load: {name}: {error}"));
+        let points = read_load(table.as_bytes(), tables.rest_length_mm).map_err(|e| said_of(&e))?;
+        let table = LoadTable::new(points).map_err(|e| said_of(&e))?;
         read.insert(name, table);
     }
     let line = Load::parse(text, &|name| read.get(name).cloned())
         .map_err(|error| said(section, "line", format!("is not a valid load: {error}")))?;
-    Ok(Some(match mass {
-        Some(mass) => Load::Sum(vec![mass, line]),
-        None => line,
-    }))
+    Ok(sum(mass, Some(line)))
+}
+
+fn sum(mass: Option<Load>, line: Option<Load>) -> Option<Load> {
+    match (mass, line) {
+        (Some(mass), Some(line)) => Some(Load::Sum(vec![mass, line])),
+        (mass, line) => mass.or(line),
+    }
 }
 
 /// The contraction at which both ends are held; it goes with no other key of the load.
-fn held(section: &Section<'_>) -> Result<Option<f64>, FileError> {
-    let Some(contraction) = section.quantity("held", Dimension::Ratio)? else { return Ok(None) };
-    if let Some(key) = LOAD.iter().find(|key| **key != "held" && section.has(key)) {
-        return Err(said(section, key, "stands beside held: a muscle whose ends are held moves no load"));
+fn held(section: &Section<'_>, base: Option<&DriveFile>) -> Result<Option<f64>, FileError> {
+    let contraction = section.quantity("held", Dimension::Ratio)?.or(base.and_then(|base| base.held));
+    let Some(contraction) = contraction else { return Ok(None) };
+    let loaded = base.is_some_and(|base| base.load.is_some());
+    let given = |key: &str| section.has(key) || loaded && key == "line";
+    if let Some(key) = LOAD.iter().find(|key| **key != "held" && given(key)) {
+        return Err(said(section, key, "conflicts with held: a muscle with fixed ends moves no load"));
     }
     if contraction.abs() >= 1.0 {
         return Err(said(section, "held", "must be a contraction below 1, such as \"10 %\""));
@@ -271,10 +326,10 @@ fn held(section: &Section<'_>) -> Result<Option<f64>, FileError> {
     Ok(Some(contraction))
 }
 
-fn stops(section: &Section<'_>) -> Result<(f64, f64), FileError> {
+fn stops(section: &Section<'_>) -> Result<Option<(f64, f64)>, FileError> {
     match section.values("stops", Dimension::Length, "")? {
-        None => Ok((f64::NEG_INFINITY, f64::INFINITY)),
-        Some((Values::Interval(low, high), _)) => Ok((low, high)),
+        None => Ok(None),
+        Some((Values::Interval(low, high), _)) => Ok(Some((low, high))),
         Some(_) => Err(said(section, "stops", "must be two shortenings, as in \"0..80 mm\"")),
     }
 }
@@ -310,6 +365,34 @@ mod tests {
     }
 
     #[test]
+    fn a_key_over_a_drive_says_what_it_says_in_its_file() {
+        let text =
+            format!("{HEAD}[load]\nline = 'mass:10kg'\ndamping = '200 N s/m'\nstops = '0..80 mm'\n{TAIL}");
+        let tables = Tables::default();
+        let drive = parse_drive(&text, &tables).unwrap();
+        for (key, value) in [
+            ("valve.sonic_conductance", "0.2 L/(s bar)"),
+            ("valve.critical_ratio", "0.4"),
+            ("valve.exhaust_conductance", "1 L/(s bar)"),
+            ("supply.pressure", "7 bar"),
+            ("supply.temperature", "40 degC"),
+            ("air.dead_volume", "100 cm3"),
+            ("load.mass", "5"),
+            ("load.line", "spring:2N/mm"),
+            ("load.damping", "10 N s/m"),
+            ("friction.presliding", "1 mm"),
+            ("command.pressure", "2 bar"),
+            ("command.until", "3 s"),
+        ] {
+            let by_file = with_value(&text, key, value).and_then(|text| parse_drive(&text, &tables));
+            assert_eq!(drive.with(key, value, &tables).unwrap(), by_file.unwrap(), "{key}");
+        }
+        for (key, value) in [("load.held", "10 %"), ("valve.closed", "1"), ("supply.pressure", "0 bar")] {
+            assert!(drive.with(key, value, &tables).is_err(), "{key}");
+        }
+    }
+
+    #[test]
     fn files_say_where_they_are_wrong() {
         for (text, words) in [
             (format!("[valve]\nname = 'x'\n{TAIL}"), "muscle"),
@@ -323,7 +406,7 @@ mod tests {
             (format!("{HEAD}[command]\nuntil = '1 s'\n"), "what is commanded"),
             (
                 format!("{HEAD}[command]\npressure = [['1 s', '1 bar'], ['0 s', '2 bar']]\nuntil = '1 s'\n"),
-                "must grow",
+                "must increase",
             ),
             (format!("{HEAD}[command]\npressure = [['1 s']]\nuntil = '1 s'\n"), "pairs"),
             (format!("{HEAD}[command]\npressure = 'NaN bar'\nuntil = '1 s'\n"), "command"),

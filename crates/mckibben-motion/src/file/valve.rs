@@ -2,12 +2,11 @@
 
 use super::{above, at, said};
 use crate::air::{Air, Heat};
-use crate::catalogue::{valve_named, valves};
+use crate::catalogue::{CRITICAL_RATIO, known, valve_named};
 use crate::drive::Actuator;
 use crate::hose::Hose;
 use crate::valve::{Orifice, Valve, ValveKind};
 use mckibben::muscle::file::{FileError, Section};
-use mckibben::nearest::nearest;
 use mckibben::units::Dimension;
 
 const VALVE: &[&str] = &[
@@ -28,10 +27,15 @@ const AIR: &[&str] = &["dead_volume", "heat", "polytropic_index"];
 /// Where the command of a pressure opens a proportional valve wide, in MPa, and half of an on–off valve's dead band.
 const WIDE_OPEN_MPA: f64 = 0.05;
 const HYSTERESIS_MPA: f64 = 0.005;
-pub(super) fn actuator(root: &Section<'_>) -> Result<Actuator, FileError> {
+
+/// The actuator; `base` where none is written.
+pub(super) fn actuator(root: &Section<'_>, base: Option<Actuator>) -> Result<Actuator, FileError> {
     let (valve, regulator) = (root.section("valve", "valve")?, root.section("regulator", "regulator")?);
     match (valve.is_written(), regulator.is_written()) {
-        (true, false) => Ok(Actuator::Valve(read_valve(&valve)?)),
+        (true, false) => {
+            let base = if let Some(Actuator::Valve(base)) = base { Some(base) } else { None };
+            Ok(Actuator::Valve(read_valve(&valve, base)?))
+        }
         (false, true) => {
             regulator.only(&["time_constant"], &["regulator.time_constant"])?;
             let time_constant_s = above(&regulator, "time_constant", Dimension::Time)?.ok_or_else(|| {
@@ -40,34 +44,37 @@ pub(super) fn actuator(root: &Section<'_>) -> Result<Actuator, FileError> {
             Ok(Actuator::Regulator { time_constant_s })
         }
         (true, true) => Err(said(root, "regulator", "conflicts with [valve]; keep one")),
-        (false, false) => Err(root.missing("valve", None, "a [valve] or a [regulator] that gives the air")),
+        (false, false) => {
+            base.ok_or_else(|| root.missing("valve", None, "a [valve] or a [regulator] that gives the air"))
+        }
     }
 }
 
-fn read_valve(section: &Section<'_>) -> Result<Valve, FileError> {
+/// A valve; the ways that it leaves out are those of `base`.
+fn read_valve(section: &Section<'_>, base: Option<Valve>) -> Result<Valve, FileError> {
     section.only(VALVE, VALVE)?;
     let named = match section.text("name", "the name of a valve, in quotes")? {
-        None => None,
-        Some(name) => Some(valve_named(name).ok_or_else(|| {
-            let all: Vec<&str> = valves().iter().map(|v| v.name.as_str()).collect();
-            let near = nearest(name, all.iter().copied());
-            let near = near.map_or_else(String::new, |n| format!("did you mean {n}? "));
-            said(section, "name", format!("is not a known valve: {near}there are {}", all.join(", ")))
-        })?),
+        None => base.map(|v| (v.supply, v.exhaust)),
+        Some(name) => match valve_named(name) {
+            Some(v) => Some((v.supply, v.exhaust)),
+            None => return Err(said(section, "name", format!("is not a known valve: {}", known(name)))),
+        },
     };
+    // Two ways that are alike stay alike.
+    let alike = base.is_some_and(|v| v.supply == v.exhaust) && !section.has("name");
     let path = |c: &str, b: &str, own: Option<Orifice>| -> Result<Option<Orifice>, FileError> {
         let conductance = above(section, c, Dimension::Conductance)?;
         let ratio = section.number(b)?;
         let base = own.map(|o| (o.conductance_l_per_s_bar(), o.critical_ratio()));
         let Some(conductance) = conductance.or(base.map(|o| o.0)) else { return Ok(None) };
-        let ratio = ratio.or(base.map(|o| o.1)).unwrap_or(0.3);
+        let ratio = ratio.or(base.map(|o| o.1)).unwrap_or(CRITICAL_RATIO);
         let key = if section.has(b) { b } else { c };
         at(section, key, Orifice::new(conductance, ratio)).map(Some)
     };
-    let supply = path("sonic_conductance", "critical_ratio", named.map(|v| v.supply))?.ok_or_else(|| {
+    let supply = path("sonic_conductance", "critical_ratio", named.map(|v| v.0))?.ok_or_else(|| {
         section.missing("sonic_conductance", None, "the valve's C, such as \"0.5 L/(s bar)\", or a name")
     })?;
-    let own = named.filter(|_| !section.has("sonic_conductance")).map_or(supply, |v| v.exhaust);
+    let own = named.filter(|_| !section.has("sonic_conductance") && !alike).map_or(supply, |v| v.1);
     let exhaust = path("exhaust_conductance", "exhaust_critical_ratio", Some(own))?.unwrap_or(supply);
     let kind = match section.text("kind", "proportional or on-off, in quotes")?.unwrap_or("proportional") {
         "proportional" => ValveKind::Proportional {
@@ -113,7 +120,7 @@ pub(super) fn air(section: &Section<'_>, wall_temperature_k: f64) -> Result<Air,
     let heat = match section.number("polytropic_index")? {
         None => heat,
         Some(_) if section.has("heat") => {
-            return Err(said(section, "polytropic_index", "stands beside heat: give one of them"));
+            return Err(said(section, "polytropic_index", "conflicts with heat; keep one"));
         }
         Some(n) if (1.0..=1.4).contains(&n) => Heat::Polytropic(n),
         Some(_) => return Err(said(section, "polytropic_index", "must be from 1 to 1.4")),

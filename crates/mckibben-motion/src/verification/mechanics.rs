@@ -57,7 +57,7 @@ fn balances() -> Option<Vec<Row>> {
         let mut drive = Drive::new(&load, vec![muscle], Target::Pressure(vec![steps]), 1.5);
         drive.tolerance.relative = 1e-9;
         let motion = ran(&drive);
-        let of = |value: &dyn Fn(&crate::run::Energies) -> f64| {
+        let of = |value: &dyn Fn(&crate::motion::Energies) -> f64| {
             motion.as_ref().map(|m| (value(&m.energies) / m.energies.work_j).abs())
         };
         let air = of(&|e| e.enthalpy_in_j - e.enthalpy_out_j + e.heat_j - e.internal_j - e.gas_work_j);
@@ -132,10 +132,10 @@ pub fn crossings(drive: &Drive<'_>, periods: f64) -> Option<f64> {
     drive.tolerance.relative = 1e-9;
     (drive.until_s, drive.output_step_s) = ((periods + 0.5) / f, 0.002 / f);
     let motion = ran(&drive)?;
-    let x: Vec<f64> = motion.coordinate.iter().map(|x| x - linear.coordinate()).collect();
+    let x: Vec<f64> = motion.series.coordinate.iter().map(|x| x - linear.coordinate()).collect();
     let falls: Vec<f64> = (1..x.len())
         .filter(|&i| x[i - 1] > 0.0 && x[i] <= 0.0)
-        .map(|i| motion.time_s[i - 1] + drive.output_step_s * x[i - 1] / (x[i - 1] - x[i]))
+        .map(|i| motion.series.time_s[i - 1] + drive.output_step_s * x[i - 1] / (x[i - 1] - x[i]))
         .collect();
     let (first, last) = (falls.first()?, falls.last()?);
     Some((falls.len() - 1) as f64 / (last - first))
@@ -162,7 +162,7 @@ fn loops() -> Vec<Row> {
             ran(&drive)
         };
         let (one, two) = (until(1.0)?, until(2.0)?);
-        let x = &two.coordinate[two.coordinate.len() / 2..];
+        let x = &two.series.coordinate[two.series.coordinate.len() / 2..];
         let most = x.iter().copied().fold(f64::MIN, f64::max);
         let stroke = most - x.iter().copied().fold(f64::MAX, f64::min);
         let area = 1e3 * (two.energies.friction_j - one.energies.friction_j);
@@ -189,7 +189,7 @@ fn convergence() -> Vec<Row> {
         let muscle = Actuated::new(&model, Actuator::Valve(valve()?));
         let mut drive = Drive::new(&load, vec![muscle], Target::Pressure(vec![steps]), 0.5);
         drive.tolerance.relative = relative;
-        ran(&drive)?.coordinate.last().copied()
+        ran(&drive)?.series.coordinate.last().copied()
     };
     let exact = end(1e-12);
     let row = |relative: f64| {

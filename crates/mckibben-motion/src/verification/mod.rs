@@ -9,7 +9,8 @@ pub use mechanics::{crossings, mechanics};
 pub use vessel::{Vessel, after, pressure, vessel};
 
 use crate::drive::Drive;
-use crate::run::{Motion, run};
+use crate::motion::Motion;
+use crate::run::run;
 use mckibben::progress::Silent;
 use mckibben::verification::Row;
 

@@ -9,7 +9,7 @@ use crate::air::{ATMOSPHERE_MPA, Heat};
 use crate::command::Command;
 use crate::drive::{Actuated, Actuator, Drive, Target};
 use crate::mechanism::SingleMuscle;
-use crate::run::Motion;
+use crate::motion::Motion;
 use crate::valve::{Orifice, Valve};
 use mckibben::model::{ForceModel, ModelEntry, ModelError, ModelInfo, Response, Workspace};
 use mckibben::muscle::Muscle;
@@ -75,11 +75,11 @@ pub fn after(heat: Heat, opening: f64, from_mpa: f64, until_s: f64) -> Option<Mo
 
 /// Absolute pressure in MPa at the end of a motion.
 pub fn pressure(motion: Option<&Motion>) -> Option<f64> {
-    Some(motion?.muscles.first()?.pressure_mpa.last()? + ATMOSPHERE_MPA)
+    Some(motion?.series.muscles.first()?.pressure_mpa.last()? + ATMOSPHERE_MPA)
 }
 
 fn temperature(motion: Option<&Motion>) -> Option<f64> {
-    motion?.muscles.first()?.temperature_k.last().copied()
+    motion?.series.muscles.first()?.temperature_k.last().copied()
 }
 
 /// Charges, discharges and balances.

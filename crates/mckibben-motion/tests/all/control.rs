@@ -22,8 +22,8 @@ fn identity_a_two_point_law_switches_at_its_thresholds() {
         let mut drive = Drive::new(&load, vec![Actuated::new(&*model, on_off(closed_centre))], target, 0.5);
         drive.output_step_s = 1e-4;
         let motion = ran(&drive);
-        let p = &motion.muscles[0].pressure_mpa;
-        let settled = motion.time_s.iter().zip(p).filter(|(t, _)| **t > 0.4).map(|(_, p)| *p);
+        let p = &motion.series.muscles[0].pressure_mpa;
+        let settled = motion.series.time_s.iter().zip(p).filter(|(t, _)| **t > 0.4).map(|(_, p)| *p);
         assert!(settled.clone().all(|p| (p - 0.2).abs() <= 0.005 + 1e-6), "{closed_centre}");
         let count = |kind| motion.events.iter().filter(|e| e.kind == kind).count();
         if closed_centre {
@@ -48,10 +48,10 @@ fn a_lagging_proportional_valve_fills_later_and_a_hose_later_still() {
         let valve = Valve { kind, hose, ..Valve::new(orifice) };
         let muscle = Actuated::new(&*model, Actuator::Valve(valve));
         let motion = ran(&Drive::new(&load, vec![muscle], steps(&[(0.0, 0.0), (0.05, 0.2)]), 1.0));
-        close(last(&motion.muscles[0].pressure_mpa), 0.2, 1e-4);
-        let i = motion.time_s.iter().position(|t| *t > 0.08).unwrap();
+        close(last(&motion.series.muscles[0].pressure_mpa), 0.2, 1e-4);
+        let i = motion.series.time_s.iter().position(|t| *t > 0.08).unwrap();
         assert!(motion.fill_time_s.is_some());
-        motion.muscles[0].pressure_mpa[i]
+        motion.series.muscles[0].pressure_mpa[i]
     };
     let (bare, lagging) = (pressure_at_80_ms(0.0, None), pressure_at_80_ms(0.02, None));
     let hosed = pressure_at_80_ms(0.02, Some(Hose::new(4.0, 1000.0).unwrap()));
@@ -78,9 +78,9 @@ fn identity_an_integral_controller_leaves_no_error() {
     for (target, actuator) in target {
         let drive = Drive::new(&load, vec![Actuated::new(&*model, actuator)], target, 5.0);
         let motion = ran(&drive);
-        close(motion.muscles[0].contraction[0], 0.1, 1e-9);
-        close(motion.muscles[0].contraction[19], 0.1, 1e-6);
-        close(last(&motion.muscles[0].contraction), 0.2, 1e-3);
+        close(motion.series.muscles[0].contraction[0], 0.1, 1e-9);
+        close(motion.series.muscles[0].contraction[19], 0.1, 1e-6);
+        close(last(&motion.series.muscles[0].contraction), 0.2, 1e-3);
     }
 }
 
@@ -99,8 +99,8 @@ fn two_antagonists_follow_an_angle() {
     let target = Target::Position { command: Command::Steps(vec![(0.0, 0.0), (0.1, 0.3)]), pid };
     let muscle = Actuated::new(&*model, regulator(0.02));
     let motion = ran(&Drive::new(&joint, vec![muscle.clone(), muscle], target, 4.0));
-    close(last(&motion.coordinate), 0.3, 1e-3);
-    let p = |i: usize| last(&motion.muscles[i].pressure_mpa);
+    close(last(&motion.series.coordinate), 0.3, 1e-3);
+    let p = |i: usize| last(&motion.series.muscles[i].pressure_mpa);
     close(p(0) + p(1), 0.4, 1e-6);
 }
 

@@ -35,10 +35,10 @@ fn a_muscle_that_hangs_loose_without_pressure_is_filled_and_lifts() {
             );
             let motion = ran(&drive);
             let still = equilibrium(&drive, &[0.2]).unwrap().coordinate;
-            close(*motion.coordinate.last().unwrap(), still, 1e-3);
+            close(*motion.series.coordinate.last().unwrap(), still, 1e-3);
             let pull = model.force_n(&mut Workspace::new(), 0.2, still / load.length_mm).unwrap();
             close(pull, 2.0 * 9.806_65, 1e-6);
-            assert_eq!(motion.rest.unwrap().moves, Moves::Rests, "{kind}");
+            assert_eq!(motion.end.unwrap().moves, Moves::Rests, "{kind}");
         }
     }
 }
@@ -51,19 +51,19 @@ fn without_a_damper_a_load_swings_and_with_one_it_rests() {
             SingleMuscle { stops_mm: (0.0, 90.0), damping_n_s_per_m, ..SingleMuscle::hanging(&*model, 5.0) };
         let drive =
             Drive::new(&load, vec![Actuated::new(&*model, valve())], steps(&[(0.0, 0.0), (0.1, 0.3)]), 2.0);
-        let rest = ran(&drive).rest.unwrap();
-        assert_eq!(rest.equilibrium, Some(equilibrium(&drive, &[0.3]).unwrap().coordinate));
-        rest
+        let still = equilibrium(&drive, &[0.3]).unwrap().coordinate;
+        let motion = ran(&drive);
+        assert_eq!(motion.equilibrium_contraction, Some(still / load.length_mm));
+        (motion.end.unwrap(), still)
     };
-    let (swings, rests) = (moves(0.0), moves(300.0));
+    let ((swings, still), (rests, _)) = (moves(0.0), moves(300.0));
     assert_eq!((swings.moves, rests.moves), (Moves::Swings, Moves::Rests));
-    let still = swings.equilibrium.unwrap();
     assert!(swings.between.0 < still && still < swings.between.1, "{swings:?}");
     // Nothing can be said of a command that goes on.
     let load = SingleMuscle { stops_mm: (0.0, 90.0), ..SingleMuscle::hanging(&*model, 5.0) };
     let sine = Command::Sine { mean: 0.2, amplitude: 0.05, frequency_hz: 1.0, phase_rad: 0.0 };
     let drive = Drive::new(&load, vec![Actuated::new(&*model, valve())], Target::Pressure(vec![sine]), 2.0);
-    assert_eq!(ran(&drive).rest, None);
+    assert_eq!(ran(&drive).end, None);
 }
 
 /// The oracle is a series of 20,000 points.
@@ -84,7 +84,7 @@ fn the_largest_speed_does_not_follow_the_points_of_the_series() {
         ran(&drive)
     };
     let fine = of(2.0, 1e-4);
-    let sampled = fine.velocity.iter().fold(0.0_f64, |a, v| a.max(v.abs()));
+    let sampled = fine.series.velocity.iter().fold(0.0_f64, |a, v| a.max(v.abs()));
     close(fine.largest_speed, sampled, 1e-4);
     for (until_s, step_s) in [(2.0, 2.0), (20.0, 0.02), (200.0, 0.2), (1000.0, 1.0)] {
         let motion = of(until_s, step_s);
@@ -102,15 +102,15 @@ fn what_ends_early_gives_what_was_computed() {
     drive.tolerance.steps = 60;
     let motion = run_as_far(&drive, &Silent).unwrap();
     assert!(matches!(motion.ended, Some(MotionError::Steps { steps: 61, .. })), "{:?}", motion.ended);
-    let (end, count) = (*motion.time_s.last().unwrap(), motion.time_s.len());
-    assert!(end > 0.0 && end < 1.0 && motion.muscles[0].pressure_mpa.len() == count);
-    assert!(motion.rest.is_none() && motion.steps.is_empty());
-    assert!(motion.time_s.windows(2).all(|w| w[1] > w[0]));
+    let (end, count) = (*motion.series.time_s.last().unwrap(), motion.series.time_s.len());
+    assert!(end > 0.0 && end < 1.0 && motion.series.muscles[0].pressure_mpa.len() == count);
+    assert!(motion.end.is_none() && motion.steps.is_empty());
+    assert!(motion.series.time_s.windows(2).all(|w| w[1] > w[0]));
     // The same figures as the whole run, as far as it goes.
     drive.tolerance.steps = 1_000_000;
     let whole = ran(&drive);
-    for (i, t) in motion.time_s.iter().enumerate().take(count - 1) {
-        assert_eq!((*t, motion.coordinate[i]), (whole.time_s[i], whole.coordinate[i]));
+    for (i, t) in motion.series.time_s.iter().enumerate().take(count - 1) {
+        assert_eq!((*t, motion.series.coordinate[i]), (whole.series.time_s[i], whole.series.coordinate[i]));
     }
 }
 

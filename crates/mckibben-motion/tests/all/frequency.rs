@@ -81,7 +81,7 @@ fn bandwidth_is_where_a_simulated_sine_falls_to_its_root_half() {
         // Fourier coefficient over the last four periods.
         let (mut c, mut s, mut n) = (0.0, 0.0, 0.0);
         let mean = linear.coordinate();
-        for (t, x) in motion.time_s.iter().zip(&motion.coordinate) {
+        for (t, x) in motion.series.time_s.iter().zip(&motion.series.coordinate) {
             if *t > 8.0 / hz && *t <= 12.0 / hz {
                 let y = (x - mean) / model.muscle().length_mm();
                 (c, s, n) = (c + y * (TAU * hz * t).cos(), s + y * (TAU * hz * t).sin(), n + 1.0);
@@ -112,7 +112,7 @@ fn closed_form_two_antagonists_turn_by_the_difference_of_their_pressures() {
     let hz = linear.bandwidth_hz().unwrap();
     let sine = |amplitude: f64| Command::Sine { mean: 0.2, amplitude, frequency_hz: hz, phase_rad: 0.0 };
     let motion = ran(&drive(sine(1e-3), sine(-1e-3), 12.0 / hz));
-    let late = motion.time_s.iter().zip(&motion.coordinate).filter(|(t, _)| **t > 8.0 / hz);
+    let late = motion.series.time_s.iter().zip(&motion.series.coordinate).filter(|(t, _)| **t > 8.0 / hz);
     let most = late.map(|(_, q)| q.abs()).fold(0.0, f64::max);
     close(most / 1e-3, still / 2f64.sqrt(), 5e-3);
 }

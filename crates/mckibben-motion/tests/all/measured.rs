@@ -51,7 +51,7 @@ fn lifted(model: &ThickWall, mass_kg: f64, pressure_mpa: f64, conductance: f64) 
     drive.initial_coordinate = Some(0.0);
     drive.supply.pressure_mpa = pressure_mpa;
     let motion = ran(&drive);
-    motion.time_s.iter().copied().zip(motion.coordinate).collect()
+    motion.series.time_s.iter().copied().zip(motion.series.coordinate).collect()
 }
 
 /// Pressure, modulus and length by the ends of the steps, the valve by one time; the other times follow.
@@ -110,7 +110,7 @@ fn release_speeds_fall_with_the_load_as_measured() {
         let mut drive = Drive::new(&load, vec![muscle], Target::Opening(vec![Command::Constant(0.0)]), 0.5);
         drive.initial_coordinate = Some(0.0);
         let motion = ran(&drive);
-        motion.velocity.iter().copied().fold(0.0, f64::max)
+        motion.series.velocity.iter().copied().fold(0.0, f64::max)
     };
     let computed: Vec<f64> = rows.iter().map(|r| speed(r[1])).collect();
     let middle = 3;

@@ -17,7 +17,7 @@ fn identity_a_cycle_stores_nothing_in_rubber_and_braid() {
         let mut drive = Drive::new(&load, vec![Actuated::new(model, regulator(0.05))], target, 4.0);
         drive.tolerance.relative = 1e-9;
         let motion = ran(&drive);
-        close(last(&motion.coordinate), motion.coordinate[0], 1e-8);
+        close(last(&motion.series.coordinate), motion.series.coordinate[0], 1e-8);
         let e = motion.energies;
         assert!(e.stored_j.abs() < 1e-6 * e.work_j, "{e:?}");
     }
@@ -39,10 +39,10 @@ fn identity_a_slow_loop_has_the_static_pull_plus_and_minus_friction() {
     let drive = Drive::new(&spring, vec![driven], Target::Pressure(vec![ramps]), 40.0);
     let motion = ran(&drive);
     for (t, sign) in [(10.0, -1.0), (30.0, 1.0)] {
-        let i = motion.time_s.iter().position(|x| *x >= t).unwrap();
-        let (p, e) = (motion.muscles[0].pressure_mpa[i], motion.muscles[0].contraction[i]);
+        let i = motion.series.time_s.iter().position(|x| *x >= t).unwrap();
+        let (p, e) = (motion.series.muscles[0].pressure_mpa[i], motion.series.muscles[0].contraction[i]);
         let expected = model.pull(p, e) + sign * 30.0 * p.powf(0.7);
-        close(motion.muscles[0].force_n[i], expected, 1e-6);
+        close(motion.series.muscles[0].force_n[i], expected, 1e-6);
     }
 }
 
@@ -58,7 +58,7 @@ fn closed_form_an_impact_loses_its_kinetic_energy_and_a_stop_holds() {
     let impact = motion.events.iter().find(|e| e.kind == EventKind::LowerStop).unwrap();
     close(impact.time_s, (2.0 * 0.020_f64 / 9.80665).sqrt(), 1e-8);
     close(impact.lost_j, 2.0 * 9.80665 * 0.020, 1e-8);
-    assert_eq!((last(&motion.coordinate), last(&motion.velocity)), (-20.0, 0.0));
+    assert_eq!((last(&motion.series.coordinate), last(&motion.series.velocity)), (-20.0, 0.0));
 }
 
 #[test]
@@ -78,11 +78,16 @@ fn identity_a_slack_muscle_hangs_at_its_free_contraction_and_keeps_its_air() {
     assert!(kinds.starts_with(&[EventKind::Slack, EventKind::Taut]), "{kinds:?}");
     // Between the two the mass is in free flight: x is a parabola of −g.
     let (out, back) = (motion.events[0].time_s, motion.events[1].time_s);
-    let flying: Vec<usize> =
-        (0..motion.time_s.len()).filter(|&i| motion.time_s[i] > out && motion.time_s[i] < back).collect();
-    assert!(flying.iter().all(|&i| motion.muscles[0].force_n[i] == 0.0));
+    let flying: Vec<usize> = (0..motion.series.time_s.len())
+        .filter(|&i| motion.series.time_s[i] > out && motion.series.time_s[i] < back)
+        .collect();
+    assert!(flying.iter().all(|&i| motion.series.muscles[0].force_n[i] == 0.0));
     let (a, b) = (flying[0], flying[flying.len() - 1]);
-    close(motion.velocity[a] - motion.velocity[b], 9806.65 * (motion.time_s[b] - motion.time_s[a]), 1e-7);
+    close(
+        motion.series.velocity[a] - motion.series.velocity[b],
+        9806.65 * (motion.series.time_s[b] - motion.series.time_s[a]),
+        1e-7,
+    );
     assert!(motion.mass_defect < 1e-12);
     // A shut muscle without losses comes back to where it began.
     let e = motion.energies;
@@ -123,8 +128,8 @@ fn closed_form_relaxation_of_the_rubber() {
     let w = &mut mckibben::model::Workspace::new();
     let still = model.force_n(w, 0.3, 0.1).unwrap();
     let excess = |t: f64| {
-        let i = motion.time_s.iter().position(|x| *x >= t - 1e-12).unwrap();
-        motion.muscles[0].force_n[i] - still
+        let i = motion.series.time_s.iter().position(|x| *x >= t - 1e-12).unwrap();
+        motion.series.muscles[0].force_n[i] - still
     };
     close(excess(0.6) / excess(0.4), (-1.0_f64).exp(), 1e-5);
     let ideal = Ideal::new(&note_muscle());
@@ -148,9 +153,9 @@ fn a_muscle_lifts_a_mass_from_its_stop() {
     // It leaves the stop where the pull is the weight.
     let lifted = motion.events.iter().find(|e| e.kind == EventKind::Lifted).unwrap();
     let until = Drive { until_s: lifted.time_s + 1e-9, ..drive.clone() };
-    close(last(&ran(&until).muscles[0].force_n), 98.0665, 1e-6);
+    close(last(&ran(&until).series.muscles[0].force_n), 98.0665, 1e-6);
     // And comes to rest where it is in equilibrium.
-    close(last(&motion.coordinate), equilibrium(&drive, &[0.3]).unwrap().coordinate, 1e-5);
+    close(last(&motion.series.coordinate), equilibrium(&drive, &[0.3]).unwrap().coordinate, 1e-5);
     assert!(motion.rise_time_s.is_some() && motion.settling_time_s > motion.rise_time_s);
     println!(
         "{} steps, {} rates, {} answers",

@@ -104,6 +104,8 @@ fn identity_random_drives_come_to_their_end_with_their_air_and_energy() {
         assert!(motion.mass_defect < 1e-12, "{} {said}", motion.mass_defect);
         // At the default tolerance of 1e-6.
         assert!(air.abs() < 1e-4 * scale && (pulled - used).abs() < 1e-4 * scale, "{e:?} {said}");
-        assert!(motion.coordinate.iter().chain(&motion.muscles[0].force_n).all(|v| v.is_finite()));
+        assert!(
+            motion.series.coordinate.iter().chain(&motion.series.muscles[0].force_n).all(|v| v.is_finite())
+        );
     }
 }

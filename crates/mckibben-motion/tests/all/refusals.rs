@@ -11,7 +11,7 @@ use mckibben_motion::*;
 #[test]
 fn commands_with_times_that_go_back_or_no_numbers_are_refused() {
     let back = Command::table(vec![(0.0, 1.0), (1.0, 2.0), (0.5, 1.0)]).unwrap_err();
-    assert_eq!(back.to_string(), "the command's times must grow: 0.5 s follows 1 s (point 3)");
+    assert_eq!(back.to_string(), "the command's times must increase: 0.5 s follows 1 s (point 3)");
     assert!(matches!(Command::table(vec![(0.0, f64::NAN)]), Err(CommandError::NotFinite { .. })));
     assert_eq!(Command::table(vec![]), Err(CommandError::Empty));
 }

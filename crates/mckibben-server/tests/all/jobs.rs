@@ -38,7 +38,7 @@ async fn delete(client: &Client, job: &str) -> Answer {
 async fn a_job_tells_its_way_and_its_answer() {
     let client = Client::usual();
     let job = client.job("design", DESIGN).await;
-    let told = events(
+    let received = events(
         &client
             .send(
                 asked(Method::GET, &format!("{job}/events"))
@@ -49,7 +49,7 @@ async fn a_job_tells_its_way_and_its_answer() {
             .await,
     );
     let wanted: Value = serde_json::from_str(&ask("design", DESIGN, &Silent).unwrap()).unwrap();
-    let (last, way) = told.split_last().unwrap();
+    let (last, way) = received.split_last().unwrap();
     assert_eq!(last, &("answer".to_owned(), wanted.clone()));
     assert!(!way.is_empty() && way.iter().all(|(name, _)| name == "progress"), "{way:?}");
     let counts = |value: &Value| Some((value["done"].as_u64()?, value["total"].as_u64()?));
@@ -59,7 +59,7 @@ async fn a_job_tells_its_way_and_its_answer() {
     assert_eq!(state["answer"], wanted);
     // Who comes late hears the same end.
     let again = events(&client.get(&format!("{job}/events")).await);
-    assert_eq!(again.last(), told.last());
+    assert_eq!(again.last(), received.last());
 }
 
 #[tokio::test]
@@ -71,8 +71,8 @@ async fn what_is_wrong_is_said_at_once_or_as_a_problem_of_the_job() {
     let refused = client.post("/api/v1/jobs/design", r#"{"forse_n": 300}"#).await.problem(422);
     assert_eq!(refused["hint"], "did you mean `force_n`?");
     let job = client.job("force", r#"{"pressure_mpa": 0.3, "model": "paper"}"#).await;
-    let told = events(&client.get(&format!("{job}/events")).await);
-    let (name, problem) = told.last().unwrap();
+    let received = events(&client.get(&format!("{job}/events")).await);
+    let (name, problem) = received.last().unwrap();
     assert_eq!((name.as_str(), &problem["status"]), ("problem", &json!(422)));
     assert_eq!(problem["kind"], "out_of_range");
     let state = client.get(&job).await.json();
@@ -91,12 +91,12 @@ async fn a_job_is_cancelled_and_forgotten() {
     client.once(&job, |s| s["state"] == "running").await;
     assert_eq!(client.get(&waiting).await.json()["state"], "queued");
     let path = format!("{job}/events");
-    let (told, gone) = tokio::join!(client.get(&path), async {
+    let (received, gone) = tokio::join!(client.get(&path), async {
         tokio::time::sleep(Duration::from_millis(50)).await;
         delete(&client, &job).await
     });
     assert_eq!(gone.status, 204);
-    assert_eq!(events(&told).last().unwrap().1["kind"], "cancelled");
+    assert_eq!(events(&received).last().unwrap().1["kind"], "cancelled");
     client.get(&job).await.problem(404);
     // The other one has its turn.
     assert_eq!(client.once(&waiting, |s| s["state"] == "done").await["command"], "compare");

@@ -165,7 +165,7 @@ async fn what_expands_is_refused_before_memory_is_taken() {
     assert!(peak_mb().is_none_or(|mb| mb < 1000), "{:?}", peak_mb());
 }
 
-/// What is held for requests and answers is held in sum.
+/// The memory for requests and answers is limited in total.
 #[tokio::test]
 async fn memory_is_given_back() {
     let client = Client::new(Config { memory_bytes: 100_000, ..Config::default() });

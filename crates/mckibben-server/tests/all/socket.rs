@@ -181,8 +181,8 @@ fn the_server_ends_within_two_seconds_whatever_it_does() {
     let address = server.address;
     let took = server.end();
     assert!(took < Duration::from_secs(2), "{took:?}");
-    let told = rest(events);
-    assert!(told.contains("event: problem") && told.contains("\"cancelled\""), "{told}");
+    let received = rest(events);
+    assert!(received.contains("event: problem") && received.contains("\"cancelled\""), "{received}");
     assert!(rest(request).contains(" 503 "));
     assert_eq!(rest(silent), "");
     let again = std::net::TcpStream::connect_timeout(&address, PATIENCE);

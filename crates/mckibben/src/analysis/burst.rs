@@ -118,8 +118,8 @@ pub fn burst<M: ForceModel + ?Sized>(model: &M, workspace: &Workspace) -> Result
         }
     };
     match found {
-        Err(AnalysisError::Unknown { .. }) => Ok(told(near?, &mut of_thick, true)),
-        found => Ok(told(found?, &mut of_thick, false)),
+        Err(AnalysisError::Unknown { .. }) => Ok(burst_of(near?, &mut of_thick, true)),
+        found => Ok(burst_of(found?, &mut of_thick, false)),
     }
 }
 
@@ -137,7 +137,7 @@ fn guess(near: &Result<Found, AnalysisError>) -> f64 {
 }
 
 /// A muscle without an equilibrium has burst: where the infinitely long one has none beyond the same pressure, too.
-fn told(found: Found, thick: &mut Strands<'_, dyn ForceModel>, from_thick_wall: bool) -> Burst {
+fn burst_of(found: Found, thick: &mut Strands<'_, dyn ForceModel>, from_thick_wall: bool) -> Burst {
     const BEYOND: f64 = 1.1;
     match found {
         Found::Breaks(pressure_mpa) => Burst::At { pressure_mpa, from_thick_wall },

@@ -75,11 +75,11 @@ fn no_pressure(
         format!("no pressure gives {} N at a contraction of {}", short(force_n, 4), percent(contraction));
     match braid_stops_at {
         Some(end) => format!(
-            "{asked}: this braid stops at {:.1} % (its angle reaches 54.7° there, and a muscle pulls no more); ask for less contraction, or take a braid with a smaller angle",
+            "{asked}: this braid contracts by {:.1} % at most (its angle is 54.7° there, and the pull is zero); reduce the contraction, or take a braid with a smaller angle",
             100.0 * end
         ),
         None if nearest_n <= 0.0 && force_n > 0.0 => format!(
-            "{asked}: at that contraction the muscle is slack at every pressure that the {model} model accepts; ask for less contraction"
+            "{asked}: at that contraction the muscle is slack at every pressure that the {model} model accepts; reduce the contraction"
         ),
         None => format!(
             "{asked}: the nearest the {model} model reaches is {} N at {} MPa",

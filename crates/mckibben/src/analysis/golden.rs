@@ -1,7 +1,7 @@
 //! The least of a function of one variable.
 
 /// Golden section between `left` and `right`, from a sample between them.
-pub(crate) fn golden<S: Place, M: PartialOrd>(
+pub fn golden<S: Place, M: PartialOrd>(
     left: f64,
     start: S,
     right: f64,
@@ -35,7 +35,7 @@ pub(crate) fn golden<S: Place, M: PartialOrd>(
 }
 
 /// Something at a place of an axis.
-pub(crate) trait Place {
+pub trait Place {
     /// The place.
     fn place(&self) -> f64;
 }

@@ -250,7 +250,7 @@ fn taut_below(
 
 /// The pressure in MPa at which the pull is `force_n`, below one at which it is known to be enough (pressure, pull): by Newton's
 /// method from there. `None` where that finds none.
-pub(crate) fn pressure_up_to<M: ForceModel + ?Sized>(
+pub fn pressure_up_to<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
     force_n: f64,

@@ -21,7 +21,7 @@ pub enum Problem {
     #[error("{0}")]
     Unread(Arc<mckibben_files::ReadError>),
     /// It is no JSON.
-    #[error("is no JSON: {0} (JSON knows no NaN; a file that ends early is truncated)")]
+    #[error("is not valid JSON: {0} (JSON has no NaN; a file that ends early is truncated)")]
     Json(String),
     /// A key is missing.
     #[error("the key `{key}` is missing")]
@@ -38,24 +38,24 @@ pub enum Problem {
         message: String,
     },
     /// A word that is none of those known.
-    #[error("`{key}` says `{given}`, which is none of {known}")]
+    #[error("`{key}` is `{given}`; expected one of {known}")]
     Unknown {
         /// Which key.
         key: String,
-        /// What stands there.
+        /// The value in the file.
         given: String,
         /// What may stand there.
         known: String,
     },
     /// A term that stands twice.
-    #[error("`terms`: the term {term} stands there twice")]
+    #[error("`terms`: the term {term} is given twice")]
     Twice {
         /// Which term.
         term: String,
     },
     /// Forces that no muscle has.
     #[error(
-        "its numbers make no sense: at D0 {outer_diameter_mm} mm, s {wall_mm} mm, {pressure_mpa} MPa and contraction {contraction} they give {force_n:.3e} N"
+        "its numbers are not plausible: at D0 {outer_diameter_mm} mm, s {wall_mm} mm, {pressure_mpa} MPa and contraction {contraction} they give {force_n:.3e} N"
     )]
     Senseless {
         /// The force in N.
@@ -71,7 +71,7 @@ pub enum Problem {
     },
     /// Terms that are as they were written, and do not give the force that was written with them.
     #[error(
-        "its check point says {written_n} N, and this version of mckibben computes {force_n} N there: fit the formula again"
+        "its check point states {written_n} N, but this version of mckibben computes {force_n} N there: fit the formula again"
     )]
     CheckPoint {
         /// What was written, in N.

@@ -105,7 +105,7 @@ impl Default for Provenance {
     }
 }
 
-/// A formula with all that is known of it.
+/// A formula with its data.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(into = "file::File")]
 pub struct Formula {

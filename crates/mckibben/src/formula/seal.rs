@@ -96,12 +96,10 @@ impl fmt::Display for SealState {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Sealed => f.write_str("is as it was written"),
-            Self::Absent => {
-                f.write_str("carries no seal: nothing shows that its numbers and its ± are those of a fit")
-            }
+            Self::Absent => f.write_str("has no seal (checksum): its numbers and its ± cannot be verified"),
             Self::Changed { check_n } => {
                 f.write_str(
-                    "was changed after it was written: its seal does not match, and no ± can be vouched for",
+                    "was changed after it was written: its seal (checksum) does not match, and its ± is not valid",
                 )?;
                 match check_n {
                     Some((then, now)) => write!(

@@ -139,9 +139,9 @@ fn wrong_files_are_named_with_their_key() {
     let (paper, global) =
         (formula(Body::Paper(Box::new(*Coefficients::published()))).to_json(), global().to_json());
     let cases = [
-        ("truncated", global[..global.len() / 2].to_owned(), "is no JSON"),
-        ("NaN", global.replace("1.1", "NaN"), "is no JSON"),
-        ("infinite", global.replace("1.1", "1e999"), "is no JSON"),
+        ("truncated", global[..global.len() / 2].to_owned(), "is not valid JSON"),
+        ("NaN", global.replace("1.1", "NaN"), "is not valid JSON"),
+        ("infinite", global.replace("1.1", "1e999"), "is not valid JSON"),
         (
             "null",
             global.replace("1.1", "null"),
@@ -169,7 +169,7 @@ fn wrong_files_are_named_with_their_key() {
         ("scale", global.replace("\"wall_ratio\": 0.1", "\"wall_ratio\": 0"), "`scales.wall_ratio`"),
         ("errors", global.replace("\"max_n\"", "\"max\""), "max_n` is missing"),
         ("a term", paper.replace("\"A11\"", "\"D11\""), "says `D11`"),
-        ("a term too many", paper.replace("\"A11\"", "\"A12\""), "A12 stands there twice"),
+        ("a term too many", paper.replace("\"A11\"", "\"A12\""), "A12 is given twice"),
         ("a term too few", paper.replace("\"A63\"", "\"C10\""), "`terms: A63` is missing"),
         ("a list", "[1]".to_owned(), "`the file`: invalid type: sequence, expected an object"),
     ];
@@ -224,11 +224,11 @@ fn a_file_without_a_seal_answers_and_says_so_and_gets_none_by_being_written_agai
 fn numbers_that_no_muscle_has_are_refused() {
     let text = formula(Body::Paper(Box::new(*Coefficients::published()))).to_json();
     let error = edited(&text, "-12.079", "-12.079e19").unwrap_err().to_string();
-    assert!(error.contains("its numbers make no sense: at D0 30 mm"), "{error}");
+    assert!(error.contains("its numbers are not plausible: at D0 30 mm"), "{error}");
     // The terms are as they were written, and what stands at the check point is not what they give.
     let force = text.rfind("\"force_n\": ").unwrap() + 11;
     let error = Formula::parse(&format!("{}9{}", &text[..force], &text[force..])).unwrap_err().to_string();
-    assert!(error.contains("its check point says 9"), "{error}");
+    assert!(error.contains("its check point states 9"), "{error}");
     let error = edited(&text, "\"sha256\": \"", "\"sha256\": 1, \"old\": \"").unwrap_err().to_string();
     assert!(error.contains("`seal.sha256`: invalid type"), "{error}");
 }

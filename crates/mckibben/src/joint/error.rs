@@ -120,7 +120,7 @@ pub enum JointError {
     },
     /// One muscle sets a torque or a stiffness, not both.
     #[error(
-        "a joint with one muscle has one pressure: its stiffness follows from the torque and cannot be asked for"
+        "a joint with one muscle has one pressure: its stiffness follows from the torque and cannot be set"
     )]
     OneMuscle,
     /// A muscle's model has no answer.

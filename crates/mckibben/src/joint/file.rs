@@ -170,7 +170,7 @@ fn spring(section: &Section<'_>, radius: Option<f64>) -> Result<Option<JointSpri
             Ok(Some(JointSpring::Torsion { rate_nm_per_rad, preload_nm }))
         }
         (Some(_), Some(_)) => {
-            let said = "stands beside angular_rate: a spring is on a rope, or it is a torsion spring";
+            let said = "conflicts with angular_rate: a spring acts by a rope, or it is a torsion spring";
             Err(section.error("rate", Problem::Said(said.into())))
         }
         (None, None) => {

@@ -20,7 +20,7 @@ pub enum Rest {
         /// Whether it comes back after a small turn.
         stable: bool,
     },
-    /// It leans on a limit of its range.
+    /// It rests at a limit of its range.
     Limit {
         /// φ in degrees.
         angle_deg: f64,

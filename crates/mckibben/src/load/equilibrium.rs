@@ -7,6 +7,7 @@ use crate::analysis::{
 };
 use crate::answer::{self, Answer};
 use crate::model::{ForceModel, ModelError, Workspace};
+use serde::Serialize;
 use thiserror::Error;
 
 /// Parts into which the way of the muscle is cut in search of every crossing.
@@ -14,18 +15,24 @@ const SCAN: usize = 48;
 /// A contraction is known to this.
 const TOLERANCE: f64 = 1e-12;
 
-/// An equilibrium of a muscle and a load at a pressure.
-#[derive(Debug, Clone, PartialEq)]
+/// An equilibrium with the load.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Equilibrium"))]
 pub struct Balance {
     /// The muscle there.
+    #[serde(flatten)]
     pub answer: Answer,
-    /// x = ε L0 in mm.
+    /// How far it is shortened, mm.
     pub shortening_mm: f64,
-    /// dF_load/dx + K in N/mm, K = ∂F/∂L of the muscle at this pressure: what holds the load where it is.
+    // dF_load/dx + K, K = ∂F/∂L of the muscle at this pressure: what holds the load where it is.
+    /// Stiffness of muscle and load together at this pressure, N/mm.
+    #[serde(rename = "held_stiffness_n_per_mm")]
     pub stiffness_n_per_mm: f64,
-    /// Whether it comes back after a small step.
+    /// Whether the load comes back after a small step.
     pub stable: bool,
-    /// √(stiffness/M)/2π in Hz at constant pressure, where a mass moves and the equilibrium is stable.
+    // √(stiffness/M)/2π, where the equilibrium is stable.
+    /// Natural frequency at constant pressure in Hz, where a mass moves.
+    #[serde(rename = "natural_frequency_hz", default, skip_serializing_if = "Option::is_none")]
     pub frequency_hz: Option<f64>,
 }
 
@@ -34,7 +41,7 @@ pub struct Balance {
 pub enum LoadError {
     /// The muscle does not lift it.
     #[error(
-        "at {pressure_mpa} MPa the muscle pulls {pull_n:.1} N at its length at rest, and the load of {load_n:.1} N is not lifted: it takes more pressure or a stronger muscle"
+        "at {pressure_mpa} MPa the muscle pulls {pull_n:.1} N at its length at rest, and the load of {load_n:.1} N is not lifted: raise the pressure or take a stronger muscle"
     )]
     NotLifted {
         /// Pressure in MPa.

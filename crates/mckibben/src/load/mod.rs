@@ -8,14 +8,12 @@ mod cycle;
 mod equilibrium;
 mod lever;
 mod parse;
-mod read;
 mod table;
 
 pub use cycle::{Cycle, cycle};
 pub use equilibrium::{Balance, LoadError, balances};
 pub use lever::Lever;
 pub use parse::LoadTextError;
-pub use read::{ReadLoadError, read_load};
 pub use table::{LoadTable, LoadTableError};
 
 /// Standard gravity in m/s² (CGPM 1901).

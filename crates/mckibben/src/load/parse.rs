@@ -28,7 +28,7 @@ pub enum LoadTextError {
         /// What should stand there.
         expected: &'static str,
     },
-    /// A value that makes no sense.
+    /// An invalid value.
     #[error("load {text}: {what} must be above zero")]
     Sign {
         /// The load as written.
@@ -103,7 +103,7 @@ fn one(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Load, Lo
             match behind.map(str::trim) {
                 None => Ok(Load::Mass { mass_kg, level: false }),
                 Some("level") => Ok(Load::Mass { mass_kg, level: true }),
-                Some(_) => Err(wrong("a mass that hangs, such as mass:20kg, or mass:20kg@level")),
+                Some(_) => Err(wrong("a hanging mass, such as mass:20kg, or mass:20kg@level")),
             }
         }
         ("spring", behind) => {

@@ -84,14 +84,14 @@ impl fmt::Display for Reference {
             ),
             Self::RandomMuscles(Where::Ends { per_slenderness, stretching: true }) => write!(
                 f,
-                "{per_slenderness} D0/L0 of the blocked force holds {MUSCLES}, strand strain up to 6 %) {ELEMENTS}: the ends, which this model leaves out; it mostly promises too much"
+                "{per_slenderness} D0/L0 of the blocked force covers {MUSCLES}, strand strain up to 6 %) {ELEMENTS}: the ends, which this model neglects; it mostly predicts too much pull"
             ),
             Self::RandomMuscles(Where::Ends { per_slenderness, stretching: false }) => write!(
                 f,
-                "{per_slenderness} D0/L0 of the blocked force holds {MUSCLES}) {ELEMENTS} with inextensible strands: the ends, which this model leaves out"
+                "{per_slenderness} D0/L0 of the blocked force covers {MUSCLES}) {ELEMENTS} with inextensible strands: the ends, which this model neglects"
             ),
             Self::Equations => f.write_str(
-                "the equations that all other models are held against; of the mesh, its difference from a fine one at the point itself",
+                "the reference for all other models; mesh: the difference from a fine mesh at the same point",
             ),
             Self::ForceMap { muscle, points, rms_n, specimen } => {
                 let (the, differs) = match specimen {
@@ -110,10 +110,10 @@ impl fmt::Display for Reference {
                 )
             }
             Self::HeldOut => f.write_str(
-                "what 95 % of the points of its campaign stay within on muscles left out of the fit, against axisymmetric finite elements",
+                "covers 95 % of the points of its campaign on muscles left out of the fit, against axisymmetric finite elements",
             ),
             Self::OwnTable => f.write_str(
-                "what 95 % of the points of its own table, and of the muscles held out of it, stay within, as the formula's file says",
+                "covers 95 % of the points of its own table, and of the muscles held out of it, as stated in the formula's file",
             ),
             Self::Paper => f.write_str(
                 "its authors state about 2 % and at most 50 N against their own finite elements; against this program's axisymmetric finite elements (rubber and braid `paper`) 95 % of 1889 points over its box lie within 3.9 %, the worst at 5.9 % near D0 37.5 mm, and the published C block, linear in D0, is weakest near D0 35–40 mm",
@@ -172,7 +172,7 @@ mod tests {
             ),
             (
                 Reference::RandomMuscles(Where::Ends { per_slenderness: 0.65, stretching: false }),
-                "0.65 D0/L0 of the blocked force holds 95 % of 5491 points on 1000 random muscles (L0/D0 5–20) against axisymmetric finite elements with inextensible strands: the ends, which this model leaves out",
+                "0.65 D0/L0 of the blocked force covers 95 % of 5491 points on 1000 random muscles (L0/D0 5–20) against axisymmetric finite elements with inextensible strands: the ends, which this model neglects",
             ),
         ] {
             assert_eq!(reference.to_string(), sentence);

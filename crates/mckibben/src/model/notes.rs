@@ -16,20 +16,21 @@ fn strands_on_the_tube(model: &str, muscle: &Muscle) -> Option<String> {
         ("braid.crimp", braid.crimp.is_some()),
     ];
     let stated: Vec<&str> = keys.into_iter().filter(|k| k.1).map(|k| k.0).collect();
-    let strands = (!stated.is_empty()).then(|| {
-        format!("{model} takes the strands as lying straight on the tube: {} not used", stated.join(", "))
-    });
+    let strands = (!stated.is_empty())
+        .then(|| format!("{model} assumes straight strands on the tube: {} not used", stated.join(", ")));
     let tube = (muscle.tube().prestretch != 1.0)
-        .then(|| format!("{model} takes the tube as mounted without a stretch: tube.prestretch not used"));
+        .then(|| format!("{model} assumes a tube mounted without stretch: tube.prestretch not used"));
     let both: Vec<String> = strands.into_iter().chain(tube).collect();
     (!both.is_empty()).then(|| both.join("; "))
 }
 
 /// Of a model that takes the rubber as on its first inflation.
 pub(super) fn first_inflation(model: &str, muscle: &Muscle) -> Option<String> {
-    muscle.tube().rubber.is_conditioned().then(|| {
-        format!("{model} takes the rubber as on its first inflation: tube.material.conditioned not used")
-    })
+    muscle
+        .tube()
+        .rubber
+        .is_conditioned()
+        .then(|| format!("{model} assumes rubber on its first inflation: tube.material.conditioned not used"))
 }
 
 /// Of a model that takes the rubber as incompressible.
@@ -37,7 +38,7 @@ pub(super) fn incompressible(model: &str, muscle: &Muscle) -> Option<String> {
     match muscle.tube().rubber.bulk {
         Bulk::Incompressible => None,
         Bulk::Modulus(_) => {
-            Some(format!("{model} takes the rubber as incompressible; its bulk modulus is not used"))
+            Some(format!("{model} assumes incompressible rubber; its bulk modulus is not used"))
         }
     }
 }

@@ -10,12 +10,12 @@ use thiserror::Error;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Direction {
-    /// Neither, or not stated: the mean of both branches, without friction.
+    /// Mean of both branches, without friction.
     #[default]
     Mean,
-    /// It shortens: the lower branch, friction takes from the pull.
+    /// The muscle shortens: lower branch, friction reduces the pull.
     Contraction,
-    /// It is lengthened: the upper branch, friction adds to the pull.
+    /// The muscle is lengthened: upper branch, friction increases the pull.
     Elongation,
 }
 

@@ -190,7 +190,7 @@ pub enum MuscleError {
     CrimpOfRigidStrands,
     /// A cone factor beyond what fits into the muscle.
     #[error(
-        "terminals.cone_factor is {value}; it must lie between 0 and {largest:.4}, or the two tips meet before the largest contraction"
+        "terminals.cone_factor is {value}; it must lie between 0 and {largest:.4}, or the two tips touch before the largest contraction"
     )]
     ConeFactor {
         /// What was given.

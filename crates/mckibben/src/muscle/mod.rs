@@ -15,9 +15,12 @@ mod lay;
 pub mod measures;
 mod reach;
 mod rubber;
+mod sleeve;
 mod terminals;
 mod tube;
 
+pub use crate::rubber::{Bulk, Conditioned, Rubber};
+pub use crate::sleeve::NEUTRAL_ANGLE_DEG;
 pub use bench::Bench;
 pub use braid::{Braid, BraidStiffness, MeasuredStrand, SLEEVE_ANGLE_TOLERANCE_DEG, Strands};
 pub use crimp::Crimp;
@@ -29,15 +32,11 @@ pub use friction::Friction;
 pub use lay::StrandLay;
 pub use measures::{Measure, Parts};
 pub use reach::largest_stretch;
-pub use rubber::{Bulk, Conditioned, Rubber};
 pub use terminals::{EndFactor, Terminals};
 pub use tube::Tube;
 
 use crate::rubber::library;
 use std::sync::Arc;
-
-/// The braid angle at which a muscle neither contracts nor extends: cos²θ = 1/3, in degrees.
-pub const NEUTRAL_ANGLE_DEG: f64 = 54.735_610_317_245_35;
 
 /// A muscle whose parts have been checked against each other.
 #[derive(Debug, Clone, PartialEq)]
@@ -158,7 +157,7 @@ impl Muscle {
     /// A bench that saw another muscle.
     fn bench_warning(&self) -> Option<String> {
         (self.bench.is_some() && self.bench().is_none()).then(|| {
-            "[identified] belongs to the muscle as it was identified, and this one differs from it: the ± is that of a muscle without a bench; identify it again".to_owned()
+            "[identified] is valid for the muscle as it was identified, and this muscle differs from it: the ± is that of a muscle without test data; identify it again".to_owned()
         })
     }
 

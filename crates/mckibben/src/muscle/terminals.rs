@@ -39,12 +39,12 @@ impl EndFactor {
 pub struct Terminals {
     /// Length of tube and braid clamped on each plug, in mm, where it is stated.
     pub insertion_mm: Option<f64>,
-    /// What both ends together give way under a pull, in mm, as strands seat and slip in the clamps: the muscle between them is contracted
+    /// Total displacement of both ends under load, in mm, as strands seat and slip in the clamps: the muscle between them is contracted
     /// by that much more. It is taken as constant, whatever the pull.
     pub seating_mm: Option<f64>,
-    /// What both ends together slip under the load of a clamp, in mm/N ([`Ends`](super::Ends)).
+    /// Slip of both ends together per newton of clamp load, in mm/N ([`Ends`](super::Ends)).
     pub slip_mm_per_n: Option<f64>,
-    /// Length at each end, within that of the muscle, in which tube and braid are held, in mm ([`Ends`](super::Ends)).
+    /// Length at each end, within L0, in which tube and braid are held, in mm ([`Ends`](super::Ends)).
     pub grip_mm: Option<f64>,
     /// Empirical end factor, where one was measured or fitted.
     pub end_factor: Option<EndFactor>,

@@ -1,7 +1,7 @@
 //! The rubber tube.
 
 use super::error::MuscleError;
-use super::rubber::Rubber;
+use crate::rubber::Rubber;
 
 /// A tube at rest, between the terminals.
 #[derive(Debug, Clone, PartialEq)]

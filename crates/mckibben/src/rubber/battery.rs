@@ -150,7 +150,7 @@ fn constants_without_stiffness_are_refused() {
     assert!(matches!(many.validated(), Err(LawError::TooManyTerms { most: 20, .. })));
 }
 
-/// Constants are told apart by their place: each change arrives where [`Law::constants`] shows it, and nowhere else.
+/// Constants are distinguished by their position: each change arrives where [`Law::constants`] shows it, and nowhere else.
 #[test]
 fn every_constant_can_be_changed_alone() {
     for law in Law::examples() {

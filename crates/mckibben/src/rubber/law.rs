@@ -1,6 +1,7 @@
 //! What can be done with any law: its constants, their check, and the work that is compiled for each law.
 
 use super::{ConstantValue, InvariantLaw, Law, LawKind, RubberLaw};
+use std::collections::BTreeMap;
 use thiserror::Error;
 
 /// Something that is done with a law whose type is known at compile time ([`RubberLaw::visit`]): a loop inside is compiled
@@ -129,6 +130,11 @@ impl Law {
             ConstantValue { name, value, constant }
         };
         self.values().into_iter().enumerate().map(one).collect()
+    }
+
+    /// The constants by the names of their columns, moduli in MPa: `c10_mpa`, `alpha1`.
+    pub fn columns(&self) -> BTreeMap<String, f64> {
+        self.constants().into_iter().map(|c| (c.column(), c.value)).collect()
     }
 
     /// Checks the constants.

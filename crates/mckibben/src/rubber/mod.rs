@@ -4,8 +4,9 @@
 //! and what its energy is: laws written in the invariants I1, I2 by [`InvariantLaw`], others by [`RubberLaw`]. Everything
 //! else follows. All energies are in MPa (= N·mm/mm³) and vanish at rest.
 
+mod compound;
 mod constant;
-pub mod fit;
+mod form;
 mod invariants;
 mod law;
 mod laws;
@@ -14,10 +15,12 @@ pub mod over_time;
 mod stability;
 mod written;
 
+pub use compound::{Bulk, Conditioned, Rubber};
 pub use constant::{
     Constant, ConstantValue, HyperelasticCard, LawConstants, LawKind, NEEDS_ALL, TermCounts, foreign,
     one_of_all,
 };
+pub use form::Form;
 pub use invariants::{InvariantDerivatives, InvariantLaw};
 pub use law::{LawError, LawVisitor};
 pub use laws::*;

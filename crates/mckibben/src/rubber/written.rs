@@ -51,7 +51,7 @@ impl<'de> Visitor<'de> for Reader {
             if key == "law" {
                 name = Some(map.next_value()?);
             } else if written.iter().any(|w| w.0 == key) {
-                return Err(A::Error::custom(format!("{key} is there twice")));
+                return Err(A::Error::custom(format!("{key} is given twice")));
             } else {
                 written.push((key, map.next_value()?));
             }

@@ -2,6 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
+/// The braid angle at which a muscle neither contracts nor extends: cos²θ = 1/3, in degrees.
+pub const NEUTRAL_ANGLE_DEG: f64 = 54.735_610_317_245_35;
+
 /// The helix of a sleeve, which keeps the length ℓ of strand per turn.
 ///
 /// ```text

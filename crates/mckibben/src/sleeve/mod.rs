@@ -17,10 +17,9 @@
 mod helix;
 pub mod library;
 
-pub use helix::Helix;
+pub use helix::{Helix, NEUTRAL_ANGLE_DEG};
 pub use library::{HelixFrom, Material, SleeveEntry};
 
-use crate::muscle::{Braid, BraidStiffness, NEUTRAL_ANGLE_DEG, Strands};
 use std::f64::consts::PI;
 use thiserror::Error;
 
@@ -137,6 +136,19 @@ pub enum SleeveError {
     },
 }
 
+impl SleeveError {
+    /// The same error with other names of what is missing or wrong: keys of a muscle file are fields in a request.
+    pub fn named(self, name: impl Fn(&'static str) -> &'static str) -> Self {
+        match self {
+            Self::Incomplete { name: sleeve, missing } => {
+                Self::Incomplete { name: sleeve, missing: missing.into_iter().map(name).collect() }
+            }
+            Self::NotPositive { key, value } => Self::NotPositive { key: name(key), value },
+            other => other,
+        }
+    }
+}
+
 /// A length for a message, to a tenth of a micrometre.
 fn short(mm: &f64) -> f64 {
     (mm * 1e4).round() / 1e4
@@ -223,18 +235,6 @@ impl Sleeve {
         needs.iter().filter(|n| n.1).map(|n| n.0).collect()
     }
 
-    /// The strands of a braid.
-    ///
-    /// # Errors
-    /// [`SleeveError::Incomplete`] with what is not known.
-    pub fn of_strands(&self) -> Result<Strands, SleeveError> {
-        let section = self.strand_area_mm2().zip(self.strand_modulus_mpa);
-        match (self.strand_count(), section) {
-            (Some(count), Some(_)) => Ok(Strands { count, section, strength_n: self.strand_strength_n }),
-            _ => Err(SleeveError::Incomplete { name: self.shape.name.clone(), missing: self.missing() }),
-        }
-    }
-
     /// This sleeve with a strand diameter (mm) and modulus (MPa) in place of its own, where they are given.
     ///
     /// # Errors
@@ -268,38 +268,6 @@ impl Sleeve {
         Ok(section.zip(self.strand_count()).map(|((area, modulus), count)| {
             modulus * area * f64::from(count) / (2.0 * PI * outer_diameter_mm * cos)
         }))
-    }
-
-    /// The strands of a braid whose stiffness is stated otherwise: their number, where it is known, which only informs.
-    pub fn strands_beside_stiffness(&self) -> Option<Strands> {
-        self.strands.map(|count| Strands { count, section: None, strength_n: self.strand_strength_n })
-    }
-
-    /// The braid that this sleeve is on a tube. Costs an arcsine and a copy of the name: cheap enough for a search.
-    ///
-    /// ```
-    /// use mckibben::sleeve::library;
-    /// let mut sleeve = library::find("flexo-overexpanded-0.38in")?;
-    /// // Its seller does not state the filaments: measured with a calliper.
-    /// sleeve.strand_diameter_mm = Some(0.2);
-    /// let braid = sleeve.on(12.0)?;
-    /// assert!((braid.angle_deg - 17.79).abs() < 0.01);
-    /// assert!(sleeve.on(60.0).unwrap_err().to_string().contains("from 9.525"));
-    /// # Ok::<(), mckibben::sleeve::SleeveError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`SleeveError::OutOfRange`], [`SleeveError::NoContraction`], [`SleeveError::Incomplete`].
-    pub fn on(&self, outer_diameter_mm: f64) -> Result<Braid, SleeveError> {
-        let angle_deg = self.shape.angle_deg_on(outer_diameter_mm)?;
-        let strands = self.of_strands()?;
-        Ok(Braid {
-            angle_deg,
-            stiffness: BraidStiffness::OfStrands,
-            strands: Some(strands),
-            sleeve: Some(self.shape.clone()),
-            ..Braid::paper()
-        })
     }
 }
 

@@ -134,7 +134,7 @@ fn no_inverse_that_exists_is_denied() {
         let direction = k.options.direction;
         let mut back =
             |p: f64, e: f64| force_on(model, w, p, e, direction).map_or(f64::INFINITY, |b| (b - f).abs());
-        let told = |what: &str, error: String| {
+        let failure = |what: &str, error: String| {
             format!(
                 "{what} {}: P {} ε {} F {f} {:?} {error}\n{:?}",
                 model.info().name,
@@ -146,13 +146,15 @@ fn no_inverse_that_exists_is_denied() {
         };
         match p {
             Ok(p) if back(p, k.contraction) <= 1e-6 * k.scale_n => {}
-            Ok(p) => denied.push(told("pressure", format!("off by {} at {p}", back(p, k.contraction)))),
-            Err(error) => denied.push(told("pressure", error.to_string())),
+            Ok(p) => denied.push(failure("pressure", format!("off by {} at {p}", back(p, k.contraction)))),
+            Err(error) => denied.push(failure("pressure", error.to_string())),
         }
         match e {
             Ok(e) if back(k.pressure_mpa, e) <= 1e-6 * k.scale_n => {}
-            Ok(e) => denied.push(told("contraction", format!("off by {} at {e}", back(k.pressure_mpa, e)))),
-            Err(error) => denied.push(told("contraction", error.to_string())),
+            Ok(e) => {
+                denied.push(failure("contraction", format!("off by {} at {e}", back(k.pressure_mpa, e))))
+            }
+            Err(error) => denied.push(failure("contraction", error.to_string())),
         }
     }
     assert!(
@@ -271,7 +273,7 @@ fn beyond_the_braid_the_refusal_says_where_it_stops() {
     let error = pressure_at(&*model, w, 300.0, 0.4, options).unwrap_err();
     let AnalysisError::NoPressure { nearest_force_n, .. } = error else { panic!("{error}") };
     // 1 − 1/(√3 cos 28°) = 0.346
-    assert!(nearest_force_n == 0.0 && error.to_string().contains("stops at 34.6 %"), "{error}");
+    assert!(nearest_force_n == 0.0 && error.to_string().contains("contracts by 34.6 % at most"), "{error}");
 }
 
 /// A search ends with its budget.

@@ -3,10 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod burst;
-mod design;
-mod design_grid;
 mod fuzz_parsers;
 mod inverses;
 mod literature;
 mod models;
-mod tondu;

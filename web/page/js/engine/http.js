@@ -71,7 +71,7 @@ export class Engine {
       // An EventSource tries again for ever: whether the server and the job are still there, the job's own address says.
       events.onerror = async () => {
         const there = events.readyState !== EventSource.CLOSED && await fetch(new URL(`jobs/${begun.id}`, API)).then((answer) => answer.ok, () => false);
-        if (!there) end(() => reject(gone("the server went away")));
+        if (!there) end(() => reject(gone("the connection to the server was lost")));
       };
     });
   }

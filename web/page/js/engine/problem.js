@@ -11,4 +11,4 @@ export class Problem extends Error {
 }
 
 /** The engine is not there. @param {string} why */
-export const gone = (why) => new Problem({ kind: "engine", message: `The engine does not answer: ${why}.`, hint: "Your muscle is kept; try again." });
+export const gone = (why) => new Problem({ kind: "engine", message: `The computation engine stopped: ${why}.`, hint: "Your muscle is kept; try again." });

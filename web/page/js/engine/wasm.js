@@ -110,7 +110,7 @@ function loaded(name) {
 
 export class Engine {
   constructor() {
-    if (typeof WebAssembly !== "object") throw gone("this browser has no WebAssembly");
+    if (typeof WebAssembly !== "object") throw gone("this browser does not support WebAssembly");
     const live = loaded("live.wasm"), whole = loaded("whole.wasm");
     this.lanes = { state: new Lane(live), read: new Lane(live), side: new Lane(live), curves: new Lane(live), whole: new Lane(whole), job: new Lane(whole) };
   }

@@ -1,4 +1,4 @@
-// What stands behind the numbers: verification, validation, sources, limits.
+// Verification, validation, sources, limits.
 import { engine } from "../ask.js";
 import { DOCUMENTATION } from "../kind.js";
 import { el } from "../dom.js";
@@ -16,13 +16,13 @@ export function mount(main) {
   });
   main.replaceChildren(el("div", { class: "prose" },
     el("h2", {}, "What this is"),
-    el("p", {}, "A McKibben muscle is a rubber tube in a braided sleeve: pressurised, it bulges, shortens and pulls. This page solves its non-linear finite-element model (axisymmetric, incompressible rubber of any law, elastic strands, bonded ends) at every step of a slider, and shows what follows."),
-    el("p", {}, "Nothing leaves your machine: ", `the engine is ${engine().about}. What you set stands in the address, and nowhere else.`),
-    el("h2", {}, "How far to trust it"),
-    el("p", {}, "The ± covers 95 % of the differences from measured muscles. It is wide, because rubbers vary from batch to batch and few are known; identify your own on the page Data and it shrinks. The model leaves out the thickness of the braid, the gap before first contact, what ends lose, and the history of the rubber. Friction between strands enters where a muscle file states it."),
+    el("p", {}, "A McKibben muscle is a rubber tube in a braided sleeve: pressurised, it bulges, shortens and pulls. This page solves its non-linear finite-element model (axisymmetric, incompressible rubber of any law, elastic strands, bonded ends) at every step of a slider, and shows the results."),
+    el("p", {}, "Your data stay on your computer: ", `the engine is ${engine().about}. Your settings are stored only in the address of the page.`),
+    el("h2", {}, "Accuracy"),
+    el("p", {}, "The ± covers 95 % of the differences from measured muscles. It is wide because rubbers vary from batch to batch and few are known; it becomes smaller when you identify your own rubber on the page Data. The model includes the thickness of the braid, the gap before first contact, the slip of the ends, the history of the rubber and the friction between strands only if the muscle file states them."),
     el("h2", {}, "Verification and validation"), check.element), cases,
     el("div", { class: "prose" }, el("h2", {}, "Models")), models,
-    el("div", { class: "prose" }, el("h2", {}, "Sources and licence"), el("p", {}, "mckibben is free software under MIT or Apache 2.0. Charts are drawn by plotly.js (MIT). Sources of formulas, rubbers and measured muscles stand in the documentation, with their terms. ", DOCUMENTATION && el("a", { href: DOCUMENTATION }, "Read it.")), el("p", { class: "small soft" }, "Everything here is one call away from the command line, Rust and HTTP, in the same words: `mckibben --help`.")));
+    el("div", { class: "prose" }, el("h2", {}, "Sources and licence"), el("p", {}, "mckibben is free software under MIT or Apache 2.0. Charts are drawn by plotly.js (MIT). The documentation lists the sources and terms of formulas, rubbers and measured muscles. ", DOCUMENTATION && el("a", { href: DOCUMENTATION }, "Read it.")), el("p", { class: "small soft" }, "The command line, Rust, Python and HTTP offer the same commands under the same names: `mckibben --help`.")));
   engine().ask("models", {}).then((answer) => models.replaceChildren(table(["model", "what it is"], answer.models.map((/** @type {any} */ m) => [m.name, m.description]), { text: [0, 1], label: "models" })), () => {});
   return { async load() {}, unmount() { check.end(); } };
 }

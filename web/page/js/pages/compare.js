@@ -81,7 +81,7 @@ export function mount(main) {
   /** What a field says where nothing is typed into it: that of the muscle. */
   function usual() {
     for (const side of sides) {
-      const put = (/** @type {string} */ key, /** @type {string | undefined} */ text) => side.fields.usual(side.name + key, side.file ? "as its file has it" : text ?? "");
+      const put = (/** @type {string} */ key, /** @type {string | undefined} */ text) => side.fields.usual(side.name + key, side.file ? "as in its file" : text ?? "");
       for (const m of QUANTITIES) {
         const value = shownValue(muscle.state, muscle.shown, m);
         put(m.key, m.key === "angle" && side.fields.text(`${side.name}braid`) ? "of the sleeve" : value === undefined ? "" : show(m.kind, value));

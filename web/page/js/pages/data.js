@@ -36,7 +36,7 @@ export function mount(main) {
     el("section", { class: "controls", "aria-label": "Data" }, el("h2", {}, "Measured points"), fileField("Open a table (CSV)", ".csv,.txt,.tsv", take), el("p", { class: "small soft" }, "Pressures, contractions (or shortenings, or lengths) and pulls, with their units in the heading. ", el("button", { type: "button", class: "bare", onclick: example }, "Make an example")), which, columns.element, what.element, el("div", { class: "row" }, el("button", { type: "button", onclick: () => look() }, "Compare")), identify.element),
     el("div", { class: "middle" }, understood, errors, figures.element, found, fitted.element)));
   onDrop(main, (file) => { if (file) file.text().then((text) => take(file.name, text)); });
-  understood.append(el("p", { class: "soft" }, "Drop a table of measured points. It is laid over the models of the muscle of the page Muscle; then its constants can be identified."));
+  understood.append(el("p", { class: "soft" }, "Drop a table of measured points. The figure compares it with the models of the muscle of the page Muscle. Then you can identify its constants."));
 
   function fields() {
     const of = muscle.fields();

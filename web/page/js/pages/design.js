@@ -10,7 +10,7 @@ import { STIFFNESS_NAMES, candidate, missing } from "../state.js";
 import { number, onUnits, outside, show, unitName, withUncertainty } from "../units.js";
 import { inWords } from "../words.js";
 
-const OBJECTIVES = /** @type {[string, string][]} */ ([["diameter", "smallest diameter"], ["pressure", "lowest pressure"], ["air", "least air"], ["margin", "most pull to spare"], ["bulged-diameter", "smallest when bulged"], ["length", "shortest"]]);
+const OBJECTIVES = /** @type {[string, string][]} */ ([["diameter", "smallest diameter"], ["pressure", "lowest pressure"], ["air", "least air"], ["margin", "largest margin of pull"], ["bulged-diameter", "smallest bulged diameter"], ["length", "shortest"]]);
 
 /** @param {HTMLElement} main */
 export function mount(main) {
@@ -26,7 +26,7 @@ export function mount(main) {
     { key: "load", field: "load", label: "or a load to lift", hint: "mass:20kg" },
     { key: "stroke", field: "stroke_mm", label: "Stroke", kind: "length", hint: "40 mm" },
     { key: "pmax", field: "max_pressure_mpa", label: "Pressure of the supply", kind: "pressure", value: "2.5 bar" },
-    { key: "bulge", field: "max_bulged_diameter_mm", label: "Largest diameter when bulged", kind: "length", hint: "60 mm" },
+    { key: "bulge", field: "max_bulged_diameter_mm", label: "Largest bulged diameter", kind: "length", hint: "60 mm" },
     { key: "for", field: "objective", label: "Rank by", options: OBJECTIVES, value: "diameter" },
   ], () => search.run());
   const choices = form([
@@ -65,9 +65,9 @@ export function mount(main) {
   choices.element.addEventListener("input", offer);
   const results = el("div", {});
   const figures = new Figures("design");
-  const feasible = new Chart("design-map", { tools: el("h3", {}, "What is feasible, over diameter and wall"), tall: true, drag(x, y, settled) { if (settled) pickOnMap(x, y); } });
+  const feasible = new Chart("design-map", { tools: el("h3", {}, "Feasible region over diameter and wall"), tall: true, drag(x, y, settled) { if (settled) pickOnMap(x, y); } });
   feasible.element.hidden = true;
-  const vary = el("details", {}, el("summary", {}, "What may be varied"), choices.element);
+  const vary = el("details", {}, el("summary", {}, "Search space"), choices.element);
   const picked = el("p", { class: "small", style: "min-height:1.5em" });
   const search = job("Design", "design", request, take, (problem) => {
     forms.some((f) => f.at(problem));
@@ -80,7 +80,7 @@ export function mount(main) {
   main.replaceChildren(el("div", { class: "bench two" },
     el("section", { class: "controls", "aria-label": "Specification" }, el("h2", {}, "Specification"), fields.element, vary, el("details", {}, el("summary", {}, "Tolerances of the workshop"), spreads.element), search.element),
     el("div", { class: "middle" }, results, picked, feasible.element, figures.element)));
-  results.append(el("p", { class: "soft" }, "What shall the muscle do? The search ranks every diameter and wall, and finite elements decide."));
+  results.append(el("p", { class: "soft" }, "State the requirement. The search ranks all diameters and walls; finite elements compute the final values."));
 
   async function request() {
     const [wanted, choice, tolerance] = await Promise.all(forms.map((f) => f.read()));
@@ -110,14 +110,14 @@ export function mount(main) {
     const out = [];
     if (best) {
       out.push(el("h2", {}, `Outer diameter ${show("length", best.outer_diameter_mm)}, wall ${show("length", best.wall_mm)}, length ${show("length", best.length_mm)}, braid ${show("angle", best.angle_deg)}`));
-      out.push(el("p", {}, `Rubber ${best.rubber}. Needs ${show("pressure", best.pressure_mpa, 3)}; pulls ${withUncertainty("force", best.points[0].force_n, best.points[0].uncertainty_n)} at ${show("ratio", best.points[0].contraction, 3)}, ${show("force", best.blocked_force_n)} when not shortened. ${best.binds ? `What keeps it from being better: ${String(best.binds).replaceAll("_", " ")}.` : ""}`));
+      out.push(el("p", {}, `Rubber ${best.rubber}. Required pressure ${show("pressure", best.pressure_mpa, 3)}; pull ${withUncertainty("force", best.points[0].force_n, best.points[0].uncertainty_n)} at ${show("ratio", best.points[0].contraction, 3)}, blocked force ${show("force", best.blocked_force_n)}. ${best.binds ? `Limited by: ${String(best.binds).replaceAll("_", " ")}.` : ""}`));
       out.push(warnings(found.warnings));
       const rows = found.candidates.map((/** @type {any} */ c) => [show("length", c.outer_diameter_mm), show("length", c.wall_mm), show("length", c.length_mm), show("angle", c.angle_deg), c.rubber, show("pressure", c.pressure_mpa, 3), `${number(100 * c.margin, 2)} %`, show("length", c.bulged_diameter_mm), c.air_normal_litres ? `${number(c.air_normal_litres, 3)} L` : "–"]);
       out.push(table(["D0", "s", "L0", "θ0", "rubber", "needs", "to spare", "bulged", "air per stroke"], rows, { text: [4], pick: (i) => open(found.candidates[i]), label: "Muscles that fit, best first" }));
       if (best.joint) out.push(el("p", {}, `Pulley of radius ${show("length", best.joint.radius_mm, 3)}, ${show("ratio", best.joint.contraction_at_neutral, 3)} contracted at the neutral angle.`));
       if (best.points.length > 1) out.push(table(["pull", "at", "needs"], best.points.map((/** @type {any} */ p) => [withUncertainty("force", p.force_n, p.uncertainty_n), show("ratio", p.contraction, 3), show("pressure", p.pressure_mpa, 3)]), { text: [], label: "the operating points" }));
       if (found.tolerance?.length) out.push(table(["within the tolerances, at", "and", "least pull", "largest pull", "likely"], found.tolerance.map((/** @type {any} */ t) => [show("ratio", t.contraction, 3), show("pressure", t.pressure_mpa, 3), show("force", t.low_n), show("force", t.high_n), `± ${show("force", t.likely_n, 2)}`]), { text: [], label: "spread of the pull" }));
-      out.push(el("p", { class: "small soft" }, `${found.fitting} of ${found.looked_at} muscles fit; searched with ${found.searched_with}, decided by ${found.model}. Click one to see it.`));
+      out.push(el("p", { class: "small soft" }, `${found.fitting} of ${found.looked_at} muscles fit; searched with ${found.searched_with}, computed by ${found.model}. Click one to show it.`));
     } else if (found.closest) {
       const c = found.closest;
       out.push(el("h2", {}, "Nothing fits."), el("p", {}, `Closest: D0 ${show("length", c.outer_diameter_mm)}, s ${show("length", c.wall_mm)}: ${inWords(c.reason)}.`));
@@ -135,8 +135,8 @@ export function mount(main) {
     const points = (r.points ?? []).map((/** @type {any} */ p) => `${show("force", p.force_n)} at ${show("ratio", p.contraction, 3)}`).join(", ");
     switch (r.relax) {
       case "max_pressure": return `Supply ${show("pressure", r.pressure_mpa, 3)}.`;
-      case "force": return `Accept a pull of ${points}.`;
-      case "contraction": return `Accept ${points}.`;
+      case "force": return `Reduce the pull to ${points}.`;
+      case "contraction": return `Reduce the requirement to ${points}.`;
       case "outer_diameter": return `Take a tube of ${show("length", r.outer_diameter_mm)}.`;
       default: return capital(Object.entries(r).map(([k, v]) => (k === "relax" ? String(v).replaceAll("_", " ") : `${k.replaceAll("_", " ")} ${typeof v === "number" ? number(v) : v}`)).join(": ")) + ".";
     }
@@ -167,10 +167,10 @@ export function mount(main) {
     const ramp = [[0, "rgb(33,144,141)"], [0.5, "rgb(92,200,99)"], [1, "rgb(253,231,37)"]];
     feasible.element.hidden = false;
     feasible.show({
-      x: `outer diameter D0 [${unitName("length")}]`, y: `wall s [${unitName("length")}]`, z: `needs [${unitName("pressure")}], or misses`, yaxis: {}, series: [],
+      x: `outer diameter D0 [${unitName("length")}]`, y: `wall s [${unitName("length")}]`, z: `required pressure [${unitName("pressure")}], or missed limit`, yaxis: {}, series: [],
       data: [
         { type: "heatmap", name: "misses", x, y, z: missed, text: names, hovertemplate: "%{x}, %{y}: misses %{text}<extra></extra>", colorscale: tints.length > 1 ? tints : [[0, KINDS[1]], [1, KINDS[1]]], zmin: 0, zmax: Math.max(1, limits.length - 1), showscale: false, opacity: 0.35 },
-        { type: "contour", name: "needs", x, y, z: pressures, colorscale: ramp, contours: { showlabels: true, labelfont: { color: "#000" } }, line: { width: 1, color: "#333" }, colorbar: { title: { text: `needs [${unitName("pressure")}]` }, tickfont: { color: token("--ink") } }, hovertemplate: `%{x}, %{y}: needs %{z:.3g} ${unitName("pressure")}<extra></extra>`, connectgaps: false },
+        { type: "contour", name: "needs", x, y, z: pressures, colorscale: ramp, contours: { showlabels: true, labelfont: { color: "#000" } }, line: { width: 1, color: "#333" }, colorbar: { title: { text: `P [${unitName("pressure")}]` }, tickfont: { color: token("--ink") } }, hovertemplate: `%{x}, %{y}: requires %{z:.3g} ${unitName("pressure")}<extra></extra>`, connectgaps: false },
       ],
       marks: [{ x: outside("length", best.outer_diameter_mm), y: outside("length", best.wall_mm), text: "best" }],
       layout: { annotations: limits.map((limit, i) => place(limit, missed, i, x, y)).filter(Boolean) },

@@ -73,9 +73,9 @@ export function mount(main) {
     surface().catch(() => { surfaces.hidden = true; });
   });
   main.replaceChildren(el("div", { class: "bench two" },
-    el("section", { class: "controls", "aria-label": "Campaign" }, el("h2", {}, "Campaign"), el("p", { class: "small soft" }, "A plan says which muscles are tested by finite elements; this is the paper's."), plan, campaign.element, table1, how.element, fit.element),
+    el("section", { class: "controls", "aria-label": "Campaign" }, el("h2", {}, "Campaign"), el("p", { class: "small soft" }, "A plan lists the muscles to compute by finite elements. This is the plan of the paper."), plan, campaign.element, table1, how.element, fit.element),
     el("div", { class: "middle" }, errors, surfaces, figures)));
-  errors.append(el("h2", {}, PUBLISHED.name), el("p", { class: "soft" }, "Below is the formula that the paper published. Compute a campaign and fit another one to it: what the paper did in a hundred simulations, here while you watch."));
+  errors.append(el("h2", {}, PUBLISHED.name), el("p", { class: "soft" }, "Below is the formula that the paper published. Compute a campaign and fit your own formula to it. The paper used a hundred simulations; here they run while you watch."));
 
   /** The formula as surfaces that turn. */
   async function surface() {

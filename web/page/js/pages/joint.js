@@ -28,18 +28,18 @@ export function mount(main) {
   let second = "";
   /** The file that says what the muscle of the page Muscle is. */
   let first = "";
-  const back = el("button", { type: "button", hidden: true, onclick: () => takeSecond("", "") }, "Twice the same muscle");
+  const back = el("button", { type: "button", hidden: true, onclick: () => takeSecond("", "") }, "Use the same muscle twice");
   const controlsBox = el("section", { class: "controls", "aria-label": "Joint" },
-    el("fieldset", { class: "state" }, el("legend", {}, "Wanted"), make("phi", "Angle", "angle", -60, 60, "φ"), make("K", "Stiffness", "angular-stiffness", 0, 30), el("p", { class: "small soft" }, "A stiffness of 0 takes the lowest pressures.")),
+    el("fieldset", { class: "state" }, el("legend", {}, "Required"), make("phi", "Angle", "angle", -60, 60, "φ"), make("K", "Stiffness", "angular-stiffness", 0, 30), el("p", { class: "small soft" }, "A stiffness of 0 selects the lowest pressures.")),
     el("fieldset", {}, el("legend", {}, "Joint"), make("r", "Radius of the pulley", "length", 5, 80, "r"), make("range", "Range to either side", "angle", 10, 120), make("e0", "Contraction at the neutral angle", "ratio", 0, 0.25), make("pmax", "Pressure of the supply", "pressure", 0.05, 1)),
     which,
-    el("details", {}, el("summary", {}, "Another muscle 2"), el("p", { class: "small soft" }, "Both muscles are the one of the page Muscle unless a file says otherwise."), fileField("Open muscle 2 (TOML)", ".toml", takeSecond), back));
+    el("details", {}, el("summary", {}, "Another muscle 2"), el("p", { class: "small soft" }, "Both muscles are that of the page Muscle, unless you open a file."), fileField("Open muscle 2 (TOML)", ".toml", takeSecond), back));
   const arm = el("div", { class: "stage", role: "img", "aria-label": "The joint" });
   const numbers = el("section", { class: "numbers", "aria-label": "Numbers" });
   const said = el("div", {});
   const torque = new Chart("joint-torque", { tools: el("h3", {}, "Torque over the angle"), drag(x, _, settled) { v.phi = clamp(x); controls.phi.set(v.phi); ask(settled); } });
-  const reach = new Chart("joint-map", { tools: el("h3", {}, "Stiffness that it reaches") });
-  const map = job("Map what it reaches", "joint", async () => ({ ...request(), map: 25, max_pressure_mpa: v.pmax }), (answer) => drawMap(answer.map));
+  const reach = new Chart("joint-map", { tools: el("h3", {}, "Reachable stiffness") });
+  const map = job("Map of the reachable states", "joint", async () => ({ ...request(), map: 25, max_pressure_mpa: v.pmax }), (answer) => drawMap(answer.map));
   main.replaceChildren(el("div", { class: "bench" }, controlsBox, el("div", { class: "middle" }, arm, el("div", { class: "charts" }, torque.element, reach.element), map.element), el("div", { class: "side" }, said, numbers)));
 
   const stale = (/** @type {boolean} */ on) => [arm, numbers].forEach((part) => part.classList.toggle("stale", on));
@@ -133,7 +133,7 @@ export function mount(main) {
       const name = pair.map((p) => number(outside("pressure", p), 3)).join(" | ") + " " + unitName("pressure");
       return { name, end: name, colour: KINDS[i], x: angles, y: rows.map((/** @type {any} */ q) => q.torque_nm) };
     });
-    torque.show({ x: "angle φ [°]", y: "torque [N m]", yaxis: {}, series, marks: point ? [{ x: point.angle_deg, y: point.torque_nm ?? 0, text: "wanted" }] : [] });
+    torque.show({ x: "angle φ [°]", y: "torque [N m]", yaxis: {}, series, marks: point ? [{ x: point.angle_deg, y: point.torque_nm ?? 0, text: "required" }] : [] });
   }
 
   /** @param {any} found */

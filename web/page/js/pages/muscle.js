@@ -49,7 +49,7 @@ export function mount(main) {
   // The muscle in space.
   const busy = el("div", { class: "busy" });
   const stageSay = el("p", { class: "say" }), scale = el("div", { class: "bar" }), legend = el("div", { class: "legend" });
-  const hint = "Drag to turn; drag the right end to contract; Ctrl and wheel to zoom; twice to turn back";
+  const hint = "Drag to turn; drag the right end to contract; Ctrl and wheel to zoom; double-click to reset";
   const stage = el("div", { class: "stage", title: hint }, stageSay, scale, legend, busy);
   let dragged = /** @type {number | undefined} */ (undefined);
   const view = new View(stage, { drawn: paintScale, contract(share, settled) {
@@ -132,9 +132,9 @@ export function mount(main) {
     }, (problem) => {
       const lacks = muscle.missing().filter((key) => state.said[key] === undefined);
       const key = about(problem);
-      if (lacks.length) lacks.forEach((key) => controls[key].mark(`The source of ${state.said.braid} does not state it: measure it, or choose a stiffness.`));
+      if (lacks.length) lacks.forEach((key) => controls[key].mark(`The source of ${state.said.braid} does not state it: measure it, or select a stiffness.`));
       else if (key) controls[key].mark(problem.message);
-      said.replaceChildren(problemBox(problem), shape ? el("p", { class: "small soft" }, "What is shown is the last answer, of another muscle or state.") : "", problem.kind === "engine" ? el("button", { type: "button", class: "main", onclick: () => ask() }, "Try again") : "");
+      said.replaceChildren(problemBox(problem), shape ? el("p", { class: "small soft" }, "The page shows the last result, which is for another muscle or state.") : "", problem.kind === "engine" ? el("button", { type: "button", class: "main", onclick: () => ask() }, "Try again") : "");
       stale(true);
       point = undefined;
       mark();
@@ -270,7 +270,7 @@ export function mount(main) {
     const key = `${words} ${end(low)} ${end(high)}`;
     if (key !== legendKey) legend.replaceChildren(el("span", {}, words), el("i", { style: `background:linear-gradient(90deg,${ramp})` }), el("span", {}, el("b", {}, end(low)), el("b", {}, end(high))));
     legendKey = key;
-    const sayIt = point.slack ? [el("b", {}, "Slack"), el("br"), `It hangs ${show("ratio", shape.shape_contraction, 3)} shortened and does not pull.`]
+    const sayIt = point.slack ? [el("b", {}, "Slack"), el("br"), `The muscle is slack: contracted by ${show("ratio", shape.shape_contraction, 3)}, no pull.`]
       : [el("b", {}, withUncertainty("force", point.force_n, point.uncertainty_n)), el("br"), `at ${show("pressure", point.pressure_mpa, 3)} and ${show("ratio", point.contraction, 3)}`];
     stageSay.replaceChildren(...sayIt);
     dial.set(point.pressure_mpa, Math.max(PRESSURE.high, point.pressure_mpa));
@@ -377,7 +377,7 @@ export function mount(main) {
     const { file, said, F } = muscle.state, { shown } = muscle;
     for (const key of Object.keys(controls)) controls[key].set(muscle.value(key));
     for (const [key, message] of muscle.wrong) controls[key]?.mark(message);
-    const own = file ? "as the file has it" : "";
+    const own = file ? "as in the file" : "";
     rubber.first(own || "paper (default)");
     braid.first(own || "its own angle");
     strands.first(said.braid ? "of the sleeve" : own || "paper's braid (default)");

@@ -1,6 +1,7 @@
 //! What can vary, and the measures of a muscle that come of it.
 
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Tube};
+use mckibben::muscle::measures::{self, Parts};
+use mckibben::muscle::{BraidStiffness, Muscle, MuscleError};
 use mckibben::rubber::library;
 use mckibben::rubber::{Constant, Law};
 use mckibben::units::{Dimension, Values};
@@ -9,20 +10,12 @@ use std::sync::LazyLock;
 /// A measure that can vary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measure {
-    /// D0
-    OuterDiameter,
-    /// s
-    Wall,
+    /// A measure of the muscle, by its key in the muscle file
+    Part(&'static str),
     /// s/D0
     WallRatio,
-    /// L0
-    Length,
     /// L0/D0
     LengthRatio,
-    /// θ0
-    Angle,
-    /// k of one strand family
-    Stiffness,
     /// k/D0
     StiffnessPerDiameter,
     /// Factor of all moduli of the law
@@ -31,11 +24,30 @@ pub enum Measure {
     Constant(&'static str),
 }
 
-/// All of them in the order in which a factorial plan runs through them, with their keys in `[vary]`.
+/// Those that have a column of their own in every table.
+const WITH_COLUMN: [(&str, Measure); 9] = [
+    ("tube.outer_diameter", Measure::Part("tube.outer_diameter")),
+    ("tube.wall_thickness", Measure::Part("tube.wall_thickness")),
+    ("tube.wall_ratio", Measure::WallRatio),
+    ("tube.length", Measure::Part("tube.length")),
+    ("tube.length_ratio", Measure::LengthRatio),
+    ("braid.angle", Measure::Part("braid.angle")),
+    ("braid.stiffness", Measure::Part("braid.stiffness")),
+    ("braid.stiffness_per_diameter", Measure::StiffnessPerDiameter),
+    ("tube.material.scale", Measure::Scale),
+];
+
+/// All of them in the order in which a factorial plan runs through them, with their keys in `[vary]`: the ones above, constants of laws,
+/// and every other measure of the muscle.
 pub(super) static ALL: LazyLock<Vec<(&'static str, Measure)>> = LazyLock::new(|| {
     let constants = CONSTANTS.iter().map(|(key, c)| (key.as_str(), Measure::Constant(c.name)));
-    MEASURES.iter().copied().chain(constants).collect()
+    let others = measures::MEASURES.iter().map(|m| m.key).filter(|key| !has_column(key));
+    WITH_COLUMN.into_iter().chain(constants).chain(others.map(|key| (key, Measure::Part(key)))).collect()
 });
+
+fn has_column(key: &str) -> bool {
+    WITH_COLUMN.iter().any(|m| m.0 == key)
+}
 
 /// The constants of all laws with their keys, each name once; sums of terms have none that vary alone.
 static CONSTANTS: LazyLock<Vec<(String, &'static Constant)>> = LazyLock::new(|| {
@@ -48,18 +60,6 @@ static CONSTANTS: LazyLock<Vec<(String, &'static Constant)>> = LazyLock::new(|| 
     out
 });
 
-const MEASURES: [(&str, Measure); 9] = [
-    ("tube.outer_diameter", Measure::OuterDiameter),
-    ("tube.wall_thickness", Measure::Wall),
-    ("tube.wall_ratio", Measure::WallRatio),
-    ("tube.length", Measure::Length),
-    ("tube.length_ratio", Measure::LengthRatio),
-    ("braid.angle", Measure::Angle),
-    ("braid.stiffness", Measure::Stiffness),
-    ("braid.stiffness_per_diameter", Measure::StiffnessPerDiameter),
-    ("tube.material.scale", Measure::Scale),
-];
-
 impl Measure {
     /// Its key in `[vary]`.
     pub fn key(self) -> &'static str {
@@ -69,9 +69,7 @@ impl Measure {
     /// What it measures.
     pub fn dimension(self) -> Dimension {
         match self {
-            Self::OuterDiameter | Self::Wall | Self::Length => Dimension::Length,
-            Self::Angle => Dimension::Angle,
-            Self::Stiffness => Dimension::Stiffness,
+            Self::Part(key) => measures::Measure::of_key(key).map_or(Dimension::Ratio, |m| m.dimension),
             // N/mm per mm
             Self::StiffnessPerDiameter => Dimension::Pressure,
             Self::WallRatio | Self::LengthRatio | Self::Scale => Dimension::Ratio,
@@ -80,6 +78,15 @@ impl Measure {
                 constant.map_or(Dimension::Ratio, |c| c.1.dimension)
             }
         }
+    }
+
+    /// The column in which a table has it, where it varies: only of measures without one in every table.
+    pub fn column(self) -> Option<String> {
+        let Self::Part(key) = self else { return None };
+        let measure = measures::Measure::of_key(key).filter(|_| !has_column(key))?;
+        let unit = measure.dimension.end_of_name().filter(|_| !measure.is_plain());
+        let name = || [&key.replace('.', "_"), unit.unwrap_or_default()].join("_");
+        Some(measure.field.map_or_else(|| name().trim_end_matches('_').to_owned(), str::to_owned))
     }
 }
 
@@ -126,41 +133,38 @@ pub(in crate::campaign) fn rounded(v: f64) -> f64 {
     format!("{v:.9e}").parse().unwrap_or(v)
 }
 
-/// The measures of one muscle of a plan; they need not make a muscle.
+/// One muscle of a plan.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Inputs {
-    /// The tube.
-    pub tube: Tube,
-    /// θ0 in degrees.
-    pub angle_deg: f64,
-    /// The braid's stiffness.
-    pub stiffness: BraidStiffness,
-    braid: Braid,
+    /// Its parts; they need not make a muscle.
+    pub parts: Parts,
+    /// What varies and has no column in every table: its column and its value.
+    pub measures: Vec<(String, f64)>,
 }
 
 impl Inputs {
     /// The base with a value on each axis; ratios are taken of the final diameter.
     pub(super) fn of(base: &Muscle, axes: &[Axis], values: &[f64]) -> Self {
-        let mut tube = base.tube().clone();
-        let mut braid = base.braid().clone();
+        let mut parts = base.parts().clone();
         let all = || axes.iter().map(|a| a.measure).zip(values.iter().copied());
-        if let Some((_, d)) = all().find(|v| v.0 == Measure::OuterDiameter) {
-            tube.outer_diameter_mm = d;
+        for (measure, value) in all() {
+            if let Measure::Part(key) = measure
+                && let Some(measure) = measures::Measure::of_key(key)
+            {
+                (measure.set)(&mut parts, value);
+            }
         }
+        let tube = &mut parts.tube;
         // The factor of all moduli comes last, so that it scales constants that vary too.
         let (last, first): (Vec<_>, Vec<_>) = all().partition(|v| v.0 == Measure::Scale);
         for (measure, value) in first.into_iter().chain(last) {
             match measure {
-                Measure::OuterDiameter => {}
-                Measure::Wall => tube.wall_mm = value,
+                Measure::Part(_) => {}
                 Measure::WallRatio => tube.wall_mm = rounded(value * tube.outer_diameter_mm),
-                Measure::Length => tube.length_mm = value,
                 Measure::LengthRatio => tube.length_mm = rounded(value * tube.outer_diameter_mm),
-                Measure::Angle => braid.angle_deg = value,
-                Measure::Stiffness => braid.stiffness = BraidStiffness::NewtonPerMm(value),
                 Measure::StiffnessPerDiameter => {
                     let k = rounded(value * tube.outer_diameter_mm);
-                    braid.stiffness = BraidStiffness::NewtonPerMm(k);
+                    parts.braid.stiffness = BraidStiffness::NewtonPerMm(k);
                 }
                 Measure::Scale => tube.rubber.law = tube.rubber.law.scaled(value),
                 Measure::Constant(name) => tube.rubber.law = with_constant(&tube.rubber.law, name, value),
@@ -170,12 +174,22 @@ impl Inputs {
         if tube.rubber.law != base.tube().rubber.law || library::follows(&tube.rubber) {
             tube.rubber.name = None;
         }
-        Self { tube, angle_deg: braid.angle_deg, stiffness: braid.stiffness, braid }
+        let measures = all().filter_map(|(measure, value)| Some((measure.column()?, value))).collect();
+        Self { parts, measures }
+    }
+
+    /// The muscle made of them.
+    ///
+    /// # Errors
+    /// [`MuscleError`] where they make none.
+    pub fn muscle(&self) -> Result<Muscle, MuscleError> {
+        let Parts { tube, braid, terminals, friction } = self.parts.clone();
+        Muscle::new(tube, braid, terminals, friction)
     }
 
     /// k of one strand family in N/mm; `None` for inextensible strands.
     pub fn family_stiffness_n_per_mm(&self) -> Option<f64> {
-        self.braid.family_stiffness_n_per_mm(&self.tube)
+        self.parts.braid.family_stiffness_n_per_mm(&self.parts.tube)
     }
 }
 

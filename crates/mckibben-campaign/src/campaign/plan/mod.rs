@@ -23,8 +23,8 @@ pub use axis::{Axis, Inputs, Measure};
 pub use sampling::Sampling;
 
 use crate::hash;
+use mckibben::muscle::Muscle;
 use mckibben::muscle::file::{FileError, read_text};
-use mckibben::muscle::{Braid, Muscle, MuscleError};
 use mckibben::rubber::Law;
 use mckibben_fem::elements::Elements;
 use sampling::Design;
@@ -144,6 +144,11 @@ impl Plan {
         constants(&self.base.tube().rubber.law).into_iter().map(|c| c.0).collect()
     }
 
+    /// Columns of what varies and has none in every table: `seating_mm`.
+    pub fn measures(&self) -> Vec<String> {
+        self.axes.iter().filter_map(|axis| axis.measure.column()).collect()
+    }
+
     /// Keys of the sensitivities that rows carry.
     pub fn sensitivities(&self) -> Vec<String> {
         if !self.testing.sensitivities {
@@ -165,15 +170,4 @@ impl Plan {
 /// Constants of a law with the names of their columns.
 pub(super) fn constants(law: &Law) -> Vec<(String, f64)> {
     law.constants().into_iter().map(|c| (c.column(), c.value)).collect()
-}
-
-impl Inputs {
-    /// The muscle made of them.
-    ///
-    /// # Errors
-    /// [`MuscleError`] where they make none.
-    pub fn muscle(&self, base: &Muscle) -> Result<Muscle, MuscleError> {
-        let braid = Braid { angle_deg: self.angle_deg, stiffness: self.stiffness, ..base.braid().clone() };
-        Muscle::new(self.tube.clone(), braid, base.terminals().clone(), base.friction().copied())
-    }
 }

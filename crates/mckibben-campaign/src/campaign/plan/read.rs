@@ -43,7 +43,7 @@ pub(super) fn plan(text: &str) -> Result<Plan, FileError> {
     let axes = vary::axes(&root, &base, &sampling, &ALL)?;
     let testing = testing(&root.section("test", "test")?)?;
     if base.tube().rubber.is_conditioned() {
-        let why = "is not kept in a table, whose muscles are on their first inflation: leave it out";
+        let why = "is not possible in a campaign, whose muscles are on their first inflation: leave it out";
         return Err(source.error("tube.material.conditioned", Problem::Said(why.into())));
     }
     if sampling != Sampling::Factorial && axes.is_empty() {
@@ -64,7 +64,7 @@ pub(super) fn plan(text: &str) -> Result<Plan, FileError> {
 fn some_muscle(plan: &Plan) -> Result<(), String> {
     let mut first = None;
     for number in 0..plan.muscles().min(1000) {
-        match plan.inputs(number).muscle(&plan.base) {
+        match plan.inputs(number).muscle() {
             Ok(_) => return Ok(()),
             Err(error) => first = first.or(Some(error)),
         }
@@ -102,7 +102,7 @@ fn sampling(section: &Section<'_>) -> Result<Sampling, FileError> {
         let suggestion = words.into_iter().find(|w| method.get(..3).is_some_and(|m| w.starts_with(m)));
         return Err(section.error("method", Problem::Word { suggestion, expected: METHODS }));
     }
-    let needs = "it says how many muscles are drawn";
+    let needs = "it is the number of random muscles";
     let samples = samples.ok_or_else(|| section.missing("samples", Some("method"), needs))?;
     if samples == 0 {
         return Err(section.error("samples", Problem::Said("must be above zero".into())));
@@ -122,11 +122,11 @@ fn testing(section: &Section<'_>) -> Result<Testing, FileError> {
     let pressures_mpa = levels(section, "pressures", Dimension::Pressure)?;
     let most = if of_ideal { 1.2 } else { 0.9 };
     if let Some(e) = contractions.iter().find(|e| !(0.0..=most).contains(*e)) {
-        let why = format!("holds {e}; contractions lie between 0 and {most}");
+        let why = format!("contains {e}; contractions must lie between 0 and {most}");
         return Err(section.error("contractions", Problem::Said(why)));
     }
     if let Some(p) = pressures_mpa.iter().find(|p| **p < 0.0) {
-        let why = format!("holds {p} MPa; a pressure is not below zero");
+        let why = format!("contains {p} MPa; a pressure must not be below zero");
         return Err(section.error("pressures", Problem::Said(why)));
     }
     let points = contractions.len().saturating_mul(pressures_mpa.len());
@@ -144,7 +144,8 @@ fn testing(section: &Section<'_>) -> Result<Testing, FileError> {
 }
 
 fn levels(section: &Section<'_>, key: &str, dimension: Dimension) -> Result<Vec<f64>, FileError> {
-    let needs = "a plan says what its muscles are asked, such as contractions = \"0..20:5%\" and pressures = \"0..0.25:0.01\"";
+    let needs =
+        "a plan must state its points, such as contractions = \"0..20:5%\" and pressures = \"0..0.25:0.01\"";
     match section.values(key, dimension, "")? {
         None => Err(section.missing(key, None, needs)),
         Some((Values::Interval(..), _)) => {

@@ -23,7 +23,7 @@ fn the_papers_plan_has_2600_points() {
     assert_eq!((plan.muscles(), plan.points_per_muscle(), plan.points()), (20, 130, 2600));
     let section = |i: u64| {
         let inputs = plan.inputs(i);
-        (inputs.tube.outer_diameter_mm, inputs.tube.wall_mm)
+        (inputs.parts.tube.outer_diameter_mm, inputs.parts.tube.wall_mm)
     };
     // The first axis changes slowest.
     assert_eq!(
@@ -33,13 +33,13 @@ fn the_papers_plan_has_2600_points() {
     assert_eq!(plan.testing().contractions, [0.0, 0.05, 0.1, 0.15, 0.2]);
     assert_eq!(plan.testing().pressures_mpa[25], 0.25);
     let base = Muscle::prototype();
-    assert_eq!(plan.inputs(13).muscle(&base).unwrap(), base.with_section(45.0, 4.0).unwrap());
+    assert_eq!(plan.inputs(13).muscle().unwrap(), base.with_section(45.0, 4.0).unwrap());
 }
 
 #[test]
 fn every_muscle_of_the_universal_plan_is_one_and_spans_the_design_space() {
     let plan = Plan::read(repository("universal.toml")).unwrap();
-    let all: Vec<Muscle> = (0..plan.muscles()).map(|i| plan.inputs(i).muscle(plan.base()).unwrap()).collect();
+    let all: Vec<Muscle> = (0..plan.muscles()).map(|i| plan.inputs(i).muscle().unwrap()).collect();
     let spans = |of: fn(&Muscle) -> f64, low: f64, high: f64| {
         let values: Vec<f64> = all.iter().map(of).collect();
         let least = values.iter().copied().fold(f64::INFINITY, f64::min);
@@ -63,9 +63,9 @@ fn a_latin_hypercube_hits_each_stratum_once() {
             "{head}[vary]\ntube.outer_diameter = \"10..60 mm\"\ntube.wall_ratio = \"2..20% log\"\nbraid.angle = \"15..40\""
         ));
         let shares: [fn(&Inputs) -> f64; 3] = [
-            |i| (i.tube.outer_diameter_mm - 10.0) / 50.0,
-            |i| (i.tube.wall_mm / i.tube.outer_diameter_mm / 0.02).ln() / 10f64.ln(),
-            |i| (i.angle_deg - 15.0) / 25.0,
+            |i| (i.parts.tube.outer_diameter_mm - 10.0) / 50.0,
+            |i| (i.parts.tube.wall_mm / i.parts.tube.outer_diameter_mm / 0.02).ln() / 10f64.ln(),
+            |i| (i.parts.braid.angle_deg - 15.0) / 25.0,
         ];
         for share in shares {
             let mut hits = vec![0; samples as usize];
@@ -89,7 +89,7 @@ fn sobol_points_are_a_net() {
     );
     let at = |i: u64| {
         let inputs = plan.inputs(i);
-        ((inputs.tube.outer_diameter_mm - 10.0) / 50.0, (inputs.angle_deg - 15.0) / 25.0)
+        ((inputs.parts.tube.outer_diameter_mm - 10.0) / 50.0, (inputs.parts.braid.angle_deg - 15.0) / 25.0)
     };
     for m in 0..=8_u32 {
         let (columns, rows) = (1_usize << m, 1_usize << (8 - m));
@@ -111,7 +111,7 @@ fn samples_depend_on_the_seed_and_on_nothing_else() {
                 "[sampling]\nmethod = \"{method}\"\nsamples = 20\nseed = {seed}\n[vary]\ntube.length = \"100..300\""
             ))
         };
-        let list = |p: &Plan| (0..20).map(|i| p.inputs(i).tube.length_mm).collect::<Vec<_>>();
+        let list = |p: &Plan| (0..20).map(|i| p.inputs(i).parts.tube.length_mm).collect::<Vec<_>>();
         assert_eq!(list(&of(4)), list(&of(4)));
         assert_ne!(list(&of(4)), list(&of(5)));
     }
@@ -125,7 +125,7 @@ fn the_first_samples_stay_what_they_are() {
             "[sampling]\nmethod = \"{method}\"\nsamples = 8\nseed = 1\n[vary]\ntube.length = \"100..300\"\nbraid.angle = \"20..30\""
         ));
         let inputs = plan.inputs(0);
-        (inputs.tube.length_mm, inputs.angle_deg)
+        (inputs.parts.tube.length_mm, inputs.parts.braid.angle_deg)
     };
     assert_eq!([of("latin-hypercube"), of("sobol")], GOLD);
 }
@@ -139,12 +139,12 @@ fn levels_of_a_list_get_equal_shares_and_ratios_follow_the_diameter() {
     );
     for d in [20.0, 30.0, 40.0] {
         let these: Vec<Inputs> =
-            (0..30).map(|i| plan.inputs(i)).filter(|i| i.tube.outer_diameter_mm == d).collect();
+            (0..30).map(|i| plan.inputs(i)).filter(|i| i.parts.tube.outer_diameter_mm == d).collect();
         assert_eq!(these.len(), 10);
-        assert_eq!((these[0].tube.length_mm, these[0].tube.wall_mm), (10.0 * d, 0.1 * d));
+        assert_eq!((these[0].parts.tube.length_mm, these[0].parts.tube.wall_mm), (10.0 * d, 0.1 * d));
         assert_eq!(these[0].family_stiffness_n_per_mm(), Some(5.0 * d));
     }
-    assert_eq!(constants(&plan.inputs(3).tube.rubber.law)[0], ("c10_mpa".into(), 0.224));
+    assert_eq!(constants(&plan.inputs(3).parts.tube.rubber.law)[0], ("c10_mpa".into(), 0.224));
 }
 
 #[test]
@@ -185,7 +185,7 @@ fn wrong_plans_are_refused_with_place_key_and_what_is_expected() {
         ("[sampling]\nmethod = \"sobol\"\nsamples = 4\nseed = -1\n", &["sampling.seed = -1", "whole number"]),
         ("LHS\n", &["needs something to vary"]),
         ("[vary]\ntube.length = \"100..200\"\n", &["\"100..200\"", "without a step", "factorial"]),
-        ("[vary]\ntube.length = \"200..100:10\"\n", &["runs backwards"]),
+        ("[vary]\ntube.length = \"200..100:10\"\n", &["is reversed"]),
         ("[vary]\ntube.length = \"1..2 bar\"\n", &["is a pressure; expected a length"]),
         ("[vary]\ntube.length = \"0,100\"\n", &["begins at 0; it must be above zero"]),
         ("LHS[vary]\ntube.length = \"100,200 log\"\n", &["is a list, and `log` goes with a range"]),
@@ -270,7 +270,34 @@ fn a_plan_has_one_rubber() {
     let plan = Plan::parse(text).unwrap();
     let law = &plan.base().tube().rubber.law;
     for number in 0..3 {
-        let muscle = plan.inputs(number).muscle(plan.base()).unwrap();
+        let muscle = plan.inputs(number).muscle().unwrap();
         assert_eq!(muscle.tube().rubber.law, *law);
     }
+}
+
+/// Every measure of the muscle varies, and each muscle is the base with that value: an identity with [`Muscle::with`].
+#[test]
+fn every_measure_of_a_muscle_varies() {
+    let base = Muscle::prototype();
+    for measure in mckibben::muscle::measures::MEASURES {
+        let value = measure
+            .identify
+            .as_ref()
+            .and_then(|i| (i.start)(&base))
+            .or(base.measure(measure))
+            .or(measure.default);
+        let Some(value) = value else { continue };
+        let text = format!("[vary]\n{} = [{value}, {}]\n{TEST}", measure.key, 1.05 * value + 0.01);
+        let plan = Plan::parse(&text).unwrap_or_else(|e| panic!("{}: {e}", measure.key));
+        let expected = base.with(measure, value).map_err(|e| e.to_string());
+        let found = plan.inputs(0).muscle().map_err(|e| e.to_string());
+        assert_eq!(found, expected, "{}", measure.key);
+        let own =
+            ["tube.outer_diameter", "tube.wall_thickness", "tube.length", "braid.angle", "braid.stiffness"];
+        assert_eq!(plan.measures().len(), usize::from(!own.contains(&measure.key)), "{}", measure.key);
+    }
+    let plan = plan("[vary]\nterminals.slip = \"0,0.001 mm/N\"\nbraid.thickness = \"0.3,0.5 mm\"");
+    assert_eq!(plan.measures(), ["slip_mm_per_n", "braid_thickness_mm"]);
+    assert!(refused(&format!("[vary]\ntube.prestretch = [0.9, 3]\n{TEST}")).contains("between 0.5 and 2"));
+    assert!(refused(&format!("[vary]\nterminals.slip = [-0.1, 3]\n{TEST}")).contains("zero or above"));
 }

@@ -3,14 +3,15 @@
 use super::axis::{ALL, Axis, Measure};
 use super::sampling::Sampling;
 use mckibben::muscle::file::{FileError, Problem, Section};
+use mckibben::muscle::measures::{self, Bounds, SECTIONS};
 use mckibben::muscle::{Muscle, NEUTRAL_ANGLE_DEG};
 use mckibben::units::Values;
 
 /// Pairs of which a plan has one.
 const EITHER: [(Measure, Measure); 3] = [
-    (Measure::Wall, Measure::WallRatio),
-    (Measure::Length, Measure::LengthRatio),
-    (Measure::Stiffness, Measure::StiffnessPerDiameter),
+    (Measure::Part("tube.wall_thickness"), Measure::WallRatio),
+    (Measure::Part("tube.length"), Measure::LengthRatio),
+    (Measure::Part("braid.stiffness"), Measure::StiffnessPerDiameter),
 ];
 
 /// Reads what varies.
@@ -21,12 +22,14 @@ pub(super) fn axes(
     all: &[&'static str],
 ) -> Result<Vec<Axis>, FileError> {
     let vary = root.section("vary", "vary")?;
-    vary.only(&["tube", "braid"], all)?;
+    vary.only(&SECTIONS, all)?;
     let tube = vary.section("tube", "vary.tube")?;
     let tables = [
         ("tube.material.", tube.section("material", "vary.tube.material")?),
         ("tube.", tube),
         ("braid.", vary.section("braid", "vary.braid")?),
+        ("terminals.", vary.section("terminals", "vary.terminals")?),
+        ("friction.", vary.section("friction", "vary.friction")?),
     ];
     for (prefix, table) in &tables {
         let mut known: Vec<&'static str> =
@@ -79,6 +82,19 @@ fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> 
         };
         least = found.constant.bounds.0;
     }
+    if let Measure::Part(key) = axis.measure
+        && let Some(measure) = measures::Measure::of_key(key)
+        && measure.bounds != Bounds::Positive
+        && measure.bounds != Bounds::OfPart
+    {
+        if let Some(value) = [low, high].into_iter().find(|value| measure.check(*value).is_err()) {
+            return Err(match measure.bounds {
+                Bounds::Between(low, high) => format!("reaches {value}; it must be between {low} and {high}"),
+                _ => format!("reaches {value}; it must be zero or above"),
+            });
+        }
+        least = f64::NEG_INFINITY;
+    }
     if axis.log {
         least = least.max(0.0);
     }
@@ -86,7 +102,7 @@ fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> 
         let least = if least == 0.0 { "zero".to_owned() } else { least.to_string() };
         return Err(format!("begins at {low}; it must be above {least}"));
     }
-    if axis.measure == Measure::Angle && high >= NEUTRAL_ANGLE_DEG {
+    if axis.measure == Measure::Part("braid.angle") && high >= NEUTRAL_ANGLE_DEG {
         return Err(format!(
             "reaches {high} deg; a muscle that contracts needs an angle between 0 and {NEUTRAL_ANGLE_DEG:.4} deg to its axis"
         ));

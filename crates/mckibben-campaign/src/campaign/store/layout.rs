@@ -1,14 +1,17 @@
 //! Which columns a table has.
 
-use crate::Row;
+use crate::PointRow;
 use crate::campaign::Plan;
-use crate::columns::{COLUMNS, Column, Slot};
+use crate::columns::{COLUMNS, Column, Role, Slot};
+use mckibben_parquet::{Column as Values, Packing};
 
 /// Which columns a table has: those of the plan, less those that a table of an older program lacks.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Layout {
     /// Constants of the law: `c10_mpa`.
     pub(crate) constants: Vec<String>,
+    /// Other measures that vary: `seating_mm`.
+    pub(crate) measures: Vec<String>,
     /// Keys of the sensitivities: `tube.material.c10`.
     pub(crate) sensitivities: Vec<String>,
     /// Columns that it does not have; they read as nothing.
@@ -26,8 +29,25 @@ pub(crate) struct Field {
 
 impl Field {
     /// Where it stands in a row.
-    pub(crate) fn slot<'a>(&self, row: &'a mut Row) -> Slot<'a> {
+    pub(crate) fn slot<'a>(&self, row: &'a mut PointRow) -> Slot<'a> {
         (self.column.slot)(row)
+    }
+
+    /// An empty column of its kind.
+    pub(super) fn kind(&self) -> Values {
+        match self.slot(&mut PointRow::default()) {
+            Slot::Whole(_) => Values::Int64(vec![]),
+            Slot::Count(_) => Values::Int32(vec![]),
+            Slot::Number(_) | Slot::Constants(_) | Slot::Measures(_) => Values::Double(vec![]),
+            Slot::Optional(_) | Slot::Sensitivities(_) => Values::Optional(vec![]),
+            Slot::Text(_) | Slot::Status(_) => Values::Text(vec![]),
+        }
+    }
+
+    /// Its column in a file: what was asked repeats few values, and answers differ.
+    pub(super) fn parquet(&self) -> mckibben_parquet::Field {
+        let packing = if self.column.role == Role::Answer { Packing::Distinct } else { Packing::Repeated };
+        mckibben_parquet::Field { name: self.name.clone(), kind: self.kind(), packing }
     }
 
     /// Its key in a group.
@@ -41,11 +61,11 @@ impl Field {
     }
 
     /// The number that a row has in it; of groups, the constants alone.
-    pub(crate) fn number(&self, row: &mut Row) -> Option<f64> {
+    pub(crate) fn number(&self, row: &mut PointRow) -> Option<f64> {
         match self.slot(row) {
             Slot::Number(v) => Some(*v),
             Slot::Optional(v) => *v,
-            Slot::Constants(list) => self.of(list),
+            Slot::Constants(list) | Slot::Measures(list) => self.of(list),
             _ => None,
         }
     }
@@ -54,19 +74,20 @@ impl Field {
 impl Layout {
     /// The columns of a plan's table.
     pub(crate) fn of(plan: &Plan) -> Self {
-        Self::new(plan.constants(), plan.sensitivities())
+        Self { measures: plan.measures(), ..Self::new(plan.constants(), plan.sensitivities()) }
     }
 
     pub(crate) fn new(constants: Vec<String>, sensitivities: Vec<String>) -> Self {
-        Self { constants, sensitivities, lacking: vec![] }
+        Self { constants, sensitivities, ..Self::default() }
     }
 
     /// All columns.
     pub(crate) fn fields(&self) -> Vec<Field> {
         let of = |column: &'static Column| {
             let one = |name: String, key: Option<String>| Field { name, column, key };
-            match (column.slot)(&mut Row::default()) {
+            match (column.slot)(&mut PointRow::default()) {
                 Slot::Constants(_) => self.constants.iter().map(|k| one(k.clone(), None)).collect(),
+                Slot::Measures(_) => self.measures.iter().map(|k| one(k.clone(), None)).collect(),
                 Slot::Sensitivities(_) => {
                     let name = |k: &String| format!("d_force_d_{}", k.replace('.', "_"));
                     self.sensitivities.iter().map(|k| one(name(k), Some(k.clone()))).collect()
@@ -84,7 +105,7 @@ impl Layout {
     /// The name of a column that no table may lack.
     pub(crate) fn found(&mut self, names: &[&str]) -> Result<(), String> {
         for field in self.fields().into_iter().filter(|f| !names.contains(&f.name.as_str())) {
-            match field.slot(&mut Row::default()) {
+            match field.slot(&mut PointRow::default()) {
                 Slot::Optional(_) => self.lacking.push(field.column.name),
                 _ => return Err(field.name),
             }

@@ -1,14 +1,11 @@
 //! The store: tables in sealed Parquet files, one file or a folder of parts.
 
-mod bytes;
 mod decode;
 mod encode;
 mod folder;
 mod layout;
 mod provenance;
-mod seal;
 mod table;
-mod thrift;
 
 pub use provenance::Provenance;
 
@@ -19,5 +16,4 @@ pub(super) use layout::Field;
 #[cfg(test)]
 pub(super) use layout::Layout;
 pub(super) use provenance::Which;
-pub(super) use seal::seal_of;
 pub(super) use table::Table;

@@ -3,7 +3,6 @@
 use super::layout::Layout;
 use crate::campaign::plan::Plan;
 use crate::hash;
-use parquet::file::metadata::KeyValue;
 use serde::Serialize;
 
 /// This version of the program.
@@ -97,7 +96,7 @@ impl Provenance {
         }
     }
 
-    pub(crate) fn write(&self, which: Which) -> Vec<KeyValue> {
+    pub(crate) fn write(&self, which: Which) -> Vec<(String, String)> {
         let mut pairs = vec![
             ("version", self.version.clone()),
             ("plan_sha256", self.plan_sha256.clone()),
@@ -114,13 +113,13 @@ impl Provenance {
         if let Which::Part(part) = which {
             pairs.push(("part", part.to_string()));
         }
-        pairs.into_iter().map(|(key, value)| KeyValue::new(format!("{PREFIX}{key}"), value)).collect()
+        pairs.into_iter().map(|(key, value)| (format!("{PREFIX}{key}"), value)).collect()
     }
 
-    pub(crate) fn read(pairs: &[KeyValue]) -> Result<(Self, Which), String> {
+    pub(crate) fn read(pairs: &[(String, String)]) -> Result<(Self, Which), String> {
         let find = |key: &str| {
-            let pair = pairs.iter().find(|p| p.key.strip_prefix(PREFIX) == Some(key));
-            pair.and_then(|p| p.value.clone())
+            let pair = pairs.iter().find(|p| p.0.strip_prefix(PREFIX) == Some(key));
+            pair.map(|p| p.1.clone())
         };
         let text = |key: &str| find(key).ok_or_else(|| format!("its metadata have no {PREFIX}{key}"));
         let number = |text: String| text.parse::<u64>().map_err(|_| format!("\"{text}\" is not a number"));
@@ -138,7 +137,7 @@ impl Provenance {
             layout: Layout::new(list(text("constants")?), list(text("sensitivities")?)),
         };
         if hash::hex(out.plan.as_bytes()) != out.plan_sha256 {
-            return Err("the plan in its metadata is not the one whose hash stands beside it".into());
+            return Err("the plan in its metadata does not match its hash".into());
         }
         let which = find("part").map(number).transpose()?.map_or(Which::Whole, Which::Part);
         Ok((out, which))

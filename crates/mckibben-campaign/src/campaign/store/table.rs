@@ -1,91 +1,50 @@
 //! Rows as columns in memory.
 
 use super::layout::{Field, Layout};
-use crate::Row;
+use crate::PointRow;
 use crate::columns::Slot;
-use parquet::data_type::ByteArray;
+use mckibben_parquet::{Column, Text};
 use std::sync::Arc;
 
-/// A column, of the kind that Parquet knows.
-#[derive(Debug, Clone)]
-pub(crate) enum Column {
-    Int64(Vec<i64>),
-    Int32(Vec<i32>),
-    Double(Vec<f64>),
-    Optional(Vec<Option<f64>>),
-    Text(Vec<ByteArray>),
+/// Adds what a row has in a field.
+fn push(column: &mut Column, field: &Field, row: &mut PointRow) {
+    match (column, field.slot(row)) {
+        (Column::Int64(c), Slot::Whole(v)) => c.push(*v as i64),
+        (Column::Int32(c), Slot::Count(v)) => c.push(i32::try_from(*v).unwrap_or(i32::MAX)),
+        (Column::Double(c), Slot::Number(v)) => c.push(*v),
+        (Column::Double(c), Slot::Constants(list) | Slot::Measures(list)) => {
+            c.push(field.of(list).unwrap_or(0.0));
+        }
+        (Column::Optional(c), Slot::Optional(v)) => c.push(*v),
+        (Column::Optional(c), Slot::Sensitivities(list)) => c.push(field.of(list)),
+        (Column::Text(c), Slot::Text(v)) => c.push(Text::from(v.as_str())),
+        (Column::Text(c), Slot::Status(v)) => c.push(Text::from(v.to_string().as_str())),
+        _ => {}
+    }
 }
 
-impl Column {
-    /// An empty column for what a field holds.
-    pub(crate) fn new(field: &Field) -> Self {
-        match field.slot(&mut Row::default()) {
-            Slot::Whole(_) => Self::Int64(vec![]),
-            Slot::Count(_) => Self::Int32(vec![]),
-            Slot::Number(_) | Slot::Constants(_) => Self::Double(vec![]),
-            Slot::Optional(_) | Slot::Sensitivities(_) => Self::Optional(vec![]),
-            Slot::Text(_) | Slot::Status(_) => Self::Text(vec![]),
+/// Puts line `i` into a row; what is wrong with it otherwise.
+fn fill(column: &Column, i: usize, field: &Field, row: &mut PointRow) -> Option<Result<(), String>> {
+    let text = |c: &[Text]| Some(c.get(i)?.as_utf8().unwrap_or("").to_owned());
+    match (column, field.slot(row)) {
+        (Column::Int64(c), Slot::Whole(v)) => *v = *c.get(i)? as u64,
+        (Column::Int32(c), Slot::Count(v)) => *v = u32::try_from(*c.get(i)?).unwrap_or(0),
+        (Column::Double(c), Slot::Number(v)) => *v = *c.get(i)?,
+        (Column::Double(c), Slot::Constants(list) | Slot::Measures(list)) => {
+            list.push((field.key().to_owned(), *c.get(i)?));
         }
-    }
-
-    /// Its type in a schema of Parquet, before and behind its name.
-    pub(super) fn schema(&self) -> (&'static str, &'static str) {
-        match self {
-            Self::Int64(_) => ("REQUIRED INT64", ""),
-            Self::Int32(_) => ("REQUIRED INT32", ""),
-            Self::Double(_) => ("REQUIRED DOUBLE", ""),
-            Self::Optional(_) => ("OPTIONAL DOUBLE", ""),
-            Self::Text(_) => ("REQUIRED BYTE_ARRAY", " (UTF8)"),
+        (Column::Optional(c), Slot::Optional(v)) => *v = *c.get(i)?,
+        (Column::Optional(c), Slot::Sensitivities(list)) => {
+            list.extend(c.get(i)?.map(|v| (field.key().to_owned(), v)));
         }
+        (Column::Text(c), Slot::Text(v)) => *v = text(c)?,
+        (Column::Text(c), Slot::Status(v)) => match text(c)?.parse() {
+            Ok(status) => *v = status,
+            Err(error) => return Some(Err(format!("{}: {error}", field.name))),
+        },
+        _ => return None,
     }
-
-    fn extend(&mut self, other: &Column, from: usize, to: usize) {
-        match (self, other) {
-            (Self::Int64(a), Self::Int64(b)) => a.extend_from_slice(&b[from..to]),
-            (Self::Int32(a), Self::Int32(b)) => a.extend_from_slice(&b[from..to]),
-            (Self::Double(a), Self::Double(b)) => a.extend_from_slice(&b[from..to]),
-            (Self::Optional(a), Self::Optional(b)) => a.extend_from_slice(&b[from..to]),
-            (Self::Text(a), Self::Text(b)) => a.extend_from_slice(&b[from..to]),
-            _ => {}
-        }
-    }
-
-    /// Adds what a row has in a field.
-    fn push(&mut self, field: &Field, row: &mut Row) {
-        match (self, field.slot(row)) {
-            (Self::Int64(c), Slot::Whole(v)) => c.push(*v as i64),
-            (Self::Int32(c), Slot::Count(v)) => c.push(i32::try_from(*v).unwrap_or(i32::MAX)),
-            (Self::Double(c), Slot::Number(v)) => c.push(*v),
-            (Self::Double(c), Slot::Constants(list)) => c.push(field.of(list).unwrap_or(0.0)),
-            (Self::Optional(c), Slot::Optional(v)) => c.push(*v),
-            (Self::Optional(c), Slot::Sensitivities(list)) => c.push(field.of(list)),
-            (Self::Text(c), Slot::Text(v)) => c.push(ByteArray::from(v.as_str())),
-            (Self::Text(c), Slot::Status(v)) => c.push(ByteArray::from(v.to_string().as_str())),
-            _ => {}
-        }
-    }
-
-    /// Puts line `i` into a row; what is wrong with it otherwise.
-    fn fill(&self, i: usize, field: &Field, row: &mut Row) -> Option<Result<(), String>> {
-        let text = |c: &[ByteArray]| Some(c.get(i)?.as_utf8().unwrap_or("").to_owned());
-        match (self, field.slot(row)) {
-            (Self::Int64(c), Slot::Whole(v)) => *v = *c.get(i)? as u64,
-            (Self::Int32(c), Slot::Count(v)) => *v = u32::try_from(*c.get(i)?).unwrap_or(0),
-            (Self::Double(c), Slot::Number(v)) => *v = *c.get(i)?,
-            (Self::Double(c), Slot::Constants(list)) => list.push((field.key().to_owned(), *c.get(i)?)),
-            (Self::Optional(c), Slot::Optional(v)) => *v = *c.get(i)?,
-            (Self::Optional(c), Slot::Sensitivities(list)) => {
-                list.extend(c.get(i)?.map(|v| (field.key().to_owned(), v)));
-            }
-            (Self::Text(c), Slot::Text(v)) => *v = text(c)?,
-            (Self::Text(c), Slot::Status(v)) => match text(c)?.parse() {
-                Ok(status) => *v = status,
-                Err(error) => return Some(Err(format!("{}: {error}", field.name))),
-            },
-            _ => return None,
-        }
-        Some(Ok(()))
-    }
+    Some(Ok(()))
 }
 
 /// Some rows of a campaign.
@@ -99,17 +58,23 @@ pub(crate) struct Table {
 impl Table {
     pub(crate) fn new(layout: &Layout) -> Self {
         let fields: Arc<[Field]> = layout.fields().into();
-        Self { columns: fields.iter().map(Column::new).collect(), fields, rows: 0 }
+        Self { columns: fields.iter().map(Field::kind).collect(), fields, rows: 0 }
     }
 
     pub(super) fn of(fields: &Arc<[Field]>, columns: Vec<Column>, rows: usize) -> Self {
         Self { fields: fields.clone(), columns, rows }
     }
 
+    /// The same without rows.
+    pub(super) fn emptied(&self) -> Self {
+        let columns = self.fields.iter().map(Field::kind).collect();
+        Self::of(&self.fields, columns, 0)
+    }
+
     /// Adds a row.
-    pub(crate) fn push(&mut self, mut row: Row) {
+    pub(crate) fn push(&mut self, mut row: PointRow) {
         for (column, field) in self.columns.iter_mut().zip(self.fields.iter()) {
-            column.push(field, &mut row);
+            push(column, field, &mut row);
         }
         self.rows += 1;
     }
@@ -123,10 +88,10 @@ impl Table {
     }
 
     /// Row `i`, or what is wrong with it.
-    pub(crate) fn row(&self, i: usize) -> Result<Row, String> {
-        let mut row = Row::default();
+    pub(crate) fn row(&self, i: usize) -> Result<PointRow, String> {
+        let mut row = PointRow::default();
         for (column, field) in self.columns.iter().zip(self.fields.iter()) {
-            column.fill(i, field, &mut row).unwrap_or_else(|| Err(format!("{}: no value", field.name)))?;
+            fill(column, i, field, &mut row).unwrap_or_else(|| Err(format!("{}: no value", field.name)))?;
         }
         Ok(row)
     }

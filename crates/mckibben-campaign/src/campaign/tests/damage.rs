@@ -113,7 +113,7 @@ fn another_plan_or_version_is_refused_with_a_hint() {
     let bytes = encode(&older, 0, &table_of(&plan(), 0)).unwrap();
     std::fs::write(part(&store, 0), bytes).unwrap();
     let error = run(&plan(), &store, &RunOptions::default(), &Silent).unwrap_err();
-    assert!(error.to_string().contains("was made by mckibben 0.0.9"), "{error}");
+    assert!(error.to_string().contains("was written by mckibben 0.0.9"), "{error}");
     // Parts of two versions make no table either.
     assert!(read(&store).is_err() && merge(&[store], &dir.path().join("m.parquet"), false).is_err());
 }

@@ -1,11 +1,11 @@
 //! What stands in the rows.
 
 use super::*;
-use crate::Row;
+use crate::PointRow;
 use mckibben::model::Workspace;
 use mckibben_fem::simulation::Given;
 
-fn run_plan(text: &str) -> Vec<Row> {
+fn run_plan(text: &str) -> Vec<PointRow> {
     let dir = folder();
     let out = dir.path().join("c.parquet");
     run(&Plan::parse(text).unwrap(), &out, &RunOptions::default(), &Silent).unwrap();
@@ -21,7 +21,7 @@ fn rows_are_what_the_model_says_and_derivatives_are_those_of_the_forces() {
     let plan = Plan::parse(text).unwrap();
     assert_eq!(rows.len(), 18);
     for (muscle, nine) in rows.chunks(9).enumerate() {
-        let muscle = plan.inputs(muscle as u64).muscle(plan.base()).unwrap();
+        let muscle = plan.inputs(muscle as u64).muscle().unwrap();
         let model = plan.testing().elements.build(&muscle).unwrap();
         let at = |e: usize, p: usize| nine[3 * e + p].force_n.unwrap();
         let here = &nine[4];
@@ -86,7 +86,7 @@ fn contractions_can_be_shares_of_the_largest() {
     assert!((rows[3].contraction - 0.5 * largest(30.0)).abs() < 1e-9);
 }
 
-/// Reading goes row group by row group; how a table was cut into parts cannot be told from its groups.
+/// Reading goes row group by row group; how a table was cut into parts cannot be seen from its groups.
 #[test]
 fn tables_larger_than_a_group_come_back_row_by_row() {
     use crate::campaign::store::{Layout, Opened, Provenance, Table, whole};
@@ -98,7 +98,7 @@ fn tables_larger_than_a_group_come_back_row_by_row() {
     let provenance = Provenance::of(&plan);
     assert_eq!(plan.points(), 77_000);
     let blank = run_plan("[test]\ncontractions = 0\npressures = 0.1\nmesh = \"3\"\n").remove(0);
-    let row = |i: u64| Row {
+    let row = |i: u64| PointRow {
         muscle: i / 110,
         force_n: (!i.is_multiple_of(7)).then_some(i as f64 * 0.1),
         cause: if i.is_multiple_of(7) { format!("cause “{}”", i % 21) } else { String::new() },
@@ -136,7 +136,7 @@ fn rows_of_a_plan_with_fe3d_are_what_that_model_says() {
     let (rows, plan) = (run_plan(text), Plan::parse(text).unwrap());
     assert_eq!(rows.len(), 8);
     for row in rows {
-        let muscle = plan.inputs(row.muscle).muscle(plan.base()).unwrap();
+        let muscle = plan.inputs(row.muscle).muscle().unwrap();
         let model = plan.testing().elements.build(&muscle).unwrap();
         assert_eq!((&*model.info().name, row.status), ("fe3d", Status::Ok));
         let force = model.force_n(&mut Workspace::new(), row.pressure_mpa, row.contraction).unwrap();

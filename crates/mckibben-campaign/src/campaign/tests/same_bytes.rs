@@ -1,4 +1,4 @@
-//! Threads, shards and interruptions cannot be told from a table.
+//! A table does not depend on threads, shards and interruptions.
 
 use super::*;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -1,6 +1,6 @@
 //! From the rows of a campaign to points with their muscles.
 
-use crate::Row;
+use crate::PointRow;
 use crate::fit::error::FitError;
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::Law;
@@ -32,7 +32,7 @@ pub struct Sample {
 }
 
 /// The muscle of a row.
-fn muscle(row: &Row) -> Option<Muscle> {
+fn muscle(row: &PointRow) -> Option<Muscle> {
     let constants: Vec<f64> = row.constants.iter().map(|c| c.1).collect();
     let rubber = Rubber::of(Law::named(&row.law, &constants)?.validated().ok()?);
     let stiffness =
@@ -45,9 +45,12 @@ fn muscle(row: &Row) -> Option<Muscle> {
 /// Muscles with the points where they pull; pressures without a blocked force are left out.
 ///
 /// # Errors
-/// [`FitError::Empty`] where nothing pulls.
-pub fn samples(rows: &[Row]) -> Result<Vec<Sample>, FitError> {
-    let known = |r: &&Row| r.status.is_ok() && r.force_n.is_some_and(f64::is_finite);
+/// [`FitError::Empty`] where nothing pulls, [`FitError::Varies`] where a measure varies that the formula does not have.
+pub fn samples(rows: &[PointRow]) -> Result<Vec<Sample>, FitError> {
+    let known = |r: &&PointRow| r.status.is_ok() && r.force_n.is_some_and(f64::is_finite);
+    if let Some((column, _)) = rows.iter().find_map(|r| r.measures.first()) {
+        return Err(FitError::Varies(column.clone()));
+    }
     let mut out = vec![];
     for group in rows.chunk_by(|a, b| a.muscle == b.muscle) {
         let Some((first, muscle)) = group.first().and_then(|r| Some((r, muscle(r)?))) else { continue };
@@ -57,7 +60,7 @@ pub fn samples(rows: &[Row]) -> Result<Vec<Sample>, FitError> {
             .filter(|r| r.contraction == 0.0)
             .filter_map(|r| Some((r.pressure_mpa, r.force_n.filter(|f| *f > 0.0)?)))
             .collect();
-        let point = |r: &Row| {
+        let point = |r: &PointRow| {
             let force_n = r.force_n.filter(|f| *f > 0.0)?;
             let &(_, blocked_n) = blocked.iter().find(|b| b.0 == r.pressure_mpa)?;
             let (pressure_mpa, contraction, volume_mm3) = (r.pressure_mpa, r.contraction, r.volume_mm3);

@@ -2,7 +2,7 @@
 
 use super::CampaignShowArgs;
 use crate::failure::Failure;
-use crate::flags::Format;
+use crate::format::Format;
 use crate::output::show;
 use crate::output::text::{number, pairs, table};
 use mckibben_app::{CampaignShowRequest, campaign_show};
@@ -45,7 +45,9 @@ fn as_text(s: &Summary) -> String {
     }
     if s.missing_parts > 0 {
         let parts = of(p.parts() - s.missing_parts, p.parts());
-        out.push_str(&format!("\nIncomplete: {parts} parts are there; run the campaign again to go on.\n"));
+        out.push_str(&format!(
+            "\nIncomplete: {parts} parts are present; run the campaign again to continue.\n"
+        ));
     }
     for damaged in &s.damaged {
         out.push_str(&format!("Damaged: {damaged}\n"));

@@ -2,18 +2,18 @@
 
 use crate::failure::in_flags;
 use crate::output::text::{Units, aligned, columns, number, percent, percents, place};
-use mckibben::design::{CandidatePoint, Limit, Relaxation, Spread};
 use mckibben_app::{
     CandidateAnswer, ClosestAnswer, DemandAnswer, DesignAnswer, RejectedAnswer, SearchedAnswer, SureAnswer,
     TorqueWanted, Wanted,
 };
+use mckibben_design::{CandidatePoint, Limit, Relaxation, Spread};
 use std::path::Path;
 
 /// The design for people.
 pub fn of(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     let searched = &answer.searched;
     let wanted = wanted(answer, u);
-    let mut out = format!("Wanted: {wanted} with at most {}\n", u.pressure.show(answer.max_pressure_mpa));
+    let mut out = format!("Required: {wanted} with at most {}\n", u.pressure.show(answer.max_pressure_mpa));
     let with = if answer.searched_with == answer.model {
         String::new()
     } else {
@@ -22,7 +22,7 @@ pub fn of(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     let length = searched.length_mm.map_or_else(String::new, |mm| format!("L0 {}, ", u.length.show(mm)));
     let (looked_at, fit) = (answer.looked_at, answer.fitting);
     out.push_str(&format!(
-        "Model {}{with}; {looked_at} muscles looked at, {fit} fit; {length}{}, {}\n{}",
+        "Model {}{with}; {looked_at} muscles examined, {fit} fit; {length}{}, {}\n{}",
         answer.model,
         searched.rubber,
         searched.braid,
@@ -45,7 +45,7 @@ pub fn of(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
         out.push_str(&spread_text(&answer.tolerance, u));
     }
     if !answer.rejected.is_empty() && answer.closest.is_none() {
-        out.push_str("\nJust missed\n");
+        out.push_str("\nNear misses\n");
     } else if answer.rejected.len() > 1 {
         out.push_str("\nNext closest\n");
     }
@@ -91,7 +91,7 @@ fn joint(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     let muscle =
         |i: u8| format!("[muscle_{i}]\nfile = \"{written}\"\ncontraction_at_neutral = \"{neutral}%\"\n");
     format!(
-        "\nThe first on a pulley of radius {}, both muscles contracted by {neutral} % at the neutral angle. As a joint file, {where_to}:\n\n[joint]\nradius = \"{} mm\"\nrange = \"-{angle}..{angle} deg\"\n\n{}\n{}",
+        "\nThe first muscle on a pulley of radius {}, both muscles contracted by {neutral} % at the neutral angle. As a joint file, {where_to}:\n\n[joint]\nradius = \"{} mm\"\nrange = \"-{angle}..{angle} deg\"\n\n{}\n{}",
         u.length.show(j.radius_mm),
         number(j.radius_mm, 5),
         muscle(1),
@@ -105,13 +105,13 @@ fn safety(searched: &SearchedAnswer) -> String {
     let strain = strain.map(|v| format!("strands stretched by at most {}", percent(v)));
     let burst = match searched.min_burst_margin {
         Some(margin) if searched.burst_checked => {
-            format!("burst at {} times the maximum pressure or above", number(margin, 4))
+            format!("burst pressure at least {} times the maximum pressure", number(margin, 4))
         }
         Some(margin) => format!(
-            "burst at {} times the maximum pressure or above only where the strength of the strands is stated, and here it is not",
+            "burst not checked (required: {} times the maximum pressure), because the strength of the strands is not stated",
             number(margin, 4)
         ),
-        None => "burst not bounded".into(),
+        None => "no limit on burst".into(),
     };
     format!("Safety: {}\n", strain.into_iter().chain([burst]).collect::<Vec<_>>().join("; "))
 }
@@ -124,13 +124,13 @@ fn thousandth(share: f64) -> f64 {
 fn binds(best: &CandidateAnswer) -> String {
     let Some(limit) = best.binds else { return String::new() };
     let what = match limit {
-        Limit::Force => "the required pull",
-        Limit::BulgedDiameter => "the largest bulged diameter",
-        Limit::MaxStretch => "the largest stretch of its rubber",
-        Limit::StrandStrain => "the largest strain of its strands",
-        Limit::BurstMargin => "the burst pressure",
+        Limit::Force => "required pull",
+        Limit::BulgedDiameter => "largest bulged diameter",
+        Limit::MaxStretch => "largest stretch of the rubber",
+        Limit::StrandStrain => "largest strain of the strands",
+        Limit::BurstMargin => "burst pressure",
     };
-    format!("The first is limited by {what}.\n")
+    format!("Limited by: {what}.\n")
 }
 
 fn measures(r: &RejectedAnswer, u: &Units) -> String {
@@ -167,18 +167,18 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
         found.push((per_length.heading("k"), per_length.column(maybe(&stiffness), 3)));
     }
     found.extend([
-        (u.pressure.heading("needs"), needs.collect()),
-        ("to spare".into(), percents(known(&|c| thousandths(c.margin)), 3)),
+        (u.pressure.heading("P required"), needs.collect()),
+        ("margin".into(), percents(known(&|c| thousandths(c.margin)), 3)),
         (u.force.heading("F blocked"), u.force.column(known(&|c| c.blocked_force_n), 4)),
         ("ε free".into(), percents(maybe(&|c| c.free_contraction), 3)),
-        (u.length.heading("bulges to"), u.length.column(maybe(&|c| c.bulged_diameter_mm), 3)),
+        (u.length.heading("bulged D"), u.length.column(maybe(&|c| c.bulged_diameter_mm), 3)),
         (per_length.heading("stiffness"), per_length.column(maybe(&|c| c.stiffness_n_per_mm), 3)),
         ("air [nL]".into(), aligned(&maybe(&|c| c.air_normal_litres), 3)),
         (u.force.heading(if strands { "strand" } else { "braid" }), u.force.column(maybe(&tension), 3)),
         (u.force.heading("±"), u.force.column(maybe(&|c| c.uncertainty_n), 2)),
     ]);
     if burst {
-        found.push((u.pressure.heading("bursts"), u.pressure.column(maybe(&|c| c.burst_pressure_mpa), 3)));
+        found.push((u.pressure.heading("P burst"), u.pressure.column(maybe(&|c| c.burst_pressure_mpa), 3)));
     }
     let mass = |c: &One| c.muscle.rubber_mass_g;
     if list.iter().any(|c| mass(c).is_some()) {
@@ -192,8 +192,8 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
         if strands { "strand: tension of one strand" } else { "braid: tension of all strands together" };
     let k = if several_braids { "k: stiffness of one strand family. " } else { "" };
     out.push_str(&format!(
-        "\n{}to spare: pull above what is wanted, at the maximum pressure.\nF blocked and ε free: at the maximum pressure. stiffness: at the first point. bulges to, {}, air, ±: the largest of the points.\nair: normal litres from rest to the point. {k}{braid}.\n±: 95 % half-width of the pull, against a measured muscle.\n",
-        if list.iter().any(|c| c.points.len() > 1) { "needs: the pressure of each point. " } else { "" },
+        "\n{}margin: pull above the required pull, at the maximum pressure.\nF blocked and ε free: at the maximum pressure. stiffness: at the first point. bulged D, {}, air, ±: the largest of the points.\nair: normal litres from rest to the point. {k}{braid}.\n±: 95 % half-width of the pull, against a measured muscle.\n",
+        if list.iter().any(|c| c.points.len() > 1) { "P required: the pressure of each point. " } else { "" },
         if strands { "strand" } else { "braid" }
     ));
     out.push_str(&list.first().map_or_else(String::new, binds));
@@ -226,15 +226,17 @@ fn doubt(answer: &DesignAnswer, u: &Units) -> String {
     let ask = match &answer.to_be_sure {
         Some(sure) if sure.points.is_empty() => {
             let torque = |t: &TorqueWanted| format!("{} N m", number(t.torque_nm, 5));
-            format!("ask for {}", joined(sure.torques.iter().map(torque).collect()))
+            format!("design for {}", joined(sure.torques.iter().map(torque).collect()))
         }
         Some(SureAnswer { load_factor: Some(factor), .. }) => {
-            format!("ask for {} times the load", number(*factor, 4))
+            format!("design for {} times the load", number(*factor, 4))
         }
-        Some(sure) => format!("ask for {}", joined(sure.points.iter().map(force).collect())),
+        Some(sure) => format!("design for {}", joined(sure.points.iter().map(force).collect())),
         None => "no muscle of this search is strong enough".to_owned(),
     };
-    format!("The first has less to spare than the ± of {half}: to be sure of {wanted}, {ask}.\n")
+    format!(
+        "The margin of the first muscle is smaller than its ± of {half}: to cover {wanted} with the ±, {ask}.\n"
+    )
 }
 
 /// What finite elements say of the first candidate.
@@ -242,8 +244,8 @@ fn verified(answer: &DesignAnswer, u: &Units) -> String {
     let (Some(verified), Some(winner)) = (&answer.verification, answer.candidates.first()) else {
         return String::new();
     };
-    let holds = if verified.holds { "holds" } else { "does NOT hold" };
-    let mut out = format!("\nBy finite elements the first {holds}\n");
+    let holds = if verified.holds { "meets the specification" } else { "does NOT meet the specification" };
+    let mut out = format!("\nBy finite elements the first muscle {holds}\n");
     for (c, q) in verified.points.iter().zip(&winner.points) {
         let (at, max) = (percent(c.contraction), u.pressure.show(answer.max_pressure_mpa));
         let line = match (c.force_at_max_pressure_n, &c.cause) {
@@ -311,7 +313,7 @@ fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {
         u.sentence(&closest.rejected.reason)
     );
     if closest.relaxations.is_empty() {
-        out.push_str("No single limit makes it fit.\n");
+        out.push_str("No single change makes a muscle fit.\n");
         return out;
     }
     out.push_str("Relax one of these:\n");
@@ -319,39 +321,40 @@ fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {
         let line = match relaxation {
             Relaxation::MaxPressure { pressure_mpa, extrapolated } => {
                 let far = if *extrapolated { " (extrapolated: outside of the model's range)" } else { "" };
-                format!("a maximum pressure of {}{far}", u.pressure.show(*pressure_mpa))
+                format!("raise the maximum pressure to {}{far}", u.pressure.show(*pressure_mpa))
             }
             Relaxation::Force { points } => {
-                let each = |q: &Wanted| {
-                    format!("{} wanted at {}", u.force.show(q.force_n.floor()), percent(q.contraction))
-                };
-                points.iter().map(each).collect::<Vec<_>>().join(" and ")
+                let each =
+                    |q: &Wanted| format!("{} at {}", u.force.show(q.force_n.floor()), percent(q.contraction));
+                format!("reduce the pull to {}", points.iter().map(each).collect::<Vec<_>>().join(" and "))
             }
             Relaxation::Contraction { points } => {
                 let floor = |v: f64| percent((v * 1e4).floor() / 1e4);
-                let each = |q: &Wanted| {
-                    format!("{} wanted at a contraction of {}", u.force.show(q.force_n), floor(q.contraction))
-                };
-                points.iter().map(each).collect::<Vec<_>>().join(" and ")
+                let each = |q: &Wanted| format!("{} for {}", floor(q.contraction), u.force.show(q.force_n));
+                let each = points.iter().map(each).collect::<Vec<_>>().join(" and ");
+                format!("reduce the contraction to {each}")
             }
             Relaxation::OuterDiameter { outer_diameter_mm, model, scaled_to } => {
                 let scaled = scaled_to.as_ref().map_or_else(String::new, |m| format!(", scaled to {m} here"));
                 format!(
-                    "an outer diameter of {} (by the {model} model{scaled})",
+                    "take an outer diameter of {} (by the {model} model{scaled})",
                     u.length.show(*outer_diameter_mm)
                 )
             }
             Relaxation::MaxBulgedDiameter { bulged_diameter_mm } => {
-                format!("a bulged diameter of {}", u.length.show((bulged_diameter_mm * 10.0).ceil() / 10.0))
+                format!(
+                    "allow a bulged diameter of {}",
+                    u.length.show((bulged_diameter_mm * 10.0).ceil() / 10.0)
+                )
             }
             Relaxation::MaxStretch { max_stretch } => {
-                format!("a largest stretch of {}", number((max_stretch * 100.0).ceil() / 100.0, 3))
+                format!("allow a stretch of {}", number((max_stretch * 100.0).ceil() / 100.0, 3))
             }
             Relaxation::MaxStrandStrain { strand_strain } => {
-                format!("a strand strain of {}", percent((strand_strain * 1e4).ceil() / 1e4))
+                format!("allow a strand strain of {}", percent((strand_strain * 1e4).ceil() / 1e4))
             }
             Relaxation::MinBurstMargin { burst_margin } => {
-                format!("a burst margin of {}", number((burst_margin * 100.0).floor() / 100.0, 3))
+                format!("reduce the burst margin to {}", number((burst_margin * 100.0).floor() / 100.0, 3))
             }
         };
         out.push_str(&format!("  - {line}\n"));

@@ -2,7 +2,7 @@
 
 use super::text::errors_row;
 use crate::failure::{Failure, NO_ANSWER};
-use crate::flags::Format;
+use crate::format::Format;
 use crate::output::text::{number, table};
 use crate::output::{Target, show};
 use crate::progress::Bar;
@@ -52,7 +52,7 @@ fn text(answer: &FitReportAnswer) -> String {
         shipped.exponent
     ));
     out.push_str(&format!(
-        "From nothing to the paper's formula with its errors: {:.3} s; global has {} terms\n",
+        "Time for campaign, fit and errors of the paper's formula: {:.3} s; global has {} terms\n",
         seconds, r.global_terms
     ));
     out.push_str(

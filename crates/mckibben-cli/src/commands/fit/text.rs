@@ -4,7 +4,7 @@ use crate::output::text::{number, pairs, place, table};
 use mckibben::formula::{Document, ErrorSummary, Formula, UniversalFormula, UniversalSummary, UniversalTerm};
 use mckibben_app::FitAnswer;
 use mckibben_campaign::fit::signs::signs;
-use mckibben_campaign::fit::{Fitted, PaperMethod};
+use mckibben_campaign::fit::{FittedFormula, PaperMethod};
 use std::path::Path;
 
 /// Shares in per cent, differences in N.
@@ -56,7 +56,7 @@ pub fn of(answer: &FitAnswer, output: Option<&Path>) -> String {
     out
 }
 
-fn section(f: &Fitted, failed: usize) -> String {
+fn section(f: &FittedFormula, failed: usize) -> String {
     let formula = &f.formula;
     let (p, r) = (&formula.provenance, &formula.range);
     let interval = |(low, high): (f64, f64)| format!("{} to {}", number(low, 4), number(high, 4));

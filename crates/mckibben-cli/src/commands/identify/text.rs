@@ -1,8 +1,8 @@
 //! What was identified, for people.
 
 use crate::output::text::{Units, number, percent, table, understood};
-use mckibben::identify::Identification;
 use mckibben_app::{IdentifyAnswer, with_error_bar};
+use mckibben_fit::identify::Identification;
 
 /// The whole answer.
 pub fn of(answer: &IdentifyAnswer, u: &Units) -> String {
@@ -12,7 +12,7 @@ pub fn of(answer: &IdentifyAnswer, u: &Units) -> String {
     out.push_str(&format!(
         "model {}, {} points of {}\n{}\n\n",
         answer.model,
-        found.points.len(),
+        answer.points.len(),
         answer.data,
         answer.muscle.line(u)
     ));
@@ -39,7 +39,7 @@ pub fn of(answer: &IdentifyAnswer, u: &Units) -> String {
         force(found.rms_before_n),
         force(found.max_n)
     ));
-    let largest = found.points.iter().map(|p| p.point.at.force_n).fold(0.0, f64::max);
+    let largest = answer.points.iter().map(|p| p.point.at.force_n).fold(0.0, f64::max);
     if largest > 0.0 {
         out.push_str(&format!("; the largest force is {}", u.force.show(largest)));
     }
@@ -107,7 +107,7 @@ fn laws(answer: &IdentifyAnswer, force: &dyn Fn(f64) -> String) -> String {
     }
     if answer.laws.iter().filter_map(|row| row.neighbour_correlation).any(|r| r > 0.5) {
         out.push_str(
-            "  neighbouring points err together: differences of AICc decide less than they seem to\n",
+            "  the residuals of neighbouring points are correlated: differences of AICc are less significant than their values suggest\n",
         );
     }
     out

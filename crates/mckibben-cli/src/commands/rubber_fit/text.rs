@@ -1,104 +1,103 @@
 //! What `rubber fit` tells people.
 
 use crate::output::text::{number, or_dash, pairs, percent, place, table, understood};
-use mckibben::rubber::fit::{
-    FitSettings, FittedLaw, HeldOutError, Measure, Mode, ModeError, Parameter, TensionFit,
-};
-use mckibben::rubber::{RubberLaw, Stability};
-use mckibben_app::{BranchAnswer, PronyAnswer, RubberFitAnswer, SofteningAnswer};
-use std::collections::BTreeMap;
+use mckibben::rubber::{Law, MUSCLE_HOOP_STRETCH};
+use mckibben_app::{RubberFitAnswer, RubberFitRequest};
+use mckibben_fit::rubber::{FittedLaw, HeldOutError, Measure, Mode, ModeError, Parameter};
+use mckibben_fit::rubber_over_time::{BranchFit, PronyFit, SofteningFit};
 use std::path::Path;
 
 /// The law in words: `mooney-rivlin, held stable`.
 fn title(law: &FittedLaw) -> String {
-    let held = if law.constrained { ", held stable" } else { "" };
+    let held = if law.constrained { ", constrained to be stable" } else { "" };
     format!("{}{held}", law.form.name())
 }
 
 fn stability(law: &FittedLaw) -> String {
-    match law.stability {
+    match law.quality.unstable_from_hoop_stretch {
         _ if law.law.clone().validated().is_err() => "no stiffness at rest".into(),
-        Stability::Stable => "stable".into(),
-        Stability::UnstableFrom { hoop_stretch } => {
+        None => "stable".into(),
+        Some(hoop_stretch) => {
             let does = if law.law.locks_at().is_some() { "locks at" } else { "unstable from" };
             format!("{does} {}", number(hoop_stretch, 3))
         }
     }
 }
 
-fn weighting(settings: &FitSettings) -> String {
-    let what = match settings.measure {
+fn weighting(answer: &RubberFitAnswer, request: &RubberFitRequest) -> String {
+    let what = match answer.measure {
         Measure::Absolute => "least squares of the nominal stress",
         Measure::Relative => "least squares of the difference over the measured stress",
     };
-    let even = if settings.balance { "every mode counts alike" } else { "every point counts alike" };
+    let even = if answer.balance { "every mode counts alike" } else { "every point counts alike" };
     let factors: Vec<String> =
-        settings.mode_weights.iter().map(|(m, w)| format!("{m} × {}", number(*w, 3))).collect();
+        request.weights.iter().map(|(m, w)| format!("{m} × {}", number(*w, 3))).collect();
     let factors = if factors.is_empty() { String::new() } else { format!(", {}", factors.join(", ")) };
     format!("{what}; {even}{factors}")
 }
 
 /// Text for people.
-pub fn of(answer: &RubberFitAnswer, written: Option<&Path>) -> String {
-    let RubberFitAnswer { fit, settings, data: file, .. } = answer;
-    let modes: Vec<(&str, String)> = fit.laws.first().map_or_else(Vec::new, |law| {
+pub fn of(answer: &RubberFitAnswer, request: &RubberFitRequest, written: Option<&Path>) -> String {
+    let (laws, file) = (&answer.laws, &answer.data);
+    let modes: Vec<(&str, String)> = laws.first().map_or_else(Vec::new, |law| {
         let range =
             |m: &ModeError| format!("{} points, to a stretch of {}", m.points, number(m.to_stretch, 3));
         law.modes.iter().map(|m| (m.mode.name(), range(m))).collect()
     });
     let mut head = modes;
-    if !fit.held_out.is_empty() {
-        head.push(("held out", format!("{} points", fit.held_out.len())));
+    for (name, count) in [("held out", answer.held_out), ("left out", answer.left_out)] {
+        head.extend((count > 0).then(|| (name, format!("{count} points"))));
     }
-    if fit.left_out > 0 {
-        head.push(("left out", format!("{} points", fit.left_out)));
-    }
-    head.push(("fit", weighting(settings)));
-    let hoop = number(settings.hoop_stretch, 3);
+    head.push(("fit", weighting(answer, request)));
+    let hoop = number(request.hoop_stretch.unwrap_or(MUSCLE_HOOP_STRETCH), 3);
     head.push(("muscle", format!("axial stretch 0.6 to 1.1, hoop stretch 1 to {hoop}")));
-    let best = fit.laws.iter().map(|l| l.aicc).fold(f64::INFINITY, f64::min);
-    let arrow = |i: usize| if fit.recommended == Some(i) { "→".to_owned() } else { String::new() };
+    let best = laws.iter().map(|l| l.quality.aicc).fold(f64::INFINITY, f64::min);
+    let arrow = |law: &FittedLaw| if answer.is_recommended(law) { "→" } else { "" };
     let mut header = vec!["".to_owned(), "law".into(), "μ [MPa]".into(), "R²".into(), "rms [kPa]".into()];
-    let several = fit.laws.first().is_some_and(|l| l.modes.len() > 1);
+    let several = laws.first().is_some_and(|l| l.modes.len() > 1);
     if several {
-        header.extend(fit.laws[0].modes.iter().map(|m| format!("{} [kPa]", m.mode)));
+        header.extend(laws[0].modes.iter().map(|m| format!("{} [kPa]", m.mode)));
     }
     header.extend(["relative".into(), "ΔAICc".into(), "in a muscle".into()]);
-    let rows = fit.laws.iter().enumerate().map(|(i, l)| {
+    let rows = laws.iter().map(|l| {
         let mut row = vec![
-            arrow(i),
+            arrow(l).to_owned(),
             title(l),
-            number(l.law.shear_modulus_mpa(), 3),
-            format!("{:.5}", l.r_squared),
-            number(1e3 * l.rms_mpa, 3),
+            number(l.quality.shear_modulus_mpa, 3),
+            format!("{:.5}", l.quality.r_squared),
+            number(1e3 * l.quality.rms_mpa, 3),
         ];
         if several {
             row.extend(l.modes.iter().map(|m| number(1e3 * m.rms_mpa, 3)));
         }
-        row.extend([percent(rounded(l.relative_rms)), format!("{:.1}", l.aicc - best), stability(l)]);
+        row.extend([
+            percent(rounded(l.quality.relative_rms)),
+            format!("{:.1}", l.quality.aicc - best),
+            stability(l),
+        ]);
         row
     });
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
-    let laws = table(&header, rows.collect());
+    let qualities = table(&header, rows.collect());
     let constants = table(
         &["law", "constant", "value", "standard error", "unit", "identifiable"],
-        fit.laws.iter().flat_map(constant_rows).collect(),
+        laws.iter().flat_map(constant_rows).collect(),
     );
     let read = understood(&answer.understood);
     let over_time = answer.relaxation.as_ref().map(relaxation).unwrap_or_default()
         + &answer.softening.as_ref().map(softening).unwrap_or_default();
-    let held_out = held_out(fit, &hoop) + &over_time;
-    let closing = closing(fit, written);
-    format!("{read}Tension tests {file}\n{}\n{laws}\n{constants}\n{held_out}{closing}", pairs(&head))
+    let held_out = held_out(laws, &hoop) + &over_time;
+    let closing = closing(answer, written);
+    format!("{read}Tension tests {file}\n{}\n{qualities}\n{constants}\n{held_out}{closing}", pairs(&head))
 }
 
-fn named(constants: &BTreeMap<String, f64>) -> String {
-    let one = |(name, value): (&String, &f64)| format!("{name} {}", number(*value, 5));
-    constants.iter().map(one).collect::<Vec<_>>().join(", ")
+fn named(law: &Law) -> String {
+    let one = |(name, value): (String, f64)| format!("{name} {}", number(value, 5));
+    law.columns().into_iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
-fn relaxation(answer: &PronyAnswer) -> String {
-    let row = |b: &BranchAnswer| {
+fn relaxation(answer: &PronyFit) -> String {
+    let row = |b: &BranchFit| {
         let error = or_dash(b.overstress_standard_error, |e| number(e, 2));
         vec![
             number(b.share, 4),
@@ -122,11 +121,11 @@ fn relaxation(answer: &PronyAnswer) -> String {
     let duration = number(answer.duration_s, 3);
     format!(
         "Relaxation of {} over {duration} s (Prony series; g of the stress at once)\n{head}\n{branches}\n",
-        answer.law
+        answer.form
     )
 }
 
-fn softening(answer: &SofteningAnswer) -> String {
+fn softening(answer: &SofteningFit) -> String {
     let error = |i: usize| or_dash(answer.standard_errors[i], |e: f64| number(e, 2));
     let counts = format!("{} and {} points", answer.first_loading_points, answer.later_points);
     let (first, later) = (1e3 * answer.first_loading_rms_mpa, 1e3 * answer.later_rms_mpa);
@@ -145,13 +144,13 @@ fn softening(answer: &SofteningAnswer) -> String {
             ),
         ),
     ]);
-    format!("Softening of {} (Ogden and Roxburgh)\n{head}\n", answer.law)
+    format!("Softening of {} (Ogden and Roxburgh)\n{head}\n", answer.form)
 }
 
 /// The errors in modes that were held out, a column a mode.
-fn held_out(fit: &TensionFit, hoop: &str) -> String {
+fn held_out(laws: &[FittedLaw], hoop: &str) -> String {
     let known: Vec<Option<Mode>> =
-        fit.laws.iter().flat_map(|l| &l.held_out).map(|e| e.mode).fold(vec![], |mut all, mode| {
+        laws.iter().flat_map(|l| &l.held_out).map(|e| e.mode).fold(vec![], |mut all, mode| {
             if !all.contains(&mode) {
                 all.push(mode);
             }
@@ -173,9 +172,9 @@ fn held_out(fit: &TensionFit, hoop: &str) -> String {
         [title(law)].into_iter().chain(cells).collect()
     };
     format!(
-        "Held out: rms of the differences over the rms of the measured stresses (in brackets: how much too stiff, +, or too soft)\n{}\
+        "Held out: rms of the differences over the rms of the measured stresses (in brackets: bias, + too stiff, − too soft)\n{}\
          in a muscle: held-out points with a hoop stretch of 1 to {hoop} and an axial stretch of 0.6 to 1.1\n\n",
-        table(&header, fit.laws.iter().map(row).collect())
+        table(&header, laws.iter().map(row).collect())
     )
 }
 
@@ -203,22 +202,28 @@ fn constant_rows(law: &FittedLaw) -> Vec<Vec<String>> {
     law.parameters.iter().enumerate().map(row).collect()
 }
 
-fn closing(fit: &TensionFit, written: Option<&Path>) -> String {
+fn closing(answer: &RubberFitAnswer, written: Option<&Path>) -> String {
     let mut out = String::new();
-    for law in &fit.laws {
-        let Some(free) = law.free_r_squared else { continue };
+    for law in &answer.laws {
+        let Some(free) = law.quality.free_r_squared else { continue };
         let how = law.held();
-        out.push_str(&format!("{} {how}: R² {:.5} instead of {free:.5}.\n", law.form.name(), law.r_squared));
+        out.push_str(&format!(
+            "{} {how}: R² {:.5} instead of {free:.5}.\n",
+            law.form.name(),
+            law.quality.r_squared
+        ));
     }
-    match fit.recommended.and_then(|i| fit.laws.get(i)) {
+    match answer.taken() {
         Some(law) => {
-            let one = fit.laws.len() == 1;
-            let why =
-                if one { "stable in a muscle" } else { "the lowest AICc of those to be trusted in a muscle" };
+            let one = answer.laws.len() == 1;
+            let why = if one {
+                "stable in a muscle"
+            } else {
+                "the lowest AICc of the laws that are valid in a muscle"
+            };
             out.push_str(&format!("→ {}: {why}.\n", title(law)));
         }
-        None => out
-            .push_str("None of these laws is stable over the stretches of a muscle; --stable holds them.\n"),
+        None => out.push_str("None of these laws is stable over the stretches of a muscle; use --stable.\n"),
     }
     if let Some(path) = written {
         let path = place(path);

@@ -2,7 +2,7 @@
 
 use super::ValidateArgs;
 use crate::failure::Failure;
-use crate::flags::Format;
+use crate::format::Format;
 use crate::output::show;
 use crate::output::text::{number, or_dash, pairs, table};
 use crate::progress::Bar;
@@ -12,7 +12,7 @@ use mckibben_app::{
     MeasuredRequest, MeasuredResult, MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind,
     with_error_bar,
 };
-use mckibben_fem::validation::case::built_in;
+use mckibben_fit::validation::case::built_in;
 use std::path::Path;
 
 /// Runs the command.
@@ -59,7 +59,7 @@ fn cases(folder: Option<&Path>) -> Result<Vec<MeasuredFolder>, Failure> {
     }
     list.sort_by(|a, b| a.name.cmp(&b.name));
     if list.is_empty() {
-        let message = format!("{}: no folder in it holds a case.toml", folder.display());
+        let message = format!("{}: no folder in it contains a case.toml", folder.display());
         let hint = "a measured muscle is a folder with case.toml, muscle.toml and points.csv, a measured rubber one without muscle.toml";
         return Err(Failure::input(ProblemKind::MissingInput, message, hint));
     }
@@ -78,7 +78,7 @@ fn chosen(all: Vec<MeasuredFolder>, only: &[String]) -> Result<Vec<MeasuredFolde
 
 fn as_text(answer: &MeasuredAnswer) -> String {
     let head = format!(
-        "Validation: {} against measured muscles. Bias is measured less computed; % is of the blocked force; held is the share of the points within the ±\n",
+        "Validation: {} against measured muscles. Bias is measured − computed; % is of the blocked force; within ± is the share of the points inside the ±\n",
         answer.model
     );
     let cases = answer.cases.iter().map(|case| block(case, &answer.results));
@@ -150,7 +150,7 @@ fn block(case: &MeasuredCase, results: &[MeasuredResult]) -> String {
         "bias [N]",
         "largest [N]",
         "points",
-        "held",
+        "within ±",
         "blind",
         "of",
         "fitted to",
@@ -168,7 +168,7 @@ fn block(case: &MeasuredCase, results: &[MeasuredResult]) -> String {
         .map(|r| {
             let one = |b: &MeasuredBranch| {
                 let held = or_dash(b.held, |v| format!("{:.0} %", 100.0 * v));
-                format!("{} {:.1} {:+.1}, held {held}", b.branch, b.rms_n, b.bias_n)
+                format!("{} {:.1} {:+.1}, within ± {held}", b.branch, b.rms_n, b.bias_n)
             };
             (format!("{} [{}]", r.fit, r.of), r.by_branch.iter().map(one).collect::<Vec<_>>().join("; "))
         })
@@ -192,7 +192,7 @@ fn block(case: &MeasuredCase, results: &[MeasuredResult]) -> String {
 }
 
 fn values(fit: &MeasuredFit) -> String {
-    let one = |p: &mckibben::identify::Identified| {
+    let one = |p: &mckibben_fit::identify::Identified| {
         let (value, bar) = with_error_bar(p);
         let bar = if bar == "–" { String::new() } else { format!(" ± {bar}") };
         let unit = if p.unit.is_empty() { String::new() } else { format!(" {}", p.unit) };

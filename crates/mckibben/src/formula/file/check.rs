@@ -20,7 +20,7 @@ pub fn name<'de, D: Deserializer<'de>>(d: D) -> Result<String, D::Error> {
     match name {
         n if n.trim().is_empty() => Err(D::Error::custom("is empty; expected a name")),
         n if n.contains(char::is_control) => {
-            Err(D::Error::custom("holds control characters; expected a name on one line"))
+            Err(D::Error::custom("contains control characters; expected a name on one line"))
         }
         n => Ok(n),
     }

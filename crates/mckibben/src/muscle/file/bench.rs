@@ -83,7 +83,7 @@ pub(super) fn read(section: &Section<'_>) -> Result<Option<Bench>, FileError> {
     }
     let parameters = section.texts("parameters", "a list of names")?.ok_or_else(|| missing("parameters"))?;
     if parameters.len() > MOST || parameters.iter().any(|p| p.len() > LONGEST) {
-        return Err(said("parameters", "holds more or longer names than a muscle has"));
+        return Err(said("parameters", "has more or longer names than a muscle"));
     }
     let covariance = rows("covariance")?;
     let n = parameters.len();
@@ -132,5 +132,5 @@ pub(super) fn write(out: &mut Text, bench: &Bench) {
     out.key("fit", &rows(&bench.fit_n), comment);
     out.key("parameters", &list(bench.parameters.iter().map(|p| text(p)).collect()), "");
     out.key("covariance", &rows(&bench.covariance), "in the units of the parameters");
-    out.key("of", &text(&bench.of), "digest of this muscle: with other values all of this does not hold");
+    out.key("of", &text(&bench.of), "checksum of this muscle: this table is not valid for other values");
 }

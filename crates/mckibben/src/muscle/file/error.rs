@@ -10,7 +10,7 @@ use thiserror::Error;
 
 /// A position in a text, both counted from 1; columns count characters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Place {
+pub struct TextPosition {
     /// Line.
     pub line: usize,
     /// Column.
@@ -23,7 +23,7 @@ pub struct FileError {
     /// The file, where the text came from one.
     pub file: Option<PathBuf>,
     /// Where it stands.
-    pub place: Option<Place>,
+    pub place: Option<TextPosition>,
     /// Dotted key, such as `tube.wall_thickness`.
     pub key: Option<String>,
     /// What stood there, as written (long texts are cut).
@@ -104,7 +104,7 @@ pub enum Problem {
     /// A rubber that the library does not hold.
     #[error("{0}")]
     Rubber(#[source] LibraryError),
-    /// Something that must stand beside what stands there.
+    /// Something that is required together with the given key.
     #[error("{missing} is missing; {needs}")]
     Missing {
         /// Key that is missing.
@@ -169,7 +169,7 @@ impl FileError {
         Self { file: None, place: None, key: None, written: None, problem: Box::new(problem) }
     }
 
-    pub(super) fn at(mut self, place: Option<Place>) -> Self {
+    pub(super) fn at(mut self, place: Option<TextPosition>) -> Self {
         self.place = place;
         self
     }

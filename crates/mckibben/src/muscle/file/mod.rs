@@ -30,7 +30,7 @@ mod bad_files;
 #[cfg(test)]
 mod tests;
 
-pub use error::{FileError, Place, Problem};
+pub use error::{FileError, Problem, TextPosition};
 pub use read::{parse_muscle, parse_muscle_beside};
 pub use source::{Section, Source, WordOr};
 pub use write::to_toml;

@@ -138,7 +138,7 @@ fn terminals(root: &Section<'_>, parts: &mut Parts) -> Result<(), FileError> {
     cones.only(&["cone_factor"], &ALL)?;
     for (table, key) in [(&ends, "end_factor"), (&cones, "cone_factor")] {
         if table.has(key) && section.has(key) {
-            let said = format!("stands at {} as well: leave one of them out", table.dotted(key));
+            let said = format!("is also given at {}: leave one of them out", table.dotted(key));
             return Err(section.error(key, Problem::Said(said)));
         }
     }

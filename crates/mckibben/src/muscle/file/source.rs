@@ -1,7 +1,7 @@
 //! A parsed file that knows where everything stands: sections, and typed look-ups in them.
 
 use super::MAX_BYTES;
-use super::error::{FileError, Place, Problem};
+use super::error::{FileError, Problem, TextPosition};
 use super::values::{PLAIN, kind, shortened, to_number, to_quantity, value_kind};
 use crate::nearest::nearest;
 use crate::units::{Dimension, Values, parse_values};
@@ -10,10 +10,10 @@ use std::ops::Range;
 use toml_edit::{Document, Item, TableLike, TomlError, Value};
 
 /// Where a byte offset lies in a text.
-pub(super) fn place(text: &str, offset: usize) -> Place {
+pub(super) fn place(text: &str, offset: usize) -> TextPosition {
     let before = text.get(..offset).unwrap_or(text);
     let line_start = before.rfind('\n').map_or(0, |i| i + 1);
-    Place { line: before.matches('\n').count() + 1, column: before[line_start..].chars().count() + 1 }
+    TextPosition { line: before.matches('\n').count() + 1, column: before[line_start..].chars().count() + 1 }
 }
 
 /// The text and its parsed form.
@@ -184,7 +184,7 @@ impl<'s> Section<'s> {
         }
     }
 
-    /// Whether a text with `%` behind it stands there.
+    /// Whether the value is a text that ends in `%`.
     pub fn is_percent(&self, key: &str) -> bool {
         let written = self.table.and_then(|t| t.get(key)).and_then(Item::as_str);
         written.is_some_and(|text| text.trim_end().ends_with('%'))

@@ -6,8 +6,10 @@
 //! can be identified from measured points. Relations between measures (a wall thinner than the radius) are in the parts.
 
 mod table;
+mod values;
 
 pub use table::*;
+pub use values::{GROUP, MeasureValues};
 
 use super::{Braid, Friction, Muscle, MuscleError, Terminals, Tube};
 use crate::units::Dimension;

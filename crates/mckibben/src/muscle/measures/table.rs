@@ -118,8 +118,8 @@ pub static PRESTRETCH: Measure = Measure {
     bounds: Bounds::Between(0.5, 2.0),
     default: Some(1.0),
     symbol: "λp",
-    about: "Axial stretch with which the tube is mounted: L0 over its length before; all measures are those of the mounted muscle",
-    comment: "mounted length over the length before; D0, wall and length are the mounted ones",
+    about: "Axial stretch of the mounted tube: L0 over its free length; all dimensions are those of the mounted muscle",
+    comment: "mounted length over free length; D0, wall and length are the mounted ones",
     label: "mounted with a stretch of",
     digested: true,
     identify: Some(Identify {
@@ -175,7 +175,7 @@ pub static SEATING: Measure = Measure {
     default: Some(0.0),
     about: "Seating: total displacement of both ends under load",
     comment: "total displacement of both ends under load",
-    label: "give of both ends",
+    label: "seating of both ends",
     digested: true,
     identify: Some(Identify {
         also: &["seating"],
@@ -195,8 +195,8 @@ pub static SLIP: Measure = Measure {
     dimension: Dimension::Compliance,
     bounds: Bounds::NotNegative,
     default: Some(0.0),
-    about: "What both ends together slip under the load of a clamp",
-    comment: "what both ends together slip under the load of a clamp",
+    about: "Slip of both ends together per newton of clamp load",
+    comment: "slip of both ends together per newton of clamp load",
     label: "slip of both ends",
     digested: true,
     identify: Some(Identify {
@@ -216,9 +216,9 @@ pub static GRIP: Measure = Measure {
     field: Some("grip_mm"),
     bounds: Bounds::NotNegative,
     default: Some(0.0),
-    about: "Length at each end, within that of the muscle, in which tube and braid are held",
-    comment: "of the length, held at each end",
-    label: "held at each end",
+    about: "Length at each end, within L0, in which tube and braid are clamped",
+    comment: "clamped at each end, within the length",
+    label: "clamped at each end",
     digested: true,
     identify: Some(Identify {
         also: &["grip"],
@@ -369,7 +369,7 @@ pub static THICKNESS: Measure = Measure {
     default: Some(0.0),
     symbol: "t",
     about: "Thickness t of the braid, both layers of strands",
-    comment: "both layers: the strands' midline lies half of it off the tube",
+    comment: "both layers: the midline of the strands is half of it above the tube",
     identify: Some(Identify {
         start: |m| Some(0.02 * m.outer_diameter_mm()),
         bounds: |m| (1e-6 * m.outer_diameter_mm(), 0.3 * m.outer_diameter_mm()),

@@ -93,20 +93,7 @@ impl RubberLaw for ExtendedTube {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rubber::fit::{ReadOptions, read_tension};
     use crate::rubber::{Law, NeoHookean, Ogden, Stability, muscle_stability};
-
-    /// Gc 0.1867, Ge 0.2169 MPa, δ 0.09693, β 0.2 are quoted for Treloar's rubber after the authors: over all three tests, up to a stretch of
-    /// 7.6, they come within 4.2 % of the measured stresses (rms over rms).
-    #[test]
-    fn the_published_constants_follow_treloars_rubber() {
-        let law = ExtendedTube { gc_mpa: 0.1867, ge_mpa: 0.2169, jm: 0.09693_f64.powi(-2) };
-        let path = format!("{}/../../data/treloar/tension.csv", env!("CARGO_MANIFEST_DIR"));
-        let points = read_tension(std::fs::File::open(path).unwrap(), ReadOptions::default()).unwrap();
-        let left: f64 = points.iter().map(|p| (p.stress_mpa(&law) - p.nominal_stress_mpa).powi(2)).sum();
-        let all: f64 = points.iter().map(|p| p.nominal_stress_mpa.powi(2)).sum();
-        assert!((left / all).sqrt() < 0.043, "{}", (left / all).sqrt());
-    }
 
     /// Without a limit the crosslinks are neo-Hookean and the entanglements a term of Ogden's law.
     #[test]

@@ -3,26 +3,27 @@
 //! What a name means follows from the muscle alone, not from what is asked of it: `dragon-skin-30` is the law that `rubber fit`
 //! recommends for the data up to the smallest of the [`Window`]s that covers the stretches which this muscle reaches
 //! ([`Muscle::reach`](crate::muscle::Muscle::reach)), beyond the data for all of them; `dragon-skin-30:yeoh` is that law on the same data. Of
-//! rubbers without a measured curve the data are those that their table of fits stands for ([`curve_of_fits`]). [`warnings`] says what to
+//! rubbers without a measured curve the data are those that their table of fits stands for ([`TABLE_OF_FITS`]). [`warnings`] says what to
 //! mind.
 
 mod named;
 mod read;
-mod table;
 mod window;
 
 pub(crate) use named::following;
 pub use named::{COVERING, USUAL_REACH, find, find_for, follows, is_known_from_one_axis, of_equal_standing};
-pub use table::{TABLE_OF_FITS, curve_of_fits};
-pub use window::{Standing, Window, WindowLaw, windows_of};
+pub use window::{Standing, Window, WindowLaw};
 
 use super::{Law, Stability, biaxial_stability};
-use crate::muscle::Rubber;
 use crate::nearest::nearest;
+use crate::rubber::Rubber;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::OnceLock;
 use thiserror::Error;
+
+/// The table of published fits of silicones, as a path in `data/` of the repository.
+pub const TABLE_OF_FITS: &str = "silicones/uniaxial_fits.csv";
 
 /// Hoop stretch up to which a law should be stable: that of a 20° braid contracted to 54.7°, sin 54.7°/sin 20° = 2.39,
 /// and a little more for the bore.
@@ -122,7 +123,7 @@ pub fn entries() -> Result<&'static [RubberEntry], LibraryError> {
 }
 
 /// A name as the library writes it.
-fn plain(name: &str) -> String {
+pub fn plain(name: &str) -> String {
     name.trim().to_lowercase().replace([' ', '_'], "-")
 }
 
@@ -168,7 +169,7 @@ impl fmt::Display for RubberWarning {
             ),
             RubberWarning::NegativeC01 { c01_mpa } => write!(
                 f,
-                "C01 is {c01_mpa} MPa: a negative C01 comes from uniaxial tests and misleads in the two-axis stretch of a muscle; prefer neo-hookean or yeoh"
+                "C01 is {c01_mpa} MPa: a negative C01 comes from uniaxial tests and is wrong in the two-axis stretch of a muscle; prefer neo-hookean or yeoh"
             ),
         }
     }

@@ -1,8 +1,8 @@
 //! From a name to a law: which one follows from the stretches that a muscle reaches.
 
 use super::{LibraryError, RubberEntry, RubberFit, Standing, Window, entry};
-use crate::muscle::{Muscle, Rubber};
 use crate::rubber::Law;
+use crate::rubber::Rubber;
 
 /// Stretch for which a law is meant where there is no muscle: that of the prototype ([`Muscle::reach`]).
 pub const USUAL_REACH: f64 = 1.9662;
@@ -82,14 +82,13 @@ fn exactly(name: &str) -> Option<(&'static RubberEntry, Option<&str>)> {
     Some((super::entries().ok()?.iter().find(|e| e.name == plain)?, law))
 }
 
-/// The laws that the data of a muscle's rubber, up to the stretches of this muscle, do not tell from the law that is recommended: that
-/// one and those of equal standing with it ([`TensionFit::of_equal_standing`](crate::rubber::fit::TensionFit::of_equal_standing)), but for
-/// the muscle's own. What a muscle pulls with one and with another differs by what nobody knows from these data. Empty for rubbers without a
+/// The laws that the data of a rubber, up to the stretch `reach` of a muscle, do not tell from the law that is recommended: that
+/// one and those of equal standing with it (`TensionFit::of_equal_standing` of the fit), but for
+/// its own. What a muscle pulls with one and with another differs by what nobody knows from these data. Empty for rubbers without a
 /// curve. Nothing is fitted.
-pub fn of_equal_standing(muscle: &Muscle) -> Vec<Rubber> {
-    let own = &muscle.tube().rubber;
+pub fn of_equal_standing(own: &Rubber, reach: f64) -> Vec<Rubber> {
     let Some((entry, asked)) = own.name.as_deref().and_then(exactly) else { return vec![] };
-    let Some(window) = entry.meant(asked, muscle.reach()).and_then(|found| found.window) else {
+    let Some(window) = entry.meant(asked, reach).and_then(|found| found.window) else {
         return vec![];
     };
     let good = window.laws.iter().filter(|l| l.standing != Standing::Behind && l.law != own.law);
@@ -181,5 +180,5 @@ impl RubberEntry {
 
 /// Place of a law among all: sums of terms by their number.
 fn order(name: &str) -> usize {
-    crate::rubber::fit::Form::all().iter().position(|f| f.name() == name).unwrap_or(usize::MAX)
+    crate::rubber::Form::all().iter().position(|f| f.name() == name).unwrap_or(usize::MAX)
 }

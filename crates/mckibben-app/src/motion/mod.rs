@@ -1,0 +1,298 @@
+//! `motion`: a muscle or a joint on a valve, over time.
+
+mod request;
+mod warnings;
+
+pub use request::{MotionRequest, MotionSweep, StepFields};
+
+use crate::burst::{burst_of, least, put_first, said_of};
+use crate::fields::{MuscleFields, NamedFields, TextFile};
+use crate::figure;
+use crate::model::{Model, Purpose};
+use crate::muscle::MuscleSummary;
+use crate::point::finite;
+use crate::problem::{Problem, ProblemKind};
+use mckibben::joint::Joint;
+use mckibben::model::ForceModel;
+use mckibben::progress::Progress;
+use mckibben::warning::Warning;
+use mckibben_motion::{
+    Actuated, Command, Dahl, Drive, DriveFile, Linear, Mechanism, Motion, MotionError, Names, SingleMuscle,
+    Subject, Tables, Target, Tolerance, drive_names, parse_drive, run_as_far, size, with_value,
+};
+use mckibben_report::Figure;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::path::Path;
+
+/// A motion.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct MotionRun {
+    /// The value of the sweep's key, where there is a sweep.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub value: Option<String>,
+    /// The motion.
+    #[serde(flatten)]
+    pub motion: Motion,
+}
+
+/// The answer to a drive: its motion, or those of a sweep.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct MotionAnswer {
+    /// The model's name.
+    pub model: String,
+    /// The muscles.
+    pub muscles: Vec<MuscleSummary>,
+    /// The motion; of a sweep the first.
+    #[serde(flatten)]
+    pub motion: MotionRun,
+    /// The other motions of a sweep.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub others: Vec<MotionRun>,
+    /// Sonic conductance of the smallest valve with the rise time that was asked for, L/(s bar).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sonic_conductance_l_per_s_bar: Option<f64>,
+    /// Burst pressure, MPa: the lowest of its muscles'; none where one of them does not state the strength of its strands.
+    pub burst_pressure_mpa: Option<f64>,
+    /// Warnings.
+    #[schemars(with = "Vec<String>")]
+    pub warnings: Vec<Warning>,
+    /// The figure, where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub figure: Option<Figure>,
+}
+
+impl MotionAnswer {
+    /// Its motions: one, or those of a sweep.
+    pub fn runs(&self) -> impl Iterator<Item = &MotionRun> {
+        std::iter::once(&self.motion).chain(&self.others)
+    }
+
+    /// Where a motion ended before its end: the reason.
+    pub fn problem(&self) -> Option<Problem> {
+        self.runs().find_map(|run| run.motion.ended.clone()).map(Problem::from)
+    }
+}
+
+/// Most runs of a sweep.
+const MOST_RUNS: usize = 100;
+
+/// What a drive moves, ready to be asked.
+struct Moved {
+    choice: Model,
+    joint: Option<Joint>,
+    models: Vec<Box<dyn ForceModel>>,
+}
+
+impl MotionRequest {
+    /// The file that a drive file names.
+    ///
+    /// # Errors
+    /// [`Problem`] for a file that is none.
+    pub fn names_of(drive: &TextFile) -> Result<Names, Problem> {
+        drive_names(&drive.text).map_err(|e| Problem::from(e.of(Path::new(&drive.name))))
+    }
+
+    fn moved(&self, progress: &dyn Progress) -> Result<Moved, Problem> {
+        let choice = Model::choose(&self.model, Purpose::Answer)?;
+        let budget = progress.budget();
+        let build = |muscle: &mckibben::muscle::Muscle| -> Result<Box<dyn ForceModel>, Problem> {
+            choice.admit(muscle, &budget)?;
+            Ok(choice.build(muscle)?)
+        };
+        let subject = match (&self.drive, &self.step) {
+            (Some(drive), _) => Self::names_of(drive)?.subject,
+            (None, Some(_)) => Subject::Muscle(String::new()),
+            (None, None) => return Err(Problem::missing("drive", "a drive file (TOML)")),
+        };
+        match subject {
+            Subject::Muscle(_) => {
+                let muscle = NamedFields { muscle: self.muscle.clone(), ..NamedFields::default() };
+                let muscle = MuscleFields::from(muscle);
+                if self.muscle.is_none() {
+                    return Err(Problem::missing("muscle", "the muscle file that the drive names"));
+                }
+                let models = vec![build(&muscle.resolve()?)?];
+                Ok(Moved { choice, joint: None, models })
+            }
+            Subject::Joint(_) => {
+                let joint = self.joint.resolve()?;
+                let models = joint.muscles().iter().map(|m| build(&m.muscle)).collect::<Result<_, _>>()?;
+                Ok(Moved { choice, joint: Some(joint), models })
+            }
+        }
+    }
+
+    /// The drive, or those of the sweep with their values.
+    fn drives(&self, rest_length_mm: f64) -> Result<Vec<(Option<String>, DriveFile)>, Problem> {
+        let texts = self.tables.iter().map(|t| (t.name.clone(), t.text.clone())).collect();
+        let tables = Tables { texts, rest_length_mm };
+        let name = Path::new(self.drive.as_ref().map_or("the drive", |drive| &drive.name));
+        let step = match (&self.drive, &self.step) {
+            (None, Some(step)) => Some(step.drive(&self.tables, rest_length_mm)?),
+            _ => None,
+        };
+        // With a value of a key of the drive file, or as it is.
+        let one = |changed: Option<(&str, &str)>| match (&self.drive, &step, changed) {
+            (Some(file), _, None) => parse_drive(&file.text, &tables),
+            (Some(file), _, Some((key, value))) => {
+                with_value(&file.text, key, value).and_then(|text| parse_drive(&text, &tables))
+            }
+            (None, Some(step), None) => Ok(step.clone()),
+            (None, Some(step), Some((key, value))) => step.with(key, value, &tables),
+            (None, None, _) => parse_drive("", &tables),
+        };
+        let one = |changed| one(changed).map_err(|error| Problem::from(error.of(name)));
+        let Some(sweep) = &self.sweep else { return Ok(vec![(None, one(None)?)]) };
+        if sweep.values.is_empty() || sweep.values.len() > MOST_RUNS {
+            let message = format!("a sweep has 1 to {MOST_RUNS} values, not {}", sweep.values.len());
+            return Err(Problem::new(ProblemKind::Range, message, "").in_field("sweep"));
+        }
+        let values = sweep.values.iter();
+        values.map(|value| Ok((Some(value.clone()), one(Some((&sweep.key, value)))?))).collect()
+    }
+}
+
+/// Runs a drive.
+///
+/// # Errors
+/// [`Problem`].
+pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<MotionAnswer, Problem> {
+    let moved = request.moved(progress)?;
+    let drives = request.drives(moved.length_mm())?;
+    let mut sized = None;
+    let mut runs = vec![];
+    let mut highest_mpa = vec![0.0_f64; moved.models.len()];
+    let mut said = vec![];
+    for (i, (value, drive)) in drives.iter().enumerate() {
+        progress.report(i, drives.len());
+        let (motion, conductance) = moved.go(drive, request.rise_time_s, progress)?;
+        sized = sized.or(conductance);
+        let wanted = match &drive.target {
+            Target::Pressure(list) => list.iter().map(|c| c.bounds().1).collect(),
+            Target::Opening(_) | Target::Position { .. } => vec![],
+        };
+        for (i, highest) in highest_mpa.iter_mut().enumerate() {
+            let reached = motion.series.muscles.get(i).map_or(&[][..], |m| &m.pressure_mpa);
+            *highest = reached.iter().chain(wanted.get(i)).copied().fold(*highest, f64::max);
+        }
+        let with = value.as_ref().map_or_else(String::new, |v| format!("with {v}: "));
+        said.extend(
+            moved.warnings(&motion, drive).into_iter().map(|text| Warning::Said(with.clone() + &text)),
+        );
+        runs.push(MotionRun { value: value.clone(), motion });
+    }
+    said.extend(moved.warnings_of_muscles().map(Warning::from));
+    let mut warnings = Warning::gravest(&said);
+    let budget = progress.budget();
+    let bursts = moved.models.iter().map(|m| burst_of(&moved.choice, &**m, &budget));
+    let bursts = bursts.collect::<Result<Vec<_>, _>>()?;
+    let burst = bursts.iter().zip(&highest_mpa).filter_map(|(found, highest)| said_of(found, *highest, 0.0));
+    put_first(&mut warnings, burst.collect::<Vec<_>>());
+    let mut runs = runs.into_iter();
+    let Some(motion) = runs.next() else { return Err(Problem::missing("drive", "a drive file")) };
+    let mut answer = MotionAnswer {
+        model: moved.models.first().map_or_else(String::new, |m| m.info().name.to_string()),
+        muscles: moved.models.iter().map(|m| m.muscle().into()).collect(),
+        motion,
+        others: runs.collect(),
+        sonic_conductance_l_per_s_bar: sized,
+        burst_pressure_mpa: least(&bursts),
+        warnings,
+        figure: None,
+    };
+    let sweep = request.sweep.as_ref().map(|s| s.key.as_str());
+    answer.figure = request.figure.as_ref().map(|unit| figure::motion(&answer, sweep, unit));
+    Ok(answer)
+}
+
+impl Moved {
+    /// L0 of the first muscle in mm.
+    fn length_mm(&self) -> f64 {
+        self.models.first().map_or(0.0, |m| m.muscle().length_mm())
+    }
+
+    /// The motion, and the conductance that was sought.
+    fn go(
+        &self,
+        file: &DriveFile,
+        rise_time_s: Option<f64>,
+        progress: &dyn Progress,
+    ) -> Result<(Motion, Option<f64>), Problem> {
+        let single = match (&self.joint, self.models.first()) {
+            (None, Some(model)) if file.held.is_some() => Some(SingleMuscle::held(&**model)),
+            (None, Some(model)) => {
+                let load = file.load.clone().ok_or_else(|| {
+                    let hint =
+                        "such as mass = \"10 kg\" in [load], or held = \"0 %\" for a muscle with fixed ends";
+                    Problem::new(ProblemKind::File, "the drive has no [load], so that nothing moves", hint)
+                })?;
+                let (damping_n_s_per_m, stops_mm) = (file.damping_n_s_per_m, file.stops_mm);
+                Some(SingleMuscle { damping_n_s_per_m, stops_mm, ..SingleMuscle::new(&**model, load) })
+            }
+            _ => None,
+        };
+        let mechanism: &dyn Mechanism = match (&single, &self.joint) {
+            (Some(single), _) => single,
+            (None, Some(joint)) => joint,
+            (None, None) => return Err(Problem::missing("muscle", "what the drive moves")),
+        };
+        let muscles = self.models.iter().map(|model| Actuated {
+            air: file.air,
+            friction: model.muscle().friction().map(|f| Dahl::of(f, file.presliding_mm)),
+            rubber: file.rubber.clone(),
+            ..Actuated::new(&**model, file.actuator)
+        });
+        let mut target = file.target.clone();
+        if let (Target::Pressure(list) | Target::Opening(list), 1) = (&mut target, self.models.len()) {
+            // A joint with one muscle takes one command.
+            list.truncate(1);
+        }
+        let drive = Drive {
+            supply: file.supply,
+            output_step_s: file.output_step_s,
+            tolerance: Tolerance::default(),
+            initial_coordinate: single.as_ref().zip(file.held).map(|(s, e)| e * s.length_mm),
+            ..Drive::new(mechanism, muscles.collect(), target, file.until_s)
+        };
+        let bandwidth_hz = match &drive.target {
+            Target::Pressure(list) if !list.is_empty() => {
+                let most = list.iter().map(|c| Command::Constant(c.bounds().1)).collect();
+                let held = Drive { target: Target::Pressure(most), ..drive.clone() };
+                Linear::new(&held).ok().and_then(|l| l.bandwidth_hz())
+            }
+            _ => None,
+        };
+        let (mut motion, conductance) = match rise_time_s {
+            None => (run_as_far(&drive, progress)?, None),
+            Some(wanted) => {
+                let found = size(&drive, finite("rise_time_s", wanted)?, progress)?;
+                (found.motion, Some(found.conductance_l_per_s_bar))
+            }
+        };
+        motion.bandwidth_hz = bandwidth_hz;
+        motion.never_lifted.take().map_or(Ok((motion, conductance)), |error| Err(error.into()))
+    }
+}
+
+impl From<MotionError> for Problem {
+    fn from(error: MotionError) -> Self {
+        let kind = match &error {
+            MotionError::Exceeded(exceeded) => return (*exceeded).into(),
+            MotionError::Model { error: model, .. } => Self::from((**model).clone()).kind,
+            MotionError::Diverged { .. } | MotionError::Steps { .. } | MotionError::Chatter { .. } => {
+                ProblemKind::NotConverged
+            }
+            MotionError::NoEquilibrium { .. }
+            | MotionError::NeverLifted { .. }
+            | MotionError::NoValve { .. }
+            | MotionError::NotAtRest { .. } => ProblemKind::NoAnswer,
+            _ => ProblemKind::File,
+        };
+        let hint = match error {
+            MotionError::NeverLifted { .. } => "use the load `held` for a muscle with fixed ends",
+            _ => "",
+        };
+        Self::new(kind, error.to_string(), hint)
+    }
+}

@@ -1,0 +1,113 @@
+//! What is asked of a drive.
+
+use crate::fields::{ModelFields, TextFile};
+use crate::joint::JointFields;
+use crate::load::LoadFields;
+use crate::point::{finite, given, no_ratio};
+use crate::problem::{Problem, ProblemKind};
+use crate::units::Units;
+use mckibben::units::{Dimension, parse_quantity};
+use mckibben_motion::{Actuator, Command, DriveFile, Subject, Target, Valve, ValveError};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A drive: its file, and the files that it names.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct MotionRequest {
+    /// Drive file (TOML).
+    pub drive: Option<TextFile>,
+    /// Instead of a drive file: a muscle with a load, filled through a valve.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub step: Option<StepFields>,
+    /// The muscle file that it names, of a drive with one muscle.
+    pub muscle: Option<TextFile>,
+    /// The tables that it names: its load's and its commands'.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub tables: Vec<TextFile>,
+    /// The joint file that it names, with its muscle files.
+    #[serde(flatten)]
+    pub joint: JointFields,
+    /// The model.
+    #[serde(flatten)]
+    pub model: ModelFields,
+    /// A key of the drive file and values that take its place, one run each: `valve.sonic_conductance`.
+    pub sweep: Option<MotionSweep>,
+    /// Find the smallest valve with this rise time (10–90 %), s.
+    pub rise_time_s: Option<f64>,
+    /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
+    pub figure: Option<Units>,
+}
+
+/// A pressure step of one muscle. The load rests on its stop, at the rest length of the muscle, until the muscle lifts it.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct StepFields {
+    /// Gauge pressure from 0.05 s on, MPa.
+    pub pressure_mpa: Option<f64>,
+    /// Gauge pressure of the supply, MPa; default 0.6.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub supply_mpa: Option<f64>,
+    /// The valve: its name, or its sonic conductance such as `0.5 L/(s bar)`.
+    pub valve: Option<String>,
+    /// The load: `mass:10kg`, `spring:2N/mm+mass:1kg`; `held`, or `held:10%`, holds both ends at a contraction.
+    pub load: Option<String>,
+    /// Damping of the load, N s/m.
+    pub damping_n_s_per_m: f64,
+    /// The end, s; default 2.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub until_s: Option<f64>,
+}
+
+impl StepFields {
+    /// The drive that it says, of a muscle of this length.
+    pub(super) fn drive(&self, tables: &[TextFile], rest_length_mm: f64) -> Result<DriveFile, Problem> {
+        let pressure = given("pressure_mpa", self.pressure_mpa, "a pressure, such as 0.3 MPa")?;
+        let until_s = finite("until_s", self.until_s.unwrap_or(2.0))?;
+        let pressure_mpa = finite("supply_mpa", self.supply_mpa.unwrap_or(0.6))?;
+        let damping_n_s_per_m = finite("damping_n_s_per_m", self.damping_n_s_per_m)?;
+        let valve = self.valve.as_deref().ok_or_else(|| {
+            let expected =
+                "a valve by its name, such as festo-mh2, or its conductance, such as 0.5 L/(s bar)";
+            Problem::missing("valve", expected)
+        })?;
+        let load =
+            self.load.as_deref().ok_or_else(|| Problem::missing("load", "the load, such as mass:10kg"))?;
+        let valve: Valve = valve.parse().map_err(|error: ValveError| {
+            Problem::new(ProblemKind::Quantity, error.to_string(), "").in_field("valve")
+        })?;
+        let target = Target::Pressure(vec![Command::Steps(vec![(0.0, 0.0), (0.05, pressure)])]);
+        let mut drive =
+            DriveFile::new(Subject::Muscle("muscle".into()), Actuator::Valve(valve), target, until_s);
+        drive.supply.pressure_mpa = pressure_mpa;
+        match load.trim().strip_prefix("held").map(|rest| rest.trim_start_matches(':').trim()) {
+            Some(contraction) => drive.held = Some(held(contraction)?),
+            None => {
+                let load = LoadFields { load: Some(load.to_owned()), load_tables: tables.to_vec() };
+                drive.load = load.resolve(rest_length_mm)?;
+                (drive.damping_n_s_per_m, drive.stops_mm) = (damping_n_s_per_m, (0.0, 1e6));
+            }
+        }
+        Ok(drive)
+    }
+}
+
+/// The contraction at which both ends are held, 0 where it is left out.
+fn held(text: &str) -> Result<f64, Problem> {
+    if text.is_empty() {
+        return Ok(0.0);
+    }
+    let contraction = parse_quantity(text, Dimension::Ratio)
+        .map_err(|error| Problem::new(ProblemKind::Quantity, error.to_string(), "").in_field("load"))?;
+    if contraction.abs() < 1.0 { Ok(contraction) } else { Err(no_ratio("load", contraction)) }
+}
+
+/// Values of a key of the drive file.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct MotionSweep {
+    /// The key, dotted: `valve.sonic_conductance`, `load.mass`.
+    pub key: String,
+    /// Its values as the file would have them: `0.5 L/(s bar)`.
+    pub values: Vec<String>,
+}

@@ -1,0 +1,55 @@
+//! What the user should know of a motion.
+
+use super::Moved;
+use crate::words::{number, percent};
+use mckibben_motion::{Coordinate, DriveFile, Motion, Moves};
+
+impl Moved {
+    /// Of its muscles.
+    pub(super) fn warnings_of_muscles(&self) -> impl Iterator<Item = String> {
+        let muscles = || self.models.iter().map(|model| model.muscle());
+        let lever = muscles().any(|m| m.friction().is_some_and(|f| f.lever_mm > 0.0));
+        let left_out =
+            lever.then(|| "a drive uses only the friction C·P^β: friction.lever is not used".to_owned());
+        muscles().flat_map(|m| m.warnings()).chain(left_out)
+    }
+
+    /// Of a motion.
+    pub(super) fn warnings(&self, motion: &Motion, file: &DriveFile) -> Vec<String> {
+        let ended = motion.ended.as_ref().map(|error| format!("it ended early: {error}"));
+        ended.into_iter().chain(self.not_at_rest(motion, file)).collect()
+    }
+
+    /// That the load does not rest at the end, and where it would.
+    fn not_at_rest(&self, motion: &Motion, file: &DriveFile) -> Option<String> {
+        let at_end = motion.end?;
+        let degrees = |angle: f64| format!("{}°", number(angle, 4));
+        let shown = |q: f64| match motion.series.of {
+            Coordinate::Shortening { rest_length_mm } => percent(q / rest_length_mm),
+            Coordinate::Angle => degrees(q.to_degrees()),
+        };
+        let (low, high) = at_end.between;
+        let between = format!("at the end it moves between {} and {}", shown(low), shown(high));
+        let still = motion.equilibrium_contraction.map(percent).or(motion.equilibrium_angle_deg.map(degrees));
+        let end = match still {
+            Some(still) => format!("{between}, and its equilibrium is {still}"),
+            None => between,
+        };
+        let damped = match &self.joint {
+            Some(joint) => joint.link().damping_nm_s_per_rad > 0.0,
+            None => file.damping_n_s_per_m > 0.0,
+        };
+        match at_end.moves {
+            Moves::Rests => None,
+            Moves::Creeps => {
+                Some(format!("still moving: {end}; set a later end time to reach the rest position"))
+            }
+            Moves::Swings if damped => {
+                Some(format!("still oscillating: {end}; set a later end time, or more damping"))
+            }
+            Moves::Swings => Some(format!(
+                "still oscillating: {end}. No damping is given, so it is 0: only the air dissipates energy, and friction and relaxation if they are stated"
+            )),
+        }
+    }
+}

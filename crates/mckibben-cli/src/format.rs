@@ -1,0 +1,15 @@
+//! The form of an output.
+
+use clap::ValueEnum;
+
+/// Form of the output.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum Format {
+    /// Aligned text with units
+    #[default]
+    Text,
+    /// One JSON object; keys carry their unit
+    Json,
+    /// One row per point; columns carry their unit
+    Csv,
+}

@@ -1,0 +1,163 @@
+//! One muscle held against a specification.
+
+use super::limit::{Limit, Probe, Score, air_of, full_response, need};
+use super::spec::{Build, OperatingPoint, Spec};
+use mckibben::analysis::{Burst, burst, force_on, free_contraction, work_per_stroke_j};
+use mckibben::model::{ModelError, Response, ThickWall, Workspace};
+use mckibben::muscle::Muscle;
+use mckibben::uncertainty::uncertainty;
+use serde::Serialize;
+
+/// A candidate at one operating point.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "DesignPoint"))]
+pub struct CandidatePoint {
+    /// What the muscle is like there, at the pressure it takes; its pull is the one that is wanted.
+    #[serde(flatten)]
+    pub response: Response,
+    /// Pull at the maximum pressure, N.
+    pub force_at_max_pressure_n: f64,
+    /// That pull over the pull wanted, minus 1.
+    pub margin: f64,
+    /// Air from rest to this point, normal litres.
+    pub air_normal_litres: Option<f64>,
+    /// 95 % half-width of the pull, N.
+    pub uncertainty_n: Option<f64>,
+}
+
+impl CandidatePoint {
+    /// The request.
+    pub fn wanted(&self) -> OperatingPoint {
+        OperatingPoint { force_n: self.response.force_n, contraction: self.response.contraction }
+    }
+}
+
+/// A muscle that fits.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Candidate {
+    /// The muscle.
+    #[serde(skip)]
+    pub muscle: Muscle,
+    /// Name of the model that all its numbers come from.
+    pub model: String,
+    /// What it is ranked by: smaller is better.
+    #[serde(skip)]
+    pub(super) score: Score,
+    /// The limit that keeps it from being better: the one that is met by least, where less than 1 % of it is left.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub binds: Option<Limit>,
+    /// The operating points in the order of the specification.
+    pub points: Vec<CandidatePoint>,
+    /// Largest pressure any point needs, in MPa.
+    pub pressure_mpa: f64,
+    /// Least margin over the points.
+    pub margin: f64,
+    /// Blocked force at the maximum pressure, in N.
+    pub blocked_force_n: f64,
+    /// Free contraction at the maximum pressure.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub free_contraction: Option<f64>,
+    /// Work in J from ε = 0 to the largest contraction wanted, at the maximum pressure.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub work_j: Option<f64>,
+    /// Burst pressure in MPa ([`burst`]), where the strands' strength is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub burst_pressure_mpa: Option<f64>,
+    /// The same, or why it is not known; `None` where no model answers for the blocked muscle.
+    #[serde(skip)]
+    pub burst: Option<Burst>,
+    /// Quantities that the design's model does not give and the thick-wall model gave instead.
+    pub from_thick_wall: Vec<&'static str>,
+}
+
+impl Candidate {
+    /// Largest outer diameter over the points, in mm.
+    pub fn bulged_diameter_mm(&self) -> Option<f64> {
+        self.largest(|p| p.response.bulged_diameter_mm)
+    }
+
+    /// Largest air per stroke over the points, in normal litres.
+    pub fn air_normal_litres(&self) -> Option<f64> {
+        self.largest(|p| p.air_normal_litres)
+    }
+
+    /// Largest of a quantity over the points.
+    pub fn largest(&self, of: impl Fn(&CandidatePoint) -> Option<f64>) -> Option<f64> {
+        self.points.iter().filter_map(of).reduce(f64::max)
+    }
+}
+
+/// The limit that decides: one of which less than this share is left.
+const BINDS: f64 = 0.01;
+
+/// Everything about a muscle that fits, as its probe says.
+pub(super) fn candidate(
+    spec: &Spec,
+    build: &Build<'_>,
+    muscle: &Muscle,
+    probe: &Probe,
+) -> Result<Candidate, ModelError> {
+    let model = build(muscle)?;
+    let model = model.as_ref();
+    let workspace = &mut Workspace::new();
+    let thick_wall = ThickWall::new(muscle);
+    let mut from_thick_wall: Vec<&'static str> = vec![];
+    let options = spec.options();
+    let wanted = spec.points(muscle);
+    let mut points = Vec::with_capacity(wanted.len());
+    for point in wanted.iter() {
+        let available_n =
+            force_on(model, workspace, spec.max_pressure_mpa, point.contraction, options.direction)?;
+        let pressure_mpa = need(spec, model, workspace, point, available_n)?;
+        let (mut response, filled) =
+            full_response(model, workspace, &thick_wall, pressure_mpa, point.contraction)?;
+        (response.pressure_mpa, response.force_n) = (pressure_mpa, point.force_n);
+        from_thick_wall.extend(filled);
+        let (air_normal_litres, helped) =
+            air_of(model, workspace, &thick_wall, pressure_mpa, point.contraction);
+        if helped {
+            from_thick_wall.push("air");
+        }
+        points.push(CandidatePoint {
+            force_at_max_pressure_n: available_n,
+            margin: available_n / point.force_n - 1.0,
+            response,
+            air_normal_litres,
+            uncertainty_n: uncertainty(
+                model,
+                workspace,
+                (pressure_mpa, point.contraction),
+                point.force_n,
+                options.direction,
+            )
+            .map(|parts| parts.total_n()),
+        });
+    }
+    let max = spec.max_pressure_mpa;
+    let free = free_contraction(model, workspace, max, options).ok().or_else(|| {
+        from_thick_wall.push("free contraction");
+        free_contraction(&thick_wall, workspace, max, options).ok()
+    });
+    let burst = burst(model, workspace).ok();
+    if let Some(Burst::At { from_thick_wall: true, .. }) = burst {
+        from_thick_wall.push("burst pressure");
+    }
+    from_thick_wall.sort_unstable();
+    from_thick_wall.dedup();
+    let furthest = wanted.iter().map(|p| p.contraction).fold(0.0, f64::max);
+    Ok(Candidate {
+        pressure_mpa: points.iter().map(|p| p.response.pressure_mpa).fold(0.0, f64::max),
+        margin: points.iter().map(|p| p.margin).fold(f64::INFINITY, f64::min),
+        blocked_force_n: force_on(model, workspace, max, 0.0, options.direction)?,
+        free_contraction: free,
+        work_j: work_per_stroke_j(model, workspace, max, 0.0, furthest, options).ok(),
+        burst_pressure_mpa: burst.and_then(|b| b.pressure_mpa()),
+        burst,
+        from_thick_wall,
+        points,
+        model: model.info().name.to_string(),
+        score: probe.score,
+        binds: probe.worst().filter(|c| c.excess() > -BINDS).map(|c| c.limit),
+        muscle: muscle.clone(),
+    })
+}

@@ -1,0 +1,196 @@
+//! What a muscle must do.
+
+use super::spec::{OperatingPoint, SpecError, TorqueWanted};
+use mckibben::load::Load;
+use std::borrow::Cow;
+
+/// Shares of the way at which a load is looked at that does not grow all along it.
+const SHARES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+
+/// What a muscle must do: the operating points, where these follow from its length as well.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Demand {
+    /// Pulls at contractions.
+    Points(Vec<OperatingPoint>),
+    /// To lift a load from the length at rest.
+    Load {
+        /// The load.
+        load: Load,
+        /// How far.
+        way: Way,
+    },
+    /// To turn a joint.
+    Joint(JointDemand),
+}
+
+/// How far a load is lifted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Way {
+    /// Stroke in mm.
+    Stroke(f64),
+    /// Contraction ratio.
+    Contraction(f64),
+}
+
+impl Way {
+    /// Where it ends, in mm from the length at rest of a muscle of a length in mm.
+    fn end_mm(self, length_mm: f64) -> f64 {
+        match self {
+            Self::Stroke(mm) => mm,
+            Self::Contraction(ratio) => ratio * length_mm,
+        }
+    }
+}
+
+/// Torques wanted of one of two equal muscles that turn a joint against each other on a pulley, the other one without pressure.
+///
+/// At an angle φ from the neutral one the muscle is contracted by ε = ε0 + r φ/L0 and pulls F = τ/r. It is contracted by
+/// ε0 = r φm/L0 at the neutral angle, φm the largest angle of the joint, so that the other one is at its length at rest there, without a
+/// pull, and slack at every smaller angle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JointDemand {
+    /// Torques at angles.
+    pub torques: Vec<TorqueWanted>,
+    /// Largest angle φm in degrees to either side.
+    pub largest_angle_deg: f64,
+    /// Radius r of the pulley in mm.
+    pub radius_mm: f64,
+}
+
+impl JointDemand {
+    /// ε0 at the neutral angle, of a muscle of a length in mm.
+    pub fn contraction_at_neutral(&self, length_mm: f64) -> f64 {
+        self.radius_mm * self.largest_angle_deg.to_radians() / length_mm
+    }
+
+    fn points(&self, length_mm: f64) -> Vec<OperatingPoint> {
+        let point = |&TorqueWanted { torque_nm, angle_deg }: &TorqueWanted| OperatingPoint {
+            force_n: 1e3 * torque_nm / self.radius_mm,
+            contraction: self.contraction_at_neutral(length_mm)
+                + self.radius_mm * angle_deg.to_radians() / length_mm,
+        };
+        self.torques.iter().map(point).collect()
+    }
+}
+
+impl Demand {
+    /// The operating points of a muscle of a length in mm.
+    pub fn points(&self, length_mm: f64) -> Cow<'_, [OperatingPoint]> {
+        match self {
+            Self::Points(points) => Cow::Borrowed(points),
+            Self::Joint(joint) => Cow::Owned(joint.points(length_mm)),
+            Self::Load { load, way } => {
+                let end = way.end_mm(length_mm);
+                // A muscle pulls less the more it is contracted: where the load grows, the end decides.
+                let grows = SHARES.windows(2).all(|s| load.force_n(s[0] * end) <= load.force_n(s[1] * end));
+                let shares = if grows { &SHARES[SHARES.len() - 1..] } else { &SHARES };
+                let at = |share: &f64| OperatingPoint {
+                    force_n: load.force_n(share * end),
+                    contraction: share * end / length_mm,
+                };
+                Cow::Owned(shares.iter().map(at).filter(|q| q.force_n > 0.0).collect())
+            }
+        }
+    }
+
+    /// Checks what is wanted of a muscle of a length in mm.
+    pub(super) fn check(&self, length_mm: f64) -> Result<(), SpecError> {
+        match self {
+            Self::Joint(j) => {
+                let senseless = |t: &&TorqueWanted| {
+                    !(t.torque_nm > 0.0
+                        && t.torque_nm.is_finite()
+                        && t.angle_deg.abs() <= j.largest_angle_deg)
+                };
+                if let Some(&TorqueWanted { torque_nm, angle_deg }) = j.torques.iter().find(senseless) {
+                    let largest_deg = j.largest_angle_deg;
+                    return Err(SpecError::Torque { torque_nm, angle_deg, largest_deg });
+                }
+                let bounds = [
+                    ("the largest angle of the joint", j.largest_angle_deg),
+                    ("the radius of the pulley", j.radius_mm),
+                ];
+                if let Some((name, value)) = bounds.into_iter().find(|(_, v)| !(v.is_finite() && *v > 0.0)) {
+                    return Err(SpecError::Bound { name, value });
+                }
+            }
+            Self::Load { load, way } => {
+                let end = way.end_mm(length_mm);
+                let (low, high) = load.reach_mm();
+                if !(low <= 0.0 && end <= high) {
+                    return Err(SpecError::LoadReach { low_mm: low, high_mm: high, stroke_mm: end });
+                }
+            }
+            Self::Points(_) => {}
+        }
+        let points = self.points(length_mm);
+        if points.is_empty() {
+            return Err(SpecError::NoPoint);
+        }
+        let senseless = |p: &&OperatingPoint| {
+            !(p.force_n > 0.0 && p.force_n.is_finite() && (0.0..1.0).contains(&p.contraction))
+        };
+        match points.iter().find(senseless) {
+            Some(p) => Err(SpecError::Point { force_n: p.force_n, contraction: p.contraction }),
+            None => Ok(()),
+        }
+    }
+}
+
+impl From<Vec<OperatingPoint>> for Demand {
+    fn from(points: Vec<OperatingPoint>) -> Self {
+        Self::Points(points)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// F = τ/r and ε = r (φm + φ)/L0 by hand: 8 N m at 45° on 25 mm, 60° to either side, 250 mm.
+    #[test]
+    fn a_joint_asks_for_pulls_at_contractions() {
+        let joint = JointDemand {
+            torques: vec![
+                TorqueWanted { torque_nm: 8.0, angle_deg: 45.0 },
+                TorqueWanted { torque_nm: 3.0, angle_deg: -60.0 },
+            ],
+            largest_angle_deg: 60.0,
+            radius_mm: 25.0,
+        };
+        let demand = Demand::Joint(joint);
+        let points = demand.points(250.0);
+        assert!((points[0].force_n - 320.0).abs() < 1e-12 && (points[1].force_n - 120.0).abs() < 1e-12);
+        assert!((points[0].contraction - 25.0 * 105f64.to_radians() / 250.0).abs() < 1e-15);
+        assert!(points[1].contraction.abs() < 1e-15);
+        assert!(demand.check(250.0).is_ok());
+    }
+
+    #[test]
+    fn a_load_that_falls_is_looked_at_all_along_the_way() {
+        let way = Way::Stroke(40.0);
+        let spring = Load::Spring { rate_n_per_mm: 5.0, preload_n: 50.0 };
+        let points = Demand::Load { load: spring, way }.points(285.0).into_owned();
+        assert_eq!(points, [OperatingPoint { force_n: 250.0, contraction: 40.0 / 285.0 }]);
+        let falling = Load::Spring { rate_n_per_mm: -2.0, preload_n: 100.0 };
+        let points = Demand::Load { load: falling, way }.points(285.0).into_owned();
+        let forces: Vec<f64> = points.iter().map(|q| q.force_n).collect();
+        assert_eq!(forces, [100.0, 80.0, 60.0, 40.0, 20.0]);
+    }
+
+    #[test]
+    fn what_makes_no_sense_is_refused() {
+        let joint = |torque, angle, most, radius| {
+            let torques = vec![TorqueWanted { torque_nm: torque, angle_deg: angle }];
+            Demand::Joint(JointDemand { torques, largest_angle_deg: most, radius_mm: radius }).check(250.0)
+        };
+        assert!(matches!(joint(8.0, 70.0, 60.0, 25.0), Err(SpecError::Torque { .. })));
+        assert!(matches!(joint(0.0, 10.0, 60.0, 25.0), Err(SpecError::Torque { .. })));
+        assert!(matches!(joint(8.0, 45.0, 60.0, 0.0), Err(SpecError::Bound { .. })));
+        // More than the muscle's length.
+        assert!(matches!(joint(8.0, 60.0, 60.0, 250.0), Err(SpecError::Point { .. })));
+        let level = Load::Mass { mass_kg: 3.0, level: true };
+        let nothing = Demand::Load { load: level, way: Way::Stroke(10.0) };
+        assert_eq!(nothing.check(285.0), Err(SpecError::NoPoint));
+    }
+}

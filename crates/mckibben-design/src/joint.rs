@@ -1,0 +1,107 @@
+//! Two equal muscles and the pulley between them.
+
+use super::demand::{Demand, JointDemand};
+use super::line::Merit;
+use super::run::{Models, Outcome, design_with};
+use super::search::{Search, nice_steps};
+use super::spec::{Build, Spec, SpecError};
+use mckibben::analysis::golden;
+use mckibben::model::ThickWall;
+use mckibben::progress::{CancelOnly, Progress};
+use mckibben::units::Values;
+use std::cmp::Ordering;
+
+/// Samples of an interval of radii, and golden sections after them.
+const RADII: (usize, usize) = (10, 8);
+
+/// Searches with the model that settles about the best radius of the other one, and the ratio of neighbours.
+const NEAR: usize = 7;
+const BESIDE: f64 = 1.15;
+
+/// A radius with what it gave.
+type Tried = (f64, Merit);
+
+fn best_of(tried: &[Tried]) -> Option<usize> {
+    let better = |a: &usize, b: &usize| tried[*a].1.partial_cmp(&tried[*b].1).unwrap_or(Ordering::Equal);
+    (0..tried.len()).min_by(better)
+}
+
+/// Searches radius and muscle for torques at angles: the radius with the best muscle, and what was found with it.
+///
+/// The radius of the demand in `spec` is not used; `radius_mm` says which are looked at. Of a long lever the muscle must
+/// shorten more, of a short one it must pull more: between them lies the smallest muscle.
+///
+/// # Errors
+/// As [`design_with`]; a spec that does not ask for torques is searched as it is, once.
+pub fn design_joint(
+    spec: &Spec,
+    radius_mm: &Values,
+    models: Models<'_>,
+    progress: &dyn Progress,
+) -> Result<(Spec, Outcome), SpecError> {
+    let with = |radius_mm: f64| match &spec.wanted {
+        Demand::Joint(joint) => {
+            Spec { wanted: Demand::Joint(JointDemand { radius_mm, ..joint.clone() }), ..spec.clone() }
+        }
+        _ => spec.clone(),
+    };
+    let (places, sections) = match radius_mm {
+        Values::List(list) => (list.clone(), 0),
+        Values::Interval(low, high) => (nice_steps(*low, *high, RADII.0), RADII.1),
+    };
+    let coarse = models.settle.is_some() && sections > 0;
+    let total = places.len() + sections + 1 + if coarse { sections + NEAR } else { 0 };
+    let mut done = 0;
+    let mut first_error = None;
+    let mut tried = |radius: f64, models: Models<'_>| -> Tried {
+        progress.report(done, total);
+        done += 1;
+        let spec = with(radius);
+        let merit = match spec.check() {
+            _ if progress.cancelled() => Merit::NONE,
+            Ok(()) => {
+                Search::of(&Spec { extrapolate: true, ..spec }, models, &CancelOnly(progress)).run().best()
+            }
+            Err(error) => {
+                first_error.get_or_insert(error);
+                Merit::NONE
+            }
+        };
+        (radius, merit)
+    };
+    // The best radius hardly depends on the model: where another one settles, the infinitely long muscle says about where it lies.
+    let thick: &Build<'_> = &|m| Ok(Box::new(ThickWall::new(m)));
+    let roughly = if coarse { Models { search: thick, settle: None } } else { models };
+    let samples: Vec<Tried> = places.iter().map(|&r| tried(r, roughly)).collect();
+    let best = best_of(&samples);
+    let best = best.filter(|&i| samples[i].1 != Merit::NONE);
+    let Some(i) = best else {
+        return match first_error {
+            _ if progress.cancelled() => Err(SpecError::Cancelled),
+            Some(error) => Err(error),
+            // No muscle at all: the search of the first radius says why.
+            None => {
+                let spec = with(places.first().copied().unwrap_or_default());
+                design_with(&spec, models, progress).map(|outcome| (spec, outcome))
+            }
+        };
+    };
+    let mut chosen = samples[i];
+    if sections > 0 {
+        let (left, right) = (places[i.saturating_sub(1)], places[(i + 1).min(places.len() - 1)]);
+        let mut found = golden(left, samples[i], right, sections, |t| t.1, &mut |r| tried(r, roughly));
+        if coarse {
+            let (low, high) = radius_mm.bounds();
+            let about = [1.0 / BESIDE, 1.0, BESIDE].map(|share| (found.0 * share).clamp(low, high));
+            let near = about.map(|r| tried(r, models));
+            let Some(i) = best_of(&near) else { return Err(SpecError::Cancelled) };
+            let (left, right) = (about[i.saturating_sub(1)], about[(i + 1).min(2)]);
+            found = golden(left, near[i], right, NEAR - 3, |t| t.1, &mut |r| tried(r, models));
+        }
+        // A pulley in tenths of a millimetre.
+        let rounded = tried((found.0 * 10.0).round() / 10.0, models);
+        chosen = if rounded.1.fits() || !found.1.fits() { rounded } else { found };
+    }
+    let spec = with(chosen.0);
+    design_with(&spec, models, &CancelOnly(progress)).map(|outcome| (spec, outcome))
+}

@@ -1,0 +1,48 @@
+//! From a specification to muscles: the main job.
+//!
+//! A [`Spec`] says which pull is wanted at which contraction, with which pressure, and within which bounds. [`design`]
+//! answers with ranked [`Candidate`]s, with the [`Reason`] why others fail, and, where nothing fits, with the muscle that
+//! comes closest and what would have to give.
+//!
+//! The smallest muscle that pulls 700 N at 15 % with at most 0.25 MPa:
+//!
+//! ```
+//! use mckibben::prelude::*;
+//! use mckibben_design::{OperatingPoint, Spec, design};
+//!
+//! let wanted = OperatingPoint { force_n: 700.0, contraction: 0.15 };
+//! let found = design(&Spec::new(vec![wanted], 0.25), &|muscle| Ok(Box::new(ThickWall::new(muscle))))?;
+//! let best = found.candidates.first().ok_or("nothing fits")?;
+//! assert!(best.margin >= 0.0 && best.pressure_mpa <= 0.25);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+#![warn(clippy::print_stdout, clippy::print_stderr)]
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+mod candidate;
+mod demand;
+mod joint;
+mod limit;
+mod line;
+mod reason;
+mod relax;
+mod run;
+mod search;
+mod spec;
+mod sure;
+mod tolerance;
+
+pub use candidate::{Candidate, CandidatePoint};
+pub use demand::{Demand, JointDemand, Way};
+pub use joint::design_joint;
+pub use limit::{Limit, fits};
+pub use mckibben::warning::VALIDATED_STRAND_STRAIN;
+pub use reason::{Reason, Rejected};
+pub use relax::Relaxation;
+pub use run::{Closest, Models, Outcome, design, design_with};
+pub use spec::{
+    BraidChoice, Build, Limits, Objective, OperatingPoint, SAFETY, Spec, SpecError, TorqueWanted,
+};
+pub use sure::{Searcher, Sure, is_doubtful, to_be_sure};
+pub use tolerance::{Spread, SpreadError, ToleranceError, Tolerances, spread};

@@ -1,0 +1,285 @@
+//! What a muscle is held against, each limit as a number that is at most zero where it is met.
+
+use super::reason::Reason;
+use super::spec::{Build, Objective, OperatingPoint, Spec};
+use mckibben::analysis::{AnalysisError, air_per_stroke, burst, force_on, pressure_at, pressure_up_to};
+use mckibben::model::{ForceModel, ModelError, Response, ThickWall, Workspace};
+use mckibben::muscle::Muscle;
+use serde::{Deserialize, Serialize};
+
+/// A kind of limit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum Limit {
+    /// The pull that is wanted, at the maximum pressure.
+    Force,
+    /// The largest outer diameter at the operating points.
+    BulgedDiameter,
+    /// The largest stretch of the rubber at the operating points.
+    MaxStretch,
+    /// The largest strain of the strands at the maximum pressure.
+    StrandStrain,
+    /// The least ratio of burst pressure to maximum pressure.
+    BurstMargin,
+}
+
+impl Limit {
+    /// The share of the bound by which a value misses it; at most 0 where it is met.
+    pub(super) fn missed_by(self, value: f64, bound: f64) -> f64 {
+        match self {
+            Self::Force | Self::BurstMargin => 1.0 - value / bound,
+            Self::BulgedDiameter | Self::MaxStretch | Self::StrandStrain => value / bound - 1.0,
+        }
+    }
+}
+
+/// One limit at one place: what the muscle has there, and what it may have.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Check {
+    pub(super) limit: Limit,
+    /// The operating point, for a force.
+    pub(super) point: Option<OperatingPoint>,
+    pub(super) value: f64,
+    pub(super) bound: f64,
+}
+
+impl Check {
+    /// The share by which the limit is missed; at most 0 where it is met.
+    pub(super) fn excess(&self) -> f64 {
+        self.limit.missed_by(self.value, self.bound)
+    }
+
+    /// The limit as a reason why a muscle does not fit.
+    pub(super) fn reason(&self, spec: &Spec) -> Reason {
+        let (value, limit) = (self.value, self.bound);
+        match (self.limit, self.point) {
+            (Limit::Force, Some(point)) => {
+                Reason::Force { point, available_n: value, pressure_mpa: spec.max_pressure_mpa }
+            }
+            (Limit::Force | Limit::BurstMargin, _) => Reason::Burst { margin: value, limit },
+            (Limit::BulgedDiameter, _) => Reason::Bulge { diameter_mm: value, limit_mm: limit },
+            (Limit::MaxStretch, _) => Reason::Stretch { stretch: value, limit },
+            (Limit::StrandStrain, _) => Reason::StrandStrain { strain: value, limit },
+        }
+    }
+}
+
+/// What muscles are ranked by, the smaller the better: the objective, then what decides between two that are equal in it.
+pub(super) type Score = [f64; 2];
+
+/// A muscle held against a specification.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Probe {
+    /// The limits, of every muscle of a specification in one order.
+    pub(super) checks: Vec<Check>,
+    /// What the muscles are ranked by, where every limit is met.
+    pub(super) score: Score,
+}
+
+impl Probe {
+    /// The limit that is missed by most, or met by least.
+    pub(super) fn worst(&self) -> Option<&Check> {
+        self.checks.iter().max_by(|a, b| a.excess().total_cmp(&b.excess()))
+    }
+
+    /// Whether every limit is met.
+    pub(super) fn fits(&self) -> bool {
+        self.checks.iter().all(|c| c.excess() <= 0.0)
+    }
+}
+
+/// Holds a muscle against a specification.
+pub(super) fn probe(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<Probe, ModelError> {
+    probe_with(spec, build, muscle, true)
+}
+
+/// [`probe`]; without a score, which costs inverses, where it is not asked for.
+pub(super) fn probe_with(
+    spec: &Spec,
+    build: &Build<'_>,
+    muscle: &Muscle,
+    scored: bool,
+) -> Result<Probe, ModelError> {
+    let workspace = &mut Workspace::new();
+    // Of what is to end, not even the model is made.
+    workspace.budget().check()?;
+    let model = build(muscle)?;
+    let model = model.as_ref();
+    let (max, direction) = (spec.max_pressure_mpa, spec.options().direction);
+    let thick_wall = ThickWall::new(muscle);
+    let mut checks = vec![];
+    let points = spec.points(muscle);
+    for &point in points.iter() {
+        if !spec.extrapolate {
+            model.info().range.check(&model.info().name, max, point.contraction)?;
+        }
+        let value = force_on(model, workspace, max, point.contraction, direction)?;
+        checks.push(Check { limit: Limit::Force, point: Some(point), value, bound: point.force_n });
+    }
+    let limits = &spec.limits;
+    let stretch = limits.stretch.or(muscle.tube().rubber.fitted_to_stretch.filter(|_| limits.fitted_stretch));
+    let shaped = limits.bulged_diameter_mm.is_some() || stretch.is_some();
+    let by_pressure =
+        scored && matches!(spec.objective, Objective::Pressure | Objective::Air | Objective::BulgedDiameter);
+    let (mut highest, mut air, mut bulge) = (0.0_f64, 0.0_f64, 0.0_f64);
+    let strong = checks.iter().all(|c| c.excess() <= 0.0);
+    if shaped || by_pressure || scored && strong && spec.objective == Objective::Diameter {
+        for (i, point) in points.iter().enumerate() {
+            // Too weak: its other limits are looked at where it pulls hardest.
+            let p = if checks[i].excess() > 0.0 {
+                max
+            } else {
+                need(spec, model, workspace, point, checks[i].value)?
+            };
+            highest = highest.max(p);
+            if !(shaped || by_pressure) {
+                continue;
+            }
+            let (full, _) = full_response(model, workspace, &thick_wall, p, point.contraction)?;
+            if let (Some(bound), Some(value)) = (limits.bulged_diameter_mm, full.bulged_diameter_mm) {
+                checks.push(Check { limit: Limit::BulgedDiameter, point: None, value, bound });
+            }
+            if let (Some(bound), Some(value)) = (stretch, full.rubber_stretch()) {
+                checks.push(Check { limit: Limit::MaxStretch, point: None, value, bound });
+            }
+            bulge = bulge.max(full.bulged_diameter_mm.unwrap_or(0.0));
+            if scored && spec.objective == Objective::Air {
+                air = air.max(
+                    air_of(model, workspace, &thick_wall, p, point.contraction).0.unwrap_or(f64::INFINITY),
+                );
+            }
+        }
+    }
+    checks.extend(strands(spec, &points, model, workspace, &thick_wall)?);
+    let margin = points.iter().zip(&checks).map(|(q, c)| c.value / q.force_n - 1.0);
+    let score = match spec.objective {
+        Objective::Diameter => [muscle.outer_diameter_mm(), highest],
+        Objective::Pressure => [highest, 0.0],
+        Objective::Air => [air, 0.0],
+        Objective::Margin => [-margin.fold(f64::INFINITY, f64::min), 0.0],
+        Objective::BulgedDiameter => [bulge, 0.0],
+        Objective::Length => [muscle.length_mm(), muscle.outer_diameter_mm()],
+    };
+    Ok(Probe { checks, score })
+}
+
+/// Whether a muscle meets a specification by a model.
+pub fn fits(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> bool {
+    probe(spec, build, muscle).is_ok_and(|p| p.fits())
+}
+
+/// What the strands bear at the maximum pressure, not shortened and at the operating points.
+fn strands(
+    spec: &Spec,
+    points: &[OperatingPoint],
+    model: &dyn ForceModel,
+    workspace: &mut Workspace,
+    thick_wall: &ThickWall,
+) -> Result<Vec<Check>, ModelError> {
+    let (limits, max, muscle) = (&spec.limits, spec.max_pressure_mpa, model.muscle());
+    let strength = muscle.braid().strands.and_then(|s| s.strength_n);
+    let mut checks = vec![];
+    if limits.strand_strain.is_none() && (limits.burst_margin.is_none() || strength.is_none()) {
+        return Ok(checks);
+    }
+    let places = || std::iter::once(0.0).chain(points.iter().map(|q| q.contraction));
+    if let Some(bound) = limits.strand_strain {
+        let mut largest: Option<f64> = None;
+        for e in places() {
+            let (full, _) = full_response(model, workspace, thick_wall, max, e)?;
+            let strain = full.braid_tension_n.and_then(|t| muscle.strand_strain(t));
+            largest = strain.map_or(largest, |s| Some(largest.map_or(s, |l| l.max(s))));
+        }
+        let check = |value| Check { limit: Limit::StrandStrain, point: None, value, bound };
+        checks.extend(largest.map(check));
+    }
+    if let (Some(bound), Some(strength)) = (limits.burst_margin, strength) {
+        // Blocked, as the burst pressure is; without an equilibrium at that pressure they break before it.
+        let full = full_response(model, workspace, thick_wall, bound * max, 0.0).ok();
+        let strand = full.map_or(Some(f64::INFINITY), |(r, _)| r.strand_tension_n);
+        let value = bound * strength / strand.unwrap_or(0.0).max(0.0);
+        checks.push(Check { limit: Limit::BurstMargin, point: None, value, bound });
+    }
+    Ok(checks)
+}
+
+/// The burst pressure over the maximum pressure, solved for: where the margin is missed, that of its check is in proportion to the
+/// strands' tension alone.
+pub(super) fn burst_margin(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<f64> {
+    muscle.braid().strands?.strength_n?;
+    let solved = burst(build(muscle).ok()?.as_ref(), &Workspace::new()).ok()?;
+    Some(solved.pressure_mpa()? / spec.max_pressure_mpa)
+}
+
+/// The pressure a point takes, where the pull at the maximum pressure is known to be enough.
+pub(super) fn need(
+    spec: &Spec,
+    model: &dyn ForceModel,
+    workspace: &mut Workspace,
+    point: &OperatingPoint,
+    available_n: f64,
+) -> Result<f64, ModelError> {
+    let OperatingPoint { force_n, contraction } = *point;
+    let end = (spec.max_pressure_mpa, available_n);
+    if let Some(p) = pressure_up_to(model, workspace, force_n, contraction, end, spec.options()) {
+        return Ok(p);
+    }
+    match pressure_at(model, workspace, force_n, contraction, spec.options()) {
+        Ok(p) => Ok(p.min(spec.max_pressure_mpa)),
+        Err(AnalysisError::Model(error)) => Err(error),
+        // At the lowest pressure of its range the model already pulls more: that pressure is enough.
+        Err(AnalysisError::NoPressure { nearest_force_n, nearest_pressure_mpa, .. })
+            if nearest_force_n >= force_n =>
+        {
+            Ok(nearest_pressure_mpa)
+        }
+        Err(_) => Ok(spec.max_pressure_mpa),
+    }
+}
+
+/// A response with what the model does not know filled in from the thick-wall model.
+pub(super) fn full_response(
+    model: &dyn ForceModel,
+    workspace: &mut Workspace,
+    thick_wall: &ThickWall,
+    p: f64,
+    contraction: f64,
+) -> Result<(Response, Vec<&'static str>), ModelError> {
+    workspace.budget().check()?;
+    let mut r = model.response(workspace, p, contraction)?;
+    let mut filled = vec![];
+    if r.bulged_diameter_mm.is_some() && r.volume_mm3.is_some() && r.max_stretch.is_some() {
+        return Ok((r, filled));
+    }
+    if let Ok(other) = thick_wall.response(workspace, p, contraction) {
+        let mut fill = |slot: &mut Option<f64>, value: Option<f64>, name| {
+            if slot.is_none() && value.is_some() {
+                *slot = value;
+                filled.push(name);
+            }
+        };
+        fill(&mut r.bulged_diameter_mm, other.bulged_diameter_mm, "bulged diameter");
+        fill(&mut r.volume_mm3, other.volume_mm3, "volume");
+        fill(&mut r.max_stretch, other.max_stretch, "stretch");
+        fill(&mut r.middle_stretch, other.middle_stretch, "stretch");
+        fill(&mut r.braid_tension_n, other.braid_tension_n, "strand tension");
+        fill(&mut r.strand_tension_n, other.strand_tension_n, "strand tension");
+        fill(&mut r.stiffness_n_per_mm, other.stiffness_n_per_mm, "stiffness");
+    }
+    Ok((r, filled))
+}
+
+/// Air in normal litres from rest to a point, and whether the thick-wall model gave it.
+pub(super) fn air_of(
+    model: &dyn ForceModel,
+    workspace: &mut Workspace,
+    thick_wall: &ThickWall,
+    p: f64,
+    contraction: f64,
+) -> (Option<f64>, bool) {
+    match air_per_stroke(model, workspace, p, contraction) {
+        Ok(air) => (Some(air.normal_litres), false),
+        Err(_) => (air_per_stroke(thick_wall, workspace, p, contraction).ok().map(|a| a.normal_litres), true),
+    }
+}

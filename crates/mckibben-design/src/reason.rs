@@ -1,0 +1,153 @@
+//! Why a muscle does not fit.
+
+use super::limit::Limit;
+use super::spec::OperatingPoint;
+use mckibben::model::ModelError;
+use mckibben::muscle::{Muscle, MuscleError};
+use mckibben::units::Dimension;
+use serde::Serialize;
+
+/// The bound that a muscle breaks.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "kind", content = "detail", rename_all = "snake_case")]
+pub enum Reason {
+    /// It does not pull enough at the maximum pressure.
+    Force {
+        /// The operating point.
+        point: OperatingPoint,
+        /// Its pull there at `pressure_mpa`, in N.
+        available_n: f64,
+        /// The maximum pressure in MPa.
+        pressure_mpa: f64,
+    },
+    /// It bulges too far.
+    Bulge {
+        /// Outer diameter at the point, in mm.
+        diameter_mm: f64,
+        /// The bound in mm.
+        limit_mm: f64,
+    },
+    /// Its strands break too early.
+    Burst {
+        /// Burst pressure over maximum pressure.
+        margin: f64,
+        /// The bound.
+        limit: f64,
+    },
+    /// Its rubber is stretched too far.
+    Stretch {
+        /// Largest principal stretch.
+        stretch: f64,
+        /// The bound.
+        limit: f64,
+    },
+    /// Its strands stretch too far.
+    StrandStrain {
+        /// Largest strain at the maximum pressure.
+        strain: f64,
+        /// The bound.
+        limit: f64,
+    },
+    /// The model has no answer.
+    #[serde(serialize_with = "in_words")]
+    Model(ModelError),
+    /// The parts do not make a muscle.
+    #[serde(serialize_with = "in_words")]
+    Muscle(MuscleError),
+}
+
+fn in_words<E: std::fmt::Display, S: serde::Serializer>(error: &E, out: S) -> Result<S::Ok, S::Error> {
+    out.collect_str(error)
+}
+
+impl Reason {
+    /// The sentence, with pressures, forces and lengths written by `show` ("2.5 bar", "700 N", "30 mm").
+    pub fn describe(&self, show: impl Fn(Dimension, f64) -> String) -> String {
+        match self {
+            Reason::Force { point, available_n, pressure_mpa } => format!(
+                "{} at {} and {} %, {} required",
+                show(Dimension::Force, available_n.floor()),
+                show(Dimension::Pressure, *pressure_mpa),
+                round(100.0 * point.contraction),
+                show(Dimension::Force, point.force_n)
+            ),
+            Reason::Bulge { diameter_mm, limit_mm } => {
+                let bulged = (10.0 * diameter_mm).round() / 10.0;
+                let [bulged, limit] = [bulged, *limit_mm].map(|v| show(Dimension::Length, v));
+                format!("bulged diameter {bulged}, at most {limit} allowed")
+            }
+            Reason::Burst { margin, limit } => {
+                format!("strands break at {margin:.2} times the maximum pressure, {limit} required")
+            }
+            Reason::Stretch { stretch, limit } => {
+                format!("rubber stretched to {stretch:.2}, at most {limit} allowed")
+            }
+            Reason::StrandStrain { strain, limit } => format!(
+                "strands stretched by {:.1} %, at most {} % allowed",
+                100.0 * strain,
+                round(100.0 * limit)
+            ),
+            Reason::Model(error) => error.to_string(),
+            Reason::Muscle(error) => error.to_string(),
+        }
+    }
+
+    /// The kind of limit that is missed; `None` where there is no answer at all.
+    pub fn limit(&self) -> Option<Limit> {
+        Some(match self {
+            Reason::Force { .. } => Limit::Force,
+            Reason::Bulge { .. } => Limit::BulgedDiameter,
+            Reason::Burst { .. } => Limit::BurstMargin,
+            Reason::Stretch { .. } => Limit::MaxStretch,
+            Reason::StrandStrain { .. } => Limit::StrandStrain,
+            Reason::Model(_) | Reason::Muscle(_) => return None,
+        })
+    }
+
+    /// The share of the limit by which it is missed; `None` where there is no answer at all.
+    pub fn misses_by(&self) -> Option<f64> {
+        let (value, bound) = match *self {
+            Reason::Force { point, available_n, .. } => (available_n, point.force_n),
+            Reason::Bulge { diameter_mm: value, limit_mm: bound }
+            | Reason::Burst { margin: value, limit: bound }
+            | Reason::Stretch { stretch: value, limit: bound }
+            | Reason::StrandStrain { strain: value, limit: bound } => (value, bound),
+            Reason::Model(_) | Reason::Muscle(_) => return None,
+        };
+        Some(self.limit()?.missed_by(value, bound))
+    }
+}
+
+fn round(v: f64) -> f64 {
+    (v * 1e4).round() / 1e4
+}
+
+/// A muscle that does not fit, and why.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rejected {
+    /// Outer diameter in mm.
+    pub outer_diameter_mm: f64,
+    /// Wall in mm.
+    pub wall_mm: f64,
+    /// Length in mm.
+    pub length_mm: f64,
+    /// Braid angle in degrees.
+    pub angle_deg: f64,
+    /// Name of the rubber, where it has one.
+    pub rubber: Option<String>,
+    /// The bound it breaks by most.
+    pub reason: Reason,
+}
+
+impl Rejected {
+    pub(super) fn of(muscle: &Muscle, reason: Reason) -> Self {
+        Self {
+            outer_diameter_mm: muscle.outer_diameter_mm(),
+            wall_mm: muscle.wall_mm(),
+            length_mm: muscle.length_mm(),
+            angle_deg: muscle.braid().angle_deg,
+            rubber: muscle.tube().rubber.name.clone(),
+            reason,
+        }
+    }
+}

@@ -1,0 +1,156 @@
+//! A design: searched with a fast model, settled with the one that is believed.
+
+use super::candidate::{Candidate, candidate};
+use super::limit::{Probe, probe};
+use super::line::STEPS;
+use super::reason::{Reason, Rejected};
+use super::relax::{Relaxation, relaxations};
+use super::search::{Pick, Search, SearchResult};
+use super::spec::{Build, Spec, SpecError};
+use mckibben::muscle::Muscle;
+use mckibben::progress::{Progress, Silent};
+use mckibben::threads;
+use mckibben::units::Values;
+
+/// The models of a design.
+#[derive(Clone, Copy)]
+pub struct Models<'a> {
+    /// Looks at very many muscles; outside of its range as well, where another one decides.
+    pub search: &'a Build<'a>,
+    /// Decides of those that are printed: their diameters are corrected until the specification holds by it, and all their numbers
+    /// are its. `None`: the model of the search.
+    pub settle: Option<&'a Build<'a>>,
+}
+
+/// What a design found.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    /// Muscles that fit, best first.
+    pub candidates: Vec<Candidate>,
+    /// Muscles that do not, those that came closest first.
+    pub rejected: Vec<Rejected>,
+    /// How many muscles were looked at, and how many of them fit.
+    pub looked_at: (usize, usize),
+    /// How many of them burst too early, and how many of these meet every other limit.
+    pub too_weak: (usize, usize),
+    /// Where nothing fits: the muscle that comes closest, and what would have to give.
+    pub closest: Option<Closest>,
+}
+
+/// The muscle that comes closest where nothing fits.
+#[derive(Debug, Clone)]
+pub struct Closest {
+    /// Its measures and why it does not fit.
+    pub rejected: Rejected,
+    /// The muscle itself.
+    pub muscle: Muscle,
+    /// What would have to give, one limit at a time.
+    pub relaxations: Vec<Relaxation>,
+}
+
+/// Muscles that miss by at most this by the model of the search are asked of the other one, too.
+const NEARLY: f64 = 0.02;
+/// Shares by which the two models' diameters may differ, tried one after the other.
+const WIDTHS: [f64; 3] = [0.01, 0.05, 0.25];
+
+/// Searches a specification with one model.
+///
+/// # Errors
+/// [`SpecError`] where the specification cannot be searched, also because none of its combinations is a muscle; that
+/// nothing fits is an [`Outcome`].
+pub fn design(spec: &Spec, build: &Build<'_>) -> Result<Outcome, SpecError> {
+    design_with(spec, Models { search: build, settle: None }, &Silent)
+}
+
+/// [`design`] with two models, which tells how far it is and can be ended before it is done.
+///
+/// # Errors
+/// As [`design`]; [`SpecError::Cancelled`].
+pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> Result<Outcome, SpecError> {
+    spec.check()?;
+    let extrapolate = spec.extrapolate || models.settle.is_some();
+    let searched = Spec { extrapolate, ..spec.clone() };
+    let search = Search::of(&searched, models, progress);
+    let mut result = search.run();
+    if result.fits.is_empty()
+        && result.misses.is_empty()
+        && let Some(error) = result.invalid.take()
+        && !progress.cancelled()
+    {
+        return Err(SpecError::NoMuscle(error));
+    }
+    let candidates = settled(&search, models, &result);
+    if progress.cancelled() {
+        return Err(SpecError::Cancelled);
+    }
+    let decides = models.settle.unwrap_or(models.search);
+    let mut misses: Vec<(Muscle, Reason)> = vec![];
+    for &(_, pick) in result.misses.iter() {
+        if misses.len() < spec.top
+            && let Ok(muscle) = search.muscle(pick)
+            && let Some(reason) = search.reason(&muscle, decides)
+        {
+            misses.push((muscle, reason));
+        }
+    }
+    // A muscle that fitted by the search alone, and no other is left.
+    if candidates.is_empty() && misses.is_empty() {
+        let first = result.fits.first().and_then(|f| search.muscle(f.1).ok());
+        misses.extend(first.and_then(|m| search.reason(&m, decides).map(|reason| (m, reason))));
+    }
+    let closest = misses.first().filter(|_| candidates.is_empty()).map(|(muscle, reason)| Closest {
+        rejected: Rejected::of(muscle, reason.clone()),
+        muscle: muscle.clone(),
+        relaxations: relaxations(spec, decides, misses.iter().map(|m| &m.0)),
+    });
+    let rejected = misses.iter().map(|(muscle, reason)| Rejected::of(muscle, reason.clone())).collect();
+    Ok(Outcome {
+        candidates,
+        rejected,
+        looked_at: (result.looked_at, result.fitted),
+        too_weak: result.too_weak,
+        closest,
+    })
+}
+
+/// The muscles that hold by the model that decides, best first.
+fn settled(search: &Search<'_>, models: Models<'_>, result: &SearchResult) -> Vec<Candidate> {
+    let spec = search.spec;
+    let build = models.settle.unwrap_or(models.search);
+    let one = |pick: &Pick| -> Option<Candidate> {
+        if search.progress.cancelled() {
+            return None;
+        }
+        let pick = if models.settle.is_some() { corrected(search, build, *pick)? } else { *pick };
+        let muscle = search.muscle(pick).ok()?;
+        let probe = probe(spec, build, &muscle).ok().filter(Probe::fits)?;
+        candidate(spec, build, &muscle, &probe).ok()
+    };
+    let picks: Vec<Pick> = result.fits.iter().map(|f| f.1).collect();
+    let mut found: Vec<Candidate> = threads::map(&picks, one).into_iter().flatten().collect();
+    if found.len() < spec.top && models.settle.is_some() {
+        let nearly: Vec<Pick> = result.misses.iter().filter(|m| m.0 < NEARLY).map(|m| m.1).collect();
+        found.extend(threads::map(&nearly, one).into_iter().flatten());
+    }
+    found.sort_by(|a, b| a.score[0].total_cmp(&b.score[0]).then(a.score[1].total_cmp(&b.score[1])));
+    found.dedup_by(|a, b| a.muscle == b.muscle);
+    found.truncate(spec.top);
+    found
+}
+
+/// The muscle with the diameter that the model which decides asks for.
+fn corrected(search: &Search<'_>, build: &Build<'_>, pick: Pick) -> Option<Pick> {
+    let Values::Interval(low, high) = &search.spec.outer_diameter_mm else { return Some(pick) };
+    for width in WIDTHS {
+        let (from, to) = ((pick.d0 * (1.0 - width)).max(*low), (pick.d0 * (1.0 + width)).min(*high));
+        let (fit, _) =
+            search.best_diameter_within(pick, (from, to), build, STEPS, &mut SearchResult::default());
+        let Some(fit) = fit else { continue };
+        // At an edge that is not a bound of the search the best one lies beyond.
+        let edge = (fit.x - from < 1e-3 * fit.x && from > *low) || (to - fit.x < 1e-3 * fit.x && to < *high);
+        if !edge || width == WIDTHS[WIDTHS.len() - 1] {
+            return Some(pick.with_diameter(fit.x));
+        }
+    }
+    None
+}

@@ -1,0 +1,406 @@
+//! The search: rubbers, braids, lengths and walls, and for each of them the diameters on which every limit holds.
+//!
+//! An axis is either a list (every value is tried) or an interval: sampled, then narrowed by golden section around its best
+//! sample. Where no sample fits, the share by which the limits are missed leads on, so that a narrow window is found as well. The
+//! innermost axis, the diameter, is searched by the roots of the single limits ([`line`](super::line)).
+
+use super::limit::{Check, Limit, Score, burst_margin, probe, probe_with};
+use super::line::{self, Found, Merit, NO_SCORE, Sample};
+use super::reason::Reason;
+use super::run::Models;
+use super::spec::{BraidChoice, Build, Objective, Spec};
+use mckibben::analysis::golden;
+use mckibben::muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube};
+use mckibben::progress::Progress;
+use mckibben::threads;
+use mckibben::units::Values;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Golden sections on a line whose best muscle another model looks for again.
+const COARSE_STEPS: usize = 4;
+/// More muscles than are printed: some may not hold by the model that decides.
+const SPARE: usize = 3;
+/// Least bore of a muscle in an interval of diameters, as a share of its outer diameter.
+const LEAST_BORE: f64 = 0.1;
+/// Samples of an interval of walls, angles and lengths, and golden sections after them.
+const WALLS: (usize, usize) = (10, 6);
+const ANGLES: (usize, usize) = (8, 6);
+const LENGTHS: (usize, usize) = (4, 4);
+
+/// A choice of rubber, braid and length; D0 and s are left.
+#[derive(Debug, Clone, Copy)]
+struct Choice {
+    rubber: usize,
+    braid: BraidRule,
+    length_mm: f64,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum BraidRule {
+    Angle(f64),
+    PerTurn(f64),
+    /// Number of a sleeve.
+    Sleeve(usize),
+}
+
+/// Where in the search space a muscle stands; the muscle is built again when it is needed.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pick {
+    choice: Choice,
+    pub(super) d0: f64,
+    s: f64,
+}
+
+impl Pick {
+    /// The same with another diameter.
+    pub(super) fn with_diameter(self, d0: f64) -> Self {
+        Self { d0, ..self }
+    }
+}
+
+/// A search of a specification with one model.
+pub(super) struct Search<'a> {
+    pub(super) spec: &'a Spec,
+    pub(super) build: &'a Build<'a>,
+    pub(super) rubbers: Vec<Rubber>,
+    pub(super) progress: &'a dyn Progress,
+    /// Walls that are done.
+    pub(super) done: AtomicUsize,
+    /// How many muscles to keep of each kind.
+    pub(super) most: usize,
+    /// Golden sections towards the best score of a line.
+    pub(super) steps: usize,
+}
+
+/// What some of the muscles gave: the best that fit, and those that missed by least.
+#[derive(Debug, Clone, Default)]
+pub(super) struct SearchResult {
+    pub(super) fits: Vec<(Score, Pick)>,
+    pub(super) misses: Vec<(f64, Pick)>,
+    pub(super) invalid: Option<MuscleError>,
+    pub(super) looked_at: usize,
+    pub(super) fitted: usize,
+    /// How many burst too early, and how many of these meet every other limit.
+    pub(super) too_weak: (usize, usize),
+}
+
+impl SearchResult {
+    /// Of two that are as good the one is better of which a muscle that does not fit misses by less: among stock sizes the next better
+    /// one is then within reach.
+    fn merit(&self) -> (Merit, f64) {
+        let miss = self.misses.first().map_or(f64::INFINITY, |m| m.0);
+        match self.fits.first() {
+            Some(fit) => (Merit::new(0.0, [(fit.0[0] * 1e4).round() * 1e-4, 0.0]), miss),
+            None => (Merit::new(miss, NO_SCORE), 0.0),
+        }
+    }
+
+    /// How good the best of them is.
+    pub(super) fn best(&self) -> Merit {
+        match (self.fits.first(), self.misses.first()) {
+            (Some(fit), _) => Merit::new(0.0, fit.0),
+            (None, Some(miss)) => Merit::new(miss.0, NO_SCORE),
+            (None, None) => Merit::NONE,
+        }
+    }
+
+    fn keep<V: PartialOrd>(list: &mut Vec<(V, Pick)>, value: V, pick: Pick, most: usize) {
+        let at = list.partition_point(|f| f.0 <= value);
+        if at < most {
+            list.insert(at, (value, pick));
+            list.truncate(most);
+        }
+    }
+
+    fn add(&mut self, other: SearchResult, most: usize) {
+        self.looked_at += other.looked_at;
+        self.fitted += other.fitted;
+        self.too_weak.0 += other.too_weak.0;
+        self.too_weak.1 += other.too_weak.1;
+        other.fits.into_iter().for_each(|(score, pick)| Self::keep(&mut self.fits, score, pick, most));
+        other.misses.into_iter().for_each(|(miss, pick)| Self::keep(&mut self.misses, miss, pick, most));
+        self.invalid = self.invalid.take().or(other.invalid);
+    }
+}
+
+/// A place of an axis with what it gave.
+type Tried = (f64, SearchResult);
+
+impl<'a> Search<'a> {
+    /// Of a specification, with the model that searches.
+    pub(super) fn of(spec: &'a Spec, models: Models<'a>, progress: &'a dyn Progress) -> Self {
+        let rubbers = match &spec.rubbers[..] {
+            [] => vec![spec.base.tube().rubber.clone()],
+            some => some.to_vec(),
+        };
+        let (most, steps) = match models.settle {
+            Some(_) => (spec.top + SPARE, COARSE_STEPS),
+            None => (spec.top, line::STEPS),
+        };
+        let build = models.search;
+        Search { spec, build, rubbers, progress, done: AtomicUsize::new(0), most, steps }
+    }
+
+    pub(super) fn muscle(&self, pick: Pick) -> Result<Muscle, MuscleError> {
+        let base = &self.spec.base;
+        let angled = |angle_deg: f64| Braid { angle_deg, ..base.braid().clone() };
+        let braid = match (pick.choice.braid, &self.spec.braid) {
+            (BraidRule::Angle(angle), _) => angled(angle),
+            (BraidRule::PerTurn(length), _) => {
+                angled((std::f64::consts::PI * pick.d0 / length).min(1.0).asin().to_degrees())
+            }
+            (BraidRule::Sleeve(i), BraidChoice::Sleeves(list)) => list[i].clone().on_diameter(pick.d0)?,
+            (BraidRule::Sleeve(_), _) => base.braid().clone(),
+        };
+        let tube = Tube {
+            outer_diameter_mm: pick.d0,
+            wall_mm: pick.s,
+            length_mm: pick.choice.length_mm,
+            rubber: self.rubbers[pick.choice.rubber].clone(),
+            ..base.tube().clone()
+        };
+        Muscle::from_parts(Parts { tube, braid, ..base.parts().clone() })
+    }
+
+    /// Holds one muscle of the search against the specification, by the model that `build` makes of it.
+    fn sample(&self, pick: Pick, build: &Build<'_>, result: &mut SearchResult, scored: bool) -> Sample {
+        let none = Sample { x: pick.d0, excess: vec![], score: NO_SCORE };
+        if self.progress.cancelled() {
+            return none;
+        }
+        result.looked_at += 1;
+        let muscle = match self.muscle(pick) {
+            Ok(muscle) => muscle,
+            Err(error) => {
+                result.invalid.get_or_insert(error);
+                return none;
+            }
+        };
+        let Ok(probe) = probe_with(self.spec, build, &muscle, scored) else { return none };
+        let excess = probe.checks.iter().map(super::limit::Check::excess).collect();
+        let sample = Sample { x: pick.d0, excess, score: probe.score };
+        result.fitted += usize::from(sample.fits());
+        if probe.checks.iter().any(|c| c.limit == Limit::BurstMargin && c.excess() > 0.0) {
+            let mut others = probe.checks.iter().filter(|c| c.limit != Limit::BurstMargin);
+            result.too_weak.0 += 1;
+            result.too_weak.1 += usize::from(others.all(|c| c.excess() <= 0.0));
+        }
+        sample
+    }
+
+    /// All diameters for one wall and choice. An interval of diameters yields its best one only.
+    fn line(&self, choice: Choice, s: f64) -> SearchResult {
+        let mut result = SearchResult::default();
+        if self.progress.cancelled() {
+            return result;
+        }
+        self.progress.report(self.done.fetch_add(1, Ordering::Relaxed), self.walls());
+        let pick = |d0: f64| Pick { choice, d0, s };
+        match &self.spec.outer_diameter_mm {
+            Values::List(list) => {
+                for &d0 in list.iter().take_while(|_| !self.progress.cancelled()) {
+                    let sample = self.sample(pick(d0), self.build, &mut result, true);
+                    if sample.fits() {
+                        SearchResult::keep(&mut result.fits, sample.score, pick(d0), self.most);
+                    } else {
+                        self.keep_miss(&sample, pick(d0), &mut result);
+                    }
+                }
+            }
+            Values::Interval(low, high) => {
+                let (fit, miss) = self.best_diameter_within(
+                    pick(*high),
+                    (*low, *high),
+                    self.build,
+                    self.steps,
+                    &mut result,
+                );
+                result.fits.extend(fit.map(|sample| (sample.score, pick(sample.x))));
+                if let Some(miss) = miss {
+                    self.keep_miss(&miss, pick(miss.x), &mut result);
+                }
+            }
+        }
+        result
+    }
+
+    /// Keeps a muscle that does not fit; what is no muscle at all is none.
+    fn keep_miss(&self, sample: &Sample, pick: Pick, result: &mut SearchResult) {
+        if sample.violation().is_finite() || self.muscle(pick).is_ok() {
+            SearchResult::keep(&mut result.misses, sample.violation(), pick, self.most);
+        }
+    }
+
+    /// The best muscle in a range of diameters, or the one that misses by least.
+    pub(super) fn best_diameter_within(
+        &self,
+        pick: Pick,
+        (low, high): (f64, f64),
+        build: &Build<'_>,
+        steps: usize,
+        result: &mut SearchResult,
+    ) -> (Option<Sample>, Option<Sample>) {
+        // A tube without a bore is no muscle: at least a tenth of the diameter.
+        let low = low.max(2.0 * pick.s / (1.0 - LEAST_BORE));
+        let thinnest = matches!(self.spec.objective, Objective::Diameter | Objective::Length);
+        let mut limits = |d0: f64| self.sample(Pick { d0, ..pick }, build, result, false);
+        if low > high {
+            // No diameter is above twice the wall: say so with the widest.
+            return (None, Some(limits(high)));
+        }
+        let Found { fitting, best } = line::along(low, high, thinnest, limits);
+        let mut at = |d0: f64| self.sample(Pick { d0, ..pick }, build, result, true);
+        let mut fit: Option<Sample> = None;
+        for (from, to) in fitting {
+            let found = if thinnest { self.buildable(from, to, &mut at) } else { None };
+            let found = found.or_else(|| {
+                let best = line::best_of(from, to, steps, &mut at)?;
+                Some(self.rounded(best, from, to, &mut at))
+            });
+            if let Some(found) = found
+                && fit.as_ref().is_none_or(|f| found.score < f.score)
+            {
+                fit = Some(found);
+            }
+        }
+        let miss = if fit.is_some() { None } else { best };
+        (fit, miss)
+    }
+
+    /// The smallest diameter of an interval in hundredths of a millimetre, else the smallest there is.
+    fn buildable(&self, from: f64, to: f64, at: &mut impl FnMut(f64) -> Sample) -> Option<Sample> {
+        let up = (from * 100.0).ceil() / 100.0;
+        let inside = from + 1e-6 * (to - from).max(1e-6 * from);
+        [up, up + 0.01, inside].into_iter().filter(|d0| *d0 <= to).map(at).find(Sample::fits)
+    }
+
+    /// The same muscle with its diameter in hundredths of a millimetre, where that fits.
+    fn rounded(&self, best: Sample, from: f64, to: f64, at: &mut impl FnMut(f64) -> Sample) -> Sample {
+        let hundredths = best.x * 100.0;
+        let near = [hundredths.round(), hundredths.ceil(), hundredths.floor()].map(|h| h / 100.0);
+        near.into_iter().filter(|d0| (from..=to).contains(d0)).map(at).find(Sample::fits).unwrap_or(best)
+    }
+
+    /// Walls of the whole search, as far as they are known before it.
+    fn walls(&self) -> usize {
+        let count = |values: &Values, (samples, sections): (usize, usize)| match values {
+            Values::List(list) => list.len(),
+            Values::Interval(..) => samples + sections,
+        };
+        let braids = match &self.spec.braid {
+            BraidChoice::StrandLengthPerTurn(list) => list.len(),
+            BraidChoice::Sleeves(list) => list.len(),
+            BraidChoice::Angle(angles) => count(angles, ANGLES),
+        };
+        let lengths = self.spec.length_mm.as_ref().map_or(1, |v| count(v, LENGTHS));
+        count(&self.spec.wall_mm, WALLS) * braids * lengths * self.rubbers.len()
+    }
+
+    /// All values of one axis.
+    fn axis(
+        &self,
+        values: &Values,
+        (samples, sections): (usize, usize),
+        f: &(dyn Fn(f64) -> SearchResult + Sync),
+    ) -> SearchResult {
+        let places = match values {
+            Values::List(list) => list.clone(),
+            Values::Interval(low, high) => nice_steps(*low, *high, samples),
+        };
+        let tried: Vec<Tried> = threads::map(&places, |&x| (x, f(x)));
+        let merit = |t: &Tried| t.1.merit();
+        let mut extra = None;
+        if let Values::Interval(low, high) = values
+            && let Some(i) = best_index(&tried)
+        {
+            let (left, right) = (places[i.saturating_sub(1)], places[(i + 1).min(places.len() - 1)]);
+            let start = tried[i].clone();
+            let best = golden(left, start, right, sections, merit, &mut |x| (x, f(x)));
+            let round = (best.0 * 100.0).round() / 100.0;
+            let known = |x: f64| places.iter().any(|w| (w - x).abs() < 1e-9);
+            if !known(best.0) {
+                let rounded = ((*low..=*high).contains(&round) && !known(round)).then(|| f(round));
+                // A window narrower than a hundredth is not to be lost by rounding.
+                let good = rounded.filter(|r| r.merit().0.fits() || !best.1.merit().0.fits());
+                extra = Some(good.unwrap_or(best.1));
+            }
+        }
+        self.gather(tried.into_iter().map(|t| t.1).chain(extra))
+    }
+
+    /// All muscles of one rubber.
+    fn search_rubber(&self, rubber: usize) -> SearchResult {
+        let length = Values::List(vec![self.spec.base.length_mm()]);
+        let lengths = self.spec.length_mm.as_ref().unwrap_or(&length);
+        let braided = |braid: BraidRule| {
+            self.axis(lengths, LENGTHS, &|length_mm| {
+                let choice = Choice { rubber, braid, length_mm };
+                self.axis(&self.spec.wall_mm, WALLS, &|s| self.line(choice, s))
+            })
+        };
+        match &self.spec.braid {
+            BraidChoice::StrandLengthPerTurn(list) => {
+                self.gather(list.iter().map(|&length| braided(BraidRule::PerTurn(length))))
+            }
+            BraidChoice::Sleeves(list) => self.gather((0..list.len()).map(|i| braided(BraidRule::Sleeve(i)))),
+            BraidChoice::Angle(angles) => self.axis(angles, ANGLES, &|a| braided(BraidRule::Angle(a))),
+        }
+    }
+
+    /// All muscles.
+    pub(super) fn run(&self) -> SearchResult {
+        self.gather((0..self.rubbers.len()).map(|rubber| self.search_rubber(rubber)))
+    }
+
+    fn gather(&self, parts: impl Iterator<Item = SearchResult>) -> SearchResult {
+        parts.fold(SearchResult::default(), |mut all, part| {
+            all.add(part, self.most);
+            all
+        })
+    }
+
+    /// Why a muscle does not fit, by a model; `None` where it does.
+    pub(super) fn reason(&self, muscle: &Muscle, build: &Build<'_>) -> Option<Reason> {
+        match probe(self.spec, build, muscle) {
+            Ok(probe) => {
+                let worst = *probe.worst().filter(|c| c.excess() > 0.0)?;
+                let solved =
+                    burst_margin(self.spec, build, muscle).filter(|_| worst.limit == Limit::BurstMargin);
+                Some(Check { value: solved.unwrap_or(worst.value), ..worst }.reason(self.spec))
+            }
+            Err(error) => Some(Reason::Model(error)),
+        }
+    }
+}
+
+/// Index of the best of some places.
+fn best_index(tried: &[Tried]) -> Option<usize> {
+    let known = (0..tried.len()).filter(|&i| tried[i].1.merit().0 != Merit::NONE);
+    known.reduce(|a, b| if tried[b].1.merit() < tried[a].1.merit() { b } else { a })
+}
+
+/// Round values within bounds, both ends in, in at most about `most` steps.
+pub(super) fn nice_steps(low: f64, high: f64, most: usize) -> Vec<f64> {
+    let wide = (high - low) / most as f64;
+    let steps = [0.25, 0.5, 1.0, 2.0, 5.0, 10.0];
+    let step = steps.into_iter().find(|&step| step >= wide).unwrap_or(wide);
+    let mut list = vec![low];
+    let first = (low / step).floor() as i64 + 1;
+    list.extend((first..).map(|i| i as f64 * step).take_while(|v| *v < high - 1e-9).take(most + 2));
+    if high > low {
+        list.push(high);
+    }
+    list
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn samples_come_at_round_steps_with_both_ends() {
+        assert_eq!(nice_steps(1.0, 3.0, 12), [1.0, 1.25, 1.5, 1.75, 2.0, 2.25, 2.5, 2.75, 3.0]);
+        assert_eq!(nice_steps(0.7, 5.0, 12), [0.7, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0]);
+        assert_eq!(nice_steps(2.0, 2.0, 12), [2.0]);
+    }
+}

@@ -1,0 +1,272 @@
+//! What is wanted, and what may be varied.
+
+use super::demand::Demand;
+use mckibben::analysis::Options;
+use mckibben::model::{ForceModel, ModelError};
+use mckibben::muscle::{Braid, Direction, Muscle, MuscleError, Rubber};
+use mckibben::units::Values;
+use mckibben::warning::VALIDATED_STRAND_STRAIN;
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+/// Builds the model a design runs on.
+pub type Build<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync + 'a;
+
+/// An operating point that is wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Wanted"))]
+pub struct OperatingPoint {
+    /// Pull, N.
+    pub force_n: f64,
+    /// Contraction ratio.
+    pub contraction: f64,
+}
+
+/// A torque that a joint must hold at an angle, to either side.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct TorqueWanted {
+    /// Torque away from the neutral angle, N m.
+    pub torque_nm: f64,
+    /// Angle from the neutral one, degrees.
+    pub angle_deg: f64,
+}
+
+/// What is ranked first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "ObjectiveWord"))]
+#[serde(rename_all = "kebab-case")]
+pub enum Objective {
+    /// Smallest outer diameter at rest.
+    #[default]
+    Diameter,
+    /// Lowest pressure needed.
+    Pressure,
+    /// Least air per stroke.
+    Air,
+    /// Most pull to spare at the maximum pressure.
+    Margin,
+    /// Smallest outer diameter at the operating points.
+    BulgedDiameter,
+    /// Shortest between the terminals at rest.
+    Length,
+}
+
+/// Which angle the braid has.
+#[derive(Debug, Clone, PartialEq)]
+pub enum BraidChoice {
+    /// Angles at rest in degrees: a list or an interval.
+    Angle(Values),
+    /// A sleeve as sold: the length of strand per turn in mm is fixed, so that the diameter it is pulled over sets the
+    /// angle, sinθ0 = π D0/ℓ.
+    StrandLengthPerTurn(Vec<f64>),
+    /// Named sleeves: each braid lies on a tube as its sleeve does there ([`Braid::on_diameter`]).
+    Sleeves(Vec<Braid>),
+}
+
+/// Burst pressure over maximum pressure that a muscle has where nothing else is said.
+pub const SAFETY: f64 = 1.5;
+
+/// Bounds on what comes out.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Limits {
+    /// Largest outer diameter at any operating point, in mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bulged_diameter_mm: Option<f64>,
+    /// Least ratio of burst pressure to maximum pressure; holds where the strands' strength is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub burst_margin: Option<f64>,
+    /// Largest principal stretch of the rubber at any operating point.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stretch: Option<f64>,
+    /// Where `stretch` is not given: each rubber is stretched no further than its law was fitted.
+    pub fitted_stretch: bool,
+    /// Largest strain of the strands at the maximum pressure, not shortened and at the operating points.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub strand_strain: Option<f64>,
+}
+
+impl Limits {
+    /// The limits that keep people safe: burst pressure at least [`SAFETY`] times the maximum pressure, strand strain up to
+    /// [`VALIDATED_STRAND_STRAIN`], rubber stretched no further than its law was fitted.
+    pub fn safe() -> Self {
+        Self {
+            burst_margin: Some(SAFETY),
+            strand_strain: Some(VALIDATED_STRAND_STRAIN),
+            fitted_stretch: true,
+            ..Self::default()
+        }
+    }
+}
+
+/// A specification.
+#[derive(Debug, Clone)]
+pub struct Spec {
+    /// What the muscle must do.
+    pub wanted: Demand,
+    /// What the supply gives, in MPa.
+    pub max_pressure_mpa: f64,
+    /// Everything that is not searched: length, braid stiffness, terminals, friction.
+    pub base: Muscle,
+    /// Outer diameters in mm.
+    pub outer_diameter_mm: Values,
+    /// Walls in mm.
+    pub wall_mm: Values,
+    /// Lengths between the terminals in mm; the base muscle's where there are none.
+    pub length_mm: Option<Values>,
+    /// Braid angles, or sleeves.
+    pub braid: BraidChoice,
+    /// Rubbers; empty means the base muscle's.
+    pub rubbers: Vec<Rubber>,
+    /// Bounds on what comes out.
+    pub limits: Limits,
+    /// Quantity to rank by.
+    pub objective: Objective,
+    /// How many candidates and rejected muscles to report.
+    pub top: usize,
+    /// Ask the model outside of its range.
+    pub extrapolate: bool,
+}
+
+/// Why a specification cannot be searched at all.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum SpecError {
+    /// No operating point.
+    #[error(
+        "no operating point: give `force_n` and `contraction`, or `points`, each a pull at a contraction, or a load that pulls"
+    )]
+    NoPoint,
+    /// A pull or contraction that is no operating point.
+    #[error(
+        "the operating point {force_n} N at a contraction of {contraction} is invalid: the pull must be above 0 N and the contraction from 0 to below 1"
+    )]
+    Point {
+        /// Pull in N.
+        force_n: f64,
+        /// Contraction ratio.
+        contraction: f64,
+    },
+    /// An invalid torque or angle.
+    #[error(
+        "{torque_nm} N m at {angle_deg}° is invalid: the torque must be above zero and the angle within ±{largest_deg}°"
+    )]
+    Torque {
+        /// Torque in N m.
+        torque_nm: f64,
+        /// Angle in degrees.
+        angle_deg: f64,
+        /// Largest angle in degrees.
+        largest_deg: f64,
+    },
+    /// A table that ends before the stroke does.
+    #[error(
+        "the load is known for shortenings from {low_mm} to {high_mm} mm, and the stroke goes from 0 to {stroke_mm} mm"
+    )]
+    LoadReach {
+        /// From, in mm.
+        low_mm: f64,
+        /// To, in mm.
+        high_mm: f64,
+        /// The stroke in mm.
+        stroke_mm: f64,
+    },
+    /// A pressure that is not above zero.
+    #[error("the maximum pressure is {0} MPa; it must be above zero")]
+    Pressure(f64),
+    /// A bound that is not above zero.
+    #[error("{name} is {value}; it must be above zero")]
+    Bound {
+        /// Which bound.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// No combination is a muscle at all.
+    #[error("none of the combinations is a muscle: {0}")]
+    NoMuscle(MuscleError),
+    /// The caller wanted the search to end.
+    #[error("cancelled before the end")]
+    Cancelled,
+    /// Too many combinations.
+    #[error("{0:.3e} combinations are too many; at most 5 million: take larger steps or fewer values")]
+    TooMany(f64),
+}
+
+impl Spec {
+    /// A specification of points and a supply: the prototype's length, braid and rubber, diameters from 5 to 80 mm and walls
+    /// from 0.5 to 10 mm, the limits of [`Limits::safe`], the smallest diameter the best, five candidates. Everything else is a
+    /// field to be set.
+    pub fn new(points: Vec<OperatingPoint>, max_pressure_mpa: f64) -> Self {
+        let base = Muscle::prototype();
+        Self {
+            wanted: points.into(),
+            max_pressure_mpa,
+            outer_diameter_mm: Values::Interval(5.0, 80.0),
+            wall_mm: Values::Interval(0.5, 10.0),
+            braid: BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
+            base,
+            length_mm: None,
+            rubbers: vec![],
+            limits: Limits::safe(),
+            objective: Objective::default(),
+            top: 5,
+            extrapolate: false,
+        }
+    }
+
+    /// How its models are asked: with friction, for the pull that remains while the muscle shortens.
+    pub fn options(&self) -> Options {
+        let direction = if self.base.friction().is_some() { Direction::Contraction } else { Direction::Mean };
+        Options { extrapolate: self.extrapolate, direction, ..Options::default() }
+    }
+
+    /// The operating points of a muscle of the search.
+    pub(super) fn points(&self, muscle: &Muscle) -> std::borrow::Cow<'_, [OperatingPoint]> {
+        self.wanted.points(muscle.length_mm())
+    }
+
+    /// Checks the specification.
+    ///
+    /// # Errors
+    /// [`SpecError`].
+    pub fn check(&self) -> Result<(), SpecError> {
+        let lengths = match &self.length_mm {
+            Some(Values::List(list)) => list.clone(),
+            // The longest has most to give.
+            Some(Values::Interval(_, high)) => vec![*high],
+            None => vec![self.base.length_mm()],
+        };
+        lengths.iter().try_for_each(|length| self.wanted.check(*length))?;
+        if !(self.max_pressure_mpa.is_finite() && self.max_pressure_mpa > 0.0) {
+            return Err(SpecError::Pressure(self.max_pressure_mpa));
+        }
+        let bounds = [
+            ("the outer diameter", Some(self.outer_diameter_mm.bounds().0)),
+            ("the wall", Some(self.wall_mm.bounds().0)),
+            ("largest bulged diameter", self.limits.bulged_diameter_mm),
+            ("the least burst margin", self.limits.burst_margin),
+            ("the largest stretch", self.limits.stretch),
+            ("the largest strand strain", self.limits.strand_strain),
+            ("the length", self.length_mm.as_ref().map(|v| v.bounds().0)),
+        ];
+        for (name, value) in bounds {
+            if let Some(value) = value.filter(|v| !(v.is_finite() && *v > 0.0)) {
+                return Err(SpecError::Bound { name, value });
+            }
+        }
+        let count = |v: &Values| match v {
+            Values::List(list) => list.len() as f64,
+            Values::Interval(..) => 1.0,
+        };
+        let braids = match &self.braid {
+            BraidChoice::Angle(v) => count(v),
+            BraidChoice::StrandLengthPerTurn(list) => list.len() as f64,
+            BraidChoice::Sleeves(list) => list.len() as f64,
+        };
+        let sections = count(&self.outer_diameter_mm) * count(&self.wall_mm);
+        let lengths = self.length_mm.as_ref().map_or(1.0, count);
+        let all = sections * lengths * braids * self.rubbers.len().max(1) as f64;
+        if all > 5e6 { Err(SpecError::TooMany(all)) } else { Ok(()) }
+    }
+}

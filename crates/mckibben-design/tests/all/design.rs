@@ -1,0 +1,354 @@
+//! The design search against brute force and against its own promises.
+
+use mckibben::analysis::Options;
+use mckibben::model::{ForceModel, ThickWall, Workspace};
+use mckibben::muscle::measures::{SEATING, WALL, fields};
+use mckibben::muscle::{Braid, BraidStiffness, Muscle, Strands};
+use mckibben::progress::Silent;
+use mckibben::units::Values;
+use mckibben_design::{
+    BraidChoice, Build, Demand, JointDemand, Limits, Models, Objective, OperatingPoint, Reason, Relaxation,
+    Spec, ToleranceError, Tolerances, TorqueWanted, design, design_joint, spread,
+};
+
+fn thick(muscle: &Muscle) -> Result<Box<dyn ForceModel>, mckibben::model::ModelError> {
+    Ok(Box::new(ThickWall::new(muscle)))
+}
+
+fn spec(force_n: f64, contraction: f64) -> Spec {
+    Spec {
+        wanted: vec![OperatingPoint { force_n, contraction }].into(),
+        max_pressure_mpa: 0.25,
+        base: Muscle::prototype(),
+        outer_diameter_mm: Values::Interval(5.0, 80.0),
+        wall_mm: Values::Interval(1.0, 5.0),
+        length_mm: None,
+        braid: BraidChoice::Angle(Values::List(vec![28.0])),
+        rubbers: vec![],
+        limits: Limits::default(),
+        objective: Objective::Diameter,
+        top: 5,
+        extrapolate: false,
+    }
+}
+
+const BUILD: &Build<'_> = &thick;
+
+#[test]
+fn the_smallest_diameter_just_reaches_the_force_at_the_maximum_pressure() {
+    let outcome = design(&spec(700.0, 0.15), BUILD).unwrap();
+    let best = &outcome.candidates[0];
+    let d0 = best.muscle.outer_diameter_mm();
+    assert_eq!(best.muscle.wall_mm(), 1.0);
+    let pull = |d0: f64| {
+        let muscle = best.muscle.with_section(d0, best.muscle.wall_mm()).unwrap();
+        ThickWall::new(&muscle).force_n(&mut Workspace::new(), 0.25, 0.15).unwrap()
+    };
+    assert!(pull(d0) >= 700.0 && pull(d0 - 0.011) < 700.0, "{d0}: {}", pull(d0));
+    assert!(best.pressure_mpa <= 0.25 && best.margin >= 0.0);
+    // Ranked: the others are larger, each with another wall.
+    for pair in outcome.candidates.windows(2) {
+        assert!(pair[0].muscle.outer_diameter_mm() <= pair[1].muscle.outer_diameter_mm());
+    }
+}
+
+#[test]
+fn lists_of_stock_sizes_agree_with_brute_force() {
+    for objective in [Objective::Diameter, Objective::Pressure, Objective::Margin, Objective::Air] {
+        let mut spec = spec(300.0, 0.1);
+        spec.objective = objective;
+        let diameters: Vec<f64> = (20..=40).step_by(2).map(f64::from).collect();
+        let walls = vec![1.0, 2.0, 3.0, 4.0];
+        spec.outer_diameter_mm = Values::List(diameters.clone());
+        spec.wall_mm = Values::List(walls.clone());
+        let outcome = design(&spec, BUILD).unwrap();
+        let best = &outcome.candidates[0];
+        let mut fitting = 0;
+        for &d0 in &diameters {
+            for &s in &walls {
+                let model = ThickWall::new(&spec.base.with_section(d0, s).unwrap());
+                if model.force_n(&mut Workspace::new(), 0.25, 0.1).unwrap() < 300.0 {
+                    continue;
+                }
+                fitting += 1;
+                let p = mckibben::analysis::pressure_at(
+                    &model,
+                    &mut Workspace::new(),
+                    300.0,
+                    0.1,
+                    Options::default(),
+                )
+                .unwrap();
+                let (ours, other) = match objective {
+                    Objective::Diameter => (best.muscle.outer_diameter_mm(), d0),
+                    Objective::Pressure => (best.pressure_mpa, p),
+                    Objective::Margin => {
+                        (-best.margin, 1.0 - model.force_n(&mut Workspace::new(), 0.25, 0.1).unwrap() / 300.0)
+                    }
+                    Objective::BulgedDiameter | Objective::Length => unreachable!(),
+                    Objective::Air => {
+                        let air = mckibben::analysis::air_per_stroke(&model, &mut Workspace::new(), p, 0.1)
+                            .unwrap();
+                        (best.air_normal_litres().unwrap(), air.normal_litres)
+                    }
+                };
+                assert!(ours <= other + 1e-12, "{objective:?}: {ours} against {other} at {d0}, {s}");
+            }
+        }
+        assert_eq!(outcome.looked_at, (44, fitting));
+    }
+}
+
+#[test]
+fn bounds_bind_and_are_named() {
+    let mut spec = spec(700.0, 0.15);
+    spec.limits.bulged_diameter_mm = Some(60.0);
+    let outcome = design(&spec, BUILD).unwrap();
+    for candidate in &outcome.candidates {
+        assert!(candidate.bulged_diameter_mm().unwrap() <= 60.0);
+    }
+    // A weak pull with too large a bulge: only the bulge limits, and relaxing it is enough.
+    spec.wanted = vec![OperatingPoint { force_n: 100.0, contraction: 0.15 }].into();
+    spec.limits.bulged_diameter_mm = Some(10.0);
+    spec.outer_diameter_mm = Values::Interval(20.0, 50.0);
+    let outcome = design(&spec, BUILD).unwrap();
+    assert!(outcome.candidates.is_empty());
+    let closest = outcome.closest.unwrap();
+    let Reason::Bulge { diameter_mm, limit_mm: 10.0 } = closest.rejected.reason else {
+        panic!("{closest:?}")
+    };
+    assert_eq!(closest.relaxations, [Relaxation::MaxBulgedDiameter { bulged_diameter_mm: diameter_mm }]);
+    assert!(diameter_mm < 40.0, "{diameter_mm}");
+}
+
+/// Every relaxation, taken alone, makes the closest muscle fit.
+#[test]
+fn relaxations_keep_their_word() {
+    let mut spec = spec(1200.0, 0.2);
+    spec.outer_diameter_mm = Values::Interval(5.0, 50.0);
+    let outcome = design(&spec, BUILD).unwrap();
+    let closest = outcome.closest.unwrap();
+    assert!(matches!(closest.rejected.reason, Reason::Force { .. }), "{:?}", closest.rejected);
+    let model = ThickWall::new(&closest.muscle);
+    let mut kinds = 0;
+    for relaxation in &closest.relaxations {
+        match relaxation {
+            Relaxation::MaxPressure { pressure_mpa, .. } => {
+                assert!(
+                    (model.force_n(&mut Workspace::new(), *pressure_mpa, 0.2).unwrap() - 1200.0).abs() < 1e-6
+                );
+            }
+            Relaxation::Force { points } => {
+                assert!(
+                    (model.force_n(&mut Workspace::new(), 0.25, 0.2).unwrap() - points[0].force_n).abs()
+                        < 1e-9
+                );
+            }
+            Relaxation::Contraction { points } => {
+                assert!(
+                    (model.force_n(&mut Workspace::new(), 0.25, points[0].contraction).unwrap() - 1200.0)
+                        .abs()
+                        < 1e-6
+                );
+            }
+            Relaxation::OuterDiameter { outer_diameter_mm, .. } => {
+                let wider =
+                    closest.muscle.with_section(*outer_diameter_mm, closest.muscle.wall_mm()).unwrap();
+                assert!(ThickWall::new(&wider).force_n(&mut Workspace::new(), 0.25, 0.2).unwrap() >= 1200.0);
+            }
+            other => panic!("{other:?}"),
+        }
+        kinds += 1;
+    }
+    assert!(kinds >= 3, "{:?}", closest.relaxations);
+}
+
+/// Where force and bulge bind together, nothing is promised that does not hold alone.
+#[test]
+fn relaxations_of_two_limits_at_once_are_not_promised() {
+    let mut spec = spec(700.0, 0.15);
+    spec.limits.bulged_diameter_mm = Some(50.0);
+    let outcome = design(&spec, BUILD).unwrap();
+    let closest = outcome.closest.unwrap();
+    let model = ThickWall::new(&closest.muscle);
+    for relaxation in &closest.relaxations {
+        if let Relaxation::MaxPressure { pressure_mpa, .. } = relaxation {
+            let bulge = model
+                .response(&mut Workspace::new(), *pressure_mpa, 0.15)
+                .unwrap()
+                .bulged_diameter_mm
+                .unwrap();
+            assert!(bulge <= 50.0, "{bulge}");
+        }
+    }
+}
+
+#[test]
+fn several_points_are_all_met() {
+    let mut spec = spec(700.0, 0.15);
+    let (low, high) = (
+        OperatingPoint { force_n: 700.0, contraction: 0.15 },
+        OperatingPoint { force_n: 1200.0, contraction: 0.05 },
+    );
+    spec.wanted = vec![low, high].into();
+    let outcome = design(&spec, BUILD).unwrap();
+    for candidate in &outcome.candidates {
+        for point in &candidate.points {
+            assert!(
+                point.force_at_max_pressure_n >= point.wanted().force_n
+                    && point.response.pressure_mpa <= 0.25
+            );
+        }
+    }
+}
+
+/// A sleeve as sold keeps its strand length per turn: sinθ0 = π D0/ℓ.
+#[test]
+fn a_bought_sleeve_takes_its_angle_from_the_diameter() {
+    let mut spec = spec(300.0, 0.1);
+    spec.braid = BraidChoice::StrandLengthPerTurn(vec![200.0]);
+    for candidate in design(&spec, BUILD).unwrap().candidates {
+        let turn = candidate.muscle.strand_length_per_turn_mm();
+        assert!((turn - 200.0).abs() < 1e-9, "{turn}");
+    }
+}
+
+#[test]
+fn an_angle_interval_is_refined() {
+    let mut spec = spec(700.0, 0.10);
+    spec.wall_mm = Values::List(vec![1.5]);
+    spec.braid = BraidChoice::Angle(Values::Interval(15.0, 40.0));
+    let outcome = design(&spec, BUILD).unwrap();
+    let best = outcome.candidates[0].muscle.outer_diameter_mm();
+    for angle in [15.0, 20.0, 25.0, 30.0, 35.0, 40.0] {
+        spec.braid = BraidChoice::Angle(Values::List(vec![angle]));
+        if let Some(c) = design(&spec, BUILD).unwrap().candidates.first() {
+            assert!(best <= c.muscle.outer_diameter_mm() + 0.01, "{best} against {angle} deg");
+        }
+    }
+}
+
+#[test]
+fn burst_margin_needs_and_uses_the_strands() {
+    let mut spec = spec(300.0, 0.1);
+    spec.limits.burst_margin = Some(3.0);
+    // Where the strength is not known the margin is not, either.
+    assert!(design(&spec, BUILD).unwrap().candidates.iter().all(|c| c.burst_pressure_mpa.is_none()));
+    let braid = Braid {
+        stiffness: BraidStiffness::OfStrands,
+        strands: Some(Strands { count: 96, section: Some((0.3, 2500.0)), strength_n: Some(60.0) }),
+        ..Braid::paper()
+    };
+    spec.base = spec.base.with_braid(braid).unwrap();
+    let outcome = design(&spec, BUILD).unwrap();
+    assert!(outcome.candidates.iter().all(|c| c.burst_pressure_mpa.unwrap() >= 3.0 * 0.25 - 1e-9));
+    spec.limits.burst_margin = Some(300.0);
+    let outcome = design(&spec, BUILD).unwrap();
+    assert!(outcome.candidates.is_empty());
+    assert!(matches!(outcome.closest.unwrap().rejected.reason, Reason::Burst { .. }));
+}
+
+#[test]
+fn tolerances_spread_the_force_around_its_nominal_value() {
+    let muscle = Muscle::prototype();
+    let point = OperatingPoint { force_n: 300.0, contraction: 0.1 };
+    let nominal = ThickWall::new(&muscle).force_n(&mut Workspace::new(), 0.2, 0.1).unwrap();
+    let none = spread(&muscle, BUILD, point, 0.2, &Tolerances::default()).unwrap();
+    assert_eq!((none.low_n, none.high_n, none.likely_n), (nominal, nominal, 0.0));
+    let pressure = Tolerances { pressure_mpa: 0.01, ..Tolerances::default() };
+    let some = spread(&muscle, BUILD, point, 0.2, &pressure).unwrap();
+    let slope = ThickWall::new(&muscle)
+        .response(&mut Workspace::new(), 0.2, 0.1)
+        .unwrap()
+        .force_per_pressure_mm2
+        .unwrap();
+    assert!((some.likely_n / (0.01 * slope) - 1.0).abs() < 1e-2);
+    assert!((some.high_n - some.low_n) / (0.02 * slope) - 1.0 < 1e-2);
+}
+
+/// With one tolerance the corners are the muscles with that measure larger and smaller: an identity with [`Muscle::with`], for every measure
+/// that requests have.
+#[test]
+fn every_measure_may_have_a_tolerance() {
+    let muscle = Muscle::prototype().with(&SEATING, 1.0).unwrap();
+    let point = OperatingPoint { force_n: 300.0, contraction: 0.1 };
+    let pull = |m: &Muscle| BUILD(m).unwrap().force_n(&mut Workspace::new(), 0.2, 0.1).unwrap();
+    let mut changed = 0;
+    for (_, measure) in fields() {
+        let Some(value) = muscle.measure(measure).filter(|v| *v > 0.0) else { continue };
+        let half_width = 0.01 * value;
+        let tolerances = Tolerances { measures: [(measure, half_width)].into(), ..Tolerances::default() };
+        let found = spread(&muscle, BUILD, point, 0.2, &tolerances).unwrap();
+        let [more, less] =
+            [value + half_width, value - half_width].map(|v| pull(&muscle.with(measure, v).unwrap()));
+        assert_eq!((found.low_n, found.high_n), (more.min(less), more.max(less)), "{}", measure.key);
+        changed += usize::from(found.low_n < found.high_n);
+    }
+    assert!(changed >= 4, "{changed}");
+    let negative = Tolerances { measures: [(&WALL, -0.1)].into(), ..Tolerances::default() };
+    assert_eq!(negative.check(), Err(ToleranceError::HalfWidth { name: "wall_mm", value: -0.1 }));
+}
+
+#[test]
+fn the_answer_does_not_depend_on_the_number_of_threads() {
+    let spec = spec(700.0, 0.15);
+    let run = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        format!("{:?}", pool.install(|| design(&spec, BUILD).unwrap()))
+    };
+    assert_eq!(run(1), run(4));
+}
+
+#[test]
+fn combinations_that_are_no_muscle_say_why() {
+    let mut spec = spec(700.0, 0.15);
+    spec.outer_diameter_mm = Values::List(vec![5.0]);
+    spec.wall_mm = Values::List(vec![3.0]);
+    let error = design(&spec, BUILD).unwrap_err().to_string();
+    assert!(error.contains("the wall must be thinner than the radius"), "{error}");
+}
+
+/// Virtual work: the muscles that a design finds for torques, put on the pulley that it names, give these torques by the joint's own
+/// equations; a grid of radii holds no smaller muscle.
+#[test]
+fn a_joint_that_was_designed_has_its_torques_and_no_radius_has_a_smaller_muscle() {
+    use mckibben::joint::{Joint, JointModel, JointMuscle, Link, Path, Turning};
+    let torque = |(torque_nm, angle_deg)| TorqueWanted { torque_nm, angle_deg };
+    let torques = [(8.0, 45.0), (3.0, 60.0)].map(torque).to_vec();
+    let joint = JointDemand { torques: torques.clone(), largest_angle_deg: 60.0, radius_mm: 20.0 };
+    let models = Models { search: &thick, settle: None };
+    let spec = Spec {
+        wanted: Demand::Joint(joint),
+        max_pressure_mpa: 0.6,
+        limits: Limits { bulged_diameter_mm: Some(50.0), ..Limits::default() },
+        ..spec(1.0, 0.0)
+    };
+    let (chosen, outcome) = design_joint(&spec, &Values::Interval(5.0, 40.0), models, &Silent).unwrap();
+    let Demand::Joint(JointDemand { radius_mm, .. }) = chosen.wanted else { panic!() };
+    let best = &outcome.candidates[0];
+    let on = |radius_mm: f64| JointMuscle {
+        muscle: best.muscle.clone(),
+        path: Path::Pulley { radius_mm },
+        contraction_at_neutral: radius_mm.abs() * 60f64.to_radians() / best.muscle.length_mm(),
+    };
+    let built =
+        Joint::new(vec![on(radius_mm), on(-radius_mm)], None, Link::default(), (-60.0, 60.0)).unwrap();
+    let model = ThickWall::new(&best.muscle);
+    let model = JointModel::new(&built, vec![&model, &model], true).unwrap();
+    let w = &mut [Workspace::new(), Workspace::new()][..];
+    let least = torques.iter().map(|&TorqueWanted { torque_nm: torque, angle_deg: angle }| {
+        let there = model.at(w, &[0.6, 0.0], angle, Turning::Mean).unwrap();
+        assert!(there.muscles[1].answer.response.force_n.abs() < 1e-9);
+        there.torque_nm / torque
+    });
+    let least = least.fold(f64::INFINITY, f64::min);
+    // A hundredth of a millimetre of D0 is worth a thousandth of the pull.
+    assert!((1.0..1.002).contains(&least), "{least}");
+    for i in 0..36 {
+        let (_, other) =
+            design_joint(&spec, &Values::List(vec![5.0 + f64::from(i)]), models, &Silent).unwrap();
+        if let Some(other) = other.candidates.first() {
+            assert!(best.muscle.outer_diameter_mm() <= other.muscle.outer_diameter_mm() + 0.011);
+        }
+    }
+}

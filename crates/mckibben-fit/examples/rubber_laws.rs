@@ -1,0 +1,31 @@
+//! Fits the laws of the named rubbers with a measured curve or a table of fits, and prints `crates/mckibben/data/rubber-laws.json`: `cargo xtask golds`.
+
+use mckibben::rubber::library::{TABLE_OF_FITS, entries};
+use mckibben_fit::rubber::{ReadOptions, curve_of_fits, read_tension, windows_of};
+use std::error::Error;
+use std::fs::File;
+use std::path::Path;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");
+    let mut rubbers = vec![];
+    for entry in entries()? {
+        let Some(data) = &entry.data else { continue };
+        let file = File::open(folder.join(data))?;
+        let points = match data.as_str() {
+            TABLE_OF_FITS => curve_of_fits(file, &entry.name)?,
+            _ => read_tension(file, ReadOptions::default())?,
+        };
+        let mut windows = vec![];
+        for mut window in windows_of(&points)? {
+            // One line a law.
+            let laws = std::mem::take(&mut window.laws);
+            let laws = laws.iter().map(serde_json::to_string).collect::<Result<Vec<_>, _>>()?;
+            let head = serde_json::to_string(&window)?.replace("\"laws\":[]}", "\"laws\":[");
+            windows.push(format!("{head}\n{}\n]}}", laws.join(",\n")));
+        }
+        rubbers.push(format!("\"{}\":[\n{}\n]", entry.name, windows.join(",\n")));
+    }
+    println!("{{\n{}\n}}", rubbers.join(",\n"));
+    Ok(())
+}

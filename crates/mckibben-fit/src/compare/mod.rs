@@ -1,0 +1,72 @@
+//! Models against measured points: rms and largest error of each.
+
+pub use crate::measured::{MeasuredPoint, mean_of_branches, read_measured};
+
+use mckibben::analysis::{Options, force_on};
+use mckibben::model::{ForceModel, ModelError, Workspace};
+use serde::Serialize;
+
+/// How far a model is from measured points.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Comparison {
+    /// The model's name.
+    pub model: String,
+    /// Root mean square of F_model − F_measured over the answered points, in N.
+    pub rms_n: f64,
+    /// Largest |F_model − F_measured|, in N.
+    pub max_n: f64,
+    /// Mean of F_model − F_measured in N: above zero where the model promises too much.
+    pub mean_n: f64,
+    /// How many points were answered.
+    pub points: usize,
+    /// How many points the model refused or failed on, and the first reason.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unanswered: Option<(usize, String)>,
+}
+
+/// Compares a model with measured points. Where the model is slack it counts as 0 N.
+///
+/// # Errors
+/// The first error, if the model answers none of the points.
+pub fn compare<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    points: &[MeasuredPoint],
+    options: Options,
+) -> Result<Comparison, ModelError> {
+    let (mut squares, mut sum, mut max_n, mut count) = (0.0, 0.0, 0.0_f64, 0usize);
+    let mut failed: Option<(usize, ModelError)> = None;
+    for point in points {
+        let checked = if options.extrapolate {
+            Ok(())
+        } else {
+            model.info().range.check(&model.info().name, point.pressure_mpa, point.contraction)
+        };
+        match checked.and_then(|()| {
+            force_on(model, workspace, point.pressure_mpa, point.contraction, options.direction)
+        }) {
+            Ok(force) => {
+                let difference = force.max(0.0) - point.force_n;
+                squares += difference * difference;
+                sum += difference;
+                max_n = max_n.max(difference.abs());
+                count += 1;
+            }
+            Err(error) => failed = Some(failed.map_or((1, error), |(n, first)| (n + 1, first))),
+        }
+    }
+    if count == 0
+        && let Some((_, error)) = failed
+    {
+        return Err(error);
+    }
+    let n = count.max(1) as f64;
+    Ok(Comparison {
+        model: model.info().name.to_string(),
+        rms_n: (squares / n).sqrt(),
+        max_n,
+        mean_n: sum / n,
+        points: count,
+        unanswered: failed.map(|(n, error)| (n, error.to_string())),
+    })
+}

@@ -1,0 +1,376 @@
+//! Sentences about data and result: what does not fit together, what is not identifiable, where the model does not follow.
+
+use super::error::IdentifyError;
+use super::parameter::Target;
+use super::problem::Build;
+use super::result::{Identification, PointFit};
+use super::run::distinct;
+use crate::least_squares::Loss;
+use crate::measured::{DataPoint, Quantity};
+use mckibben::model::{Ideal, Workspace};
+use mckibben::muscle::Muscle;
+use mckibben::muscle::measures::{ANGLE, GRIP, SEATING, SLIP};
+
+/// `line 3`, `lines 3, 4, 7`, `lines 3, 4, 7, 9, 12 and 5 more`.
+pub(super) fn lines(list: &[u64]) -> String {
+    const SHOWN: usize = 6;
+    let shown: Vec<String> = list.iter().take(SHOWN).map(u64::to_string).collect();
+    let more = list.len().saturating_sub(SHOWN);
+    let word = if list.len() == 1 { "line" } else { "lines" };
+    let tail = if more > 0 { format!(" and {more} more") } else { String::new() };
+    format!("{word} {}{tail}", shown.join(", "))
+}
+
+/// A number with three digits.
+fn show(v: f64) -> String {
+    let decimals = if v == 0.0 { 0 } else { (2 - v.abs().log10().floor() as i32).clamp(0, 8) as usize };
+    format!("{v:.decimals$}")
+}
+
+/// What can be said before anything is computed.
+pub(super) fn before(
+    muscle: &Muscle,
+    free: &[Target],
+    points: &[DataPoint],
+) -> Result<Vec<String>, IdentifyError> {
+    let mut notes = vec![];
+    if let Some(sentence) = units(muscle, points) {
+        if !free.iter().any(|t| t.is_geometry()) {
+            return Err(IdentifyError::Implausible(sentence));
+        }
+        notes.push(sentence);
+    }
+    notes.extend(too_short(muscle, free, points));
+    notes.extend(contradictions(points));
+    if distinct(points.iter().map(|p| p.at.pressure_mpa)) == 1 {
+        notes.push(
+            "all points have the same pressure: rubber, braid and offset can hardly be distinguished; measure at two more pressures"
+                .into(),
+        );
+    } else if distinct(points.iter().map(|p| p.at.contraction)) == 1 {
+        notes.push(
+            "all points have the same contraction: measure at others too; the decrease of the pull with contraction identifies the rubber".into(),
+        );
+    }
+    let lengths = points.iter().map(|p| p.section.length_mm.unwrap_or(muscle.length_mm()));
+    let ends = [&SEATING, &SLIP, &GRIP].into_iter().map(Target::Measure).find(|t| free.contains(t));
+    if let Some(end) = ends.filter(|_| distinct(lengths) == 1) {
+        let look = if end == Target::Measure(&SEATING) {
+            "the zero of the length"
+        } else {
+            "length, angle or modulus"
+        };
+        notes.push(format!(
+            "all points are from muscles of one length: {} can hardly be distinguished from an error in {look}; measure muscles of other lengths",
+            end.name(muscle)
+        ));
+    }
+    Ok(notes)
+}
+
+/// Forces against those of the ideal muscle, which no rubber exceeds by much and no sensible one eats up.
+fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
+    let ratio = |p: &DataPoint| {
+        let m = p.section.apply(muscle).ok()?;
+        let ideal = Ideal::new(&m).pull(p.at.pressure_mpa, p.at.contraction);
+        let rest = Ideal::new(&m).pull(p.at.pressure_mpa, 0.0);
+        (ideal > 0.2 * rest && ideal > 0.0).then(|| p.at.force_n / ideal)
+    };
+    let mut ratios: Vec<f64> = points.iter().filter_map(ratio).collect();
+    if ratios.len() < 3 {
+        return None;
+    }
+    ratios.sort_by(f64::total_cmp);
+    let (middle, high) = (ratios[ratios.len() / 2], ratios[9 * ratios.len() / 10]);
+    let highest = points.iter().map(|p| p.at.pressure_mpa).fold(0.0, f64::max);
+    let times = |r: f64| {
+        format!(
+            "the forces are about {} times those of an ideal muscle of these measures, which no rubber explains: ",
+            show(r)
+        )
+    };
+    if middle > 2.5 {
+        let why = if highest < 0.06 {
+            format!(
+                "the highest pressure is {} MPa; if the column holds bar or MPa under another name, rename it (pressure_bar, pressure_mpa)",
+                show(highest)
+            )
+        } else if middle > 100.0 {
+            "is force_n in mN or g?".into()
+        } else if middle < 6.0 {
+            "is the outer diameter really the radius, or the braid angle taken to the circumference?".into()
+        } else {
+            "is force_n in N (1 kgf is 9.81 N), and is the diameter in mm?".into()
+        };
+        return Some(times(middle) + &why);
+    }
+    if high < 0.12 {
+        let why = if highest > 30.0 {
+            format!("pressures reach {} MPa; if they are kPa, name the column pressure_kpa", show(highest))
+        } else if highest > 1.5 {
+            format!("pressures reach {} MPa; if they are bar, name the column pressure_bar", show(highest))
+        } else if high < 0.003 {
+            "is force_n in kN?".into()
+        } else {
+            "is force_n in kgf (multiply by 9.81) or lbf (by 4.45), or the diameter in other units than mm?"
+                .into()
+        };
+        return Some(times(high) + &why);
+    }
+    None
+}
+
+/// Pulls past the contraction at which the ideal muscle ends.
+fn too_short(muscle: &Muscle, free: &[Target], points: &[DataPoint]) -> Option<String> {
+    if free.iter().any(|t| [Target::Measure(&ANGLE), Target::ContractionOffset].contains(t)) {
+        return None;
+    }
+    let end = muscle.max_ideal_contraction();
+    let past = |p: &&DataPoint| p.section.angle_deg.is_none() && p.at.contraction > end + 0.02;
+    let list: Vec<u64> = points.iter().filter(past).map(|p| p.line).collect();
+    (!list.is_empty()).then(|| {
+        format!(
+            "{}: the muscle pulls at contractions past {}, where an ideal braid of {}° ends: is the contraction divided by the length at rest, and is this the angle at rest?",
+            lines(&list), show(end), show(muscle.braid().angle_deg)
+        )
+    })
+}
+
+/// Rows that say different forces at the same place.
+fn contradictions(points: &[DataPoint]) -> Option<String> {
+    let mut order: Vec<&DataPoint> = points.iter().filter(|p| p.measured == Quantity::Force).collect();
+    order.sort_by(|a, b| {
+        let (p, q) = (&a.at, &b.at);
+        p.pressure_mpa.total_cmp(&q.pressure_mpa).then(p.contraction.total_cmp(&q.contraction))
+    });
+    let largest = points.iter().map(|p| p.at.force_n.abs()).fold(0.0, f64::max);
+    let clash = |pair: &&[&DataPoint]| {
+        let (a, b) = (pair[0], pair[1]);
+        let same = (a.at.pressure_mpa - b.at.pressure_mpa).abs() < 1e-9
+            && (a.at.contraction - b.at.contraction).abs() < 1e-9
+            && a.section == b.section
+            && a.at.branch == b.at.branch;
+        let apart = (a.at.force_n - b.at.force_n).abs();
+        same && apart > 0.15 * a.at.force_n.abs().max(b.at.force_n.abs()) && apart > 0.03 * largest
+    };
+    let found: Vec<&[&DataPoint]> = order.windows(2).filter(clash).collect();
+    let first = found.first()?;
+    let (a, b) = (first[0], first[1]);
+    let branch = if a.at.branch.is_mean() {
+        "; if they are the two branches of the hysteresis loop, say so in a column `branch`"
+    } else {
+        "; one of them is wrong, or the muscle changed in between (the first inflation is stiffer than later ones)"
+    };
+    Some(format!(
+        "{} contradict each other: {} and {} N at the same {} MPa and contraction {}{}{branch}",
+        lines(&[a.line, b.line]),
+        show(a.at.force_n),
+        show(b.at.force_n),
+        show(a.at.pressure_mpa),
+        show(a.at.contraction),
+        if found.len() > 1 { format!(", and {} more pairs", found.len() - 1) } else { String::new() }
+    ))
+}
+
+/// Residuals beyond this many robust deviations lie far off the others.
+const FAR: f64 = 5.0;
+
+/// Which residuals lie far off the others.
+pub(super) fn outliers(residuals: &[f64], weights: &[f64]) -> Vec<bool> {
+    let scaled: Vec<f64> = residuals.iter().zip(weights).map(|(r, w)| r.abs() * w.sqrt()).collect();
+    let mut sorted = scaled.clone();
+    sorted.sort_by(f64::total_cmp);
+    let median = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
+    let limit = FAR * 1.4826 * median;
+    let judged = residuals.len() >= 6;
+    scaled.iter().zip(residuals).map(|(s, r)| judged && *s > limit && r.abs() > 1e-6).collect()
+}
+
+/// What can be said of the result.
+pub(super) fn after<B: Build>(found: &Identification, loss: Loss, build: &B) -> Vec<String> {
+    let mut notes = vec![];
+    notes.extend(unidentifiable(found));
+    notes.extend(correlated(found));
+    if loss == Loss::Largest {
+        notes.push("the largest residual was made small, not the sum of squares: standard errors are a rough guide only".into());
+    }
+    let far: Vec<u64> = found.points.iter().filter(|p| p.outlier).map(|p| p.point.line).collect();
+    if !far.is_empty() {
+        let robust = if loss == Loss::Squares { "; check them, or use a robust loss" } else { "" };
+        notes.push(format!(
+            "{} lie{} more than {FAR} robust deviations from the model{robust}",
+            lines(&far),
+            if far.len() == 1 { "s" } else { "" }
+        ));
+    }
+    if found.freedom < 2 * found.parameters.len() {
+        notes.push(format!(
+            "{} points for {} parameters: the error bars have only {} degrees of freedom and are therefore wide; measure more points",
+            found.points.len(),
+            found.parameters.len(),
+            found.freedom
+        ));
+    }
+    notes.extend(misfit(found));
+    notes.extend(pattern(&found.points));
+    notes.extend(slack(found, build));
+    let has = |t: Target| found.parameter(t).is_some();
+    if has(Target::ContractionOffset) {
+        notes.push("a muscle file cannot hold contraction_offset: add it to your contractions".into());
+    }
+    if has(Target::StiffnessExponent) {
+        notes.push(
+            "a muscle file cannot hold braid.stiffness_exponent: it states k at its own diameter".into(),
+        );
+    }
+    notes
+}
+
+fn unidentifiable(found: &Identification) -> Vec<String> {
+    let one = |p: &super::Identified| {
+        if p.identifiable {
+            return None;
+        }
+        Some(if p.implausible {
+            format!(
+                "{} {} {} gives an end displacement of more than 0.3 of the outer diameter, more than that of any known muscle: it is not determined; an error in another constant (length, angle, modulus) is more likely",
+                p.name,
+                show(p.value),
+                p.unit
+            )
+        } else if !p.matters {
+            format!("{}: it has no effect on any point with this model: fix it", p.name)
+        } else if p.at_bound {
+            let at = format!("{} {}", if p.value == 0.0 { "0".into() } else { show(p.value) }, p.unit);
+            format!(
+                "{} is at its bound, {}: the best fit lies beyond it; widen the bound, or fix the parameter",
+                p.name,
+                at.trim()
+            )
+        } else if p.target == Target::Stiffness && p.value > 30.0 * p.start {
+            format!(
+                "{} grows without limit ({:.1e} N/mm): inextensible strands fit these data equally well; set it to \"inextensible\"",
+                p.name, p.value
+            )
+        } else if !p.half_width.is_finite() {
+            format!(
+                "{} is not identifiable from these data: it acts like another parameter; fix one of them",
+                p.name
+            )
+        } else {
+            let limit = format!("{} {}", show(p.limit), p.unit);
+            format!(
+                "{} is not identifiable from these data: ± {} is more than {}; fix it",
+                p.name,
+                show(p.half_width),
+                limit.trim()
+            )
+        })
+    };
+    found.parameters.iter().filter_map(one).collect()
+}
+
+/// Pairs whose correlation is above this act nearly as one.
+const TOGETHER: f64 = 0.95;
+
+fn correlated(found: &Identification) -> Vec<String> {
+    let mut out = vec![];
+    for i in 0..found.parameters.len() {
+        for j in 0..i {
+            let rho = found.correlation[i][j];
+            if rho.abs() > TOGETHER {
+                let (a, b) = (&found.parameters[j].name, &found.parameters[i].name);
+                let way = if rho > 0.0 { "together" } else { "against each other" };
+                out.push(format!(
+                    "{a} and {b} move {way} (correlation {rho:.3}): these data determine a combination of the two better than either"
+                ));
+            }
+        }
+    }
+    out
+}
+
+fn misfit(found: &Identification) -> Option<String> {
+    if !found.errors_stated {
+        return None;
+    }
+    let s = found.deviation;
+    if s > 1.5 {
+        Some(format!(
+            "the residuals are {} times the stated errors: the model does not explain the data, or the errors are larger",
+            show(s)
+        ))
+    } else if s < 0.5 {
+        Some(format!("the residuals are only {} of the stated errors: these are stated too large", show(s)))
+    } else {
+        None
+    }
+}
+
+/// Pairs of neighbours on a curve (one muscle, pressure and branch, by contraction), and the correlation ρ of their residuals, −1 to 1.
+pub(super) fn neighbours(points: &[PointFit]) -> (usize, f64) {
+    let mut order: Vec<&PointFit> = points.iter().collect();
+    let key = |f: &PointFit| {
+        let s = &f.point.section;
+        let branch = f64::from(f.point.at.branch as u8);
+        let measures = [s.outer_diameter_mm, s.wall_mm, s.length_mm, s.angle_deg].map(|v| v.unwrap_or(0.0));
+        [measures[0], measures[1], measures[2], measures[3], f.point.at.pressure_mpa, branch]
+    };
+    let compare = |a: &[f64; 6], b: &[f64; 6]| {
+        a.iter().zip(b).map(|(x, y)| x.total_cmp(y)).find(|o| o.is_ne()).unwrap_or(std::cmp::Ordering::Equal)
+    };
+    order.sort_by(|a, b| {
+        compare(&key(a), &key(b)).then(a.point.at.contraction.total_cmp(&b.point.at.contraction))
+    });
+    let curves = order.chunk_by(|a, b| key(a) == key(b));
+    let pairs: Vec<(f64, f64)> =
+        curves.flat_map(|c| c.windows(2).map(|w| (w[0].residual_n, w[1].residual_n))).collect();
+    let square: f64 = pairs.iter().map(|p| 0.5 * (p.0 * p.0 + p.1 * p.1)).sum();
+    let together: f64 = pairs.iter().map(|p| p.0 * p.1).sum();
+    (pairs.len(), if square > 0.0 { together / square } else { 0.0 })
+}
+
+/// Residuals of neighbours that resemble each other: the model misses in a pattern, and the standard errors, which take
+/// residuals for noise, are too small. With ρ the correlation of neighbours, n points weigh like n (1 − ρ)/(1 + ρ).
+fn pattern(points: &[PointFit]) -> Option<String> {
+    let (pairs, rho) = neighbours(points);
+    // Without a pattern ρ is normal with 1/√n (Bartlett 1946 [bartlett1946]).
+    if pairs < 10 || rho < 3.0 / (pairs as f64).sqrt() {
+        return None;
+    }
+    let rho = rho.min(0.999);
+    Some(format!(
+        "the residuals follow a pattern (neighbours correlate by {rho:.2}): what is left is the model's error, not noise, and the standard errors are too small, by a factor of about {}",
+        show(((1.0 + rho) / (1.0 - rho)).sqrt())
+    ))
+}
+
+/// Points at which the bench read nothing, but the model pulls.
+fn slack<B: Build>(found: &Identification, build: &B) -> Option<String> {
+    let n = found.slack.len();
+    if n == 0 {
+        return None;
+    }
+    let limit = (2.0 * found.rms_n).max(1e-3);
+    let pulls = |p: &&DataPoint| {
+        let e = p.at.contraction + found.candidate.contraction_offset;
+        let force = found
+            .candidate
+            .of_section(&p.section)
+            .ok()
+            .and_then(|m| build(&m).ok())
+            .and_then(|m| m.force_n(&mut Workspace::new(), p.at.pressure_mpa, e).ok());
+        force.is_some_and(|f| f > limit)
+    };
+    let wrong: Vec<u64> = found.slack.iter().filter(pulls).map(|p| p.line).collect();
+    let left = format!("{n} points without a pull were left out (slack, not a measurement)");
+    Some(if wrong.is_empty() {
+        format!("{left}; the model agrees that the muscle is slack there")
+    } else {
+        format!(
+            "{left}; at {} of them the model pulls by more than twice the rms ({})",
+            wrong.len(),
+            lines(&wrong)
+        )
+    })
+}

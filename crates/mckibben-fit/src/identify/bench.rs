@@ -1,0 +1,107 @@
+//! What the points say of the muscle that was identified from them: the ± that holds on their bench.
+//!
+//! A further point of the same bench lies from the fit by less than t √(s² + g C gᵀ) in 95 of 100 cases (Seber & Wild 2003 \[seber2003\], ch. 5):
+//! s the standard deviation of the residuals, C the covariance of the constants, g the slopes of the pull by them at that point, t
+//! Student's quantile. t s and t √(g C gᵀ), on a grid over the range of the points, are kept.
+
+use super::candidate::Candidate;
+use super::problem::{Build, Problem};
+use super::result::PointFit;
+use super::run::Request;
+use crate::least_squares::{Estimate, Unknown, slopes, t95};
+use crate::measured::DataPoint;
+use mckibben::model::{ForceModel, ThickWall, Workspace};
+use mckibben::muscle::{Bench, Direction};
+use mckibben::progress::Progress;
+
+/// Pressures and contractions of the grid.
+const GRID: (usize, usize) = (3, 5);
+
+/// What was found, as far as it is needed here.
+pub(super) struct Found<'a> {
+    pub(super) x: &'a [f64],
+    pub(super) unknowns: &'a [Unknown],
+    pub(super) estimate: &'a Estimate,
+    pub(super) candidate: &'a Candidate,
+    pub(super) points: &'a [PointFit],
+    pub(super) freedom: usize,
+}
+
+/// The bench of the muscle itself; `None` where no point is of it, or the fit's own half-width is not known.
+pub(super) fn bench<B: Build>(
+    request: &Request<'_>,
+    build: &B,
+    found: &Found<'_>,
+    progress: &dyn Progress,
+) -> Option<Bench> {
+    let muscle = found.candidate.muscle();
+    let of_it = |f: &&PointFit| found.candidate.of_section(&f.point.section).is_ok_and(|m| m == *muscle);
+    let own: Vec<&PointFit> = found.points.iter().filter(of_it).collect();
+    let offset = found.candidate.contraction_offset;
+    let range = |of: &dyn Fn(&PointFit) -> f64| {
+        let list = own.iter().map(|f| of(f));
+        list.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
+    };
+    let pressure_mpa = range(&|f| f.point.at.pressure_mpa);
+    let contraction = range(&|f| f.point.at.contraction + offset);
+    if own.is_empty() {
+        return None;
+    }
+    let branches: Vec<Direction> =
+        Direction::ALL.into_iter().filter(|b| own.iter().any(|f| f.point.at.branch == *b)).collect();
+    let t = t95(found.freedom);
+    let squares: f64 = found.points.iter().map(|f| f.residual_n * f.residual_n).sum();
+    let free: Vec<_> = request.free.iter().map(|p| p.target).collect();
+    let covariance = &found.estimate.covariance;
+    let half_width_n = |pressure_mpa: f64, e: f64| -> Option<f64> {
+        let at = crate::measured::MeasuredPoint {
+            pressure_mpa,
+            contraction: e - offset,
+            force_n: 0.0,
+            branch: branches.last().copied().unwrap_or_default(),
+        };
+        let point = [DataPoint::of(at)];
+        let problem = Problem::new(request.muscle, &free, request.fixed, &point, build, found.x, progress);
+        let columns = slopes(&problem, found.unknowns, found.x)?;
+        let g: Vec<f64> = columns.iter().map(|c| c.first().copied().unwrap_or(0.0)).collect();
+        let row = |row: &Vec<f64>| row.iter().zip(&g).map(|(c, g)| c * g).sum::<f64>();
+        let variance: f64 = covariance.iter().zip(&g).map(|(c, g)| g * row(c)).sum();
+        Some(t * variance.max(0.0).sqrt()).filter(|half| half.is_finite())
+    };
+    // A muscle that would have to push may have no equilibrium, and nobody asks for its ±.
+    let (long, w) = (ThickWall::new(muscle), &mut Workspace::new());
+    let grid: Vec<Vec<Option<f64>>> = places(pressure_mpa, GRID.0)
+        .map(|p| {
+            let mut one =
+                |e: f64| long.force_n(w, p, e).ok().filter(|f| *f > 0.0).and_then(|_| half_width_n(p, e));
+            places(contraction, GRID.1).map(&mut one).collect()
+        })
+        .collect();
+    let largest = grid.iter().flatten().flatten().copied().reduce(f64::max)?;
+    Some(Bench {
+        model: build(muscle).ok()?.info().name.to_string(),
+        points: own.len(),
+        branches,
+        pressure_mpa,
+        contraction,
+        scatter_n: digits(t * (squares / found.freedom as f64).sqrt()),
+        fit_n: grid
+            .iter()
+            .map(|row| row.iter().map(|half| digits(half.unwrap_or(largest))).collect())
+            .collect(),
+        parameters: request.free.iter().map(|p| p.target.name(request.muscle)).collect(),
+        covariance: covariance.clone(),
+        of: muscle.digest(),
+    })
+}
+
+/// Equal steps from end to end; one place where both are the same.
+fn places((low, high): (f64, f64), count: usize) -> impl Iterator<Item = f64> {
+    let count = if high > low { count } else { 1 };
+    (0..count).map(move |i| if i == 0 { low } else { low + (high - low) * i as f64 / (count - 1) as f64 })
+}
+
+/// Four digits are enough for a ±.
+fn digits(v: f64) -> f64 {
+    format!("{v:.3e}").parse().unwrap_or(v)
+}

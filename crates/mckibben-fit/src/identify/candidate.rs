@@ -1,0 +1,131 @@
+//! A muscle with values for the parameters: what is tried, and what comes out.
+
+use super::parameter::Target;
+use crate::measured::Section;
+use mckibben::muscle::measures::{END_FACTOR, FRICTION_COEFFICIENT, FRICTION_EXPONENT};
+use mckibben::muscle::{BraidStiffness, Muscle, MuscleError};
+
+/// k = k₀ (D0/D0₀)ⁿ of one strand family.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Family {
+    /// k₀ in N/mm.
+    pub stiffness: f64,
+    /// D0₀ in mm.
+    pub reference_mm: f64,
+    /// n
+    pub exponent: f64,
+}
+
+/// A muscle that is tried.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Candidate {
+    muscle: Muscle,
+    family: Option<Family>,
+    /// What is added to the contractions of the data.
+    pub contraction_offset: f64,
+}
+
+/// The muscle's own value of a parameter; `None` where it has none.
+pub fn own_value(muscle: &Muscle, target: Target) -> Option<f64> {
+    let tube = muscle.tube();
+    Some(match target {
+        Target::Law(i) => *tube.rubber.law.values().get(i)?,
+        Target::Modulus => 1.0,
+        Target::Stiffness => muscle.family_stiffness_n_per_mm()?,
+        // Of k at twice the diameter: 0 for a stated k, −1 for a strand count, that of the braid `paper`.
+        Target::StiffnessExponent => {
+            let mut wide = tube.clone();
+            wide.outer_diameter_mm *= 2.0;
+            let twice = muscle.braid().family_stiffness_n_per_mm(&wide)?;
+            (twice / muscle.family_stiffness_n_per_mm()?).log2()
+        }
+        Target::Measure(m) if *m == END_FACTOR || *m == FRICTION_EXPONENT => {
+            muscle.measure(m).or(target.identify().and_then(|i| (i.start)(muscle)))?
+        }
+        Target::Measure(m) => muscle.measure(m)?,
+        Target::ContractionOffset => 0.0,
+    })
+}
+
+impl Candidate {
+    /// A muscle with values in place of its own.
+    ///
+    /// # Errors
+    /// [`MuscleError`] where they make none.
+    pub fn new(base: &Muscle, values: &[(Target, f64)]) -> Result<Self, MuscleError> {
+        let mut parts = base.parts().clone();
+        let mut family = Family {
+            stiffness: own_value(base, Target::Stiffness).unwrap_or(f64::INFINITY),
+            reference_mm: base.outer_diameter_mm(),
+            exponent: own_value(base, Target::StiffnessExponent).unwrap_or(0.0),
+        };
+        let (mut has_family, mut contraction_offset, mut factor) = (false, 0.0, 1.0);
+        for &(target, v) in values {
+            match target {
+                Target::Law(i) => {
+                    let law = &mut parts.tube.rubber.law;
+                    *law = law.with_constants(|k, old| if k == i { v } else { old });
+                }
+                Target::Modulus => factor = v,
+                Target::Stiffness => (family.stiffness, has_family) = (v, true),
+                Target::StiffnessExponent => (family.exponent, has_family) = (v, true),
+                Target::Measure(m) => {
+                    // C alone has the exponent that a search for it starts from.
+                    if *m == FRICTION_COEFFICIENT && base.measure(&FRICTION_EXPONENT).is_none() {
+                        let exponent = own_value(base, Target::Measure(&FRICTION_EXPONENT));
+                        exponent.into_iter().for_each(|v| (FRICTION_EXPONENT.set)(&mut parts, v));
+                    }
+                    (m.set)(&mut parts, v);
+                }
+                Target::ContractionOffset => contraction_offset = v,
+            }
+        }
+        let rubber = &mut parts.tube.rubber;
+        rubber.law = rubber.law.scaled(factor);
+        if rubber.law != base.tube().rubber.law {
+            rubber.fitted_to_stretch = None;
+        }
+        // Constants that are sought are those of every row of the data; the law of a named rubber would follow its measures.
+        if values.iter().any(|v| matches!(v.0, Target::Law(_) | Target::Modulus)) {
+            rubber.name = None;
+        }
+        let family = has_family.then_some(family);
+        if let Some(family) = &family {
+            parts.braid.stiffness = BraidStiffness::NewtonPerMm(family.at(parts.tube.outer_diameter_mm));
+        }
+        Ok(Self { muscle: Muscle::from_parts(parts)?, family, contraction_offset })
+    }
+
+    /// The muscle.
+    pub fn muscle(&self) -> &Muscle {
+        &self.muscle
+    }
+
+    /// The muscle of a row of data.
+    ///
+    /// # Errors
+    /// [`MuscleError`].
+    pub fn of_section(&self, section: &Section) -> Result<Muscle, MuscleError> {
+        let muscle = section.apply(&self.muscle)?;
+        let Some(family) = self.family else { return Ok(muscle) };
+        let mut braid = muscle.braid().clone();
+        braid.stiffness = BraidStiffness::NewtonPerMm(family.at(muscle.outer_diameter_mm()));
+        muscle.with_braid(braid)
+    }
+
+    pub(super) fn family(&self) -> Option<Family> {
+        self.family
+    }
+}
+
+impl Family {
+    /// k on a diameter.
+    pub fn at(&self, outer_diameter_mm: f64) -> f64 {
+        self.stiffness * self.ratio(outer_diameter_mm).powf(self.exponent)
+    }
+
+    /// D0/D0₀.
+    pub fn ratio(&self, outer_diameter_mm: f64) -> f64 {
+        outer_diameter_mm / self.reference_mm
+    }
+}

@@ -1,0 +1,93 @@
+//! What is free where nothing is said.
+
+use super::candidate::{Candidate, own_value};
+use super::error::IdentifyError;
+use super::parameter::{Parameter, Target};
+use super::problem::Build;
+use super::result::Identification;
+use super::run::{Request, distinct, identify_with};
+use crate::measured::DataPoint;
+use mckibben::model::Workspace;
+use mckibben::muscle::Direction;
+use mckibben::muscle::Muscle;
+use mckibben::muscle::measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT};
+use mckibben::progress::Progress;
+
+/// A stiffness in N/mm of strands that do not stretch.
+const STIFF: f64 = 1e5;
+
+/// The law's modulus (its one constant, or a factor on all of them), the stiffness of strands that stretch, and the friction
+/// where both branches were measured.
+pub fn default_targets(muscle: &Muscle, points: &[DataPoint]) -> Vec<Target> {
+    let constants = muscle.tube().rubber.law.constants();
+    let moduli: Vec<usize> = (0..constants.len())
+        .filter(|&i| constants[i].constant.is_modulus() && constants[i].value != 0.0)
+        .collect();
+    let mut out = vec![match moduli.as_slice() {
+        [one] => Target::Law(*one),
+        _ => Target::Modulus,
+    }];
+    if muscle.family_stiffness_n_per_mm().is_some() {
+        out.push(Target::Stiffness);
+    }
+    let has = |branch| points.iter().any(|p| p.at.branch == branch);
+    if has(Direction::Contraction) && has(Direction::Elongation) {
+        out.push(Target::Measure(&FRICTION_COEFFICIENT));
+        if distinct(points.iter().map(|p| p.at.pressure_mpa)) > 2 {
+            out.push(Target::Measure(&FRICTION_EXPONENT));
+        }
+    }
+    out
+}
+
+/// [`identify_with`] with the [`default_targets`] that are not fixed; a stiffness that the data do not determine is left at the
+/// muscle's own.
+///
+/// # Errors
+/// [`IdentifyError`].
+pub fn identify_default<B: Build>(
+    request: &Request<'_>,
+    build: B,
+    progress: &dyn Progress,
+) -> Result<Identification, IdentifyError> {
+    let fixed = |t: &Target| request.fixed.iter().any(|f| f.0 == *t);
+    let targets: Vec<Target> =
+        default_targets(request.muscle, request.points).into_iter().filter(|t| !fixed(t)).collect();
+    let run = |targets: &[Target]| {
+        let free: Vec<Parameter> = targets.iter().map(|t| Parameter::free(*t)).collect();
+        identify_with(&Request { free: &free, ..*request }, &build, progress)
+    };
+    let without: Vec<Target> = targets.iter().copied().filter(|t| *t != Target::Stiffness).collect();
+    let all = run(&targets);
+    let identified = match &all {
+        Ok(found) => found.parameter(Target::Stiffness).is_none_or(|p| p.identifiable),
+        Err(_) => without.len() == targets.len(),
+    };
+    if identified || without.is_empty() {
+        return all;
+    }
+    let mut found = run(&without)?;
+    found.notes.push(
+        "braid.stiffness is not identifiable from these data and was not changed; free it by name to see its value"
+            .into(),
+    );
+    Ok(found)
+}
+
+/// Whether a model's answers to the points depend on a parameter at all, by asking it of two muscles that differ in it: the
+/// ideal formula knows no modulus, and one that computes the ends no end factor.
+pub fn matters<B: Build>(muscle: &Muscle, target: Target, points: &[DataPoint], build: B) -> bool {
+    let own = own_value(muscle, target).unwrap_or(STIFF);
+    let made = |value: f64| build(Candidate::new(muscle, &[(target, value)]).ok()?.muscle()).ok();
+    let (Some(a), Some(b)) = (made(own), made(1.1 * own + if own == 0.0 { 0.01 } else { 0.0 })) else {
+        return false;
+    };
+    let (mut wa, mut wb) = (Workspace::new(), Workspace::new());
+    points.iter().any(|p| {
+        let (p, e) = (p.at.pressure_mpa, p.at.contraction);
+        match (a.force_n(&mut wa, p, e), b.force_n(&mut wb, p, e)) {
+            (Ok(a), Ok(b)) => (a - b).abs() > 1e-9 * (1.0 + a.abs()),
+            _ => false,
+        }
+    })
+}

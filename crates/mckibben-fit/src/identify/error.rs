@@ -1,0 +1,113 @@
+//! Why nothing was identified.
+
+use crate::least_squares::EstimateError;
+use mckibben::model::ModelError;
+use mckibben::muscle::MuscleError;
+use thiserror::Error;
+
+/// Why nothing was identified. Lines are those of the data file.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum IdentifyError {
+    /// Nothing is free.
+    #[error("nothing is free: name at least one parameter to identify")]
+    NothingFree,
+    /// The caller wanted it to end.
+    #[error("cancelled before a minimum was found")]
+    Cancelled,
+    /// A parameter twice.
+    #[error("{name} is named twice, free or fixed: name it once")]
+    Twice {
+        /// Which.
+        name: String,
+    },
+    /// A parameter without a value to begin with.
+    #[error("{name} has no value to begin with in this muscle: write {name}=START")]
+    NoStart {
+        /// Which.
+        name: String,
+    },
+    /// A start outside of its bounds.
+    #[error(
+        "{name}: the start {start} lies outside of the bounds {low} to {high}: write {name}=START:LOW:HIGH"
+    )]
+    OutOfBounds {
+        /// Which.
+        name: String,
+        /// Start.
+        start: f64,
+        /// Lower bound.
+        low: f64,
+        /// Upper bound.
+        high: f64,
+    },
+    /// Not more points than parameters.
+    #[error(
+        "{points} points that pull{} do not determine {parameters} parameters: at least {} are needed, and three for each parameter for a meaningful error bar; measure more, or free fewer",
+        left_out(.dropped), .parameters + 1
+    )]
+    TooFew {
+        /// Points that count.
+        points: usize,
+        /// Points left out because the muscle was slack.
+        dropped: usize,
+        /// Parameters that are free.
+        parameters: usize,
+    },
+    /// Data that no muscle of this size gives.
+    #[error("{0}")]
+    Implausible(String),
+    /// A column with the wrong sign.
+    #[error("{0}")]
+    Flipped(String),
+    /// Points that no rubber explains.
+    #[error(
+        "no constants were found: {name} falls towards zero, to {value_mpa:.1e} MPa, which no rubber has. The measured pull is higher, or decreases less with contraction, than that of this muscle with any rubber"
+    )]
+    NoRubber {
+        /// What was free.
+        name: String,
+        /// The shear modulus at rest that it came to, in MPa.
+        value_mpa: f64,
+    },
+    /// Errors stated for some rows only.
+    #[error(
+        "{stated} of {points} points state their error (first without: line {line}): state the errors of all points, or of none"
+    )]
+    ErrorsOfSome {
+        /// Rows with an error.
+        stated: usize,
+        /// Rows.
+        points: usize,
+        /// A row without.
+        line: u64,
+    },
+    /// The model fails at the start.
+    #[error(
+        "the model has no answer for {failed} of {points} points at the starting values (first: line {line}): {error}"
+    )]
+    Start {
+        /// Points without an answer.
+        failed: usize,
+        /// All points.
+        points: usize,
+        /// The first of them.
+        line: u64,
+        /// Why.
+        error: ModelError,
+    },
+    /// Starting values that make no muscle.
+    #[error("the starting values give no valid muscle: {0}")]
+    Muscle(#[from] MuscleError),
+    /// The starting values give no valid model.
+    #[error("the starting values give no valid model: {0}")]
+    Model(ModelError),
+    /// No minimum.
+    #[error(
+        "{0}; give better starts (name=START) or bounds (name=START:LOW:HIGH), or fix what the data cannot determine"
+    )]
+    Estimate(EstimateError),
+}
+
+fn left_out(n: &usize) -> String {
+    if *n == 0 { String::new() } else { format!(" ({n} more points without a measured force were left out)") }
+}

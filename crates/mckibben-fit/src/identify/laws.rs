@@ -1,0 +1,118 @@
+//! Which law of the rubber the points prefer.
+//!
+//! Each law is identified in turn with all of its constants free, and beside them whatever else is free; they are held against each other by
+//! [`aicc`], which takes the errors of the points as independent. Where a model does not follow the data, neighbours on one curve err together: their correlation says how far
+//! the differences can be trusted. A muscle is a poor test of rubber: strands that lock and ends that give way change the pull as a rubber
+//! that stiffens does, and the constants that follow can be ones that no rubber has.
+
+use super::advice::neighbours;
+use super::error::IdentifyError;
+use super::parameter::{Parameter, Target};
+use super::problem::Build;
+use super::result::Identification;
+use super::run::{Request, identify_with};
+use crate::least_squares::aicc;
+use mckibben::muscle::{Rubber, Tube};
+use mckibben::progress::Progress;
+use mckibben::rubber::{Law, LawKind, RubberLaw};
+
+/// A rubber whose chains lock in tension below this stretch is not among the measured ones that ship: they stretch to 3 and more.
+const EARLY_LOCK: f64 = 3.0;
+
+/// What the points say of a law.
+#[derive(Debug, Clone)]
+pub struct LawTrial {
+    /// The law.
+    pub law: &'static str,
+    /// What was found with it.
+    pub found: Result<Identification, IdentifyError>,
+    /// AICc; infinite where nothing was found.
+    pub aicc: f64,
+    /// Correlation of neighbouring residuals, −1 to 1; 0 for errors that are independent.
+    pub neighbours: f64,
+    /// What makes its constants implausible.
+    pub doubt: Option<String>,
+}
+
+/// Every law with a fixed number of constants, lowest AICc first.
+///
+/// # Errors
+/// [`IdentifyError::Cancelled`]; what ends one law alone stands in its trial.
+pub fn try_laws<B: Build>(
+    request: &Request<'_>,
+    build: B,
+    progress: &dyn Progress,
+) -> Result<Vec<LawTrial>, IdentifyError> {
+    let mut trials = vec![];
+    for kind in Law::KINDS.iter().filter(|kind| !kind.is_sum) {
+        if let Some(trial) = trial(request, kind, &build, progress) {
+            if matches!(trial.found, Err(IdentifyError::Cancelled)) {
+                return Err(IdentifyError::Cancelled);
+            }
+            trials.push(trial);
+        }
+    }
+    trials.sort_by(|a, b| a.aicc.total_cmp(&b.aicc));
+    Ok(trials)
+}
+
+/// One law from its example, scaled to the muscle's modulus at rest.
+fn trial<B: Build>(
+    request: &Request<'_>,
+    kind: &'static LawKind,
+    build: &B,
+    progress: &dyn Progress,
+) -> Option<LawTrial> {
+    let tube = request.muscle.tube();
+    let own = &tube.rubber.law;
+    let law = if own.kind().name == kind.name {
+        own.clone()
+    } else {
+        let example = Law::examples().into_iter().find(|law| law.name() == kind.name)?;
+        example.scaled(own.shear_modulus_mpa() / example.shear_modulus_mpa())
+    };
+    let constants = law.values().len();
+    let rubber = Rubber { bulk: tube.rubber.bulk, ..Rubber::of(law) };
+    let muscle = request.muscle.with_tube(Tube { rubber, ..tube.clone() }).ok()?;
+    let of_law = |target: &Target| matches!(target, Target::Law(_) | Target::Modulus);
+    let rest = request.free.iter().filter(|p| !of_law(&p.target)).copied();
+    let free: Vec<Parameter> = (0..constants).map(|i| Parameter::free(Target::Law(i))).chain(rest).collect();
+    let fixed: Vec<(Target, f64)> = request.fixed.iter().filter(|f| !of_law(&f.0)).copied().collect();
+    let asked = Request { muscle: &muscle, free: &free, fixed: &fixed, ..*request };
+    let found = identify_with(&asked, build, progress);
+    let known = found.as_ref().ok();
+    Some(LawTrial {
+        law: kind.name,
+        aicc: known.map_or(f64::INFINITY, |found| {
+            let n = found.points.len();
+            aicc(n, free.len(), found.deviation * found.deviation * found.freedom as f64 / n as f64)
+        }),
+        neighbours: known.map_or(0.0, |found| neighbours(&found.points).1),
+        doubt: known.and_then(|found| doubt(&found.muscle.tube().rubber.law)),
+        found,
+    })
+}
+
+/// What a chemist would not believe of a law.
+fn doubt(law: &Law) -> Option<String> {
+    // In tension I1 − 3 = λ² + 2/λ − 3.
+    let stretch = law.locks_at().map(|j| {
+        let (mut low, mut high) = (1.0_f64, (j + 3.0).sqrt());
+        for _ in 0..60 {
+            let l = 0.5 * (low + high);
+            if l * l + 2.0 / l - 3.0 < j { low = l } else { high = l }
+        }
+        low
+    });
+    if let Some(stretch) = stretch.filter(|s| *s < EARLY_LOCK) {
+        return Some(format!(
+            "no rubber of the library locks at a stretch of {stretch:.1} in tension; a jammed braid, strands that lift off the tube or compliant ends have the same effect"
+        ));
+    }
+    let values = law.constants();
+    let negative = values.iter().find(|c| c.constant.is_modulus() && c.value < 0.0)?;
+    Some(format!(
+        "{} is {:.3} MPa, below zero: the law may lose its stability",
+        negative.name, negative.value
+    ))
+}

@@ -1,0 +1,32 @@
+//! Constants of a muscle from measured or published points, with what the points say of them.
+//!
+//! Least squares of the residuals (`problem.rs`) by Levenberg–Marquardt ([`crate::least_squares`]), on any mix of isometric,
+//! isobaric and isotonic points; any parameter of [`Target`] free or fixed. Standard errors are those of linearised least
+//! squares (Seber & Wild 2003 \[seber2003\], ch. 2). A parameter is identifiable where the half-width of its 95 % interval is below
+//! its limit ([`Target`]: half of the shear modulus for constants of the law, half of its value for most others) and it
+//! lies on no bound.
+
+mod advice;
+mod bench;
+mod candidate;
+mod default_parameters;
+mod error;
+mod laws;
+mod parameter;
+mod problem;
+mod result;
+mod run;
+mod signs;
+
+pub use crate::measured::{DataPoint, Quantity, Section, mean_of_data, read_data};
+pub use candidate::{Candidate, own_value};
+pub use default_parameters::{default_targets, identify_default, matters};
+pub use error::IdentifyError;
+pub use laws::{LawTrial, try_laws};
+pub use parameter::{Parameter, ParameterError, Target};
+pub use problem::Build;
+pub use result::{Identification, Identified, PointFit, Spread};
+pub use run::{Request, identify, identify_with};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,296 @@
+//! What can be identified: named as in the muscle file.
+
+use mckibben::muscle::measures::{Identify, of_section};
+use mckibben::muscle::{Measure, Muscle};
+use mckibben::nearest::nearest;
+use mckibben::rubber::{ConstantValue, RubberLaw};
+use mckibben::units::{Dimension, QuantityError, parse_quantity};
+use thiserror::Error;
+
+/// A constant or measure that data may tell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Target {
+    /// A constant of the rubber law, by its place in [`Law::constants`](mckibben::rubber::Law::constants).
+    Law(usize),
+    /// One factor on all moduli of the law.
+    Modulus,
+    /// k of one strand family on the muscle's own diameter.
+    Stiffness,
+    /// n of k = k₀ (D0/D0₀)ⁿ, for data on several diameters.
+    StiffnessExponent,
+    /// A measure of the muscle.
+    Measure(&'static Measure),
+    /// What must be added to the contractions of the data: their zero is not the length at rest.
+    ContractionOffset,
+}
+
+use Target::{ContractionOffset, Law, Modulus, Stiffness, StiffnessExponent};
+
+/// Names that are neither of the law nor of a measure; some have a second spelling.
+const NAMES: [(&str, Target); 6] = [
+    ("tube.material.modulus", Modulus),
+    ("modulus", Modulus),
+    ("braid.stiffness", Stiffness),
+    ("stiffness", Stiffness),
+    ("braid.stiffness_exponent", StiffnessExponent),
+    ("contraction_offset", ContractionOffset),
+];
+
+/// The measures that can be identified, by the tables of the muscle file: the braid's are what a ruler does not tell.
+fn measures() -> impl Iterator<Item = (&'static Measure, &'static Identify)> {
+    ["braid", "tube", "terminals", "friction"]
+        .into_iter()
+        .flat_map(of_section)
+        .filter_map(|m| Some((m, m.identify.as_ref()?)))
+}
+
+/// Why a word names no parameter.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ParameterError {
+    /// No such name.
+    #[error("`{given}` cannot be identified{}; the parameters of this muscle are {known}", meant(.nearest.as_deref()))]
+    Unknown {
+        /// As written.
+        given: String,
+        /// What was probably meant.
+        nearest: Option<String>,
+        /// All names.
+        known: String,
+    },
+    /// A value that is no quantity.
+    #[error("{name}: {error}")]
+    Value {
+        /// Parameter.
+        name: String,
+        /// What is wrong.
+        error: QuantityError,
+    },
+    /// Not name, name=start or name=start:low:high.
+    #[error("`{given}` is not of the form name, name=start or name=start:low:high")]
+    Form {
+        /// As written.
+        given: String,
+    },
+    /// Bounds that hold no value, or not the start.
+    #[error(
+        "{name}: the start {start} must lie between the bounds {low} and {high}, and the bounds must differ"
+    )]
+    Bounds {
+        /// Parameter.
+        name: String,
+        /// Start.
+        start: f64,
+        /// Lower bound.
+        low: f64,
+        /// Upper bound.
+        high: f64,
+    },
+}
+
+fn meant(nearest: Option<&str>) -> String {
+    nearest.map_or_else(String::new, |name| format!(" (did you mean {name}?)"))
+}
+
+impl Target {
+    /// All that a muscle has.
+    pub fn all(muscle: &Muscle) -> Vec<Target> {
+        let laws = (0..muscle.tube().rubber.law.values().len()).map(Law);
+        let first = [Modulus, Stiffness, StiffnessExponent];
+        let measures = measures().map(|(m, _)| Target::Measure(m));
+        laws.chain(first).chain(measures).chain([ContractionOffset]).collect()
+    }
+
+    /// The name, as in the muscle file.
+    pub fn name(self, muscle: &Muscle) -> String {
+        if let Law(i) = self {
+            return constant(muscle, i).map_or_else(String::new, |c| format!("tube.material.{}", c.name));
+        }
+        if let Target::Measure(measure) = self {
+            return measure.key.to_owned();
+        }
+        NAMES.iter().find(|n| n.1 == self).map_or_else(String::new, |n| n.0.to_owned())
+    }
+
+    /// The target of a name.
+    ///
+    /// # Errors
+    /// [`ParameterError::Unknown`] with the name that was probably meant.
+    pub fn parse(text: &str, muscle: &Muscle) -> Result<Self, ParameterError> {
+        let given = text.trim();
+        if let Some((_, target)) = NAMES.iter().find(|n| n.0 == given) {
+            return Ok(*target);
+        }
+        if let Some((m, _)) = measures().find(|(m, i)| m.key == given || i.also.contains(&given)) {
+            return Ok(Target::Measure(m));
+        }
+        let all = Target::all(muscle);
+        let short = |t: &Target| t.name(muscle).trim_start_matches("tube.material.").to_owned();
+        if let Some(t) =
+            all.iter().find(|t| t.name(muscle) == given || matches!(t, Law(_)) && short(t) == given)
+        {
+            return Ok(*t);
+        }
+        let known: Vec<String> = all.iter().map(|t| t.name(muscle)).collect();
+        let list: Vec<&str> = known.iter().map(String::as_str).collect();
+        let nearest = nearest(given, list.iter().copied()).map(str::to_owned);
+        Err(ParameterError::Unknown { given: given.into(), nearest, known: known.join(", ") })
+    }
+
+    /// Its unit; empty for a plain number.
+    pub fn unit(self, muscle: &Muscle) -> &'static str {
+        match self {
+            Law(i) => constant(muscle, i).map_or("", |c| c.constant.unit()),
+            Stiffness => "N/mm",
+            Target::Measure(m) => m.unit(),
+            _ => "",
+        }
+    }
+
+    fn dimension(self, muscle: &Muscle) -> Dimension {
+        match self {
+            Law(i) => constant(muscle, i).map_or(Dimension::Ratio, |c| c.constant.dimension),
+            Stiffness => Dimension::Stiffness,
+            Target::Measure(m) => m.dimension,
+            _ => Dimension::Ratio,
+        }
+    }
+
+    /// How a measure is identified.
+    pub(super) fn identify(self) -> Option<&'static Identify> {
+        match self {
+            Target::Measure(m) => m.identify.as_ref(),
+            _ => None,
+        }
+    }
+
+    /// Bounds where none are stated: what a muscle can have at all.
+    pub(super) fn natural_bounds(self, muscle: &Muscle) -> (f64, f64) {
+        match self {
+            Law(i) => constant(muscle, i).map_or((f64::NEG_INFINITY, f64::INFINITY), |c| c.constant.bounds),
+            StiffnessExponent => (-5.0, 5.0),
+            ContractionOffset => (-0.3, 0.3),
+            other => other.identify().map_or((0.0, f64::INFINITY), |i| (i.bounds)(muscle)),
+        }
+    }
+
+    /// A half-width of the 95 % interval above this means that the data do not determine it, at a value `v`.
+    ///
+    /// Constants of the law share half of the shear modulus at rest; stiffness, friction, factors, wall and length are held
+    /// against half of themselves; what is measured with a ruler more tightly.
+    pub(super) fn limit(self, muscle: &Muscle, v: f64) -> f64 {
+        match self {
+            Law(i) if constant(muscle, i).is_some_and(|c| c.constant.is_modulus()) => {
+                0.5 * muscle.tube().rubber.law.shear_modulus_mpa()
+            }
+            StiffnessExponent => 1.0,
+            ContractionOffset => 0.02,
+            other => other.identify().map_or(0.5 * v.abs(), |i| (i.limit)(v)),
+        }
+    }
+
+    /// Whether it is a measure of the muscle, which a ruler tells.
+    pub(super) fn is_geometry(self) -> bool {
+        self.identify().is_some_and(|i| i.is_geometry)
+    }
+}
+
+/// Constant number `i` of the muscle's law.
+fn constant(muscle: &Muscle, i: usize) -> Option<ConstantValue> {
+    muscle.tube().rubber.law.constants().into_iter().nth(i)
+}
+
+/// A parameter that is free, with what was said of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameter {
+    /// What.
+    pub target: Target,
+    /// Where the search begins; the muscle's own value where `None`.
+    pub start: Option<f64>,
+    /// Lowest and highest value; the natural ones where `None`.
+    pub bounds: Option<(f64, f64)>,
+}
+
+impl Parameter {
+    /// A free parameter that starts from the muscle's own value.
+    pub fn free(target: Target) -> Self {
+        Self { target, start: None, bounds: None }
+    }
+
+    /// `name`, `name=start` or `name=start:low:high`, quantities with a unit if you like.
+    ///
+    /// # Errors
+    /// [`ParameterError`].
+    pub fn parse(text: &str, muscle: &Muscle) -> Result<Self, ParameterError> {
+        let (name, values) = match text.split_once('=') {
+            None => (text, None),
+            Some((name, values)) => (name, Some(values)),
+        };
+        let target = Target::parse(name, muscle)?;
+        let Some(values) = values else { return Ok(Self::free(target)) };
+        let numbers = numbers(target, values, muscle)?;
+        let label = || target.name(muscle);
+        match numbers.as_slice() {
+            [start] => Ok(Self { target, start: Some(*start), bounds: None }),
+            &[start, low, high] if low < high && start >= low && start <= high => {
+                Ok(Self { target, start: Some(start), bounds: Some((low, high)) })
+            }
+            &[start, low, high] => Err(ParameterError::Bounds { name: label(), start, low, high }),
+            _ => Err(ParameterError::Form { given: text.trim().into() }),
+        }
+    }
+
+    /// `name=low:high`.
+    ///
+    /// # Errors
+    /// [`ParameterError`].
+    pub fn parse_bounds(text: &str, muscle: &Muscle) -> Result<(Target, (f64, f64)), ParameterError> {
+        let form = || ParameterError::Form { given: format!("{} (bounds are name=low:high)", text.trim()) };
+        let (name, values) = text.split_once('=').ok_or_else(form)?;
+        let target = Target::parse(name, muscle)?;
+        match *numbers(target, values, muscle)?.as_slice() {
+            [low, high] if low < high => Ok((target, (low, high))),
+            [low, high] => Err(ParameterError::Bounds { name: target.name(muscle), start: low, low, high }),
+            _ => Err(form()),
+        }
+    }
+}
+
+fn numbers(target: Target, text: &str, muscle: &Muscle) -> Result<Vec<f64>, ParameterError> {
+    let one = |t: &str| {
+        parse_quantity(t, target.dimension(muscle))
+            .map_err(|error| ParameterError::Value { name: target.name(muscle), error })
+    };
+    text.split(':').map(one).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mckibben::muscle::measures::ANGLE;
+
+    #[test]
+    fn names_starts_and_bounds_are_read() {
+        let m = Muscle::prototype();
+        let p = Parameter::parse("tube.material.c10=0.2MPa:50kPa:1MPa", &m).unwrap();
+        assert_eq!(p, Parameter { target: Law(0), start: Some(0.2), bounds: Some((0.05, 1.0)) });
+        assert_eq!(Parameter::parse("c01", &m).unwrap(), Parameter::free(Law(1)));
+        assert_eq!(Parameter::parse("friction.beta = 0.6", &m).unwrap().start, Some(0.6));
+        assert_eq!(
+            Parameter::parse_bounds("braid.angle=20:30deg", &m).unwrap(),
+            (Target::Measure(&ANGLE), (20.0, 30.0))
+        );
+        for target in Target::all(&m) {
+            assert_eq!(Target::parse(&target.name(&m), &m).unwrap(), target);
+        }
+    }
+
+    #[test]
+    fn what_is_no_parameter_is_told() {
+        let m = Muscle::prototype();
+        let message = |text: &str| Parameter::parse(text, &m).unwrap_err().to_string();
+        assert!(message("braid.stifness").contains("did you mean braid.stiffness?"));
+        assert!(message("c10=1:2:3").contains("must lie between"));
+        assert!(message("c10=1:2").contains("name=start:low:high"));
+        assert!(message("c10=3mm").contains("tube.material.c10"));
+    }
+}

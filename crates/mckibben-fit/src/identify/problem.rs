@@ -1,0 +1,377 @@
+//! Residuals of the points and their derivatives by the parameters.
+//!
+//! With the pull F(P, ε; θ) of the model, friction included, and x what the bench read:
+//!
+//!   force        r = F(P, ε; θ) − F,           ∂r/∂θ = ∂F/∂θ
+//!   contraction  r = g (ε(P, F; θ) − ε),       ∂r/∂θ = −g ∂F/∂θ / (∂F/∂ε)
+//!   pressure     r = g (P(F, ε; θ) − P),       ∂r/∂θ = −g ∂F/∂θ / (∂F/∂P)
+//!
+//! g: N per unit of what was read, the mean slope at the start, so that all residuals are in N. ∂F/∂θ is the model's own
+//! ([`Slopes`](mckibben::model::Slopes)) where it has one.
+
+use super::candidate::Candidate;
+use super::parameter::Target;
+use crate::least_squares::Residuals;
+use crate::measured::{DataPoint, Quantity, Section};
+use mckibben::analysis::{force_on, response_on, slope_by_pressure, stiffness_of};
+use mckibben::model::{ForceModel, ModelError, Workspace};
+use mckibben::muscle::measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, OUTER_DIAMETER};
+use mckibben::muscle::{BraidStiffness, Direction, Friction, Muscle};
+use mckibben::progress::Progress;
+use mckibben::threads;
+
+/// Makes the model of a muscle.
+pub trait Build: Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync {}
+impl<F: Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync> Build for F {}
+
+/// Rows of one muscle that one model answers, in an order that suits a model with a memory.
+struct Chunk {
+    section: Section,
+    rows: Vec<usize>,
+}
+
+/// Parts of the rows of one muscle: fixed, so that answers do not depend on the number of threads.
+const PARTS: usize = 4;
+const LEAST: usize = 24;
+
+/// What is to be made small.
+pub struct Problem<'a, B> {
+    base: &'a Muscle,
+    free: &'a [Target],
+    fixed: &'a [(Target, f64)],
+    points: &'a [DataPoint],
+    build: &'a B,
+    progress: &'a dyn Progress,
+    chunks: Vec<Chunk>,
+    /// N per unit of contraction and per MPa.
+    scales: (f64, f64),
+    /// Whether the model knows all derivatives.
+    analytic: bool,
+}
+
+/// F, ∂F/∂ε and ∂F/∂P.
+struct Local {
+    force: f64,
+    by_contraction: f64,
+    by_pressure: f64,
+}
+
+fn local(
+    m: &dyn ForceModel,
+    w: &mut Workspace,
+    p: f64,
+    e: f64,
+    branch: Direction,
+) -> Result<Local, ModelError> {
+    let r = response_on(m, w, p, e, branch)?;
+    let by_contraction = -stiffness_of(m, w, &r, branch)? * m.muscle().length_mm();
+    let by_pressure = slope_by_pressure(m, w, &r, branch)?;
+    Ok(Local { force: r.force_n, by_contraction, by_pressure })
+}
+
+/// Newton's method for what was read, from where it was read.
+fn found(
+    m: &dyn ForceModel,
+    w: &mut Workspace,
+    point: &DataPoint,
+    offset: f64,
+) -> Result<(f64, f64, Local), ModelError> {
+    let at = &point.at;
+    let (mut p, mut e) = (at.pressure_mpa, at.contraction + offset);
+    const STEPS: usize = 30;
+    for _ in 0..STEPS {
+        let here = local(m, w, p, e, at.branch)?;
+        let rest = here.force - at.force_n;
+        // The last step is taken blindly: it leaves the square of this.
+        let done = rest.abs() <= 1e-6 * (1.0 + at.force_n.abs());
+        if point.measured == Quantity::Contraction {
+            // A muscle pulls less the shorter it is.
+            let slope = here.by_contraction.min(-1e-6);
+            e -= (rest / slope).clamp(-0.05, 0.05);
+            e = e.clamp(-0.9, 0.94);
+        } else {
+            let slope = here.by_pressure.max(1e-6);
+            let largest = 0.5 * p + 0.02;
+            p = (p - (rest / slope).clamp(-largest, largest)).max(0.0);
+        }
+        if done {
+            return Ok((p, e, here));
+        }
+    }
+    let residual = f64::NAN;
+    Err(ModelError::NotConverged { pressure_mpa: p, contraction: e, iterations: STEPS, residual })
+}
+
+impl<'a, B: Build> Problem<'a, B> {
+    /// A problem; `start`: values of the free targets.
+    pub fn new(
+        base: &'a Muscle,
+        free: &'a [Target],
+        fixed: &'a [(Target, f64)],
+        points: &'a [DataPoint],
+        build: &'a B,
+        start: &[f64],
+        progress: &'a dyn Progress,
+    ) -> Self {
+        let mut out = Self {
+            base,
+            free,
+            fixed,
+            points,
+            build,
+            progress,
+            chunks: chunks(points),
+            scales: (1.0, 1.0),
+            analytic: false,
+        };
+        out.scales = out.mean_slopes(start).unwrap_or((1.0, 1.0));
+        out.analytic = out.knows_derivatives(start);
+        out
+    }
+
+    /// N per unit of what a point's bench read.
+    pub fn scale(&self, quantity: Quantity) -> f64 {
+        match quantity {
+            Quantity::Force => 1.0,
+            Quantity::Contraction => self.scales.0,
+            Quantity::Pressure => self.scales.1,
+        }
+    }
+
+    /// The muscle at values of the free targets.
+    pub fn candidate(&self, x: &[f64]) -> Option<Candidate> {
+        let values = self.fixed.iter().copied().chain(self.free.iter().copied().zip(x.iter().copied()));
+        Candidate::new(self.base, &values.collect::<Vec<_>>()).ok()
+    }
+
+    /// Residual of every point in N, or why it has none.
+    pub fn rows(&self, x: &[f64]) -> Option<Vec<Result<f64, ModelError>>> {
+        let candidate = self.candidate(x)?;
+        self.over_rows(&candidate, |m, w, point| {
+            let at = &point.at;
+            match point.measured {
+                Quantity::Force => {
+                    let e = at.contraction + candidate.contraction_offset;
+                    Ok(force_on(m, w, at.pressure_mpa, e, at.branch)? - at.force_n)
+                }
+                Quantity::Contraction => {
+                    let (_, e, _) = found(m, w, point, candidate.contraction_offset)?;
+                    Ok(self.scales.0 * (e - candidate.contraction_offset - at.contraction))
+                }
+                Quantity::Pressure => {
+                    let (p, _, _) = found(m, w, point, candidate.contraction_offset)?;
+                    Ok(self.scales.1 * (p - at.pressure_mpa))
+                }
+            }
+        })
+    }
+
+    /// Something of every row, by the model of its muscle.
+    fn over_rows<T: Send>(
+        &self,
+        candidate: &Candidate,
+        one: impl Fn(&dyn ForceModel, &mut Workspace, &DataPoint) -> Result<T, ModelError> + Sync,
+    ) -> Option<Vec<Result<T, ModelError>>> {
+        let of_chunk = |chunk: &Chunk| -> Option<Vec<Result<T, ModelError>>> {
+            if self.progress.cancelled() {
+                return None;
+            }
+            let muscle = candidate.of_section(&chunk.section).ok()?;
+            let model = (self.build)(&muscle).ok()?;
+            let mut w = Workspace::within(self.progress.budget());
+            Some(chunk.rows.iter().map(|&i| one(model.as_ref(), &mut w, &self.points[i])).collect())
+        };
+        let lists = threads::map(&self.chunks, of_chunk);
+        let mut out: Vec<Option<Result<T, ModelError>>> = self.points.iter().map(|_| None).collect();
+        for (chunk, list) in self.chunks.iter().zip(lists) {
+            for (&i, value) in chunk.rows.iter().zip(list?) {
+                out[i] = Some(value);
+            }
+        }
+        out.into_iter().collect()
+    }
+
+    fn mean_slopes(&self, start: &[f64]) -> Option<(f64, f64)> {
+        if self.points.iter().all(|p| p.measured == Quantity::Force) {
+            return None;
+        }
+        let candidate = self.candidate(start)?;
+        let list = self.over_rows(&candidate, |m, w, point| {
+            let at = &point.at;
+            local(m, w, at.pressure_mpa, at.contraction + candidate.contraction_offset, at.branch)
+        })?;
+        let mean = |quantity: Quantity, of: fn(&Local) -> f64| {
+            let rows = list.iter().zip(self.points).filter(|r| r.1.measured == quantity);
+            let slopes: Vec<f64> = rows.filter_map(|r| r.0.as_ref().ok().map(of)).map(f64::abs).collect();
+            let mean = slopes.iter().sum::<f64>() / slopes.len().max(1) as f64;
+            if mean > 0.0 { mean } else { 1.0 }
+        };
+        Some((mean(Quantity::Contraction, |l| l.by_contraction), mean(Quantity::Pressure, |l| l.by_pressure)))
+    }
+
+    /// Whether the model has all of ∂F/∂θ.
+    fn knows_derivatives(&self, start: &[f64]) -> bool {
+        let Some(candidate) = self.candidate(start) else { return false };
+        // A braid that follows from the measures of the muscle has another derivative by these.
+        let follows =
+            matches!(candidate.muscle().braid().stiffness, BraidStiffness::Paper | BraidStiffness::OfStrands);
+        if follows && self.free.iter().any(|t| t.is_geometry()) {
+            return false;
+        }
+        // Friction from contact depends on all that is sought.
+        if candidate.muscle().friction().is_some_and(|f| f.lever_mm > 0.0) {
+            return false;
+        }
+        let names = self.names(&candidate);
+        let probe = || {
+            let point = self.points.first()?;
+            let model = (self.build)(&candidate.of_section(&point.section).ok()?).ok()?;
+            let e = point.at.contraction + candidate.contraction_offset;
+            let w = &mut Workspace::within(self.progress.budget());
+            model.extensions().slopes?.force_by(w, point.at.pressure_mpa, e, &names)?.ok()
+        };
+        probe().is_some()
+    }
+
+    /// Names whose ∂F is needed.
+    fn names(&self, candidate: &Candidate) -> Vec<String> {
+        let muscle = candidate.muscle();
+        let mut names: Vec<String> = vec![];
+        let mut add = |name: String| {
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        };
+        for target in self.free {
+            match target {
+                Target::Modulus => {
+                    let constants = muscle.tube().rubber.law.constants();
+                    constants
+                        .iter()
+                        .filter(|c| c.constant.is_modulus())
+                        .for_each(|c| add(format!("tube.material.{}", c.name)));
+                }
+                Target::StiffnessExponent => add("braid.stiffness".into()),
+                Target::Measure(m) if **m == OUTER_DIAMETER => {
+                    add(m.key.into());
+                    if candidate.family().is_some() {
+                        add("braid.stiffness".into());
+                    }
+                }
+                Target::Measure(m) if m.section() == "friction" => {}
+                Target::ContractionOffset => {}
+                other => add(other.name(muscle)),
+            }
+        }
+        names
+    }
+
+    /// ∂F/∂θ of one point for every free target.
+    fn slopes(
+        &self,
+        (m, w): (&dyn ForceModel, &mut Workspace),
+        point: &DataPoint,
+        candidate: &Candidate,
+        x: &[f64],
+        names: &[String],
+        (p, e, here): (f64, f64, &Local),
+    ) -> Result<Vec<f64>, ModelError> {
+        let not_known =
+            || ModelError::NotFinite { model: m.info().name.to_string(), pressure_mpa: p, contraction: e };
+        let own = m.extensions().slopes.and_then(|own| own.force_by(w, p, e, names));
+        let by = own.ok_or_else(not_known)??;
+        let of =
+            |name: &str| names.iter().position(|n| n == name).and_then(|i| by.get(i)).copied().unwrap_or(0.0);
+        let muscle = m.muscle();
+        let friction = muscle.friction().copied();
+        let sign = point.at.branch.sign();
+        let (d, s) = (muscle.outer_diameter_mm(), &point.section);
+        let one = |(&target, &v): (&Target, &f64)| match target {
+            Target::Modulus => {
+                let constants = muscle.tube().rubber.law.constants();
+                let moduli = constants.iter().filter(|c| c.constant.is_modulus());
+                moduli.map(|c| c.value / v * of(&format!("tube.material.{}", c.name))).sum()
+            }
+            Target::Stiffness => {
+                let at = candidate.family().map_or(1.0, |f| f.ratio(d).powf(f.exponent));
+                of("braid.stiffness") * at
+            }
+            Target::StiffnessExponent => {
+                candidate.family().map_or(0.0, |f| of("braid.stiffness") * f.at(d) * f.ratio(d).ln())
+            }
+            Target::Measure(m) if s.states(m) => 0.0,
+            Target::Measure(m) if *m == OUTER_DIAMETER => {
+                let through = candidate.family().map_or(0.0, |f| f.exponent * f.at(d) / d);
+                of(m.key) + of("braid.stiffness") * through
+            }
+            Target::Measure(m) if m.section() == "friction" => {
+                let by_law = |f: Friction| match m {
+                    m if *m == FRICTION_COEFFICIENT => sign * p.powf(f.exponent),
+                    m if *m == FRICTION_EXPONENT => sign * f.coefficient * p.powf(f.exponent) * p.ln(),
+                    // Its contact changes with everything: differences are taken.
+                    _ => 0.0,
+                };
+                friction.filter(|_| p > 0.0).map_or(0.0, by_law)
+            }
+            // Held against ε + offset: where ε is what is sought, only the pull's slope by it remains.
+            Target::ContractionOffset => here.by_contraction,
+            Target::Law(_) | Target::Measure(_) => of(&target.name(muscle)),
+        };
+        Ok(self.free.iter().zip(x).map(one).collect())
+    }
+}
+
+impl<B: Build> Residuals for Problem<'_, B> {
+    fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+        self.rows(x)?.into_iter().collect::<Result<Vec<f64>, ModelError>>().ok()
+    }
+
+    fn by_unknowns(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
+        if !self.analytic {
+            return None;
+        }
+        let candidate = self.candidate(x)?;
+        let names = self.names(&candidate);
+        let offset = candidate.contraction_offset;
+        let rows = self.over_rows(&candidate, |m, w, point| {
+            let at = &point.at;
+            let (p, e, here) = match point.measured {
+                Quantity::Force => {
+                    let e = at.contraction + offset;
+                    (at.pressure_mpa, e, local(m, w, at.pressure_mpa, e, at.branch)?)
+                }
+                _ => found(m, w, point, offset)?,
+            };
+            let slopes = self.slopes((m, w), point, &candidate, x, &names, (p, e, &here))?;
+            let factor = match point.measured {
+                Quantity::Force => 1.0,
+                Quantity::Contraction => -self.scales.0 / here.by_contraction,
+                Quantity::Pressure => -self.scales.1 / here.by_pressure,
+            };
+            Ok(slopes.into_iter().map(|s| factor * s).collect::<Vec<f64>>())
+        })?;
+        let rows = rows.into_iter().collect::<Result<Vec<Vec<f64>>, ModelError>>().ok()?;
+        Some((0..x.len()).map(|c| rows.iter().map(|r| r[c]).collect()).collect())
+    }
+}
+
+/// Rows by muscle, in parts, each by contraction and falling pressure.
+fn chunks(points: &[DataPoint]) -> Vec<Chunk> {
+    let mut groups: Vec<Chunk> = vec![];
+    for (i, point) in points.iter().enumerate() {
+        match groups.iter_mut().find(|g| g.section == point.section) {
+            Some(group) => group.rows.push(i),
+            None => groups.push(Chunk { section: point.section, rows: vec![i] }),
+        }
+    }
+    let mut out = vec![];
+    for mut group in groups {
+        group.rows.sort_by(|&a, &b| {
+            let (a, b) = (&points[a].at, &points[b].at);
+            a.contraction.total_cmp(&b.contraction).then(b.pressure_mpa.total_cmp(&a.pressure_mpa))
+        });
+        let size = group.rows.len().div_ceil(PARTS).max(LEAST);
+        out.extend(group.rows.chunks(size).map(|rows| Chunk { section: group.section, rows: rows.to_vec() }));
+    }
+    out
+}

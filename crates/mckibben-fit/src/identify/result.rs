@@ -1,0 +1,164 @@
+//! What was identified.
+
+use super::candidate::Candidate;
+use super::parameter::Target;
+use crate::measured::{DataPoint, Quantity};
+use mckibben::muscle::{Bench, Direction, Muscle};
+use serde::{Serialize, Serializer};
+
+/// One parameter with what the data say of it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Identified {
+    /// What.
+    #[serde(skip)]
+    pub target: Target,
+    /// Its name, as in the muscle file.
+    pub name: String,
+    /// Where the search began.
+    pub start: f64,
+    /// Its value.
+    pub value: f64,
+    /// Its unit; empty for a plain number.
+    pub unit: &'static str,
+    /// Standard error; infinite (null in JSON) where the data do not determine it at all, 0 on a bound.
+    #[cfg_attr(feature = "schema", schemars(with = "Option<f64>"))]
+    pub standard_error: f64,
+    /// Half-width of the 95 % interval; likewise.
+    #[serde(rename = "half_width_95")]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<f64>"))]
+    pub half_width: f64,
+    /// The half-width up to which it counts as identifiable.
+    pub limit: f64,
+    /// Whether the data determine it.
+    pub identifiable: bool,
+    /// Whether it lies on a bound.
+    pub at_bound: bool,
+    /// Whether the points change with it at all.
+    pub matters: bool,
+    /// Whether it is an end that gives way by more than is known of any muscle: 0.3 of the outer diameter.
+    pub implausible: bool,
+}
+
+/// A point with what the model makes of it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct PointFit {
+    /// The point.
+    pub point: DataPoint,
+    /// Model less measured, in the unit of what was read: N, –, MPa.
+    pub residual: f64,
+    /// The same in N.
+    pub residual_n: f64,
+    /// Its final weight.
+    pub weight: f64,
+    /// Whether it is an outlier.
+    pub outlier: bool,
+}
+
+/// Root mean square and largest residual of some points.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Spread {
+    /// Of which points.
+    #[serde(rename = "of")]
+    pub label: String,
+    /// How many.
+    pub points: usize,
+    /// In N.
+    pub rms_n: f64,
+    /// Largest, in N.
+    pub max_n: f64,
+    /// Mean of model less measured, in N.
+    pub mean_n: f64,
+}
+
+/// Everything that was identified.
+#[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Identification {
+    /// What was free, with its value and error.
+    pub parameters: Vec<Identified>,
+    /// Correlation of the parameters, row by row.
+    pub correlation: Vec<Vec<f64>>,
+    /// Root mean square of the residuals at the start, N.
+    pub rms_before_n: f64,
+    /// Root mean square of the residuals, N.
+    pub rms_n: f64,
+    /// Largest residual, N.
+    pub max_n: f64,
+    /// Standard deviation of one point: in N, or of stated errors.
+    pub deviation: f64,
+    /// Whether the points state their errors.
+    pub errors_stated: bool,
+    /// Points less parameters that lie on no bound.
+    #[serde(rename = "degrees_of_freedom")]
+    pub freedom: usize,
+    /// Residuals by branch, by what was read, and by table.
+    pub spreads: Vec<Spread>,
+    /// Points that were left out because the muscle was slack.
+    #[serde(rename = "slack_points", serialize_with = "count")]
+    #[cfg_attr(feature = "schema", schemars(with = "usize"))]
+    pub slack: Vec<DataPoint>,
+    /// The points that counted.
+    #[serde(skip)]
+    pub points: Vec<PointFit>,
+    /// The muscle with the values found.
+    #[serde(skip)]
+    pub muscle: Muscle,
+    /// The same, for rows of several muscles.
+    #[serde(skip)]
+    pub candidate: Candidate,
+    /// Sentences a user should read.
+    #[serde(skip)]
+    pub notes: Vec<String>,
+    /// The bench of the muscle, where points are of it: the ± that holds there.
+    #[serde(skip)]
+    pub bench: Option<Bench>,
+}
+
+fn count<S: Serializer>(points: &[DataPoint], serializer: S) -> Result<S::Ok, S::Error> {
+    points.len().serialize(serializer)
+}
+
+impl Identification {
+    /// A parameter by its target.
+    pub fn parameter(&self, target: Target) -> Option<&Identified> {
+        self.parameters.iter().find(|p| p.target == target)
+    }
+}
+
+/// rms, largest and mean of a list of residuals.
+pub(super) fn spread(label: impl Into<String>, residuals: &[f64]) -> Spread {
+    let n = residuals.len().max(1) as f64;
+    Spread {
+        label: label.into(),
+        points: residuals.len(),
+        rms_n: (residuals.iter().map(|r| r * r).sum::<f64>() / n).sqrt(),
+        max_n: residuals.iter().map(|r| r.abs()).fold(0.0, f64::max),
+        mean_n: residuals.iter().sum::<f64>() / n,
+    }
+}
+
+/// By branch, by quantity and by set, where there is more than one.
+pub(super) fn spreads(points: &[PointFit]) -> Vec<Spread> {
+    let of = |label: String, keep: &dyn Fn(&PointFit) -> bool| {
+        let list: Vec<f64> = points.iter().filter(|p| keep(p)).map(|p| p.residual_n).collect();
+        (!list.is_empty() && list.len() < points.len()).then(|| spread(label, &list))
+    };
+    let branch = |b: Direction| move |p: &PointFit| p.point.at.branch == b;
+    let read = |q: Quantity| move |p: &PointFit| p.point.measured == q;
+    let mut out: Vec<Spread> = [
+        of("branch contraction".into(), &branch(Direction::Contraction)),
+        of("branch elongation".into(), &branch(Direction::Elongation)),
+        of("no branch".into(), &branch(Direction::Mean)),
+        of("read: force".into(), &read(Quantity::Force)),
+        of("read: contraction".into(), &read(Quantity::Contraction)),
+        of("read: pressure".into(), &read(Quantity::Pressure)),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    let sets = points.iter().map(|p| p.point.set).max().unwrap_or(0);
+    out.extend((0..=sets).filter_map(|s| of(format!("data {}", s + 1), &|p| p.point.set == s)));
+    out
+}

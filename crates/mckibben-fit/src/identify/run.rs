@@ -1,0 +1,323 @@
+//! From points and parameters to an [`Identification`].
+
+use super::advice;
+use super::bench::{self, Found};
+use super::candidate::own_value;
+use super::error::IdentifyError;
+use super::parameter::{Parameter, Target};
+use super::problem::{Build, Problem};
+use super::result::{Identification, Identified, PointFit, spread, spreads};
+use super::signs;
+use crate::least_squares::{Estimate, EstimateError, Loss, Unknown, estimate};
+use crate::measured::{DataPoint, Quantity};
+use mckibben::model::ModelError;
+use mckibben::muscle::Direction;
+use mckibben::muscle::Muscle;
+use mckibben::muscle::measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, GRIP, SEATING, SLIP};
+use mckibben::progress::{Progress, Silent};
+use mckibben::rubber::RubberLaw;
+
+/// What is to be identified.
+#[derive(Debug, Clone, Copy)]
+pub struct Request<'a> {
+    /// The muscle, with a value for everything that is not free.
+    pub muscle: &'a Muscle,
+    /// What is free.
+    pub free: &'a [Parameter],
+    /// Values in place of the muscle's own.
+    pub fixed: &'a [(Target, f64)],
+    /// The points.
+    pub points: &'a [DataPoint],
+    /// How a point far off counts.
+    pub loss: Loss,
+    /// Whether forces of zero and below are measurements: by default the muscle was slack there.
+    pub two_sided: bool,
+}
+
+/// How many different values there are.
+pub(super) fn distinct(values: impl Iterator<Item = f64>) -> usize {
+    let mut list: Vec<f64> = values.collect();
+    list.sort_by(f64::total_cmp);
+    list.dedup_by(|a, b| (*a - *b).abs() <= 1e-6 * (1e-3 + b.abs()));
+    list.len()
+}
+
+/// Half the width of the hysteresis loop that the data show at 1 MPa, roughly: a start for C.
+fn friction_start(points: &[DataPoint], exponent: f64) -> f64 {
+    let sum = |branch| {
+        let list = points.iter().filter(|p| p.at.branch == branch);
+        let (f, n) = list.fold((0.0, 0.0), |(f, n), p| (f + p.at.force_n, n + 1.0));
+        if n > 0.0 { f / n } else { 0.0 }
+    };
+    let p = points.iter().map(|p| p.at.pressure_mpa).sum::<f64>() / points.len().max(1) as f64;
+    let forces = points.iter().map(|p| p.at.force_n).fold(0.0, f64::max);
+    let half = 0.5 * (sum(Direction::Elongation) - sum(Direction::Contraction));
+    half.max(0.005 * forces).max(1e-3) / p.max(1e-3).powf(exponent)
+}
+
+/// Starts and bounds of the free parameters.
+fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>, IdentifyError> {
+    let muscle = request.muscle;
+    let mut seen: Vec<Target> = vec![];
+    for target in request.free.iter().map(|p| p.target).chain(request.fixed.iter().map(|f| f.0)) {
+        if seen.contains(&target) {
+            return Err(IdentifyError::Twice { name: target.name(muscle) });
+        }
+        seen.push(target);
+    }
+    let one = |p: &Parameter| {
+        let name = || p.target.name(muscle);
+        let own = own_value(muscle, p.target).or_else(|| match p.target {
+            Target::Measure(m) if *m == FRICTION_COEFFICIENT => {
+                let exponent = own_value(muscle, Target::Measure(&FRICTION_EXPONENT))?;
+                Some(friction_start(request.points, exponent))
+            }
+            // Inside of its bounds, and small beside the muscle.
+            other => other.identify().and_then(|i| (i.start)(muscle)),
+        });
+        let start = p.start.or(own).ok_or_else(|| IdentifyError::NoStart { name: name() })?;
+        let (low, high) = p.bounds.unwrap_or_else(|| p.target.natural_bounds(muscle));
+        if !(start >= low && start <= high && low < high) {
+            return Err(IdentifyError::OutOfBounds { name: name(), start, low, high });
+        }
+        let scale = p.target.limit(muscle, start);
+        let scale = if scale > 0.0 { scale } else { 1.0 };
+        // A lower end without an upper one is known to the search, the reverse is not.
+        let low = if low.is_infinite() && high.is_finite() { start - 1e6 * scale } else { low };
+        Ok(Unknown { start, low, high, scale })
+    };
+    request.free.iter().map(one).collect()
+}
+
+/// The points that count, and those at which the muscle was slack.
+fn chosen(request: &Request<'_>) -> (Vec<DataPoint>, Vec<DataPoint>) {
+    let counted = request.points.iter().filter(|p| p.weight > 0.0).copied();
+    counted.partition(|p| request.two_sided || p.measured != Quantity::Force || p.at.force_n > 0.0)
+}
+
+fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec<f64>, bool), IdentifyError> {
+    let stated = points.iter().filter(|p| p.error.is_some()).count();
+    if let Some(without) = points.iter().find(|p| p.error.is_none()).filter(|_| stated > 0) {
+        return Err(IdentifyError::ErrorsOfSome { stated, points: points.len(), line: without.line });
+    }
+    let one = |p: &DataPoint| p.weight / p.error.map_or(1.0, |e| (e * scale(p.measured)).powi(2));
+    Ok((points.iter().map(one).collect(), stated > 0))
+}
+
+/// Identifies the free parameters of a muscle so that the model made by `build` comes closest to the points.
+///
+/// # Errors
+/// [`IdentifyError`] with what to do about it.
+pub fn identify<B: Build>(request: &Request<'_>, build: B) -> Result<Identification, IdentifyError> {
+    identify_with(request, build, &Silent)
+}
+
+/// The same for a caller who may want it to end before its end.
+///
+/// # Errors
+/// As [`identify`]; [`IdentifyError::Cancelled`].
+pub fn identify_with<B: Build>(
+    request: &Request<'_>,
+    build: B,
+    progress: &dyn Progress,
+) -> Result<Identification, IdentifyError> {
+    let flipped = signs::check(request)?;
+    let found = search(request, &flipped, build, progress);
+    match found {
+        // A model without an answer and a caller who has gone look alike to the search.
+        _ if progress.cancelled() => Err(IdentifyError::Cancelled),
+        Err(IdentifyError::Estimate(_) | IdentifyError::NoRubber { .. } | IdentifyError::Start { .. })
+            if !flipped.is_empty() =>
+        {
+            Err(IdentifyError::Flipped(flipped.join("; ")))
+        }
+        found => found,
+    }
+}
+
+fn search<B: Build>(
+    request: &Request<'_>,
+    flipped: &[String],
+    build: B,
+    progress: &dyn Progress,
+) -> Result<Identification, IdentifyError> {
+    if request.free.is_empty() {
+        return Err(IdentifyError::NothingFree);
+    }
+    let muscle = request.muscle;
+    let unknowns = unknowns(request)?;
+    let start: Vec<f64> = unknowns.iter().map(|u| u.start).collect();
+    let free: Vec<Target> = request.free.iter().map(|p| p.target).collect();
+    let (mut points, slack) = chosen(request);
+    if points.len() <= free.len() {
+        let (points, dropped) = (points.len(), slack.len());
+        return Err(IdentifyError::TooFew { points, dropped, parameters: free.len() });
+    }
+    let mut notes = advice::before(muscle, &free, &points)?;
+    notes.extend(flipped.iter().cloned());
+    let values = request.fixed.iter().copied().chain(free.iter().copied().zip(start.iter().copied()));
+    let first = super::Candidate::new(muscle, &values.collect::<Vec<_>>())?;
+    build(first.muscle()).map_err(IdentifyError::Model)?;
+
+    let problem = Problem::new(muscle, &free, request.fixed, &points, &build, &start, progress);
+    // Residuals at the start, point by point.
+    let rows = problem.rows(&start).ok_or(IdentifyError::Estimate(EstimateError::Start))?;
+
+    notes.extend(leave_out(&mut points, rows)?);
+    let problem = Problem::new(muscle, &free, request.fixed, &points, &build, &start, progress);
+    let (weights, errors_stated) = weights(&points, |q| problem.scale(q))?;
+    let before = rms(&crate::least_squares::Residuals::at(&problem, &start).unwrap_or_default());
+    let found = estimate(&problem, &unknowns, &weights, request.loss).map_err(|e| match e {
+        EstimateError::TooFew { points, unknowns } => {
+            IdentifyError::TooFew { points, dropped: slack.len(), parameters: unknowns }
+        }
+        EstimateError::NoMinimum { ref at, .. } => {
+            let fallen = problem.candidate(at).map(|c| rubber_is_left(request, first.muscle(), c.muscle()));
+            fallen.and_then(Result::err).unwrap_or(IdentifyError::Estimate(e))
+        }
+        other => IdentifyError::Estimate(other),
+    })?;
+    // What lies on a bound is that bound, where that is a muscle.
+    let on_bounds: Vec<f64> = unknowns.iter().zip(&found.x).map(|(u, x)| u.at_its_bound(*x)).collect();
+    let (x, candidate) = match problem.candidate(&on_bounds) {
+        Some(candidate) => (on_bounds, candidate),
+        None => {
+            let candidate =
+                problem.candidate(&found.x).ok_or(IdentifyError::Estimate(EstimateError::Start))?;
+            (found.x.clone(), candidate)
+        }
+    };
+    rubber_is_left(request, first.muscle(), candidate.muscle())?;
+    let parameters = parameters(request, &problem, &unknowns, (&found, &x), candidate.muscle());
+    let outliers = advice::outliers(&found.residuals, &weights);
+    let fitted: Vec<PointFit> = (0..points.len())
+        .map(|i| PointFit {
+            point: points[i],
+            residual: found.residuals[i] / problem.scale(points[i].measured),
+            residual_n: found.residuals[i],
+            weight: found.weights[i],
+            outlier: outliers[i],
+        })
+        .collect();
+    let all = spread("all", &found.residuals);
+    let inside = found.at_bound.iter().filter(|b| !**b).count();
+    let freedom = points.len().saturating_sub(inside).max(1);
+    let (estimate, candidate_of) = (&found, &candidate);
+    let of =
+        Found { x: &x, unknowns: &unknowns, estimate, candidate: candidate_of, points: &fitted, freedom };
+    let bench = bench::bench(request, &build, &of, progress);
+    let mut out = Identification {
+        muscle: candidate.muscle().clone(),
+        candidate,
+        parameters,
+        correlation: found.correlation,
+        spreads: spreads(&fitted),
+        freedom,
+        points: fitted,
+        slack,
+        rms_before_n: before,
+        rms_n: all.rms_n,
+        max_n: all.max_n,
+        deviation: found.deviation,
+        errors_stated,
+        notes: vec![],
+        bench,
+    };
+    notes.extend(advice::after(&out, request.loss, &build));
+    out.notes = notes;
+    Ok(out)
+}
+
+/// No rubber of which muscles are made is softer, in MPa.
+const SOFTEST_MPA: f64 = 1e-3;
+/// An end that gives way by more than this share of the outer diameter is no finding.
+const LONGEST_END: f64 = 0.3;
+
+/// Refuses a modulus that fell towards zero.
+fn rubber_is_left(request: &Request<'_>, start: &Muscle, end: &Muscle) -> Result<(), IdentifyError> {
+    let modulus = |m: &Muscle| m.tube().rubber.law.shear_modulus_mpa();
+    let sought = request.free.iter().find(|p| matches!(p.target, Target::Law(_) | Target::Modulus));
+    match sought {
+        Some(p) if modulus(end) < SOFTEST_MPA.min(0.01 * modulus(start)) => {
+            Err(IdentifyError::NoRubber { name: p.target.name(request.muscle), value_mpa: modulus(end) })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// How far an end gives way at the points, in mm; `None` of what is no end.
+fn given_way_mm(request: &Request<'_>, target: Target, value: f64, muscle: &Muscle) -> Option<f64> {
+    match target {
+        Target::Measure(m) if *m == SEATING || *m == GRIP => Some(value),
+        Target::Measure(m) if *m == SLIP => {
+            let ends = muscle.ends();
+            let load = |p: &DataPoint| ends.load_n(p.at.pressure_mpa, p.at.force_n);
+            Some(value * request.points.iter().map(load).fold(0.0, f64::max))
+        }
+        _ => None,
+    }
+}
+
+type Rows = Vec<Result<f64, ModelError>>;
+
+/// Points without an answer at the start are left out, where they are few.
+fn leave_out(points: &mut Vec<DataPoint>, rows: Rows) -> Result<Option<String>, IdentifyError> {
+    let all = points.len();
+    let failed: Vec<(u64, ModelError)> =
+        points.iter().zip(&rows).filter_map(|(p, r)| Some((p.line, r.as_ref().err()?.clone()))).collect();
+    let Some((line, error)) = failed.first().cloned() else { return Ok(None) };
+    if 5 * failed.len() > all {
+        return Err(IdentifyError::Start { failed: failed.len(), points: all, line, error });
+    }
+    let mut keep = rows.iter().map(Result::is_ok);
+    points.retain(|_| keep.next().unwrap_or(false));
+    let lines: Vec<u64> = failed.iter().map(|f| f.0).collect();
+    let (n, at) = (failed.len(), advice::lines(&lines));
+    Ok(Some(format!("{n} points ({at}) have no answer of the model at the start and were left out: {error}")))
+}
+
+fn rms(r: &[f64]) -> f64 {
+    (r.iter().map(|r| r * r).sum::<f64>() / r.len().max(1) as f64).sqrt()
+}
+
+fn parameters<B: Build>(
+    request: &Request<'_>,
+    problem: &Problem<'_, B>,
+    unknowns: &[Unknown],
+    (found, x): (&Estimate, &[f64]),
+    muscle: &Muscle,
+) -> Vec<Identified> {
+    let matters = |i: usize| {
+        if found.standard_errors[i].is_finite() {
+            return true;
+        }
+        let mut x = found.x.clone();
+        x[i] += 0.1 * unknowns[i].scale;
+        let moved = crate::least_squares::Residuals::at(problem, &x);
+        moved.is_none_or(|r| {
+            r.iter().zip(&found.residuals).any(|(a, b)| (a - b).abs() > 1e-9 * (1.0 + b.abs()))
+        })
+    };
+    let one = |i: usize| {
+        let target = request.free[i].target;
+        let value = x[i];
+        let limit = target.limit(muscle, value);
+        let way = given_way_mm(request, target, value, muscle);
+        let implausible = way.is_some_and(|way| way > LONGEST_END * muscle.outer_diameter_mm());
+        Identified {
+            target,
+            name: target.name(request.muscle),
+            start: unknowns[i].start,
+            value,
+            unit: target.unit(request.muscle),
+            standard_error: found.standard_errors[i],
+            half_width: found.half_widths[i],
+            limit,
+            identifiable: !found.at_bound[i] && !implausible && found.half_widths[i] <= limit,
+            at_bound: found.at_bound[i],
+            matters: matters(i),
+            implausible,
+        }
+    };
+    (0..found.x.len()).map(one).collect()
+}

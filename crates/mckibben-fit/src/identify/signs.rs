@@ -1,0 +1,132 @@
+//! Points whose sign is flipped: a muscle pulls under pressure, and pulls less the shorter it is.
+
+use super::advice;
+use super::error::IdentifyError;
+use super::run::Request;
+use crate::measured::{DataPoint, Quantity};
+use mckibben::model::Ideal;
+
+/// A force below zero by more than this share of the ideal muscle's pull is no muscle that lies slack.
+const PUSH: f64 = 0.3;
+/// Share of a curve's largest pull by which a pull that rises is more than noise.
+const RISE: f64 = 0.03;
+
+/// The lines of a table, in brackets; nothing of points that are of none.
+fn lines(list: &[u64]) -> String {
+    if list.iter().all(|l| *l == 0) { String::new() } else { format!(" ({})", advice::lines(list)) }
+}
+
+/// Sentences on single points with the wrong sign.
+///
+/// # Errors
+/// [`IdentifyError::Flipped`] where most of them have it.
+pub(super) fn check(request: &Request<'_>) -> Result<Vec<String>, IdentifyError> {
+    let points: Vec<&DataPoint> = request.points.iter().filter(|p| p.weight > 0.0).collect();
+    let mut notes = pushing(request, &points)?;
+    notes.extend(rising(&points)?);
+    Ok(notes)
+}
+
+/// Forces below zero where the muscle pulls.
+fn pushing(request: &Request<'_>, points: &[&DataPoint]) -> Result<Vec<String>, IdentifyError> {
+    let ideal = |p: &DataPoint| {
+        let muscle = p.section.apply(request.muscle).ok()?;
+        let ideal = Ideal::new(&muscle);
+        let (pull, rest) =
+            (ideal.pull(p.at.pressure_mpa, p.at.contraction), ideal.pull(p.at.pressure_mpa, 0.0));
+        (pull > 0.2 * rest && pull > 0.0).then_some(pull)
+    };
+    let pulls: Vec<(&DataPoint, f64)> = points
+        .iter()
+        .filter(|p| p.measured == Quantity::Force)
+        .filter_map(|p| Some((*p, ideal(p)?)))
+        .collect();
+    let negative: Vec<u64> =
+        pulls.iter().filter(|(p, pull)| p.at.force_n < -PUSH * pull).map(|(p, _)| p.line).collect();
+    let nothing_pulls = points.iter().all(|p| p.at.force_n <= 0.0);
+    if negative.is_empty() {
+        return Ok(vec![]);
+    }
+    let which = format!(
+        "the force is below zero at {} of the {} points where this muscle pulls{}",
+        negative.len(),
+        pulls.len(),
+        lines(&negative)
+    );
+    if nothing_pulls || !request.two_sided && 2 * negative.len() >= pulls.len() {
+        return Err(IdentifyError::Flipped(format!("{which}: is the sign of the force flipped?")));
+    }
+    Ok(vec![format!("{which}: is the sign of the force flipped there?")])
+}
+
+/// Pulls that rise with the contraction.
+fn rising(points: &[&DataPoint]) -> Result<Vec<String>, IdentifyError> {
+    let mut order: Vec<&DataPoint> = points.iter().copied().filter(|p| p.at.force_n > 0.0).collect();
+    let measures = |p: &DataPoint| {
+        let s = &p.section;
+        [s.outer_diameter_mm, s.wall_mm, s.length_mm, s.angle_deg].map(|v| v.unwrap_or(0.0))
+    };
+    let key = |p: &DataPoint| {
+        let [a, b, c, d] = measures(p);
+        [a, b, c, d, p.at.pressure_mpa, f64::from(p.at.branch as u8), p.set as f64]
+    };
+    let compare = |a: &DataPoint, b: &DataPoint| {
+        let (a, b) = (key(a), key(b));
+        let different = a.iter().zip(&b).map(|(x, y)| x.total_cmp(y)).find(|o| o.is_ne());
+        different.unwrap_or(std::cmp::Ordering::Equal)
+    };
+    order.sort_by(|a, b| compare(a, b).then(a.at.contraction.total_cmp(&b.at.contraction)));
+    let (mut curves, mut rising, mut lines_of_rising, mut stretched) = (0, 0, vec![], vec![]);
+    for curve in order.chunk_by(|a, b| compare(a, b).is_eq()) {
+        let Some(rise) = rise(curve) else { continue };
+        curves += 1;
+        let largest = curve.iter().map(|p| p.at.force_n).fold(0.0, f64::max);
+        if rise > RISE * largest {
+            rising += 1;
+            lines_of_rising.extend(curve.iter().map(|p| p.line));
+            continue;
+        }
+        // Stretched, and pulling less than at rest length or shortened.
+        let below = |p: &&&DataPoint| p.at.contraction < 0.0 && p.at.force_n < (1.0 - RISE) * largest;
+        let above = |p: &&DataPoint| p.at.contraction >= 0.0 && p.at.force_n == largest;
+        if curve.iter().any(above) {
+            stretched.extend(curve.iter().filter(below).map(|p| p.line));
+        }
+    }
+    let mut notes = vec![];
+    if !stretched.is_empty() {
+        notes.push(format!(
+            "the contraction is below zero{}, and the pull smaller than that of the muscle which is not stretched: is the sign of the contraction flipped there?",
+            lines(&stretched)
+        ));
+    }
+    if rising == 0 {
+        return Ok(notes);
+    }
+    lines_of_rising.sort_unstable();
+    let which = format!(
+        "the pull rises with the contraction at the same pressure{}, and a muscle pulls less the shorter it is",
+        lines(&lines_of_rising)
+    );
+    if curves < 2 || 2 * rising < curves {
+        notes.push(format!("{which}: check these points"));
+        return Ok(notes);
+    }
+    let why = if points.iter().all(|p| p.at.contraction <= 0.0) {
+        "is the sign of the contraction flipped? None of them is above zero"
+    } else {
+        "is the sign of the contraction flipped, or does its column hold a length?"
+    };
+    Err(IdentifyError::Flipped(format!("{which}: {why}")))
+}
+
+/// By how much a straight line through a curve rises from its smallest to its largest contraction, in N; `None` where there is but one.
+fn rise(curve: &[&DataPoint]) -> Option<f64> {
+    let n = curve.len() as f64;
+    let mean = |of: fn(&DataPoint) -> f64| curve.iter().map(|p| of(p)).sum::<f64>() / n;
+    let (e, f) = (mean(|p| p.at.contraction), mean(|p| p.at.force_n));
+    let together: f64 = curve.iter().map(|p| (p.at.contraction - e) * (p.at.force_n - f)).sum();
+    let square: f64 = curve.iter().map(|p| (p.at.contraction - e).powi(2)).sum();
+    let width = curve.last()?.at.contraction - curve.first()?.at.contraction;
+    (width > 1e-6 && square > 0.0).then(|| width * together / square)
+}

@@ -1,0 +1,343 @@
+//! Constants from data, with what the data say of them: standard errors, correlation, and which they cannot tell.
+//!
+//! With the residuals rᵢ in units of one (or of their stated error), weights wᵢ, and J = ∂r/∂x at the minimum,
+//!
+//!   s² = Σ w r²/(n − m),   cov x = s² (JᵀWJ)⁻¹,   correlation ρᵢⱼ = covᵢⱼ/√(covᵢᵢ covⱼⱼ)
+//!
+//! with n points and m unknowns that are not on a bound (Seber & Wild 2003 \[seber2003\], ch. 2). An unknown is identifiable where
+//! the half-width of its 95 % interval, t(n − m) √covᵢᵢ, is below its scale and it does not lie on a bound.
+
+use super::bounds::Unknown;
+use super::student::t95;
+use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
+use mckibben::budget::Budget;
+use nalgebra::{DMatrix, DVector, Dyn, Owned};
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+/// What is to be made small: the residual of every point as a function of the unknowns.
+pub trait Residuals {
+    /// One number a point; `None` where the model has no answer.
+    fn at(&self, x: &[f64]) -> Option<Vec<f64>>;
+
+    /// ∂r/∂x, one column an unknown, where the model knows it; else central differences are taken.
+    fn by_unknowns(&self, _x: &[f64]) -> Option<Vec<Vec<f64>>> {
+        None
+    }
+}
+
+impl<F: Fn(&[f64]) -> Option<Vec<f64>>> Residuals for F {
+    fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+        self(x)
+    }
+}
+
+/// Loss function of the residuals.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "LossWord"))]
+pub enum Loss {
+    /// Sum of squares.
+    #[default]
+    Squares,
+    // By the square up to 1.345 robust deviations (1.4826 times the median of |r|), and linearly beyond (Huber 1964 [huber1964]).
+    /// Huber: outliers count less.
+    Huber,
+    // By the sixth power; standard errors then say little.
+    /// Sixth powers: the largest residual counts most.
+    Largest,
+}
+
+/// A minimum with its statistics. Matrices have one row and column an unknown.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Estimate {
+    /// The unknowns.
+    pub x: Vec<f64>,
+    /// Standard errors; infinite where the data do not determine the unknown at all, 0 on a bound.
+    pub standard_errors: Vec<f64>,
+    /// Half-widths of the 95 % intervals (Student's t); likewise.
+    pub half_widths: Vec<f64>,
+    /// Covariance; 0 for unknowns that are on a bound, and without the combinations of unknowns that the data do not determine at all.
+    pub covariance: Vec<Vec<f64>>,
+    /// Correlation ρ; 0 beside the diagonal for unknowns that are on a bound or not identifiable at all.
+    pub correlation: Vec<Vec<f64>>,
+    /// Whether the data determine this unknown.
+    pub identifiable: Vec<bool>,
+    /// Whether it lies on a bound.
+    pub at_bound: Vec<bool>,
+    /// r of every point, not weighted.
+    pub residuals: Vec<f64>,
+    /// w of every point: as given, times what the loss left of it.
+    pub weights: Vec<f64>,
+    /// s: what is left, for one point.
+    pub deviation: f64,
+}
+
+/// Why there is no estimate.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum EstimateError {
+    /// Not more points than unknowns.
+    #[error("{points} points do not determine {unknowns} unknowns: at least {} are needed, and more for a meaningful error bar", .unknowns + 1)]
+    TooFew {
+        /// Points with a weight.
+        points: usize,
+        /// Unknowns.
+        unknowns: usize,
+    },
+    /// Bounds or a scale that are not valid for an unknown.
+    #[error(
+        "unknown {index} cannot be fitted: its start {} and its bounds {} to {} must be numbers in order, and its scale {} above zero",
+        .unknown.start, .unknown.low, .unknown.high, .unknown.scale
+    )]
+    Unknown {
+        /// Counted from zero.
+        index: usize,
+        /// As given.
+        unknown: Unknown,
+    },
+    /// No answer of the model at the start.
+    #[error("the model has no answer at the start for one of the points")]
+    Start,
+    /// The iteration ended without a minimum.
+    #[error("no minimum was found: {reason}")]
+    NoMinimum {
+        /// Why.
+        reason: String,
+        /// The unknowns where it ended.
+        at: Vec<f64>,
+    },
+}
+
+struct Inner<'a, R> {
+    residuals: &'a R,
+    unknowns: &'a [Unknown],
+    roots: DVector<f64>,
+    u: DVector<f64>,
+    /// Taken for every residual where there are none.
+    wall: Option<f64>,
+}
+
+impl<R: Residuals> Inner<'_, R> {
+    fn x(&self, u: &DVector<f64>) -> Vec<f64> {
+        self.unknowns.iter().zip(u.iter()).map(|(k, &u)| k.outer(u).0).collect()
+    }
+
+    /// Columns ∂r/∂x, not weighted.
+    fn columns(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
+        slopes(self.residuals, self.unknowns, x)
+    }
+}
+
+/// ∂r/∂x, one column an unknown, not weighted: the model's own, or by central differences.
+pub fn slopes(residuals: &impl Residuals, unknowns: &[Unknown], x: &[f64]) -> Option<Vec<Vec<f64>>> {
+    if let Some(columns) = residuals.by_unknowns(x) {
+        return Some(columns);
+    }
+    let column = |i: usize| {
+        let unknown = &unknowns[i];
+        let h = 1e-5 * unknown.scale;
+        let (mut up, mut down) = (x.to_vec(), x.to_vec());
+        up[i] = (x[i] + h).min(unknown.high);
+        down[i] = (x[i] - h).max(unknown.low);
+        let (a, b) = (residuals.at(&up)?, residuals.at(&down)?);
+        let width = up[i] - down[i];
+        Some(a.iter().zip(&b).map(|(a, b)| (a - b) / width).collect())
+    };
+    (0..x.len()).map(column).collect()
+}
+
+impl<R: Residuals> LeastSquaresProblem<f64, Dyn, Dyn> for Inner<'_, R> {
+    type ResidualStorage = Owned<f64, Dyn>;
+    type JacobianStorage = Owned<f64, Dyn, Dyn>;
+    type ParameterStorage = Owned<f64, Dyn>;
+
+    fn set_params(&mut self, u: &DVector<f64>) {
+        self.u.copy_from(u);
+    }
+
+    fn params(&self) -> DVector<f64> {
+        self.u.clone()
+    }
+
+    fn residuals(&self) -> Option<DVector<f64>> {
+        // Not even a wall: the iteration ends.
+        Budget::current().check().ok()?;
+        match self.residuals.at(&self.x(&self.u)) {
+            Some(r) => Some(DVector::from_vec(r).component_mul(&self.roots)),
+            // A step to where the model has no answer is a bad step: the next one is shorter.
+            None => self.wall.map(|wall| DVector::from_element(self.roots.len(), wall)),
+        }
+    }
+
+    fn jacobian(&self) -> Option<DMatrix<f64>> {
+        let columns = self.columns(&self.x(&self.u))?;
+        let mut j = DMatrix::zeros(self.roots.len(), self.u.len());
+        for (c, column) in columns.iter().enumerate() {
+            let slope = self.unknowns[c].outer(self.u[c]).1;
+            for (r, v) in column.iter().enumerate() {
+                j[(r, c)] = v * slope * self.roots[r];
+            }
+        }
+        Some(j)
+    }
+}
+
+/// Turns of the robust loss at most; the weights settle long before.
+const TURNS: usize = 60;
+/// Huber's constant: 95 % of the efficiency of squares where the errors are normal.
+const HUBER: f64 = 1.345;
+
+/// The unknowns that make the residuals small, with their errors. `weights` has one number ≥ 0 a point.
+///
+/// # Errors
+/// [`EstimateError`].
+pub fn estimate(
+    residuals: &impl Residuals,
+    unknowns: &[Unknown],
+    weights: &[f64],
+    loss: Loss,
+) -> Result<Estimate, EstimateError> {
+    if let Some(index) = unknowns.iter().position(|u| !u.is_sound()) {
+        return Err(EstimateError::Unknown { index, unknown: unknowns[index] });
+    }
+    let points = weights.iter().filter(|w| **w > 0.0).count();
+    if points <= unknowns.len() {
+        return Err(EstimateError::TooFew { points, unknowns: unknowns.len() });
+    }
+    let mut u = DVector::from_iterator(unknowns.len(), unknowns.iter().map(Unknown::inner_start));
+    let mut factors = vec![1.0; weights.len()];
+    for _ in 0..TURNS {
+        let roots = weights.iter().zip(&factors).map(|(w, f)| (w * f).sqrt());
+        let roots = DVector::from_iterator(weights.len(), roots);
+        let mut inner = Inner { residuals, unknowns, roots, u: u.clone(), wall: None };
+        let start = inner.residuals().ok_or(EstimateError::Start)?;
+        inner.wall = Some(1e3 * (1.0 + start.amax()));
+        let (inner, report) = LevenbergMarquardt::new()
+            .with_ftol(1e-13)
+            .with_xtol(1e-11)
+            .with_gtol(1e-13)
+            .with_patience(100)
+            .minimize(inner);
+        // No step makes it smaller: as near to the minimum as the model's own rounding lets one come.
+        let settled = matches!(report.termination, TerminationReason::NoImprovementPossible(_));
+        if !(settled || report.termination.was_successful()) {
+            let reason = match report.termination {
+                TerminationReason::User(_) => "the model has no answer near the best values found".into(),
+                TerminationReason::LostPatience => "the search did not converge; free fewer unknowns".into(),
+                _ => "the data do not determine the unknowns, or the model is not smooth".into(),
+            };
+            return Err(EstimateError::NoMinimum { reason, at: inner.x(&inner.u) });
+        }
+        u = inner.u.clone();
+        let r = residuals.at(&inner.x(&u)).ok_or(EstimateError::Start)?;
+        let next = match loss {
+            Loss::Squares => factors.clone(),
+            Loss::Huber => huber(&r, weights),
+            Loss::Largest => sixth_power(&r, weights, &factors),
+        };
+        let moved = next.iter().zip(&factors).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        factors = next;
+        if moved < 1e-6 {
+            break;
+        }
+    }
+    let all = weights.iter().zip(&factors).map(|(w, f)| w * f).collect::<Vec<f64>>();
+    statistics(&Inner { residuals, unknowns, roots: DVector::zeros(0), u, wall: None }, all)
+}
+
+/// Huber's factors on the weights.
+fn huber(r: &[f64], weights: &[f64]) -> Vec<f64> {
+    let scaled: Vec<f64> = r.iter().zip(weights).map(|(r, w)| r.abs() * w.sqrt()).collect();
+    let mut sorted: Vec<f64> = scaled.iter().zip(weights).filter(|p| *p.1 > 0.0).map(|p| *p.0).collect();
+    sorted.sort_by(f64::total_cmp);
+    let median = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
+    let limit = HUBER * 1.4826 * median;
+    scaled.iter().map(|&s| if s <= limit || s == 0.0 { 1.0 } else { limit / s }).collect()
+}
+
+/// Factors that turn squares into sixth powers, r⁴ over the largest, approached by halves in the logarithm: the whole
+/// step overshoots for powers above three (Kahng 1972 \[kahng1972\]).
+fn sixth_power(r: &[f64], weights: &[f64], before: &[f64]) -> Vec<f64> {
+    let size: Vec<f64> = r.iter().zip(weights).map(|(r, w)| w * r * r).collect();
+    let largest = size.iter().copied().fold(0.0, f64::max);
+    if largest == 0.0 {
+        return before.to_vec();
+    }
+    let next = size.iter().zip(before).map(|(s, f)| {
+        let wanted = (s / largest).powi(2).max(1e-12);
+        wanted.powf(0.25) * f.powf(0.75)
+    });
+    next.collect()
+}
+
+fn statistics<R: Residuals>(inner: &Inner<'_, R>, weights: Vec<f64>) -> Result<Estimate, EstimateError> {
+    let x = inner.x(&inner.u);
+    let unknowns = inner.unknowns;
+    let residuals = inner.residuals.at(&x).ok_or(EstimateError::Start)?;
+    let columns = inner.columns(&x).ok_or(EstimateError::Start)?;
+    let at_bound: Vec<bool> = unknowns.iter().zip(&x).map(|(u, &x)| u.is_at_bound(x)).collect();
+    let inside: Vec<usize> = (0..x.len()).filter(|&i| !at_bound[i]).collect();
+    let points = weights.iter().filter(|w| **w > 0.0).count();
+    let freedom = points.saturating_sub(inside.len()).max(1);
+    let squares: f64 = residuals.iter().zip(&weights).map(|(r, w)| w * r * r).sum();
+    let deviation = (squares / freedom as f64).sqrt();
+    // Columns in units of the scales, so that singular values compare.
+    let j = DMatrix::from_fn(weights.len(), inside.len(), |r, c| {
+        columns[inside[c]][r] * weights[r].sqrt() * unknowns[inside[c]].scale
+    });
+    let m = inside.len();
+    // Every unknown may lie on a bound; an empty matrix has no decomposition.
+    let svd = if m > 0 { j.svd(false, true) } else { DMatrix::zeros(1, 1).svd(false, false) };
+    let largest = svd.singular_values.iter().copied().fold(0.0, f64::max);
+    let mut covariance = DMatrix::<f64>::zeros(m, m);
+    let mut lost = vec![false; m];
+    if let Some(v) = &svd.v_t {
+        for (k, &sigma) in svd.singular_values.iter().enumerate() {
+            let determined = sigma > 1e-10 * largest && sigma > 0.0;
+            for a in 0..m {
+                if !determined {
+                    lost[a] |= v[(k, a)].abs() > 1e-3;
+                    continue;
+                }
+                for b in 0..m {
+                    covariance[(a, b)] += v[(k, a)] * v[(k, b)] / (sigma * sigma);
+                }
+            }
+        }
+    }
+    let mut standard_errors = vec![0.0; x.len()];
+    let mut correlation = vec![vec![0.0; x.len()]; x.len()];
+    let mut full = vec![vec![0.0; x.len()]; x.len()];
+    for (a, &i) in inside.iter().enumerate() {
+        let scale = unknowns[i].scale;
+        standard_errors[i] =
+            if lost[a] { f64::INFINITY } else { deviation * scale * covariance[(a, a)].max(0.0).sqrt() };
+        for (b, &k) in inside.iter().enumerate() {
+            full[i][k] = deviation * deviation * scale * unknowns[k].scale * covariance[(a, b)];
+            if !lost[a] && !lost[b] {
+                correlation[i][k] = covariance[(a, b)] / (covariance[(a, a)] * covariance[(b, b)]).sqrt();
+            }
+        }
+    }
+    for (i, row) in correlation.iter_mut().enumerate() {
+        row[i] = 1.0;
+    }
+    let half_widths: Vec<f64> = standard_errors.iter().map(|s| t95(freedom) * s).collect();
+    let determined = |i: usize| !at_bound[i] && half_widths[i] <= unknowns[i].scale;
+    let identifiable = (0..x.len()).map(determined).collect();
+    Ok(Estimate {
+        x,
+        standard_errors,
+        half_widths,
+        covariance: full,
+        correlation,
+        identifiable,
+        at_bound,
+        residuals,
+        weights,
+        deviation,
+    })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,132 @@
+use super::*;
+
+/// Numbers as good as normal ones: the sum of twelve from a linear congruential generator.
+struct Noise(u64);
+
+impl Noise {
+    fn next(&mut self) -> f64 {
+        let mut one = || {
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (self.0 >> 11) as f64 / (1u64 << 53) as f64
+        };
+        (0..12).map(|_| one()).sum::<f64>() - 6.0
+    }
+}
+
+fn line(points: usize, noise: f64, seed: u64) -> Vec<(f64, f64)> {
+    let mut n = Noise(seed);
+    (0..points).map(|i| i as f64 / 10.0).map(|t| (t, 2.0 + 3.0 * t + noise * n.next())).collect()
+}
+
+fn of_line(data: &[(f64, f64)]) -> impl Fn(&[f64]) -> Option<Vec<f64>> + '_ {
+    |x| Some(data.iter().map(|&(t, y)| x[0] + x[1] * t - y).collect())
+}
+
+/// A straight line has its standard errors in closed form: s² = Σr²/(n−2), var b = s²/Σ(t−t̄)², var a = s²(1/n + t̄²/Σ(t−t̄)²).
+#[test]
+fn standard_errors_of_a_straight_line_are_the_textbook_ones() {
+    let data = line(21, 0.1, 7);
+    let unknowns = [Unknown::free(0.0, 1.0), Unknown::free(0.0, 1.0)];
+    let e = estimate(&of_line(&data), &unknowns, &[1.0; 21], Loss::Squares).unwrap();
+    let n = 21.0;
+    let mean = data.iter().map(|p| p.0).sum::<f64>() / n;
+    let spread = data.iter().map(|p| (p.0 - mean).powi(2)).sum::<f64>();
+    let s2 = e.residuals.iter().map(|r| r * r).sum::<f64>() / (n - 2.0);
+    assert!((e.standard_errors[1] - (s2 / spread).sqrt()).abs() < 1e-8);
+    assert!((e.standard_errors[0] - (s2 * (1.0 / n + mean * mean / spread)).sqrt()).abs() < 1e-8);
+    let rho = -mean / (spread / n + mean * mean).sqrt();
+    assert!((e.correlation[0][1] - rho).abs() < 1e-6, "{} {rho}", e.correlation[0][1]);
+}
+
+/// 95 % intervals hold the truth in 95 % of 400 trials; ± 3 standard deviations of a binomial count are ± 13.
+#[test]
+fn intervals_cover_the_truth_at_their_rate() {
+    let unknowns = [Unknown::free(0.0, 1.0), Unknown::free(0.0, 1.0)];
+    let mut hits = [0; 2];
+    for trial in 0..400 {
+        let data = line(8, 0.5, 1000 + trial);
+        let e = estimate(&of_line(&data), &unknowns, &[1.0; 8], Loss::Squares).unwrap();
+        for (i, truth) in [2.0, 3.0].iter().enumerate() {
+            hits[i] += usize::from((e.x[i] - truth).abs() <= e.half_widths[i]);
+        }
+    }
+    assert!(hits.iter().all(|h| (367..=393).contains(h)), "{hits:?}");
+}
+
+#[test]
+fn huber_is_not_moved_by_outliers_where_squares_are() {
+    let mut data = line(30, 0.02, 3);
+    data[4].1 += 10.0;
+    data[20].1 -= 15.0;
+    let unknowns = [Unknown::free(0.0, 1.0), Unknown::free(0.0, 1.0)];
+    let squares = estimate(&of_line(&data), &unknowns, &[1.0; 30], Loss::Squares).unwrap();
+    let huber = estimate(&of_line(&data), &unknowns, &[1.0; 30], Loss::Huber).unwrap();
+    assert!((squares.x[1] - 3.0).abs() > 0.3, "{:?}", squares.x);
+    assert!((huber.x[1] - 3.0).abs() < 0.03, "{:?}", huber.x);
+    assert!(huber.weights[4] < 0.05 && huber.weights[20] < 0.05);
+}
+
+#[test]
+fn bounds_hold_and_are_told() {
+    let data = line(12, 0.01, 5);
+    let unknowns = [Unknown { start: 1.0, low: 0.0, high: 1.5, scale: 1.0 }, Unknown::above(1.0, 0.0, 1.0)];
+    let e = estimate(&of_line(&data), &unknowns, &[1.0; 12], Loss::Squares).unwrap();
+    assert!(e.x[0] <= 1.5 && e.at_bound[0] && !e.identifiable[0], "{e:?}");
+    assert!(!e.at_bound[1] && e.x[1] > 3.0);
+    // All of them on bounds.
+    let unknowns = [
+        Unknown { start: 1.0, low: 0.0, high: 1.5, scale: 1.0 },
+        Unknown { start: 1.0, low: 0.0, high: 2.0, scale: 1.0 },
+    ];
+    let e = estimate(&of_line(&data), &unknowns, &[1.0; 12], Loss::Squares).unwrap();
+    assert!(e.at_bound == [true, true] && e.standard_errors == [0.0, 0.0], "{e:?}");
+}
+
+#[test]
+fn unknowns_that_act_together_are_unidentifiable() {
+    let data = line(12, 0.01, 5);
+    let twice = |x: &[f64]| Some(data.iter().map(|&(t, y)| 2.0 + (x[0] + x[1]) * t - y).collect());
+    let unknowns = [Unknown::free(1.0, 1.0), Unknown::free(1.0, 1.0)];
+    let e = estimate(&twice, &unknowns, &[1.0; 12], Loss::Squares).unwrap();
+    assert!(e.identifiable.iter().all(|i| !i) && e.standard_errors.iter().all(|s| *s > 1.0), "{e:?}");
+    assert!((e.x[0] + e.x[1] - 3.0).abs() < 0.01);
+}
+
+#[test]
+fn too_few_points_and_a_failing_model_are_errors() {
+    let data = line(2, 0.0, 1);
+    let unknowns = [Unknown::free(0.0, 1.0), Unknown::free(0.0, 1.0)];
+    let few = estimate(&of_line(&data), &unknowns, &[1.0; 2], Loss::Squares);
+    assert_eq!(few, Err(EstimateError::TooFew { points: 2, unknowns: 2 }));
+    let none = |_: &[f64]| -> Option<Vec<f64>> { None };
+    assert_eq!(estimate(&none, &unknowns, &[1.0; 5], Loss::Squares), Err(EstimateError::Start));
+}
+
+/// The number nearest to 0, 0 and 10 in the sixth power: 2 c⁵ = (10 − c)⁵, c = 10/(1 + 2^(1/5)).
+#[test]
+fn the_sixth_power_is_the_sixth_power() {
+    let level = |x: &[f64]| Some(vec![x[0], x[0], x[0] - 10.0]);
+    let e = estimate(&level, &[Unknown::free(1.0, 1.0)], &[1.0; 3], Loss::Largest).unwrap();
+    assert!((e.x[0] - 10.0 / (1.0 + 2f64.powf(0.2))).abs() < 1e-4, "{}", e.x[0]);
+}
+
+/// Steps past the edge of the model are taken back.
+#[test]
+fn a_model_that_ends_somewhere_is_followed_up_to_there() {
+    let data = line(12, 0.0, 5);
+    let edge =
+        |x: &[f64]| (x[0] > 1.9).then(|| data.iter().map(|&(t, y)| x[0].ln() + x[1] * t - y).collect());
+    let unknowns = [Unknown::free(40.0, 1.0), Unknown::free(0.0, 1.0)];
+    let e = estimate(&edge, &unknowns, &[1.0; 12], Loss::Squares).unwrap();
+    assert!((e.x[0] - 2f64.exp()).abs() < 1e-5 && (e.x[1] - 3.0).abs() < 1e-6, "{:?}", e.x);
+}
+
+/// Rosenbrock (1960) \[rosenbrock1960\]: minimum 0 at (1, 1). The third point is met by any unknowns.
+#[test]
+fn rosenbrocks_valley_is_followed_to_its_end() {
+    let valley = |x: &[f64]| Some(vec![10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0], 0.0]);
+    let unknowns = [Unknown::free(0.0, 1.0), Unknown::free(0.0, 1.0)];
+    let found = estimate(&valley, &unknowns, &[1.0; 3], Loss::Squares).unwrap();
+    assert!((found.x[0] - 1.0).abs() < 1e-7 && (found.x[1] - 1.0).abs() < 1e-7, "{found:?}");
+    assert!(found.residuals.iter().map(|r| r * r).sum::<f64>() < 1e-14);
+}

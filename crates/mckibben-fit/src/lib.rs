@@ -1,0 +1,26 @@
+//! Constants found from tests, and models held against tests of McKibben muscles.
+//!
+//! | part | what it does |
+//! |---|---|
+//! | [`least_squares`] | bounded least squares with standard errors, after Levenberg and Marquardt |
+//! | [`rubber`] | rubber laws from tests in tension, shear and biaxial tension |
+//! | [`rubber_over_time`] | softening and relaxation from histories |
+//! | [`measured`] | measured points of a muscle |
+//! | [`identify`] | measures and constants of a muscle from its points |
+//! | [`compare`] | how far a model is from points |
+//! | [`validation`] | every measured muscle and rubber that is built in, and those of users |
+//!
+//! Whatever needs a model of a muscle takes a function that builds one ([`identify::Build`]).
+//!
+//! Units: mm, MPa (= N/mm²), N.
+
+#![warn(clippy::print_stdout, clippy::print_stderr)]
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+pub mod compare;
+pub mod identify;
+pub mod least_squares;
+pub mod measured;
+pub mod rubber;
+pub mod rubber_over_time;
+pub mod validation;

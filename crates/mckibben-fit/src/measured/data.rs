@@ -1,0 +1,131 @@
+//! A row of data: what was measured, where, on which muscle, and how well.
+
+use super::point::{MeasuredPoint, mean_of_branches};
+use mckibben::muscle::measures::{ANGLE, LENGTH, OUTER_DIAMETER, WALL};
+use mckibben::muscle::{Direction, Measure, Muscle, MuscleError};
+use serde::{Deserialize, Serialize};
+
+/// The measured quantity; the two others were set.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum Quantity {
+    /// The pull, at a set pressure and length (isometric, isobaric).
+    #[default]
+    Force,
+    /// The contraction, at a set pressure and pull (isotonic).
+    Contraction,
+    /// The pressure, at a set pull and length.
+    Pressure,
+}
+
+/// Measures of the muscle that a row states; the others are the muscle file's.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Section {
+    /// D0 in mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outer_diameter_mm: Option<f64>,
+    /// s in mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wall_mm: Option<f64>,
+    /// L0 in mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub length_mm: Option<f64>,
+    /// θ0 in degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub angle_deg: Option<f64>,
+}
+
+impl Section {
+    /// Whether it says this measure of the muscle.
+    pub fn states(&self, measure: &Measure) -> bool {
+        let own = [
+            (&OUTER_DIAMETER, self.outer_diameter_mm),
+            (&WALL, self.wall_mm),
+            (&LENGTH, self.length_mm),
+            (&ANGLE, self.angle_deg),
+        ];
+        own.iter().any(|(m, value)| *m == measure && value.is_some())
+    }
+
+    /// The muscle with these measures.
+    ///
+    /// # Errors
+    /// [`MuscleError`].
+    pub fn apply(&self, muscle: &Muscle) -> Result<Muscle, MuscleError> {
+        let mut tube = muscle.tube().clone();
+        tube.outer_diameter_mm = self.outer_diameter_mm.unwrap_or(tube.outer_diameter_mm);
+        tube.wall_mm = self.wall_mm.unwrap_or(tube.wall_mm);
+        tube.length_mm = self.length_mm.unwrap_or(tube.length_mm);
+        let mut braid = muscle.braid_on(tube.outer_diameter_mm)?;
+        braid.angle_deg = self.angle_deg.unwrap_or(braid.angle_deg);
+        Muscle::new(tube, braid, muscle.terminals().clone(), muscle.friction().copied())
+    }
+}
+
+/// One row of data.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct DataPoint {
+    /// Pressure, contraction, pull, branch.
+    #[serde(flatten)]
+    pub at: MeasuredPoint,
+    /// Which of them was read.
+    pub measured: Quantity,
+    /// Standard error of what was read, in its unit, where it is stated.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub error: Option<f64>,
+    /// How much it counts; 1 where nothing is said.
+    pub weight: f64,
+    /// Measures of its muscle.
+    #[serde(flatten)]
+    pub section: Section,
+    /// Line in its file, from 1; 0 where it comes from no file.
+    pub line: u64,
+    /// Which of several sets of data it belongs to.
+    pub set: usize,
+}
+
+impl DataPoint {
+    /// A measured pull.
+    pub fn of(at: MeasuredPoint) -> Self {
+        Self {
+            at,
+            measured: Quantity::Force,
+            error: None,
+            weight: 1.0,
+            section: Section::default(),
+            line: 0,
+            set: 0,
+        }
+    }
+}
+
+/// The mean of the two hysteresis branches, muscle by muscle; see [`mean_of_branches`]. A mean keeps the line of its
+/// lower point.
+pub fn mean_of_data(points: &[DataPoint]) -> Vec<DataPoint> {
+    let mut groups: Vec<Vec<DataPoint>> = vec![];
+    for p in points {
+        match groups
+            .iter_mut()
+            .find(|g| g[0].section == p.section && g[0].set == p.set && g[0].measured == p.measured)
+        {
+            Some(group) => group.push(*p),
+            None => groups.push(vec![*p]),
+        }
+    }
+    let mut out = vec![];
+    for group in groups {
+        let rows: Vec<MeasuredPoint> = group.iter().map(|p| p.at).collect();
+        for mean in mean_of_branches(&rows) {
+            let same = |p: &&DataPoint| {
+                p.at.pressure_mpa == mean.pressure_mpa && p.at.contraction == mean.contraction
+            };
+            let lower = |p: &&DataPoint| same(p) && p.at.branch != Direction::Elongation;
+            let origin = group.iter().find(lower).or_else(|| group.iter().find(same));
+            out.extend(origin.map(|p| DataPoint { at: mean, ..*p }));
+        }
+    }
+    out
+}

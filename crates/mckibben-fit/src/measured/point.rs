@@ -1,0 +1,80 @@
+//! Measured points, and the mean of both branches.
+
+use mckibben::muscle::Direction;
+use serde::{Deserialize, Serialize};
+
+/// One measured point of a muscle.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct MeasuredPoint {
+    /// Gauge pressure in MPa.
+    pub pressure_mpa: f64,
+    /// Contraction ratio.
+    pub contraction: f64,
+    /// Pull in N.
+    pub force_n: f64,
+    /// The branch of the hysteresis loop; the mean where none is stated.
+    #[serde(default, skip_serializing_if = "is_mean")]
+    pub branch: Direction,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over references")]
+fn is_mean(branch: &Direction) -> bool {
+    *branch == Direction::Mean
+}
+
+/// The mean of the two hysteresis branches: at every contraction of the lower branch, half the sum with the upper branch
+/// interpolated there, pressure by pressure. Points without a branch, and pressures with one branch only, stay as they are.
+pub fn mean_of_branches(points: &[MeasuredPoint]) -> Vec<MeasuredPoint> {
+    let mut pressures: Vec<f64> = points.iter().map(|p| p.pressure_mpa).collect();
+    pressures.sort_by(f64::total_cmp);
+    pressures.dedup();
+    let mut out = Vec::new();
+    for pressure in pressures {
+        let of = |branch| {
+            let mut list: Vec<MeasuredPoint> =
+                points.iter().filter(|p| p.pressure_mpa == pressure && p.branch == branch).copied().collect();
+            list.sort_by(|a, b| a.contraction.total_cmp(&b.contraction));
+            list
+        };
+        let (lower, upper) = (of(Direction::Contraction), of(Direction::Elongation));
+        out.extend(of(Direction::Mean));
+        if lower.is_empty() || upper.is_empty() {
+            out.extend(lower.into_iter().chain(upper));
+            continue;
+        }
+        out.extend(lower.iter().filter_map(|p| {
+            let above = interpolate(&upper, p.contraction)?;
+            Some(MeasuredPoint { force_n: 0.5 * (p.force_n + above), branch: Direction::Mean, ..*p })
+        }));
+    }
+    out
+}
+
+/// Linear interpolation of the force at a contraction; `None` outside of the measured contractions.
+fn interpolate(sorted: &[MeasuredPoint], contraction: f64) -> Option<f64> {
+    let i = sorted.partition_point(|p| p.contraction < contraction);
+    let right = sorted.get(i)?;
+    if right.contraction == contraction {
+        return Some(right.force_n);
+    }
+    let left = sorted.get(i.checked_sub(1)?)?;
+    let t = (contraction - left.contraction) / (right.contraction - left.contraction);
+    Some(left.force_n + t * (right.force_n - left.force_n))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::read_measured;
+    use super::*;
+
+    #[test]
+    fn the_mean_of_two_parallel_branches_lies_between_them() {
+        let text = "pressure_mpa,contraction,force_n,branch\n0.1,0,10,contraction\n0.1,0.2,6,contraction\n\
+                    0.1,0.3,2,contraction\n0.1,0,12,elongation\n0.1,0.1,10,elongation\n0.1,0.25,7,elongation\n";
+        let mean = mean_of_branches(&read_measured(text.as_bytes()).unwrap());
+        assert_eq!(mean.len(), 2);
+        assert_eq!(mean[0].force_n, 11.0);
+        assert!((mean[1].force_n - 7.0).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,270 @@
+//! Points from people's tables.
+
+use super::data::{DataPoint, Quantity, Section};
+use super::point::MeasuredPoint;
+use mckibben::muscle::Direction;
+use mckibben_table::{
+    Column, Columns, Meaning, POINTS, Table, TableError, Understood, is_absolute, read_text,
+};
+use std::io::Read;
+
+/// What the table does not say.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct PointOptions {
+    /// Columns whose heading does not say what they are.
+    pub columns: Columns,
+    /// L0 of the muscle, for shortenings and lengths.
+    pub rest_length_mm: Option<f64>,
+}
+
+/// Groups of [`POINTS`].
+const PRESSURE: usize = 0;
+const CONTRACTION: usize = 1;
+const FORCE: usize = 2;
+
+/// [`read_points`] of a table that says everything.
+///
+/// # Errors
+/// [`TableError`] names line and column.
+pub fn read_data(input: impl Read) -> Result<Vec<DataPoint>, TableError> {
+    Ok(read_points(input, &PointOptions::default())?.0)
+}
+
+/// Pressure, contraction, pull and branch of [`read_data`].
+///
+/// # Errors
+/// [`TableError`] names line and column.
+pub fn read_measured(input: impl Read) -> Result<Vec<MeasuredPoint>, TableError> {
+    Ok(read_data(input)?.into_iter().map(|p| p.at).collect())
+}
+
+/// Reads points from a table in any common form ([`table`](mckibben_table)), and says what was understood of it.
+///
+/// Needed are pressures, contractions (or shortenings, or lengths that vary, with L0) and pulls, each with its unit:
+/// `pressure_mpa`, `Druck in bar`, `p (psi)`; `contraction` is a ratio. Understood are also `branch`, `measured` (force,
+/// contraction, pressure), `force_error_n`, `contraction_error`, `pressure_error_mpa`, `weight`, `outer_diameter_mm`,
+/// `wall_mm`, `angle_deg`, L0 as `rest_length_mm` or, beside a contraction, `length_mm`; rows whose `status` is not `ok`
+/// (points without answer, as `curve` writes them) are left out.
+///
+/// # Errors
+/// [`TableError`] names line and column.
+pub fn read_points(
+    input: impl Read,
+    options: &PointOptions,
+) -> Result<(Vec<DataPoint>, Understood), TableError> {
+    let mut table = Table::read(&read_text(input)?, &POINTS, &options.columns)?;
+    table.keep(Meaning::Status, &["", "ok"]);
+    let beside = table.needed(CONTRACTION)?.meaning != Meaning::Length;
+    let ours = table.column(Meaning::Length).is_some_and(|c| c.heading.eq_ignore_ascii_case("length_mm"));
+    let length_is_l0 = beside && ours && table.column(Meaning::RestLength).is_none();
+    if length_is_l0 {
+        table.rename(Meaning::Length, Meaning::RestLength);
+    }
+    let pressures = pressures(&table)?;
+    let rest = above_zero(&table, Meaning::RestLength, MEASURE)?;
+    let (contractions, note) = contractions(&table, &rest, options.rest_length_mm)?;
+    if length_is_l0 {
+        check_rest(&table, &rest, &contractions)?;
+    }
+    let forces = table.numbers(table.needed(FORCE)?)?;
+    let mut points = rows(&table)?;
+    for (i, point) in points.iter_mut().enumerate() {
+        point.at.pressure_mpa = pressures[i];
+        point.at.contraction = contractions[i];
+        point.at.force_n = forces[i];
+        point.section.length_mm = rest[i];
+    }
+    if points.is_empty() {
+        return Err(TableError::Empty);
+    }
+    Ok((points, understood(&table, note)?))
+}
+
+const MEASURE: &str = "is not a measure of a muscle; it must be above zero";
+
+/// Numbers above zero, where the fields are not empty.
+fn above_zero(
+    table: &Table,
+    meaning: Meaning,
+    expected: &'static str,
+) -> Result<Vec<Option<f64>>, TableError> {
+    let values = table.some_numbers(meaning)?;
+    match (values.iter().position(|v| v.is_some_and(|v| v <= 0.0)), table.column(meaning)) {
+        (Some(row), Some(column)) => Err(table.impossible(row, column, expected)),
+        _ => Ok(values),
+    }
+}
+
+fn pressures(table: &Table) -> Result<Vec<f64>, TableError> {
+    let column = table.needed(PRESSURE)?;
+    if !column.chosen && is_absolute(&column.heading) {
+        return Err(TableError::Absolute { column: column.heading.clone() });
+    }
+    let values = table.numbers(column)?;
+    match values.iter().position(|p| *p < 0.0) {
+        Some(row) => Err(table.impossible(row, column, "is below zero; gauge pressure starts at 0")),
+        None => Ok(values),
+    }
+}
+
+/// Contraction ratios, and how they were made where that is not plain.
+fn contractions(
+    table: &Table,
+    rest: &[Option<f64>],
+    muscle: Option<f64>,
+) -> Result<(Vec<f64>, Option<String>), TableError> {
+    let column = table.needed(CONTRACTION)?;
+    let raw = table.numbers(column)?;
+    let (values, note) = match column.meaning {
+        Meaning::Contraction => (raw, None),
+        meaning => {
+            let of_rows = rest.iter().any(Option::is_some);
+            let rest: Vec<f64> = rest.iter().filter_map(|l| l.or(muscle)).collect();
+            if rest.len() != raw.len() {
+                let needs =
+                    "the length L0 at rest: give the muscle with its `length_mm`, or a column rest_length_mm";
+                return Err(TableError::Needs { column: column.heading.clone(), needs });
+            }
+            let l0 = match muscle {
+                Some(l0) if !of_rows => format!("L0 {l0} mm"),
+                _ => "the L0 of each row".into(),
+            };
+            let ratios = raw.iter().zip(&rest);
+            if meaning == Meaning::Length {
+                check_varies(column, &raw)?;
+                let ratios = ratios.map(|(l, l0)| rounded(1.0 - l / l0));
+                (ratios.collect(), Some(format!("1 − L/L0, {l0}")))
+            } else {
+                (ratios.map(|(x, l0)| rounded(x / l0)).collect(), Some(format!("over {l0}")))
+            }
+        }
+    };
+    let Some(row) = values.iter().position(|e: &f64| !(-0.9..0.95).contains(e)) else {
+        return Ok((values, note));
+    };
+    let wrong = |expected| Err(table.impossible(row, column, expected));
+    match (column.meaning, column.unit) {
+        (Meaning::Contraction, None) => Err(table.percent(row, column)),
+        (Meaning::Contraction, Some(unit)) if unit.name.is_empty() => wrong(
+            "is not a valid contraction ratio ΔL/L0; write 0.15 for 15 %, or name the column contraction_percent",
+        ),
+        (Meaning::Contraction, _) => wrong("is not a valid contraction: no muscle shortens by so much"),
+        (Meaning::Length, _) => {
+            wrong("is not a valid length of this muscle; check its unit and L0 (`length_mm`)")
+        }
+        _ => wrong("is not a valid shortening of this muscle; check its unit and L0 (`length_mm`)"),
+    }
+}
+
+/// What a conversion from inches leaves of nothing is nothing.
+fn rounded(contraction: f64) -> f64 {
+    if contraction.abs() < 1e-6 { 0.0 } else { contraction }
+}
+
+/// A length that is the same in all lines could be that at rest.
+fn check_varies(column: &Column, lengths: &[f64]) -> Result<(), TableError> {
+    let why = "is the same in all lines and does not give the contraction: add a column of contractions, \
+               or, if it is the present length, say so with `columns` length=\"HEADING:mm\"";
+    match spread(lengths.iter().copied()) < 1e-9 && !column.chosen {
+        true if !lengths.is_empty() => Err(TableError::Length { column: column.heading.clone(), why }),
+        _ => Ok(()),
+    }
+}
+
+/// Largest less smallest, relative to the largest.
+fn spread(values: impl Iterator<Item = f64> + Clone) -> f64 {
+    let (low, high) = (values.clone().fold(f64::INFINITY, f64::min), values.fold(0.0, f64::max));
+    if high > 0.0 { (high - low) / high } else { 0.0 }
+}
+
+/// Beside a contraction `length_mm` means L0; a length that shrinks with the contraction is another one.
+fn check_rest(table: &Table, rest: &[Option<f64>], contractions: &[f64]) -> Result<(), TableError> {
+    let lengths = || rest.iter().flatten().copied();
+    if lengths().count() != contractions.len() || spread(lengths()) < 0.005 {
+        return Ok(());
+    }
+    let way = table.column(Meaning::Shortening).filter(|_| table.column(Meaning::Contraction).is_none());
+    let ways = way.map(|column| table.numbers(column)).transpose()?;
+    let rests = lengths().zip(contractions).enumerate().map(|(i, (l, e))| match &ways {
+        Some(ways) => l + ways[i],
+        None => l / (1.0 - e),
+    });
+    match table.column(Meaning::RestLength) {
+        Some(column) if spread(rests.clone()) < 0.2 * spread(lengths()) => Err(TableError::Length {
+            column: column.heading.clone(),
+            why: "decreases with the contraction; together with a contraction it means the length at rest: give \
+                  the column another name (Length [mm]), and it is left out",
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// What stands in the other columns.
+fn rows(table: &Table) -> Result<Vec<DataPoint>, TableError> {
+    let weights = table.some_numbers(Meaning::Weight)?;
+    let errors = [Meaning::ForceError, Meaning::ContractionError, Meaning::PressureError];
+    let stated =
+        [table.some_numbers(errors[0])?, table.some_numbers(errors[1])?, table.some_numbers(errors[2])?];
+    let diameters = above_zero(table, Meaning::OuterDiameter, MEASURE)?;
+    let walls = above_zero(table, Meaning::Wall, MEASURE)?;
+    let angles = above_zero(table, Meaning::Angle, MEASURE)?;
+    let branches = [("contraction", Direction::Contraction), ("elongation", Direction::Elongation)];
+    let quantities = [
+        ("force", Quantity::Force),
+        ("contraction", Quantity::Contraction),
+        ("pressure", Quantity::Pressure),
+    ];
+    let refused = |row: usize, meaning: Meaning, expected| match table.column(meaning) {
+        Some(column) => table.impossible(row, column, expected),
+        None => TableError::Empty,
+    };
+    let one = |(row, line): (usize, u64)| {
+        let known = "neither \"contraction\" nor \"elongation\"";
+        let branch = table.word(row, Meaning::Branch, &branches, known)?.unwrap_or_default();
+        let known = "neither \"force\", \"contraction\" nor \"pressure\"";
+        let measured = table.word(row, Meaning::Measured, &quantities, known)?.unwrap_or_default();
+        let error = stated[measured as usize][row];
+        if error.is_some_and(|e| e <= 0.0) {
+            let expected = "is not a valid standard error; it must be above zero";
+            return Err(refused(row, errors[measured as usize], expected));
+        }
+        if weights[row].is_some_and(|w| w < 0.0) {
+            return Err(refused(row, Meaning::Weight, "is not a valid weight; it must not be below zero"));
+        }
+        let at = MeasuredPoint { pressure_mpa: 0.0, contraction: 0.0, force_n: 0.0, branch };
+        let section = Section {
+            outer_diameter_mm: diameters[row],
+            wall_mm: walls[row],
+            length_mm: None,
+            angle_deg: angles[row],
+        };
+        Ok(DataPoint { at, measured, error, weight: weights[row].unwrap_or(1.0), section, line, set: 0 })
+    };
+    table.lines().into_iter().enumerate().map(one).collect()
+}
+
+fn understood(table: &Table, note: Option<String>) -> Result<Understood, TableError> {
+    let mut used = vec![
+        (table.needed(PRESSURE)?, None),
+        (table.needed(CONTRACTION)?, note),
+        (table.needed(FORCE)?, None),
+    ];
+    let others = [
+        Meaning::RestLength,
+        Meaning::Branch,
+        Meaning::Measured,
+        Meaning::Status,
+        Meaning::ForceError,
+        Meaning::ContractionError,
+        Meaning::PressureError,
+        Meaning::Weight,
+        Meaning::OuterDiameter,
+        Meaning::Wall,
+        Meaning::Angle,
+    ];
+    used.extend(others.into_iter().filter_map(|m| Some((table.column(m)?, None))));
+    Ok(table.understood(&used))
+}
+
+#[cfg(test)]
+mod tests;

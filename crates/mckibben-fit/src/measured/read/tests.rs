@@ -1,0 +1,218 @@
+use super::*;
+
+const L0: f64 = 200.0;
+
+fn read_with(text: &str, columns: &str) -> Result<(Vec<DataPoint>, Understood), TableError> {
+    let columns = Columns::parse(columns).unwrap();
+    read_points(text.as_bytes(), &PointOptions { columns, rest_length_mm: Some(L0) })
+}
+
+fn read(text: &str) -> Result<(Vec<DataPoint>, Understood), TableError> {
+    read_with(text, "")
+}
+
+fn refused(text: &str, columns: &str) -> String {
+    match read_with(text, columns) {
+        Err(error) => error.to_string(),
+        Ok(found) => panic!("{text}: {found:?}"),
+    }
+}
+
+/// P 0.25 MPa, ε 0.1 of L0 200 mm, F 300 N, said in many ways. The units' values are those of their definitions.
+#[test]
+fn one_point_in_many_spellings_is_that_point() {
+    for text in [
+        "pressure_mpa,contraction,force_n\n0.25,0.1,300\n",
+        "pressure_bar,contraction_percent,force_n\n2.5,10,300\n",
+        "Pressure [kPa],Shortening [mm],Force [kN]\n250,20,0.3\n",
+        "Druck (kPa);Verkürzung (mm);Kraft (N)\n250,0;20,00;300,0\n",
+        "Druck in Pa;Kontraktion in %;Zugkraft in mN\n250000;10,0;300000\n",
+        "pression / mbar\traccourcissement / cm\teffort / daN\n2500\t2\t30\n",
+        "presión, bar|acortamiento, m|fuerza, gf\n2.5|0.02|30591.486389337\n",
+        "pressure_psi,contraction,force_lbf\n36.259434432557,0.1,67.442682932\n",
+        "p [N/mm²];x (Weg) ;Δl [inch];Load (kg)\n0,25;1;0,78740157;30,591486389\n",
+        "pressure\tdisplacement\tforce\n[kPa]\t[mm]\t[N]\n250\t20\t300\n",
+        "pressure\tdisplacement\tforce\nbar\t%\tN\n2.5\t10\t300\n",
+        "pressure,strain,force\n250 kPa,10 %,300 N\n",
+        "sep=;\nPressure [bar];Contraction [-];Force [N];;\n2.5;0.1;300;;\n",
+        "\"Pressure\n[bar]\",\"Contraction\n[%]\",\"Force, mean\n[N]\"\n\"2,5\",\"10,0\",300\n",
+        "Bench 3\nOperator;J. Doe\n\nTime [s];Druck [bar];ε [%];Kraft [N]\n0,1;2,5;10,0;300\n",
+        "# made by a script\n# pressure_kpa contraction force_n\n250 0.1 300\n# the end\n",
+        "pressure_bar,contraction_percent,force_n\n2.5,10,\"300\"\n\n  \n# the end, \"of it\n",
+        "Gauge pressure [bar(g)],Measured force [N],muscle length [mm],L0 [mm]\n2.5,300,180,200\n1,300,170,200\n",
+        "pressure_bar,force_n,length_mm\n2.5,300,180\n1,2,200\n",
+        "Pressure [bar],Pressure [psi],Contraction,Force [N],Force [lbf]\n2.5,36,0.1,300,67\n",
+    ] {
+        let (points, understood) = read(text).unwrap_or_else(|e| panic!("{text}: {e}"));
+        let at = points[0].at;
+        assert!((at.pressure_mpa - 0.25).abs() < 1e-12, "{text}: {at:?}");
+        assert!((at.contraction - 0.1).abs() < 1e-7, "{text}: {at:?}");
+        assert!((at.force_n - 300.0).abs() < 1e-6, "{text}: {at:?}");
+        assert_eq!(understood.rows, points.len());
+    }
+}
+
+#[test]
+fn columns_are_chosen_where_headings_say_nothing() {
+    let text = "t,P1,P2,x,F\n0,250,7,20,300\n";
+    let (points, understood) = read_with(text, "pressure=\"P1:kPa\",contraction=\"x:mm\",force=F:N").unwrap();
+    assert_eq!(
+        (points[0].at.pressure_mpa, points[0].at.contraction, points[0].at.force_n),
+        (0.25, 0.1, 300.0)
+    );
+    assert_eq!(
+        understood.line(),
+        "1 points; P1 → pressure (kPa), x → shortening (mm, over L0 200 mm), F → force (N); not used: t, P2"
+    );
+    assert_eq!(understood.columns[0].range.as_deref(), Some("0.25..0.25MPa"));
+    // What is chosen goes before what a heading says; a table without headings is read by numbers.
+    let (points, _) =
+        read_with("pressure_mpa,P,contraction,force_n\n1,2.5,0.1,300\n", "pressure=P:bar").unwrap();
+    assert_eq!(points[0].at.pressure_mpa, 0.25);
+    let numbers = "250;20;300\n300;20;400\n";
+    let (points, understood) = read_with(numbers, "pressure=#1:kPa,shortening=#2:mm,force=#3:N").unwrap();
+    assert_eq!((points.len(), points[0].line, understood.heading_line), (2, 1, None));
+    // A length that is said to be the present one is, even where it does not vary.
+    let (points, _) = read_with("p_bar,l,F_N\n1,180,5\n2,180,6\n", "length=l:mm").unwrap();
+    assert!((points[1].at.contraction - 0.1).abs() < 1e-12);
+}
+
+#[test]
+fn what_is_not_understood_is_named_with_the_way_out() {
+    let cases = [
+        ("a,b\n1,2\n", "", "no column of pressures (the columns are: a, b)"),
+        ("p_bar,F_N\n1,2\n", "", "`columns` contraction=\"HEADING\""),
+        ("Druck;Kontraktion;Kraft [N]\n1;0,1;2\n", "", "column Druck does not say its unit"),
+        ("Druck;Kontraktion;Kraft [N]\n1;0,1;2\n", "", "`columns` pressure=\"Druck:kPa\""),
+        ("p [furlong];e;F\n1;2;3\n", "contraction=e,force=F:N", "that in its brackets is not known"),
+        ("p_bar,contraction,F\n1,0.1,3\n", "", "column F does not say its unit"),
+        (
+            "p_bar,strain,F_N\n1,0,9\n1,5,3\n1,12,1\n",
+            "",
+            "line 3, column strain: 5 is not a valid contraction ratio",
+        ),
+        ("p_bar,strain,F_N\n1,0,9\n1,5,3\n", "", "`columns` contraction=\"strain:%\""),
+        ("p_bar,x_mm,contraction,F_N\n1,0,9,3\n", "", "write 0.15 for 15 %"),
+        ("p_bar,stroke [mm],F_N\n1,500,9\n", "", "is not a valid shortening of this muscle"),
+        ("p_bar,length_mm,F_N\n1,200,9\n2,200,8\n", "", "the same in all lines"),
+        (
+            "Set pressure [bar],Pressure 1,p_bar,Pressure [bar],contraction,force_n\n",
+            "",
+            "columns p_bar, Pressure [bar] could all be pressure",
+        ),
+        ("Absolute pressure [bar],contraction,force_n\n1,0,1\n", "", "has absolute pressures"),
+        (
+            "p_bar,contraction,force_n,length_mm\n1,0,9,200\n1,0.1,5,180\n",
+            "",
+            "length_mm shrinks with the contraction",
+        ),
+        (
+            "p_bar,x_mm,F_N\n1,2,3\n",
+            "contraction=y:mm",
+            "there is no column \"y:mm\" (the columns are: p_bar, x_mm, F_N)",
+        ),
+        ("p,x,F\n1,2,3\n", "pressure=p:bar,contraction=x:mm,force=x:N", "chosen for two quantities"),
+        ("p_bar,x_mm,F_N\n1,2,3\n", "strength=x_mm", "no quantity \"strength\""),
+        (
+            "1,2,3\np_bar,contraction,F_N\n1,0,3\n",
+            "",
+            "line 1 contains numbers, but the heading is in line 2",
+        ),
+        (
+            "p_bar,contraction,F_N\n1,5,0,1,3,5\n",
+            "",
+            "line 2 has 6 fields and the heading 3; if commas are decimal",
+        ),
+        ("p_bar;contraction;F_N\n1;0,1;1.234\n", "", "line 2, column F_N: \"1.234\" can be read in two ways"),
+        (
+            "p_bar,contraction,F_N\n1,0.1,\"1,234\"\n",
+            "",
+            "line 2, column F_N: \"1,234\" can be read in two ways",
+        ),
+        ("p_bar,contraction,F_N\n1.5,0.1,\"2,5\"\n", "", "can be read in two ways"),
+        (
+            "pressure,contraction,force\nkPa,%,furlong\n1,0,1\n",
+            "",
+            "line 2, column force: \"furlong\" is not a unit of force",
+        ),
+        ("p_bar,contraction,F_N\nkPa,%,N\n1,0,1\n", "", "or not the one above (bar)"),
+        ("p_bar,contraction,F_N\n1 kPa,0,1\n", "", "its heading says bar"),
+        (
+            "p_bar,contraction,F_N\n1,0.1,2\nend of data\n",
+            "",
+            "line 3, column p_bar: \"end of data\" is not a finite number",
+        ),
+        ("\n\np_bar,contraction,F_N\n\n1,0.1,-\n", "", "line 5, column F_N: \"-\" is not a finite number"),
+        ("p_bar,contraction,F_N\n", "", "no points"),
+        ("", "", "no column of pressures"),
+    ];
+    for (text, columns, fragment) in cases {
+        let message = refused(text, columns);
+        assert!(message.contains(fragment), "{text}: {message}");
+    }
+    // Without a muscle there is no L0.
+    let error = read_data(&b"p_bar,hub_mm,F_N\n1,2,3\n"[..]).unwrap_err().to_string();
+    assert!(error.contains("`length_mm`"), "{error}");
+}
+
+#[test]
+fn thousands_are_read_where_there_is_no_doubt() {
+    for (text, force) in [
+        ("p_bar,contraction,F_N\n1,0.1,\"1,234.5\"\n", 1234.5),
+        ("p_bar;contraction;F_N\n1;0,1;1.234,5\n", 1234.5),
+        ("p_bar;contraction;F_N\n1;0,1;1 234,5\n", 1234.5),
+        ("p_bar,contraction,F_N\n1,0.1,1.234\n", 1.234),
+    ] {
+        assert_eq!(read(text).unwrap().0[0].at.force_n, force, "{text}");
+    }
+}
+
+#[test]
+fn units_of_the_pressure_column_are_understood() {
+    for (column, value) in [("pressure_mpa", "0.25"), ("pressure_kpa", "250"), ("pressure_bar", "2.5")] {
+        let points =
+            read_measured(format!("{column},contraction,force_n\n{value},0.1,300\n").as_bytes()).unwrap();
+        let branch = Direction::Mean;
+        assert_eq!(points, [MeasuredPoint { pressure_mpa: 0.25, contraction: 0.1, force_n: 300.0, branch }]);
+    }
+}
+
+#[test]
+fn errors_name_line_and_column() {
+    let cases = [
+        ("contraction,force_n\n0,1\n", "no column of pressures"),
+        ("pressure_mpa,contraction,force_n\n0.1,NaN,3\n", "line 2, column contraction: \"NaN\""),
+        ("pressure_mpa,contraction,force_n\n0.1,0,3\n0.1,,3\n", "line 3, column contraction: \"\""),
+        ("pressure_mpa,contraction,force_n\n0.1,15,3\n", "write 0.15 for 15 %"),
+        ("pressure_mpa,contraction,force_n\n-0.1,0,3\n", "below zero"),
+        ("pressure_mpa,contraction,force_n\n0.1,0\n", "line 2 has 2 fields"),
+        ("pressure_mpa,contraction,force_n\n", "no points"),
+        ("pressure_mpa,contraction,force_n,branch\n0.1,0,3,up\n", "neither \"contraction\""),
+        ("pressure_mpa,contraction,force_n,measured\n0.1,0,3,up\n", "neither \"force\""),
+        ("pressure_mpa,contraction,force_n,weight\n0.1,0,3,-1\n", "is not a valid weight"),
+        ("pressure_mpa,contraction,force_n,wall_mm\n0.1,0,3,0\n", "is not a measure of a muscle"),
+    ];
+    for (text, fragment) in cases {
+        let message = read_data(text.as_bytes()).unwrap_err().to_string();
+        assert!(message.contains(fragment), "{text}: {message}");
+    }
+}
+
+/// Columns of our own tables mean what they meant, beside columns that people would call alike.
+#[test]
+fn our_own_tables_are_read_as_ever() {
+    let text = "pressure_mpa,contraction,force_n,measured,model_force_n,residual_n,weight,outlier,line,data\n\
+                0.1,0.05,200,contraction,201,1,0.5,false,2,1\n";
+    let (points, understood) = read(text).unwrap();
+    assert_eq!((points[0].measured, points[0].weight), (Quantity::Contraction, 0.5));
+    assert_eq!(understood.not_used, ["model_force_n", "residual_n", "outlier", "line", "data"]);
+    let text = "muscle,outer_diameter_mm,wall_mm,length_mm,angle_deg,pressure_mpa,contraction,force_n,start_pressure_mpa,status,cause\n\
+                0,30,3,285,28,0.1,0.05,200,0.01,ok,\n0,30,3,285,28,0.1,0.3,,0.01,not_converged,no\n\
+                1,40,3,300,28,0.1,0.05,300,0.01,ok,\n";
+    let (points, understood) = read(text).unwrap();
+    assert_eq!((points.len(), understood.left_out), (2, 1));
+    assert_eq!(points[1].section.length_mm, Some(300.0));
+    assert_eq!((points[0].section.angle_deg, points[1].line), (Some(28.0), 4));
+    let quantities: Vec<&str> = understood.columns.iter().map(|c| c.quantity.as_str()).collect();
+    assert_eq!(quantities[..4], ["outer_diameter", "wall", "rest_length", "angle"]);
+}

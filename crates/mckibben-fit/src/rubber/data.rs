@@ -1,0 +1,171 @@
+//! Tension tests from people's tables.
+
+use super::mode::Mode;
+use super::point::TensionPoint;
+use mckibben_table::{Column, Columns, Meaning, TESTS, Table, TableError, Understood, read_text};
+use std::io::Read;
+
+/// What the file does not say.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ReadOptions {
+    /// The mode, where there is no column of it.
+    pub mode: Mode,
+    /// Cross-section of the specimen at rest, for a column of forces.
+    pub area_mm2: Option<f64>,
+    /// Length at rest, for a column of extensions or lengths.
+    pub gauge_length_mm: Option<f64>,
+}
+
+impl Default for ReadOptions {
+    fn default() -> Self {
+        Self { mode: Mode::Uniaxial, area_mm2: None, gauge_length_mm: None }
+    }
+}
+
+/// No rubber is stretched further: a larger number is in percent, or in another unit.
+const LARGEST_STRETCH: f64 = 25.0;
+
+/// No rubber bears more over its area at rest; the strongest tear at some 50 MPa.
+const LARGEST_STRESS_MPA: f64 = 100.0;
+
+mod sheet;
+
+/// Groups of [`TESTS`].
+const STRETCH: usize = 0;
+const STRESS: usize = 1;
+
+/// [`read_tests`] of a table that says everything.
+///
+/// # Errors
+/// [`TableError`] names line and column.
+pub fn read_tension(input: impl Read, options: ReadOptions) -> Result<Vec<TensionPoint>, TableError> {
+    Ok(read_tests(input, options, &Columns::default())?.0)
+}
+
+/// Reads points in the order of a table in any common form ([`table`](mckibben_table)), and says what was understood of it.
+///
+/// # Errors
+/// [`TableError`] names line and column.
+pub fn read_tests(
+    input: impl Read,
+    options: ReadOptions,
+    columns: &Columns,
+) -> Result<(Vec<TensionPoint>, Understood), TableError> {
+    let table = Table::read(&read_text(input)?, &TESTS, columns)?;
+    let (stretch, stress) = (table.needed(STRETCH)?, table.needed(STRESS)?);
+    let needs = |column: &Column, needs| TableError::Needs { column: column.heading.clone(), needs };
+    let gauge = match stretch.meaning {
+        Meaning::Extension | Meaning::Length => options
+            .gauge_length_mm
+            .ok_or_else(|| needs(stretch, "the length at rest: `gauge_length_mm`, such as 25 mm"))?,
+        _ => 1.0,
+    };
+    let area = match stress.meaning {
+        Meaning::Force => options.area_mm2.ok_or_else(|| {
+            needs(stress, "the cross-section of the specimen at rest: `area_mm2`, such as 8 mm²")
+        })?,
+        _ => 1.0,
+    };
+    let lengths = stretches(&table, stretch, gauge)?;
+    let mut points = vec![];
+    let of_sheets = table.column(Meaning::Stretch2).is_some();
+    if of_sheets {
+        points = sheet::points(&table, &lengths, area, options.mode)?;
+    } else {
+        if stress.meaning == Meaning::TrueStressDifference {
+            return Err(needs(stress, "the second stretch of the specimen: a column `stretch_2`"));
+        }
+        for (row, (stretch, measured)) in lengths.into_iter().zip(table.numbers(stress)?).enumerate() {
+            let nominal_stress_mpa = nominal(&table, row, stress, measured, (stretch, area))?;
+            let mode = mode(&table, row)?.unwrap_or(options.mode);
+            if mode == Mode::General {
+                return Err(needs(stress, "the second stretch of the specimen: a column `stretch_2`"));
+            }
+            points.push(TensionPoint::new(mode, stretch, nominal_stress_mpa));
+        }
+    }
+    if points.is_empty() {
+        return Err(TableError::Empty);
+    }
+    let over = match stretch.meaning {
+        Meaning::Extension => Some(format!("over {gauge} mm")),
+        Meaning::Length => Some(format!("L/L0, L0 {gauge} mm")),
+        _ => None,
+    };
+    let under = (stress.meaning == Meaning::Force).then(|| format!("over {area} mm²"));
+    let mut used = vec![(stretch, over), (stress, under)];
+    used.extend(table.column(Meaning::Mode).map(|c| (c, None)));
+    if of_sheets {
+        let others = sheet::MEANINGS.into_iter().filter_map(|m| table.column(m));
+        used.extend(others.filter(|c| c.index != stress.index).map(|c| (c, None)));
+    }
+    let understood = table.understood(&used);
+    Ok((points, understood))
+}
+
+/// Force over the area at rest, in MPa, from whatever stands in the column.
+fn nominal(
+    table: &Table,
+    row: usize,
+    stress: &Column,
+    measured: f64,
+    (stretch, area): (f64, f64),
+) -> Result<f64, TableError> {
+    let nominal_stress_mpa = match stress.meaning {
+        Meaning::TrueStress | Meaning::TrueStress2 => measured / stretch,
+        Meaning::Force => measured / area,
+        _ => measured,
+    };
+    if nominal_stress_mpa.is_nan() || nominal_stress_mpa.abs() > LARGEST_STRESS_MPA {
+        let expected = "gives a stress that no rubber can bear; check its unit (250 kPa is 0.25 MPa)";
+        return Err(table.impossible(row, stress, expected));
+    }
+    Ok(nominal_stress_mpa)
+}
+
+fn mode(table: &Table, row: usize) -> Result<Option<Mode>, TableError> {
+    let Some((line, text)) = table.text(row, Meaning::Mode) else { return Ok(None) };
+    let unknown = || TableError::Word {
+        line,
+        name: "mode",
+        text: text.chars().take(60).collect(),
+        known: format!("none of {}", Mode::WORDS),
+    };
+    Mode::parse(text).map(Some).ok_or_else(unknown)
+}
+
+/// L/L0, row by row.
+fn stretches(table: &Table, column: &Column, gauge: f64) -> Result<Vec<f64>, TableError> {
+    let (of, too_far, too_short): (&dyn Fn(f64) -> f64, _, _) = match column.meaning {
+        Meaning::Stretch => (
+            &|v| v,
+            "is not a valid stretch L/L0; if it is a strain in percent, name the column strain_percent",
+            "is not a valid stretch L/L0, which is 1 at rest and above 0; if it is a strain, name the column engineering_strain",
+        ),
+        Meaning::Strain => (
+            &|v| 1.0 + v,
+            "is not a valid strain ΔL/L0; if it is in percent, name the column strain_percent",
+            "is not a valid strain: the specimen would have no length left",
+        ),
+        Meaning::TrueStrain => {
+            (&f64::exp, "is not a valid true strain ln(L/L0)", "is not a valid true strain ln(L/L0)")
+        }
+        Meaning::Length => (
+            &|v| v / gauge,
+            "is too long for this gauge length",
+            "is not a valid length of a specimen in tension; check the gauge length",
+        ),
+        _ => (
+            &|v| 1.0 + v / gauge,
+            "is too much for this gauge length",
+            "is not an extension: the specimen would have no length left",
+        ),
+    };
+    let stretches: Vec<f64> = table.numbers(column)?.into_iter().map(of).collect();
+    let sound = |s: &f64| s.is_finite() && (0.02..=LARGEST_STRETCH).contains(s);
+    match stretches.iter().position(|s| !sound(s)) {
+        Some(row) if stretches[row] < 0.02 => Err(table.impossible(row, column, too_short)),
+        Some(row) => Err(table.impossible(row, column, too_far)),
+        None => Ok(stretches),
+    }
+}

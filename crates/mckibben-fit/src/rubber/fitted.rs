@@ -1,0 +1,244 @@
+//! A law with its constants, and how well it does.
+
+use super::held_out::HeldOutError;
+use super::mode::Mode;
+use super::point::TensionPoint;
+use super::problem::Problem;
+use super::{FitSettings, Raw, TensionFitError, linear, nonlinear, ogden};
+use crate::least_squares::{aicc, t95};
+use mckibben::rubber::{
+    ConstantValue, Form, Law, LawConstants, Ogden, RubberLaw, Stability, is_stable_at, muscle_stability,
+};
+use serde::{Serialize, Serializer};
+
+/// A constant.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Parameter {
+    /// As in muscle files; `mu1`, `alpha1` for terms.
+    pub name: String,
+    /// Its value.
+    pub value: f64,
+    /// `MPa` or nothing.
+    pub unit: &'static str,
+    /// Standard error; 0 on a bound, `None` where the data do not tell it at all.
+    pub standard_error: Option<f64>,
+    /// Whether the data tell it: it is not on a bound, and its 95 % interval does not reach zero or (constants that may be
+    /// zero) is so narrow that it moves the stress at the end of the data by less than a quarter of the modulus.
+    pub identifiable: bool,
+}
+
+/// How well a law follows one of the tests.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct ModeError {
+    /// Which test.
+    pub mode: Mode,
+    /// Its points.
+    pub points: usize,
+    /// Largest stretch of them in the plane of the specimen.
+    pub to_stretch: f64,
+    /// Root mean square of the differences of nominal stress, in MPa.
+    pub rms_mpa: f64,
+    /// Stretch up to which the law is stable in this test, where it ends below the larger of the data's and the muscle's.
+    #[serde(rename = "unstable_from_stretch")]
+    pub stable_to_stretch: Option<f64>,
+}
+
+/// A fitted law.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "LawAnswer"))]
+pub struct FittedLaw {
+    /// Which law.
+    #[serde(flatten, serialize_with = "names")]
+    #[cfg_attr(feature = "schema", schemars(with = "FormNames"))]
+    pub form: Form,
+    /// Whether it was held among the laws that are stable in a muscle.
+    pub constrained: bool,
+    /// Quality of the fit.
+    #[serde(flatten)]
+    pub quality: LawQuality,
+    /// Its constants.
+    pub parameters: Vec<Parameter>,
+    /// Its errors by mode.
+    pub modes: Vec<ModeError>,
+    /// Its errors in modes that were held out, and over their points in whose state a muscle's wall may be.
+    pub held_out: Vec<HeldOutError>,
+    /// The law with its constants; they may be no sound rubber where `constrained` is false.
+    #[serde(skip)]
+    pub law: Law,
+}
+
+/// Quality of the fit of a law, and its range of stability.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct LawQuality {
+    /// Shear modulus μ at rest, MPa.
+    pub shear_modulus_mpa: f64,
+    /// R² of the nominal stresses.
+    pub r_squared: f64,
+    /// R² of the free fit, where this one was held.
+    pub free_r_squared: Option<f64>,
+    /// Root mean square of the differences of nominal stress, MPa.
+    pub rms_mpa: f64,
+    // Of points that pull; of general tests over the larger of the two stresses that the neo-Hookean law which follows all points best
+    // has in that state.
+    /// Root mean square of the differences over the measured stress.
+    pub relative_rms: f64,
+    /// Akaike's criterion for small samples.
+    pub aicc: f64,
+    /// Largest principal stretch of the points.
+    pub fitted_to_stretch: f64,
+    /// Whether it is stable in a muscle.
+    pub stable: bool,
+    /// Hoop stretch from which on it is not.
+    pub unstable_from_hoop_stretch: Option<f64>,
+}
+
+/// A form as its two names.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct FormNames {
+    /// The law, as in muscle files.
+    law: &'static str,
+    /// The same with the number of its terms.
+    name: String,
+}
+
+fn names<S: Serializer>(form: &Form, serializer: S) -> Result<S::Ok, S::Error> {
+    FormNames { law: form.law(), name: form.name() }.serialize(serializer)
+}
+
+impl FittedLaw {
+    /// Whether a muscle can be computed with it: stable there, and no C01 below zero.
+    pub fn is_trusted(&self) -> bool {
+        self.quality.stable && self.law.negative_c01_mpa().is_none()
+    }
+
+    /// How the law is held stable, where it is; in words behind its name.
+    pub fn held(&self) -> &'static str {
+        match self.form.kind().held_positive {
+            Some(words) => words,
+            None if self.law.locks_at().is_some() => "with a limit beyond the muscle's stretches",
+            None => "among its stable laws",
+        }
+    }
+}
+
+/// The free fit and, where that is unstable in a muscle, the stable one; or the stable one alone.
+pub(super) fn laws(
+    form: Form,
+    problem: &Problem,
+    settings: &FitSettings,
+) -> Result<Vec<FittedLaw>, TensionFitError> {
+    let hoop = settings.hoop_stretch;
+    let fit = |held: bool| {
+        let raw = match form.basis() {
+            Some(basis) if held => linear::stable(form, &basis, problem, hoop)?,
+            Some(basis) => linear::free(form, &basis, problem)?,
+            None if form.law() == Ogden::NAME => ogden::fit(form, problem)?,
+            None => nonlinear::fit(form, problem, held.then_some(hoop))?,
+        };
+        judged(form, held, raw, problem, hoop)
+    };
+    let free = fit(false)?;
+    if free.is_trusted() {
+        return Ok(vec![free]);
+    }
+    let free_r_squared = Some(free.quality.r_squared);
+    let beside = |held: FittedLaw| {
+        let quality = LawQuality { free_r_squared, ..held.quality };
+        FittedLaw { quality, ..held }
+    };
+    match fit(true).map(beside) {
+        Ok(held) if settings.stable => Ok(vec![held]),
+        Ok(held) => Ok(vec![free, held]),
+        Err(error) if settings.stable => Err(error),
+        Err(_) => Ok(vec![free]),
+    }
+}
+
+fn judged(
+    form: Form,
+    constrained: bool,
+    raw: Raw,
+    problem: &Problem,
+    hoop: f64,
+) -> Result<FittedLaw, TensionFitError> {
+    let failed = |why: &str| TensionFitError::NotConverged { law: form.name(), why: why.into() };
+    let law = form.law_of(&raw.constants).ok_or_else(|| failed("its constants are not complete"))?;
+    let squares = problem.squares(&law).filter(|s| s.is_finite());
+    let squares = squares.ok_or_else(|| failed("its stresses are not finite"))?;
+    let t = t95(raw.freedom);
+    let parameters =
+        law.constants().into_iter().enumerate().map(|(i, ConstantValue { name, value, constant })| {
+            let error = raw.standard_errors[i];
+            let narrow = t * error <= value.abs().max(0.25 * raw.scales[i]);
+            Parameter {
+                name,
+                value,
+                unit: constant.unit(),
+                standard_error: error.is_finite().then_some(error),
+                identifiable: narrow && !raw.at_bound[i],
+            }
+        });
+    let parameters = parameters.collect();
+    let points = problem.counting();
+    let aicc = aicc(points, form.constants(), squares / points as f64);
+    let differences: Vec<(f64, f64)> = problem
+        .points
+        .iter()
+        .map(|p| (p.stress_mpa(&law) - p.nominal_stress_mpa, p.nominal_stress_mpa))
+        .collect();
+    let count = differences.len() as f64;
+    let average = differences.iter().map(|d| d.1).sum::<f64>() / count;
+    let spread: f64 = differences.iter().map(|d| (d.1 - average).powi(2)).sum();
+    let left: f64 = differences.iter().map(|d| d.0 * d.0).sum();
+    let pulls = problem.points.iter().zip(&differences);
+    let relative = |(p, d): (&TensionPoint, &(f64, f64))| {
+        let reference = p.reference_mpa(problem.reference_modulus_mpa)?;
+        Some((d.0 / reference).powi(2))
+    };
+    let pulls: Vec<f64> = pulls.filter_map(relative).collect();
+    let modes = Mode::ALL.into_iter().filter_map(|mode| of_mode(mode, &law, problem, hoop)).collect();
+    let unstable_from_hoop_stretch = match muscle_stability(&law, hoop) {
+        Stability::Stable => None,
+        Stability::UnstableFrom { hoop_stretch } => Some(hoop_stretch),
+    };
+    let quality = LawQuality {
+        shear_modulus_mpa: law.shear_modulus_mpa(),
+        r_squared: if spread > 0.0 { 1.0 - left / spread } else { 0.0 },
+        free_r_squared: None,
+        rms_mpa: (left / count).sqrt(),
+        relative_rms: (pulls.iter().sum::<f64>() / pulls.len().max(1) as f64).sqrt(),
+        aicc,
+        fitted_to_stretch: problem.fitted_to_stretch(),
+        stable: unstable_from_hoop_stretch.is_none() && law.clone().validated().is_ok(),
+        unstable_from_hoop_stretch,
+    };
+    Ok(FittedLaw { form, constrained, quality, parameters, modes, held_out: vec![], law })
+}
+
+fn of_mode(mode: Mode, law: &Law, problem: &Problem, hoop: f64) -> Option<ModeError> {
+    let of: Vec<_> = problem.points.iter().filter(|p| p.mode == mode).collect();
+    if of.is_empty() {
+        return None;
+    }
+    let squares: f64 = of.iter().map(|p| (p.stress_mpa(law) - p.nominal_stress_mpa).powi(2)).sum();
+    let to_stretch = of.iter().map(|p| p.plane_stretch()).fold(0.0, f64::max);
+    Some(ModeError {
+        mode,
+        points: of.len(),
+        to_stretch,
+        rms_mpa: (squares / of.len() as f64).sqrt(),
+        stable_to_stretch: stable_to(mode, law, to_stretch.max(hoop)),
+    })
+}
+
+/// Stretch from which on a law is unstable in a test, walking from rest.
+fn stable_to(mode: Mode, law: &Law, end: f64) -> Option<f64> {
+    const STEPS: u32 = 400;
+    let stretch = |i: u32| 1.0 + (end - 1.0) * f64::from(i) / f64::from(STEPS);
+    let unstable = |l: &f64| mode.across(*l).is_some_and(|across| !is_stable_at(law, *l, across));
+    (0..=STEPS).map(stretch).find(unstable)
+}

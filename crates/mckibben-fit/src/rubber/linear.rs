@@ -1,0 +1,124 @@
+//! Laws whose stress is linear in their constants, as it is seen from the law: neo-Hookean, Mooney–Rivlin, Yeoh.
+//!
+//! The constants free, or such that the law is stable wherever a muscle wall may be. With x = ln λθ, y = ln λz, Hill's
+//! inequality (see [`is_stable_at`](mckibben::rubber::is_stable_at)) asks the Hessian H(c) of ŵ to be positive definite, and
+//! H is linear in the constants c. So in every state
+//!
+//!   vᵀ H(c) v = Σ cᵢ vᵀ Hᵢ v ≥ 0.001 μ    for every unit vector v,
+//!
+//! a convex set, which is cut out step by step: solve, look for the state and v where it is violated most, add that
+//! inequality, solve again (J. E. Kelley, SIAM J. 8 (1960) 703). Mooney–Rivlin has C10 ≥ 0 and C01 ≥ 0 besides.
+
+use super::convex::{Inequality, normal, solve};
+use super::problem::Problem;
+use super::{Raw, TensionFitError};
+use crate::least_squares::{Loss, Residuals, Unknown, estimate};
+use mckibben::rubber::Form;
+use mckibben::rubber::{Law, RubberLaw, log_hessian, muscle_states};
+
+/// The columns ∂P/∂c over the divisors.
+struct Linear<'a> {
+    columns: &'a [Vec<f64>],
+    measured: Vec<f64>,
+}
+
+impl Residuals for Linear<'_> {
+    fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+        let row = |k: usize| self.columns.iter().zip(x).map(|(c, x)| c[k] * x).sum::<f64>();
+        Some(self.measured.iter().enumerate().map(|(k, b)| row(k) - b).collect())
+    }
+
+    fn by_unknowns(&self, _x: &[f64]) -> Option<Vec<Vec<f64>>> {
+        Some(self.columns.to_vec())
+    }
+}
+
+fn columns(basis: &[Law], problem: &Problem) -> Option<Vec<Vec<f64>>> {
+    basis.iter().map(|law| problem.scaled_stresses(law)).collect()
+}
+
+/// Size of the constant of a basis law: with it that law gives, in planar tension to the largest I1 − 3 = (λ − 1/λ)² of the
+/// data, the stress μ (λ − λ⁻³) of the modulus.
+fn scale(basis: &Law, problem: &Problem) -> f64 {
+    let x = problem.largest_i1_minus_3().max(1e-6);
+    let stretch = 0.5 * (x.sqrt() + (x + 4.0).sqrt());
+    problem.modulus_mpa * (stretch - stretch.powi(-3)) / basis.planar_stress_mpa(stretch)
+}
+
+/// The free fit.
+pub(super) fn free(form: Form, basis: &[Law], problem: &Problem) -> Result<Raw, TensionFitError> {
+    let failed = |why: String| TensionFitError::NotConverged { law: form.name(), why };
+    let columns = columns(basis, problem).ok_or_else(|| failed("a stress is not finite".into()))?;
+    let unknowns: Vec<Unknown> = basis.iter().map(|law| Unknown::free(0.0, scale(law, problem))).collect();
+    let linear = Linear { columns: &columns, measured: problem.measured() };
+    let found =
+        estimate(&linear, &unknowns, &problem.weights, Loss::Squares).map_err(|e| failed(e.to_string()))?;
+    let scales = unknowns.iter().map(|u| u.scale).collect();
+    Ok(Raw {
+        constants: found.x,
+        standard_errors: found.standard_errors,
+        at_bound: found.at_bound,
+        scales,
+        freedom: problem.counting() - basis.len(),
+    })
+}
+
+/// Cuts at most; some ten are usual.
+const CUTS: usize = 40;
+
+/// The fit among the laws that are stable in a muscle.
+pub(super) fn stable(
+    form: Form,
+    basis: &[Law],
+    problem: &Problem,
+    hoop_stretch: f64,
+) -> Result<Raw, TensionFitError> {
+    let failed = |why: &str| TensionFitError::NotConverged { law: form.name(), why: why.into() };
+    let columns = columns(basis, problem).ok_or_else(|| failed("a stress is not finite"))?;
+    let (n, d) = normal(&columns, &problem.measured(), &problem.weights);
+    let margin = 1e-3 * problem.modulus_mpa;
+    let states: Vec<Vec<[f64; 3]>> = muscle_states(hoop_stretch)
+        .map(|(hoop, axial)| basis.iter().map(|law| log_hessian(law, hoop, axial)).collect())
+        .collect();
+    let mut cuts: Vec<Inequality> = vec![];
+    if form.kind().held_positive.is_some() {
+        let unit = |i: usize| (0..basis.len()).map(|k| if k == i { 1.0 } else { 0.0 }).collect();
+        cuts.extend((0..basis.len()).map(|i| Inequality { g: unit(i), h: 0.0 }));
+    }
+    for _ in 0..CUTS {
+        let found = solve(&n, &d, &cuts).ok_or_else(|| failed("no stable law fits these data"))?;
+        let worst = states.iter().map(|s| deepest(s, &found.x)).min_by(|a, b| a.0.total_cmp(&b.0));
+        let Some((depth, g)) = worst else { return Err(failed("no states")) };
+        // Half of the margin is left for the iteration to end in.
+        if depth >= 0.5 * margin {
+            let freedom = (problem.counting() + found.active.len()).saturating_sub(basis.len()).max(1);
+            let squares = form.law_of(&found.x).and_then(|law| problem.squares(&law));
+            let deviation =
+                (squares.ok_or_else(|| failed("a stress is not finite"))? / freedom as f64).sqrt();
+            let on_own = |i: usize| {
+                let alone = |k: &usize| cuts[*k].g.iter().enumerate().all(|(j, g)| (j == i) == (*g != 0.0));
+                found.active.iter().any(alone)
+            };
+            return Ok(Raw {
+                standard_errors: found.variances.iter().map(|v| deviation * v.sqrt()).collect(),
+                at_bound: (0..basis.len()).map(on_own).collect(),
+                scales: basis.iter().map(|law| scale(law, problem)).collect(),
+                constants: found.x,
+                freedom,
+            });
+        }
+        cuts.push(Inequality { g, h: margin });
+    }
+    Err(failed("the constraint of stability was not met"))
+}
+
+/// The smallest eigenvalue of H(c), and vᵀHᵢv with its eigenvector v.
+fn deepest(of_basis: &[[f64; 3]], c: &[f64]) -> (f64, Vec<f64>) {
+    let sum = |k: usize| of_basis.iter().zip(c).map(|(h, c)| h[k] * c).sum::<f64>();
+    let (xx, xy, yy) = (sum(0), sum(1), sum(2));
+    // Angle of the principal axes: tan 2φ = 2 xy/(xx − yy); the smaller eigenvalue lies across.
+    let phi = 0.5 * (2.0 * xy).atan2(xx - yy) + std::f64::consts::FRAC_PI_2;
+    let (s, k) = phi.sin_cos();
+    let form = |h: &[f64; 3]| h[0] * k * k + 2.0 * h[1] * k * s + h[2] * s * s;
+    (form(&[xx, xy, yy]), of_basis.iter().map(form).collect())
+}

@@ -1,0 +1,271 @@
+//! A rubber law from tension tests.
+//!
+//! [`read_tension`] reads uniaxial, planar, equibiaxial and general biaxial tests; [`fit_tension`] finds the constants of every law by
+//! least squares of the nominal stress,
+//!
+//!   minimise Σ w (P(λ; c) − P_measured)²   or   Σ w (P(λ; c)/P_measured − 1)²,
+//!
+//! with standard errors (see [`estimate`](crate::least_squares::estimate)), R² = 1 − Σ(P − P_m)²/Σ(P_m − mean)² (always
+//! of the stresses, not weighted), and Akaike's criterion for small samples (Hurvich & Tsai 1989 \[hurvich1989\]), k constants and s²:
+//!
+//!   AICc = n ln(Σ w r²/n) + 2(k + 1) + 2(k + 1)(k + 2)/(n − k − 2).
+//!
+//! It asks where a law is stable: over the stretches of a muscle wall, and in the three tests. A law that is not is
+//! fitted again among those that are. Standard errors take the errors of the points as independent; neighbouring points
+//! of one test err alike, so that the true errors are larger.
+
+mod convex;
+mod data;
+mod fitted;
+mod held_out;
+mod linear;
+mod mode;
+mod nonlinear;
+mod ogden;
+mod point;
+mod problem;
+mod runs;
+mod standing;
+mod table_of_fits;
+mod warning;
+mod windows;
+
+pub use data::{ReadOptions, read_tension, read_tests};
+pub use fitted::{FittedLaw, LawQuality, ModeError, Parameter};
+pub use held_out::HeldOutError;
+pub use mckibben::rubber::Form;
+pub use mode::Mode;
+pub use point::TensionPoint;
+pub use problem::Measure;
+pub use standing::DECIDED_AICC;
+pub use table_of_fits::curve_of_fits;
+pub use warning::TensionWarning;
+pub use windows::windows_of;
+
+use mckibben::budget::Exceeded;
+use mckibben::progress::{Progress, Silent};
+use mckibben::rubber::MUSCLE_HOOP_STRETCH;
+use problem::Problem;
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+/// What is wanted of a fit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct FitSettings {
+    /// The laws; none means all that the number of points carries.
+    pub forms: Vec<Form>,
+    /// What is made small.
+    pub measure: Measure,
+    /// Give every mode the same weight, whatever its number of points. Else every point counts alike.
+    pub balance: bool,
+    /// A factor on the weights of a mode.
+    pub mode_weights: Vec<(Mode, f64)>,
+    /// Modes that are fitted; none means all. The others are held out: how well a law follows them is said.
+    pub fit_modes: Vec<Mode>,
+    /// Points up to this stretch only.
+    pub up_to_stretch: Option<f64>,
+    /// The points are a history: a stress that falls is no rupture, and all points are fitted.
+    pub history: bool,
+    /// Laws that are stable in a muscle only.
+    pub stable: bool,
+    /// Largest hoop stretch of the muscle.
+    pub hoop_stretch: f64,
+}
+
+impl Default for FitSettings {
+    fn default() -> Self {
+        Self {
+            forms: vec![],
+            measure: Measure::Absolute,
+            balance: false,
+            mode_weights: vec![],
+            fit_modes: vec![],
+            up_to_stretch: None,
+            history: false,
+            stable: false,
+            hoop_stretch: MUSCLE_HOOP_STRETCH,
+        }
+    }
+}
+
+/// Why there is no fit.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum TensionFitError {
+    /// Not enough points for a law.
+    #[error("{points} points are too few for {law}: it takes {needed} or more")]
+    TooFew {
+        /// Which law.
+        law: String,
+        /// Points that count.
+        points: usize,
+        /// Points it takes.
+        needed: usize,
+    },
+    /// The stress does not grow with the stretch.
+    #[error(
+        "the points give a modulus of {modulus_mpa} MPa: stress must be above zero where the stretch is above 1; check the columns and their signs"
+    )]
+    NoStiffness {
+        /// The neo-Hookean modulus that fits best.
+        modulus_mpa: f64,
+    },
+    /// An invalid setting.
+    #[error("{what} is {value}; it must be {expected}")]
+    Setting {
+        /// Which.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it should be.
+        expected: &'static str,
+    },
+    /// A term too many.
+    #[error("{law}: this number of terms fits these data no better than fewer terms")]
+    NoBetter {
+        /// Which law.
+        law: String,
+    },
+    /// The work was ended.
+    #[error(transparent)]
+    Ended(#[from] Exceeded),
+    /// No minimum was found.
+    #[error("{law}: no fit was found: {why}")]
+    NotConverged {
+        /// Which law.
+        law: String,
+        /// Why.
+        why: String,
+    },
+}
+
+/// The laws of one set of tests.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TensionFit {
+    /// The points that were fitted.
+    pub points: Vec<TensionPoint>,
+    /// Points of modes that were held out.
+    pub held_out: Vec<TensionPoint>,
+    /// Points left out because they lie behind a rupture or beyond `up_to_stretch`, or cannot count.
+    pub left_out: usize,
+    /// Largest principal stretch of the points.
+    pub fitted_to_stretch: f64,
+    /// The laws, lowest AICc first. A law that is unstable in a muscle is followed by its stable neighbour.
+    pub laws: Vec<FittedLaw>,
+    /// Laws without a fit.
+    pub failed: Vec<TensionFitError>,
+    /// Place of the law to take: of those that are stable in a muscle the one with the lowest AICc; with uniaxial tests
+    /// alone, one of I1.
+    pub recommended: Option<usize>,
+    /// Warnings.
+    pub warnings: Vec<TensionWarning>,
+}
+
+/// Constants as a solver gives them.
+pub(super) struct Raw {
+    pub constants: Vec<f64>,
+    pub standard_errors: Vec<f64>,
+    pub at_bound: Vec<bool>,
+    /// A change of each constant that moves the stress at the end of the data by the modulus; 0 where it may not be zero.
+    pub scales: Vec<f64>,
+    pub freedom: usize,
+}
+
+/// Fits laws to points.
+///
+/// # Errors
+/// [`TensionFitError`]: bad settings, too few points, no stiffness; or, where none of the laws has a fit, why the first one
+/// has none.
+pub fn fit_tension(points: &[TensionPoint], settings: &FitSettings) -> Result<TensionFit, TensionFitError> {
+    fit_tension_with(points, settings, &Silent)
+}
+
+/// The same with progress over the laws, an end when the caller wants one, and within a budget.
+///
+/// # Errors
+/// Those of [`fit_tension`], and [`TensionFitError::Ended`].
+pub fn fit_tension_with(
+    points: &[TensionPoint],
+    settings: &FitSettings,
+    progress: &dyn Progress,
+) -> Result<TensionFit, TensionFitError> {
+    check(settings)?;
+    let sorted = if settings.history { runs::Sorted::history(points) } else { runs::sort(points) };
+    let mut warnings = warning::of_runs(&sorted);
+    let limit = settings.up_to_stretch.unwrap_or(f64::INFINITY);
+    let within = sorted.kept.into_iter().filter(|p| p.plane_stretch() <= limit);
+    let is_fitted = |p: &TensionPoint| settings.fit_modes.is_empty() || settings.fit_modes.contains(&p.mode);
+    let (used, held_out): (Vec<TensionPoint>, Vec<TensionPoint>) = within.partition(is_fitted);
+    let problem =
+        Problem::new(used, settings.measure, settings.balance, &settings.mode_weights, progress.budget());
+    let count = problem.counting();
+    let forms = chosen(settings, count)?;
+    if !(problem.modulus_mpa > 0.0 && problem.modulus_mpa.is_finite()) {
+        return Err(TensionFitError::NoStiffness { modulus_mpa: problem.modulus_mpa });
+    }
+    let fitted_to_stretch = problem.fitted_to_stretch();
+    let (mut laws, mut failed) = (vec![], vec![]);
+    for (done, form) in forms.iter().enumerate() {
+        progress.report(done, forms.len());
+        if progress.cancelled() && problem.budget.check().is_ok() {
+            problem.budget.cancel();
+        }
+        match fitted::laws(*form, &problem, settings) {
+            Ok(found) => laws.push(found),
+            Err(error) => failed.push(error),
+        }
+        problem.budget.ended()?;
+    }
+    // Free and stable of one law stay together.
+    laws.sort_by(|a, b| a[0].quality.aicc.total_cmp(&b[0].quality.aicc));
+    let mut laws: Vec<FittedLaw> = laws.into_iter().flatten().collect();
+    for law in &mut laws {
+        law.held_out = held_out::errors(&law.law, &held_out, settings.hoop_stretch);
+    }
+    if let (true, Some(error)) = (laws.is_empty(), failed.first()) {
+        return Err(error.clone());
+    }
+    let recommended = standing::recommended(&laws, &problem.points);
+    warnings.extend(warning::of_points(&problem, fitted_to_stretch, settings.hoop_stretch));
+    warnings.extend(laws.iter().flat_map(|l| warning::of_law(l, settings.hoop_stretch)));
+    let left_out = points.len() - count - held_out.len();
+    Ok(TensionFit {
+        points: problem.points,
+        held_out,
+        left_out,
+        fitted_to_stretch,
+        laws,
+        failed,
+        recommended,
+        warnings,
+    })
+}
+
+fn check(settings: &FitSettings) -> Result<(), TensionFitError> {
+    let bad = |what, value, expected| Err(TensionFitError::Setting { what, value, expected });
+    if let Some(limit) = settings.up_to_stretch.filter(|l| !(*l > 1.0 && l.is_finite())) {
+        return bad("the largest stretch", limit, "above 1 (a stretch, or a strain such as 200%)");
+    }
+    if !(settings.hoop_stretch > 1.0 && settings.hoop_stretch <= 10.0) {
+        return bad("the hoop stretch", settings.hoop_stretch, "above 1 and at most 10");
+    }
+    match settings.mode_weights.iter().find(|w| !(w.1 >= 0.0 && w.1.is_finite())) {
+        Some(w) => bad("a weight", w.1, "zero or above"),
+        None => Ok(()),
+    }
+}
+
+/// The laws that are asked for, or all that the points carry.
+fn chosen(settings: &FitSettings, points: usize) -> Result<Vec<Form>, TensionFitError> {
+    let too_few = |f: &Form| TensionFitError::TooFew { law: f.name(), points, needed: f.fewest_points() };
+    let carried = |f: &Form| points >= f.fewest_points();
+    let asked = if settings.forms.is_empty() { Form::all() } else { settings.forms.clone() };
+    let forms: Vec<Form> = asked.iter().copied().filter(carried).collect();
+    match (forms.is_empty(), asked.first()) {
+        (true, Some(first)) => Err(too_few(first)),
+        _ => Ok(forms),
+    }
+}
+
+#[cfg(test)]
+mod tests;

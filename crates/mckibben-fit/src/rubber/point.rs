@@ -1,0 +1,100 @@
+//! A measured point: two stretches in the plane of the specimen and one stress. A sheet with two stresses is two points.
+//!
+//! With λ1 along the stress, λ2 across and λ3 = 1/(λ1 λ2) through the thickness, σ3 = 0 and wᵢ = ∂w/∂λᵢ,
+//!
+//!   P1 = w1 − (λ3/λ1) w3,      σ1 − σ2 = λ1 w1 − λ2 w2.
+//!
+//! A difference of true stresses is kept as (σ1 − σ2)/max(λ1, λ2): the nominal stress along the longer side of a specimen
+//! that is pulled with its thickness held, so that squares of it compare with those of nominal stresses.
+
+use super::mode::Mode;
+use mckibben::rubber::{MUSCLE_AXIAL_STRETCH, RubberLaw};
+use serde::{Deserialize, Serialize};
+
+/// One point of a test.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct TensionPoint {
+    /// How the specimen was stretched.
+    pub mode: Mode,
+    /// L/L0 along the stress.
+    pub stretch: f64,
+    /// L/L0 across it, in the plane of the specimen.
+    pub across: f64,
+    /// Force over the area at rest, in MPa; of a difference (σ1 − σ2)/max(λ1, λ2).
+    pub nominal_stress_mpa: f64,
+    /// Whether the stress is a difference of true stresses.
+    #[serde(default)]
+    pub difference: bool,
+}
+
+impl TensionPoint {
+    /// A point of a mode in which one stretch says all; in a general test a sheet that is not stretched across.
+    pub fn new(mode: Mode, stretch: f64, nominal_stress_mpa: f64) -> Self {
+        let across = mode.across(stretch).unwrap_or(1.0);
+        Self { mode, stretch, across, nominal_stress_mpa, difference: false }
+    }
+
+    /// A point of a sheet with its own stretch along and across the stress.
+    pub fn general(stretch: f64, across: f64, nominal_stress_mpa: f64) -> Self {
+        Self { mode: Mode::General, stretch, across, nominal_stress_mpa, difference: false }
+    }
+
+    /// A point of a sheet of which σ1 − σ2 is known, in MPa.
+    pub fn of_difference(stretch_1: f64, stretch_2: f64, true_difference_mpa: f64) -> Self {
+        let nominal_stress_mpa = true_difference_mpa / stretch_1.max(stretch_2);
+        let (stretch, across) = (stretch_1, stretch_2);
+        Self { mode: Mode::General, stretch, across, nominal_stress_mpa, difference: true }
+    }
+
+    /// λ1, λ2, λ3.
+    pub fn stretches(&self) -> [f64; 3] {
+        [self.stretch, self.across, 1.0 / (self.stretch * self.across)]
+    }
+
+    /// The largest of the three.
+    pub fn largest_stretch(&self) -> f64 {
+        self.stretches().into_iter().fold(0.0, f64::max)
+    }
+
+    /// The larger stretch in the plane; in a mode of one stretch that one.
+    pub fn plane_stretch(&self) -> f64 {
+        if self.mode == Mode::General { self.stretch.max(self.across) } else { self.stretch }
+    }
+
+    /// I1 − 3.
+    pub fn i1_minus_3(&self) -> f64 {
+        self.stretches().iter().map(|l| l * l).sum::<f64>() - 3.0
+    }
+
+    /// What a law says in place of the measured stress, in MPa.
+    pub fn stress_mpa<L: RubberLaw + ?Sized>(&self, law: &L) -> f64 {
+        if let (Some(stress), false) = (self.mode.nominal_stress_mpa(law, self.stretch), self.difference) {
+            return stress;
+        }
+        let [l1, l2, l3] = self.stretches();
+        let p = law.principal([l1, l2, l3]);
+        if self.difference { (l1 * p.d[0] - l2 * p.d[1]) / l1.max(l2) } else { p.d[0] - l3 / l1 * p.d[2] }
+    }
+
+    /// What differences are taken relative to: the measured stress of a specimen of one stretch, if it pulls where that is longer
+    /// than at rest; in a general test, where a stress may pass through zero, the larger of the two stresses that a
+    /// neo-Hookean rubber of this modulus has in the same state.
+    pub(super) fn reference_mpa(&self, modulus_mpa: f64) -> Option<f64> {
+        if self.mode != Mode::General {
+            let pulls = self.nominal_stress_mpa * (self.stretch - 1.0) > 0.0;
+            return pulls.then_some(self.nominal_stress_mpa.abs());
+        }
+        let [l1, l2, l3] = self.stretches();
+        let size = (l1 - l3 * l3 / l1).abs().max((l2 - l3 * l3 / l2).abs());
+        (size > 0.0).then_some(modulus_mpa * size)
+    }
+
+    /// Whether a muscle's wall comes into this state: in some order of the axes the hoop stretch lies between 1 and `hoop`, the axial
+    /// one between 0.6 and 1.1.
+    pub fn is_of_a_muscle(&self, hoop: f64) -> bool {
+        let l = self.stretches();
+        let (low, high) = MUSCLE_AXIAL_STRETCH;
+        let is = |h: usize, z: usize| (1.0..=hoop).contains(&l[h]) && (low..=high).contains(&l[z]);
+        (0..3).any(|h| (0..3).any(|z| h != z && is(h, z)))
+    }
+}

@@ -1,0 +1,122 @@
+//! The points with their weights, as the solvers see them.
+
+use super::mode::Mode;
+use super::point::TensionPoint;
+use mckibben::budget::Budget;
+use mckibben::rubber::{Law, RubberLaw};
+use serde::{Deserialize, Serialize};
+
+/// What is made small.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum Measure {
+    /// Differences of nominal stress.
+    #[default]
+    Absolute,
+    /// Minimise relative differences: small stretches count as much as large ones.
+    Relative,
+}
+
+/// Points that are fitted, and how each counts.
+#[derive(Debug, Clone)]
+pub(super) struct Problem {
+    pub points: Vec<TensionPoint>,
+    /// What residuals are divided by: 1 MPa or what a relative error is relative to.
+    pub divisors: Vec<f64>,
+    /// Weights of the squares; 0 for points that cannot count.
+    pub weights: Vec<f64>,
+    /// Shear modulus of the neo-Hookean law that fits best: the size of all constants.
+    pub modulus_mpa: f64,
+    /// The same by absolute differences: what relative errors of general tests are relative to.
+    pub reference_modulus_mpa: f64,
+    /// What the fit may cost: no residuals are found beyond it, so that solvers come to their end.
+    pub budget: Budget,
+}
+
+impl Problem {
+    pub fn new(
+        points: Vec<TensionPoint>,
+        measure: Measure,
+        balance: bool,
+        modes: &[(Mode, f64)],
+        budget: Budget,
+    ) -> Self {
+        let (divisors, weights) = (vec![1.0; points.len()], vec![1.0; points.len()]);
+        let alike = Self { points, divisors, weights, modulus_mpa: 0.0, reference_modulus_mpa: 0.0, budget };
+        let reference_modulus_mpa = alike.neo_hookean_modulus();
+        let Self { points, budget, .. } = alike;
+        let relative_to = |p: &TensionPoint| p.reference_mpa(reference_modulus_mpa).filter(|r| *r > 0.0);
+        let counts = |p: &TensionPoint| measure == Measure::Absolute || relative_to(p).is_some();
+        let divisor = |p: &TensionPoint| match measure {
+            Measure::Relative => relative_to(p).unwrap_or(1.0),
+            Measure::Absolute => 1.0,
+        };
+        let divisors: Vec<f64> = points.iter().map(divisor).collect();
+        let of_mode = |mode: Mode| points.iter().filter(|p| p.mode == mode && counts(p)).count().max(1);
+        let present = Mode::ALL.iter().filter(|m| points.iter().any(|p| p.mode == **m)).count();
+        let all = points.iter().filter(|p| counts(p)).count();
+        let weight = |p: &TensionPoint| {
+            let own = modes.iter().find(|m| m.0 == p.mode).map_or(1.0, |m| m.1);
+            let even =
+                if balance { all as f64 / (present.max(1) as f64 * of_mode(p.mode) as f64) } else { 1.0 };
+            if counts(p) { own * even } else { 0.0 }
+        };
+        let weights: Vec<f64> = points.iter().map(weight).collect();
+        let mut out = Self { points, divisors, weights, modulus_mpa: 0.0, reference_modulus_mpa, budget };
+        out.modulus_mpa = out.neo_hookean_modulus();
+        out
+    }
+
+    /// Points that count.
+    pub fn counting(&self) -> usize {
+        self.weights.iter().filter(|w| **w > 0.0).count()
+    }
+
+    /// Largest principal stretch of the points.
+    pub fn fitted_to_stretch(&self) -> f64 {
+        self.points.iter().map(TensionPoint::largest_stretch).fold(1.0, f64::max)
+    }
+
+    /// Largest I1 − 3 of the points.
+    pub fn largest_i1_minus_3(&self) -> f64 {
+        self.points.iter().map(TensionPoint::i1_minus_3).fold(0.0, f64::max)
+    }
+
+    /// Stresses of a law over the divisors; `None` where it cannot carry a stretch.
+    pub fn scaled_stresses<L: RubberLaw + ?Sized>(&self, law: &L) -> Option<Vec<f64>> {
+        let one = |(p, d): (&TensionPoint, &f64)| {
+            let stress = p.stress_mpa(law) / d;
+            stress.is_finite().then_some(stress)
+        };
+        self.points.iter().zip(&self.divisors).map(one).collect()
+    }
+
+    /// Measured stresses over the divisors.
+    pub fn measured(&self) -> Vec<f64> {
+        self.points.iter().zip(&self.divisors).map(|(p, d)| p.nominal_stress_mpa / d).collect()
+    }
+
+    pub fn residuals(&self, law: &Law) -> Option<Vec<f64>> {
+        self.budget.check().ok()?;
+        let model = self.scaled_stresses(law)?;
+        Some(model.iter().zip(self.measured()).map(|(a, b)| a - b).collect())
+    }
+
+    /// Σ w r².
+    pub fn squares(&self, law: &Law) -> Option<f64> {
+        let r = self.residuals(law)?;
+        Some(r.iter().zip(&self.weights).map(|(r, w)| w * r * r).sum())
+    }
+
+    fn neo_hookean_modulus(&self) -> f64 {
+        let unit = Law::NeoHookean(mckibben::rubber::NeoHookean { mu_mpa: 1.0 });
+        let Some(column) = self.scaled_stresses(&unit) else { return 0.0 };
+        let (mut aa, mut ab) = (0.0, 0.0);
+        for ((a, b), w) in column.iter().zip(self.measured()).zip(&self.weights) {
+            aa += w * a * a;
+            ab += w * a * b;
+        }
+        if aa > 0.0 { ab / aa } else { 0.0 }
+    }
+}

@@ -1,0 +1,117 @@
+//! An incompressible bar in simple tension, over a history of stretches.
+//!
+//! With the nominal stress P of the law at once (softened, where it softens), σ = λP, the isochoric second Piola–Kirchhoff stresses along
+//! and across are S_a = (2/3) σ λ⁻², S_l = −(1/3) σ λ. Each relaxes by itself; the free sides give the pressure, and
+//!
+//!   P(t) = [λ² S_a(t) − λ⁻¹ S_l(t)]/λ.
+
+use super::OverTimeFitError;
+use mckibben::rubber::RubberLaw;
+use mckibben::rubber::over_time::{OgdenRoxburgh, Prony, Softened};
+use mckibben_table::{Columns, HISTORIES, Table, TableError, read_text};
+use std::io::Read;
+
+/// A point of a history.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TimePoint {
+    /// In s.
+    pub time_s: f64,
+    /// L/L0.
+    pub stretch: f64,
+    /// Force over the area at rest, in MPa.
+    pub nominal_stress_mpa: f64,
+}
+
+/// Reads times, stretches and nominal stresses of one specimen from a table in any common form.
+///
+/// # Errors
+/// [`TableError`].
+pub fn read_history(input: impl Read, columns: &Columns) -> Result<Vec<TimePoint>, TableError> {
+    let table = Table::read(&read_text(input)?, &HISTORIES, columns)?;
+    let column = |group| table.numbers(table.needed(group)?);
+    let (times, stretches, stresses) = (column(0)?, column(1)?, column(2)?);
+    let rows = times.into_iter().zip(stretches).zip(stresses);
+    Ok(rows
+        .map(|((time_s, stretch), nominal_stress_mpa)| TimePoint { time_s, stretch, nominal_stress_mpa })
+        .collect())
+}
+
+/// A bar of a law, with what it remembers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bar<'a, L> {
+    law: &'a L,
+    softening: Option<OgdenRoxburgh>,
+    prony: &'a Prony,
+    w_max_mpa: f64,
+    /// S_a and S_l at once, of the last point.
+    last: [f64; 2],
+    states: Vec<[f64; 2]>,
+    time_s: Option<f64>,
+}
+
+impl<'a, L: RubberLaw> Bar<'a, L> {
+    /// A bar at rest that has seen nothing. The law's constants are the instantaneous ones.
+    pub fn new(law: &'a L, softening: Option<OgdenRoxburgh>, prony: &'a Prony) -> Self {
+        let states = vec![[0.0; 2]; prony.branches.len()];
+        Self { law, softening, prony, w_max_mpa: 0.0, last: [0.0; 2], states, time_s: None }
+    }
+
+    /// The largest energy that it has seen, in MPa.
+    pub fn w_max_mpa(&self) -> f64 {
+        self.w_max_mpa
+    }
+
+    /// Nominal stress in MPa at a time and stretch; in between the stress at once went straight. The first point comes at once.
+    pub fn at(&mut self, time_s: f64, stretch: f64) -> f64 {
+        let across = stretch.powf(-0.5);
+        let stretches = [stretch, across, across];
+        let stress = match self.softening {
+            Some(softening) => {
+                let mut law = Softened { law: self.law, softening, w_max_mpa: self.w_max_mpa };
+                law.w_max_mpa = law.seen_mpa(stretches);
+                self.w_max_mpa = law.w_max_mpa;
+                law.uniaxial_stress_mpa(stretch)
+            }
+            None => self.law.uniaxial_stress_mpa(stretch),
+        };
+        let sigma = stretch * stress;
+        let now = [2.0 / 3.0 * sigma / (stretch * stretch), -sigma * stretch / 3.0];
+        let change = [now[0] - self.last[0], now[1] - self.last[1]];
+        let duration_s = self.time_s.map_or(0.0, |before| time_s - before);
+        self.prony.step(&mut self.states, change, duration_s);
+        (self.last, self.time_s) = (now, Some(time_s));
+        let [along, across] = self.prony.stress(now, &self.states);
+        stretch * along - across / (stretch * stretch)
+    }
+
+    /// Nominal stresses over a history, in MPa.
+    ///
+    /// # Errors
+    /// [`OverTimeFitError::History`] where times go back or stretches are not above zero.
+    pub fn over(mut self, history: &[TimePoint]) -> Result<Vec<f64>, OverTimeFitError> {
+        check(history)?;
+        Ok(history.iter().map(|p| self.at(p.time_s, p.stretch)).collect())
+    }
+}
+
+/// Times do not go back, and numbers are numbers.
+pub(super) fn check(history: &[TimePoint]) -> Result<(), OverTimeFitError> {
+    let mut before = f64::NEG_INFINITY;
+    for (index, p) in history.iter().enumerate() {
+        let wrong = |why| {
+            let &TimePoint { time_s, stretch, .. } = p;
+            Err(OverTimeFitError::History { index, time_s, stretch, why })
+        };
+        if !(p.stretch > 0.02 && p.stretch < 25.0) {
+            return wrong("a stretch L/L0 is 1 at rest and above 0");
+        }
+        if !(p.time_s >= before && p.time_s.is_finite()) {
+            return wrong("times must increase; give each test of a file separately");
+        }
+        if !p.nominal_stress_mpa.is_finite() {
+            return wrong("its stress is not a number");
+        }
+        before = p.time_s;
+    }
+    Ok(())
+}

@@ -1,0 +1,135 @@
+//! Softening constants from a cyclic test that begins with the first loading.
+//!
+//! Points whose stretch goes beyond all before are the first loading: the law is fitted to them. r, m and β then make the sum of squares
+//! of the nominal stress of all later points as small as possible, each with the largest energy of its own past. No rate is known here: loops
+//! that depend on the rate are taken for softening.
+
+use super::bar::check;
+use super::{Bar, OverTimeFitError, TimePoint, columns};
+use crate::least_squares::{Loss, Unknown, estimate};
+use crate::rubber::{FitSettings, Form, Mode, TensionPoint, fit_tension};
+use mckibben::rubber::over_time::{OgdenRoxburgh, Prony};
+use mckibben::rubber::{Law, RubberLaw};
+use serde::Serialize;
+
+/// A law that softens after its first loading, from a uniaxial test in the order of time.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "SofteningAnswer"))]
+pub struct SofteningFit {
+    /// The law.
+    #[serde(rename = "law")]
+    #[cfg_attr(feature = "schema", schemars(with = "String"))]
+    pub form: Form,
+    /// Its constants on the first loading, moduli in MPa.
+    #[serde(serialize_with = "columns")]
+    #[cfg_attr(feature = "schema", schemars(with = "std::collections::BTreeMap<String, f64>"))]
+    pub first_loading: Law,
+    /// r: 1/r is the largest loss of stress.
+    pub r: f64,
+    /// m, MPa: spread of the loss over the energy.
+    pub m_mpa: f64,
+    /// β: the same as a share of the largest energy.
+    pub beta: f64,
+    /// Standard errors of r, m and β, the law taken as known; null where the data do not determine them.
+    pub standard_errors: [Option<f64>; 3],
+    /// Points of the first loading.
+    pub first_loading_points: usize,
+    /// Points below the largest energy so far.
+    pub later_points: usize,
+    /// Root mean square of the differences of nominal stress on the first loading, MPa.
+    pub first_loading_rms_mpa: f64,
+    /// The same of the later points.
+    pub later_rms_mpa: f64,
+    /// The largest energy of the test, MPa.
+    pub largest_energy_mpa: f64,
+}
+
+impl SofteningFit {
+    /// The softening, over the law of the first loading.
+    pub fn softening(&self) -> OgdenRoxburgh {
+        OgdenRoxburgh { r: self.r, m_mpa: self.m_mpa, beta: self.beta }
+    }
+}
+
+/// Fits a law and its softening to a history in the order of time.
+///
+/// # Errors
+/// [`OverTimeFitError`].
+pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit, OverTimeFitError> {
+    check(history)?;
+    let mut virgin = vec![];
+    let (mut low, mut high) = (1.0, 1.0);
+    // A first loading in tension, in compression, or one after the other.
+    for p in history {
+        let beyond = p.stretch > high || p.stretch < low;
+        (low, high) = (p.stretch.min(low), p.stretch.max(high));
+        virgin.push(beyond || (virgin.iter().all(|v| *v) && p.stretch == 1.0));
+    }
+    let first: Vec<TensionPoint> = history
+        .iter()
+        .zip(&virgin)
+        .filter(|(_, first)| **first)
+        .map(|(p, _)| TensionPoint::new(Mode::Uniaxial, p.stretch, p.nominal_stress_mpa))
+        .collect();
+    let later = history.len() - first.len();
+    let needed = form.fewest_points();
+    if first.len() < needed || later < 4 {
+        let (points, virgin) = (history.len(), first.len());
+        return Err(OverTimeFitError::NoVirginCycle { points, virgin, later, needed });
+    }
+    let settings = FitSettings { forms: vec![form], history: true, ..FitSettings::default() };
+    let fit = fit_tension(&first, &settings)?;
+    let law = fit.laws[0].law.clone();
+    let energy = |stretch: f64| {
+        let across = stretch.powf(-0.5);
+        law.principal([stretch, across, across]).w
+    };
+    let w_max_mpa = energy(low).max(energy(high));
+    let none = Prony::default();
+    let differences = |x: &[f64]| -> Option<Vec<f64>> {
+        let softening = OgdenRoxburgh { r: x[0], m_mpa: x[1], beta: x[2] };
+        let model = Bar::new(&law, Some(softening), &none).over(history).ok()?;
+        let pairs = model.iter().zip(history).zip(&virgin).filter(|(_, first)| !**first);
+        let found: Vec<f64> = pairs.map(|((model, p), _)| model - p.nominal_stress_mpa).collect();
+        found.iter().all(|v| v.is_finite()).then_some(found)
+    };
+    let weights = vec![1.0; later];
+    let mut best = None;
+    let mut why = None;
+    for (m, beta) in [(0.3, 0.02), (0.02, 0.3), (0.1, 0.1)] {
+        let unknowns = [
+            Unknown { start: 1.8, low: 1.0, high: 50.0, scale: 1.0 },
+            Unknown::above(m * w_max_mpa, 0.0, w_max_mpa),
+            Unknown::above(beta, 1e-6, 1.0),
+        ];
+        match estimate(&differences, &unknowns, &weights, Loss::Squares) {
+            Ok(found) => {
+                let squares: f64 = found.residuals.iter().map(|r| r * r).sum();
+                if best.as_ref().is_none_or(|(s, _)| squares < *s) {
+                    best = Some((squares, found));
+                }
+            }
+            Err(error) => why = Some(error),
+        }
+    }
+    let (squares, found) = match (best, why) {
+        (Some(best), _) => best,
+        (None, Some(error)) => return Err(OverTimeFitError::NotConverged { what: "softening", error }),
+        (None, None) => return Err(OverTimeFitError::TooFew { points: later, duration_s: 0.0, branches: 0 }),
+    };
+    let OgdenRoxburgh { r, m_mpa, beta } =
+        OgdenRoxburgh { r: found.x[0], m_mpa: found.x[1], beta: found.x[2] }.validated()?;
+    Ok(SofteningFit {
+        form,
+        first_loading: law,
+        r,
+        m_mpa,
+        beta,
+        standard_errors: [0, 1, 2].map(|i| Some(found.standard_errors[i]).filter(|e| e.is_finite())),
+        first_loading_points: first.len(),
+        later_points: later,
+        first_loading_rms_mpa: fit.laws[0].quality.rms_mpa,
+        later_rms_mpa: (squares / later as f64).sqrt(),
+        largest_energy_mpa: w_max_mpa,
+    })
+}

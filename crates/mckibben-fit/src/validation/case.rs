@@ -1,0 +1,244 @@
+//! What was measured as a folder: `case.toml`, `points.csv`, and of a muscle `muscle.toml`.
+//!
+//! The same reader serves the folders that are built in (`data/measured`) and those of users.
+
+use super::rubber::RubberCase;
+use crate::identify::{Parameter, ParameterError};
+use crate::measured::DataPoint;
+use mckibben::muscle::Muscle;
+use mckibben::muscle::file::FileError;
+use mckibben_table::TableError;
+use rust_embed::Embed;
+use std::sync::LazyLock;
+use thiserror::Error;
+
+/// The texts of a folder.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct CaseFiles {
+    /// Name of the folder.
+    pub name: String,
+    /// `case.toml`.
+    pub case: String,
+    /// `muscle.toml`; empty where it is a rubber that was measured.
+    pub muscle: String,
+    /// `points.csv`.
+    pub points: String,
+}
+
+/// What is known of a measurement.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Facts {
+    /// Name of its folder.
+    pub name: String,
+    /// Which muscle or rubber.
+    pub title: String,
+    /// Who measured it.
+    pub source: String,
+    /// Terms of use of the points.
+    pub terms: String,
+    /// What is known of it.
+    pub known: String,
+    /// What is not.
+    pub unknown: String,
+}
+
+/// What was measured.
+#[derive(Debug, Clone)]
+pub enum Measurement {
+    /// A muscle.
+    Muscle(MuscleCase),
+    /// A rubber.
+    Rubber(RubberCase),
+}
+
+/// A measured muscle, and what is fitted to it.
+#[derive(Debug, Clone)]
+pub struct MuscleCase {
+    /// What is known of it.
+    pub facts: Facts,
+    /// The rms error over the blocked force that passes in the first fit: what finite elements leave of it, rounded up. A regression.
+    pub rms_of_blocked: Option<f64>,
+    /// The points that pull.
+    pub points: Vec<DataPoint>,
+    /// What is fitted; the ± is calibrated on the first.
+    pub fits: Vec<CaseFit>,
+}
+
+/// What is fitted to which points.
+#[derive(Debug, Clone)]
+pub struct CaseFit {
+    /// Its name.
+    pub name: String,
+    /// The muscle with which the search begins.
+    pub muscle: Muscle,
+    /// What is free; where nothing is, nothing is fitted, and all points are blind.
+    pub free: Vec<Parameter>,
+    /// Whether it is fitted to the single branches of the hysteresis, in place of their means.
+    pub both_branches: bool,
+    /// Which points it is fitted to; all where `None`.
+    pub split: Option<Split>,
+}
+
+/// Which points are fitted; the others are predicted blind.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Split {
+    /// Quantity that divides the points.
+    pub by: By,
+    /// Which of them are fitted.
+    pub fitted: FittedSubset,
+}
+
+/// Quantity that divides points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum By {
+    /// L0 of the muscle.
+    Length,
+    /// The pressure.
+    Pressure,
+    /// The contraction.
+    Contraction,
+}
+
+/// Which points are fitted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FittedSubset {
+    /// Those of one value, for each value in turn.
+    One,
+    /// Those of all values but one, for each in turn.
+    Others,
+    /// Those of a range, both ends in it.
+    Range(f64, f64),
+}
+
+/// Why a folder is no case.
+#[derive(Debug, Error)]
+pub enum CaseError {
+    /// No TOML.
+    #[error("{case}/case.toml: not valid TOML: {message}")]
+    Syntax {
+        /// Folder.
+        case: String,
+        /// What the parser says.
+        message: String,
+    },
+    /// A key that is missing or of another kind.
+    #[error("{case}/case.toml: `{key}` must be {expected}")]
+    Key {
+        /// Folder.
+        case: String,
+        /// Key.
+        key: String,
+        /// What should stand there.
+        expected: &'static str,
+    },
+    /// A key that means nothing.
+    #[error("{case}/case.toml: `{key}` is not known; known here: {}", .known.join(", "))]
+    Unknown {
+        /// Folder.
+        case: String,
+        /// Key.
+        key: String,
+        /// What may stand there.
+        known: &'static [&'static str],
+    },
+    /// A muscle that cannot be read.
+    #[error("{case}/muscle.toml, fit \"{fit}\": {error}")]
+    Muscle {
+        /// Folder.
+        case: String,
+        /// Fit.
+        fit: String,
+        /// Why.
+        error: Box<FileError>,
+    },
+    /// A parameter that the muscle does not have.
+    #[error("{case}/case.toml, fit \"{fit}\": {error}")]
+    Parameter {
+        /// Folder.
+        case: String,
+        /// Fit.
+        fit: String,
+        /// Why.
+        error: ParameterError,
+    },
+    /// A law that a fit of a rubber does not have.
+    #[error("{case}/case.toml, fit \"{fit}\": there is no law \"{law}\"; known: {}", .known.join(", "))]
+    Law {
+        /// Folder.
+        case: String,
+        /// Fit.
+        fit: String,
+        /// As written.
+        law: String,
+        /// What may stand there.
+        known: Vec<String>,
+    },
+    /// Points that cannot be read.
+    #[error("{case}/points.csv: {error}")]
+    Points {
+        /// Folder.
+        case: String,
+        /// Why.
+        error: TableError,
+    },
+}
+
+#[derive(Embed)]
+#[folder = "data/measured"]
+struct Folders;
+
+/// The texts of the folders that are built in.
+pub fn built_in() -> Vec<CaseFiles> {
+    let mut names: Vec<String> =
+        Folders::iter().filter_map(|path| path.strip_suffix("/case.toml").map(str::to_owned)).collect();
+    names.sort();
+    let text = |name: &str, file: &str| {
+        let data = Folders::get(&format!("{name}/{file}")).map(|f| f.data).unwrap_or_default();
+        String::from_utf8_lossy(&data).into_owned()
+    };
+    let files = |name: String| CaseFiles {
+        case: text(&name, "case.toml"),
+        muscle: text(&name, "muscle.toml"),
+        points: text(&name, "points.csv"),
+        name,
+    };
+    names.into_iter().map(files).collect()
+}
+
+/// What is built in.
+static BUILT_IN: LazyLock<Result<Vec<Measurement>, CaseError>> =
+    LazyLock::new(|| built_in().iter().map(Measurement::read).collect());
+
+/// The measurements that are built in.
+///
+/// # Errors
+/// [`CaseError`] of a folder of ours that cannot be read.
+pub fn measurements() -> Result<&'static [Measurement], &'static CaseError> {
+    BUILT_IN.as_ref().map(Vec::as_slice)
+}
+
+/// The muscles among them.
+///
+/// # Errors
+/// As [`measurements`].
+pub fn muscles() -> Result<Vec<&'static MuscleCase>, &'static CaseError> {
+    Ok(measurements()?.iter().filter_map(Measurement::muscle).collect())
+}
+
+impl Measurement {
+    /// The muscle, where it is one.
+    pub fn muscle(&self) -> Option<&MuscleCase> {
+        match self {
+            Self::Muscle(case) => Some(case),
+            Self::Rubber(_) => None,
+        }
+    }
+
+    /// The rubber, where it is one.
+    pub fn rubber(&self) -> Option<&RubberCase> {
+        match self {
+            Self::Rubber(case) => Some(case),
+            Self::Muscle(_) => None,
+        }
+    }
+}

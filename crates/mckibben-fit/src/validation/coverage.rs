@@ -1,0 +1,110 @@
+//! How far the finite elements are from measured pulls, and what share of the measured points the ± covers.
+
+use super::case::{MuscleCase, muscles};
+use super::residual::{Left, Residual, compared, fitted, residuals};
+use crate::identify::Build;
+use crate::identify::IdentifyError;
+use crate::measured::mean_of_data;
+use mckibben::budget::Exceeded;
+use mckibben::progress::Progress;
+use mckibben::verification::{Kind, Measure, Row};
+
+/// The share of the points of a set that the ± is to hold.
+pub const COVERAGE: f64 = 0.95;
+
+/// What share of the points of each set the ± holds, of the means of the branches and of the single branches.
+///
+/// # Errors
+/// [`Exceeded`] where the caller wanted it to end.
+pub fn cases<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<Row>, Exceeded> {
+    let sets = match muscles() {
+        Ok(sets) => sets,
+        Err(error) => return Ok(vec![unread(error.to_string())]),
+    };
+    let mut rows = vec![];
+    for set in sets {
+        let all = of_first_fit(set, elements, progress);
+        if progress.cancelled() {
+            return Err(Exceeded::Cancelled);
+        }
+        let all = all.unwrap_or_default();
+        let left = |mean| Left::of(all.iter().filter(|r| r.branch.is_mean() == mean));
+        let (means, single) = (left(true), left(false));
+        rows.push(rms(set, &means));
+        rows.push(held(set, &means, "points"));
+        if single.points > 0 {
+            rows.push(held(set, &single, "points of single branches"));
+        }
+    }
+    Ok(rows)
+}
+
+/// Measurements that are built in and cannot be read: a case that fails.
+fn unread(error: String) -> Row {
+    Row {
+        name: format!("measured muscles: {error}"),
+        kind: Kind::Validation,
+        measure: Measure::Share,
+        source: "",
+        reference: COVERAGE,
+        ours: None,
+        error: None,
+        tolerance: 0.0,
+        ok: false,
+    }
+}
+
+fn held(set: &'static MuscleCase, left: &Left, what: &str) -> Row {
+    let ours = left.share_held();
+    let error = ours.map(|share| (COVERAGE - share).max(0.0));
+    Row {
+        name: format!("{}: {} {what} within the ± of fe", set.facts.title, left.points),
+        kind: Kind::Validation,
+        measure: Measure::Share,
+        source: &set.facts.source,
+        reference: COVERAGE,
+        ours,
+        error,
+        tolerance: 0.0,
+        ok: error == Some(0.0),
+    }
+}
+
+/// The rms of what a set's identified muscle leaves of the means of the branches, beside its largest blocked force.
+fn rms(set: &'static MuscleCase, left: &Left) -> Row {
+    let error = (left.points > 0).then(|| left.rms_of_blocked());
+    let fit = set.fits.first();
+    let free = fit.map(|f| f.free.iter().map(|p| p.target.name(&f.muscle)).collect::<Vec<_>>());
+    let tolerance = set.rms_of_blocked.unwrap_or(0.0);
+    Row {
+        name: format!(
+            "{}: fe, {} points, {} identified",
+            set.facts.title,
+            left.points,
+            free.unwrap_or_default().join(" and ")
+        ),
+        kind: Kind::Validation,
+        measure: Measure::Rms,
+        source: &set.facts.source,
+        reference: left.blocked_n,
+        ours: (left.points > 0).then_some(left.rms_n),
+        error,
+        tolerance,
+        ok: error.is_some_and(|e| e <= tolerance),
+    }
+}
+
+/// Identifies a muscle from the mean of its branches as its first fit says, and compares all its points with it.
+///
+/// # Errors
+/// [`IdentifyError`].
+pub fn of_first_fit<B: Build>(
+    set: &MuscleCase,
+    elements: &B,
+    progress: &dyn Progress,
+) -> Result<Vec<Residual>, IdentifyError> {
+    let Some(fit) = set.fits.first() else { return Ok(vec![]) };
+    let means = mean_of_data(&set.points);
+    let (muscle, _) = fitted(fit, &means, elements, progress)?;
+    Ok(residuals(elements, &muscle, &compared(&means, &set.points)))
+}

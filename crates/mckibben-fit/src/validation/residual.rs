@@ -1,0 +1,176 @@
+//! What a model of a muscle leaves of measured pulls.
+
+use super::case::CaseFit;
+use crate::identify::{Build, Identified, IdentifyError, Request, identify_with};
+use crate::least_squares::Loss;
+use crate::measured::{DataPoint, Section};
+use mckibben::analysis::force_on;
+use mckibben::model::{BlockedAt, ForceModel, Reference, Workspace, blocked_scale_n};
+use mckibben::muscle::{Direction, Muscle};
+use mckibben::progress::Progress;
+use mckibben::uncertainty::{friction_n, measured_n};
+
+/// One measured point beside what a model says of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Residual {
+    /// ε.
+    pub contraction: f64,
+    /// ε over the ideal muscle's largest contraction.
+    pub contraction_share: f64,
+    /// Measured less computed, in N.
+    pub left_n: f64,
+    /// The branch it was measured on.
+    pub branch: Direction,
+    /// Pressure in MPa.
+    pub pressure_mpa: f64,
+    /// The computed blocked force there, in N.
+    pub blocked_n: f64,
+    /// The ± there in N, of what is known to err in the model and against measured muscles; on a single branch with that of its
+    /// friction. `None` where nobody has measured the model's error.
+    pub half_width_n: Option<f64>,
+}
+
+impl Residual {
+    /// What is left, over the blocked force at the same pressure.
+    pub fn of_blocked(&self) -> f64 {
+        self.left_n / self.blocked_n
+    }
+
+    /// Whether the ± holds the point.
+    pub fn covered(&self) -> Option<bool> {
+        self.half_width_n.map(|half| self.left_n.abs() <= half)
+    }
+}
+
+/// The ± of a model at a point, for its blocked force there.
+fn half_width_n(model: &dyn ForceModel, w: &mut Workspace, point: &DataPoint, blocked_n: f64) -> Option<f64> {
+    let (accuracy, muscle) = (model.info().accuracy, model.muscle());
+    let scale_n = match accuracy.blocked_at {
+        BlockedAt::SamePressure => blocked_n,
+        BlockedAt::Pressure(p) => blocked_scale_n(model, w, p).ok()?,
+    };
+    let own_n = accuracy.share_of_blocked? * scale_n;
+    if matches!(accuracy.reference, Reference::ForceMap { .. }) {
+        return Some(own_n);
+    }
+    let half_n = measured_n(muscle, blocked_n, point.at.contraction).hypot(own_n);
+    if point.at.branch.is_mean() {
+        return Some(half_n);
+    }
+    let at = (point.at.pressure_mpa, point.at.contraction);
+    Some(half_n.hypot(friction_n(model, w, at, point.at.branch, blocked_n)))
+}
+
+fn residual(model: &dyn ForceModel, w: &mut Workspace, point: &DataPoint) -> Option<Residual> {
+    let pressure_mpa = point.at.pressure_mpa;
+    let blocked_n = model.force_n(w, pressure_mpa, 0.0).ok()?;
+    let force_n = force_on(model, w, pressure_mpa, point.at.contraction, point.at.branch).ok()?;
+    Some(Residual {
+        contraction: point.at.contraction,
+        contraction_share: point.at.contraction / model.muscle().max_ideal_contraction(),
+        left_n: point.at.force_n - force_n.max(0.0),
+        branch: point.at.branch,
+        pressure_mpa,
+        blocked_n,
+        half_width_n: half_width_n(model, w, point, blocked_n),
+    })
+}
+
+/// The model of the muscle of some rows, where it has one.
+struct Asked {
+    section: Section,
+    model: Option<Box<dyn ForceModel>>,
+    workspace: Workspace,
+}
+
+/// What a muscle leaves of points, those left out to which the model has no answer.
+pub(super) fn residuals<B: Build>(build: &B, muscle: &Muscle, points: &[&DataPoint]) -> Vec<Residual> {
+    let mut models: Vec<Asked> = vec![];
+    let mut out = vec![];
+    for point in points {
+        let known = models.iter().position(|m| m.section == point.section).unwrap_or_else(|| {
+            let model = point.section.apply(muscle).ok().and_then(|m| build(&m).ok());
+            models.push(Asked { section: point.section, model, workspace: Workspace::new() });
+            models.len() - 1
+        });
+        if let Some(Asked { model: Some(model), workspace, .. }) = models.get_mut(known) {
+            out.extend(residual(model.as_ref(), workspace, point));
+        }
+    }
+    out
+}
+
+/// A fit to points.
+pub(super) fn fitted<B: Build>(
+    fit: &CaseFit,
+    points: &[DataPoint],
+    build: &B,
+    progress: &dyn Progress,
+) -> Result<(Muscle, Vec<Identified>), IdentifyError> {
+    if fit.free.is_empty() {
+        return Ok((fit.muscle.clone(), vec![]));
+    }
+    let request = Request {
+        muscle: &fit.muscle,
+        free: &fit.free,
+        fixed: &[],
+        points,
+        loss: Loss::Squares,
+        two_sided: false,
+    };
+    let found = identify_with(&request, build, progress)?;
+    Ok((found.muscle, found.parameters))
+}
+
+/// Means of branches and points without one, then the single branches. A point whose other branch is missing stands in the second list alone.
+pub(super) fn compared<'a>(means: &'a [DataPoint], points: &'a [DataPoint]) -> Vec<&'a DataPoint> {
+    let means = means.iter().filter(|p| p.at.branch.is_mean());
+    means.chain(points.iter().filter(|p| !p.at.branch.is_mean())).collect()
+}
+
+/// What is left of points: measured less computed.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Left {
+    /// How many.
+    pub points: usize,
+    /// Root mean square in N.
+    pub rms_n: f64,
+    /// Largest in N.
+    pub largest_n: f64,
+    /// Mean of measured − computed in N.
+    pub bias_n: f64,
+    /// Largest blocked force of the points in N.
+    pub blocked_n: f64,
+    /// Points that have a ±.
+    pub judged: usize,
+    /// Points that it holds.
+    pub held: usize,
+}
+
+impl Left {
+    /// Of a list.
+    pub fn of<'a>(list: impl Iterator<Item = &'a Residual>) -> Self {
+        let (mut out, mut squares) = (Self::default(), 0.0);
+        for r in list {
+            out.points += 1;
+            squares += r.left_n * r.left_n;
+            out.bias_n += r.left_n;
+            out.largest_n = out.largest_n.max(r.left_n.abs());
+            out.blocked_n = out.blocked_n.max(r.blocked_n);
+            out.judged += usize::from(r.covered().is_some());
+            out.held += usize::from(r.covered() == Some(true));
+        }
+        let n = out.points.max(1) as f64;
+        Self { rms_n: (squares / n).sqrt(), bias_n: out.bias_n / n, ..out }
+    }
+
+    /// `rms_n` over the largest blocked force; 0 without points.
+    pub fn rms_of_blocked(&self) -> f64 {
+        if self.points > 0 { self.rms_n / self.blocked_n } else { 0.0 }
+    }
+
+    /// Share of the points that the ± holds; `None` where there is none.
+    pub fn share_held(&self) -> Option<f64> {
+        (self.judged > 0).then(|| self.held as f64 / self.judged as f64)
+    }
+}

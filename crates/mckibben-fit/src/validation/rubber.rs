@@ -1,0 +1,190 @@
+//! The validation report of a measured rubber: the errors of each law at the stresses it was fitted to and at those it predicts.
+
+use super::case::{CaseError, Facts};
+use super::read::Keys;
+use super::report::ReportError;
+use super::stress::{history, tests};
+use crate::rubber::{Form, Mode, Parameter, ReadOptions, TensionPoint, read_tests};
+use crate::rubber_over_time::{OverTimeFitError, TimePoint, read_history};
+use mckibben::progress::Progress;
+use mckibben_table::Columns;
+use toml_edit::Item;
+
+/// A measured rubber, and which laws are fitted to it.
+#[derive(Debug, Clone)]
+pub struct RubberCase {
+    /// What is known of it.
+    pub facts: Facts,
+    /// What is fitted.
+    pub fits: Vec<RubberCaseFit>,
+    points: Points,
+}
+
+#[derive(Debug, Clone)]
+enum Points {
+    Tests(Vec<TensionPoint>),
+    /// One specimen over time, with loading and unloading.
+    History(Vec<TimePoint>),
+}
+
+/// A law, and which points it is fitted to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RubberCaseFit {
+    /// Its name.
+    pub name: String,
+    /// The law.
+    pub form: Form,
+    /// Modes that are fitted, all where none is named; the others are blind.
+    pub modes: Vec<Mode>,
+    /// Stretch up to which it is fitted; what is stretched further is blind.
+    pub up_to_stretch: Option<f64>,
+    /// Branches of a Prony series beside it, of a test over time.
+    pub relaxation: Option<usize>,
+}
+
+/// A fit, and what it leaves.
+#[derive(Debug, Clone)]
+pub struct RubberFitResult {
+    /// Number of the case.
+    pub case: usize,
+    /// Number of the fit in it.
+    pub fit: usize,
+    /// Constants found; with a Prony series those at once.
+    pub parameters: Vec<Parameter>,
+    /// gᵢ and τᵢ in s.
+    pub prony: Vec<(f64, f64)>,
+    /// Whether the law is stable in a muscle.
+    pub stable: bool,
+    /// What is left, group by group: fitted points before those that are predicted.
+    pub groups: Vec<RubberGroup>,
+}
+
+/// What is left of some nominal stresses: measured less computed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RubberGroup {
+    /// Which: a mode, or a branch of a test over time.
+    pub of: String,
+    /// Whether nothing was fitted to them.
+    pub blind: bool,
+    /// How many.
+    pub points: usize,
+    /// Their largest stretch.
+    pub to_stretch: f64,
+    /// Root mean square in MPa.
+    pub rms_mpa: f64,
+    /// The same over the root mean square of the measured stresses.
+    pub relative: f64,
+    /// Mean of measured − computed in MPa.
+    pub bias_mpa: f64,
+    /// Largest in MPa.
+    pub largest_mpa: f64,
+}
+
+const FIT: &[&str] = &["name", "law", "modes", "up_to_stretch", "relaxation"];
+
+/// A fit of a rubber.
+pub(super) fn fit(table: &Keys<'_>) -> Result<RubberCaseFit, CaseError> {
+    table.only(FIT)?;
+    let (name, law) = (table.text("name")?, table.text("law")?);
+    let forms = Form::parse(&law);
+    let [form] = forms[..] else {
+        let case = table.case.to_owned();
+        return Err(CaseError::Law { case, fit: name, law, known: Form::words() });
+    };
+    let expected = "a list of modes such as [\"uniaxial\"]; the others are blind";
+    let modes = match table.table.get("modes") {
+        None => vec![],
+        Some(item) => {
+            let words = item.as_array().map(|list| list.iter().map(|v| Mode::parse(v.as_str()?)));
+            words.and_then(Iterator::collect).ok_or_else(|| table.wrong("modes", expected))?
+        }
+    };
+    let branches = table.table.get("relaxation").map(|item: &Item| {
+        let n = item.as_integer().and_then(|n| usize::try_from(n).ok()).filter(|n| (1..=8).contains(n));
+        n.ok_or_else(|| table.wrong("relaxation", "a number of branches from 1 to 8"))
+    });
+    let up_to_stretch = table.number("up_to_stretch")?;
+    Ok(RubberCaseFit { name, form, modes, up_to_stretch, relaxation: branches.transpose()? })
+}
+
+impl RubberCase {
+    /// Reads the points: those of a test over time where a fit wants its relaxation.
+    pub(super) fn new(facts: Facts, points: &str, fits: Vec<RubberCaseFit>) -> Result<Self, CaseError> {
+        let (bytes, columns) = (points.as_bytes(), Columns::default());
+        let points = if fits.iter().any(|f| f.relaxation.is_some()) {
+            read_history(bytes, &columns).map(Points::History)
+        } else {
+            read_tests(bytes, ReadOptions::default(), &columns).map(|read| Points::Tests(read.0))
+        };
+        let points = points.map_err(|error| CaseError::Points { case: facts.name.clone(), error })?;
+        Ok(Self { facts, fits, points })
+    }
+
+    /// How many points there are.
+    pub fn len(&self) -> usize {
+        match &self.points {
+            Points::Tests(list) => list.len(),
+            Points::History(list) => list.len(),
+        }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    fn run(&self, fit: &RubberCaseFit, progress: &dyn Progress) -> Result<RubberFitResult, OverTimeFitError> {
+        match &self.points {
+            Points::Tests(points) => tests(fit, points, progress),
+            Points::History(points) => history(fit, points, progress),
+        }
+    }
+}
+
+/// Every fit of rubbers.
+///
+/// # Errors
+/// [`ReportError`].
+pub fn report(cases: &[&RubberCase], progress: &dyn Progress) -> Result<Vec<RubberFitResult>, ReportError> {
+    let mut out = vec![];
+    for (number, case) in cases.iter().enumerate() {
+        for (k, fit) in case.fits.iter().enumerate() {
+            if progress.cancelled() {
+                return Err(ReportError::Cancelled);
+            }
+            let found = case.run(fit, progress).map_err(|error| {
+                let (case, fit) = (case.facts.name.clone(), fit.name.clone());
+                ReportError::Rubber { case, fit, error }
+            })?;
+            out.push(RubberFitResult { case: number, fit: k, ..found });
+        }
+    }
+    Ok(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::case::{Measurement, measurements};
+    use super::*;
+    use mckibben::progress::Silent;
+
+    /// Every fit of every rubber that is built in has an answer; a fit to some modes predicts the others.
+    #[test]
+    fn every_rubber_that_is_built_in_is_fitted() {
+        let cases: Vec<&RubberCase> =
+            measurements().unwrap().iter().filter_map(Measurement::rubber).collect();
+        let found = report(&cases, &Silent).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(found.len(), cases.iter().map(|c| c.fits.len()).sum::<usize>());
+        for r in &found {
+            let fit = &cases[r.case].fits[r.fit];
+            assert!(
+                r.groups.iter().any(|g| !g.blind && g.points > 5),
+                "{} {}",
+                cases[r.case].facts.name,
+                fit.name
+            );
+            let blind = !fit.modes.is_empty();
+            assert!(!blind || r.groups.iter().any(|g| g.blind), "{} {}", cases[r.case].facts.name, fit.name);
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! A law fitted to measured stresses, and what it leaves of them.
+
+use super::rubber::{RubberCaseFit, RubberFitResult, RubberGroup};
+use crate::rubber::{FitSettings, Mode, TensionFit, TensionFitError, TensionPoint, fit_tension_with};
+use crate::rubber_over_time::{Bar, OverTimeFitError, TimePoint, fit_prony};
+use mckibben::progress::Progress;
+use mckibben::rubber::Law;
+use mckibben::rubber::over_time::Prony;
+
+/// Strain that tells a move from a hold.
+const MOVE: f64 = 1e-3;
+
+/// The law that a fit found: held stable where the free one is not.
+fn law_of(
+    fit: &RubberCaseFit,
+    points: &[TensionPoint],
+    settings: FitSettings,
+    progress: &dyn Progress,
+) -> Result<(TensionFit, Law, RubberFitResult), OverTimeFitError> {
+    let found = fit_tension_with(points, &settings, progress)?;
+    let taken = found.recommended.or(Some(0)).and_then(|i| found.laws.get(i)).cloned();
+    let Some(taken) = taken else {
+        let why = "no law was left".into();
+        let none = TensionFitError::NotConverged { law: fit.form.name(), why };
+        return Err(found.failed.into_iter().next().unwrap_or(none).into());
+    };
+    let result = RubberFitResult {
+        case: 0,
+        fit: 0,
+        stable: taken.quality.stable,
+        parameters: taken.parameters,
+        prony: vec![],
+        groups: vec![],
+    };
+    Ok((found, taken.law, result))
+}
+
+fn settings(fit: &RubberCaseFit) -> FitSettings {
+    FitSettings {
+        forms: vec![fit.form],
+        fit_modes: fit.modes.clone(),
+        up_to_stretch: fit.up_to_stretch,
+        ..FitSettings::default()
+    }
+}
+
+pub(super) fn tests(
+    fit: &RubberCaseFit,
+    points: &[TensionPoint],
+    progress: &dyn Progress,
+) -> Result<RubberFitResult, OverTimeFitError> {
+    let (found, law, result) = law_of(fit, points, settings(fit), progress)?;
+    let whole = FitSettings { up_to_stretch: None, ..settings(fit) };
+    // What lies behind a rupture is left out of both.
+    let beyond = match fit.up_to_stretch {
+        Some(end) => {
+            let all = fit_tension_with(points, &whole, progress)?;
+            let further = |p: &TensionPoint| p.stretch.max(p.across) > end;
+            all.points.into_iter().chain(all.held_out).filter(further).collect()
+        }
+        None => vec![],
+    };
+    let of = |list: &[TensionPoint], blind: bool, name: &dyn Fn(Mode) -> String| -> Vec<RubberGroup> {
+        let of_mode = |mode: Mode| {
+            let own = list.iter().filter(|p| p.mode == mode);
+            let pairs = own.map(|p| (p.stretch.max(p.across), p.nominal_stress_mpa, p.stress_mpa(&law)));
+            RubberGroup::of(name(mode), blind, pairs)
+        };
+        Mode::ALL.into_iter().map(of_mode).filter(|g| g.points > 0).collect()
+    };
+    let plain = |mode: Mode| mode.name().to_owned();
+    let further = |mode: Mode| format!("{}, further", mode.name());
+    let groups =
+        [of(&found.points, false, &plain), of(&found.held_out, true, &plain), of(&beyond, true, &further)];
+    Ok(RubberFitResult { groups: groups.concat(), ..result })
+}
+
+pub(super) fn history(
+    fit: &RubberCaseFit,
+    points: &[TimePoint],
+    progress: &dyn Progress,
+) -> Result<RubberFitResult, OverTimeFitError> {
+    let strip = |p: &TimePoint| TensionPoint::new(Mode::Uniaxial, p.stretch, p.nominal_stress_mpa);
+    let list: Vec<TensionPoint> = points.iter().map(strip).collect();
+    let elastic = FitSettings { history: true, ..settings(fit) };
+    let (_, mut law, mut result) = law_of(fit, &list, elastic, progress)?;
+    let mut prony = Prony::default();
+    if let Some(branches) = fit.relaxation {
+        let found = fit_prony(points, fit.form, branches)?;
+        let constants = found.instantaneous.constants();
+        for (parameter, constant) in result.parameters.iter_mut().zip(constants) {
+            (parameter.value, parameter.standard_error) = (constant.value, None);
+        }
+        (law, prony) = (found.instantaneous.clone(), found.prony());
+        result.prony = prony.branches.iter().map(|b| (b.share, b.time_constant_s)).collect();
+    }
+    let computed = Bar::new(&law, None, &prony).over(points)?;
+    let mut before = 1.0;
+    let mut branch = vec![];
+    for p in points {
+        let step = p.stretch - before;
+        before = p.stretch;
+        branch.push(if step > MOVE {
+            "loading"
+        } else if step < -MOVE {
+            "unloading"
+        } else {
+            "held"
+        });
+    }
+    let groups = ["loading", "unloading", "held"].map(|name| {
+        let own = points.iter().zip(&computed).zip(&branch).filter(|p| *p.1 == name);
+        RubberGroup::of(name.into(), false, own.map(|((p, c), _)| (p.stretch, p.nominal_stress_mpa, *c)))
+    });
+    Ok(RubberFitResult { groups: groups.into_iter().filter(|g| g.points > 0).collect(), ..result })
+}
+
+impl RubberGroup {
+    /// Of stretches, measured and computed stresses.
+    fn of(name: String, blind: bool, list: impl Iterator<Item = (f64, f64, f64)>) -> Self {
+        let (mut out, mut squares, mut measured) = (
+            Self {
+                of: name,
+                blind,
+                points: 0,
+                to_stretch: 0.0,
+                rms_mpa: 0.0,
+                relative: 0.0,
+                bias_mpa: 0.0,
+                largest_mpa: 0.0,
+            },
+            0.0,
+            0.0,
+        );
+        for (stretch, stress, computed) in list {
+            let left = stress - computed;
+            out.points += 1;
+            out.to_stretch = out.to_stretch.max(stretch);
+            out.bias_mpa += left;
+            out.largest_mpa = out.largest_mpa.max(left.abs());
+            squares += left * left;
+            measured += stress * stress;
+        }
+        let n = out.points.max(1) as f64;
+        let relative = if measured > 0.0 { (squares / measured).sqrt() } else { 0.0 };
+        Self { rms_mpa: (squares / n).sqrt(), relative, bias_mpa: out.bias_mpa / n, ..out }
+    }
+}

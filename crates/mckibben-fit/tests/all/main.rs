@@ -1,0 +1,10 @@
+//! All integration tests of the crate in one executable: one link in place of many.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod by_reach;
+mod measured;
+mod one_axis;
+mod prestretch;
+mod tables;
+mod tondu;

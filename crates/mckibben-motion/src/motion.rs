@@ -1,0 +1,186 @@
+//! The answer to a drive.
+
+use crate::error::MotionError;
+use crate::events::Event;
+use crate::series::MotionSeries;
+use mckibben::units::short_numbers;
+use serde::{Deserialize, Serialize, Serializer};
+
+/// A motion.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Motion {
+    /// What was recorded, lists of one length.
+    pub series: MotionSeries,
+    /// 10–90 % of the first step that moved it, s.
+    pub rise_time_s: Option<f64>,
+    /// Time until it stays within 2 % of its stroke, s.
+    pub settling_time_s: Option<f64>,
+    /// Overshoot beyond its end, as a share of its stroke.
+    pub overshoot: Option<f64>,
+    /// Time until the pressure is within 2 % of its first rise, s.
+    pub fill_time_s: Option<f64>,
+    /// Likewise of its first fall, s.
+    pub vent_time_s: Option<f64>,
+    /// Every step of the command that moved it.
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<serde_json::Value>"))]
+    pub steps: Vec<StepFigures>,
+    /// Largest speed, mm/s or °/s.
+    pub largest_speed: f64,
+    /// The same of a muscle's load, mm/s: of all that was integrated, not of the points of the series alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub largest_velocity_mm_per_s: Option<f64>,
+    /// The same of a joint, °/s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub largest_velocity_deg_per_s: Option<f64>,
+    /// Whether it rests at the end, within 2 % of its stroke; none if the command still changes there, or both ends are fixed.
+    #[serde(rename = "at_rest", serialize_with = "rests")]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<bool>"))]
+    pub end: Option<MotionEnd>,
+    /// Where a muscle's load rests in the end under the commanded pressure, without friction.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub equilibrium_contraction: Option<f64>,
+    /// Where a joint rests in the end under the commanded pressures, without friction, degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub equilibrium_angle_deg: Option<f64>,
+    /// Reason why the run stopped early; the series covers the computed part.
+    #[serde(rename = "ended_early", skip_serializing_if = "Option::is_none", serialize_with = "reason")]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
+    pub ended: Option<MotionError>,
+    /// Largest power of the muscles, W.
+    pub largest_power_w: f64,
+    /// Air from the supply, normal litres (0 °C, 101.325 kPa).
+    pub air_normal_litres: f64,
+    /// The same over the last whole period of a periodic command.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub air_normal_litres_per_cycle: Option<f64>,
+    /// Area of the loop of position (mm or rad) over pressure in MPa, over that period.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub loop_area: Option<f64>,
+    /// Energies, J.
+    #[cfg_attr(feature = "schema", schemars(with = "serde_json::Value"))]
+    pub energies: Energies,
+    /// Work of the muscles while they shorten over the exergy of the air from the supply.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub efficiency: Option<f64>,
+    /// Of commanded pressures: frequency up to which small changes of the highest commands are followed (−3 dB), Hz; of two muscles of a joint, changes against each other.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bandwidth_hz: Option<f64>,
+    /// What happened: ends of stroke, slack, valve switching, reversals.
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<serde_json::Value>"))]
+    pub events: Vec<Event>,
+    /// Number of evaluations of the models.
+    pub model_answers: usize,
+    /// Air mass that is missing, over what flowed: 0 but for rounding.
+    #[serde(skip)]
+    pub mass_defect: f64,
+    /// Steps of the integrator.
+    #[serde(skip)]
+    pub integration_steps: usize,
+    /// Right-hand sides.
+    #[serde(skip)]
+    pub evaluations: usize,
+    /// The load lies on its lower stop all the time though the command moves: by how much it is too heavy
+    /// ([`run_as_far`](crate::run_as_far)).
+    #[serde(skip)]
+    pub never_lifted: Option<MotionError>,
+}
+
+impl Motion {
+    /// Whether it rests at the end, where it can.
+    pub fn at_rest(&self) -> Option<bool> {
+        self.end.map(MotionEnd::rests)
+    }
+}
+
+impl MotionEnd {
+    fn rests(self) -> bool {
+        self.moves == Moves::Rests
+    }
+}
+
+fn rests<S: Serializer>(end: &Option<MotionEnd>, serializer: S) -> Result<S::Ok, S::Error> {
+    end.map(MotionEnd::rests).serialize(serializer)
+}
+
+fn reason<S: Serializer>(ended: &Option<MotionError>, serializer: S) -> Result<S::Ok, S::Error> {
+    ended.as_ref().map(|error| short_numbers(&error.to_string()).into_owned()).serialize(serializer)
+}
+
+/// The end of a motion whose command has become constant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MotionEnd {
+    /// How the load moves over the last tenth of the time since the command became constant.
+    pub moves: Moves,
+    /// Between which coordinates it moves there, in mm or rad.
+    pub between: (f64, f64),
+}
+
+/// How a load moves at the end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Moves {
+    /// It stays within 2 % of its way (within 0.0001 of the muscle's length where that is more).
+    Rests,
+    /// It goes to and fro by more than that.
+    Swings,
+    /// It goes on in one direction by more than that.
+    Creeps,
+}
+
+/// The answer to one step of the command, up to the next.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct StepFigures {
+    /// When the command changed, in s.
+    pub time_s: f64,
+    /// The coordinate there.
+    pub from: f64,
+    /// The coordinate at the end of the piece.
+    pub to: f64,
+    /// From 10 % to 90 % of the way between them, in s.
+    pub rise_time_s: Option<f64>,
+    /// From the command until it stays within 2 % of the way, in s; `None` where it still moves at the end.
+    pub settling_time_s: Option<f64>,
+    /// Farthest beyond the end, as a share of the way.
+    pub overshoot: f64,
+}
+
+/// Energies of the whole run in J.
+///
+/// ```text
+/// enthalpy_in − enthalpy_out + heat = Δ(m cv T) + gas_work
+/// gas_work = stored + static_work + p_atm ΔV
+/// static_work + viscoelastic − friction = Δload + Δkinetic + damper + impacts
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Energies {
+    /// Enthalpy of the air from the supply.
+    pub enthalpy_in_j: f64,
+    /// Enthalpy of the air that left.
+    pub enthalpy_out_j: f64,
+    /// Heat from the walls.
+    pub heat_j: f64,
+    /// Growth of the air's internal energy m cv T.
+    pub internal_j: f64,
+    /// ∫ p dV, absolute.
+    pub gas_work_j: f64,
+    /// What rubber and braid store more than at the start, as it follows from the other terms of the second line.
+    pub stored_j: f64,
+    /// ∫ F dx of the models' pull.
+    pub static_work_j: f64,
+    /// ∫ F_f dx: lost in braid friction.
+    pub friction_j: f64,
+    /// Work of the viscoelastic part of the pull; negative: lost.
+    pub viscoelastic_j: f64,
+    /// Lost in the damper.
+    pub damper_j: f64,
+    /// Lost in impacts on stops.
+    pub impacts_j: f64,
+    /// Growth of the load's potential energy.
+    pub load_j: f64,
+    /// Growth of the kinetic energy.
+    pub kinetic_j: f64,
+    /// Work of the muscles while they shorten, ∫ (F v)₊ dt.
+    pub work_j: f64,
+    /// Exergy of the air from the supply against the atmosphere at the walls' temperature.
+    pub exergy_j: f64,
+}

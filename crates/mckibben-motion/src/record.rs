@@ -1,0 +1,207 @@
+//! What is written down of an integration: the series while it goes, and the sums at its end.
+
+use crate::air::{ATMOSPHERE_MPA, HEAT_RATIO, exergy_mj_per_g, normal_litres};
+use crate::error::MotionError;
+use crate::integrate::Stepper;
+use crate::mechanism::Coordinate;
+use crate::member::Substitute;
+use crate::metrics::{Passed, step_figures};
+use crate::motion::{Energies, Motion};
+use crate::rest::rest;
+use crate::run::Integration;
+use crate::state::State;
+use crate::system::System;
+
+impl Integration<'_, '_> {
+    /// The largest speed within the last step, which ended at `t`, by its dense output: the largest of nine points, and the top of the
+    /// parabola through it and its neighbours.
+    pub fn fastest(&mut self, method: &mut dyn Stepper, t: f64) {
+        const PIECES: usize = 8;
+        if self.lies() {
+            return;
+        }
+        let (from, width) = (self.t, t - self.t);
+        let mut speed = |i: usize| {
+            let at = self.within(method, from + width * i as f64 / PIECES as f64);
+            at.ok().flatten().map_or(0.0, |state| state.velocity.abs())
+        };
+        let speeds: [f64; PIECES + 1] = std::array::from_fn(&mut speed);
+        let of_points = speeds.iter().copied().fold(0.0, f64::max);
+        let tops = speeds.windows(3).filter_map(|w| {
+            let &[a, b, c] = w else { return None };
+            let bend = a - 2.0 * b + c;
+            (b >= a && b >= c && bend < 0.0).then(|| b - (c - a).powi(2) / (8.0 * bend))
+        });
+        self.largest_speed = tops.fold(self.largest_speed.max(of_points), f64::max);
+    }
+
+    /// Notes a point that was passed.
+    pub fn pass_by(&mut self, time_s: f64, state: &State) {
+        let velocity = if self.lies() { 0.0 } else { state.velocity };
+        let (coordinate, gauge_mpa) = (state.coordinate, state.first_gauge_mpa());
+        self.passed.push(Passed { time_s, coordinate, velocity, gauge_mpa });
+    }
+
+    /// The output that is due up to a time within the last step, which ended at `t`. Pull and volume between its ends are cubic in time, by
+    /// their derivatives there: as good as the dense output, and no model is asked.
+    pub fn records(
+        &mut self,
+        method: &mut dyn Stepper,
+        last: f64,
+        (t, end): (f64, &State),
+    ) -> Result<(), MotionError> {
+        let system = self.system;
+        let step = system.drive.output_step_s;
+        if step * self.outputs as f64 > last {
+            return Ok(());
+        }
+        let (from, ends) = (self.t, (system.answers(self.t, &self.state)?, system.answers(t, end)?));
+        loop {
+            let due = step * self.outputs as f64;
+            if due > last {
+                break;
+            }
+            let Some(state) = self.within(method, due)? else { break };
+            for (member, (a, b)) in system.members.iter().zip(ends.0.iter().zip(&ends.1)) {
+                member.substitute.set(Some(Substitute::between(a, b, (due - from) / (t - from), t - from)));
+            }
+            let recorded = self.record(due, state);
+            system.members.iter().for_each(|m| m.substitute.set(None));
+            recorded?;
+        }
+        Ok(())
+    }
+
+    /// A point of the series.
+    pub fn record(&mut self, t: f64, state: State) -> Result<(), MotionError> {
+        self.outputs += 1;
+        let state = self.lying(state);
+        self.pass_by(t, &state);
+        let point = self.system.point(t, &state)?;
+        let series = &mut self.motion.series;
+        series.time_s.push(t);
+        series.coordinate.push(state.coordinate);
+        series.velocity.push(state.velocity);
+        let power: f64 = point.muscles.iter().map(|m| m.pull_n * m.speed).sum();
+        self.motion.largest_power_w = self.motion.largest_power_w.max(1e-3 * power);
+        for ((series, m), own) in series.muscles.iter_mut().zip(&point.muscles).zip(&state.muscles) {
+            series.pressure_mpa.push(m.pressure_mpa);
+            series.contraction.push(m.contraction);
+            // A taut muscle pulls; what is below zero within its dead band is none.
+            series.force_n.push(m.pull_n.max(0.0));
+            series.air_mass_g.push(own.mass_g);
+            series.temperature_k.push(m.temperature_k);
+            series.volume_mm3.push(m.volume_mm3);
+            series.opening.push(m.opening);
+            series.command.push(m.command);
+        }
+        Ok(())
+    }
+
+    /// The motion, of all that was integrated.
+    pub fn end(mut self, ended: Option<MotionError>) -> Result<Motion, MotionError> {
+        let system = self.system;
+        let drive = system.drive;
+        // The very end, if no multiple of the step was it.
+        let until = if ended.is_some() { self.t } else { drive.until_s };
+        if self.motion.series.time_s.last().is_some_and(|t| until - t > 1e-9 * until) {
+            // Where the model has no answer any more, the last point is the one before.
+            let recorded = self.record(until, self.state.clone());
+            if ended.is_none() {
+                recorded?;
+            }
+        }
+        let moves = drive.target.commands().iter().any(|c| c.bounds().1 > c.bounds().0);
+        if let (Some(at), true, None) = (&self.on_stop, moves, &ended) {
+            let (net, time_s, pressure_mpa) = (at.net, at.time_s, at.pressure_mpa);
+            self.motion.never_lifted = Some(MotionError::NeverLifted { net, time_s, pressure_mpa });
+        }
+        let air = match system.air_mj_mm3(&self.state) {
+            Err(_) if ended.is_some() => self.air,
+            found => found?,
+        };
+        let energies = self.energies(air);
+        let supplied = self.state.supplied_g();
+        let mut flowed = 0.0;
+        let mut missing: f64 = 0.0;
+        for (own, first) in self.state.muscles.iter().zip(&self.first.muscles) {
+            let grown = own.mass_g - first.mass_g;
+            missing = missing.max((grown - own.supplied_g + own.exhausted_g).abs());
+            flowed += own.supplied_g.abs() + own.exhausted_g.abs() + first.mass_g;
+        }
+        let mut motion = self.motion;
+        motion.efficiency = (energies.exergy_j > 0.0).then(|| energies.work_j / energies.exergy_j);
+        motion.energies = energies;
+        motion.mass_defect = missing / flowed.max(f64::MIN_POSITIVE);
+        motion.air_normal_litres = normal_litres(supplied);
+        let cycle = self.cycle.filter(|_| ended.is_none());
+        motion.air_normal_litres_per_cycle = cycle.as_ref().map(|c| normal_litres(supplied - c.supplied_g));
+        motion.integration_steps = self.steps;
+        motion.evaluations = system.evaluations.get();
+        motion.model_answers = system.members.iter().map(|m| m.asked.get()).sum();
+        let mut equilibrium = None;
+        if ended.is_none() {
+            // A step before an event was taken twice, the second time up to the event.
+            self.passed.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
+            step_figures(drive, &mut motion, &self.passed, cycle.map(|c| c.from_s));
+            let found = rest(system, &self.passed);
+            motion.end = found.map(|(end, _)| end);
+            equilibrium = found.and_then(|(_, q)| q);
+        }
+        match drive.mechanism.coordinate() {
+            Coordinate::Angle => {
+                motion.largest_speed = self.largest_speed.to_degrees();
+                motion.largest_velocity_deg_per_s = Some(motion.largest_speed);
+                motion.equilibrium_angle_deg = equilibrium.map(f64::to_degrees);
+            }
+            Coordinate::Shortening { rest_length_mm } => {
+                motion.largest_speed = self.largest_speed;
+                motion.largest_velocity_mm_per_s = Some(motion.largest_speed);
+                motion.equilibrium_contraction = equilibrium.map(|q| q / rest_length_mm);
+            }
+        }
+        motion.ended = ended;
+        Ok(motion)
+    }
+
+    /// The energies up to where it is, with the internal energy of the air in mJ and its volume in mm³ there.
+    fn energies(&self, (internal, volume): (f64, f64)) -> Energies {
+        let drive = self.system.drive;
+        let totals = self.state.totals;
+        let kinetic = |state: &State| {
+            let v = state.velocity;
+            if v == 0.0 { 0.0 } else { 0.5 * drive.mechanism.inertia() * v * v }
+        };
+        let load = |state: &State| drive.mechanism.load_energy_mj(state.coordinate);
+        let ambient = drive.muscles.first().map_or(293.15, |m| m.air.wall_temperature_k);
+        let (supply_mpa, supply_k) = drive.supply.state();
+        Energies {
+            enthalpy_in_j: 1e-3 * totals.enthalpy_in,
+            enthalpy_out_j: 1e-3 * totals.enthalpy_out,
+            heat_j: 1e-3 * totals.heat,
+            internal_j: 1e-3 * (internal - self.air.0),
+            gas_work_j: 1e-3 * totals.gas_work,
+            stored_j: 1e-3 * (totals.gas_work - ATMOSPHERE_MPA * (volume - self.air.1) - totals.static_work),
+            static_work_j: 1e-3 * totals.static_work,
+            friction_j: 1e-3 * totals.friction,
+            viscoelastic_j: 1e-3 * totals.viscoelastic,
+            damper_j: 1e-3 * totals.damper,
+            impacts_j: self.impacts_j,
+            load_j: 1e-3 * (load(&self.state) - load(&self.first)),
+            kinetic_j: 1e-3 * (kinetic(&self.state) - kinetic(&self.first)),
+            work_j: 1e-3 * totals.positive_work,
+            exergy_j: 1e-3 * self.state.supplied_g() * exergy_mj_per_g(supply_mpa, supply_k, ambient),
+        }
+    }
+}
+
+impl System<'_> {
+    /// Internal energy pV/(γ − 1) of all air in mJ, and its volume in mm³.
+    pub fn air_mj_mm3(&self, state: &State) -> Result<(f64, f64), MotionError> {
+        let point = self.point(0.0, state)?;
+        Ok(point.muscles.iter().fold((0.0, 0.0), |(energy, volume), m| {
+            let own = (m.pressure_mpa + ATMOSPHERE_MPA) * m.volume_mm3 / (HEAT_RATIO - 1.0);
+            (energy + own, volume + m.volume_mm3)
+        }))
+    }
+}

@@ -1,0 +1,250 @@
+//! The state of a drive: what is integrated, by name. Only this file has the order in which the integrator sees it.
+
+use crate::air::ATMOSPHERE_MPA;
+use crate::drive::{Actuator, Drive, Target};
+use crate::error::MotionError;
+use crate::valve::ValveKind;
+
+/// The state of one muscle, or its rates.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct MuscleState {
+    /// Absolute pressure in MPa.
+    pub absolute_mpa: f64,
+    pub mass_g: f64,
+    /// Of a valve that lags.
+    pub opening: Option<f64>,
+    /// Dahl's z, with friction.
+    pub bristle: Option<f64>,
+    /// Of each Prony branch.
+    pub branches_n: Vec<f64>,
+    pub supplied_g: f64,
+    pub exhausted_g: f64,
+}
+
+impl MuscleState {
+    pub fn gauge_mpa(&self) -> f64 {
+        self.absolute_mpa - ATMOSPHERE_MPA
+    }
+}
+
+/// The state of a controller, or its rates.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct ControllerState {
+    pub integral: f64,
+    pub filtered: f64,
+}
+
+/// Quadratures of the whole drive, in mJ.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Totals {
+    pub enthalpy_in: f64,
+    pub enthalpy_out: f64,
+    pub heat: f64,
+    /// ∫ p dV, absolute
+    pub gas_work: f64,
+    /// ∫ F_model dx
+    pub static_work: f64,
+    pub friction: f64,
+    pub viscoelastic: f64,
+    pub damper: f64,
+    /// ∫ (F v)₊ dt of the pull
+    pub positive_work: f64,
+}
+
+/// The state of a drive, its rates, or the size of each of its numbers.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct State {
+    /// In mm or rad.
+    pub coordinate: f64,
+    pub velocity: f64,
+    pub muscles: Vec<MuscleState>,
+    pub controller: Option<ControllerState>,
+    pub totals: Totals,
+}
+
+impl State {
+    /// Gauge pressure of the first muscle in MPa.
+    pub fn first_gauge_mpa(&self) -> f64 {
+        self.muscles.first().map_or(0.0, MuscleState::gauge_mpa)
+    }
+
+    /// Air from the supply in g.
+    pub fn supplied_g(&self) -> f64 {
+        self.muscles.iter().map(|m| m.supplied_g).sum()
+    }
+
+    /// The numbers on which the rates depend.
+    fn core(&mut self, mut visit: impl FnMut(&mut f64)) {
+        visit(&mut self.coordinate);
+        visit(&mut self.velocity);
+        for m in &mut self.muscles {
+            let own = [&mut m.absolute_mpa, &mut m.mass_g].into_iter();
+            own.chain(&mut m.opening).chain(&mut m.bristle).chain(&mut m.branches_n).for_each(&mut visit);
+        }
+        if let Some(ControllerState { integral, filtered }) = &mut self.controller {
+            visit(integral);
+            visit(filtered);
+        }
+    }
+
+    /// All numbers: those of [`State::core`], then those that are integrated beside them.
+    fn each(&mut self, mut visit: impl FnMut(&mut f64)) {
+        self.core(&mut visit);
+        for m in &mut self.muscles {
+            visit(&mut m.supplied_g);
+            visit(&mut m.exhausted_g);
+        }
+        let Totals { enthalpy_in, enthalpy_out, heat, gas_work, static_work, .. } = &mut self.totals;
+        [enthalpy_in, enthalpy_out, heat, gas_work, static_work].into_iter().for_each(&mut visit);
+        let Totals { friction, viscoelastic, damper, positive_work, .. } = &mut self.totals;
+        [friction, viscoelastic, damper, positive_work].into_iter().for_each(&mut visit);
+    }
+
+    /// All numbers in the integrator's order.
+    pub fn to_vec(&self) -> Vec<f64> {
+        let mut all = vec![];
+        self.clone().each(|x| all.push(*x));
+        all
+    }
+}
+
+/// Which numbers the state of a drive has.
+pub(crate) struct Layout {
+    zero: State,
+    /// How many of the first ones the rates depend on.
+    pub core: usize,
+    pub len: usize,
+}
+
+impl Layout {
+    pub fn new(drive: &Drive<'_>) -> Self {
+        let muscles = drive.muscles.iter().map(|m| {
+            let lags = matches!(&m.actuator, Actuator::Valve(v)
+                if matches!(v.kind, ValveKind::Proportional { time_constant_s, .. } if time_constant_s > 0.0));
+            MuscleState {
+                opening: lags.then_some(0.0),
+                bristle: m.friction.map(|_| 0.0),
+                branches_n: vec![0.0; m.rubber.0.len()],
+                ..MuscleState::default()
+            }
+        });
+        let controlled = matches!(drive.target, Target::Position { .. });
+        let mut zero = State {
+            muscles: muscles.collect(),
+            controller: controlled.then(ControllerState::default),
+            ..State::default()
+        };
+        let (mut core, mut len) = (0, 0);
+        zero.core(|_| core += 1);
+        zero.each(|_| len += 1);
+        Self { zero, core, len }
+    }
+
+    /// The state whose numbers are all the same.
+    pub fn filled(&self, value: f64) -> State {
+        let mut state = self.zero.clone();
+        state.each(|x| *x = value);
+        state
+    }
+
+    /// The state with these numbers.
+    ///
+    /// # Errors
+    /// [`MotionError::Length`] where they are not as many as the state has.
+    pub fn state(&self, numbers: &[f64]) -> Result<State, MotionError> {
+        self.check(numbers.len())?;
+        let (mut state, mut numbers) = (self.zero.clone(), numbers.iter());
+        state.each(|x| {
+            if let Some(number) = numbers.next() {
+                *x = *number;
+            }
+        });
+        Ok(state)
+    }
+
+    /// The numbers of a state, where the integrator wants them.
+    ///
+    /// # Errors
+    /// [`MotionError::Length`] where it has not as much room.
+    pub fn write(&self, mut state: State, numbers: &mut [f64]) -> Result<(), MotionError> {
+        let mut count = 0;
+        state.each(|_| count += 1);
+        self.check(count)?;
+        self.check(numbers.len())?;
+        let mut numbers = numbers.iter_mut();
+        state.each(|x| {
+            if let Some(number) = numbers.next() {
+                *number = *x;
+            }
+        });
+        Ok(())
+    }
+
+    fn check(&self, given: usize) -> Result<(), MotionError> {
+        if given == self.len { Ok(()) } else { Err(MotionError::Length { given, needed: self.len }) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::command::Command;
+    use crate::control::{Pid, PidOutput};
+    use crate::drive::Actuated;
+    use crate::friction::Dahl;
+    use crate::mechanism::SingleMuscle;
+    use crate::valve::{Orifice, Valve};
+    use crate::viscoelastic::{Branch, Prony};
+    use mckibben::model::Ideal;
+    use mckibben::muscle::Muscle;
+
+    #[test]
+    fn every_number_of_a_state_has_one_place() {
+        let model = Ideal::new(&Muscle::prototype());
+        let load = SingleMuscle::hanging(&model, 1.0);
+        let kind = ValveKind::Proportional { time_constant_s: 0.01, gain_per_mpa: 20.0 };
+        let valve = Valve { kind, ..Valve::new(Orifice::new(0.5, 0.3).unwrap()) };
+        let muscle = Actuated {
+            friction: Some(Dahl { coefficient: 1.0, exponent: 1.0, presliding_mm: 0.5 }),
+            rubber: Prony(vec![Branch { share: 0.1, time_constant_s: 0.1 }; 3]),
+            ..Actuated::new(&model, Actuator::Valve(valve))
+        };
+        let output = PidOutput::Opening;
+        let pid = Pid {
+            proportional: 1.0,
+            integral_per_s: 0.0,
+            derivative_s: 0.0,
+            filter_s: 0.01,
+            tracking_s: 0.1,
+            output,
+        };
+        let target = Target::Position { command: Command::Constant(0.1), pid };
+        let layout = Layout::new(&Drive::new(&load, vec![muscle], target, 1.0));
+        // q, v; p, m, opening, z, three branches; two of the controller; supplied, exhausted; nine totals.
+        assert_eq!((layout.core, layout.len), (2 + 7 + 2, 2 + 7 + 2 + 2 + 9));
+        let numbers: Vec<f64> = (0..layout.len).map(|i| i as f64 + 0.5).collect();
+        let state = layout.state(&numbers).unwrap();
+        assert_eq!((state.coordinate, state.velocity), (0.5, 1.5));
+        assert_eq!((state.muscles[0].absolute_mpa, state.muscles[0].exhausted_g), (2.5, 12.5));
+        assert_eq!(state.totals.positive_work, layout.len as f64 - 0.5);
+        assert_eq!(state.to_vec(), numbers);
+        let mut written = vec![0.0; layout.len];
+        layout.write(state, &mut written).unwrap();
+        assert_eq!(written, numbers);
+    }
+
+    #[test]
+    fn numbers_that_are_no_state_of_a_drive_are_refused() {
+        let model = Ideal::new(&Muscle::prototype());
+        let load = SingleMuscle::hanging(&model, 1.0);
+        let muscle = Actuated::new(&model, Actuator::Regulator { time_constant_s: 0.1 });
+        let target = Target::Pressure(vec![Command::Constant(0.1)]);
+        let layout = Layout::new(&Drive::new(&load, vec![muscle], target, 1.0));
+        let short = vec![0.0; layout.len - 1];
+        let error = MotionError::Length { given: layout.len - 1, needed: layout.len };
+        assert_eq!(layout.state(&short), Err(error));
+        // Rates of another drive.
+        let other = State::default();
+        assert!(matches!(layout.write(other, &mut vec![0.0; layout.len]), Err(MotionError::Length { .. })));
+    }
+}

@@ -1,0 +1,170 @@
+//! Tables → Parquet.
+
+use crate::TableError;
+use crate::column::{Column, Field, Packing};
+use crate::seal::{Output, SEAL};
+use parquet::basic::{Compression, Encoding};
+use parquet::column::writer::ColumnWriter;
+use parquet::errors::{ParquetError, Result};
+use parquet::file::metadata::KeyValue;
+use parquet::file::properties::{EnabledStatistics, WriterProperties};
+use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::parser::parse_message_type;
+use parquet::schema::types::ColumnPath;
+use std::io::{Seek, Write};
+use std::sync::Arc;
+
+/// Most rows of a row group.
+pub const GROUP: usize = 1 << 16;
+/// How columns are compressed; in Rust alone, so that no compiler of C is needed.
+pub(crate) const CODEC: Compression = Compression::LZ4_RAW;
+
+/// Where bytes go: a file, or a cursor over memory. `dyn`, so that the writer is compiled once.
+pub trait Sink: Write + Seek + Send {}
+
+impl<T: Write + Seek + Send> Sink for T {}
+
+/// Whether a file is sealed.
+#[derive(Debug)]
+pub enum Sealed {
+    /// A table for anybody.
+    No,
+    /// With the hash of its bytes behind Parquet's first four, keys and values of metadata, and without an index of its pages.
+    With(Vec<(String, String)>),
+}
+
+/// Writes one table.
+pub struct Writer<'a> {
+    out: SerializedFileWriter<Output<'a>>,
+}
+
+impl<'a> Writer<'a> {
+    /// Begins the file of a table; `program` is noted as what made it.
+    ///
+    /// # Errors
+    /// [`TableError`].
+    pub fn new(
+        sink: &'a mut dyn Sink,
+        table: &str,
+        program: &str,
+        fields: &[Field],
+        sealed: Sealed,
+    ) -> std::result::Result<Self, TableError> {
+        let mut properties =
+            WriterProperties::builder().set_created_by(program.into()).set_compression(CODEC);
+        for field in fields.iter().filter(|f| f.packing == Packing::Distinct) {
+            let path = ColumnPath::from(field.name.as_str());
+            properties = properties.set_column_dictionary_enabled(path.clone(), false);
+            if matches!(field.kind, Column::Double(_) | Column::Optional(_)) {
+                properties = properties.set_column_encoding(path, Encoding::BYTE_STREAM_SPLIT);
+            }
+        }
+        let is_sealed = matches!(sealed, Sealed::With(_));
+        if let Sealed::With(pairs) = sealed {
+            let pairs = pairs.into_iter().map(|(key, value)| KeyValue::new(key, value)).collect();
+            properties = properties
+                .set_statistics_enabled(EnabledStatistics::Chunk)
+                .set_offset_index_disabled(true)
+                .set_key_value_metadata(Some(pairs));
+        }
+        let line = |f: &Field| {
+            let (before, behind) = f.kind.schema();
+            format!("  {before} {}{behind};\n", f.name)
+        };
+        let lines: String = fields.iter().map(line).collect();
+        let schema = parse_message_type(&format!("message {table} {{\n{lines}}}"))?;
+        let sink = Output::new(sink, is_sealed);
+        let mut out = SerializedFileWriter::new(sink, Arc::new(schema), Arc::new(properties.build()))?;
+        if is_sealed {
+            out.write_all(&[0; SEAL]).map_err(TableError::Io)?;
+        }
+        Ok(Self { out })
+    }
+
+    /// Writes rows as a group.
+    ///
+    /// # Errors
+    /// [`TableError`].
+    pub fn group(&mut self, columns: &[Column]) -> std::result::Result<(), TableError> {
+        let mut group = self.out.next_row_group()?;
+        for column in columns {
+            let Some(mut writer) = group.next_column()? else { break };
+            write_column(column, writer.untyped())?;
+            writer.close()?;
+        }
+        group.close()?;
+        Ok(())
+    }
+
+    /// Ends the file.
+    ///
+    /// # Errors
+    /// [`TableError`].
+    pub fn finish(self) -> std::result::Result<(), TableError> {
+        self.out.into_inner()?.finish().map_err(TableError::Io)
+    }
+}
+
+fn write_column(column: &Column, to: &mut ColumnWriter<'_>) -> Result<()> {
+    match (column, to) {
+        (Column::Int64(v), ColumnWriter::Int64ColumnWriter(w)) => w.write_batch(v, None, None)?,
+        (Column::Int32(v), ColumnWriter::Int32ColumnWriter(w)) => w.write_batch(v, None, None)?,
+        (Column::Double(v), ColumnWriter::DoubleColumnWriter(w)) => w.write_batch(v, None, None)?,
+        (Column::Text(v), ColumnWriter::ByteArrayColumnWriter(w)) => w.write_batch(v, None, None)?,
+        (Column::Optional(v), ColumnWriter::DoubleColumnWriter(w)) => {
+            w.write_batch(&there(v), Some(&levels(v)), None)?
+        }
+        (Column::Flag(v), ColumnWriter::BoolColumnWriter(w)) => {
+            w.write_batch(&there(v), Some(&levels(v)), None)?
+        }
+        (Column::OptionalText(v), ColumnWriter::ByteArrayColumnWriter(w)) => {
+            w.write_batch(&there(v), Some(&levels(v)), None)?
+        }
+        _ => return Err(ParquetError::General("a column of another kind".into())),
+    };
+    Ok(())
+}
+
+/// The values that are there.
+fn there<T: Clone>(values: &[Option<T>]) -> Vec<T> {
+    values.iter().flatten().cloned().collect()
+}
+
+/// Which are there.
+fn levels<T>(values: &[Option<T>]) -> Vec<i16> {
+    values.iter().map(|v| i16::from(v.is_some())).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::column::Text;
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+    use parquet::record::Field as Cell;
+    use std::io::Cursor;
+
+    #[test]
+    fn what_is_written_is_read_again_by_the_library_itself() {
+        let field = |name: &str, kind| Field { name: name.into(), kind, packing: Packing::Repeated };
+        let fields = [
+            field("force_n", Column::Optional(vec![])),
+            field("slack", Column::Flag(vec![])),
+            field("status", Column::OptionalText(vec![])),
+        ];
+        let mut bytes = Cursor::new(vec![]);
+        let mut writer = Writer::new(&mut bytes, "table", "mckibben 0", &fields, Sealed::No).unwrap();
+        let texts = ["ok", "failed"].map(|text| Some(Text::from(text)));
+        let columns = [
+            Column::Optional(vec![Some(1.5), None]),
+            Column::Flag(vec![Some(false), None]),
+            Column::OptionalText(texts.to_vec()),
+        ];
+        writer.group(&columns).unwrap();
+        writer.finish().unwrap();
+        let reader = SerializedFileReader::new(::bytes::Bytes::from(bytes.into_inner())).unwrap();
+        let rows: Vec<_> = reader.get_row_iter(None).unwrap().map(Result::unwrap).collect();
+        let cells = |i: usize| rows[i].get_column_iter().map(|c| c.1.clone()).collect::<Vec<_>>();
+        assert_eq!(cells(0), [Cell::Double(1.5), Cell::Bool(false), Cell::Str("ok".into())]);
+        assert_eq!(cells(1), [Cell::Null, Cell::Null, Cell::Str("failed".into())]);
+    }
+}

@@ -1,0 +1,244 @@
+//! Which column is what, where its heading does not say so: `pressure="P1:kPa",contraction="x:mm"`.
+
+use super::error::{TableError, short};
+use super::heading::plain;
+use super::vocabulary::{Entry, Meaning, Vocabulary};
+use mckibben_units::Unit;
+use mckibben_units::nearest::nearest;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use thiserror::Error;
+
+/// Columns by quantity: `"P1:kPa"` is the column with the heading P1, in kPa. The unit may be left out where the table
+/// says it; `#2` is the second column, whatever its heading.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(transparent)]
+pub struct Columns(pub BTreeMap<String, String>);
+
+/// Why a text is no choice of columns.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum ColumnsError {
+    /// No quantity before the heading, or nothing behind it.
+    #[error(
+        "\"{text}\" is not a choice of a column; write quantity=\"heading:unit\", such as pressure=\"P1:kPa\""
+    )]
+    Form {
+        /// The text.
+        text: String,
+    },
+    /// A quantity twice.
+    #[error("{name} is chosen twice")]
+    Twice {
+        /// The quantity.
+        name: String,
+    },
+}
+
+impl Columns {
+    /// From a list `pressure="P1:kPa",contraction="x:mm"`; the quotes may be left out where no comma stands in a heading.
+    ///
+    /// # Errors
+    /// [`ColumnsError`].
+    pub fn parse(text: &str) -> Result<Self, ColumnsError> {
+        let mut quoted = false;
+        let mut out = BTreeMap::new();
+        let comma = |c: char| {
+            quoted ^= c == '"';
+            c == ',' && !quoted
+        };
+        for part in text.split(comma).filter(|p| !p.trim().is_empty()) {
+            let form = || ColumnsError::Form { text: short(part.trim()) };
+            let (name, heading) = part.split_once('=').ok_or_else(form)?;
+            let (name, heading) = (name.trim(), heading.trim());
+            let inner = heading.strip_prefix('"').and_then(|h| h.strip_suffix('"'));
+            let heading = inner.unwrap_or(heading).trim();
+            if name.is_empty() || heading.is_empty() {
+                return Err(form());
+            }
+            if out.insert(name.to_owned(), heading.to_owned()).is_some() {
+                return Err(ColumnsError::Twice { name: short(name) });
+            }
+        }
+        Ok(Self(out))
+    }
+}
+
+/// A column that was chosen.
+#[derive(Debug, Clone)]
+pub(crate) struct Choice {
+    entry: &'static Entry,
+    text: String,
+}
+
+/// A column that was chosen and is there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Chosen {
+    pub(crate) meaning: Meaning,
+    pub(crate) index: usize,
+    pub(crate) unit: Option<Unit>,
+}
+
+impl Vocabulary {
+    /// The choices, each for a quantity of this kind of table.
+    pub(crate) fn choices(&self, columns: &Columns) -> Result<Vec<Choice>, TableError> {
+        let choice = |(name, text): (&String, &String)| {
+            let word = plain(name);
+            let by_name = self.entries.iter().find(|e| e.name == word);
+            let by_word = || {
+                let says = |e: &&Entry| e.own.contains(&&*word) || e.words().contains(&word);
+                self.entries.iter().find(says)
+            };
+            let entry = by_name.or_else(by_word).ok_or_else(|| {
+                let names: Vec<&str> = self.entries.iter().map(|e| e.name).collect();
+                let meant = nearest(name, names.iter().copied());
+                TableError::UnknownQuantity {
+                    what: self.what,
+                    name: short(name),
+                    meant: meant.map_or_else(String::new, |m| format!(" (did you mean {m}?)")),
+                    known: names.join(", "),
+                }
+            })?;
+            Ok(Choice { entry, text: text.clone() })
+        };
+        columns.0.iter().map(choice).collect()
+    }
+}
+
+impl Choice {
+    /// The quantity.
+    pub(crate) fn meaning(&self) -> Meaning {
+        self.entry.meaning
+    }
+
+    /// Whether the column is selected by its number.
+    pub(crate) fn by_number(&self) -> Option<usize> {
+        let (heading, _) = self.split();
+        heading.trim().strip_prefix('#')?.parse::<usize>().ok()?.checked_sub(1)
+    }
+
+    /// Heading and unit as if a unit stood behind the last colon.
+    fn split(&self) -> (&str, Option<&str>) {
+        match self.text.rsplit_once(':') {
+            Some((heading, unit)) => (heading.trim(), Some(unit.trim())),
+            None => (self.text.trim(), None),
+        }
+    }
+
+    /// Its place among headings; `None` where it is not there.
+    pub(crate) fn find(
+        &self,
+        headings: &[&str],
+        vocabulary: &Vocabulary,
+    ) -> Result<Option<Chosen>, TableError> {
+        let whole = self.place(headings, &self.text, vocabulary)?;
+        let (heading, unit) = if whole.is_some() { (self.text.as_str(), None) } else { self.split() };
+        let place = match (whole, self.by_number()) {
+            (Some(place), _) => Some(place),
+            (None, Some(n)) => Some(n).filter(|n| *n < headings.len()),
+            (None, None) => self.place(headings, heading, vocabulary)?,
+        };
+        let Some(index) = place else { return Ok(None) };
+        let found = match unit.filter(|u| !u.is_empty()) {
+            Some(unit) => {
+                Some(vocabulary.unit_of(self.entry, unit).ok_or_else(|| TableError::ChosenUnit {
+                    unit: short(unit),
+                    name: self.entry.name,
+                    units: vocabulary.units(self.entry),
+                })?)
+            }
+            None => vocabulary.unit_in(self.entry, headings[index]),
+        };
+        let meaning = found.map_or(self.entry.meaning, |f| f.0);
+        Ok(Some(Chosen { meaning, index, unit: found.map(|f| f.1) }))
+    }
+
+    /// The heading that is meant: letter by letter, then without regard to case and marks, then without its unit.
+    fn place(
+        &self,
+        headings: &[&str],
+        wanted: &str,
+        vocabulary: &Vocabulary,
+    ) -> Result<Option<usize>, TableError> {
+        let wanted = wanted.trim();
+        let simple = plain(wanted);
+        let without_unit = |h: &str| vocabulary.without_unit_of(self.entry, h).is_some_and(|l| l == simple);
+        let tests: [&dyn Fn(&str) -> bool; 3] =
+            [&|h| h == wanted, &|h| !simple.is_empty() && plain(h) == simple, &without_unit];
+        for test in tests {
+            let places: Vec<usize> = (0..headings.len()).filter(|&i| test(headings[i])).collect();
+            match places[..] {
+                [] => {}
+                [one] => return Ok(Some(one)),
+                [first, ..] => {
+                    return Err(TableError::Ambiguous {
+                        name: self.entry.name,
+                        found: listed(places.iter().map(|&i| headings[i])),
+                        example: format!("#{}", first + 1),
+                    });
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    /// That it is not there.
+    pub(crate) fn missing(&self, headings: &[&str]) -> TableError {
+        TableError::NoSuchColumn { heading: short(&self.text), found: listed(headings.iter().copied()) }
+    }
+}
+
+/// Headings as a list.
+pub(crate) fn listed<'a>(headings: impl Iterator<Item = &'a str>) -> String {
+    const MOST: usize = 25;
+    let all: Vec<String> = headings.map(short).collect();
+    let more = if all.len() > MOST { ", …" } else { "" };
+    format!("{}{more}", all.iter().take(MOST).map(String::as_str).collect::<Vec<_>>().join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::vocabulary::POINTS;
+    use super::*;
+
+    fn parse(text: &str) -> Vec<(String, String)> {
+        Columns::parse(text).unwrap().0.into_iter().collect()
+    }
+
+    #[test]
+    fn choices_are_read_with_and_without_quotes() {
+        let pair = |a: &str, b: &str| (a.to_owned(), b.to_owned());
+        let wanted = [pair("contraction", "x:mm"), pair("pressure", "P1:kPa")];
+        assert_eq!(parse("pressure=\"P1:kPa\",contraction=\"x:mm\""), wanted);
+        assert_eq!(parse(" pressure = P1:kPa , contraction=x:mm,"), wanted);
+        assert_eq!(parse("force=\"Force, upper:N\""), [pair("force", "Force, upper:N")]);
+        assert_eq!(parse("force=F=m*a"), [pair("force", "F=m*a")]);
+        for text in ["pressure", "=P1", "force=", "force=\"\""] {
+            assert!(matches!(Columns::parse(text), Err(ColumnsError::Form { .. })), "{text}");
+        }
+        assert!(matches!(Columns::parse("force=a,force=b"), Err(ColumnsError::Twice { .. })));
+    }
+
+    #[test]
+    fn chosen_columns_are_found() {
+        let headings = ["Time: s", "P1", "p1 ", "x [mm]", "F", "f"];
+        let find = |text: &str| {
+            let choice = POINTS.choices(&Columns::parse(text).unwrap())?.remove(0);
+            Ok::<_, TableError>(
+                choice.find(&headings, &POINTS)?.map(|c| (c.meaning, c.index, c.unit.map(|u| u.name))),
+            )
+        };
+        assert_eq!(find("pressure=P1:kPa").unwrap(), Some((Meaning::Pressure, 1, Some("kPa"))));
+        assert_eq!(find("pressure=#3:kPa").unwrap(), Some((Meaning::Pressure, 2, Some("kPa"))));
+        assert_eq!(find("contraction=x").unwrap(), Some((Meaning::Shortening, 3, Some("mm"))));
+        assert_eq!(find("contraction=X:%").unwrap(), Some((Meaning::Contraction, 3, Some("%"))));
+        assert_eq!(find("kraft=F").unwrap(), Some((Meaning::Force, 4, None)));
+        assert_eq!(find("weight=Time: s").unwrap(), Some((Meaning::Weight, 0, None)));
+        assert_eq!(find("force=G:N").unwrap(), None);
+        assert_eq!(find("force=#9:N").unwrap(), None);
+        let refused = |text: &str| find(text).unwrap_err().to_string();
+        assert!(refused("force=F:furlong").contains("its units are N, kN, mN"));
+        assert!(refused("forse=F:N").contains("did you mean force?"));
+        assert!(refused("pressure=p1:kPa").contains("could all be pressure"));
+    }
+}

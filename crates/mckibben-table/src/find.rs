@@ -1,0 +1,312 @@
+//! The line of the heading, and the column of each quantity.
+
+use super::Table;
+use super::columns::{Choice, Chosen, Columns, listed};
+use super::delimited::{Separator, Sheet, TableRow};
+use super::error::{TableError, short};
+use super::heading::{self, HeadingUnit};
+use super::number::{self, Decimal};
+use super::vocabulary::{Meaning, Vocabulary};
+use mckibben_units::Unit;
+
+/// A column with its meaning.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Column {
+    /// What it holds.
+    pub meaning: Meaning,
+    /// Its place in a row, from 0.
+    pub index: usize,
+    /// The heading as written.
+    pub heading: String,
+    /// Its unit, where the heading or the line of units states one.
+    pub unit: Option<Unit>,
+    /// What stands in place of a unit.
+    pub(super) unknown_unit: bool,
+    /// Whether somebody said that it is this one.
+    pub chosen: bool,
+}
+
+/// The heading lies within so many lines.
+const MOST_LINES_ABOVE: usize = 200;
+
+/// Headings are looked at up to this column; those behind can be chosen.
+const MOST_COLUMNS: usize = 200;
+
+/// What one line would mean as heading.
+struct Guess {
+    columns: Vec<Column>,
+    /// Choices that are not there.
+    missing: Vec<usize>,
+    /// Groups of needed quantities that are not there.
+    lacking: Vec<usize>,
+}
+
+impl Table {
+    /// Reads a table of one kind.
+    pub fn read(text: &str, vocabulary: &'static Vocabulary, columns: &Columns) -> Result<Self, TableError> {
+        let Sheet { mut rows, comments, separator } = Sheet::split(text)?;
+        let choices = vocabulary.choices(columns)?;
+        let Found { line, headings, columns, first } = find(&rows, &comments, vocabulary, &choices)?;
+        let mut table = Self {
+            rows: rows.split_off(first.min(rows.len())),
+            left_out: 0,
+            columns,
+            headings,
+            heading_line: line,
+            units_line: None,
+            separator,
+            decimal: Decimal::Point,
+            vocabulary,
+        };
+        if let Some(heading) = line {
+            above(&rows, heading)?;
+        }
+        table.take_units()?;
+        table.check_lengths()?;
+        let numeric: Vec<usize> =
+            table.columns.iter().filter(|c| table.is_number(c)).map(|c| c.index).collect();
+        let cells = table.rows.iter().flat_map(|r| numeric.iter().map(|&i| r.field(i)));
+        table.decimal = number::decimal(cells, separator);
+        Ok(table)
+    }
+
+    fn is_number(&self, column: &Column) -> bool {
+        let dimension = self.vocabulary.entry(column.meaning).and_then(|e| e.dimension);
+        dimension.is_some() || column.meaning == Meaning::Weight
+    }
+
+    /// The line of units below the heading, where there is one.
+    fn take_units(&mut self) -> Result<(), TableError> {
+        let (Some(_), Some(row)) = (self.heading_line, self.rows.first()) else { return Ok(()) };
+        let mut found = vec![];
+        for (at, column) in self.columns.iter().enumerate().filter(|(_, c)| self.is_number(c)) {
+            let text = row.field(column.index);
+            if number::number(text, Decimal::Point) != Err(number::NoNumber::Text) {
+                return Ok(());
+            }
+            if text.is_empty() || self.vocabulary.entry(column.meaning).is_none_or(|e| e.dimension.is_none())
+            {
+                continue;
+            }
+            let entry = self.vocabulary.entry(column.meaning);
+            found.push((at, text, entry.and_then(|e| self.vocabulary.unit_of(e, text))));
+        }
+        let dash = |text: &str| ["-", "–", "[-]", "[ ]", "[]"].contains(&text);
+        if !found.iter().any(|(_, text, unit)| unit.is_some() && !dash(text)) {
+            return Ok(());
+        }
+        let mut columns = self.columns.clone();
+        for (at, text, unit) in found {
+            let column = &mut columns[at];
+            match (unit, column.unit) {
+                (Some((_, unit)), Some(before)) if unit != before => {
+                    let clash = format!(", or not the one above ({})", before.name);
+                    return Err(self.wrong_unit(row.line, column, text, clash));
+                }
+                (Some((meaning, unit)), None) => {
+                    (column.meaning, column.unit, column.unknown_unit) = (meaning, Some(unit), false);
+                }
+                (None, None) if !dash(text) => {
+                    return Err(self.wrong_unit(row.line, column, text, String::new()));
+                }
+                _ => {}
+            }
+        }
+        self.units_line = Some(row.line);
+        self.columns = columns;
+        self.rows.remove(0);
+        Ok(())
+    }
+
+    /// No field is lost without a word.
+    fn check_lengths(&self) -> Result<(), TableError> {
+        let expected = self.headings.len();
+        let Some(row) = self.rows.iter().find(|r| r.len() > expected) else { return Ok(()) };
+        let hint = match self.separator {
+            Separator::Mark(',') => {
+                "; if commas are decimal ones, separate the fields by semicolons or tabs, or put numbers into quotes"
+            }
+            _ => "; every line needs as many fields as the heading",
+        };
+        Err(TableError::TooLong { line: row.line, found: row.len(), expected, hint })
+    }
+}
+
+/// Numbers above the heading would be lost.
+fn above(rows: &[TableRow], heading: u64) -> Result<(), TableError> {
+    let is_number = |f: &str| number::number(f, Decimal::Point) != Err(number::NoNumber::Text);
+    let data = |r: &&TableRow| {
+        r.line < heading && r.len() > 1 && r.fields().filter(|f| !f.is_empty()).all(is_number)
+    };
+    match rows.iter().find(data) {
+        Some(row) => Err(TableError::AboveHeading { line: row.line, heading }),
+        None => Ok(()),
+    }
+}
+
+struct Found {
+    line: Option<u64>,
+    headings: Vec<String>,
+    columns: Vec<Column>,
+    /// Place of the first row of data.
+    first: usize,
+}
+
+/// The first line from which all that is needed can be understood; a comment above the data where no line is one.
+fn find(
+    rows: &[TableRow],
+    comments: &[TableRow],
+    vocabulary: &'static Vocabulary,
+    choices: &[Choice],
+) -> Result<Found, TableError> {
+    if let Some(found) = by_numbers(rows, vocabulary, choices)? {
+        return Ok(found);
+    }
+    let lines = rows.iter().take(MOST_LINES_ABOVE).enumerate().map(|(i, row)| (row, i + 1));
+    let lines = lines.chain(comments.iter().rev().take(MOST_LINES_ABOVE).map(|row| (row, 0)));
+    let mut best: Option<(usize, Guess, &TableRow)> = None;
+    for (row, first) in lines {
+        let headings: Vec<&str> = row.fields().collect();
+        let guess = guess(&headings, vocabulary, choices)?;
+        if guess.missing.is_empty() && guess.lacking.is_empty() {
+            let columns = unambiguous(guess.columns, &headings, vocabulary)?;
+            let headings = headings.into_iter().map(str::to_owned).collect();
+            return Ok(Found { line: Some(row.line), headings, columns, first });
+        }
+        let understood = guess.columns.len();
+        if best.as_ref().is_none_or(|b| b.0 < understood) {
+            best = Some((understood, guess, row));
+        }
+    }
+    let (guess, headings) = match &best {
+        Some((_, guess, row)) => (guess, row.fields().collect()),
+        None => (&guess(&[], vocabulary, choices)?, vec![]),
+    };
+    if let Some(&choice) = guess.missing.first() {
+        return Err(choices[choice].missing(&headings));
+    }
+    let need = guess.lacking.first().map_or(&vocabulary.needed[0], |&i| &vocabulary.needed[i]);
+    let entry = need.any_of.first().and_then(|m| vocabulary.entry(*m));
+    let (name, unit) = entry.map_or(("", ""), |e| (e.name, e.dimension.map_or("", |d| d.unit_inside().name)));
+    let colon = if unit.is_empty() { "" } else { ":" };
+    Err(TableError::MissingColumn {
+        wanted: need.wanted,
+        found: listed(headings.into_iter()),
+        names: need.names,
+        example: format!("{name}=\"HEADING{colon}{unit}\""),
+    })
+}
+
+/// A table without a heading, whose columns are chosen by number.
+fn by_numbers(
+    rows: &[TableRow],
+    vocabulary: &'static Vocabulary,
+    choices: &[Choice],
+) -> Result<Option<Found>, TableError> {
+    let Some(row) = rows.first().filter(|_| !choices.is_empty()) else { return Ok(None) };
+    let numbered = choices.iter().all(|c| {
+        c.by_number()
+            .is_some_and(|i| number::number(row.field(i), Decimal::Point) != Err(number::NoNumber::Text))
+    });
+    if !numbered {
+        return Ok(None);
+    }
+    let headings: Vec<String> = (1..=row.len()).map(|i| format!("#{i}")).collect();
+    let names: Vec<&str> = headings.iter().map(String::as_str).collect();
+    let guess = guess(&names, vocabulary, choices)?;
+    let complete = guess.missing.is_empty() && guess.lacking.is_empty();
+    Ok(complete.then_some(Found { line: None, columns: guess.columns, headings, first: 0 }))
+}
+
+fn guess(
+    headings: &[&str],
+    vocabulary: &'static Vocabulary,
+    choices: &[Choice],
+) -> Result<Guess, TableError> {
+    let mut columns: Vec<Column> = vec![];
+    let mut missing = vec![];
+    for (i, choice) in choices.iter().enumerate() {
+        match choice.find(headings, vocabulary)? {
+            Some(Chosen { index, .. }) if columns.iter().any(|c| c.index == index) => {
+                return Err(TableError::ChosenTwice { heading: short(headings[index]) });
+            }
+            Some(Chosen { meaning, index, unit }) => columns.push(Column {
+                meaning,
+                index,
+                heading: short(headings[index]),
+                unit,
+                unknown_unit: false,
+                chosen: true,
+            }),
+            None => missing.push(i),
+        }
+    }
+    let decided: Vec<Meaning> =
+        columns.iter().map(|c| c.meaning).chain(choices.iter().map(Choice::meaning)).collect();
+    for (index, text) in headings.iter().enumerate().take(MOST_COLUMNS) {
+        if columns.iter().any(|c| c.index == index && c.chosen) {
+            continue;
+        }
+        let Some(found) = vocabulary.understand(text) else { continue };
+        if decided.contains(&found.meaning) {
+            continue;
+        }
+        let unit = match found.unit {
+            HeadingUnit::Known(unit) => Some(unit),
+            _ => None,
+        };
+        columns.push(Column {
+            meaning: found.meaning,
+            index,
+            heading: short(text),
+            unit,
+            unknown_unit: found.unit == HeadingUnit::Unknown,
+            chosen: false,
+        });
+    }
+    let there = |m: &Meaning| columns.iter().any(|c| c.meaning == *m);
+    let lacking = (0..vocabulary.needed.len()).filter(|&i| !vocabulary.needed[i].any_of.iter().any(there));
+    Ok(Guess { lacking: lacking.collect(), columns, missing })
+}
+
+/// One column for each quantity: our own heading before those of people; the same words in two units are the same quantity.
+fn unambiguous(
+    columns: Vec<Column>,
+    headings: &[&str],
+    vocabulary: &Vocabulary,
+) -> Result<Vec<Column>, TableError> {
+    let mut out: Vec<Column> = vec![];
+    for column in &columns {
+        let alike: Vec<(&Column, heading::Heading)> = columns
+            .iter()
+            .filter(|c| c.meaning == column.meaning && !c.chosen)
+            .filter_map(|c| Some((c, vocabulary.understand(headings[c.index])?)))
+            .collect();
+        if column.chosen {
+            out.push(column.clone());
+            continue;
+        }
+        let Some(rank) = alike.iter().map(|a| a.1.rank).min() else { continue };
+        let best: Vec<&(&Column, heading::Heading)> = alike.iter().filter(|a| a.1.rank == rank).collect();
+        let first = best[0];
+        if first.0.index != column.index {
+            continue;
+        }
+        let same = |a: &&(&Column, heading::Heading)| {
+            a.1.label == first.1.label && a.0.unit.is_some() && a.0.unit != first.0.unit
+        };
+        if !best.iter().skip(1).copied().all(|a| same(&a)) {
+            return Err(TableError::Ambiguous {
+                name: vocabulary.entry(column.meaning).map_or("", |e| e.name),
+                found: listed(best.iter().map(|a| headings[a.0.index])),
+                example: if best.iter().skip(1).any(|a| headings[a.0.index] == headings[column.index]) {
+                    format!("#{}", column.index + 1)
+                } else {
+                    short(headings[column.index])
+                },
+            });
+        }
+        out.push(column.clone());
+    }
+    Ok(out)
+}

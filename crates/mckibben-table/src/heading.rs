@@ -1,0 +1,333 @@
+//! What a heading says: a quantity and its unit, in whatever spelling.
+
+use super::vocabulary::{Entry, Meaning, Vocabulary};
+use mckibben_units::{Dimension, Unit};
+
+/// What a heading means.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Heading {
+    pub(crate) meaning: Meaning,
+    pub(crate) unit: HeadingUnit,
+    /// Its words without the unit, in plain form.
+    pub(crate) label: String,
+    /// Small for our own headings, then those of people, then those with words left out.
+    pub(crate) rank: usize,
+}
+
+/// The unit in a heading.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum HeadingUnit {
+    None,
+    Known(Unit),
+    /// In brackets, but not one of this quantity.
+    Unknown,
+}
+
+/// Ranks of the words of people.
+const WORD: usize = 100;
+const WITH_FILLERS: usize = 200;
+
+/// Words that say how or where, not what.
+const FILLERS: [&str; 27] = [
+    "abs",
+    "absolute",
+    "absolut",
+    "absoluter",
+    "absolue",
+    "absoluta",
+    "gauge",
+    "measured",
+    "mean",
+    "average",
+    "avg",
+    "muscle",
+    "axial",
+    "internal",
+    "actual",
+    "sensor",
+    "cell",
+    "relative",
+    "rel",
+    "gemessen",
+    "gemessene",
+    "gemessener",
+    "mittlere",
+    "mittlerer",
+    "mesuree",
+    "moyenne",
+    "medida",
+];
+
+/// A heading in plain form: lower case, no accents, everything that is no letter or digit as an underscore, `%` as
+/// `percent`.
+pub(crate) fn plain(heading: &str) -> String {
+    let mut out = String::new();
+    for c in heading.trim().to_lowercase().replace('%', " percent ").chars() {
+        match c {
+            'ä' | 'á' | 'à' | 'â' => out.push('a'),
+            'é' | 'è' | 'ê' | 'ë' => out.push('e'),
+            'í' | 'î' | 'ï' => out.push('i'),
+            'ö' | 'ó' | 'ô' => out.push('o'),
+            'ü' | 'ú' | 'û' | 'ù' => out.push('u'),
+            'ñ' => out.push('n'),
+            'ç' => out.push('c'),
+            'ß' => out.push_str("ss"),
+            '₀' => out.push('0'),
+            // The increment and the Greek letter are two characters.
+            '∆' => out.push('δ'),
+            'ϵ' => out.push('ε'),
+            '²' => out.push('2'),
+            // Combining accents.
+            '\u{300}'..='\u{36f}' => {}
+            c if c.is_alphanumeric() => out.push(c),
+            _ if out.ends_with('_') || out.is_empty() => {}
+            _ => out.push('_'),
+        }
+    }
+    out.trim_end_matches('_').to_owned()
+}
+
+/// A unit as it stands in a heading: in brackets, with underscores for strokes, or bare.
+pub(crate) fn unit(text: &str, dimension: Dimension) -> Option<Unit> {
+    let text = text.trim().trim_end_matches('.');
+    let inner = unbracketed(text).unwrap_or(text);
+    let tidy = inner.trim();
+    let first = tidy.split([',', ';']).next().unwrap_or(tidy).trim();
+    [tidy, first].into_iter().find_map(|word| {
+        dimension
+            .heading_unit(word)
+            .or_else(|| dimension.heading_unit(&word.replace(" per ", "/").replace("_per_", "/")))
+            .or_else(|| dimension.heading_unit(&word.replace(['_', ' '], "/")))
+    })
+}
+
+/// Words of absolute pressure.
+const ABSOLUTE: [&str; 9] =
+    ["abs", "absolute", "absolut", "absoluter", "absolue", "absoluta", "absolutdruck", "bara", "psia"];
+
+/// Whether a heading of pressures says that they are absolute.
+pub fn is_absolute(heading: &str) -> bool {
+    let plain = plain(heading);
+    plain.split('_').any(|w| ABSOLUTE.contains(&w)) || ["(a)", "[a]"].iter().any(|a| heading.contains(a))
+}
+
+/// What stands in brackets that hold all of a text.
+fn unbracketed(text: &str) -> Option<&str> {
+    [('[', ']'), ('(', ')'), ('{', '}'), ('<', '>')]
+        .into_iter()
+        .find_map(|(open, close)| text.strip_prefix(open)?.strip_suffix(close))
+}
+
+/// The places at which a heading may be cut into its words and its unit, the longest unit first.
+fn cuts(heading: &str) -> impl Iterator<Item = (&str, &str)> {
+    let mut before = ' ';
+    heading.char_indices().filter_map(move |(at, c)| {
+        let separates = |c: char| c.is_whitespace() || "_-/,:;.".contains(c);
+        let begins = "[({<%".contains(c) || (separates(before) && !separates(c));
+        before = c;
+        (at > 0 && begins).then(|| {
+            let (words, unit) = heading.split_at(at);
+            (words.trim_end_matches(separates), unit)
+        })
+    })
+}
+
+/// The words before a unit without `in`, `en`.
+fn label(words: &str) -> String {
+    let plain = plain(words);
+    ["_in", "_en"].iter().find_map(|w| plain.strip_suffix(w)).unwrap_or(&plain).to_owned()
+}
+
+/// How well a heading with a plain label names a quantity; `None` where it does not.
+fn rank(heading: &str, label: &str, entry: &Entry) -> Option<usize> {
+    if let Some(place) = entry.own.iter().position(|own| own.eq_ignore_ascii_case(heading)) {
+        return Some(place);
+    }
+    let known = |label: &str| entry.words().iter().any(|word| word == label) || entry.own.contains(&label);
+    if known(label) {
+        return Some(WORD);
+    }
+    let kept: Vec<&str> = label.split('_').filter(|w| !FILLERS.contains(w)).collect();
+    let kept = kept.join("_");
+    (kept != label && known(&kept)).then_some(WITH_FILLERS)
+}
+
+impl Vocabulary {
+    /// What a heading means, if it means anything here.
+    pub(crate) fn understand(&self, heading: &str) -> Option<Heading> {
+        let heading = heading.trim();
+        if heading.is_empty() || heading.chars().count() > 200 {
+            return None;
+        }
+        self.with_unit(heading)
+            .or_else(|| self.without_unit(heading))
+            .or_else(|| self.with_unknown_unit(heading))
+    }
+
+    fn with_unit(&self, heading: &str) -> Option<Heading> {
+        cuts(heading).find_map(|(words, behind)| {
+            let label = label(words);
+            self.entries.iter().find_map(|entry| {
+                let named = rank(heading, &label, entry)?;
+                let (meaning, unit) = self.unit_of(entry, behind)?;
+                Some(Heading { meaning, unit: HeadingUnit::Known(unit), label: label.clone(), rank: named })
+            })
+        })
+    }
+
+    fn without_unit(&self, heading: &str) -> Option<Heading> {
+        let plain = plain(heading);
+        let found = self.entries.iter().filter_map(|entry| {
+            let rank = rank(heading, &plain, entry)?;
+            let label = plain.clone();
+            Some(Heading { meaning: entry.meaning, unit: HeadingUnit::None, label, rank })
+        });
+        found.min_by_key(|h| h.rank)
+    }
+
+    fn with_unknown_unit(&self, heading: &str) -> Option<Heading> {
+        let mut bracketed =
+            cuts(heading).filter(|(_, unit)| unbracketed(unit).is_some_and(|u| !u.is_empty()));
+        bracketed.find_map(|(words, _)| {
+            let label = label(words);
+            self.entries.iter().filter(|e| e.dimension.is_some()).find_map(|entry| {
+                let rank = rank(heading, &label, entry)?;
+                let label = label.clone();
+                Some(Heading { meaning: entry.meaning, unit: HeadingUnit::Unknown, label, rank })
+            })
+        })
+    }
+
+    /// The unit of a text for a quantity, and the quantity that it then is.
+    pub(crate) fn unit_of(&self, entry: &Entry, text: &str) -> Option<(Meaning, Unit)> {
+        let other = entry.otherwise.and_then(|m| self.entry(m));
+        [Some(entry), other].into_iter().flatten().find_map(|e| Some((e.meaning, unit(text, e.dimension?)?)))
+    }
+
+    /// The words before a unit of a quantity, in plain form.
+    pub(crate) fn without_unit_of(&self, entry: &Entry, heading: &str) -> Option<String> {
+        let found = cuts(heading.trim()).find(|(_, behind)| self.unit_of(entry, behind).is_some());
+        found.map(|(words, _)| label(words))
+    }
+
+    /// Units of a quantity, for messages.
+    pub(crate) fn units(&self, entry: &Entry) -> String {
+        let other = entry.otherwise.and_then(|m| self.entry(m));
+        let dimensions = [Some(entry), other].into_iter().flatten().filter_map(|e| e.dimension);
+        dimensions.flat_map(Dimension::unit_names).collect::<Vec<_>>().join(", ")
+    }
+
+    /// The unit that stands in a heading, whatever its words.
+    pub(crate) fn unit_in(&self, entry: &Entry, heading: &str) -> Option<(Meaning, Unit)> {
+        cuts(heading.trim()).find_map(|(_, behind)| self.unit_of(entry, behind))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::vocabulary::{POINTS, TESTS};
+    use super::*;
+
+    fn said(vocabulary: &Vocabulary, heading: &str) -> Option<(Meaning, Option<&'static str>)> {
+        let found = vocabulary.understand(heading)?;
+        Some(match found.unit {
+            HeadingUnit::Known(unit) => (found.meaning, Some(unit.name)),
+            HeadingUnit::None => (found.meaning, None),
+            HeadingUnit::Unknown => (found.meaning, Some("?")),
+        })
+    }
+
+    #[test]
+    fn headings_of_points_are_understood() {
+        use Meaning::*;
+        for (heading, meaning, unit) in [
+            ("pressure_mpa", Pressure, "MPa"),
+            ("Pressure [kPa]", Pressure, "kPa"),
+            ("p (psi)", Pressure, "psi"),
+            ("p/kPa", Pressure, "kPa"),
+            ("p / bar", Pressure, "bar"),
+            ("Druck in bar", Pressure, "bar"),
+            ("Überdruck {mbar}", Pressure, "mbar"),
+            ("Gauge pressure (bar(g))", Pressure, "bar"),
+            ("Pressure (gauge) [kPa]", Pressure, "kPa"),
+            ("Pression, kPa", Pressure, "kPa"),
+            ("Presión en N/mm²", Pressure, "MPa"),
+            ("pressure_n_mm2", Pressure, "MPa"),
+            ("Pressure\n[kPa]", Pressure, "kPa"),
+            ("Force_lbf", Force, "lbf"),
+            ("Kraft in N", Force, "N"),
+            ("Zugkraft [kN]", Force, "kN"),
+            ("Load (kg)", Force, "kgf"),
+            ("Load cell [N]", Force, "N"),
+            ("F[mN]", Force, "mN"),
+            ("Fuerza: N", Force, "N"),
+            ("contraction_percent", Contraction, "%"),
+            ("Kontraktion (%)", Contraction, "%"),
+            ("ε [-]", Contraction, ""),
+            ("Contraction ratio in percent", Contraction, "%"),
+            ("strain%", Contraction, "%"),
+            ("Contraction [mm]", Shortening, "mm"),
+            ("Verkürzung [mm]", Shortening, "mm"),
+            ("Verkürzung [%]", Contraction, "%"),
+            ("Stroke (inch)", Shortening, "in"),
+            ("ΔL [mm]", Shortening, "mm"),
+            ("displacement_in", Shortening, "in"),
+            ("length_mm", Length, "mm"),
+            ("Länge [cm]", Length, "cm"),
+            ("L0 (mm)", RestLength, "mm"),
+            ("outer_diameter_mm", OuterDiameter, "mm"),
+            ("Pressure [furlong]", Pressure, "?"),
+            ("Force (mm)", Force, "?"),
+        ] {
+            assert_eq!(said(&POINTS, heading), Some((meaning, Some(unit))), "{heading}");
+        }
+        for (heading, meaning) in
+            [("Druck", Pressure), ("strain", Contraction), ("ΔL/L0", Contraction), ("F", Force)]
+        {
+            assert_eq!(said(&POINTS, heading), Some((meaning, None)), "{heading}");
+        }
+        for heading in [
+            "",
+            "P1",
+            "Time [s]",
+            "model_force_n",
+            "start_pressure_mpa",
+            "Diameter [mm]",
+            "force_per_pressure_n_per_mpa",
+            "braid_angle_deg",
+            "kPa",
+        ] {
+            assert_eq!(said(&POINTS, heading), None, "{heading}");
+        }
+    }
+
+    #[test]
+    fn headings_of_tests_are_understood() {
+        use Meaning::*;
+        for (heading, meaning, unit) in [
+            ("Nominal stress [MPa]", NominalStress, Some("MPa")),
+            ("nominal_stress_MPa", NominalStress, Some("MPa")),
+            ("nominal stress N/mm²", NominalStress, Some("MPa")),
+            ("σ / kPa", NominalStress, Some("kPa")),
+            ("cauchy stress [MPa]", TrueStress, Some("MPa")),
+            ("Strain (%)", Strain, Some("%")),
+            ("strain_mm_mm", Strain, Some("")),
+            ("elongation %", Strain, Some("%")),
+            ("Elongation [mm]", Extension, Some("mm")),
+            ("Dehnung in %", Strain, Some("%")),
+            ("déformation (%)", Strain, Some("%")),
+            ("λ", Stretch, None),
+            ("deformation", Mode, None),
+            ("true_strain", TrueStrain, None),
+        ] {
+            assert_eq!(said(&TESTS, heading), Some((meaning, unit)), "{heading}");
+        }
+    }
+
+    #[test]
+    fn our_own_headings_go_before_all_others() {
+        let rank = |heading: &str| POINTS.understand(heading).unwrap().rank;
+        assert!(rank("pressure_mpa") < rank("pressure_bar") && rank("pressure_bar") < rank("p_bar"));
+        assert!(rank("p_bar") < rank("measured p [bar]"));
+    }
+}

@@ -1,0 +1,54 @@
+//! People's tables: bytes → text → rows → columns with a meaning and a unit → numbers.
+//!
+//! The only reader of measured tables. A reader names the [`Vocabulary`] of its quantities ([`POINTS`] of a muscle, [`TESTS`] of a rubber,
+//! [`HISTORIES`], loads, commands over time); this crate finds the encoding, separator, decimal mark, comments, the line of the
+//! heading, a line of units below it, and what each heading means and in which unit. [`Understood`] says what was found;
+//! [`TableError`] names the line and column that was not.
+//!
+//! Numbers are in mm, MPa, N, degrees, s, or plain ratios.
+
+#![warn(clippy::print_stdout, clippy::print_stderr)]
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+mod columns;
+mod delimited;
+mod error;
+mod find;
+mod heading;
+mod load;
+mod number;
+mod over_time;
+mod text;
+mod understood;
+mod values;
+mod vocabulary;
+
+pub use columns::{Columns, ColumnsError};
+pub use error::TableError;
+pub use load::read_load;
+pub use over_time::{OverTime, read_over_time};
+pub use text::{MAX_BYTES, read_text};
+pub use understood::{Understood, UnderstoodColumn};
+
+use delimited::{Separator, TableRow};
+pub use find::Column;
+pub use heading::is_absolute;
+use number::Decimal;
+pub use vocabulary::{HISTORIES, Meaning, POINTS, TESTS, Vocabulary};
+
+/// A table whose columns are known.
+#[derive(Debug)]
+pub struct Table {
+    /// Lines of data.
+    rows: Vec<TableRow>,
+    /// Lines that their status leaves out.
+    left_out: usize,
+    columns: Vec<Column>,
+    headings: Vec<String>,
+    /// `None` where there is no heading.
+    heading_line: Option<u64>,
+    units_line: Option<u64>,
+    separator: Separator,
+    decimal: Decimal,
+    vocabulary: &'static vocabulary::Vocabulary,
+}

@@ -1,0 +1,43 @@
+//! Tables of times and values.
+
+use super::vocabulary::{ANGLES, CONTRACTIONS, OPENINGS, PRESSURES, Vocabulary};
+use super::{Columns, Table, TableError, read_text};
+use std::io::Read;
+
+/// What a table holds over time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OverTime {
+    /// Gauge pressures in MPa.
+    Pressure,
+    /// Openings of a valve, from −1 (wide open to the atmosphere) to 1 (to the supply).
+    Opening,
+    /// Contraction ratios of a muscle.
+    Contraction,
+    /// Angles of a joint in degrees.
+    Angle,
+}
+
+/// Reads times in s and values from a table in any common form.
+///
+/// # Errors
+/// [`TableError`].
+///
+/// ```
+/// use mckibben_table::{OverTime, read_over_time};
+/// let points = read_over_time("t [ms];p [bar]\n0;0\n100;3\n".as_bytes(), OverTime::Pressure)?;
+/// assert_eq!(points.len(), 2);
+/// assert!((points[1].0 - 0.1).abs() < 1e-15 && (points[1].1 - 0.3).abs() < 1e-15);
+/// # Ok::<(), mckibben_table::TableError>(())
+/// ```
+pub fn read_over_time(input: impl Read, what: OverTime) -> Result<Vec<(f64, f64)>, TableError> {
+    let vocabulary: &'static Vocabulary = match what {
+        OverTime::Pressure => &PRESSURES,
+        OverTime::Opening => &OPENINGS,
+        OverTime::Contraction => &CONTRACTIONS,
+        OverTime::Angle => &ANGLES,
+    };
+    let table = Table::read(&read_text(input)?, vocabulary, &Columns::default())?;
+    let times = table.numbers(table.needed(0)?)?;
+    let values = table.numbers(table.needed(1)?)?;
+    Ok(times.into_iter().zip(values).collect())
+}

@@ -1,0 +1,111 @@
+//! What was understood of a table, for people to check.
+
+use super::Table;
+use super::find::Column;
+use super::number::Decimal;
+use mckibben_units::tidy;
+use serde::{Deserialize, Serialize};
+
+/// What was understood of a table.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Understood {
+    /// Rows that were read.
+    pub rows: usize,
+    /// Rows that were left out because their `status` is not ok.
+    pub left_out: usize,
+    /// The line of the heading, from 1; null where columns were chosen by number.
+    pub heading_line: Option<u64>,
+    /// The line of units below it, where there is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub units_line: Option<u64>,
+    /// What stands between fields: comma, semicolon, tab, bar or spaces.
+    pub separator: String,
+    /// The decimal mark: point or comma.
+    pub decimal: String,
+    /// Columns that were used.
+    pub columns: Vec<UnderstoodColumn>,
+    /// Headings of those that were not.
+    pub not_used: Vec<String>,
+}
+
+/// What was understood of a column.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct UnderstoodColumn {
+    /// Its heading as written.
+    pub column: String,
+    /// What it means.
+    pub quantity: String,
+    /// In which unit it stands; empty for ratios, words and weights.
+    pub unit: String,
+    /// From its smallest to its largest value, in MPa, N, mm, deg or as ratio: `0.1..0.3MPa`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub range: Option<String>,
+    /// What was done with it, where that is not plain.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub note: Option<String>,
+}
+
+impl Understood {
+    /// One line for people: `45 points; P1 → pressure (kPa), x → shortening (mm, over L0 200 mm)`.
+    pub fn line(&self) -> String {
+        let column = |c: &UnderstoodColumn| {
+            let about: Vec<&str> = [Some(c.unit.as_str()), c.note.as_deref()]
+                .into_iter()
+                .flatten()
+                .filter(|t| !t.is_empty())
+                .collect();
+            let about = if about.is_empty() { String::new() } else { format!(" ({})", about.join(", ")) };
+            format!("{} → {}{about}", c.column, c.quantity)
+        };
+        let columns: Vec<String> = self.columns.iter().map(column).collect();
+        let mut out = format!("{} points; {}", self.rows, columns.join(", "));
+        match self.heading_line {
+            Some(line) if line > 1 => out.push_str(&format!("; heading in line {line}")),
+            _ => {}
+        }
+        if self.left_out > 0 {
+            out.push_str(&format!("; {} left out by their status", self.left_out));
+        }
+        if !self.not_used.is_empty() {
+            out.push_str(&format!("; not used: {}", self.not_used.join(", ")));
+        }
+        out
+    }
+}
+
+impl Table {
+    /// What was understood, with the columns that were used, in the order of the table.
+    pub fn understood(&self, used: &[(&Column, Option<String>)]) -> Understood {
+        let mut used: Vec<_> = used.iter().collect();
+        used.sort_by_key(|u| u.0.index);
+        let columns = used.iter().map(|(column, note)| {
+            let dimension = self.vocabulary.entry(column.meaning).and_then(|e| e.dimension);
+            let values = self.some_numbers(column.meaning).unwrap_or_default().into_iter().flatten();
+            let range = dimension.and_then(|d| {
+                let (low, high) = (values.clone().reduce(f64::min)?, values.clone().reduce(f64::max)?);
+                Some(format!("{}..{}{}", tidy(low, 7), tidy(high, 7), d.unit_inside().name))
+            });
+            UnderstoodColumn {
+                column: column.heading.clone(),
+                quantity: self.vocabulary.entry(column.meaning).map_or("", |e| e.name).to_owned(),
+                unit: column.unit.map_or("", |u| u.name).to_owned(),
+                range,
+                note: note.clone(),
+            }
+        });
+        let is_used = |i: usize| used.iter().any(|u| u.0.index == i);
+        let others = self.headings.iter().enumerate().filter(|(i, h)| !is_used(*i) && !h.is_empty());
+        Understood {
+            rows: self.rows.len(),
+            left_out: self.left_out,
+            heading_line: self.heading_line,
+            units_line: self.units_line,
+            separator: self.separator.name().into(),
+            decimal: if self.decimal == Decimal::Comma { "comma" } else { "point" }.into(),
+            columns: columns.collect(),
+            not_used: others.map(|(_, h)| super::error::short(h)).collect(),
+        }
+    }
+}

@@ -1,0 +1,191 @@
+//! Numbers and words of a table's columns.
+
+use super::Table;
+use super::error::{TableError, short};
+use super::find::Column;
+use super::number::{self, NoNumber};
+use super::vocabulary::{Entry, Meaning, Need};
+use mckibben_units::Dimension;
+
+impl Table {
+    /// The column of a quantity.
+    pub fn column(&self, meaning: Meaning) -> Option<&Column> {
+        self.columns.iter().find(|c| c.meaning == meaning)
+    }
+
+    /// The column of a group of quantities: one that was chosen, else the first of the group.
+    pub fn needed(&self, group: usize) -> Result<&Column, TableError> {
+        let need: &Need = &self.vocabulary.needed[group];
+        let all = || need.any_of.iter().filter_map(|m| self.column(*m));
+        let missing = || TableError::MissingColumn {
+            wanted: need.wanted,
+            found: self.headings.join(", "),
+            names: need.names,
+            example: String::new(),
+        };
+        all().find(|c| c.chosen).or_else(|| all().next()).ok_or_else(missing)
+    }
+
+    /// Leaves out rows whose word in a column is none of these, and counts them.
+    pub fn keep(&mut self, meaning: Meaning, words: &[&str]) {
+        let Some(index) = self.column(meaning).map(|c| c.index) else { return };
+        let before = self.rows.len();
+        self.rows.retain(|r| words.contains(&r.field(index)));
+        self.left_out += before - self.rows.len();
+    }
+
+    /// Gives a column another meaning.
+    pub fn rename(&mut self, from: Meaning, to: Meaning) {
+        self.columns.iter_mut().filter(|c| c.meaning == from).for_each(|c| c.meaning = to);
+    }
+
+    /// Lines of the rows.
+    pub fn lines(&self) -> Vec<u64> {
+        self.rows.iter().map(|r| r.line).collect()
+    }
+
+    /// A column in the unit used inside, row by row.
+    pub fn numbers(&self, column: &Column) -> Result<Vec<f64>, TableError> {
+        (0..self.rows.len()).map(|row| self.number(row, column)).collect()
+    }
+
+    /// The same where fields may be empty, and where there may be no such column.
+    pub fn some_numbers(&self, meaning: Meaning) -> Result<Vec<Option<f64>>, TableError> {
+        let Some(column) = self.column(meaning) else { return Ok(vec![None; self.rows.len()]) };
+        let one = |row: usize| {
+            let empty = self.rows[row].field(column.index).is_empty();
+            if empty { Ok(None) } else { self.number(row, column).map(Some) }
+        };
+        (0..self.rows.len()).map(one).collect()
+    }
+
+    fn entry(&self, column: &Column) -> Option<&'static Entry> {
+        self.vocabulary.entry(column.meaning)
+    }
+
+    fn number(&self, at: usize, column: &Column) -> Result<f64, TableError> {
+        let row = &self.rows[at];
+        let text = row.field(column.index);
+        if text.is_empty() && row.width() <= column.index {
+            let (line, found, expected) = (row.line, row.width(), self.headings.len());
+            return Err(TableError::TooShort { line, found, expected });
+        }
+        let not_a_number = |hint| TableError::NotANumber {
+            line: row.line,
+            column: column.heading.clone(),
+            text: short(text),
+            hint,
+        };
+        let (value, unit) = number::number(text, self.decimal).map_err(|why| match why {
+            NoNumber::Text if text.is_empty() => {
+                not_a_number("; the field is empty: leave the whole line out")
+            }
+            NoNumber::Text => not_a_number(""),
+            NoNumber::Ambiguous => {
+                TableError::Thousands { line: row.line, column: column.heading.clone(), text: short(text) }
+            }
+        })?;
+        let dimension = self.entry(column).and_then(|e| e.dimension);
+        let inside = match (unit, column.unit, dimension) {
+            ("", _, None) => value,
+            ("", Some(unit), _) => unit.inside(value),
+            ("", None, Some(Dimension::Ratio)) => value,
+            ("", None, _) => return Err(self.no_unit(column)),
+            (_, _, None) => return Err(not_a_number("")),
+            (said, stated, Some(dimension)) => match dimension.heading_unit(said) {
+                Some(unit) if stated.is_none_or(|s| s == unit) => unit.inside(value),
+                Some(_) => {
+                    let clash = format!(" here: its heading is {}", stated.map_or("", |u| u.name));
+                    return Err(self.wrong_unit(row.line, column, said, clash));
+                }
+                None => return Err(not_a_number("")),
+            },
+        };
+        if !inside.is_finite() {
+            return Err(not_a_number(""));
+        }
+        if inside.abs() <= column.meaning.most() {
+            return Ok(inside);
+        }
+        let expected = match column.meaning {
+            Meaning::Pressure | Meaning::PressureError => {
+                "is too high for a muscle; check the unit of the column (250 kPa is 0.25 MPa)"
+            }
+            _ => "is far too large for a muscle; check the number and the unit of its column",
+        };
+        Err(self.impossible(at, column, expected))
+    }
+
+    /// The line and the word of a row in a column, where there is one.
+    pub fn text(&self, row: usize, meaning: Meaning) -> Option<(u64, &str)> {
+        let (column, row) = (self.column(meaning)?, self.rows.get(row)?);
+        Some((row.line, row.field(column.index)))
+    }
+
+    /// A word of a column of few words; `None` where the field is empty.
+    pub fn word<T: Copy>(
+        &self,
+        row: usize,
+        meaning: Meaning,
+        words: &[(&str, T)],
+        known: &'static str,
+    ) -> Result<Option<T>, TableError> {
+        let Some(column) = self.column(meaning) else { return Ok(None) };
+        let (line, text) = (self.rows[row].line, self.rows[row].field(column.index));
+        if text.is_empty() {
+            return Ok(None);
+        }
+        let found = words.iter().find(|w| w.0.eq_ignore_ascii_case(text)).map(|w| w.1);
+        let name = self.entry(column).map_or("", |e| e.name);
+        found.map(Some).ok_or_else(|| TableError::Word {
+            line,
+            name,
+            text: short(text),
+            known: known.to_owned(),
+        })
+    }
+
+    /// A value that cannot be.
+    pub fn impossible(&self, row: usize, column: &Column, expected: &'static str) -> TableError {
+        let text = self.rows.get(row).map_or("", |r| r.field(column.index));
+        TableError::Impossible {
+            line: self.rows.get(row).map_or(0, |r| r.line),
+            column: column.heading.clone(),
+            text: short(text),
+            expected,
+        }
+    }
+
+    /// A ratio that is probably in percent.
+    pub fn percent(&self, row: usize, column: &Column) -> TableError {
+        let (line, text) = self.rows.get(row).map_or((0, ""), |r| (r.line, r.field(column.index)));
+        TableError::Percent { line, column: column.heading.clone(), text: short(text) }
+    }
+
+    fn no_unit(&self, column: &Column) -> TableError {
+        let entry = self.entry(column);
+        let example = |d: Dimension| match d {
+            Dimension::Pressure if self.vocabulary.entry(Meaning::Pressure).is_some() => "kPa",
+            d => d.unit_inside().name,
+        };
+        TableError::NoUnit {
+            column: column.heading.split(['[', '(']).next().unwrap_or_default().trim().to_owned(),
+            stated: if column.unknown_unit { " (that in its brackets is not known)" } else { "" },
+            name: entry.map_or("", |e| e.name),
+            unit: entry.and_then(|e| e.dimension).map_or("", example),
+            units: entry.map_or_else(String::new, |e| self.vocabulary.units(e)),
+        }
+    }
+
+    pub(super) fn wrong_unit(&self, line: u64, column: &Column, unit: &str, clash: String) -> TableError {
+        let entry = self.entry(column);
+        TableError::Unit {
+            line,
+            column: column.heading.clone(),
+            unit: short(unit),
+            name: entry.map_or("", |e| e.name),
+            clash,
+            units: entry.map_or_else(String::new, |e| self.vocabulary.units(e)),
+        }
+    }
+}

@@ -1,0 +1,21 @@
+//! Quantities with units, as people type them: `30mm`, `2.5bar`, `28deg`, `10%`, `0..2.5:0.1bar`.
+//!
+//! Inside the library every number is in mm, MPa, N, mm², N/mm, or a plain ratio; angles are degrees where a
+//! name says `_deg` and radians elsewhere. Units exist at the edge only, here.
+
+#![warn(clippy::print_stdout, clippy::print_stderr)]
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+mod name;
+pub mod nearest;
+mod quantity;
+mod range;
+mod short;
+mod unit;
+
+pub use name::NamedUnit;
+pub use quantity::{BOUNDS, plausible, tidy};
+pub use quantity::{Dimension, QuantityError, parse_quantity};
+pub use range::{MAX_POINTS, RangeError, Values, parse_at_most, parse_values};
+pub use short::short_numbers;
+pub use unit::Unit;

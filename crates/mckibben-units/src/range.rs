@@ -1,0 +1,247 @@
+//! Ranges and lists of quantities.
+
+use super::quantity::{Dimension, QuantityError, convert, factor, plausible, split, tidy};
+use thiserror::Error;
+
+/// The most points a range or list may hold.
+pub const MAX_POINTS: usize = 1_000_000;
+
+/// What `--wall 1..5`, `--wall 1..5:0.5` and `--wall 1,2,3` mean.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Values {
+    /// Single values: one number, a list, or a range with a step (both ends in).
+    List(Vec<f64>),
+    /// Everything between two ends: a range without a step.
+    Interval(f64, f64),
+}
+
+impl Values {
+    /// The values themselves; an interval is cut into `divisions` equal parts, both ends in.
+    pub fn sampled(&self, divisions: usize) -> Vec<f64> {
+        match self {
+            Values::List(list) => list.clone(),
+            Values::Interval(low, high) => {
+                let n = divisions.max(1);
+                (0..=n).map(|i| tidy(low + (high - low) * i as f64 / n as f64, 12)).collect()
+            }
+        }
+    }
+
+    /// Smallest and largest value.
+    pub fn bounds(&self) -> (f64, f64) {
+        match self {
+            Values::Interval(low, high) => (*low, *high),
+            Values::List(list) => {
+                list.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &v| (a.min(v), b.max(v)))
+            }
+        }
+    }
+}
+
+/// Why a text is not a range or list.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum RangeError {
+    /// One of its numbers cannot be read.
+    #[error("{0}")]
+    Quantity(#[from] QuantityError),
+    /// The first end lies above the second.
+    #[error("the range \"{text}\" is reversed: write the smaller value first")]
+    Reversed {
+        /// The text as written.
+        text: String,
+    },
+    /// A step of zero or below.
+    #[error("the step in \"{text}\" must be above zero")]
+    Step {
+        /// The text as written.
+        text: String,
+    },
+    /// A step behind a list or a single value.
+    #[error("\"{text}\" has a step but no range: write low..high:step")]
+    StepWithoutRange {
+        /// The text as written.
+        text: String,
+    },
+    /// More points than [`MAX_POINTS`].
+    #[error("\"{text}\" makes {points:.3e} points, more than {MAX_POINTS}: take a larger step")]
+    TooMany {
+        /// The text as written.
+        text: String,
+        /// How many points it would make.
+        points: f64,
+    },
+    /// A list in which some but not all carry a unit.
+    #[error(
+        "in \"{text}\" some values carry a unit and some do not: put one unit after the last value, or one after each"
+    )]
+    MixedUnits {
+        /// The text as written.
+        text: String,
+    },
+}
+
+/// Reads a number, a list `1,2,3`, a range `0..0.25` or a range with a step `0..0.25:0.01`. A unit behind the
+/// last number holds for all that carry none (`0..2.5:0.1bar`, `20,80,150N`).
+///
+/// # Errors
+/// [`RangeError`] with the text as written.
+///
+/// ```
+/// use mckibben::units::{Dimension, Values, parse_values};
+/// let p = parse_values("0..2.5:0.5bar", Dimension::Pressure)?;
+/// assert_eq!(p, Values::List(vec![0.0, 0.05, 0.1, 0.15, 0.2, 0.25]));
+/// # Ok::<(), mckibben::units::RangeError>(())
+/// ```
+pub fn parse_values(text: &str, dimension: Dimension) -> Result<Values, RangeError> {
+    parse_at_most(text, dimension, MAX_POINTS)
+}
+
+/// The same of at most so many points: more are [`RangeError::TooMany`], before any of them is made.
+///
+/// # Errors
+/// As [`parse_values`].
+pub fn parse_at_most(text: &str, dimension: Dimension, most: usize) -> Result<Values, RangeError> {
+    let most = most.min(MAX_POINTS);
+    let text = text.trim();
+    let parsed = if let Some((low, rest)) = text.split_once("..") {
+        let (high, step) = match rest.split_once(':') {
+            Some((high, step)) => (high, Some(step)),
+            None => (rest, None),
+        };
+        let mut parts = vec![split(low, dimension)?, split(high, dimension)?];
+        if let Some(step) = step {
+            parts.push(split(step, dimension)?);
+        }
+        range(&parts, text, dimension, most)?
+    } else if text.contains(':') {
+        return Err(RangeError::StepWithoutRange { text: text.into() });
+    } else {
+        let count = text.bytes().filter(|b| *b == b',').count() + 1;
+        if count > most {
+            return Err(RangeError::TooMany { text: shortened(text), points: count as f64 });
+        }
+        let parts = text.split(',').map(|p| split(p, dimension)).collect::<Result<Vec<_>, _>>()?;
+        let factors = factors(&parts, text, dimension)?;
+        Values::List(parts.iter().zip(factors).map(|(p, f)| convert(p.0, f)).collect())
+    };
+    let (low, high) = parsed.bounds();
+    if !(low.is_finite() && high.is_finite()) {
+        return Err(QuantityError::NotFinite { text: shortened(text), expected: dimension }.into());
+    }
+    let sound = match &parsed {
+        Values::List(list) => list.iter().copied().all(plausible),
+        Values::Interval(low, high) => plausible(*low) && plausible(*high),
+    };
+    if sound {
+        Ok(parsed)
+    } else {
+        Err(QuantityError::Beyond { text: shortened(text), expected: dimension }.into())
+    }
+}
+
+fn range(parts: &[(f64, &str)], text: &str, dimension: Dimension, most: usize) -> Result<Values, RangeError> {
+    let factors = factors(parts, text, dimension)?;
+    let value = |i: usize| convert(parts[i].0, factors[i]);
+    let (low, high) = (value(0), value(1));
+    if low > high {
+        return Err(RangeError::Reversed { text: text.into() });
+    }
+    if parts.len() < 3 {
+        return Ok(Values::Interval(low, high));
+    }
+    let step = value(2);
+    if step <= 0.0 {
+        return Err(RangeError::Step { text: text.into() });
+    }
+    let steps = (high - low) / step;
+    if steps.is_nan() || steps >= most as f64 {
+        return Err(RangeError::TooMany { text: text.into(), points: steps + 1.0 });
+    }
+    // Counted in the step's own unit, so that the points are the decimals the user had in mind.
+    let (num, den) = factors[2];
+    let (from, by) = (low * den / num, parts[2].0);
+    let whole = (steps + 1e-9).floor() as usize;
+    let mut list: Vec<f64> =
+        (0..=whole).map(|i| convert(tidy(from + by * i as f64, 12), factors[2])).collect();
+    if let Some(last) = list.last_mut() {
+        if (*last - high).abs() <= 1e-9 * step {
+            *last = high;
+        } else {
+            list.push(high);
+        }
+    }
+    Ok(Values::List(list))
+}
+
+/// The unit of each part: its own, or the last one's where only that carries one.
+fn factors(parts: &[(f64, &str)], text: &str, dimension: Dimension) -> Result<Vec<(f64, f64)>, RangeError> {
+    let last = parts.last().map_or("", |p| p.1);
+    // Zero is zero in every unit.
+    let bare = parts.iter().any(|p| p.1.is_empty() && p.0 != 0.0);
+    let units = parts.iter().filter(|p| !p.1.is_empty()).count();
+    if bare && units > usize::from(!last.is_empty()) {
+        return Err(RangeError::MixedUnits { text: shortened(text) });
+    }
+    parts
+        .iter()
+        .map(|p| if p.1.is_empty() { last } else { p.1 })
+        .map(|unit| factor(unit, &shortened(text), dimension).map_err(RangeError::from))
+        .collect()
+}
+
+fn shortened(text: &str) -> String {
+    if text.chars().count() <= 60 {
+        text.into()
+    } else {
+        text.chars().take(57).chain("...".chars()).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_ends_are_in_and_decimals_stay_decimals() {
+        let Values::List(list) = parse_values("0..0.25:0.01", Dimension::Pressure).unwrap() else { panic!() };
+        assert_eq!(list.len(), 26);
+        assert_eq!(list[15], 0.15);
+        assert_eq!(list[25], 0.25);
+        let Values::List(list) = parse_values("0..20:5%", Dimension::Ratio).unwrap() else { panic!() };
+        assert_eq!(list, [0.0, 0.05, 0.10, 0.15, 0.20]);
+        // A step that does not divide the range still ends at the end.
+        let Values::List(list) = parse_values("0..1:0.4", Dimension::Ratio).unwrap() else { panic!() };
+        assert_eq!(list, [0.0, 0.4, 0.8, 1.0]);
+    }
+
+    #[test]
+    fn one_unit_behind_the_last_holds_for_all() {
+        assert_eq!(parse_values("1,2,3bar", Dimension::Pressure), Ok(Values::List(vec![0.1, 0.2, 0.3])));
+        assert_eq!(parse_values("1bar..2.5bar", Dimension::Pressure), Ok(Values::Interval(0.1, 0.25)));
+        assert!(matches!(
+            parse_values("1bar,2,3bar", Dimension::Pressure),
+            Err(RangeError::MixedUnits { .. })
+        ));
+        assert!(matches!(parse_values("1bar,2", Dimension::Pressure), Err(RangeError::MixedUnits { .. })));
+        assert!(matches!(parse_values("0..2bar:1", Dimension::Pressure), Err(RangeError::MixedUnits { .. })));
+    }
+
+    #[test]
+    fn zero_needs_no_unit() {
+        assert_eq!(parse_values("0,10%,20%", Dimension::Ratio), Ok(Values::List(vec![0.0, 0.1, 0.2])));
+        assert_eq!(parse_values("0..10%:5%", Dimension::Ratio), Ok(Values::List(vec![0.0, 0.05, 0.1])));
+        assert_eq!(parse_values("-1bar,0", Dimension::Pressure), Ok(Values::List(vec![-0.1, 0.0])));
+        assert_eq!(parse_values("0,1,2", Dimension::Pressure), Ok(Values::List(vec![0.0, 1.0, 2.0])));
+    }
+
+    #[test]
+    fn ranges_that_make_no_sense_are_refused() {
+        assert!(matches!(parse_values("5..1", Dimension::Length), Err(RangeError::Reversed { .. })));
+        assert!(matches!(parse_values("1..5:0", Dimension::Length), Err(RangeError::Step { .. })));
+        assert!(matches!(parse_values("0..1:1e-9", Dimension::Length), Err(RangeError::TooMany { .. })));
+        assert!(matches!(parse_values("3:1", Dimension::Length), Err(RangeError::StepWithoutRange { .. })));
+        assert!(parse_values("..", Dimension::Length).is_err());
+        assert!(parse_values("1,,2", Dimension::Length).is_err());
+        assert!(parse_values("1..2..3", Dimension::Length).is_err());
+    }
+}

@@ -1,0 +1,132 @@
+//! Values of measures as fields of requests.
+
+#[cfg(feature = "schema")]
+use super::{Bounds, Muscle};
+use super::{Measure, fields};
+use serde::de::{IgnoredAny, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::borrow::Cow;
+use std::fmt;
+
+/// Values of measures, in the order of their table.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct MeasureValues(Vec<(&'static Measure, f64)>);
+
+impl MeasureValues {
+    /// The value of a measure.
+    pub fn get(&self, measure: &Measure) -> Option<f64> {
+        self.0.iter().find(|v| v.0 == measure).map(|v| v.1)
+    }
+
+    /// Puts a value in.
+    pub fn set(&mut self, measure: &'static Measure, value: f64) {
+        self.0.retain(|v| v.0 != measure);
+        self.0.push((measure, value));
+        let place = |m: &Measure| fields().position(|(_, other)| other == m);
+        self.0.sort_by_key(|v| place(v.0));
+    }
+
+    /// All of them.
+    pub fn iter(&self) -> impl Iterator<Item = (&'static Measure, f64)> {
+        self.0.iter().copied()
+    }
+}
+
+impl<const N: usize> From<[(&'static Measure, f64); N]> for MeasureValues {
+    fn from(values: [(&'static Measure, f64); N]) -> Self {
+        let mut out = Self::default();
+        values.into_iter().for_each(|(measure, value)| out.set(measure, value));
+        out
+    }
+}
+
+impl Serialize for MeasureValues {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.iter().filter_map(|(measure, value)| Some((measure.field?, value))))
+    }
+}
+
+impl<'de> Deserialize<'de> for MeasureValues {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(Fields)
+    }
+}
+
+/// Reads fields; those of no measure are left to others.
+struct Fields;
+
+impl<'de> Visitor<'de> for Fields {
+    type Value = MeasureValues;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("measures of a muscle")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<MeasureValues, A::Error> {
+        let mut out = MeasureValues::default();
+        while let Some(key) = map.next_key::<Cow<'_, str>>()? {
+            match Measure::of_field(&key) {
+                Some(measure) => {
+                    if let Some(value) = map.next_value()? {
+                        out.set(measure, value);
+                    }
+                }
+                None => drop(map.next_value::<IgnoredAny>()?),
+            }
+        }
+        Ok(out)
+    }
+}
+
+/// The group of fields to which those of a muscle belong.
+pub const GROUP: &str = "muscle";
+
+#[cfg(feature = "schema")]
+impl Measure {
+    /// The schema of its field; `more` is added to the sentence about it.
+    pub fn schema(&self, more: &str) -> serde_json::Value {
+        let mut field = serde_json::json!({
+            "description": self.documentation(more), "type": ["number", "null"], "format": "double",
+            "x-group": GROUP, "x-key": self.key,
+        });
+        if !self.symbol.is_empty() {
+            field["x-symbol"] = self.symbol.into();
+        }
+        if !self.is_plain() {
+            field["x-quantity"] = serde_json::json!(self.dimension);
+            field["x-unit"] = self.unit().into();
+        }
+        field
+    }
+
+    /// The same in a request, with the values that it may have and the one of a muscle that does not state it.
+    pub fn request_schema(&self) -> serde_json::Value {
+        let mut field = self.schema("");
+        match self.bounds {
+            Bounds::Positive => field["exclusiveMinimum"] = 0.0.into(),
+            Bounds::NotNegative => field["minimum"] = 0.0.into(),
+            Bounds::Between(low, high) => {
+                field["minimum"] = low.into();
+                field["maximum"] = high.into();
+            }
+            Bounds::OfPart => {}
+        }
+        if let Some(value) = Muscle::prototype().measure(self).or(self.default) {
+            field["default"] = value.into();
+        }
+        field
+    }
+}
+
+#[cfg(feature = "schema")]
+impl schemars::JsonSchema for MeasureValues {
+    fn schema_name() -> Cow<'static, str> {
+        "MeasureValues".into()
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        let properties: serde_json::Map<String, serde_json::Value> =
+            fields().map(|(field, measure)| (field.to_owned(), measure.schema(""))).collect();
+        schemars::json_schema!({ "type": "object", "properties": properties })
+    }
+}

@@ -1,0 +1,165 @@
+//! The rubber of a tube: a law, its bulk behaviour, and where the constants come from.
+
+use super::over_time::{Held, OgdenRoxburgh, Prony};
+use super::{Law, MooneyRivlin, RubberLaw};
+use serde::{Deserialize, Serialize};
+
+/// How a rubber answers to a change of volume.
+///
+/// As data (serde): `"incompressible"`, or the bulk modulus in MPa.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(into = "WrittenBulk", from = "WrittenBulk")]
+pub enum Bulk {
+    /// Volume stays.
+    #[default]
+    Incompressible,
+    /// Bulk modulus in MPa.
+    Modulus(f64),
+}
+
+/// [`Bulk`] as muscle files have it.
+#[derive(Serialize, Deserialize)]
+#[serde(untagged, expecting = "\"incompressible\", or a bulk modulus in MPa")]
+enum WrittenBulk {
+    Word(Incompressible),
+    Modulus(f64),
+}
+
+#[derive(Serialize, Deserialize)]
+enum Incompressible {
+    #[serde(rename = "incompressible")]
+    Word,
+}
+
+impl From<Bulk> for WrittenBulk {
+    fn from(bulk: Bulk) -> Self {
+        match bulk {
+            Bulk::Incompressible => Self::Word(Incompressible::Word),
+            Bulk::Modulus(k) => Self::Modulus(k),
+        }
+    }
+}
+
+impl From<WrittenBulk> for Bulk {
+    fn from(written: WrittenBulk) -> Self {
+        match written {
+            WrittenBulk::Word(Incompressible::Word) => Self::Incompressible,
+            WrittenBulk::Modulus(k) => Self::Modulus(k),
+        }
+    }
+}
+
+/// What softening rubber has been through. As data (serde) a pressure in MPa, or `{"strain": 1.0}`; in a muscle file a pressure or a strain such as
+/// `"100 %"`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(untagged, expecting = "a pressure in MPa, or {\"strain\": 1.0}")]
+pub enum Conditioned {
+    /// The muscle was cycled at this pressure in MPa, between rest length and free contraction: each point has its own W_m.
+    Pressure(f64),
+    /// The rubber was stretched by so much, all of it alike: W_m is W0 in simple tension at the stretch 1 + strain.
+    Strain {
+        /// Largest strain in simple tension; 1 is 100 %.
+        strain: f64,
+    },
+}
+
+/// A rubber with its origin. As data (serde) it is what stands in `[tube.material]` of a muscle file, moduli in MPa:
+///
+/// ```
+/// use mckibben::muscle::Rubber;
+/// let text = r#"{"name":"mine","law":"gent","mu":0.2,"jm":50.0,"bulk_modulus":"incompressible"}"#;
+/// let rubber: Rubber = serde_json::from_str(text)?;
+/// assert_eq!(rubber.law.name(), "gent");
+/// assert_eq!(serde_json::to_string(&rubber)?, text);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Rubber {
+    /// Name in the library of rubbers (`paper`, `dragon-skin-30`), where it has one. A muscle gives a rubber of the library the
+    /// law for its own stretches; with other constants a name is only a name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// The law and its constants.
+    #[serde(flatten)]
+    pub law: Law,
+    /// Incompressible, or a bulk modulus. The closed-form models take every rubber as incompressible.
+    #[serde(rename = "bulk_modulus", default)]
+    pub bulk: Bulk,
+    /// Largest stretch of the data the constants were fitted to, where it is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fitted_to_stretch: Option<f64>,
+    /// How rubber that was stretched before is softer, where it is known. The law is that of the first loading.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub softening: Option<OgdenRoxburgh>,
+    /// What it was stretched by before; `None` on its first inflation. The finite elements of the section have it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub conditioned: Option<Conditioned>,
+    /// How the rubber relaxes, where it is known. The law is the one at once, t → 0, in every model; [`Rubber::held`] is the one of later.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub prony: Option<Prony>,
+}
+
+impl Rubber {
+    /// The rubber `paper`: Mooney–Rivlin C10 0.112 MPa, C01 0, incompressible. Identified with axisymmetric finite elements from
+    /// the paper's Table 1 and formula (11) (`docs/identify/paper.md`).
+    pub fn paper() -> Self {
+        Self {
+            name: Some("paper".into()),
+            ..Self::of(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.112, c01_mpa: 0.0 }))
+        }
+    }
+
+    /// An unnamed incompressible rubber.
+    pub fn of(law: Law) -> Self {
+        Self {
+            name: None,
+            law,
+            bulk: Bulk::Incompressible,
+            fitted_to_stretch: None,
+            softening: None,
+            conditioned: None,
+            prony: None,
+        }
+    }
+
+    /// This rubber after it was held: the law with what is left of its moduli ([`Prony::held`]), without the series. Softening keeps its
+    /// shape: its m, an energy, goes with the law. A bulk modulus stays.
+    #[must_use]
+    pub fn held(self, held: Held) -> Self {
+        let Some(prony) = self.prony else { return self };
+        let softening = self.softening.map(|s| OgdenRoxburgh { m_mpa: prony.left(held) * s.m_mpa, ..s });
+        Self { law: prony.held(&self.law, held), softening, prony: None, ..self }
+    }
+
+    /// Whether this is the paper's rubber, unchanged.
+    pub fn is_paper(&self) -> bool {
+        self.law == Self::paper().law && self.bulk == Bulk::Incompressible && !self.is_conditioned()
+    }
+
+    /// Whether it is softer, as it was stretched before.
+    pub fn is_conditioned(&self) -> bool {
+        self.softening.is_some() && self.conditioned.is_some()
+    }
+
+    /// How a muscle that was cycled before is softer, and the pressure in MPa at which it was; `None` where it was not.
+    pub fn conditioned(&self) -> Option<(OgdenRoxburgh, f64)> {
+        match self.conditioned? {
+            Conditioned::Pressure(pressure_mpa) => Some((self.softening?, pressure_mpa)),
+            Conditioned::Strain { .. } => None,
+        }
+    }
+
+    /// How rubber that was stretched before, all of it alike, is softer, and the largest energy W_m in MPa that it has seen.
+    pub fn conditioned_alike(&self) -> Option<(OgdenRoxburgh, f64)> {
+        match self.conditioned? {
+            Conditioned::Strain { strain } => Some((self.softening?, self.tension_energy_mpa(strain))),
+            Conditioned::Pressure(_) => None,
+        }
+    }
+
+    /// W0 in simple tension.
+    pub(crate) fn tension_energy_mpa(&self, strain: f64) -> f64 {
+        let stretch = 1.0 + strain;
+        self.law.biaxial(1.0 / stretch, stretch * stretch).w
+    }
+}

@@ -1,0 +1,210 @@
+"""Writes what is made of the Python package and its compiled half.
+
+    python python/write.py stubs [FOLDER]       types of what the package makes from the schema, beside its modules
+    python python/write.py reference FILE       the reference page, from the docstrings
+
+The compiled half is the library of the workspace's build (``cargo build --workspace --profile test``), or ``--native FILE``.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ast
+import inspect
+import keyword
+import os
+import re
+import sys
+import textwrap
+from collections.abc import Iterator
+from importlib.machinery import ExtensionFileLoader
+from importlib.util import find_spec, module_from_spec, spec_from_file_location
+from pathlib import Path
+from typing import Any
+from unittest.mock import MagicMock
+
+ROOT = Path(__file__).resolve().parent.parent
+PACKAGE = ROOT / "python" / "mckibben"
+BRIDGES = ("jax", "torch")
+HEAD = "# Written by python/write.py from the schema.\n"
+TYPES = """
+from collections.abc import Mapping, Sequence
+from typing import Any, Literal
+
+from . import _answers, _results
+from ._ask import Progress
+from ._formula import Formula
+from ._inputs import Choice, FileLike, FormulaLike, MuscleLike, Number, Numbers, TableLike
+from ._muscle import Muscle
+from ._parts import Braid, Rubber
+"""
+
+
+def load(native: Path) -> None:
+    """Makes a library the compiled half of the package in the sources."""
+    sys.path.insert(0, str(ROOT / "python"))
+    if any((PACKAGE / name).exists() for name in ("_native.abi3.so", "_native.pyd")):
+        return
+    spec = spec_from_file_location("mckibben._native", native, loader=ExtensionFileLoader("mckibben._native", str(native)))
+    assert spec is not None and spec.loader is not None
+    sys.modules["mckibben._native"] = module_from_spec(spec)
+    spec.loader.exec_module(sys.modules["mckibben._native"])
+
+
+def documented(text: str | None, indent: str) -> str:
+    return textwrap.indent(f'"""{text}\n"""' if "\n" in (text or "") else f'"""{text}"""', indent)
+
+
+def function(name: str, made: Any, indent: str = "") -> str:
+    return f"{indent}def {name}{inspect.signature(made)}:\n{documented(made.__doc__, indent + '    ')}"
+
+
+def commands() -> Iterator[str]:
+    from mckibben import _commands
+
+    yield HEAD + TYPES
+    yield f"__all__ = {_commands.__all__}"
+    for name in _commands.__all__:
+        yield function(name, getattr(_commands, name))
+    for name in ("MuscleFields", "MuscleCommands"):
+        made = getattr(_commands, name)
+        yield f"class {name}:\n{documented(made.__doc__, '    ')}"
+        for member, value in vars(made).items():
+            if isinstance(value, property):
+                yield "    @property\n" + function(member, value.fget, "    ").split('"""')[0].rstrip() + "\n" + documented(value.__doc__, "        ")
+            elif inspect.isfunction(value):
+                yield function(member, value, "    ")
+
+
+def answers() -> Iterator[str]:
+    from mckibben import _answers
+
+    yield HEAD + "\nfrom typing import Any, Literal\n\nfrom ._record import Record\n"
+    yield f"__all__ = {_answers.__all__}"
+    for name in _answers.__all__:
+        made = getattr(_answers, name)
+        fields = "".join(f"\n    {field}: {kind}" for field, kind in made.__annotations__.items() if not keyword.iskeyword(field))
+        yield f"class {name}(Record):\n{documented(made.__doc__, '    ')}{fields}"
+
+
+def errors() -> Iterator[str]:
+    from mckibben import _errors
+
+    bases = {base.__name__: base for base in vars(_errors).values() if inspect.isclass(base) and base.__module__ == "mckibben._problem"}
+    yield HEAD + "\nfrom typing import Any\n"
+    yield "\n".join(f"from ._problem import {name} as {name}" for name in sorted(bases))
+    yield f"__all__ = {_errors.__all__}"
+    for name in _errors.__all__:
+        made = getattr(_errors, name)
+        if name not in bases:
+            yield f"class {name}({made.__base__.__name__}):\n{documented(made.__doc__, '    ')}"
+    yield "KINDS: dict[str, type[MckibbenError]]"
+    yield "def of(values: dict[str, Any]) -> MckibbenError: ..."
+
+
+def stubs(folder: Path) -> None:
+    for name, lines in (("_commands", commands()), ("_answers", answers()), ("_errors", errors())):
+        (folder / f"{name}.pyi").write_text("\n\n".join(lines) + "\n", "utf-8")
+
+
+def classes(module: Any) -> Iterator[tuple[str, Any]]:
+    """Functions and classes of a module in the order in which they are written; of one that is made from the schema, all there are."""
+    made = module.__name__.rsplit(".", 1)[-1]
+    if made in ("_commands", "_errors", "_answers"):
+        names = [name for name in module.__all__ if made != "_errors" or getattr(module, name).__module__ == module.__name__]
+    else:
+        names = [node.name for node in ast.parse(inspect.getsource(module)).body if isinstance(node, (ast.FunctionDef, ast.ClassDef))]
+    for name in names:
+        if not name.startswith("_") and getattr(module, name).__doc__:
+            yield name, getattr(module, name)
+
+
+def members(made: type) -> Iterator[tuple[str, Any]]:
+    """What a class has itself, and what a muscle has of its fields."""
+    for part in (made, *(base for base in made.__mro__ if base.__name__ == "MuscleFields")):
+        for name, value in vars(part).items():
+            value = value.__func__ if isinstance(value, (classmethod, staticmethod)) else value
+            if not name.startswith("_") and (inspect.isfunction(value) or isinstance(value, property)) and value.__doc__:
+                yield name, value
+
+
+def reference() -> str:
+    """The reference page."""
+    from importlib import import_module
+
+    import mckibben._muscle
+
+    fields = inspect.getdoc(mckibben._muscle.Muscle.__init__) or ""
+    out = ["# Python reference\n", "Made from the docstrings of the package. [The Python package](python.md) tells how they go together.\n"]
+    parts = {"Objects": "_muscle _parts _model _formula _campaign _table", "Commands": "_commands", "Answers": "_columns _results _record", "Exceptions": "_problem _errors"}
+    bridges = [name for name in BRIDGES if name in sys.modules or find_spec(name)]
+    for title, modules in [*parts.items(), ("For JAX and PyTorch", " ".join(bridges))]:
+        out.append(f"## {title}\n")
+        for module in modules.split():
+            for name, made in classes(import_module(f"mckibben.{module}")):
+                text = inspect.getdoc(made) or ""
+                if name == "Muscle":
+                    text = text.replace("Examples\n", f"{fields}\n\nExamples\n")
+                out += entry(f"{module}.{name}" if module in bridges else name, made, text, "###")
+                if inspect.isclass(made):
+                    for member, value in members(made):
+                        out += entry(f"{name}.{member}", value, inspect.getdoc(value) or "", "####")
+    return "\n".join(out).rstrip() + "\n"
+
+
+def entry(heading: str, made: Any, text: str, level: str) -> list[str]:
+    if inspect.isfunction(made):
+        names = [name for name, p in inspect.signature(made).parameters.items() if name not in ("self", "cls") and p.kind not in (p.VAR_KEYWORD, p.VAR_POSITIONAL)]
+        heading += "(" + ", ".join(names[:4] + (["…"] if len(names) > 4 else [])) + ")"
+    lines, body = re.sub(r":\w+:`([^`]+)`", r"`\1`", text).splitlines(), []
+    i = 0
+    while i < len(lines):
+        # An example, up to the next empty line.
+        if lines[i].startswith(">>>"):
+            body.append("```python")
+            while i < len(lines) and lines[i]:
+                body.append(lines[i])
+                i += 1
+            body.append("```")
+            continue
+        if i + 1 < len(lines) and set(lines[i + 1].strip()) == {"-"}:
+            body += [f"**{lines[i].strip()}**", ""]
+            i += 2
+            continue
+        # A name with its text below it becomes a point of a list.
+        if i + 1 < len(lines) and lines[i] and not lines[i].startswith(" ") and lines[i + 1].startswith("    "):
+            about = []
+            j = i + 1
+            while j < len(lines) and (lines[j].startswith("    ") or not lines[j]):
+                about.append(lines[j].strip())
+                j += 1
+            name, _, kind = lines[i].partition(" : ")
+            body.append(f"- `{name}`" + (f" ({kind})" if kind else "") + ": " + " ".join(a for a in about if a))
+            if j < len(lines) and not about[-1]:
+                body.append("")
+            i = j
+            continue
+        body.append(lines[i])
+        i += 1
+    return [f"{level} `{heading}`\n", "\n".join(body).strip().replace("<module", "&lt;module"), ""]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("what", choices=["stubs", "reference"])
+    parser.add_argument("place", type=Path, nargs="?", default=PACKAGE)
+    parser.add_argument("--native", type=Path)
+    args = parser.parse_args()
+    built = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug"
+    load(args.native or next((path for name in ("lib_native.so", "lib_native.dylib", "_native.dll") if (path := built / name).exists()), built))
+    if args.what == "stubs":
+        stubs(args.place)
+    else:
+        for name in (name for name in BRIDGES if not find_spec(name)):
+            # What it would be called with is described where it is not installed, too.
+            sys.modules.update({name: MagicMock(), f"{name}.numpy": MagicMock()})
+        args.place.write_text(reference(), "utf-8")
+
+
+if __name__ == "__main__":
+    main()
