@@ -9,10 +9,10 @@ use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;
-use mckibben_fem::Simulation;
 use mckibben_fem::axisymmetric::{Axisymmetric, Body, Discretisation, Mesh, MeshSpec, Problem};
+use mckibben_fem::simulation::{Detail, Discretised, Given, Simulation};
 use mckibben_fem::solver::continuation::Continuation;
-use mckibben_fem::solver::curve::Curve;
+use mckibben_fem::solver::curve::{Curve, Test};
 use mckibben_fem::solver::newton::NewtonSystem;
 use std::hint::black_box;
 
@@ -32,8 +32,12 @@ fn run_campaign(muscles: &[Muscle]) -> f64 {
     for muscle in muscles {
         let (model, w) = (Axisymmetric::new(muscle).unwrap(), &mut Workspace::new());
         for e in [0.0, 0.05, 0.10, 0.15, 0.20] {
-            sum +=
-                model.isometric(w, e, &pressures, &Silent).iter().flatten().map(|p| p.force_n).sum::<f64>();
+            sum += model
+                .run(w, Test::Isometric(e), &pressures, Detail::Point, &Silent)
+                .iter()
+                .flatten()
+                .map(|p| p.force_n)
+                .sum::<f64>();
         }
     }
     sum
@@ -43,8 +47,8 @@ fn run_campaign(muscles: &[Muscle]) -> f64 {
 fn report() {
     for e in [0.0, 0.05, 0.10, 0.15, 0.20] {
         let (model, w) = (Axisymmetric::new(&Muscle::prototype()).unwrap(), &mut Workspace::new());
-        let curve = model.isometric(w, e, &pressures(), &Silent);
-        let effort = model.effort(w);
+        let curve = model.run(w, Test::Isometric(e), &pressures(), Detail::Point, &Silent);
+        let effort = model.known(w).map(|c| c.effort).unwrap_or_default();
         println!(
             "isometric ε {e}, 26 points: {:.2} iterations, {:.2} factorisations, {:.2} residuals per point; {} without answer",
             effort.iterations as f64 / 26.0,
@@ -72,7 +76,7 @@ fn memory(along: usize) -> usize {
 /// A curve with everything that comes before it.
 fn cold(muscle: &Muscle, spec: &MeshSpec, contraction: f64, pressures: &[f64]) -> Curve {
     let model = Axisymmetric::with_mesh(muscle, spec).unwrap();
-    model.isometric(&mut Workspace::new(), contraction, pressures, &Silent)
+    model.run(&mut Workspace::new(), Test::Isometric(contraction), pressures, Detail::Point, &Silent)
 }
 
 fn bench(c: &mut Criterion) {
@@ -108,7 +112,7 @@ fn bench(c: &mut Criterion) {
         });
     });
     group.bench_function("with all results and sensitivities", |b| {
-        b.iter(|| model.solve(w, black_box(0.2), 0.1).unwrap());
+        b.iter(|| model.solve(w, Given::at(black_box(0.2), 0.1)).unwrap());
     });
     group.finish();
 

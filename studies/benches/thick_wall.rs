@@ -2,7 +2,7 @@
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use mckibben_design::{BraidChoice, Limits, Objective, OperatingPoint, Spec, design};
-use mckibben::model::{ForceModel, ModelKind, ThickWall, Workspace};
+use mckibben::model::{ForceModel, Inverse, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::units::Values;
 use std::hint::black_box;
@@ -16,7 +16,7 @@ fn points(c: &mut Criterion) {
     group.bench_function("force", |b| b.iter(|| model.force_n(w, black_box(0.25), black_box(0.1))));
     group.bench_function("response", |b| b.iter(|| model.response(w, black_box(0.25), black_box(0.1))));
     group.bench_function("pressure", |b| {
-        b.iter(|| model.exact_pressure(black_box(400.0), black_box(0.1)));
+        b.iter(|| model.pressure_at_pull(&mut Workspace::new(), black_box(400.0), black_box(0.1)));
     });
     group.finish();
 }

@@ -253,7 +253,7 @@ fn each(
     put_first(&mut said, said_of(&found, highest_mpa, QUIET_MPA));
     Ok(CurveAnswer {
         burst_pressure_mpa: found.pressure_mpa(),
-        model: question.model.name().into(),
+        model: question.model.info().name.to_string(),
         test: request.test,
         muscle: MuscleSummary::from(&question.muscle),
         fixed,
@@ -279,7 +279,7 @@ pub(crate) fn reach(
     const UNKNOWN: f64 = 0.2;
     let highest = pressures.iter().copied().fold(0.0, f64::max);
     let free = free_contraction(model, workspace, highest, options).ok().filter(|e| *e > 0.0);
-    let end = free.unwrap_or(UNKNOWN).min(model.range().contraction.1);
+    let end = free.unwrap_or(UNKNOWN).min(model.info().range.contraction.1);
     let round = (0..).map(|i| f64::from(i) * step).map(|e| (e * 1e6).round() / 1e6);
     let mut list: Vec<f64> = round.take_while(|e| *e < end - 1e-9).collect();
     if closed || free.is_none() {

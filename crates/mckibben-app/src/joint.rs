@@ -255,7 +255,7 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
     put_first(&mut warnings, said);
     let mut answer = JointAnswer {
         burst_pressure_mpa: least(&bursts),
-        model: models.first().map_or_else(String::new, |m| m.name().into()),
+        model: models.first().map_or_else(String::new, |m| m.info().name.to_string()),
         muscles: summaries,
         range_deg: joint.range_deg(),
         points: rows,

@@ -94,10 +94,11 @@ pub use many::{
     AnswerColumns, ArrayError, BoundModel, Column, Many, Pairs, Unanswered, Wanted as WantedOfPoint,
     curve_columns, with_parameters,
 };
+pub use mckibben::model::ModelEntry;
 pub use mckibben_motion::{Event, Subject};
 pub use measured::*;
 pub use measured_rubber::{MeasuredRubber, MeasuredRubberFit, MeasuredStress};
-pub use model::{Model, ModelEntry, Purpose};
+pub use model::{Model, Purpose};
 pub use models::*;
 pub use motion::*;
 pub use muscle::{MuscleSummary, muscle_of, rubber, sleeve};

@@ -4,14 +4,13 @@ use crate::fields::{Direction, Keep, MeshFields, ModelFields, Terminal, Terminal
 use crate::problem::{Problem, ProblemKind};
 use mckibben::budget::Budget;
 use mckibben::formula::{Document, Formula, UniversalFormula};
-use mckibben::model::{ForceModel, FormulaModel, ModelError, ModelKind, Universal, seated};
+use mckibben::model::{
+    ForceModel, FormulaModel, ModelEntry, ModelError, ModelKind, Paper, Universal, UnknownModel, with_ends,
+};
 use mckibben::muscle::Muscle;
-use mckibben::nearest::nearest;
-use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
-use mckibben_fem::simulation::{Elements, MeshTextError};
+use mckibben_fem::axisymmetric::MeshSpec;
+use mckibben_fem::elements::{Elements, MeshTextError, section};
 use mckibben_fem::three_dimensional::{BrickSpec, Match, Plug, PlugMaterial};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::Arc;
 
@@ -37,21 +36,6 @@ pub enum Purpose {
     Search,
 }
 
-/// Name and one line of a model.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub struct ModelEntry {
-    /// The word for `model`.
-    pub name: String,
-    /// What it is.
-    pub description: String,
-}
-
-/// One line of the finite elements.
-const ELEMENTS: [&str; 2] = [
-    "axisymmetric finite elements: any rubber, wall, braid and length, with the ends; the default",
-    "three-dimensional finite elements: bricks and single strands; the reference for fe",
-];
-
 impl Model {
     /// Axisymmetric finite elements on the mesh that the program chooses.
     pub const FE: Model =
@@ -59,12 +43,7 @@ impl Model {
 
     /// All models.
     pub fn all() -> Vec<ModelEntry> {
-        let entry = |(name, description): (&str, &str)| ModelEntry {
-            name: name.into(),
-            description: description.into(),
-        };
-        let closed = ModelKind::ALL.into_iter().map(|k| (k.name(), k.description()));
-        closed.chain(Elements::NAMES.into_iter().zip(ELEMENTS)).map(entry).collect()
+        ModelKind::ALL.into_iter().map(ModelKind::entry).chain(Elements::ENTRIES).collect()
     }
 
     /// Whether a word is the name of a model already.
@@ -103,11 +82,8 @@ impl Model {
         if let Ok(kind) = name.parse::<ModelKind>() {
             return Ok(Self::ClosedForm(kind));
         }
-        let names: Vec<String> = Self::all().into_iter().map(|entry| entry.name).collect();
-        let meant = nearest(name, names.iter().map(String::as_str))
-            .map_or_else(String::new, |name| format!(" (did you mean {name}?)"));
-        let given: String = name.chars().take(60).collect();
-        let message = format!("there is no model `{given}`{meant}; the models are {}", names.join(", "));
+        let names = Self::all().into_iter().map(|entry| entry.name).collect();
+        let message = UnknownModel::new(name, names).to_string();
         Err(Problem::new(ProblemKind::Model, message, ""))
     }
 
@@ -150,7 +126,7 @@ impl Model {
     pub fn sections(&self) -> Option<((f64, f64), (f64, f64))> {
         match self {
             Self::Formula(f) => Some((f.range.outer_diameter_mm, f.range.wall_mm)),
-            Self::ClosedForm(ModelKind::Paper) => Some(((30.0, 50.0), (1.0, 5.0))),
+            Self::ClosedForm(ModelKind::Paper) => Some((Paper::DIAMETERS_MM, Paper::WALLS_MM)),
             _ => None,
         }
     }
@@ -171,21 +147,20 @@ impl Model {
     /// # Errors
     /// [`ModelError`] where the muscle does not state what the model needs, or cannot be divided into elements.
     pub fn build(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-        let inner = &*muscle.between_ends();
-        Ok(match self {
-            Self::ClosedForm(kind) => kind.build(muscle)?,
-            Self::Formula(formula) => seated(Box::new(FormulaModel::new(Arc::clone(formula), inner)), muscle),
-            Self::Universal(formula) => seated(Box::new(Universal::new(Arc::clone(formula), inner)), muscle),
-            Self::Elements(Elements::Axisymmetric(mesh)) => {
-                seated(Box::new(Axisymmetric::with_mesh(inner, mesh)?), muscle)
+        match self {
+            Self::ClosedForm(kind) => kind.build(muscle),
+            Self::Formula(formula) => with_ends(muscle, |m| Ok(Box::new(FormulaModel::new(formula, m)))),
+            Self::Universal(formula) => {
+                with_ends(muscle, |m| Ok(Box::new(Universal::new(Arc::clone(formula), m))))
             }
+            Self::Elements(Elements::Axisymmetric(mesh)) => Ok(section(muscle, mesh)?),
             // Bricks and their solver are as large as all the rest.
-            Self::Elements(elements) if cfg!(feature = "whole") => elements.build(muscle)?,
-            Self::Elements(_) => {
+            Self::Elements(elements) if cfg!(feature = "whole") => Ok(elements.build(muscle)?),
+            Self::Elements(elements) => {
                 let missing = "the full engine; this is a reduced one";
-                return Err(ModelError::Missing { model: "fe3d", missing, key: "" });
+                Err(ModelError::Missing { model: elements.name(), missing, key: "" })
             }
-        })
+        }
     }
 }
 

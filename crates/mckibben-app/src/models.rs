@@ -1,9 +1,10 @@
 //! `models`: the force models, and the story of one.
 
-use crate::model::{Model, ModelEntry};
+use crate::model::Model;
 use crate::problem::Problem;
-use mckibben::model::ModelError;
+use mckibben::model::{ModelEntry, ModelError};
 use mckibben::muscle::Muscle;
+use mckibben::uncertainty::basis_of;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -46,8 +47,8 @@ pub fn models(request: &ModelsRequest) -> Result<ModelsAnswer, Problem> {
     let model = Model::named(name, &[], &Default::default())?;
     let story = match model.build(&Muscle::prototype()) {
         Ok(bound) => ModelStory {
-            source: bound.source().into(),
-            uncertainty_basis: bound.accuracy().basis(),
+            source: bound.info().source.to_string(),
+            uncertainty_basis: basis_of(&bound.info().accuracy),
             needs: None,
         },
         Err(error @ ModelError::Missing { .. }) => ModelStory {

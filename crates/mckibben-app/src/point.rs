@@ -12,6 +12,7 @@ use mckibben::answer::{self, Answer, Options};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Direction;
 use mckibben::progress::Progress;
+use mckibben::uncertainty::basis_of;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -197,7 +198,7 @@ fn answered(
     put_first(&mut point.warnings, said_of(&found, highest_mpa, QUIET_MPA));
     let about = ModelAbout {
         source: source_of(&*question.model, options.direction),
-        uncertainty_basis: question.model.accuracy().basis(),
+        uncertainty_basis: basis_of(&question.model.info().accuracy),
     };
     Ok(PointAnswer {
         point,

@@ -11,9 +11,10 @@ use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use mckibben_fem::axisymmetric::{Axisymmetric, Section};
+use mckibben_fem::elements::Elements;
 use mckibben_fem::output::Stations;
-use mckibben_fem::seated;
-use mckibben_fem::simulation::Elements;
+use mckibben_fem::simulation::free_contraction;
+use mckibben_fem::with_ends;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -118,7 +119,7 @@ fn at(
 ) -> Result<(Answer, f64, Section), Problem> {
     let options = Options::default();
     // The same equilibria, of the whole muscle, whose ends may give way.
-    let whole = seated(Box::new(fe.clone()), muscle);
+    let whole = with_ends(muscle, Box::new(fe.clone()));
     let contraction = match request.force_n {
         Some(force_n) => {
             let force_n = finite("force_n", force_n)?;
@@ -132,14 +133,14 @@ fn at(
     if point.slack {
         let free = match point.free_contraction {
             Some(free) => free,
-            None => whole.free_contraction(workspace, pressure_mpa)?,
+            None => free_contraction(&*whole, workspace, pressure_mpa)?,
         };
         point.free_contraction = Some(free);
         shape_contraction = free.min(contraction);
     }
     let ends = muscle.ends();
     let force_n = if point.slack { 0.0 } else { point.response.force_n };
-    let between = ends.between(shape_contraction, ends.way_mm(pressure_mpa, force_n));
+    let between = ends.between(shape_contraction, ends.end_displacement_mm(pressure_mpa, force_n));
     let section = fe.section_at(workspace, pressure_mpa, between)?;
     Ok((point, shape_contraction, section))
 }

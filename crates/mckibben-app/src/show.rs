@@ -221,7 +221,7 @@ fn characteristics(
     let air = free.and_then(|e| air_per_stroke(model, w, pressure_mpa, e).ok());
     let found = burst_of(&choice, model, w.budget())?;
     let characteristics = Characteristics {
-        model: model.name().into(),
+        model: model.info().name.to_string(),
         pressure_mpa,
         blocked_force_n,
         free_contraction: free,

@@ -24,7 +24,7 @@ fn blocked_force_of_an_ideal_muscle() -> Result<f64, Box<dyn Error>> {
     let models: [&dyn ForceModel; 3] = [&fe, &thick_wall, &ideal];
     for model in models {
         let pull = model.response(workspace, 0.25, 0.0)?;
-        println!("{:<12} {:7.1} N   source: {}", model.name(), pull.force_n, model.source());
+        println!("{:<12} {:7.1} N   source: {}", model.info().name, pull.force_n, model.info().source);
     }
 
     // Which muscle pulls 700 N at a contraction of 15 % with 0.25 MPa? The smallest comes first.

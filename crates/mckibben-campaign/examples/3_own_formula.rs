@@ -8,7 +8,6 @@ use mckibben_campaign::campaign::{Plan, RunOptions, read, run};
 use mckibben_campaign::fit::{Method, Request, data, made_for, make};
 use mckibben_fem::axisymmetric::Axisymmetric;
 use std::error::Error;
-use std::sync::Arc;
 
 /// Muscles of one length, angle, rubber and braid; diameter and wall vary. `plans/` has larger ones.
 const PLAN: &str = r#"
@@ -59,7 +58,7 @@ fn error_between_the_points() -> Result<f64, Box<dyn Error>> {
 
     // The formula is a model like any other. `fitted.formula.to_json()` is a file for `--model`, with its seal.
     let muscle = plan.base().with_section(26.0, 1.75)?;
-    let formula = FormulaModel::new(Arc::new(fitted.formula), &muscle);
+    let formula = FormulaModel::new(&fitted.formula, &muscle);
     let fe = Axisymmetric::new(&muscle)?;
     let workspace = &mut Workspace::new();
     let (ours, theirs) = (formula.force_n(workspace, 0.18, 0.12)?, fe.force_n(workspace, 0.18, 0.12)?);

@@ -155,7 +155,7 @@ pub(super) fn candidate(
         burst,
         from_thick_wall,
         points,
-        model: model.name().into(),
+        model: model.info().name.to_string(),
         score: probe.score,
         binds: probe.worst().filter(|c| c.excess() > -BINDS).map(|c| c.limit),
         muscle: muscle.clone(),

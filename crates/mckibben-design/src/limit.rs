@@ -112,7 +112,7 @@ pub(super) fn probe_with(
     let points = spec.points(muscle);
     for &point in points.iter() {
         if !spec.extrapolate {
-            model.range().check(model.name(), max, point.contraction)?;
+            model.info().range.check(&model.info().name, max, point.contraction)?;
         }
         let value = force_on(model, workspace, max, point.contraction, direction)?;
         checks.push(Check { limit: Limit::Force, point: Some(point), value, bound: point.force_n });

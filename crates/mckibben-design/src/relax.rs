@@ -155,7 +155,7 @@ fn pressure(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<Relaxatio
     let needs =
         wanted.iter().map(|p| pressure_at(model.as_ref(), workspace, p.force_n, p.contraction, beyond));
     let pressure_mpa = needs.collect::<Result<Vec<f64>, _>>().ok()?.into_iter().fold(0.0, f64::max);
-    let extrapolated = pressure_mpa > model.range().pressure_mpa.1;
+    let extrapolated = pressure_mpa > model.info().range.pressure_mpa.1;
     let relaxed = Spec { max_pressure_mpa: pressure_mpa * (1.0 + 1e-9), extrapolate: true, ..spec.clone() };
     fits(&relaxed, build, muscle).then_some(Relaxation::MaxPressure { pressure_mpa, extrapolated })
 }
@@ -200,7 +200,7 @@ fn wider(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<Relaxation> 
     if let Some(outer_diameter_mm) = smallest_wider(spec, build, muscle) {
         return Some(Relaxation::OuterDiameter {
             outer_diameter_mm,
-            model: own.name().into(),
+            model: own.info().name.to_string(),
             scaled_to: None,
         });
     }
@@ -215,8 +215,8 @@ fn wider(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<Relaxation> 
     let points = spec.points(muscle).iter().map(scaled).collect::<Option<Vec<_>>>()?;
     let spec = Spec { wanted: Demand::Points(points), ..spec.clone() };
     let outer_diameter_mm = smallest_wider(&spec, thick, muscle)?;
-    let scaled_to = Some(own.name().into());
-    Some(Relaxation::OuterDiameter { outer_diameter_mm, model: other.name().into(), scaled_to })
+    let scaled_to = Some(own.info().name.to_string());
+    Some(Relaxation::OuterDiameter { outer_diameter_mm, model: other.info().name.to_string(), scaled_to })
 }
 
 fn smallest_wider(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<f64> {

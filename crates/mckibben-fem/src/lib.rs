@@ -15,17 +15,20 @@
 //! | [`axisymmetric`] | mesh, assembly, equilibrium, first guesses, the muscle as a [`ForceModel`](mckibben::model::ForceModel), sensitivities |
 //! | [`three_dimensional`] | the same muscle in bricks with single strands |
 //! | [`simulation`], [`results`] | what one asks of either, and what it answers |
+//! | [`elements`] | both by name, with their mesh |
 //! | [`verification`] | cases with exact values |
 //!
 //! ```
 //! use mckibben::model::{ForceModel, Workspace};
 //! use mckibben::{muscle::Muscle, progress::Silent};
-//! use mckibben_fem::{Simulation, axisymmetric::Axisymmetric};
+//! use mckibben_fem::axisymmetric::Axisymmetric;
+//! use mckibben_fem::simulation::{Detail, Simulation};
+//! use mckibben_fem::solver::curve::Test;
 //!
 //! let (muscle, workspace) = (Axisymmetric::new(&Muscle::prototype())?, &mut Workspace::new());
 //! let force = muscle.force_n(workspace, 0.25, 0.10)?;
 //! assert!((force - 491.43).abs() < 0.01);
-//! let curve = muscle.isometric(workspace, 0.10, &[0.05, 0.15, 0.25], &Silent);
+//! let curve = muscle.run(workspace, Test::Isometric(0.10), &[0.05, 0.15, 0.25], Detail::Point, &Silent);
 //! assert_eq!(curve.iter().flatten().filter(|point| point.slack()).count(), 0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -37,6 +40,7 @@
 
 pub mod axisymmetric;
 pub mod element;
+pub mod elements;
 mod error;
 pub mod load;
 pub mod output;
@@ -48,5 +52,5 @@ pub mod three_dimensional;
 pub mod verification;
 
 pub use error::{FemError, LastConverged};
-pub use seated::seated;
+pub use seated::with_ends;
 pub use simulation::Simulation;

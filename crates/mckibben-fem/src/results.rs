@@ -114,15 +114,3 @@ pub struct Sensitivity {
     /// ∂F in N per that unit, all others (k among them) held.
     pub force_n_per_unit: f64,
 }
-
-/// A point of a curve with what its tangent tells.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct TangentPoint {
-    /// What every model tells, stiffness and ∂F/∂P among it.
-    pub response: Response,
-    /// ∂F/∂(constants and measures), where they were asked for.
-    pub sensitivities: Vec<Sensitivity>,
-    /// Newton iterations it took.
-    pub iterations: usize,
-}

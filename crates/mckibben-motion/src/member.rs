@@ -150,8 +150,11 @@ impl<'a> Member<'a> {
     fn ask(&self, p: f64, e: f64) -> Result<Answer, ModelError> {
         let w = &mut *self.workspace.borrow_mut();
         self.asked.set(self.asked.get() + 1);
-        let not_finite =
-            || ModelError::NotFinite { model: self.model.name().into(), pressure_mpa: p, contraction: e };
+        let not_finite = || ModelError::NotFinite {
+            model: self.model.info().name.to_string(),
+            pressure_mpa: p,
+            contraction: e,
+        };
         let mut at = |p: f64, e: f64| {
             let r = self.model.response(w, p, e)?;
             let volume = r.volume_mm3.ok_or_else(not_finite)?;

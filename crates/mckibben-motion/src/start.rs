@@ -14,14 +14,14 @@ impl System<'_> {
     pub fn initial_state(&self) -> Result<State, MotionError> {
         let drive = self.drive;
         for member in &self.members {
-            let p = if member.model.range().pressure_mpa.0 > 0.0 {
-                member.model.range().pressure_mpa.0
+            let p = if member.model.info().range.pressure_mpa.0 > 0.0 {
+                member.model.info().range.pressure_mpa.0
             } else {
                 0.0
             };
             let response = member.model.response(&mut mckibben::model::Workspace::new(), p, 0.0);
             if response.is_ok_and(|r| r.volume_mm3.is_none()) {
-                return Err(MotionError::NoVolume { model: member.model.name().into() });
+                return Err(MotionError::NoVolume { model: member.model.info().name.to_string() });
             }
         }
         let start = at_start(drive, &self.members)?;

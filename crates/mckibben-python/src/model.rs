@@ -48,13 +48,13 @@ impl Model {
     /// Where its formula comes from: author, year, equation.
     #[getter]
     fn source(&self) -> &str {
-        self.bound.model().source()
+        &self.bound.model().info().source
     }
 
     /// Lowest and highest pressure in MPa and contraction for which it was made.
     #[getter]
     fn range(&self) -> ((f64, f64), (f64, f64)) {
-        let range = self.bound.model().range();
+        let range = &self.bound.model().info().range;
         (range.pressure_mpa, range.contraction)
     }
 

@@ -3,10 +3,10 @@
 pub use crate::analysis::Options;
 
 use crate::analysis::{
-    AnalysisError, contraction_or_stretch_at, force_on, free_contraction, pressure_at, response_on,
+    AnalysisError, contraction_or_stretch_at, free_contraction, pressure_at, response_on, slope_by_pressure,
     start_pressure_mpa, stiffness_of,
 };
-use crate::model::{ForceModel, ModelError, Response, Workspace};
+use crate::model::{ForceModel, ModelError, Response, Workspace, notes_of};
 use crate::muscle::Direction;
 use crate::uncertainty::{UncertaintyParts, uncertainty};
 use crate::warning::{Warning, of_response};
@@ -65,7 +65,7 @@ pub fn check_range<M: ForceModel + ?Sized>(
     contraction: f64,
     options: Options,
 ) -> Result<Vec<String>, ModelError> {
-    match model.range().check(model.name(), pressure_mpa, contraction) {
+    match model.info().range.check(&model.info().name, pressure_mpa, contraction) {
         Ok(()) => Ok(vec![]),
         Err(error) if options.extrapolate => Ok(vec![format!("extrapolated: {error}")]),
         Err(error) => Err(error),
@@ -148,7 +148,7 @@ pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
     let said = check_range(model, pressure_mpa, contraction, options)?;
     let mut warnings: Vec<Warning> = said.into_iter().map(Warning::from).collect();
     warnings.extend(model.muscle().warnings().into_iter().map(Warning::from));
-    warnings.extend(model.notes(workspace).into_iter().map(Warning::from));
+    warnings.extend(notes_of(model, workspace).into_iter().map(Warning::from));
     let beyond = |h: &SlackState| contraction > h.free_contraction && !options.two_sided;
     let found = match hanging {
         Some(known) if beyond(known) => None,
@@ -187,13 +187,17 @@ pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
     let response = Response { pressure_mpa, contraction, ..response };
     let numbers = [Some(response.force_n), response.volume_mm3, response.stiffness_n_per_mm];
     if numbers.iter().flatten().any(|v| !v.is_finite()) {
-        return Err(ModelError::NotFinite { model: model.name().into(), pressure_mpa, contraction });
+        return Err(ModelError::NotFinite {
+            model: model.info().name.to_string(),
+            pressure_mpa,
+            contraction,
+        });
     }
     warnings.extend(of_response(model.muscle(), &response));
     let asked = (pressure_mpa, contraction);
     let parts = uncertainty(model, workspace, asked, response.force_n, options.direction);
     Ok(Answer {
-        model: model.name().into(),
+        model: model.info().name.to_string(),
         direction: options.direction,
         uncertainty_n: parts.map(|p| p.total_n()),
         uncertainty_parts_n: parts,
@@ -219,11 +223,11 @@ pub fn pressure<M: ForceModel + ?Sized>(
     contraction: f64,
     options: Options,
 ) -> Result<Answer, AnalysisError> {
-    check_range(model, model.range().pressure_mpa.0, contraction, options)?;
+    check_range(model, model.info().range.pressure_mpa.0, contraction, options)?;
     let pressure_mpa = pressure_at(model, workspace, force_n, contraction, options)?;
     let mut answer = exactly(force(model, workspace, pressure_mpa, contraction, options)?, force_n);
     if let Some(half_n) = answer.uncertainty_n {
-        let slope = slope_by_pressure(model, workspace, &answer.response, options);
+        let slope = slope_by_pressure(model, workspace, &answer.response, options.direction).ok();
         // Where the ± is wider than the pressure itself, a straight line through the point says nothing.
         let half = slope.map(|slope| half_n / slope);
         answer.pressure_uncertainty_mpa = half.filter(|h| (0.0..=pressure_mpa.max(FLAT_MPA)).contains(h));
@@ -242,23 +246,6 @@ fn flat(sought: &str, half_n: f64) -> String {
     format!(
         "the {sought} has no ±: here the pull changes so little with it that the ± of the pull, {half_n:.1} N, does not bound it"
     )
-}
-
-/// ∂F/∂P in mm²: the model's, or by differences of its pull.
-pub(crate) fn slope_by_pressure<M: ForceModel + ?Sized>(
-    model: &M,
-    workspace: &mut Workspace,
-    response: &Response,
-    options: Options,
-) -> Option<f64> {
-    const STEP: f64 = 1e-4;
-    if let Some(slope) = response.force_per_pressure_mm2 {
-        return Some(slope);
-    }
-    let (p, e) = (response.pressure_mpa, response.contraction);
-    let (low, high) = ((p - STEP).max(0.0), p + STEP);
-    let mut pull = |p: f64| force_on(model, workspace, p, e, options.direction).ok();
-    Some((pull(high)? - pull(low)?) / (high - low))
 }
 
 impl Answer {
@@ -293,7 +280,7 @@ pub fn contraction<M: ForceModel + ?Sized>(
     pressure_mpa: f64,
     options: Options,
 ) -> Result<Answer, AnalysisError> {
-    check_range(model, pressure_mpa, model.range().contraction.0.max(0.0), options)?;
+    check_range(model, pressure_mpa, model.info().range.contraction.0.max(0.0), options)?;
     let contraction = contraction_or_stretch_at(model, workspace, force_n, pressure_mpa, options)?;
     let mut answer = exactly(force(model, workspace, pressure_mpa, contraction, options)?, force_n);
     if contraction < 0.0 && force_n > 0.0 {

@@ -36,6 +36,7 @@ pub mod analysis;
 pub mod answer;
 pub mod budget;
 pub mod curve;
+pub mod differences;
 pub mod formula;
 pub mod joint;
 pub mod load;

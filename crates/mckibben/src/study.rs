@@ -120,7 +120,7 @@ where
         panels.push(StudyPanel { test, fixed, curves: list });
     }
     let findings = findings(&models, &mut workspaces, &ideals, options.direction)?;
-    Ok(Study { model: models[0].name().into(), panels, findings })
+    Ok(Study { model: models[0].info().name.to_string(), panels, findings })
 }
 
 /// Every model with its workspace.

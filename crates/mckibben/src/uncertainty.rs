@@ -27,7 +27,7 @@
 //! `mckibben validate` prints the coverage of every set. A muscle whose rubber was not identified from its own pull may be further off.
 
 use crate::analysis::friction_half_width_n;
-use crate::model::{Accuracy, BlockedAt, ForceModel, Reference, ThickWall, Workspace};
+use crate::model::{Accuracy, BlockedAt, ForceModel, Reference, ThickWall, Workspace, blocked_scale_n};
 use crate::muscle::{Bench, Direction, Muscle, Rubber, Tube};
 use crate::rubber::RubberLaw;
 use crate::rubber::library::{is_known_from_one_axis, of_equal_standing};
@@ -51,7 +51,16 @@ const FRICTION_LAW: f64 = 0.81;
 const ELEMENTS: &str = "fe";
 
 /// What is known of every ± besides the model's own part, in a sentence.
-pub const BASIS: &str = "model against tests: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.35 times shear modulus times wall section, which cover 95 % of the points of each of four sets of measured muscles whose rubber was identified from their own pull; rubber: the largest difference that another law with an equally good fit makes, by thick-wall, and, for a named rubber that was measured along one axis alone, what 19 % of its stiffness make; friction: 12 % of the blocked force where the muscle does not state its friction, which covers 95 % of single branches; where it does, 1.81 times the half-width of its law, and 0.81 times on a selected branch; fit: in the place of all of these on the bench that the muscle was identified from; all parts add as squares";
+const BASIS: &str = "model against tests: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.35 times shear modulus times wall section, which cover 95 % of the points of each of four sets of measured muscles whose rubber was identified from their own pull; rubber: the largest difference that another law with an equally good fit makes, by thick-wall, and, for a named rubber that was measured along one axis alone, what 19 % of its stiffness make; friction: 12 % of the blocked force where the muscle does not state its friction, which covers 95 % of single branches; where it does, 1.81 times the half-width of its law, and 0.81 times on a selected branch; fit: in the place of all of these on the bench that the muscle was identified from; all parts add as squares";
+
+/// How the parts of a ± are known, in a sentence.
+pub fn basis_of(accuracy: &Accuracy) -> String {
+    match accuracy.reference {
+        Reference::Unknown => accuracy.reference.to_string(),
+        Reference::ForceMap { .. } => format!("formula: {}", accuracy.reference),
+        _ => format!("formula: {}; {BASIS}", accuracy.reference),
+    }
+}
 
 /// The parts of a ±, each a 95 % half-width in N.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -126,7 +135,7 @@ fn general<M: ForceModel + ?Sized>(
     direction: Direction,
 ) -> Option<UncertaintyParts> {
     let formula = formula_n(model, workspace, pressure_mpa)?;
-    if matches!(model.accuracy().reference, Reference::ForceMap { .. }) {
+    if matches!(model.info().accuracy.reference, Reference::ForceMap { .. }) {
         // Held against measured pulls already.
         return Some(UncertaintyParts { formula, ..UncertaintyParts::default() });
     }
@@ -134,7 +143,10 @@ fn general<M: ForceModel + ?Sized>(
     let muscle = model.muscle();
     Some(UncertaintyParts {
         formula,
-        mesh: model.mesh_error_n(workspace, pressure_mpa, contraction, force_n, blocked),
+        mesh: model
+            .extensions()
+            .mesh
+            .and_then(|mesh| mesh.mesh_error_n(workspace, pressure_mpa, contraction, force_n, blocked)),
         rubber: rubber_n(workspace, muscle, pressure_mpa, contraction),
         measured: Some(measured_n(muscle, blocked, contraction)),
         friction: Some(friction_n(model, workspace, (pressure_mpa, contraction), direction, blocked)),
@@ -144,7 +156,7 @@ fn general<M: ForceModel + ?Sized>(
 
 /// The blocked force that shares are taken of.
 fn blocked_n<M: ForceModel + ?Sized>(model: &M, workspace: &mut Workspace, pressure_mpa: f64) -> Option<f64> {
-    model.blocked_scale_n(workspace, pressure_mpa).ok().map(f64::abs)
+    blocked_scale_n(model, workspace, pressure_mpa).ok().map(f64::abs)
 }
 
 /// The model's own part, where it has one; `None` where nobody has measured it.
@@ -153,7 +165,7 @@ fn formula_n<M: ForceModel + ?Sized>(
     workspace: &mut Workspace,
     pressure_mpa: f64,
 ) -> Option<Option<f64>> {
-    let Accuracy { share_of_blocked, blocked_at, .. } = model.accuracy();
+    let Accuracy { share_of_blocked, blocked_at, .. } = model.info().accuracy;
     let share = share_of_blocked?;
     let at = match blocked_at {
         BlockedAt::SamePressure => pressure_mpa,
@@ -166,9 +178,9 @@ fn formula_n<M: ForceModel + ?Sized>(
 /// which the other model's distance is known.
 fn bench_of<M: ForceModel + ?Sized>(model: &M) -> Option<&Bench> {
     let bench = model.muscle().bench()?;
-    let Accuracy { share_of_blocked, reference, .. } = model.accuracy();
+    let Accuracy { share_of_blocked, reference, .. } = model.info().accuracy;
     let to_elements = share_of_blocked.is_some() && !matches!(reference, Reference::ForceMap { .. });
-    (bench.model == model.name() || bench.model == ELEMENTS && to_elements).then_some(bench)
+    (bench.model == model.info().name || bench.model == ELEMENTS && to_elements).then_some(bench)
 }
 
 /// The ± on the bench that the muscle was identified from.
@@ -179,7 +191,8 @@ fn of_bench<M: ForceModel + ?Sized>(
     (pressure_mpa, contraction): (f64, f64),
     direction: Direction,
 ) -> Option<UncertaintyParts> {
-    let formula = if bench.model == model.name() { None } else { formula_n(model, workspace, pressure_mpa)? };
+    let formula =
+        if bench.model == model.info().name { None } else { formula_n(model, workspace, pressure_mpa)? };
     let known = match model.muscle().friction() {
         None => bench.saw_the_loop(),
         Some(_) => !direction.is_mean() && bench.branches.contains(&direction),

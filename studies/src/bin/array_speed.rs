@@ -47,10 +47,10 @@ fn main() -> Result<(), Box<dyn Error>> {
             black_box(out);
             Ok(())
         })?;
-        println!("{} {n} unchecked: {seconds:e}", model.name());
+        println!("{} {n} unchecked: {seconds:e}", model.info().name);
         let bound = BoundModel::new(
             &muscle,
-            &ModelFields { model: Some(model.name().into()), ..Default::default() },
+            &ModelFields { model: Some(model.info().name.to_string()), ..Default::default() },
             AskFields::default(),
             &Silent,
         )?;
@@ -67,7 +67,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             filled.map_err(|no| no.problem)?;
             Ok(())
         })?;
-        println!("{} {n}: {seconds:e}", model.name());
+        println!("{} {n}: {seconds:e}", model.info().name);
     }
     let fe = Axisymmetric::new(&muscle).map_err(ModelError::from)?;
     let pressures: Vec<f64> = (0..=25).map(|i| f64::from(i) / 100.0).collect();

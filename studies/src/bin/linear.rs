@@ -3,8 +3,9 @@
 use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;
-use mckibben_fem::Simulation;
 use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
+use mckibben_fem::simulation::{Detail, Discretised, Simulation};
+use mckibben_fem::solver::curve::Test;
 
 fn main() {
     let pressures: Vec<f64> = (0..=25).map(|i| 0.01 * f64::from(i)).collect();
@@ -18,8 +19,8 @@ fn main() {
             let Ok(model) = Axisymmetric::with_mesh(&Muscle::prototype(), &spec) else { return };
             let w = &mut Workspace::new();
             let start = std::time::Instant::now();
-            let _ = model.isometric(w, 0.1, &pressures, &Silent);
-            count = model.effort(w).factorisations;
+            let _ = model.run(w, Test::Isometric(0.1), &pressures, Detail::Point, &Silent);
+            count = model.known(w).map_or(0, |c| c.effort.factorisations);
             best = start.elapsed().as_secs_f64().min(best);
         }
         println!("{along:>5}   {count:>14}   {:>8.2}", 1e6 * best / count as f64);

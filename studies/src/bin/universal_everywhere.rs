@@ -63,7 +63,7 @@ fn look(
     found: &mut Found,
 ) {
     let model = Universal::new(formula.clone(), muscle);
-    let highest = model.range().pressure_mpa.1;
+    let highest = model.info().range.pressure_mpa.1;
     let farthest = 1.05 * muscle.max_ideal_contraction();
     // Half of the pressures evenly, half towards none; a tenth of the contractions at rest.
     let points: Vec<(f64, f64)> = (0..questions)

@@ -140,7 +140,7 @@ fn verified(spec: &Spec, winner: &Candidate) -> Result<Verified, Problem> {
         });
     }
     Ok(Verified {
-        model: fe.name().into(),
+        model: fe.info().name.to_string(),
         holds: fits(spec, &|m| Model::FE.build(m), &winner.muscle),
         points,
     })

@@ -24,7 +24,7 @@ pub fn compare(
     for (number, (model, workspace)) in models.into_iter().enumerate() {
         let family = curves(model, workspace, Test::Isobaric, pressures, contractions, options);
         for (i, curve) in family.iter().enumerate() {
-            let label = if i == 0 { model.name() } else { "" };
+            let label = if i == 0 { &*model.info().name } else { "" };
             let style = [Style::Line, Style::Dashed, Style::Dotted, Style::DashDot][number % 4];
             let mut series = Series::new(label, line(curve, Test::Isobaric, u)).colour(number).style(style);
             if number == 0 {

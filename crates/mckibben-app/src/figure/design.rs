@@ -23,7 +23,7 @@ pub fn design(
     for (i, (candidate, model)) in models.iter().enumerate() {
         let m = &candidate.muscle;
         let name = format!("D0 {}, s {}", u.length.to(m.outer_diameter_mm(), 4), u.length.to(m.wall_mm(), 3));
-        let end = candidate.free_contraction.unwrap_or(0.2).max(asked).min(model.range().contraction.1);
+        let end = candidate.free_contraction.unwrap_or(0.2).max(asked).min(model.info().range.contraction.1);
         let along: Vec<f64> = (0..=60).map(|i| end * f64::from(i) / 60.0).collect();
         let needed = candidate.pressure_mpa;
         let mut workspace = Workspace::new();
@@ -43,7 +43,7 @@ pub fn design(
         let label = format!("{} at {}", u.force.show(w.force_n), percent(w.contraction));
         panel = panel.mark(Mark::new(w.contraction, u.force.value(w.force_n), label));
     }
-    let mut names: Vec<&str> = models.iter().map(|m| m.1.name()).collect();
+    let mut names: Vec<&str> = models.iter().map(|m| &*m.1.info().name).collect();
     names.dedup();
     Figure::new("Candidates: pull over contraction")
         .caption(caption(format!("Model {}; lengths in {}", names.join(", then "), u.length.name)))

@@ -22,7 +22,7 @@ use crate::fields::{AskFields, ModelFields};
 use crate::model::{Model, Purpose};
 use crate::problem::{Problem, ProblemKind};
 use mckibben::answer::Options;
-use mckibben::model::{ForceModel, ModelKind, ModelRange, Workspace};
+use mckibben::model::{ForceModel, ModelKind, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use mckibben::threads::Threads;
@@ -40,7 +40,6 @@ const BLOCK_OF_ELEMENTS: usize = 32;
 /// A model bound to its muscle.
 pub struct BoundModel {
     model: Box<dyn ForceModel>,
-    range: ModelRange,
     options: Options,
     choice: Model,
 }
@@ -66,7 +65,7 @@ impl BoundModel {
         let choice = Model::choose(model, Purpose::Answer)?;
         choice.admit(muscle, &progress.budget())?;
         let model = choice.build(muscle)?;
-        Ok(Self { range: model.range(), model, options, choice })
+        Ok(Self { model, options, choice })
     }
 
     /// The muscle.
@@ -76,7 +75,7 @@ impl BoundModel {
 
     /// The model's name.
     pub fn name(&self) -> &str {
-        self.model.name()
+        &self.model.info().name
     }
 
     /// How it is asked.

@@ -5,7 +5,7 @@ use crate::point::{finite, ratio};
 use crate::problem::{Problem, ProblemKind};
 use mckibben::analysis::{contraction_or_stretch_at, force_on, pressure_at};
 use mckibben::answer;
-use mckibben::model::{Bounds, ModelError, Workspace};
+use mckibben::model::{Bounds, ModelError, Workspace, pulls_within};
 use std::f64::consts::PI;
 
 /// What rounding leaves of no pull, as a share of the pressure on the outer section.
@@ -48,13 +48,14 @@ impl BoundModel {
         if self.is_elements() || !self.options.direction.is_mean() {
             return false;
         }
+        let range = &self.model.info().range;
         // No muscle shortens by its whole length: the same bounds as those of a single question.
         let (pressures, contractions) = if self.options.extrapolate {
             ((f64::NEG_INFINITY, f64::INFINITY), (-1.0 + 1e-9, 1.0 - 1e-9))
         } else {
-            (self.range.pressure_mpa, (self.range.contraction.0, self.range.contraction.1.min(1.0 - 1e-9)))
+            (range.pressure_mpa, (range.contraction.0, range.contraction.1.min(1.0 - 1e-9)))
         };
-        let own = self.options.extrapolate || self.range.muscle.is_empty() && self.range.make.is_empty();
+        let own = self.options.extrapolate || range.muscle.is_empty() && range.make.is_empty();
         let wider = |(low, high): (f64, f64)| (low - 1e-12, high + 1e-12);
         let bounds = Bounds {
             pressure_mpa: wider(pressures),
@@ -62,7 +63,7 @@ impl BoundModel {
             push_n: if self.options.two_sided { f64::NEG_INFINITY } else { 0.0 },
             rounding_mm2: ROUNDING * self.outer_area_mm2(),
         };
-        own && self.model.pulls_within(workspace, p, e, &bounds, out)
+        own && pulls_within(&*self.model, workspace, [p, e], &bounds, out)
     }
 
     fn outer_area_mm2(&self) -> f64 {
@@ -86,13 +87,13 @@ impl BoundModel {
             }
             Wanted::Pressure => {
                 let (f, e) = (self.pull(a)?, ratio(b)?);
-                answer::check_range(&*self.model, self.range.pressure_mpa.0, e, self.options)?;
+                answer::check_range(&*self.model, self.model.info().range.pressure_mpa.0, e, self.options)?;
                 let p = pressure_at(&*self.model, workspace, f, e, self.options)?;
                 (p, p, e)
             }
             Wanted::Contraction => {
                 let (f, p) = (self.pull(a)?, finite("pressure_mpa", b)?);
-                let lowest = self.range.contraction.0.max(0.0);
+                let lowest = self.model.info().range.contraction.0.max(0.0);
                 answer::check_range(&*self.model, p, lowest, self.options)?;
                 let e = contraction_or_stretch_at(&*self.model, workspace, f, p, self.options)?;
                 (e, p, e)

@@ -10,25 +10,15 @@
 use super::{BoundModel, Many, Wanted};
 use crate::point::finite;
 use crate::problem::Problem;
-use mckibben::analysis::{force_on, response_on};
+use mckibben::analysis::{force_on, response_on, slope_by_pressure, stiffness_of};
+use mckibben::differences::slope;
 use mckibben::model::Workspace;
 use mckibben::muscle::{BraidStiffness, Muscle};
 use mckibben::rubber::RubberLaw;
 use mckibben_fit::identify::{Candidate, Target, own_value};
 
-/// Steps of differences: in ε; of P and θ relative. With fourth-order differences their error is below 1e-9 of the derivative.
-const STEP_CONTRACTION: f64 = 1e-4;
-const STEP_RELATIVE: f64 = 1e-3;
-/// A step of pressure where there is none, MPa.
-const STEP_PRESSURE_MPA: f64 = 1e-4;
-/// f' = Σ weight f(x + at·h)/h + O(h⁴)
-const STENCIL: [(f64, f64); 4] =
-    [(-2.0, 1.0 / 12.0), (-1.0, -8.0 / 12.0), (1.0, 8.0 / 12.0), (2.0, -1.0 / 12.0)];
-
-/// f' by fourth-order central differences.
-fn difference(h: f64, mut f: impl FnMut(f64) -> Result<f64, Problem>) -> Result<f64, Problem> {
-    STENCIL.iter().try_fold(0.0, |sum, (at, weight)| Ok(sum + weight * f(at * h)? / h))
-}
+/// Step of differences in θ, relative. With fourth-order differences their error is below 1e-9 of the derivative.
+const STEP: f64 = 1e-3;
 
 impl BoundModel {
     /// The derivatives that `many` wants at a point of the model, into `places`.
@@ -60,17 +50,8 @@ impl BoundModel {
     fn force_slopes(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<(f64, f64), Problem> {
         let (model, direction) = (&*self.model, self.options.direction);
         let response = response_on(model, workspace, p, e, direction)?;
-        let f_p = match response.force_per_pressure_mm2 {
-            Some(f_p) => f_p,
-            None => {
-                let h = if p == 0.0 { STEP_PRESSURE_MPA } else { STEP_RELATIVE * p.abs() };
-                difference(h, |h| Ok(force_on(model, workspace, p + h, e, direction)?))?
-            }
-        };
-        let f_e = match response.stiffness_n_per_mm {
-            Some(k) => -k * self.muscle().length_mm(),
-            None => difference(STEP_CONTRACTION, |h| Ok(force_on(model, workspace, p, e + h, direction)?))?,
-        };
+        let f_p = slope_by_pressure(model, workspace, &response, direction)?;
+        let f_e = -stiffness_of(model, workspace, &response, direction)? * self.muscle().length_mm();
         Ok((f_p, f_e))
     }
 
@@ -87,7 +68,8 @@ impl BoundModel {
         }
         let muscle = self.muscle();
         let names: Vec<String> = parameters.iter().map(|t| t.name(muscle)).collect();
-        if let Some(known) = self.model.force_by(workspace, p, e, &names) {
+        let own = self.model.extensions().slopes;
+        if let Some(known) = own.and_then(|own| own.force_by(workspace, p, e, &names)) {
             let known = known?;
             places.iter_mut().zip(known).for_each(|(place, v)| *place = v);
             return Ok(());
@@ -100,8 +82,8 @@ impl BoundModel {
                 Target::Law(_) => muscle.tube().rubber.law.shear_modulus_mpa(),
                 _ => 1.0,
             };
-            let h = STEP_RELATIVE * if value == 0.0 { scale } else { value.abs() };
-            *place = difference(h, |h| self.force_of(&held, *target, value + h, (p, e)))?;
+            let h = STEP * if value == 0.0 { scale } else { value.abs() };
+            *place = slope(h, |h| self.force_of(&held, *target, value + h, (p, e)))?;
         }
         Ok(())
     }

@@ -192,7 +192,7 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
     let mut runs = runs.into_iter();
     let Some(motion) = runs.next() else { return Err(Problem::missing("drive", "a drive file")) };
     let mut answer = MotionAnswer {
-        model: moved.models.first().map_or_else(String::new, |m| m.name().into()),
+        model: moved.models.first().map_or_else(String::new, |m| m.info().name.to_string()),
         muscles: moved.models.iter().map(|m| m.muscle().into()).collect(),
         motion,
         others: runs.collect(),

@@ -16,17 +16,18 @@ use crate::problem::{Problem, ProblemKind};
 use crate::warnings;
 use mckibben::answer::Options;
 use mckibben::curve::Test;
-use mckibben::model::{ModelError, Response, Workspace};
+use mckibben::model::{ModelError, Response, Workspace, notes_of};
 use mckibben::muscle::{Ends, Muscle};
 use mckibben::progress::Progress;
 use mckibben::status::Status;
 use mckibben_fem::FemError;
 use mckibben_fem::axisymmetric::Axisymmetric;
+use mckibben_fem::elements::Elements;
 use mckibben_fem::output::{Extent, Shape, deck};
 use mckibben_fem::results::Solution;
-use mckibben_fem::seated;
-use mckibben_fem::simulation::{Elements, Simulation};
+use mckibben_fem::simulation::{Given, Simulation, free_contraction};
 use mckibben_fem::three_dimensional::ThreeDimensional;
+use mckibben_fem::with_ends;
 
 /// What a point of a test holds: ε or F.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -114,7 +115,7 @@ impl Meshed {
             Self::Axisymmetric(model) => model.clone(),
             Self::ThreeDimensional(model) => model.clone(),
         };
-        seated(model, whole)
+        with_ends(whole, model)
     }
 
     /// The deformed muscle at an equilibrium between ends.
@@ -126,7 +127,7 @@ impl Meshed {
         extent: Extent,
     ) -> Result<Shape, Problem> {
         let p = r.pressure_mpa;
-        let between = ends.between(r.contraction, ends.way_mm(p, r.force_n));
+        let between = ends.between(r.contraction, ends.end_displacement_mm(p, r.force_n));
         let shape = match self {
             Self::Axisymmetric(model) => {
                 model.section_at(workspace, p, between).map(|s| Shape::of_section(&s))
@@ -183,10 +184,11 @@ pub fn simulate(
         if progress.cancelled() {
             return Err(Problem::cancelled());
         }
-        let solution = match held {
-            Held::Contraction(e) => simulation.solve(workspace, pressure_mpa, e),
-            Held::Force(f) => simulation.at_force(workspace, f, pressure_mpa),
+        let given = match held {
+            Held::Contraction(contraction) => Given::at(pressure_mpa, contraction),
+            Held::Force(force_n) => Given::PressureAndPull { pressure_mpa, force_n },
         };
+        let solution = simulation.solve(workspace, given);
         budget.ended()?;
         if let Ok(solution) = &solution {
             if let Some(shapes) = &mut shapes {
@@ -197,7 +199,7 @@ pub fn simulate(
         }
         simulated.push(judged(&*simulation, workspace, pressure_mpa, held, solution, request.two_sided));
     }
-    let name = simulation.name();
+    let name = &*simulation.info().name;
     let problem = all_failed(&simulated);
     let figure = request.figure.as_ref().filter(|_| problem.is_none());
     let figure = figure.map(|unit| figure::simulate(&summary, request.test, &simulated, unit));
@@ -217,7 +219,7 @@ pub fn simulate(
         model: name.into(),
         test: request.test,
         muscle: summary,
-        notes: simulation.notes(workspace),
+        notes: notes_of(&*simulation, workspace),
         warnings,
         burst_pressure_mpa: found.pressure_mpa(),
         figure,
@@ -248,7 +250,7 @@ impl SimulateRequest {
         let forces = forces(&self.forces_n, asking)?;
         if self.of_largest {
             let highest = pressures.iter().copied().fold(0.0, f64::max);
-            let largest = model.free_contraction(workspace, highest).map_err(Problem::from)?;
+            let largest = free_contraction(model, workspace, highest).map_err(Problem::from)?;
             contractions.iter_mut().for_each(|e| *e *= largest);
         }
         let held: Vec<Held> = if self.test == Test::Isotonic {
@@ -285,11 +287,11 @@ fn judged(
     let asked = contraction.filter(|e| *e > 0.0 && !two_sided);
     let (free_contraction, slack) = match (asked, &solution) {
         (Some(_), Ok(s)) if s.response.force_n < 0.0 => {
-            (model.free_contraction(workspace, pressure_mpa).ok(), true)
+            (free_contraction(model, workspace, pressure_mpa).ok(), true)
         }
         // Where pushing has no equilibrium a muscle shortened past its free contraction hangs slack all the same.
         (Some(e), Err(_)) => {
-            let free = model.free_contraction(workspace, pressure_mpa).ok().filter(|free| e >= *free);
+            let free = free_contraction(model, workspace, pressure_mpa).ok().filter(|free| e >= *free);
             (free, free.is_some())
         }
         _ => (None, false),

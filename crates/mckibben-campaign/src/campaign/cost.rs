@@ -3,7 +3,7 @@
 use super::plan::Plan;
 use mckibben::budget::{Budget, Limits, Resource};
 use mckibben_fem::FemError;
-use mckibben_fem::simulation::Elements;
+use mckibben_fem::elements::Elements;
 use mckibben_fem::three_dimensional::BrickMesh;
 use serde::Serialize;
 

@@ -8,7 +8,8 @@ use mckibben::progress::{Progress, Silent};
 use mckibben::status::Status;
 use mckibben::threads;
 use mckibben_fem::FemError;
-use mckibben_fem::results::TangentPoint;
+use mckibben_fem::simulation::Detail;
+use mckibben_fem::solver::curve::{CurvePoint, Test};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// All rows of a plan, in its order and in memory: for plans of a moderate size, and where there are no files.
@@ -53,13 +54,9 @@ pub(super) fn rows(plan: &Plan, number: u64) -> Vec<PointRow> {
                 ..blank(p)
             })),
             Ok(model) => {
-                let curve = model.isometric_with_tangents(
-                    workspace,
-                    contraction,
-                    &testing.pressures_mpa,
-                    testing.sensitivities,
-                    &Silent,
-                );
+                let detail = if testing.sensitivities { Detail::Sensitivities } else { Detail::Tangent };
+                let test = Test::Isometric(contraction);
+                let curve = model.run(workspace, test, &testing.pressures_mpa, detail, &Silent);
                 out.extend(
                     testing.pressures_mpa.iter().zip(curve).map(|(&p, point)| filled(blank(p), point)),
                 );
@@ -94,9 +91,9 @@ fn blank(muscle: u64, inputs: &Inputs, pressure_mpa: f64, contraction: f64) -> P
     }
 }
 
-fn filled(row: PointRow, point: Result<TangentPoint, FemError>) -> PointRow {
+fn filled(row: PointRow, point: Result<CurvePoint, FemError>) -> PointRow {
     match point {
-        Ok(TangentPoint { response: r, sensitivities, iterations, .. }) if r.force_n.is_finite() => {
+        Ok(CurvePoint { response: Some(r), sensitivities, iterations, .. }) if r.force_n.is_finite() => {
             let finite = |v: Option<f64>| v.filter(|v| v.is_finite());
             PointRow {
                 force_n: Some(r.force_n),

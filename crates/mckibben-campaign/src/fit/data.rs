@@ -5,8 +5,9 @@ use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;
 use mckibben::threads;
-use mckibben_fem::Simulation;
 use mckibben_fem::axisymmetric::Axisymmetric;
+use mckibben_fem::simulation::{Detail, Simulation};
+use mckibben_fem::solver::curve::Test;
 use serde::Serialize;
 
 /// The diameters of the paper's campaign in mm.
@@ -112,8 +113,9 @@ fn of_muscle(muscle: &Muscle, contractions: &[f64], pressures: &[f64]) -> Vec<Fi
     let Ok(model) = Axisymmetric::new(muscle) else { return vec![] };
     let mut out = vec![];
     for &contraction in contractions {
+        let (test, w) = (Test::Isometric(contraction), &mut Workspace::new());
         for (&pressure_mpa, point) in
-            pressures.iter().zip(model.isometric(&mut Workspace::new(), contraction, pressures, &Silent))
+            pressures.iter().zip(model.run(w, test, pressures, Detail::Point, &Silent))
         {
             out.extend(point.ok().map(|p| FitPoint {
                 outer_diameter_mm: muscle.outer_diameter_mm(),

@@ -22,4 +22,5 @@ pub use discretisation::{BraidSpec, Discretisation, Ends, Problem};
 pub use memory::Memory;
 pub use mesh::{Mesh, MeshSpec};
 pub use model::Axisymmetric;
+pub(crate) use model::ENTRY;
 pub use section::{Section, SectionNode};

@@ -7,13 +7,20 @@ use super::mesh::{Mesh, MeshSpec};
 use super::{results, sensitivity};
 use crate::FemError;
 use crate::results::{Sensitivity, Solution};
-use crate::simulation::{self, Discretised, MuscleBody};
+use crate::simulation::{Discretised, Given, MuscleBody, Simulation};
 use crate::solver::continuation::Continuation;
 use mckibben::model::{
-    Accuracy, ForceModel, ModelError, ModelId, ModelRange, Reference, Response, ThickWall, Workspace,
+    self, Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelId, ModelInfo, ModelRange,
+    Reference, Response, Slopes, ThickWall, Workspace,
 };
 use mckibben::muscle::Muscle;
 use std::sync::Arc;
+
+pub(crate) const ENTRY: ModelEntry = ModelEntry {
+    name: "fe",
+    description: "axisymmetric finite elements: any rubber, wall, braid and length, with the ends; the default",
+    source: "axisymmetric finite elements (Q2/P−1, two strand families bonded to the outer surface, rigid terminals)",
+};
 
 /// Error of the default mesh over the blocked force, of a muscle that pulls; of a stretched one over its pull. Both hold more than 95 % of
 /// random muscles, as `docs/finite-elements.md` counts them.
@@ -27,7 +34,7 @@ const MESH_ERROR_STRETCHED: f64 = 0.003;
 #[derive(Debug, Clone)]
 pub struct Axisymmetric {
     id: ModelId,
-    muscle: Muscle,
+    info: ModelInfo,
     discretisation: Arc<Discretisation>,
     thick_wall: Arc<ThickWall>,
     /// The default mesh, for one that was said.
@@ -68,7 +75,13 @@ impl Axisymmetric {
             discretisation: Arc::new(discretisation),
             thick_wall,
             default: if *spec == MeshSpec::default() { None } else { Some(Box::new(Self::new(muscle)?)) },
-            muscle: muscle.clone(),
+            info: ModelInfo {
+                range: ModelRange::open().stretched(muscle.braid().angle_deg),
+                accuracy: Accuracy::share(0.0, Reference::Equations),
+                costly: true,
+                notes: vec![],
+                ..ModelInfo::new(&ENTRY, muscle)
+            },
         })
     }
 
@@ -138,28 +151,72 @@ impl MuscleBody for Body {
 }
 
 impl ForceModel for Axisymmetric {
-    fn name(&self) -> &str {
-        "fe"
+    fn info(&self) -> &ModelInfo {
+        &self.info
     }
 
-    fn muscle(&self) -> &Muscle {
-        &self.muscle
+    fn response(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
+        Ok(self.led_to(workspace, Given::at(pressure_mpa, contraction))?.body.response(self.muscle())?)
     }
 
-    fn source(&self) -> &str {
-        "axisymmetric finite elements (Q2/P−1, two strand families bonded to the outer surface, rigid terminals)"
+    fn force_n(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64, ModelError> {
+        Ok(self.led_to(workspace, Given::at(pressure_mpa, contraction))?.pull())
     }
 
-    fn range(&self) -> ModelRange {
-        ModelRange::open().stretched(self.muscle().braid().angle_deg)
+    fn extensions(&self) -> Extensions<'_> {
+        // What the rubber has seen goes by the constants as well.
+        let slopes = self.discretisation.memory.is_none().then_some(self as &dyn Slopes);
+        let inverse = Some(self as &dyn Inverse);
+        Extensions { inverse, slopes, mesh: Some(self), contact: Some(self), ..Extensions::default() }
+    }
+}
+
+impl Inverse for Axisymmetric {
+    fn pressure_at_pull(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
+        let found = self.reach(workspace, Given::ContractionAndPull { contraction, force_n });
+        found.ok().map(|found| found.pressure_mpa).filter(|p| *p >= 0.0)
     }
 
-    fn notes(&self, _: &Workspace) -> Vec<String> {
-        vec![]
+    fn contraction_at_pull(&self, workspace: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
+        let found = self.reach(workspace, Given::PressureAndPull { pressure_mpa, force_n });
+        found.ok().map(|found| found.contraction)
     }
+}
 
-    fn accuracy(&self) -> Accuracy {
-        Accuracy::share(0.0, Reference::Equations)
+impl Slopes for Axisymmetric {
+    fn force_by(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+        names: &[String],
+    ) -> Option<Result<Vec<f64>, ModelError>> {
+        let mut known = || {
+            let c = self.factorised(workspace, pressure_mpa, contraction)?;
+            sensitivity::of(&mut c.body, self.muscle(), |name| names.iter().any(|n| n == name))
+        };
+        let known = match known() {
+            Ok(known) => known,
+            Err(error) => return Some(Err(error.into())),
+        };
+        let one = |name: &String| known.iter().find(|s| s.name == *name).map(|s| s.force_n_per_unit);
+        names.iter().map(one).collect::<Option<Vec<f64>>>().map(Ok)
+    }
+}
+
+impl model::Mesh for Axisymmetric {
+    fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64, ModelError> {
+        self.force_n(workspace, pressure_mpa, 0.0)
     }
 
     fn mesh_error_n(
@@ -176,48 +233,9 @@ impl ForceModel for Axisymmetric {
             self.default.as_deref().map(|m| m.difference_n(workspace, pressure_mpa, contraction, force_n));
         Some(own + off.unwrap_or(0.0))
     }
+}
 
-    fn response(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
-        simulation::response(self, workspace, pressure_mpa, contraction)
-    }
-
-    fn force_n(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<f64, ModelError> {
-        simulation::force_n(self, workspace, pressure_mpa, contraction)
-    }
-
-    fn force_by(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-        names: &[String],
-    ) -> Option<Result<Vec<f64>, ModelError>> {
-        // What the rubber has seen goes by the constants as well.
-        if self.discretisation.memory.is_some() {
-            return None;
-        }
-        let mut known = || {
-            let c = self.factorised(workspace, pressure_mpa, contraction)?;
-            sensitivity::of(&mut c.body, &self.muscle, |name| names.iter().any(|n| n == name))
-        };
-        let known = match known() {
-            Ok(known) => known,
-            Err(error) => return Some(Err(error.into())),
-        };
-        let one = |name: &String| known.iter().find(|s| s.name == *name).map(|s| s.force_n_per_unit);
-        names.iter().map(one).collect::<Option<Vec<f64>>>().map(Ok)
-    }
-
+impl model::Contact for Axisymmetric {
     fn pivoting_n_per_mm(
         &self,
         workspace: &mut Workspace,
@@ -225,22 +243,5 @@ impl ForceModel for Axisymmetric {
         contraction: f64,
     ) -> Result<f64, ModelError> {
         Ok(self.contact(workspace, pressure_mpa, contraction)?.pivoting_n_per_mm)
-    }
-
-    fn is_costly(&self) -> bool {
-        true
-    }
-
-    fn pressure_under_load(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        simulation::pressure(self, workspace, force_n, contraction)
-    }
-
-    fn contraction_under_load(
-        &self,
-        workspace: &mut Workspace,
-        force_n: f64,
-        pressure_mpa: f64,
-    ) -> Option<f64> {
-        simulation::contraction(self, workspace, force_n, pressure_mpa)
     }
 }

@@ -12,6 +12,7 @@ use super::mesh::Mesh;
 use crate::FemError;
 use crate::results::Sensitivity;
 use crate::solver::body::State;
+use mckibben::differences::STENCIL;
 use mckibben::muscle::measures::{STIFFNESS, of_section};
 use mckibben::muscle::{Muscle, Parts};
 use mckibben::rubber::Law;
@@ -37,9 +38,7 @@ fn rebuilt(d: &Discretisation, law: Law, from: &Parts, to: &Parts) -> Result<Dis
     Ok(out)
 }
 
-/// Steps of the fourth-order difference: (step, weight).
-const STENCIL: [(f64, f64); 4] =
-    [(-2.0, 1.0 / 12.0), (-1.0, -8.0 / 12.0), (1.0, 8.0 / 12.0), (2.0, -1.0 / 12.0)];
+/// Step of the differences, over the value.
 const STEP: f64 = 1e-3;
 
 /// All sensitivities at the body's equilibrium, whose tangent must stand factorised.

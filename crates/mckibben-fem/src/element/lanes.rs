@@ -97,7 +97,7 @@ impl Width {
         #[cfg(target_arch = "x86_64")]
         {
             use std::arch::is_x86_feature_detected as has;
-            // Just what the kernels of `three_dimensional::assembly`, `solid` and `solver::dense` are compiled for; to a compiler
+            // Just what `on_lanes` and `four_at_a_time` compile kernels for; to a compiler
             // avx512f implies avx2, fma and f16c, which a virtual machine may hide.
             let four = has!("avx2") && has!("fma");
             if four && has!("f16c") && has!("avx512f") && has!("avx512vl") && has!("avx512dq") {
@@ -110,6 +110,65 @@ impl Width {
         Self::One
     }
 }
+
+/// Declares a function that runs a kernel, `kernel::<R, …>(…)` of numbers [`Real`], compiled for the lanes of a [`Width`]. The kernel and all
+/// that it calls in its loops are to be `#[inline(always)]`.
+macro_rules! on_lanes {
+    (
+        $(#[$attribute:meta])*
+        $vis:vis fn $name:ident $([$($g:ident: $gt:ty),+])? ($($arg:ident: $ty:ty),* $(,)?) $(-> $out:ty)? = $kernel:ident
+    ) => {
+        $(#[$attribute])*
+        $vis fn $name $(<$(const $g: $gt),+>)? (
+            width: $crate::element::lanes::Width, $($arg: $ty),*
+        ) $(-> $out)? {
+            #[cfg(target_arch = "x86_64")]
+            #[target_feature(enable = "avx512f,avx512vl,avx512dq,fma")]
+            fn eight $(<$(const $g: $gt),+>)? ($($arg: $ty),*) $(-> $out)? {
+                $kernel::<$crate::element::lanes::Eight $($(, $g)+)?>($($arg),*)
+            }
+            #[cfg(target_arch = "x86_64")]
+            #[target_feature(enable = "avx2,fma")]
+            fn four $(<$(const $g: $gt),+>)? ($($arg: $ty),*) $(-> $out)? {
+                $kernel::<$crate::element::lanes::Four $($(, $g)+)?>($($arg),*)
+            }
+            match width {
+                // SAFETY: `Width::here` has asked the processor.
+                #[cfg(target_arch = "x86_64")]
+                $crate::element::lanes::Width::Eight => unsafe { eight $(::<$($g),+>)? ($($arg),*) },
+                #[cfg(target_arch = "x86_64")]
+                $crate::element::lanes::Width::Four => unsafe { four $(::<$($g),+>)? ($($arg),*) },
+                _ => $kernel::<f64 $($(, $g)+)?>($($arg),*),
+            }
+        }
+    };
+}
+pub(crate) use on_lanes;
+
+/// The same of a kernel in plain numbers, `kernel::<…>(…)`: its code compiled for four numbers at a time. No products are fused: the answer is
+/// the same to the last digit.
+macro_rules! four_at_a_time {
+    (
+        $(#[$attribute:meta])*
+        $vis:vis fn $name:ident $([$($g:ident: $gt:ty),+])? ($($arg:ident: $ty:ty),* $(,)?) -> $out:ty = $kernel:ident
+    ) => {
+        $(#[$attribute])*
+        $vis fn $name $(<$(const $g: $gt),+>)? ($($arg: $ty),*) -> $out {
+            #[cfg(target_arch = "x86_64")]
+            #[target_feature(enable = "avx2")]
+            fn wide $(<$(const $g: $gt),+>)? ($($arg: $ty),*) -> $out {
+                $kernel $(::<$($g),+>)? ($($arg),*)
+            }
+            #[cfg(target_arch = "x86_64")]
+            if $crate::element::lanes::Width::here() >= $crate::element::lanes::Width::Four {
+                // SAFETY: the processor has just been asked for what the function needs.
+                return unsafe { wide $(::<$($g),+>)? ($($arg),*) };
+            }
+            $kernel $(::<$($g),+>)? ($($arg),*)
+        }
+    };
+}
+pub(crate) use four_at_a_time;
 
 #[cfg(target_arch = "x86_64")]
 pub use wide::{Eight, Four};

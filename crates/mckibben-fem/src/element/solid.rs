@@ -4,8 +4,7 @@
 //!
 //! r: residual ∂Π/∂u, g_k = ∂Π/∂p_k = ∫ ψ_k (J − 1) dV − p_k V/K, B = ∂²Π/∂u∂p. K → ∞ for incompressible rubber.
 
-#[cfg(target_arch = "x86_64")]
-use super::lanes::Width;
+use super::lanes::four_at_a_time;
 use super::plane::{AnyPlaneLaw, Gradient, Stress};
 use super::q2::{Geometry, MODES, NODES, PADDED, POINTS, Point};
 use super::softened::soften;
@@ -117,33 +116,16 @@ pub fn gradient(p: &Point, u: &Unknowns) -> Gradient {
     }
 }
 
-/// Fills `out`. Gives `false` where the element is turned inside out (J ≤ 0); `out` is
-/// then unfinished but for `smallest_j`.
-#[inline]
-pub fn contribute<const TANGENT: bool>(
-    geometry: &Geometry,
-    u: &Unknowns,
-    material: &Material<'_>,
-    out: &mut Contribution,
-) -> bool {
-    #[cfg(target_arch = "x86_64")]
-    if Width::here() >= Width::Four {
-        // SAFETY: the processor has just been asked for what the function needs.
-        return unsafe { wide::<TANGENT>(geometry, u, material, out) };
-    }
-    run::<TANGENT>(geometry, u, material, out)
-}
-
-/// The same code compiled for four numbers at a time. No products are fused: the answer is the same to the last digit.
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2")]
-fn wide<const TANGENT: bool>(
-    geometry: &Geometry,
-    u: &Unknowns,
-    material: &Material<'_>,
-    out: &mut Contribution,
-) -> bool {
-    run::<TANGENT>(geometry, u, material, out)
+four_at_a_time! {
+    /// Fills `out`. Gives `false` where the element is turned inside out (J ≤ 0); `out` is
+    /// then unfinished but for `smallest_j`.
+    #[inline]
+    pub fn contribute[TANGENT: bool](
+        geometry: &Geometry,
+        u: &Unknowns,
+        material: &Material<'_>,
+        out: &mut Contribution,
+    ) -> bool = run
 }
 
 #[inline(always)]

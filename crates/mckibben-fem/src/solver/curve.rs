@@ -3,9 +3,12 @@
 
 use super::body::{Body, Control};
 use super::continuation::Continuation;
+use super::newton::Effort;
 use super::trail::Along;
 use crate::error::FemError;
+use crate::results::Sensitivity;
 use mckibben::budget::Exceeded;
+use mckibben::model::Response;
 use mckibben::progress::Progress;
 
 /// A point of a curve.
@@ -24,6 +27,10 @@ pub struct CurvePoint {
     pub iterations: usize,
     /// Factorisations it took.
     pub factorisations: usize,
+    /// What every model answers, stiffness and ∂F/∂P among it, where it is asked for.
+    pub response: Option<Response>,
+    /// ∂F/∂(constants and measures), where they are asked for.
+    pub sensitivities: Vec<Sensitivity>,
 }
 
 impl CurvePoint {
@@ -32,8 +39,8 @@ impl CurvePoint {
         self.force_n < 0.0
     }
 
-    /// The present equilibrium, found with so much.
-    pub(crate) fn here<B: Body>(c: &Continuation<B>, spent: Spent) -> Self {
+    /// The present equilibrium, found with what was spent since `before`.
+    pub(crate) fn here<B: Body>(c: &Continuation<B>, before: Effort) -> Self {
         let totals = c.body.totals();
         Self {
             // Zeros without a sign.
@@ -41,8 +48,10 @@ impl CurvePoint {
             contraction: c.contraction(),
             force_n: totals.pull,
             volume_mm3: B::COPIES * totals.volume,
-            iterations: spent.iterations,
-            factorisations: spent.factorisations,
+            iterations: c.effort.iterations - before.iterations,
+            factorisations: c.effort.factorisations - before.factorisations,
+            response: None,
+            sensitivities: vec![],
         }
     }
 }
@@ -50,18 +59,9 @@ impl CurvePoint {
 /// Points of a curve in the order they were asked for.
 pub type Curve = Vec<Result<CurvePoint, FemError>>;
 
-/// What a point cost.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Spent {
-    /// Newton iterations.
-    pub iterations: usize,
-    /// Factorisations.
-    pub factorisations: usize,
-}
-
 /// What is kept fixed along a curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Test {
+pub enum Test {
     /// A contraction, at given pressures; from the highest pressure down.
     Isometric(f64),
     /// A pull in N, at given pressures; from the highest pressure down.
@@ -73,6 +73,16 @@ pub(crate) enum Test {
 impl Test {
     fn along(self) -> Along {
         if matches!(self, Self::Isobaric(_)) { Along::Length } else { Along::Pressure }
+    }
+
+    /// The places of `values` in the order in which the test visits them.
+    pub(crate) fn order(self, values: &[f64]) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..values.len()).collect();
+        order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
+        if self.along() == Along::Pressure {
+            order.reverse();
+        }
+        order
     }
 
     /// (place on the path, what is held) at a value.
@@ -100,20 +110,16 @@ impl Test {
     }
 }
 
-/// Visits `values` in the order of the test: from what the last points predict where that works, else afresh.
-pub(crate) fn run<B: Body, T: Clone>(
+/// Visits `values` in the order of the test: from what the last points predict where that works, else afresh. `complete` adds to a point.
+pub(crate) fn run<B: Body>(
     c: &mut Continuation<B>,
     values: &[f64],
     test: Test,
     progress: &dyn Progress,
-    here: impl Fn(&mut Continuation<B>, Spent) -> Result<T, FemError>,
-) -> Vec<Result<T, FemError>> {
-    let mut order: Vec<usize> = (0..values.len()).collect();
-    order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
-    if test.along() == Along::Pressure {
-        order.reverse();
-    }
-    let mut out: Vec<Result<T, FemError>> = vec![Err(FemError::Exceeded(Exceeded::Cancelled)); values.len()];
+    complete: impl Fn(&mut Continuation<B>, &mut CurvePoint) -> Result<(), FemError>,
+) -> Curve {
+    let order = test.order(values);
+    let mut out: Curve = vec![Err(FemError::Exceeded(Exceeded::Cancelled)); values.len()];
     let mut running = false;
     for (turn, &i) in order.iter().enumerate() {
         if progress.cancelled() {
@@ -136,11 +142,11 @@ pub(crate) fn run<B: Body, T: Clone>(
                 c.begin_trail();
             }
         }
-        let spent = Spent {
-            iterations: c.effort.iterations - before.iterations,
-            factorisations: c.effort.factorisations - before.factorisations,
-        };
-        out[i] = point.and_then(|()| here(c, spent));
+        out[i] = point.and_then(|()| {
+            let mut here = CurvePoint::here(c, before);
+            complete(c, &mut here)?;
+            Ok(here)
+        });
     }
     if !progress.cancelled() {
         progress.report(values.len(), values.len());

@@ -1,31 +1,18 @@
 //! Partial LDLᵀ of small dense symmetric matrices.
 
-#[cfg(target_arch = "x86_64")]
-use crate::element::lanes::Width;
+use crate::element::lanes::four_at_a_time;
 
-/// Eliminates the first `eliminated` unknowns of a symmetric matrix of which the upper triangle is stored by rows.
-///
-/// Afterwards row k < `eliminated` holds the pivot d_k on the diagonal and l_ki = a_ki/d_k behind it; the rest holds the
-/// Schur complement. Gives the number of negative pivots, or the pivot that is zero or no number.
-///
-/// No pivots are exchanged: systems are ordered and augmented so that none need be.
-///
-/// # Errors
-/// The index of the pivot.
-pub fn eliminate(a: &mut [f64], size: usize, eliminated: usize) -> Result<usize, usize> {
-    #[cfg(target_arch = "x86_64")]
-    if Width::here() >= Width::Four {
-        // SAFETY: the processor has just been asked for what the function needs.
-        return unsafe { wide(a, size, eliminated) };
-    }
-    sized(a, size, eliminated)
-}
-
-/// The same code compiled for four numbers at a time; no products are fused.
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2")]
-fn wide(a: &mut [f64], size: usize, eliminated: usize) -> Result<usize, usize> {
-    sized(a, size, eliminated)
+four_at_a_time! {
+    /// Eliminates the first `eliminated` unknowns of a symmetric matrix of which the upper triangle is stored by rows.
+    ///
+    /// Afterwards row k < `eliminated` holds the pivot d_k on the diagonal and l_ki = a_ki/d_k behind it; the rest holds the
+    /// Schur complement. Gives the number of negative pivots, or the pivot that is zero or no number.
+    ///
+    /// No pivots are exchanged: systems are ordered and augmented so that none need be.
+    ///
+    /// # Errors
+    /// The index of the pivot.
+    pub fn eliminate(a: &mut [f64], size: usize, eliminated: usize) -> Result<usize, usize> = sized
 }
 
 #[inline(always)]

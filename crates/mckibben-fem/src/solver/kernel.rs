@@ -7,7 +7,7 @@
 // Rows and columns of tiles are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]
 
-use crate::element::lanes::{Real, Width};
+use crate::element::lanes::{Real, Width, on_lanes};
 
 /// Vectors of a tile: with as many columns as `strip` says they just fill the registers.
 const VECTORS: usize = 3;
@@ -60,7 +60,7 @@ impl Kernel {
 
     /// Columns of a strip.
     pub fn strip(&self) -> usize {
-        if self.width == Width::Eight { STRIP } else { STRIP / 2 }
+        columns(if self.width == Width::Eight { 8 } else { 4 })
     }
 
     /// C = [C] − A D Bᵀ.
@@ -72,26 +72,12 @@ impl Kernel {
         d: Pivots<'_>,
         shape: Shape,
     ) {
-        match self.width {
-            // SAFETY: `Width::here` has asked the processor.
-            #[cfg(target_arch = "x86_64")]
-            Width::Eight => unsafe { eight((&mut self.copy, &mut self.strip), c, a, b, d, shape) },
-            #[cfg(target_arch = "x86_64")]
-            Width::Four => unsafe { four((&mut self.copy, &mut self.strip), c, a, b, d, shape) },
-            _ => product::<f64, 4>((&mut self.copy, &mut self.strip), c, a, b, d, shape),
-        }
+        on_width(self.width, (&mut self.copy, &mut self.strip), c, a, b, d, shape);
     }
 
     /// X := X T⁻ᵀ of a few columns: x_q = (x_q − Σ_p<q x_p t_qp) s_q.
     pub fn divide(&self, x: (&mut [f64], usize), rows: usize, by: &Triangle) {
-        match self.width {
-            // SAFETY: `Width::here` has asked the processor.
-            #[cfg(target_arch = "x86_64")]
-            Width::Eight => unsafe { divide_eight(x, rows, by) },
-            #[cfg(target_arch = "x86_64")]
-            Width::Four => unsafe { divide_four(x, rows, by) },
-            _ => divide::<f64>(x, rows, by),
-        }
+        divide_on_width(self.width, x, rows, by);
     }
 }
 
@@ -103,46 +89,28 @@ pub(super) struct Triangle {
     pub share: [f64; STRIP],
 }
 
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx512f,avx512vl,avx512dq,fma")]
-fn eight(
-    memory: (&mut Vec<f64>, &mut [f64]),
-    c: (&mut [f64], usize),
-    a: Matrix<'_>,
-    b: Matrix<'_>,
-    d: Pivots<'_>,
-    shape: Shape,
-) {
-    product::<crate::element::lanes::Eight, 8>(memory, c, a, b, d, shape);
+on_lanes! {
+    fn on_width(
+        memory: (&mut Vec<f64>, &mut [f64]),
+        c: (&mut [f64], usize),
+        a: Matrix<'_>,
+        b: Matrix<'_>,
+        d: Pivots<'_>,
+        shape: Shape,
+    ) = product
 }
 
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma")]
-fn four(
-    memory: (&mut Vec<f64>, &mut [f64]),
-    c: (&mut [f64], usize),
-    a: Matrix<'_>,
-    b: Matrix<'_>,
-    d: Pivots<'_>,
-    shape: Shape,
-) {
-    product::<crate::element::lanes::Four, 4>(memory, c, a, b, d, shape);
+on_lanes! {
+    fn divide_on_width(x: (&mut [f64], usize), rows: usize, by: &Triangle) = divide
 }
 
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx512f,avx512vl,avx512dq,fma")]
-fn divide_eight(x: (&mut [f64], usize), rows: usize, by: &Triangle) {
-    divide::<crate::element::lanes::Eight>(x, rows, by);
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma")]
-fn divide_four(x: (&mut [f64], usize), rows: usize, by: &Triangle) {
-    divide::<crate::element::lanes::Four>(x, rows, by);
+/// Columns of a strip with so many lanes.
+const fn columns(lanes: usize) -> usize {
+    if lanes == 8 { STRIP } else { STRIP / 2 }
 }
 
 #[inline(always)]
-fn product<R: Real, const STRIP: usize>(
+fn product<R: Real>(
     (copy, strip): (&mut Vec<f64>, &mut [f64]),
     (c, stride): (&mut [f64], usize),
     a: Matrix<'_>,
@@ -150,21 +118,21 @@ fn product<R: Real, const STRIP: usize>(
     d: Pivots<'_>,
     shape: Shape,
 ) {
-    let tile = VECTORS * R::LANES;
+    let (tile, most) = (VECTORS * R::LANES, columns(R::LANES));
     for first in (0..shape.depth).step_by(DEPTH) {
         let depth = DEPTH.min(shape.depth - first);
         let keep = shape.keep || first > 0;
         for top in (0..shape.rows).step_by(TILES * tile) {
             let rows = (TILES * tile).min(shape.rows - top);
             let block = Matrix { values: &a.values[first * a.stride + top..], stride: a.stride };
-            let copied = shape.columns >= COPIED.0 * STRIP && depth >= COPIED.1;
+            let copied = shape.columns >= COPIED.0 * most && depth >= COPIED.1;
             if copied {
                 copy_tiles::<R>(copy, block, rows, depth);
             }
             let mut j = 0;
             while j < shape.columns {
                 let left = shape.columns - j;
-                let count = left.div_ceil(left.div_ceil(STRIP));
+                let count = left.div_ceil(left.div_ceil(most));
                 // The first tile with rows that are wanted.
                 let begin = if shape.lower { j.saturating_sub(top) / tile * tile } else { 0 };
                 if begin >= rows {
@@ -184,10 +152,10 @@ fn product<R: Real, const STRIP: usize>(
                     2 => work.run::<R, 2>(strip, c),
                     3 => work.run::<R, 3>(strip, c),
                     4 => work.run::<R, 4>(strip, c),
-                    5 if STRIP > 4 => work.run::<R, 5>(strip, c),
-                    6 if STRIP > 4 => work.run::<R, 6>(strip, c),
-                    7 if STRIP > 4 => work.run::<R, 7>(strip, c),
-                    _ if STRIP > 4 => work.run::<R, 8>(strip, c),
+                    5 if most > 4 => work.run::<R, 5>(strip, c),
+                    6 if most > 4 => work.run::<R, 6>(strip, c),
+                    7 if most > 4 => work.run::<R, 7>(strip, c),
+                    _ if most > 4 => work.run::<R, 8>(strip, c),
                     _ => {}
                 }
                 j += count;

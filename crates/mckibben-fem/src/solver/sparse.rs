@@ -80,7 +80,7 @@ impl std::fmt::Debug for SparseCholesky {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("SparseCholesky")
             .field("analysis", &self.analysis)
-            .field("factor", &self.factor_entries())
+            .field("factor", &self.analysis.symbolic.entries())
             .finish_non_exhaustive()
     }
 }
@@ -108,11 +108,6 @@ impl SparseCholesky {
         let mut factor = Vec::new();
         factor.try_reserve_exact(entries).map_err(|_| too_large)?;
         Ok(Self { analysis, factor, numeric, width, memory: vec![], form: None, negative: 0 })
-    }
-
-    /// Numbers in the factor, zeros that pad it included.
-    pub fn factor_entries(&self) -> usize {
-        self.analysis.symbolic.entries()
     }
 
     /// Floating-point operations of one factorisation: Σ over the columns of (entries of the column)².

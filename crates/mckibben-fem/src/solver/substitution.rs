@@ -2,7 +2,7 @@
 
 use super::supernodal::Form;
 use super::symbolic::Symbolic;
-use crate::element::lanes::{Real, Width};
+use crate::element::lanes::{Real, Width, on_lanes};
 
 /// Columns at a time.
 const COLUMNS: usize = 4;
@@ -18,27 +18,12 @@ pub(super) struct Factor<'a> {
 impl Factor<'_> {
     /// Replaces a right-hand side by the solution.
     pub fn solve(self, width: Width, x: &mut [f64], memory: &mut Vec<f64>) {
-        match width {
-            // SAFETY: `Width::here` has asked the processor.
-            #[cfg(target_arch = "x86_64")]
-            Width::Eight => unsafe { eight(self, x, memory) },
-            #[cfg(target_arch = "x86_64")]
-            Width::Four => unsafe { four(self, x, memory) },
-            _ => solve::<f64>(self, x, memory),
-        }
+        on_width(width, self, x, memory);
     }
 }
 
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx512f,avx512vl,avx512dq,fma")]
-fn eight(factor: Factor<'_>, x: &mut [f64], memory: &mut Vec<f64>) {
-    solve::<crate::element::lanes::Eight>(factor, x, memory);
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma")]
-fn four(factor: Factor<'_>, x: &mut [f64], memory: &mut Vec<f64>) {
-    solve::<crate::element::lanes::Four>(factor, x, memory);
+on_lanes! {
+    fn on_width(factor: Factor<'_>, x: &mut [f64], memory: &mut Vec<f64>) = solve
 }
 
 #[inline(always)]

@@ -10,7 +10,7 @@ use crate::element::brick::{Input, Output, ShapePoint, run};
 use crate::element::hexahedron::{NODES8, NODES27, points8, points27};
 use crate::element::lanes::Real;
 #[cfg(target_arch = "x86_64")]
-use crate::element::lanes::Width;
+use crate::element::lanes::on_lanes;
 use crate::element::spatial::{AT, SpatialLaw, with};
 use crate::element::truss::Truss;
 use crate::load::cavity_faces::{FacePoint, points4, points9, skew, volume};
@@ -133,61 +133,28 @@ fn bricks<const TANGENT: bool>(
     match of.0.problem.brick {
         Brick::Linear => {
             let points = std::mem::take(&mut work.points8);
-            let out = wide::<8, 1, TANGENT>(&points, of, s, law, work, totals);
+            let out = wide::<8, 1, TANGENT>(of.0.width, &points, of, s, law, work, totals);
             work.points8 = points;
             out
         }
         Brick::Quadratic => {
             let points = std::mem::take(&mut work.points27);
-            let out = wide::<27, 4, TANGENT>(&points, of, s, law, work, totals);
+            let out = wide::<27, 4, TANGENT>(of.0.width, &points, of, s, law, work, totals);
             work.points27 = points;
             out
         }
     }
 }
 
-fn wide<const NN: usize, const NM: usize, const TANGENT: bool>(
-    points: &[ShapePoint<NN>],
-    of: Piece<'_>,
-    s: &State,
-    law: SpatialLaw<'_>,
-    work: &mut Assembled,
-    totals: &mut Totals,
-) -> Option<(usize, f64)> {
-    match of.0.width {
-        // SAFETY: `Width::here` has asked the processor.
-        #[cfg(target_arch = "x86_64")]
-        Width::Eight => unsafe { eight::<NN, NM, TANGENT>(points, of, s, law, work, totals) },
-        #[cfg(target_arch = "x86_64")]
-        Width::Four => unsafe { four::<NN, NM, TANGENT>(points, of, s, law, work, totals) },
-        _ => all::<f64, NN, NM, TANGENT>(points, of, s, law, work, totals),
-    }
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx512f,avx512vl,avx512dq,fma")]
-fn eight<const NN: usize, const NM: usize, const TANGENT: bool>(
-    points: &[ShapePoint<NN>],
-    of: Piece<'_>,
-    s: &State,
-    law: SpatialLaw<'_>,
-    work: &mut Assembled,
-    totals: &mut Totals,
-) -> Option<(usize, f64)> {
-    all::<crate::element::lanes::Eight, NN, NM, TANGENT>(points, of, s, law, work, totals)
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma")]
-fn four<const NN: usize, const NM: usize, const TANGENT: bool>(
-    points: &[ShapePoint<NN>],
-    of: Piece<'_>,
-    s: &State,
-    law: SpatialLaw<'_>,
-    work: &mut Assembled,
-    totals: &mut Totals,
-) -> Option<(usize, f64)> {
-    all::<crate::element::lanes::Four, NN, NM, TANGENT>(points, of, s, law, work, totals)
+on_lanes! {
+    fn wide[NN: usize, NM: usize, TANGENT: bool](
+        points: &[ShapePoint<NN>],
+        of: Piece<'_>,
+        s: &State,
+        law: SpatialLaw<'_>,
+        work: &mut Assembled,
+        totals: &mut Totals,
+    ) -> Option<(usize, f64)> = all
 }
 
 #[inline(always)]

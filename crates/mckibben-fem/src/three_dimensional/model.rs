@@ -5,13 +5,20 @@ use super::mesh::{BrickMesh, BrickSpec};
 use super::muscle::{MuscleInBricks, MuscleMesh};
 use crate::FemError;
 use crate::axisymmetric::Axisymmetric;
-use crate::simulation::{self, Discretised};
+use crate::simulation::{Discretised, Given, MuscleBody, Simulation};
 use crate::solver::body::Body;
 use crate::solver::continuation::Continuation;
 use mckibben::model::{
-    Accuracy, ForceModel, ModelError, ModelId, ModelRange, Reference, Response, Workspace,
+    Accuracy, Extensions, ForceModel, Inverse, Mesh, ModelEntry, ModelError, ModelId, ModelInfo, ModelRange,
+    Reference, Response, Workspace,
 };
 use mckibben::muscle::Muscle;
+
+pub(crate) const ENTRY: ModelEntry = ModelEntry {
+    name: "fe3d",
+    description: "three-dimensional finite elements: bricks and single strands; the reference for fe",
+    source: "three-dimensional finite elements (one eighth in mixed bricks, strands between their nodes, bonded terminals)",
+};
 
 /// Three-dimensional finite elements (`--model fe3d`): one eighth in bricks of any law, strands between their nodes along
 /// both diagonals, terminals as rigid planes or as plugs ([`super::Plug`]), pressure as −P·V.
@@ -21,7 +28,7 @@ use mckibben::muscle::Muscle;
 #[derive(Debug, Clone)]
 pub struct ThreeDimensional {
     id: ModelId,
-    muscle: Muscle,
+    info: ModelInfo,
     divided: MuscleMesh,
     /// The limit of fine meshes and many strands.
     limit: Axisymmetric,
@@ -42,12 +49,20 @@ impl ThreeDimensional {
     /// [`FemError`] where the numbers give no valid mesh, or one of another braid.
     pub fn with_mesh(muscle: &Muscle, spec: &BrickSpec) -> Result<Self, FemError> {
         BrickMesh::check_angle(muscle, spec)?;
-        Ok(Self {
-            id: ModelId::new(),
-            muscle: muscle.clone(),
-            divided: MuscleMesh::new(muscle, spec)?,
-            limit: Axisymmetric::new(muscle)?,
-        })
+        let divided = MuscleMesh::new(muscle, spec)?;
+        // What an insertion adds has no limit to compare with.
+        let accuracy = match divided.mesh.plug().is_some_and(|p| p.insertion_mm > 0.0) {
+            true => Accuracy::UNKNOWN,
+            false => Accuracy::share(0.0, Reference::Equations),
+        };
+        let info = ModelInfo {
+            range: ModelRange::open().stretched(muscle.braid().angle_deg),
+            accuracy,
+            costly: true,
+            notes: notes(&divided, muscle),
+            ..ModelInfo::new(&ENTRY, muscle)
+        };
+        Ok(Self { id: ModelId::new(), info, divided, limit: Axisymmetric::new(muscle)? })
     }
 
     /// The grid at rest.
@@ -80,35 +95,83 @@ impl Discretised for ThreeDimensional {
     }
 }
 
+/// What of the mesh is not as of the muscle.
+fn notes(divided: &MuscleMesh, muscle: &Muscle) -> Vec<String> {
+    let (mesh, angle) = (&*divided.mesh, muscle.braid().angle_deg);
+    let mut out = Vec::new();
+    let degrees = |rad: f64| format!("{:.2}°", rad.to_degrees());
+    if (mesh.angle_rad().to_degrees() - angle).abs() > 0.005 {
+        let meshed = degrees(mesh.angle_rad());
+        out.push(format!("the strands of the mesh lie at {meshed}, those of the braid at {angle}°"));
+    }
+    if (mesh.last_angle_rad() - mesh.angle_rad()).abs() > 0.01 {
+        let last = degrees(mesh.last_angle_rad());
+        out.push(format!("in the last row of bricks at the terminal the strands lie at {last}"));
+    }
+    let (length, meshed) = (muscle.length_mm(), 2.0 * mesh.half_length_mm());
+    if (meshed - length).abs() > 1e-6 * length {
+        out.push(format!("the mesh is {meshed:.2} mm long, the muscle {length} mm"));
+    }
+    if let Some(plug) = mesh.plug() {
+        let (name, insertion, nose) = (plug.material.name(), plug.insertion_mm, plug.nose_mm);
+        let assumed = if divided.insertion_assumed {
+            " (assumed, because it is not stated; it reduces the pull by about 5 %)"
+        } else {
+            ""
+        };
+        out.push(format!(
+                "the terminal is a plug ({name}) with {insertion} mm in the tube{assumed} and a nose of {nose} mm radius"
+            ));
+    }
+    out
+}
+
 impl ForceModel for ThreeDimensional {
-    fn name(&self) -> &str {
-        "fe3d"
+    fn info(&self) -> &ModelInfo {
+        &self.info
     }
 
-    fn muscle(&self) -> &Muscle {
-        &self.muscle
+    fn response(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
+        Ok(self.led_to(workspace, Given::at(pressure_mpa, contraction))?.body.response(self.muscle())?)
     }
 
-    fn source(&self) -> &str {
-        "three-dimensional finite elements (one eighth in mixed bricks, strands between their nodes, bonded terminals)"
+    fn force_n(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64, ModelError> {
+        Ok(self.led_to(workspace, Given::at(pressure_mpa, contraction))?.pull())
     }
 
-    fn range(&self) -> ModelRange {
-        ModelRange::open().stretched(self.muscle().braid().angle_deg)
-    }
-
-    fn accuracy(&self) -> Accuracy {
-        // What an insertion adds has no limit to be held against.
-        match self.mesh().plug().is_some_and(|p| p.insertion_mm > 0.0) {
-            true => Accuracy::UNKNOWN,
-            false => Accuracy::share(0.0, Reference::Equations),
+    fn extensions(&self) -> Extensions<'_> {
+        Extensions {
+            inverse: Some(self),
+            mesh: Some(self),
+            companion: Some(&self.limit),
+            ..Extensions::default()
         }
     }
+}
 
-    fn companion(&self) -> Option<&dyn ForceModel> {
-        Some(&self.limit)
+impl Inverse for ThreeDimensional {
+    fn pressure_at_pull(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
+        let found = self.reach(workspace, Given::ContractionAndPull { contraction, force_n });
+        found.ok().map(|found| found.pressure_mpa).filter(|p| *p >= 0.0)
     }
 
+    fn contraction_at_pull(&self, workspace: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
+        let found = self.reach(workspace, Given::PressureAndPull { pressure_mpa, force_n });
+        found.ok().map(|found| found.contraction)
+    }
+}
+
+impl Mesh for ThreeDimensional {
     fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64, ModelError> {
         self.limit.blocked_scale_n(workspace, pressure_mpa)
     }
@@ -126,78 +189,18 @@ impl ForceModel for ThreeDimensional {
         Some(own + self.limit.difference_n(workspace, pressure_mpa, contraction, force_n))
     }
 
-    fn notes(&self, workspace: &Workspace) -> Vec<String> {
-        let (mesh, angle) = (self.mesh(), self.muscle.braid().angle_deg);
-        let mut out = Vec::new();
-        let degrees = |rad: f64| format!("{:.2}°", rad.to_degrees());
-        if (mesh.angle_rad().to_degrees() - angle).abs() > 0.005 {
-            let meshed = degrees(mesh.angle_rad());
-            out.push(format!("the strands of the mesh lie at {meshed}, those of the braid at {angle}°"));
-        }
-        if (mesh.last_angle_rad() - mesh.angle_rad()).abs() > 0.01 {
-            let last = degrees(mesh.last_angle_rad());
-            out.push(format!("in the last row of bricks at the terminal the strands lie at {last}"));
-        }
-        let (length, meshed) = (self.muscle.length_mm(), 2.0 * mesh.half_length_mm());
-        if (meshed - length).abs() > 1e-6 * length {
-            out.push(format!("the mesh is {meshed:.2} mm long, the muscle {length} mm"));
-        }
-        if let Some(plug) = mesh.plug() {
-            let (name, insertion, nose) = (plug.material.name(), plug.insertion_mm, plug.nose_mm);
-            let assumed = if self.divided.insertion_assumed {
-                " (assumed, because it is not stated; it reduces the pull by about 5 %)"
-            } else {
-                ""
-            };
-            out.push(format!(
-                    "the terminal is a plug ({name}) with {insertion} mm in the tube{assumed} and a nose of {nose} mm radius"
-                ));
-        }
-        if let Some(u) = self.known(workspace).and_then(|c| c.unstable().first()) {
+    fn findings(&self, workspace: &Workspace) -> Vec<String> {
+        let unstable = self.known(workspace).and_then(|c| c.unstable().first());
+        let said = unstable.map(|u| {
             let met = match u.step {
                 0 => "an equilibrium".to_owned(),
                 n => format!("step {n} of the walk from rest"),
             };
-            out.push(format!(
+            format!(
                 "{met} is not stable ({} directions) at contraction {:.4} and {:.4} MPa",
                 u.directions, u.contraction, u.pressure_mpa
-            ));
-        }
-        out
-    }
-
-    fn response(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
-        simulation::response(self, workspace, pressure_mpa, contraction)
-    }
-
-    fn force_n(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<f64, ModelError> {
-        simulation::force_n(self, workspace, pressure_mpa, contraction)
-    }
-
-    fn is_costly(&self) -> bool {
-        true
-    }
-
-    fn pressure_under_load(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        simulation::pressure(self, workspace, force_n, contraction)
-    }
-
-    fn contraction_under_load(
-        &self,
-        workspace: &mut Workspace,
-        force_n: f64,
-        pressure_mpa: f64,
-    ) -> Option<f64> {
-        simulation::contraction(self, workspace, force_n, pressure_mpa)
+            )
+        });
+        said.into_iter().collect()
     }
 }

@@ -3,11 +3,11 @@
 //! Loaded and held: a bonded muscle under pressure at a given length; the order of meshes: a slice of tube under pressure, its length given.
 
 use super::{Row, at, body, radius};
-use crate::Simulation;
 use crate::axisymmetric::Axisymmetric;
 use crate::axisymmetric::Body;
 use crate::axisymmetric::Mesh;
 use crate::axisymmetric::{Discretisation, Ends, Problem};
+use crate::simulation::{Given, Simulation};
 use crate::solver::body::Control;
 use crate::solver::newton::{self, NewtonOptions};
 use mckibben::model::{ForceModel, Workspace};
@@ -152,7 +152,7 @@ fn sensitivities() -> Vec<Row> {
         ("braid.angle", 0.02, |_, b, h| b.angle_deg += h),
     ];
     let all = muscle(&|_, _| ())
-        .and_then(|m| Axisymmetric::new(&m).ok()?.solve(&mut Workspace::new(), p, e).ok())
+        .and_then(|m| Axisymmetric::new(&m).ok()?.solve(&mut Workspace::new(), Given::at(p, e)).ok())
         .map(|s| s.sensitivities);
     let pull = |change: Change, h: f64| {
         let m = muscle(&|t, b| change(t, b, h))?;

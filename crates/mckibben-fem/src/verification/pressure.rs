@@ -3,9 +3,9 @@
 //! Loaded and held: a line of the cavity's wall alone; and a bonded muscle along a path of pressures and lengths.
 
 use super::Row;
-use crate::Simulation;
 use crate::axisymmetric::Axisymmetric;
 use crate::load::cavity::volume;
+use crate::simulation::{Given, Simulation};
 use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
 
@@ -50,7 +50,7 @@ fn energy() -> Row {
         let (mut work, mut stored) = (0.0, [0.0; 2]);
         for i in 0..=STEPS {
             let t = i as f64 / STEPS as f64;
-            let s = model.solve(&mut Workspace::new(), p(t), e(t)).ok()?;
+            let s = model.solve(&mut Workspace::new(), Given::at(p(t), e(t))).ok()?;
             let (force, volume) = (s.response.force_n, s.response.volume_mm3?);
             let weight = match i {
                 0 | STEPS => 1.0,

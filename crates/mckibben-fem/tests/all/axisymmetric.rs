@@ -6,10 +6,16 @@ use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::file::parse_muscle;
 use mckibben::muscle::{Braid, BraidStiffness, Bulk, Muscle};
 use mckibben::progress::{Progress, Silent};
+use mckibben_fem::FemError;
 use mckibben_fem::axisymmetric::study::mesh_study;
 use mckibben_fem::axisymmetric::sweep::sweep;
 use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
-use mckibben_fem::{FemError, Simulation};
+use mckibben_fem::simulation::{Detail, Discretised, Given, Simulation, free_contraction};
+use mckibben_fem::solver::curve::Test;
+
+fn pull(force_n: f64, pressure_mpa: f64) -> Given {
+    Given::PressureAndPull { pressure_mpa, force_n }
+}
 
 fn pressures() -> Vec<f64> {
     (0..=25).map(|i| 0.01 * f64::from(i)).collect()
@@ -36,7 +42,7 @@ fn gold_of_the_prototype() {
     ];
     for (e, force, factorisations) in gold {
         let (model, w) = (prototype(), &mut Workspace::new());
-        let curve = model.isometric(w, e, &pressures(), &Silent);
+        let curve = model.run(w, Test::Isometric(e), &pressures(), Detail::Point, &Silent);
         let last = curve[25].as_ref().unwrap();
         assert!((last.force_n - force).abs() < 1e-3, "ε {e}: {}", last.force_n);
         assert!(curve.iter().all(Result::is_ok));
@@ -44,8 +50,8 @@ fn gold_of_the_prototype() {
         let pulling = |p: &f64| curve.iter().flatten().any(|q| q.pressure_mpa == *p && q.force_n >= 0.0);
         let pulling: Vec<f64> = pressures().into_iter().filter(pulling).collect();
         let w = &mut Workspace::new();
-        assert!(model.isometric(w, e, &pulling, &Silent).iter().all(Result::is_ok));
-        let effort = model.effort(w);
+        assert!(model.run(w, Test::Isometric(e), &pulling, Detail::Point, &Silent).iter().all(Result::is_ok));
+        let effort = model.known(w).unwrap().effort;
         assert!(effort.factorisations <= factorisations, "ε {e}: {effort:?}");
         assert!(effort.residual <= 1e-10);
     }
@@ -85,17 +91,26 @@ fn answers_do_not_depend_on_the_questions_before() {
 #[test]
 fn curves_agree_with_single_answers() {
     let (model, w) = (prototype(), &mut Workspace::new());
-    for (e, curve) in [0.0, 0.1].map(|e| (e, model.isometric(w, e, &pressures(), &Silent))) {
+    for (e, curve) in
+        [0.0, 0.1].map(|e| (e, model.run(w, Test::Isometric(e), &pressures(), Detail::Point, &Silent)))
+    {
         for point in curve.iter().flatten() {
             let single = cold(point.pressure_mpa, e);
             assert!((point.force_n - single).abs() < 1e-6, "{point:?} {single}");
         }
     }
     let contractions = [0.0, 0.05, 0.1, 0.15, 0.2];
-    for (point, e) in model.isobaric(w, 0.2, &contractions, &Silent).iter().flatten().zip(contractions) {
+    for (point, e) in model
+        .run(w, Test::Isobaric(0.2), &contractions, Detail::Point, &Silent)
+        .iter()
+        .flatten()
+        .zip(contractions)
+    {
         assert!((point.force_n - cold(0.2, e)).abs() < 1e-6);
     }
-    for point in model.isotonic(w, 80.0, &[0.05, 0.1, 0.25], &Silent).iter().flatten() {
+    for point in
+        model.run(w, Test::Isotonic(80.0), &[0.05, 0.1, 0.25], Detail::Point, &Silent).iter().flatten()
+    {
         let single = cold(point.pressure_mpa, point.contraction);
         assert!((single - 80.0).abs() < 1e-5, "{point:?} {single}");
     }
@@ -104,18 +119,20 @@ fn curves_agree_with_single_answers() {
 #[test]
 fn inverses_are_inverses() {
     let (model, w) = (prototype(), &mut Workspace::new());
-    let free = model.free_contraction(w, 0.25).unwrap();
+    let free = free_contraction(&model, w, 0.25).unwrap();
     assert!(model.force_n(w, 0.25, free).unwrap().abs() < 1e-5);
-    let start = model.starting_pressure_mpa(w, 0.1).unwrap();
+    let start =
+        model.reach(w, Given::ContractionAndPull { contraction: 0.1, force_n: 0.0 }).unwrap().pressure_mpa;
     assert!(model.force_n(w, start, 0.1).unwrap().abs() < 1e-5);
     assert!(model.force_n(w, 0.9 * start, 0.1).unwrap() < 0.0);
-    let pressure = model.pressure_at_force_mpa(w, 200.0, 0.1).unwrap();
+    let pressure =
+        model.reach(w, Given::ContractionAndPull { contraction: 0.1, force_n: 200.0 }).unwrap().pressure_mpa;
     assert!((model.force_n(w, pressure, 0.1).unwrap() - 200.0).abs() < 1e-5);
-    let contraction = model.contraction_at_force(w, 200.0, 0.2).unwrap();
+    let contraction = model.reach(w, pull(200.0, 0.2)).unwrap().contraction;
     assert!((model.force_n(w, 0.2, contraction).unwrap() - 200.0).abs() < 1e-5);
     assert!((model.force_n(w, 0.25, 0.0).unwrap() - 921.724).abs() < 1e-3);
     // Stretched by a load above the blocked force.
-    let stretched = model.contraction_at_force(w, 1500.0, 0.25).unwrap();
+    let stretched = model.reach(w, pull(1500.0, 0.25)).unwrap().contraction;
     assert!(stretched < 0.0 && (model.force_n(w, 0.25, stretched).unwrap() - 1500.0).abs() < 1e-4);
 }
 
@@ -123,7 +140,7 @@ fn inverses_are_inverses() {
 fn a_pull_that_nothing_can_carry_is_refused_with_the_largest_one() {
     let (model, w) = (prototype(), &mut Workspace::new());
     for force in [1e9, -1e9] {
-        let error = model.contraction_at_force(w, force, 0.25).unwrap_err();
+        let error = model.reach(w, pull(force, 0.25)).unwrap_err();
         let FemError::OutOfReach { nearest_force_n, contraction, .. } = error else { panic!("{error:?}") };
         assert!((nearest_force_n - 921.0) * force > 0.0 && contraction * force < 0.0, "{error}");
         assert!(error.to_string().contains("0.25 MPa"), "{error}");
@@ -146,7 +163,13 @@ impl Progress for Impatient {
 #[test]
 fn a_curve_and_a_sweep_can_be_cancelled() {
     let impatient = || Impatient(std::sync::atomic::AtomicUsize::new(0));
-    let curve = prototype().isometric(&mut Workspace::new(), 0.1, &pressures(), &impatient());
+    let curve = prototype().run(
+        &mut Workspace::new(),
+        Test::Isometric(0.1),
+        &pressures(),
+        Detail::Point,
+        &impatient(),
+    );
     assert_eq!(curve.iter().filter(|p| p.is_ok()).count(), 4);
     assert!(curve[0] == Err(FemError::Exceeded(Exceeded::Cancelled)) && curve[25].is_ok());
     assert_eq!(sweep(5, 1, &impatient()).unwrap_err(), FemError::Exceeded(Exceeded::Cancelled));
@@ -158,7 +181,7 @@ fn a_solution_is_whole() {
     braid.stiffness = BraidStiffness::NewtonPerMm(321.0);
     braid.strands = Some(mckibben::muscle::Strands { count: 48, section: None, strength_n: None });
     let muscle = Muscle::prototype().with_braid(braid).unwrap();
-    let s = Axisymmetric::new(&muscle).unwrap().solve(&mut Workspace::new(), 0.2, 0.1).unwrap();
+    let s = Axisymmetric::new(&muscle).unwrap().solve(&mut Workspace::new(), Given::at(0.2, 0.1)).unwrap();
     assert_eq!(s.unstable_directions, 0);
     let (first, last) = (s.profile[0], s.profile[s.profile.len() - 1]);
     assert!((2.0 * first.outer_mm.1 - s.response.bulged_diameter_mm.unwrap()).abs() < 0.05);
@@ -207,13 +230,13 @@ fn a_finite_bulk_modulus_tends_to_incompressible_rubber() {
 fn questions_without_an_answer_end_in_typed_errors() {
     let (model, w) = (prototype(), &mut Workspace::new());
     for (p, e) in [(f64::NAN, 0.0), (f64::INFINITY, 0.0), (0.1, f64::NAN), (0.1, 1.0), (0.1, -1.0)] {
-        assert!(matches!(model.solve(w, p, e), Err(FemError::Question { .. })));
+        assert!(matches!(model.solve(w, Given::at(p, e)), Err(FemError::Question { .. })));
         assert!(matches!(model.response(w, p, e), Err(ModelError::Geometry { .. })));
     }
     // Soft strands under a pressure that they cannot hold.
     let soft = Braid { stiffness: BraidStiffness::NewtonPerMm(1.0), ..Braid::paper() };
     let soft = Axisymmetric::new(&Muscle::prototype().with_braid(soft).unwrap()).unwrap();
-    match soft.solve(&mut Workspace::new(), 2.0, 0.0) {
+    match soft.solve(&mut Workspace::new(), Given::at(2.0, 0.0)) {
         Err(FemError::Path { last, iterations, .. }) => {
             assert!(last.pressure_mpa < 2.0 && last.smallest_j > 0.0 && iterations > 0);
         }
@@ -249,7 +272,7 @@ fn narrow() -> Muscle {
 fn slopes_at_a_hanging_mass_are_those_of_an_independent_derivation() {
     let muscle = narrow();
     let (model, w) = (Axisymmetric::new(&muscle).unwrap(), &mut Workspace::new());
-    let found = model.at_force(w, 10.0 * 9.80665, 0.3).unwrap().response;
+    let found = model.solve(w, pull(10.0 * 9.80665, 0.3)).unwrap().response;
     assert!((found.contraction - 0.265_946_0).abs() < 1e-7, "{found:?}");
     for (ours, theirs, digits) in [
         (found.volume_mm3, 144_362.0, 1e-5),

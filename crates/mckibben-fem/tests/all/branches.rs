@@ -5,8 +5,10 @@ use mckibben::muscle::Muscle;
 use mckibben::muscle::file::read_muscle;
 use mckibben::progress::Silent;
 use mckibben::status::Status;
+use mckibben_fem::FemError;
 use mckibben_fem::axisymmetric::{Axisymmetric, sweep};
-use mckibben_fem::{FemError, Simulation};
+use mckibben_fem::simulation::{Detail, Simulation};
+use mckibben_fem::solver::curve::Test;
 use std::f64::consts::PI;
 
 /// Random muscles of the grid study.
@@ -28,7 +30,7 @@ fn ended(point: Result<f64, FemError>) -> Ended {
 }
 
 fn isometric(model: &Axisymmetric, workspace: &mut Workspace, e: f64, pressures: &[f64]) -> Vec<Ended> {
-    let curve = model.isometric(workspace, e, pressures, &Silent);
+    let curve = model.run(workspace, Test::Isometric(e), pressures, Detail::Point, &Silent);
     curve.into_iter().map(|point| ended(point.map(|p| p.force_n))).collect()
 }
 
@@ -62,7 +64,7 @@ fn differences(muscle: &Muscle) -> Vec<String> {
         }
     }
     let p = PRESSURES[1];
-    let isobaric = model.isobaric(&mut Workspace::new(), p, &contractions, &Silent);
+    let isobaric = model.run(&mut Workspace::new(), Test::Isobaric(p), &contractions, Detail::Point, &Silent);
     for (k, point) in isobaric.into_iter().enumerate() {
         let (scale, what) =
             (p * PI * muscle.tube().outer_radius_mm().powi(2), format!("isobaric, ε {:.4}", contractions[k]));

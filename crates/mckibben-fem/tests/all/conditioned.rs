@@ -7,7 +7,7 @@ use mckibben::rubber::over_time::{Held, OgdenRoxburgh, Prony, Softened};
 use mckibben::rubber::{Law, NeoHookean, Ogden, RubberLaw, Yeoh};
 use mckibben_fem::FemError;
 use mckibben_fem::axisymmetric::{Axisymmetric, Body, Discretisation, Ends, Memory, Mesh, Problem};
-use mckibben_fem::simulation::Simulation;
+use mckibben_fem::simulation::free_contraction;
 use mckibben_fem::solver::continuation::Continuation;
 use std::sync::Arc;
 
@@ -118,7 +118,7 @@ fn a_bar_bears_eta_times_the_stress_of_the_first_loading() {
 #[test]
 fn free_contraction_at_the_pressure_of_the_cycles_comes_back() {
     let (first, cycled) = (fe(None), fe(Some(0.25)));
-    let free = |m: &Axisymmetric, p: f64| m.free_contraction(&mut Workspace::new(), p).unwrap();
+    let free = |m: &Axisymmetric, p: f64| free_contraction(m, &mut Workspace::new(), p).unwrap();
     let further = |p: f64| free(&cycled, p) - free(&first, p);
     assert!(further(0.25).abs() < 1e-12 && further(0.4).abs() < 1e-12);
     assert!(further(0.15) > 0.01, "{}", further(0.15));
@@ -156,13 +156,13 @@ fn rubber_conditioned_far_beyond_the_muscle_is_a_softer_law() {
 fn models_say_what_they_leave_out() {
     let m = muscle(yeoh(), Some(0.25));
     for kind in [ModelKind::ThickWall, ModelKind::Universal, ModelKind::Ideal] {
-        let notes = kind.build(&m).unwrap().notes(&Workspace::new());
+        let notes = kind.build(&m).unwrap().info().notes.clone();
         assert!(notes.iter().any(|n| n.contains("tube.material.conditioned not used")), "{notes:?}");
     }
-    assert!(Axisymmetric::new(&m).unwrap().notes(&Workspace::new()).is_empty());
+    assert!(Axisymmetric::new(&m).unwrap().info().notes.is_empty());
     let refused = mckibben_fem::three_dimensional::MuscleMesh::new(&m, &Default::default());
     assert!(matches!(refused, Err(FemError::NotInBricks { key: "tube.material.conditioned" })));
-    assert!(ThickWall::new(&muscle(yeoh(), None)).notes(&Workspace::new()).is_empty());
+    assert!(ThickWall::new(&muscle(yeoh(), None)).info().notes.is_empty());
 }
 
 #[test]
@@ -187,7 +187,7 @@ fn a_held_muscle_is_one_of_softer_rubber() {
     assert_eq!(at(&at_once, 0.2, 0.1), at(&Axisymmetric::new(&m).unwrap(), 0.2, 0.1));
     let long = Axisymmetric::new(&tube(relaxing.held(Held::Long))).unwrap();
     assert!(at(&long, 0.2, 0.1).force_n > at(&at_once, 0.2, 0.1).force_n);
-    let free = |m: &Axisymmetric| m.free_contraction(&mut Workspace::new(), 0.2).unwrap();
+    let free = |m: &Axisymmetric| free_contraction(m, &mut Workspace::new(), 0.2).unwrap();
     assert!(free(&long) > free(&at_once) + 0.005);
 }
 
@@ -199,7 +199,7 @@ fn the_page_prints_what_the_examples_give() {
     let mut missing = vec![];
     for name in ["first-inflation", "tenth-inflation", "held"] {
         let model = Axisymmetric::new(&read_muscle(format!("{root}/examples/{name}.toml")).unwrap()).unwrap();
-        let free = 100.0 * model.free_contraction(&mut Workspace::new(), 0.15).unwrap();
+        let free = 100.0 * free_contraction(&model, &mut Workspace::new(), 0.15).unwrap();
         let points = [(0.25, 0.0), (0.25, 0.1), (0.25, 0.2), (0.15, 0.1)];
         let pulls = points.map(|(p, e)| format!("{:.0}", at(&model, p, e).force_n)).join(" | ");
         let row = format!("| `{name}.toml` | {pulls} | {free:.1} |");

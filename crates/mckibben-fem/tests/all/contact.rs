@@ -1,6 +1,6 @@
 //! Contact of the strands with the tube, and the friction of their crossings.
 
-use mckibben::model::{ForceModel, ThickWall, Workspace};
+use mckibben::model::{ForceModel, ThickWall, Workspace, pivoting_n_per_mm};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Law, NeoHookean};
 use mckibben_fem::axisymmetric::Axisymmetric;
@@ -32,8 +32,8 @@ fn of_long_muscles_g_tends_to_the_closed_form_like_1_over_l0() {
         let off = |length_mm: f64| {
             let m = muscle(length_mm, 0.5, stiffness);
             let w = &mut Workspace::new();
-            let exact = ThickWall::new(&m).pivoting_n_per_mm(w, 0.3, 0.15).unwrap();
-            let found = Axisymmetric::new(&m).unwrap().pivoting_n_per_mm(w, 0.3, 0.15).unwrap();
+            let exact = pivoting_n_per_mm(&ThickWall::new(&m), w, 0.3, 0.15).unwrap();
+            let found = pivoting_n_per_mm(&Axisymmetric::new(&m).unwrap(), w, 0.3, 0.15).unwrap();
             found / exact - 1.0
         };
         let (short, long) = (off(600.0), off(1200.0));

@@ -1,6 +1,6 @@
 //! Identification with finite elements: their own derivatives, and known constants that come back.
 
-use mckibben::model::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
+use mckibben::model::{Accuracy, ForceModel, ModelError, ModelInfo, Response, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Law, MooneyRivlin};
 use mckibben_fem::axisymmetric::Axisymmetric;
@@ -9,26 +9,17 @@ use mckibben_fit::identify::{DataPoint, Identification, Parameter, Quantity, Req
 use mckibben_fit::least_squares::Loss;
 
 /// The elements without their derivatives, so that differences are taken.
-struct Bare(Axisymmetric);
+struct Bare {
+    fe: Axisymmetric,
+    info: ModelInfo,
+}
 
 impl ForceModel for Bare {
-    fn name(&self) -> &str {
-        "bare"
-    }
-    fn muscle(&self) -> &Muscle {
-        self.0.muscle()
-    }
-    fn source(&self) -> &str {
-        ""
-    }
-    fn range(&self) -> ModelRange {
-        self.0.range()
-    }
-    fn accuracy(&self) -> Accuracy {
-        Accuracy::UNKNOWN
+    fn info(&self) -> &ModelInfo {
+        &self.info
     }
     fn response(&self, w: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
-        self.0.response(w, p, e)
+        self.fe.response(w, p, e)
     }
 }
 
@@ -37,7 +28,10 @@ fn fe(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
 }
 
 fn bare(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-    Ok(Box::new(Bare(Axisymmetric::new(m).map_err(ModelError::from)?)))
+    let fe = Axisymmetric::new(m)?;
+    let known = fe.info().clone();
+    let info = ModelInfo { name: "bare".into(), accuracy: Accuracy::UNKNOWN, costly: false, ..known };
+    Ok(Box::new(Bare { fe, info }))
 }
 
 fn muscle(d: f64, k: f64) -> Muscle {
@@ -93,7 +87,13 @@ fn derivatives_of_the_elements_are_those_of_differences() {
         "braid.angle",
     ];
     let names = names.map(str::to_owned);
-    let by = model.force_by(&mut Workspace::new(), 0.2, 0.1, &names).unwrap().unwrap();
+    let by = model
+        .extensions()
+        .slopes
+        .unwrap()
+        .force_by(&mut Workspace::new(), 0.2, 0.1, &names)
+        .unwrap()
+        .unwrap();
     let changed = |i: usize, h: f64| {
         let (mut tube, mut braid) = (m.tube().clone(), m.braid().clone());
         match i {
@@ -111,7 +111,14 @@ fn derivatives_of_the_elements_are_those_of_differences() {
         let difference = (changed(i, h) - changed(i, -h)) / (2.0 * h);
         assert!((by[i] / difference - 1.0).abs() < 2e-4, "{}: {} {difference}", names[i], by[i]);
     }
-    assert!(model.force_by(&mut Workspace::new(), 0.2, 0.1, &["friction.coefficient".into()]).is_none());
+    assert!(
+        model
+            .extensions()
+            .slopes
+            .unwrap()
+            .force_by(&mut Workspace::new(), 0.2, 0.1, &["friction.coefficient".into()])
+            .is_none()
+    );
 }
 
 #[test]

@@ -64,7 +64,8 @@ fn sensitivities_are_those_of_differences() {
         "braid.stiffness".into(),
         "braid.crimp".into(),
     ];
-    let known = fe(all).force_by(&mut Workspace::new(), p, e, &names).unwrap().unwrap();
+    let known =
+        fe(all).extensions().slopes.unwrap().force_by(&mut Workspace::new(), p, e, &names).unwrap().unwrap();
     let pull = |change: &dyn Fn(&mut Braid)| {
         let changed = |b: &mut Braid| {
             all(b);
@@ -136,7 +137,7 @@ fn the_universal_formula_errs_little_more_than_without() {
     let largest = |change: &dyn Fn(&mut Braid)| {
         let m = muscle(change);
         let (fe, formula) = (Axisymmetric::new(&m).unwrap(), ModelKind::Universal.build(&m).unwrap());
-        assert!(formula.notes(&Workspace::new()).is_empty());
+        assert!(formula.info().notes.is_empty());
         let w = &mut Workspace::new();
         let mut largest = 0.0_f64;
         for p in [0.1, 0.3, 0.6] {
@@ -167,11 +168,11 @@ fn the_universal_formula_errs_little_more_than_without() {
 fn models_say_what_they_leave_out() {
     let m = muscle(all);
     for kind in [ModelKind::Ideal, ModelKind::ChouHannaford, ModelKind::ForceBalance] {
-        let notes = kind.build(&m).unwrap().notes(&Workspace::new());
+        let notes = kind.build(&m).unwrap().info().notes.clone();
         assert!(notes[0].contains("braid.thickness, braid.diameter, braid.crimp not used"), "{notes:?}");
     }
-    assert!(ThickWall::new(&m).notes(&Workspace::new()).is_empty());
-    assert!(Axisymmetric::new(&m).unwrap().notes(&Workspace::new()).is_empty());
+    assert!(ThickWall::new(&m).info().notes.is_empty());
+    assert!(Axisymmetric::new(&m).unwrap().info().notes.is_empty());
 }
 
 /// Points that fe makes of a known muscle, rounded to 0.1 N: its thickness and its crimp come back.

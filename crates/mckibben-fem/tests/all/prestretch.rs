@@ -77,7 +77,8 @@ fn slopes_are_those_of_differences_and_maxwell_holds() {
     assert!((stiffness / here.stiffness_n_per_mm.unwrap() - 1.0).abs() < 1e-5);
     assert!((by_pressure / -volume_by_l - 1.0).abs() < 1e-6);
     let names = ["tube.prestretch".to_owned(), "tube.length".to_owned()];
-    let slope = model.force_by(&mut Workspace::new(), p, e, &names).unwrap().unwrap()[0];
+    let slope =
+        model.extensions().slopes.unwrap().force_by(&mut Workspace::new(), p, e, &names).unwrap().unwrap()[0];
     let beside = |v: f64| {
         let model = Axisymmetric::new(&m.with(&PRESTRETCH, v).unwrap()).unwrap();
         model.force_n(&mut Workspace::new(), p, e).unwrap()

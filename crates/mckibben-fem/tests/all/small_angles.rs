@@ -8,8 +8,9 @@ use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::progress::Silent;
 use mckibben::random::Random;
 use mckibben::rubber::{Law, NeoHookean};
-use mckibben_fem::Simulation;
 use mckibben_fem::axisymmetric::Axisymmetric;
+use mckibben_fem::simulation::{Detail, Discretised, Simulation};
+use mckibben_fem::solver::curve::Test;
 use std::f64::consts::PI;
 
 /// Largest strain of strands; beyond it they break.
@@ -61,9 +62,12 @@ fn single_questions_at_small_angles_are_answered_as_along_a_curve() {
         let workspace = &mut Workspace::new();
         let alone = model.force_n(workspace, p, e);
         let steps: Vec<f64> = (0..=20).map(|i| e * f64::from(i) / 20.0).collect();
-        let curve = model.isobaric(&mut Workspace::new(), p, &steps, &Silent).pop().unwrap();
+        let curve = model
+            .run(&mut Workspace::new(), Test::Isobaric(p), &steps, Detail::Point, &Silent)
+            .pop()
+            .unwrap();
         let scale = p * PI * muscle.tube().outer_radius_mm().powi(2);
-        let cost = model.effort(workspace).factorisations;
+        let cost = model.known(workspace).unwrap().effort.factorisations;
         match (alone, curve) {
             (Ok(a), Ok(b)) if (a - b.force_n).abs() < 1e-6 * scale && cost <= COST => {}
             (alone, curve) => {

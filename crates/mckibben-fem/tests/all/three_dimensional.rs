@@ -3,8 +3,10 @@
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;
+use mckibben_fem::FemError;
+use mckibben_fem::simulation::{Detail, Discretised, Given, Simulation};
+use mckibben_fem::solver::curve::Test;
 use mckibben_fem::three_dimensional::{BrickSpec, ThreeDimensional};
-use mckibben_fem::{FemError, Simulation};
 
 fn coarse() -> ThreeDimensional {
     ThreeDimensional::with_mesh(&Muscle::prototype(), &BrickSpec::parse("1x4").unwrap()).unwrap()
@@ -14,14 +16,14 @@ fn coarse() -> ThreeDimensional {
 fn curves_agree_with_single_answers_and_cost_less() {
     let (model, w) = (coarse(), &mut Workspace::new());
     let pressures: Vec<f64> = (5..=25).map(|i| 0.01 * f64::from(i)).collect();
-    let curve = model.isometric(w, 0.1, &pressures, &Silent);
-    let effort = model.effort(w);
+    let curve = model.run(w, Test::Isometric(0.1), &pressures, Detail::Point, &Silent);
+    let effort = model.known(w).unwrap().effort;
     assert!(effort.factorisations < 2 * pressures.len(), "{effort:?}");
     for point in curve.iter().map(|p| p.as_ref().unwrap()).step_by(4) {
         let single = model.force_n(&mut Workspace::new(), point.pressure_mpa, 0.1).unwrap();
         assert!((point.force_n - single).abs() < 1e-6, "{point:?} {single}");
     }
-    for point in model.isotonic(w, 80.0, &[0.1, 0.2], &Silent) {
+    for point in model.run(w, Test::Isotonic(80.0), &[0.1, 0.2], Detail::Point, &Silent) {
         let point = point.unwrap();
         let single = model.force_n(&mut Workspace::new(), point.pressure_mpa, point.contraction).unwrap();
         assert!((single - 80.0).abs() < 1e-5, "{point:?} {single}");
@@ -47,7 +49,9 @@ fn slopes_of_pull_and_volume_are_those_of_differences() {
 
 #[test]
 fn a_pull_that_nothing_can_carry_is_refused_in_words() {
-    let error = coarse().contraction_at_force(&mut Workspace::new(), 1e9, 0.25).unwrap_err();
+    let error = coarse()
+        .reach(&mut Workspace::new(), Given::PressureAndPull { pressure_mpa: 0.25, force_n: 1e9 })
+        .unwrap_err();
     let FemError::OutOfReach { nearest_force_n, .. } = error else { panic!("{error:?}") };
     assert!(nearest_force_n > 921.0);
     assert!(

@@ -32,7 +32,7 @@ fn errors(count: usize, seed: u64) -> Vec<Point> {
         let shares = [r.unit(), r.unit(), r.unit()];
         let (fe, small) =
             (Axisymmetric::new(&muscle).unwrap(), ModelKind::UniversalSmall.build(&muscle).unwrap());
-        let (w, share) = (&mut Workspace::new(), small.accuracy().share_of_blocked.unwrap());
+        let (w, share) = (&mut Workspace::new(), small.info().accuracy.share_of_blocked.unwrap());
         let Some(blocked) = fe.force_n(w, p, 0.0).ok().filter(|f| *f > 0.0) else { continue };
         for share_of_ideal in shares {
             let e = share_of_ideal * muscle.max_ideal_contraction();

@@ -3,9 +3,9 @@
 use base64::Engine as _;
 use mckibben::model::{ForceModel as _, Response, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Strands};
-use mckibben_fem::Simulation as _;
 use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
 use mckibben_fem::output::{Shape, VtuError, VtuFile, VtuSeries};
+use mckibben_fem::simulation::{Given, Simulation as _};
 use std::f64::consts::{PI, TAU};
 use std::io::Read as _;
 
@@ -169,7 +169,7 @@ fn strands_at_rest_have_the_length_of_a_helix() {
 fn strands_under_pressure_are_as_long_as_their_stretch_says() {
     let (muscle, fe, response) = contracted();
     let (_, braid) = written(&fe, &response);
-    let solution = fe.solve(&mut Workspace::new(), 0.2, 0.1).unwrap();
+    let solution = fe.solve(&mut Workspace::new(), Given::at(0.2, 0.1)).unwrap();
     let stretches: Vec<f64> = solution.strands.iter().map(|s| s.stretch).collect();
     let (low, high) =
         (stretches.iter().copied().fold(f64::MAX, f64::min), stretches.iter().copied().fold(0.0, f64::max));

@@ -40,7 +40,7 @@ pub fn compare<M: ForceModel + ?Sized>(
         let checked = if options.extrapolate {
             Ok(())
         } else {
-            model.range().check(model.name(), point.pressure_mpa, point.contraction)
+            model.info().range.check(&model.info().name, point.pressure_mpa, point.contraction)
         };
         match checked.and_then(|()| {
             force_on(model, workspace, point.pressure_mpa, point.contraction, options.direction)
@@ -62,7 +62,7 @@ pub fn compare<M: ForceModel + ?Sized>(
     }
     let n = count.max(1) as f64;
     Ok(Comparison {
-        model: model.name().into(),
+        model: model.info().name.to_string(),
         rms_n: (squares / n).sqrt(),
         max_n,
         mean_n: sum / n,

@@ -79,7 +79,7 @@ pub(super) fn bench<B: Build>(
         .collect();
     let largest = grid.iter().flatten().flatten().copied().reduce(f64::max)?;
     Some(Bench {
-        model: build(muscle).ok()?.name().to_owned(),
+        model: build(muscle).ok()?.info().name.to_string(),
         points: own.len(),
         branches,
         pressure_mpa,

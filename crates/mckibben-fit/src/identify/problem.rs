@@ -7,13 +7,13 @@
 //!   pressure     r = g (P(F, ε; θ) − P),       ∂r/∂θ = −g ∂F/∂θ / (∂F/∂P)
 //!
 //! g: N per unit of what was read, the mean slope at the start, so that all residuals are in N. ∂F/∂θ is the model's own
-//! ([`ForceModel::force_by`]) where it has one.
+//! ([`Slopes`](mckibben::model::Slopes)) where it has one.
 
 use super::candidate::Candidate;
 use super::parameter::Target;
 use crate::least_squares::Residuals;
 use crate::measured::{DataPoint, Quantity, Section};
-use mckibben::analysis::{force_on, response_on};
+use mckibben::analysis::{force_on, response_on, slope_by_pressure, stiffness_of};
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, OUTER_DIAMETER};
 use mckibben::muscle::{BraidStiffness, Direction, Friction, Muscle};
@@ -64,18 +64,8 @@ fn local(
     branch: Direction,
 ) -> Result<Local, ModelError> {
     let r = response_on(m, w, p, e, branch)?;
-    let mut difference = |up: (f64, f64), down: (f64, f64), width: f64| -> Result<f64, ModelError> {
-        Ok((force_on(m, w, up.0, up.1, branch)? - force_on(m, w, down.0, down.1, branch)?) / width)
-    };
-    const H: f64 = 1e-5;
-    let by_contraction = match r.stiffness_n_per_mm {
-        Some(k) => -k * m.muscle().length_mm(),
-        None => difference((p, e + H), (p, e - H), 2.0 * H)?,
-    };
-    let by_pressure = match r.force_per_pressure_mm2 {
-        Some(slope) => slope,
-        None => difference((p + H, e), ((p - H).max(0.0), e), H + H.min(p))?,
-    };
+    let by_contraction = -stiffness_of(m, w, &r, branch)? * m.muscle().length_mm();
+    let by_pressure = slope_by_pressure(m, w, &r, branch)?;
     Ok(Local { force: r.force_n, by_contraction, by_pressure })
 }
 
@@ -237,9 +227,8 @@ impl<'a, B: Build> Problem<'a, B> {
             let point = self.points.first()?;
             let model = (self.build)(&candidate.of_section(&point.section).ok()?).ok()?;
             let e = point.at.contraction + candidate.contraction_offset;
-            model
-                .force_by(&mut Workspace::within(self.progress.budget()), point.at.pressure_mpa, e, &names)?
-                .ok()
+            let w = &mut Workspace::within(self.progress.budget());
+            model.extensions().slopes?.force_by(w, point.at.pressure_mpa, e, &names)?.ok()
         };
         probe().is_some()
     }
@@ -287,8 +276,10 @@ impl<'a, B: Build> Problem<'a, B> {
         names: &[String],
         (p, e, here): (f64, f64, &Local),
     ) -> Result<Vec<f64>, ModelError> {
-        let not_known = || ModelError::NotFinite { model: m.name().into(), pressure_mpa: p, contraction: e };
-        let by = m.force_by(w, p, e, names).ok_or_else(not_known)??;
+        let not_known =
+            || ModelError::NotFinite { model: m.info().name.to_string(), pressure_mpa: p, contraction: e };
+        let own = m.extensions().slopes.and_then(|own| own.force_by(w, p, e, names));
+        let by = own.ok_or_else(not_known)??;
         let of =
             |name: &str| names.iter().position(|n| n == name).and_then(|i| by.get(i)).copied().unwrap_or(0.0);
         let muscle = m.muscle();

@@ -113,7 +113,7 @@ fn row(
 /// Finite elements with ends, for tests.
 #[cfg(test)]
 pub(crate) fn elements(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-    Ok(mckibben_fem::simulation::Elements::Axisymmetric(Default::default()).build(muscle)?)
+    Ok(mckibben_fem::elements::Elements::Axisymmetric(Default::default()).build(muscle)?)
 }
 
 #[cfg(test)]

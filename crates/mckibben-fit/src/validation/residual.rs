@@ -5,7 +5,7 @@ use crate::identify::{Build, Identified, IdentifyError, Request, identify_with};
 use crate::least_squares::Loss;
 use crate::measured::{DataPoint, Section};
 use mckibben::analysis::force_on;
-use mckibben::model::{BlockedAt, ForceModel, Reference, Workspace};
+use mckibben::model::{BlockedAt, ForceModel, Reference, Workspace, blocked_scale_n};
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
 use mckibben::uncertainty::{friction_n, measured_n};
@@ -44,10 +44,10 @@ impl Residual {
 
 /// The ± of a model at a point, for its blocked force there.
 fn half_width_n(model: &dyn ForceModel, w: &mut Workspace, point: &DataPoint, blocked_n: f64) -> Option<f64> {
-    let (accuracy, muscle) = (model.accuracy(), model.muscle());
+    let (accuracy, muscle) = (model.info().accuracy, model.muscle());
     let scale_n = match accuracy.blocked_at {
         BlockedAt::SamePressure => blocked_n,
-        BlockedAt::Pressure(p) => model.blocked_scale_n(w, p).ok()?,
+        BlockedAt::Pressure(p) => blocked_scale_n(model, w, p).ok()?,
     };
     let own_n = accuracy.share_of_blocked? * scale_n;
     if matches!(accuracy.reference, Reference::ForceMap { .. }) {

@@ -5,7 +5,7 @@ use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::uncertainty::uncertainty;
 use mckibben_fem::axisymmetric::MeshSpec;
-use mckibben_fem::simulation::Elements;
+use mckibben_fem::elements::Elements;
 use mckibben_fit::identify::{Request, identify};
 use mckibben_fit::least_squares::Loss;
 use mckibben_fit::validation::case::{built_in, muscles};

@@ -11,7 +11,7 @@ use crate::drive::{Actuated, Actuator, Drive, Target};
 use crate::mechanism::SingleMuscle;
 use crate::motion::Motion;
 use crate::valve::{Orifice, Valve};
-use mckibben::model::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
+use mckibben::model::{ForceModel, ModelEntry, ModelError, ModelInfo, Response, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::verification::Row;
 
@@ -26,37 +26,22 @@ const CRITICAL: f64 = 0.3;
 /// A vessel of a fixed volume, which does not pull.
 #[derive(Debug, Clone)]
 pub struct Vessel {
-    /// Something that has a length.
-    pub muscle: Muscle,
+    info: ModelInfo,
     /// Volume in mm³.
     pub volume_mm3: Option<f64>,
 }
 
 impl Default for Vessel {
     fn default() -> Self {
-        Self { muscle: Muscle::prototype(), volume_mm3: Some(0.2e6) }
+        let entry = ModelEntry { name: "vessel", description: "a rigid vessel", source: "a rigid vessel" };
+        // Something that has a length.
+        Self { info: ModelInfo::new(&entry, &Muscle::prototype()), volume_mm3: Some(0.2e6) }
     }
 }
 
 impl ForceModel for Vessel {
-    fn name(&self) -> &str {
-        "vessel"
-    }
-
-    fn muscle(&self) -> &Muscle {
-        &self.muscle
-    }
-
-    fn source(&self) -> &str {
-        "a rigid vessel"
-    }
-
-    fn range(&self) -> ModelRange {
-        ModelRange::open()
-    }
-
-    fn accuracy(&self) -> Accuracy {
-        Accuracy::UNKNOWN
+    fn info(&self) -> &ModelInfo {
+        &self.info
     }
 
     fn response(&self, _: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {

@@ -38,7 +38,8 @@ fn what_cannot_be_is_said_with_its_values() {
     let MotionError::NeverLifted { net, pressure_mpa, .. } = error else { panic!("{error}") };
     assert!(net < -100.0 && (pressure_mpa - 0.1).abs() < 1e-3);
 
-    let none = Vessel { volume_mm3: None, ..Vessel::default() };
+    let mut none = Vessel::default();
+    none.volume_mm3 = None;
     let drive = Drive { muscles: vec![Actuated::new(&none, valve())], ..drive };
     assert!(matches!(refused(&drive), MotionError::NoVolume { .. }), "{}", refused(&drive));
 }

@@ -34,7 +34,7 @@ pub fn air_per_stroke<M: ForceModel + ?Sized>(
     pressure_mpa: f64,
     contraction: f64,
 ) -> Result<Air, AnalysisError> {
-    let unknown = || AnalysisError::Unknown { model: model.name().into(), quantity: "the volume" };
+    let unknown = || AnalysisError::Unknown { model: model.info().name.to_string(), quantity: "the volume" };
     let volume_mm3 = model.response(workspace, pressure_mpa, contraction)?.volume_mm3.ok_or_else(unknown)?;
     let rest = model.response(workspace, 0.0, 0.0)?.volume_mm3.ok_or_else(unknown)?;
     let free_mm3 = ((pressure_mpa + ATMOSPHERE_MPA) * volume_mm3 - ATMOSPHERE_MPA * rest) / ATMOSPHERE_MPA;

@@ -1,6 +1,6 @@
 //! How a model is asked, and what it says on a branch of the hysteresis loop.
 
-use crate::model::{ForceModel, ModelError, Response, Workspace};
+use crate::model::{ForceModel, ModelError, Response, Workspace, pivoting_n_per_mm};
 use crate::muscle::{Direction, Friction};
 use serde::{Deserialize, Serialize};
 
@@ -40,7 +40,7 @@ fn friction_n<M: ForceModel + ?Sized>(
     if friction.lever_mm == 0.0 || pressure_mpa.is_nan() || pressure_mpa <= 0.0 {
         return Ok(rule);
     }
-    let pivoting = model.pivoting_n_per_mm(workspace, pressure_mpa, contraction)?;
+    let pivoting = pivoting_n_per_mm(model, workspace, pressure_mpa, contraction)?;
     Ok(rule + direction.sign() * friction.lever_mm * pivoting)
 }
 
@@ -80,7 +80,7 @@ pub fn response_on<M: ForceModel + ?Sized>(
         let mut slope = friction.slope_mm2(pressure_mpa, direction);
         if friction.lever_mm > 0.0 && pressure_mpa > 0.0 {
             let lever = direction.sign() * friction.lever_mm;
-            let mut of = |p: f64, e: f64| model.pivoting_n_per_mm(workspace, p, e);
+            let mut of = |p: f64, e: f64| pivoting_n_per_mm(model, workspace, p, e);
             let h = STEP * pressure_mpa;
             slope +=
                 lever * (of(pressure_mpa + h, contraction)? - of(pressure_mpa - h, contraction)?) / (2.0 * h);
@@ -117,7 +117,7 @@ pub fn force_on<M: ForceModel + ?Sized>(
 ///
 /// # Errors
 /// The model's.
-pub(crate) fn stiffness_of<M: ForceModel + ?Sized>(
+pub fn stiffness_of<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
     response: &Response,
@@ -132,10 +132,30 @@ pub(crate) fn stiffness_of<M: ForceModel + ?Sized>(
     Ok((pull(e - STEP)? - pull(e + STEP)?) / (2.0 * STEP * model.muscle().length_mm()))
 }
 
+/// ∂F/∂P in mm² of a point that a model answered: the model's, or by differences of its pull.
+///
+/// # Errors
+/// The model's.
+pub fn slope_by_pressure<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    response: &Response,
+    direction: Direction,
+) -> Result<f64, ModelError> {
+    const STEP: f64 = 1e-4;
+    if let Some(slope) = response.force_per_pressure_mm2 {
+        return Ok(slope);
+    }
+    let (p, e) = (response.pressure_mpa, response.contraction);
+    let (low, high) = ((p - STEP).max(0.0), p + STEP);
+    let mut pull = |p: f64| force_on(model, workspace, p, e, direction);
+    Ok((pull(high)? - pull(low)?) / (high - low))
+}
+
 /// Where an answer comes from: the model's source, and that of the friction.
 pub fn source_of<M: ForceModel + ?Sized>(model: &M, direction: Direction) -> String {
     let branch = match (friction(model, direction), direction) {
-        (None, _) | (_, Direction::Mean) => return model.source().into(),
+        (None, _) | (_, Direction::Mean) => return model.info().source.to_string(),
         (_, Direction::Contraction) => "branch of shortening",
         (_, Direction::Elongation) => "branch of lengthening",
     };
@@ -146,7 +166,7 @@ pub fn source_of<M: ForceModel + ?Sized>(model: &M, direction: Direction) -> Str
         Some(f) if f.lever_mm > 0.0 => "of the strands' contact",
         _ => "C·P^β (Tondu 2012)",
     };
-    format!("{}; braid friction {friction}, {branch}", model.source())
+    format!("{}; braid friction {friction}, {branch}", model.info().source)
 }
 
 #[cfg(test)]

@@ -107,7 +107,7 @@ pub fn burst<M: ForceModel + ?Sized>(model: &M, workspace: &Workspace) -> Result
     // Of the infinitely long muscle: where the other begins to search.
     let mut of_thick = Strands { model: &*thick, workspace: Workspace::within(budget.clone()), strength };
     let near = of_thick.break_near(1.0);
-    let found = match model.companion() {
+    let found = match model.extensions().companion {
         Some(companion) => {
             let workspace = Workspace::within(budget.clone());
             Strands { model: companion, workspace, strength }.break_near(guess(&near))
@@ -159,7 +159,8 @@ impl<M: ForceModel + ?Sized> Strands<'_, M> {
     /// T − T_max of the blocked muscle, in N.
     fn over(&mut self, pressure_mpa: f64) -> Result<f64, AnalysisError> {
         let tension = self.model.response(&mut self.workspace, pressure_mpa, 0.0)?.strand_tension_n;
-        let unknown = AnalysisError::Unknown { model: self.model.name().into(), quantity: "strand tension" };
+        let unknown =
+            AnalysisError::Unknown { model: self.model.info().name.to_string(), quantity: "strand tension" };
         Ok(tension.ok_or(unknown)? - self.strength)
     }
 

@@ -29,7 +29,7 @@ pub fn free_contraction<M: ForceModel + ?Sized>(
     options: Options,
 ) -> Result<f64, AnalysisError> {
     // Without pressure nothing pulls, and a muscle that nobody pulls is as long as at rest.
-    if pressure_mpa == 0.0 && (options.extrapolate || model.range().pressure_mpa.0 <= 0.0) {
+    if pressure_mpa == 0.0 && (options.extrapolate || model.info().range.pressure_mpa.0 <= 0.0) {
         return Ok(0.0);
     }
     contraction_at(model, workspace, 0.0, pressure_mpa, options)
@@ -46,7 +46,7 @@ pub fn start_pressure_mpa<M: ForceModel + ?Sized>(
     contraction: f64,
     options: Options,
 ) -> Result<f64, AnalysisError> {
-    let lowest = model.range().pressure_mpa.0;
+    let lowest = model.info().range.pressure_mpa.0;
     // Without pressure a shortened muscle may have no equilibrium at all: then it does not pull either.
     if lowest <= 0.0
         && force_on(model, workspace, lowest, contraction, options.direction).is_ok_and(|force| force >= 0.0)

@@ -1,10 +1,9 @@
 //! P(F, ε) and ε(F, P) of any model, by one way for all of them.
 //!
-//! 1. The model's exact inverse, where it has one ([`ForceModel::exact_pressure`]).
-//! 2. Its equilibrium under the load, where it solves for one ([`ForceModel::pressure_under_load`]: finite elements).
-//! 3. Else a bracket, found by steps from the lower end of the range, and inside of it Newton's method with the model's
+//! 1. The model's own inverse, where it has one ([`Inverse`](crate::model::Inverse)): exact, or its equilibrium under the load.
+//! 2. Else a bracket, found by steps from the lower end of the range, and inside of it Newton's method with the model's
 //!    own ∂F/∂P or ∂F/∂ε, bisecting where a step would leave the bracket.
-//! 4. Where that finds nothing: every place of the range that the model accepts ([`Sweep`]), with the extrema between the samples.
+//! 3. Where that finds nothing: every place of the range that the model accepts ([`Sweep`]), with the extrema between the samples.
 //!
 //! Friction is no part of a model: with it only the last two ways are open.
 
@@ -43,7 +42,7 @@ struct Fineness {
 
 impl Fineness {
     fn of<M: ForceModel + ?Sized>(model: &M) -> Self {
-        match model.is_costly() {
+        match model.info().costly {
             true => Self { branch: 24, beyond: 6, closing: 12, edge_mpa: 1e-4 },
             false => Self { branch: 80, beyond: 40, closing: 60, edge_mpa: 1e-9 },
         }
@@ -64,7 +63,8 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
     contraction: f64,
     options: Options,
 ) -> Result<f64, AnalysisError> {
-    let (lowest, limit) = model.range().pressure_mpa;
+    let (info, can) = (model.info(), model.extensions());
+    let (lowest, limit) = info.range.pressure_mpa;
     let highest = if options.extrapolate { HIGHEST_PRESSURE_MPA } else { limit.min(HIGHEST_PRESSURE_MPA) };
     let direction = options.direction;
     let pulled = |v: f64| if options.two_sided { v + force_n } else { (v + force_n).max(0.0) };
@@ -72,7 +72,7 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
     let none = |(nearest_pressure_mpa, v): (f64, f64)| {
         let ideal = model.muscle().max_ideal_contraction();
         AnalysisError::NoPressure {
-            model: model.name().into(),
+            model: info.name.to_string(),
             force_n,
             contraction,
             nearest_force_n: pulled(v),
@@ -80,7 +80,7 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
             braid_stops_at: (pulled(v) <= 0.0 && force_n > 0.0 && contraction >= ideal).then_some(ideal),
         }
     };
-    if let Some(companion) = model.companion() {
+    if let Some(companion) = can.companion {
         let ws = &mut Workspace::within(workspace.budget().clone());
         let found = pressure_at(companion, ws, force_n, contraction, options);
         if let Err(AnalysisError::NoPressure { nearest_force_n, nearest_pressure_mpa, .. }) = found
@@ -91,10 +91,7 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
     }
     let direct = match friction(model, direction) {
         Some(_) => None,
-        None => match model.exact_pressure(force_n, contraction) {
-            Some(exact) => Some(exact),
-            None => model.pressure_under_load(workspace, force_n, contraction),
-        },
+        None => can.inverse.and_then(|own| own.pressure_at_pull(workspace, force_n, contraction)),
     };
     workspace.budget().check().map_err(ModelError::from)?;
     if let Some(p) = direct {
@@ -103,7 +100,7 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
             return Ok(p.clamp(lowest, highest.max(lowest)));
         }
         // Of a formula the nearest is sought below: its pull may rise and fall.
-        if model.is_costly() {
+        if info.costly {
             let mut end =
                 |p: f64| force_on(model, workspace, p, contraction, direction).map(|f| (p, f - force_n));
             let (low, high) = (end(lowest)?, end(highest)?);
@@ -188,7 +185,7 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
         }
     }
     let mut at = |p: f64| sought.value(model, workspace, p);
-    if !model.is_costly() {
+    if !info.costly {
         if options.extrapolate && lowest > 0.0 {
             sweep.fill((0.0, lowest), fineness.beyond, &mut at)?;
         }
@@ -261,14 +258,13 @@ pub fn pressure_up_to<M: ForceModel + ?Sized>(
     (end, available_n): (f64, f64),
     options: Options,
 ) -> Option<f64> {
-    let lowest = model.range().pressure_mpa.0;
+    let lowest = model.info().range.pressure_mpa.0;
     if available_n <= force_n || end <= lowest {
         return (available_n == force_n).then_some(end);
     }
     if friction(model, options.direction).is_none() {
-        let exact = model.exact_pressure(force_n, contraction);
-        let direct = exact.or_else(|| model.pressure_under_load(workspace, force_n, contraction));
-        if let Some(p) = direct {
+        let own = model.extensions().inverse;
+        if let Some(p) = own.and_then(|own| own.pressure_at_pull(workspace, force_n, contraction)) {
             return (lowest..=end).contains(&p).then_some(p);
         }
     }
@@ -335,11 +331,12 @@ fn contraction_down_to<M: ForceModel + ?Sized>(
     options: Options,
     stretch: Stretch,
 ) -> Result<f64, AnalysisError> {
-    let range = match (model.range().contraction, options.extrapolate) {
+    let (info, can) = (model.info(), model.extensions());
+    let range = match (info.range.contraction, options.extrapolate) {
         (range, false) => (range.0.max(-LARGEST_CONTRACTION), range.1.min(LARGEST_CONTRACTION)),
         (_, true) => (-LARGEST_CONTRACTION, LARGEST_CONTRACTION),
     };
-    let start = model.range().contraction.0.max(0.0);
+    let start = info.range.contraction.0.max(0.0);
     // Past the ideal maximum nothing pulls, and strands that are straight hold; those that stretch reach a little further.
     let shortest =
         (model.muscle().max_ideal_contraction() * 1.3 + 0.05).min(0.95).clamp(start, range.1.max(start));
@@ -353,14 +350,14 @@ fn contraction_down_to<M: ForceModel + ?Sized>(
     let pulled = |v: f64| if options.two_sided { v + force_n } else { (v + force_n).max(0.0) };
     let apart = |v: f64| (pulled(v) - force_n).abs();
     let none = |(nearest_contraction, v): (f64, f64), at_rest: Option<f64>| AnalysisError::NoContraction {
-        model: model.name().into(),
+        model: info.name.to_string(),
         force_n,
         pressure_mpa,
         nearest_force_n: pulled(v),
         nearest_contraction,
         at_rest_n: at_rest.filter(|_| start == 0.0).map(pulled),
     };
-    if let Some(companion) = model.companion() {
+    if let Some(companion) = can.companion {
         let ws = &mut Workspace::within(workspace.budget().clone());
         let found = contraction_down_to(companion, ws, force_n, pressure_mpa, options, stretch);
         if let Err(AnalysisError::NoContraction { nearest_force_n, nearest_contraction, at_rest_n, .. }) =
@@ -374,7 +371,7 @@ fn contraction_down_to<M: ForceModel + ?Sized>(
     let sought = Sought { along: Along::Contraction { pressure_mpa }, force_n, direction };
     let (at_start, refused) = match force_on(model, workspace, pressure_mpa, start, direction) {
         Ok(force) => (Some(force - force_n), None),
-        Err(error) if model.is_costly() || matches!(error, ModelError::Exceeded(_)) => {
+        Err(error) if info.costly || matches!(error, ModelError::Exceeded(_)) => {
             return Err(error.into());
         }
         Err(error) => (None, Some(error)),
@@ -399,9 +396,8 @@ fn contraction_down_to<M: ForceModel + ?Sized>(
     };
     if let (Some(end), Some(first)) = (end, at_start) {
         if friction(model, direction).is_none() {
-            let direct = model
-                .exact_contraction(force_n, pressure_mpa)
-                .or_else(|| model.contraction_under_load(workspace, force_n, pressure_mpa));
+            let direct =
+                can.inverse.and_then(|own| own.contraction_at_pull(workspace, force_n, pressure_mpa));
             let reach = if first > 0.0 { (start, range.1) } else { (lowest, start) };
             if let Some(e) = direct.filter(|e| *e >= reach.0 - LAST_BITS && *e <= reach.1 + LAST_BITS) {
                 return Ok(e.clamp(reach.0, reach.1));
@@ -423,7 +419,7 @@ fn contraction_down_to<M: ForceModel + ?Sized>(
         }
     }
     let mut at = |e: f64| sought.value(model, workspace, e);
-    if model.is_costly() && force_n >= 0.0 {
+    if info.costly && force_n >= 0.0 {
         // What has ceased to pull does not pull again as it shortens.
         for i in 1..=fineness.branch {
             let e = start + (shortest - start) * i as f64 / fineness.branch as f64;
@@ -441,7 +437,7 @@ fn contraction_down_to<M: ForceModel + ?Sized>(
         sweep.fill((straight, start), fineness.beyond, &mut at)?;
         sweep.fill((lowest, straight), fineness.beyond, &mut at)?;
     }
-    if !model.is_costly() {
+    if !info.costly {
         sweep.finer((1, 5), &mut at)?;
     }
     sweep.refine(&mut at)?;

@@ -12,8 +12,8 @@ mod sought;
 mod sweep;
 
 pub use air::{ATMOSPHERE_MPA, Air, air_per_stroke, normal_litres};
-pub use ask::{Options, force_on, response_on, source_of};
-pub(crate) use ask::{friction_half_width_n, stiffness_of};
+pub(crate) use ask::friction_half_width_n;
+pub use ask::{Options, force_on, response_on, slope_by_pressure, source_of, stiffness_of};
 pub use burst::{Burst, NoBurst, burst};
 pub use characteristics::{blocked_force_n, free_contraction, start_pressure_mpa, work_per_stroke_j};
 pub use error::AnalysisError;

@@ -113,7 +113,7 @@ impl JointModel<'_> {
             let all = || (0..ANGLES).filter_map(|k| Some(self.joint().contraction(i, angle(k))?.0));
             let (least, most) =
                 (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
-            let range = self.of(i).range();
+            let range = &self.of(i).info().range;
             let mut violations = range.violations(max_pressure_mpa, least);
             let beyond = Interval::new(Quantity::Contraction, range.contraction).violation(most, 1e-12);
             let beyond = beyond.filter(|v| !violations.contains(v));
@@ -126,8 +126,8 @@ impl JointModel<'_> {
             if violations.is_empty() && range.make.is_empty() {
                 continue;
             }
-            let model = self.of(i).name().into();
-            let error = ModelError::OutOfRange { model, violations, make: range.make };
+            let model = self.of(i).info().name.to_string();
+            let error = ModelError::OutOfRange { model, violations, make: range.make.clone() };
             if !self.extrapolates() {
                 return Err(JointError::model(i)(error));
             }

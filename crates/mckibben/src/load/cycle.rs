@@ -65,7 +65,7 @@ mod tests {
     use super::*;
     use crate::analysis::Options;
     use crate::load::balances;
-    use crate::model::{ForceModel, Ideal, Workspace};
+    use crate::model::{ForceModel, Ideal, Inverse, Workspace};
     use crate::muscle::Muscle;
 
     /// ∫P dV of an ideal muscle is the work on the load: between two equilibria of a weight, P = F/A(ε) along the way.
@@ -83,7 +83,7 @@ mod tests {
         let n = 200;
         let (a, b) = (found.from_contraction, found.to_contraction);
         let power = |e: f64, w: &mut Workspace| {
-            let p = model.exact_pressure(98.0665, e).unwrap();
+            let p = model.pressure_at_pull(&mut Workspace::new(), 98.0665, e).unwrap();
             p * model.response(w, p, e).unwrap().volume_per_contraction_mm3.unwrap()
         };
         let h = (b - a) / n as f64;

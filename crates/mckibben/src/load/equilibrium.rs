@@ -89,7 +89,7 @@ pub fn balances<M: ForceModel + ?Sized>(
 ) -> Result<Vec<Balance>, LoadError> {
     let length = model.muscle().length_mm();
     let one_sided = Options { two_sided: false, ..options };
-    let (reach, range) = (load.reach_mm(), model.range().contraction);
+    let (reach, range) = (load.reach_mm(), model.info().range.contraction);
     let start = if options.two_sided { straight_strands(model.muscle()) } else { 0.0 };
     let start = start.max(reach.0 / length);
     let start = if options.extrapolate { start } else { start.max(range.0) };
@@ -168,7 +168,7 @@ pub fn balances<M: ForceModel + ?Sized>(
 mod tests {
     use super::*;
     use crate::load::Lever;
-    use crate::model::Ideal;
+    use crate::model::{Ideal, Inverse};
     use crate::muscle::Muscle;
 
     fn ideal() -> Ideal {
@@ -181,7 +181,7 @@ mod tests {
         let (model, w) = (ideal(), &mut Workspace::new());
         let load = Load::Mass { mass_kg: 20.0, level: false };
         let found = balances(&model, w, &load, 0.25, Options::default()).unwrap();
-        let exact = model.exact_contraction(20.0 * 9.80665, 0.25).unwrap();
+        let exact = model.contraction_at_pull(&mut Workspace::new(), 20.0 * 9.80665, 0.25).unwrap();
         assert_eq!(found.len(), 1);
         assert!((found[0].answer.response.contraction - exact).abs() < 1e-11 && found[0].stable);
         // f = √(K/M)/2π with the formula's own K.

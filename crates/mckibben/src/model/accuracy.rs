@@ -128,7 +128,7 @@ impl Serialize for Reference {
     }
 }
 
-/// A model's own error as a 95 % half-width, and how it is known; [`crate::uncertainty`] adds what all models share.
+/// A model's own error as a 95 % half-width, and how it is known.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Accuracy {
     /// Half-width as a share of the muscle's blocked force; `None` where nobody has measured it.
@@ -147,15 +147,6 @@ impl Accuracy {
         blocked_at: BlockedAt::SamePressure,
         reference: Reference::Unknown,
     };
-
-    /// How the parts of a ± are known, in a sentence.
-    pub fn basis(&self) -> String {
-        match self.reference {
-            Reference::Unknown => self.reference.to_string(),
-            Reference::ForceMap { .. } => format!("formula: {}", self.reference),
-            _ => format!("formula: {}; {}", self.reference, crate::uncertainty::BASIS),
-        }
-    }
 
     /// A share of the blocked force at the pressure of the question.
     pub const fn share(share: f64, reference: Reference) -> Self {

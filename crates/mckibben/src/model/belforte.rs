@@ -5,9 +5,15 @@
 //! b: length of one strand, n: its turns. Source: the paper's (3) after Belforte et al. The printed form has lost its
 //! squares (its dimension is force/length) and stands for one turn; this is F = −P dV/dL.
 
-use super::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
+use super::{Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Response, Workspace};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
+
+pub(super) const ENTRY: ModelEntry = ModelEntry {
+    name: "belforte",
+    description: "ideal muscle with strand length and turns as measured",
+    source: "Belforte et al., as given by Antonelli et al. 2018 [antonelli2018], (3), with its squares restored",
+};
 
 /// Belforte's formula (3), F in N for P in MPa.
 ///
@@ -15,7 +21,7 @@ use std::f64::consts::PI;
 /// ideal formula.
 #[derive(Debug, Clone)]
 pub struct Belforte {
-    muscle: Muscle,
+    info: ModelInfo,
     /// b
     b: f64,
     /// 4π n²
@@ -29,12 +35,12 @@ impl Belforte {
     /// [`ModelError::Missing`] without a measured strand. One too short to span the muscle is refused with the muscle.
     pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
         let measured = muscle.braid().measured.ok_or(ModelError::Missing {
-            model: "belforte",
+            model: ENTRY.name,
             missing: "a strand measured on the muscle: `strand_length` and `turns` under [braid] in the muscle file",
             key: "braid.strand_length",
         })?;
         let b = measured.strand_length_mm;
-        Ok(Self { muscle: muscle.clone(), b, n2: 4.0 * PI * measured.turns * measured.turns })
+        Ok(Self { info: ModelInfo::new(&ENTRY, muscle), b, n2: 4.0 * PI * measured.turns * measured.turns })
     }
 }
 
@@ -43,24 +49,8 @@ fn no_shape(contraction: f64, straight: f64) -> ModelError {
 }
 
 impl ForceModel for Belforte {
-    fn name(&self) -> &str {
-        "belforte"
-    }
-
-    fn muscle(&self) -> &Muscle {
-        &self.muscle
-    }
-
-    fn source(&self) -> &str {
-        "Belforte et al., as given by Antonelli et al. 2018 [antonelli2018], (3), with its squares restored"
-    }
-
-    fn range(&self) -> ModelRange {
-        ModelRange::open()
-    }
-
-    fn accuracy(&self) -> Accuracy {
-        Accuracy::UNKNOWN
+    fn info(&self) -> &ModelInfo {
+        &self.info
     }
 
     fn response(
@@ -70,9 +60,9 @@ impl ForceModel for Belforte {
         contraction: f64,
     ) -> Result<Response, ModelError> {
         let (p, b) = (pressure_mpa, self.b);
-        let l = (1.0 - contraction) * self.muscle.length_mm();
+        let l = (1.0 - contraction) * self.info.muscle.length_mm();
         if !(l > 0.0 && l < b) {
-            return Err(no_shape(contraction, b / self.muscle.length_mm()));
+            return Err(no_shape(contraction, b / self.info.muscle.length_mm()));
         }
         let per_pressure = (3.0 * l * l - b * b) / self.n2;
         // π D²/4 = (b² − L²)/(4π n²); axial balance of a cut: F + P π D²/4 = (sum of tensions) · L/b.
@@ -88,20 +78,26 @@ impl ForceModel for Belforte {
             bulged_diameter_mm: Some(2.0 * (area / PI).sqrt()),
             ..Response::default()
         }
-        .with_braid_tension(tension, self.muscle.braid().strands.map(|s| s.count))
-        .finite(self.name())
+        .with_braid_tension(tension, self.info.muscle.braid().strands.map(|s| s.count))
+        .finite(ENTRY.name)
     }
 
-    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
-        let l = (1.0 - contraction) * self.muscle.length_mm();
+    fn extensions(&self) -> Extensions<'_> {
+        Extensions { inverse: Some(self), ..Extensions::default() }
+    }
+}
+
+impl Inverse for Belforte {
+    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
+        let l = (1.0 - contraction) * self.info.muscle.length_mm();
         let per_pressure = (3.0 * l * l - self.b * self.b) / self.n2;
         (per_pressure > 0.0 && l > 0.0 && l < self.b).then(|| force_n / per_pressure)
     }
 
-    fn exact_contraction(&self, force_n: f64, pressure_mpa: f64) -> Option<f64> {
+    fn contraction_at_pull(&self, _: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
         let l2 = (self.b * self.b + self.n2 * force_n / pressure_mpa) / 3.0;
         (pressure_mpa > 0.0 && l2 > 0.0 && l2 < self.b * self.b)
-            .then(|| 1.0 - l2.sqrt() / self.muscle.length_mm())
+            .then(|| 1.0 - l2.sqrt() / self.info.muscle.length_mm())
     }
 }
 

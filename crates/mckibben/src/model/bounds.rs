@@ -28,7 +28,7 @@ impl Bounds {
 
     /// The pull of a muscle that hangs where it would have to push.
     #[inline(always)]
-    pub(super) fn hung(&self, pull_n: f64, p: f64) -> f64 {
+    pub(super) fn clamp_slack(&self, pull_n: f64, p: f64) -> f64 {
         let pulls = (pull_n >= self.push_n) & (pull_n.abs() > self.rounding_mm2 * p);
         if pulls { pull_n } else { 0.0 }
     }
@@ -41,20 +41,25 @@ fn nearest((low, high): (f64, f64), v: f64) -> f64 {
     if v < high { v } else { high }
 }
 
-/// [`ForceModel::pulls_within`] of any model.
-pub(super) fn pulls_within<M: ForceModel + ?Sized>(
+/// [`ForceModel::forces_n`] of points (pressures in MPa, contractions) that all lie within `bounds`, slack ones 0; false where one of them
+/// does not, or has no answer, and then the places hold nothing.
+pub fn pulls_within<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
-    [pressures_mpa, contractions]: [&[f64]; 2],
+    lists: [&[f64]; 2],
     bounds: &Bounds,
     out: &mut [f64],
 ) -> bool {
+    if let Some(own) = model.extensions().lists {
+        return own.pulls_within(bounds, lists, out);
+    }
+    let [pressures_mpa, contractions] = lists;
     let mut points = pressures_mpa.iter().zip(contractions);
     if !points.all(|(&p, &e)| bounds.hold(p, e))
         || model.forces_n(workspace, pressures_mpa, contractions, out).is_err()
     {
         return false;
     }
-    out.iter_mut().zip(pressures_mpa).for_each(|(pull, &p)| *pull = bounds.hung(*pull, p));
+    out.iter_mut().zip(pressures_mpa).for_each(|(pull, &p)| *pull = bounds.clamp_slack(*pull, p));
     true
 }

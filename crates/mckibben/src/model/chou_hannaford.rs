@@ -7,9 +7,18 @@
 //! agrees with the volume above.
 
 use super::pantograph::Pantograph;
-use super::{Accuracy, ForceModel, ModelError, ModelRange, Reference, Response, Where, Workspace};
+use super::{
+    Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Reference, Response, Where,
+    Workspace,
+};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
+
+pub(super) const ENTRY: ModelEntry = ModelEntry {
+    name: "chou-hannaford",
+    description: "ideal muscle inside of a wall of constant thickness",
+    source: "Chou & Hannaford 1996 [chou1996], as given by Tondu 2012 [tondu2012]",
+};
 
 /// The ideal muscle whose pressure acts inside of a wall of constant thickness s.
 ///
@@ -17,7 +26,7 @@ use std::f64::consts::PI;
 /// pressure acted on the outer diameter. So this formula pulls too little at small contractions.
 #[derive(Debug, Clone)]
 pub struct ChouHannaford {
-    muscle: Muscle,
+    info: ModelInfo,
     braid: Pantograph,
 }
 
@@ -32,12 +41,14 @@ struct Pull {
 impl ChouHannaford {
     /// The model of a muscle.
     pub fn new(muscle: &Muscle) -> Self {
-        Self { braid: Pantograph::of(muscle), muscle: muscle.clone() }
+        let accuracy = Accuracy::share(0.75, Reference::RandomMuscles(Where::SoftStrands));
+        let info = ModelInfo { accuracy, ..ModelInfo::new(&ENTRY, muscle) };
+        Self { info, braid: Pantograph::of(muscle) }
     }
 
     fn pull(&self, contraction: f64) -> Result<Pull, ModelError> {
         let g = self.braid.at(contraction)?;
-        let bore = g.r - self.muscle.wall_mm();
+        let bore = g.r - self.info.muscle.wall_mm();
         if bore <= 0.0 {
             return Err(self.braid.no_shape(contraction));
         }
@@ -51,24 +62,8 @@ impl ChouHannaford {
 }
 
 impl ForceModel for ChouHannaford {
-    fn name(&self) -> &str {
-        "chou-hannaford"
-    }
-
-    fn muscle(&self) -> &Muscle {
-        &self.muscle
-    }
-
-    fn source(&self) -> &str {
-        "Chou & Hannaford 1996 [chou1996], as given by Tondu 2012 [tondu2012]"
-    }
-
-    fn range(&self) -> ModelRange {
-        ModelRange::open()
-    }
-
-    fn accuracy(&self) -> Accuracy {
-        Accuracy::share(0.75, Reference::RandomMuscles(Where::SoftStrands))
+    fn info(&self) -> &ModelInfo {
+        &self.info
     }
 
     fn response(
@@ -78,7 +73,7 @@ impl ForceModel for ChouHannaford {
         contraction: f64,
     ) -> Result<Response, ModelError> {
         let pull = self.pull(contraction)?;
-        let length = self.muscle.length_mm();
+        let length = self.info.muscle.length_mm();
         Response {
             pressure_mpa,
             contraction,
@@ -89,10 +84,16 @@ impl ForceModel for ChouHannaford {
             bulged_diameter_mm: Some(pull.diameter),
             ..Response::default()
         }
-        .finite(self.name())
+        .finite(ENTRY.name)
     }
 
-    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
+    fn extensions(&self) -> Extensions<'_> {
+        Extensions { inverse: Some(self), ..Extensions::default() }
+    }
+}
+
+impl Inverse for ChouHannaford {
+    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         let pull = self.pull(contraction).ok()?;
         (pull.f > 0.0).then(|| force_n / pull.f)
     }

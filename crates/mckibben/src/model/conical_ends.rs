@@ -13,14 +13,22 @@
 //! formula but pulls π (r² − r0²) P more.
 
 use super::pantograph::Pantograph;
-use super::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
+use super::{
+    Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, ModelRange, Response, Workspace,
+};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
+
+pub(super) const ENTRY: ModelEntry = ModelEntry {
+    name: "conical-ends",
+    description: "cylinder between two cones (Tondu 2012)",
+    source: "Tondu 2012 [tondu2012] eq. (25)",
+};
 
 /// Tondu's cylinder with conical ends, as published.
 #[derive(Debug, Clone)]
 pub struct ConicalEnds {
-    muscle: Muscle,
+    info: ModelInfo,
     braid: Pantograph,
     kc: f64,
 }
@@ -33,11 +41,13 @@ impl ConicalEnds {
     /// kc > (1 − ε_max)/(2 ε_max), are refused with the muscle already.
     pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
         let kc = muscle.terminals().cone_factor.ok_or(ModelError::Missing {
-            model: "conical-ends",
+            model: ENTRY.name,
             missing: "a cone factor: `cone_factor = 0.4` under [model.conical-ends] in the muscle file",
             key: "model.conical-ends.cone_factor",
         })?;
-        Ok(Self { braid: Pantograph::of(muscle), muscle: muscle.clone(), kc })
+        let range = ModelRange { contraction: (0.0, muscle.max_ideal_contraction()), ..ModelRange::open() };
+        let info = ModelInfo { range, ..ModelInfo::new(&ENTRY, muscle) };
+        Ok(Self { info, braid: Pantograph::of(muscle), kc })
     }
 
     /// −P dV/dL of the cylinder with two cones, in N, for comparison.
@@ -74,24 +84,8 @@ impl ConicalEnds {
 }
 
 impl ForceModel for ConicalEnds {
-    fn name(&self) -> &str {
-        "conical-ends"
-    }
-
-    fn muscle(&self) -> &Muscle {
-        &self.muscle
-    }
-
-    fn source(&self) -> &str {
-        "Tondu 2012 [tondu2012] eq. (25)"
-    }
-
-    fn range(&self) -> ModelRange {
-        ModelRange { contraction: (0.0, self.muscle.max_ideal_contraction()), ..ModelRange::open() }
-    }
-
-    fn accuracy(&self) -> Accuracy {
-        Accuracy::UNKNOWN
+    fn info(&self) -> &ModelInfo {
+        &self.info
     }
 
     fn response(
@@ -111,10 +105,16 @@ impl ForceModel for ConicalEnds {
             bulged_diameter_mm: Some(2.0 * f * self.braid.r0),
             ..Response::default()
         }
-        .finite(self.name())
+        .finite(ENTRY.name)
     }
 
-    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
+    fn extensions(&self) -> Extensions<'_> {
+        Extensions { inverse: Some(self), ..Extensions::default() }
+    }
+}
+
+impl Inverse for ConicalEnds {
+    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         let (pull, _, _) = self.pull(contraction).ok()?;
         (pull > 0.0).then(|| force_n / pull)
     }

@@ -8,10 +8,17 @@
 
 use super::root::rising_root;
 use super::{
-    Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, Reference, Response, Specimen, Workspace,
+    Accuracy, BlockedAt, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, ModelRange,
+    Reference, Response, Specimen, Workspace,
 };
 use crate::muscle::Muscle;
 use std::f64::consts::FRAC_PI_2;
+
+pub(super) const ENTRY: ModelEntry = ModelEntry {
+    name: "festo-hunt-10",
+    description: "Festo 10 mm muscle by Hunt's fit; takes only the muscle's length",
+    source: "Hunt, Graber-Tilton & Quinn 2017 [hunt2017], mean of both branches",
+};
 
 const P0: f64 = 254.3;
 const P_F: f64 = 1.229;
@@ -23,11 +30,11 @@ const LOSS: f64 = 0.331e-3;
 const KPA_PER_MPA: f64 = 1000.0;
 
 /// Length at rest in mm and largest contraction ε_max (at 620 kPa, without load) of Hunt's specimens.
-pub const SPECIMENS: [(f64, f64); 6] =
+const SPECIMENS: [(f64, f64); 6] =
     [(153.1, 0.1491), (182.8, 0.1618), (189.4, 0.1633), (195.0, 0.1680), (272.7, 0.1692), (280.9, 0.1750)];
 
 /// ε_max for a length at rest in mm: between the specimens on straight lines, beyond them that of the last one.
-pub fn largest_contraction(length_mm: f64) -> f64 {
+fn largest_contraction(length_mm: f64) -> f64 {
     let [first, .., last] = SPECIMENS;
     if length_mm <= first.0 {
         return first.1;
@@ -46,26 +53,54 @@ pub fn largest_contraction(length_mm: f64) -> f64 {
 /// 620 kPa. Lengthened muscles (ε < 0) are outside of the formula. Without pressure it gives a blocked force of 4 N.
 #[derive(Debug, Clone)]
 pub struct FestoHunt {
-    muscle: Muscle,
+    info: ModelInfo,
     e_max: f64,
+}
+
+/// P in kPa, ∂P/∂F and ∂P/∂ε of a muscle with the largest contraction `e_max`.
+fn pressure(e_max: f64, force: f64, e: f64) -> (f64, f64, f64) {
+    let m = e_max - LOSS * force;
+    let tan = (STEEP * (e / m - SHIFT)).tan();
+    let slope = P_TAN * STEEP * (1.0 + tan * tan);
+    (P0 + P_F * force + P_TAN * tan, P_F + slope * e * LOSS / (m * m), slope / m)
 }
 
 impl FestoHunt {
     /// The 10 mm muscle of a length, with ε_max from Hunt's specimens.
     pub fn new(muscle: &Muscle) -> Self {
-        Self { e_max: largest_contraction(muscle.length_mm()), muscle: muscle.clone() }
+        let e_max = largest_contraction(muscle.length_mm());
+        let steep = pressure(e_max, 0.9 * e_max / LOSS, 0.0).0 / KPA_PER_MPA;
+        let info = ModelInfo {
+            range: ModelRange {
+                pressure_mpa: (0.0, steep.min(0.62)),
+                contraction: (0.0, e_max),
+                ..ModelRange::open()
+            },
+            accuracy: Accuracy {
+                share_of_blocked: Some(0.09),
+                blocked_at: BlockedAt::Pressure(0.45),
+                reference: Reference::ForceMap {
+                    muscle: "DMSP-10-250",
+                    points: 24,
+                    rms_n: 17.0,
+                    specimen: Specimen::ContractionFromLength,
+                },
+            },
+            notes: vec![format!(
+                "the preset festo-hunt-10 describes a Festo muscle of 10 mm with a largest contraction of {e_max:.4}; tube, wall, braid and rubber of the muscle are ignored"
+            )],
+            ..ModelInfo::new(&ENTRY, muscle)
+        };
+        Self { info, e_max }
     }
 
     /// P in kPa, ∂P/∂F and ∂P/∂ε.
     fn pressure(&self, force: f64, e: f64) -> (f64, f64, f64) {
-        let m = self.e_max - LOSS * force;
-        let tan = (STEEP * (e / m - SHIFT)).tan();
-        let slope = P_TAN * STEEP * (1.0 + tan * tan);
-        (P0 + P_F * force + P_TAN * tan, P_F + slope * e * LOSS / (m * m), slope / m)
+        pressure(self.e_max, force, e)
     }
 
     fn error(&self, pressure_mpa: f64, contraction: f64) -> ModelError {
-        ModelError::NotFinite { model: self.name().into(), pressure_mpa, contraction }
+        ModelError::NotFinite { model: ENTRY.name.into(), pressure_mpa, contraction }
     }
 
     /// The force in N.
@@ -101,45 +136,8 @@ impl FestoHunt {
 }
 
 impl ForceModel for FestoHunt {
-    fn name(&self) -> &str {
-        "festo-hunt-10"
-    }
-
-    fn muscle(&self) -> &Muscle {
-        &self.muscle
-    }
-
-    fn source(&self) -> &str {
-        "Hunt, Graber-Tilton & Quinn 2017 [hunt2017], mean of both branches"
-    }
-
-    fn range(&self) -> ModelRange {
-        let steep = self.pressure(0.9 * self.e_max / LOSS, 0.0).0 / KPA_PER_MPA;
-        ModelRange {
-            pressure_mpa: (0.0, steep.min(0.62)),
-            contraction: (0.0, self.e_max),
-            ..ModelRange::open()
-        }
-    }
-
-    fn accuracy(&self) -> Accuracy {
-        Accuracy {
-            share_of_blocked: Some(0.09),
-            blocked_at: BlockedAt::Pressure(0.45),
-            reference: Reference::ForceMap {
-                muscle: "DMSP-10-250",
-                points: 24,
-                rms_n: 17.0,
-                specimen: Specimen::ContractionFromLength,
-            },
-        }
-    }
-
-    fn notes(&self, _: &Workspace) -> Vec<String> {
-        vec![format!(
-            "the preset festo-hunt-10 describes a Festo muscle of 10 mm with a largest contraction of {:.4}; tube, wall, braid and rubber of the muscle are ignored",
-            self.e_max
-        )]
+    fn info(&self) -> &ModelInfo {
+        &self.info
     }
 
     fn response(
@@ -154,18 +152,24 @@ impl ForceModel for FestoHunt {
             pressure_mpa,
             contraction,
             force_n,
-            stiffness_n_per_mm: Some(by_contraction / by_force / self.muscle.length_mm()),
+            stiffness_n_per_mm: Some(by_contraction / by_force / self.info.muscle.length_mm()),
             force_per_pressure_mm2: Some(KPA_PER_MPA / by_force),
             ..Response::default()
         })
     }
 
-    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
+    fn extensions(&self) -> Extensions<'_> {
+        Extensions { inverse: Some(self), ..Extensions::default() }
+    }
+}
+
+impl Inverse for FestoHunt {
+    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         let highest = (self.e_max - contraction / (SHIFT + FRAC_PI_2 / STEEP)) / LOSS;
         (contraction >= 0.0 && force_n < highest).then(|| self.pressure(force_n, contraction).0 / KPA_PER_MPA)
     }
 
-    fn exact_contraction(&self, force_n: f64, pressure_mpa: f64) -> Option<f64> {
+    fn contraction_at_pull(&self, _: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
         let m = self.e_max - LOSS * force_n;
         let tan = (KPA_PER_MPA * pressure_mpa - P0 - P_F * force_n) / P_TAN;
         let e = m * (tan.atan() / STEEP + SHIFT);
@@ -180,7 +184,7 @@ mod tests {
     #[test]
     fn forces_satisfy_the_published_equation() {
         let model = FestoHunt::new(&Muscle::prototype());
-        let (top, e_max) = (model.range().pressure_mpa.1, model.range().contraction.1);
+        let (top, e_max) = (model.info.range.pressure_mpa.1, model.info.range.contraction.1);
         for i in 0..=20 {
             for j in 0..=20 {
                 let (p, e) = (top * f64::from(i) / 20.0, e_max * f64::from(j) / 20.0);
@@ -195,7 +199,7 @@ mod tests {
     #[test]
     fn without_load_the_largest_contraction_takes_620_kpa() {
         let model = FestoHunt::new(&Muscle::prototype());
-        let p = model.exact_pressure(0.0, model.e_max).unwrap();
+        let p = model.pressure_at_pull(&mut Workspace::new(), 0.0, model.e_max).unwrap();
         assert!((p - 0.62).abs() < 0.006, "{p}");
     }
 

@@ -6,16 +6,19 @@
 //! d < 0 and aP + b > 0, and ∂F/∂P stays above zero up to κ = 31 %.
 
 use super::{
-    Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, Reference, Response, Specimen, Workspace,
+    Accuracy, BlockedAt, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, ModelRange,
+    Reference, Response, Specimen, Workspace,
 };
 use crate::muscle::Muscle;
 
 const BAR_PER_MPA: f64 = 10.0;
 
+const SOURCE: &str = "Sárosi 2012 [sarosi2012], six constants fitted to a measured Festo muscle";
+
 /// One fitted muscle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Fit {
-    model: &'static str,
+pub(super) struct Fit {
+    pub entry: ModelEntry,
     make: &'static str,
     a: f64,
     b: f64,
@@ -28,8 +31,12 @@ struct Fit {
     accuracy: Accuracy,
 }
 
-const DMSP_10: Fit = Fit {
-    model: "festo-dmsp-10",
+pub(super) const DMSP_10: Fit = Fit {
+    entry: ModelEntry {
+        name: "festo-dmsp-10",
+        description: "Festo DMSP-10 by Sarosi's fit; ignores the given muscle",
+        source: SOURCE,
+    },
     make: "Festo DMSP-10",
     a: -9.2194029,
     b: 203.7012413,
@@ -50,8 +57,12 @@ const DMSP_10: Fit = Fit {
     },
 };
 
-const DMSP_20_200: Fit = Fit {
-    model: "festo-dmsp-20-200",
+pub(super) const DMSP_20_200: Fit = Fit {
+    entry: ModelEntry {
+        name: "festo-dmsp-20-200",
+        description: "Festo DMSP-20-200N by Sarosi's fit; ignores the given muscle",
+        source: SOURCE,
+    },
     make: "Festo DMSP-20-200N",
     a: -4.00180705,
     b: 292.4620246,
@@ -79,19 +90,36 @@ const DMSP_20_200: Fit = Fit {
 /// −5 N and +12 N for the blocked force.
 #[derive(Debug, Clone)]
 pub struct FestoSarosi {
-    muscle: Muscle,
+    info: ModelInfo,
     fit: Fit,
 }
 
 impl FestoSarosi {
     /// The DMSP-10, inner diameter 10 mm.
     pub fn dmsp_10(muscle: &Muscle) -> Self {
-        Self { muscle: muscle.clone(), fit: DMSP_10 }
+        Self::new(DMSP_10, muscle)
     }
 
     /// The DMSP-20-200N, inner diameter 20 mm, length 200 mm.
     pub fn dmsp_20_200(muscle: &Muscle) -> Self {
-        Self { muscle: muscle.clone(), fit: DMSP_20_200 }
+        Self::new(DMSP_20_200, muscle)
+    }
+
+    fn new(fit: Fit, muscle: &Muscle) -> Self {
+        let (name, make) = (fit.entry.name, fit.make);
+        let info = ModelInfo {
+            range: ModelRange {
+                pressure_mpa: (0.0, fit.highest_mpa),
+                contraction: (0.0, 0.25),
+                ..ModelRange::open()
+            },
+            accuracy: fit.accuracy,
+            notes: vec![format!(
+                "the preset {name} describes the {make}; tube, wall, braid and rubber of the muscle are ignored"
+            )],
+            ..ModelInfo::new(&fit.entry, muscle)
+        };
+        Self { info, fit }
     }
 
     /// (F at no pressure, ∂F/∂P per bar) at a contraction.
@@ -104,35 +132,8 @@ impl FestoSarosi {
 }
 
 impl ForceModel for FestoSarosi {
-    fn name(&self) -> &str {
-        self.fit.model
-    }
-
-    fn muscle(&self) -> &Muscle {
-        &self.muscle
-    }
-
-    fn source(&self) -> &str {
-        "Sárosi 2012 [sarosi2012], six constants fitted to a measured Festo muscle"
-    }
-
-    fn range(&self) -> ModelRange {
-        ModelRange {
-            pressure_mpa: (0.0, self.fit.highest_mpa),
-            contraction: (0.0, 0.25),
-            ..ModelRange::open()
-        }
-    }
-
-    fn accuracy(&self) -> Accuracy {
-        self.fit.accuracy
-    }
-
-    fn notes(&self, _: &Workspace) -> Vec<String> {
-        let Fit { model, make, .. } = self.fit;
-        vec![format!(
-            "the preset {model} describes the {make}; tube, wall, braid and rubber of the muscle are ignored"
-        )]
+    fn info(&self) -> &ModelInfo {
+        &self.info
     }
 
     fn response(
@@ -146,7 +147,11 @@ impl ForceModel for FestoSarosi {
         let (rest, slope) = self.line(contraction);
         let force_n = slope * bar + rest;
         if !force_n.is_finite() {
-            return Err(ModelError::NotFinite { model: self.fit.model.into(), pressure_mpa, contraction });
+            return Err(ModelError::NotFinite {
+                model: self.fit.entry.name.into(),
+                pressure_mpa,
+                contraction,
+            });
         }
         // dF/dκ, κ in %
         let by_percent = c * (a * bar + b) * (c * 100.0 * contraction).exp() + d * bar;
@@ -154,13 +159,19 @@ impl ForceModel for FestoSarosi {
             pressure_mpa,
             contraction,
             force_n,
-            stiffness_n_per_mm: Some(-100.0 * by_percent / self.muscle.length_mm()),
+            stiffness_n_per_mm: Some(-100.0 * by_percent / self.info.muscle.length_mm()),
             force_per_pressure_mm2: Some(BAR_PER_MPA * slope),
             ..Response::default()
         })
     }
 
-    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
+    fn extensions(&self) -> Extensions<'_> {
+        Extensions { inverse: Some(self), ..Extensions::default() }
+    }
+}
+
+impl Inverse for FestoSarosi {
+    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         let (rest, slope) = self.line(contraction);
         (slope > 0.0 && rest.is_finite()).then(|| (force_n - rest) / slope / BAR_PER_MPA)
     }
@@ -186,7 +197,7 @@ mod tests {
         for model in [FestoSarosi::dmsp_10(&m), FestoSarosi::dmsp_20_200(&m)] {
             for i in 0..=20 {
                 for j in 0..=25 {
-                    let p = model.range().pressure_mpa.1 * f64::from(i) / 20.0;
+                    let p = model.info.range.pressure_mpa.1 * f64::from(i) / 20.0;
                     let r = model.response(&mut Workspace::new(), p, 0.01 * f64::from(j)).unwrap();
                     assert!(r.stiffness_n_per_mm.unwrap() > 0.0 && r.force_per_pressure_mm2.unwrap() > 0.0);
                 }

@@ -6,9 +6,18 @@
 //! Sources: Ferraresi et al. (2001) \[ferraresi2001\]; Kothera & Wereley (2009) \[kothera2009\]; Tondu (2012) \[tondu2012\] eq. (18).
 
 use super::pantograph::Pantograph;
-use super::{Accuracy, ForceModel, ModelError, ModelRange, Reference, Response, Where, Workspace};
+use super::{
+    Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Reference, Response, Where,
+    Workspace,
+};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
+
+pub(super) const ENTRY: ModelEntry = ModelEntry {
+    name: "force-balance",
+    description: "incompressible wall without the rubber's own stress",
+    source: "Ferraresi et al. 2001 [ferraresi2001]; Kothera & Wereley 2009 [kothera2009]; Tondu 2012 [tondu2012] eq. (18)",
+};
 
 /// The force balance of an incompressible wall whose rubber carries nothing.
 ///
@@ -17,7 +26,7 @@ use std::f64::consts::PI;
 /// volume given is that of the bore.
 #[derive(Debug, Clone)]
 pub struct ForceBalance {
-    muscle: Muscle,
+    info: ModelInfo,
     braid: Pantograph,
 }
 
@@ -55,29 +64,15 @@ pub(super) fn balance(braid: &Pantograph, contraction: f64) -> Result<Balance, M
 impl ForceBalance {
     /// The model of a muscle.
     pub fn new(muscle: &Muscle) -> Self {
-        Self { braid: Pantograph::of(muscle), muscle: muscle.clone() }
+        let accuracy = Accuracy::share(0.77, Reference::RandomMuscles(Where::SoftStrands));
+        let info = ModelInfo { accuracy, ..ModelInfo::new(&ENTRY, muscle) };
+        Self { info, braid: Pantograph::of(muscle) }
     }
 }
 
 impl ForceModel for ForceBalance {
-    fn name(&self) -> &str {
-        "force-balance"
-    }
-
-    fn muscle(&self) -> &Muscle {
-        &self.muscle
-    }
-
-    fn source(&self) -> &str {
-        "Ferraresi et al. 2001 [ferraresi2001]; Kothera & Wereley 2009 [kothera2009]; Tondu 2012 [tondu2012] eq. (18)"
-    }
-
-    fn range(&self) -> ModelRange {
-        ModelRange::open()
-    }
-
-    fn accuracy(&self) -> Accuracy {
-        Accuracy::share(0.77, Reference::RandomMuscles(Where::SoftStrands))
+    fn info(&self) -> &ModelInfo {
+        &self.info
     }
 
     fn response(
@@ -87,7 +82,7 @@ impl ForceModel for ForceBalance {
         contraction: f64,
     ) -> Result<Response, ModelError> {
         let b = balance(&self.braid, contraction)?;
-        let length = self.muscle.length_mm();
+        let length = self.info.muscle.length_mm();
         Response {
             pressure_mpa,
             contraction,
@@ -98,11 +93,17 @@ impl ForceModel for ForceBalance {
             bulged_diameter_mm: Some(b.diameter),
             ..Response::default()
         }
-        .with_braid_tension(pressure_mpa * b.tension, self.muscle.braid().strands.map(|s| s.count))
-        .finite(self.name())
+        .with_braid_tension(pressure_mpa * b.tension, self.info.muscle.braid().strands.map(|s| s.count))
+        .finite(ENTRY.name)
     }
 
-    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
+    fn extensions(&self) -> Extensions<'_> {
+        Extensions { inverse: Some(self), ..Extensions::default() }
+    }
+}
+
+impl Inverse for ForceBalance {
+    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         let b = balance(&self.braid, contraction).ok()?;
         (b.f > 0.0).then(|| force_n / b.f)
     }

@@ -1,13 +1,11 @@
 //! A formula as a force model.
 
-use super::bounds::pulls_within;
 use super::{
-    Accuracy, BatchPath, BlockedAt, Bounds, ForceModel, ForcesError, Interval, ModelError, ModelRange,
-    Quantity, Reference, Response, Workspace, check_finite, same_length,
+    Accuracy, BlockedAt, Extensions, ForceModel, ForcesError, Interval, ModelError, ModelInfo, ModelRange,
+    Quantity, Reference, Response, Workspace, check_finite, notes, same_length,
 };
 use crate::formula::{Body, Formula, GlobalSection, Made, Section};
 use crate::muscle::Muscle;
-use std::sync::Arc;
 
 /// Constants and stiffnesses within this, relative, are the same.
 const TOLERANCE: f64 = 1e-6;
@@ -21,22 +19,34 @@ enum Bound {
 /// A formula with a muscle's diameter and wall put in.
 #[derive(Debug, Clone)]
 pub struct FormulaModel {
-    formula: Arc<Formula>,
-    muscle: Muscle,
+    info: ModelInfo,
     bound: Bound,
-    source: String,
 }
 
 impl FormulaModel {
     /// The formula for one muscle.
-    pub fn new(formula: Arc<Formula>, muscle: &Muscle) -> Self {
+    pub fn new(formula: &Formula, muscle: &Muscle) -> Self {
         let (d, s) = (muscle.outer_diameter_mm(), muscle.wall_mm());
         let bound = match &formula.body {
             Body::Paper(c) => Bound::Paper(c.section(d, s)),
             Body::Global(t) => Bound::Global(t.section(d, s)),
         };
-        let source = format!("a fitted formula, method {}", formula.provenance.method);
-        Self { formula, muscle: muscle.clone(), bound, source }
+        let accuracy = Accuracy {
+            share_of_blocked: Some(formula.errors.half_width()),
+            blocked_at: BlockedAt::Pressure(formula.range.pressure_mpa.1),
+            reference: Reference::OwnTable,
+        };
+        let left_out = notes::of_a_simple_tube(&formula.name, muscle);
+        let info = ModelInfo {
+            name: formula.name.clone().into(),
+            source: format!("a fitted formula, method {}", formula.provenance.method).into(),
+            muscle: muscle.clone(),
+            range: range(formula, muscle),
+            accuracy: if formula.seal.is_intact() { accuracy } else { Accuracy::UNKNOWN },
+            costly: false,
+            notes: formula.seal.warning(&formula.name).into_iter().chain(left_out).collect(),
+        };
+        Self { info, bound }
     }
 
     /// F, ∂F/∂ε, ∂F/∂P.
@@ -49,56 +59,14 @@ impl FormulaModel {
         if all.iter().all(|v| v.is_finite()) {
             Ok(all)
         } else {
-            Err(ModelError::NotFinite { model: self.formula.name.clone(), pressure_mpa, contraction })
+            Err(ModelError::NotFinite { model: self.info.name.to_string(), pressure_mpa, contraction })
         }
     }
 }
 
 impl ForceModel for FormulaModel {
-    fn name(&self) -> &str {
-        &self.formula.name
-    }
-
-    fn muscle(&self) -> &Muscle {
-        &self.muscle
-    }
-
-    fn source(&self) -> &str {
-        &self.source
-    }
-
-    fn range(&self) -> ModelRange {
-        let (r, m) = (&self.formula.range, &self.muscle);
-        let made = &self.formula.made_for;
-        let range = ModelRange {
-            pressure_mpa: r.pressure_mpa,
-            contraction: r.contraction,
-            make: differences(made, m),
-            ..ModelRange::open()
-        };
-        range.with_measures(&[
-            (Interval::new(Quantity::OuterDiameter, r.outer_diameter_mm), m.outer_diameter_mm()),
-            (Interval::new(Quantity::WallThickness, r.wall_mm), m.wall_mm()),
-            (Interval::only(Quantity::Length, made.length_mm), m.length_mm()),
-            (Interval::only(Quantity::BraidAngle, made.angle_deg), m.braid().angle_deg),
-        ])
-    }
-
-    fn notes(&self, _: &Workspace) -> Vec<String> {
-        let left_out = super::strands_on_the_tube(&self.formula.name, &self.muscle);
-        let first = super::first_inflation(&self.formula.name, &self.muscle);
-        self.formula.seal.warning(&self.formula.name).into_iter().chain(left_out).chain(first).collect()
-    }
-
-    fn accuracy(&self) -> Accuracy {
-        if !self.formula.seal.is_intact() {
-            return Accuracy::UNKNOWN;
-        }
-        Accuracy {
-            share_of_blocked: Some(self.formula.errors.half_width()),
-            blocked_at: BlockedAt::Pressure(self.formula.range.pressure_mpa.1),
-            reference: Reference::OwnTable,
-        }
+    fn info(&self) -> &ModelInfo {
+        &self.info
     }
 
     fn response(
@@ -112,7 +80,7 @@ impl ForceModel for FormulaModel {
             pressure_mpa,
             contraction,
             force_n,
-            stiffness_n_per_mm: Some(-by_contraction / self.muscle.length_mm()),
+            stiffness_n_per_mm: Some(-by_contraction / self.info.muscle.length_mm()),
             force_per_pressure_mm2: Some(by_pressure),
             ..Response::default()
         })
@@ -137,37 +105,34 @@ impl ForceModel for FormulaModel {
                 points.for_each(|((&p, &e), place)| *place = section.at(p, e)[0]);
             }
         }
-        check_finite(&self.formula.name, pressures_mpa, contractions, out)
+        check_finite(&self.info.name, pressures_mpa, contractions, out)
     }
 
-    fn pulls_within(
-        &self,
-        workspace: &mut Workspace,
-        pressures_mpa: &[f64],
-        contractions: &[f64],
-        bounds: &Bounds,
-        out: &mut [f64],
-    ) -> bool {
-        let lists = [pressures_mpa, contractions];
+    fn extensions(&self) -> Extensions<'_> {
         match &self.bound {
-            Bound::Paper(section) => section.pulls_within(BatchPath::widest(), bounds, lists, out),
-            Bound::Global(_) => pulls_within(self, workspace, lists, bounds, out),
+            Bound::Paper(section) => {
+                Extensions { inverse: Some(section), lists: Some(section), ..Extensions::default() }
+            }
+            Bound::Global(_) => Extensions::default(),
         }
     }
+}
 
-    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
-        match &self.bound {
-            Bound::Paper(s) => s.pressure_mpa(force_n, contraction),
-            Bound::Global(_) => None,
-        }
-    }
-
-    fn exact_contraction(&self, force_n: f64, pressure_mpa: f64) -> Option<f64> {
-        match &self.bound {
-            Bound::Paper(s) => s.contraction(force_n, pressure_mpa),
-            Bound::Global(_) => None,
-        }
-    }
+/// The box of a formula for a muscle.
+fn range(formula: &Formula, m: &Muscle) -> ModelRange {
+    let (r, made) = (&formula.range, &formula.made_for);
+    let range = ModelRange {
+        pressure_mpa: r.pressure_mpa,
+        contraction: r.contraction,
+        make: differences(made, m),
+        ..ModelRange::open()
+    };
+    range.with_measures(&[
+        (Interval::new(Quantity::OuterDiameter, r.outer_diameter_mm), m.outer_diameter_mm()),
+        (Interval::new(Quantity::WallThickness, r.wall_mm), m.wall_mm()),
+        (Interval::only(Quantity::Length, made.length_mm), m.length_mm()),
+        (Interval::only(Quantity::BraidAngle, made.angle_deg), m.braid().angle_deg),
+    ])
 }
 
 /// What of a muscle's parts differs from those of a formula, in words.

@@ -8,9 +8,18 @@
 //! Sources: Gaylord (1958) \[gaylord1958\]; Schulte (1961) \[schulte1961\]; Chou & Hannaford (1996) \[chou1996\]; Tondu & Lopez (2000) \[tondu2000\]. Equation numbers are those
 //! of the paper; its (1.2) is printed without 1/sin²θ0.
 
-use super::{Accuracy, ForceModel, ModelError, ModelRange, Reference, Response, Where, Workspace};
+use super::{
+    Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Reference, Response, Where,
+    Workspace,
+};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
+
+pub(super) const ENTRY: ModelEntry = ModelEntry {
+    name: "ideal",
+    description: "cylinder without wall, rubber and ends",
+    source: "Chou & Hannaford 1996 [chou1996]; Antonelli et al. 2018 [antonelli2018], (1)",
+};
 
 /// The ideal formula (1). F in N for P in MPa and D0 in mm.
 ///
@@ -18,7 +27,7 @@ use std::f64::consts::PI;
 /// pressure. Free contraction 1 − 1/(√3 cosθ0) at any pressure.
 #[derive(Debug, Clone)]
 pub struct Ideal {
-    muscle: Muscle,
+    info: ModelInfo,
     /// π D0²/(4 sin²θ0)
     area: f64,
     /// cos²θ0
@@ -30,7 +39,9 @@ impl Ideal {
     pub fn new(muscle: &Muscle) -> Self {
         let (sin, cos) = muscle.braid().angle_rad().sin_cos();
         let d0 = muscle.outer_diameter_mm();
-        Self { area: PI * d0 * d0 / (4.0 * sin * sin), cos2: cos * cos, muscle: muscle.clone() }
+        let accuracy = Accuracy::share(0.93, Reference::RandomMuscles(Where::SoftStrandsAndThickWalls));
+        let info = ModelInfo { accuracy, ..ModelInfo::new(&ENTRY, muscle) };
+        Self { area: PI * d0 * d0 / (4.0 * sin * sin), cos2: cos * cos, info }
     }
 
     /// Formula (1).
@@ -47,29 +58,13 @@ impl Ideal {
     /// Volume (B² − L²) L/(4π N²) of the cylinder in mm³.
     pub fn volume(&self, contraction: f64) -> f64 {
         let l = 1.0 - contraction;
-        self.area * self.muscle.length_mm() * l * (1.0 - l * l * self.cos2)
+        self.area * self.info.muscle.length_mm() * l * (1.0 - l * l * self.cos2)
     }
 }
 
 impl ForceModel for Ideal {
-    fn name(&self) -> &str {
-        "ideal"
-    }
-
-    fn muscle(&self) -> &Muscle {
-        &self.muscle
-    }
-
-    fn source(&self) -> &str {
-        "Chou & Hannaford 1996 [chou1996]; Antonelli et al. 2018 [antonelli2018], (1)"
-    }
-
-    fn range(&self) -> ModelRange {
-        ModelRange::open()
-    }
-
-    fn accuracy(&self) -> Accuracy {
-        Accuracy::share(0.93, Reference::RandomMuscles(Where::SoftStrandsAndThickWalls))
+    fn info(&self) -> &ModelInfo {
+        &self.info
     }
 
     fn response(
@@ -85,7 +80,7 @@ impl ForceModel for Ideal {
             return Err(ModelError::Geometry { contraction, lowest: 1.0 - 1.0 / cos, highest: 1.0 });
         }
         let force_n = self.pull(pressure_mpa, contraction);
-        let d = self.muscle.pantograph_diameter_mm(contraction);
+        let d = self.info.muscle.pantograph_diameter_mm(contraction);
         // Axial balance of a cut: F + P π D²/4 = (sum of tensions) · cosθ.
         let tension = (force_n + pressure_mpa * 0.25 * PI * d * d) / c;
         Response {
@@ -94,25 +89,31 @@ impl ForceModel for Ideal {
             force_n,
             volume_mm3: Some(self.volume(contraction)),
             volume_per_pressure_mm3_per_mpa: Some(0.0),
-            volume_per_contraction_mm3: Some(self.muscle.length_mm() * self.pull(1.0, contraction)),
+            volume_per_contraction_mm3: Some(self.info.muscle.length_mm() * self.pull(1.0, contraction)),
             stiffness_n_per_mm: Some(
-                6.0 * self.area * pressure_mpa * l * self.cos2 / self.muscle.length_mm(),
+                6.0 * self.area * pressure_mpa * l * self.cos2 / self.info.muscle.length_mm(),
             ),
             force_per_pressure_mm2: Some(self.pull(1.0, contraction)),
             bulged_diameter_mm: Some(d),
             ..Response::default()
         }
-        .with_braid_tension(tension, self.muscle.braid().strands.map(|s| s.count))
-        .finite(self.name())
+        .with_braid_tension(tension, self.info.muscle.braid().strands.map(|s| s.count))
+        .finite(ENTRY.name)
     }
 
-    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
+    fn extensions(&self) -> Extensions<'_> {
+        Extensions { inverse: Some(self), ..Extensions::default() }
+    }
+}
+
+impl Inverse for Ideal {
+    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         let per_pressure = self.pull(1.0, contraction);
         (per_pressure > 0.0).then(|| force_n / per_pressure)
     }
 
     /// Formula (4).
-    fn exact_contraction(&self, force_n: f64, pressure_mpa: f64) -> Option<f64> {
+    fn contraction_at_pull(&self, _: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
         let inside = (1.0 + force_n / (self.area * pressure_mpa)) / (3.0 * self.cos2);
         (pressure_mpa > 0.0 && inside > 0.0).then(|| 1.0 - inside.sqrt())
     }

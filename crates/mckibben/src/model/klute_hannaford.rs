@@ -9,15 +9,25 @@
 //! energy (the form printed in Tondu's review of 2012 \[tondu2012\] omits 1/L0). It is the thin-wall limit of the thick-wall model.
 
 use super::pantograph::Pantograph;
-use super::{Accuracy, ForceModel, Ideal, ModelError, ModelRange, Reference, Response, Where, Workspace};
+use super::{
+    Accuracy, Extensions, ForceModel, Ideal, Inverse, ModelEntry, ModelError, ModelInfo, Reference, Response,
+    Where, Workspace,
+};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
+
+pub(super) const ENTRY: ModelEntry = ModelEntry {
+    name: "klute-hannaford",
+    description: "ideal muscle and a thin Mooney-Rivlin tube",
+    source: "Klute & Hannaford 2000 [klute2000], derived from the energy",
+};
 
 /// The ideal muscle with a thin rubber tube of one hoop stretch, that of the braid.
 ///
 /// Only for Mooney–Rivlin and neo-Hookean rubber. A thick wall is stretched more at its bore than here.
 #[derive(Debug, Clone)]
 pub struct KluteHannaford {
+    info: ModelInfo,
     ideal: Ideal,
     braid: Pantograph,
     c10: f64,
@@ -38,12 +48,14 @@ impl KluteHannaford {
     /// [`ModelError::Missing`] where the rubber is neither Mooney–Rivlin nor neo-Hookean.
     pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
         let law = muscle.tube().rubber.law.as_mooney_rivlin().ok_or(ModelError::Missing {
-            model: "klute-hannaford",
+            model: ENTRY.name,
             missing: "a mooney-rivlin or neo-hookean rubber; for other laws take the thick-wall model",
             key: "tube.material",
         })?;
         let (c10, c01) = (law.c10_mpa, law.c01_mpa);
-        Ok(Self { ideal: Ideal::new(muscle), braid: Pantograph::of(muscle), c10, c01 })
+        let accuracy = Accuracy::share(0.55, Reference::RandomMuscles(Where::SoftStrands));
+        let info = ModelInfo { accuracy, ..ModelInfo::new(&ENTRY, muscle) };
+        Ok(Self { info, ideal: Ideal::new(muscle), braid: Pantograph::of(muscle), c10, c01 })
     }
 
     fn elastic(&self, l: f64) -> Elastic {
@@ -70,24 +82,8 @@ impl KluteHannaford {
 }
 
 impl ForceModel for KluteHannaford {
-    fn name(&self) -> &str {
-        "klute-hannaford"
-    }
-
-    fn muscle(&self) -> &Muscle {
-        self.ideal.muscle()
-    }
-
-    fn source(&self) -> &str {
-        "Klute & Hannaford 2000 [klute2000], derived from the energy"
-    }
-
-    fn range(&self) -> ModelRange {
-        ModelRange::open()
-    }
-
-    fn accuracy(&self) -> Accuracy {
-        Accuracy::share(0.55, Reference::RandomMuscles(Where::SoftStrands))
+    fn info(&self) -> &ModelInfo {
+        &self.info
     }
 
     fn response(
@@ -110,9 +106,15 @@ impl ForceModel for KluteHannaford {
         Ok(response)
     }
 
-    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
+    fn extensions(&self) -> Extensions<'_> {
+        Extensions { inverse: Some(self), ..Extensions::default() }
+    }
+}
+
+impl Inverse for KluteHannaford {
+    fn pressure_at_pull(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         self.braid.at(contraction).ok()?;
-        self.ideal.exact_pressure(force_n - self.elastic_pull(contraction), contraction)
+        self.ideal.pressure_at_pull(workspace, force_n - self.elastic_pull(contraction), contraction)
     }
 }
 

@@ -8,15 +8,19 @@
 //! one make: θ0 28°, L0 285 mm, one rubber, one braid.
 
 use super::{
-    Accuracy, BatchPath, BlockedAt, Bounds, ForceModel, ForcesError, Interval, ModelError, ModelRange,
-    Quantity, Reference, Response, Workspace, check_finite,
+    Accuracy, BatchPath, BlockedAt, Bounds, Extensions, ForceModel, ForcesError, Interval, Inverse, Lists,
+    ModelEntry, ModelError, ModelInfo, ModelRange, Quantity, Reference, Response, Workspace, check_finite,
 };
 use crate::formula::{Coefficients, Section};
 use crate::muscle::Muscle;
 
-/// Diameters, walls, pressures and contractions for which (11) was made.
-const DIAMETER: (f64, f64) = (30.0, 50.0);
-const WALL: (f64, f64) = (1.0, 5.0);
+pub(super) const ENTRY: ModelEntry = ModelEntry {
+    name: "paper",
+    description: "formula (11) of Antonelli et al. 2018 [antonelli2018]: D0 30-50, s 1-5, L0 285 mm, 28 deg, up to 0.25 MPa",
+    source: "formula (11) with Table 2 of M. G. Antonelli, P. Beomonte Zobel, W. D'Ambrogio, F. Durante, T. Raparelli, Int. J. Mech. Eng. Technol. 9 (2018) 320–337 [antonelli2018]",
+};
+
+/// Pressures and contractions for which (11) was made.
 const PRESSURE: (f64, f64) = (0.0, 0.25);
 const CONTRACTION: (f64, f64) = (0.0, 0.20);
 const ANGLE_DEG: f64 = 28.0;
@@ -25,15 +29,48 @@ const LENGTH_MM: f64 = 285.0;
 /// The paper's formula (11) for one muscle.
 #[derive(Debug, Clone)]
 pub struct Paper {
-    muscle: Muscle,
+    info: ModelInfo,
     section: Section,
 }
 
+/// The box, and what of a muscle lies outside.
+fn range(m: &Muscle) -> ModelRange {
+    let rubber = &m.tube().rubber;
+    let mut make = vec![];
+    if !m.is_paper_make() {
+        if !rubber.is_paper() {
+            let name = rubber.name.as_deref().filter(|n| *n != "paper").unwrap_or("another");
+            make.push(format!("the rubber is {name}, the formula is for the rubber `paper`"));
+        }
+        if m.braid().stiffness != crate::muscle::BraidStiffness::Paper {
+            make.push("the braid has its own stiffness, the formula is for the braid `paper`".into());
+        }
+    }
+    ModelRange { pressure_mpa: PRESSURE, contraction: CONTRACTION, make, ..ModelRange::open() }.with_measures(
+        &[
+            (Interval::new(Quantity::OuterDiameter, Paper::DIAMETERS_MM), m.outer_diameter_mm()),
+            (Interval::new(Quantity::WallThickness, Paper::WALLS_MM), m.wall_mm()),
+            (Interval::only(Quantity::Length, LENGTH_MM), m.length_mm()),
+            (Interval::only(Quantity::BraidAngle, ANGLE_DEG), m.braid().angle_deg),
+        ],
+    )
+}
+
 impl Paper {
+    /// Outer diameters in mm for which the formula was made.
+    pub const DIAMETERS_MM: (f64, f64) = (30.0, 50.0);
+    /// Walls in mm for which it was made.
+    pub const WALLS_MM: (f64, f64) = (1.0, 5.0);
+
     /// The formula with the published numbers.
     pub fn new(muscle: &Muscle) -> Self {
         let section = Coefficients::published().section(muscle.outer_diameter_mm(), muscle.wall_mm());
-        Self { muscle: muscle.clone(), section }
+        let accuracy = Accuracy {
+            share_of_blocked: Some(0.05),
+            blocked_at: BlockedAt::Pressure(PRESSURE.1),
+            reference: Reference::Paper,
+        };
+        Self { info: ModelInfo { range: range(muscle), accuracy, ..ModelInfo::new(&ENTRY, muscle) }, section }
     }
 
     /// The six numbers of this muscle.
@@ -43,46 +80,8 @@ impl Paper {
 }
 
 impl ForceModel for Paper {
-    fn name(&self) -> &str {
-        "paper"
-    }
-
-    fn muscle(&self) -> &Muscle {
-        &self.muscle
-    }
-
-    fn source(&self) -> &str {
-        "formula (11) with Table 2 of M. G. Antonelli, P. Beomonte Zobel, W. D'Ambrogio, F. Durante, T. Raparelli, Int. J. Mech. Eng. Technol. 9 (2018) 320–337 [antonelli2018]"
-    }
-
-    fn range(&self) -> ModelRange {
-        let m = &self.muscle;
-        let rubber = &m.tube().rubber;
-        let mut make = vec![];
-        if !m.is_paper_make() {
-            if !rubber.is_paper() {
-                let name = rubber.name.as_deref().filter(|n| *n != "paper").unwrap_or("another");
-                make.push(format!("the rubber is {name}, the formula is for the rubber `paper`"));
-            }
-            if m.braid().stiffness != crate::muscle::BraidStiffness::Paper {
-                make.push("the braid has its own stiffness, the formula is for the braid `paper`".into());
-            }
-        }
-        ModelRange { pressure_mpa: PRESSURE, contraction: CONTRACTION, make, ..ModelRange::open() }
-            .with_measures(&[
-                (Interval::new(Quantity::OuterDiameter, DIAMETER), m.outer_diameter_mm()),
-                (Interval::new(Quantity::WallThickness, WALL), m.wall_mm()),
-                (Interval::only(Quantity::Length, LENGTH_MM), m.length_mm()),
-                (Interval::only(Quantity::BraidAngle, ANGLE_DEG), m.braid().angle_deg),
-            ])
-    }
-
-    fn accuracy(&self) -> Accuracy {
-        Accuracy {
-            share_of_blocked: Some(0.05),
-            blocked_at: BlockedAt::Pressure(PRESSURE.1),
-            reference: Reference::Paper,
-        }
+    fn info(&self) -> &ModelInfo {
+        &self.info
     }
 
     fn response(
@@ -97,7 +96,7 @@ impl ForceModel for Paper {
             pressure_mpa,
             contraction,
             force_n,
-            stiffness_n_per_mm: Some(-slope / self.muscle.length_mm()),
+            stiffness_n_per_mm: Some(-slope / self.info.muscle.length_mm()),
             force_per_pressure_mm2: Some(self.section.by_pressure(contraction)),
             ..Response::default()
         })
@@ -108,7 +107,7 @@ impl ForceModel for Paper {
         if force.is_finite() {
             Ok(force)
         } else {
-            Err(ModelError::NotFinite { model: "paper".into(), pressure_mpa, contraction })
+            Err(ModelError::NotFinite { model: ENTRY.name.into(), pressure_mpa, contraction })
         }
     }
 
@@ -120,26 +119,27 @@ impl ForceModel for Paper {
         out: &mut [f64],
     ) -> Result<(), ForcesError> {
         self.section.force_batch(pressures_mpa, contractions, out)?;
-        check_finite("paper", pressures_mpa, contractions, out)
+        check_finite(ENTRY.name, pressures_mpa, contractions, out)
     }
 
-    fn pulls_within(
-        &self,
-        _: &mut Workspace,
-        pressures_mpa: &[f64],
-        contractions: &[f64],
-        bounds: &Bounds,
-        out: &mut [f64],
-    ) -> bool {
-        self.section.pulls_within(BatchPath::widest(), bounds, [pressures_mpa, contractions], out)
+    fn extensions(&self) -> Extensions<'_> {
+        Extensions { inverse: Some(&self.section), lists: Some(&self.section), ..Extensions::default() }
+    }
+}
+
+impl Lists for Section {
+    fn pulls_within(&self, bounds: &Bounds, lists: [&[f64]; 2], out: &mut [f64]) -> bool {
+        Section::pulls_within(self, BatchPath::widest(), bounds, lists, out)
+    }
+}
+
+impl Inverse for Section {
+    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
+        self.pressure_mpa(force_n, contraction)
     }
 
-    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
-        self.section.pressure_mpa(force_n, contraction)
-    }
-
-    fn exact_contraction(&self, force_n: f64, pressure_mpa: f64) -> Option<f64> {
-        self.section.contraction(force_n, pressure_mpa)
+    fn contraction_at_pull(&self, _: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
+        self.contraction(force_n, pressure_mpa)
     }
 }
 
@@ -212,9 +212,9 @@ mod tests {
 
     #[test]
     fn what_lies_outside_of_the_box_is_named() {
-        assert!(Paper::new(&Muscle::prototype()).range().check("paper", 0.25, 0.2).is_ok());
+        assert!(Paper::new(&Muscle::prototype()).info.range.check("paper", 0.25, 0.2).is_ok());
         let other = Muscle::prototype().with_section(60.0, 0.5).unwrap();
-        let text = Paper::new(&other).range().check("paper", 0.3, 0.25).unwrap_err().to_string();
+        let text = Paper::new(&other).info.range.check("paper", 0.3, 0.25).unwrap_err().to_string();
         for part in ["outer_diameter 60", "wall_thickness 0.5", "pressure 0.3", "contraction 0.25"] {
             assert!(text.contains(part), "{text}");
         }
@@ -223,7 +223,7 @@ mod tests {
             angle_deg: 25.0,
             ..crate::muscle::Braid::paper()
         };
-        let range = Paper::new(&Muscle::prototype().with_braid(stiff).unwrap()).range();
+        let range = Paper::new(&Muscle::prototype().with_braid(stiff).unwrap()).info.range;
         assert_eq!((range.make.len(), range.muscle.len()), (1, 1));
         assert!(Paper::new(&Muscle::prototype()).force_n(&mut Workspace::new(), f64::NAN, 0.1).is_err());
     }

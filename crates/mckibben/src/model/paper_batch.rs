@@ -151,7 +151,7 @@ fn within<const FUSED: bool>(k: &Section, bounds: &Bounds, inputs: [&[f64]; 2], 
     for i in 0..n {
         let force = pull::<FUSED>(&k, p[i], e[i]);
         without += u64::from(!(bounds.hold(p[i], e[i]) & (force.abs() < f64::INFINITY)));
-        out[i] = bounds.hung(force, p[i]);
+        out[i] = bounds.clamp_slack(force, p[i]);
     }
     without
 }
@@ -273,7 +273,7 @@ impl Section {
         Ok(())
     }
 
-    /// The same in one pass with what every caller looks at, slack pulls 0 ([`ForceModel::pulls_within`](super::ForceModel::pulls_within));
+    /// The same in one pass with what every caller looks at, slack pulls 0 ([`pulls_within`](super::pulls_within));
     /// false where a point lies outside of the bounds or has no number, or the lists differ in length.
     pub(crate) fn pulls_within(
         &self,

@@ -13,8 +13,14 @@
 use super::force_balance::{Balance, balance};
 use super::pantograph::Pantograph;
 use super::root::rising_root;
-use super::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
+use super::{Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Response, Workspace};
 use crate::muscle::Muscle;
+
+pub(super) const ENTRY: ModelEntry = ModelEntry {
+    name: "rounded-ends",
+    description: "force balance of the middle of a muscle with round ends",
+    source: "effective length of Kothera & Wereley 2009 [kothera2009] in the force balance",
+};
 
 /// The force balance of the middle of a muscle whose ends are round; for short muscles.
 ///
@@ -22,7 +28,7 @@ use crate::muscle::Muscle;
 /// gives, and the model refuses.
 #[derive(Debug, Clone)]
 pub struct RoundedEnds {
-    muscle: Muscle,
+    info: ModelInfo,
     braid: Pantograph,
     /// λm at which the whole length no longer grows with that of the middle.
     turn: f64,
@@ -38,12 +44,12 @@ impl RoundedEnds {
         let cot2 = (braid.cos / braid.sin).powi(2);
         let least_mm = 2.0 * braid.r0 * cot2;
         if braid.length <= least_mm {
-            return Err(ModelError::TooShort { model: "rounded-ends", length_mm: braid.length, least_mm });
+            return Err(ModelError::TooShort { model: ENTRY.name, length_mm: braid.length, least_mm });
         }
         // dr/dλ = −r0 cotθ0 c/√(1−c²) with c = λ cosθ0; set it to −L0/2.
         let t = 0.5 * braid.length * braid.sin / (braid.r0 * braid.cos);
         let turn = t / (1.0 + t * t).sqrt() / braid.cos;
-        Ok(Self { muscle: muscle.clone(), braid, turn })
+        Ok(Self { info: ModelInfo::new(&ENTRY, muscle), braid, turn })
     }
 
     /// λm and dλm/dλ at a contraction of the whole muscle.
@@ -71,24 +77,8 @@ impl RoundedEnds {
 }
 
 impl ForceModel for RoundedEnds {
-    fn name(&self) -> &str {
-        "rounded-ends"
-    }
-
-    fn muscle(&self) -> &Muscle {
-        &self.muscle
-    }
-
-    fn source(&self) -> &str {
-        "effective length of Kothera & Wereley 2009 [kothera2009] in the force balance"
-    }
-
-    fn range(&self) -> ModelRange {
-        ModelRange::open()
-    }
-
-    fn accuracy(&self) -> Accuracy {
-        Accuracy::UNKNOWN
+    fn info(&self) -> &ModelInfo {
+        &self.info
     }
 
     fn response(
@@ -107,11 +97,17 @@ impl ForceModel for RoundedEnds {
             bulged_diameter_mm: Some(b.diameter),
             ..Response::default()
         }
-        .with_braid_tension(pressure_mpa * b.tension, self.muscle.braid().strands.map(|s| s.count))
-        .finite(self.name())
+        .with_braid_tension(pressure_mpa * b.tension, self.info.muscle.braid().strands.map(|s| s.count))
+        .finite(ENTRY.name)
     }
 
-    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
+    fn extensions(&self) -> Extensions<'_> {
+        Extensions { inverse: Some(self), ..Extensions::default() }
+    }
+}
+
+impl Inverse for RoundedEnds {
+    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         let (b, _) = self.balance(contraction).ok()?;
         (b.f > 0.0).then(|| force_n / b.f)
     }

@@ -4,9 +4,15 @@
 //!
 //! Source: Tondu & Lopez (2000) \[tondu2000\], whose text was not at hand: the formula is taken from Tondu's review (2012) \[tondu2012\].
 
-use super::{Accuracy, ForceModel, Ideal, ModelError, ModelRange, Response, Workspace};
+use super::{Extensions, ForceModel, Ideal, Inverse, ModelEntry, ModelError, ModelInfo, Response, Workspace};
 use crate::muscle::{EndFactor, Muscle};
 use std::f64::consts::PI;
+
+pub(super) const ENTRY: ModelEntry = ModelEntry {
+    name: "tondu-lopez",
+    description: "ideal muscle with an empirical end factor on the contraction",
+    source: "Tondu & Lopez 2000 [tondu2000], as given by Tondu 2012 [tondu2012]",
+};
 
 /// The ideal formula at the contraction kε.
 ///
@@ -15,6 +21,7 @@ use std::f64::consts::PI;
 /// 1.24, as the form k(P) has it.
 #[derive(Debug, Clone)]
 pub struct TonduLopez {
+    info: ModelInfo,
     ideal: Ideal,
     factor: EndFactor,
 }
@@ -26,33 +33,17 @@ impl TonduLopez {
     /// [`ModelError::Missing`] without an end factor.
     pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
         let factor = muscle.terminals().end_factor.ok_or(ModelError::Missing {
-            model: "tondu-lopez",
+            model: ENTRY.name,
             missing: "an end factor: `end_factor = 1.29` under [model.tondu-lopez] in the muscle file",
             key: "model.tondu-lopez.end_factor",
         })?;
-        Ok(Self { ideal: Ideal::new(muscle), factor })
+        Ok(Self { info: ModelInfo::new(&ENTRY, muscle), ideal: Ideal::new(muscle), factor })
     }
 }
 
 impl ForceModel for TonduLopez {
-    fn name(&self) -> &str {
-        "tondu-lopez"
-    }
-
-    fn muscle(&self) -> &Muscle {
-        self.ideal.muscle()
-    }
-
-    fn source(&self) -> &str {
-        "Tondu & Lopez 2000 [tondu2000], as given by Tondu 2012 [tondu2012]"
-    }
-
-    fn range(&self) -> ModelRange {
-        ModelRange::open()
-    }
-
-    fn accuracy(&self) -> Accuracy {
-        Accuracy::UNKNOWN
+    fn info(&self) -> &ModelInfo {
+        &self.info
     }
 
     fn response(
@@ -83,16 +74,22 @@ impl ForceModel for TonduLopez {
         .with_braid_tension(tension, self.muscle().braid().strands.map(|s| s.count)))
     }
 
-    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
+    fn extensions(&self) -> Extensions<'_> {
+        Extensions { inverse: Some(self), ..Extensions::default() }
+    }
+}
+
+impl Inverse for TonduLopez {
+    fn pressure_at_pull(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         match self.factor {
-            EndFactor::Constant(k) => self.ideal.exact_pressure(force_n, k * contraction),
+            EndFactor::Constant(k) => self.ideal.pressure_at_pull(workspace, force_n, k * contraction),
             EndFactor::OfPressure { .. } => None,
         }
     }
 
-    fn exact_contraction(&self, force_n: f64, pressure_mpa: f64) -> Option<f64> {
+    fn contraction_at_pull(&self, workspace: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
         let k = self.factor.at(pressure_mpa);
-        self.ideal.exact_contraction(force_n, pressure_mpa).map(|e| e / k)
+        self.ideal.contraction_at_pull(workspace, force_n, pressure_mpa).map(|e| e / k)
     }
 }
 

@@ -36,9 +36,9 @@ pub struct Ends {
     stated: bool,
 }
 
-/// Where the ends stand at a pressure and a contraction of the whole.
+/// The state of the ends at a pressure and a contraction of the whole.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Met {
+pub struct EndState {
     /// P in MPa.
     pub pressure_mpa: f64,
     /// ε.
@@ -104,43 +104,43 @@ impl Ends {
     }
 
     /// u in mm at a pressure in MPa and a pull in N.
-    pub fn way_mm(&self, pressure_mpa: f64, force_n: f64) -> f64 {
+    pub fn end_displacement_mm(&self, pressure_mpa: f64, force_n: f64) -> f64 {
         self.seating_mm + self.slip_mm_per_n * self.load_n(pressure_mpa, force_n)
     }
 
-    /// x of ε, where the ends give way by `way_mm`.
-    pub fn between(&self, contraction: f64, way_mm: f64) -> f64 {
-        contraction * (self.length_mm / self.active_mm()) + way_mm / self.active_mm()
+    /// x of ε, where the ends give way by `displacement_mm`.
+    pub fn between(&self, contraction: f64, displacement_mm: f64) -> f64 {
+        contraction * (self.length_mm / self.active_mm()) + displacement_mm / self.active_mm()
     }
 
     /// ε of x.
-    pub fn whole(&self, between: f64, way_mm: f64) -> f64 {
-        (between - way_mm / self.active_mm()) / (self.length_mm / self.active_mm())
+    pub fn whole(&self, between: f64, displacement_mm: f64) -> f64 {
+        (between - displacement_mm / self.active_mm()) / (self.length_mm / self.active_mm())
     }
 
     /// u in mm where x goes with ε.
-    pub fn way_between_mm(&self, contraction: f64, between: f64) -> f64 {
+    pub fn displacement_between_mm(&self, contraction: f64, between: f64) -> f64 {
         between * self.active_mm() - contraction * self.length_mm
     }
 
-    /// Where the ends stand; `pull` gives F₀ in N and K₀ in N/mm at x. `None` where Newton's method does not find it.
+    /// The state of the ends; `pull` gives F₀ in N and K₀ in N/mm at x. `None` where Newton's method does not find it.
     ///
     /// # Errors
     /// Those of `pull`.
-    pub fn meet<E>(
+    pub fn solve_end_displacement<E>(
         &self,
         pressure_mpa: f64,
         contraction: f64,
         mut pull: impl FnMut(f64) -> Result<(f64, f64), E>,
-    ) -> Result<Option<Met>, E> {
-        let mut way = self.way_mm(pressure_mpa, 0.0);
+    ) -> Result<Option<EndState>, E> {
+        let mut displacement = self.end_displacement_mm(pressure_mpa, 0.0);
         for _ in 0..Self::STEPS {
-            let between = self.between(contraction, way);
+            let between = self.between(contraction, displacement);
             let (force_n, stiffness_n_per_mm) = pull(between)?;
-            let miss = self.way_mm(pressure_mpa, force_n) - way;
-            if self.slip_mm_per_n == 0.0 || miss.abs() <= 1e-9 * (1.0 + way.abs()) {
+            let miss = self.end_displacement_mm(pressure_mpa, force_n) - displacement;
+            if self.slip_mm_per_n == 0.0 || miss.abs() <= 1e-9 * (1.0 + displacement.abs()) {
                 let load_n = self.load_n(pressure_mpa, force_n);
-                return Ok(Some(Met {
+                return Ok(Some(EndState {
                     pressure_mpa,
                     whole: contraction,
                     between,
@@ -148,18 +148,18 @@ impl Ends {
                     stiffness_n_per_mm,
                 }));
             }
-            way += miss / self.softer(stiffness_n_per_mm).max(0.5);
+            displacement += miss / self.series_factor(stiffness_n_per_mm).max(0.5);
         }
         Ok(None)
     }
 
     /// 1 + c K₀.
-    pub fn softer(&self, stiffness_n_per_mm: f64) -> f64 {
+    pub fn series_factor(&self, stiffness_n_per_mm: f64) -> f64 {
         1.0 + self.slip_mm_per_n * stiffness_n_per_mm
     }
 
     /// ∂F by a constant or measure of the whole muscle, of which `inner` is ∂F₀; that by the grip needs ∂F₀/∂La.
-    pub fn slope(&self, at: &Met, name: &str, inner: f64) -> f64 {
+    pub fn slope(&self, at: &EndState, name: &str, inner: f64) -> f64 {
         let k = at.stiffness_n_per_mm;
         let wider = k * self.slip_mm_per_n * at.pressure_mpa * std::f64::consts::PI * self.bore_radius_mm;
         let held = match name {
@@ -171,7 +171,7 @@ impl Ends {
             "tube.wall_thickness" => inner + 2.0 * wider,
             _ => inner,
         };
-        held / self.softer(k)
+        held / self.series_factor(k)
     }
 
     /// Of which constant of the muscle between its ends [`Ends::slope`] needs ∂F₀; `None` for those of the ends alone.

@@ -15,7 +15,7 @@ use super::Direction;
 /// G = (2/3) ∫ pc |dθ/dL| dA
 /// ```
 ///
-/// pc pressure of the strands on the tube, θ their angle, A the surface: [`ForceModel::pivoting_n_per_mm`](crate::model::ForceModel::pivoting_n_per_mm). It falls
+/// pc pressure of the strands on the tube, θ their angle, A the surface: [`pivoting_n_per_mm`](crate::model::pivoting_n_per_mm). It falls
 /// with the contraction, as measured half-widths do, and grows faster with the pressure than they do: of one muscle (Tondu 2012, Fig. 3)
 /// μw G misses by 7.6 N rms with one number, C P^β by 8.8 N with two. Source of the crossings: Davis & Caldwell (2006) \[davis2006\].
 ///

@@ -100,7 +100,7 @@ struct Known {
 fn known(r: &mut Random) -> Option<Known> {
     let muscle = any_muscle(r);
     let model = r.one_of(&ModelKind::ALL).build(&muscle).ok()?;
-    let range = model.range();
+    let range = &model.info().range;
     let options = Options {
         two_sided: r.unit() < 0.5,
         extrapolate: r.unit() < 0.2,
@@ -137,7 +137,7 @@ fn no_inverse_that_exists_is_denied() {
         let failure = |what: &str, error: String| {
             format!(
                 "{what} {}: P {} ε {} F {f} {:?} {error}\n{:?}",
-                model.name(),
+                model.info().name,
                 k.pressure_mpa,
                 k.contraction,
                 k.options,
@@ -176,7 +176,7 @@ fn no_place_comes_nearer_than_the_nearest() {
         if f < 0.0 && !k.options.two_sided {
             continue;
         }
-        let range = model.range();
+        let range = &model.info().range;
         let direction = k.options.direction;
         let pulled = |v: f64| if k.options.two_sided { v } else { v.max(0.0) };
         let said = pressure_at(model, w, f, k.contraction, k.options);
@@ -188,7 +188,11 @@ fn no_place_comes_nearer_than_the_nearest() {
                 let p = range.pressure_mpa.0 + (high - range.pressure_mpa.0) * (f64::from(i) / 500.0).powi(2);
                 let Ok(there) = force_on(model, w, p, k.contraction, direction) else { continue };
                 let there = (pulled(there) - f).abs();
-                assert!(there >= nearest - 1e-6 * k.scale_n, "{}: {there} at {p}, {said:?}", model.name());
+                assert!(
+                    there >= nearest - 1e-6 * k.scale_n,
+                    "{}: {there} at {p}, {said:?}",
+                    model.info().name
+                );
             }
         }
         let said = contraction_at(model, w, f, k.pressure_mpa, k.options);
@@ -201,7 +205,11 @@ fn no_place_comes_nearer_than_the_nearest() {
                 let e = low + (high.min(0.999) - low) * f64::from(i) / 500.0;
                 let Ok(there) = force_on(model, w, k.pressure_mpa, e, direction) else { continue };
                 let there = (pulled(there) - f).abs();
-                assert!(there >= nearest - 1e-6 * k.scale_n, "{}: {there} at {e}, {said:?}", model.name());
+                assert!(
+                    there >= nearest - 1e-6 * k.scale_n,
+                    "{}: {there} at {e}, {said:?}",
+                    model.info().name
+                );
             }
         }
     }

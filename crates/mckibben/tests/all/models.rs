@@ -4,8 +4,8 @@ use mckibben::answer::{Options, contraction, point};
 use mckibben::curve::{Test, curves};
 use mckibben::formula::Coefficients;
 use mckibben::model::{
-    ChouHannaford, ForceBalance, ForceModel, ForcesError, Ideal, ModelError, ModelKind, Paper, ThickWall,
-    Workspace, smallest_pressure_mpa,
+    ChouHannaford, ForceBalance, ForceModel, ForcesError, Ideal, Inverse, ModelError, ModelKind, Paper,
+    ThickWall, Workspace, smallest_pressure_mpa,
 };
 use mckibben::muscle::{
     Braid, BraidStiffness, EndFactor, MeasuredStrand, Muscle, NEUTRAL_ANGLE_DEG, Rubber, Terminals, Tube,
@@ -45,7 +45,7 @@ fn an_answer_is_of_the_point_that_was_asked_for() {
             for options in [Options::default(), Options { two_sided: true, ..Options::default() }] {
                 let Ok(answer) = point(&*model, &mut Workspace::new(), p, e, options) else { continue };
                 let of = (answer.response.pressure_mpa, answer.response.contraction);
-                assert_eq!(of, (p, e), "{}", model.name());
+                assert_eq!(of, (p, e), "{}", model.info().name);
             }
         }
     }
@@ -57,10 +57,10 @@ fn an_answer_is_of_the_point_that_was_asked_for() {
 fn a_slack_muscle_is_what_it_is_at_its_free_contraction() {
     for model in every_model() {
         let (model, w) = (&*model, &mut Workspace::new());
-        let p = model.range().pressure_mpa.1.min(0.2);
+        let p = model.info().range.pressure_mpa.1.min(0.2);
         let Ok(free) = contraction(model, w, 0.0, p, Options::default()) else { continue };
         let past = [1.05, 1.1, 1.3].map(|share| share * free.response.contraction);
-        let range = model.range().contraction.1;
+        let range = model.info().range.contraction.1;
         let past: Vec<f64> = past.into_iter().filter(|e| *e < range.min(0.99)).collect();
         let alone =
             past.iter().map(|&e| point(model, &mut Workspace::new(), p, e, Options::default()).unwrap());
@@ -70,24 +70,29 @@ fn a_slack_muscle_is_what_it_is_at_its_free_contraction() {
         );
         let along = family.into_iter().flat_map(|c| c.points).map(|point| point.answer.unwrap());
         for slack in alone.chain(along) {
-            assert!(slack.slack && slack.response.force_n == 0.0, "{}", model.name());
-            assert!(slack.free_contraction.is_some(), "{}", model.name());
+            assert!(slack.slack && slack.response.force_n == 0.0, "{}", model.info().name);
+            assert!(slack.free_contraction.is_some(), "{}", model.info().name);
             let near = |a: Option<f64>, b: Option<f64>| match (a, b) {
                 (Some(a), Some(b)) => (a - b).abs() <= 1e-9 * b.abs().max(1e-3),
                 (a, b) => a == b,
             };
             let (a, b) = (slack.response, free.response);
-            assert!(near(a.volume_mm3, b.volume_mm3), "{}: {a:?} {b:?}", model.name());
-            assert!(near(a.bulged_diameter_mm, b.bulged_diameter_mm), "{}: {a:?} {b:?}", model.name());
-            assert!(near(a.braid_tension_n, b.braid_tension_n), "{}: {a:?} {b:?}", model.name());
-            assert_eq!((a.stiffness_n_per_mm, a.force_per_pressure_mm2), (None, None), "{}", model.name());
+            assert!(near(a.volume_mm3, b.volume_mm3), "{}: {a:?} {b:?}", model.info().name);
+            assert!(near(a.bulged_diameter_mm, b.bulged_diameter_mm), "{}: {a:?} {b:?}", model.info().name);
+            assert!(near(a.braid_tension_n, b.braid_tension_n), "{}: {a:?} {b:?}", model.info().name);
+            assert_eq!(
+                (a.stiffness_n_per_mm, a.force_per_pressure_mm2),
+                (None, None),
+                "{}",
+                model.info().name
+            );
         }
     }
 }
 
 /// Pressures and contractions inside of a model's box; where it is open, 0.6 MPa and 25 %.
 fn grid(model: &dyn ForceModel) -> Vec<(f64, f64)> {
-    let range = model.range();
+    let range = &model.info().range;
     let (p, e) = (range.pressure_mpa.1.min(0.6), range.contraction.1.min(0.25));
     (0..=6).flat_map(|i| (0..=6).map(move |j| (p * f64::from(i) / 6.0, e * f64::from(j) / 6.0))).collect()
 }
@@ -98,23 +103,23 @@ fn answers_are_finite_over_the_range_and_typed_errors_beyond() {
         for (p, e) in grid(&*model) {
             match model.response(&mut Workspace::new(), p, e) {
                 Ok(r) => {
-                    assert!(r.force_n.is_finite(), "{} {p} {e}", model.name());
+                    assert!(r.force_n.is_finite(), "{} {p} {e}", model.info().name);
                     assert_eq!((r.pressure_mpa, r.contraction), (p, e));
                     let force = model.force_n(&mut Workspace::new(), p, e).unwrap();
                     assert!((force - r.force_n).abs() <= 1e-9 * (1.0 + r.force_n.abs()));
                     for v in [r.volume_mm3, r.bulged_diameter_mm, r.max_stretch].into_iter().flatten() {
-                        assert!(v.is_finite() && v > 0.0, "{} {p} {e}: {v}", model.name());
+                        assert!(v.is_finite() && v > 0.0, "{} {p} {e}: {v}", model.info().name);
                     }
                 }
-                Err(error) => panic!("{} {p} {e}: {error}", model.name()),
+                Err(error) => panic!("{} {p} {e}: {error}", model.info().name),
             }
         }
-        if model.name() != "thick-wall" {
-            assert!(model.response(&mut Workspace::new(), f64::NAN, 0.1).is_err(), "{}", model.name());
+        if model.info().name != "thick-wall" {
+            assert!(model.response(&mut Workspace::new(), f64::NAN, 0.1).is_err(), "{}", model.info().name);
         }
         for (p, e) in [(0.2, f64::NAN), (0.2, 0.999), (0.2, 1.0), (0.2, -0.5), (0.2, 5.0), (1e3, 0.1)] {
             if let Ok(force) = model.force_n(&mut Workspace::new(), p, e) {
-                assert!(force.is_finite(), "{} {p} {e}: {force}", model.name());
+                assert!(force.is_finite(), "{} {p} {e}: {force}", model.info().name);
             }
         }
     }
@@ -131,12 +136,16 @@ fn lists_of_pulls_are_their_points() {
         let blocked = model.force_n(workspace, p[p.len() - 1], 0.0).unwrap();
         for ((&p, &e), list) in p.iter().zip(&e).zip(&out) {
             let one = model.force_n(&mut Workspace::new(), p, e).unwrap();
-            assert!((list - one).abs() <= 2e-9 * blocked.max(1.0), "{} {p} {e}: {list} {one}", model.name());
+            assert!(
+                (list - one).abs() <= 2e-9 * blocked.max(1.0),
+                "{} {p} {e}: {list} {one}",
+                model.info().name
+            );
         }
         assert!(model.forces_n(workspace, &p[1..], &e, &mut out).is_err());
-        if model.name() != "thick-wall" {
+        if model.info().name != "thick-wall" {
             let wrong = model.forces_n(workspace, &[0.1, f64::NAN], &[0.1, 0.1], &mut [0.0; 2]);
-            assert!(matches!(wrong, Err(ForcesError::Point { index: 1, .. })), "{}", model.name());
+            assert!(matches!(wrong, Err(ForcesError::Point { index: 1, .. })), "{}", model.info().name);
         }
     }
 }
@@ -144,11 +153,11 @@ fn lists_of_pulls_are_their_points() {
 #[test]
 fn slopes_of_pull_and_volume_are_those_of_finite_differences() {
     for model in every_model() {
-        let (length, name) = (model.muscle().length_mm(), model.name().to_owned());
+        let (length, name) = (model.muscle().length_mm(), model.info().name.clone());
         for (p, e) in grid(&*model) {
             let h = 1e-6;
             // Away from the ends of the box, and from where a tube leaves its braid.
-            let (p, e) = (p.max(0.05).min(model.range().pressure_mpa.1 - 0.01), e.max(1e-3));
+            let (p, e) = (p.max(0.05).min(model.info().range.pressure_mpa.1 - 0.01), e.max(1e-3));
             let r = model.response(&mut Workspace::new(), p, e).unwrap();
             let f = |p: f64, e: f64| model.force_n(&mut Workspace::new(), p, e).unwrap();
             let scale = 1.0 + r.force_n.abs() + f(p, 0.0).abs();
@@ -176,10 +185,11 @@ fn slopes_of_pull_and_volume_are_those_of_finite_differences() {
 #[test]
 fn closed_inverses_come_back() {
     for model in every_model() {
-        let name = model.name().to_owned();
+        let name = model.info().name.clone();
         for (p, e) in grid(&*model).into_iter().filter(|(p, _)| *p > 0.0) {
             let force = model.force_n(&mut Workspace::new(), p, e).unwrap();
-            if let Some(back) = model.exact_pressure(force, e) {
+            let (inverse, w) = (model.extensions().inverse, &mut Workspace::new());
+            if let Some(back) = inverse.and_then(|own| own.pressure_at_pull(w, force, e)) {
                 assert!((back - p).abs() < 1e-9, "{name} {p} {e}");
             }
             let falls = model
@@ -187,7 +197,8 @@ fn closed_inverses_come_back() {
                 .unwrap()
                 .stiffness_n_per_mm
                 .is_some_and(|k| k > 0.0);
-            if let Some(back) = model.exact_contraction(force, p).filter(|_| falls) {
+            if let Some(back) = inverse.and_then(|own| own.contraction_at_pull(w, force, p)).filter(|_| falls)
+            {
                 assert!((back - e).abs() < 1e-9, "{name} {p} {e}");
             }
         }
@@ -224,8 +235,8 @@ fn maxwell_holds_where_the_force_is_the_slope_of_an_energy() {
 fn presets_say_what_they_ignore() {
     for model in every_model() {
         // The muscle has an end factor, which the universal formulas replace by their ends.
-        let ignores = ["festo", "universal"].iter().any(|word| model.name().starts_with(word));
-        assert_eq!(model.notes(&Workspace::new()).is_empty(), !ignores, "{}", model.name());
+        let ignores = ["festo", "universal"].iter().any(|word| model.info().name.starts_with(word));
+        assert_eq!(model.info().notes.is_empty(), !ignores, "{}", model.info().name);
     }
 }
 
@@ -256,7 +267,7 @@ fn ideal_figures_of_the_literature() {
         assert!((f - relative).abs() < 5e-4, "{angle}°: {f}");
         assert!((m.max_ideal_contraction() - e_max).abs() < 5e-6);
         // Free contraction ends where the strands stand at 54.7356°.
-        let free = Ideal::new(&m).exact_contraction(0.0, 0.3).unwrap();
+        let free = Ideal::new(&m).contraction_at_pull(&mut Workspace::new(), 0.0, 0.3).unwrap();
         let theta = ((1.0 - free) * angle.to_radians().cos()).acos().to_degrees();
         assert!((theta - NEUTRAL_ANGLE_DEG).abs() < 1e-10, "{theta}");
     }
@@ -355,7 +366,7 @@ fn festo_presets_against_measured_maps() {
         for row in measured(text) {
             let number = |i: usize| row[i].parse::<f64>().unwrap();
             let (p, e) = (1e-6 * number(0), number(2));
-            if &row[5] == "0" && model.range().violations(p, e).is_empty() {
+            if &row[5] == "0" && model.info().range.violations(p, e).is_empty() {
                 sum += (model.force_n(&mut Workspace::new(), p, e).unwrap() - number(4)).powi(2);
                 n += 1;
             }
@@ -428,7 +439,7 @@ proptest! {
         let h = 1e-5;
         let by_volume = p * (ideal.volume(e + h) - ideal.volume(e - h)) / (2.0 * h * length);
         prop_assert!((by_volume - force).abs() < 1e-6 * scale, "{} {}", by_volume, force);
-        let back = ideal.exact_contraction(force, p).unwrap();
+        let back = ideal.contraction_at_pull(&mut Workspace::new(), force, p).unwrap();
         prop_assert!((back - e).abs() < 1e-12, "{} {}", back, e);
     }
 
@@ -471,8 +482,9 @@ proptest! {
             if let Ok(r) = model.response(&mut Workspace::new(), p, e) {
                 prop_assert!(r.force_n.is_finite(), "{}", kind);
             }
-            let inverses = [model.exact_pressure(10.0, e), model.exact_contraction(10.0, p)];
-            for x in inverses.into_iter().flatten() {
+            let (own, w) = (model.extensions().inverse, &mut Workspace::new());
+            let inverses = own.map(|own| [own.pressure_at_pull(w, 10.0, e), own.contraction_at_pull(w, 10.0, p)]);
+            for x in inverses.into_iter().flatten().flatten() {
                 prop_assert!(x.is_finite(), "{}", kind);
             }
         }

@@ -26,7 +26,7 @@ use crate::hash;
 use mckibben::muscle::Muscle;
 use mckibben::muscle::file::{FileError, read_text};
 use mckibben::rubber::Law;
-use mckibben_fem::simulation::Elements;
+use mckibben_fem::elements::Elements;
 use sampling::Design;
 use std::path::Path;
 

@@ -4,7 +4,7 @@ use super::sampling::{Design, MOST_MUSCLES, MOST_SOBOL, Sampling};
 use super::{Plan, Testing, axis, vary};
 use mckibben::muscle::file::{FileError, Problem, Section, Source, parse_muscle_beside};
 use mckibben::units::{Dimension, Values};
-use mckibben_fem::simulation::{Elements, MeshTextError};
+use mckibben_fem::elements::{Elements, MeshTextError};
 use std::sync::LazyLock;
 
 const TABLES: &[&str] = &["sampling", "vary", "test"];
@@ -162,7 +162,7 @@ fn elements(section: &Section<'_>) -> Result<Elements, FileError> {
     let expected = "a finite-element model: fe or fe3d";
     let word = section.text("model", expected)?;
     let unknown = || section.error("model", Problem::Word { suggestion: None, expected });
-    let elements: Elements = word.unwrap_or(Elements::NAMES[0]).parse().map_err(|_| unknown())?;
+    let elements: Elements = word.unwrap_or(Elements::ENTRIES[0].name).parse().map_err(|_| unknown())?;
     let Some(text) = section.text("mesh", elements.mesh_syntax())? else { return Ok(elements) };
     elements.with_mesh(text).map_err(|error| {
         let problem = match error {

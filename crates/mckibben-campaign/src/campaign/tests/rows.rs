@@ -3,6 +3,7 @@
 use super::*;
 use crate::PointRow;
 use mckibben::model::Workspace;
+use mckibben_fem::simulation::Given;
 
 fn run_plan(text: &str) -> Vec<PointRow> {
     let dir = folder();
@@ -24,7 +25,7 @@ fn rows_are_what_the_model_says_and_derivatives_are_those_of_the_forces() {
         let model = plan.testing().elements.build(&muscle).unwrap();
         let at = |e: usize, p: usize| nine[3 * e + p].force_n.unwrap();
         let here = &nine[4];
-        let solution = model.solve(&mut Workspace::new(), 0.2, 0.1).unwrap();
+        let solution = model.solve(&mut Workspace::new(), Given::at(0.2, 0.1)).unwrap();
         assert!((at(1, 1) / solution.response.force_n - 1.0).abs() < 1e-9);
         let slope = (at(1, 2) - at(1, 0)) / 2e-4;
         assert!((here.force_per_pressure_n_per_mpa.unwrap() / slope - 1.0).abs() < 1e-5);
@@ -137,7 +138,7 @@ fn rows_of_a_plan_with_fe3d_are_what_that_model_says() {
     for row in rows {
         let muscle = plan.inputs(row.muscle).muscle().unwrap();
         let model = plan.testing().elements.build(&muscle).unwrap();
-        assert_eq!((model.name(), row.status), ("fe3d", Status::Ok));
+        assert_eq!((&*model.info().name, row.status), ("fe3d", Status::Ok));
         let force = model.force_n(&mut Workspace::new(), row.pressure_mpa, row.contraction).unwrap();
         assert!((row.force_n.unwrap() / force - 1.0).abs() < 1e-8);
     }

@@ -344,7 +344,7 @@ impl ThickWall {
     }
 
     fn locked(&self, l: f64, r: f64) -> ModelError {
-        let bore = self.wall.bore2(l, r).max(0.0).sqrt() / self.muscle.tube().inner_radius_mm();
+        let bore = self.wall.bore2(l, r).max(0.0).sqrt() / self.info.muscle.tube().inner_radius_mm();
         ModelError::Locked { contraction: 1.0 - l, hoop_stretch: bore, law: self.law.name() }
     }
 }

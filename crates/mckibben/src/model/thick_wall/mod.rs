@@ -22,10 +22,19 @@ mod tests;
 
 pub(super) use equilibrium::State;
 
-use super::{Accuracy, ForceModel, ModelError, ModelRange, Reference, Response, Wall, Where, Workspace};
-use crate::muscle::{Bulk, Crimp, EndFactor, Muscle};
+use super::{
+    Accuracy, Contact, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Reference,
+    Response, Wall, Where, Workspace, notes,
+};
+use crate::muscle::{Crimp, EndFactor, Muscle};
 use crate::rubber::Law;
 use std::f64::consts::PI;
+
+pub(super) const ENTRY: ModelEntry = ModelEntry {
+    name: "thick-wall",
+    description: "energy of a long muscle: any rubber, any wall, strands that stretch",
+    source: "energy of the infinitely long muscle: Liu & Rahn 2003 [liu2003] for rigid strands, extended here to strands that stretch",
+};
 
 /// The thick-wall energy model for any rubber law.
 ///
@@ -34,7 +43,7 @@ use std::f64::consts::PI;
 /// energy alike (Tondu & Lopez 2000 \[tondu2000\]).
 #[derive(Debug, Clone)]
 pub struct ThickWall {
-    muscle: Muscle,
+    info: ModelInfo,
     wall: Wall,
     law: Law,
     /// Ro
@@ -54,8 +63,20 @@ impl ThickWall {
     /// The thick-wall model of a muscle.
     pub fn new(muscle: &Muscle) -> Self {
         let (sin, cos) = muscle.braid().angle_rad().sin_cos();
-        let lay = muscle.strand_lay();
+        let (lay, k) = (muscle.strand_lay(), muscle.family_stiffness_n_per_mm());
+        // The ends are what this model leaves out: their share of the force goes like D0/L0.
+        let share = muscle.outer_diameter_mm() / muscle.length_mm();
+        let stretching = k.is_some();
+        let per_slenderness = if stretching { 0.76 } else { 0.65 };
+        let reference = Reference::RandomMuscles(Where::Ends { per_slenderness, stretching });
+        let left_out =
+            [notes::incompressible(ENTRY.name, muscle), notes::first_inflation(ENTRY.name, muscle)];
         Self {
+            info: ModelInfo {
+                accuracy: Accuracy::share(per_slenderness * share, reference),
+                notes: left_out.into_iter().flatten().collect(),
+                ..ModelInfo::new(&ENTRY, muscle)
+            },
             rs: lay.radius_mm,
             offset: lay.offset_mm,
             crimp: muscle.braid().crimp,
@@ -64,9 +85,8 @@ impl ThickWall {
             ro: muscle.tube().outer_radius_mm(),
             sin2: sin * sin,
             cos2: cos * cos,
-            k: muscle.family_stiffness_n_per_mm(),
+            k,
             compression: muscle.braid().compression,
-            muscle: muscle.clone(),
         }
     }
 
@@ -136,7 +156,7 @@ impl ThickWall {
 
     /// λ = 1 − kε with the end factor of the terminals, dλ/dε, dλ/dP.
     fn stretch(&self, p: f64, contraction: f64) -> (f64, f64, f64) {
-        match self.muscle.terminals().end_factor {
+        match self.info.muscle.terminals().end_factor {
             None => (1.0 - contraction, -1.0, 0.0),
             Some(k) => {
                 let slope = if matches!(k, EndFactor::Constant(_)) { 0.0 } else { -k.slope(p) * contraction };
@@ -146,52 +166,9 @@ impl ThickWall {
     }
 }
 
-impl ThickWall {
-    /// The pressure of the equilibrium with a given pull: in closed form where strands do not stretch, else by Newton's
-    /// method for the radius.
-    fn pressure_of(&self, force_n: f64, contraction: f64) -> Option<f64> {
-        if matches!(self.muscle.terminals().end_factor, Some(EndFactor::OfPressure { .. })) {
-            return None;
-        }
-        let (l, _, _) = self.stretch(0.0, contraction);
-        self.pressure_for(force_n, l)
-    }
-}
-
 impl ForceModel for ThickWall {
-    fn name(&self) -> &str {
-        "thick-wall"
-    }
-
-    fn muscle(&self) -> &Muscle {
-        &self.muscle
-    }
-
-    fn source(&self) -> &str {
-        "energy of the infinitely long muscle: Liu & Rahn 2003 [liu2003] for rigid strands, extended here to strands that stretch"
-    }
-
-    fn range(&self) -> ModelRange {
-        ModelRange::open()
-    }
-
-    fn accuracy(&self) -> Accuracy {
-        // The ends are what this model leaves out: their share of the force goes like D0/L0.
-        let share = self.muscle.outer_diameter_mm() / self.muscle.length_mm();
-        let stretching = self.k.is_some();
-        let per_slenderness = if stretching { 0.76 } else { 0.65 };
-        let reference = Reference::RandomMuscles(Where::Ends { per_slenderness, stretching });
-        Accuracy::share(per_slenderness * share, reference)
-    }
-
-    fn notes(&self, _: &Workspace) -> Vec<String> {
-        let bulk = match self.muscle.tube().rubber.bulk {
-            Bulk::Incompressible => None,
-            Bulk::Modulus(_) => {
-                Some("thick-wall assumes incompressible rubber; its bulk modulus is not used".into())
-            }
-        };
-        bulk.into_iter().chain(super::first_inflation("thick-wall", &self.muscle)).collect()
+    fn info(&self) -> &ModelInfo {
+        &self.info
     }
 
     fn response(
@@ -202,7 +179,7 @@ impl ForceModel for ThickWall {
     ) -> Result<Response, ModelError> {
         let (l, l_eps, l_p) = self.stretch(pressure_mpa, contraction);
         let s = self.state(pressure_mpa, l)?;
-        let length = self.muscle.length_mm();
+        let length = self.info.muscle.length_mm();
         let by_stretch = PI * length * (s.r * s.r + 2.0 * s.r * s.r_by[0] * l);
         let response = Response {
             pressure_mpa,
@@ -218,7 +195,7 @@ impl ForceModel for ThickWall {
             max_stretch: Some(self.wall.largest_stretch(l, s.r)),
             ..Response::default()
         };
-        Ok(response.with_braid_tension(s.tension, self.muscle.braid().strands.map(|s| s.count)))
+        Ok(response.with_braid_tension(s.tension, self.info.muscle.braid().strands.map(|s| s.count)))
     }
 
     fn force_n(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
@@ -226,11 +203,29 @@ impl ForceModel for ThickWall {
         Ok(self.state(pressure_mpa, l)?.force)
     }
 
-    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
-        if self.k.is_none() { self.pressure_of(force_n, contraction) } else { None }
+    fn extensions(&self) -> Extensions<'_> {
+        Extensions { inverse: Some(self), contact: Some(self), ..Extensions::default() }
     }
+}
 
-    fn pressure_under_load(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        self.pressure_of(force_n, contraction)
+impl Inverse for ThickWall {
+    /// In closed form where strands do not stretch, else by Newton's method for the radius.
+    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
+        if matches!(self.info.muscle.terminals().end_factor, Some(EndFactor::OfPressure { .. })) {
+            return None;
+        }
+        let (l, _, _) = self.stretch(0.0, contraction);
+        self.pressure_for(force_n, l)
+    }
+}
+
+impl Contact for ThickWall {
+    fn pivoting_n_per_mm(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64, ModelError> {
+        self.pivoting(pressure_mpa, contraction)
     }
 }

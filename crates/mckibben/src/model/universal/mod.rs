@@ -22,11 +22,11 @@ mod search;
 mod tests;
 
 use super::{
-    Accuracy, BlockedAt, ForceModel, ForcesError, ModelError, ModelId, ModelRange, Reference, Response,
-    ThickWall, Workspace,
+    Accuracy, BlockedAt, ForceModel, ForcesError, ModelEntry, ModelError, ModelId, ModelInfo, Reference,
+    Response, ThickWall, Workspace, notes,
 };
 use crate::formula::{Form, UniversalFormula};
-use crate::muscle::{Bulk, Muscle};
+use crate::muscle::Muscle;
 use crate::rubber::RubberLaw;
 use dual::Dual;
 use end::EndZone;
@@ -35,6 +35,20 @@ use pushing::Zero;
 use search::{ITERATIONS, Place};
 use std::f64::consts::PI;
 use std::sync::Arc;
+
+const SOURCE: &str = "infinitely long muscle with computed ends";
+
+pub(super) const ENTRY: ModelEntry = ModelEntry {
+    name: "universal",
+    description: "long muscle with computed ends: any size, rubber, wall, braid and length",
+    source: SOURCE,
+};
+
+pub(super) const SMALL: ModelEntry = ModelEntry {
+    name: "universal-small",
+    description: "the same with ends of 16 terms, for hand calculation",
+    source: SOURCE,
+};
 
 /// Where the muscle ceases to pull, at the pressure (its bits) asked last: what a [`Universal`] keeps in its workspace.
 type Kept = Option<(u64, Zero)>;
@@ -47,8 +61,8 @@ const ENDS: f64 = 0.4;
 /// A universal formula with a muscle put in.
 #[derive(Debug, Clone)]
 pub struct Universal {
+    info: ModelInfo,
     formula: Arc<UniversalFormula>,
-    muscle: Muscle,
     zone: EndZone,
     deficit: Bound,
     /// 4 sin²θ0
@@ -57,7 +71,6 @@ pub struct Universal {
     /// ½π(Ro² − Ri²) μ over the square of the radius at mid wall: what a thin wall takes of a pressure, for first guesses
     wall_modulus: f64,
     id: ModelId,
-    source: String,
 }
 
 /// What a point of known pull says about δ; for fits.
@@ -87,10 +100,10 @@ impl Universal {
         };
         let angle = 4.0 * muscle.braid().angle_rad().sin().powi(2);
         let deficit = Bound::new(&formula.deficit, ro, wall, angle, mu);
-        let source = format!("infinitely long muscle with computed ends; {}", formula.provenance.method);
         let wall_modulus = wall_modulus(ro, zone.wall.section(), mu);
-        let (length, id, muscle) = (muscle.length_mm(), ModelId::new(), muscle.clone());
-        Self { zone, deficit, angle, length, wall_modulus, id, source, muscle, formula }
+        let (length, id) = (muscle.length_mm(), ModelId::new());
+        let info = info(&formula, muscle, angle);
+        Self { info, zone, deficit, angle, length, wall_modulus, id, formula }
     }
 
     /// The formula.
@@ -132,23 +145,10 @@ impl Universal {
         None
     }
 
-    /// How far this muscle's error is above what 95 % of the fit's points stay within. What is wrong with a polynomial for the ends is a
-    /// length of the order of D0: in the pull it is a share of D0/L0, and of the slope of the pull over the contraction, which goes with
-    /// cot²θ0.
-    fn ends_share(&self) -> f64 {
-        match self.formula.deficit.form {
-            Form::Membrane => 1.0,
-            Form::Bulge => {
-                let cot2 = (4.0 - self.angle) / self.angle;
-                cot2 * self.muscle.outer_diameter_mm() / self.length / ENDS
-            }
-        }
-    }
-
     /// Volume of the cavity in mm³ with its derivatives in (ε, P): that of a uniform tube, and what the ends of a middle, as membranes,
     /// take from it.
     fn volume(&self, p: f64, place: &Place) -> Option<Dual> {
-        let tube = self.muscle.tube();
+        let tube = self.info.muscle.tube();
         let section = tube.outer_radius_mm().powi(2) - tube.inner_radius_mm().powi(2);
         let ends = &place.ends;
         let ends = match ends.volume_mm3 {
@@ -173,45 +173,47 @@ fn wall_modulus(ro: f64, section: f64, mu: f64) -> f64 {
     0.5 * PI * mu * section / (ro * ro - 0.5 * section)
 }
 
+/// How far a muscle's error is above what 95 % of the fit's points stay within. What is wrong with a polynomial for the ends is a
+/// length of the order of D0: in the pull it is a share of D0/L0, and of the slope of the pull over the contraction, which goes with
+/// cot²θ0. `angle`: 4 sin²θ0.
+fn ends_share(form: Form, muscle: &Muscle, angle: f64) -> f64 {
+    match form {
+        Form::Membrane => 1.0,
+        Form::Bulge => {
+            let cot2 = (4.0 - angle) / angle;
+            cot2 * muscle.outer_diameter_mm() / muscle.length_mm() / ENDS
+        }
+    }
+}
+
+fn info(formula: &UniversalFormula, muscle: &Muscle, angle: f64) -> ModelInfo {
+    let name = &formula.name;
+    let accuracy = Accuracy {
+        share_of_blocked: Some(formula.errors.half_width() * ends_share(formula.deficit.form, muscle, angle)),
+        blocked_at: BlockedAt::SamePressure,
+        reference: Reference::HeldOut,
+    };
+    let end_factor = muscle.terminals().end_factor.is_some();
+    let left_out = [
+        formula.seal.warning(name),
+        notes::incompressible(name, muscle),
+        end_factor.then(|| format!("{name} computes the ends; the end factor is not used")),
+        notes::first_inflation(name, muscle),
+    ];
+    ModelInfo {
+        name: name.clone().into(),
+        source: format!("{SOURCE}; {}", formula.provenance.method).into(),
+        muscle: muscle.clone(),
+        range: range::of(&formula.range, muscle),
+        accuracy: if formula.seal.is_intact() { accuracy } else { Accuracy::UNKNOWN },
+        costly: false,
+        notes: left_out.into_iter().flatten().collect(),
+    }
+}
+
 impl ForceModel for Universal {
-    fn name(&self) -> &str {
-        &self.formula.name
-    }
-
-    fn muscle(&self) -> &Muscle {
-        &self.muscle
-    }
-
-    fn source(&self) -> &str {
-        &self.source
-    }
-
-    fn range(&self) -> ModelRange {
-        range::of(&self.formula.range, &self.muscle)
-    }
-
-    fn accuracy(&self) -> Accuracy {
-        if !self.formula.seal.is_intact() {
-            return Accuracy::UNKNOWN;
-        }
-        Accuracy {
-            share_of_blocked: Some(self.formula.errors.half_width() * self.ends_share()),
-            blocked_at: BlockedAt::SamePressure,
-            reference: Reference::HeldOut,
-        }
-    }
-
-    fn notes(&self, _: &Workspace) -> Vec<String> {
-        let mut notes: Vec<String> = self.formula.seal.warning(self.name()).into_iter().collect();
-        if let Bulk::Modulus(_) = self.muscle.tube().rubber.bulk {
-            notes
-                .push(format!("{} assumes incompressible rubber; its bulk modulus is not used", self.name()));
-        }
-        if self.muscle.terminals().end_factor.is_some() {
-            notes.push(format!("{} computes the ends; the end factor is not used", self.name()));
-        }
-        notes.extend(super::first_inflation(self.name(), &self.muscle));
-        notes
+    fn info(&self) -> &ModelInfo {
+        &self.info
     }
 
     fn response(
@@ -237,8 +239,8 @@ impl ForceModel for Universal {
             max_stretch: Some(self.zone.wall.largest_stretch(place.l, s.r)),
             ..Response::default()
         };
-        let strands = self.muscle.braid().strands.map(|s| s.count);
-        response.with_braid_tension(s.tension, strands).finite(self.name())
+        let strands = self.info.muscle.braid().strands.map(|s| s.count);
+        response.with_braid_tension(s.tension, strands).finite(&self.info.name)
     }
 
     fn forces_n(

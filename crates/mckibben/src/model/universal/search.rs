@@ -5,7 +5,7 @@ use super::Universal;
 use super::coupled::LEAST_SLOPE;
 use super::dual::Dual;
 use crate::model::thick_wall::State;
-use crate::model::{ForceModel, ModelError, Workspace};
+use crate::model::{ModelError, Workspace};
 
 /// Newton steps in λ; three are usual.
 pub(super) const ITERATIONS: usize = 60;
@@ -138,7 +138,11 @@ impl Universal {
         contraction: f64,
     ) -> Result<Result<(Middle, f64), f64>, ModelError> {
         if !(p.is_finite() && contraction.is_finite()) {
-            return Err(ModelError::NotFinite { model: self.name().into(), pressure_mpa: p, contraction });
+            return Err(ModelError::NotFinite {
+                model: self.info.name.to_string(),
+                pressure_mpa: p,
+                contraction,
+            });
         }
         // Strands that do not stretch, and the short form: mostly a pull, which the search finds at once.
         let free = match self.is_coupled() {
@@ -171,7 +175,7 @@ impl Universal {
         if force_n.is_finite() {
             Ok(force_n)
         } else {
-            Err(ModelError::NotFinite { model: self.name().into(), pressure_mpa: p, contraction })
+            Err(ModelError::NotFinite { model: self.info.name.to_string(), pressure_mpa: p, contraction })
         }
     }
 

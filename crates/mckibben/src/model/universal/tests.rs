@@ -165,7 +165,7 @@ fn maxwell_holds_within_the_correction() {
 #[test]
 fn the_box_names_what_is_outside() {
     let m = muscle(4.5, 60.0, 45.0, mooney(0.3), BraidStiffness::NewtonPerMm(100.0));
-    let range = ModelKind::Universal.build(&m).unwrap().range();
+    let range = ModelKind::Universal.build(&m).unwrap().info().range.clone();
     let names: Vec<&str> = range.muscle.iter().map(|v| v.interval.quantity.name()).collect();
     assert_eq!(names, ["wall_ratio", "length_ratio", "braid_angle"]);
     // 4 sin²θ0 k/D0 · 6 %: 0.6 MPa, below 5 μ.

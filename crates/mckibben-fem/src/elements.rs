@@ -1,0 +1,133 @@
+//! The finite-element models by name, with their mesh.
+
+use crate::FemError;
+use crate::axisymmetric::{self, Axisymmetric, MeshSpec};
+use crate::seated::with_ends;
+use crate::simulation::Simulation;
+use crate::three_dimensional::{self, BrickMesh, BrickSpec, ThreeDimensional, estimate};
+use mckibben::budget::Budget;
+use mckibben::model::{ModelEntry, UnknownModel};
+use mckibben::muscle::Muscle;
+use std::fmt;
+use std::str::FromStr;
+use thiserror::Error;
+
+/// Which finite elements, and how fine.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Elements {
+    /// Axisymmetric.
+    Axisymmetric(MeshSpec),
+    /// Three-dimensional.
+    ThreeDimensional(BrickSpec),
+}
+
+impl Elements {
+    /// Their names, with a line for people.
+    pub const ENTRIES: [ModelEntry; 2] = [axisymmetric::ENTRY, three_dimensional::ENTRY];
+
+    /// Name, description and source.
+    pub fn entry(&self) -> ModelEntry {
+        match self {
+            Self::Axisymmetric(_) => axisymmetric::ENTRY,
+            Self::ThreeDimensional(_) => three_dimensional::ENTRY,
+        }
+    }
+
+    /// Its name.
+    pub fn name(&self) -> &'static str {
+        self.entry().name
+    }
+
+    /// With the mesh that a text says, in the syntax of [`Elements::mesh_syntax`].
+    ///
+    /// # Errors
+    /// [`MeshTextError`].
+    pub fn with_mesh(self, text: &str) -> Result<Self, MeshTextError> {
+        let unreadable = || MeshTextError::Syntax(self.mesh_syntax());
+        match self {
+            Self::Axisymmetric(_) => {
+                let spec = MeshSpec::parse(text).ok_or_else(unreadable)?;
+                // Whether it is a mesh does not depend on the size of the muscle.
+                spec.resolve(10.0, 1.0, 100.0)?;
+                Ok(Self::Axisymmetric(spec))
+            }
+            Self::ThreeDimensional(old) => {
+                let spec = BrickSpec::parse(text).ok_or_else(unreadable)?;
+                BrickMesh::check(&spec)?;
+                Ok(Self::ThreeDimensional(BrickSpec { keep: old.keep, plug: old.plug, ..spec }))
+            }
+        }
+    }
+
+    /// How a mesh is written, in words.
+    pub fn mesh_syntax(&self) -> &'static str {
+        match self {
+            Self::Axisymmetric(_) => {
+                "elements along the half length (\"8\"), through the wall x along (\"2x8\"), or with a grading (\"2x8:2\")"
+            }
+            Self::ThreeDimensional(_) => {
+                "bricks around the quarter (\"12\"), through the wall x around (\"2x12\"), or x along (\"2x12x39\")"
+            }
+        }
+    }
+
+    /// Refuses a mesh of a muscle that does not fit into a budget, before anything is allocated. The section's is small whatever it is.
+    ///
+    /// # Errors
+    /// [`FemError`]: the budget's, or where the numbers give no valid mesh.
+    pub fn admit(&self, muscle: &Muscle, budget: &Budget) -> Result<(), FemError> {
+        match self {
+            Self::Axisymmetric(_) => Ok(()),
+            Self::ThreeDimensional(spec) => estimate::admit(spec, muscle, budget),
+        }
+    }
+
+    /// The model of a muscle.
+    ///
+    /// # Errors
+    /// [`FemError`] where the numbers give no valid mesh.
+    pub fn build(&self, muscle: &Muscle) -> Result<Box<dyn Simulation>, FemError> {
+        match self {
+            Self::Axisymmetric(spec) => section(muscle, spec),
+            Self::ThreeDimensional(spec) => {
+                Ok(with_ends(muscle, Box::new(ThreeDimensional::with_mesh(&muscle.between_ends(), spec)?)))
+            }
+        }
+    }
+}
+
+/// The axisymmetric model of a muscle.
+///
+/// # Errors
+/// As [`Elements::build`].
+pub fn section(muscle: &Muscle, spec: &MeshSpec) -> Result<Box<dyn Simulation>, FemError> {
+    Ok(with_ends(muscle, Box::new(Axisymmetric::with_mesh(&muscle.between_ends(), spec)?)))
+}
+
+impl fmt::Display for Elements {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for Elements {
+    type Err = UnknownModel;
+
+    /// By their name, with the usual mesh.
+    fn from_str(word: &str) -> Result<Self, UnknownModel> {
+        let all = [Self::Axisymmetric(MeshSpec::default()), Self::ThreeDimensional(BrickSpec::default())];
+        let named = all.into_iter().find(|e| e.name() == word.trim());
+        named.ok_or_else(|| UnknownModel::new(word, Self::ENTRIES.map(|entry| entry.name).to_vec()))
+    }
+}
+
+/// Why a text is no mesh.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum MeshTextError {
+    /// It is not written as a mesh; what it should be.
+    #[error("expected {0}")]
+    Syntax(&'static str),
+    /// There is no such mesh.
+    #[error(transparent)]
+    Mesh(#[from] FemError),
+}

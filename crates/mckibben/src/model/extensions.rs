@@ -1,0 +1,134 @@
+//! What some models can do besides answering: one trait each, reached by [`ForceModel::extensions`].
+
+use super::{Bounds, ForceModel, ModelError, ThickWall, Workspace};
+
+/// What a model can do besides answering; nothing by default.
+#[derive(Clone, Copy, Default)]
+pub struct Extensions<'m> {
+    /// It solves for a pressure or a contraction itself.
+    pub inverse: Option<&'m dyn Inverse>,
+    /// It has ∂F by constants and measures of its muscle.
+    pub slopes: Option<&'m dyn Slopes>,
+    /// It has an error of its mesh, or another scale for errors than its own blocked force.
+    pub mesh: Option<&'m dyn Mesh>,
+    /// It computes how the strands press on each other.
+    pub contact: Option<&'m dyn Contact>,
+    /// It has a way for lists of points that all lie within bounds.
+    pub lists: Option<&'m dyn Lists>,
+    /// A model with nearly the same answers at a fraction of the cost, by which a pull that no pressure gives is refused at once.
+    pub companion: Option<&'m dyn ForceModel>,
+}
+
+/// A model whose equation can be solved for pressure or contraction, in closed form or with the load held in place of them. Nothing is
+/// checked against the model's range; whoever wants an inverse of any model takes [`crate::analysis::pressure_at`].
+pub trait Inverse {
+    /// The pressure in MPa at which the pull is `force_n`; `None` where it has none or finds none.
+    fn pressure_at_pull(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64>;
+
+    /// The contraction at which the pull is `force_n`, likewise.
+    fn contraction_at_pull(
+        &self,
+        _workspace: &mut Workspace,
+        _force_n: f64,
+        _pressure_mpa: f64,
+    ) -> Option<f64> {
+        None
+    }
+}
+
+/// A model with derivatives by its muscle.
+pub trait Slopes {
+    /// ∂F at fixed pressure and contraction by constants and measures of the muscle, named as in the muscle file
+    /// (`tube.material.c10`, `braid.stiffness`, `tube.outer_diameter`), all others held. `None` where the model does not
+    /// know one of them; whoever needs it then takes differences.
+    fn force_by(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+        names: &[String],
+    ) -> Option<Result<Vec<f64>, ModelError>>;
+}
+
+/// A model with a mesh, or with one inside.
+pub trait Mesh {
+    /// The pull at rest length in N, of which errors are a share: by a faster model where this one is slow.
+    ///
+    /// # Errors
+    /// As [`ForceModel::response`].
+    fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64, ModelError>;
+
+    /// What the mesh errs by in N, of the pull `force_n` that the model gave there, where the blocked force is `blocked_n`; `None`
+    /// without a mesh.
+    fn mesh_error_n(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+        force_n: f64,
+        blocked_n: f64,
+    ) -> Option<f64>;
+
+    /// What the equilibria in a workspace have shown, in sentences for the warnings of an answer.
+    fn findings(&self, _workspace: &Workspace) -> Vec<String> {
+        vec![]
+    }
+}
+
+/// A model of the strands' contact.
+pub trait Contact {
+    /// As [`pivoting_n_per_mm`].
+    ///
+    /// # Errors
+    /// [`ModelError`] where there is no answer.
+    fn pivoting_n_per_mm(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64, ModelError>;
+}
+
+/// A model with its own way for lists within bounds.
+pub trait Lists {
+    /// As [`pulls_within`](super::pulls_within).
+    fn pulls_within(&self, bounds: &Bounds, lists: [&[f64]; 2], out: &mut [f64]) -> bool;
+}
+
+/// G = (2/3) ∫ pc |dθ/dL| dA in N/mm of the strands' contact at a pressure in MPa and a contraction ratio: what friction of their crossings
+/// makes of μw ([`Friction`](crate::muscle::Friction)). Of the infinitely long muscle, where the model has no contact of its own.
+///
+/// # Errors
+/// [`ModelError`] where there is no answer.
+pub fn pivoting_n_per_mm<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    pressure_mpa: f64,
+    contraction: f64,
+) -> Result<f64, ModelError> {
+    match model.extensions().contact {
+        Some(contact) => contact.pivoting_n_per_mm(workspace, pressure_mpa, contraction),
+        None => ThickWall::new(model.muscle()).pivoting(pressure_mpa, contraction),
+    }
+}
+
+/// The pull at rest length in N, of which errors of a model are a share.
+///
+/// # Errors
+/// As [`ForceModel::response`].
+pub fn blocked_scale_n<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    pressure_mpa: f64,
+) -> Result<f64, ModelError> {
+    match model.extensions().mesh {
+        Some(mesh) => mesh.blocked_scale_n(workspace, pressure_mpa),
+        None => model.force_n(workspace, pressure_mpa, 0.0),
+    }
+}
+
+/// Sentences that belong into the warnings of an answer that was computed with a workspace.
+pub fn notes_of<M: ForceModel + ?Sized>(model: &M, workspace: &Workspace) -> Vec<String> {
+    let findings = model.extensions().mesh.map(|mesh| mesh.findings(workspace));
+    model.info().notes.iter().cloned().chain(findings.into_iter().flatten()).collect()
+}
