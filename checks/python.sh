@@ -12,7 +12,7 @@ test -x "$target/venv/bin/python" || "$PYTHON" -m venv "$target/venv"
 # Modules come from a copy: the sources are left as they are.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-cargo build --quiet --workspace --profile test --locked
+cargo build --quiet --workspace --all-targets --profile test --locked
 cp -r python/mckibben python/tests "$work"
 cp "$target/debug/lib_native.so" "$work/mckibben/_native.abi3.so"
 "$target/venv/bin/python" python/write.py stubs "$work/mckibben"

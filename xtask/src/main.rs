@@ -213,7 +213,8 @@ fn program() -> Result<PathBuf, String> {
     if let Some(given) = env::var_os("MCKIBBEN") {
         return Ok(given.into());
     }
-    build(&["--bin", "mckibben"])?;
+    // With an example, so that cargo takes the features of the tests as well.
+    build(&["--bin", "mckibben", "--example", "exported"])?;
     let name = format!("debug/mckibben{}", env::consts::EXE_SUFFIX);
     fs::canonicalize(target().join(name)).map_err(|e| e.to_string())
 }

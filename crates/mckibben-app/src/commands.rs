@@ -36,8 +36,11 @@ pub struct CommandEntry {
     expected: OnceLock<Expected>,
 }
 
+/// The work that answers a request.
+type Work = dyn FnOnce(&dyn Progress) -> Result<Value, Problem> + Send;
+
 /// A request that was read, and waits to be answered.
-pub struct Ready(Box<dyn FnOnce(&dyn Progress) -> Result<Value, Problem> + Send>);
+pub struct Ready(Box<Work>);
 
 impl Ready {
     /// Answers it, within the caller's budget.
