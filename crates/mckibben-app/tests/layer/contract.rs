@@ -2,8 +2,8 @@
 //! writes the file again.
 
 use super::root;
-use mckibben_app::bundle;
-use serde_json::Value;
+use mckibben_app::{COMMANDS, bundle};
+use serde_json::{Value, json};
 use std::collections::BTreeSet;
 
 /// A schema in a few words: `number|null`, `[Wanted]`, `"length"|"angle"`, `TextFile|null`.
@@ -101,4 +101,43 @@ fn the_words_of_requests_and_answers_are_those_that_were_agreed() {
         gone.is_empty() && fresh.is_empty(),
         "docs/contract.txt differs; where it is meant: cargo xtask schemas\nno longer there: {gone:#?}\nnew: {fresh:#?}"
     );
+}
+
+/// What lets definitions of all commands be in one list.
+#[test]
+fn definitions_of_one_name_are_one() {
+    let defs = bundle()["$defs"].take();
+    for command in COMMANDS.iter() {
+        for part in command.schema().as_object_mut().unwrap().values_mut() {
+            for (name, own) in part["$defs"].as_object().into_iter().flatten().filter(|d| d.0 != "Problem") {
+                assert_eq!(own, &defs[name], "{}: {name}", command.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn measures_have_what_a_form_needs() {
+    let all = bundle();
+    let fields = &all["force"]["request"]["properties"];
+    let wall = json!({
+        "description": "Wall thickness s of the tube at rest, mm.", "type": ["number", "null"], "format": "double",
+        "x-group": "muscle", "x-key": "tube.wall_thickness", "x-symbol": "s", "x-quantity": "length", "x-unit": "mm",
+        "exclusiveMinimum": 0.0, "default": 3.0,
+    });
+    assert_eq!(fields["wall_mm"], wall);
+    assert_eq!(
+        (&fields["seating_mm"]["minimum"], &fields["seating_mm"]["default"]),
+        (&json!(0.0), &json!(0.0))
+    );
+    assert_eq!(
+        (&fields["prestretch"]["minimum"], &fields["prestretch"]["maximum"]),
+        (&json!(0.5), &json!(2.0))
+    );
+    assert!(fields["prestretch"].get("x-unit").is_none());
+    assert_eq!(
+        (&fields["rubber"]["x-group"], &fields["mesh"]["x-group"]),
+        (&json!("muscle"), &json!("model"))
+    );
+    assert!(fields["pressure_mpa"].get("x-group").is_none());
 }

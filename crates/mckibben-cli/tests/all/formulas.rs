@@ -136,7 +136,7 @@ fn wrong_tables_and_formulas_are_named() {
     put("nan.json", &formula.replacen("\"value\": ", "\"value\": NaN", 1));
     put("term.json", &formula.replace("\"B33\"", "\"B77\""));
     for (line, kind, parts) in [
-        ("fit column.csv", "data", ["column.csv", "column wall does not say its unit"]),
+        ("fit column.csv", "data", ["column.csv", "column wall does not state its unit"]),
         ("fit number.csv", "data", ["line 2, column force_n", "\"much913\" is not a finite number"]),
         ("fit infinite.csv", "data", ["line 2", "inf"]),
         ("fit short.csv", "fit", ["short.csv", "outer_diameter_mm"]),

@@ -93,7 +93,7 @@ fn the_joint_file_of_a_design_names_the_muscle_file_that_was_written() {
     // What is printed is a joint file that works beside the muscle file.
     let text = ran.text().split("[joint]").nth(1).unwrap();
     let end = text.find("\n\n\n").or(text.find("\nThe winner")).unwrap_or(text.len());
-    let joint = text[..end].lines().take_while(|l| !l.starts_with("Just") && !l.contains(" │ "));
+    let joint = text[..end].lines().take_while(|l| !l.starts_with("Near") && !l.contains(" │ "));
     let joint: Vec<&str> = joint.filter(|l| l.is_empty() || l.contains('=') || l.starts_with('[')).collect();
     std::fs::write(dir.path().join("joint.toml"), format!("[joint]{}", joint.join("\n"))).unwrap();
     line(dir.path(), "joint joint.toml -p 2bar,2bar --angle 0 --model thick-wall").ok();

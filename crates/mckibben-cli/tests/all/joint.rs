@@ -84,7 +84,7 @@ fn what_no_joint_or_load_can_do_is_an_error_with_its_words() {
     let lone = lone.display();
     for (line, code, kind, said) in [
         ("contraction -p 0.02 --load mass:40kg".to_owned(), 1, "no_answer", "not lifted"),
-        ("contraction -p 0.2 --load mass:2kg -F 3N".into(), 2, "usage", "exclude"),
+        ("contraction -p 0.2 --load mass:2kg -F 3N".into(), 2, "usage", "conflicts with"),
         ("contraction -p 0.2 --load 2kg".into(), 2, "quantity", "is not a valid load"),
         ("contraction -p 0.2 --load table:/nowhere.csv".into(), 2, "file", "nowhere"),
         ("curve isometric --load mass:2kg".into(), 2, "usage", "isobaric"),

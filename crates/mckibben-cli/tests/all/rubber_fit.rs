@@ -130,7 +130,7 @@ const FILES: &[(&[u8], i32, &str, &str)] = &[
     (b"stretch,stress_mpa\n1,0\n1.5\n", 2, "data", "as many fields"),
     (b"stretch,stress_mpa\n1,0\n0,0.1\n", 2, "data", "name the column engineering_strain"),
     (b"strain,stress_mpa\n0,0\n150,0.1\n", 2, "data", "name the column strain_percent"),
-    (b"strain,stress\n0,0\n", 2, "data", "stress does not say its unit"),
+    (b"strain,stress\n0,0\n", 2, "data", "stress does not state its unit"),
     (b"stretch,stress_mpa\n1,0\n1.5,-0.3\n2,-0.5\n", 2, "fit", "columns and their signs"),
     (b"stretch,stress_mpa\n1,0\n1.5,0.3\n", 2, "fit", "too few"),
     (b"\xff\xfe\x00\x01", 2, "data", "no column"),

@@ -258,7 +258,7 @@ fn what_the_data_cannot_tell_is_flagged() {
         found(&stiff, &["mu", "friction.c=5"], &noisy(&bench(&stiff, 0.0), 4.0, 5), Loss::Squares).unwrap();
     assert!(!f.parameters[1].matters && f.parameters[0].identifiable, "{:#?}", f.parameters);
     assert!(
-        f.notes.iter().any(|n| n.contains("friction.coefficient: no point changes with it")),
+        f.notes.iter().any(|n| n.contains("friction.coefficient: it has no effect on any point")),
         "{:?}",
         f.notes
     );

@@ -217,7 +217,7 @@ fn a_file_without_a_seal_answers_and_says_so_and_gets_none_by_being_written_agai
     let changed = edited(&global().to_json(), "1.1", "1.2").unwrap();
     assert!(!changed.to_json().contains("sha256"));
     let model = FormulaModel::new(&f, &Muscle::prototype());
-    assert!(model.info().notes[0].starts_with("the formula mine carries no seal"));
+    assert!(model.info().notes[0].starts_with("the formula mine has no seal"));
 }
 
 #[test]

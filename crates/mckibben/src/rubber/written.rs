@@ -119,7 +119,7 @@ mod tests {
                 r#"{"law": "neo-hookean", "mu": 1, "c10": 1}"#,
                 "c10 is not a constant of the neo-hookean law; its constants are mu",
             ),
-            (r#"{"law": "neo-hookean", "mu": 1, "mu": 1}"#, "mu is there twice"),
+            (r#"{"law": "neo-hookean", "mu": 1, "mu": 1}"#, "mu is given twice"),
             (r#"{"law": "neo-hookean", "mu": [1]}"#, "mu is a list; expected a number"),
             (r#"{"law": "ogden", "mu": 1, "alpha": [2]}"#, "mu is a number; expected a list such as"),
             (

@@ -82,10 +82,10 @@ fn what_is_not_understood_is_named_with_the_way_out() {
     let cases = [
         ("a,b\n1,2\n", "", "no column of pressures (the columns are: a, b)"),
         ("p_bar,F_N\n1,2\n", "", "`columns` contraction=\"HEADING\""),
-        ("Druck;Kontraktion;Kraft [N]\n1;0,1;2\n", "", "column Druck does not say its unit"),
+        ("Druck;Kontraktion;Kraft [N]\n1;0,1;2\n", "", "column Druck does not state its unit"),
         ("Druck;Kontraktion;Kraft [N]\n1;0,1;2\n", "", "`columns` pressure=\"Druck:kPa\""),
         ("p [furlong];e;F\n1;2;3\n", "contraction=e,force=F:N", "that in its brackets is not known"),
-        ("p_bar,contraction,F\n1,0.1,3\n", "", "column F does not say its unit"),
+        ("p_bar,contraction,F\n1,0.1,3\n", "", "column F does not state its unit"),
         (
             "p_bar,strain,F_N\n1,0,9\n1,5,3\n1,12,1\n",
             "",
@@ -104,7 +104,7 @@ fn what_is_not_understood_is_named_with_the_way_out() {
         (
             "p_bar,contraction,force_n,length_mm\n1,0,9,200\n1,0.1,5,180\n",
             "",
-            "length_mm shrinks with the contraction",
+            "length_mm decreases with the contraction",
         ),
         (
             "p_bar,x_mm,F_N\n1,2,3\n",
@@ -136,7 +136,7 @@ fn what_is_not_understood_is_named_with_the_way_out() {
             "line 2, column force: \"furlong\" is not a unit of force",
         ),
         ("p_bar,contraction,F_N\nkPa,%,N\n1,0,1\n", "", "or not the one above (bar)"),
-        ("p_bar,contraction,F_N\n1 kPa,0,1\n", "", "its heading says bar"),
+        ("p_bar,contraction,F_N\n1 kPa,0,1\n", "", "its heading is bar"),
         (
             "p_bar,contraction,F_N\n1,0.1,2\nend of data\n",
             "",

@@ -233,7 +233,7 @@ fn data_without_stiffening_do_not_tell_gents_limit() {
     let found = fit_tension(&data, &only(named("gent"))).unwrap();
     assert!(!found.laws[0].parameters[1].identifiable, "{:?}", found.laws[0]);
     let text = found.warnings.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
-    assert!(text.contains("do not tell jm") && text.contains("end at a stretch of 2.00"), "{text}");
+    assert!(text.contains("do not determine jm") && text.contains("end at a stretch of 2.00"), "{text}");
 }
 
 /// A balanced fit is that of points repeated until every mode has as many.

@@ -59,7 +59,7 @@ fn errors_name_line_and_column_and_what_to_do() {
         ("", "no column of stretches"),
         ("a,b\n1,2\n", "the columns are: a, b"),
         ("stretch,b\n1,2\n", "no column of stresses"),
-        ("stretch,stress\n1,2\n", "column stress does not say its unit"),
+        ("stretch,stress\n1,2\n", "column stress does not state its unit"),
         ("stretch,stress\n1,2\n", "`columns` nominal_stress=\"stress:MPa\""),
         ("stretch,force_n\n1,2\n", "`area_mm2`"),
         ("extension_mm,stress_mpa\n1,2\n", "`gauge_length_mm`"),
