@@ -6,6 +6,7 @@ use super::{
 };
 use crate::formula::{Body, Formula, GlobalSection, Made, Section};
 use crate::muscle::Muscle;
+use std::sync::Arc;
 
 /// Constants and stiffnesses within this, relative, are the same.
 const TOLERANCE: f64 = 1e-6;
@@ -40,7 +41,7 @@ impl FormulaModel {
         let info = ModelInfo {
             name: formula.name.clone().into(),
             source: format!("a fitted formula, method {}", formula.provenance.method).into(),
-            muscle: muscle.clone(),
+            muscle: Arc::new(muscle.clone()),
             range: range(formula, muscle),
             accuracy: if formula.seal.is_intact() { accuracy } else { Accuracy::UNKNOWN },
             costly: false,

@@ -4,6 +4,7 @@ use super::{Accuracy, ModelRange, notes};
 use crate::muscle::Muscle;
 use serde::Serialize;
 use std::borrow::Cow;
+use std::sync::Arc;
 
 /// Name and one line of a model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -26,7 +27,7 @@ pub struct ModelInfo {
     /// Where it comes from: author, year, equation.
     pub source: Cow<'static, str>,
     /// The muscle it answers for.
-    pub muscle: Muscle,
+    pub muscle: Arc<Muscle>,
     /// The pressures and contractions for which it was made, and what of the muscle lies outside of its box.
     pub range: ModelRange,
     /// What is known of its error.
@@ -44,7 +45,7 @@ impl ModelInfo {
             notes: notes::of_a_simple_tube(entry.name, muscle),
             name: entry.name.into(),
             source: entry.source.into(),
-            muscle: muscle.clone(),
+            muscle: Arc::new(muscle.clone()),
             range: ModelRange::open(),
             accuracy: Accuracy::UNKNOWN,
             costly: false,

@@ -11,6 +11,7 @@ use super::{
 };
 use crate::differences::slope;
 use crate::muscle::{EndState, Ends, Muscle};
+use std::sync::Arc;
 
 /// A model of a muscle whose ends give way.
 pub struct Seated<M: ForceModel + ?Sized> {
@@ -47,7 +48,8 @@ impl<M: ForceModel + ?Sized> Seated<M> {
         let (low, high) = of_inner.range.contraction;
         let contraction = (whole(low).max(-1.0), whole(high));
         let range = ModelRange { contraction, ..of_inner.range.clone() };
-        Self { info: ModelInfo { muscle: muscle.clone(), range, ..of_inner.clone() }, inner, ends }
+        let muscle = Arc::new(muscle.clone());
+        Self { info: ModelInfo { muscle, range, ..of_inner.clone() }, inner, ends }
     }
 
     /// The model of the muscle between its ends.

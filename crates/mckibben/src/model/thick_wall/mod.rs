@@ -23,12 +23,13 @@ mod tests;
 pub(super) use equilibrium::State;
 
 use super::{
-    Accuracy, Contact, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Reference,
-    Response, Wall, Where, Workspace, notes,
+    Accuracy, Contact, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, ModelRange,
+    Reference, Response, Wall, Where, Workspace, notes,
 };
 use crate::muscle::{Crimp, EndFactor, Muscle};
 use crate::rubber::Law;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 pub(super) const ENTRY: ModelEntry = ModelEntry {
     name: "thick-wall",
@@ -69,13 +70,16 @@ impl ThickWall {
         let stretching = k.is_some();
         let per_slenderness = if stretching { 0.76 } else { 0.65 };
         let reference = Reference::RandomMuscles(Where::Ends { per_slenderness, stretching });
-        let left_out =
-            [notes::incompressible(ENTRY.name, muscle), notes::first_inflation(ENTRY.name, muscle)];
+        let bulk = notes::incompressible(ENTRY.name, muscle);
         Self {
             info: ModelInfo {
+                name: ENTRY.name.into(),
+                source: ENTRY.source.into(),
+                muscle: Arc::new(muscle.clone()),
+                range: ModelRange::open(),
                 accuracy: Accuracy::share(per_slenderness * share, reference),
-                notes: left_out.into_iter().flatten().collect(),
-                ..ModelInfo::new(&ENTRY, muscle)
+                costly: false,
+                notes: bulk.into_iter().chain(notes::first_inflation(ENTRY.name, muscle)).collect(),
             },
             rs: lay.radius_mm,
             offset: lay.offset_mm,

@@ -102,7 +102,7 @@ impl Universal {
         let deficit = Bound::new(&formula.deficit, ro, wall, angle, mu);
         let wall_modulus = wall_modulus(ro, zone.wall.section(), mu);
         let (length, id) = (muscle.length_mm(), ModelId::new());
-        let info = info(&formula, muscle, angle);
+        let info = info(&formula, &zone.wall.info().muscle, angle);
         Self { info, zone, deficit, angle, length, wall_modulus, id, formula }
     }
 
@@ -186,7 +186,7 @@ fn ends_share(form: Form, muscle: &Muscle, angle: f64) -> f64 {
     }
 }
 
-fn info(formula: &UniversalFormula, muscle: &Muscle, angle: f64) -> ModelInfo {
+fn info(formula: &UniversalFormula, muscle: &Arc<Muscle>, angle: f64) -> ModelInfo {
     let name = &formula.name;
     let accuracy = Accuracy {
         share_of_blocked: Some(formula.errors.half_width() * ends_share(formula.deficit.form, muscle, angle)),
@@ -203,7 +203,7 @@ fn info(formula: &UniversalFormula, muscle: &Muscle, angle: f64) -> ModelInfo {
     ModelInfo {
         name: name.clone().into(),
         source: format!("{SOURCE}; {}", formula.provenance.method).into(),
-        muscle: muscle.clone(),
+        muscle: Arc::clone(muscle),
         range: range::of(&formula.range, muscle),
         accuracy: if formula.seal.is_intact() { accuracy } else { Accuracy::UNKNOWN },
         costly: false,
