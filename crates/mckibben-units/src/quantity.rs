@@ -533,7 +533,7 @@ pub fn tidy(v: f64, digits: i32) -> f64 {
 /// [`QuantityError`] says what stood there and what was expected.
 ///
 /// ```
-/// use mckibben::units::{Dimension, parse_quantity};
+/// use mckibben_units::{Dimension, parse_quantity};
 /// assert_eq!(parse_quantity("2.5bar", Dimension::Pressure), Ok(0.25));
 /// assert_eq!(parse_quantity("15 %", Dimension::Ratio), Ok(0.15));
 /// assert!(parse_quantity("30bar", Dimension::Length).is_err());

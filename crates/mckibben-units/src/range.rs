@@ -87,10 +87,10 @@ pub enum RangeError {
 /// [`RangeError`] with the text as written.
 ///
 /// ```
-/// use mckibben::units::{Dimension, Values, parse_values};
+/// use mckibben_units::{Dimension, Values, parse_values};
 /// let p = parse_values("0..2.5:0.5bar", Dimension::Pressure)?;
 /// assert_eq!(p, Values::List(vec![0.0, 0.05, 0.1, 0.15, 0.2, 0.25]));
-/// # Ok::<(), mckibben::units::RangeError>(())
+/// # Ok::<(), mckibben_units::RangeError>(())
 /// ```
 pub fn parse_values(text: &str, dimension: Dimension) -> Result<Values, RangeError> {
     parse_at_most(text, dimension, MAX_POINTS)

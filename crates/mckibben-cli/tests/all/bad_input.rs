@@ -529,7 +529,12 @@ const POINTS: &[File] = &[
         "data",
         "line 3, column pressure_mpa: 250",
     ),
-    ("a pressure of 1e308", b"pressure_kpa,contraction,force_n\n1e308,0,3\n", "data", "1e308 is more"),
+    (
+        "a pressure of 1e308",
+        b"pressure_kpa,contraction,force_n\n1e308,0,3\n",
+        "data",
+        "1e308 is too high for a muscle",
+    ),
     (
         "a pull of 1e308",
         b"pressure_mpa,contraction,force_n\n0.1,0,1e308\n",

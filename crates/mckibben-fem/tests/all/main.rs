@@ -7,8 +7,6 @@ mod axisymmetric;
 mod branches;
 mod conditioned;
 mod contact;
-mod identify;
-mod lay;
 mod prestretch;
 mod shared;
 mod small_angles;

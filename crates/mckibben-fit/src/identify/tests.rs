@@ -248,7 +248,7 @@ fn what_the_data_cannot_tell_is_flagged() {
     let f = found(&stiff, &["mu", "braid.stiffness"], &noisy(&bench(&rigid, 0.0), 4.0, 5), Loss::Squares)
         .unwrap();
     assert!(!f.parameters[1].identifiable && f.parameters[0].identifiable, "{:#?}", f.parameters);
-    assert!(f.notes.iter().any(|n| n.contains("strands that do not stretch")), "{:?}", f.notes);
+    assert!(f.notes.iter().any(|n| n.contains("inextensible strands")), "{:?}", f.notes);
     // One constant under two names.
     let f =
         found(&stiff, &["mu=0.4", "modulus"], &noisy(&bench(&stiff, 0.0), 4.0, 5), Loss::Squares).unwrap();
@@ -337,7 +337,7 @@ fn too_few_slack_and_contradicting_points_get_a_sentence() {
     let note = f.notes.iter().find(|n| n.contains("contradict")).unwrap();
     assert!(note.contains("lines 10, 17") && note.contains("column `branch`"), "{note}");
     let one = found(&m, &["mu"], &points[7..12], Loss::Squares).unwrap();
-    assert!(one.notes.iter().any(|n| n.contains("at one pressure")), "{:?}", one.notes);
+    assert!(one.notes.iter().any(|n| n.contains("the same pressure")), "{:?}", one.notes);
     assert!(one.notes.iter().all(|n| !n.contains("pattern")), "{:?}", one.notes);
 }
 

@@ -2,7 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod by_elements;
 mod by_reach;
+mod lay;
 mod measured;
 mod one_axis;
 mod prestretch;

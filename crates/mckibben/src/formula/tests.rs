@@ -168,7 +168,7 @@ fn wrong_files_are_named_with_their_key() {
         ),
         ("scale", global.replace("\"wall_ratio\": 0.1", "\"wall_ratio\": 0"), "`scales.wall_ratio`"),
         ("errors", global.replace("\"max_n\"", "\"max\""), "max_n` is missing"),
-        ("a term", paper.replace("\"A11\"", "\"D11\""), "says `D11`"),
+        ("a term", paper.replace("\"A11\"", "\"D11\""), "`terms[0].name` is `D11`; expected one of A11"),
         ("a term too many", paper.replace("\"A11\"", "\"A12\""), "A12 is given twice"),
         ("a term too few", paper.replace("\"A63\"", "\"C10\""), "`terms: A63` is missing"),
         ("a list", "[1]".to_owned(), "`the file`: invalid type: sequence, expected an object"),

@@ -4,7 +4,7 @@ use super::{LibraryError, RubberEntry, RubberFit, Standing, Window, entry};
 use crate::rubber::Law;
 use crate::rubber::Rubber;
 
-/// Stretch for which a law is meant where there is no muscle: that of the prototype ([`Muscle::reach`]).
+/// Stretch for which a law is meant where there is no muscle: that of the prototype ([`Muscle::reach`](crate::muscle::Muscle::reach)).
 pub const USUAL_REACH: f64 = 1.9662;
 /// By how much data should reach farther than the ideal muscle does. Strands that stretch let the wall go on: in finite elements at free
 /// contraction, on the braid `paper` at θ0 20° to 35° and walls of 1 to 5 mm, the largest stretch is 1 to 51 % below the reach at 1 and
@@ -12,7 +12,7 @@ pub const USUAL_REACH: f64 = 1.9662;
 pub const COVERING: f64 = 1.05;
 
 /// The rubber `name` or `name:law` as the prototype would have it; a muscle that is made of it takes the law for its own stretches
-/// ([`Muscle::new`]). Its name is the one it can be found by.
+/// ([`Muscle::new`](crate::muscle::Muscle::new)). Its name is the one it can be found by.
 ///
 /// # Errors
 /// [`LibraryError`] with the nearest name, or the laws the rubber has.
