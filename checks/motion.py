@@ -81,8 +81,7 @@ def rates(_, y, command, sign):
     return [v, dv, dp, g_in + g_ex, du, v / PRESLIDING * (1 - sign * z)]
 
 
-answer = json.load(open(sys.argv[1]))
-muscle = answer["muscles"][0]
+answer = json.load(open(sys.argv[1]))["series"]
 gauge = 0.1e6
 x = brentq(lambda x: force(gauge, x / L0) - MASS * 9.80665 - PRELOAD - SPRING * x, 0, 0.06, xtol=1e-16)
 y = np.array([x, 0, gauge + P_ATM, (gauge + P_ATM) * volume(x / L0) / (R * T0), 0, 0])

@@ -55,7 +55,7 @@ def test_every_field_of_a_muscle_is_an_argument_of_it() -> None:
 def test_a_field_of_a_muscle_is_given_replaced_and_read_back(name: str) -> None:
     schema = _schema.muscle()[name]
     # Between the bounds, beside the value where nothing is stated.
-    low, high, usual = (schema.get(key, other) for key, other in (("minimum", 0.0), ("maximum", 2.0), ("default", 1.0)))
+    low, high, usual = (schema.get(key, other) for key, other in (("x-minimum", 0.0), ("x-maximum", 2.0), ("default", 1.0)))
     text, value, beside = FIELDS.get(name, ("", min(max(1.05 * usual, low + 0.05), high), {}))
     unit = _schema.unit(schema)
 

@@ -52,9 +52,9 @@ fn keywords(field: &Value) -> String {
     let ratio = || (field["x-quantity"] == "ratio").then(|| " ratio".to_owned());
     let words = [
         said("x-unit", "").or_else(ratio),
-        said("exclusiveMinimum", ">"),
-        said("minimum", ">="),
-        said("maximum", "<="),
+        said("x-above", ">"),
+        said("x-minimum", ">="),
+        said("x-maximum", "<="),
         said("default", "= "),
     ];
     words.into_iter().flatten().collect()
@@ -123,15 +123,15 @@ fn measures_have_what_a_form_needs() {
     let wall = json!({
         "description": "Wall thickness s of the tube at rest, mm.", "type": ["number", "null"], "format": "double",
         "x-group": "muscle", "x-key": "tube.wall_thickness", "x-symbol": "s", "x-quantity": "length", "x-unit": "mm",
-        "exclusiveMinimum": 0.0, "default": 3.0,
+        "x-above": 0.0, "default": 3.0,
     });
     assert_eq!(fields["wall_mm"], wall);
     assert_eq!(
-        (&fields["seating_mm"]["minimum"], &fields["seating_mm"]["default"]),
+        (&fields["seating_mm"]["x-minimum"], &fields["seating_mm"]["default"]),
         (&json!(0.0), &json!(0.0))
     );
     assert_eq!(
-        (&fields["prestretch"]["minimum"], &fields["prestretch"]["maximum"]),
+        (&fields["prestretch"]["x-minimum"], &fields["prestretch"]["x-maximum"]),
         (&json!(0.5), &json!(2.0))
     );
     assert!(fields["prestretch"].get("x-unit").is_none());

@@ -9,7 +9,6 @@ use super::saddle::share;
 use crate::element::brick::{Input, Output, ShapePoint, run};
 use crate::element::hexahedron::{NODES8, NODES27, points8, points27};
 use crate::element::lanes::Real;
-#[cfg(target_arch = "x86_64")]
 use crate::element::lanes::on_lanes;
 use crate::element::spatial::{AT, SpatialLaw, with};
 use crate::element::truss::Truss;

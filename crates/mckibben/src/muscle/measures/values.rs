@@ -99,15 +99,16 @@ impl Measure {
         field
     }
 
-    /// The same in a request, with the values that it may have and the one of a muscle that does not state it.
+    /// The same in a request, with the values that it may have (`x-above`, `x-minimum`, `x-maximum`: the muscle refuses others, not the reader of
+    /// the request) and the one of a muscle that does not state it.
     pub fn request_schema(&self) -> serde_json::Value {
         let mut field = self.schema("");
         match self.bounds {
-            Bounds::Positive => field["exclusiveMinimum"] = 0.0.into(),
-            Bounds::NotNegative => field["minimum"] = 0.0.into(),
+            Bounds::Positive => field["x-above"] = 0.0.into(),
+            Bounds::NotNegative => field["x-minimum"] = 0.0.into(),
             Bounds::Between(low, high) => {
-                field["minimum"] = low.into();
-                field["maximum"] = high.into();
+                field["x-minimum"] = low.into();
+                field["x-maximum"] = high.into();
             }
             Bounds::OfPart => {}
         }
