@@ -113,11 +113,11 @@ states = np.array(states)
 assert len(states) == len(times), (len(states), len(times))
 wrong = False
 for name, ours, theirs, scale in [
-    ("coordinate", answer["coordinate"], states[:, 0] * 1e3, 40.0),
-    ("pressure", muscle["pressure_mpa"], (states[:, 2] - P_ATM) * 1e-6, 0.3),
-    ("air mass", muscle["air_mass_g"], states[:, 3] * 1e3, 0.3),
-    ("opening", muscle["opening"], states[:, 4], 1.0),
-    ("velocity", answer["velocity"], states[:, 1] * 1e3, 1000.0),
+    ("shortening", np.array(answer["contraction"]) * L0 * 1e3, states[:, 0] * 1e3, 40.0),
+    ("pressure", answer["pressure_mpa"], (states[:, 2] - P_ATM) * 1e-6, 0.3),
+    ("air mass", answer["air_mass_g"], states[:, 3] * 1e3, 0.3),
+    ("opening", answer["opening"], states[:, 4], 1.0),
+    ("velocity", answer["velocity_mm_per_s"], states[:, 1] * 1e3, 1000.0),
 ]:
     error = np.max(np.abs(np.array(ours) - theirs)) / scale
     wrong |= not error < 1e-6
