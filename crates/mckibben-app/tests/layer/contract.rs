@@ -53,7 +53,9 @@ fn keywords(field: &Value) -> String {
     let words = [
         said("x-unit", "").or_else(ratio),
         said("x-above", ">"),
+        said("minimum", ">="),
         said("x-minimum", ">="),
+        said("maximum", "<="),
         said("x-maximum", "<="),
         said("default", "= "),
     ];
