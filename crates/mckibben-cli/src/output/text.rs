@@ -4,7 +4,7 @@ use crate::clean::line;
 use comfy_table::{CellAlignment, Table, presets};
 use mckibben_app::UnderstoodTable;
 pub use mckibben_app::units::Units;
-pub use mckibben_app::words::{aligned, braid_name, law_text, number, percent, rubber_name};
+pub use mckibben_app::words::{aligned, law_text, number, percent};
 use std::path::Path;
 
 /// The name of a file.
