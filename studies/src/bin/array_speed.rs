@@ -79,7 +79,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     })?;
     println!("fe forces 26: {seconds:e}");
     let request = CurveRequest {
-        muscle: fields,
+        muscle: Default::default(),
         pressures_mpa: Some(pressures),
         contractions: Some(vec![0.1]),
         ..serde_json::from_str(r#"{"test": "isometric"}"#)?
