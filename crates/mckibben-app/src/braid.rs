@@ -40,6 +40,8 @@ pub struct BraidSummary {
     pub strands: Option<u32>,
     /// What its source does not state and its stiffness needs, with spaces between.
     pub missing: String,
+    /// Factor within which its stiffness is known; 1 where all of its strands are stated.
+    pub stiffness_factor: f64,
     /// Where the data come from.
     pub source: String,
 }
@@ -110,6 +112,14 @@ pub struct BraidShowAnswer {
     pub strand_strength_n: Option<f64>,
     /// What its source does not state and its stiffness needs: keys of a muscle file.
     pub missing: Vec<String>,
+    /// What is an estimate, because its source does not state it: keys of a muscle file.
+    pub estimated: Vec<String>,
+    /// Factor within which its stiffness is known; 1 where all of its strands are stated.
+    pub stiffness_factor: f64,
+    /// What the estimates are from.
+    pub estimate: Option<String>,
+    /// Price, where one was seen.
+    pub price: Option<String>,
     /// What it is on tubes.
     pub points: Vec<BraidPoint>,
     /// Where the data come from.
@@ -150,6 +160,7 @@ pub fn braid_list(_: &BraidListRequest) -> Result<BraidListAnswer, Problem> {
             least_angle_deg: entry.sleeve.shape.angle_deg_on(least_diameter_mm)?,
             strands: entry.sleeve.strands,
             missing: entry.sleeve.missing().join(" "),
+            stiffness_factor: entry.sleeve.stiffness_factor(),
             source: entry.source.clone(),
         })
     };
@@ -201,6 +212,10 @@ pub fn braid_show(request: &BraidShowRequest) -> Result<BraidShowAnswer, Problem
         }),
         strand_strength_n: sleeve.strand_strength_n,
         missing: sleeve.missing().into_iter().map(str::to_string).collect(),
+        estimated: sleeve.estimated.iter().map(|key| (*key).to_owned()).collect(),
+        stiffness_factor: sleeve.stiffness_factor(),
+        estimate: entry.modulus_of.filter(|_| !sleeve.estimated.is_empty()).and_then(|m| m.estimate.clone()),
+        price: entry.price.clone(),
         points: diameters.iter().map(|d| point(&sleeve, *d)).collect::<Result<_, Problem>>()?,
         source: entry.source.clone(),
         terms: entry.terms.clone(),

@@ -87,12 +87,13 @@ impl MuscleFields {
             Some(sleeve) => {
                 let sleeve =
                     sleeve.with_strands(self.named.strand_diameter_mm, self.named.strand_modulus_mpa)?;
-                let (stiffness, strands) = match self.named.stiffness {
-                    Some(stiffness) => (stiffness.into(), sleeve.strands_beside_stiffness()),
-                    None => (BraidStiffness::OfStrands, Some(sleeve.of_strands()?)),
+                let stiffness_factor = sleeve.stiffness_factor();
+                let (stiffness, strands, stiffness_factor) = match self.named.stiffness {
+                    Some(stiffness) => (stiffness.into(), sleeve.strands_beside_stiffness(), 1.0),
+                    None => (BraidStiffness::OfStrands, Some(sleeve.of_strands()?), stiffness_factor),
                 };
                 let own = base.braid().clone();
-                Braid { stiffness, strands, sleeve: Some(sleeve.shape), ..own }
+                Braid { stiffness, strands, stiffness_factor, sleeve: Some(sleeve.shape), ..own }
                     .on_diameter(outer_diameter_mm)?
             }
             None => base.braid_on(outer_diameter_mm)?,
@@ -101,7 +102,7 @@ impl MuscleFields {
             braid = braid.with_stated_angle(angle_deg, outer_diameter_mm)?;
         }
         if let Some(stiffness) = self.named.stiffness {
-            braid.stiffness = stiffness.into();
+            (braid.stiffness, braid.stiffness_factor) = (stiffness.into(), 1.0);
         }
         Ok(braid)
     }

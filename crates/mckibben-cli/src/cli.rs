@@ -13,6 +13,7 @@ use crate::commands::joint::JointArgs;
 use crate::commands::models::ModelsArgs;
 use crate::commands::motion::MotionArgs;
 use crate::commands::muscle::MuscleShowArgs;
+use crate::commands::parts::{PartShowArgs, PartsListArgs};
 use crate::commands::point::{ContractionArgs, ForceArgs, PressureArgs};
 use crate::commands::report::ReportArgs;
 use crate::commands::rubber::{RubberListArgs, RubberShowArgs};
@@ -107,6 +108,9 @@ pub enum Command {
     /// Muscle data, derived quantities and build sheet
     #[command(subcommand)]
     Muscle(MuscleCommand),
+    /// Parts that one can buy or cast: tubes, sleeves, rubbers
+    #[command(subcommand)]
+    Parts(PartsCommand),
     /// Named rubbers
     #[command(subcommand)]
     Rubber(RubberCommand),
@@ -149,6 +153,17 @@ pub enum FormulaCommand {
     #[command(after_help = commands::formula::EXAMPLES)]
     Show(FormulaShowArgs),
 }
+/// `parts …`.
+#[derive(Debug, Subcommand)]
+pub enum PartsCommand {
+    /// All parts, or those of one kind
+    #[command(after_help = "Example:\n  mckibben parts list tubes")]
+    List(PartsListArgs),
+    /// One part: its sizes, source, price and use
+    #[command(after_help = commands::parts::EXAMPLES)]
+    Show(PartShowArgs),
+}
+
 /// `braid …`.
 #[derive(Debug, Subcommand)]
 pub enum BraidCommand {

@@ -20,8 +20,14 @@ pub fn was_read(path: &Path) -> bool {
     READ.lock().unwrap_or_else(PoisonError::into_inner).iter().any(|read| mckibben_files::is_same(read, path))
 }
 
-/// A file written by hand: a muscle, a plan.
+/// The name of the paper's muscle in place of a file's.
+const PAPER: &str = "paper";
+
+/// A file written by hand: a muscle, a plan. `paper` is the paper's muscle, where no file has that name.
 pub fn text(path: &Path) -> Result<TextFile, Failure> {
+    if path == Path::new(PAPER) && !path.exists() {
+        return Ok(TextFile { name: PAPER.into(), text: String::new() });
+    }
     let text = file::read_text(path).map_err(|e| Problem::from(e.of(path)))?;
     note(path);
     Ok(TextFile { name: path.display().to_string(), text })

@@ -38,6 +38,9 @@ pub struct Candidate {
     /// The muscle.
     #[serde(skip)]
     pub muscle: Muscle,
+    /// Name of the tube as sold or cast that it has, where tubes were searched.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tube: Option<String>,
     /// Name of the model that all its numbers come from.
     pub model: String,
     /// What it is ranked by: smaller is better.
@@ -155,6 +158,7 @@ pub(super) fn candidate(
         burst,
         from_thick_wall,
         points,
+        tube: None,
         model: model.info().name.to_string(),
         score: probe.score,
         binds: probe.worst().filter(|c| c.excess() > -BINDS).map(|c| c.limit),

@@ -32,6 +32,7 @@ mod search;
 mod spec;
 mod sure;
 mod tolerance;
+pub mod tubes;
 
 pub use candidate::{Candidate, CandidatePoint};
 pub use demand::{Demand, JointDemand, Lift};
@@ -46,3 +47,4 @@ pub use spec::{
 };
 pub use sure::{Searcher, Sure, is_doubtful, to_be_sure};
 pub use tolerance::{Spread, SpreadError, ToleranceError, Tolerances, spread};
+pub use tubes::{TubeError, TubePart};

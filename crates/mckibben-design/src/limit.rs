@@ -5,6 +5,7 @@ use super::spec::{Build, Objective, OperatingPoint, Spec};
 use mckibben::analysis::{AnalysisError, air_per_stroke, burst, force_on, pressure_at, pressure_up_to};
 use mckibben::model::{ForceModel, ModelError, Response, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
+use mckibben::uncertainty::uncertainty;
 use serde::{Deserialize, Serialize};
 
 /// A kind of limit.
@@ -114,7 +115,11 @@ pub(super) fn probe_with(
         if !spec.extrapolate {
             model.info().range.check(&model.info().name, max, point.contraction)?;
         }
-        let value = force_on(model, workspace, max, point.contraction, direction)?;
+        let mut value = force_on(model, workspace, max, point.contraction, direction)?;
+        if let Some(widths) = spec.half_widths() {
+            let parts = uncertainty(model, workspace, (max, point.contraction), value, direction);
+            value -= widths * parts.map_or(0.0, |parts| parts.total_n());
+        }
         checks.push(Check { limit: Limit::Force, point: Some(point), value, bound: point.force_n });
     }
     let limits = &spec.limits;

@@ -135,6 +135,8 @@ pub struct Rejected {
     pub angle_deg: f64,
     /// Name of the rubber, where it has one.
     pub rubber: Option<String>,
+    /// Name of the sleeve, where it has one.
+    pub sleeve: Option<String>,
     /// The bound it breaks by most.
     pub reason: Reason,
 }
@@ -147,6 +149,7 @@ impl Rejected {
             length_mm: muscle.length_mm(),
             angle_deg: muscle.braid().angle_deg,
             rubber: muscle.tube().rubber.name.clone(),
+            sleeve: muscle.braid().sleeve.as_ref().map(|s| s.name.clone()),
             reason,
         }
     }

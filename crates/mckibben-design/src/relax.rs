@@ -76,7 +76,7 @@ pub(super) fn relaxations<'a>(
 ) -> Vec<Relaxation> {
     let mut out: Vec<Relaxation> = vec![];
     for (i, muscle) in muscles.into_iter().enumerate() {
-        for relaxation in of_muscle(spec, build, muscle, i == 0) {
+        for relaxation in of_muscle(spec, build, muscle, i == 0 && spec.tubes.is_empty()) {
             let kind = std::mem::discriminant(&relaxation);
             if out.iter().all(|known| std::mem::discriminant(known) != kind) {
                 out.push(relaxation);

@@ -124,7 +124,8 @@ fn settled(search: &Search<'_>, models: Models<'_>, result: &SearchResult) -> Ve
         let pick = if models.settle.is_some() { corrected(search, build, *pick)? } else { *pick };
         let muscle = search.muscle(pick).ok()?;
         let probe = probe(spec, build, &muscle).ok().filter(Probe::fits)?;
-        candidate(spec, build, &muscle, &probe).ok()
+        let tube = search.tube(pick).map(|part| part.name.clone());
+        candidate(spec, build, &muscle, &probe).ok().map(|found| Candidate { tube, ..found })
     };
     let picks: Vec<Pick> = result.fits.iter().map(|f| f.1).collect();
     let mut found: Vec<Candidate> = threads::map(&picks, one).into_iter().flatten().collect();
@@ -141,6 +142,9 @@ fn settled(search: &Search<'_>, models: Models<'_>, result: &SearchResult) -> Ve
 /// The muscle with the diameter that the model which decides asks for.
 fn corrected(search: &Search<'_>, build: &Build<'_>, pick: Pick) -> Option<Pick> {
     let Values::Interval(low, high) = &search.spec.outer_diameter_mm else { return Some(pick) };
+    if search.tube(pick).is_some() {
+        return Some(pick);
+    }
     for width in WIDTHS {
         let (from, to) = ((pick.d0 * (1.0 - width)).max(*low), (pick.d0 * (1.0 + width)).min(*high));
         let (fit, _) =

@@ -9,6 +9,7 @@ use super::line::{self, Found, Merit, NO_SCORE, Sample};
 use super::reason::Reason;
 use super::run::Models;
 use super::spec::{BraidChoice, Build, Objective, Spec};
+use super::tubes::TubePart;
 use mckibben::analysis::golden;
 use mckibben::muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube};
 use mckibben::progress::Progress;
@@ -130,6 +131,7 @@ impl<'a> Search<'a> {
     /// Of a specification, with the model that searches.
     pub(super) fn of(spec: &'a Spec, models: Models<'a>, progress: &'a dyn Progress) -> Self {
         let rubbers = match &spec.rubbers[..] {
+            _ if !spec.tubes.is_empty() => spec.tubes.iter().map(|t| t.rubber.clone()).collect(),
             [] => vec![spec.base.tube().rubber.clone()],
             some => some.to_vec(),
         };
@@ -157,9 +159,18 @@ impl<'a> Search<'a> {
             wall_mm: pick.s,
             length_mm: pick.choice.length_mm,
             rubber: self.rubbers[pick.choice.rubber].clone(),
+            density_kg_per_m3: match self.tube(pick) {
+                Some(part) => part.density_kg_per_m3,
+                None => base.tube().density_kg_per_m3,
+            },
             ..base.tube().clone()
         };
         Muscle::from_parts(Parts { tube, braid, ..base.parts().clone() })
+    }
+
+    /// The tube as sold that a muscle has, where tubes are searched.
+    pub(super) fn tube(&self, pick: Pick) -> Option<&TubePart> {
+        self.spec.tubes.get(pick.choice.rubber)
     }
 
     /// Holds one muscle of the search against the specification, by the model that `build` makes of it.
@@ -222,6 +233,30 @@ impl<'a> Search<'a> {
             }
         }
         result
+    }
+
+    /// All tubes as sold, for one braid and length.
+    fn tubes(&self, braid: BraidRule, length_mm: f64) -> SearchResult {
+        let all: Vec<usize> = (0..self.spec.tubes.len()).collect();
+        let one = |&i: &usize| {
+            let mut result = SearchResult::default();
+            let part = &self.spec.tubes[i];
+            let pick =
+                Pick { choice: Choice { rubber: i, braid, length_mm }, d0: part.outer_mm, s: part.wall_mm() };
+            // A sleeve that does not go over a tube makes no muscle.
+            if self.progress.cancelled() || self.muscle(pick).is_err() {
+                return result;
+            }
+            let sample = self.sample(pick, self.build, &mut result, true);
+            if sample.fits() {
+                SearchResult::keep(&mut result.fits, sample.score, pick, self.most);
+            } else {
+                self.keep_miss(&sample, pick, &mut result);
+            }
+            result
+        };
+        self.progress.report(self.done.fetch_add(1, Ordering::Relaxed), self.walls());
+        self.gather(threads::map(&all, one).into_iter())
     }
 
     /// Keeps a muscle that does not fit; what is no muscle at all is none.
@@ -293,6 +328,9 @@ impl<'a> Search<'a> {
             BraidChoice::Angle(angles) => count(angles, ANGLES),
         };
         let lengths = self.spec.length_mm.as_ref().map_or(1, |v| count(v, LENGTHS));
+        if !self.spec.tubes.is_empty() {
+            return braids * lengths;
+        }
         count(&self.spec.wall_mm, WALLS) * braids * lengths * self.rubbers.len()
     }
 
@@ -328,13 +366,16 @@ impl<'a> Search<'a> {
         self.gather(tried.into_iter().map(|t| t.1).chain(extra))
     }
 
-    /// All muscles of one rubber.
+    /// All muscles of one rubber, or of all tubes as sold.
     fn search_rubber(&self, rubber: usize) -> SearchResult {
         let length = Values::List(vec![self.spec.base.length_mm()]);
         let lengths = self.spec.length_mm.as_ref().unwrap_or(&length);
         let braided = |braid: BraidRule| {
             self.axis(lengths, LENGTHS, &|length_mm| {
                 let choice = Choice { rubber, braid, length_mm };
+                if !self.spec.tubes.is_empty() {
+                    return self.tubes(braid, length_mm);
+                }
                 self.axis(&self.spec.wall_mm, WALLS, &|s| self.line(choice, s))
             })
         };
@@ -349,7 +390,9 @@ impl<'a> Search<'a> {
 
     /// All muscles.
     pub(super) fn run(&self) -> SearchResult {
-        self.gather((0..self.rubbers.len()).map(|rubber| self.search_rubber(rubber)))
+        // Tubes have their rubbers.
+        let rubbers = if self.spec.tubes.is_empty() { self.rubbers.len() } else { 1 };
+        self.gather((0..rubbers).map(|rubber| self.search_rubber(rubber)))
     }
 
     fn gather(&self, parts: impl Iterator<Item = SearchResult>) -> SearchResult {

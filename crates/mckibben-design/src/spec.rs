@@ -1,9 +1,11 @@
 //! What is wanted, and what may be varied.
 
 use super::demand::Demand;
+use super::tubes::TubePart;
 use mckibben::analysis::Options;
 use mckibben::model::{ForceModel, ModelError};
 use mckibben::muscle::{Braid, Direction, Muscle, MuscleError, Rubber};
+use mckibben::rubber::over_time::erf;
 use mckibben::units::Values;
 use mckibben::warning::VALIDATED_STRAND_STRAIN;
 use serde::{Deserialize, Serialize};
@@ -64,8 +66,8 @@ pub enum BraidChoice {
     Sleeves(Vec<Braid>),
 }
 
-/// Burst pressure over maximum pressure that a muscle has where nothing else is said.
-pub const SAFETY: f64 = 1.5;
+/// Burst pressure over maximum pressure that a muscle has where nothing else is said: that of new hose for compressed air (RMA, Hose Handbook, IP-2, 2003).
+pub const SAFETY: f64 = 4.0;
 
 /// Bounds on what comes out.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -109,6 +111,8 @@ pub struct Spec {
     pub max_pressure_mpa: f64,
     /// Everything that is not searched: length, braid stiffness, terminals, friction.
     pub base: Muscle,
+    /// Tubes as sold or cast, each with its diameters and rubber; none: diameters, walls and rubbers are searched.
+    pub tubes: Vec<TubePart>,
     /// Outer diameters in mm.
     pub outer_diameter_mm: Values,
     /// Walls in mm.
@@ -121,6 +125,8 @@ pub struct Spec {
     pub rubbers: Vec<Rubber>,
     /// Bounds on what comes out.
     pub limits: Limits,
+    /// Share of muscles, from 0.5 to 0.999, that meet the requirement by the ±: 0.95 asks it of the lower end of the ±. None: of the pull itself.
+    pub guaranteed: Option<f64>,
     /// Quantity to rank by.
     pub objective: Objective,
     /// How many candidates and rejected muscles to report.
@@ -193,6 +199,16 @@ pub enum SpecError {
     TooMany(f64),
 }
 
+/// z with erf(z/√2) = p, by bisection: p from 0.5 to 0.999.
+fn deviations(p: f64) -> f64 {
+    let (mut low, mut high) = (0.0, 4.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if erf(middle * std::f64::consts::FRAC_1_SQRT_2) < p { low = middle } else { high = middle }
+    }
+    0.5 * (low + high)
+}
+
 impl Spec {
     /// A specification of points and a supply: the prototype's length, braid and rubber, diameters from 5 to 80 mm and walls
     /// from 0.5 to 10 mm, the limits of [`Limits::safe`], the smallest diameter the best, five candidates. Everything else is a
@@ -202,6 +218,7 @@ impl Spec {
         Self {
             wanted: points.into(),
             max_pressure_mpa,
+            tubes: vec![],
             outer_diameter_mm: Values::Interval(5.0, 80.0),
             wall_mm: Values::Interval(0.5, 10.0),
             braid: BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
@@ -209,6 +226,7 @@ impl Spec {
             length_mm: None,
             rubbers: vec![],
             limits: Limits::safe(),
+            guaranteed: None,
             objective: Objective::default(),
             top: 5,
             extrapolate: false,
@@ -219,6 +237,13 @@ impl Spec {
     pub fn options(&self) -> Options {
         let direction = if self.base.friction().is_some() { Direction::Contraction } else { Direction::Mean };
         Options { extrapolate: self.extrapolate, direction, ..Options::default() }
+    }
+
+    /// Half-widths of the pull that it must hold against: 1 for 95 %, none where the pull itself is meant.
+    ///
+    /// A share p of normal deviations lies within z(p) standard ones, and the ± is z(0.95) of them.
+    pub(super) fn half_widths(&self) -> Option<f64> {
+        Some(deviations(self.guaranteed?) / deviations(0.95))
     }
 
     /// The operating points of a muscle of the search.

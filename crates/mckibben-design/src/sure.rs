@@ -154,6 +154,9 @@ fn rounded_up(v: f64) -> f64 {
 /// The specification of muscles that differ from one in their diameter alone.
 fn like(spec: &Spec, muscle: &Muscle) -> Spec {
     let tube = muscle.tube();
+    if !spec.tubes.is_empty() {
+        return spec.clone();
+    }
     Spec {
         wall_mm: Values::List(vec![tube.wall_mm]),
         length_mm: spec.length_mm.as_ref().map(|_| Values::List(vec![tube.length_mm])),

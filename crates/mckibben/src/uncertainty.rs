@@ -9,7 +9,10 @@
 //!   pressure, ε_max the ideal muscle's largest contraction, μ the rubber's shear modulus and A the wall's cross-section at rest;
 //! - `rubber`: what laws of equal standing with the one that a named rubber has disagree on, the largest difference of their pulls by
 //!   the thick-wall model; and, of a named rubber that was pulled along one axis alone, the difference that 19 % of its
-//!   stiffness make by the same model, as a square beside it;
+//!   stiffness make by the same model, as a square beside it; and, of a rubber that stands in for others or follows from a hardness, what the
+//!   factor makes within which its stiffness is known;
+//! - `braid`: of strands whose stiffness k is known within a factor f, the larger of the differences that k f and k/f make, by the
+//!   thick-wall model;
 //! - `friction`: what the pull on one branch of the hysteresis loop differs by from the answer. Where the muscle does not state its
 //!   friction: half the width of the loop. Where it does: the half-width h = C·P^β + μw G of its law and what the law errs by, h (1 + d), as
 //!   long as no branch is asked for; d h on a branch.
@@ -28,9 +31,9 @@
 
 use crate::analysis::friction_half_width_n;
 use crate::model::{Accuracy, BlockedAt, ForceModel, Reference, ThickWall, Workspace, blocked_scale_n};
-use crate::muscle::{Bench, Direction, Muscle, Rubber, Tube};
+use crate::muscle::{Bench, Braid, BraidStiffness, Direction, Muscle, Rubber, Tube};
 use crate::rubber::RubberLaw;
-use crate::rubber::library::{is_known_from_one_axis, of_equal_standing};
+use crate::rubber::library::{is_known_from_one_axis, of_equal_standing, stiffness_factor};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
@@ -51,7 +54,7 @@ const FRICTION_LAW: f64 = 0.81;
 const ELEMENTS: &str = "fe";
 
 /// What is known of every ± besides the model's own part, in a sentence.
-const BASIS: &str = "model against tests: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.35 times shear modulus times wall section, which cover 95 % of the points of each of four sets of measured muscles whose rubber was identified from their own pull; rubber: the largest difference that another law with an equally good fit makes, by thick-wall, and, for a named rubber that was measured along one axis alone, what 19 % of its stiffness make; friction: 12 % of the blocked force where the muscle does not state its friction, which covers 95 % of single branches; where it does, 1.81 times the half-width of its law, and 0.81 times on a selected branch; fit: in the place of all of these on the bench that the muscle was identified from; all parts add as squares";
+const BASIS: &str = "model against tests: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.35 times shear modulus times wall section, which cover 95 % of the points of each of four sets of measured muscles whose rubber was identified from their own pull; rubber: the largest difference that another law with an equally good fit makes, by thick-wall, and, for a named rubber that was measured along one axis alone, what 19 % of its stiffness make; braid: what the factor makes within which the stiffness of the strands is known, by thick-wall; friction: 12 % of the blocked force where the muscle does not state its friction, which covers 95 % of single branches; where it does, 1.81 times the half-width of its law, and 0.81 times on a selected branch; fit: in the place of all of these on the bench that the muscle was identified from; all parts add as squares";
 
 /// How the parts of a ± are known, in a sentence.
 pub fn basis_of(accuracy: &Accuracy) -> String {
@@ -75,6 +78,9 @@ pub struct UncertaintyParts {
     /// What laws of equal standing disagree on, and what a rubber that is known from one axis may differ by in two.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rubber: Option<f64>,
+    /// What a stiffness of the strands that is an estimate may differ by.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub braid: Option<f64>,
     /// Finite elements against measured muscles.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub measured: Option<f64>,
@@ -93,6 +99,7 @@ impl UncertaintyParts {
             ("formula", self.formula),
             ("mesh", self.mesh),
             ("rubber", self.rubber),
+            ("stiffness of the braid", self.braid),
             ("model against tests", self.measured),
             ("friction", self.friction),
             ("fit", self.fit),
@@ -148,6 +155,7 @@ fn general<M: ForceModel + ?Sized>(
             .mesh
             .and_then(|mesh| mesh.mesh_error_n(workspace, pressure_mpa, contraction, force_n, blocked)),
         rubber: rubber_n(workspace, muscle, pressure_mpa, contraction),
+        braid: braid_n(workspace, muscle, pressure_mpa, contraction),
         measured: Some(measured_n(muscle, blocked, contraction)),
         friction: Some(friction_n(model, workspace, (pressure_mpa, contraction), direction, blocked)),
         fit: None,
@@ -220,6 +228,7 @@ fn between(inside: &UncertaintyParts, outside: &UncertaintyParts, x: f64) -> Unc
         formula: part(|p| p.formula),
         mesh: part(|p| p.mesh),
         rubber: part(|p| p.rubber),
+        braid: part(|p| p.braid),
         measured: part(|p| p.measured),
         friction: part(|p| p.friction),
         fit: part(|p| p.fit),
@@ -258,7 +267,9 @@ fn rubber_n(workspace: &mut Workspace, muscle: &Muscle, pressure_mpa: f64, contr
     let own = &muscle.tube().rubber;
     let others = of_equal_standing(&muscle.tube().rubber, muscle.reach());
     let one_axis = is_known_from_one_axis(own).then(|| stiffer(own, ONE_AXIS));
-    if others.is_empty() && one_axis.is_none() {
+    let factor = stiffness_factor(own);
+    let sides = [factor, 1.0 / factor].map(|f| (factor > 1.0).then(|| stiffer(own, f - 1.0)));
+    if others.is_empty() && one_axis.is_none() && factor <= 1.0 {
         return None;
     }
     let mut pull = |m: &Muscle| ThickWall::new(m).force_n(workspace, pressure_mpa, contraction).ok();
@@ -268,8 +279,22 @@ fn rubber_n(workspace: &mut Workspace, muscle: &Muscle, pressure_mpa: f64, contr
         Some((pull(&muscle.with_tube(tube).ok()?)? - here).abs())
     };
     let others = others.into_iter().filter_map(&mut differs).reduce(f64::max);
-    let one_axis = one_axis.and_then(differs);
-    [others, one_axis].into_iter().flatten().reduce(f64::hypot)
+    let one_axis = one_axis.and_then(&mut differs);
+    let stand_in = sides.into_iter().flatten().filter_map(&mut differs).reduce(f64::max);
+    [others, one_axis, stand_in].into_iter().flatten().reduce(f64::hypot)
+}
+
+/// What strands whose stiffness is known within a factor alone leave open, in N; `None` where it is taken as it is.
+fn braid_n(workspace: &mut Workspace, muscle: &Muscle, pressure_mpa: f64, contraction: f64) -> Option<f64> {
+    let factor = muscle.braid().stiffness_factor;
+    let stiffness = muscle.family_stiffness_n_per_mm().filter(|_| factor > 1.0)?;
+    let mut pull = |k: f64| {
+        let braid = Braid { stiffness: BraidStiffness::NewtonPerMm(k), ..muscle.braid().clone() };
+        ThickWall::new(&muscle.with_braid(braid).ok()?).force_n(workspace, pressure_mpa, contraction).ok()
+    };
+    let here = pull(stiffness)?;
+    let sides = [pull(stiffness * factor), pull(stiffness / factor)];
+    sides.into_iter().flatten().map(|n| (n - here).abs()).reduce(f64::max)
 }
 
 /// The rubber with all moduli larger by a share; it is no longer the one of its name.

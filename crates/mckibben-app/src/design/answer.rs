@@ -120,6 +120,9 @@ pub struct SearchedAnswer {
     /// Largest strain of the strands, where there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max_strand_strain: Option<f64>,
+    /// Share of muscles that meet the requirement by the ±, where that was asked for: 0.95 for its lower end.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub guaranteed: Option<f64>,
 }
 
 /// A muscle that fits.
@@ -128,6 +131,9 @@ pub struct CandidateAnswer {
     /// The muscle.
     #[serde(flatten)]
     pub muscle: MuscleSummary,
+    /// Name of its tube as sold or cast, where tubes were searched.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tube: Option<String>,
     /// Largest pressure any point needs, MPa.
     pub pressure_mpa: f64,
     /// Smallest margin over the points: pull at the maximum pressure over the required pull, minus 1.
@@ -212,6 +218,9 @@ pub struct RejectedAnswer {
     pub angle_deg: f64,
     /// Name of the rubber, where it has one.
     pub rubber: Option<String>,
+    /// Name of the sleeve, where it has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sleeve: Option<String>,
     /// The limit that it misses by most, in a sentence.
     pub reason: String,
     /// That limit; none where the model has no answer.
@@ -332,12 +341,19 @@ impl SearchedAnswer {
                 _ => has_strength(spec.base.braid()),
             },
             max_strand_strain: spec.limits.strand_strain,
+            guaranteed: spec.guaranteed,
         }
     }
 }
 
 /// The rubber that is searched with.
 fn rubber_of(spec: &Spec) -> String {
+    if !spec.tubes.is_empty() {
+        let mut rubbers: Vec<&str> = spec.tubes.iter().filter_map(|t| t.rubber.name.as_deref()).collect();
+        rubbers.sort_unstable();
+        rubbers.dedup();
+        return format!("{} tubes of {}", spec.tubes.len(), rubbers.join(", "));
+    }
     let names: Vec<&str> = spec.rubbers.iter().filter_map(|rubber| rubber.name.as_deref()).collect();
     match names[..] {
         [] => format!("rubber {}", rubber_name(&spec.base)),
@@ -371,6 +387,7 @@ impl CandidateAnswer {
                 _ => None,
             },
             muscle: (&c.muscle).into(),
+            tube: c.tube.clone(),
             pressure_mpa: c.pressure_mpa,
             margin: c.margin,
             blocked_force_n: c.blocked_force_n,
@@ -414,6 +431,7 @@ impl From<&Rejected> for RejectedAnswer {
             length_mm: r.length_mm,
             angle_deg: r.angle_deg,
             rubber: r.rubber.clone(),
+            sleeve: r.sleeve.clone(),
             reason: r.reason.describe(|kind, v| Units::default().show(kind, v)),
             limit: r.reason.limit(),
             misses_by: r.reason.misses_by(),

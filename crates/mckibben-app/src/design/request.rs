@@ -10,7 +10,9 @@ use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
 use mckibben::muscle::measures::LENGTH;
 use mckibben::muscle::{Braid, Muscle, Tube};
+use mckibben::sleeve::{SleeveEntry, library};
 use mckibben::units::Values;
+use mckibben_design::tubes::{self, TubePart};
 use mckibben_design::{
     BraidChoice, Demand, JointDemand, Lift, Limits, SAFETY, Spec, Tolerances, VALIDATED_STRAND_STRAIN,
 };
@@ -46,7 +48,7 @@ pub struct DesignRequest {
     pub stroke_mm: Option<f64>,
     /// Largest outer diameter at the operating points, mm.
     pub max_bulged_diameter_mm: Option<f64>,
-    /// Smallest ratio of burst pressure to maximum pressure; default 1.5 if the strength of the strands is known; 0 for none.
+    /// Smallest ratio of burst pressure to maximum pressure; default 4 if the strength of the strands is known; 0 for none.
     pub min_burst_margin: Option<f64>,
     /// Largest stretch of the rubber at the operating points (2 means twice its length); default: the largest stretch of the data
     /// behind the rubber's law.
@@ -54,10 +56,23 @@ pub struct DesignRequest {
     /// Largest strain of the strands at the maximum pressure, not shortened and at the operating points; default 0.06,
     /// the validated range.
     pub max_strand_strain: Option<f64>,
+    /// Share of muscles, from 0.5 to 0.999, that meet the requirement by the ±: 0.95 asks for it of the lower end of the ±.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub guaranteed: Option<f64>,
     /// Quantity to rank by.
     pub objective: ObjectiveWord,
-    /// Muscle file (TOML) for all values that are not searched; the other fields override it.
+    /// Muscle file (TOML) for all values that are not searched; the other fields override it. With it diameters and walls are free.
     pub muscle: Option<TextFile>,
+    /// Search free diameters and walls with the rubber and the braid of the paper, or those that are given, instead of tubes and sleeves as sold. So
+    /// does any of `muscle`, `outer_diameter_mm`, `wall_mm`, `angle_deg`, `strand_length_per_turn_mm` and `stiffness`.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub continuous: bool,
+    /// Tubes as sold or cast, by name; default: all that are sold, and those that can be cast of `dragon-skin-30` or of `rubbers`.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub tubes: Vec<String>,
+    /// Tubes of your own (TOML, as the catalogue), in place of the catalogue.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub parts: Option<TextFile>,
     /// Outer diameters D0 at rest, mm.
     pub outer_diameter_mm: Option<Choice>,
     /// Walls s at rest, mm.
@@ -151,6 +166,7 @@ impl DesignRequest {
                 elements: Model::choose(&self.model, Purpose::Answer)?,
             },
         };
+        let tubes = if self.searches_parts() { self.tubes()? } else { vec![] };
         let sleeves = self.sleeves(&base)?;
         let braid = match (&self.strand_length_per_turn_mm[..], &sleeves[..], &self.angle_deg) {
             ([], [], None) => BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
@@ -166,7 +182,10 @@ impl DesignRequest {
             Some(choice) => choice.values(field),
             None => Ok(Values::Interval(low, high)),
         };
-        let strength = base.braid().strands.and_then(|s| s.strength_n);
+        let strength = match &braid {
+            BraidChoice::Sleeves(list) => list.iter().find_map(|braid| braid.strands?.strength_n),
+            _ => base.braid().strands.and_then(|s| s.strength_n),
+        };
         if self.min_burst_margin.is_some_and(|m| m > 0.0) && strength.is_none() {
             let message = "`min_burst_margin` needs the strands' strength, which this muscle does not state";
             let hint = "give [braid] strands and strand_strength in the muscle file";
@@ -180,6 +199,7 @@ impl DesignRequest {
                 Some(choice) => Some(choice.values("length_mm")?),
             },
             base,
+            tubes,
             outer_diameter_mm: between("outer_diameter_mm", &self.outer_diameter_mm, diameters)?,
             wall_mm: between("wall_mm", &self.wall_mm, walls)?,
             braid,
@@ -191,6 +211,7 @@ impl DesignRequest {
                 fitted_stretch: true,
                 strand_strain: Some(self.max_strand_strain.unwrap_or(VALIDATED_STRAND_STRAIN)),
             },
+            guaranteed: self.guaranteed()?,
             objective: self.objective,
             top: self.top.unwrap_or(5).clamp(1, 1000),
             extrapolate: self.extrapolate,
@@ -211,8 +232,64 @@ impl DesignRequest {
         (wanted + named + listed.sum::<usize>()) as f64
     }
 
-    /// The named sleeves, or the base muscle's.
+    /// The share of muscles that meet the requirement, checked.
+    fn guaranteed(&self) -> Result<Option<f64>, Problem> {
+        match self.guaranteed {
+            Some(share) if !(0.5..=0.999).contains(&share) => {
+                let message =
+                    format!("{share} is not a valid share: from 0.5 (50 %) to 0.999 (99.9 %), usually 0.95");
+                Err(Problem::new(ProblemKind::Range, message, "").in_field("guaranteed"))
+            }
+            share => Ok(share),
+        }
+    }
+
+    /// Whether tubes and sleeves as sold are searched.
+    pub(super) fn searches_parts(&self) -> bool {
+        let free = [&self.outer_diameter_mm, &self.wall_mm, &self.angle_deg].into_iter().any(Option::is_some);
+        let braided = !self.strand_length_per_turn_mm.is_empty() || self.stiffness.is_some();
+        !(self.continuous || free || braided || self.muscle.is_some())
+    }
+
+    /// The tubes that are searched.
+    fn tubes(&self) -> Result<Vec<TubePart>, Problem> {
+        let problem = |e: tubes::TubeError| Problem::new(ProblemKind::Specification, e.to_string(), "");
+        let own = self.parts.as_ref().map(|file| tubes::read(&file.text)).transpose();
+        let own = own.map_err(|e| problem(e).in_field("parts"))?;
+        let all = match &own {
+            Some(own) => &own[..],
+            None => tubes::catalogue().map_err(problem)?,
+        };
+        if !self.tubes.is_empty() {
+            let named = self.tubes.iter().map(|name| tubes::find(all, name).cloned());
+            return named.collect::<Result<_, _>>().map_err(|e| problem(e).in_field("tubes"));
+        }
+        if own.is_some() && self.rubbers.is_empty() {
+            return Ok(all.to_vec());
+        }
+        let rubbers: Vec<String> = match &self.rubbers[..] {
+            [] => vec![tubes::CAST_RUBBER.into()],
+            some => some.to_vec(),
+        };
+        let wanted =
+            rubbers.iter().map(|name| Ok(rubber(name)?.name)).collect::<Result<Vec<_>, Problem>>()?;
+        let sold =
+            all.iter().filter(|t| !t.is_cast && (self.rubbers.is_empty() || wanted.contains(&t.rubber.name)));
+        let mut found: Vec<TubePart> = sold.cloned().collect();
+        if own.is_none() {
+            for name in &rubbers {
+                found.extend(tubes::cast_of(name).map_err(problem)?);
+            }
+        }
+        Ok(found)
+    }
+
+    /// The named sleeves, all of the library where parts are searched, or the base muscle's.
     fn sleeves(&self, base: &Muscle) -> Result<Vec<Braid>, Problem> {
+        if self.braids.is_empty() && self.searches_parts() {
+            let on_least = |entry: &SleeveEntry| Ok(entry.sleeve.on(entry.sleeve.diameters().0)?);
+            return library::entries()?.iter().map(on_least).collect();
+        }
         if self.braids.is_empty() {
             let own = base.braid().sleeve.is_some() && self.angle_deg.is_none();
             return Ok(if own { vec![base.braid().clone()] } else { vec![] });

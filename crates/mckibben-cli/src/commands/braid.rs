@@ -53,23 +53,32 @@ pub fn list(args: &BraidListArgs, format: Format) -> Result<u8, Failure> {
     Ok(0)
 }
 
-fn list_text(answer: &BraidListAnswer) -> String {
+/// Sleeves, a line each.
+pub(super) fn sleeves(list: &[BraidSummary]) -> String {
     let row = |b: &BraidSummary| {
         vec![
             b.name.clone(),
             format!("{} … {}", number(b.least_diameter_mm, 4), number(b.largest_diameter_mm, 4)),
             format!("{}°", number(b.least_angle_deg, 3)),
             or_dash(b.strands, |n| n.to_string()),
-            if b.missing.is_empty() { "nothing".into() } else { b.missing.clone() },
+            if b.stiffness_factor > 1.0 {
+                format!("× {}", number(b.stiffness_factor, 3))
+            } else {
+                "stated".into()
+            },
             b.title.clone(),
         ]
     };
-    let header = ["name", "D0 [mm]", "θ0 from", "strands", "not stated", "title"];
-    let sleeves = table(&header, answer.braids.iter().map(row).collect());
+    let header = ["sleeve", "D0 [mm]", "θ0 from", "strands", "k within", "title"];
+    table(&header, list.iter().map(row).collect())
+}
+
+fn list_text(answer: &BraidListAnswer) -> String {
+    let sleeves = sleeves(&answer.braids);
     let row = |m: &MaterialSummary| vec![m.name.clone(), number(m.modulus_mpa * 1e-3, 4), m.title.clone()];
     let materials = table(&["strands of", "E [GPa]", ""], answer.materials.iter().map(row).collect());
     format!(
-        "{sleeves}\n{materials}\nD0: tubes on which a muscle of it contracts. A stiffness needs the data that are not stated. `mckibben braid show NAME` shows the details.\n"
+        "{sleeves}\n{materials}\nD0: tubes on which a muscle of it contracts. k within: factor within which the stiffness is known, because its seller does not state all of its strands. `mckibben braid show NAME` shows the details.\n"
     )
 }
 
@@ -91,15 +100,11 @@ pub fn show(args: &BraidShowArgs, format: Format) -> Result<u8, Failure> {
 }
 
 fn strands(answer: &BraidShowAnswer) -> String {
-    let bound = if answer.strands_stated {
-        ""
-    } else {
-        " (strands that touch each other; their k is an upper bound)"
-    };
+    let bound = if answer.strands_stated { "" } else { " at most (as many as touch each other at its ends)" };
     or_dash(answer.strands, |n| format!("{n}{bound}"))
 }
 
-fn show_text(answer: &BraidShowAnswer) -> String {
+pub(super) fn show_text(answer: &BraidShowAnswer) -> String {
     let mm = |v: f64| format!("{} mm", number(v, 5));
     let range = format!(
         "{} … {}; a muscle of it contracts below {}",
@@ -128,6 +133,18 @@ fn show_text(answer: &BraidShowAnswer) -> String {
     }
     if let Some(strength) = answer.strand_strength_n {
         head.push(("strand strength", format!("{} N", number(strength, 4))));
+    }
+    if !answer.estimated.is_empty() {
+        head.push(("estimated", answer.estimated.join(", ")));
+    }
+    if answer.stiffness_factor > 1.0 {
+        head.push(("stiffness known within", format!("a factor of {}", number(answer.stiffness_factor, 3))));
+    }
+    if let Some(estimate) = &answer.estimate {
+        head.push(("estimates from", estimate.clone()));
+    }
+    if let Some(price) = &answer.price {
+        head.push(("price", price.clone()));
     }
     if !answer.missing.is_empty() {
         head.push(("for a stiffness give", answer.missing.join(", ")));

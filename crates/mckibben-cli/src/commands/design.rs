@@ -91,7 +91,7 @@ pub struct DesignArgs {
     /// Largest outer diameter at the operating points
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Limits")]
     pub max_bulged_diameter: Option<String>,
-    /// Smallest ratio of burst pressure to supply pressure, 0 for none [1.5 if the strength of the strands is known]
+    /// Smallest ratio of burst pressure to supply pressure, 0 for none [4 if the strength of the strands is known]
     #[arg(
         long,
         visible_alias = "min-burst-margin",
@@ -106,6 +106,9 @@ pub struct DesignArgs {
     /// Largest strain of the strands at the supply pressure [6 %: the validated range]
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = "Limits")]
     pub max_strand_strain: Option<String>,
+    /// Meet the requirement with the lower end of the ±: 95 % of such muscles, or the share that is given
+    #[arg(long, value_name = "SHARE", num_args = 0..=1, default_missing_value = "95%", require_equals = true, help_heading = "Specification")]
+    pub guaranteed: Option<String>,
     /// Quantity to rank by
     #[arg(long, value_parser = word::<ObjectiveWord>(), default_value = "diameter", help_heading = "Specification")]
     pub objective: ObjectiveWord,
@@ -115,6 +118,15 @@ pub struct DesignArgs {
     /// Muscle file, same as [MUSCLE.toml]
     #[arg(long, value_name = "FILE", help_heading = "Search space")]
     pub muscle: Option<PathBuf>,
+    /// Tubes as sold or cast, by name (mckibben parts list tubes) [all]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', help_heading = "Search space")]
+    pub tube: Vec<String>,
+    /// Tubes of your own: a file of the catalogue's form
+    #[arg(long, value_name = "FILE.toml", help_heading = "Search space")]
+    pub parts: Option<PathBuf>,
+    /// Free diameters and walls with the paper's rubber and braid, or those that are given, instead of tubes and sleeves as sold
+    #[arg(long, conflicts_with_all = ["tube", "parts"], help_heading = "Search space")]
+    pub continuous: bool,
     /// Outer diameters at rest: a value, list, range or stepped range [5..80]
     #[arg(
         short = 'D',
@@ -259,6 +271,7 @@ fn request(args: &DesignArgs, figure: Option<Units>) -> Result<DesignRequest, Fa
         min_burst_margin: ratio("--safety", args.safety.as_deref())?,
         max_stretch: ratio("--max-stretch", args.max_stretch.as_deref())?,
         max_strand_strain: ratio("--max-strand-strain", args.max_strand_strain.as_deref())?,
+        guaranteed: ratio("--guaranteed", args.guaranteed.as_deref())?,
         objective: args.objective,
         muscle: args.file.as_deref().or(args.muscle.as_deref()).map(files::text).transpose()?,
         outer_diameter_mm: choice("--outer-diameter", &args.outer_diameter, Dimension::Length)?,
@@ -270,6 +283,9 @@ fn request(args: &DesignArgs, figure: Option<Units>) -> Result<DesignRequest, Fa
         strand_modulus_mpa: args.strands.modulus_mpa()?,
         rubbers: args.rubber.clone(),
         stiffness: args.strands.stiffness()?,
+        continuous: args.continuous,
+        tubes: args.tube.clone(),
+        parts: args.parts.as_deref().map(files::text).transpose()?,
         length_mm: choice("--length", &args.length, Dimension::Length)?,
         tolerance: args.tolerance.as_deref().map(tolerances).transpose()?,
         model: ModelFields {

@@ -12,6 +12,7 @@ pub mod joint;
 pub mod models;
 pub mod motion;
 pub mod muscle;
+pub mod parts;
 pub mod point;
 pub mod report;
 pub mod rubber;
@@ -22,7 +23,7 @@ pub mod simulate;
 mod study;
 pub mod validate;
 
-use crate::cli::{BraidCommand, Cli, Command, FormulaCommand, MuscleCommand, RubberCommand};
+use crate::cli::{BraidCommand, Cli, Command, FormulaCommand, MuscleCommand, PartsCommand, RubberCommand};
 use crate::failure::Failure;
 use crate::format::Format;
 use crate::output::emit;
@@ -48,6 +49,8 @@ pub fn run(command: Command, format: Format, limits: &[(Resource, f64)]) -> Resu
         Command::Formula(FormulaCommand::Show(args)) => formula::show(&args, format),
         Command::Identify(args) => identify::run(&args, format),
         Command::Muscle(MuscleCommand::Show(args)) => muscle::show(&args, format),
+        Command::Parts(PartsCommand::List(args)) => parts::list(&args, format),
+        Command::Parts(PartsCommand::Show(args)) => parts::show(&args, format),
         Command::Braid(BraidCommand::List(args)) => braid::list(&args, format),
         Command::Braid(BraidCommand::Show(args)) => braid::show(&args, format),
         Command::Rubber(RubberCommand::List(args)) => rubber::list(&args, format),

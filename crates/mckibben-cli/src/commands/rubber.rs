@@ -69,7 +69,7 @@ pub fn show(args: &RubberShowArgs, format: Format) -> Result<u8, Failure> {
     Ok(0)
 }
 
-fn show_text(answer: &RubberShowAnswer) -> String {
+pub(super) fn show_text(answer: &RubberShowAnswer) -> String {
     let mut head = vec![("name", answer.name.clone()), ("title", answer.title.clone())];
     if let Some(strain) = answer.max_strain {
         let stress = or_dash(answer.max_stress_mpa, |s| format!(" at {} MPa", number(s, 3)));

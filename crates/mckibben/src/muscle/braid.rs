@@ -62,6 +62,8 @@ pub struct Braid {
     pub diameter_mm: Option<f64>,
     /// What straightens in the strands before they stretch.
     pub crimp: Option<Crimp>,
+    /// Factor within which the stiffness is known; 1 where it is taken as it is.
+    pub stiffness_factor: f64,
     /// The named sleeve that it was cut from, which gives its angle on another tube.
     pub sleeve: Option<SleeveShape>,
 }
@@ -85,6 +87,7 @@ impl Braid {
             thickness_mm: 0.0,
             diameter_mm: None,
             crimp: None,
+            stiffness_factor: 1.0,
             sleeve: None,
         }
     }

@@ -43,6 +43,7 @@ impl Sleeve {
             angle_deg,
             stiffness: BraidStiffness::OfStrands,
             strands: Some(strands),
+            stiffness_factor: self.stiffness_factor(),
             sleeve: Some(self.shape.clone()),
             ..Braid::paper()
         })

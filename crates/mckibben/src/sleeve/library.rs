@@ -46,6 +46,8 @@ pub struct SleeveEntry {
     pub source: String,
     /// Terms under which they may be used.
     pub terms: String,
+    /// Its price, where one was seen.
+    pub price: Option<String>,
     /// What else one should know.
     pub note: Option<String>,
     /// What its modulus is taken from, where it is one of [`materials`].
@@ -61,6 +63,16 @@ pub struct Material {
     pub title: String,
     /// Young's modulus in MPa.
     pub modulus_mpa: f64,
+    /// Diameter of a filament of a sleeve in mm, where its seller does not state it: an estimate.
+    pub filament_diameter_mm: Option<f64>,
+    /// Strength of a filament in a braid in MPa: an estimate.
+    pub strength_mpa: Option<f64>,
+    /// Density in kg/m³.
+    pub density_kg_per_m3: Option<f64>,
+    /// Factor within which the stiffness of a sleeve with these estimates is known.
+    pub factor: f64,
+    /// What the estimates are from.
+    pub estimate: Option<String>,
     /// Where the modulus comes from.
     pub source: String,
     /// What else one should know.
@@ -158,6 +170,11 @@ fn read_materials(file: &str) -> Result<Vec<Material>, SleeveError> {
             name: text(table, "name")?,
             title: text(table, "title")?,
             modulus_mpa: number(table, "modulus")?.ok_or_else(|| damaged("a material without modulus"))?,
+            filament_diameter_mm: number(table, "filament_diameter")?,
+            strength_mpa: number(table, "strength")?,
+            density_kg_per_m3: number(table, "density")?,
+            factor: number(table, "factor")?.unwrap_or(1.0),
+            estimate: table.get("estimate").and_then(Item::as_str).map(str::to_string),
             source: text(source(&document, &text(table, "source")?)?, "citation")?,
             note: table.get("note").and_then(Item::as_str).map(str::to_string),
         })
@@ -180,7 +197,9 @@ fn read_entry(
     let name = text(table, "name")?;
     let material = text(table, "material")?;
     let origin = source(document, &text(table, "source")?)?;
-    let modulus_of = materials.iter().find(|m| m.name == material);
+    // What its strands are taken to be, where their material is not stated or not one of the table.
+    let like = table.get("like").and_then(Item::as_str).unwrap_or(&material);
+    let modulus_of = materials.iter().find(|m| m.name == like);
     let (nominal_mm, angle) = (number(table, "nominal_diameter")?, number(table, "angle")?);
     let (least, largest) = (number(table, "least_diameter")?, number(table, "largest_diameter")?);
     let (strands, filaments) = (count(table, "strands")?, count(table, "filaments")?.unwrap_or(1));
@@ -201,14 +220,22 @@ fn read_entry(
     let bounds = least.or(jams.map(|j| j.0)).zip(largest.or(jams.map(|j| j.1)));
     let (least_mm, largest_mm) = bounds.ok_or_else(|| wrong("no range"))?;
     let aliases = table.get("aliases").and_then(Item::as_array);
+    let stated = Sleeve {
+        shape: SleeveShape { name, helix, least_mm, largest_mm },
+        strands,
+        filaments,
+        strand_diameter_mm,
+        strand_modulus_mpa: number(table, "strand_modulus")?,
+        strand_strength_n: number(table, "strand_strength")?,
+        estimated: vec![],
+        factor: 1.0,
+    };
+    let factor = number(table, "factor")?;
     Ok(SleeveEntry {
-        sleeve: Sleeve {
-            shape: SleeveShape { name, helix, least_mm, largest_mm },
-            strands,
-            filaments,
-            strand_diameter_mm,
-            strand_modulus_mpa: number(table, "strand_modulus")?.or(modulus_of.map(|m| m.modulus_mpa)),
-            strand_strength_n: number(table, "strand_strength")?,
+        modulus_of: modulus_of.filter(|_| stated.strand_modulus_mpa.is_none()),
+        sleeve: match modulus_of {
+            Some(material) => estimated(stated, material, factor),
+            None => stated,
         },
         aliases: aliases.into_iter().flatten().filter_map(Value::as_str).map(str::to_string).collect(),
         title: text(table, "title")?,
@@ -217,9 +244,30 @@ fn read_entry(
         helix_from,
         source: text(origin, "citation")?,
         terms: text(origin, "terms")?,
+        price: table.get("price").and_then(Item::as_str).map(str::to_string),
         note: table.get("note").and_then(Item::as_str).map(str::to_string),
-        modulus_of: modulus_of.filter(|_| table.get("strand_modulus").is_none()),
     })
+}
+
+/// A sleeve with what its source does not state taken from its material.
+fn estimated(mut sleeve: Sleeve, material: &Material, factor: Option<f64>) -> Sleeve {
+    let mut fill = |key: &'static str, own: &mut Option<f64>, value: Option<f64>| {
+        if own.is_none() && value.is_some() {
+            *own = value;
+            sleeve.estimated.push(key);
+        }
+    };
+    fill("strand_diameter", &mut sleeve.strand_diameter_mm, material.filament_diameter_mm);
+    fill("strand_modulus", &mut sleeve.strand_modulus_mpa, Some(material.modulus_mpa));
+    let (area, strength) = (sleeve.strand_area_mm2(), material.strength_mpa);
+    if let Some((area, strength)) = area.zip(strength).filter(|_| sleeve.strand_strength_n.is_none()) {
+        sleeve.strand_strength_n = Some(area * strength);
+        sleeve.estimated.push("strand_strength");
+    }
+    if sleeve.estimated.iter().any(|key| *key != "strand_strength") {
+        sleeve.factor = factor.unwrap_or(material.factor);
+    }
+    sleeve
 }
 
 #[cfg(test)]

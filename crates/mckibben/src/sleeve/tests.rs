@@ -18,6 +18,8 @@ fn whole() -> Sleeve {
         strand_diameter_mm: Some(0.25),
         strand_modulus_mpa: Some(8530.0),
         strand_strength_n: None,
+        estimated: vec![],
+        factor: 1.0,
     }
 }
 
@@ -118,19 +120,30 @@ fn a_tube_outside_of_the_range_is_told_both_bounds() {
     );
 }
 
+/// By hand, of PET: n w = 2π·15·35/√(15² + 35²) = 86.63 mm, 346.5 strands of 0.25 mm; 407 MPa on 0.049087 mm² are 19.98 N.
 #[test]
-fn what_is_not_stated_is_named_and_can_be_given() {
-    let bare = library::find("nfl-19").unwrap();
-    assert_eq!(bare.missing(), ["strand_diameter", "strand_modulus"]);
-    assert!(matches!(bare.on(20.0), Err(SleeveError::Incomplete { .. })));
-    assert_eq!(bare.stiffness_n_per_mm(20.0), Ok(None));
-    let given = bare.clone().with_strands(Some(0.25), Some(8530.0)).unwrap();
-    // n w = 2π·15·35/√(15² + 35²) = 86.63 mm: 346.5 strands of 0.25 mm.
-    assert_eq!(given.strand_count(), Some(346));
-    assert_eq!(given.on(20.0).unwrap().strands.unwrap().count, 346);
-    assert!(bare.with_strands(Some(0.0), None).is_err());
+fn what_is_not_stated_is_an_estimate_and_can_be_given() {
+    let sleeve = library::find("nfl-19").unwrap();
+    assert_eq!(sleeve.estimated, ["strand_diameter", "strand_modulus", "strand_strength"]);
+    assert_eq!((sleeve.strand_count(), sleeve.stiffness_factor()), (Some(346), 3.0));
+    let braid = sleeve.on(20.0).unwrap();
+    let strands = braid.strands.unwrap();
+    assert_eq!((strands.count, braid.stiffness_factor), (346, 3.0));
+    assert!((strands.strength_n.unwrap() - 19.98).abs() < 0.01);
+    // Twice as thick: four times the strength; the modulus is still an estimate.
+    let thick = sleeve.clone().with_strands(Some(0.5), None).unwrap();
+    assert!((thick.strand_strength_n.unwrap() - 79.92).abs() < 0.01);
+    assert_eq!(
+        (thick.estimated.clone(), thick.stiffness_factor()),
+        (vec!["strand_modulus", "strand_strength"], 3.0)
+    );
+    // Measured: what is left is that the strands may not touch all along.
+    let measured = sleeve.clone().with_strands(Some(0.25), Some(8530.0)).unwrap();
+    assert_eq!((measured.strand_count(), measured.stiffness_factor()), (Some(346), 1.25));
+    assert_eq!(measured.with(Some(300), None, None, Some(30.0)).stiffness_factor(), 1.0);
+    assert!(sleeve.with_strands(Some(0.0), None).is_err());
     let thin = library::find("s-muscle-20").unwrap();
-    assert_eq!(thin.missing(), ["strand_modulus"]);
+    assert_eq!(thin.estimated, ["strand_modulus", "strand_strength"]);
     assert_eq!(thin.with_strands(None, Some(5e3)).unwrap().on(2.0).unwrap().strands.unwrap().count, 24);
 }
 

@@ -13,7 +13,11 @@ use std::path::Path;
 pub fn of(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     let searched = &answer.searched;
     let wanted = wanted(answer, u);
-    let mut out = format!("Required: {wanted} with at most {}\n", u.pressure.show(answer.max_pressure_mpa));
+    let level = searched.guaranteed.map_or_else(String::new, |level| {
+        format!(", guaranteed: the lower end of the ± ({}) meets it", percent(level))
+    });
+    let supply = u.pressure.show(answer.max_pressure_mpa);
+    let mut out = format!("Required: {wanted} with at most {supply}{level}\n");
     let with = if answer.searched_with == answer.model {
         String::new()
     } else {
@@ -135,7 +139,8 @@ fn binds(best: &CandidateAnswer) -> String {
 }
 
 fn measures(r: &RejectedAnswer, u: &Units) -> String {
-    format!("D0 {}, s {}", u.length.to(r.outer_diameter_mm, 4), u.length.to(r.wall_mm, 3))
+    let sleeve = r.sleeve.as_ref().map_or_else(String::new, |name| format!(" in {name}"));
+    format!("D0 {}, s {}{sleeve}", u.length.to(r.outer_diameter_mm, 4), u.length.to(r.wall_mm, 3))
 }
 
 fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
@@ -161,6 +166,16 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
         (u.length.heading("s"), u.length.column(known(&|c| c.muscle.wall_mm), 3)),
         ("θ0 [°]".into(), aligned(&known(&|c| c.muscle.angle_deg), 4)),
     ];
+    if list.iter().any(|c| c.tube.is_some()) {
+        let sleeve = |c: &One| c.muscle.sleeve.clone().unwrap_or_default();
+        found.splice(
+            1..1,
+            [
+                ("tube".into(), list.iter().map(|c| c.tube.clone().unwrap_or_default()).collect()),
+                ("sleeve".into(), list.iter().map(sleeve).collect()),
+            ],
+        );
+    }
     if lengths || several_lengths {
         found.push((u.length.heading("L0"), u.length.column(known(&|c| c.muscle.length_mm), 4)));
     }
@@ -185,7 +200,7 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
     if list.iter().any(|c| mass(c).is_some()) {
         found.push(("rubber [g]".into(), aligned(&maybe(&mass), 4)));
     }
-    if several_rubbers {
+    if several_rubbers && list.iter().all(|c| c.tube.is_none()) {
         found.push(("rubber".into(), list.iter().map(|c| c.muscle.rubber.clone()).collect()));
     }
     let mut out = columns(found);
@@ -236,7 +251,7 @@ fn doubt(answer: &DesignAnswer, u: &Units) -> String {
         None => "no muscle of this search is strong enough".to_owned(),
     };
     format!(
-        "The margin of the first muscle is smaller than its ± of {half}: to cover {wanted} with the ±, {ask}.\n"
+        "The margin of the first muscle is smaller than its ± of {half}: to cover {wanted} with the ±, {ask} (or ask for it with --guaranteed).\n"
     )
 }
 

@@ -15,9 +15,9 @@ pub(super) fn read(section: &Section<'_>, parts: &mut Parts) -> Result<(), FileE
     let angle_deg = section.quantity("angle", Dimension::Angle)?;
     let sleeve = sleeve(section)?;
     let written = stiffness(section)?;
-    let (strands, described) = match &sleeve {
+    let (strands, described, stiffness_factor) = match &sleeve {
         Some(sleeve) => of_sleeve(section, sleeve, written.is_some())?,
-        None => strands(section)?,
+        None => strands(section).map(|(strands, described)| (strands, described, 1.0))?,
     };
     let stiffness = match (written, described) {
         (Some(_), true) => return Err(refused(section, "stiffness", MuscleError::StiffnessTwice)),
@@ -27,7 +27,8 @@ pub(super) fn read(section: &Section<'_>, parts: &mut Parts) -> Result<(), FileE
         (None, false) => default.stiffness,
     };
     let compression = section.boolean("compression")?.unwrap_or(default.compression);
-    parts.braid = Braid { stiffness, strands, compression, sleeve: sleeve.map(|s| s.shape), ..default };
+    let sleeve = sleeve.map(|s| s.shape);
+    parts.braid = Braid { stiffness, strands, compression, stiffness_factor, sleeve, ..default };
     measures(section, "braid", parts)?;
     let braid = parts.braid.clone();
     parts.braid = match angle_deg {
@@ -57,33 +58,25 @@ fn of_sleeve(
     section: &Section<'_>,
     sleeve: &Sleeve,
     stiffness: bool,
-) -> Result<(Option<Strands>, bool), FileError> {
+) -> Result<(Option<Strands>, bool, f64), FileError> {
     let area = area(section)?;
     let modulus = section.quantity("strand_modulus", Dimension::Pressure)?;
     if stiffness && (area.is_some() || modulus.is_some()) {
-        return Ok((None, true));
+        return Ok((None, true, 1.0));
     }
     // An area is that of one round filament, as wide as it.
     let diameter = area.map(|a| 2.0 * (a / std::f64::consts::PI).sqrt());
-    let sleeve = Sleeve {
-        strands: count(section)?.or(sleeve.strands),
-        filaments: if diameter.is_some() { 1 } else { sleeve.filaments },
-        strand_diameter_mm: diameter.or(sleeve.strand_diameter_mm),
-        strand_modulus_mpa: modulus.or(sleeve.strand_modulus_mpa),
-        strand_strength_n: section
-            .quantity("strand_strength", Dimension::Force)?
-            .or(sleeve.strand_strength_n),
-        shape: sleeve.shape.clone(),
-    };
+    let strength = section.quantity("strand_strength", Dimension::Force)?;
+    let sleeve = sleeve.clone().with(count(section)?, diameter, modulus, strength);
     if stiffness {
-        return Ok((sleeve.strands_beside_stiffness(), false));
+        return Ok((sleeve.strands_beside_stiffness(), false, 1.0));
     }
     let mut strands = sleeve.of_strands().map_err(|e| refused(section, "name", e.into()))?;
     if let (Some(area), Some(section)) = (area, &mut strands.section) {
         // To the last bit, not by way of the diameter.
         section.0 = area;
     }
-    Ok((Some(strands), true))
+    Ok((Some(strands), true, sleeve.stiffness_factor()))
 }
 
 /// The cross-section of a strand, as an area or the diameter of a round one.

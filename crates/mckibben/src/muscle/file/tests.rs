@@ -100,6 +100,7 @@ fn braid() -> impl Strategy<Value = Braid> {
                 thickness_mm,
                 diameter_mm,
                 crimp: crimp.filter(|_| stiffness != BraidStiffness::Inextensible),
+                stiffness_factor: 1.0,
                 sleeve: None,
             }
         },

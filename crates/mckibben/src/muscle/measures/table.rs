@@ -22,6 +22,7 @@ pub static MEASURES: &[&Measure] = &[
     &END_FACTOR,
     &CONE_FACTOR,
     &STIFFNESS,
+    &STIFFNESS_FACTOR,
     &STRANDS,
     &STRAND_AREA,
     &STRAND_MODULUS,
@@ -278,6 +279,23 @@ pub static STIFFNESS: Measure = Measure {
     about: "Stiffness k of one strand family",
     get: |p| p.braid.family_stiffness_n_per_mm(&p.tube),
     set: |p, v| p.braid.stiffness = BraidStiffness::NewtonPerMm(v),
+    ..Measure::BASE
+};
+
+/// fk
+pub static STIFFNESS_FACTOR: Measure = Measure {
+    key: "braid.stiffness_factor",
+    field: Some("stiffness_factor"),
+    dimension: Dimension::Ratio,
+    written: Written::Number,
+    bounds: Bounds::Between(1.0, 10.0),
+    default: Some(1.0),
+    symbol: "fk",
+    about: "Factor within which the stiffness of the strands is known",
+    comment: "the stiffness is known within this factor; the ± of the pull carries it",
+    label: "stiffness known within a factor of",
+    get: |p| Some(p.braid.stiffness_factor).filter(|v| *v != 1.0),
+    set: |p, v| p.braid.stiffness_factor = v,
     ..Measure::BASE
 };
 

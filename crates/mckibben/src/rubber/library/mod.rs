@@ -6,12 +6,16 @@
 //! rubbers without a measured curve the data are those that their table of fits stands for ([`TABLE_OF_FITS`]). [`warnings`] says what to
 //! mind.
 
+mod hardness;
 mod named;
 mod read;
 mod window;
 
 pub(crate) use named::following;
-pub use named::{COVERING, USUAL_REACH, find, find_for, follows, is_known_from_one_axis, of_equal_standing};
+pub use named::{
+    COVERING, USUAL_REACH, find, find_for, follows, is_known_from_one_axis, of_equal_standing,
+    stiffness_factor,
+};
 pub use window::{Standing, Window, WindowLaw};
 
 use super::{Law, Stability, biaxial_stability};
@@ -46,6 +50,12 @@ pub struct RubberEntry {
     pub one_axis: bool,
     /// What else one should know.
     pub note: Option<String>,
+    /// Factor within which its stiffness is known; 1 where a measured curve is behind it.
+    #[serde(default = "one")]
+    pub factor: f64,
+    /// Density in kg/m³, where it is known.
+    #[serde(default)]
+    pub density_kg_per_m3: Option<f64>,
     /// Largest engineering strain of the test (failure, for the silicones).
     pub max_strain: Option<f64>,
     /// Nominal stress there, in MPa.
@@ -56,6 +66,10 @@ pub struct RubberEntry {
     pub data: Option<String>,
     /// The laws fitted to that curve, from the smallest range of stretches to the widest.
     pub windows: Vec<Window>,
+}
+
+fn one() -> f64 {
+    1.0
 }
 
 /// A published law of a rubber.
@@ -98,6 +112,14 @@ pub enum LibraryError {
         law: String,
         /// Laws it has.
         available: Vec<String>,
+    },
+    /// A hardness or a stress of a data sheet that cannot be read.
+    #[error("\"{given}\" is not a rubber by its data sheet: {problem}")]
+    DataSheet {
+        /// What was given.
+        given: String,
+        /// What is wrong, and what would be right.
+        problem: &'static str,
     },
     /// The built-in table cannot be read.
     #[error("the built-in table of rubbers is damaged: {what}")]

@@ -1,5 +1,6 @@
 //! From a name to a law: which one follows from the stretches that a muscle reaches.
 
+use super::hardness;
 use super::{LibraryError, RubberEntry, RubberFit, Standing, Window, entry};
 use crate::rubber::Law;
 use crate::rubber::Rubber;
@@ -32,6 +33,9 @@ pub fn find(name: &str) -> Result<Rubber, LibraryError> {
 /// # Errors
 /// As [`find`].
 pub fn find_for(name: &str, reach: f64) -> Result<Rubber, LibraryError> {
+    if let Some(found) = hardness::find(name) {
+        return found.map(|(rubber, _)| rubber);
+    }
     let (plain, law) = match name.split_once(':') {
         Some((plain, law)) => (plain, Some(law)),
         None => (name, None),
@@ -74,6 +78,18 @@ pub fn is_known_from_one_axis(rubber: &Rubber) -> bool {
     rubber.name.as_deref().and_then(exactly).is_some_and(|(entry, law)| {
         entry.one_axis && entry.each(law).any(|found| entry.rubber(law, found) == *rubber)
     })
+}
+
+/// Factor within which the stiffness of a rubber is known: of one that stands in for others, or follows from one number of a data sheet; 1 of any other.
+pub fn stiffness_factor(rubber: &Rubber) -> f64 {
+    let Some(name) = rubber.name.as_deref() else { return 1.0 };
+    if let Some(Ok((found, factor))) = hardness::find(name) {
+        return if found.law == rubber.law { factor } else { 1.0 };
+    }
+    let own = |(entry, law): (&'static RubberEntry, Option<&str>)| {
+        entry.each(law).any(|found| entry.rubber(law, found) == *rubber).then_some(entry.factor)
+    };
+    exactly(name).and_then(own).unwrap_or(1.0)
 }
 
 /// Entry and law of a name that the library itself gave.

@@ -1,0 +1,107 @@
+//! `parts list|show`.
+
+use super::{braid, rubber};
+use crate::failure::Failure;
+use crate::files;
+use crate::flags::OutputFlags;
+use crate::format::Format;
+use crate::output::show as print;
+use crate::output::text::{number, pairs, table};
+use crate::shown;
+use crate::word::word;
+use clap::Args;
+use mckibben_app::{
+    PartKind, PartShowRequest, PartsListAnswer, PartsListRequest, TubeSummary, part_show, parts_list,
+};
+use std::path::PathBuf;
+
+pub const EXAMPLES: &str = "Examples:
+  mckibben parts list tubes
+  mckibben parts show latex-1/4x3/8in
+  mckibben design -F 60N -e 15% -p 4bar --tube latex-1/4x3/8in";
+
+/// `parts list`.
+#[derive(Debug, Args)]
+pub struct PartsListArgs {
+    /// Only one kind of part: tubes, sleeves or rubbers
+    #[arg(value_name = "KIND", value_parser = word::<PartKind>())]
+    pub kind: Option<PartKind>,
+    /// Tubes of your own: a file of the catalogue's form
+    #[arg(long, value_name = "FILE.toml")]
+    pub parts: Option<PathBuf>,
+    #[command(flatten)]
+    pub output: OutputFlags,
+}
+
+/// `parts show`.
+#[derive(Debug, Args)]
+pub struct PartShowArgs {
+    /// Name
+    pub name: String,
+    #[command(flatten)]
+    pub output: OutputFlags,
+}
+
+/// All parts.
+pub fn list(args: &PartsListArgs, format: Format) -> Result<u8, Failure> {
+    let parts = args.parts.as_deref().map(files::text).transpose()?;
+    let answer = parts_list(&PartsListRequest { kind: args.kind, parts })?;
+    let rows = match args.kind {
+        Some(PartKind::Sleeves) => "sleeves",
+        Some(PartKind::Rubbers) => "rubbers",
+        _ => "tubes",
+    };
+    print(&answer, format, rows, || list_text(&answer), args.output.target())?;
+    Ok(0)
+}
+
+fn list_text(answer: &PartsListAnswer) -> String {
+    let mut out = vec![];
+    if !answer.tubes.is_empty() {
+        let row = |t: &TubeSummary| {
+            let sizes = [t.inner_diameter_mm, t.outer_diameter_mm, t.wall_mm].map(|v| number(v, 4));
+            let use_of = if t.is_cast { "cast" } else { "sold" };
+            [t.name.clone()].into_iter().chain(sizes).chain([t.rubber.clone(), use_of.into()]).collect()
+        };
+        let header = ["tube", "bore [mm]", "D0 [mm]", "wall [mm]", "rubber", ""];
+        out.push(table(&header, answer.tubes.iter().map(row).collect()));
+    }
+    if !answer.sleeves.is_empty() {
+        out.push(braid::sleeves(&answer.sleeves));
+    }
+    if !answer.rubbers.is_empty() {
+        let row = |r: &mckibben_app::RubberSummary| vec![r.name.clone(), r.title.clone()];
+        out.push(table(&["rubber", ""], answer.rubbers.iter().map(row).collect()));
+    }
+    out.join("\n") + "\n`mckibben parts show NAME` shows source, price and use.\n"
+}
+
+/// One part.
+pub fn show(args: &PartShowArgs, format: Format) -> Result<u8, Failure> {
+    let answer = part_show(&PartShowRequest { name: args.name.clone() })?;
+    let text = || match (&answer.tube, &answer.sleeve, &answer.rubber) {
+        (Some(tube), ..) => tube_text(tube),
+        (_, Some(sleeve), _) => braid::show_text(sleeve),
+        (_, _, Some(rubber)) => rubber::show_text(rubber),
+        _ => String::new(),
+    };
+    print(&answer, format, "", text, args.output.target())?;
+    Ok(0)
+}
+
+fn tube_text(t: &TubeSummary) -> String {
+    let u = shown::units();
+    let mut rows = vec![
+        ("tube", t.name.clone()),
+        ("bore", u.length.show(t.inner_diameter_mm)),
+        ("outer diameter", u.length.show(t.outer_diameter_mm)),
+        ("wall", u.length.show(t.wall_mm)),
+        ("rubber", t.rubber.clone()),
+        ("made", if t.is_cast { "cast by hand" } else { "as sold" }.into()),
+    ];
+    rows.extend(t.price.clone().map(|price| ("price", price)));
+    rows.extend(t.pressure_mpa.map(|p| ("largest pressure named", u.pressure.show(p))));
+    rows.push(("source", t.source.clone()));
+    rows.extend(t.note.clone().map(|note| ("note", note)));
+    pairs(&rows)
+}
