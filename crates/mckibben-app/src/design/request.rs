@@ -248,7 +248,12 @@ impl DesignRequest {
     pub(super) fn searches_parts(&self) -> bool {
         let free = [&self.outer_diameter_mm, &self.wall_mm, &self.angle_deg].into_iter().any(Option::is_some);
         let braided = !self.strand_length_per_turn_mm.is_empty() || self.stiffness.is_some();
-        !(self.continuous || free || braided || self.muscle.is_some())
+        // A formula for one braid and rubber has no answer for others.
+        let of_sections = || {
+            self.model.model.is_some()
+                && Model::choose(&self.model, Purpose::Search).is_ok_and(|model| model.sections().is_some())
+        };
+        !(self.continuous || free || braided || self.muscle.is_some() || of_sections())
     }
 
     /// The tubes that are searched.
