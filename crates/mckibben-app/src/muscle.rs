@@ -35,8 +35,14 @@ impl MuscleFields {
         let (tube, others): (Vec<_>, Vec<_>) =
             self.measures.iter().filter(|v| *v.0 != ANGLE).partition(|v| v.0.section() == "tube");
         tube.into_iter().for_each(|(measure, value)| (measure.set)(&mut parts, value));
-        if let Some(name) = &self.named.rubber {
-            parts.tube.rubber = rubber(name)?;
+        match (&self.named.rubber, &self.named.rubber_file) {
+            (Some(_), Some(_)) => {
+                let message = "`rubber` and `rubber_file` each set the rubber: give one of them";
+                return Err(Problem::new(ProblemKind::Usage, message, ""));
+            }
+            (Some(name), None) => parts.tube.rubber = rubber(name)?,
+            (None, Some(file)) => parts.tube.rubber = muscle_of(file)?.tube().rubber.clone(),
+            (None, None) => {}
         }
         parts.braid = self.braid_on(parts.tube.outer_diameter_mm, base)?;
         for (measure, value) in others {
@@ -56,6 +62,7 @@ impl MuscleFields {
         let mut out = Self::from(NamedFields {
             muscle: None,
             rubber: tube.rubber.name.clone(),
+            rubber_file: None,
             braid: braid.sleeve.as_ref().map(|sleeve| sleeve.name.clone()),
             strand_diameter_mm: section.map(|(area, _)| (4.0 * area / PI).sqrt()),
             strand_modulus_mpa: section.map(|(_, modulus)| modulus),
@@ -180,6 +187,9 @@ pub struct MuscleSummary {
     /// Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sleeve: Option<String>,
+    /// Factor within which the stiffness of the braid is known, where that and the strength of its strands are estimates.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stiffness_factor: Option<f64>,
     /// Mass of the rubber between the terminals, g, where its density is stated; braid and terminals are not in it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rubber_mass_g: Option<f64>,
@@ -195,6 +205,7 @@ impl From<&Muscle> for MuscleSummary {
             rubber: words::rubber_name(m),
             braid: words::braid_name(m),
             sleeve: m.braid().sleeve.as_ref().map(|s| s.name.clone()),
+            stiffness_factor: Some(m.braid().stiffness_factor).filter(|factor| *factor > 1.0),
             rubber_mass_g: m.tube().rubber_mass_g(),
         }
     }

@@ -31,9 +31,12 @@ pub struct NamedFields {
     /// Muscle file (TOML); the other fields override what it says.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub muscle: Option<TextFile>,
-    /// A rubber of the library, as NAME or NAME:LAW.
+    /// A rubber: NAME or NAME:LAW of the library, a hardness such as `shore:30A`, or a stress at 100 % such as `s100:0.6MPa`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rubber: Option<String>,
+    /// A muscle file (TOML) whose rubber is taken, such as `rubber fit` writes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rubber_file: Option<TextFile>,
     /// A sleeve of the library: its angle on this diameter, its strands.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub braid: Option<String>,
@@ -72,7 +75,7 @@ static NAMES: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
     let measures: Vec<&str> = fields().map(|(field, _)| field).collect();
     let sizes = measures.iter().position(|f| *f == "angle_deg").map_or(0, |i| i + 1);
     let (first, rest) = measures.split_at(sizes);
-    let named = ["rubber", "braid", "strand_diameter_mm", "strand_modulus_mpa", "stiffness"];
+    let named = ["rubber", "rubber_file", "braid", "strand_diameter_mm", "strand_modulus_mpa", "stiffness"];
     [&["muscle"], first, &named, rest].concat()
 });
 

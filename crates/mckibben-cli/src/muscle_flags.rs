@@ -10,7 +10,7 @@ use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
 use mckibben::muscle::Measure;
 use mckibben::muscle::measures::{ANGLE, fields};
 use mckibben_app::{MeasureValues, MuscleFields, NamedFields};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The muscle: a file, and flags that override it.
 #[derive(Debug, Clone, Default)]
@@ -36,7 +36,7 @@ struct FileFlags {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Muscle")]
 struct NameFlags {
-    /// Rubber from the library, as NAME or NAME:LAW (see `mckibben rubber list`) [paper]
+    /// Rubber: NAME or NAME:LAW of the library (see `mckibben rubber list`), shore:30A, s100:0.6MPa, or the rubber of a FILE.toml [paper]
     #[arg(long, value_name = "NAME", value_parser = RUBBERS, hide_possible_values = true)]
     rubber: Option<String>,
     /// Sleeve from the library, which gives angle and strands (see `mckibben braid list`) [none]
@@ -124,9 +124,14 @@ impl MuscleFlags {
                 measures.set(measure, value);
             }
         }
+        let is_file =
+            |name: &&String| Path::new(name).extension().is_some_and(|end| end.eq_ignore_ascii_case("toml"));
+        let rubber_file = self.named.rubber.as_ref().filter(is_file);
+        let rubber_file = rubber_file.map(|file| files::text(Path::new(file))).transpose()?;
         let named = NamedFields {
             muscle: self.file().map(|file| files::text(file)).transpose()?,
-            rubber: self.named.rubber.clone(),
+            rubber: self.named.rubber.clone().filter(|_| rubber_file.is_none()),
+            rubber_file,
             braid: self.named.braid.clone(),
             strand_diameter_mm: self.named.strands.diameter_mm()?,
             strand_modulus_mpa: self.named.strands.modulus_mpa()?,

@@ -6,5 +6,16 @@ mod show;
 pub use point::point_rows;
 pub use show::{Sheet, build_rows, characteristic_rows, muscle_sheets};
 
+use crate::muscle::MuscleSummary;
+
+/// What belongs behind numbers that follow from estimates of the strands.
+fn estimated(muscle: &MuscleSummary) -> &'static str {
+    if muscle.stiffness_factor.is_some() {
+        " (estimate: the strands of this sleeve are not stated)"
+    } else {
+        ""
+    }
+}
+
 /// A label and a value with its unit.
 pub type Row = (&'static str, String);

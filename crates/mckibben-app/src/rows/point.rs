@@ -1,6 +1,6 @@
 //! `force`, `pressure`, `contraction` as rows.
 
-use super::Row;
+use super::{Row, estimated};
 use crate::many::PointQuantity;
 use crate::point::PointAnswer;
 use crate::units::Units;
@@ -85,7 +85,8 @@ pub fn point_rows(answer: &PointAnswer, asked: PointQuantity, u: &Units) -> Vec<
     let tension = |v| format!("{} {}", u.force.to(v, 4), u.force.name);
     add("tension of one strand", r.strand_tension_n, &tension);
     add("tension of all strands", r.braid_tension_n, &tension);
-    add("burst pressure", answer.burst_pressure_mpa, &|v| u.pressure.show(v));
+    let estimate = estimated(&answer.muscle);
+    add("burst pressure", answer.burst_pressure_mpa, &|v| u.pressure.show(v) + estimate);
     add("stretch of the rubber at mid-length, inside", r.middle_stretch, &|v| number(v, 3));
     add("99 % of the rubber is stretched by less than", r.max_stretch, &|v| number(v, 3));
     if let Some(parts) = &a.uncertainty_parts_n {

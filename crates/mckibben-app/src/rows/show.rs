@@ -1,6 +1,6 @@
 //! `muscle show` as rows.
 
-use super::Row;
+use super::{Row, estimated};
 use crate::show::{Characteristics, MuscleShowAnswer};
 use crate::units::Units;
 use crate::words::{braid_name, law_text, number, percent, rubber_name};
@@ -68,8 +68,9 @@ fn understood(answer: &MuscleShowAnswer, u: &Units) -> Vec<Row> {
         ("strands in compression", if m.braid().compression { "carry load" } else { "go slack" }.into()),
     ];
     if let Some(s) = m.braid().strands {
-        rows.push(("strands", s.count.to_string()));
-        rows.extend(s.strength_n.map(|strength| ("strand strength", u.force.show(strength))));
+        let estimate = estimated(&answer.summary);
+        rows.push(("strands", format!("{}{estimate}", s.count)));
+        rows.extend(s.strength_n.map(|strength| ("strand strength", u.force.show(strength) + estimate)));
     }
     match m.terminals().end_factor {
         Some(EndFactor::Constant(k)) => rows.push(("end factor", number(k, 4))),
@@ -122,7 +123,12 @@ pub fn build_rows(answer: &MuscleShowAnswer, u: &Units) -> Vec<Row> {
         ("braid to cut", format!("{} at {}°", mm(sheet.braid_cut_mm), number(m.braid().angle_deg, 4))),
         ("strand in the braid", mm(sheet.strand_cut_mm)),
         ("plug diameter", mm(sheet.plug_diameter_mm)),
-        ("strands", sheet.strands.map_or_else(|| "not stated".into(), |n| n.to_string())),
+        (
+            "strands",
+            sheet
+                .strands
+                .map_or_else(|| "not stated".into(), |n| format!("{n}{}", estimated(&answer.summary))),
+        ),
         ("rubber", u.volume.show(sheet.rubber_volume_mm3)),
     ]
 }
