@@ -362,6 +362,38 @@ mod tests {
         assert_eq!(found, Some(expected));
     }
 
+    /// k of 1000 N/mm within a factor of 2: the larger of |F(2000) − F(1000)| and |F(500) − F(1000)|; latex of ± 25 %: of μ 0.4625 and 0.296 MPa.
+    #[test]
+    fn factors_of_estimates_are_parts() {
+        let w = &mut Workspace::new();
+        let of = |k: f64, factor: f64, rubber: Rubber| {
+            let braid = Braid {
+                stiffness: BraidStiffness::NewtonPerMm(k),
+                stiffness_factor: factor,
+                ..Braid::paper()
+            };
+            let m = Muscle::prototype().with_braid(braid).unwrap();
+            m.with_tube(Tube { rubber, ..m.tube().clone() }).unwrap()
+        };
+        let paper = Rubber::paper();
+        let mut pull = |m: &Muscle| ThickWall::new(m).force_n(w, 0.25, 0.1).unwrap();
+        let [low, here, high] = [500.0, 1000.0, 2000.0].map(|k| pull(&of(k, 1.0, paper.clone())));
+        let latex = crate::rubber::library::find("latex").unwrap();
+        let mu = |mu_mpa: f64| Rubber {
+            name: None,
+            ..Rubber::of(crate::rubber::Law::NeoHookean(crate::rubber::NeoHookean { mu_mpa }))
+        };
+        let [soft, own, stiff] = [0.37 / 1.25, 0.37, 0.37 * 1.25].map(|m| pull(&of(1000.0, 1.0, mu(m))));
+        let mut parts =
+            |m: &Muscle| uncertainty(&ThickWall::new(m), w, (0.25, 0.1), 100.0, Direction::Mean).unwrap();
+        let found = parts(&of(1000.0, 2.0, paper.clone()));
+        assert_eq!(found.braid, Some((low - here).abs().max((high - here).abs())));
+        assert_eq!(parts(&of(1000.0, 1.0, paper)).braid, None);
+        let rubber = parts(&of(1000.0, 1.0, latex)).rubber.unwrap();
+        let expected = (soft - own).abs().max((stiff - own).abs());
+        assert!((rubber - expected).abs() < 1e-9 * expected, "{rubber} {expected}");
+    }
+
     #[test]
     fn a_simpler_model_has_a_larger_uncertainty() {
         let (m, w) = (Muscle::prototype(), &mut Workspace::new());

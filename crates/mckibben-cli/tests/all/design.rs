@@ -30,7 +30,7 @@ fn number(value: &Value) -> f64 {
 fn muscles_whose_strands_would_burst_are_not_recommended() {
     let dir = folder();
     std::fs::write(dir.path().join("weak.toml"), WEAK_STRANDS).unwrap();
-    let asked = "design weak.toml -F 120N -e 10% -p 3bar";
+    let asked = "design weak.toml -F 120N -e 10% -p 3bar --safety 1.5";
     let safe = design(dir.path(), asked);
     let list = safe["candidates"].as_array().unwrap();
     assert!(!list.is_empty());
@@ -40,7 +40,7 @@ fn muscles_whose_strands_would_burst_are_not_recommended() {
     }
     // Without the margin there are muscles for more, and the limit that kept them out is named.
     let more = "design weak.toml -F 150N -e 10% -p 3bar";
-    let refused = design(dir.path(), more);
+    let refused = design(dir.path(), &format!("{more} --safety 1.5"));
     assert!(refused["candidates"].as_array().unwrap().is_empty());
     let relaxations = refused["closest"]["relaxations"].to_string();
     assert!(relaxations.contains("margin"), "{relaxations}");
@@ -52,8 +52,12 @@ fn muscles_whose_strands_would_burst_are_not_recommended() {
 #[test]
 fn narrow_windows_that_are_known_to_be_there_are_found() {
     for (words, diameter, bulge) in [
-        ("--at 300N@10%,20N@25% --max-pressure 4bar --max-bulged-diameter 30mm", 17.0, 30.0),
-        ("--force 700N --contraction 15% --max-pressure 2.5bar --max-bulged-diameter 60.6mm", 38.6, 60.6),
+        ("--at 300N@10%,20N@25% --max-pressure 4bar --max-bulged-diameter 30mm --continuous", 17.0, 30.0),
+        (
+            "--force 700N --contraction 15% --max-pressure 2.5bar --max-bulged-diameter 60.6mm --continuous",
+            38.6,
+            60.6,
+        ),
         (
             "-F 2000N -e 5% --max-pressure 6bar --max-bulged-diameter 40mm --rubber rtv615 --stiffness 3000 --angle 30 -L 400",
             33.0,

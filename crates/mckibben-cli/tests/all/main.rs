@@ -18,6 +18,7 @@ mod identify;
 mod joint;
 mod measured;
 mod motion;
+mod parts;
 mod rubber_fit;
 mod security;
 mod serve;

@@ -98,7 +98,7 @@ fn an_identified_muscle_has_the_uncertainty_of_its_bench() {
 /// The number that `design` names, asked for: its lower bound is what was wanted.
 #[test]
 fn what_design_says_to_ask_for_is_sure() {
-    let line = "design -F 700N -e 15% -p 2.5bar --model thick-wall --verify none";
+    let line = "design -F 700N -e 15% -p 2.5bar --continuous --model thick-wall --verify none";
     let first = json(line);
     let ask = number(&first["to_be_sure"]["points"][0], "force_n");
     assert!(ask > 800.0 && ask == ask.round(), "{ask}");

@@ -1,0 +1,105 @@
+//! Parts that one can buy or cast: the catalogue, designs of them, and the ± of what is estimated.
+
+use crate::common::{folder, mckibben, root, run_in};
+use serde_json::Value;
+use std::path::Path;
+
+fn json(dir: &Path, line: &str) -> Value {
+    let words: Vec<&str> = line.split_whitespace().chain(["--format", "json"]).collect();
+    run_in(dir, &words).json()
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
+}
+
+/// Across borders: the muscle file of a design answers `force` with the digits of the table, ± included.
+#[test]
+fn a_design_is_of_parts_and_its_muscle_file_has_its_digits() {
+    let dir = folder();
+    let found = json(dir.path(), "design -F 700N -e 15% -p 2.5bar -o winner.toml");
+    let best = &found["candidates"][0];
+    let tube = json(dir.path(), &format!("parts show {}", best["tube"].as_str().unwrap()))["tube"].clone();
+    assert_eq!(tube["outer_diameter_mm"], best["outer_diameter_mm"]);
+    assert_eq!(tube["rubber"], best["rubber"]);
+    let sleeve = best["sleeve"].as_str().unwrap();
+    let shown = json(dir.path(), &format!("braid show {sleeve}"));
+    assert!(number(&shown["stiffness_factor"]) >= 1.0 && shown["missing"] == serde_json::json!([]));
+    let answer = json(dir.path(), "force winner.toml -p 2.5bar -e 15%");
+    assert_eq!(answer["force_n"], best["points"][0]["force_at_max_pressure_n"]);
+    assert_eq!(answer["burst_pressure_mpa"], best["burst_pressure_mpa"]);
+    assert_eq!(answer["muscle"]["sleeve"], best["sleeve"]);
+    assert!(number(&answer["uncertainty_parts_n"]["braid"]) > 0.0);
+    // Four times the supply, unless another ratio is asked for.
+    assert!(number(&best["burst_pressure_mpa"]) >= 4.0 * 0.25);
+    assert_eq!(found["searched"]["burst_checked"], true);
+}
+
+/// By its own ±: the lower end of the pull meets the requirement, and a larger share asks for more.
+#[test]
+fn a_guaranteed_design_meets_the_requirement_with_the_lower_end_of_its_uncertainty() {
+    let dir = folder();
+    let line = "design -F 300N -e 12% -p 2.5bar --model universal --verify none";
+    let plain = json(dir.path(), line);
+    for (share, widths) in [("", 1.0), ("=99%", 2.575_829 / 1.959_964)] {
+        let found = json(dir.path(), &format!("{line} --guaranteed{share} -o sure.toml --overwrite"));
+        let best = &found["candidates"][0];
+        assert!(number(&best["outer_diameter_mm"]) >= number(&plain["candidates"][0]["outer_diameter_mm"]));
+        let answer = json(dir.path(), "force sure.toml -p 2.5bar -e 12% --model universal");
+        let lower = number(&answer["force_n"]) - widths * number(&answer["uncertainty_n"]);
+        assert!(lower >= 300.0 * (1.0 - 1e-9), "{share}: {lower}");
+    }
+    let shown =
+        run_in(dir.path(), &format!("{line} --guaranteed --no-chart").split_whitespace().collect::<Vec<_>>());
+    let text = shown.text();
+    assert!(text.contains("guaranteed: the lower end of the ± (95 %) meets it"), "{text}");
+    let wrong =
+        run_in(dir.path(), &format!("{line} --guaranteed=120%").split_whitespace().collect::<Vec<_>>());
+    assert!(wrong.err.contains("usually 0.95"), "{}", wrong.err);
+}
+
+/// What names of the same rubber or muscle give is the same: a file, the paper's muscle, free measures.
+#[test]
+fn rubbers_come_from_names_hardness_data_sheets_and_files() {
+    let dir = folder();
+    let text = run_in(dir.path(), &["muscle", "show", "--rubber", "dragon-skin-30", "-o", "x.json"]);
+    assert!(text.err.is_empty(), "{}", text.err);
+    std::fs::write(dir.path().join("mine.toml"), "[tube]\nrubber = \"dragon-skin-30\"\n").unwrap();
+    let of = |rubber: &str| json(dir.path(), &format!("force -p 2bar -e 10% --rubber {rubber}"));
+    assert_eq!(of("mine.toml")["force_n"], of("dragon-skin-30")["force_n"]);
+    // μ = 0.1025 exp(0.0552·30)/3 = 0.17896 MPa and 0.6/1.75 = 0.34286 MPa by hand.
+    for (rubber, mu) in [("shore:30A", 0.178_96), ("s100:0.6MPa", 0.342_86), ("latex", 0.37)] {
+        let shown = json(dir.path(), &format!("muscle show --rubber {rubber}"));
+        assert!((number(&shown["shear_modulus_mpa"]) / mu - 1.0).abs() < 2e-4, "{rubber}");
+        assert!(number(&of(rubber)["uncertainty_parts_n"]["rubber"]) > 0.0, "{rubber}");
+    }
+    let hard = run_in(dir.path(), &["force", "-p", "2bar", "--rubber", "shore:60A"]);
+    assert!(hard.err.contains("10 A to 40 A"), "{}", hard.err);
+}
+
+#[test]
+fn the_papers_muscle_and_free_measures_are_one_flag_away() {
+    let free = json(&root(), "design -F 700N -e 15% -p 2.5bar --continuous --model universal --verify none");
+    let paper =
+        json(&root(), "design -F 700N -e 15% -p 2.5bar --muscle paper --model universal --verify none");
+    assert_eq!(free["candidates"][0]["outer_diameter_mm"], paper["candidates"][0]["outer_diameter_mm"]);
+    assert_eq!(free["candidates"][0]["rubber"], "paper");
+    assert!(free["candidates"][0]["tube"].is_null());
+}
+
+#[test]
+fn parts_are_listed_and_own_tubes_take_their_place() {
+    let dir = folder();
+    let all = json(dir.path(), "parts list");
+    assert!(all["tubes"].as_array().unwrap().len() > 100 && all["sleeves"].as_array().unwrap().len() >= 10);
+    assert!(json(dir.path(), "parts list rubbers")["tubes"].as_array().unwrap().is_empty());
+    let own = "[[tube]]\nname = \"mine\"\ninner = 22\nouter = 26\nrubber = \"shore:30A\"\n";
+    std::fs::write(dir.path().join("own.toml"), own).unwrap();
+    let found =
+        json(dir.path(), "design -F 200N -e 10% -p 2bar --parts own.toml --model universal --verify none");
+    assert_eq!(found["candidates"][0]["tube"], "mine");
+    let unknown = mckibben("parts show latex-1/4x3/8");
+    assert!(unknown.err.contains("did you mean latex-1/4x3/8in?"), "{}", unknown.err);
+    let unknown = mckibben("design -F 200N -e 10% -p 2bar --tube latex-1/4x3/8");
+    assert!(unknown.err.contains("did you mean latex-1/4x3/8in?"), "{}", unknown.err);
+}
