@@ -10,7 +10,7 @@
 //! which falls with contraction because θ grows, and in a real one the rubber carries more of the pressure the more it is widened. A
 //! muscle that a load stretches beyond its length at rest (ε < 0) bursts earlier; [`Warning::StrandsBreak`](crate::warning::Warning) says
 //! so of the answer in question. P_b is that of a new braid under a slow rise of the pressure: abrasion, fatigue and the clamping at the
-//! terminals are no part of it, and `design` keeps a margin of 1.5.
+//! terminals are no part of it, and `design` keeps a margin of 4.
 
 use super::error::AnalysisError;
 use super::root::{RootError, find_root};
