@@ -38,7 +38,7 @@ pub struct BraidSummary {
     pub least_angle_deg: f64,
     /// Strands of both families, where they are known.
     pub strands: Option<u32>,
-    /// What its source does not state and its stiffness needs, with spaces between.
+    /// What its source does not state and its stiffness needs, with spaces between; estimates stand in for it.
     pub missing: String,
     /// Factor within which its stiffness is known; 1 where all of its strands are stated.
     pub stiffness_factor: f64,
@@ -144,6 +144,12 @@ pub struct BraidPoint {
     pub largest_contraction: f64,
 }
 
+/// What gives the stiffness and is not stated, or an estimate.
+fn unstated(sleeve: &Sleeve) -> Vec<&'static str> {
+    let estimated = sleeve.estimated.iter().copied().filter(|key| *key != "strand_strength");
+    sleeve.missing().into_iter().chain(estimated).collect()
+}
+
 /// All named sleeves.
 ///
 /// # Errors
@@ -159,7 +165,7 @@ pub fn braid_list(_: &BraidListRequest) -> Result<BraidListAnswer, Problem> {
             largest_diameter_mm,
             least_angle_deg: entry.sleeve.shape.angle_deg_on(least_diameter_mm)?,
             strands: entry.sleeve.strands,
-            missing: entry.sleeve.missing().join(" "),
+            missing: unstated(&entry.sleeve).join(" "),
             stiffness_factor: entry.sleeve.stiffness_factor(),
             source: entry.source.clone(),
         })

@@ -190,7 +190,7 @@ export function side(state, own, { model, pressure_mpa, contraction, ...over }) 
 export function candidate(candidate, asked, { p, e }) {
   /** @type {Record<string, number | string>} */
   const said = { D: candidate.outer_diameter_mm, s: candidate.wall_mm, L: candidate.length_mm };
-  if (asked.rubbers?.length) said.rubber = candidate.rubber;
+  if (candidate.tube || asked.rubbers?.length) said.rubber = candidate.rubber;
   if (candidate.sleeve) said.braid = candidate.sleeve;
   else said.angle = candidate.angle_deg;
   for (const { key, field } of [...STRANDS, STIFFNESS]) if (asked[field] !== undefined) said[key] = asked[field];

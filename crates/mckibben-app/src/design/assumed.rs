@@ -11,7 +11,7 @@ pub(super) fn assumptions(request: &DesignRequest, spec: &Spec) -> Vec<String> {
     if request.searches_parts() {
         let estimated = |braid: &Braid| braid.stiffness_factor > 1.0;
         if matches!(&spec.braid, BraidChoice::Sleeves(list) if list.iter().any(estimated)) {
-            out.push("diameter, stiffness and strength of strands that no seller states are estimates (`parts-show` names them); the ± carries that of the stiffness".into());
+            out.push("diameter, stiffness and strength of strands that no seller states are estimates (the catalogue of parts marks them); the ± carries that of the stiffness".into());
         }
         if spec.tubes.iter().any(|tube| tube.is_cast) {
             out.push(format!(

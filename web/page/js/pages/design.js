@@ -27,6 +27,7 @@ export function mount(main) {
     { key: "stroke", field: "stroke_mm", label: "Stroke", kind: "length", hint: "40 mm" },
     { key: "pmax", field: "max_pressure_mpa", label: "Pressure of the supply", kind: "pressure", value: "2.5 bar" },
     { key: "bulge", field: "max_bulged_diameter_mm", label: "Largest bulged diameter", kind: "length", hint: "60 mm" },
+    { key: "sure", field: "guaranteed", label: "Guaranteed share", kind: "ratio", hint: "95 %" },
     { key: "for", field: "objective", label: "Rank by", options: OBJECTIVES, value: "diameter" },
   ], () => search.run());
   const choices = form([
@@ -40,7 +41,7 @@ export function mount(main) {
     { key: "sE", field: "strand_modulus_mpa", label: "Young's modulus of a strand", kind: "modulus", hint: "2500 MPa", hidden: true },
     { key: "k", field: "stiffness", label: "Stiffness of a strand family", kind: "stiffness", or: STIFFNESS_NAMES, hint: "500 N/mm; inextensible" },
     { key: "r", field: "radius_mm", label: "Pulley of a joint", kind: "length", list: true, hint: "20..40 mm" },
-    { key: "burst", field: "min_burst_margin", label: "Burst over supply, at least", kind: "ratio", factor: true, hint: "1.5" },
+    { key: "burst", field: "min_burst_margin", label: "Burst over supply, at least", kind: "ratio", factor: true, hint: "4" },
   ], () => search.run());
   const spreads = form([
     { key: "ts", field: "wall_mm", label: "Wall ±", kind: "length", hint: "0.1 mm" },
@@ -80,7 +81,7 @@ export function mount(main) {
   main.replaceChildren(el("div", { class: "bench two" },
     el("section", { class: "controls", "aria-label": "Specification" }, el("h2", {}, "Specification"), fields.element, vary, el("details", {}, el("summary", {}, "Tolerances of the workshop"), spreads.element), search.element),
     el("div", { class: "middle" }, results, picked, feasible.element, figures.element)));
-  results.append(el("p", { class: "soft" }, "State the requirement. The search ranks all diameters and walls; finite elements compute the final values."));
+  results.append(el("p", { class: "soft" }, "State the requirement. The search ranks tubes and sleeves that you can buy or cast, or free diameters and walls where you give them; finite elements compute the final values."));
 
   async function request() {
     const [wanted, choice, tolerance] = await Promise.all(forms.map((f) => f.read()));
@@ -112,15 +113,15 @@ export function mount(main) {
       out.push(el("h2", {}, `Outer diameter ${show("length", best.outer_diameter_mm)}, wall ${show("length", best.wall_mm)}, length ${show("length", best.length_mm)}, braid ${show("angle", best.angle_deg)}`));
       out.push(el("p", {}, `Rubber ${best.rubber}. Required pressure ${show("pressure", best.pressure_mpa, 3)}; pull ${withUncertainty("force", best.points[0].force_n, best.points[0].uncertainty_n)} at ${show("ratio", best.points[0].contraction, 3)}, blocked force ${show("force", best.blocked_force_n)}. ${best.binds ? `Limited by: ${String(best.binds).replaceAll("_", " ")}.` : ""}`));
       out.push(warnings(found.warnings));
-      const rows = found.candidates.map((/** @type {any} */ c) => [show("length", c.outer_diameter_mm), show("length", c.wall_mm), show("length", c.length_mm), show("angle", c.angle_deg), c.rubber, show("pressure", c.pressure_mpa, 3), `${number(100 * c.margin, 2)} %`, show("length", c.bulged_diameter_mm), c.air_normal_litres ? `${number(c.air_normal_litres, 3)} L` : "–"]);
-      out.push(table(["D0", "s", "L0", "θ0", "rubber", "needs", "to spare", "bulged", "air per stroke"], rows, { text: [4], pick: (i) => open(found.candidates[i]), label: "Muscles that fit, best first" }));
+      const rows = found.candidates.map((/** @type {any} */ c) => [c.tube ?? "", c.sleeve ?? "", show("length", c.outer_diameter_mm), show("length", c.wall_mm), show("length", c.length_mm), show("angle", c.angle_deg), c.rubber, show("pressure", c.pressure_mpa, 3), `${number(100 * c.margin, 2)} %`, show("length", c.bulged_diameter_mm), c.air_normal_litres ? `${number(c.air_normal_litres, 3)} L` : "–"]);
+      out.push(table(["tube", "sleeve", "D0", "s", "L0", "θ0", "rubber", "needs", "to spare", "bulged", "air per stroke"], rows, { text: [0, 1, 6], pick: (i) => open(found.candidates[i]), label: "Muscles that fit, best first" }));
       if (best.joint) out.push(el("p", {}, `Pulley of radius ${show("length", best.joint.radius_mm, 3)}, ${show("ratio", best.joint.contraction_at_neutral, 3)} contracted at the neutral angle.`));
       if (best.points.length > 1) out.push(table(["pull", "at", "needs"], best.points.map((/** @type {any} */ p) => [withUncertainty("force", p.force_n, p.uncertainty_n), show("ratio", p.contraction, 3), show("pressure", p.pressure_mpa, 3)]), { text: [], label: "the operating points" }));
       if (found.tolerance?.length) out.push(table(["within the tolerances, at", "and", "least pull", "largest pull", "likely"], found.tolerance.map((/** @type {any} */ t) => [show("ratio", t.contraction, 3), show("pressure", t.pressure_mpa, 3), show("force", t.low_n), show("force", t.high_n), `± ${show("force", t.likely_n, 2)}`]), { text: [], label: "spread of the pull" }));
       out.push(el("p", { class: "small soft" }, `${found.fitting} of ${found.looked_at} muscles fit; searched with ${found.searched_with}, computed by ${found.model}. Click one to show it.`));
     } else if (found.closest) {
       const c = found.closest;
-      out.push(el("h2", {}, "Nothing fits."), el("p", {}, `Closest: D0 ${show("length", c.outer_diameter_mm)}, s ${show("length", c.wall_mm)}: ${inWords(c.reason)}.`));
+      out.push(el("h2", {}, "Nothing fits."), el("p", {}, `Closest: D0 ${show("length", c.outer_diameter_mm)}, s ${show("length", c.wall_mm)}${c.sleeve ? ` in ${c.sleeve}` : ""}: ${inWords(c.reason)}.`));
       out.push(warnings(found.warnings));
       if (found.excluded_by_burst) out.push(el("p", {}, `Of ${found.looked_at} muscles ${found.excluded_by_burst} burst too early; ${found.excluded_by_burst_alone} of them meet every other limit.`));
       if (c.hint) out.push(el("p", {}, capital(inWords(c.hint))));
@@ -153,8 +154,9 @@ export function mount(main) {
     const { figure, tolerance, ...rest } = of;
     const span = (/** @type {number} */ mid, /** @type {number} */ low, /** @type {number} */ high, /** @type {number} */ n) => Array.from({ length: n }, (_, i) => Number((low * mid + ((high - low) * mid * i) / (n - 1)).toPrecision(4)));
     const D = span(best.outer_diameter_mm, 0.5, 1.9, 29), S = span(Math.max(best.wall_mm, 1.5), 0.2, 2.6, 25);
-    // With a named sleeve the diameter sets the angle.
-    const fixed = { length_mm: of.stroke_mm ? undefined : best.length_mm, ...(of.braids?.length ? {} : { angle_deg: best.angle_deg }) };
+    // With a named sleeve the diameter sets the angle; parts are varied as if any size of them were sold.
+    const part = best.sleeve && !of.braids?.length ? { rubbers: best.rubber ? [best.rubber] : undefined, braids: [best.sleeve] } : {};
+    const fixed = { length_mm: of.stroke_mm ? undefined : best.length_mm, ...(of.braids?.length || best.sleeve ? {} : { angle_deg: best.angle_deg }), ...part };
     const answer = await engine().ask("design", { ...rest, ...fixed, outer_diameter_mm: D, wall_mm: S, model: "universal", verify: "none", extrapolate: true, top: D.length * S.length }, { signal });
     const at = new Map(answer.candidates.map((/** @type {any} */ c) => [`${c.outer_diameter_mm},${c.wall_mm}`, c]));
     const not = new Map((answer.rejected ?? []).map((/** @type {any} */ c) => [`${c.outer_diameter_mm},${c.wall_mm}`, c]));

@@ -247,11 +247,13 @@ fn doubt(answer: &DesignAnswer, u: &Units) -> String {
         Some(SureAnswer { load_factor: Some(factor), .. }) => {
             format!("design for {} times the load", number(*factor, 4))
         }
-        Some(sure) => format!("design for {}", joined(sure.points.iter().map(force).collect())),
+        Some(sure) => {
+            format!("design for {}, or add --guaranteed", joined(sure.points.iter().map(force).collect()))
+        }
         None => "no muscle of this search is strong enough".to_owned(),
     };
     format!(
-        "The margin of the first muscle is smaller than its ± of {half}: to cover {wanted} with the ±, {ask} (or ask for it with --guaranteed).\n"
+        "The margin of the first muscle is smaller than its ± of {half}: to cover {wanted} with the ±, {ask}.\n"
     )
 }
 
