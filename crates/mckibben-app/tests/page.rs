@@ -154,7 +154,16 @@ fn a_report_holds_the_answers_of_its_commands() {
     let headings: Vec<&str> = parts.iter().filter_map(|p| p["heading"].as_str()).collect();
     assert_eq!(
         headings,
-        ["Performance", "Curves", "Other models", "Build sheet", "Assumptions and limits", "Muscle file"]
+        [
+            "Performance",
+            "Curves",
+            "Other models",
+            "Muscle",
+            "Derived",
+            "Build sheet",
+            "Assumptions and limits",
+            "Muscle file"
+        ]
     );
     assert!(report["document"]["footer"].as_str().unwrap().contains("SHA-256"));
 }

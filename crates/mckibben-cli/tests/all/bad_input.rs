@@ -129,13 +129,6 @@ const FLAGS: &[Case] = &[
     ),
     ("a tube at which nothing contracts", "braid show nfl-19 -D 32", 2, "braid", "below 54.7356 deg only"),
     (
-        "a sleeve whose strands nobody states",
-        "force -p 0.2 -D 20 --braid nfl-19",
-        2,
-        "braid",
-        "give --strand-diameter and --strand-modulus or --stiffness",
-    ),
-    (
         "an angle that the sleeve does not have",
         "force -p 0.2 -D 20 --braid nfl-19 --stiffness 300 --angle 28",
         2,

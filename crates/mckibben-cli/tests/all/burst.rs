@@ -60,7 +60,7 @@ fn one_burst_pressure_in_every_command_to_the_last_digit() {
         assert_eq!(answer["burst_pressure_mpa"], burst, "{words}");
     }
     // A muscle that was designed has the burst pressure of the file that was written.
-    let found = as_json(dir, "design hose.toml -F 300N -e 5% -p 4bar -s 2 -o winner.toml");
+    let found = as_json(dir, "design hose.toml -F 300N -e 5% -p 4bar -s 2 --safety 1.5 -o winner.toml");
     let designed = &found["candidates"][0]["burst_pressure_mpa"];
     assert!(designed.as_f64().unwrap() > 0.6, "{designed}");
     assert_eq!(as_json(dir, "force winner.toml -p 4bar")["burst_pressure_mpa"], *designed);

@@ -39,6 +39,7 @@ fn assert_units(value: &Value) {
         "fitting",
         "turns",
         "strands",
+        "stiffness_factor",
         "filaments",
         "largest_contraction",
         "r_squared",

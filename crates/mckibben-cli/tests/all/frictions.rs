@@ -225,8 +225,8 @@ fn tables_have_the_same_columns_whatever_the_values() {
 fn errors_name_the_flag_that_was_typed() {
     let dir = muscle();
     for (words, said, not) in [
-        ("design -F 300N -e 10% -p 3bar --safety 3", "--safety", "--min-burst-margin"),
-        ("design -F 300N -e 10% -p 3bar --min-burst-margin 3", "--min-burst-margin", "--safety"),
+        ("design -F 300N -e 10% -p 3bar --continuous --safety 3", "--safety", "--min-burst-margin"),
+        ("design -F 300N -e 10% -p 3bar --continuous --min-burst-margin 3", "--min-burst-margin", "--safety"),
         ("force my.toml -p 2bar --both", "--both", "--branch"),
         ("force my.toml -p 2bar --branch contraction", "--branch", "--both"),
         ("curve isobaric my.toml --both", "--both", "--branch"),
@@ -381,6 +381,7 @@ const COUNTS: &[(&str, &str, &str)] = &[
     ("strand-diameter", "0.2mm", ""),
     ("strand-modulus", "3GPa", ""),
     ("stiffness", "300", ""),
+    ("stiffness-factor", "2", ""),
     ("seating", "1mm", ""),
     ("slip", "4mm/kN", ""),
     ("grip", "5mm", ""),

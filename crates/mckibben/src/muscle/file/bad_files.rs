@@ -266,9 +266,9 @@ const BAD: &[(&str, usize, &str)] = &[
     ),
     ("[braid]\nname = 19", 2, "braid.name = 19: is a number; expected the name of a sleeve"),
     (
-        "[tube]\nouter_diameter = 20\n[braid]\nname = \"nfl-19\"",
-        4,
-        "the source of nfl-19 does not state strand_diameter and strand_modulus; give `strand_diameter` and `strand_modulus`",
+        "[tube]\nouter_diameter = 20\n[braid]\nname = \"nfl-19\"\nstiffness_factor = 0.5",
+        5,
+        "braid.stiffness_factor",
     ),
     (
         "[braid]\nname = \"s-muscle-20\"\nstiffness = \"inextensible\"",

@@ -26,6 +26,8 @@ pub(super) fn read(section: &Section<'_>, parts: &mut Parts) -> Result<(), FileE
         // A number of strands alone says nothing about their stiffness.
         (None, false) => default.stiffness,
     };
+    // In place of what the sleeve's estimates leave open.
+    let stiffness_factor = section.number("stiffness_factor")?.unwrap_or(stiffness_factor);
     let compression = section.boolean("compression")?.unwrap_or(default.compression);
     let sleeve = sleeve.map(|s| s.shape);
     parts.braid = Braid { stiffness, strands, compression, stiffness_factor, sleeve, ..default };

@@ -169,7 +169,7 @@ impl Text {
             self.key("stiffness", stiffness, comment);
         }
         // What the sleeve says by itself need not be written.
-        let known = sleeve.and_then(|s| match stiffness {
+        let known = sleeve.as_ref().and_then(|s| match stiffness {
             Some(_) => s.strands_beside_stiffness(),
             None => s.of_strands().ok(),
         });
@@ -185,6 +185,14 @@ impl Text {
             if let Some(strength) = strands.strength_n {
                 self.key("strand_strength", &quantity(strength, "N"), "force at which one strand breaks");
             }
+        }
+        let follows = match &sleeve {
+            Some(sleeve) if stiffness.is_none() && braid.strands == known => sleeve.stiffness_factor(),
+            _ => 1.0,
+        };
+        if braid.stiffness_factor != follows {
+            let comment = "the stiffness is known within this factor; the ± of the pull carries it";
+            self.key("stiffness_factor", &number(braid.stiffness_factor), comment);
         }
         self.measures(muscle, "braid");
         if braid.compression {

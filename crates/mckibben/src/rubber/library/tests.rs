@@ -78,7 +78,7 @@ fn silicones_known_by_a_table_of_fits_have_its_stress_at_100_percent() {
 
 #[test]
 fn the_rubber_of_the_prototype_has_one_law() {
-    assert_eq!(entries().unwrap().len(), 21);
+    assert_eq!(entries().unwrap().len(), 24);
     assert_eq!(find("paper").unwrap(), Rubber::paper());
     assert_eq!(find("paper:mooney-rivlin").unwrap(), Rubber::paper());
 }
