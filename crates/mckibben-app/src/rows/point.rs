@@ -6,6 +6,7 @@ use crate::point::PointAnswer;
 use crate::units::Units;
 use crate::words::{number, percent};
 use mckibben::answer::Answer;
+use mckibben_design::SAFETY;
 
 fn of(asked: PointQuantity, answer: &Answer) -> f64 {
     match asked {
@@ -87,6 +88,7 @@ pub fn point_rows(answer: &PointAnswer, asked: PointQuantity, u: &Units) -> Vec<
     add("tension of all strands", r.braid_tension_n, &tension);
     let estimate = estimated(&answer.muscle);
     add("burst pressure", answer.burst_pressure_mpa, &|v| u.pressure.show(v) + estimate);
+    add("allowed: a quarter of it", answer.burst_pressure_mpa, &|v| u.pressure.show(v / SAFETY));
     add("stretch of the rubber at mid-length, inside", r.middle_stretch, &|v| number(v, 3));
     add("99 % of the rubber is stretched by less than", r.max_stretch, &|v| number(v, 3));
     if let Some(parts) = &a.uncertainty_parts_n {

@@ -6,6 +6,7 @@ use crate::units::Units;
 use crate::words::{braid_name, law_text, number, percent, rubber_name};
 use mckibben::muscle::{Bulk, EndFactor, Muscle};
 use mckibben::rubber::RubberLaw;
+use mckibben_design::SAFETY;
 
 /// A heading and its rows.
 pub type Sheet = (&'static str, Vec<Row>);
@@ -22,7 +23,7 @@ pub fn muscle_sheets(answer: &MuscleShowAnswer, u: &Units) -> [Sheet; 3] {
 /// Values at one pressure.
 pub fn characteristic_rows(c: &Characteristics, u: &Units) -> Vec<Row> {
     let or_dash = |v: Option<f64>, show: &dyn Fn(f64) -> String| v.map_or_else(|| "–".into(), show);
-    vec![
+    let mut rows = vec![
         ("blocked force", u.force.show(c.blocked_force_n)),
         ("free contraction", or_dash(c.free_contraction, &percent)),
         ("work of a free stroke", or_dash(c.work_j, &|v| format!("{} J", number(v, 4)))),
@@ -32,7 +33,9 @@ pub fn characteristic_rows(c: &Characteristics, u: &Units) -> Vec<Row> {
             or_dash(c.air_normal_litres, &|v| format!("{} normal litres", number(v, 4))),
         ),
         ("burst pressure", c.burst_pressure_mpa.map_or_else(|| "not stated".into(), |v| u.pressure.show(v))),
-    ]
+    ];
+    rows.extend(c.burst_pressure_mpa.map(|v| ("allowed: a quarter of it", u.pressure.show(v / SAFETY))));
+    rows
 }
 
 /// How far the muscle stretches its rubber, and how far the rubber is known.

@@ -146,7 +146,7 @@ fn a_burst_pressure_that_is_not_known_is_said_with_the_number_that_is_missing() 
         ("joint joint.toml -p 3bar,1bar --angle 0", "strand_strength"),
         (&format!("{MOTION} -p 3bar"), "strand_strength"),
         ("design hose.toml -F 300N -e 5% -p 4bar -s 2", "strand_strength"),
-        ("design -F 700N -e 15% -p 10bar --continuous", "`strands` (how many)"),
+        ("design -F 700N -e 15% -p 3bar --continuous", "`strands` (how many)"),
         ("muscle show -p 3bar", "`strands` (how many)"),
         ("force hose.toml -p 7bar", "strand_strength"),
     ] {
