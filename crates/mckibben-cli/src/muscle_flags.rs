@@ -8,7 +8,7 @@ use crate::quantities::{points, quantity};
 use clap::error::Error;
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
 use mckibben::muscle::Measure;
-use mckibben::muscle::measures::{ANGLE, fields};
+use mckibben::muscle::measures::{ANGLE, STRAND_MODULUS, fields};
 use mckibben_app::{MeasureValues, MuscleFields, NamedFields};
 use std::path::PathBuf;
 
@@ -61,9 +61,10 @@ fn name(measure: &Measure) -> String {
     format!("--{}", measure.flag().unwrap_or_default())
 }
 
-/// All measures with their flags.
+/// All measures with their flags; that of the strands' modulus is in [`StrandFlags`].
 fn flags() -> impl Iterator<Item = (&'static Measure, String)> {
-    fields().filter_map(|(_, measure)| Some((measure, measure.flag()?)))
+    let own = fields().filter(|(_, measure)| **measure != STRAND_MODULUS);
+    own.filter_map(|(_, measure)| Some((measure, measure.flag()?)))
 }
 
 impl Args for MuscleFlags {
@@ -124,12 +125,13 @@ impl MuscleFlags {
                 measures.set(measure, value);
             }
         }
+        let modulus = self.named.strands.modulus_mpa()?;
+        modulus.into_iter().for_each(|value| measures.set(&STRAND_MODULUS, value));
         let named = NamedFields {
             muscle: self.file().map(|file| files::text(file)).transpose()?,
             rubber: self.named.rubber.clone(),
             braid: self.named.braid.clone(),
             strand_diameter_mm: self.named.strands.diameter_mm()?,
-            strand_modulus_mpa: self.named.strands.modulus_mpa()?,
             stiffness: self.named.strands.stiffness()?,
         };
         Ok(MuscleFields { named, measures })

@@ -48,6 +48,7 @@ pub fn run(command: Command, format: Format, limits: &[(Resource, f64)]) -> Resu
         Command::Formula(FormulaCommand::Show(args)) => formula::show(&args, format),
         Command::Identify(args) => identify::run(&args, format),
         Command::Muscle(MuscleCommand::Show(args)) => muscle::show(&args, format),
+        Command::Muscle(MuscleCommand::Measures(args)) => muscle::measures(&args, format),
         Command::Braid(BraidCommand::List(args)) => braid::list(&args, format),
         Command::Braid(BraidCommand::Show(args)) => braid::show(&args, format),
         Command::Rubber(RubberCommand::List(args)) => rubber::list(&args, format),
