@@ -11,7 +11,7 @@ from ._record import Record
 # The list of an answer that is its table, by command.
 ROWS = {
     "simulate": "points", "design": "candidates", "joint": "points", "study": "points", "validate": "cases", "measured": "results", "compare": "models",
-    "identify": "parameters", "rubber-fit": "laws", "rubber-list": "rubbers", "braid-list": "braids", "models": "models",
+    "identify": "parameters", "rubber-fit": "laws", "rubber-list": "rubbers", "braid-list": "braids", "muscle-measures": "measures", "models": "models",
     "motion": "series", "fit-report": "findings", "units": "kinds", "braid-show": "points", "rubber-show": "fits",
 }
 

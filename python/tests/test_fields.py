@@ -31,6 +31,14 @@ FIELDS: dict[str, tuple[str, float, dict[str, Any]]] = {
     "cone_factor": ("", 0.4, {}),
     "strand_length_mm": ("33 cm", 330.0, {"turns": 1.6}),
     "turns": ("", 1.6, {"strand_length_mm": 330}),
+    "strands": ("", 48.0, {}),
+    "strand_area_mm2": ("0.003 cm2", 0.3, {"strands": 48, "strand_modulus_mpa": 2500}),
+    "strand_strength_n": ("0.04 kN", 40.0, {"strands": 48}),
+    "braid_diameter_mm": ("3.1 cm", 31.0, {}),
+    "crimp": ("", 0.01, {}),
+    "crimp_stiffness": ("", 0.2, {"crimp": 0.01}),
+    "friction_coefficient": ("", 30.0, {"friction_exponent": 0.7}),
+    "friction_exponent": ("", 0.7, {"friction_coefficient": 30}),
 }
 
 

@@ -44,6 +44,7 @@ def bench(root: Path) -> dict[str, str]:
 # A call for every command of the package; `root` is the repository.
 CALLS: dict[str, Callable[[Path], Any]] = {
     "braid_list": lambda root: mk.braid_list(),
+    "muscle_measures": lambda root: mk.muscle_measures(),
     "braid_show": lambda root: mk.braid_show(mk.braid_list().braids[0].name),
     "compare": lambda root: mk.compare(root / "examples/tondu2012.toml", models=["ideal"], data=root / "data/tondu2012/static_force_20deg.csv"),
     "contraction": lambda root: mk.contraction(**MUSCLE, force_n=700, pressure_mpa=0.2, model="universal"),

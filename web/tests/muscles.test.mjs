@@ -7,7 +7,7 @@ import { availableParallelism, tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import * as page from "../page/js/state.js";
-import { meant, takeUnits, typed } from "../page/js/units.js";
+import { kindOf, meant, takeUnits, typed } from "../page/js/units.js";
 import { served } from "./browser.mjs";
 import { inWasm, overHttp } from "./engines.mjs";
 import { dice, muscle } from "./random.mjs";
@@ -55,11 +55,12 @@ for (const [name, { start, point: within, motion }] of engines({
       engine = await start();
       folder = await mkdtemp(join(tmpdir(), "muscles-"));
       takeUnits(await engine.ask("units", {}));
+      page.takeMeasures(await engine.ask("muscle-measures", {}));
     });
     after(async () => { engine.end(); await rm(folder, { recursive: true }); });
 
     /** Texts as the page reads them. @param {{ text: string, kind: any }[]} texts */
-    const read = async (texts) => (texts.length ? (await engine.ask("quantities", { texts: texts.map(({ text, kind }) => ({ text, kind: kind === "modulus" ? "pressure" : kind })) })).readings : []);
+    const read = async (texts) => (texts.length ? (await engine.ask("quantities", { texts: texts.map(({ text, kind }) => ({ text, kind: kindOf(kind) })) })).readings : []);
     /** What was typed into a field. @param {any} kind @param {string} text */
     const field = async (kind, text) => {
       const { text: clear, value } = meant(kind, text);
@@ -77,10 +78,10 @@ for (const [name, { start, point: within, motion }] of engines({
 
     /** @param {number} seed */
     async function one(seed) {
-      const { file, over, flags, merged, p, e } = muscle(seed), d = dice(seed + 1e6);
+      const { file, over, ground, flags, merged, p, e } = muscle(seed), d = dice(seed + 1e6);
       const names = [join(folder, `${seed}.toml`), join(folder, `${seed}-merged.toml`), join(folder, `${seed}-saved.toml`), join(folder, `${seed}-joint.toml`)];
       const [own, whole, saved, jointFile] = names;
-      await Promise.all([writeFile(own, file), writeFile(whole, merged)]);
+      await Promise.all([writeFile(own, ground), writeFile(whole, merged)]);
       // Opened, typed, chosen.
       let state = file ? page.opened(page.prototype(), file) : page.prototype();
       for (const [key, text] of Object.entries(over)) {
@@ -92,13 +93,13 @@ for (const [name, { start, point: within, motion }] of engines({
       const link = new URLSearchParams(/** @type {any} */ (page.words(state, typed))).toString();
       assert.deepEqual(await linked(link), state, `the link of ${seed}`);
 
-      const source = file ? [own, ...flags] : flags, at = ["-p", p, "-e", e];
+      const source = ground ? [own, ...flags] : flags, at = ["-p", p, "-e", e];
       const shown = await ask("muscle", "show", ...source);
       const understood = await maybe(engine.ask("muscle-show", page.fields(state)));
       same(understood, shown, within, `muscle ${seed}`);
       if (!shown) return false;
       // What the sliders show is the engine's.
-      for (const measure of page.QUANTITIES) same(page.shownValue(state, understood, measure), shown[measure.field], within, `slider ${measure.key} of ${seed}`);
+      for (const measure of page.MEASURES) if (measure.field in shown) same(page.shownValue(state, understood, measure), shown[measure.field], within, `field ${measure.key} of ${seed}`);
       // Saved and opened again, here and on the command line.
       const text = await page.canonical(state, engine.ask);
       await writeFile(saved, text);
@@ -139,11 +140,11 @@ for (const [name, { start, point: within, motion }] of engines({
 
       // Compare: the muscle itself, and with a length and stiffness of the side's own.
       const [length, k] = [d.between(150, 300), d.pick(["inextensible", 400])];
-      const plain = page.side(state, "", { model }), other = page.side(state, "", { model, length_mm: length, stiffness: k });
+      const plain = page.side(state, "", { model }), changed = page.side(state, "", { model, length_mm: length, stiffness: k });
       const without = flags.flatMap((flag, i) => (["-L", "--stiffness", "--strand-diameter", "--strand-modulus"].includes(flags[i - (i % 2)]) ? [] : [flag]));
       const [a, b, ofA, ofB] = await Promise.all([
-        ask("force", ...source, ...at, "--model", model, "--extrapolate"), ask("force", ...(file ? [own] : []), ...without, "-L", `${length}`, "--stiffness", `${k}`, ...at, "--model", model, "--extrapolate"),
-        ...[plain, other].map((side) => maybe(engine.ask("force", { ...side.muscle, model: side.model, pressure_mpa: side.pressure_mpa, contraction: side.contraction, extrapolate: true }))),
+        ask("force", ...source, ...at, "--model", model, "--extrapolate"), ask("force", ...(ground ? [own] : []), ...without, "-L", `${length}`, "--stiffness", `${k}`, ...at, "--model", model, "--extrapolate"),
+        ...[plain, changed].map((side) => maybe(engine.ask("force", { ...side.muscle, model: side.model, pressure_mpa: side.pressure_mpa, contraction: side.contraction, extrapolate: true }))),
       ]);
       same(ofA, a, within, `Compare ${seed}, A`);
       same(ofB, b, within, `Compare ${seed}, B`);

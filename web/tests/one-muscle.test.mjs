@@ -104,6 +104,73 @@ inBrowser(({ name, url, open, blank }) => {
     await sent.context.close();
   });
 
+  test("every measure of the program has a field, and those that few muscles state belong to the muscle of every page", async () => {
+    const { page, errors, context } = await open("#muscle");
+    await alive(page);
+    const box = page.locator("details", { hasText: "More measures" }), is = (/** @type {string} */ name, /** @type {string} */ value) => page.waitForFunction(([name, value]) => [...document.querySelectorAll(".quantity")].some((q) => q.querySelector("label")?.textContent === name && q.querySelector("input")?.value === value), [name, value], { timeout: 20_000 });
+    assert.equal(await box.getAttribute("open"), null);
+    await page.getByText("Ends", { exact: true }).first().click();
+    await page.getByText("More measures", { exact: true }).click();
+    await page.screenshot({ path: `${shots}/more-${name}.png`, fullPage: true });
+    const { measures } = ask("muscle", "measures"), labels = await page.locator(".quantity label").allTextContents();
+    const of = (/** @type {string} */ key) => {
+      const { label, symbol } = measures.find((/** @type {any} */ m) => m.key === key);
+      return `${label.charAt(0).toUpperCase()}${label.slice(1)}${symbol ? ` ${symbol}` : ""}`;
+    };
+    for (const { key } of measures) assert.equal(labels.filter((label) => label === of(key)).length, 1, key);
+    /** @type {[string, string, string][]} */
+    const typed = [
+      ["tube.density", "0.95 g/cm3", "950"], ["tube.prestretch", "1.1", "1.1"], ["braid.strands", "96", "96"], ["braid.strand_modulus", "8.5 GPa", "8500"], ["braid.strand_area", "0.05 mm2", "0.05"],
+      ["braid.strand_strength", "0.04 kN", "40"], ["braid.thickness", "400 um", "0.4"], ["braid.crimp", "0.5", "0.5 %"], ["terminals.insertion", "15 mm", "15"], ["friction.coefficient", "40", "40"],
+    ];
+    for (const [key, text] of typed) await type(page, of(key), key === "braid.crimp" ? `${text} %` : text);
+    // What lacks its other half is said at that.
+    await page.waitForFunction((name) => [...document.querySelectorAll(".quantity")].some((q) => q.querySelector("label")?.textContent === name && q.querySelector("[aria-invalid=true]")), of("friction.exponent"));
+    await type(page, of("friction.exponent"), "0.8");
+    const file = (/** @type {string} */ prestretch) => {
+      const path = join(folder, `more-${name}.toml`);
+      writeFileSync(path, `[tube]\ndensity = "0.95 g/cm3"\n${prestretch}[braid]\nstrands = 96\nstrand_modulus = "8.5 GPa"\nstrand_area = "0.05 mm2"\nstrand_strength = "40 N"\nthickness = "0.4 mm"\ncrimp = "0.5 %"\n[terminals]\ninsertion = "15 mm"\n[friction]\ncoefficient = 40\nexponent = 0.8\n`);
+      return asShown(ask("force", path, "-p", "2.5bar", "-e", "15%"));
+    };
+    const said = file("prestretch = 1.1\n");
+    await reads(page, PULL, said);
+    const copy = join(folder, `more-saved-${name}.toml`);
+    await page.getByText("Muscle file", { exact: true }).click();
+    writeFileSync(copy, await saved(page, "Download this muscle"));
+    assert.equal(asShown(ask("force", copy, "-p", "2.5bar", "-e", "15%")), said);
+    const link = new URL(page.url()).hash;
+    assert.match(link, /strands=96/);
+    // Reloaded, and sent to somebody: it is open by itself, with all values.
+    await page.reload();
+    await reads(page, PULL, said);
+    assert.equal(await box.getAttribute("open"), "");
+    for (const [key, , shown] of typed) await is(of(key), shown);
+    await page.getByRole("link", { name: "Compare" }).click();
+    await reads(page, "[aria-label='both in numbers']", `Pull${said}`);
+    await page.getByRole("link", { name: "Muscle", exact: true }).click();
+    await reads(page, PULL, said);
+    // An emptied field has the usual value again.
+    await type(page, of("tube.prestretch"), "");
+    await reads(page, PULL, file(""));
+    assert.doesNotMatch(page.url(), /prestretch/);
+    await is(of("tube.prestretch"), "");
+    await type(page, of("braid.strands"), "37");
+    await page.waitForSelector(".problem");
+    assert.equal(await field(page, of("braid.strands")).getAttribute("aria-invalid"), "true");
+    assert.match(await page.locator(".problem").innerText(), /number of strands is 37; it must be an even whole number/i);
+    assert.deepEqual(errors, []);
+    await context.close();
+    // The measures of a file.
+    const opened = await open("#muscle");
+    await alive(opened.page);
+    await opened.page.getByText("Muscle file", { exact: true }).click();
+    await opened.page.locator("input[type=file]").setInputFiles(copy);
+    await reads(opened.page, PULL, said);
+    assert.equal(await opened.page.locator("details", { hasText: "More measures" }).getAttribute("open"), "");
+    for (const [key, , shown] of typed) assert.equal(await field(opened.page, of(key)).inputValue(), shown, key);
+    await opened.context.close();
+  });
+
   test("every named sleeve has fields for what its source does not state, and answers as on the command line", async () => {
     const { page, context } = await open("#muscle?p=2bar&e=5%25");
     await alive(page);
@@ -112,7 +179,7 @@ inBrowser(({ name, url, open, blank }) => {
       await page.goto(`${url()}#muscle?D=${D}&s=${s}&L=${L}&p=2bar&e=5%25`);
       await page.waitForFunction((L) => /** @type {HTMLInputElement} */ (document.querySelectorAll(".quantity input[type=text]")[5])?.value === String(L), L);
       await page.getByRole("combobox", { name: "Braid" }).selectOption(sleeve);
-      const fields = { sd: ["Diameter of a strand", "0.2 mm", "--strand-diameter"], sE: ["Young's modulus of a strand", "3 GPa", "--strand-modulus"] };
+      const fields = { sd: ["Diameter of a strand", "0.2 mm", "--strand-diameter"], sE: ["Young's modulus of a strand E", "3 GPa", "--strand-modulus"] };
       const flags = [];
       for (const key of lacks) {
         const [label, text, flag] = fields[key];

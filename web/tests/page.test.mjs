@@ -21,8 +21,12 @@ inBrowser(({ name, url, open, blank }) => {
         await page.emulateMedia({ colorScheme });
         // Charts are drawn again in the other colours.
         if (colorScheme === "dark") await page.waitForTimeout(500);
+        // What is closed too.
+        const closed = await page.locator("details:not([open])").elementHandles();
+        for (const box of closed) await box.evaluate((of) => { /** @type {HTMLDetailsElement} */ (of).open = true; });
         const { violations } = await page.evaluate(() => /** @type {any} */ (window).axe.run(document, { runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"] }));
         assert.deepEqual(violations.map((/** @type {any} */ v) => `${v.id}: ${v.nodes[0].html} ${v.nodes[0].failureSummary}`), [], `${page_name}, ${colorScheme}`);
+        for (const box of closed) await box.evaluate((of) => { /** @type {HTMLDetailsElement} */ (of).open = false; });
         if (name === "static") await page.screenshot({ path: `${shots}/${page_name}-${colorScheme}.png`, fullPage: true });
       }
       assert.deepEqual(errors, [], page_name);

@@ -34,12 +34,28 @@ export const SLEEVES = [
 const FLAGS = {
   D: ["-D", [["mm", 1], ["in", 25.4], ["cm", 10], ["", 1]]], s: ["-s", [["mm", 1], ["", 1]]], L: ["-L", [["mm", 1], ["m", 1000], ["in", 25.4]]], angle: ["--angle", [["deg", 1], ["", 1]]],
   sd: ["--strand-diameter", [["mm", 1], ["um", 1e-3]]], sE: ["--strand-modulus", [["MPa", 1], ["GPa", 1000]]], k: ["--stiffness", [["N/mm", 1], ["", 1]]],
+  prestretch: ["--prestretch", [["", 1]]], density_kg_per_m3: ["--density", [["kg/m3", 1], ["g/cm3", 1000]]], end_factor: ["--end-factor", [["", 1]]], cone_factor: ["--cone-factor", [["", 1]]],
+  strand_length_mm: ["--strand-length", [["mm", 1], ["in", 25.4]]], turns: ["--turns", [["", 1]]],
   seating: ["--seating", [["mm", 1]]], slip: ["--slip", [["mm/N", 1], ["mm/kN", 1e-3]]], grip: ["--grip", [["mm", 1]]], rubber: ["--rubber", []], braid: ["--braid", []],
 };
 
+/** Measures that few muscles state: where in a muscle file, the lowest and highest value, and its units; a plain number has none. @type {Record<string, [string, number, number, [string, number][]]>} */
+const MORE = {
+  density_kg_per_m3: ["tube.density", 900, 1300, [["kg/m3", 1], ["g/cm3", 1000]]], prestretch: ["tube.prestretch", 1.01, 1.15, []],
+  insertion_mm: ["terminals.insertion", 5, 30, [["mm", 1], ["in", 25.4]]], end_factor: ["terminals.end_factor", 1, 1.15, []], cone_factor: ["terminals.cone_factor", 0.1, 0.3, []],
+  braid_thickness_mm: ["braid.thickness", 0.005, 0.02, [["mm", 1], ["um", 1e-3]]],
+  friction_lever_mm: ["friction.lever", 0.1, 2, [["mm", 1]]], friction_coefficient: ["friction.coefficient", 5, 60, []], friction_exponent: ["friction.exponent", 0.5, 0.9, []],
+};
+/** Where others of them are. @type {Record<string, string>} */
+const PLACES = {
+  ...Object.fromEntries(Object.entries(MORE).map(([key, [place]]) => [key, place])),
+  strands: "braid.strands", strand_area_mm2: "braid.strand_area", strand_strength_n: "braid.strand_strength", braid_diameter_mm: "braid.diameter", crimp: "braid.crimp",
+  crimp_stiffness: "braid.crimp_stiffness", strand_length_mm: "braid.strand_length", turns: "braid.turns",
+};
+
 /**
- * A random muscle: its file (empty for the prototype), what is said over it as key and text, the same as flags, and the file that
- * somebody would write who says all of it there.
+ * A random muscle: its file (empty for the prototype), what is said over it as key and text, the same as flags over a file (`ground`, which also
+ * has what has no flag), and the file that somebody would write who says all of it there.
  * @param {number} seed
  */
 export function muscle(seed) {
@@ -55,7 +71,7 @@ export function muscle(seed) {
   if (d.chance(0.4)) base.seating = `${d.between(0.1, 2)} mm`;
   if (d.chance(0.3)) base.slip = `${d.between(0.1, 2)} mm/kN`;
   if (d.chance(0.3)) base.grip = `${d.between(1, 5)} mm`;
-  if (d.chance(0.2)) base.friction = "coefficient = 40\nexponent = 0.8";
+  if (d.chance(0.2)) Object.assign(base, { friction_coefficient: "40", friction_exponent: "0.8" });
   const filed = d.chance(0.75);
 
   /** @param {Record<string, string>} into @param {string[]} lacks */
@@ -90,25 +106,71 @@ export function muscle(seed) {
   if (d.chance(0.2)) say("seating", d.between(0.1, 2));
   if (d.chance(0.2)) say("slip", d.between(1e-4, 2e-3));
   if (d.chance(0.2)) say("grip", d.between(1, 4));
-  const flags = Object.entries(over).flatMap(([key, text]) => [FLAGS[key][0], text]);
   const ends = { p: `${d.between(0.8, 3, 3)}${d.pick(["bar", " bar"])}`, e: d.pick([`${d.between(1, 14, 3)}%`, `${d.between(0.01, 0.14, 3)}`]) };
-  return { file: filed ? written(base) : "", over, flags, merged: written(merge(filed ? base : {}, over)), ...ends };
+  // The others are drawn last, so that a seed keeps what it had before them.
+  few(base, 0.12, {});
+  if (!sleeve && d.chance(0.2)) { delete base.k; ownStrands(base); }
+  few(over, 0.12, filed ? base : {});
+  const whole = merge(filed ? base : {}, over);
+  if (!over.k && !over.braid && !(filed && base.braid) && d.chance(0.2)) ownStrands(over);
+  if (!over.k && !over.braid && whole.k !== "inextensible" && d.chance(0.15)) { over.crimp = `${d.between(0.1, 1)} %`; if (d.chance(0.5)) over.crimp_stiffness = `${d.between(0.05, 0.5)}`; }
+  if (!whole.braid && d.chance(0.1)) over.braid_diameter_mm = `${Number((1.02 * millimetres(whole.D ?? "30")).toPrecision(6))} mm`;
+  if (d.chance(0.08)) Object.assign(over, { strand_length_mm: `${Number((1.14 * millimetres(whole.L ?? "285")).toPrecision(6))} mm`, turns: `${d.between(1, 3)}` });
+  // What has no flag the command line reads in the file, with what a muscle of it cannot do without.
+  const beside = [...(over.strands ? SECTION : []), ...(over.braid_diameter_mm ? ["D", "s", "L"] : [])];
+  const [beneath, flagged] = [false, true].map((flag) => Object.fromEntries(Object.entries(over).filter(([key]) => flag === (Boolean(FLAGS[key]) && !beside.includes(key)))));
+  const ground = filed || Object.keys(beneath).length ? written(merge(filed ? base : {}, beneath)) : "";
+  const flags = Object.entries(flagged).flatMap(([key, text]) => [FLAGS[key][0], text]);
+  return { file: filed ? written(base) : "", over, ground, flags, merged: written(merge(filed ? base : {}, over)), ...ends };
+
+  /** A few of the measures that few muscles state. @param {Record<string, string>} into @param {number} share @param {Record<string, string>} beside */
+  function few(into, share, beside) {
+    for (const [key, [, low, high, units]] of Object.entries(MORE)) {
+      if (!d.chance(share)) continue;
+      // Its exponent and its coefficient make a friction; with a file's friction one of them alone is another one.
+      const pair = { friction_coefficient: "friction_exponent", friction_exponent: "friction_coefficient" }[key];
+      if (pair && into[pair] === undefined && beside[pair] === undefined) into[pair] = `${d.between(MORE[pair][1], MORE[pair][2])}`;
+      const [unit, of] = units.length ? d.pick(units) : ["", 1];
+      // The thickness of a braid goes with the tube's diameter.
+      into[key] = `${Number(((d.between(low, high) * (key === "braid_thickness_mm" ? D : 1)) / of).toPrecision(5))}${unit}`;
+    }
+  }
+
+  /** A braid by its strands. @param {Record<string, string>} into */
+  function ownStrands(into) {
+    into.strands = `${2 * Math.round(d.between(20, 60))}`;
+    into.sE = `${d.between(2000, 9000)} MPa`;
+    if (d.chance(0.5)) into.sd = `${d.between(0.15, 0.35)} mm`;
+    else into.strand_area_mm2 = `${d.between(0.02, 0.1)} mm2`;
+    if (d.chance(0.5)) into.strand_strength_n = `${d.between(20, 90)} N`;
+  }
 }
+
+/** A length of this file's own writing in mm. @param {string} text */
+function millimetres(text) {
+  const { in: inch, cm, m } = { in: 25.4, cm: 10, m: 1000 }, unit = text.replace(/[-\d.e ]/g, "");
+  return parseFloat(text) * (/** @type {Record<string, number>} */ ({ in: inch, cm, m })[unit] ?? 1);
+}
+
+const SECTION = ["sd", "sE", "strand_area_mm2"];
 
 /** What is said takes the place of what it excludes. @param {Record<string, string>} base @param {Record<string, string>} over */
 function merge(base, over) {
   const out = { ...base };
-  if (over.braid) for (const key of ["angle", "sd", "sE", "k"]) delete out[key];
-  if (over.k) for (const key of ["sd", "sE"]) delete out[key];
+  if (over.braid) for (const key of ["angle", "k", ...SECTION, "strands", "strand_strength_n"]) delete out[key];
+  if (over.k || over.strand_area_mm2 || over.sd) for (const key of ["sd", "strand_area_mm2"]) delete out[key];
+  if (over.k) delete out.sE;
+  if (SECTION.some((key) => over[key])) delete out.k;
   if (over.rubber) delete out.law;
   return { ...out, ...over };
 }
 
 /** A muscle file. @param {Record<string, string>} of */
-function written({ D, s, L, rubber, law, braid, angle, k, sd, sE, seating, slip, grip, friction }) {
-  const key = (/** @type {string} */ name, /** @type {string | undefined} */ text) => (text === undefined ? "" : `${name} = "${text}"\n`);
-  const tube = key("outer_diameter", D) + key("wall_thickness", s) + key("length", L) + key("rubber", rubber) + (law ? `\n[tube.material]\n${law}\n` : "");
-  const sleeve = key("name", braid) + key("angle", angle) + key("stiffness", k) + key("strand_diameter", sd) + key("strand_modulus", sE);
-  const ends = key("seating", seating) + key("slip", slip) + key("grip", grip);
-  return `name = "random"\n\n[tube]\n${tube}\n[braid]\n${sleeve}${ends ? `\n[terminals]\n${ends}` : ""}${friction ? `\n[friction]\n${friction}\n` : ""}`;
+function written({ D, s, L, rubber, law, braid, angle, k, sd, sE, seating, slip, grip, ...others }) {
+  const key = (/** @type {string} */ name, /** @type {string | undefined} */ text) => (text === undefined ? "" : `${name} = ${/^[\d.]+$/.test(text) ? text : `"${text}"`}\n`);
+  const more = (/** @type {string} */ table) => Object.entries(others).map(([name, text]) => (PLACES[name].startsWith(`${table}.`) ? key(PLACES[name].split(".")[1], text) : "")).join("");
+  const tube = key("outer_diameter", D) + key("wall_thickness", s) + key("length", L) + key("rubber", rubber) + more("tube") + (law ? `\n[tube.material]\n${law}\n` : "");
+  const sleeve = key("name", braid) + key("angle", angle) + key("stiffness", k) + key("strand_diameter", sd) + key("strand_modulus", sE) + more("braid");
+  const ends = key("seating", seating) + key("slip", slip) + key("grip", grip) + more("terminals"), friction = more("friction");
+  return `name = "random"\n\n[tube]\n${tube}\n[braid]\n${sleeve}${ends ? `\n[terminals]\n${ends}` : ""}${friction ? `\n[friction]\n${friction}` : ""}`;
 }

@@ -185,6 +185,7 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         command!("muscle-show", MuscleShowRequest => MuscleShowAnswer, |r, _progress| muscle_show(&r)),
         command!("parts-list", PartsListRequest => PartsListAnswer, |r, _progress| parts_list(&r)),
         command!("parts-show", PartShowRequest => PartShowAnswer, |r, _progress| part_show(&r)),
+        command!("muscle-measures", MeasuresRequest => MeasuresAnswer, |r, _progress| measures(&r)),
         command!("braid-list", BraidListRequest => BraidListAnswer, |r, _progress| braid_list(&r)),
         command!("braid-show", BraidShowRequest => BraidShowAnswer, |r, _progress| braid_show(&r)),
         command!("rubber-list", RubberListRequest => RubberListAnswer, |r, _progress| rubber_list(&r)),

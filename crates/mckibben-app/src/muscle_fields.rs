@@ -1,7 +1,7 @@
 //! A muscle in requests: a file, names, and a field for each measure of [`mckibben::muscle::measures`].
 
 use crate::fields::{InGroup, Stiffness, TextFile};
-use mckibben::muscle::measures::{MeasureValues, fields};
+use mckibben::muscle::measures::{ANGLE, LENGTH, MeasureValues, OUTER_DIAMETER, STIFFNESS, WALL, fields};
 use mckibben::muscle::{Measure, Muscle};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::MapAccessDeserializer;
@@ -40,12 +40,9 @@ pub struct NamedFields {
     /// A sleeve of the library: its angle on this diameter, its strands.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub braid: Option<String>,
-    /// Diameter of one strand of that sleeve, mm, where its source does not state it.
+    /// Diameter of one strand, mm: in place of its cross-section, or of a named sleeve whose source does not state it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub strand_diameter_mm: Option<f64>,
-    /// Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub strand_modulus_mpa: Option<f64>,
     /// Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stiffness: Option<Stiffness>,
@@ -70,12 +67,15 @@ impl MuscleFields {
     }
 }
 
+/// The field of [`STIFFNESS`], which holds a number or a name.
+pub(crate) const STIFFNESS_FIELD: &str = "stiffness";
+
 /// Names of the fields, in the order of the schema: the file, the sizes and the angle, what has a name, the other measures.
 static NAMES: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
     let measures: Vec<&str> = fields().map(|(field, _)| field).collect();
     let sizes = measures.iter().position(|f| *f == "angle_deg").map_or(0, |i| i + 1);
     let (first, rest) = measures.split_at(sizes);
-    let named = ["rubber", "rubber_file", "braid", "strand_diameter_mm", "strand_modulus_mpa", "stiffness"];
+    let named = ["rubber", "rubber_file", "braid", "strand_diameter_mm", "stiffness"];
     [&["muscle"], first, &named, rest].concat()
 });
 
@@ -129,8 +129,12 @@ impl JsonSchema for MuscleFields {
             _ => Map::new(),
         };
         let one = |name: &&str| {
-            let field =
+            let mut field =
                 Measure::of_field(name).map(Measure::request_schema).or_else(|| named.remove(*name))?;
+            if *name == STIFFNESS_FIELD {
+                field["x-key"] = STIFFNESS.key.into();
+                field["x-symbol"] = STIFFNESS.symbol.into();
+            }
             Some(((*name).to_owned(), field))
         };
         let properties: Map<String, Value> = NAMES.iter().filter_map(one).collect();
@@ -139,13 +143,13 @@ impl JsonSchema for MuscleFields {
     }
 }
 
-/// Measures of a muscle that are shown where they are stated.
+/// Measures of a muscle beside those of its summary, where they are stated.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Stated(MeasureValues);
 
 impl Stated {
     fn fields() -> impl Iterator<Item = (&'static str, &'static Measure)> {
-        fields().filter(|(_, measure)| !measure.label.is_empty())
+        fields().filter(|(_, measure)| ![&OUTER_DIAMETER, &WALL, &LENGTH, &ANGLE].contains(measure))
     }
 
     /// Measures and values.
@@ -193,7 +197,7 @@ mod tests {
     fn fields_are_written_and_read_again_with_all_measures_among_them() {
         let mut fields = MuscleFields::default();
         fields.named.rubber = Some("paper".into());
-        for (i, (_, measure)) in mckibben::muscle::measures::fields().enumerate() {
+        for (i, (_, measure)) in super::fields().enumerate() {
             fields.measures.set(measure, 1.0 + i as f64);
         }
         let request = ForceRequest { muscle: fields.clone(), ..ForceRequest::default() };

@@ -111,6 +111,62 @@ fn a_named_sleeve_gives_angle_and_stiffness_of_the_tube_that_it_is_on() {
     assert!(problem(json!({ "strand_diameter_mm": 0.2 })).message.contains("complete a named `braid`"));
 }
 
+/// An identity: fields say what a muscle file says, and what stands over a file completes it.
+#[test]
+fn fields_of_strands_ends_and_friction_are_those_of_a_muscle_file() {
+    let text = "[braid]\nstrands = 96\nstrand_area = \"0.05 mm2\"\nstrand_modulus = \"8.5 GPa\"\nstrand_strength = \"40 N\"\nthickness = \"0.4 mm\"\ndiameter = \"31 mm\"\ncrimp = \"1 %\"\ncrimp_stiffness = 0.2\n[terminals]\ninsertion = \"15 mm\"\n[friction]\ncoefficient = 40\nexponent = 0.7\nlever = \"2 mm\"\n";
+    let fields = json!({
+        "strands": 96, "strand_area_mm2": 0.05, "strand_modulus_mpa": 8500, "strand_strength_n": 40, "braid_thickness_mm": 0.4,
+        "braid_diameter_mm": 31, "crimp": 0.01, "crimp_stiffness": 0.2, "insertion_mm": 15, "friction_coefficient": 40,
+        "friction_exponent": 0.7, "friction_lever_mm": 2, "muscle_file": true,
+    });
+    let file = |text: &str| json!({ "muscle": { "name": "m.toml", "text": text }, "muscle_file": true });
+    let shown = |request: &Value| asked("muscle-show", request.clone());
+    let (mine, theirs) = (shown(&fields), shown(&file(text)));
+    assert_eq!(mine, theirs);
+    for (field, value) in fields.as_object().unwrap().iter().filter(|(name, _)| *name != "muscle_file") {
+        assert_eq!(mine[field].as_f64(), value.as_f64(), "{field}");
+    }
+    let over = |field: &str, value: f64| {
+        let mut request = file(text);
+        request[field] = json!(value);
+        shown(&request)
+    };
+    // One of a pair suffices over a file that states the other.
+    for (field, value, was, now) in [
+        ("friction_exponent", 0.8, "exponent = 0.7", "exponent = 0.8"),
+        ("crimp_stiffness", 0.3, "crimp_stiffness = 0.2", "crimp_stiffness = 0.3"),
+        ("strands", 72.0, "strands = 96", "strands = 72"),
+        ("strand_modulus_mpa", 3000.0, "\"8.5 GPa\"", "\"3 GPa\""),
+    ] {
+        assert_eq!(over(field, value), shown(&file(&text.replace(was, now))), "{field}");
+    }
+    let problem = |request: Value| ask("muscle-show", &request.to_string(), &Silent).unwrap_err();
+    for (request, field, said) in [
+        (json!({ "strand_modulus_mpa": 3000 }), Some("strands"), "`strands` is missing"),
+        (json!({ "strands": 96, "strand_area_mm2": 0.05 }), Some("strand_modulus_mpa"), "is missing"),
+        (json!({ "strand_strength_n": 40 }), Some("strands"), "needs `strands`"),
+        (json!({ "friction_coefficient": 40 }), Some("friction_exponent"), "belong together"),
+        (json!({ "crimp_stiffness": 0.2 }), Some("crimp"), "belong together"),
+        (json!({ "strands": 37 }), None, "braid.strands is 37; it must be an even whole number"),
+        (json!({ "strands": 36.5 }), None, "braid.strands is 36.5;"),
+        (
+            json!({ "strands": 96, "strand_area_mm2": 0.05, "strand_diameter_mm": 0.2, "strand_modulus_mpa": 1 }),
+            None,
+            "both are given",
+        ),
+        (
+            json!({ "strands": 96, "strand_area_mm2": 0.05, "strand_modulus_mpa": 1, "stiffness": 300 }),
+            None,
+            "in place of a `stiffness`",
+        ),
+    ] {
+        let problem = problem(request.clone());
+        assert!(problem.message.contains(said), "{request}: {}", problem.message);
+        assert_eq!(problem.field.as_deref(), field, "{request}");
+    }
+}
+
 /// The paper's braid beyond its diameters: said by every command that answers with warnings, once a point.
 #[test]
 fn the_papers_braid_on_a_small_tube_is_a_warning_everywhere() {

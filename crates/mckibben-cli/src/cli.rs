@@ -12,7 +12,7 @@ use crate::commands::identify::IdentifyArgs;
 use crate::commands::joint::JointArgs;
 use crate::commands::models::ModelsArgs;
 use crate::commands::motion::MotionArgs;
-use crate::commands::muscle::MuscleShowArgs;
+use crate::commands::muscle::{MuscleMeasuresArgs, MuscleShowArgs};
 use crate::commands::parts::{PartShowArgs, PartsListArgs};
 use crate::commands::point::{ContractionArgs, ForceArgs, PressureArgs};
 use crate::commands::report::ReportArgs;
@@ -144,6 +144,9 @@ pub enum MuscleCommand {
         after_help = "Examples:\n  mckibben muscle show examples/prototype.toml\n  mckibben muscle show -D 40 -s 2 --rubber dragon-skin-30"
     )]
     Show(Box<MuscleShowArgs>),
+    /// All numbers that describe a muscle: keys of the muscle file, flags, units, bounds
+    #[command(after_help = "Example:\n  mckibben muscle measures")]
+    Measures(MuscleMeasuresArgs),
 }
 
 /// `formula …`.

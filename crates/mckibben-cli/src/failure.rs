@@ -49,7 +49,6 @@ const FIELDS: &[&str] = &[
     "rubber",
     "braid",
     "strand_diameter_mm",
-    "strand_modulus_mpa",
     "stiffness",
     "of_largest",
     "both",
@@ -247,7 +246,8 @@ impl From<Problem> for Failure {
         if !matches!(problem.kind, ProblemKind::File | ProblemKind::Formula) {
             problem.message = in_flags(&problem.message);
         }
-        if let Some(flag) = problem.field.as_deref().and_then(flag) {
+        let named = |flag: &String| problem.message.starts_with(flag.as_str());
+        if let Some(flag) = problem.field.as_deref().and_then(flag).filter(|flag| !named(flag)) {
             problem.message = format!("{flag}: {}", problem.message);
         }
         problem.hint = in_flags(&problem.hint);

@@ -8,7 +8,7 @@ use crate::quantities::{points, quantity};
 use clap::error::Error;
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
 use mckibben::muscle::Measure;
-use mckibben::muscle::measures::{ANGLE, fields};
+use mckibben::muscle::measures::{ANGLE, STRAND_MODULUS, fields};
 use mckibben_app::{MeasureValues, MuscleFields, NamedFields};
 use std::path::{Path, PathBuf};
 
@@ -61,9 +61,10 @@ fn name(measure: &Measure) -> String {
     format!("--{}", measure.flag().unwrap_or_default())
 }
 
-/// All measures with their flags.
+/// All measures with their flags; that of the strands' modulus is in [`StrandFlags`].
 fn flags() -> impl Iterator<Item = (&'static Measure, String)> {
-    fields().filter_map(|(_, measure)| Some((measure, measure.flag()?)))
+    let own = fields().filter(|(_, measure)| **measure != STRAND_MODULUS);
+    own.filter_map(|(_, measure)| Some((measure, measure.flag()?)))
 }
 
 impl Args for MuscleFlags {
@@ -128,13 +129,14 @@ impl MuscleFlags {
             |name: &&String| Path::new(name).extension().is_some_and(|end| end.eq_ignore_ascii_case("toml"));
         let rubber_file = self.named.rubber.as_ref().filter(is_file);
         let rubber_file = rubber_file.map(|file| files::text(Path::new(file))).transpose()?;
+        let modulus = self.named.strands.modulus_mpa()?;
+        modulus.into_iter().for_each(|value| measures.set(&STRAND_MODULUS, value));
         let named = NamedFields {
             muscle: self.file().map(|file| files::text(file)).transpose()?,
             rubber: self.named.rubber.clone().filter(|_| rubber_file.is_none()),
             rubber_file,
             braid: self.named.braid.clone(),
             strand_diameter_mm: self.named.strands.diameter_mm()?,
-            strand_modulus_mpa: self.named.strands.modulus_mpa()?,
             stiffness: self.named.strands.stiffness()?,
         };
         Ok(MuscleFields { named, measures })

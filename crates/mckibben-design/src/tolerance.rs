@@ -133,6 +133,7 @@ fn varied(muscle: &Muscle, by: &[(Varied, f64)]) -> Result<(Muscle, f64), Spread
             Varied::Measure(measure) => {
                 let value = (measure.get)(&parts).or(measure.default);
                 let value = value.ok_or(SpreadError::NotStated { key: measure.key })?;
+                measure.check(value + difference)?;
                 (measure.set)(&mut parts, value + difference);
             }
             Varied::Pressure => pressure = difference,

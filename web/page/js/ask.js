@@ -1,5 +1,6 @@
 // The one engine of the page, and questions of which only the newest counts.
 import { Engine } from "./kind.js";
+import { kindOf } from "./units.js";
 
 /** @type {Engine | undefined} */ let one;
 /** The engine; throws where there can be none. */
@@ -11,7 +12,7 @@ export const engine = () => (one ??= new Engine());
  */
 export async function understood(texts) {
   if (!texts.length) return [];
-  const asked = texts.map(({ kind, ...rest }) => ({ ...rest, kind: kind === "modulus" ? /** @type {const} */ ("pressure") : kind }));
+  const asked = texts.map(({ kind, ...rest }) => ({ ...rest, kind: kindOf(kind) }));
   return (await engine().ask("quantities", { texts: asked }, { lane: "read" })).readings;
 }
 

@@ -1,16 +1,18 @@
 // A quantity as a slider with a field beside it, and a choice from a list.
 import { understood } from "./ask.js";
-import { el } from "./dom.js";
-import { changeUnit, expectation, hasChoice, inside, meant, number, onUnits, outside, unitName } from "./units.js";
+import { capital, el } from "./dom.js";
+import { changeUnit, expectation, hasChoice, inside, meant, number, onUnits, outside, show, unitName } from "./units.js";
 import { inWords } from "./words.js";
 
 let count = 0;
 
 /**
- * A slider with a field. `change` is called at every step, with `settled` at the end of a gesture. Without a value the field is empty.
- * @param {{ label: string, symbol?: string, kind: import("./units.js").Kind, value?: number, low: number, high: number, change: (value: number, settled: boolean) => void }} spec
+ * A field with a slider, where that has ends. `change` is called at every step, with `settled` at the end of a gesture. Without a value the field
+ * is empty; one that `clears` may be emptied, and then has the usual value.
+ * @param {{ label: string, symbol?: string, about?: string, kind: import("./units.js").Kind, unit?: string, value?: number, above?: number, minimum?: number, maximum?: number, usual?: number,
+ *   low?: number, high?: number, clears?: boolean, change: (value: number | undefined, settled: boolean) => void }} spec
  */
-export function quantity({ label, symbol = "", kind, value, low, high, change }) {
+export function quantity({ label, symbol = "", about, kind, unit: own, value, above, minimum, maximum, usual, low = NaN, high = NaN, clears, change }) {
   const id = `q${++count}`;
   let now = /** @type {number} */ (value), painted = "";
   /** Whether somebody is typing. */
@@ -21,7 +23,7 @@ export function quantity({ label, symbol = "", kind, value, low, high, change })
     ? el("button", { type: "button", class: "bare", title: "Change the unit everywhere", onclick: () => changeUnit(kind) })
     : el("span", { class: "soft" });
   const wrong = el("p", { class: "wrong", id: `${id}w`, hidden: true, role: "status" });
-  const element = el("div", { class: "quantity" }, el("label", { for: id }, label, symbol ? " " : "", symbol ? el("i", { class: "soft" }, symbol) : null), field, unit, slider, wrong);
+  const element = el("div", { class: "quantity" }, el("label", { for: id }, label, symbol ? " " : "", symbol ? el("i", { class: "soft" }, symbol) : null), field, unit, Number.isNaN(low) ? null : slider, wrong);
 
   const bounds = { low, high };
   const toSlider = (/** @type {number} */ v) => String((1000 * (v - bounds.low)) / (bounds.high - bounds.low));
@@ -38,9 +40,11 @@ export function quantity({ label, symbol = "", kind, value, low, high, change })
   function paint(fieldToo = true) {
     slider.value = now === undefined ? "0" : toSlider(now);
     if (fieldToo) field.value = painted = now === undefined ? "" : asText(now);
-    unit.textContent = kind === "ratio" ? "" : unitName(kind);
+    unit.textContent = kind === "ratio" ? "" : own ?? unitName(kind);
     slider.setAttribute("aria-valuetext", now === undefined ? "not given" : `${number(outside(kind, now))} ${unitName(kind)}`);
-    field.title = expectation(kind);
+    const bounds = [above === undefined ? "" : `above ${show(kind, above)}`, minimum === undefined ? "" : `from ${show(kind, minimum)}`, maximum === undefined ? "" : `up to ${show(kind, maximum)}`];
+    field.title = [about, capital([expectation(kind), ...bounds].filter(Boolean).join(", "))].filter(Boolean).join(" ");
+    field.placeholder = usual !== undefined ? asText(usual) : kind === "ratio" ? "%" : "";
   }
   function good(note = "") {
     field.removeAttribute("aria-invalid");
@@ -65,6 +69,12 @@ export function quantity({ label, symbol = "", kind, value, low, high, change })
     const text = field.value.trim();
     // What stands there is not read again: it may have fewer digits than the value.
     if (text === painted && (now === undefined || !field.hasAttribute("aria-invalid"))) return;
+    if (!text && clears) {
+      now = /** @type {any} */ (undefined);
+      good();
+      paint();
+      return change(undefined, true);
+    }
     const { text: asked, value, note } = meant(kind, text);
     const reading = value === undefined ? (await understood([{ text: asked, kind }]))[0] : { value };
     if (reading.problem) return wrongly(reading.problem.message);

@@ -3,7 +3,7 @@ import { engine } from "./ask.js";
 import { address, read } from "./address.js";
 import { isDark } from "./chart.js";
 import { byId, el, problemBox } from "./dom.js";
-import { muscle } from "./muscle.js";
+import { loadMeasures, muscle } from "./muscle.js";
 import { loadUnits } from "./units.js";
 
 /** @type {[string, string][]} */
@@ -64,7 +64,7 @@ function fail(problem) {
 async function start() {
   try {
     engine();
-    await loadUnits();
+    await Promise.all([loadUnits(), loadMeasures()]);
     await route();
   } catch (problem) {
     fail(problem);

@@ -1,9 +1,17 @@
 // The muscle that all pages share: its state, what the engine read of it, and the address.
 import { engine, understood } from "./ask.js";
-import { canonical, fields, fromWords, missing, opened, prototype, say, shownValue, texts, words, KEYS, MEASURES } from "./state.js";
+import { canonical, fields, fromWords, keys, missing, opened, prototype, say, shownValue, takeMeasures, texts, words, MEASURES } from "./state.js";
 import { show, typed, unitsFromAddress, unitsInAddress } from "./units.js";
+import { learn } from "./words.js";
 
-const MEASURE = new Map(MEASURES.map((m) => [m.key, m]));
+const measure = (/** @type {string} */ key) => MEASURES.find((m) => m.key === key);
+
+/** The measures that the program has; before a page asks for one. */
+export async function loadMeasures() {
+  const answer = await engine().ask("muscle-measures", {}, { lane: "read" });
+  takeMeasures(answer);
+  learn(MEASURES);
+}
 
 export class MuscleState {
   constructor() {
@@ -30,13 +38,16 @@ export class MuscleState {
   /** @param {string} key @param {number | string | undefined} value */
   set(key, value) {
     this.state = say(this.state, key, value);
+    // What is taken back is read again.
+    const field = value === undefined && measure(key)?.field;
+    if (field) this.shown = { ...this.shown, [field]: undefined };
     this.wrong.delete(key);
   }
 
   /** A measure as a control shows it. @param {string} key @returns {number | undefined} */
   value(key) {
-    const measure = MEASURE.get(key);
-    return measure ? shownValue(this.state, this.shown, measure) : /** @type {any} */ (this.state)[key];
+    const of = measure(key);
+    return of ? shownValue(this.state, this.shown, of) : /** @type {any} */ (this.state)[key];
   }
 
   /** The muscle file that says the same; what engines without a file are asked by. */
@@ -74,7 +85,7 @@ export class MuscleState {
     unitsFromAddress(params.get("u") ?? "");
     const [readings] = await Promise.all([understood(texts(params).map(({ text, kind }) => ({ text, kind }))), this.known()]);
     Object.assign(this, fromWords(params, readings));
-    const known = new Set([...KEYS, "u", ...own]);
+    const known = new Set([...keys(), "u", ...own]);
     this.unknown = [...params].filter(([key]) => !known.has(key));
     // What cannot be read the page says when it asks for more.
     try { await this.look(); } catch { this.shown = undefined; }

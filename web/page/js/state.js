@@ -2,33 +2,48 @@
 // what the engine says that the muscle file and the fields over it are, and no page makes another one of them.
 
 /**
- * Measures: key of the address, field of requests, key of muscle files, kind, name, symbol, bounds of the slider.
- * @typedef {{ key: string, field: string, filed?: string, kind: import("./units.js").Kind, label: string, symbol?: string, low: number, high: number }} Measure
+ * A quantity: key of the address, field of requests, key and table of muscle files, kind, unit of a plain number, name, symbol, what it is, the
+ * values that it may have and the one where nothing is stated, and the ends of its slider, where it has one.
+ * @typedef {{ key: string, field: string, filed?: string, group?: string, kind: import("./units.js").Kind, unit?: string, label: string, symbol?: string, about?: string,
+ *   above?: number, minimum?: number, maximum?: number, usual?: number, low?: number, high?: number }} Measure
  */
-export const QUANTITIES = /** @type {const} @satisfies {readonly Measure[]} */ ([
-  { key: "D", field: "outer_diameter_mm", filed: "tube.outer_diameter", kind: "length", label: "Outer diameter", symbol: "D0", low: 6, high: 80 },
-  { key: "s", field: "wall_mm", filed: "tube.wall_thickness", kind: "length", label: "Wall", symbol: "s", low: 0.3, high: 10 },
-  { key: "L", field: "length_mm", filed: "tube.length", kind: "length", label: "Length", symbol: "L0", low: 60, high: 900 },
-  { key: "angle", field: "angle_deg", filed: "braid.angle", kind: "angle", label: "Braid angle", symbol: "θ0", low: 12, high: 45 },
-]);
-/** Of the strands of a named sleeve, where its source does not state them. */
-export const STRANDS = /** @type {const} @satisfies {readonly Measure[]} */ ([
-  { key: "sd", field: "strand_diameter_mm", kind: "length", label: "Diameter of a strand", low: 0.05, high: 1 },
-  { key: "sE", field: "strand_modulus_mpa", kind: "modulus", label: "Young's modulus of a strand", low: 500, high: 200000 },
-]);
-export const STIFFNESS = /** @type {const} @satisfies {Measure} */ ({ key: "k", field: "stiffness", filed: "braid.stiffness", kind: "stiffness", label: "Stiffness of a strand family", symbol: "k", low: 20, high: 2000 });
-/** What the ends of the muscle do. */
-export const ENDS = /** @type {const} @satisfies {readonly Measure[]} */ ([
-  { key: "seating", field: "seating_mm", filed: "terminals.seating", kind: "length", label: "Seating of both ends", low: 0, high: 10 },
-  { key: "slip", field: "slip_mm_per_n", filed: "terminals.slip", kind: "compliance", label: "Slip of both ends", low: 0, high: 0.02 },
-  { key: "grip", field: "grip_mm", filed: "terminals.grip", kind: "length", label: "Held at each end", low: 0, high: 40 },
-]);
+/** What the page adds to measures of the program, by their fields: short keys of the address, and sliders. @type {Record<string, { key: string, low: number, high: number }>} */
+const OWN = {
+  outer_diameter_mm: { key: "D", low: 6, high: 80 }, wall_mm: { key: "s", low: 0.3, high: 10 }, length_mm: { key: "L", low: 60, high: 900 }, angle_deg: { key: "angle", low: 12, high: 45 },
+  strand_modulus_mpa: { key: "sE", low: 500, high: 200000 }, stiffness: { key: "k", low: 20, high: 2000 },
+  seating_mm: { key: "seating", low: 0, high: 10 }, slip_mm_per_n: { key: "slip", low: 0, high: 0.02 }, grip_mm: { key: "grip", low: 0, high: 40 },
+};
+/** Another way to state the cross-section of a strand; no measure of the program. @type {Measure} */
+const STRAND_DIAMETER = { key: "sd", field: "strand_diameter_mm", group: "braid", kind: "length", label: "Diameter of a strand", low: 0.05, high: 1 };
+
+/** Measures of the muscle, as the program lists them. */
+export let MEASURES = /** @type {Measure[]} */ ([]);
+/** The usual ones; of the strands of a named sleeve, where its source does not state them; what the ends of the muscle do; all others. */
+export let QUANTITIES = MEASURES, STRANDS = MEASURES, ENDS = MEASURES, MORE = MEASURES;
+export let STIFFNESS = STRAND_DIAMETER;
+
+/** @param {import("../../types/commands").Commands["muscle-measures"]["answer"]} answer */
+export function takeMeasures({ measures }) {
+  MEASURES = measures.flatMap(({ key, group, field, label, quantity, unit, symbol, about, above, minimum, maximum, default: usual }) => {
+    if (!field) return [];
+    // Pressures of a muscle are moduli.
+    const kind = /** @type {import("./units.js").Kind} */ (quantity === "pressure" ? "modulus" : quantity ?? "number");
+    const name = label.charAt(0).toUpperCase() + label.slice(1);
+    const own = OWN[field], found = /** @type {Measure} */ ({ ...own, key: own?.key ?? field, field, filed: key, group, kind, label: name, symbol, about, above, minimum, maximum, usual, unit: quantity ? undefined : unit });
+    return found.key === "sE" ? [STRAND_DIAMETER, found] : [found];
+  });
+  const of = (/** @type {string[]} */ keys) => keys.flatMap((key) => MEASURES.filter((m) => m.key === key));
+  QUANTITIES = of(["D", "s", "L", "angle"]);
+  STRANDS = of(["sd", "sE"]);
+  ENDS = of(["seating", "slip", "grip"]);
+  [STIFFNESS] = of(["k"]);
+  MORE = MEASURES.filter((m) => ![...QUANTITIES, ...ENDS, STIFFNESS].includes(m));
+}
 export const PRESSURE = /** @type {const} @satisfies {Measure} */ ({ key: "p", field: "pressure_mpa", kind: "pressure", label: "Pressure", symbol: "p", low: 0, high: 0.6 });
 export const CONTRACTION = /** @type {const} @satisfies {Measure} */ ({ key: "e", field: "contraction", kind: "ratio", label: "Contraction", symbol: "ε", low: 0, high: 0.35 });
 export const LOAD = /** @type {const} @satisfies {Measure} */ ({ key: "F", field: "force_n", kind: "force", label: "Load", symbol: "F", low: 0, high: 1000 });
 
-/** Measures of the muscle, then those of its state. @type {readonly Measure[]} */
-export const MEASURES = [...QUANTITIES, ...STRANDS, STIFFNESS, ...ENDS];
+/** @type {readonly Measure[]} */
 const POINT = [PRESSURE, CONTRACTION, LOAD];
 /** Words of the address that are no quantities. */
 const NAMES = ["rubber", "braid"];
@@ -47,8 +62,10 @@ export const prototype = () => ({ file: "", said: {}, p: 0.25, e: 0.15, F: undef
 /** The state of a muscle file at the same pressure. @param {State} state @param {string} file @returns {State} */
 export const opened = (state, file) => ({ ...prototype(), p: state.p, e: state.e, file });
 
-/** What excludes what: a sleeve has its angle, and a stiffness takes the place of its strands. @type {Record<string, string[]>} */
-const OUSTS = { angle: ["braid", "sd", "sE"], braid: ["angle", "sd", "sE"], k: ["sd", "sE"], sd: ["k"], sE: ["k"] };
+/** What gives the stiffness of strands, and all of the strands of a sleeve. */
+const SECTION = ["sd", "sE", "strand_area_mm2"], OF_SLEEVE = [...SECTION, "strands", "strand_strength_n"];
+/** What excludes what: a sleeve has its angle and its strands, and a stiffness takes the place of their section. @type {Record<string, string[]>} */
+const OUSTS = { braid: ["angle", ...OF_SLEEVE], k: SECTION, sd: ["k", "strand_area_mm2"], sE: ["k"], strand_area_mm2: ["k", "sd"] };
 
 /**
  * The state with something said; nothing (`undefined` or an empty text) takes it back.
@@ -61,9 +78,10 @@ export function say(state, key, value) {
   const said = { ...state.said };
   if (value === undefined || value === "") {
     delete said[key];
-    if (key === "braid") for (const other of ["sd", "sE"]) delete said[other];
+    if (key === "braid") for (const other of OF_SLEEVE) delete said[other];
   } else {
-    if (said[key] !== value) for (const other of OUSTS[key] ?? []) delete said[other];
+    const others = key === "angle" && said.braid !== undefined ? ["braid", ...OF_SLEEVE] : OUSTS[key] ?? [];
+    if (said[key] !== value) for (const other of others) delete said[other];
     said[key] = value;
   }
   return { ...state, said };
@@ -81,7 +99,8 @@ export function fields({ file, said }) {
 /** The measure that a problem is about: that of its field, or the first that its message names as muscle files do. @param {{ field: string, message: string }} problem */
 export function about({ field, message }) {
   const at = (/** @type {Measure} */ { filed }) => (filed && message.includes(filed) ? message.indexOf(filed) : Infinity);
-  const named = MEASURES.filter((m) => at(m) < Infinity).sort((a, b) => at(a) - at(b));
+  // One key may begin with another.
+  const named = MEASURES.filter((m) => at(m) < Infinity).sort((a, b) => at(a) - at(b) || (b.filed ?? "").length - (a.filed ?? "").length);
   return ([...MEASURES, ...POINT].find((m) => m.field === field) ?? named[0])?.key;
 }
 
@@ -98,18 +117,19 @@ export async function canonical(state, ask) {
 }
 
 /** A measure as a control shows it: what is said, or what the engine read. @param {State} state @param {Record<string, any> | undefined} shown an answer's muscle @param {Measure} measure */
-export function shownValue(state, shown, { key, field }) {
+export function shownValue(state, shown, { key, field, usual }) {
   const said = state.said[key];
   if (typeof said === "number") return said;
   const read = key === "k" ? shown?.stiffness_n_per_mm : shown?.[field];
-  return typeof read === "number" ? read : /** @type {Record<string, number | undefined>} */ ({ D: 30, s: 3, L: 285, angle: 28 })[key];
+  return typeof read === "number" ? read : QUANTITIES.some((m) => m.key === key) ? usual : undefined;
 }
 
 /** What a named sleeve needs beside its name: keys of measures. @param {{ said: State["said"] }} state @param {{ name: string, missing: string }[]} sleeves those of the library */
 export function missing({ said }, sleeves) {
   if (said.braid === undefined || said.k !== undefined) return [];
   const words = sleeves.find((s) => s.name === said.braid)?.missing.split(" ") ?? [];
-  return STRANDS.filter(({ field }) => words.includes(field.replace(/_(mm|mpa)$/, ""))).map(({ key }) => /** @type {string} */ (key));
+  const lacks = STRANDS.filter(({ field }) => words.includes(field.replace(/_(mm|mpa)$/, ""))).map(({ key }) => key);
+  return lacks.filter((key) => key !== "sd" || said.strand_area_mm2 === undefined);
 }
 
 /**
@@ -161,7 +181,7 @@ export function fromWords(params, readings) {
 }
 
 /** Keys of the address that are the muscle's. */
-export const KEYS = [...MEASURES, ...POINT].map(({ key }) => key).concat(NAMES, FILE);
+export const keys = () => [...MEASURES, ...POINT].map(({ key }) => key).concat(NAMES, FILE);
 
 /** A joint with this muscle against itself or another one. @param {string} file the muscle's @param {string} second file of the other one; empty where it is the same @param {{ r: number, range: number, e0: number }} of mm, degrees, ratio */
 export function joint(file, second, { r, range, e0 }) {

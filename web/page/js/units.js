@@ -2,9 +2,12 @@
 import { engine } from "./ask.js";
 
 /**
- * Kinds of the engine, and moduli: pressures that are always in MPa.
- * @typedef {import("../../types/commands").Commands["units"]["answer"]["kinds"][number]["kind"] | "modulus"} Kind
+ * Kinds of the engine, moduli (pressures that are always in MPa), and plain numbers (ratios that nobody writes in %).
+ * @typedef {import("../../types/commands").Commands["units"]["answer"]["kinds"][number]["kind"]} EngineKind
+ * @typedef {EngineKind | "modulus" | "number"} Kind
  */
+/** The engine's kind. @param {Kind} kind @returns {EngineKind} */
+export const kindOf = (kind) => (kind === "modulus" ? "pressure" : kind === "number" ? "ratio" : kind);
 /** @type {Map<string, { expectation: string, units: { name: string, multiply: number, divide: number }[] }>} */
 const kinds = new Map();
 /** Units to choose from by a click; the first is the usual one. @type {Record<string, string[]>} */
@@ -20,6 +23,7 @@ export function takeUnits(answer) {
   for (const { kind, expectation, units } of answer.kinds) kinds.set(kind, { expectation, units });
   const pressure = kinds.get("pressure");
   if (pressure) kinds.set("modulus", { ...pressure, expectation: "a modulus such as 2500MPa or 3.5GPa" });
+  kinds.set("number", { expectation: "a number", units: [{ name: "", multiply: 1, divide: 1 }] });
 }
 
 /** @param {string} kind */
@@ -51,7 +55,7 @@ export function number(v, digits = 4) {
   return text.replace("-", "−");
 }
 /** `2.5 bar`. @param {string} kind @param {number | null | undefined} value */
-export const show = (kind, value, digits = 4) => (value === null || value === undefined ? "–" : `${number(outside(kind, value), digits)}${kind === "angle" ? "°" : " " + unitName(kind)}`);
+export const show = (kind, value, digits = 4) => (value === null || value === undefined ? "–" : `${number(outside(kind, value), digits)}${kind === "angle" ? "°" : " " + unitName(kind)}`.trimEnd());
 /** As it is typed and stands in an address, to the last digit: `2.5bar`. @param {string} kind @param {number} value */
 export function typed(kind, value) {
   const shown = [6, 9, 12, 15].map((digits) => Number(outside(kind, value).toPrecision(digits))).find((x) => inside(kind, x) === value);

@@ -8,7 +8,7 @@ use crate::muscle::{rubber, sleeve};
 use crate::point::{finite, given, ratio};
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
-use mckibben::muscle::measures::LENGTH;
+use mckibben::muscle::measures::{LENGTH, STRAND_MODULUS};
 use mckibben::muscle::{Braid, Muscle, Tube};
 use mckibben::sleeve::{SleeveEntry, library};
 use mckibben::units::Values;
@@ -300,13 +300,14 @@ impl DesignRequest {
             return Ok(if own { vec![base.braid().clone()] } else { vec![] });
         }
         let braid = |name: &String| {
-            let fields = MuscleFields::from(NamedFields {
+            let mut fields = MuscleFields::from(NamedFields {
                 braid: Some(name.clone()),
                 stiffness: self.stiffness,
                 strand_diameter_mm: self.strand_diameter_mm,
-                strand_modulus_mpa: self.strand_modulus_mpa,
                 ..NamedFields::default()
             });
+            let modulus = self.strand_modulus_mpa.into_iter();
+            modulus.for_each(|value| fields.measures.set(&STRAND_MODULUS, value));
             // Laid on any tube that it fits; the search lays it on others.
             fields.braid_on(sleeve(name)?.diameters().0, base)
         };

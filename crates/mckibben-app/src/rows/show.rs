@@ -70,6 +70,10 @@ fn understood(answer: &MuscleShowAnswer, u: &Units) -> Vec<Row> {
         ("braid", stiffness),
         ("strands in compression", if m.braid().compression { "carry load" } else { "go slack" }.into()),
     ];
+    let factor = m.braid().stiffness_factor;
+    if factor > 1.0 {
+        rows.push(("stiffness known within", format!("a factor of {}", number(factor, 3))));
+    }
     if let Some(s) = m.braid().strands {
         let estimate = estimated(&answer.summary);
         rows.push(("strands", format!("{}{estimate}", s.count)));
@@ -82,7 +86,8 @@ fn understood(answer: &MuscleShowAnswer, u: &Units) -> Vec<Row> {
         }
         None => {}
     }
-    rows.extend(answer.stated.iter().map(|(measure, v)| (measure.label, u.show(measure.dimension, v))));
+    let stated = answer.stated.iter().filter(|(measure, _)| measure.is_shown);
+    rows.extend(stated.map(|(measure, v)| (measure.label, u.show(measure.dimension, v))));
     if let Some(f) = m.friction() {
         let rule = format!("± {} · (P/MPa)^{}", u.force.show(f.coefficient), number(f.exponent, 3));
         let contact = format!("of the strands' contact, μw {}", mm(f.lever_mm));

@@ -51,6 +51,7 @@ pub fn run(command: Command, format: Format, limits: &[(Resource, f64)]) -> Resu
         Command::Muscle(MuscleCommand::Show(args)) => muscle::show(&args, format),
         Command::Parts(PartsCommand::List(args)) => parts::list(&args, format),
         Command::Parts(PartsCommand::Show(args)) => parts::show(&args, format),
+        Command::Muscle(MuscleCommand::Measures(args)) => muscle::measures(&args, format),
         Command::Braid(BraidCommand::List(args)) => braid::list(&args, format),
         Command::Braid(BraidCommand::Show(args)) => braid::show(&args, format),
         Command::Rubber(RubberCommand::List(args)) => rubber::list(&args, format),

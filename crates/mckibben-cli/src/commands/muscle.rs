@@ -1,16 +1,16 @@
-//! `muscle show`.
+//! `muscle show|measures`.
 
 use crate::failure::Failure;
 use crate::flags::{ModelFlags, MuscleFlags, OutputFlags};
 use crate::format::Format;
-use crate::output::text::pairs;
+use crate::output::text::{number, or_dash, pairs, table};
 use crate::output::{FLAT, burst_first, show as print};
 use crate::quantities::quantity;
 use crate::shown;
 use clap::Args;
 use mckibben::units::Dimension;
 use mckibben_app::rows::{characteristic_rows, muscle_sheets};
-use mckibben_app::{MuscleShowRequest, muscle_show};
+use mckibben_app::{MeasureEntry, MeasuresAnswer, MeasuresRequest, MuscleShowRequest, muscle_show};
 
 /// `muscle show`.
 #[derive(Debug, Args)]
@@ -24,6 +24,38 @@ pub struct MuscleShowArgs {
     pub muscle: MuscleFlags,
     #[command(flatten)]
     pub output: OutputFlags,
+}
+
+/// `muscle measures`.
+#[derive(Debug, Args)]
+pub struct MuscleMeasuresArgs {
+    #[command(flatten)]
+    pub output: OutputFlags,
+}
+
+/// Lists the measures.
+pub fn measures(args: &MuscleMeasuresArgs, format: Format) -> Result<u8, Failure> {
+    let answer = mckibben_app::measures(&MeasuresRequest {})?;
+    print(&answer, format, "measures", || measures_text(&answer), args.output.target())?;
+    Ok(0)
+}
+
+fn measures_text(answer: &MeasuresAnswer) -> String {
+    let row = |m: &MeasureEntry| {
+        let ends = [("> ", m.above), ("≥ ", m.minimum), ("≤ ", m.maximum)].into_iter();
+        let ends: Vec<String> =
+            ends.filter_map(|(sign, end)| Some(format!("{sign}{}", number(end?, 4)))).collect();
+        vec![
+            m.key.into(),
+            or_dash(m.flag.as_deref(), Into::into),
+            or_dash(m.unit, Into::into),
+            ends.join(", "),
+            or_dash(m.default, |v| number(v, 5)),
+            m.about.clone(),
+        ]
+    };
+    let header = ["key in the muscle file", "flag", "unit", "bounds", "default", "about"];
+    table(&header, answer.measures.iter().map(row).collect())
 }
 
 /// Shows a muscle.

@@ -21,7 +21,9 @@ pub fn or_dash<T>(v: Option<T>, show: impl Fn(T) -> String) -> String {
 pub fn table(header: &[&str], rows: Vec<Vec<String>>) -> String {
     let numeric = |i: usize| {
         let cells = rows.iter().filter_map(|row| row.get(i));
-        let number = |c: &String| c.starts_with(|ch: char| ch.is_ascii_digit() || "–-+. ".contains(ch));
+        let number = |c: &String| {
+            c.starts_with(|ch: char| ch.is_ascii_digit() || "–-+. ".contains(ch)) && !c.starts_with("--")
+        };
         cells.clone().all(|c| c.is_empty() || number(c) || c == "slack" || c == "unknown" || c == "→")
     };
     let numeric: Vec<bool> = (0..header.len()).map(numeric).collect();

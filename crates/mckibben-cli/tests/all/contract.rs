@@ -411,6 +411,14 @@ fn muscles_rubbers_and_models() {
     assert_units(&muscle);
     // The prototype is what holds where nothing is said.
     assert_eq!(muscle, json("muscle show"));
+    // Each measure has a field, and a flag of `force` where it says so.
+    let measures = json("muscle measures");
+    let (text, help) = (mckibben("muscle measures").ok(), mckibben("force --help").ok());
+    for measure in measures["measures"].as_array().unwrap() {
+        assert!(text.text().contains(measure["key"].as_str().unwrap()) && measure["field"].is_string());
+        let flag = measure["flag"].as_str().unwrap_or("--muscle");
+        assert!(help.text().contains(&format!("{flag} <")), "{flag}");
+    }
     let list = json("rubber list");
     let rubbers = list["rubbers"].as_array().unwrap();
     assert!(rubbers.len() > 10);
@@ -465,6 +473,7 @@ fn nothing_is_printed_that_is_no_number() {
         "braid show s-muscle-20 --strand-modulus 5GPa",
         "braid show nfl-19 -D 20mm",
         "muscle show",
+        "muscle measures",
     ]) {
         for format in ["text", "json", "csv"] {
             let result = mckibben(&format!("{line} --format {format}"));

@@ -381,7 +381,6 @@ const COUNTS: &[(&str, &str, &str)] = &[
     ("strand-diameter", "0.2mm", ""),
     ("strand-modulus", "3GPa", ""),
     ("stiffness", "300", ""),
-    ("stiffness-factor", "2", ""),
     ("seating", "1mm", ""),
     ("slip", "4mm/kN", ""),
     ("grip", "5mm", ""),

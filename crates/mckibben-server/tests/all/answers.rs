@@ -7,7 +7,7 @@ use mckibben::progress::Silent;
 use mckibben_app::{COMMANDS, ask, ask_packed};
 use serde_json::{Value, json};
 
-const ASKED: [(&str, &str); 13] = [
+const ASKED: [(&str, &str); 14] = [
     ("force", r#"{"pressure_mpa": 0.2, "contraction": 0.1}"#),
     ("pressure", r#"{"force_n": 100, "contraction": 0.1, "model": "ideal"}"#),
     ("contraction", r#"{"force_n": 100, "pressure_mpa": 0.2, "model": "thick-wall"}"#),
@@ -16,6 +16,7 @@ const ASKED: [(&str, &str); 13] = [
     ("shape", r#"{"pressure_mpa": 0.2, "contraction": 0.1}"#),
     ("muscle-show", "{}"),
     ("braid-list", "{}"),
+    ("muscle-measures", "{}"),
     ("rubber-show", r#"{"name": "dragon-skin-30"}"#),
     ("formula-show", r#"{"name": "universal"}"#),
     ("quantities", r#"{"texts": []}"#),

@@ -133,8 +133,10 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
                 json!({ "data": history, "laws": ["yeoh"], "softening": true }),
             ]
         }
-        "formula-show" | "campaign-show" | "campaign-merge" | "muscle-show" | "braid-list" | "braid-show"
-        | "rubber-list" | "rubber-show" | "quantities" | "units" | "models" => vec![],
+        "formula-show" | "campaign-show" | "campaign-merge" | "muscle-show" | "muscle-measures"
+        | "braid-list" | "braid-show" | "rubber-list" | "rubber-show" | "quantities" | "units" | "models" => {
+            vec![]
+        }
         other => panic!("say what a dear request of {other} is, or that there is none"),
     }
 }

@@ -138,12 +138,7 @@ impl Braid {
             }
             _ => {}
         }
-        match &self.strands {
-            Some(strands) if strands.count == 0 || strands.count % 2 == 1 => {
-                Err(MuscleError::StrandCount { count: f64::from(strands.count) })
-            }
-            _ => Ok(()),
-        }
+        Ok(())
     }
 
     /// Crimp whose measures are possible by themselves.

@@ -5,7 +5,7 @@ import { Problem, gone } from "./problem.js";
 /** @typedef {import("../../../types/commands").Commands} Commands */
 
 /** Commands of the small module; it has no `fe3d`. */
-const LIVE = ["force", "pressure", "contraction", "curve", "shape", "muscle-show", "braid-list", "braid-show", "rubber-list", "rubber-show", "models", "quantities", "units"];
+const LIVE = ["force", "pressure", "contraction", "curve", "shape", "muscle-show", "muscle-measures", "braid-list", "braid-show", "rubber-list", "rubber-show", "models", "quantities", "units"];
 
 /** @typedef {"state" | "read" | "side" | "curves"} LaneName */
 

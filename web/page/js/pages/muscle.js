@@ -6,7 +6,7 @@ import { choice, fileField, onDrop, quantity } from "../controls.js";
 import { capital, download, el, problemBox, say, tabs } from "../dom.js";
 import { gauge } from "../gauge.js";
 import { muscle } from "../muscle.js";
-import { CONTRACTION, ENDS, LOAD, PRESSURE, QUANTITIES, STIFFNESS, STRANDS, about, point as pointOf } from "../state.js";
+import { CONTRACTION, ENDS, LOAD, MORE, PRESSURE, QUANTITIES, STIFFNESS, STRANDS, about, point as pointOf } from "../state.js";
 import { inside, number, onUnits, outside, show, unitName, withUncertainty } from "../units.js";
 import { inWords } from "../words.js";
 import { View, reach } from "../view3d.js";
@@ -17,6 +17,9 @@ const SHOWN = /** @type {[string, string, string][]} */ ([
   ["max_stretch", "Largest stretch", ""], ["hoop_stretch", "Hoop stretch", ""], ["stress_hoop_mpa", "Hoop stress", "pressure"], ["stress_axial_mpa", "Axial stress", "pressure"],
   ["strand_tension_n_per_mm", "Tension of the strands per width", "N/mm"], ["strand_tension_n", "Tension of a strand", "force"], ["strand_angle_deg", "Angle of the strands", "angle"],
 ]);
+/** Tables of the muscle file as the page calls them. @type {Record<string, string>} */
+const GROUPS = { tube: "Tube", braid: "Braid", terminals: "Ends", friction: "Friction" };
+const ORDER = Object.keys(GROUPS);
 const OVERLAYS = ["universal", "thick-wall", "ideal", "paper"];
 const OWN = ["test", "show", "cut", "over"];
 
@@ -31,18 +34,24 @@ export function mount(main) {
   // Controls.
   const controls = /** @type {Record<string, ReturnType<typeof quantity>>} */ ({});
   const make = (/** @type {import("../state.js").Measure} */ spec) => {
-    controls[spec.key] = quantity({ ...spec, value: muscle.value(spec.key), change: (/** @type {number} */ value, /** @type {boolean} */ settled) => changed(spec.key, value, settled) });
+    controls[spec.key] = quantity({ ...spec, value: muscle.value(spec.key), clears: Boolean(spec.group), change: (/** @type {number | undefined} */ value, /** @type {boolean} */ settled) => changed(spec.key, value, settled) });
     return controls[spec.key].element;
   };
   const rubber = choice("Rubber", [["", ""]], "", (name) => changed("rubber", name, true));
   const braid = choice("Braid", [["", ""]], "", (name) => changed("braid", name, true));
   const strands = choice("Strands", [["", ""], ["inextensible", "inextensible"], ["paper", "paper's braid"], ["k", "of this stiffness"]], "", (name) => changed("k", name === "k" ? Math.round(facts?.stiffness_n_per_mm ?? 300) : name, true));
   const held = choice("Held", [["e", "contraction"], ["F", "load"]], "e", (what) => changed("F", what === "F" ? Math.max(1, Math.round(point?.force_n ?? 100)) : undefined, true));
+  /** What a named sleeve needs is beside it. */
+  const needed = el("div", {});
+  const groups = [...new Set(MORE.map(({ group = "" }) => group))].sort((a, b) => ORDER.indexOf(a) - ORDER.indexOf(b));
+  const more = el("details", {}, el("summary", {}, "More measures"), ...groups.map((group) => el("fieldset", {}, el("legend", {}, GROUPS[group] ?? capital(group)), ...MORE.filter((m) => m.group === group).map((m) => el("div", {}, make(m))))));
+  const homes = new Map(STRANDS.map(({ key }) => [key, /** @type {HTMLElement} */ (controls[key].element.parentElement)]));
   const fileName = el("p", { class: "small soft" });
   const controlsBox = el("section", { class: "controls", "aria-label": "Muscle" },
     el("fieldset", { class: "state" }, el("legend", {}, "State"), make(PRESSURE), held.element, make(CONTRACTION), make(LOAD)),
-    el("fieldset", {}, el("legend", {}, "Tube and braid"), ...QUANTITIES.map(make), rubber.element, braid.element, strands.element, make(STIFFNESS), ...STRANDS.map(make)),
+    el("fieldset", {}, el("legend", {}, "Tube and braid"), ...QUANTITIES.map(make), rubber.element, braid.element, strands.element, make(STIFFNESS), needed),
     el("details", {}, el("summary", {}, "Ends"), ...ENDS.map(make)),
+    more,
     el("details", {}, el("summary", {}, "Muscle file"), fileName, fileField("Open a muscle file (TOML)", ".toml", takeFile),
       el("p", { style: "margin-top:8px" }, el("button", { type: "button", onclick: save }, "Download this muscle"))));
 
@@ -132,8 +141,9 @@ export function mount(main) {
     }, (problem) => {
       const lacks = muscle.missing().filter((key) => state.said[key] === undefined);
       const key = about(problem);
+      Object.values(controls).forEach((c) => c.mark(""));
       if (lacks.length) lacks.forEach((key) => controls[key].mark(`The source of ${state.said.braid} does not state it: measure it, or select a stiffness.`));
-      else if (key) controls[key].mark(problem.message);
+      else if (key) { controls[key].mark(problem.message); reveal(key); }
       said.replaceChildren(problemBox(problem), shape ? el("p", { class: "small soft" }, "The page shows the last result, which is for another muscle or state.") : "", problem.kind === "engine" ? el("button", { type: "button", class: "main", onclick: () => ask() }, "Try again") : "");
       stale(true);
       point = undefined;
@@ -327,11 +337,25 @@ export function mount(main) {
     return el("div", { class: share > 1 ? "meter over" : "meter" }, el("span", {}, name, el("span", {}, `${text(value)} of ${text(limit)}`)), el("i", {}, el("b", { style: `width:${Math.min(100, Math.max(0, 100 * share)).toFixed(1)}%` })));
   }
 
+  /** Opens what holds a control. @param {string} key */
+  function reveal(key) {
+    const box = controls[key]?.element.closest("details");
+    if (box) box.open = true;
+  }
+
+  /** Opens what holds a measure that the address or the file states. */
+  function revealAll() {
+    const { file, said } = muscle.state;
+    const stated = (/** @type {string} */ key) => said[key] !== undefined || muscle.wrong.has(key) || (file && muscle.value(key) !== undefined);
+    [...ENDS, ...MORE].filter(({ key }) => stated(key)).forEach(({ key }) => reveal(key));
+  }
+
   /** @param {string} _name @param {string} text */
   async function takeFile(_name, text) {
     try {
       await muscle.take(text);
       sync();
+      revealAll();
       ask();
       follow();
       settle();
@@ -380,7 +404,7 @@ export function mount(main) {
     const own = file ? "as in the file" : "";
     rubber.first(own || "paper (default)");
     braid.first(own || "its own angle");
-    strands.first(said.braid ? "of the sleeve" : own || "paper's braid (default)");
+    strands.first(said.braid ? "of the sleeve" : STRANDS.some(({ key }) => said[key] !== undefined) || said.strand_area_mm2 !== undefined ? "of its strands" : own || "paper's braid (default)");
     rubber.set(String(said.rubber ?? ""));
     braid.set(String(said.braid ?? ""));
     strands.set(typeof said.k === "number" ? "k" : String(said.k ?? ""));
@@ -392,7 +416,10 @@ export function mount(main) {
     controls.angle.enable(!(said.braid ?? shown?.sleeve) || said.angle !== undefined);
     controls.k.element.hidden = typeof said.k !== "number";
     const lacks = muscle.missing();
-    for (const { key } of STRANDS) controls[key].element.hidden = !lacks.includes(key) && said[key] === undefined;
+    for (const [key, home] of homes) {
+      const place = lacks.includes(key) ? needed : home;
+      if (controls[key].element.parentElement !== place) place.append(controls[key].element);
+    }
   }
 
   engine().ask("rubber-list", {}).then((answer) => rubber.options(answer.rubbers.map((/** @type {any} */ r) => r.name)), () => {});
@@ -407,6 +434,7 @@ export function mount(main) {
       tests.list.querySelectorAll("button").forEach((b) => b.setAttribute("aria-selected", String(b.dataset.name === wanted.test)));
       over.querySelectorAll("input").forEach((box) => { box.checked = wanted.over.split(",").includes(box.id.slice(5)); });
       sync();
+      revealAll();
       ask();
       follow();
     },

@@ -300,4 +300,9 @@ fn every_measure_of_a_muscle_varies() {
     assert_eq!(plan.measures(), ["slip_mm_per_n", "braid_thickness_mm"]);
     assert!(refused(&format!("[vary]\ntube.prestretch = [0.9, 3]\n{TEST}")).contains("between 0.5 and 2"));
     assert!(refused(&format!("[vary]\nterminals.slip = [-0.1, 3]\n{TEST}")).contains("zero or above"));
+    // A count has levels, each of them even.
+    assert!(refused(&format!("[vary]\nbraid.strands = [24, 25, 36]\n{TEST}")).contains("reaches 25"));
+    let interval = "[sampling]\nmethod = \"latin-hypercube\"\nsamples = 5\n";
+    let sampled = refused(&format!("[vary]\nbraid.strands = \"24..48\"\n{interval}{TEST}"));
+    assert!(sampled.contains("a count needs levels"), "{sampled}");
 }

@@ -87,8 +87,16 @@ fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> 
         && measure.bounds != Bounds::Positive
         && measure.bounds != Bounds::OfPart
     {
-        if let Some(value) = [low, high].into_iter().find(|value| measure.check(*value).is_err()) {
+        let all = match &axis.values {
+            Values::List(list) => list.clone(),
+            Values::Interval(..) if measure.bounds == Bounds::Even => {
+                return Err("is a range without a step, and a count needs levels: give a list (24,36,48) or a step (24..48:12)".into());
+            }
+            Values::Interval(..) => vec![low, high],
+        };
+        if let Some(value) = all.into_iter().find(|value| measure.check(*value).is_err()) {
             return Err(match measure.bounds {
+                Bounds::Even => format!("reaches {value}; it must be an even whole number"),
                 Bounds::Between(low, high) => format!("reaches {value}; it must be between {low} and {high}"),
                 _ => format!("reaches {value}; it must be zero or above"),
             });

@@ -3,6 +3,7 @@
 use super::error::{FileError, Problem};
 use super::read::{ALL, keys, measures};
 use super::source::{Section, WordOr};
+use crate::muscle::measures::STRANDS;
 use crate::muscle::{Braid, BraidStiffness, MuscleError, Parts, Strands};
 use crate::sleeve::{Sleeve, library};
 use crate::units::Dimension;
@@ -141,9 +142,6 @@ fn strands(section: &Section<'_>) -> Result<(Option<Strands>, bool), FileError> 
 
 fn count(section: &Section<'_>) -> Result<Option<u32>, FileError> {
     let Some(count) = section.number("strands")? else { return Ok(None) };
-    if count >= 1.0 && count <= f64::from(u32::MAX) && count % 2.0 == 0.0 {
-        Ok(Some(count as u32))
-    } else {
-        Err(refused(section, "strands", MuscleError::StrandCount { count }))
-    }
+    STRANDS.check(count).map_err(|e| refused(section, "strands", e))?;
+    Ok(Some(count as u32))
 }

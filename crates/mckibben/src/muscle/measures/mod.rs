@@ -38,8 +38,23 @@ pub enum Bounds {
     NotNegative,
     /// From one value to another.
     Between(f64, f64),
+    /// Even whole numbers above zero.
+    Even,
     /// Checked by its part, with words of its own.
     OfPart,
+}
+
+impl Bounds {
+    /// The ends of what it allows: `above` or `minimum`, and `maximum`.
+    pub fn ends(self) -> Vec<(&'static str, f64)> {
+        match self {
+            Self::Positive => vec![("above", 0.0)],
+            Self::NotNegative => vec![("minimum", 0.0)],
+            Self::Between(low, high) => vec![("minimum", low), ("maximum", high)],
+            Self::Even => vec![("minimum", 2.0)],
+            Self::OfPart => vec![],
+        }
+    }
 }
 
 /// How a value is written in a muscle file.
@@ -71,8 +86,10 @@ pub struct Identify {
 pub struct Measure {
     /// Key in the muscle file: `tube.outer_diameter`.
     pub key: &'static str,
-    /// Field in requests and answers, with its unit: `outer_diameter_mm`. None: only in muscle files.
+    /// Field in requests and answers, with its unit: `outer_diameter_mm`.
     pub field: Option<&'static str>,
+    /// Whether the command line has a flag for it; those that few muscles state have none, and help texts stay short.
+    pub has_flag: bool,
     /// Letter of its flag.
     pub short: Option<char>,
     /// What it measures.
@@ -91,8 +108,10 @@ pub struct Measure {
     pub about: &'static str,
     /// Comment in muscle files.
     pub comment: &'static str,
-    /// Its name in `muscle show` where it is stated; empty: shown by rules of its own.
+    /// Its name, in a few words.
     pub label: &'static str,
+    /// Whether `muscle show` has a line for it where it is stated; others are shown by rules of their own.
+    pub is_shown: bool,
     /// Models that use it, where not all of them may.
     pub models: &'static [&'static str],
     /// A measure that must be given with it, and the sentence that says so.
@@ -125,6 +144,7 @@ impl Measure {
     const BASE: Self = Self {
         key: "",
         field: None,
+        has_flag: true,
         short: None,
         dimension: Dimension::Length,
         written: Written::Quantity,
@@ -135,6 +155,7 @@ impl Measure {
         about: "",
         comment: "",
         label: "",
+        is_shown: false,
         models: &[],
         beside: None,
         digested: false,
@@ -175,7 +196,7 @@ impl Measure {
 
     /// The long flag of the command line, without hyphens before it: its field without the unit.
     pub fn flag(&self) -> Option<String> {
-        let field = self.field?;
+        let field = self.field.filter(|_| self.has_flag)?;
         let unit = self.dimension.end_of_name().filter(|_| !self.is_plain());
         let name = unit.and_then(|unit| field.strip_suffix(unit)?.strip_suffix('_')).unwrap_or(field);
         Some(name.replace('_', "-"))
@@ -185,6 +206,11 @@ impl Measure {
     pub fn value_name(&self) -> String {
         let noun = self.dimension.noun().rsplit(' ').next().unwrap_or_default();
         (if self.is_plain() && self.symbol.is_ascii() { self.symbol } else { noun }).to_uppercase()
+    }
+
+    /// Its value where nothing is stated: that of the prototype, or the default.
+    pub fn usual(&self) -> Option<f64> {
+        Muscle::prototype().measure(self).or(self.default)
     }
 
     /// The sentence of its flag, with the value of the prototype.
@@ -197,7 +223,7 @@ impl Measure {
         if !self.models.is_empty() {
             out += &format!(", for {}", self.models.join(" and "));
         }
-        if let Some(value) = (self.get)(&Muscle::prototype().parts).or(self.default) {
+        if let Some(value) = self.usual() {
             out += &format!(" [{value}{}]", self.unit());
         }
         out
@@ -210,12 +236,20 @@ impl Measure {
             _ if self.is_plain() => Cow::Borrowed(""),
             _ => format!(", {}", self.unit()).into(),
         };
-        let models = match self.models {
+        format!("{}{unit}{}{more}.", self.about, self.for_models())
+    }
+
+    /// What it is and which models use it, in a sentence.
+    pub fn sentence(&self) -> String {
+        format!("{}{}.", self.about, self.for_models())
+    }
+
+    fn for_models(&self) -> String {
+        match self.models {
             [] => String::new(),
             [one] => format!(", for the model {one}"),
             many => format!(", for the models {}", many.join(" and ")),
-        };
-        format!("{}{unit}{models}{more}.", self.about)
+        }
     }
 
     /// Whether a value may be that of this measure.
@@ -230,6 +264,8 @@ impl Measure {
             Bounds::OfPart => Ok(()),
             Bounds::Positive => super::error::positive(key, value, unit),
             Bounds::NotNegative => super::error::not_negative(key, value, unit),
+            Bounds::Even if (2.0..=f64::from(u32::MAX)).contains(&value) && value % 2.0 == 0.0 => Ok(()),
+            Bounds::Even => Err(MuscleError::StrandCount { count: value }),
             Bounds::Between(low, high) if (low..=high).contains(&value) => Ok(()),
             Bounds::Between(low, high) => Err(MuscleError::OutOfBounds { key, value, unit, low, high }),
         }
@@ -262,6 +298,8 @@ impl Muscle {
     /// # Errors
     /// As [`Muscle::new`].
     pub fn with(&self, measure: &Measure, value: f64) -> Result<Self, MuscleError> {
+        // A count cannot hold every number.
+        measure.check(value)?;
         let mut parts = self.parts.clone();
         (measure.set)(&mut parts, value);
         if *measure == OUTER_DIAMETER {
@@ -338,7 +376,8 @@ mod tests {
             assert!(
                 MEASURES[..i].iter().all(|o| o.key != m.key && (o.field != m.field || m.field.is_none()))
             );
-            assert!(SECTIONS.contains(&m.section()) && !m.about.is_empty(), "{}", m.key);
+            assert!(SECTIONS.contains(&m.section()), "{}", m.key);
+            assert!(!m.about.is_empty() && !m.label.is_empty(), "{}", m.key);
             assert!(m.beside.is_none_or(|b| Measure::of_key(b.0).is_some()), "{}", m.key);
             if let Some(field) = m.field {
                 let named = crate::units::NamedUnit::of_field(field).and_then(|u| u.dimension);

@@ -59,6 +59,7 @@ pub static OUTER_DIAMETER: Measure = Measure {
     short: Some('D'),
     symbol: "D0",
     about: "Outer diameter D0 of the tube at rest",
+    label: "outer diameter",
     identify: Some(Identify { limit: |v| 0.1 * v.abs(), is_geometry: true, ..IDENTIFY }),
     get: |p| Some(p.tube.outer_diameter_mm),
     set: |p, v| p.tube.outer_diameter_mm = v,
@@ -72,6 +73,7 @@ pub static WALL: Measure = Measure {
     short: Some('s'),
     symbol: "s",
     about: "Wall thickness s of the tube at rest",
+    label: "wall",
     identify: Some(Identify {
         bounds: |m| (0.0, 0.5 * m.outer_diameter_mm()),
         is_geometry: true,
@@ -89,6 +91,7 @@ pub static LENGTH: Measure = Measure {
     short: Some('L'),
     symbol: "L0",
     about: "Length L0 between the terminals at rest",
+    label: "length",
     comment: "between the terminals",
     identify: Some(Identify { is_geometry: true, ..IDENTIFY }),
     get: |p| Some(p.tube.length_mm),
@@ -103,8 +106,9 @@ pub static DENSITY: Measure = Measure {
     dimension: Dimension::Density,
     symbol: "ρ",
     about: "Density ρ of the rubber",
-    comment: "of the rubber; only its mass follows from it",
     label: "density of the rubber",
+    is_shown: true,
+    comment: "of the rubber; only its mass follows from it",
     get: |p| p.tube.density_kg_per_m3,
     set: |p, v| p.tube.density_kg_per_m3 = Some(v),
     ..Measure::BASE
@@ -120,8 +124,9 @@ pub static PRESTRETCH: Measure = Measure {
     default: Some(1.0),
     symbol: "λp",
     about: "Axial stretch of the mounted tube: L0 over its free length; all dimensions are those of the mounted muscle",
+    label: "prestretch",
+    is_shown: true,
     comment: "mounted length over free length; D0, wall and length are the mounted ones",
-    label: "mounted with a stretch of",
     digested: true,
     identify: Some(Identify {
         also: &["prestretch"],
@@ -145,6 +150,7 @@ pub static ANGLE: Measure = Measure {
     bounds: Bounds::OfPart,
     symbol: "θ0",
     about: "Angle θ0 of the strands to the axis at rest",
+    label: "braid angle",
     comment: "strands to the muscle's axis, at rest",
     identify: Some(Identify {
         bounds: |_| (1.0, NEUTRAL_ANGLE_DEG - 0.5),
@@ -160,8 +166,11 @@ pub static ANGLE: Measure = Measure {
 /// Tube and braid on each plug
 pub static INSERTION: Measure = Measure {
     key: "terminals.insertion",
+    field: Some("insertion_mm"),
+    has_flag: false,
     bounds: Bounds::NotNegative,
     about: "Length of tube and braid clamped on each plug",
+    label: "insertion of each plug",
     comment: "tube and braid clamped on each plug",
     get: |p| p.terminals.insertion_mm,
     set: |p, v| p.terminals.insertion_mm = Some(v),
@@ -175,8 +184,9 @@ pub static SEATING: Measure = Measure {
     bounds: Bounds::NotNegative,
     default: Some(0.0),
     about: "Seating: total displacement of both ends under load",
-    comment: "total displacement of both ends under load",
     label: "seating of both ends",
+    is_shown: true,
+    comment: "total displacement of both ends under load",
     digested: true,
     identify: Some(Identify {
         also: &["seating"],
@@ -197,8 +207,9 @@ pub static SLIP: Measure = Measure {
     bounds: Bounds::NotNegative,
     default: Some(0.0),
     about: "Slip of both ends together per newton of clamp load",
-    comment: "slip of both ends together per newton of clamp load",
     label: "slip of both ends",
+    is_shown: true,
+    comment: "slip of both ends together per newton of clamp load",
     digested: true,
     identify: Some(Identify {
         also: &["slip"],
@@ -218,8 +229,9 @@ pub static GRIP: Measure = Measure {
     bounds: Bounds::NotNegative,
     default: Some(0.0),
     about: "Length at each end, within L0, in which tube and braid are clamped",
+    label: "clamped length",
+    is_shown: true,
     comment: "clamped at each end, within the length",
-    label: "clamped at each end",
     digested: true,
     identify: Some(Identify {
         also: &["grip"],
@@ -241,6 +253,7 @@ pub static END_FACTOR: Measure = Measure {
     bounds: Bounds::OfPart,
     symbol: "k",
     about: "Empirical end factor k of Tondu & Lopez",
+    label: "end factor",
     models: &["tondu-lopez", "thick-wall"],
     identify: Some(Identify {
         also: &["end-factor"],
@@ -262,6 +275,7 @@ pub static CONE_FACTOR: Measure = Measure {
     bounds: Bounds::NotNegative,
     symbol: "kc",
     about: "Cone factor kc",
+    label: "cone factor",
     models: &["conical-ends"],
     digested: true,
     get: |p| p.terminals.cone_factor,
@@ -269,7 +283,7 @@ pub static CONE_FACTOR: Measure = Measure {
     ..Measure::BASE
 };
 
-/// k of one strand family; requests have it as a number or a name
+/// k of one strand family. No field of its own: in requests `stiffness` is a number or a name, which no measure is
 pub static STIFFNESS: Measure = Measure {
     key: "braid.stiffness",
     dimension: Dimension::Stiffness,
@@ -277,6 +291,7 @@ pub static STIFFNESS: Measure = Measure {
     bounds: Bounds::OfPart,
     symbol: "k",
     about: "Stiffness k of one strand family",
+    label: "stiffness of a strand family",
     get: |p| p.braid.family_stiffness_n_per_mm(&p.tube),
     set: |p, v| p.braid.stiffness = BraidStiffness::NewtonPerMm(v),
     ..Measure::BASE
@@ -286,6 +301,7 @@ pub static STIFFNESS: Measure = Measure {
 pub static STIFFNESS_FACTOR: Measure = Measure {
     key: "braid.stiffness_factor",
     field: Some("stiffness_factor"),
+    has_flag: false,
     dimension: Dimension::Ratio,
     written: Written::Special,
     bounds: Bounds::Between(1.0, 10.0),
@@ -293,6 +309,7 @@ pub static STIFFNESS_FACTOR: Measure = Measure {
     symbol: "fk",
     about: "Factor within which the stiffness of the strands is known",
     comment: "the stiffness is known within this factor; the ± of the pull carries it",
+    label: "stiffness known within a factor of",
     get: |p| Some(p.braid.stiffness_factor).filter(|v| *v != 1.0),
     set: |p, v| p.braid.stiffness_factor = v,
     ..Measure::BASE
@@ -301,11 +318,14 @@ pub static STIFFNESS_FACTOR: Measure = Measure {
 /// N
 pub static STRANDS: Measure = Measure {
     key: "braid.strands",
+    field: Some("strands"),
+    has_flag: false,
     dimension: Dimension::Ratio,
     written: Written::Special,
-    bounds: Bounds::OfPart,
+    bounds: Bounds::Even,
     symbol: "N",
     about: "Number N of strands, both families together",
+    label: "number of strands",
     get: |p| p.braid.strands.map(|s| f64::from(s.count)),
     set: |p, v| strands(p).count = v as u32,
     ..Measure::BASE
@@ -314,22 +334,27 @@ pub static STRANDS: Measure = Measure {
 /// A of one strand
 pub static STRAND_AREA: Measure = Measure {
     key: "braid.strand_area",
+    field: Some("strand_area_mm2"),
+    has_flag: false,
     dimension: Dimension::Area,
     written: Written::Special,
     symbol: "A",
     about: "Cross-section A of one strand",
+    label: "cross-section of a strand",
     get: |p| Some(p.braid.strands?.section?.0),
     set: |p, v| strands(p).section.get_or_insert((0.0, 0.0)).0 = v,
     ..Measure::BASE
 };
 
-/// E of the strands
+/// E of the strands; its flag is beside those of named sleeves
 pub static STRAND_MODULUS: Measure = Measure {
     key: "braid.strand_modulus",
+    field: Some("strand_modulus_mpa"),
     dimension: Dimension::Pressure,
     written: Written::Special,
     symbol: "E",
     about: "Young's modulus E of the strands",
+    label: "Young's modulus of a strand",
     get: |p| Some(p.braid.strands?.section?.1),
     set: |p, v| strands(p).section.get_or_insert((0.0, 0.0)).1 = v,
     ..Measure::BASE
@@ -338,9 +363,12 @@ pub static STRAND_MODULUS: Measure = Measure {
 /// Strength of one strand
 pub static STRAND_STRENGTH: Measure = Measure {
     key: "braid.strand_strength",
+    field: Some("strand_strength_n"),
+    has_flag: false,
     dimension: Dimension::Force,
     written: Written::Special,
     about: "Force at which one strand breaks",
+    label: "strength of a strand",
     comment: "force at which one strand breaks",
     get: |p| p.braid.strands?.strength_n,
     set: |p, v| strands(p).strength_n = Some(v),
@@ -353,6 +381,7 @@ pub static STRAND_LENGTH: Measure = Measure {
     field: Some("strand_length_mm"),
     symbol: "b",
     about: "Length of one strand measured on the muscle",
+    label: "measured length of a strand",
     comment: "measured on the muscle, rounded ends included",
     models: &["belforte"],
     beside: Some(("braid.turns", "a strand measured on the muscle has both its length and its turns")),
@@ -369,6 +398,7 @@ pub static TURNS: Measure = Measure {
     written: Written::Number,
     symbol: "n",
     about: "Turns of that strand",
+    label: "measured turns of a strand",
     models: &["belforte"],
     beside: Some((
         "braid.strand_length",
@@ -382,10 +412,14 @@ pub static TURNS: Measure = Measure {
 /// t
 pub static THICKNESS: Measure = Measure {
     key: "braid.thickness",
+    field: Some("braid_thickness_mm"),
+    has_flag: false,
     bounds: Bounds::NotNegative,
     default: Some(0.0),
     symbol: "t",
     about: "Thickness t of the braid, both layers of strands",
+    label: "thickness of the braid",
+    is_shown: true,
     comment: "both layers: the midline of the strands is half of it above the tube",
     identify: Some(Identify {
         start: |m| Some(0.02 * m.outer_diameter_mm()),
@@ -400,8 +434,12 @@ pub static THICKNESS: Measure = Measure {
 /// Ds
 pub static SLEEVE_DIAMETER: Measure = Measure {
     key: "braid.diameter",
+    field: Some("braid_diameter_mm"),
+    has_flag: false,
     symbol: "Ds",
     about: "Inner diameter Ds of a sleeve wider than the tube, at its angle",
+    label: "inner diameter of the sleeve",
+    is_shown: true,
     comment: "inside, at the angle above: a sleeve wider than the tube",
     digested: true,
     identify: Some(Identify {
@@ -418,9 +456,13 @@ pub static SLEEVE_DIAMETER: Measure = Measure {
 /// c1
 pub static CRIMP: Measure = Measure {
     key: "braid.crimp",
+    field: Some("crimp"),
+    has_flag: false,
     dimension: Dimension::Ratio,
     symbol: "c1",
     about: "Strain c1 at which the strands are straight",
+    label: "crimp of the strands",
+    is_shown: true,
     comment: "strain at which the strands are straight",
     identify: Some(Identify { start: |_| Some(0.005), bounds: |_| (1e-6, 0.1), ..IDENTIFY }),
     get: |p| Some(p.braid.crimp?.strain),
@@ -431,10 +473,14 @@ pub static CRIMP: Measure = Measure {
 /// κ
 pub static CRIMP_STIFFNESS: Measure = Measure {
     key: "braid.crimp_stiffness",
+    field: Some("crimp_stiffness"),
+    has_flag: false,
     dimension: Dimension::Ratio,
     written: Written::Number,
     symbol: "κ",
     about: "Share κ of their stiffness that the strands have before they are straight",
+    label: "stiffness share in the crimp",
+    is_shown: true,
     comment: "before that, as a share of their stiffness",
     beside: Some(("braid.crimp", "the strain at which the strands are straight, such as \"1%\"")),
     get: |p| Some(p.braid.crimp?.stiffness_ratio),
@@ -449,12 +495,15 @@ const FRICTION_NEEDS: &str = "friction is C·P^β: coefficient C in N/MPa^β and
 /// C
 pub static FRICTION_COEFFICIENT: Measure = Measure {
     key: "friction.coefficient",
+    field: Some("friction_coefficient"),
+    has_flag: false,
     dimension: Dimension::Ratio,
     written: Written::Number,
     unit: Some(FRICTION_UNIT),
     bounds: Bounds::NotNegative,
     symbol: "C",
     about: "Coefficient C of the friction C·P^β, P in MPa",
+    label: "friction coefficient",
     comment: "C in N/MPa^β: half-width C·P^β of the hysteresis",
     beside: Some(("friction.exponent", FRICTION_NEEDS)),
     identify: Some(Identify { also: &["friction.c"], ..IDENTIFY }),
@@ -466,11 +515,14 @@ pub static FRICTION_COEFFICIENT: Measure = Measure {
 /// β
 pub static FRICTION_EXPONENT: Measure = Measure {
     key: "friction.exponent",
+    field: Some("friction_exponent"),
+    has_flag: false,
     dimension: Dimension::Ratio,
     written: Written::Number,
     bounds: Bounds::NotNegative,
     symbol: "β",
     about: "Exponent β of the friction C·P^β",
+    label: "friction exponent",
     comment: "β",
     beside: Some(("friction.coefficient", FRICTION_NEEDS)),
     // Without data: between the 0.57 and 0.82 seen by Tondu (2012) [tondu2012].
@@ -489,9 +541,12 @@ pub static FRICTION_EXPONENT: Measure = Measure {
 /// μw
 pub static FRICTION_LEVER: Measure = Measure {
     key: "friction.lever",
+    field: Some("friction_lever_mm"),
+    has_flag: false,
     bounds: Bounds::NotNegative,
     symbol: "μw",
     about: "Coefficient of friction times lever of the strands' crossings, μw",
+    label: "friction lever",
     comment: "μw: coefficient of friction times lever of the strands' crossings",
     identify: Some(Identify { start: |_| Some(1.0), ..IDENTIFY }),
     get: |p| Some(p.friction?.lever_mm).filter(|l| *l != 0.0),

@@ -1,7 +1,5 @@
 //! Values of measures as fields of requests.
 
-#[cfg(feature = "schema")]
-use super::{Bounds, Muscle};
 use super::{Measure, fields};
 use serde::de::{IgnoredAny, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -103,16 +101,10 @@ impl Measure {
     /// the request) and the one of a muscle that does not state it.
     pub fn request_schema(&self) -> serde_json::Value {
         let mut field = self.schema("");
-        match self.bounds {
-            Bounds::Positive => field["x-above"] = 0.0.into(),
-            Bounds::NotNegative => field["x-minimum"] = 0.0.into(),
-            Bounds::Between(low, high) => {
-                field["x-minimum"] = low.into();
-                field["x-maximum"] = high.into();
-            }
-            Bounds::OfPart => {}
+        for (end, value) in self.bounds.ends() {
+            field[format!("x-{end}")] = value.into();
         }
-        if let Some(value) = Muscle::prototype().measure(self).or(self.default) {
+        if let Some(value) = self.usual() {
             field["default"] = value.into();
         }
         field

@@ -1,0 +1,126 @@
+//! `muscle measures`: every number that describes a muscle, for forms and for readers.
+
+use crate::muscle_fields::STIFFNESS_FIELD;
+use crate::problem::Problem;
+use mckibben::muscle::Measure;
+use mckibben::muscle::measures::{MEASURES, STIFFNESS, Written};
+use mckibben::units::Dimension;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// The measures of a muscle.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct MeasuresRequest {}
+
+/// The measures of a muscle.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct MeasuresAnswer {
+    /// All of them, in the order of the fields of requests.
+    pub measures: Vec<MeasureEntry>,
+}
+
+/// A measure of a muscle.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct MeasureEntry {
+    /// Key in the muscle file.
+    pub key: &'static str,
+    /// Table of the muscle file.
+    pub group: &'static str,
+    /// Field of requests.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub field: Option<&'static str>,
+    /// Flag of the command line.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flag: Option<String>,
+    /// Its name, in a few words.
+    pub label: &'static str,
+    /// Its symbol.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub symbol: Option<&'static str>,
+    /// What it measures; none for a plain number.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub quantity: Option<Dimension>,
+    /// Unit of its numbers; none for a plain number.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unit: Option<&'static str>,
+    /// The muscle refuses this value and those below it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub above: Option<f64>,
+    /// Lowest value.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub minimum: Option<f64>,
+    /// Highest value.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub maximum: Option<f64>,
+    /// Value of a muscle that does not state it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub default: Option<f64>,
+    /// What it is, in a sentence.
+    pub about: String,
+}
+
+impl From<&'static Measure> for MeasureEntry {
+    fn from(m: &'static Measure) -> Self {
+        let named = *m == STIFFNESS;
+        let end = |name: &str| m.bounds.ends().into_iter().find_map(|(end, v)| (end == name).then_some(v));
+        Self {
+            key: m.key,
+            group: m.section(),
+            field: m.field.or(named.then_some(STIFFNESS_FIELD)),
+            flag: m.flag().or(named.then(|| STIFFNESS_FIELD.to_owned())).map(|flag| format!("--{flag}")),
+            label: m.label,
+            symbol: Some(m.symbol).filter(|s| !s.is_empty()),
+            // A strain may be a percentage.
+            quantity: Some(m.dimension).filter(|_| !m.is_plain() || m.written == Written::Quantity),
+            unit: Some(m.unit()).filter(|unit| !unit.is_empty()),
+            above: end("above"),
+            minimum: end("minimum"),
+            maximum: end("maximum"),
+            default: m.usual(),
+            about: m.sentence(),
+        }
+    }
+}
+
+/// The measures of a muscle.
+///
+/// # Errors
+/// None.
+pub fn measures(_: &MeasuresRequest) -> Result<MeasuresAnswer, Problem> {
+    Ok(MeasuresAnswer { measures: MEASURES.iter().map(|m| MeasureEntry::from(*m)).collect() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mckibben::muscle::measures::SECTIONS;
+
+    /// The fields are those of the requests' schema, with the same bounds, defaults and units.
+    #[cfg(feature = "schema")]
+    #[test]
+    fn measures_are_the_fields_of_requests() {
+        let entries = measures(&MeasuresRequest {}).unwrap().measures;
+        let force = crate::schema("force").unwrap();
+        let fields = &force["request"]["properties"];
+        for entry in &entries {
+            let field = entry.field.unwrap_or_else(|| panic!("{} has no field", entry.key));
+            let schema = &fields[field];
+            assert_eq!(schema["x-key"], entry.key);
+            assert!(SECTIONS.contains(&entry.group));
+            let ends = [("x-above", entry.above), ("x-minimum", entry.minimum), ("x-maximum", entry.maximum)];
+            for (name, value) in ends {
+                assert_eq!(schema.get(name).and_then(serde_json::Value::as_f64), value, "{field} {name}");
+            }
+            if entry.key != STIFFNESS.key {
+                assert_eq!(
+                    schema.get("default").and_then(serde_json::Value::as_f64),
+                    entry.default,
+                    "{field}"
+                );
+            }
+        }
+        let keyed = fields.as_object().unwrap().values().filter(|f| f.get("x-key").is_some()).count();
+        assert_eq!(keyed, entries.len());
+    }
+}
