@@ -25,10 +25,10 @@ pub struct MuscleFlags {
 #[command(next_help_heading = "Muscle")]
 struct FileFlags {
     /// Muscle file; flags override its values
-    #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle", help_heading = "Arguments")]
+    #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle")]
     file: Option<PathBuf>,
     /// Muscle file, same as [MUSCLE.toml]
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", hide_short_help = true)]
     muscle: Option<PathBuf>,
 }
 
@@ -36,10 +36,10 @@ struct FileFlags {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Muscle")]
 struct NameFlags {
-    /// Rubber from the library, as NAME or NAME:LAW (see `mckibben rubber list`) [paper]
+    /// Rubber, as NAME or NAME:LAW (`mckibben rubber list`) [paper]
     #[arg(long, value_name = "NAME", value_parser = RUBBERS, hide_possible_values = true)]
     rubber: Option<String>,
-    /// Sleeve from the library, which gives angle and strands (see `mckibben braid list`) [none]
+    /// Sleeve, which gives angle and strands (`mckibben braid list`) [none]
     #[arg(long, value_name = "NAME", value_parser = SLEEVES, hide_possible_values = true)]
     braid: Option<String>,
     #[command(flatten)]
@@ -50,10 +50,20 @@ struct NameFlags {
 fn arg(measure: &'static Measure, flag: &str) -> Arg {
     let arg = Arg::new(flag.replace('-', "_")).long(flag.to_owned()).help(measure.help());
     let arg = arg.value_name(measure.value_name()).allow_hyphen_values(true);
+    let arg = if is_common(measure) {
+        arg.help_heading("Muscle")
+    } else {
+        arg.help_heading("Advanced").hide_short_help(true)
+    };
     match measure.short {
         Some(short) => arg.short(short),
         None => arg,
     }
+}
+
+/// Whether most muscles need its flag.
+fn is_common(measure: &Measure) -> bool {
+    measure.short.is_some() || *measure == ANGLE
 }
 
 /// Its name on the command line.
@@ -70,7 +80,7 @@ impl Args for MuscleFlags {
     fn augment_args(command: Command) -> Command {
         let mut command = FileFlags::augment_args(command);
         for (measure, flag) in flags() {
-            command = command.next_help_heading("Muscle").arg(arg(measure, &flag));
+            command = command.arg(arg(measure, &flag));
             if *measure == ANGLE {
                 command = NameFlags::augment_args(command);
             }

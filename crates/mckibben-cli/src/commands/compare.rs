@@ -25,15 +25,16 @@ pub const EXAMPLES: &str = "Examples:
 
 /// `compare`.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Question")]
 pub struct CompareArgs {
     /// Models, by name [fe,paper,thick-wall,ideal]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = MODELS, hide_possible_values = true)]
     pub models: Vec<String>,
     /// One model, same as --models with one name
-    #[arg(long, value_name = "NAME", conflicts_with = "models", value_parser = MODELS, hide_possible_values = true)]
+    #[arg(long, value_name = "NAME", conflicts_with = "models", value_parser = MODELS, hide_possible_values = true, hide_short_help = true)]
     pub model: Option<String>,
     /// Measured points: a table of pressures, contractions (or shortenings, or lengths) and forces, with units
-    #[arg(long, value_name = "FILE.csv", help_heading = "Data")]
+    #[arg(long, value_name = "FILE.csv")]
     pub data: Option<PathBuf>,
     #[command(flatten)]
     pub columns: ColumnsFlag,

@@ -9,6 +9,7 @@ use crate::flags::{LoadFlag, OverwriteFlag, PlotFlag, StrandFlags, UnitsFlag};
 use crate::format::Format;
 use crate::names::{MODELS, RUBBERS, SLEEVES};
 use crate::output::text::{Units, place};
+use crate::output::width;
 use crate::output::{Content, Target, burst_first, check, colour, emit, save, show};
 use crate::plot;
 use crate::progress::Bar;
@@ -40,143 +41,95 @@ pub const EXAMPLES: &str = "Examples:
 
 /// `design`.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Question")]
 pub struct DesignArgs {
     /// Required pull
-    #[arg(
-        short = 'F',
-        long,
-        value_name = "FORCE",
-        allow_hyphen_values = true,
-        help_heading = "Specification"
-    )]
+    #[arg(short = 'F', long, value_name = "FORCE", allow_hyphen_values = true)]
     pub force: Option<String>,
     /// Contraction ratio ΔL/L0 at which the pull is required
-    #[arg(
-        short = 'e',
-        long,
-        value_name = "RATIO",
-        allow_hyphen_values = true,
-        help_heading = "Specification"
-    )]
+    #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
     pub contraction: Option<String>,
     /// Several operating points: 700N@15%,1200N@5%
-    #[arg(long, value_name = "F@E,…", allow_hyphen_values = true, conflicts_with_all = ["force", "contraction"], help_heading = "Specification")]
+    #[arg(long, value_name = "F@E,…", allow_hyphen_values = true, conflicts_with_all = ["force", "contraction"])]
     pub at: Option<String>,
-    #[command(flatten, next_help_heading = "Specification")]
+    #[command(flatten, next_help_heading = "Question")]
     pub load: LoadFlag,
     /// Required torques of a joint at angles, to either side: 8Nm@45deg,3Nm@60deg. Two equal opposed muscles on a
     /// pulley, one of them without pressure
-    #[arg(long, value_name = "T@ANGLE,…", allow_hyphen_values = true, conflicts_with_all = ["force", "contraction", "at", "load", "stroke"], help_heading = "Specification")]
+    #[arg(long, value_name = "T@ANGLE,…", allow_hyphen_values = true, conflicts_with_all = ["force", "contraction", "at", "load", "stroke"])]
     pub joint: Option<String>,
     /// Largest angle of the joint to either side [largest of --joint]
-    #[arg(long, value_name = "ANGLE", requires = "joint", help_heading = "Specification")]
+    #[arg(long, value_name = "ANGLE", requires = "joint", hide_short_help = true)]
     pub largest_angle: Option<String>,
-    /// Radii of the joint's pulley [searched]
-    #[arg(long, value_name = "RANGE", requires = "joint", help_heading = "Search space")]
-    pub radius: Option<String>,
-    /// Supply pressure
-    #[arg(
-        short = 'p',
-        long,
-        value_name = "PRESSURE",
-        allow_hyphen_values = true,
-        alias = "pressure",
-        help_heading = "Specification"
-    )]
-    pub max_pressure: Option<String>,
     /// Stroke in mm: with --contraction it sets the length, with --length the contraction
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Specification")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub stroke: Option<String>,
+    /// Supply pressure
+    #[arg(short = 'p', long, value_name = "PRESSURE", allow_hyphen_values = true, alias = "pressure")]
+    pub max_pressure: Option<String>,
+    /// Quantity to rank by
+    #[arg(long, value_parser = word::<ObjectiveWord>(), default_value = "diameter")]
+    pub objective: ObjectiveWord,
     /// Largest outer diameter at the operating points
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Limits")]
     pub max_bulged_diameter: Option<String>,
     /// Smallest ratio of burst pressure to supply pressure, 0 for none [1.5 if the strength of the strands is known]
-    #[arg(
-        long,
-        visible_alias = "min-burst-margin",
-        value_name = "RATIO",
-        allow_hyphen_values = true,
-        help_heading = "Limits"
-    )]
+    #[arg(long, visible_alias = "min-burst-margin", value_name = "RATIO", allow_hyphen_values = true, help_heading = "Limits")]
     pub safety: Option<String>,
     /// Largest stretch of the rubber at the operating points; 2 means twice its length [range of its fitted data]
-    #[arg(long, value_name = "STRETCH", allow_hyphen_values = true, help_heading = "Limits")]
+    #[arg(long, value_name = "STRETCH", allow_hyphen_values = true, hide_short_help = true, help_heading = "Limits")]
     pub max_stretch: Option<String>,
     /// Largest strain of the strands at the supply pressure [6 %: the validated range]
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = "Limits")]
+    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, hide_short_help = true, help_heading = "Limits")]
     pub max_strand_strain: Option<String>,
-    /// Quantity to rank by
-    #[arg(long, value_parser = word::<ObjectiveWord>(), default_value = "diameter", help_heading = "Specification")]
-    pub objective: ObjectiveWord,
     /// Muscle file for all values that are not searched; flags override it
-    #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle", help_heading = "Arguments")]
+    #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle", help_heading = "Muscle")]
     pub file: Option<PathBuf>,
     /// Muscle file, same as [MUSCLE.toml]
-    #[arg(long, value_name = "FILE", help_heading = "Search space")]
+    #[arg(long, value_name = "FILE", hide_short_help = true, help_heading = "Muscle")]
     pub muscle: Option<PathBuf>,
     /// Outer diameters at rest: a value, list, range or stepped range [5..80]
-    #[arg(
-        short = 'D',
-        long,
-        value_name = "RANGE",
-        allow_hyphen_values = true,
-        help_heading = "Search space"
-    )]
+    #[arg(short = 'D', long, value_name = "RANGE", allow_hyphen_values = true, help_heading = "Muscle")]
     pub outer_diameter: Option<String>,
     /// Wall thicknesses at rest [0.5..10]
-    #[arg(
-        short = 's',
-        long,
-        value_name = "RANGE",
-        allow_hyphen_values = true,
-        help_heading = "Search space"
-    )]
+    #[arg(short = 's', long, value_name = "RANGE", allow_hyphen_values = true, help_heading = "Muscle")]
     pub wall: Option<String>,
-    /// Braid angles to the axis at rest [28deg]
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, help_heading = "Search space")]
-    pub angle: Option<String>,
-    /// Sleeves on sale, by their strand length per turn; the tube diameter then sets the angle
-    #[arg(
-        long,
-        value_name = "LIST",
-        allow_hyphen_values = true,
-        conflicts_with = "angle",
-        help_heading = "Search space"
-    )]
-    pub strand_length_per_turn: Option<String>,
-    /// Sleeves on sale, by name (mckibben braid list); the tube diameter then sets angle and stiffness
-    #[arg(long, value_name = "LIST", value_delimiter = ',', conflicts_with_all = ["angle", "strand_length_per_turn"], value_parser = SLEEVES, hide_possible_values = true, help_heading = "Search space")]
-    pub braid: Vec<String>,
-    /// Rubbers, by name [paper]
-    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = RUBBERS, hide_possible_values = true, help_heading = "Search space")]
-    pub rubber: Vec<String>,
-    #[command(flatten, next_help_heading = "Search space")]
-    pub strands: StrandFlags,
     /// Lengths between the terminals at rest [285mm]
-    #[arg(
-        short = 'L',
-        long,
-        value_name = "RANGE",
-        allow_hyphen_values = true,
-        help_heading = "Search space"
-    )]
+    #[arg(short = 'L', long, value_name = "RANGE", allow_hyphen_values = true, help_heading = "Muscle")]
     pub length: Option<String>,
-    /// Spread of the pull of the best muscle for ± tolerances of pressure, modulus, stiffness and dimensions (named as their flags):
-    /// wall=0.1mm,angle=1deg,modulus=10%
-    #[arg(long, value_name = "LIST", allow_hyphen_values = true, help_heading = "Search space")]
-    pub tolerance: Option<String>,
+    /// Braid angles to the axis at rest [28deg]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, help_heading = "Muscle")]
+    pub angle: Option<String>,
+    /// Rubbers, by name [paper]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = RUBBERS, hide_possible_values = true, help_heading = "Muscle")]
+    pub rubber: Vec<String>,
+    /// Sleeves on sale, by name (mckibben braid list); the tube diameter then sets angle and stiffness
+    #[arg(long, value_name = "LIST", value_delimiter = ',', conflicts_with_all = ["angle", "strand_length_per_turn"], value_parser = SLEEVES, hide_possible_values = true, help_heading = "Muscle")]
+    pub braid: Vec<String>,
+    #[command(flatten, next_help_heading = "Muscle")]
+    pub strands: StrandFlags,
+    /// Sleeves on sale, by their strand length per turn; the tube diameter then sets the angle
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true, conflicts_with = "angle", hide_short_help = true, help_heading = "Muscle")]
+    pub strand_length_per_turn: Option<String>,
+    /// Radii of the joint's pulley [searched]
+    #[arg(long, value_name = "RANGE", requires = "joint", hide_short_help = true, help_heading = "Muscle")]
+    pub radius: Option<String>,
     /// Force model [fe; the search uses universal within its range]
-    #[arg(long, value_name = "NAME", value_parser = MODELS, hide_possible_values = true, help_heading = "Model")]
+    #[arg(long, value_name = "NAME", value_parser = MODELS, hide_possible_values = true, help_heading = "Advanced")]
     pub model: Option<String>,
     /// Mesh of `fe` or `fe3d`, as for the other commands [automatic]
-    #[arg(long, value_name = "N or MxN:G", help_heading = "Model")]
+    #[arg(long, value_name = "N or MxN:G", hide_short_help = true, help_heading = "Advanced")]
     pub mesh: Option<String>,
     /// Compute outside the model's range too, with a warning
-    #[arg(long, help_heading = "Model")]
+    #[arg(long, hide_short_help = true, help_heading = "Advanced")]
     pub extrapolate: bool,
     /// With another --model: compute the best muscle again by finite elements and show the difference
-    #[arg(long, value_parser = word::<Verify>(), default_value = "fe", help_heading = "Model")]
+    #[arg(long, value_parser = word::<Verify>(), default_value = "fe", hide_short_help = true, help_heading = "Advanced")]
     pub verify: Verify,
+    /// Spread of the pull of the best muscle for ± tolerances of pressure, modulus, stiffness and dimensions (named as their flags):
+    /// wall=0.1mm,angle=1deg,modulus=10%
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true, hide_short_help = true, help_heading = "Advanced")]
+    pub tolerance: Option<String>,
     /// Number of candidates to show
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=1000), help_heading = "Output")]
     pub top: u16,
@@ -211,7 +164,8 @@ pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
     let text = || burst_first(&answer.warnings) + &text::of(&answer, args.output.as_deref(), &unit);
     show(&answer, format, "candidates", text, Target::STDOUT)?;
     if let Some(figure) = figure.as_ref().filter(|_| chart) {
-        emit(format!("\n{}\n", clean::chart(&figure.to_text(100, 24, colour()))), None)?;
+        let columns = width::of_tables().min(100);
+        emit(format!("\n{}\n", clean::chart(&figure.to_text(columns, 24, colour()))), None)?;
     }
     if let (Some(path), Some(_), Format::Text) = (&args.output, winner, format) {
         emit(format!("\nThe winner is in {}.\n", place(path)), None)?;

@@ -35,6 +35,7 @@ pub const EXAMPLES: &str = "Examples:
 
 /// `simulate`.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Question")]
 pub struct SimulateArgs {
     /// Kind of test
     #[arg(long, value_parser = word::<Test>(), default_value = "isometric")]
@@ -51,48 +52,42 @@ pub struct SimulateArgs {
     /// Pulls of an isotonic test [20,80,150N]
     #[arg(short = 'F', long, value_name = "RANGE", allow_hyphen_values = true)]
     pub force: Option<String>,
+    #[command(flatten)]
+    pub muscle: MuscleFlags,
     /// Model: fe (axisymmetric) or fe3d (three-dimensional)
-    #[arg(long, value_name = "NAME", default_value = "fe")]
+    #[arg(long, value_name = "NAME", default_value = "fe", help_heading = "Advanced")]
     pub model: String,
     /// Mesh of fe: elements along the half length, or through the wall x along, or with :grading; of fe3d: bricks around
     /// the quarter, or through x around, or through x around x along [automatic]
-    #[arg(long, value_name = "N or MxN:G")]
+    #[arg(long, value_name = "N or MxN:G", hide_short_help = true, help_heading = "Advanced")]
     pub mesh: Option<String>,
     /// Dimension that fe3d keeps if bricks with strands at ±θ0 do not fill the length exactly
-    #[arg(long = "match", value_parser = word::<Keep>(), value_name = "WHAT", default_value = "length")]
+    #[arg(long = "match", value_parser = word::<Keep>(), value_name = "WHAT", default_value = "length", hide_short_help = true, help_heading = "Advanced")]
     pub keep: Keep,
     /// Terminal of fe3d: none (a rigid plane), rigid or aluminium (a plug), with :insertion and :radius of its nose [none]
-    #[arg(long, value_name = "WORD:MM:MM")]
+    #[arg(long, value_name = "WORD:MM:MM", hide_short_help = true, help_heading = "Advanced")]
     pub terminal: Option<String>,
     /// Give the negative force, not slack, where the muscle would have to push
-    #[arg(long)]
+    #[arg(long, hide_short_help = true, help_heading = "Advanced")]
     pub two_sided: bool,
-    /// Write the deformed muscle, point by point, into a folder that ParaView opens (muscle.pvd)
-    #[arg(long, value_name = "DIR", help_heading = "Output")]
-    pub vtu: Option<PathBuf>,
-    /// Write the whole muscle, not only the eighth that fe3d computes; fe always writes the whole muscle
-    #[arg(long, requires = "vtu", help_heading = "Output")]
-    pub whole: bool,
-    /// Write mesh, material, loads and steps of an isometric test with fe3d as an input deck for CalculiX and Abaqus
-    #[arg(long, value_name = "FILE", help_heading = "Output")]
-    pub export_inp: Option<PathBuf>,
     /// Draw the deformed muscle at the last converged point: a file ending in .png or .svg
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub picture: Option<PathBuf>,
     /// Quantity that colours the picture, such as hoop_stretch or stress_hoop_mpa
-    #[arg(
-        long,
-        value_name = "NAME",
-        default_value = "max_stretch",
-        requires = "picture",
-        help_heading = "Output"
-    )]
+    #[arg(long, value_name = "NAME", default_value = "max_stretch", requires = "picture", hide_short_help = true, help_heading = "Output")]
     pub show: String,
     /// Cut a quarter out of the picture, to show wall and cavity
-    #[arg(long, requires = "picture", help_heading = "Output")]
+    #[arg(long, requires = "picture", hide_short_help = true, help_heading = "Output")]
     pub cut: bool,
-    #[command(flatten)]
-    pub muscle: MuscleFlags,
+    /// Write the deformed muscle, point by point, into a folder that ParaView opens (muscle.pvd)
+    #[arg(long, value_name = "DIR", help_heading = "Output")]
+    pub vtu: Option<PathBuf>,
+    /// Write the whole muscle, not only the eighth that fe3d computes; fe always writes the whole muscle
+    #[arg(long, requires = "vtu", hide_short_help = true, help_heading = "Output")]
+    pub whole: bool,
+    /// Write mesh, material, loads and steps of an isometric test with fe3d as an input deck for CalculiX and Abaqus
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
+    pub export_inp: Option<PathBuf>,
     #[command(flatten)]
     pub plot: PlotFlag,
     #[command(flatten)]
