@@ -25,8 +25,8 @@ fn of_reader() -> Option<usize> {
 }
 
 fn of(terminal: Option<Width>) -> Option<usize> {
-    let said = || std::env::var("COLUMNS").ok()?.parse().ok();
-    Some(terminal.map(|Width(width)| width.into()).or_else(said)?.max(LEAST))
+    let said = || std::env::var("COLUMNS").ok()?.parse::<usize>().ok();
+    Some(terminal.map(|Width(width)| usize::from(width)).or_else(said)?.max(LEAST))
 }
 
 /// Of tables.
