@@ -248,7 +248,10 @@ pub struct OverwriteOrForceFlag {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Output")]
 pub struct PlotFlag {
-    /// Write a figure; the file ending selects the format: .svg, .png or .html
+    /// Write a figure: FILE.svg, .pdf, .png or .html
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
+    /// Width of the figure, such as 88mm for a column of a journal [160mm]
+    #[arg(long, value_name = "LENGTH", requires = "plot", hide_short_help = true)]
+    pub plot_width: Option<String>,
 }

@@ -59,7 +59,7 @@ pub struct CompareArgs {
 
 /// Runs the command.
 pub fn run(args: &CompareArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(args.plot.plot.as_deref())?;
+    plot::check(&args.plot)?;
     let unit = shown::units();
     let models: Vec<String> = match &args.model {
         Some(one) => vec![one.clone()],
@@ -85,7 +85,7 @@ pub fn run(args: &CompareArgs, format: Format) -> Result<u8, Failure> {
         figure: args.plot.plot.as_ref().map(|_| unit.clone()),
     };
     let mut answer = mckibben_app::compare(&request, &Bar::new("models"))?;
-    plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
+    plot::save(answer.figure.take(), &args.plot)?;
     let text = || {
         answer.warnings.iter().for_each(warn);
         as_text(args, &answer, &unit)

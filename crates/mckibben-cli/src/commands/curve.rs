@@ -68,7 +68,7 @@ pub struct CurveArgs {
 
 /// Runs the command.
 pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(args.plot.plot.as_deref())?;
+    plot::check(&args.plot)?;
     // Without a study, which is another command to the program, the test must be there.
     let test = args.test.unwrap_or(Test::Isometric);
     let unit = shown::units();
@@ -100,7 +100,7 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     if let Some(problem) = answer.problem.take_if(|_| format == Format::Text) {
         return Err(problem.into());
     }
-    plot::save(answer.figure.take().filter(|_| answer.problem.is_none()), args.plot.plot.as_deref())?;
+    plot::save(answer.figure.take().filter(|_| answer.problem.is_none()), &args.plot)?;
     let text = || {
         let burst = warnings(&answer.warnings, &answer.curves);
         let head = burst

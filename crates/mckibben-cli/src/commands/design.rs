@@ -149,7 +149,7 @@ pub struct DesignArgs {
 
 /// Runs the command.
 pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(args.plot.plot.as_deref())?;
+    plot::check(&args.plot)?;
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
     check(target, &Content::Muscle)?;
     let unit = shown::units();
@@ -170,7 +170,7 @@ pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
     if let (Some(path), Some(_), Format::Text) = (&args.output, winner, format) {
         emit(format!("\nThe winner is in {}.\n", place(path)), None)?;
     }
-    plot::save(figure.clone(), args.plot.plot.as_deref())?;
+    plot::save(figure.clone(), &args.plot)?;
     Ok(if answer.candidates.is_empty() { NO_ANSWER } else { 0 })
 }
 

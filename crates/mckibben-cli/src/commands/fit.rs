@@ -93,7 +93,7 @@ pub fn run(args: &FitArgs, format: Format) -> Result<u8, Failure> {
         for named in std::mem::take(&mut answer.figures) {
             let file = folder.join(format!("{}.svg", named.name));
             check(Target::file(&file, target.overwrite), &Content::Figure)?;
-            plot::save(Some(named.figure), Some(&file))?;
+            plot::save_as(named.figure, &file)?;
         }
     }
     save(target, Content::Formula, answer.formula_file().as_bytes())?;

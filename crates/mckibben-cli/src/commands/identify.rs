@@ -96,11 +96,11 @@ pub struct IdentifyArgs {
 
 /// Runs the command.
 pub fn run(args: &IdentifyArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(args.plot.plot.as_deref())?;
+    plot::check(&args.plot)?;
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
     check(target, &Content::Muscle)?;
     let mut answer = mckibben_app::identify(&request(args)?, &Bar::new("points"))?;
-    plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
+    plot::save(answer.figure.take(), &args.plot)?;
     save(target, Content::Muscle, answer.muscle_file.as_bytes())?;
     let text = || {
         let mut text = text::of(&answer, &shown::units());

@@ -71,7 +71,7 @@ pub fn fields(path: &Path) -> Result<JointFields, Failure> {
 
 /// Runs the command.
 pub fn run(args: &JointArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(args.plot.plot.as_deref())?;
+    plot::check(&args.plot)?;
     let unit = shown::units();
     let asking = args.model.asking.fields();
     if asking.two_sided {
@@ -109,7 +109,7 @@ pub fn run(args: &JointArgs, format: Format) -> Result<u8, Failure> {
         let message = "--plot: a figure of a joint has torques over angles, or a map";
         return Err(Failure::input(ProblemKind::Usage, message, "give --angle with a range, or --map"));
     }
-    plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
+    plot::save(answer.figure.take(), &args.plot)?;
     let text = || burst_first(&answer.warnings) + &as_text(&answer, &unit);
     show(&answer, format, "points", text, args.output.target())?;
     Ok(0)

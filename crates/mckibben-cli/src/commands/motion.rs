@@ -126,7 +126,7 @@ fn files_of(args: &MotionArgs) -> Result<MotionRequest, Failure> {
 
 /// Runs the command.
 pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(args.plot.plot.as_deref())?;
+    plot::check(&args.plot)?;
     let asking = args.model.asking.fields();
     let ignored = [
         ("--extrapolate", asking.extrapolate),
@@ -164,7 +164,7 @@ pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
     let bar = Bar::new("motion");
     let mut answer = motion(&request, &bar)?;
     drop(bar);
-    plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
+    plot::save(answer.figure.take(), &args.plot)?;
     let text = || burst_first(&answer.warnings) + &as_text(&answer, &unit);
     show(&answer, format, "series", text, args.output.target())?;
     Ok(answer.problem().map_or(0, |problem| Failure::from(problem).exit()))

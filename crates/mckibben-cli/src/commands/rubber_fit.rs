@@ -110,7 +110,7 @@ struct Constants {
 
 /// Runs the command.
 pub fn run(args: &RubberFitArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(args.plot.plot.as_deref())?;
+    plot::check(&args.plot)?;
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
     check(target, &Content::Muscle)?;
     let request = request(args)?;
@@ -118,7 +118,7 @@ pub fn run(args: &RubberFitArgs, format: Format) -> Result<u8, Failure> {
     if target.path.is_some() {
         save(target, Content::Muscle, answer.muscle_file(&request)?.as_bytes())?;
     }
-    plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
+    plot::save(answer.figure.take(), &args.plot)?;
     if format == Format::Csv {
         let table = Constants { constants: answer.constants() };
         show(&table, format, "constants", String::new, Target::STDOUT)?;

@@ -70,7 +70,7 @@ pub struct SimulateArgs {
     /// Give the negative force, not slack, where the muscle would have to push
     #[arg(long, hide_short_help = true, help_heading = "Advanced")]
     pub two_sided: bool,
-    /// Draw the deformed muscle at the last converged point: a file ending in .png or .svg
+    /// Draw the deformed muscle at the last converged point: a file ending in .png, .svg or .pdf
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub picture: Option<PathBuf>,
     /// Quantity that colours the picture, such as hoop_stretch or stress_hoop_mpa
@@ -96,7 +96,7 @@ pub struct SimulateArgs {
 
 /// Runs the command.
 pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(args.plot.plot.as_deref())?;
+    plot::check(&args.plot)?;
     check_picture(args.picture.as_deref())?;
     let deck = args.export_inp.as_deref();
     check(Target { path: deck, overwrite: args.output.replace.overwrite }, &Content::Deck)?;
@@ -132,7 +132,7 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
     if let (Some(path), Some(deck)) = (&args.export_inp, answer.deck.take()) {
         save(Target::file(path, args.output.replace.overwrite), Content::Deck, deck.as_bytes())?;
     }
-    plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
+    plot::save(answer.figure.take(), &args.plot)?;
     if let (Some(path), Some(scene)) = (&args.picture, &answer.picture) {
         plot::unread(path)?;
         scene.save(path)?;
@@ -152,11 +152,11 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
 /// Refuses a picture that could not be written, before any work is done for it.
 fn check_picture(path: Option<&Path>) -> Result<(), Failure> {
     let Some(path) = path else { return Ok(()) };
-    if ending(path).is_some_and(|e| ["svg", "png"].contains(&e.as_str())) {
+    if ending(path).is_some_and(|e| ["svg", "png", "pdf"].contains(&e.as_str())) {
         return Ok(());
     }
     let message =
-        format!("unknown format of {}: the name of a picture must end in .svg or .png", path.display());
+        format!("unknown format of {}: the name of a picture must end in .svg, .png or .pdf", path.display());
     Err(Failure::input(ProblemKind::Plot, message, "`--plot` draws curves, and also as .html"))
 }
 
