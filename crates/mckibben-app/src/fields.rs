@@ -14,7 +14,7 @@ use serde_json::Value;
 pub struct TextFile {
     /// What to call it in messages: a path or a name.
     pub name: String,
-    /// What stands in it.
+    /// What is in it.
     pub text: String,
 }
 

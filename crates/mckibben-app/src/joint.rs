@@ -11,7 +11,8 @@ use crate::units::Units;
 use crate::warnings;
 use mckibben::budget::Resource;
 use mckibben::joint::{
-    Joint, JointError, JointMap, JointModel, JointPoint, Rest, Turning, Wanted as WantedOfJoint, parse_joint,
+    Joint, JointError, JointMap, JointModel, JointPoint, JointTarget as WantedOfJoint, Rest, Turning,
+    parse_joint,
 };
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
@@ -29,7 +30,7 @@ use std::path::Path;
 pub struct JointFields {
     /// Joint file (TOML).
     pub joint: Option<TextFile>,
-    /// The muscle files that it names, each under the name that stands there.
+    /// The muscle files that it names, each under the name that is there.
     pub muscles: Vec<TextFile>,
 }
 

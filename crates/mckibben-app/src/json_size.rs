@@ -24,7 +24,7 @@ pub struct JsonSize {
 }
 
 impl JsonSize {
-    /// Counts what stands in a text, in one pass and without memory. That it is JSON is not looked at.
+    /// Counts what is in a text, in one pass and without memory. That it is JSON is not looked at.
     ///
     /// # Errors
     /// [`Problem`] of kind `usage` for nesting deeper than any request has, and of kind `budget` for more than half a million values.

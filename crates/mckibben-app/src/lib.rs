@@ -15,7 +15,7 @@
 //! Requests and answers are plain data with serde; their JSON is that of the command line, and [`schema`] describes it. A
 //! [`Problem`] says why there is no answer, in words that hold in every front end. Files are read by the front end and
 //! handed over as text ([`TextFile`]), so that all this runs without an operating system too; only campaigns, which live
-//! on disk, need the feature `files`. A panic is a [`Problem`] as well, where [`guarded`] stands around the call.
+//! on disk, need the feature `files`. A panic is a [`Problem`] as well, where [`guarded`] is around the call.
 //!
 //! Which model answers is decided in one place, [`Model::choose`].
 //!
@@ -61,6 +61,7 @@ mod quantities;
 mod question;
 #[cfg(feature = "files")]
 mod report;
+pub mod rows;
 mod rubber;
 mod rubber_fit;
 mod shape;
@@ -91,8 +92,8 @@ pub use joint::*;
 pub use json_size::JsonSize;
 pub use load::{LoadAnswer, LoadFields, LoadedAt};
 pub use many::{
-    AnswerColumns, ArrayError, BoundModel, Column, Many, Pairs, Unanswered, Wanted as WantedOfPoint,
-    curve_columns, with_parameters,
+    AnswerColumns, ArrayError, BoundModel, Column, Many, Pairs, PointQuantity, Unanswered, curve_columns,
+    with_parameters,
 };
 pub use mckibben::model::ModelEntry;
 pub use mckibben_motion::{Event, Subject};

@@ -4,7 +4,8 @@ use crate::fields::{InGroup, Stiffness, TextFile};
 use mckibben::muscle::measures::{MeasureValues, fields};
 use mckibben::muscle::{Measure, Muscle};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::de::{IgnoredAny, MapAccess, Visitor};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Error as _, MapAccess, Visitor};
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
@@ -106,28 +107,10 @@ impl<'de> Visitor<'de> for Fields {
         f.write_str("the fields of a muscle")
     }
 
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<MuscleFields, A::Error> {
-        let mut out = MuscleFields::default();
-        while let Some(key) = map.next_key::<Cow<'_, str>>()? {
-            let named = &mut out.named;
-            match key.as_ref() {
-                "muscle" => named.muscle = map.next_value()?,
-                "rubber" => named.rubber = map.next_value()?,
-                "braid" => named.braid = map.next_value()?,
-                "strand_diameter_mm" => named.strand_diameter_mm = map.next_value()?,
-                "strand_modulus_mpa" => named.strand_modulus_mpa = map.next_value()?,
-                "stiffness" => named.stiffness = map.next_value()?,
-                key => match Measure::of_field(key) {
-                    Some(measure) => {
-                        if let Some(value) = map.next_value()? {
-                            out.measures.set(measure, value);
-                        }
-                    }
-                    None => drop(map.next_value::<IgnoredAny>()?),
-                },
-            }
-        }
-        Ok(out)
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<MuscleFields, A::Error> {
+        let fields = Value::deserialize(MapAccessDeserializer::new(map))?;
+        let named = NamedFields::deserialize(&fields).map_err(A::Error::custom)?;
+        Ok(MuscleFields { named, measures: MeasureValues::deserialize(fields).map_err(A::Error::custom)? })
     }
 }
 

@@ -4,14 +4,16 @@ use crate::compare::{CompareRequest, compare};
 use crate::curve::{CurveRequest, curve};
 use crate::fields::{AskFields, MuscleFields};
 use crate::figure;
+use crate::many::PointQuantity;
 use crate::muscle::MuscleSummary;
 use crate::point::{ForceRequest, PointAnswer, force, given, ratio};
 use crate::problem::Problem;
+use crate::rows::{Row, characteristic_rows, muscle_sheets, point_rows};
 use crate::shape::{ShapeAnswer, ShapeRequest, shaped};
 use crate::show::{MuscleShowAnswer, MuscleShowRequest, muscle_show};
 use crate::simulate::PictureFields;
 use crate::units::Units;
-use crate::words::{law_text, number, percent, within};
+use crate::words::{number, percent};
 use mckibben::curve::Test;
 use mckibben::muscle::file::to_toml;
 use mckibben::progress::Progress;
@@ -99,7 +101,9 @@ pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<Report
     }
     step(4)?;
     parts.extend(models(request, pressure_mpa, progress)?);
-    parts.extend(build(&shown, units));
+    for (heading, rows) in muscle_sheets(&shown, units) {
+        parts.extend([Part::Heading(heading.into()), table(rows)]);
+    }
     parts.extend(limits(&shown, &point));
     let file = to_toml(&shown.muscle);
     let hash = mckibben_campaign::sha256(file.as_bytes());
@@ -125,44 +129,25 @@ fn is_of_burst(sentence: &str) -> bool {
     sentence.starts_with("BURST")
 }
 
-/// Rows of names and values.
-fn pairs(rows: Vec<(&str, Option<String>)>) -> Part {
-    let rows = rows.into_iter().filter_map(|(name, value)| Some(vec![name.to_owned(), value?]));
-    Part::Table { head: vec![], rows: rows.collect() }
+/// Rows as a table.
+fn table(rows: Vec<Row>) -> Part {
+    Part::Table {
+        head: vec![],
+        rows: rows.into_iter().map(|(name, value)| vec![name.to_owned(), value]).collect(),
+    }
 }
 
-/// The state, in numbers.
+/// The state and what the muscle can do at this pressure, in numbers.
 fn state(shown: &MuscleShowAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
-    let (p, r) = (&point.point, &point.point.response);
-    let pull = match p.uncertainty_n {
-        _ if p.slack => "slack".to_owned(),
-        Some(half) => format!(
-            "{} ± {} {}",
-            within(u.force.value(r.force_n), u.force.value(half)),
-            u.force.to(half, 2),
-            u.force.name
-        ),
-        None => u.force.show(r.force_n),
-    };
-    let c = shown.characteristics.as_ref();
-    let rows = vec![
-        ("pull", Some(pull)),
-        ("starts to pull at", p.start_pressure_mpa.map(|v| u.pressure.show(v))),
-        ("stiffness", r.stiffness_n_per_mm.map(|v| u.stiffness().show(v))),
-        ("bulged diameter", r.bulged_diameter_mm.map(|v| u.length.show(v))),
-        ("cavity", r.volume_mm3.map(|v| u.volume.show(v))),
-        ("largest stretch of the rubber", r.max_stretch.map(|v| number(v, 4))),
-        ("tension of a strand", r.strand_tension_n.map(|v| u.force.show(v))),
-        ("blocked force", c.map(|c| u.force.show(c.blocked_force_n))),
-        ("free contraction", c.and_then(|c| c.free_contraction).map(percent)),
-        ("work of a free stroke", c.and_then(|c| c.work_j).map(|v| format!("{} J", number(v, 4)))),
-        (
-            "air of a free stroke",
-            c.and_then(|c| c.air_normal_litres).map(|v| format!("{} normal litres", number(v, 4))),
-        ),
-        ("burst pressure", c.and_then(|c| c.burst_pressure_mpa).map(|v| u.pressure.show(v))),
-    ];
-    vec![Part::Heading("Performance".into()), pairs(rows)]
+    let mut rows = point_rows(point, PointQuantity::Force, u);
+    // The title and the lead say these.
+    rows.retain(|(name, _)| !["muscle", "model", "pressure", "contraction"].contains(name));
+    for row in shown.characteristics.iter().flat_map(|c| characteristic_rows(c, u)) {
+        if rows.iter().all(|(name, _)| *name != row.0) {
+            rows.push(row);
+        }
+    }
+    vec![Part::Heading("Performance".into()), table(rows)]
 }
 
 /// The deformed muscle by itself, without the picture for paper (of 600 kB), for front ends that show many.
@@ -237,34 +222,6 @@ fn models(request: &ReportRequest, pressure_mpa: f64, progress: &dyn Progress) -
     ];
     parts.extend(answer.figure.map(|f| Part::Figure(Box::new(f))));
     Ok(parts)
-}
-
-/// What to cut and clamp.
-fn build(shown: &MuscleShowAnswer, u: &Units) -> Vec<Part> {
-    let (m, sheet, derived) = (&shown.muscle, &shown.build_sheet, &shown.derived);
-    let mm = |v: f64| Some(u.length.show(v));
-    let rows = vec![
-        (
-            "tube",
-            Some(format!(
-                "{} outside, wall {}",
-                u.length.show(m.outer_diameter_mm()),
-                u.length.show(m.wall_mm())
-            )),
-        ),
-        ("tube to cut", mm(sheet.tube_cut_mm)),
-        ("length between the terminals", mm(m.length_mm())),
-        ("rubber", Some(format!("{}: {}", shown.summary.rubber, law_text(&m.tube().rubber.law)))),
-        ("rubber between the terminals", shown.summary.rubber_mass_g.map(|g| format!("{} g", number(g, 4)))),
-        ("braid", Some(format!("{}, {}°", shown.summary.braid, number(m.braid().angle_deg, 4)))),
-        ("braid to cut", mm(sheet.braid_cut_mm)),
-        ("strand in the braid", mm(sheet.strand_cut_mm)),
-        ("turns of a strand", Some(number(derived.turns, 4))),
-        ("strand length per turn", mm(derived.strand_length_per_turn_mm)),
-        ("strands", sheet.strands.map(|n| n.to_string())),
-        ("plug diameter", mm(sheet.plug_diameter_mm)),
-    ];
-    vec![Part::Heading("Build sheet".into()), pairs(rows)]
 }
 
 /// Assumptions and limits.

@@ -11,7 +11,7 @@ use mckibben::analysis::{Burst, air_per_stroke, blocked_force_n, free_contractio
 use mckibben::answer::check_range;
 use mckibben::model::Workspace;
 use mckibben::muscle::file::to_toml;
-use mckibben::muscle::{Bulk, Muscle};
+use mckibben::muscle::{BuildSheet, Bulk, Muscle};
 use mckibben::rubber::{RubberLaw, library};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -61,7 +61,7 @@ pub struct MuscleShowAnswer {
     /// Derived quantities.
     pub derived: Derived,
     /// Build sheet.
-    pub build_sheet: BuildSheetAnswer,
+    pub build_sheet: BuildSheet,
     /// Warnings, in sentences.
     pub warnings: Vec<String>,
     /// Its values at the given pressure.
@@ -92,23 +92,6 @@ pub struct Derived {
     pub reach: f64,
     /// Cavity at rest, mm³.
     pub volume_mm3: f64,
-}
-
-/// Build sheet.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct BuildSheetAnswer {
-    /// Tube, with what lies on the plugs, mm.
-    pub tube_cut_mm: f64,
-    /// Braid, mm.
-    pub braid_cut_mm: f64,
-    /// Diameter of the plugs, mm.
-    pub plug_diameter_mm: f64,
-    /// Strand in the braid, mm.
-    pub strand_cut_mm: f64,
-    /// Number of strands, where it is stated.
-    pub strands: Option<u32>,
-    /// Rubber, mm³.
-    pub rubber_volume_mm3: f64,
 }
 
 /// Values of a muscle at one pressure.
@@ -154,7 +137,7 @@ pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Prob
     let asked = request.pressure_mpa.map(|p| characteristics(request, &muscle, p)).transpose()?;
     let said = asked.as_ref().and_then(|(c, found)| said_of(found, c.pressure_mpa, 0.0));
     let characteristics = asked.map(|a| a.0);
-    let (sheet, rubber) = (muscle.build_sheet(), &muscle.tube().rubber);
+    let rubber = &muscle.tube().rubber;
     let (law, reach) = (&rubber.law, muscle.reach());
     let warnings = library::warnings(rubber);
     let beyond = rubber.fitted_to_stretch.filter(|limit| reach > *limit).map(|limit| {
@@ -184,14 +167,7 @@ pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Prob
             reach,
             volume_mm3: muscle.rest_volume_mm3(),
         },
-        build_sheet: BuildSheetAnswer {
-            tube_cut_mm: sheet.tube_cut_mm,
-            braid_cut_mm: sheet.braid_cut_mm,
-            plug_diameter_mm: sheet.plug_diameter_mm,
-            strand_cut_mm: sheet.strand_cut_mm,
-            strands: sheet.strands,
-            rubber_volume_mm3: sheet.rubber_volume_mm3,
-        },
+        build_sheet: muscle.build_sheet(),
         warnings: said
             .map(|w| w.to_string())
             .into_iter()

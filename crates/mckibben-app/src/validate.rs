@@ -7,7 +7,7 @@ use mckibben::joint;
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use mckibben::threads;
-use mckibben::verification::Row;
+use mckibben::verification::VerificationRow;
 use mckibben_campaign::fit::held_out;
 use mckibben_fem::axisymmetric::sweep::{Sweep, SweepRow, question};
 use mckibben_fem::verification;
@@ -28,7 +28,7 @@ pub struct ValidateRequest {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct ValidateAnswer {
     /// The cases.
-    pub cases: Vec<Row>,
+    pub cases: Vec<VerificationRow>,
 }
 
 impl ValidateAnswer {

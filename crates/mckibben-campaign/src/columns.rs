@@ -16,7 +16,7 @@ pub enum Role {
     Note,
 }
 
-/// Where a row keeps what stands in a column.
+/// Where a row keeps what is in a column.
 #[derive(Debug)]
 pub enum Slot<'a> {
     /// A large whole number.
@@ -46,11 +46,11 @@ pub struct Column {
     pub name: &'static str,
     /// Its unit; empty where it has none.
     pub unit: &'static str,
-    /// What stands in it, in a few words.
+    /// What is in it, in a few words.
     pub meaning: &'static str,
     /// What it tells.
     pub role: Role,
-    /// Where it stands in a row.
+    /// Where it is in a row.
     pub slot: fn(&mut PointRow) -> Slot<'_>,
 }
 

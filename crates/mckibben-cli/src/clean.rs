@@ -1,4 +1,4 @@
-//! Text that a terminal shows as it stands: names and arguments may hold characters that steer it.
+//! Text that a terminal shows as it is: names and arguments may hold characters that steer it.
 
 use std::borrow::Cow;
 

@@ -243,7 +243,7 @@ impl Failure {
 
 impl From<Problem> for Failure {
     fn from(mut problem: Problem) -> Self {
-        // What stands in backquotes there are keys of a file.
+        // What is in backquotes there are keys of a file.
         if !matches!(problem.kind, ProblemKind::File | ProblemKind::Formula) {
             problem.message = in_flags(&problem.message);
         }

@@ -17,7 +17,7 @@ pub enum Demand {
         /// The load.
         load: Load,
         /// How far.
-        way: Way,
+        way: Lift,
     },
     /// To turn a joint.
     Joint(JointDemand),
@@ -25,14 +25,14 @@ pub enum Demand {
 
 /// How far a load is lifted.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Way {
+pub enum Lift {
     /// Stroke in mm.
     Stroke(f64),
     /// Contraction ratio.
     Contraction(f64),
 }
 
-impl Way {
+impl Lift {
     /// Where it ends, in mm from the length at rest of a muscle of a length in mm.
     fn end_mm(self, length_mm: f64) -> f64 {
         match self {
@@ -168,7 +168,7 @@ mod tests {
 
     #[test]
     fn a_load_that_falls_is_looked_at_all_along_the_way() {
-        let way = Way::Stroke(40.0);
+        let way = Lift::Stroke(40.0);
         let spring = Load::Spring { rate_n_per_mm: 5.0, preload_n: 50.0 };
         let points = Demand::Load { load: spring, way }.points(285.0).into_owned();
         assert_eq!(points, [OperatingPoint { force_n: 250.0, contraction: 40.0 / 285.0 }]);
@@ -190,7 +190,7 @@ mod tests {
         // More than the muscle's length.
         assert!(matches!(joint(8.0, 60.0, 60.0, 250.0), Err(SpecError::Point { .. })));
         let level = Load::Mass { mass_kg: 3.0, level: true };
-        let nothing = Demand::Load { load: level, way: Way::Stroke(10.0) };
+        let nothing = Demand::Load { load: level, way: Lift::Stroke(10.0) };
         assert_eq!(nothing.check(285.0), Err(SpecError::NoPoint));
     }
 }

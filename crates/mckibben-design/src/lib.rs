@@ -34,7 +34,7 @@ mod sure;
 mod tolerance;
 
 pub use candidate::{Candidate, CandidatePoint};
-pub use demand::{Demand, JointDemand, Way};
+pub use demand::{Demand, JointDemand, Lift};
 pub use joint::design_joint;
 pub use limit::{Limit, fits};
 pub use mckibben::warning::VALIDATED_STRAND_STRAIN;

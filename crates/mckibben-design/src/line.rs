@@ -4,7 +4,7 @@
 //! narrower than the step from sample to sample. Between neighbouring roots nothing changes: one muscle in the middle tells.
 
 use super::limit::Score;
-use mckibben::analysis::{Place, find_root, golden};
+use mckibben::analysis::{Abscissa, find_root, golden};
 
 /// Ratio of neighbouring samples.
 const RATIO: f64 = 1.18;
@@ -217,7 +217,7 @@ pub(super) fn best_of(
     best.fits().then_some(best)
 }
 
-impl Place for Sample {
+impl Abscissa for Sample {
     fn place(&self) -> f64 {
         self.x
     }

@@ -14,7 +14,7 @@ pub type Build<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> 
 
 /// An operating point that is wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Wanted"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "OperatingPoint"))]
 pub struct OperatingPoint {
     /// Pull, N.
     pub force_n: f64,

@@ -168,7 +168,7 @@ fn like(spec: &Spec, muscle: &Muscle) -> Spec {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Build, Limits, Way, design};
+    use super::super::{Build, Lift, Limits, design};
     use super::*;
     use mckibben::load::{GRAVITY_M_PER_S2, Load};
     use mckibben::model::ThickWall;
@@ -185,7 +185,7 @@ mod tests {
     fn a_load_on_muscles_of_any_length_is_asked_for_so_many_times_as_heavy() {
         let mut spec = spec(&[(1.0, 0.1)]);
         let load = Load::Mass { mass_kg: 40.0, level: false };
-        spec.wanted = Demand::Load { load, way: Way::Stroke(30.0) };
+        spec.wanted = Demand::Load { load, way: Lift::Stroke(30.0) };
         spec.length_mm = Some(Values::List(vec![200.0, 300.0]));
         let build: &Build<'_> = &|m| Ok(Box::new(ThickWall::new(m)));
         let search = |s: &Spec| design(s, build);

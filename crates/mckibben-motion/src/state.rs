@@ -167,17 +167,15 @@ impl Layout {
     /// # Errors
     /// [`MotionError::Length`] where it has not as much room.
     pub fn write(&self, mut state: State, numbers: &mut [f64]) -> Result<(), MotionError> {
-        let mut count = 0;
-        state.each(|_| count += 1);
-        self.check(count)?;
         self.check(numbers.len())?;
-        let mut numbers = numbers.iter_mut();
+        let mut count = 0;
         state.each(|x| {
-            if let Some(number) = numbers.next() {
+            if let Some(number) = numbers.get_mut(count) {
                 *number = *x;
             }
+            count += 1;
         });
-        Ok(())
+        self.check(count)
     }
 
     fn check(&self, given: usize) -> Result<(), MotionError> {

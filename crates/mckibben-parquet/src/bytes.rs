@@ -119,7 +119,7 @@ impl Source {
         Ok(metadata)
     }
 
-    /// Whether a page stands where a sealed file has its seal.
+    /// Whether a page is where a sealed file has its seal.
     pub(crate) fn begins_with_a_page(&self) -> bool {
         self.get_bytes(4, 32).is_ok_and(|bytes| bytes.starts_with(&[0x15]) && page_sizes(&bytes).is_some())
     }

@@ -19,7 +19,7 @@ mod view;
 
 use pyo3::pymodule;
 
-/// The compiled half of mckibben; what users call stands in the package `mckibben`.
+/// The compiled half of mckibben; what users call is in the package `mckibben`.
 #[pymodule(gil_used = false)]
 mod _native {
     #[pymodule_export]

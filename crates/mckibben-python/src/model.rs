@@ -5,7 +5,7 @@ use crate::pairs::{Spread, lists};
 use crate::{run, value};
 use mckibben::progress::Progress;
 use mckibben_app::{
-    AskFields, BoundModel, Many, ModelFields, Pairs, TextFile, Unanswered, WantedOfPoint, muscle_of,
+    AskFields, BoundModel, Many, ModelFields, Pairs, PointQuantity, TextFile, Unanswered, muscle_of,
     understood,
 };
 use numpy::{PyReadonlyArrayDyn, PyReadwriteArrayDyn, PyUntypedArrayMethods};
@@ -127,11 +127,11 @@ impl Model {
     }
 }
 
-fn wanted(name: &str) -> PyResult<WantedOfPoint> {
+fn wanted(name: &str) -> PyResult<PointQuantity> {
     match name {
-        "force" => Ok(WantedOfPoint::Force),
-        "pressure" => Ok(WantedOfPoint::Pressure),
-        "contraction" => Ok(WantedOfPoint::Contraction),
+        "force" => Ok(PointQuantity::Force),
+        "pressure" => Ok(PointQuantity::Pressure),
+        "contraction" => Ok(PointQuantity::Contraction),
         _ => Err(PyValueError::new_err("force, pressure or contraction")),
     }
 }

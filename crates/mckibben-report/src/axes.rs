@@ -264,7 +264,7 @@ fn place_one<'a>(
             room.add_box(inside.frame);
             legend = Some(inside);
         } else {
-            // no free corner: the legend stands beside the plot, right of the end texts
+            // no free corner: the legend is beside the plot, right of the end texts
             let shift = gutters.right;
             gutters.right += legend::size(&entries, metrics).0 + 2.0;
             axes = axes_in(panel, cell, gutters, metrics)?;

@@ -133,7 +133,7 @@ fn table(head: &[String], rows: &[Vec<String>]) -> String {
 mod tests {
     use super::*;
 
-    /// What a user typed stands in the page as text, wherever it comes from.
+    /// What a user typed is in the page as text, wherever it comes from.
     #[test]
     fn texts_are_no_markup() {
         let evil = "</script><script>alert(1)</script>";

@@ -26,7 +26,7 @@ pub(crate) struct Entry {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Legend {
     pub frame: Rect,
-    /// Whether it stands over the plot and needs a ground of its own.
+    /// Whether it is over the plot and needs a ground of its own.
     pub framed: bool,
     /// Entries with the left end of their sample and the middle of their row.
     pub entries: Vec<(f64, f64, Entry)>,

@@ -17,6 +17,7 @@ mod document;
 mod error;
 mod figure;
 mod font;
+mod grid;
 mod html;
 mod labels;
 mod layout;

@@ -1,11 +1,8 @@
 //! The figure as characters: title, panels side by side as far as they fit, caption.
 
-use ratatui_core::buffer::Buffer;
-use ratatui_core::layout::Rect;
-use ratatui_core::style::Color;
-use ratatui_core::text::Span;
-
+use crate::grid::Grid;
 use crate::{Figure, layout, text_chart};
+use unicode_width::UnicodeWidthStr;
 
 /// Least width of panels that stand side by side.
 const BESIDE: usize = 56;
@@ -37,11 +34,11 @@ impl Figure {
             out.push('\n');
         }
         for row in self.panels.chunks(columns) {
-            let blocks: Vec<Buffer> = row
+            let blocks: Vec<Grid> = row
                 .iter()
                 .map(|panel| text_chart::panel(self, panel, panel_width, panel_height, colour))
                 .collect();
-            let lines = blocks.iter().map(|b| b.area.height).max().unwrap_or(0);
+            let lines = blocks.iter().map(|b| b.height).max().unwrap_or(0);
             for y in 0..lines {
                 let mut line = Line::default();
                 for (i, block) in blocks.iter().enumerate() {
@@ -62,7 +59,7 @@ impl Figure {
 
 /// Columns a text takes on a terminal.
 pub(crate) fn columns_of(text: &str) -> usize {
-    Span::raw(text).width()
+    text.width()
 }
 
 /// Breaks a text into lines of at most `width` columns, within words only if it must.
@@ -111,27 +108,20 @@ impl Line {
         self.column = self.column.max(column);
     }
 
-    fn add_row(&mut self, block: &Buffer, y: u16, colour: bool) {
-        let Rect { width, height, .. } = block.area;
-        if y >= height {
+    fn add_row(&mut self, block: &Grid, y: usize, colour: bool) {
+        if y >= block.height {
             return;
         }
         let mut x = 0;
-        while x < width {
-            let Some(cell) = block.cell((x, y)) else { break };
-            let symbol = cell.symbol();
-            let columns = columns_of(symbol).max(1);
+        while let Some(cell) = block.cell(x, y) {
+            let columns = columns_of(&cell.text).max(1);
             self.column += columns;
-            x += columns as u16;
-            if symbol == "\u{2800}" || symbol.trim().is_empty() {
+            x += columns;
+            if cell.text.trim().is_empty() {
                 self.blanks += columns;
                 continue;
             }
-            let wanted = match cell.fg {
-                Color::Indexed(number) if colour => Some(number),
-                _ => None,
-            };
-            self.push(symbol, wanted);
+            self.push(&cell.text, cell.look.filter(|_| colour));
         }
     }
 

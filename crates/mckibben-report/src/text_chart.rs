@@ -2,24 +2,18 @@
 
 use std::collections::BTreeSet;
 
-use ratatui_core::buffer::Buffer;
-use ratatui_core::layout::Rect as Area;
-use ratatui_core::style::{Color, Style as Look};
-use ratatui_core::symbols::Marker;
-use ratatui_core::widgets::Widget;
-use ratatui_widgets::canvas::{Canvas, Points};
-
 use crate::curve::{Frame, Rect, Spot};
+use crate::grid::{Area, Grid, Look};
 use crate::text::{columns_of, wrap};
 use crate::text_legend::{Key, mark_sign, marker};
 use crate::ticks::{self, Scale};
 use crate::{Figure, FigureError, Panel, Series, Style, axes, layout, palette};
 
-/// The terminal's own colour, also over a cell that had another.
-pub(crate) const PLAIN: Look = Look::new().fg(Color::Reset);
+/// The terminal's own colour.
+pub(crate) const PLAIN: Look = None;
 
-/// A panel on a buffer `width` columns wide and about `height` lines high.
-pub(crate) fn panel(figure: &Figure, panel: &Panel, width: usize, height: usize, colour: bool) -> Buffer {
+/// A panel on a grid `width` columns wide and about `height` lines high.
+pub(crate) fn panel(figure: &Figure, panel: &Panel, width: usize, height: usize, colour: bool) -> Grid {
     let sheet = Sheet { figure, panel, width, colour, colours: layout::colour_count(figure) };
     sheet.draw(height).unwrap_or_else(|error| sheet.failed(&error))
 }
@@ -33,22 +27,10 @@ pub(crate) struct Sheet<'a> {
     colours: usize,
 }
 
-/// Writes a text as far as the buffer reaches.
-pub(crate) fn put(buffer: &mut Buffer, x: usize, y: usize, text: &str, look: Look) {
-    let area = buffer.area;
-    if x < area.width as usize && y < area.height as usize {
-        buffer.set_stringn(x as u16, y as u16, text, area.width as usize - x, look);
-    }
-}
-
 impl Sheet<'_> {
     /// How what belongs to a series looks.
     pub fn look(&self, number: usize) -> Look {
-        if self.colour {
-            Look::new().fg(Color::Indexed(palette::terminal(self.figure.palette, number, self.colours)))
-        } else {
-            PLAIN
-        }
+        if self.colour { Some(palette::terminal(self.figure.palette, number, self.colours)) } else { PLAIN }
     }
 
     /// How a series looks.
@@ -57,16 +39,16 @@ impl Sheet<'_> {
     }
 
     /// The reason why there is no chart.
-    fn failed(&self, error: &FigureError) -> Buffer {
+    fn failed(&self, error: &FigureError) -> Grid {
         let lines = wrap(&error.to_string(), self.width);
-        let mut buffer = Buffer::empty(Area::new(0, 0, self.width as u16, lines.len() as u16));
+        let mut grid = Grid::new(self.width, lines.len());
         for (y, line) in lines.iter().enumerate() {
-            put(&mut buffer, 0, y, line, PLAIN);
+            grid.put(0, y, line, PLAIN);
         }
-        buffer
+        grid
     }
 
-    fn draw(&self, height: usize) -> Result<Buffer, FigureError> {
+    fn draw(&self, height: usize) -> Result<Grid, FigureError> {
         let panel = self.panel;
         let (x_data, y_data) = axes::extents(panel);
         let (keys, of_series) = self.keys();
@@ -90,44 +72,44 @@ impl Sheet<'_> {
         let cols = self.width.saturating_sub(gutter + 2);
         let x = x_scale(panel, x_data, cols.max(8))?;
         if cols < 8 {
-            let mut buffer = Buffer::empty(Area::new(0, 0, self.width as u16, 1));
-            put(&mut buffer, 0, 0, "(too narrow)", PLAIN);
-            return Ok(buffer);
+            let mut grid = Grid::new(self.width, 1);
+            grid.put(0, 0, "(too narrow)", PLAIN);
+            return Ok(grid);
         }
         let cols = even(cols, &x, 8);
-        let mut buffer = Buffer::empty(Area::new(0, 0, self.width as u16, (above + rows + below) as u16));
+        let mut grid = Grid::new(self.width, above + rows + below);
         for (i, line) in title.iter().enumerate() {
-            put(&mut buffer, 0, i, line, PLAIN);
+            grid.put(0, i, line, PLAIN);
         }
-        self.axes(&mut buffer, (gutter, above), (cols, rows), &x, &y);
+        self.axes(&mut grid, (gutter, above), (cols, rows), &x, &y);
 
         // the ends of the axes lie in the middle of the outer cells
         let plot = Rect { x: 0.5, y: 1.5, w: (2 * cols - 2) as f64, h: (4 * rows - 4) as f64 };
         let frame = Frame { plot, x: &x, y: &y };
-        let area = Area::new(gutter as u16, above as u16, cols as u16, rows as u16);
-        self.lines(&mut buffer, area, &frame);
+        let area = Area { x: gutter, y: above, width: cols, height: rows };
+        self.lines(&mut grid, area, &frame);
         if !self.colour {
-            self.letters(&mut buffer, area, &frame, &keys, &of_series);
+            self.letters(&mut grid, area, &frame, &keys, &of_series);
         }
         for (i, series) in panel.series.iter().enumerate().filter(|(_, s)| palette::has_markers(s.style)) {
             let number = series.number(i);
             for spot in frame.markers(&series.points) {
-                put_at(&mut buffer, area, spot, marker(number), self.look_of(series, i));
+                put_at(&mut grid, area, spot, marker(number), self.look_of(series, i));
             }
         }
         for (mark, sign) in panel.marks.iter().zip(&signs) {
             let Some(sign) = sign else { continue };
             for spot in frame.markers(&[(mark.x, mark.y)]) {
-                put_at(&mut buffer, area, spot, *sign, PLAIN);
+                put_at(&mut grid, area, spot, *sign, PLAIN);
             }
         }
-        self.foot(&mut buffer, above + rows + 3, &legend, &marks);
-        Ok(buffer)
+        self.foot(&mut grid, above + rows + 3, &legend, &marks);
+        Ok(grid)
     }
 
     fn axes(
         &self,
-        buffer: &mut Buffer,
+        grid: &mut Grid,
         (left, top): (usize, usize),
         (cols, rows): (usize, usize),
         x: &Scale,
@@ -136,61 +118,51 @@ impl Sheet<'_> {
         let with_power = |label: &str, exponent: i32| {
             format!("{} {}", label.trim(), ticks::power_text(exponent)).trim().to_owned()
         };
-        put(buffer, 0, top - 1, &with_power(&self.panel.y.label, y.exponent), PLAIN);
+        grid.put(0, top - 1, &with_power(&self.panel.y.label, y.exponent), PLAIN);
         for row in 0..rows {
-            put(buffer, left - 1, top + row, "│", PLAIN);
+            grid.put(left - 1, top + row, "│", PLAIN);
         }
         for (value, label) in y.ticks.iter().zip(&y.labels) {
             let row = ((1.0 - y.part(*value)) * (rows - 1) as f64).round().max(0.0) as usize;
-            put(buffer, left - 1, top + row, "┤", PLAIN);
-            put(buffer, (left - 1).saturating_sub(columns_of(label)), top + row, label, PLAIN);
+            grid.put(left - 1, top + row, "┤", PLAIN);
+            grid.put((left - 1).saturating_sub(columns_of(label)), top + row, label, PLAIN);
         }
-        put(buffer, left - 1, top + rows, &format!("└{}", "─".repeat(cols)), PLAIN);
+        grid.put(left - 1, top + rows, &format!("└{}", "─".repeat(cols)), PLAIN);
         let mut free = 0;
         for (value, label) in x.ticks.iter().zip(&x.labels) {
             let col = (x.part(*value) * (cols - 1) as f64).round().max(0.0) as usize;
-            put(buffer, left + col, top + rows, "┬", PLAIN);
+            grid.put(left + col, top + rows, "┬", PLAIN);
             let long = columns_of(label);
             let start = (left + col).saturating_sub(long / 2).min(self.width.saturating_sub(long));
             if start >= free {
-                put(buffer, start, top + rows + 1, label, PLAIN);
+                grid.put(start, top + rows + 1, label, PLAIN);
                 free = start + long + 1;
             }
         }
         let label = with_power(&self.panel.x.label, x.exponent);
         let start = (left + cols / 2).saturating_sub(columns_of(&label) / 2);
         let start = start.min(self.width.saturating_sub(columns_of(&label)));
-        put(buffer, start, top + rows + 2, &label, PLAIN);
+        grid.put(start, top + rows + 2, &label, PLAIN);
     }
 
-    fn lines(&self, buffer: &mut Buffer, area: Area, frame: &Frame<'_>) {
-        let (right, top) = (f64::from(2 * area.width - 1), f64::from(4 * area.height - 1));
+    fn lines(&self, grid: &mut Grid, area: Area, frame: &Frame<'_>) {
         let mut all = Vec::new();
         for (i, series) in self.panel.series.iter().enumerate() {
             // the legend tells plain lines apart: dashes would only make them harder to see
             let style = if series.style == Style::Auto { Style::Line } else { series.style };
             let Some(dash) = palette::dash(style, 0, self.figure.palette) else { continue };
+            let look = self.look_of(series, i);
             let lines = frame.line(&series.points);
             let spots: BTreeSet<_> = lines.iter().flat_map(|line| dots(line, dash)).map(dot).collect();
-            let upward: Vec<_> = spots.iter().map(|(x, y)| (f64::from(*x), top - f64::from(*y))).collect();
-            all.push((upward, self.look_of(series, i).fg.unwrap_or(Color::Reset)));
+            all.extend(spots.into_iter().map(|spot| (spot, look)));
         }
-        Canvas::default()
-            .marker(Marker::Braille)
-            .x_bounds([0.0, right])
-            .y_bounds([0.0, top])
-            .paint(|context| {
-                for (coords, color) in &all {
-                    context.draw(&Points { coords, color: *color });
-                }
-            })
-            .render(area, buffer);
+        grid.dots(area, all);
     }
 
     /// Sets the letter of the legend on each line at even distances, each line at another phase.
     fn letters(
         &self,
-        buffer: &mut Buffer,
+        grid: &mut Grid,
         area: Area,
         frame: &Frame<'_>,
         keys: &[Key],
@@ -204,7 +176,7 @@ impl Sheet<'_> {
                 let count = (way.len() / LETTERS_EVERY).clamp(1, 6);
                 for k in 0..count {
                     let at = ((k as f64 + phase) / count as f64 * way.len() as f64) as usize;
-                    put_at(buffer, area, way[at.min(way.len() - 1)], keys[key].sign, PLAIN);
+                    put_at(grid, area, way[at.min(way.len() - 1)], keys[key].sign, PLAIN);
                 }
             }
         }
@@ -220,10 +192,10 @@ fn dot((x, y): Spot) -> (u16, u16) {
 }
 
 /// Writes a character into the cell of a place.
-fn put_at(buffer: &mut Buffer, area: Area, spot: Spot, sign: char, look: Look) {
+fn put_at(grid: &mut Grid, area: Area, spot: Spot, sign: char, look: Look) {
     let (x, y) = dot(spot);
-    let (col, row) = ((x / 2).min(area.width - 1), (y / 4).min(area.height - 1));
-    put(buffer, (area.x + col) as usize, (area.y + row) as usize, &sign.to_string(), look);
+    let (col, row) = (usize::from(x / 2).min(area.width - 1), usize::from(y / 4).min(area.height - 1));
+    grid.put(area.x + col, area.y + row, &sign.to_string(), look);
 }
 
 /// The drawn places of a line in steps of half a dot; dashes are in dots.

@@ -1,9 +1,8 @@
-//! What stands below a chart of characters: the legend and the operating points.
+//! What is below a chart of characters: the legend and the operating points.
 
-use ratatui_core::buffer::Buffer;
-
+use crate::grid::Grid;
 use crate::text::{columns_of, wrap};
-use crate::text_chart::{PLAIN, Sheet, put};
+use crate::text_chart::{PLAIN, Sheet};
 use crate::{Style, palette, ticks};
 
 /// Most rows of the legend, and of the operating points.
@@ -86,18 +85,18 @@ impl Sheet<'_> {
     }
 
     /// Writes legend and operating points below the axes.
-    pub fn foot(&self, buffer: &mut Buffer, top: usize, legend: &[LegendRow], marks: &[String]) {
+    pub fn foot(&self, grid: &mut Grid, top: usize, legend: &[LegendRow], marks: &[String]) {
         for (i, row) in legend.iter().enumerate() {
             let mut x = 0;
             for (sample, name, number) in row {
-                put(buffer, x, top + i, sample, self.look(*number));
+                grid.put(x, top + i, sample, self.look(*number));
                 x += columns_of(sample) + 1;
-                put(buffer, x, top + i, name, PLAIN);
+                grid.put(x, top + i, name, PLAIN);
                 x += columns_of(name) + 3;
             }
         }
         for (i, line) in marks.iter().enumerate() {
-            put(buffer, 0, top + legend.len() + i, line, PLAIN);
+            grid.put(0, top + legend.len() + i, line, PLAIN);
         }
     }
 }

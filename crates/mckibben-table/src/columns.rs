@@ -36,7 +36,7 @@ pub enum ColumnsError {
 }
 
 impl Columns {
-    /// From a list `pressure="P1:kPa",contraction="x:mm"`; the quotes may be left out where no comma stands in a heading.
+    /// From a list `pressure="P1:kPa",contraction="x:mm"`; the quotes may be left out where no comma is in a heading.
     ///
     /// # Errors
     /// [`ColumnsError`].

@@ -3,7 +3,7 @@
 use super::TableError;
 use csv::{ReaderBuilder, StringRecord, Trim};
 
-/// What stands between two fields.
+/// What is between two fields.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Separator {
     Mark(char),
@@ -133,7 +133,7 @@ fn said(text: &str) -> Option<Separator> {
     }
 }
 
-/// The separator that stands in the last lines, which are data. A comma may be a decimal one: it comes last.
+/// The separator that is in the last lines, which are data. A comma may be a decimal one: it comes last.
 fn separator(text: &str) -> Separator {
     let rows: Vec<&str> = text.lines().filter(|l| !l.trim().is_empty() && !is_comment(l)).collect();
     let data = &rows[rows.len() - (rows.len() / 4).max(2).min(rows.len())..];

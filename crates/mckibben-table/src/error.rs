@@ -103,7 +103,7 @@ pub enum TableError {
     NoUnit {
         /// The heading.
         column: String,
-        /// What stands in its place, where something does.
+        /// What is in its place, where something does.
         stated: &'static str,
         /// The quantity.
         name: &'static str,

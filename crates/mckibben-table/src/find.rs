@@ -20,7 +20,7 @@ pub struct Column {
     pub heading: String,
     /// Its unit, where the heading or the line of units states one.
     pub unit: Option<Unit>,
-    /// What stands in place of a unit.
+    /// What is in place of a unit.
     pub(super) unknown_unit: bool,
     /// Whether somebody said that it is this one.
     pub chosen: bool,

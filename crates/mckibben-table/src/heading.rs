@@ -87,7 +87,7 @@ pub(crate) fn plain(heading: &str) -> String {
     out.trim_end_matches('_').to_owned()
 }
 
-/// A unit as it stands in a heading: in brackets, with underscores for strokes, or bare.
+/// A unit as it is in a heading: in brackets, with underscores for strokes, or bare.
 pub(crate) fn unit(text: &str, dimension: Dimension) -> Option<Unit> {
     let text = text.trim().trim_end_matches('.');
     let inner = unbracketed(text).unwrap_or(text);
@@ -111,7 +111,7 @@ pub fn is_absolute(heading: &str) -> bool {
     plain.split('_').any(|w| ABSOLUTE.contains(&w)) || ["(a)", "[a]"].iter().any(|a| heading.contains(a))
 }
 
-/// What stands in brackets that hold all of a text.
+/// What is in brackets that hold all of a text.
 fn unbracketed(text: &str) -> Option<&str> {
     [('[', ']'), ('(', ')'), ('{', '}'), ('<', '>')]
         .into_iter()
@@ -217,7 +217,7 @@ impl Vocabulary {
         dimensions.flat_map(Dimension::unit_names).collect::<Vec<_>>().join(", ")
     }
 
-    /// The unit that stands in a heading, whatever its words.
+    /// The unit that is in a heading, whatever its words.
     pub(crate) fn unit_in(&self, entry: &Entry, heading: &str) -> Option<(Meaning, Unit)> {
         cuts(heading.trim()).find_map(|(_, behind)| self.unit_of(entry, behind))
     }

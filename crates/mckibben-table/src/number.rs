@@ -2,7 +2,7 @@
 
 use super::Separator;
 
-/// Which mark stands before the decimals.
+/// Which mark is before the decimals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Decimal {
     Point,
@@ -64,7 +64,7 @@ pub(crate) fn decimal<'a>(fields: impl Iterator<Item = &'a str>, separator: Sepa
     }
 }
 
-/// The number at the start of a field, and what stands behind it.
+/// The number at the start of a field, and what is behind it.
 fn cut(text: &str) -> Option<(&str, &str)> {
     let text = text.trim();
     let mut end = 0;

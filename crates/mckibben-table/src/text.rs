@@ -63,7 +63,7 @@ fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> String {
     char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER)).collect()
 }
 
-/// What stands at 0x80 to 0x9f in Windows-1252, where Latin-1 has control characters; a dot where there is nothing.
+/// What is at 0x80 to 0x9f in Windows-1252, where Latin-1 has control characters; a dot where there is nothing.
 const MIDDLE: &str = "€·‚ƒ„…†‡ˆ‰Š‹Œ·Ž··‘’“”•–—˜™š›œ·žŸ";
 
 fn windows_1252(byte: u8) -> char {

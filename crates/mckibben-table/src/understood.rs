@@ -19,7 +19,7 @@ pub struct Understood {
     /// The line of units below it, where there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub units_line: Option<u64>,
-    /// What stands between fields: comma, semicolon, tab, bar or spaces.
+    /// What is between fields: comma, semicolon, tab, bar or spaces.
     pub separator: String,
     /// The decimal mark: point or comma.
     pub decimal: String,

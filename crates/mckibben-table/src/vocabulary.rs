@@ -1,7 +1,7 @@
 //! The quantities that tables hold, and the words that people use for them: declared here and nowhere else.
 //!
 //! Words are in plain form: lower case, without accents, everything that is no letter or digit as an underscore
-//! ([`plain`](super::heading::plain)). Umlauts lose their dots, so that their other spelling (`ue`) stands beside them.
+//! ([`plain`](super::heading::plain)). Umlauts lose their dots, so that their other spelling (`ue`) is beside them.
 
 use mckibben_units::Dimension;
 use std::collections::BTreeMap;

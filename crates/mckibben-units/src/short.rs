@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 /// A text whose numbers have at most seven significant digits where they had more than nine, and an exponent where they are longer than
-/// that: `0.03569728515256208 s` becomes `0.03569729 s`, and a one with two hundred zeros `1e200`. What stands in quotes, and what is
+/// that: `0.03569728515256208 s` becomes `0.03569729 s`, and a one with two hundred zeros `1e200`. What is in quotes, and what is
 /// part of a word, stays as it is.
 ///
 /// ```

@@ -6,7 +6,7 @@ use serde::Serialize;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "CaseKind"))]
-pub enum Kind {
+pub enum CaseKind {
     /// Against exact values.
     Verification,
     /// Against measurements.
@@ -30,11 +30,11 @@ pub enum Measure {
 /// A case.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Case"))]
-pub struct Row {
+pub struct VerificationRow {
     /// What is computed.
     pub name: String,
     /// Verification or validation.
-    pub kind: Kind,
+    pub kind: CaseKind,
     /// What its numbers are.
     pub measure: Measure,
     /// Where the reference comes from.
@@ -51,7 +51,7 @@ pub struct Row {
     pub ok: bool,
 }
 
-impl Row {
+impl VerificationRow {
     /// A verified value with the largest error that passes: relative, or absolute where the reference is zero.
     pub fn new(
         name: String,
@@ -64,7 +64,7 @@ impl Row {
         let ours = ours.filter(|x| x.is_finite());
         let error = ours.map(|x| (x - reference).abs() / scale);
         let ok = error.is_some_and(|e| e <= tolerance);
-        let (kind, measure) = (Kind::Verification, Measure::Value);
+        let (kind, measure) = (CaseKind::Verification, Measure::Value);
         Self { name, kind, measure, source, reference, ours, error, tolerance, ok }
     }
 }

@@ -6,7 +6,7 @@ use mckibben::model::{ForceModel, ModelError, ModelKind, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;
 use mckibben_app::{
-    AskFields, BoundModel, CurveRequest, Many, ModelFields, Pairs, Unanswered, WantedOfPoint,
+    AskFields, BoundModel, CurveRequest, Many, ModelFields, Pairs, Unanswered, PointQuantity,
     curve,
 };
 use mckibben_fem::axisymmetric::Axisymmetric;
@@ -55,7 +55,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             &Silent,
         )?;
         let many = Many {
-            wanted: WantedOfPoint::Force,
+            wanted: PointQuantity::Force,
             slopes: false,
             parameters: vec![],
             unanswered: Unanswered::Refused,
@@ -79,7 +79,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     })?;
     println!("fe forces 26: {seconds:e}");
     let request = CurveRequest {
-        muscle: fields,
+        muscle: Default::default(),
         pressures_mpa: Some(pressures),
         contractions: Some(vec![0.1]),
         ..serde_json::from_str(r#"{"test": "isometric"}"#)?

@@ -2,13 +2,15 @@
 //!
 //! `cargo study calibration`
 
+use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;
+use mckibben_app::Model;
 use mckibben_fit::validation::case::muscles;
 use mckibben_fit::validation::coverage::of_first_fit;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     for set in muscles()? {
-        let all = of_first_fit(set, &Silent)?;
+        let all = of_first_fit(set, &|muscle: &Muscle| Model::FE.build(muscle), &Silent)?;
         for mean in [true, false] {
             let list: Vec<_> = all.iter().filter(|r| r.branch.is_mean() == mean).collect();
             if list.is_empty() {

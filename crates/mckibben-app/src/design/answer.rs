@@ -1,7 +1,7 @@
 //! What a design answers with.
 
 use super::policy::ModelPolicy;
-use super::request::{TorqueWanted, Wanted};
+use super::request::{OperatingPoint, TorqueWanted};
 use crate::burst::{put_first, said_of};
 use crate::fields::TextFile;
 use crate::muscle::MuscleSummary;
@@ -12,8 +12,8 @@ use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Braid, BraidStiffness};
 use mckibben::warning::Warning;
 use mckibben_design::{
-    BraidChoice, Candidate, CandidatePoint, Closest, Demand, Limit, Outcome, Rejected, Relaxation, Spec,
-    Spread, Sure, Way,
+    BraidChoice, Candidate, CandidatePoint, Closest, Demand, Lift, Limit, Outcome, Rejected, Relaxation,
+    Spec, Spread, Sure,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -81,7 +81,7 @@ pub enum DemandAnswer {
     /// Pulls at contractions.
     Points {
         /// The operating points.
-        points: Vec<Wanted>,
+        points: Vec<OperatingPoint>,
     },
     /// To lift a load by a stroke.
     Stroke {
@@ -186,7 +186,7 @@ pub struct CandidateJoint {
 pub struct SureAnswer {
     /// Pulls at contractions; of a load those that it takes.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub points: Vec<Wanted>,
+    pub points: Vec<OperatingPoint>,
     /// Torques at angles, of a joint.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub torques: Vec<TorqueWanted>,
@@ -310,8 +310,8 @@ impl DemandAnswer {
     fn of(demand: &Demand) -> Self {
         match demand {
             Demand::Points(points) => Self::Points { points: points.clone() },
-            &Demand::Load { way: Way::Stroke(stroke_mm), .. } => Self::Stroke { stroke_mm },
-            &Demand::Load { way: Way::Contraction(contraction), .. } => Self::Contraction { contraction },
+            &Demand::Load { way: Lift::Stroke(stroke_mm), .. } => Self::Stroke { stroke_mm },
+            &Demand::Load { way: Lift::Contraction(contraction), .. } => Self::Contraction { contraction },
             Demand::Joint(joint) => {
                 Self::Joint { torques: joint.torques.clone(), radius_mm: joint.radius_mm }
             }

@@ -9,7 +9,7 @@ pub use answer::{
     CandidateAnswer, CandidateJoint, ClosestAnswer, DemandAnswer, DesignAnswer, RejectedAnswer,
     SearchedAnswer, SureAnswer, Verified, VerifiedPoint,
 };
-pub use request::{Choice, DesignRequest, ObjectiveWord, TorqueWanted, Verify, Wanted};
+pub use request::{Choice, DesignRequest, ObjectiveWord, OperatingPoint, TorqueWanted, Verify};
 
 use crate::figure;
 use crate::model::Model;
@@ -23,8 +23,8 @@ use mckibben::progress::{CancelOnly, Progress};
 use mckibben::units::Values;
 use mckibben::warning::Warning;
 use mckibben_design::{
-    Build, Candidate, CandidatePoint, Models, OperatingPoint, Outcome, Spec, Spread, Sure, Tolerances,
-    design_joint, design_with, fits, is_doubtful, spread, to_be_sure,
+    Build, Candidate, CandidatePoint, Models, Outcome, Spec, Spread, Sure, Tolerances, design_joint,
+    design_with, fits, is_doubtful, spread, to_be_sure,
 };
 use policy::ModelPolicy;
 use request::Search;

@@ -12,9 +12,9 @@ use mckibben::muscle::measures::LENGTH;
 use mckibben::muscle::{Braid, Muscle, Tube};
 use mckibben::units::Values;
 use mckibben_design::{
-    BraidChoice, Demand, JointDemand, Limits, SAFETY, Spec, Tolerances, VALIDATED_STRAND_STRAIN, Way,
+    BraidChoice, Demand, JointDemand, Lift, Limits, SAFETY, Spec, Tolerances, VALIDATED_STRAND_STRAIN,
 };
-pub use mckibben_design::{Objective as ObjectiveWord, OperatingPoint as Wanted, TorqueWanted};
+pub use mckibben_design::{Objective as ObjectiveWord, OperatingPoint, TorqueWanted};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -27,7 +27,7 @@ pub struct DesignRequest {
     /// Contraction ratio at which the pull is required.
     pub contraction: Option<f64>,
     /// Several operating points, in place of the two fields above.
-    pub points: Vec<Wanted>,
+    pub points: Vec<OperatingPoint>,
     /// A load to lift over the stroke, or to the contraction, instead of a pull.
     #[serde(flatten)]
     pub load: LoadFields,
@@ -254,8 +254,8 @@ impl DesignRequest {
         if self.load.load.is_some() {
             // The load sets the pull; a stroke or a contraction how far it is lifted.
             let way = match (self.contraction, self.stroke_mm) {
-                (Some(e), _) => Way::Contraction(ratio(e)?),
-                (None, Some(stroke)) => Way::Stroke(stroke),
+                (Some(e), _) => Lift::Contraction(ratio(e)?),
+                (None, Some(stroke)) => Lift::Stroke(stroke),
                 (None, None) => {
                     return Err(Problem::missing("stroke_mm", "the lift of the load, such as 40 mm")
                         .with_hint("or give `contraction`, such as 0.15 (15 %)"));
@@ -314,7 +314,7 @@ impl DesignRequest {
 
     /// The muscle around the search, and the points: a stroke in mm sets the length where contractions are given, and the
     /// contraction where they are not.
-    fn with_stroke(&self, wanted: Vec<(f64, Option<f64>)>) -> Result<(Muscle, Vec<Wanted>), Problem> {
+    fn with_stroke(&self, wanted: Vec<(f64, Option<f64>)>) -> Result<(Muscle, Vec<OperatingPoint>), Problem> {
         let wrong = |message: String, hint: &str| Problem::new(ProblemKind::Specification, message, hint);
         let length_mm = match &self.length_mm {
             Some(Choice::One(length)) => Some(*length),
@@ -338,9 +338,9 @@ impl DesignRequest {
         }
         let point = |(force_n, contraction): &(f64, Option<f64>)| {
             let contraction = contraction.or(stroke.map(|s| s / length)).unwrap_or(0.0);
-            Wanted { force_n: *force_n, contraction }
+            OperatingPoint { force_n: *force_n, contraction }
         };
-        let points: Vec<Wanted> = wanted.iter().map(point).collect();
+        let points: Vec<OperatingPoint> = wanted.iter().map(point).collect();
         let (Some(stroke), true) = (stroke, wanted.iter().all(|w| w.1.is_some())) else {
             return Ok((base, points));
         };

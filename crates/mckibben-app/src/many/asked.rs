@@ -5,7 +5,7 @@ use mckibben_fit::identify::Target;
 
 /// What is asked of each pair of numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Wanted {
+pub enum PointQuantity {
     /// F in N, of P in MPa and ε.
     Force,
     /// P in MPa, of F in N and ε.
@@ -27,7 +27,7 @@ pub enum Unanswered {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Many {
     /// What.
-    pub wanted: Wanted,
+    pub wanted: PointQuantity,
     /// Also the derivatives by both numbers of a pair.
     pub slopes: bool,
     /// Also the derivatives by these constants and measures of the muscle, all others held.

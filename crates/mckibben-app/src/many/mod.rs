@@ -13,7 +13,7 @@ mod slopes;
 #[cfg(test)]
 mod tests;
 
-pub use asked::{ArrayError, Many, Unanswered, Wanted};
+pub use asked::{ArrayError, Many, PointQuantity, Unanswered};
 pub use columns::{AnswerColumns, Column, curve_columns};
 pub use pairs::Pairs;
 pub use slopes::with_parameters;
@@ -154,7 +154,7 @@ impl BoundModel {
             let mut room = [vec![], vec![]];
             for (i, places) in part.chunks_mut(BLOCK * width).enumerate() {
                 let (from, length) = (place / width + i * BLOCK, places.len() / width);
-                // What stands behind a point without an answer is not asked for.
+                // What is behind a point without an answer is not asked for.
                 if from > first.load(Ordering::Relaxed) || progress.cancelled() || budget.check().is_err() {
                     return;
                 }

@@ -10,7 +10,7 @@ pub enum Pairs<'a> {
     /// Two lists of one length.
     Lists([&'a [f64]; 2]),
     /// So many pairs that a function writes out, from a place on, so many as the two lists that it gets are long: of arrays that
-    /// are spread over a grid, so that the grid never stands in memory.
+    /// are spread over a grid, so that the grid never is in memory.
     Read(usize, &'a Read<'a>),
 }
 

@@ -1,6 +1,6 @@
 //! A block of points, and one point.
 
-use super::{BoundModel, Many, Unanswered, Wanted};
+use super::{BoundModel, Many, PointQuantity, Unanswered};
 use crate::point::{finite, ratio};
 use crate::problem::{Problem, ProblemKind};
 use mckibben::analysis::{contraction_or_stretch_at, force_on, pressure_at};
@@ -20,7 +20,10 @@ impl BoundModel {
         workspace: &mut Workspace,
         out: &mut [f64],
     ) -> Result<usize, (usize, Problem)> {
-        if many.wanted == Wanted::Force && many.width() == 1 && self.at_once(first, second, workspace, out) {
+        if many.wanted == PointQuantity::Force
+            && many.width() == 1
+            && self.at_once(first, second, workspace, out)
+        {
             return Ok(0);
         }
         let (mut failed, mut free) = (0, None);
@@ -81,17 +84,17 @@ impl BoundModel {
         places: &mut [f64],
     ) -> Result<(), Problem> {
         let (value, p, e) = match many.wanted {
-            Wanted::Force => {
+            PointQuantity::Force => {
                 let (p, e) = (finite("pressure_mpa", a)?, ratio(b)?);
                 (self.force(workspace, p, e, free)?, p, e)
             }
-            Wanted::Pressure => {
+            PointQuantity::Pressure => {
                 let (f, e) = (self.pull(a)?, ratio(b)?);
                 answer::check_range(&*self.model, self.model.info().range.pressure_mpa.0, e, self.options)?;
                 let p = pressure_at(&*self.model, workspace, f, e, self.options)?;
                 (p, p, e)
             }
-            Wanted::Contraction => {
+            PointQuantity::Contraction => {
                 let (f, p) = (self.pull(a)?, finite("pressure_mpa", b)?);
                 let lowest = self.model.info().range.contraction.0.max(0.0);
                 answer::check_range(&*self.model, p, lowest, self.options)?;
@@ -105,7 +108,7 @@ impl BoundModel {
             return Ok(());
         }
         // A slack muscle hangs: its pull is 0, and stays so.
-        if many.wanted == Wanted::Force && value == 0.0 && !self.options.two_sided {
+        if many.wanted == PointQuantity::Force && value == 0.0 && !self.options.two_sided {
             rest.fill(0.0);
             return Ok(());
         }

@@ -7,7 +7,7 @@
 //! F in N, P in MPa, ε = ΔL/L0, θ a constant or measure of the muscle in its unit (MPa, N/mm, mm, degrees). F_θ holds all other
 //! constants and measures: by the diameter, say, the strands' k in N/mm stays what it is, also where the braid's k follows the diameter.
 
-use super::{BoundModel, Many, Wanted};
+use super::{BoundModel, Many, PointQuantity};
 use crate::point::finite;
 use crate::problem::Problem;
 use mckibben::analysis::{force_on, response_on, slope_by_pressure, stiffness_of};
@@ -34,9 +34,9 @@ impl BoundModel {
         let (f_p, f_e) = self.force_slopes(workspace, p, e)?;
         self.force_by(workspace, (p, e), &many.parameters, by_parameters)?;
         let (pair, scale) = match many.wanted {
-            Wanted::Force => ([f_p, f_e], 1.0),
-            Wanted::Pressure => ([1.0 / f_p, -f_e / f_p], -1.0 / f_p),
-            Wanted::Contraction => ([1.0 / f_e, -f_p / f_e], -1.0 / f_e),
+            PointQuantity::Force => ([f_p, f_e], 1.0),
+            PointQuantity::Pressure => ([1.0 / f_p, -f_e / f_p], -1.0 / f_p),
+            PointQuantity::Contraction => ([1.0 / f_e, -f_p / f_e], -1.0 / f_e),
         };
         own.copy_from_slice(pair.get(..own.len()).unwrap_or_default());
         by_parameters.iter_mut().for_each(|v| *v *= scale);

@@ -17,7 +17,7 @@ fn bound(model: &str) -> BoundModel {
 }
 
 fn many(slopes: bool, parameters: Vec<Target>) -> Many {
-    Many { wanted: Wanted::Force, slopes, parameters, unanswered: Unanswered::Refused }
+    Many { wanted: PointQuantity::Force, slopes, parameters, unanswered: Unanswered::Refused }
 }
 
 fn asked(model: &BoundModel, many: &Many, p: &[f64], e: &[f64]) -> Result<Vec<f64>, ArrayError> {

@@ -6,7 +6,7 @@ use mckibben_app::{COMMANDS, bundle};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 
-/// A schema in a few words: `number|null`, `[Wanted]`, `"length"|"angle"`, `TextFile|null`.
+/// A schema in a few words: `number|null`, `[OperatingPoint]`, `"length"|"angle"`, `TextFile|null`.
 fn kind(schema: &Value) -> String {
     let list = |key: &str| schema[key].as_array().into_iter().flatten();
     let joined = |kinds: Vec<String>| kinds.join("|");

@@ -119,7 +119,7 @@ pub enum CampaignError {
         /// The codec.
         codec: String,
     },
-    /// Something that is not of this campaign stands where a file of it would.
+    /// Something that is not of this campaign is where a file of it would.
     #[error("{} is not a file of a campaign ({why}) and would be overwritten", .path.display())]
     Foreign {
         /// The value in the file.

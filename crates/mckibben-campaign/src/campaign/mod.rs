@@ -2,7 +2,7 @@
 //!
 //! plan → blocks of muscles (each alone, on any thread) → part files → one table in the order of the plan.
 //!
-//! A row depends on its muscle alone and no time or host stands in the data, so that the bytes of a table are the same
+//! A row depends on its muscle alone and no time or host is in the data, so that the bytes of a table are the same
 //! whatever the number of threads, shards and interruptions. Without the feature `store` there are no files:
 //! [`compute`] gives the rows of a plan in memory.
 

@@ -23,7 +23,7 @@ pub struct RunOptions {
     pub shard: Option<Shard>,
     /// Threads; as many as there are cores where nothing is said.
     pub threads: Option<usize>,
-    /// What stands there and is not of this plan is replaced.
+    /// What is there and is not of this plan is replaced.
     pub overwrite: bool,
     /// Start even if the plan needs more than 10 GB or one day.
     pub yes: bool,

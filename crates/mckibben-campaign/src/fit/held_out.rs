@@ -7,16 +7,16 @@ use super::make::{Method, fitted};
 use super::paper_method::Rules;
 use mckibben::formula::Coefficients;
 use mckibben::muscle::Muscle;
-use mckibben_fem::verification::{Kind, Measure, Row};
+use mckibben_fem::verification::{CaseKind, Measure, VerificationRow};
 
 /// The formulas by both methods, fitted without D0 35, and the published one.
-pub fn cases() -> Vec<Row> {
+pub fn cases() -> Vec<VerificationRow> {
     let base = Muscle::prototype();
     let campaign = paper_campaign(&base);
     let held = compute(&base, &[HELD_OUT], &WALLS, &CONTRACTIONS, &PRESSURES);
-    let row = |name: &str, source, tolerance: f64, largest: Option<f64>| Row {
+    let row = |name: &str, source, tolerance: f64, largest: Option<f64>| VerificationRow {
         name: format!("{name} on D0 35, held out: largest error / blocked force"),
-        kind: Kind::Verification,
+        kind: CaseKind::Verification,
         measure: Measure::Value,
         source,
         reference: 0.0,

@@ -21,7 +21,8 @@ use mckibben::muscle::Measure;
 use mckibben::muscle::measures::fields;
 use mckibben::units::{Dimension, Values};
 use mckibben_app::{
-    Choice, DesignRequest, MeshFields, ModelFields, ObjectiveWord, ProblemKind, TorqueWanted, Verify, Wanted,
+    Choice, DesignRequest, MeshFields, ModelFields, ObjectiveWord, OperatingPoint, ProblemKind, TorqueWanted,
+    Verify,
 };
 use mckibben_design::Tolerances;
 use std::path::PathBuf;
@@ -237,7 +238,7 @@ fn request(args: &DesignArgs, figure: Option<Units>) -> Result<DesignRequest, Fa
     })
 }
 
-fn at(text: &str) -> Result<Wanted, Failure> {
+fn at(text: &str) -> Result<OperatingPoint, Failure> {
     let Some((force, contraction)) = text.split_once('@') else {
         let message = format!(
             "--at: \"{text}\" is not a valid operating point; expected a pull at a contraction such as 700N@15%"
@@ -246,7 +247,7 @@ fn at(text: &str) -> Result<Wanted, Failure> {
     };
     let force_n = quantity("--at", Some(force), Dimension::Force)?.unwrap_or(0.0);
     let contraction = contraction_ratio("--at", Some(contraction))?.unwrap_or(0.0);
-    Ok(Wanted { force_n, contraction })
+    Ok(OperatingPoint { force_n, contraction })
 }
 
 fn torque(text: &str) -> Result<TorqueWanted, Failure> {
@@ -280,9 +281,8 @@ fn tolerances(text: &str) -> Result<Tolerances, Failure> {
             "modulus" => out.modulus = read(Dimension::Ratio)?,
             "stiffness" => out.stiffness = read(Dimension::Ratio)?,
             name => {
-                let named = |m: &Measure| {
-                    m.flag().is_some_and(|flag| flag == name || flag == format!("outer-{name}"))
-                };
+                let name = if name == "diameter" { "outer-diameter" } else { name };
+                let named = |m: &Measure| m.flag().as_deref() == Some(name);
                 let (_, measure) = fields().find(|(_, m)| named(m)).ok_or_else(wrong)?;
                 out.measures.set(measure, read(measure.dimension)?);
             }

@@ -10,7 +10,7 @@ use crate::output::show;
 use crate::output::text::{aligned, number, or_dash, table};
 use crate::progress::Bar;
 use clap::Args;
-use mckibben::verification::{Kind, Measure, Row};
+use mckibben::verification::{CaseKind, Measure, VerificationRow};
 use mckibben_app::{ProblemKind, SweepAnswer, SweepRequest, ValidateRequest};
 use std::path::PathBuf;
 
@@ -89,25 +89,26 @@ fn sweep_text(a: &SweepAnswer) -> String {
     )
 }
 
-fn as_text(cases: &[Row]) -> String {
-    let of = |kind, measure| -> Vec<&Row> {
+fn as_text(cases: &[VerificationRow]) -> String {
+    let of = |kind, measure| -> Vec<&VerificationRow> {
         cases.iter().filter(|c| c.kind == kind && c.measure == measure).collect()
     };
-    let values = of(Kind::Verification, Measure::Value);
-    let (rms, shares) = (of(Kind::Validation, Measure::Rms), of(Kind::Validation, Measure::Share));
-    let newton =
-        |c: &Row| c.ours.map(|v| vec![Some(v)]).map_or_else(|| "–".into(), |v| aligned(&v, 3).concat());
+    let values = of(CaseKind::Verification, Measure::Value);
+    let (rms, shares) = (of(CaseKind::Validation, Measure::Rms), of(CaseKind::Validation, Measure::Share));
+    let newton = |c: &VerificationRow| {
+        c.ours.map(|v| vec![Some(v)]).map_or_else(|| "–".into(), |v| aligned(&v, 3).concat())
+    };
     let percent = |v: f64| format!("{:.2} %", 100.0 * v);
-    let value = |c: &Row| {
+    let value = |c: &VerificationRow| {
         let error = or_dash(c.error, |v| format!("{v:.1e}"));
         let ours = or_dash(c.ours, |v| number(v, 9));
         vec![number(c.reference, 9), ours, error, format!("{:.0e}", c.tolerance)]
     };
-    let of_blocked = |c: &Row| {
+    let of_blocked = |c: &VerificationRow| {
         let error = or_dash(c.error, percent);
         vec![newton(c), number(c.reference, 4), error, percent(c.tolerance)]
     };
-    let covered = |c: &Row| vec![or_dash(c.ours, percent), percent(c.reference)];
+    let covered = |c: &VerificationRow| vec![or_dash(c.ours, percent), percent(c.reference)];
     [
         "Verification: are the equations solved right?\n\n".to_owned(),
         section(&values, &["reference", "ours", "error", "allowed"], &value),
@@ -122,9 +123,13 @@ fn as_text(cases: &[Row]) -> String {
 }
 
 /// The cases of a kind: whether each holds, its numbers, its name and source.
-fn section(cases: &[&Row], columns: &[&str], numbers: &dyn Fn(&Row) -> Vec<String>) -> String {
+fn section(
+    cases: &[&VerificationRow],
+    columns: &[&str],
+    numbers: &dyn Fn(&VerificationRow) -> Vec<String>,
+) -> String {
     let header: Vec<&str> = [""].iter().chain(columns).chain(&["case", "source"]).copied().collect();
-    let row = |c: &&Row| {
+    let row = |c: &&VerificationRow| {
         let mut row = vec![if c.ok { "ok" } else { "FAILS" }.to_owned()];
         row.extend(numbers(c));
         row.extend([c.name.clone(), c.source.to_owned()]);
@@ -133,8 +138,9 @@ fn section(cases: &[&Row], columns: &[&str], numbers: &dyn Fn(&Row) -> Vec<Strin
     table(&header, cases.iter().map(row).collect())
 }
 
-fn summary(values: &[&Row], rms: &[&Row], shares: &[&Row]) -> String {
-    let held = |list: &[&Row]| format!("{} of {}", list.iter().filter(|c| c.ok).count(), list.len());
+fn summary(values: &[&VerificationRow], rms: &[&VerificationRow], shares: &[&VerificationRow]) -> String {
+    let held =
+        |list: &[&VerificationRow]| format!("{} of {}", list.iter().filter(|c| c.ok).count(), list.len());
     let least = shares.iter().filter_map(|c| c.ours).reduce(f64::min);
     let least =
         least.map_or_else(String::new, |v| format!("; the least share of points is {:.1} %", 100.0 * v));

@@ -1,4 +1,4 @@
-//! What stands where a result goes: a file of the same kind that this program wrote is replaced, any other only where that was asked for.
+//! What is where a result goes: a file of the same kind that this program wrote is replaced, any other only where that was asked for.
 //!
 //! Formulas, muscle files and Parquet are read; figures, pages, PDFs and decks carry the program's mark. Of what can carry none the beginning is
 //! compared with that of the result: the first line of a table, the first key of JSON, the first two words of a text.

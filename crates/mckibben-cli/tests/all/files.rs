@@ -107,7 +107,7 @@ fn fitted(dir: &Path) -> String {
     fs::read_to_string(dir.join("f.json")).unwrap()
 }
 
-/// Commands that answer by a formula, and where it stands in for X.
+/// Commands that answer by a formula, and where it is in for X.
 const ANSWERS: [&str; 7] = [
     "force -D 40 -s 2 -p 0.2 -e 0.1 --model X",
     "pressure -D 40 -s 2 -F 300 -e 0.1 --model X",

@@ -1,4 +1,4 @@
-//! Whatever stands in a flag: an answer or an error, never a panic.
+//! Whatever is in a flag: an answer or an error, never a panic.
 
 use crate::common::{assert_finite, mckibben, run};
 use proptest::prelude::*;

@@ -87,7 +87,7 @@ pub trait PlaneLaw {
     fn stress<const TANGENT: bool>(&self, f: &Gradient, p: f64) -> Stress;
 }
 
-/// A [`PlaneLaw`] whose type is not known when what stands around it is compiled: elements, sections and sums are the same code for all.
+/// A [`PlaneLaw`] whose type is not known when what is around it is compiled: elements, sections and sums are the same code for all.
 pub trait AnyPlaneLaw {
     /// [`PlaneLaw::stress`] at every F of `f` with its multiplier in `p`; tangents where `tangent`.
     fn stresses(&self, tangent: bool, f: &[Gradient], p: &[f64], out: &mut [Stress]);

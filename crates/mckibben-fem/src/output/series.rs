@@ -13,7 +13,7 @@ const PARTS: [&str; 3] = ["tube", "braid", "plug"];
 pub struct VtuFile {
     /// Its name in the folder.
     pub name: String,
-    /// What stands in it.
+    /// What is in it.
     pub text: String,
 }
 

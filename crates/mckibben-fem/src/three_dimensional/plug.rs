@@ -1,7 +1,7 @@
 //! The terminal as a body: a plug that fills the end of the tube, with a rounded nose towards the cavity.
 //!
 //! The plug's side meets the inner surface from z = L0/2 on, over the insertion; tube and plug are bonded there, so that L0 stays the length
-//! between the terminals. Its nose stands in the cavity: a quarter of a circle of radius ρ from (Ri, L0/2) to (Ri − ρ, L0/2 − ρ), then
+//! between the terminals. Its nose is in the cavity: a quarter of a circle of radius ρ from (Ri, L0/2) to (Ri − ρ, L0/2 − ρ), then
 //! a plane to the axis. The tube's outer face stays free over the insertion, the far end of tube and braid is held.
 //!
 //! The grid carries the tube's on to the axis: columns m from the axis (0) to the inner surface, around as the tube, rows along as the
@@ -73,7 +73,7 @@ pub struct PlugGrid {
     pub nose_mm: f64,
     /// Row of the tube's nodes at which the bond begins.
     pub first_row: usize,
-    /// Nodes from the axis to the inner surface: (r, how far the face stands before the beginning of the bond), in mm.
+    /// Nodes from the axis to the inner surface: (r, how far the face is before the beginning of the bond), in mm.
     pub profile: Vec<(f64, f64)>,
     /// Number of its first node.
     pub base: usize,

@@ -3,7 +3,7 @@
 //!
 //! Loaded and held: pressure inside, the axial stretch given; all z of an end move together, r is free (slice) or bonded (muscles).
 
-use super::{Row, at, body, radius, rubber};
+use super::{VerificationRow, at, body, radius, rubber};
 use crate::axisymmetric::Mesh;
 use crate::axisymmetric::{Axisymmetric, MeshSpec};
 use crate::axisymmetric::{BraidSpec, Ends};
@@ -45,7 +45,7 @@ fn muscle(length_mm: f64, stiffness: BraidStiffness) -> Option<Muscle> {
 }
 
 /// The slice: all rows of G, and strands that stretch against the closed form.
-pub fn endless_braid() -> Vec<Row> {
+pub fn endless_braid() -> Vec<VerificationRow> {
     let (_, outer, angle, pressure) = SECTION;
     let mut rows = Vec::new();
     for (stretch, force, contact, a, b) in ROWS {
@@ -63,10 +63,16 @@ pub fn endless_braid() -> Vec<Row> {
             (w.totals.pull, contact, radius(w, 0, 0), radius(w, 2 * THROUGH, 0))
         });
         let name = |what: &str| format!("infinitely long muscle, λz {stretch}: {what}");
-        rows.push(Row::new(name("F (N)"), SOURCE, force, found.map(|f| f.0), 1e-7));
-        rows.push(Row::new(name("contact pressure (MPa)"), SOURCE, contact, found.map(|f| f.1), 1e-7));
-        rows.push(Row::new(name("a (mm)"), SOURCE, a, found.map(|f| f.2), 1e-7));
-        rows.push(Row::new(name("b (mm)"), SOURCE, b, found.map(|f| f.3), 1e-7));
+        rows.push(VerificationRow::new(name("F (N)"), SOURCE, force, found.map(|f| f.0), 1e-7));
+        rows.push(VerificationRow::new(
+            name("contact pressure (MPa)"),
+            SOURCE,
+            contact,
+            found.map(|f| f.1),
+            1e-7,
+        ));
+        rows.push(VerificationRow::new(name("a (mm)"), SOURCE, a, found.map(|f| f.2), 1e-7));
+        rows.push(VerificationRow::new(name("b (mm)"), SOURCE, b, found.map(|f| f.3), 1e-7));
     }
     for (k, e) in [(200.0, 0.0), (200.0, 0.1), (200.0, 0.2), (1e5, 0.1)] {
         let exact = muscle(200.0, BraidStiffness::NewtonPerMm(k))
@@ -78,7 +84,7 @@ pub fn endless_braid() -> Vec<Row> {
             w.walk(pressure, terminal, 1.0).ok()?;
             Some(w.body.totals.pull)
         });
-        rows.push(Row::new(
+        rows.push(VerificationRow::new(
             format!("infinitely long muscle, k {k} N/mm, ε {e}: F (N)"),
             STRANDS,
             exact,
@@ -91,7 +97,7 @@ pub fn endless_braid() -> Vec<Row> {
 }
 
 /// Strands that are shortened carry nothing: the rubber alone in uniaxial compression.
-fn slack() -> Row {
+fn slack() -> VerificationRow {
     let (inner, outer, ..) = SECTION;
     let law = MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 };
     let exact =
@@ -99,11 +105,11 @@ fn slack() -> Row {
     let mut path = slice(Some(200.0));
     let ours = path.as_mut().and_then(|w| at(w, 0.0, 0.9)).map(|b| b.totals.pull);
     let source = "F: strands carry nothing in compression";
-    Row::new("slack strands, ε 0.1, P 0: F (N)".into(), source, exact, ours, 1e-9)
+    VerificationRow::new("slack strands, ε 0.1, P 0: F (N)".into(), source, exact, ours, 1e-9)
 }
 
 /// Bonded muscles: what the ends cost falls like 1/L0, and without it the infinitely long muscle is left.
-pub fn long_muscles() -> Vec<Row> {
+pub fn long_muscles() -> Vec<VerificationRow> {
     let pressure = SECTION.3;
     let mesh = MeshSpec { through: Some(2), along: Some(48), grading: Some(3.0) };
     let pull = |length: f64, e: f64| {
@@ -117,10 +123,10 @@ pub fn long_muscles() -> Vec<Row> {
         // F = F∞ + c1/L0 + c2/L0²: extrapolated from three lengths.
         let limit = (|| Some((8.0 * f4? - 6.0 * f2? + f1?) / 3.0))();
         let name = format!("bonded muscles of 400, 800, 1600 mm extrapolated, ε {e}: F (N)");
-        rows.push(Row::new(name, SOURCE, exact, limit, 1e-4));
+        rows.push(VerificationRow::new(name, SOURCE, exact, limit, 1e-4));
         let ratio = (|| Some((f2? - exact) / (f4? - exact)))();
         let name = format!("what the ends cost at 800 mm over that at 1600 mm, ε {e}");
-        rows.push(Row::new(name, "G: the ends cost like 1/L0", 2.0, ratio, 0.03));
+        rows.push(VerificationRow::new(name, "G: the ends cost like 1/L0", 2.0, ratio, 0.03));
     }
     rows
 }

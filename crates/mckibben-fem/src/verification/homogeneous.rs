@@ -2,7 +2,7 @@
 //!
 //! Loaded and held: both ends by given z (all of an end together), r free everywhere, no pressure.
 
-use super::{Row, at, body, rubber};
+use super::{VerificationRow, at, body, rubber};
 use crate::axisymmetric::Body;
 use crate::axisymmetric::Ends;
 use crate::axisymmetric::Mesh;
@@ -50,7 +50,7 @@ fn cauchy(law: &Law, f: Gradient) -> [f64; 4] {
 }
 
 /// The rows of A.
-pub fn homogeneous() -> Vec<Row> {
+pub fn homogeneous() -> Vec<VerificationRow> {
     let mut rows = Vec::new();
     let section = PI * 3.0;
     for (name, stretch, nominal, factor) in [
@@ -61,14 +61,32 @@ pub fn homogeneous() -> Vec<Row> {
         let mut path = body(distorted(), None, Ends::Sliding).ok();
         let solved = path.as_mut().and_then(|w| at(w, 0.0, stretch));
         let stress = solved.as_ref().map(|b| factor * b.totals.pull / section);
-        rows.push(Row::new(format!("{name}: nominal stress (MPa)"), SOURCE, nominal, stress, 1e-11));
+        rows.push(VerificationRow::new(
+            format!("{name}: nominal stress (MPa)"),
+            SOURCE,
+            nominal,
+            stress,
+            1e-11,
+        ));
         let off = solved.map(|b| distance(b, stretch));
-        rows.push(Row::new(format!("{name}: distance from the linear field (mm)"), SOURCE, 0.0, off, 1e-11));
+        rows.push(VerificationRow::new(
+            format!("{name}: distance from the linear field (mm)"),
+            SOURCE,
+            0.0,
+            off,
+            1e-11,
+        ));
     }
     let rest = Gradient { a: 1.0, b: 0.0, c: 0.0, d: 1.0, t: 1.0 };
     let planar = cauchy(&rubber(), Gradient { a: 2.0, d: 0.5, ..rest });
     let nominal = Some((planar[0] - planar[1]) / 2.0);
-    rows.push(Row::new("planar tension, λ = 2: nominal stress (MPa)".into(), SOURCE, 0.45, nominal, 1e-12));
+    rows.push(VerificationRow::new(
+        "planar tension, λ = 2: nominal stress (MPa)".into(),
+        SOURCE,
+        0.45,
+        nominal,
+        1e-12,
+    ));
     let g = 0.7;
     let shear = cauchy(&rubber(), Gradient { b: g, ..rest });
     for (name, reference, ours) in [
@@ -76,7 +94,13 @@ pub fn homogeneous() -> Vec<Row> {
         ("σ11 − σ33 (MPa)", 0.2 * g * g, shear[0] - shear[2]),
         ("σ22 − σ33 (MPa)", -0.04 * g * g, shear[1] - shear[2]),
     ] {
-        rows.push(Row::new(format!("simple shear, γ = 0.7: {name}"), SOURCE, reference, Some(ours), 1e-12));
+        rows.push(VerificationRow::new(
+            format!("simple shear, γ = 0.7: {name}"),
+            SOURCE,
+            reference,
+            Some(ours),
+            1e-12,
+        ));
     }
     rows
 }

@@ -9,7 +9,7 @@
 //!
 //!   P = μ { ln(Ro ri/(Ri ro))/λ + (Ri² − λ ri²)/(2λ²) (1/ro² − 1/ri²) }
 
-use super::{Row, at_rest, radius};
+use super::{VerificationRow, at_rest, radius};
 use crate::axisymmetric::{Body, BraidSpec, Discretisation, Ends, Mesh, Problem};
 use crate::solver::continuation::Continuation;
 use mckibben::muscle::{Bulk, Crimp, StrandLay};
@@ -63,7 +63,7 @@ fn tension(body: &Body, k: f64, lay: &StrandLay, stretch: f64) -> f64 {
 }
 
 /// All rows.
-pub fn strand_lay() -> Vec<Row> {
+pub fn strand_lay() -> Vec<VerificationRow> {
     let mut rows = vec![];
     for (thickness, stretch) in [(0.3, 1.0), (0.3, 0.85), (1.0, 0.7)] {
         let lay = lay(OUTER, thickness);
@@ -73,13 +73,19 @@ pub fn strand_lay() -> Vec<Row> {
         let exact = PI * 0.3 * r * (2.0 * (r + lay.offset_mm) * cot2 - r);
         let ours = slice(1e-8, lay, None, None).and_then(|c| solved(c, 0.3, stretch));
         let name = format!("braid {thickness} mm thick, λz {stretch}: F (N)");
-        rows.push(Row::new(name, THICK, exact, ours.map(|b| b.totals.pull), 1e-6));
+        rows.push(VerificationRow::new(name, THICK, exact, ours.map(|b| b.totals.pull), 1e-6));
     }
     // Of a tube of 14 mm at 20°, to the digits that stand in the reference.
     let blocked =
         |thickness: f64| Some(solved(slice(1e-8, lay(OUTER, thickness), None, None)?, 0.3, 1.0)?.totals.pull);
     let gain = (|| Some(100.0 * (blocked(0.3)? / blocked(0.0)? - 1.0)))();
-    rows.push(Row::new("blocked force that 0.3 mm of braid add (%)".into(), THICK, 2.3, gain, 0.01));
+    rows.push(VerificationRow::new(
+        "blocked force that 0.3 mm of braid add (%)".into(),
+        THICK,
+        2.3,
+        gain,
+        0.01,
+    ));
     let k = 1e4;
     for (diameter, stretch) in [(15.0, 1.0), (16.0, 0.95), (14.5, 1.0)] {
         let lay = lay(0.5 * diameter, 0.4);
@@ -96,18 +102,18 @@ pub fn strand_lay() -> Vec<Row> {
             (a > 0.0 && b > a).then(|| exact * (1.001 - 0.001 * a / (b - a)))
         })();
         let name = format!("sleeve of {diameter} mm on a tube of 14 mm, λz {stretch}: first contact (MPa)");
-        rows.push(Row::new(name, CONTACT, exact, ours, 1e-5));
+        rows.push(VerificationRow::new(name, CONTACT, exact, ours, 1e-5));
     }
     rows.push(crimped(1e3));
     rows
 }
 
 /// Beyond its blend a crimp adds the constant strain (1 − κ) c1: the force is k (λf − 1 − (1 − κ) c1).
-fn crimped(k: f64) -> Row {
+fn crimped(k: f64) -> VerificationRow {
     let crimp = Crimp { strain: 0.01, stiffness_ratio: 0.1 };
     let ours = slice(MU, lay(OUTER, 0.0), Some(k), Some(crimp)).and_then(|c| solved(c, 0.5, 0.9));
     let (exact, ours) = (exact_crimped(k, 1.0 + 0.9 * crimp.strain), ours.map(|b| b.totals.pull));
-    Row::new("strands with 1 % of crimp, ε 0.1: F (N)".into(), CRIMP, exact, ours, 1e-8)
+    VerificationRow::new("strands with 1 % of crimp, ε 0.1: F (N)".into(), CRIMP, exact, ours, 1e-8)
 }
 
 /// The closed form of the same: energy of the wall and ½k (λf − longer)² of each family, minimal in r by bisection of its slope.

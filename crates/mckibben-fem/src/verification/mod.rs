@@ -31,13 +31,13 @@ use mckibben::muscle::Bulk;
 use mckibben::progress::Progress;
 use mckibben::rubber::{Law, MooneyRivlin};
 
-pub use mckibben::verification::{Kind, Measure, Row};
+pub use mckibben::verification::{CaseKind, Measure, VerificationRow};
 
 /// A case: its rows.
-pub type Case = fn() -> Vec<Row>;
+pub type VerificationCase = fn() -> Vec<VerificationRow>;
 
 /// Every case of the section.
-const SECTION: [Case; 10] = [
+const SECTION: [VerificationCase; 10] = [
     homogeneous,
     thick_tube,
     thick_sphere,
@@ -54,8 +54,8 @@ const SECTION: [Case; 10] = [
 ///
 /// # Errors
 /// [`FemError::Exceeded`] where the caller wanted it to end.
-pub fn cases(progress: &dyn Progress) -> Result<Vec<Row>, FemError> {
-    let all: Vec<Case> = SECTION.into_iter().chain(bricks::CASES).collect();
+pub fn cases(progress: &dyn Progress) -> Result<Vec<VerificationRow>, FemError> {
+    let all: Vec<VerificationCase> = SECTION.into_iter().chain(bricks::CASES).collect();
     run(&all, progress)
 }
 
@@ -63,7 +63,7 @@ pub fn cases(progress: &dyn Progress) -> Result<Vec<Row>, FemError> {
 ///
 /// # Errors
 /// [`FemError::Exceeded`] where the caller wanted it to end.
-pub fn run(cases: &[Case], progress: &dyn Progress) -> Result<Vec<Row>, FemError> {
+pub fn run(cases: &[VerificationCase], progress: &dyn Progress) -> Result<Vec<VerificationRow>, FemError> {
     let mut rows = vec![];
     for (done, case) in cases.iter().enumerate() {
         progress.report(done, cases.len());

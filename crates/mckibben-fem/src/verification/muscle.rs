@@ -2,7 +2,7 @@
 //!
 //! Loaded and held: pressure inside, the length given, both ends bonded to rigid terminals.
 
-use super::Row;
+use super::VerificationRow;
 use crate::axisymmetric::Axisymmetric;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Strands, Terminals, Tube};
@@ -10,7 +10,7 @@ use mckibben::rubber::{Law, MooneyRivlin};
 use std::f64::consts::PI;
 
 /// The rows of I.
-pub fn identities() -> Vec<Row> {
+pub fn identities() -> Vec<VerificationRow> {
     let mut rows = Vec::new();
     for (d0, s, p, e) in
         [(30.0, 3.0, 0.2, 0.0), (30.0, 3.0, 0.2, 0.1), (50.0, 1.0, 0.15, 0.15), (40.0, 5.0, 0.25, 0.05)]
@@ -29,15 +29,15 @@ pub fn identities() -> Vec<Row> {
         };
         let source = "I: outer-diameter limit of strands that do not stretch";
         let name = format!("blocked force, D0 50, s {s}, P 0.25, inextensible (N)");
-        rows.push(Row::new(name, source, exact, blocked(BraidStiffness::Inextensible), 1e-9));
+        rows.push(VerificationRow::new(name, source, exact, blocked(BraidStiffness::Inextensible), 1e-9));
         let name = format!("blocked force, D0 50, s {s}, P 0.25, k 1e6 N/mm (N)");
-        rows.push(Row::new(name, source, exact, blocked(BraidStiffness::NewtonPerMm(1e6)), 2e-4));
+        rows.push(VerificationRow::new(name, source, exact, blocked(BraidStiffness::NewtonPerMm(1e6)), 2e-4));
     }
     rows
 }
 
 /// ∂F/∂P at fixed L = −∂V/∂L at fixed P: both by differences, and from the tangent.
-fn maxwell(d0: f64, s: f64, p: f64, e: f64) -> Vec<Row> {
+fn maxwell(d0: f64, s: f64, p: f64, e: f64) -> Vec<VerificationRow> {
     let found = (|| {
         let muscle = Muscle::prototype().with_section(d0, s).ok()?;
         let model = Axisymmetric::new(&muscle).ok()?;
@@ -54,14 +54,14 @@ fn maxwell(d0: f64, s: f64, p: f64, e: f64) -> Vec<Row> {
     let name = |what: &str| format!("D0 {d0}, s {s}, P {p}, ε {e}: {what}");
     let reference = found.map_or(f64::INFINITY, |f| f.1);
     vec![
-        Row::new(
+        VerificationRow::new(
             name("∂F/∂P by differences against −∂V/∂L (mm²)"),
             source,
             reference,
             found.map(|f| f.0),
             1e-7,
         ),
-        Row::new(
+        VerificationRow::new(
             name("∂F/∂P of the tangent against −∂V/∂L (mm²)"),
             source,
             reference,
@@ -72,7 +72,7 @@ fn maxwell(d0: f64, s: f64, p: f64, e: f64) -> Vec<Row> {
 }
 
 /// An independent axisymmetric code, and the limit of bricks and trusses in FElupe 11.3.
-pub fn prototype() -> Vec<Row> {
+pub fn prototype() -> Vec<VerificationRow> {
     let model = (|| {
         let rubber = Rubber::of(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.12, c01_mpa: 0.03 }));
         let tube = Tube { length_mm: 287.83, rubber, ..Tube::prototype() };
@@ -81,17 +81,23 @@ pub fn prototype() -> Vec<Row> {
         Axisymmetric::new(&Muscle::new(tube, braid, Terminals::default(), None).ok()?).ok()
     })();
     let rows = [(0.0, 0.25, 846.03), (0.10, 0.10, 100.14), (0.10, 0.25, 440.59)];
-    let mut out: Vec<Row> = rows
+    let mut out: Vec<VerificationRow> = rows
         .into_iter()
         .map(|(e, p, force)| {
             let ours = model.as_ref().and_then(|m| m.force_n(&mut Workspace::new(), p, e).ok());
             let name = format!("D0 30, s 3, L0 287.83, 48 strands, P {p}, ε {e}: F (N)");
             // 0.03 % of the blocked force.
-            Row::new(name, "independent axisymmetric prototype", force, ours, 3e-4 * 846.0 / force)
+            VerificationRow::new(
+                name,
+                "independent axisymmetric prototype",
+                force,
+                ours,
+                3e-4 * 846.0 / force,
+            )
         })
         .collect();
     let ours = model.as_ref().and_then(|m| m.force_n(&mut Workspace::new(), 0.25, 0.10).ok());
     let name = "the same in three dimensions, P 0.25, ε 0.10: F (N), ±0.5".into();
-    out.push(Row::new(name, "FElupe 11.3, refined", 440.6, ours, 0.5 / 440.6));
+    out.push(VerificationRow::new(name, "FElupe 11.3, refined", 440.6, ours, 0.5 / 440.6));
     out
 }

@@ -2,7 +2,7 @@
 //!
 //! Loaded and held: a bonded muscle under pressure at a given length; the order of meshes: a slice of tube under pressure, its length given.
 
-use super::{Row, at, body, radius};
+use super::{VerificationRow, at, body, radius};
 use crate::axisymmetric::Axisymmetric;
 use crate::axisymmetric::Body;
 use crate::axisymmetric::Mesh;
@@ -43,7 +43,7 @@ fn muscle_body(
 }
 
 /// The rows of J.
-pub fn numerics() -> Vec<Row> {
+pub fn numerics() -> Vec<VerificationRow> {
     let mut rows = Vec::new();
     for law in laws() {
         for (bulk, stiffness) in [
@@ -58,7 +58,7 @@ pub fn numerics() -> Vec<Row> {
                 tangent_error(&mut w.body)
             });
             let name = format!("tangent against differences, {name}, {bulk:?}, strands {stiffness:?}");
-            rows.push(Row::new(name, SOURCE, 0.0, error, 2e-7));
+            rows.push(VerificationRow::new(name, SOURCE, 0.0, error, 2e-7));
         }
     }
     rows.push(order_of_newton());
@@ -100,7 +100,7 @@ pub fn tangent_error(body: &mut Body) -> Option<f64> {
 }
 
 /// Order of the last residuals of one large step: log(r3/r2)/log(r2/r1) of Newton's own, full tangents.
-fn order_of_newton() -> Row {
+fn order_of_newton() -> VerificationRow {
     let order = (|| {
         let mut w = muscle_body(super::rubber(), Bulk::Incompressible, BraidStiffness::NewtonPerMm(321.0))?;
         w.walk(0.2, -0.05 * 142.5, 1.0).ok()?;
@@ -118,7 +118,7 @@ fn order_of_newton() -> Row {
         Some((c / b).ln() / (b / a).ln())
     })();
     // Faster is no fault.
-    Row::new(
+    VerificationRow::new(
         "order of Newton's last residuals (2 or more)".into(),
         SOURCE,
         2.0,
@@ -128,7 +128,7 @@ fn order_of_newton() -> Row {
 }
 
 /// ∂F of every constant and measure by implicit differentiation against answers of neighbouring muscles.
-fn sensitivities() -> Vec<Row> {
+fn sensitivities() -> Vec<VerificationRow> {
     let source = "J: sensitivities against finite differences";
     let muscle = |change: &dyn Fn(&mut Tube, &mut Braid)| {
         let mut tube = Muscle::prototype().tube().clone();
@@ -168,13 +168,19 @@ fn sensitivities() -> Vec<Row> {
             })();
             let ours = all.as_ref().and_then(|all| all.iter().find(|s| s.name == name));
             let reference = difference.unwrap_or(f64::INFINITY);
-            Row::new(format!("∂F/∂({name})"), source, reference, ours.map(|s| s.force_n_per_unit), 1e-6)
+            VerificationRow::new(
+                format!("∂F/∂({name})"),
+                source,
+                reference,
+                ours.map(|s| s.force_n_per_unit),
+                1e-6,
+            )
         })
         .collect()
 }
 
 /// The answer after one step and after twenty.
-fn steps() -> Row {
+fn steps() -> VerificationRow {
     let pull = |n: usize| {
         let mut w = muscle_body(super::rubber(), Bulk::Incompressible, BraidStiffness::NewtonPerMm(321.0))?;
         for i in 1..=n {
@@ -184,17 +190,17 @@ fn steps() -> Row {
         Some(w.body.totals.pull)
     };
     let reference = pull(20).unwrap_or(f64::INFINITY);
-    Row::new("F after one step against twenty (N)".into(), SOURCE, reference, pull(1), 1e-8)
+    VerificationRow::new("F after one step against twenty (N)".into(), SOURCE, reference, pull(1), 1e-8)
 }
 
 /// Bore of a thick tube 1/2 at p = 0.1377728574 (a/A = 2): elements through the wall doubled. Theory: the energy, and with
 /// it the answer to the only load, converges with h⁴.
-fn mesh_order() -> Row {
+fn mesh_order() -> VerificationRow {
     let error = |n: usize| {
         let mesh = Mesh::mapped(n, 1, |x, y| [1.0 + x, y]);
         let mut w = body(mesh, None, Ends::Sliding).ok()?;
         at(&mut w, 0.137_772_857_4, 1.0).map(|b| (radius(b, 0, 0) - 2.0).abs())
     };
     let rate = (|| Some((error(4)? / error(8)?).log2()))();
-    Row::new("order of mesh convergence, thick tube".into(), SOURCE, 4.0, rate, 0.05)
+    VerificationRow::new("order of mesh convergence, thick tube".into(), SOURCE, 4.0, rate, 0.05)
 }

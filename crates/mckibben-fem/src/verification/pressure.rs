@@ -2,7 +2,7 @@
 //!
 //! Loaded and held: a line of the cavity's wall alone; and a bonded muscle along a path of pressures and lengths.
 
-use super::Row;
+use super::VerificationRow;
 use crate::axisymmetric::Axisymmetric;
 use crate::load::cavity::volume;
 use crate::simulation::{Given, Simulation};
@@ -12,7 +12,7 @@ use mckibben::muscle::Muscle;
 const SOURCE: &str = "E: pressure as −P·V of a closed cavity";
 
 /// The rows of E.
-pub fn follower_pressure() -> Vec<Row> {
+pub fn follower_pressure() -> Vec<VerificationRow> {
     let x = [13.1, 10.3, 12.0, 4.9, 12.6, 16.2];
     let v = volume::<true>(&x);
     let h = 1e-3;
@@ -32,16 +32,28 @@ pub fn follower_pressure() -> Vec<Row> {
     }
     let together: f64 = (0..3).map(|a| v.first[2 * a + 1]).sum();
     vec![
-        Row::new("∂V/∂x against differences".into(), SOURCE, 0.0, Some(slope), 1e-8),
-        Row::new("∂²V/∂x∂x against differences (mm)".into(), SOURCE, 0.0, Some(curvature), 1e-8),
-        Row::new("asymmetry of the pressure's tangent (mm)".into(), SOURCE, 0.0, Some(skew), 1e-12),
-        Row::new("sum of the axial forces of the cavity (mm²)".into(), SOURCE, 0.0, Some(together), 1e-11),
+        VerificationRow::new("∂V/∂x against differences".into(), SOURCE, 0.0, Some(slope), 1e-8),
+        VerificationRow::new("∂²V/∂x∂x against differences (mm)".into(), SOURCE, 0.0, Some(curvature), 1e-8),
+        VerificationRow::new(
+            "asymmetry of the pressure's tangent (mm)".into(),
+            SOURCE,
+            0.0,
+            Some(skew),
+            1e-12,
+        ),
+        VerificationRow::new(
+            "sum of the axial forces of the cavity (mm²)".into(),
+            SOURCE,
+            0.0,
+            Some(together),
+            1e-11,
+        ),
         energy(),
     ]
 }
 
 /// ∫P dV + ∫F dL = ΔW from (0.10 MPa, ε 0.02) to (0.25 MPa, ε 0.10), by Simpson's rule on ∫P dV = [PV] − ∫V dP.
-fn energy() -> Row {
+fn energy() -> VerificationRow {
     const STEPS: usize = 32;
     let muscle = Muscle::prototype();
     let balance = (|| {
@@ -66,5 +78,5 @@ fn energy() -> Row {
         }
         Some(work / (stored[1] - stored[0]))
     })();
-    Row::new("(∫P dV + ∫F dL)/ΔW along a path".into(), SOURCE, 1.0, balance, 1e-7)
+    VerificationRow::new("(∫P dV + ∫F dL)/ΔW along a path".into(), SOURCE, 1.0, balance, 1e-7)
 }

@@ -2,7 +2,7 @@
 //!
 //! Loaded and held: pressure inside, outside free, the axial stretch given; all z of an end move together, r is free.
 
-use super::{Row, at, body, radius};
+use super::{VerificationRow, at, body, radius};
 use crate::axisymmetric::Mesh;
 use crate::axisymmetric::{Discretisation, Ends, Problem};
 use crate::solver::body::Control;
@@ -30,7 +30,7 @@ fn slice(inner: f64, outer: f64, through: usize) -> Mesh {
 }
 
 /// The rows of B.
-pub fn thick_tube() -> Vec<Row> {
+pub fn thick_tube() -> Vec<VerificationRow> {
     let mut rows = Vec::new();
     for (inner, outer, stretch, swell, pressure, outside, axial) in ROWS {
         let through = if outer / inner > 1.5 { 24 } else { 8 };
@@ -38,9 +38,9 @@ pub fn thick_tube() -> Vec<Row> {
         let solved = path.as_mut().and_then(|w| at(w, pressure, stretch));
         let found = solved.map(|b| (radius(b, 0, 0) / inner, radius(b, 2 * through, 0), b.totals.pull));
         let name = |what: &str| format!("thick tube {inner}/{outer}, λz {stretch}, p {pressure}: {what}");
-        rows.push(Row::new(name("a/A"), SOURCE, swell, found.map(|f| f.0), 1e-7));
-        rows.push(Row::new(name("b (mm)"), SOURCE, outside, found.map(|f| f.1), 1e-7));
-        rows.push(Row::new(name("N − πa²p (N)"), SOURCE, axial, found.map(|f| f.2), 1e-7));
+        rows.push(VerificationRow::new(name("a/A"), SOURCE, swell, found.map(|f| f.0), 1e-7));
+        rows.push(VerificationRow::new(name("b (mm)"), SOURCE, outside, found.map(|f| f.1), 1e-7));
+        rows.push(VerificationRow::new(name("N − πa²p (N)"), SOURCE, axial, found.map(|f| f.2), 1e-7));
     }
     rows.push(lame());
     rows.push(finite_bulk());
@@ -48,7 +48,7 @@ pub fn thick_tube() -> Vec<Row> {
 }
 
 /// Lamé's thick cylinder in plane strain: u(A) = (p A/(2G)) ((1 − 2ν) + B²/A²)/(B²/A² − 1), here with K = 10 G.
-fn lame() -> Row {
+fn lame() -> VerificationRow {
     let (a, b, p, g) = (1.0, 2.0, 1e-7, 0.24);
     let k = 10.0 * g;
     let nu = (3.0 * k - 2.0 * g) / (2.0 * (3.0 * k + g));
@@ -61,7 +61,7 @@ fn lame() -> Row {
         path.walk(p, 0.0, 1.0).ok()?;
         Some(path.body.state.u[0])
     });
-    Row::new(
+    VerificationRow::new(
         "Lamé's thick cylinder 1/2, K = 10 G: u(A) (mm)".into(),
         "B: Lamé & Clapeyron 1833",
         exact,
@@ -71,7 +71,7 @@ fn lame() -> Row {
 }
 
 /// The difference that a finite bulk modulus makes goes like 1/K: its ratio for K and 10 K.
-fn finite_bulk() -> Row {
+fn finite_bulk() -> VerificationRow {
     let (inner, outer, stretch, _, pressure, ..) = ROWS[0];
     let swell = |bulk: Bulk| {
         let problem = Problem::new(super::rubber(), bulk, None, Ends::Sliding);
@@ -85,7 +85,7 @@ fn finite_bulk() -> Row {
         let limit = swell(Bulk::Incompressible)?;
         Some((swell(Bulk::Modulus(200.0))? - limit) / (swell(Bulk::Modulus(2000.0))? - limit))
     })();
-    Row::new(
+    VerificationRow::new(
         "thick tube: what K = 200 MPa changes over what 2000 MPa changes".into(),
         SOURCE,
         10.0,

@@ -1,10 +1,10 @@
 //! The exact cases, each named by its source.
 
-use mckibben_fem::verification::{self, Row};
+use mckibben_fem::verification::{self, VerificationRow};
 
-fn holds(rows: Vec<Row>) {
+fn holds(rows: Vec<VerificationRow>) {
     assert!(!rows.is_empty());
-    let bad: Vec<&Row> = rows.iter().filter(|r| !r.ok).collect();
+    let bad: Vec<&VerificationRow> = rows.iter().filter(|r| !r.ok).collect();
     assert!(bad.is_empty(), "{bad:#?}");
 }
 

@@ -37,7 +37,7 @@ pub struct LawTrial {
 /// Every law with a fixed number of constants, lowest AICc first.
 ///
 /// # Errors
-/// [`IdentifyError::Cancelled`]; what ends one law alone stands in its trial.
+/// [`IdentifyError::Cancelled`]; what ends one law alone is in its trial.
 pub fn try_laws<B: Build>(
     request: &Request<'_>,
     build: B,

@@ -199,7 +199,7 @@ fn check_rest(table: &Table, rest: &[Option<f64>], contractions: &[f64]) -> Resu
     }
 }
 
-/// What stands in the other columns.
+/// What is in the other columns.
 fn rows(table: &Table) -> Result<Vec<DataPoint>, TableError> {
     let weights = table.some_numbers(Meaning::Weight)?;
     let errors = [Meaning::ForceError, Meaning::ContractionError, Meaning::PressureError];

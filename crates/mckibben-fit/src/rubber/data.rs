@@ -103,7 +103,7 @@ pub fn read_tests(
     Ok((points, understood))
 }
 
-/// Force over the area at rest, in MPa, from whatever stands in the column.
+/// Force over the area at rest, in MPa, from whatever is in the column.
 fn nominal(
     table: &Table,
     row: usize,

@@ -7,7 +7,7 @@ use crate::identify::IdentifyError;
 use crate::measured::mean_of_data;
 use mckibben::budget::Exceeded;
 use mckibben::progress::Progress;
-use mckibben::verification::{Kind, Measure, Row};
+use mckibben::verification::{CaseKind, Measure, VerificationRow};
 
 /// The share of the points of a set that the ± is to hold.
 pub const COVERAGE: f64 = 0.95;
@@ -16,7 +16,7 @@ pub const COVERAGE: f64 = 0.95;
 ///
 /// # Errors
 /// [`Exceeded`] where the caller wanted it to end.
-pub fn cases<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<Row>, Exceeded> {
+pub fn cases<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
     let sets = match muscles() {
         Ok(sets) => sets,
         Err(error) => return Ok(vec![unread(error.to_string())]),
@@ -40,10 +40,10 @@ pub fn cases<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<Row>
 }
 
 /// Measurements that are built in and cannot be read: a case that fails.
-fn unread(error: String) -> Row {
-    Row {
+fn unread(error: String) -> VerificationRow {
+    VerificationRow {
         name: format!("measured muscles: {error}"),
-        kind: Kind::Validation,
+        kind: CaseKind::Validation,
         measure: Measure::Share,
         source: "",
         reference: COVERAGE,
@@ -54,12 +54,12 @@ fn unread(error: String) -> Row {
     }
 }
 
-fn held(set: &'static MuscleCase, left: &Left, what: &str) -> Row {
+fn held(set: &'static MuscleCase, left: &Left, what: &str) -> VerificationRow {
     let ours = left.share_held();
     let error = ours.map(|share| (COVERAGE - share).max(0.0));
-    Row {
+    VerificationRow {
         name: format!("{}: {} {what} within the ± of fe", set.facts.title, left.points),
-        kind: Kind::Validation,
+        kind: CaseKind::Validation,
         measure: Measure::Share,
         source: &set.facts.source,
         reference: COVERAGE,
@@ -71,19 +71,19 @@ fn held(set: &'static MuscleCase, left: &Left, what: &str) -> Row {
 }
 
 /// The rms of what a set's identified muscle leaves of the means of the branches, beside its largest blocked force.
-fn rms(set: &'static MuscleCase, left: &Left) -> Row {
+fn rms(set: &'static MuscleCase, left: &Left) -> VerificationRow {
     let error = (left.points > 0).then(|| left.rms_of_blocked());
     let fit = set.fits.first();
     let free = fit.map(|f| f.free.iter().map(|p| p.target.name(&f.muscle)).collect::<Vec<_>>());
     let tolerance = set.rms_of_blocked.unwrap_or(0.0);
-    Row {
+    VerificationRow {
         name: format!(
             "{}: fe, {} points, {} identified",
             set.facts.title,
             left.points,
             free.unwrap_or_default().join(" and ")
         ),
-        kind: Kind::Validation,
+        kind: CaseKind::Validation,
         measure: Measure::Rms,
         source: &set.facts.source,
         reference: left.blocked_n,

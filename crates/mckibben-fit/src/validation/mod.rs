@@ -28,7 +28,7 @@ use mckibben::muscle::measures::END_FACTOR;
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::progress::Progress;
 use mckibben::rubber::{Law, NeoHookean};
-use mckibben::verification::{Kind, Measure, Row};
+use mckibben::verification::{CaseKind, Measure, VerificationRow};
 
 /// As [`Build`], of any kind.
 type Builder<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync + 'a;
@@ -48,7 +48,7 @@ fn muscle() -> Option<Muscle> {
 ///
 /// # Errors
 /// [`Exceeded`] where the caller wanted it to end.
-pub fn cases<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<Row>, Exceeded> {
+pub fn cases<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
     let points = read_measured(POINTS.as_bytes()).map(|p| mean_of_branches(&p)).unwrap_or_default();
     let thick: &Builder<'_> = &|m| Ok(Box::new(ThickWall::new(m)));
     let ideal: &Builder<'_> = &|m| Ok(Box::new(Ideal::new(m)));
@@ -78,7 +78,7 @@ fn row(
     parameters: &[Target],
     points: &[MeasuredPoint],
     allowed: f64,
-) -> Row {
+) -> VerificationRow {
     let largest = points.iter().map(|p| p.force_n).fold(0.0, f64::max);
     let rms = muscle().and_then(|m| {
         let free: Vec<Parameter> = parameters.iter().copied().map(Parameter::free).collect();
@@ -97,9 +97,9 @@ fn row(
             .map(|c| c.rms_n)
     });
     let error = rms.map(|rms| rms / largest);
-    Row {
+    VerificationRow {
         name: format!("hand-made, 20°: {name}"),
-        kind: Kind::Validation,
+        kind: CaseKind::Validation,
         measure: Measure::Rms,
         source: SOURCE,
         reference: largest,

@@ -122,7 +122,7 @@ pub(super) fn fitted<B: Build>(
     Ok((found.muscle, found.parameters))
 }
 
-/// Means of branches and points without one, then the single branches. A point whose other branch is missing stands in the second list alone.
+/// Means of branches and points without one, then the single branches. A point whose other branch is missing is in the second list alone.
 pub(super) fn compared<'a>(means: &'a [DataPoint], points: &'a [DataPoint]) -> Vec<&'a DataPoint> {
     let means = means.iter().filter(|p| p.at.branch.is_mean());
     means.chain(points.iter().filter(|p| !p.at.branch.is_mean())).collect()

@@ -13,7 +13,7 @@ use crate::viscoelastic::{Branch, Prony};
 use mckibben::load::Load;
 use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
-use mckibben::verification::Row;
+use mckibben::verification::VerificationRow;
 use std::f64::consts::TAU;
 
 const BALANCE: &str = "identity: energies of a drive with every loss";
@@ -22,7 +22,7 @@ const DAHL: &str = "closed form: 2 F_c (stroke − 2 x_s)";
 const ORDER: &str = "convergence: against a tolerance of 1e-12";
 
 /// Balances of a drive with all losses, shut air, a slow loop, and what the tolerance makes of the error.
-pub fn mechanics() -> Vec<Row> {
+pub fn mechanics() -> Vec<VerificationRow> {
     let mut rows = balances().unwrap_or_default();
     rows.extend(shut());
     rows.extend(loops());
@@ -39,7 +39,7 @@ fn universal() -> Option<Box<dyn ForceModel>> {
 }
 
 /// Mass, spring, damper, friction, viscoelastic rubber and warm air at once.
-fn balances() -> Option<Vec<Row>> {
+fn balances() -> Option<Vec<VerificationRow>> {
     let model = universal()?;
     let spring = Load::Spring { rate_n_per_mm: 1.0, preload_n: 0.0 };
     let line = Load::Sum(vec![Load::Mass { mass_kg: 5.0, level: false }, spring]);
@@ -66,7 +66,7 @@ fn balances() -> Option<Vec<Row>> {
             pulled - e.load_j - e.kinetic_j - e.damper_j - e.impacts_j
         });
         let row = |what: &str, ours, tolerance| {
-            Row::new(format!("drive, {name} air: {what}"), BALANCE, 0.0, ours, tolerance)
+            VerificationRow::new(format!("drive, {name} air: {what}"), BALANCE, 0.0, ours, tolerance)
         };
         rows.push(row("air that is lost, of that in it", motion.as_ref().map(|m| m.mass_defect), 1e-12));
         rows.push(row("energy of the air that is lost, of the work", air, 1e-6));
@@ -76,13 +76,19 @@ fn balances() -> Option<Vec<Row>> {
 }
 
 /// The frequency of a mass on shut air: closed form, linearised system, and crossings of a motion.
-fn shut() -> Vec<Row> {
+fn shut() -> Vec<VerificationRow> {
     [("isothermal", Heat::Isothermal, 1.0), ("adiabatic", Heat::Adiabatic, 1.4)]
         .into_iter()
         .flat_map(|(name, heat, index)| {
             let row = |what: &str, f: &dyn Fn() -> Option<(f64, f64)>| {
                 let (exact, ours) = f().map_or((f64::NAN, None), |(exact, ours)| (exact, Some(ours)));
-                Row::new(format!("10 kg on shut {name} air: {what} (Hz)"), SHUT, exact, ours, 1e-4)
+                VerificationRow::new(
+                    format!("10 kg on shut {name} air: {what} (Hz)"),
+                    SHUT,
+                    exact,
+                    ours,
+                    1e-4,
+                )
             };
             let model = universal();
             let linear = || {
@@ -142,7 +148,7 @@ pub fn crossings(drive: &Drive<'_>, periods: f64) -> Option<f64> {
 }
 
 /// The area of a slow loop against a spring. After each of its two reversals z goes from 1 to −1 as 2 e^(−x/x_s) − 1, which takes 2 F_c x_s from it.
-fn loops() -> Vec<Row> {
+fn loops() -> Vec<VerificationRow> {
     const LEVEL_N: f64 = 10.0;
     const PRESLIDING_MM: f64 = 0.02;
     let one = |hz: f64| {
@@ -170,13 +176,13 @@ fn loops() -> Vec<Row> {
     };
     let row = |hz: f64| {
         let (exact, ours) = one(hz).map_or((f64::NAN, None), |(exact, ours)| (exact, Some(ours)));
-        Row::new(format!("friction loop of the braid at {hz} Hz (N mm)"), DAHL, exact, ours, 1e-4)
+        VerificationRow::new(format!("friction loop of the braid at {hz} Hz (N mm)"), DAHL, exact, ours, 1e-4)
     };
     [0.1, 1.0].map(row).into()
 }
 
 /// The error of a step at tolerances.
-fn convergence() -> Vec<Row> {
+fn convergence() -> Vec<VerificationRow> {
     // Its answers have no error of an iteration that a step could see.
     let model = ThickWall::new(&Muscle::prototype());
     let end = |relative: f64| {
@@ -194,7 +200,7 @@ fn convergence() -> Vec<Row> {
     let exact = end(1e-12);
     let row = |relative: f64| {
         let error = end(relative).zip(exact).map(|(x, exact)| x / exact - 1.0);
-        Row::new(
+        VerificationRow::new(
             format!("step of 10 kg, tolerance {relative:.0e}: error"),
             ORDER,
             0.0,

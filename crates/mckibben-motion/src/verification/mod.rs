@@ -12,10 +12,10 @@ use crate::drive::Drive;
 use crate::motion::Motion;
 use crate::run::run;
 use mckibben::progress::Silent;
-use mckibben::verification::Row;
+use mckibben::verification::VerificationRow;
 
 /// Every case, one after the other.
-pub fn cases() -> Vec<Row> {
+pub fn cases() -> Vec<VerificationRow> {
     let mut rows = vessel();
     rows.extend(mechanics());
     rows

@@ -13,7 +13,7 @@ use crate::motion::Motion;
 use crate::valve::{Orifice, Valve};
 use mckibben::model::{ForceModel, ModelEntry, ModelError, ModelInfo, Response, Workspace};
 use mckibben::muscle::Muscle;
-use mckibben::verification::Row;
+use mckibben::verification::VerificationRow;
 
 const SOURCE: &str = "ISO 6358: closed form of a rigid vessel";
 const BALANCE: &str = "identity: what goes in, comes out and stays";
@@ -83,11 +83,11 @@ fn temperature(motion: Option<&Motion>) -> Option<f64> {
 }
 
 /// Charges, discharges and balances.
-pub fn vessel() -> Vec<Row> {
+pub fn vessel() -> Vec<VerificationRow> {
     let from = ATMOSPHERE_MPA / SUPPLY_MPA;
     let choked_s = (CRITICAL - from) / RATE_PER_S;
     let row = |name: &str, reference: f64, ours, tolerance| {
-        Row::new(format!("vessel: {name}"), SOURCE, reference, ours, tolerance)
+        VerificationRow::new(format!("vessel: {name}"), SOURCE, reference, ours, tolerance)
     };
     let charge = after(Heat::Isothermal, 1.0, 0.0, choked_s);
     // The standard's flow up to 0.99 p_s; beyond it the linear range about equal pressures.
@@ -123,7 +123,19 @@ pub fn vessel() -> Vec<Row> {
         (e.enthalpy_in_j - e.enthalpy_out_j + e.heat_j - e.internal_j - e.gas_work_j) / e.enthalpy_in_j
     });
     let mass = largest(&|m| m.mass_defect);
-    rows.push(Row::new("vessel: air that is lost, of that in it".into(), BALANCE, 0.0, mass, 1e-12));
-    rows.push(Row::new("vessel: energy that is lost, of the enthalpy".into(), BALANCE, 0.0, energy, 1e-7));
+    rows.push(VerificationRow::new(
+        "vessel: air that is lost, of that in it".into(),
+        BALANCE,
+        0.0,
+        mass,
+        1e-12,
+    ));
+    rows.push(VerificationRow::new(
+        "vessel: energy that is lost, of the enthalpy".into(),
+        BALANCE,
+        0.0,
+        energy,
+        1e-7,
+    ));
     rows
 }

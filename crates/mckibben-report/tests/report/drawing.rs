@@ -136,7 +136,7 @@ fn a_gap_breaks_the_line_and_reaches_no_text() {
     let svg = one(vec![Series::line("", points)]).to_svg().unwrap();
     assert!(!svg.contains("NaN") && !svg.contains("inf"));
     let line = svg.lines().find(|l| l.contains("#0072b2") && l.starts_with("<path")).unwrap();
-    // two pieces of line; the point between the gaps stands alone
+    // two pieces of line; the point between the gaps is alone
     assert_eq!(line.matches('M').count(), 2, "{line}");
     assert_eq!(svg.matches("<circle").count(), 1);
 }

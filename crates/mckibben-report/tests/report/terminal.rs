@@ -3,7 +3,7 @@
 use crate::figures;
 use mckibben_report::{Axis, Figure, Mark, Panel, Series, Style};
 use proptest::prelude::*;
-use ratatui_core::text::Span;
+use unicode_width::UnicodeWidthStr;
 
 /// Drops the colour codes; anything else after an escape character would stay and show.
 fn plain(text: &str) -> String {
@@ -19,7 +19,7 @@ fn plain(text: &str) -> String {
 fn check(text: &str, width: usize) {
     for line in text.lines() {
         let line = plain(line);
-        assert!(Span::raw(line.as_str()).width() <= width, "wider than {width}: {line}");
+        assert!(line.as_str().width() <= width, "wider than {width}: {line}");
         assert_eq!(line.trim_end(), line, "trailing blanks");
     }
 }

@@ -1,7 +1,7 @@
 //! The least of a function of one variable.
 
 /// Golden section between `left` and `right`, from a sample between them.
-pub fn golden<S: Place, M: PartialOrd>(
+pub fn golden<S: Abscissa, M: PartialOrd>(
     left: f64,
     start: S,
     right: f64,
@@ -35,12 +35,12 @@ pub fn golden<S: Place, M: PartialOrd>(
 }
 
 /// Something at a place of an axis.
-pub trait Place {
+pub trait Abscissa {
     /// The place.
     fn place(&self) -> f64;
 }
 
-impl<T> Place for (f64, T) {
+impl<T> Abscissa for (f64, T) {
     fn place(&self) -> f64 {
         self.0
     }

@@ -17,7 +17,7 @@ pub use ask::{Options, force_on, response_on, slope_by_pressure, source_of, stif
 pub use burst::{Burst, NoBurst, burst};
 pub use characteristics::{blocked_force_n, free_contraction, start_pressure_mpa, work_per_stroke_j};
 pub use error::AnalysisError;
-pub use golden::{Place, golden};
+pub use golden::{Abscissa, golden};
 pub use inverse::pressure_up_to;
 pub(crate) use inverse::straight_strands;
 pub use inverse::{contraction_at, contraction_or_stretch_at, pressure_at};

@@ -225,7 +225,7 @@ fn numbers_that_no_muscle_has_are_refused() {
     let text = formula(Body::Paper(Box::new(*Coefficients::published()))).to_json();
     let error = edited(&text, "-12.079", "-12.079e19").unwrap_err().to_string();
     assert!(error.contains("its numbers are not plausible: at D0 30 mm"), "{error}");
-    // The terms are as they were written, and what stands at the check point is not what they give.
+    // The terms are as they were written, and what is at the check point is not what they give.
     let force = text.rfind("\"force_n\": ").unwrap() + 11;
     let error = Formula::parse(&format!("{}9{}", &text[..force], &text[force..])).unwrap_err().to_string();
     assert!(error.contains("its check point states 9"), "{error}");

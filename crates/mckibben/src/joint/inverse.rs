@@ -15,7 +15,7 @@ const TOLERANCE: f64 = 1e-12;
 
 /// What a joint shall do.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Wanted {
+pub struct JointTarget {
     /// φ in degrees.
     pub angle_deg: f64,
     /// τ in N m that it shall have for the world outside: muscles, spring and weight together; 0 where it shall rest there.
@@ -44,7 +44,7 @@ impl JointModel<'_> {
     pub fn pressures(
         &self,
         workspaces: &mut [Workspace],
-        wanted: Wanted,
+        wanted: JointTarget,
         max_pressure_mpa: f64,
     ) -> Result<JointPoint, JointError> {
         self.check_angle(wanted.angle_deg)?;

@@ -21,7 +21,7 @@ pub mod verification;
 
 pub use error::JointError;
 pub use file::{JointFile, parse_joint};
-pub use inverse::Wanted;
+pub use inverse::JointTarget;
 pub use map::{JointMap, MapPoint};
 pub use model::{JointModel, JointPoint, MuscleState, Turning};
 pub use path::{Path, Shortening};

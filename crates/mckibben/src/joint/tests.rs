@@ -46,7 +46,7 @@ fn what_was_sought_has_the_uncertainty_of_the_torque_over_its_slope() {
     let joint = antagonists();
     let models = models(&joint, ModelKind::Universal);
     let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
-    let wanted = Wanted { angle_deg: 10.0, torque_nm: 2.0, stiffness_nm_per_rad: Some(8.0) };
+    let wanted = JointTarget { angle_deg: 10.0, torque_nm: 2.0, stiffness_nm_per_rad: Some(8.0) };
     let found = model.pressures(w, wanted, 0.3).unwrap();
     let halves = model.pressure_uncertainties_mpa(w, &found);
     assert_eq!(halves.len(), 2);
@@ -134,17 +134,17 @@ fn what_the_joint_cannot_do_is_said_with_what_it_can() {
     let joint = antagonists();
     let models = models(&joint, ModelKind::Universal);
     let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
-    let wanted = Wanted { angle_deg: 0.0, torque_nm: 500.0, stiffness_nm_per_rad: None };
+    let wanted = JointTarget { angle_deg: 0.0, torque_nm: 500.0, stiffness_nm_per_rad: None };
     let error = model.pressures(w, wanted, 0.25).unwrap_err();
     let JointError::NoTorque { most_nm, .. } = error else { panic!("{error}") };
     let all = model.at(w, &[0.25, 0.0], 0.0, Turning::Mean).unwrap().torque_nm;
     assert!((most_nm - all).abs() < 1e-9, "{most_nm} {all}");
-    let stiff = Wanted { torque_nm: 1.0, stiffness_nm_per_rad: Some(1e4), ..wanted };
+    let stiff = JointTarget { torque_nm: 1.0, stiffness_nm_per_rad: Some(1e4), ..wanted };
     assert!(
         matches!(model.pressures(w, stiff, 0.25), Err(JointError::NoStiffness { most, .. }) if most > 1.0)
     );
     // The lowest pressures that hold a torque leave the other muscle alone.
-    let low = model.pressures(w, Wanted { torque_nm: 5.0, ..wanted }, 0.25).unwrap();
+    let low = model.pressures(w, JointTarget { torque_nm: 5.0, ..wanted }, 0.25).unwrap();
     assert!((low.torque_nm - 5.0).abs() < 1e-9 && low.pressures_mpa[1] == 0.0, "{low:?}");
     assert!(matches!(model.at(w, &[0.1, 0.1], 70.0, Turning::Mean), Err(JointError::Angle { .. })));
     assert!(matches!(model.at(w, &[0.1], 0.0, Turning::Mean), Err(JointError::Pressures { .. })));

@@ -1,12 +1,12 @@
 //! Joints against virtual work, symmetry and their own inverses.
 
-use super::{Joint, JointModel, JointMuscle, JointSpring, Link, Path, Rest, Turning, Wanted};
+use super::{Joint, JointModel, JointMuscle, JointSpring, JointTarget, Link, Path, Rest, Turning};
 use crate::analysis::{Options, work_per_stroke_j};
 use crate::load::GRAVITY_M_PER_S2;
 use crate::model::{ForceModel, Ideal, Workspace};
 use crate::muscle::{Muscle, Tube};
 use crate::random::Random;
-use crate::verification::Row;
+use crate::verification::VerificationRow;
 
 const WORK: &str = "virtual work: τ = d/dφ (Σ ∫F dΔ − E of weight and spring)";
 const SYMMETRY: &str = "symmetry: two equal muscles at one pressure";
@@ -41,7 +41,7 @@ pub(super) fn elbow() -> Option<Joint> {
 }
 
 /// Every case.
-pub fn cases() -> Vec<Row> {
+pub fn cases() -> Vec<VerificationRow> {
     let mut rows = virtual_work().unwrap_or_default();
     rows.extend(symmetric().unwrap_or_default());
     rows.push(inverses());
@@ -49,7 +49,7 @@ pub fn cases() -> Vec<Row> {
 }
 
 /// (W(φ + h) − W(φ − h))/2h against τ, and −dτ/dφ by differences.
-fn virtual_work() -> Option<Vec<Row>> {
+fn virtual_work() -> Option<Vec<VerificationRow>> {
     let joint = elbow()?;
     let models: Vec<Ideal> = joint.muscles().iter().map(|m| Ideal::new(&m.muscle)).collect();
     let model = JointModel::new(&joint, models.iter().map(|m| m as &dyn ForceModel).collect(), true).ok()?;
@@ -75,16 +75,16 @@ fn virtual_work() -> Option<Vec<Row>> {
     for deg in [-40.0, -10.0, 0.0, 25.0, 55.0] {
         let point = at(deg)?;
         let name = format!("elbow at {deg}°: torque (N m)");
-        rows.push(Row::new(name, WORK, slope(&work, deg)?, Some(point.torque_nm), 1e-6));
+        rows.push(VerificationRow::new(name, WORK, slope(&work, deg)?, Some(point.torque_nm), 1e-6));
         let stiffness = -slope(&|deg| at(deg).map(|p| p.torque_nm), deg)?;
         let name = format!("elbow at {deg}°: stiffness (N m/rad)");
-        rows.push(Row::new(name, WORK, stiffness, Some(point.stiffness_nm_per_rad), 1e-5));
+        rows.push(VerificationRow::new(name, WORK, stiffness, Some(point.stiffness_nm_per_rad), 1e-5));
     }
     Some(rows)
 }
 
 /// Rest in the middle, with r²(K1 + K2).
-fn symmetric() -> Option<Vec<Row>> {
+fn symmetric() -> Option<Vec<VerificationRow>> {
     let radius = 25.0;
     let on = |radius_mm: f64| muscle(Path::Pulley { radius_mm }, 0.1);
     let joint = Joint::new(vec![on(radius), on(-radius)], None, Link::default(), (-60.0, 60.0)).ok()?;
@@ -99,8 +99,8 @@ fn symmetric() -> Option<Vec<Row>> {
     let k = ideal.response(&mut Workspace::new(), 0.2, 0.1).ok()?.stiffness_n_per_mm?;
     let stiffness = 2e-3 * radius * radius * k;
     Some(vec![
-        Row::new("two equal muscles: rest (°)".into(), SYMMETRY, 0.0, rest, 1e-9),
-        Row::new(
+        VerificationRow::new("two equal muscles: rest (°)".into(), SYMMETRY, 0.0, rest, 1e-9),
+        VerificationRow::new(
             "two equal muscles: r²(K1 + K2) (N m/rad)".into(),
             SYMMETRY,
             stiffness,
@@ -111,7 +111,7 @@ fn symmetric() -> Option<Vec<Row>> {
 }
 
 /// (P1, P2) → torque and stiffness → pressures with the same torque and stiffness; the largest difference, relative.
-fn inverses() -> Row {
+fn inverses() -> VerificationRow {
     let mut random = Random(20_261_121);
     let (mut done, mut largest) = (0, Some(0.0_f64));
     while done < JOINTS {
@@ -120,7 +120,13 @@ fn inverses() -> Row {
             largest = largest.zip(off).map(|(a, b)| a.max(b));
         }
     }
-    Row::new(format!("{JOINTS} random joints: largest error of the inverse"), INVERSE, 0.0, largest, 1e-8)
+    VerificationRow::new(
+        format!("{JOINTS} random joints: largest error of the inverse"),
+        INVERSE,
+        0.0,
+        largest,
+        1e-8,
+    )
 }
 
 /// The error of one random joint, `Some(None)` where the inverse has no answer; `None` where it cannot be asked.
@@ -152,7 +158,7 @@ fn round_trip(random: &mut Random) -> Option<Option<f64>> {
         return None;
     }
     let stiffness_nm_per_rad = Some(there.stiffness_nm_per_rad);
-    let wanted = Wanted { angle_deg: deg, torque_nm: there.torque_nm, stiffness_nm_per_rad };
+    let wanted = JointTarget { angle_deg: deg, torque_nm: there.torque_nm, stiffness_nm_per_rad };
     let back = model.pressures(w, wanted, 0.6).ok();
     Some(back.map(|back| {
         let torque = (back.torque_nm - there.torque_nm).abs() / (1.0 + there.torque_nm.abs());

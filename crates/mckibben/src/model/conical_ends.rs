@@ -2,7 +2,7 @@
 //!
 //!   F = π r0² P {−1 + (2λ/tan²θ0) [λ + (kc ε/3)(1/f − 4)]},   f = r/r0 = √(1 − cos²θ0 λ²)/sinθ0
 //!
-//! Each cone has the length kc L0 ε and grows from r0 to r. Source: Tondu (2012) \[tondu2012\] eq. (25), as it stands there: pressure
+//! Each cone has the length kc L0 ε and grows from r0 to r. Source: Tondu (2012) \[tondu2012\] eq. (25), as it is there: pressure
 //! on the plugs π r0², and the work of the lateral surface at fixed lengths.
 //!
 //! That is not −P dV/dL of the same body, V = π r0² L0 [f² λ + (2kc ε/3)(1 + f − 2f²)], which gives

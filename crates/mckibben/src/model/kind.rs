@@ -31,7 +31,7 @@ fn meant(nearest: Option<&str>) -> String {
 }
 
 /// What is known of a kind, and how it is made of a muscle between its ends.
-struct Row {
+struct KindRow {
     entry: ModelEntry,
     build: fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError>,
 }
@@ -44,7 +44,7 @@ macro_rules! models {
             $($(#[$doc])* $kind,)*
         }
 
-        const ROWS: &[Row] = &[$(Row { entry: $entry, build: $build },)*];
+        const ROWS: &[KindRow] = &[$(KindRow { entry: $entry, build: $build },)*];
 
         impl ModelKind {
             /// All kinds.
@@ -97,7 +97,7 @@ fn universal(
 }
 
 impl ModelKind {
-    fn row(self) -> &'static Row {
+    fn row(self) -> &'static KindRow {
         &ROWS[self as usize]
     }
 

@@ -63,7 +63,7 @@ pub enum Conditioned {
     },
 }
 
-/// A rubber with its origin. As data (serde) it is what stands in `[tube.material]` of a muscle file, moduli in MPa:
+/// A rubber with its origin. As data (serde) it is what is in `[tube.material]` of a muscle file, moduli in MPa:
 ///
 /// ```
 /// use mckibben::muscle::Rubber;

@@ -58,7 +58,7 @@ pub(super) fn axes(
     Ok(axes)
 }
 
-/// What an axis must be, in a sentence that its key stands before.
+/// What an axis must be, in a sentence that its key is before.
 fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> {
     let interval = matches!(axis.values, Values::Interval(..));
     let (low, high) = axis.values.bounds();

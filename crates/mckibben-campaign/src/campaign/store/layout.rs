@@ -28,7 +28,7 @@ pub(crate) struct Field {
 }
 
 impl Field {
-    /// Where it stands in a row.
+    /// Where it is in a row.
     pub(crate) fn slot<'a>(&self, row: &'a mut PointRow) -> Slot<'a> {
         (self.column.slot)(row)
     }

@@ -1,4 +1,4 @@
-//! What stands in the rows.
+//! What is in the rows.
 
 use super::*;
 use crate::PointRow;

@@ -4,8 +4,8 @@ use crate::failure::in_flags;
 use crate::output::text::{Units, aligned, columns, half_width, number, or_dash, percent, percents, place};
 use mckibben::analysis::litres_anr;
 use mckibben_app::{
-    CandidateAnswer, ClosestAnswer, DemandAnswer, DesignAnswer, RejectedAnswer, SearchedAnswer, SureAnswer,
-    TorqueWanted, Wanted,
+    CandidateAnswer, ClosestAnswer, DemandAnswer, DesignAnswer, OperatingPoint, RejectedAnswer,
+    SearchedAnswer, SureAnswer, TorqueWanted,
 };
 use mckibben_design::{CandidatePoint, Limit, Relaxation, Spread};
 use std::path::Path;
@@ -64,7 +64,8 @@ fn wanted(answer: &DesignAnswer, u: &Units) -> String {
     let load = answer.load.as_deref().unwrap_or_default();
     match &answer.wanted {
         DemandAnswer::Points { points } => {
-            let one = |q: &Wanted| format!("{} at {}", u.force.show(q.force_n), percent(q.contraction));
+            let one =
+                |q: &OperatingPoint| format!("{} at {}", u.force.show(q.force_n), percent(q.contraction));
             points.iter().map(one).collect::<Vec<_>>().join(", ")
         }
         DemandAnswer::Stroke { stroke_mm } => format!("{load} lifted by {}", u.length.show(*stroke_mm)),
@@ -213,7 +214,7 @@ fn doubt(answer: &DesignAnswer, u: &Units) -> String {
     });
     let Some(half) = tight else { return String::new() };
     let joined = |list: Vec<String>| list.join(", ");
-    let force = |q: &Wanted| u.force.show(q.force_n);
+    let force = |q: &OperatingPoint| u.force.show(q.force_n);
     let (half, wanted) = match &answer.wanted {
         DemandAnswer::Joint { torques, radius_mm } => {
             let half = format!("{} N m", half_width(1e-3 * half * radius_mm));
@@ -325,13 +326,15 @@ fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {
                 format!("raise the maximum pressure to {}{far}", u.pressure.show(*pressure_mpa))
             }
             Relaxation::Force { points } => {
-                let each =
-                    |q: &Wanted| format!("{} at {}", u.force.show(q.force_n.floor()), percent(q.contraction));
+                let each = |q: &OperatingPoint| {
+                    format!("{} at {}", u.force.show(q.force_n.floor()), percent(q.contraction))
+                };
                 format!("reduce the pull to {}", points.iter().map(each).collect::<Vec<_>>().join(" and "))
             }
             Relaxation::Contraction { points } => {
                 let floor = |v: f64| percent((v * 1e4).floor() / 1e4);
-                let each = |q: &Wanted| format!("{} for {}", floor(q.contraction), u.force.show(q.force_n));
+                let each =
+                    |q: &OperatingPoint| format!("{} for {}", floor(q.contraction), u.force.show(q.force_n));
                 let each = points.iter().map(each).collect::<Vec<_>>().join(" and ");
                 format!("reduce the contraction to {each}")
             }

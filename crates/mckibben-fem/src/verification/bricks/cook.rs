@@ -5,7 +5,7 @@
 use super::block::Block;
 use super::{body, solve};
 use crate::three_dimensional::{Brick, Freedom};
-use crate::verification::Row;
+use crate::verification::VerificationRow;
 use mckibben::muscle::Bulk;
 use mckibben::rubber::{Law, NeoHookean};
 
@@ -41,20 +41,20 @@ fn tip(n: usize) -> Option<f64> {
 }
 
 /// The rows of H.
-pub fn cook() -> Vec<Row> {
+pub fn cook() -> Vec<VerificationRow> {
     rows(&[(4, 6.0199), (8, 6.6186), (16, 6.8144), (32, 6.8842)])
 }
 
 /// The finest meshes: some seconds in a program that is optimised, minutes in one that is not.
-pub fn cook_fine() -> Vec<Row> {
+pub fn cook_fine() -> Vec<VerificationRow> {
     rows(&[(64, 6.9115), (128, 6.9231)])
 }
 
-fn rows(meshes: &[(usize, f64)]) -> Vec<Row> {
+fn rows(meshes: &[(usize, f64)]) -> Vec<VerificationRow> {
     meshes
         .iter()
         .map(|&(n, exact)| {
-            Row::new(format!("Cook's membrane, {n} × {n}: tip (mm)"), SOURCE, exact, tip(n), 1e-5)
+            VerificationRow::new(format!("Cook's membrane, {n} × {n}: tip (mm)"), SOURCE, exact, tip(n), 1e-5)
         })
         .collect()
 }

@@ -8,7 +8,7 @@
 use super::block::Block;
 use super::{BRICKS, body, push, reaction};
 use crate::three_dimensional::{Body, Brick, Freedom};
-use crate::verification::{Row, rubber};
+use crate::verification::{VerificationRow, rubber};
 use mckibben::muscle::Bulk;
 
 const SOURCE: &str = "A: Rivlin 1948 [rivlin1948]; Treloar 1975 [treloar1975] (bricks)";
@@ -53,7 +53,7 @@ fn stress(brick: Brick, x: f64, y: Option<f64>) -> Option<(f64, f64)> {
 }
 
 /// The rows of A.
-pub fn homogeneous() -> Vec<Row> {
+pub fn homogeneous() -> Vec<VerificationRow> {
     let mut rows = Vec::new();
     for (brick, name) in BRICKS {
         for (what, y, exact) in
@@ -61,9 +61,9 @@ pub fn homogeneous() -> Vec<Row> {
         {
             let got = stress(brick, 2.0, y);
             let title = format!("{name}, {what} λ = 2: nominal stress (MPa)");
-            rows.push(Row::new(title, SOURCE, exact, got.map(|g| g.0), 1e-9));
+            rows.push(VerificationRow::new(title, SOURCE, exact, got.map(|g| g.0), 1e-9));
             let title = format!("{name}, patch test, {what} λ = 2: largest displacement off (mm)");
-            rows.push(Row::new(title, SOURCE, 0.0, got.map(|g| g.1), 1e-10));
+            rows.push(VerificationRow::new(title, SOURCE, 0.0, got.map(|g| g.1), 1e-10));
         }
     }
     rows

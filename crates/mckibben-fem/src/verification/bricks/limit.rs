@@ -4,7 +4,7 @@
 //! Loaded and held: pressure inside, rest length held, both ends bonded.
 
 use crate::three_dimensional::{BrickSpec, Match, ThreeDimensional};
-use crate::verification::Row;
+use crate::verification::VerificationRow;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle};
 use std::f64::consts::PI;
@@ -27,7 +27,7 @@ fn blocked(wall: f64, around: usize) -> Option<f64> {
 }
 
 /// The rows of the limit.
-pub fn limit() -> Vec<Row> {
+pub fn limit() -> Vec<VerificationRow> {
     let theta = 28.0_f64.to_radians();
     let exact =
         PI * DIAMETER * DIAMETER * PRESSURE / (4.0 * theta.sin().powi(2)) * (3.0 * theta.cos().powi(2) - 1.0);
@@ -39,9 +39,9 @@ pub fn limit() -> Vec<Row> {
         let finer = (|| Some(((b? - exact) / (c? - exact)).log2()))();
         let extrapolated = (|| Some((4.0 * c? - b?) / 3.0))();
         let title = |what: &str| format!("blocked force, D0 50, s {wall}, P 0.25, inextensible, {what}");
-        rows.push(Row::new(title("6 → 12 bricks around: order"), SOURCE, 2.0, order, 0.05));
-        rows.push(Row::new(title("12 → 24 bricks around: order"), SOURCE, 2.0, finer, 0.02));
-        rows.push(Row::new(title("extrapolated (N)"), SOURCE, exact, extrapolated, 1e-4));
+        rows.push(VerificationRow::new(title("6 → 12 bricks around: order"), SOURCE, 2.0, order, 0.05));
+        rows.push(VerificationRow::new(title("12 → 24 bricks around: order"), SOURCE, 2.0, finer, 0.02));
+        rows.push(VerificationRow::new(title("extrapolated (N)"), SOURCE, exact, extrapolated, 1e-4));
     }
     rows
 }

@@ -38,7 +38,7 @@ use mckibben::muscle::Muscle;
 const BRICKS: [(Brick, &str); 2] = [(Brick::Linear, "8-node brick"), (Brick::Quadratic, "27-node brick")];
 
 /// Every case with bricks.
-pub(super) const CASES: [super::Case; 12] = [
+pub(super) const CASES: [super::VerificationCase; 12] = [
     homogeneous,
     shear,
     thick_tube,

@@ -3,7 +3,7 @@
 //! Loaded and held: pressure inside, the length given, both ends bonded.
 
 use crate::three_dimensional::{Brick, BrickSpec, Match, ThreeDimensional};
-use crate::verification::Row;
+use crate::verification::VerificationRow;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Bulk, Muscle, Rubber, Strands};
 use mckibben::rubber::{Law, MooneyRivlin};
@@ -27,27 +27,33 @@ pub(super) fn peers() -> Option<Muscle> {
 }
 
 /// The rows of the muscle.
-pub fn muscle() -> Vec<Row> {
+pub fn muscle() -> Vec<VerificationRow> {
     let mut rows = Vec::new();
     let spec = BrickSpec { through: Some(2), around: Some(12), keep: Match::Angle, ..BrickSpec::default() };
     let model = peers().and_then(|m| ThreeDimensional::with_mesh(&m, &spec).ok());
     for (p, e, force) in [(0.25, 0.0, 843.49), (0.10, 0.10, 99.37), (0.25, 0.10, 438.93)] {
         let ours = model.as_ref().and_then(|m| m.force_n(&mut Workspace::new(), p, e).ok());
         let title = format!("muscle, 2 × 12 × 39 8-node bricks, ε {e}, P {p}: F (N)");
-        rows.push(Row::new(title, FELUPE, force, ours, 1e-4));
+        rows.push(VerificationRow::new(title, FELUPE, force, ours, 1e-4));
     }
     let quadratic = BrickSpec { through: None, around: Some(8), brick: Brick::Quadratic, ..spec };
     let ours = peers()
         .and_then(|m| ThreeDimensional::with_mesh(&m, &quadratic).ok())
         .and_then(|m| m.force_n(&mut Workspace::new(), 0.25, 0.10).ok());
     let title = "muscle, 1 × 8 × 26 27-node bricks, ε 0.1, P 0.25: F (N)".into();
-    rows.push(Row::new(title, "FElupe 11.3, limit of its refined meshes, ± 0.5 N", 440.6, ours, 0.5 / 440.6));
+    rows.push(VerificationRow::new(
+        title,
+        "FElupe 11.3, limit of its refined meshes, ± 0.5 N",
+        440.6,
+        ours,
+        0.5 / 440.6,
+    ));
     rows.extend(limit());
     rows
 }
 
 /// F and V of the program's own mesh against the axisymmetric ones, where the strands are taut.
-fn limit() -> Vec<Row> {
+fn limit() -> Vec<VerificationRow> {
     let mut rows = Vec::new();
     for (d, s) in [(30.0, 3.0), (50.0, 1.0)] {
         let models = Muscle::prototype().with_section(d, s).ok().and_then(|m| {
@@ -68,8 +74,14 @@ fn limit() -> Vec<Row> {
             let volume = both.and_then(|(a, b)| Some(a.volume_mm3? / b.volume_mm3? - 1.0));
             let title =
                 |what: &str| format!("muscle D0 {d} s {s}, ε {e}, P {p}: 3D less axisymmetric, {what}");
-            rows.push(Row::new(title("F over blocked F"), LIMIT, 0.0, force.map(f64::abs), 0.003));
-            rows.push(Row::new(title("V"), LIMIT, 0.0, volume.map(f64::abs), 0.003));
+            rows.push(VerificationRow::new(
+                title("F over blocked F"),
+                LIMIT,
+                0.0,
+                force.map(f64::abs),
+                0.003,
+            ));
+            rows.push(VerificationRow::new(title("V"), LIMIT, 0.0, volume.map(f64::abs), 0.003));
         }
     }
     rows

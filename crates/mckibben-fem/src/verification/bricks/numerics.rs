@@ -11,7 +11,7 @@ use crate::element::truss::Truss;
 use crate::solver::body::Control;
 use crate::solver::newton::{self, Effort};
 use crate::three_dimensional::{Body, Brick, BrickMesh, BrickSpec, Problem};
-use crate::verification::Row;
+use crate::verification::VerificationRow;
 use mckibben::muscle::{Braid, BraidStiffness, Bulk, Muscle};
 use mckibben::rubber::Law;
 
@@ -212,7 +212,7 @@ fn truss() -> f64 {
 }
 
 /// The rows of J.
-pub fn numerics() -> Vec<Row> {
+pub fn numerics() -> Vec<VerificationRow> {
     let mut rows = Vec::new();
     for (brick, name) in BRICKS {
         for law in crate::verification::numerics::laws() {
@@ -221,16 +221,22 @@ pub fn numerics() -> Vec<Row> {
             let error =
                 shaken(brick, law, Bulk::Modulus(20.0), stiffness).and_then(|mut b| tangent_error(&mut b));
             let title = format!("{name}, {title}: tangent against differences");
-            rows.push(Row::new(title, SOURCE, 0.0, error, 1e-8));
+            rows.push(VerificationRow::new(title, SOURCE, 0.0, error, 1e-8));
         }
         let row = |what: &str, reference: f64, value: Option<f64>, tolerance: f64| {
-            Row::new(format!("{name}, {what}"), SOURCE, reference, value, tolerance)
+            VerificationRow::new(format!("{name}, {what}"), SOURCE, reference, value, tolerance)
         };
         rows.push(row("energy and forces after a rotation", 0.0, objectivity(brick), 1e-10));
         rows.push(row("order of Newton's last residuals (2 or more)", 2.0, order_of_newton(brick), 0.2));
         rows.push(row("pull after 4 and 25 steps", 0.0, steps(brick), 1e-8));
         rows.push(row("pull with unknowns numbered backwards", 0.0, numbering(brick), 1e-10));
     }
-    rows.push(Row::new("strand, tangent against differences".into(), SOURCE, 0.0, Some(truss()), 1e-8));
+    rows.push(VerificationRow::new(
+        "strand, tangent against differences".into(),
+        SOURCE,
+        0.0,
+        Some(truss()),
+        1e-8,
+    ));
     rows
 }

@@ -9,7 +9,7 @@ use super::pressure::prototype;
 use super::{BRICKS, at_rest, solve};
 use crate::solver::continuation::Unstable;
 use crate::three_dimensional::{Body, Brick, BrickSpec};
-use crate::verification::Row;
+use crate::verification::VerificationRow;
 use mckibben::muscle::{Bulk, Muscle};
 use mckibben::rubber::Law;
 use nalgebra::DMatrix;
@@ -75,32 +75,32 @@ fn shortened() -> Option<(Vec<Unstable>, usize, usize)> {
 }
 
 /// The rows of paths and stability.
-pub fn paths() -> Vec<Row> {
+pub fn paths() -> Vec<VerificationRow> {
     let mut rows = Vec::new();
     for (brick, name) in BRICKS {
         for (p, e) in [(0.2, 0.0), (0.2, 0.1), (0.15, 0.15)] {
             let title = format!("{name}, P {p}, ε {e}: pull after a walk from rest, relative difference");
-            rows.push(Row::new(title, SOURCE, 0.0, walked(brick, p, e), 1e-8));
+            rows.push(VerificationRow::new(title, SOURCE, 0.0, walked(brick, p, e), 1e-8));
         }
         for law in laws() {
             let title = law.name();
             let title = format!("{name}, {title}, incompressible: tangent against differences");
-            rows.push(Row::new(title, SOURCE, 0.0, incompressible(brick, law), 1e-7));
+            rows.push(VerificationRow::new(title, SOURCE, 0.0, incompressible(brick, law), 1e-7));
         }
     }
     let got = shortened();
     let reference = got.as_ref().map_or(f64::NAN, |g| g.2 as f64);
     let pivots = got.as_ref().map(|g| g.1 as f64);
     let title = "strands in compression, P 0, ε 0.02: negative pivots against eigenvalues".to_owned();
-    rows.push(Row::new(title, SOURCE, reference, pivots, 0.0));
+    rows.push(VerificationRow::new(title, SOURCE, reference, pivots, 0.0));
     let title = "the same: there are some".to_owned();
-    rows.push(Row::new(title, SOURCE, 1.0, pivots.map(|n| n.min(1.0)), 0.0));
+    rows.push(VerificationRow::new(title, SOURCE, 1.0, pivots.map(|n| n.min(1.0)), 0.0));
     let noticed = got.as_ref().and_then(|g| g.0.first().copied());
     let title = |what: &str| format!("the same: the first unstable step is noticed, {what}");
-    rows.push(Row::new(title("P (MPa)"), SOURCE, 0.0, noticed.map(|u| u.pressure_mpa), 0.0));
+    rows.push(VerificationRow::new(title("P (MPa)"), SOURCE, 0.0, noticed.map(|u| u.pressure_mpa), 0.0));
     // One of the four contractions that were asked for.
     let place = noticed.map(|u| u.contraction / 0.005);
     let reference = noticed.map_or(f64::NAN, |u| u.step as f64);
-    rows.push(Row::new(title("ε over that of a step"), SOURCE, reference, place, 1e-12));
+    rows.push(VerificationRow::new(title("ε over that of a step"), SOURCE, reference, place, 1e-12));
     rows
 }

@@ -5,7 +5,7 @@
 use super::{BRICKS, at_rest, solve};
 use crate::solver::continuation::Continuation;
 use crate::three_dimensional::{Body, Brick, BrickSpec, MuscleInBricks};
-use crate::verification::Row;
+use crate::verification::VerificationRow;
 use mckibben::muscle::Muscle;
 
 const SOURCE: &str = "E: closed cavity, energy (bricks)";
@@ -67,17 +67,17 @@ fn energy(brick: Brick) -> Option<(f64, f64)> {
 }
 
 /// The rows of E.
-pub fn follower_pressure() -> Vec<Row> {
+pub fn follower_pressure() -> Vec<VerificationRow> {
     let mut rows = Vec::new();
     for (brick, name) in BRICKS {
         let got = maxwell(brick);
         let reference = got.map_or(1.0, |g| g.1);
         let title = format!("{name}, Maxwell: ∂F/∂P = −∂V/∂L (mm²)");
-        rows.push(Row::new(title, SOURCE, reference, got.map(|g| g.0), 1e-9));
+        rows.push(VerificationRow::new(title, SOURCE, reference, got.map(|g| g.0), 1e-9));
         let got = energy(brick);
         let reference = got.map_or(1.0, |g| g.1);
         let title = format!("{name}, ∫P dV + ∫F dL = elastic energy (N·mm)");
-        rows.push(Row::new(title, SOURCE, reference, got.map(|g| g.0), 1e-6));
+        rows.push(VerificationRow::new(title, SOURCE, reference, got.map(|g| g.0), 1e-6));
     }
     rows
 }

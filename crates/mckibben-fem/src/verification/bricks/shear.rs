@@ -11,7 +11,7 @@
 use super::block::Block;
 use super::{BRICKS, body, push};
 use crate::three_dimensional::{Brick, Freedom};
-use crate::verification::{Row, rubber};
+use crate::verification::{VerificationRow, rubber};
 use mckibben::muscle::Bulk;
 
 const SOURCE: &str = "A: Rivlin 1948 [rivlin1948], simple shear (bricks)";
@@ -54,7 +54,7 @@ fn sheared(brick: Brick) -> Option<([f64; 3], f64)> {
 }
 
 /// The rows of simple shear.
-pub fn shear() -> Vec<Row> {
+pub fn shear() -> Vec<VerificationRow> {
     let mut rows = Vec::new();
     for (brick, name) in BRICKS {
         let got = sheared(brick);
@@ -67,10 +67,10 @@ pub fn shear() -> Vec<Row> {
         .enumerate()
         {
             let title = format!("{name}, simple shear γ = 1: {what} (MPa)");
-            rows.push(Row::new(title, SOURCE, exact, got.map(|g| g.0[i]), 1e-9));
+            rows.push(VerificationRow::new(title, SOURCE, exact, got.map(|g| g.0[i]), 1e-9));
         }
         let title = format!("{name}, simple shear γ = 1: largest displacement off (mm)");
-        rows.push(Row::new(title, SOURCE, 0.0, got.map(|g| g.1), 1e-10));
+        rows.push(VerificationRow::new(title, SOURCE, 0.0, got.map(|g| g.1), 1e-10));
     }
     rows
 }

@@ -9,7 +9,7 @@
 //! Loaded and held: both supports held, the apex pushed down.
 
 use crate::element::truss::Truss;
-use crate::verification::Row;
+use crate::verification::VerificationRow;
 
 const SOURCE: &str = "F: von Mises truss, engineering strain (strands)";
 /// E·A in N.
@@ -47,11 +47,11 @@ fn at_load(load: f64, mut d: f64) -> f64 {
 }
 
 /// The rows of F with strands.
-pub fn snap() -> Vec<Row> {
+pub fn snap() -> Vec<VerificationRow> {
     let row = |what: String, reference: f64, ours: f64, tolerance: f64| {
-        Row::new(what, SOURCE, reference, Some(ours), tolerance)
+        VerificationRow::new(what, SOURCE, reference, Some(ours), tolerance)
     };
-    let mut rows: Vec<Row> = [0.2, 0.7, 1.4, 2.3]
+    let mut rows: Vec<VerificationRow> = [0.2, 0.7, 1.4, 2.3]
         .into_iter()
         .map(|d| row(format!("two strands, apex down by {d} mm: P (N)"), exact(d), apex(d, true).0, 1e-10))
         .collect();

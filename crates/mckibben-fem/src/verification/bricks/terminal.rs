@@ -7,7 +7,7 @@ use super::{BRICKS, at_rest, solve};
 use crate::solver::body::Totals;
 use crate::solver::continuation::Continuation;
 use crate::three_dimensional::{Brick, BrickSpec, MuscleInBricks, Plug, PlugMaterial};
-use crate::verification::Row;
+use crate::verification::VerificationRow;
 use mckibben::muscle::Muscle;
 
 const SOURCE: &str = "E: closed cavity, terminals as bodies (bricks)";
@@ -29,13 +29,13 @@ fn totals(brick: Brick, plug: Option<Plug>, pressure: f64, contraction: f64) -> 
 }
 
 /// The rows of terminals.
-pub fn terminal() -> Vec<Row> {
+pub fn terminal() -> Vec<VerificationRow> {
     let (rigid, aluminium) = (PlugMaterial::Rigid, PlugMaterial::Aluminium);
     let mut rows = Vec::new();
     for (brick, name) in BRICKS {
         let mut row = |what: &str, reference: Option<f64>, ours: Option<f64>, tolerance: f64| {
             let reference = reference.unwrap_or(f64::INFINITY);
-            rows.push(Row::new(format!("{name}, {what}"), SOURCE, reference, ours, tolerance));
+            rows.push(VerificationRow::new(format!("{name}, {what}"), SOURCE, reference, ours, tolerance));
         };
         let (p, e) = (0.2, 0.1);
         let lid = (|| {

@@ -5,7 +5,7 @@
 use super::block::Block;
 use super::{body, push};
 use crate::three_dimensional::{Body, Brick, Freedom};
-use crate::verification::{Row, rubber};
+use crate::verification::{VerificationRow, rubber};
 use mckibben::muscle::Bulk;
 
 const SOURCE: &str = "D: Rivlin 1949 [rivlin1949], torsion";
@@ -59,10 +59,22 @@ fn loads(elements: usize) -> Option<(f64, f64)> {
 }
 
 /// The rows of D.
-pub fn torsion() -> Vec<Row> {
+pub fn torsion() -> Vec<VerificationRow> {
     let got = loads(6);
     vec![
-        Row::new("solid cylinder, torsion: M (N·mm)".into(), SOURCE, 11.780_972_45, got.map(|g| g.0), 2e-4),
-        Row::new("solid cylinder, torsion: N (N)".into(), SOURCE, -0.343_611_70, got.map(|g| g.1), 2e-3),
+        VerificationRow::new(
+            "solid cylinder, torsion: M (N·mm)".into(),
+            SOURCE,
+            11.780_972_45,
+            got.map(|g| g.0),
+            2e-4,
+        ),
+        VerificationRow::new(
+            "solid cylinder, torsion: N (N)".into(),
+            SOURCE,
+            -0.343_611_70,
+            got.map(|g| g.1),
+            2e-3,
+        ),
     ]
 }

@@ -5,7 +5,7 @@
 use super::block::Block;
 use super::{BRICKS, body, drive};
 use crate::three_dimensional::{Brick, Freedom};
-use crate::verification::{Row, rubber};
+use crate::verification::{VerificationRow, rubber};
 use mckibben::muscle::Bulk;
 use std::f64::consts::FRAC_PI_2;
 
@@ -59,7 +59,7 @@ fn ring(
 }
 
 /// The rows of B.
-pub fn thick_tube() -> Vec<Row> {
+pub fn thick_tube() -> Vec<VerificationRow> {
     let cases = [
         ((8.0, 9.5), 1.0, 1.25, 0.022_254_974_0, -1.000_745_23),
         ((8.0, 9.5), 0.8, 1.25, 0.015_417_518_9, -16.130_692_06),
@@ -70,9 +70,9 @@ pub fn thick_tube() -> Vec<Row> {
     for (radii, stretch, exact, p, force) in cases {
         let got = ring(Brick::Quadratic, radii, stretch, p, (3, 8));
         let title = format!("27-node brick, tube {}–{} mm, λz = {stretch}: a/A", radii.0, radii.1);
-        rows.push(Row::new(title, SOURCE, exact, got.map(|g| g.0), 5e-5));
+        rows.push(VerificationRow::new(title, SOURCE, exact, got.map(|g| g.0), 5e-5));
         let title = format!("27-node brick, tube {}–{} mm, λz = {stretch}: N − πa²p (N)", radii.0, radii.1);
-        rows.push(Row::new(title, SOURCE, force, got.map(|g| g.1), 1e-3));
+        rows.push(VerificationRow::new(title, SOURCE, force, got.map(|g| g.1), 1e-3));
     }
     // Displacements of bricks of degree p converge like h^(p+1).
     for ((brick, name), order) in BRICKS.into_iter().zip([2.0, 3.0]) {
@@ -80,7 +80,13 @@ pub fn thick_tube() -> Vec<Row> {
             ring(brick, (1.0, 2.0), 1.0, 0.137_772_857_4, (2 * n, 4 * n)).map(|g| (g.0 - 2.0).abs())
         };
         let got = error(1).zip(error(2)).map(|(coarse, fine)| (coarse / fine).log2());
-        rows.push(Row::new(format!("{name}, order of convergence of a/A"), SOURCE, order, got, 0.1));
+        rows.push(VerificationRow::new(
+            format!("{name}, order of convergence of a/A"),
+            SOURCE,
+            order,
+            got,
+            0.1,
+        ));
     }
     rows
 }

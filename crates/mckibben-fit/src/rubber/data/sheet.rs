@@ -59,7 +59,7 @@ pub(super) fn points(
         }
         match (first(&second, lambda_2)?, mode) {
             (Some(stress), Mode::Equibiaxial) => out.push(TensionPoint::new(mode, lambda_2, stress)),
-            // The sides of a strip in simple tension are free: what stands there is their zero.
+            // The sides of a strip in simple tension are free: what is there is their zero.
             (None, _) | (_, Mode::Uniaxial) => {}
             (Some(stress), _) => out.push(TensionPoint::general(lambda_2, stretch, stress)),
         }

@@ -32,7 +32,7 @@ use dual::Dual;
 use end::EndZone;
 use form::Bound;
 use pushing::Zero;
-use search::{ITERATIONS, Place};
+use search::{ITERATIONS, SearchPoint};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -147,7 +147,7 @@ impl Universal {
 
     /// Volume of the cavity in mm³ with its derivatives in (ε, P): that of a uniform tube, and what the ends of a middle, as membranes,
     /// take from it.
-    fn volume(&self, p: f64, place: &Place) -> Option<Dual> {
+    fn volume(&self, p: f64, place: &SearchPoint) -> Option<Dual> {
         let tube = self.info.muscle.tube();
         let section = tube.outer_radius_mm().powi(2) - tube.inner_radius_mm().powi(2);
         let ends = &place.ends;

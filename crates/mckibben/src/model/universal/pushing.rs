@@ -4,7 +4,7 @@
 //! tangent in λ at F = 0: ε = ε0 − (1 + (2/L0) ∂δ/∂λ)(λ − λ0). F and ∂F/∂ε are continuous, one ε has one λ, and where it pulls nothing changes.
 //! Answers there say where F = 0 lies, and that the muscle does not pull.
 
-use super::search::{Middle, Place};
+use super::search::{Middle, SearchPoint};
 use super::{Kept, Universal};
 use crate::model::thick_wall::State;
 use crate::model::{ModelError, Workspace};
@@ -94,7 +94,7 @@ impl Universal {
         p: f64,
         contraction: f64,
         l: f64,
-    ) -> Result<Place, ModelError> {
+    ) -> Result<SearchPoint, ModelError> {
         let missing = || Self::not_converged(p, contraction, f64::NAN);
         let state = self.zone.wall.state_near(p, l, None)?;
         let zero = self.zero(workspace, p).ok_or_else(missing)?;
@@ -107,6 +107,6 @@ impl Universal {
         let slope_p = (slope_at(p + h) - slope_at(p - h)) / (2.0 * h);
         let by_pressure = l_p + contraction_p / zero.slope
             - (zero.contraction - contraction) * slope_p / (zero.slope * zero.slope);
-        Ok(Place { l, state, slope: zero.slope, by_pressure, ends: zero.middle })
+        Ok(SearchPoint { l, state, slope: zero.slope, by_pressure, ends: zero.middle })
     }
 }

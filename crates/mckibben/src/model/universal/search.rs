@@ -27,7 +27,7 @@ pub(super) struct Middle {
 }
 
 /// The middle that answers a question.
-pub(super) struct Place {
+pub(super) struct SearchPoint {
     pub l: f64,
     pub state: State,
     /// −∂ε/∂λ
@@ -38,7 +38,7 @@ pub(super) struct Place {
     pub ends: Middle,
 }
 
-impl Place {
+impl SearchPoint {
     /// Of a muscle that pushes: dλ/dP of the middle whose ends it has, at which it ceases to pull.
     pub(super) fn ends_by_pressure(&self) -> Option<f64> {
         let kept = &self.ends.state;
@@ -185,7 +185,7 @@ impl Universal {
         workspace: &mut Workspace,
         p: f64,
         contraction: f64,
-    ) -> Result<Place, ModelError> {
+    ) -> Result<SearchPoint, ModelError> {
         let (l, near, sections) = match self.coupled(p, contraction, None) {
             Some(root) => (root.l, Some(root.r), Some(root.end.stretches)),
             None => match self.pulling(workspace, p, contraction)? {
@@ -199,6 +199,6 @@ impl Universal {
             return Err(Self::not_converged(p, contraction, (self.contraction(&m) - contraction).abs()));
         }
         let by_pressure = -2.0 * m.deficit.by[1] / (self.length * slope);
-        Ok(Place { l, state: m.state, slope, by_pressure, ends: m })
+        Ok(SearchPoint { l, state: m.state, slope, by_pressure, ends: m })
     }
 }

@@ -90,7 +90,7 @@ pub enum Problem {
     /// A text that is no range or list.
     #[error("{0}")]
     Range(#[source] RangeError),
-    /// Anything else, in a sentence that the key stands before.
+    /// Anything else, in a sentence that the key is before.
     #[error("{0}")]
     Said(String),
     /// A word that is not one of those known.
@@ -139,7 +139,7 @@ fn hint(suggestion: Option<&str>) -> String {
     suggestion.map_or(String::new(), |s| format!(" (did you mean {s}?)"))
 }
 
-/// `"30 bar" is a pressure` → `is a pressure`: the text stands in front already.
+/// `"30 bar" is a pressure` → `is a pressure`: the text is in front already.
 fn without_subject(error: &QuantityError) -> String {
     let message = error.to_string();
     match error {
@@ -155,7 +155,7 @@ fn without_subject(error: &QuantityError) -> String {
     }
 }
 
-/// `tube.wall_thickness is -3 mm; …` → `is -3 mm; …`: the key, or the table it belongs to, stands in front already.
+/// `tube.wall_thickness is -3 mm; …` → `is -3 mm; …`: the key, or the table it belongs to, is in front already.
 fn without_key(error: &MuscleError, key: &str) -> String {
     let message = error.to_string();
     let table = key.rsplit_once('.').map(|(table, _)| format!("{table}: "));

@@ -126,7 +126,7 @@ impl<'s> Section<'s> {
         self.source.error(&self.dotted(key), problem)
     }
 
-    /// The problem that something is missing here; it stands at `beside`, which needs it, or at the table itself.
+    /// The problem that something is missing here; it is at `beside`, which needs it, or at the table itself.
     pub fn missing(&self, key: &str, beside: Option<&str>, needs: impl Into<Cow<'static, str>>) -> FileError {
         let problem = Problem::Missing { missing: self.dotted(key), needs: needs.into() };
         match beside {
@@ -305,7 +305,7 @@ impl<'s> Section<'s> {
         list.iter().map(|v| v.as_str().ok_or_else(wrong)).collect::<Result<_, _>>().map(Some)
     }
 
-    /// Whether a text stands at a key.
+    /// Whether a text is at a key.
     pub fn is_text(&self, key: &str) -> bool {
         self.table.and_then(|t| t.get(key)).is_some_and(Item::is_str)
     }

@@ -1,0 +1,103 @@
+//! `force`, `pressure`, `contraction` as rows.
+
+use super::Row;
+use crate::many::PointQuantity;
+use crate::point::PointAnswer;
+use crate::units::Units;
+use crate::words::{half_width, number, percent, within};
+use mckibben::answer::Answer;
+
+fn of(asked: PointQuantity, answer: &Answer) -> f64 {
+    match asked {
+        PointQuantity::Force => answer.response.force_n,
+        PointQuantity::Pressure => answer.response.pressure_mpa,
+        PointQuantity::Contraction => answer.response.contraction,
+    }
+}
+
+fn show(asked: PointQuantity, value: f64, u: &Units) -> String {
+    match asked {
+        PointQuantity::Force => u.force.show(value),
+        PointQuantity::Pressure => u.pressure.show(value),
+        PointQuantity::Contraction => percent(value),
+    }
+}
+
+/// A point of a muscle. The ± belongs to what was asked.
+pub fn point_rows(answer: &PointAnswer, asked: PointQuantity, u: &Units) -> Vec<Row> {
+    let (a, r) = (&answer.point, &answer.point.response);
+    let unknown = || "unknown".to_owned();
+    let pull = match asked {
+        _ if a.slack => format!("{} (slack: the muscle would have to push)", u.force.show(0.0)),
+        PointQuantity::Force => {
+            let half = a.uncertainty_n.map_or_else(unknown, |e| u.force.half_width(e));
+            format!("{} ± {half} {}", u.force.within(r.force_n, a.uncertainty_n), u.force.name)
+        }
+        _ => u.force.show(r.force_n),
+    };
+    let pressure = match asked {
+        PointQuantity::Pressure => {
+            let half = a.pressure_uncertainty_mpa;
+            let value = u.pressure.within(r.pressure_mpa, half);
+            format!("{value} ± {} {}", half.map_or_else(unknown, |v| u.pressure.half_width(v)), u.pressure.name)
+        }
+        _ => u.pressure.show(r.pressure_mpa),
+    };
+    let ratio = match (asked, a.contraction_uncertainty) {
+        (PointQuantity::Contraction, Some(half)) => {
+            format!("{} ± {} %", within(100.0 * r.contraction, 100.0 * half), half_width(100.0 * half))
+        }
+        (PointQuantity::Contraction, None) => format!("{} ± {}", percent(r.contraction), unknown()),
+        _ => percent(r.contraction),
+    };
+    let shortening = u.length.to(r.contraction * answer.muscle.length_mm, 4);
+    let mut list = vec![
+        ("muscle", answer.muscle.line(u)),
+        ("model", format!("{} ({})", a.model, answer.about.source)),
+        ("pressure", pressure),
+        ("contraction", format!("{ratio}  ({shortening} {})", u.length.name)),
+        ("pull", pull),
+    ];
+    if let [shortening, lengthening] = &answer.branches[..] {
+        let shown = |branch: &Answer| match asked {
+            PointQuantity::Force if branch.slack => "slack".to_owned(),
+            _ => show(asked, of(asked, branch), u),
+        };
+        let band = (of(asked, lengthening) - of(asked, shortening)).abs();
+        list.push(("while shortening", shown(shortening)));
+        list.push(("while lengthening", shown(lengthening)));
+        list.push(("friction's band", show(asked, band, u)));
+    }
+    let mut add = |name, value: Option<f64>, show: &dyn Fn(f64) -> String| {
+        list.extend(value.map(|v| (name, show(v))));
+    };
+    let (stiffness, slope) = (u.stiffness(), u.slope());
+    add("stiffness", r.stiffness_n_per_mm, &|v| stiffness.show(v));
+    add("pull per pressure", r.force_per_pressure_mm2, &|v| slope.show(v));
+    add("starts to pull at", a.start_pressure_mpa, &|v| u.pressure.show(v));
+    add("free contraction", a.free_contraction, &percent);
+    add("bulged diameter", r.bulged_diameter_mm, &|v| format!("{} {}", u.length.to(v, 4), u.length.name));
+    add("volume", r.volume_mm3, &|v| u.volume.show(v));
+    let tension = |v| format!("{} {}", u.force.to(v, 4), u.force.name);
+    add("tension of one strand", r.strand_tension_n, &tension);
+    add("tension of all strands", r.braid_tension_n, &tension);
+    add("burst pressure", answer.burst_pressure_mpa, &|v| u.pressure.show(v));
+    add("stretch at mid-length, inside", r.middle_stretch, &|v| number(v, 3));
+    add("stretch of 99 % of the rubber", r.max_stretch, &|v| format!("below {}", number(v, 3)));
+    if let Some(parts) = &a.uncertainty_parts_n {
+        let mut named: Vec<(&str, f64)> = parts.named().collect();
+        named.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let each: Vec<String> =
+            named.into_iter().map(|(name, part)| format!("{name} {}", u.force.half_width(part))).collect();
+        let (whole, force) = (u.force.half_width(parts.total_n()), &u.force.name);
+        let of = match asked {
+            PointQuantity::Force => "",
+            _ => " of the pull",
+        };
+        list.push((
+            "uncertainty",
+            format!("± {whole} {force}{of} (95 %): {} (mckibben models {})", each.join(", "), a.model),
+        ));
+    }
+    list
+}

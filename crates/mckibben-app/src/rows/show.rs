@@ -1,0 +1,128 @@
+//! `muscle show` as rows.
+
+use super::Row;
+use crate::show::{Characteristics, MuscleShowAnswer};
+use crate::units::Units;
+use crate::words::{air, braid_name, law_text, number, percent, rubber_name};
+use mckibben::muscle::{Bulk, EndFactor, Muscle};
+use mckibben::rubber::RubberLaw;
+
+/// A heading and its rows.
+pub type Sheet = (&'static str, Vec<Row>);
+
+/// What was understood of a muscle, what follows from it, and how to build it.
+pub fn muscle_sheets(answer: &MuscleShowAnswer, u: &Units) -> [Sheet; 3] {
+    [
+        ("Muscle", understood(answer, u)),
+        ("Derived", derived(answer, u)),
+        ("Build sheet", build_rows(answer, u)),
+    ]
+}
+
+/// Values at one pressure.
+pub fn characteristic_rows(c: &Characteristics, u: &Units) -> Vec<Row> {
+    let or_dash = |v: Option<f64>, show: &dyn Fn(f64) -> String| v.map_or_else(|| "–".into(), show);
+    vec![
+        ("blocked force", u.force.show(c.blocked_force_n)),
+        ("free contraction", or_dash(c.free_contraction, &percent)),
+        ("work of a free stroke", or_dash(c.work_j, &|v| format!("{} J", number(v, 4)))),
+        ("cavity at its end", or_dash(c.volume_mm3, &|v| u.volume.show(v))),
+        (
+            "air of a free stroke",
+            or_dash(c.air_normal_litres, &air),
+        ),
+        ("burst pressure", c.burst_pressure_mpa.map_or_else(|| "not stated".into(), |v| u.pressure.show(v))),
+    ]
+}
+
+/// How far the muscle stretches its rubber, and how far the rubber is known.
+fn reach(m: &Muscle) -> String {
+    let known = m.tube().rubber.fitted_to_stretch;
+    let known = known.map_or_else(String::new, |end| format!(", fitted up to {}", number(end, 3)));
+    format!("{} at the bore{known}", number(m.reach(), 3))
+}
+
+fn understood(answer: &MuscleShowAnswer, u: &Units) -> Vec<Row> {
+    let m = &answer.muscle;
+    let mm = |v: f64| u.length.show(v);
+    let rubber = &m.tube().rubber;
+    let bulk = match rubber.bulk {
+        Bulk::Incompressible => "incompressible".to_owned(),
+        Bulk::Modulus(k) => format!("{} MPa", number(k, 4)),
+    };
+    let stiffness = match m.family_stiffness_n_per_mm() {
+        Some(k) => format!("{} ({} a strand family)", braid_name(m), u.stiffness().show(k)),
+        None => "inextensible".into(),
+    };
+    let mut rows = vec![
+        ("outer diameter D0", mm(m.outer_diameter_mm())),
+        ("wall s", mm(m.wall_mm())),
+        ("length L0", mm(m.length_mm())),
+        ("braid angle θ0", format!("{}°", number(m.braid().angle_deg, 5))),
+        ("rubber", rubber_name(m)),
+        ("law", law_text(&rubber.law)),
+        ("largest stretch", reach(m)),
+        ("shear modulus", format!("{} MPa", number(rubber.law.shear_modulus_mpa(), 4))),
+        ("bulk modulus", bulk),
+        ("braid", stiffness),
+        ("strands in compression", if m.braid().compression { "carry load" } else { "go slack" }.into()),
+    ];
+    if let Some(s) = m.braid().strands {
+        rows.push(("strands", s.count.to_string()));
+        rows.extend(s.strength_n.map(|strength| ("strand strength", u.force.show(strength))));
+    }
+    match m.terminals().end_factor {
+        Some(EndFactor::Constant(k)) => rows.push(("end factor", number(k, 4))),
+        Some(EndFactor::OfPressure { a, b }) => {
+            rows.push(("end factor", format!("{} e^(−P/bar) + {}", number(a, 4), number(b, 4))));
+        }
+        None => {}
+    }
+    rows.extend(answer.stated.iter().map(|(measure, v)| (measure.label, u.show(measure.dimension, v))));
+    if let Some(f) = m.friction() {
+        let rule = format!("± {} · (P/MPa)^{}", u.force.show(f.coefficient), number(f.exponent, 3));
+        let contact = format!("of the strands' contact, μw {}", mm(f.lever_mm));
+        rows.push((
+            "friction",
+            match (f.coefficient > 0.0, f.lever_mm > 0.0) {
+                (true, true) => format!("{rule}, and {contact}"),
+                (false, true) => contact,
+                _ => rule,
+            },
+        ));
+    }
+    rows
+}
+
+fn derived(answer: &MuscleShowAnswer, u: &Units) -> Vec<Row> {
+    let m = &answer.muscle;
+    let mm = |v: f64| u.length.show(v);
+    let mut rows = vec![
+        ("inner diameter", mm(m.inner_diameter_mm())),
+        ("strand length", mm(m.strand_length_mm())),
+        ("turns of a strand", number(m.turns(), 4)),
+        ("strand length per turn", mm(m.strand_length_per_turn_mm())),
+        ("largest ideal contraction", percent(m.max_ideal_contraction())),
+        ("cavity at rest", u.volume.show(m.rest_volume_mm3())),
+    ];
+    let mass = |g: f64| ("mass of the rubber", format!("{} g, without braid and terminals", number(g, 4)));
+    rows.extend(answer.summary.rubber_mass_g.map(mass));
+    rows
+}
+
+/// What to cut and clamp.
+pub fn build_rows(answer: &MuscleShowAnswer, u: &Units) -> Vec<Row> {
+    let m = &answer.muscle;
+    let mm = |v: f64| u.length.show(v);
+    let sheet = &answer.build_sheet;
+    let assumed = if m.terminals().insertion_mm.is_none() { ", assumed" } else { "" };
+    let clamp = mm(m.terminals().insertion_mm()) + assumed;
+    vec![
+        ("tube to cut", format!("{} ({clamp} on each plug)", mm(sheet.tube_cut_mm))),
+        ("braid to cut", format!("{} at {}°", mm(sheet.braid_cut_mm), number(m.braid().angle_deg, 4))),
+        ("strand in the braid", mm(sheet.strand_cut_mm)),
+        ("plug diameter", mm(sheet.plug_diameter_mm)),
+        ("strands", sheet.strands.map_or_else(|| "not stated".into(), |n| n.to_string())),
+        ("rubber", u.volume.show(sheet.rubber_volume_mm3)),
+    ]
+}
