@@ -25,10 +25,13 @@ pub fn save(figure: Option<Figure>, flag: &PlotFlag) -> Result<(), Failure> {
     match (figure, &flag.plot) {
         (Some(figure), Some(path)) => {
             let width = width_mm(flag)?;
-            save_as(match width {
-                Some(width) => figure.width_mm(width),
-                None => figure,
-            }, path)
+            save_as(
+                match width {
+                    Some(width) => figure.width_mm(width),
+                    None => figure,
+                },
+                path,
+            )
         }
         _ => Ok(()),
     }

@@ -74,11 +74,8 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
     }
     let (columns, rows) = grid(figure);
     let single = figure.panels.len() == 1;
-    let usual = if single {
-        (160.0, 100.0)
-    } else {
-        ((84.0 * columns as f64).max(160.0), 64.0 * rows as f64 + 20.0)
-    };
+    let usual =
+        if single { (160.0, 100.0) } else { ((84.0 * columns as f64).max(160.0), 64.0 * rows as f64 + 20.0) };
     let (width_mm, height_mm) = figure.size_mm.unwrap_or(usual);
     let grows = figure.size_mm.is_none_or(|(_, height)| height == 0.0);
     let width = width_mm * PER_MM;

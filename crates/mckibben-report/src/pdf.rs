@@ -47,9 +47,8 @@ fn render(svg: &str, title: &str) -> Result<Vec<u8>, FigureError> {
     let content = stream.write_all(page.content.as_bytes()).and_then(|()| stream.finish());
     let content = content.map_err(|e| unread(e.to_string()))?;
     let states = page.opacities.iter().enumerate();
-    let states = states.map(|(i, (fill, stroke))| {
-        format!("/G{i} << /ca {} /CA {} >> ", number(*fill), number(*stroke))
-    });
+    let states = states
+        .map(|(i, (fill, stroke))| format!("/G{i} << /ca {} /CA {} >> ", number(*fill), number(*stroke)));
     let title: String = title.encode_utf16().map(|unit| format!("{unit:04X}")).collect();
     let objects: [Vec<u8>; 5] = [
         format!("<< /Producer {PDF_PRODUCER} /Title <FEFF{title}> >>").into(),
@@ -168,8 +167,7 @@ impl Page {
             LineJoin::Bevel => 2,
         };
         let limit = number(stroke.miterlimit().get());
-        let dashes: Vec<String> =
-            stroke.dasharray().unwrap_or_default().iter().map(|v| number(*v)).collect();
+        let dashes: Vec<String> = stroke.dasharray().unwrap_or_default().iter().map(|v| number(*v)).collect();
         // Writing into a string does not fail.
         let _ = writeln!(
             self.content,

@@ -72,7 +72,10 @@ pub fn check_range<M: ForceModel + ?Sized>(
     if let ModelError::OutOfRange { make, .. } = &mut error
         && contraction < straight
     {
-        make.push(format!("the strands of this braid are straight at a contraction of {:.1} %", 100.0 * straight));
+        make.push(format!(
+            "the strands of this braid are straight at a contraction of {:.1} %",
+            100.0 * straight
+        ));
     }
     if options.extrapolate { Ok(vec![format!("extrapolated: {error}")]) } else { Err(error) }
 }
@@ -200,7 +203,8 @@ pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
     }
     warnings.extend(of_response(model.muscle(), &response));
     let largest = model.muscle().max_ideal_contraction();
-    warnings.extend((slack && contraction > largest).then_some(Warning::BeyondBraid { contraction, largest }));
+    warnings
+        .extend((slack && contraction > largest).then_some(Warning::BeyondBraid { contraction, largest }));
     let asked = (pressure_mpa, contraction);
     let parts = uncertainty(model, workspace, asked, response.force_n, options.direction);
     Ok(Answer {

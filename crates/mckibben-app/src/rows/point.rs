@@ -39,7 +39,11 @@ pub fn point_rows(answer: &PointAnswer, asked: PointQuantity, u: &Units) -> Vec<
         PointQuantity::Pressure => {
             let half = a.pressure_uncertainty_mpa;
             let value = u.pressure.within(r.pressure_mpa, half);
-            format!("{value} ± {} {}", half.map_or_else(unknown, |v| u.pressure.half_width(v)), u.pressure.name)
+            format!(
+                "{value} ± {} {}",
+                half.map_or_else(unknown, |v| u.pressure.half_width(v)),
+                u.pressure.name
+            )
         }
         _ => u.pressure.show(r.pressure_mpa),
     };

@@ -27,10 +27,7 @@ pub fn characteristic_rows(c: &Characteristics, u: &Units) -> Vec<Row> {
         ("free contraction", or_dash(c.free_contraction, &percent)),
         ("work of a free stroke", or_dash(c.work_j, &|v| format!("{} J", number(v, 4)))),
         ("cavity at its end", or_dash(c.volume_mm3, &|v| u.volume.show(v))),
-        (
-            "air of a free stroke",
-            or_dash(c.air_normal_litres, &air),
-        ),
+        ("air of a free stroke", or_dash(c.air_normal_litres, &air)),
         ("burst pressure", c.burst_pressure_mpa.map_or_else(|| "not stated".into(), |v| u.pressure.show(v))),
     ]
 }

@@ -75,13 +75,31 @@ pub struct DesignArgs {
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Limits")]
     pub max_bulged_diameter: Option<String>,
     /// Smallest ratio of burst pressure to supply pressure, 0 for none [1.5 if the strength of the strands is known]
-    #[arg(long, visible_alias = "min-burst-margin", value_name = "RATIO", allow_hyphen_values = true, help_heading = "Limits")]
+    #[arg(
+        long,
+        visible_alias = "min-burst-margin",
+        value_name = "RATIO",
+        allow_hyphen_values = true,
+        help_heading = "Limits"
+    )]
     pub safety: Option<String>,
     /// Largest stretch of the rubber at the operating points; 2 means twice its length [range of its fitted data]
-    #[arg(long, value_name = "STRETCH", allow_hyphen_values = true, hide_short_help = true, help_heading = "Limits")]
+    #[arg(
+        long,
+        value_name = "STRETCH",
+        allow_hyphen_values = true,
+        hide_short_help = true,
+        help_heading = "Limits"
+    )]
     pub max_stretch: Option<String>,
     /// Largest strain of the strands at the supply pressure [6 %: the validated range]
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, hide_short_help = true, help_heading = "Limits")]
+    #[arg(
+        long,
+        value_name = "RATIO",
+        allow_hyphen_values = true,
+        hide_short_help = true,
+        help_heading = "Limits"
+    )]
     pub max_strand_strain: Option<String>,
     /// Muscle file for all values that are not searched; flags override it
     #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle", help_heading = "Muscle")]
@@ -110,7 +128,14 @@ pub struct DesignArgs {
     #[command(flatten, next_help_heading = "Muscle")]
     pub strands: StrandFlags,
     /// Sleeves on sale, by their strand length per turn; the tube diameter then sets the angle
-    #[arg(long, value_name = "LIST", allow_hyphen_values = true, conflicts_with = "angle", hide_short_help = true, help_heading = "Muscle")]
+    #[arg(
+        long,
+        value_name = "LIST",
+        allow_hyphen_values = true,
+        conflicts_with = "angle",
+        hide_short_help = true,
+        help_heading = "Muscle"
+    )]
     pub strand_length_per_turn: Option<String>,
     /// Radii of the joint's pulley [searched]
     #[arg(long, value_name = "RANGE", requires = "joint", hide_short_help = true, help_heading = "Muscle")]
@@ -129,7 +154,13 @@ pub struct DesignArgs {
     pub verify: Verify,
     /// Spread of the pull of the best muscle for ± tolerances of pressure, modulus, stiffness and dimensions (named as their flags):
     /// wall=0.1mm,angle=1deg,modulus=10%
-    #[arg(long, value_name = "LIST", allow_hyphen_values = true, hide_short_help = true, help_heading = "Advanced")]
+    #[arg(
+        long,
+        value_name = "LIST",
+        allow_hyphen_values = true,
+        hide_short_help = true,
+        help_heading = "Advanced"
+    )]
     pub tolerance: Option<String>,
     /// Number of candidates to show
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=1000), help_heading = "Output")]

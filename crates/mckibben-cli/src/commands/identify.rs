@@ -46,7 +46,13 @@ pub struct IdentifyArgs {
     #[arg(long, value_name = "LIST", value_delimiter = ',', allow_hyphen_values = true)]
     pub fix: Vec<String>,
     /// Bounds of free parameters: NAME=LOW:HIGH
-    #[arg(long, value_name = "LIST", value_delimiter = ',', allow_hyphen_values = true, hide_short_help = true)]
+    #[arg(
+        long,
+        value_name = "LIST",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        hide_short_help = true
+    )]
     pub bounds: Vec<String>,
     /// Fit every rubber law with its constants free, and show which law fits the points best
     #[arg(long)]
@@ -69,7 +75,14 @@ pub struct IdentifyArgs {
     #[arg(long, value_name = "N or MxN:G", hide_short_help = true, help_heading = "Advanced")]
     pub mesh: Option<String>,
     /// Weight of each --data, then of --formula [1,1,...]
-    #[arg(long, value_name = "LIST", value_delimiter = ',', allow_hyphen_values = true, hide_short_help = true, help_heading = "Advanced")]
+    #[arg(
+        long,
+        value_name = "LIST",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        hide_short_help = true,
+        help_heading = "Advanced"
+    )]
     pub weights: Vec<String>,
     /// Treatment of the branches of the hysteresis
     #[arg(long, value_parser = word::<Branches>(), default_value = "both", hide_short_help = true, help_heading = "Advanced")]

@@ -197,7 +197,8 @@ fn rows(points: &[JointRow], u: &Units) -> String {
     let row = |(i, q): (usize, &JointRow)| {
         let unknown = || "–".to_owned();
         let angle = if q.angle_deg.abs() < 1e-9 { 0.0 } else { q.angle_deg };
-        let mut row = vec![q.angle_uncertainty_deg.map_or_else(|| number(angle, 5), |half| within(angle, half))];
+        let mut row =
+            vec![q.angle_uncertainty_deg.map_or_else(|| number(angle, 5), |half| within(angle, half))];
         row.extend(angle_half.then(|| q.angle_uncertainty_deg.map_or_else(unknown, half_width)));
         let sought = [
             (Some(q.pressure_1_mpa), q.pressure_1_uncertainty_mpa),
@@ -210,7 +211,8 @@ fn rows(points: &[JointRow], u: &Units) -> String {
         let known = |half| within(q.torque_nm, half);
         row.extend([
             q.uncertainty_nm.map_or_else(|| torque(q.torque_nm), known),
-            q.uncertainty_nm.map_or_else(|| "–".into(), half_width)]);
+            q.uncertainty_nm.map_or_else(|| "–".into(), half_width),
+        ]);
         if branches {
             row.extend([some(q.torque_turning_plus_nm), some(q.torque_turning_minus_nm)]);
         }

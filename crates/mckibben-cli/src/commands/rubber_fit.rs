@@ -91,7 +91,14 @@ pub struct RubberFitArgs {
     #[arg(long, hide_short_help = true, help_heading = "Advanced")]
     pub stable: bool,
     /// Hoop stretch of the muscle up to which a law must be stable
-    #[arg(long, value_name = "STRETCH", default_value = "3", allow_hyphen_values = true, hide_short_help = true, help_heading = "Advanced")]
+    #[arg(
+        long,
+        value_name = "STRETCH",
+        default_value = "3",
+        allow_hyphen_values = true,
+        hide_short_help = true,
+        help_heading = "Advanced"
+    )]
     pub hoop_stretch: String,
     #[command(flatten)]
     pub plot: PlotFlag,

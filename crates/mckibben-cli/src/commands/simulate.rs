@@ -74,7 +74,14 @@ pub struct SimulateArgs {
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub picture: Option<PathBuf>,
     /// Quantity that colours the picture, such as hoop_stretch or stress_hoop_mpa
-    #[arg(long, value_name = "NAME", default_value = "max_stretch", requires = "picture", hide_short_help = true, help_heading = "Output")]
+    #[arg(
+        long,
+        value_name = "NAME",
+        default_value = "max_stretch",
+        requires = "picture",
+        hide_short_help = true,
+        help_heading = "Output"
+    )]
     pub show: String,
     /// Cut a quarter out of the picture, to show wall and cavity
     #[arg(long, requires = "picture", hide_short_help = true, help_heading = "Output")]

@@ -48,7 +48,8 @@ fn table_within(room: usize, header: &[&str], rows: &[Vec<String>]) -> String {
     };
     let all: Vec<usize> = (0..header.len()).collect();
     // The widest text columns for which a list of columns fits.
-    let fits = |columns: &[usize]| (NARROW..=room.max(NARROW)).rev().find(|&most| wide(columns, most) <= room);
+    let fits =
+        |columns: &[usize]| (NARROW..=room.max(NARROW)).rev().find(|&most| wide(columns, most) <= room);
     let mut blocks: Vec<(Vec<usize>, usize)> = vec![];
     if wide(&all, usize::MAX) <= room {
         blocks.push((all, usize::MAX));
@@ -72,7 +73,8 @@ fn table_within(room: usize, header: &[&str], rows: &[Vec<String>]) -> String {
         blocks.push(end(&block));
     }
     let drawn = blocks.into_iter().map(|(columns, most)| {
-        let cut = |text: &str, i: usize| if numeric[i] { text.to_owned() } else { fold(text, most).join("\n") };
+        let cut =
+            |text: &str, i: usize| if numeric[i] { text.to_owned() } else { fold(text, most).join("\n") };
         let mut table = Table::new();
         table.load_preset(presets::NOTHING).set_header(columns.iter().map(|&i| cut(header[i], i)));
         for row in &rows {
@@ -134,7 +136,10 @@ mod tests {
     fn rows() -> Vec<Vec<String>> {
         let row = |i: usize| {
             let numbers = (0..6).map(|j| format!("{i}{j}.5"));
-            std::iter::once(format!("{i}.")).chain(numbers).chain(["a few words of text".to_owned()]).collect()
+            std::iter::once(format!("{i}."))
+                .chain(numbers)
+                .chain(["a few words of text".to_owned()])
+                .collect()
         };
         (1..3).map(row).collect()
     }

@@ -9,7 +9,12 @@ use mckibben_report::{Axis, Figure, FigureError, Mark, Panel, Series};
 fn the_ending_names_the_format() {
     let folder = tempfile::tempdir().unwrap();
     let figure = figures::models();
-    for (name, start) in [("a.svg", &b"<svg"[..]), ("a.PNG", b"\x89PNG"), ("a.pdf", b"%PDF-1.4"), ("a.html", b"<!DOCTYPE html>")] {
+    for (name, start) in [
+        ("a.svg", &b"<svg"[..]),
+        ("a.PNG", b"\x89PNG"),
+        ("a.pdf", b"%PDF-1.4"),
+        ("a.html", b"<!DOCTYPE html>"),
+    ] {
         let path = folder.path().join(name);
         figure.save(&path).unwrap();
         assert!(fs::read(&path).unwrap().starts_with(start), "{name}");

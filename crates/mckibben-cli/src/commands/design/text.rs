@@ -177,7 +177,10 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
         (per_length.heading("stiffness"), per_length.column(maybe(&|c| c.stiffness_n_per_mm), 3)),
         ("air [L]".into(), aligned(&maybe(&|c| c.air_normal_litres.map(litres_anr)), 3)),
         (u.force.heading(if strands { "strand" } else { "braid" }), u.force.column(maybe(&tension), 3)),
-        (u.force.heading("±"), list.iter().map(|c| or_dash(c.uncertainty_n, |v| u.force.half_width(v))).collect()),
+        (
+            u.force.heading("±"),
+            list.iter().map(|c| or_dash(c.uncertainty_n, |v| u.force.half_width(v))).collect(),
+        ),
     ]);
     if burst {
         found.push((u.pressure.heading("P burst"), u.pressure.column(maybe(&|c| c.burst_pressure_mpa), 3)));
