@@ -43,13 +43,13 @@ pub struct Cli {
     /// Output format: text, json or csv [text]
     ///
     /// Text for reading: aligned, with units. For programs json, one object, or csv, one row per point; keys and columns carry their unit.
-    #[arg(long, value_enum, global = true, default_value_t = Format::Text, hide_default_value = true, hide_possible_values = true, help_heading = "Output")]
+    #[arg(long, value_enum, global = true, default_value_t = Format::Text, hide_default_value = true, hide_possible_values = true, display_order = 900, help_heading = "Output")]
     pub format: Format,
     /// Limit of the work: points, elements, bytes, factorisations or seconds [points=1e6, elements=250000, bytes=4e9]
-    #[arg(long, value_name = "NAME=NUMBER", global = true, value_parser = limit, hide_short_help = true, help_heading = "Output")]
+    #[arg(long, value_name = "NAME=NUMBER", global = true, value_parser = limit, hide_short_help = true, display_order = 901, help_heading = "Output")]
     pub limit: Vec<(Resource, f64)>,
-    /// Print help: -h the most important flags, --help all of them
-    #[arg(short, long, global = true, action = ArgAction::Help, help_heading = "Output")]
+    /// Help: -h in short, --help with all flags
+    #[arg(short, long, global = true, action = ArgAction::Help, display_order = 902, help_heading = "Output")]
     // clap answers it.
     #[allow(dead_code)]
     help: Option<bool>,

@@ -47,7 +47,9 @@ pub struct StrandFlags {
     /// Young's modulus of a strand of a named sleeve, if its source does not state it
     #[arg(long, value_name = "MODULUS", allow_hyphen_values = true, hide_short_help = true)]
     pub strand_modulus: Option<String>,
-    /// Stiffness of one strand family: N/mm, `inextensible`, or `paper` [paper]
+    /// Stiffness of one strand family, in N/mm [paper]
+    ///
+    /// Or `inextensible`, or `paper`.
     #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true)]
     pub stiffness: Option<String>,
 }
@@ -91,7 +93,9 @@ impl ColumnsFlag {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Advanced")]
 pub struct ModelFlags {
-    /// Force model, or FILE.json of a formula (`mckibben models`) [fe]
+    /// Force model (`mckibben models`) [fe]
+    ///
+    /// A name, or the JSON file of a fitted formula.
     #[arg(long, value_name = "NAME", value_parser = MODELS, hide_possible_values = true)]
     pub model: Option<String>,
     #[command(flatten)]
@@ -198,9 +202,9 @@ fn terminal(text: &str) -> Result<Option<Terminal>, Failure> {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Output")]
 pub struct UnitsFlag {
-    /// Units of text and figures: bar, or psi,lbf,in [those of your flags]
+    /// Units that are shown: bar, or psi,lbf,in
     ///
-    /// A unit of pressure, force or length, or several. Without it those of your flags, else MPa, N and mm.
+    /// Of text and figures: a unit of pressure, force or length, or several. Without it those of your flags, else MPa, N and mm.
     #[arg(long, value_name = "UNIT,…", value_parser = |text: &str| text.parse::<Units>().map(Box::new))]
     // Read by `shown`, which looks at every flag.
     #[allow(dead_code)]
@@ -213,7 +217,9 @@ pub struct UnitsFlag {
 pub struct OutputFlags {
     #[command(flatten)]
     pub units: UnitsFlag,
-    /// Write the result to a file instead of standard output
+    /// Write the result to a file
+    ///
+    /// Instead of standard output. The ending selects the format: .txt, .json, .csv, .parquet.
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     #[command(flatten)]

@@ -25,7 +25,7 @@ pub struct MuscleFlags {
 #[command(next_help_heading = "Muscle")]
 struct FileFlags {
     /// Muscle file; flags override its values
-    #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle")]
+    #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle", display_order = 0)]
     file: Option<PathBuf>,
     /// Muscle file, same as [MUSCLE.toml]
     #[arg(long, value_name = "FILE", hide_short_help = true)]
@@ -36,10 +36,14 @@ struct FileFlags {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Muscle")]
 struct NameFlags {
-    /// Rubber, as NAME or NAME:LAW (`mckibben rubber list`) [paper]
+    /// Rubber (`mckibben rubber list`) [paper]
+    ///
+    /// NAME of the library, or NAME:LAW.
     #[arg(long, value_name = "NAME", value_parser = RUBBERS, hide_possible_values = true)]
     rubber: Option<String>,
-    /// Sleeve, which gives angle and strands (`mckibben braid list`) [none]
+    /// Sleeve (`mckibben braid list`) [none]
+    ///
+    /// NAME of the library; it gives the angle and the strands.
     #[arg(long, value_name = "NAME", value_parser = SLEEVES, hide_possible_values = true)]
     braid: Option<String>,
     #[command(flatten)]
@@ -48,7 +52,10 @@ struct NameFlags {
 
 /// The flag of a measure.
 fn arg(measure: &'static Measure, flag: &str) -> Arg {
-    let arg = Arg::new(flag.replace('-', "_")).long(flag.to_owned()).help(measure.help());
+    // The short help of a muscle at rest needs no room for that.
+    let help = measure.help();
+    let arg = Arg::new(flag.replace('-', "_")).long(flag.to_owned());
+    let arg = arg.help(help.replacen(" at rest", "", 1)).long_help(help);
     let arg = arg.value_name(measure.value_name()).allow_hyphen_values(true);
     let arg = if is_common(measure) {
         arg.help_heading("Muscle")

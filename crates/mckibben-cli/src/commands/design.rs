@@ -47,7 +47,7 @@ pub struct DesignArgs {
     /// Required pull
     #[arg(short = 'F', long, value_name = "FORCE", allow_hyphen_values = true)]
     pub force: Option<String>,
-    /// Contraction ratio ΔL/L0 at which the pull is required
+    /// Contraction ratio ΔL/L0 with that pull
     #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
     pub contraction: Option<String>,
     /// Several operating points: 700N@15%,1200N@5%
@@ -55,14 +55,17 @@ pub struct DesignArgs {
     pub at: Option<String>,
     #[command(flatten, next_help_heading = "Question")]
     pub load: LoadFlag,
-    /// Required torques of a joint at angles, to either side: 8Nm@45deg,3Nm@60deg. Two equal opposed muscles on a
-    /// pulley, one of them without pressure
+    /// Required torques of a joint: 8Nm@45deg,3Nm@60deg
+    ///
+    /// At angles to either side. Two equal opposed muscles on a pulley, one of them without pressure.
     #[arg(long, value_name = "T@ANGLE,…", allow_hyphen_values = true, conflicts_with_all = ["force", "contraction", "at", "load", "stroke"])]
     pub joint: Option<String>,
     /// Largest angle of the joint to either side [largest of --joint]
     #[arg(long, value_name = "ANGLE", requires = "joint", hide_short_help = true)]
     pub largest_angle: Option<String>,
-    /// Stroke in mm: with --contraction it sets the length, with --length the contraction
+    /// Stroke
+    ///
+    /// With --contraction it sets the length, with --length the contraction.
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub stroke: Option<String>,
     /// Supply pressure
@@ -74,7 +77,9 @@ pub struct DesignArgs {
     /// Largest outer diameter at the operating points
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Limits")]
     pub max_bulged_diameter: Option<String>,
-    /// Smallest ratio of burst pressure to supply pressure, 0 for none [1.5 if the strength of the strands is known]
+    /// Least burst pressure over supply pressure [1.5]
+    ///
+    /// 0 for none. The strength of the strands must be known.
     #[arg(
         long,
         visible_alias = "min-burst-margin",
@@ -101,13 +106,17 @@ pub struct DesignArgs {
         help_heading = "Limits"
     )]
     pub max_strand_strain: Option<String>,
-    /// Muscle file for all values that are not searched; flags override it
-    #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle", help_heading = "Muscle")]
+    /// Muscle file, for what is not searched
+    ///
+    /// Flags override it.
+    #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle", display_order = 0, help_heading = "Muscle")]
     pub file: Option<PathBuf>,
     /// Muscle file, same as [MUSCLE.toml]
     #[arg(long, value_name = "FILE", hide_short_help = true, help_heading = "Muscle")]
     pub muscle: Option<PathBuf>,
-    /// Outer diameters at rest: a value, list, range or stepped range [5..80]
+    /// Outer diameters: a value, list or range [5..80]
+    ///
+    /// At rest; also a stepped range, 20..40:5.
     #[arg(short = 'D', long, value_name = "RANGE", allow_hyphen_values = true, help_heading = "Muscle")]
     pub outer_diameter: Option<String>,
     /// Wall thicknesses at rest [0.5..10]
@@ -122,7 +131,9 @@ pub struct DesignArgs {
     /// Rubbers, by name [paper]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = RUBBERS, hide_possible_values = true, help_heading = "Muscle")]
     pub rubber: Vec<String>,
-    /// Sleeves on sale, by name (mckibben braid list); the tube diameter then sets angle and stiffness
+    /// Sleeves, by name (`mckibben braid list`)
+    ///
+    /// The diameter of the tube then sets angle and stiffness.
     #[arg(long, value_name = "LIST", value_delimiter = ',', conflicts_with_all = ["angle", "strand_length_per_turn"], value_parser = SLEEVES, hide_possible_values = true, help_heading = "Muscle")]
     pub braid: Vec<String>,
     #[command(flatten, next_help_heading = "Muscle")]

@@ -24,7 +24,9 @@ pub struct ForceArgs {
     /// Contraction ratio ΔL/L0 [0]
     #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
     pub contraction: Option<String>,
-    /// Both branches of the friction hysteresis, and the band between them
+    /// Both branches of the friction hysteresis
+    ///
+    /// And the band between them.
     #[arg(long)]
     pub both: bool,
     #[command(flatten)]
@@ -45,7 +47,9 @@ pub struct PressureArgs {
     /// Contraction ratio ΔL/L0 [0]
     #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
     pub contraction: Option<String>,
-    /// Both branches of the friction hysteresis, and the band between them
+    /// Both branches of the friction hysteresis
+    ///
+    /// And the band between them.
     #[arg(long)]
     pub both: bool,
     #[command(flatten)]
@@ -68,7 +72,9 @@ pub struct ContractionArgs {
     pub force: Option<String>,
     #[command(flatten)]
     pub load: LoadFlag,
-    /// Both branches of the friction hysteresis, and the band between them
+    /// Both branches of the friction hysteresis
+    ///
+    /// And the band between them.
     #[arg(long)]
     pub both: bool,
     #[command(flatten)]

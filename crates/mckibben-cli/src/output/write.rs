@@ -3,7 +3,7 @@
 use super::guard::{Content, check};
 use super::width;
 use crate::clean;
-use crate::failure::Failure;
+use crate::failure::{Failure, in_flags};
 use crate::shown;
 use anstyle::{AnsiColor, Style};
 use mckibben::units::short_numbers;
@@ -48,7 +48,7 @@ const HINT: Style = AnsiColor::Cyan.on_default();
 
 /// A line for the user beside the result, in the units that he reads; nothing better can be done if nobody can read it.
 pub fn warn(message: impl std::fmt::Display) {
-    let message = message.to_string();
+    let message = in_flags(&message.to_string());
     let text = shown::sentence(&message);
     let text = short_numbers(&text);
     let text = width::broken_aside(&format!("warning: {}", clean::line(&text)));
