@@ -5,7 +5,7 @@ use crate::files;
 use crate::flags::{ModelFlags, OutputFlags, PlotFlag};
 use crate::format::Format;
 use crate::output::text::{Units, half_width, number, table, within};
-use crate::output::{burst_first, show};
+use crate::output::{burst_first, is_text, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{points, quantity, values};
@@ -100,6 +100,8 @@ pub fn run(args: &JointArgs, format: Format) -> Result<u8, Failure> {
         max_pressure_mpa: quantity("--max-pressure", args.max_pressure.as_deref(), Dimension::Pressure)?,
         map: args.map.map(usize::from),
         extrapolate: asking.extrapolate,
+        // Text does not show them.
+        without_start_pressures: is_text(args.output.target(), format)?,
         figure: args.plot.plot.as_ref().map(|_| unit.clone()),
     };
     let bar = Bar::new("joint");

@@ -99,6 +99,11 @@ pub fn is_json(target: Target<'_>, format: Format) -> Result<bool, Failure> {
     Ok(form(target.path, format)? == Form::Json)
 }
 
+/// Whether an answer is wanted as text.
+pub fn is_text(target: Target<'_>, format: Format) -> Result<bool, Failure> {
+    Ok(form(target.path, format)? == Form::Text)
+}
+
 /// The form of a file by its ending; without one, or for standard output, that of `--format`.
 fn form(path: Option<&Path>, format: Format) -> Result<Form, Failure> {
     let asked = match format {
