@@ -80,8 +80,19 @@ fn built() -> Command {
 /// The manual page of a command.
 fn page(command: &Command) -> Result<Vec<u8>, Failure> {
     let mut out = vec![];
-    Man::new(command.clone()).render(&mut out).map_err(|e| Failure::stdout(&e))?;
-    Ok(out)
+    // A page has what the short help has not.
+    let whole = command.clone().mut_args(|arg| match (arg.get_long_help(), arg.get_help()) {
+        (None, Some(help)) => {
+            let help = help.clone();
+            arg.long_help(help)
+        }
+        _ => arg,
+    });
+    let page = Man::new(whole).manual("mckibben").source(concat!("mckibben ", env!("CARGO_PKG_VERSION")));
+    page.render(&mut out).map_err(|e| Failure::stdout(&e))?;
+    let end = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+    let heading = if end.starts_with("Example") { ".SH EXAMPLES" } else { ".SH \"EXIT STATUS\"" };
+    Ok(String::from_utf8_lossy(&out).replace(".SH EXTRA", heading).into_bytes())
 }
 
 fn unknown(words: &[String]) -> Failure {

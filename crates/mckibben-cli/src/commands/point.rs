@@ -26,7 +26,7 @@ pub struct ForceArgs {
     pub contraction: Option<String>,
     /// Both branches of the friction hysteresis
     ///
-    /// And the band between them.
+    /// The band between them is printed as well.
     #[arg(long)]
     pub both: bool,
     #[command(flatten)]
@@ -49,7 +49,7 @@ pub struct PressureArgs {
     pub contraction: Option<String>,
     /// Both branches of the friction hysteresis
     ///
-    /// And the band between them.
+    /// The band between them is printed as well.
     #[arg(long)]
     pub both: bool,
     #[command(flatten)]
@@ -74,7 +74,7 @@ pub struct ContractionArgs {
     pub load: LoadFlag,
     /// Both branches of the friction hysteresis
     ///
-    /// And the band between them.
+    /// The band between them is printed as well.
     #[arg(long)]
     pub both: bool,
     #[command(flatten)]

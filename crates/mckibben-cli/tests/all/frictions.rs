@@ -408,6 +408,27 @@ fn no_answer_is_said_in_words_of_the_muscle_and_not_of_the_solver() {
     }
 }
 
+/// The map of 25 × 25 rests takes more than 32 000 factorisations; point by point it was more than 100 000.
+#[test]
+fn a_joint_point_by_point_costs_less_than_its_map() {
+    let dir = folder();
+    let words = "joint examples/forearm.toml -p 4bar,0bar --angle -60..60:5deg";
+    let text = mckibben(&format!("{words} --limit factorisations=3000")).ok();
+    assert_eq!(text.text().lines().filter(|l| l.contains("slack") || l.ends_with(" 0")).count(), 25);
+    // Programs get P′ as well, each of opposite angles once.
+    let path = dir.path().join("points.json").display().to_string();
+    mckibben(&format!("{words} -o {path}")).ok();
+    let points: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
+    let points = points["points"].as_array().unwrap().clone();
+    let start = |i: usize, muscle: u8| points[i][format!("start_pressure_{muscle}_mpa")].as_f64().unwrap();
+    for i in 0..points.len() {
+        assert_eq!(start(i, 1), start(points.len() - 1 - i, 2), "{i}");
+    }
+    let alone = mckibben("force examples/forearm-muscle.toml -p 4bar -e 0.09341 --format json").ok();
+    let alone = alone.json()["start_pressure_mpa"].as_f64().unwrap();
+    assert!((start(12, 1) / alone - 1.0).abs() < 1e-6, "{} {alone}", start(12, 1));
+}
+
 #[test]
 fn no_message_has_digits_that_nobody_reads() {
     let dir = muscle();

@@ -78,7 +78,15 @@ fn every_command_has_a_manual_page_that_is_not_written_over_the_file_of_another(
     assert!(names.len() > 25 && names.contains(&"mckibben.1".into()), "{names:?}");
     assert!(names.contains(&"mckibben-muscle-show.1".into()), "{names:?}");
     let page = std::fs::read_to_string(dir.path().join("man1/mckibben-force.1")).unwrap();
-    for part in [".SH QUESTION", ".SH MUSCLE", ".SH ADVANCED", "mckibben force \\-D 50"] {
+    for part in [
+        ".SH QUESTION",
+        ".SH MUSCLE",
+        ".SH ADVANCED",
+        ".SH EXAMPLES",
+        "mckibben force \\-D 50",
+        "Density of the rubber",
+        "Muscle file, same as",
+    ] {
         assert!(page.contains(part), "{part}: {page}");
     }
     assert_eq!(mckibben("man force").ok().text(), page);
