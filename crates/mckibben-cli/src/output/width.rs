@@ -60,11 +60,23 @@ fn lines(text: &str, width: usize) -> String {
     out.join("\n")
 }
 
-/// A text in lines of at most so many characters, broken at blanks; a word that is longer has a line of its own.
+/// A text in lines of at most so many characters, broken at blanks, but not between a number and its unit; a word that is longer has a
+/// line of its own.
 pub fn fold(text: &str, width: usize) -> Vec<String> {
     let mut out: Vec<String> = vec![];
     let mut length = 0;
+    let mut words: Vec<String> = vec![];
     for word in text.split(' ') {
+        let unit = |c: char| c.is_alphabetic() || "%°".contains(c);
+        match words.last_mut() {
+            Some(last) if last.ends_with(|c: char| c.is_ascii_digit()) && word.starts_with(unit) => {
+                last.push(' ');
+                last.push_str(word);
+            }
+            _ => words.push(word.to_owned()),
+        }
+    }
+    for word in &words {
         let more = word.chars().count();
         match out.last_mut() {
             Some(last) if length + 1 + more <= width => {
@@ -89,6 +101,7 @@ mod tests {
     fn lines_are_broken_at_blanks_and_indented_ones_go_on_indented() {
         assert_eq!(lines("one two three\n  four five six", 9), "one two\nthree\n  four\n    five\n    six");
         assert_eq!(lines("a-word-that-is-too-long b", 9), "a-word-that-is-too-long\nb");
+        assert_eq!(lines("at a pull of 12.5 N", 16), "at a pull of\n12.5 N");
         let short = "  name     value\n\n";
         assert_eq!(lines(short, 80), short);
     }
