@@ -17,11 +17,13 @@ use mckibben::joint::{
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
+use mckibben::threads;
 use mckibben::units::short_numbers;
 use mckibben::warning::Warning;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// A joint: its file and those of its muscles.
@@ -84,6 +86,8 @@ pub struct JointRequest {
     pub map: Option<usize>,
     /// Compute outside the model's range too, with a warning.
     pub extrapolate: bool,
+    /// Leave out P′ of the muscles, the pressures below which they are slack, which takes most of the time.
+    pub without_start_pressures: bool,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
 }
@@ -223,7 +227,11 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
     let mut asked = Asked { model: &model, workspaces: model.workspaces(progress), said: vec![] };
     let rows = asked.rows(request, progress);
     budget.ended()?;
-    let rows = rows?;
+    let mut rows = rows?;
+    if !request.without_start_pressures {
+        add_start_pressures(&model, &mut rows, progress);
+        budget.ended()?;
+    }
     let map = match request.map {
         None => None,
         Some(count) => {
@@ -346,11 +354,10 @@ impl Asked<'_> {
             (false, Some(angles)) => {
                 for (i, pressures) in families.iter().enumerate() {
                     progress.report(i, families.len());
-                    for &angle in angles {
-                        if progress.cancelled() {
-                            return Err(Problem::cancelled());
-                        }
-                        let point = self.model.at(&mut self.workspaces, pressures, angle, Turning::Mean)?;
+                    if progress.cancelled() {
+                        return Err(Problem::cancelled());
+                    }
+                    for point in self.model.along(&mut self.workspaces, pressures, angles)? {
                         rows.push(self.row(point, None)?);
                     }
                 }
@@ -405,12 +412,42 @@ impl Asked<'_> {
             arm_2_mm: second.map(|m| m.arm_mm),
             slack_1: first.is_some_and(|m| m.answer.slack),
             slack_2: second.map(|m| m.answer.slack),
-            start_pressure_1_mpa: first.and_then(|m| m.answer.start_pressure_mpa),
-            start_pressure_2_mpa: second.and_then(|m| m.answer.start_pressure_mpa),
+            start_pressure_1_mpa: None,
+            start_pressure_2_mpa: None,
             angle_uncertainty_deg: None,
             pressure_1_uncertainty_mpa: None,
             pressure_2_uncertainty_mpa: None,
         })
+    }
+}
+
+/// A kind of muscle and its contraction, as a key: those of opposed muscles at opposite angles differ by rounding.
+fn key(kind: usize, contraction: f64) -> (usize, i64) {
+    (kind, (1e12 * contraction).round() as i64)
+}
+
+/// Adds P′ to rows: each contraction of each kind of muscle once, on all threads.
+fn add_start_pressures(model: &JointModel<'_>, rows: &mut [JointRow], progress: &dyn Progress) {
+    let digests: Vec<String> = model.joint().muscles().iter().map(|m| m.muscle.digest()).collect();
+    let kind = |i: usize| digests.iter().position(|d| Some(d) == digests.get(i)).unwrap_or(i);
+    let kinds = [kind(0), kind(1)];
+    let contractions = |row: &JointRow| [Some(row.contraction_1), row.contraction_2];
+    let mut wanted: BTreeMap<(usize, i64), f64> = BTreeMap::new();
+    for row in &*rows {
+        let known = kinds.into_iter().zip(contractions(row)).filter_map(|(kind, e)| Some((kind, e?)));
+        wanted.extend(known.map(|(kind, e)| (key(kind, e), e)));
+    }
+    let wanted: Vec<((usize, i64), f64)> = wanted.into_iter().collect();
+    let budget = progress.budget();
+    let found = threads::map(&wanted, |&((kind, _), contraction)| {
+        model.start_pressure_mpa(kind, &mut Workspace::within(budget.clone()), contraction)
+    });
+    let found: BTreeMap<(usize, i64), Option<f64>> =
+        wanted.into_iter().map(|(key, _)| key).zip(found).collect();
+    let of = |i: usize, e: f64| found.get(&key(kinds[i], e)).copied().flatten();
+    for row in rows {
+        row.start_pressure_1_mpa = of(0, row.contraction_1);
+        row.start_pressure_2_mpa = row.contraction_2.and_then(|e| of(1, e));
     }
 }
 

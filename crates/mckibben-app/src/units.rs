@@ -1,6 +1,6 @@
 //! Units in which people are shown what is in mm, MPa and N inside.
 
-use crate::words::{aligned, number, within};
+use crate::words::{aligned, half_width, number, within};
 use mckibben::units::{Dimension, Unit};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -59,6 +59,11 @@ impl Scale {
     /// The same to the digits that a ± leaves.
     pub fn within(&self, inside: f64, uncertainty: Option<f64>) -> String {
         uncertainty.map_or_else(|| self.bare(inside), |u| within(self.value(inside), self.value(u)))
+    }
+
+    /// The ± of such a value.
+    pub fn half_width(&self, inside: f64) -> String {
+        half_width(self.value(inside))
     }
 
     /// A column of values with their points aligned.

@@ -1,5 +1,6 @@
 //! Numbers and names as people read them, in figures and texts of every front end.
 
+use mckibben::analysis::litres_anr;
 use mckibben::muscle::{BraidStiffness, Muscle};
 use mckibben::rubber::Law;
 
@@ -18,13 +19,37 @@ pub fn number(v: f64, digits: usize) -> String {
     if text == "-0" { "0".into() } else { text.into() }
 }
 
-/// A number with as many decimals as its ± leaves: the last place is at most a hundredth of it.
+/// Air, given in normal litres, as catalogues of pneumatics state it: `0.387 L (ANR)`.
+pub fn air(normal_litres: f64) -> String {
+    format!("{} L (ANR)", number(litres_anr(normal_litres), 4))
+}
+
+/// A number to the last digit of its ± ([`half_width`]).
 pub fn within(v: f64, uncertainty: f64) -> String {
-    const NO_UNCERTAINTY: usize = 4;
+    const NO_UNCERTAINTY: i32 = -4;
     let known = uncertainty > 0.0 && uncertainty.is_finite();
-    let decimals =
-        if known { (2.0 - uncertainty.log10().floor()).clamp(0.0, 8.0) as usize } else { NO_UNCERTAINTY };
-    fixed(v, decimals)
+    to_place(v, if known { last_place(uncertainty) } else { NO_UNCERTAINTY })
+}
+
+/// A ±: two digits.
+pub fn half_width(uncertainty: f64) -> String {
+    match uncertainty > 0.0 && uncertainty.is_finite() {
+        true => to_place(uncertainty, last_place(uncertainty)),
+        false => number(uncertainty, 2),
+    }
+}
+
+/// The power of ten of the second digit of a ±.
+fn last_place(uncertainty: f64) -> i32 {
+    (uncertainty.log10().floor() as i32 - 1).max(-8)
+}
+
+fn to_place(v: f64, place: i32) -> String {
+    if place <= 0 {
+        return fixed(v, place.unsigned_abs() as usize);
+    }
+    let unit = 10_f64.powi(place);
+    fixed((v / unit).round() * unit, 0)
 }
 
 /// A number with so many decimals.
@@ -94,10 +119,15 @@ mod tests {
 
     #[test]
     fn digits_that_the_uncertainty_hides_are_not_shown() {
-        assert_eq!(within(326.31, 118.0), "326");
-        assert_eq!(within(326.31, 41.0), "326.3");
-        assert_eq!(within(0.012_345, 0.000_4), "0.012345");
-        assert_eq!(within(-0.2, 118.0), "0");
+        for (value, uncertainty, shown) in [
+            (375.9, 96.2, "376 ± 96"),
+            (326.31, 118.0, "330 ± 120"),
+            (0.127_04, 0.03, "0.127 ± 0.030"),
+            (0.012_346, 0.000_4, "0.01235 ± 0.00040"),
+            (-0.2, 118.0, "0 ± 120"),
+        ] {
+            assert_eq!(format!("{} ± {}", within(value, uncertainty), half_width(uncertainty)), shown);
+        }
     }
 
     #[test]

@@ -8,6 +8,7 @@ use crate::commands::curve::CurveArgs;
 use crate::commands::design::DesignArgs;
 use crate::commands::fit::FitArgs;
 use crate::commands::formula::FormulaShowArgs;
+use crate::commands::help::{HelpArgs, ManArgs};
 use crate::commands::identify::IdentifyArgs;
 use crate::commands::joint::JointArgs;
 use crate::commands::models::ModelsArgs;
@@ -23,7 +24,7 @@ use crate::commands::serve::ServeArgs;
 use crate::commands::simulate::SimulateArgs;
 use crate::commands::validate::ValidateArgs;
 use crate::format::Format;
-use clap::{Parser, Subcommand};
+use clap::{ArgAction, CommandFactory, Parser, Subcommand};
 use mckibben::budget::Resource;
 
 const ABOUT: &str = "Design McKibben pneumatic muscles: from a specification to a muscle that you can build.
@@ -35,17 +36,57 @@ const EXIT_CODES: &str = "Exit codes: 0 done; 1 no answer exists; 2 the input is
 
 /// The command line.
 #[derive(Debug, Parser)]
-#[command(name = "mckibben", version, about = ABOUT, disable_help_subcommand = true, max_term_width = 110, after_help = EXIT_CODES)]
+#[command(name = "mckibben", version, about = ABOUT, disable_help_subcommand = true, disable_help_flag = true, max_term_width = 110, after_help = EXIT_CODES)]
 pub struct Cli {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
-    /// Output format: text for reading, json or csv for programs
-    #[arg(long, value_enum, global = true, default_value_t = Format::Text, help_heading = "Output")]
+    /// Output format: text, json or csv [text]
+    ///
+    /// Text for reading: aligned, with units. For programs json, one object, or csv, one row per point; keys and columns carry their unit.
+    #[arg(long, value_enum, global = true, default_value_t = Format::Text, hide_default_value = true, hide_possible_values = true, display_order = 900, help_heading = "Output")]
     pub format: Format,
     /// Limit of the work: points, elements, bytes, factorisations or seconds [points=1e6, elements=250000, bytes=4e9]
-    #[arg(long, value_name = "NAME=NUMBER", global = true, value_parser = limit, help_heading = "Output")]
+    #[arg(long, value_name = "NAME=NUMBER", global = true, value_parser = limit, hide_short_help = true, display_order = 901, help_heading = "Output")]
     pub limit: Vec<(Resource, f64)>,
+    /// Help: -h in short, --help with all flags
+    #[arg(short, long, global = true, action = ArgAction::Help, display_order = 902, help_heading = "Output")]
+    // clap answers it.
+    #[allow(dead_code)]
+    help: Option<bool>,
+}
+
+/// The command line: `-h` shows the first example and where the other flags are, `--help` all.
+pub fn command() -> clap::Command {
+    with_helps(Cli::command(), "")
+}
+
+fn with_helps(command: clap::Command, above: &str) -> clap::Command {
+    let path = format!("{above}{}", command.get_name());
+    let hides = |command: &clap::Command| command.get_arguments().any(clap::Arg::is_hide_short_help_set);
+    let all = command.get_after_help().map(ToString::to_string);
+    let command = match all {
+        Some(all) if hides(&command) => {
+            let short = format!("{}\n\nAll flags, with details: {path} --help", first_example(&all));
+            command.after_help(short).after_long_help(all)
+        }
+        _ => command,
+    };
+    command.mut_subcommands(|inner| with_helps(inner, &format!("{path} ")))
+}
+
+/// Examples up to the second one.
+fn first_example(all: &str) -> String {
+    let starts = |line: &&str| line.starts_with("  mckibben ");
+    if all.lines().filter(starts).count() < 2 {
+        return all.to_owned();
+    }
+    let mut seen = 0;
+    let lines = all.lines().take_while(|line| {
+        seen += usize::from(starts(line));
+        seen < 2
+    });
+    lines.collect::<Vec<_>>().join("\n").replacen("Examples:", "Example:", 1)
 }
 
 /// `seconds=60`
@@ -126,6 +167,12 @@ pub enum Command {
     /// JSON Schema of requests and answers
     #[command(after_help = "Examples:\n  mckibben schema force\n  mckibben schema")]
     Schema(SchemaArgs),
+    /// Help of a command, as its flag --help prints it
+    #[command(after_help = commands::help::EXAMPLES)]
+    Help(HelpArgs),
+    /// Manual pages for `man`
+    #[command(after_help = commands::help::MAN_EXAMPLES)]
+    Man(ManArgs),
     /// Shell completions, written to standard output
     #[command(after_help = "Example:\n  mckibben completions bash")]
     Completions {

@@ -20,7 +20,9 @@ use std::path::{Path, PathBuf};
 /// What the muscle works against.
 #[derive(Debug, Clone, Default, Args)]
 pub struct LoadFlag {
-    /// Load: force:300N, mass:20kg, spring:12N/mm@50N, lever:5kg@300mm/40mm/-30deg, table:load.csv, several joined by +
+    /// Load, such as mass:20kg or spring:12N/mm@50N
+    ///
+    /// force:300N, mass:20kg, spring:12N/mm@50N, lever:5kg@300mm/40mm/-30deg, table:load.csv; several joined by +
     #[arg(long, value_name = "LOAD")]
     pub load: Option<String>,
 }
@@ -40,12 +42,14 @@ impl LoadFlag {
 #[derive(Debug, Clone, Default, Args)]
 pub struct StrandFlags {
     /// Diameter of one strand of a named sleeve, if its source does not state it
-    #[arg(long, value_name = "DIAMETER", allow_hyphen_values = true)]
+    #[arg(long, value_name = "DIAMETER", allow_hyphen_values = true, hide_short_help = true)]
     pub strand_diameter: Option<String>,
     /// Young's modulus of a strand of a named sleeve, if its source does not state it
-    #[arg(long, value_name = "MODULUS", allow_hyphen_values = true)]
+    #[arg(long, value_name = "MODULUS", allow_hyphen_values = true, hide_short_help = true)]
     pub strand_modulus: Option<String>,
-    /// Stiffness of one strand family: N/mm, `inextensible`, or `paper` [paper]
+    /// Stiffness of one strand family, in N/mm [paper]
+    ///
+    /// Or `inextensible`, or `paper`.
     #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true)]
     pub stiffness: Option<String>,
 }
@@ -70,9 +74,10 @@ impl StrandFlags {
 /// Which column of a table is what.
 #[derive(Debug, Clone, Default, Args)]
 pub struct ColumnsFlag {
-    /// Quantity and unit of columns that the program does not recognise: QUANTITY="HEADING:UNIT" (#2 is the second column), such as
-    /// pressure="P1:kPa",contraction="x:mm"
-    #[arg(long, value_name = "LIST", help_heading = "Data")]
+    /// Quantity and unit of columns: QUANTITY="HEADING:UNIT",…
+    ///
+    /// Of columns that the program does not recognise (#2 is the second column), such as pressure="P1:kPa",contraction="x:mm"
+    #[arg(long, value_name = "LIST")]
     pub columns: Option<String>,
 }
 
@@ -86,9 +91,11 @@ impl ColumnsFlag {
 
 /// The model and how it is asked.
 #[derive(Debug, Clone, Default, Args)]
-#[command(next_help_heading = "Model")]
+#[command(next_help_heading = "Advanced")]
 pub struct ModelFlags {
-    /// Force model, or the JSON file of a fitted formula [fe]; `mckibben models` lists the models
+    /// Force model (`mckibben models`) [fe]
+    ///
+    /// A name, or the JSON file of a fitted formula.
     #[arg(long, value_name = "NAME", value_parser = MODELS, hide_possible_values = true)]
     pub model: Option<String>,
     #[command(flatten)]
@@ -97,26 +104,26 @@ pub struct ModelFlags {
 
 /// How a model is asked.
 #[derive(Debug, Clone, Default, Args)]
-#[command(next_help_heading = "Model")]
+#[command(next_help_heading = "Advanced")]
 pub struct AskFlags {
     /// Compute outside the model's range too, with a warning
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     pub extrapolate: bool,
     /// Give the negative force, not slack, where the muscle would have to push
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     pub two_sided: bool,
     /// Mesh of `fe`: elements along the half length, or through the wall x along, or with :grading; of `fe3d`: bricks
     /// around the quarter, or through x around, or through x around x along [automatic]
-    #[arg(long, value_name = "N or MxN:G")]
+    #[arg(long, value_name = "N or MxN:G", hide_short_help = true)]
     pub mesh: Option<String>,
     /// Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly
-    #[arg(long = "match", value_parser = word::<Keep>(), value_name = "WHAT", default_value = "length")]
+    #[arg(long = "match", value_parser = word::<Keep>(), value_name = "WHAT", default_value = "length", hide_short_help = true)]
     pub keep: Keep,
     /// Terminal of `fe3d`: none (a rigid plane), rigid or aluminium (a plug), with :insertion and :radius of its nose [none]
-    #[arg(long, value_name = "WORD:MM:MM")]
+    #[arg(long, value_name = "WORD:MM:MM", hide_short_help = true)]
     pub terminal: Option<String>,
     /// Branch of the friction hysteresis, for the model ([friction] in the muscle file) and for measured points
-    #[arg(long, alias = "motion", value_parser = word::<Direction>(), default_value = "mean")]
+    #[arg(long, alias = "motion", value_parser = word::<Direction>(), default_value = "mean", hide_short_help = true)]
     pub branch: Direction,
 }
 
@@ -195,7 +202,9 @@ fn terminal(text: &str) -> Result<Option<Terminal>, Failure> {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Output")]
 pub struct UnitsFlag {
-    /// Units of text and figures, such as bar or psi,lbf,in [the units of your flags, else MPa, N, mm]
+    /// Units that are shown: bar, or psi,lbf,in
+    ///
+    /// Of text and figures: a unit of pressure, force or length, or several. Without it those of your flags, else MPa, N and mm.
     #[arg(long, value_name = "UNIT,…", value_parser = |text: &str| text.parse::<Units>().map(Box::new))]
     // Read by `shown`, which looks at every flag.
     #[allow(dead_code)]
@@ -208,7 +217,9 @@ pub struct UnitsFlag {
 pub struct OutputFlags {
     #[command(flatten)]
     pub units: UnitsFlag,
-    /// Write the result to a file instead of standard output
+    /// Write the result to a file
+    ///
+    /// Instead of standard output. The ending selects the format: .txt, .json, .csv, .parquet.
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
@@ -227,7 +238,7 @@ impl OutputFlags {
 #[derive(Debug, Clone, Default, Args)]
 pub struct OverwriteFlag {
     /// Overwrite any existing file [only files written by this program]
-    #[arg(long, help_heading = "Output")]
+    #[arg(long, hide_short_help = true, help_heading = "Output")]
     pub overwrite: bool,
 }
 
@@ -235,7 +246,7 @@ pub struct OverwriteFlag {
 #[derive(Debug, Clone, Default, Args)]
 pub struct OverwriteOrForceFlag {
     /// Overwrite any existing file [only files written by this program]
-    #[arg(long, visible_alias = "force", help_heading = "Output")]
+    #[arg(long, visible_alias = "force", hide_short_help = true, help_heading = "Output")]
     pub overwrite: bool,
 }
 
@@ -243,7 +254,10 @@ pub struct OverwriteOrForceFlag {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Output")]
 pub struct PlotFlag {
-    /// Write a figure; the file ending selects the format: .svg, .png or .html
+    /// Write a figure: FILE.svg, .pdf, .png or .html
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
+    /// Width of the figure, such as 88mm for a column of a journal [160mm]
+    #[arg(long, value_name = "LENGTH", requires = "plot", hide_short_help = true)]
+    pub plot_width: Option<String>,
 }

@@ -22,7 +22,7 @@ mod shown;
 mod typed;
 mod word;
 
-use clap::{CommandFactory, FromArgMatches};
+use clap::FromArgMatches;
 use failure::Failure;
 use format::Format;
 use mckibben::threads;
@@ -39,7 +39,7 @@ fn main() -> ExitCode {
         return report(&failure, if json_wanted() { Format::Json } else { Format::Text });
     }
     progress::no_signal_for_long_files();
-    let parsed = cli::Cli::command().try_get_matches().and_then(|matches| {
+    let parsed = cli::command().try_get_matches().and_then(|matches| {
         shown::take(&matches);
         cli::Cli::from_arg_matches(&matches).map(|cli| (cli, matches))
     });

@@ -25,10 +25,10 @@ pub struct MuscleFlags {
 #[command(next_help_heading = "Muscle")]
 struct FileFlags {
     /// Muscle file; flags override its values
-    #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle", help_heading = "Arguments")]
+    #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle", display_order = 0)]
     file: Option<PathBuf>,
     /// Muscle file, same as [MUSCLE.toml]
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", hide_short_help = true)]
     muscle: Option<PathBuf>,
 }
 
@@ -36,10 +36,14 @@ struct FileFlags {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Muscle")]
 struct NameFlags {
-    /// Rubber: NAME or NAME:LAW of the library (see `mckibben rubber list`), shore:30A, s100:0.6MPa, or the rubber of a FILE.toml [paper]
+    /// Rubber (`mckibben rubber list`) [paper]
+    ///
+    /// NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 % (s100:0.6MPa), or the rubber of a FILE.toml.
     #[arg(long, value_name = "NAME", value_parser = RUBBERS, hide_possible_values = true)]
     rubber: Option<String>,
-    /// Sleeve from the library, which gives angle and strands (see `mckibben braid list`) [none]
+    /// Sleeve (`mckibben braid list`) [none]
+    ///
+    /// NAME of the library; it gives the angle and the strands.
     #[arg(long, value_name = "NAME", value_parser = SLEEVES, hide_possible_values = true)]
     braid: Option<String>,
     #[command(flatten)]
@@ -48,12 +52,25 @@ struct NameFlags {
 
 /// The flag of a measure.
 fn arg(measure: &'static Measure, flag: &str) -> Arg {
-    let arg = Arg::new(flag.replace('-', "_")).long(flag.to_owned()).help(measure.help());
+    // The short help of a muscle at rest needs no room for that.
+    let help = measure.help();
+    let arg = Arg::new(flag.replace('-', "_")).long(flag.to_owned());
+    let arg = arg.help(help.replacen(" at rest", "", 1)).long_help(help);
     let arg = arg.value_name(measure.value_name()).allow_hyphen_values(true);
+    let arg = if is_common(measure) {
+        arg.help_heading("Muscle")
+    } else {
+        arg.help_heading("Advanced").hide_short_help(true)
+    };
     match measure.short {
         Some(short) => arg.short(short),
         None => arg,
     }
+}
+
+/// Whether most muscles need its flag.
+fn is_common(measure: &Measure) -> bool {
+    measure.short.is_some() || *measure == ANGLE
 }
 
 /// Its name on the command line.
@@ -71,7 +88,7 @@ impl Args for MuscleFlags {
     fn augment_args(command: Command) -> Command {
         let mut command = FileFlags::augment_args(command);
         for (measure, flag) in flags() {
-            command = command.next_help_heading("Muscle").arg(arg(measure, &flag));
+            command = command.arg(arg(measure, &flag));
             if *measure == ANGLE {
                 command = NameFlags::augment_args(command);
             }

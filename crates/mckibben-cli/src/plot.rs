@@ -2,28 +2,55 @@
 
 use crate::failure::Failure;
 use crate::files;
+use crate::flags::PlotFlag;
 use crate::output::{ending, of_input};
+use crate::quantities::quantity;
+use mckibben::units::Dimension;
 use mckibben_app::ProblemKind;
 use mckibben_report::{Figure, FigureError};
 use std::path::Path;
 
 /// Refuses a figure that could not be written, before any work is done for it.
-pub fn check(path: Option<&Path>) -> Result<(), Failure> {
-    let Some(path) = path else { return Ok(()) };
-    if ending(path).is_some_and(|e| ["svg", "png", "html", "htm"].contains(&e.as_str())) {
+pub fn check(flag: &PlotFlag) -> Result<(), Failure> {
+    width_mm(flag)?;
+    let Some(path) = &flag.plot else { return Ok(()) };
+    if ending(path).is_some_and(|e| ["svg", "png", "pdf", "html", "htm"].contains(&e.as_str())) {
         return Ok(());
     }
     Err(FigureError::UnknownExtension { path: path.to_owned() }.into())
 }
 
 /// Writes a figure, where there is one and a file is named for it.
-pub fn save(figure: Option<Figure>, path: Option<&Path>) -> Result<(), Failure> {
-    match (figure, path) {
+pub fn save(figure: Option<Figure>, flag: &PlotFlag) -> Result<(), Failure> {
+    match (figure, &flag.plot) {
         (Some(figure), Some(path)) => {
-            unread(path)?;
-            Ok(figure.save(path)?)
+            let width = width_mm(flag)?;
+            save_as(
+                match width {
+                    Some(width) => figure.width_mm(width),
+                    None => figure,
+                },
+                path,
+            )
         }
         _ => Ok(()),
+    }
+}
+
+/// Writes a figure to a file.
+pub fn save_as(figure: Figure, path: &Path) -> Result<(), Failure> {
+    unread(path)?;
+    Ok(figure.save(path)?)
+}
+
+fn width_mm(flag: &PlotFlag) -> Result<Option<f64>, Failure> {
+    let width = quantity("--plot-width", flag.plot_width.as_deref(), Dimension::Length)?;
+    match width.filter(|width| !(20.0..=2000.0).contains(width)) {
+        Some(width) => {
+            let message = format!("--plot-width: {width} mm; a figure is 20 to 2000 mm wide");
+            Err(Failure::input(ProblemKind::Quantity, message, ""))
+        }
+        None => Ok(width),
     }
 }
 

@@ -9,8 +9,8 @@ use mckibben_app::Problem;
 use signal_hook::{consts, flag};
 use std::fmt::Write;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, LazyLock, Once, OnceLock};
-use std::time::Duration;
+use std::sync::{Arc, LazyLock, Mutex, Once, OnceLock, PoisonError};
+use std::time::{Duration, Instant};
 
 /// Set by Ctrl-C and the signals that end a process, which are taken over when the first bar is made.
 static STOPPED: LazyLock<Arc<AtomicBool>> = LazyLock::new(|| {
@@ -33,6 +33,8 @@ const ENDING: [i32; 2] = [consts::SIGINT, consts::SIGTERM];
 static BUDGET: OnceLock<Budget> = OnceLock::new();
 /// After the wish to end, work has this long to leave everything in order.
 const GRACE: Duration = Duration::from_millis(700);
+/// What takes less time has no bar.
+const SOON: Duration = Duration::from_millis(500);
 /// The wish is looked for this often.
 const TICK: Duration = Duration::from_millis(50);
 
@@ -90,27 +92,31 @@ fn watch() {
     std::process::exit(i32::from(INTERRUPTED));
 }
 
-/// A bar with rate and remaining time, to standard error, on a terminal only. The first Ctrl-C ends the work, the second
-/// the program.
-pub struct Bar(ProgressBar);
+/// A bar with rate and remaining time, to standard error, on a terminal only, of work that takes longer than a moment. The first Ctrl-C ends
+/// the work, the second the program.
+pub struct Bar {
+    bar: ProgressBar,
+    /// From when on it is drawn; no longer set once it is.
+    from: Mutex<Option<Instant>>,
+}
 
 impl Bar {
     /// A bar that counts things of this name.
     pub fn new(things: &str) -> Self {
-        Self::on(things, ProgressDrawTarget::stderr_with_hz(5))
+        Self::drawn(things, Some(Instant::now() + SOON))
     }
 
     /// One that nobody sees.
     pub fn hidden() -> Self {
-        Self::on("", ProgressDrawTarget::hidden())
+        Self::drawn("", None)
     }
 
-    fn on(things: &str, target: ProgressDrawTarget) -> Self {
+    fn drawn(things: &str, from: Option<Instant>) -> Self {
         static WATCHED: Once = Once::new();
         LazyLock::force(&STOPPED);
         // Where there is no thread for it, work ends as soon as it looks.
         WATCHED.call_once(|| drop(std::thread::Builder::new().spawn(watch)));
-        let bar = ProgressBar::with_draw_target(None, target);
+        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
         let template = format!("{{bar:32}} {{pos}}/{{len}} {things}, {{rate}}, {{eta}} left{{msg}}");
         if let Ok(style) = ProgressStyle::with_template(&template) {
             let rate = |s: &ProgressState, to: &mut dyn Write| {
@@ -119,7 +125,16 @@ impl Bar {
             };
             bar.set_style(style.with_key("rate", rate));
         }
-        Self(bar)
+        Self { bar, from: Mutex::new(from) }
+    }
+
+    /// Draws it from its time on.
+    fn draw(&self) {
+        let mut from = self.from.lock().unwrap_or_else(PoisonError::into_inner);
+        if from.is_some_and(|from| Instant::now() >= from) {
+            *from = None;
+            self.bar.set_draw_target(ProgressDrawTarget::stderr_with_hz(5));
+        }
     }
 }
 
@@ -128,13 +143,17 @@ pub const INTERRUPTED: u8 = 130;
 
 impl Progress for Bar {
     fn report(&self, done: usize, total: usize) {
-        if self.0.length().is_none() {
-            self.0.set_position(done as u64);
-            // What was there already says nothing about the rate.
-            self.0.reset_eta();
+        if total > 0 {
+            self.draw();
         }
-        self.0.set_length(total as u64);
-        self.0.set_position(done as u64);
+        let bar = &self.bar;
+        if bar.length().is_none() {
+            bar.set_position(done as u64);
+            // What was there already says nothing about the rate.
+            bar.reset_eta();
+        }
+        bar.set_length(total as u64);
+        bar.set_position(done as u64);
     }
 
     fn cancelled(&self) -> bool {
@@ -148,6 +167,6 @@ impl Progress for Bar {
 
 impl Drop for Bar {
     fn drop(&mut self) {
-        self.0.finish_and_clear();
+        self.bar.finish_and_clear();
     }
 }

@@ -175,7 +175,7 @@ pub fn fits(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> bool {
 }
 
 /// What the strands bear at the maximum pressure, not shortened and at the operating points.
-fn strands(
+pub(super) fn strands(
     spec: &Spec,
     points: &[OperatingPoint],
     model: &dyn ForceModel,

@@ -4,13 +4,14 @@
 //! sample. Where no sample fits, the share by which the limits are missed leads on, so that a narrow window is found as well. The
 //! innermost axis, the diameter, is searched by the roots of the single limits ([`line`](super::line)).
 
-use super::limit::{Check, Limit, Score, burst_margin, probe, probe_with};
+use super::limit::{Check, Limit, Score, burst_margin, probe, probe_with, strands};
 use super::line::{self, Found, Merit, NO_SCORE, Sample};
 use super::reason::Reason;
 use super::run::Models;
 use super::spec::{BraidChoice, Build, Objective, Spec};
 use super::tubes::TubePart;
 use mckibben::analysis::golden;
+use mckibben::model::{ModelError, ThickWall, Workspace};
 use mckibben::muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube};
 use mckibben::progress::Progress;
 use mckibben::threads;
@@ -411,7 +412,18 @@ impl<'a> Search<'a> {
                     burst_margin(self.spec, build, muscle).filter(|_| worst.limit == Limit::BurstMargin);
                 Some(Check { value: solved.unwrap_or(worst.value), ..worst }.reason(self.spec))
             }
-            Err(error) => Some(Reason::Model(error)),
+            Err(error @ ModelError::Exceeded(_)) => Some(Reason::Model(error)),
+            Err(error) => Some(self.overstretched(muscle).unwrap_or(Reason::Model(error))),
+        }
+    }
+
+    /// Of a muscle without an answer at the maximum pressure: whether its strands stretch too far there, by the thick-wall model.
+    fn overstretched(&self, muscle: &Muscle) -> Option<Reason> {
+        let (model, spec) = (ThickWall::new(muscle), self.spec);
+        match strands(spec, &spec.points(muscle), &model, &mut Workspace::new(), &model) {
+            Ok(checks) => Some(checks.into_iter().find(|c| c.excess() > 0.0)?.reason(spec)),
+            Err(error @ ModelError::Overstretched { .. }) => Some(Reason::Model(error)),
+            Err(_) => None,
         }
     }
 }

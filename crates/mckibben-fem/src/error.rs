@@ -116,7 +116,7 @@ pub enum FemError {
         steps: usize,
     },
     /// No pressure or contraction gives the force.
-    #[error("no equilibrium with a pull of {force_n} N was found: {reason}")]
+    #[error("no equilibrium with a pull of {force_n} N was found{}", of_muscle(.reason))]
     Force {
         /// The pull asked for in N.
         force_n: f64,
@@ -150,6 +150,14 @@ impl FemError {
     }
 }
 
+/// A reason that lies in the muscle; how a search ended tells its user nothing.
+fn of_muscle(reason: &Stopped) -> String {
+    match reason {
+        Stopped::Inverted { .. } | Stopped::NotFinite { .. } => format!(": {reason}"),
+        _ => String::new(),
+    }
+}
+
 fn ended(
     status: Status,
     pressure: f64,
@@ -169,16 +177,17 @@ fn ended(
         (Status::Collapsed, None) => format!("no equilibrium found {asked} (the tube may have collapsed)"),
         _ => format!("no equilibrium found {asked}"),
     };
+    let because = of_muscle(reason);
     let followed = if last.pressure_mpa > 0.0 || last.contraction != 0.0 {
         format!(
-            "; the muscle was followed up to {:.4} MPa and {} %",
+            "; on the way there from rest, the last one is at {:.4} MPa and {} %",
             last.pressure_mpa,
             percent(last.contraction)
         )
     } else {
         String::new()
     };
-    format!("{begins}: {reason}{followed}; lower the pressure or the contraction, or take stiffer strands")
+    format!("{begins}{because}{followed}; lower the pressure or the contraction, or take stiffer strands")
 }
 
 fn out_of_reach(force: f64, pressure: f64, nearest: f64, contraction: f64) -> String {

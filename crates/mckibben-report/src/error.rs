@@ -66,7 +66,7 @@ pub enum FigureError {
         reason: String,
     },
     /// The file name ends in something no writer is known for.
-    #[error("unknown format of {}: use a name ending in .svg, .png or .html", path.display())]
+    #[error("unknown format of {}: use a name ending in .svg, .png, .pdf or .html", path.display())]
     UnknownExtension {
         /// The path asked for.
         path: PathBuf,

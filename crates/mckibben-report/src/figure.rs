@@ -28,8 +28,8 @@ pub struct Figure {
     pub panels: Vec<Panel>,
     /// Columns of the grid of panels; 0 lets the figure choose.
     pub columns: usize,
-    /// Width and height of the paper, mm; `None` takes 160 × 100 for one panel and a
-    /// size that grows with the grid for several.
+    /// Width and height of the paper, mm; a height of 0 follows from the contents. `None` takes 160 × 100 for one panel
+    /// and a size that grows with the grid for several.
     pub size_mm: Option<(f64, f64)>,
     /// How colours follow from the colour numbers of the series.
     pub palette: Palette,
@@ -170,6 +170,11 @@ impl Figure {
     pub fn size_mm(mut self, width: f64, height: f64) -> Self {
         self.size_mm = Some((width, height));
         self
+    }
+
+    /// Sets the width of the paper, mm, such as that of a column of a journal; the height follows from the contents.
+    pub fn width_mm(self, width: f64) -> Self {
+        self.size_mm(width, 0.0)
     }
 
     /// Sets how colours follow from colour numbers.

@@ -14,6 +14,9 @@ pub(crate) const TITLE: f64 = 14.0;
 pub(crate) const PANEL_TITLE: f64 = 11.5;
 pub(crate) const CAPTION: f64 = 8.8;
 const MARGIN: f64 = 16.0;
+/// Of a paper whose width alone was asked for: the least width of a panel, mm, and the height of a single one over the width.
+const PANEL_MM: f64 = 75.0;
+const PANEL_SHARE: f64 = 0.62;
 const CAPTION_ROW: f64 = 12.0;
 
 /// A figure with everything in its place.
@@ -57,6 +60,10 @@ pub(crate) fn grid(figure: &Figure) -> (usize, usize) {
         (0, _) => 4,
         (asked, _) => asked.min(count),
     };
+    let columns = match figure.size_mm {
+        Some((width_mm, 0.0)) => columns.min((width_mm / PANEL_MM) as usize).max(1),
+        _ => columns,
+    };
     (columns, count.div_ceil(columns))
 }
 
@@ -67,21 +74,27 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
     }
     let (columns, rows) = grid(figure);
     let single = figure.panels.len() == 1;
-    let (width_mm, height_mm) = figure.size_mm.unwrap_or(if single {
-        (160.0, 100.0)
-    } else {
-        ((84.0 * columns as f64).max(160.0), 64.0 * rows as f64 + 20.0)
-    });
-    if ![width_mm, height_mm].iter().all(|side| (20.0..=2000.0).contains(side)) {
-        return Err(FigureError::PaperSize { width_mm, height_mm });
-    }
-    let (width, mut height) = (width_mm * PER_MM, height_mm * PER_MM);
+    let usual =
+        if single { (160.0, 100.0) } else { ((84.0 * columns as f64).max(160.0), 64.0 * rows as f64 + 20.0) };
+    let (width_mm, height_mm) = figure.size_mm.unwrap_or(usual);
+    let grows = figure.size_mm.is_none_or(|(_, height)| height == 0.0);
+    let width = width_mm * PER_MM;
     let inner = width - 2.0 * MARGIN;
 
     let title = metrics.wrap(&figure.title, TITLE, inner);
     let top = 10.0 + title.len() as f64 * (TITLE + 4.0) + if title.is_empty() { 2.0 } else { 5.0 };
     let caption = metrics.wrap(&figure.caption, CAPTION, inner);
     let caption_room = if caption.is_empty() { 0.0 } else { caption.len() as f64 * CAPTION_ROW + 5.0 };
+    let height_mm = if height_mm == 0.0 {
+        let panels_mm = if single { PANEL_SHARE * width_mm } else { 64.0 * rows as f64 };
+        panels_mm + (top + caption_room) / PER_MM
+    } else {
+        height_mm
+    };
+    if ![width_mm, height_mm].iter().all(|side| (20.0..=2000.0).contains(side)) {
+        return Err(FigureError::PaperSize { width_mm, height_mm });
+    }
+    let mut height = height_mm * PER_MM;
     let mut bottom = height - 9.0 - caption_room;
     let common = if single { None } else { legend::shared(&figure.panels) };
     let mut own_legends = common.is_none();
@@ -100,7 +113,7 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
     let legend = under.map(|entries| {
         let entries = legend::fitted(entries, metrics, inner);
         let mut placed = legend::rows(&entries, metrics, MARGIN, 0.0, inner);
-        if figure.size_mm.is_none() {
+        if grows {
             // many entries make the paper longer, not the plot smaller
             let more = (placed.frame.h - 3.0 * legend::ROW).max(0.0);
             height += more;

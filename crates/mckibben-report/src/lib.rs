@@ -6,7 +6,7 @@
 //! units are texts of the caller. The same description gives the same bytes on every machine; the font (DejaVu Sans) is
 //! part of the program.
 //!
-//! Features, both on by default: `png` adds `to_png`, `files` adds `save`. Without them the crate needs no operating
+//! Features, both on by default: `png` adds `to_png` and `to_pdf`, `files` adds `save`. Without them the crate needs no operating
 //! system and builds for `wasm32-unknown-unknown`.
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
@@ -27,6 +27,8 @@ mod mark;
 #[cfg(feature = "png")]
 mod outlines;
 mod palette;
+#[cfg(feature = "png")]
+mod pdf;
 #[cfg(feature = "png")]
 mod png;
 mod room;

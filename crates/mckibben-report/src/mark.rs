@@ -3,17 +3,21 @@
 /// A text chunk of PNG: the program that wrote it (length, type, keyword and text, checksum).
 #[cfg(any(feature = "png", test))]
 pub(crate) const PNG_TEXT: &[u8] = b"\0\0\0\x11tEXtSoftware\0mckibben\x47\xe5\x26\x9b";
+/// The program that wrote a PDF, as a string of it.
+#[cfg(any(feature = "png", test))]
+pub(crate) const PDF_PRODUCER: &str = "(mckibben figure)";
 /// What the root of every drawing has.
 const DRAWING: &str = "font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\" role=\"img\" aria-label=\"";
 /// What the head of every page has.
 const PAGE: &str = "content=\"default-src 'none'; style-src 'unsafe-inline'";
 
-/// Whether a file with these first bytes is a figure or picture as this crate draws it: SVG, PNG or a page of HTML.
+/// Whether a file with these first bytes is a figure or picture as this crate draws it: SVG, PNG, PDF or a page of HTML.
 pub fn is_figure(head: &[u8]) -> bool {
     let text = String::from_utf8_lossy(head);
     let svg = text.starts_with("<svg ") && text.contains(DRAWING);
     let png = head.starts_with(b"\x89PNG") && head.windows(8).any(|bytes| bytes == b"mckibben");
-    svg || png || is_page(head)
+    let pdf = text.starts_with("%PDF-") && text.contains("/Producer (mckibben figure)");
+    svg || png || pdf || is_page(head)
 }
 
 /// Whether a file with these first bytes is a page as this crate writes it: a figure's or a report's.
@@ -34,6 +38,7 @@ mod tests {
             &b"notes of mine"[..],
             b"<svg xmlns=\"x\"></svg>",
             b"\x89PNG\r\n\x1a\n",
+            b"%PDF-1.7\n<</Producer (Skia/PDF)>>",
             b"<!DOCTYPE html>\n<p>mine",
         ] {
             assert!(!is_figure(other) && !is_page(other));

@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::{Figure, FigureError, Scene};
 
 impl Figure {
-    /// Writes the figure to `path`; the ending (`.svg`, `.png`, `.html`) names the format.
+    /// Writes the figure to `path`; the ending (`.svg`, `.png`, `.pdf`, `.html`) names the format.
     ///
     /// The content goes to a temporary file in the same folder first and takes the name
     /// only when complete, so a failure leaves an older file as it was.
@@ -19,6 +19,8 @@ impl Figure {
             "svg" => Some(self.to_svg().map(String::into_bytes)),
             #[cfg(feature = "png")]
             "png" => Some(self.to_png()),
+            #[cfg(feature = "png")]
+            "pdf" => Some(self.to_pdf()),
             "html" | "htm" => Some(self.to_html().map(String::into_bytes)),
             _ => None,
         })
@@ -26,7 +28,7 @@ impl Figure {
 }
 
 impl Scene {
-    /// Writes the picture; the ending (`.svg`, `.png`) names the format. The file appears whole or not at all.
+    /// Writes the picture; the ending (`.svg`, `.png`, `.pdf`) names the format. The file appears whole or not at all.
     ///
     /// # Errors
     /// Those of [`Figure::save`].
@@ -35,6 +37,8 @@ impl Scene {
             "svg" => Some(self.to_svg().map(String::into_bytes)),
             #[cfg(feature = "png")]
             "png" => Some(self.to_png()),
+            #[cfg(feature = "png")]
+            "pdf" => Some(self.to_pdf()),
             _ => None,
         })
     }

@@ -65,11 +65,19 @@ pub fn check_range<M: ForceModel + ?Sized>(
     contraction: f64,
     options: Options,
 ) -> Result<Vec<String>, ModelError> {
-    match model.info().range.check(&model.info().name, pressure_mpa, contraction) {
-        Ok(()) => Ok(vec![]),
-        Err(error) if options.extrapolate => Ok(vec![format!("extrapolated: {error}")]),
-        Err(error) => Err(error),
+    let Err(mut error) = model.info().range.check(&model.info().name, pressure_mpa, contraction) else {
+        return Ok(vec![]);
+    };
+    let straight = 1.0 - 1.0 / model.muscle().braid().angle_rad().cos();
+    if let ModelError::OutOfRange { make, .. } = &mut error
+        && contraction < straight
+    {
+        make.push(format!(
+            "the strands of this braid are straight at a contraction of {:.1} %",
+            100.0 * straight
+        ));
     }
+    if options.extrapolate { Ok(vec![format!("extrapolated: {error}")]) } else { Err(error) }
 }
 
 /// F(P, ε) with everything around it.
@@ -194,6 +202,9 @@ pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
         });
     }
     warnings.extend(of_response(model.muscle(), &response));
+    let largest = model.muscle().max_ideal_contraction();
+    warnings
+        .extend((slack && contraction > largest).then_some(Warning::BeyondBraid { contraction, largest }));
     let asked = (pressure_mpa, contraction);
     let parts = uncertainty(model, workspace, asked, response.force_n, options.direction);
     Ok(Answer {

@@ -38,6 +38,13 @@ pub enum Warning {
         /// Strain of the strands.
         strain: f64,
     },
+    /// A slack muscle was asked for a contraction that its braid does not reach.
+    BeyondBraid {
+        /// The contraction asked for.
+        contraction: f64,
+        /// The largest one of the braid.
+        largest: f64,
+    },
     /// The muscle pulls less when its pressure rises.
     FallsWithPressure {
         /// ∂F/∂P in N/MPa.
@@ -74,6 +81,7 @@ impl Warning {
             Self::Burst { pressure_mpa, burst_mpa } => Some(pressure_mpa / burst_mpa),
             Self::StrandsBreak { tension_n, strength_n, .. } => Some(tension_n / strength_n),
             Self::StrandStrain { strain } => Some(*strain),
+            Self::BeyondBraid { contraction, .. } => Some(*contraction),
             Self::FallsWithPressure { slope_n_per_mpa } => Some(-slope_n_per_mpa),
             Self::RubberStretch { stretch, limit, .. } => Some(stretch / limit),
         }
@@ -103,14 +111,18 @@ impl fmt::Display for Warning {
             Self::Said(sentence) => f.write_str(&short_numbers(sentence)),
             Self::Burst { pressure_mpa, burst_mpa } => write!(
                 f,
-                "BURST: {pressure_mpa:.3} MPa ({:.2} bar) is not below the burst pressure of this muscle, {burst_mpa:.3} MPa ({:.2} bar), at which its strands break",
-                10.0 * pressure_mpa,
-                10.0 * burst_mpa
+                "BURST: {pressure_mpa:.3} MPa is not below the burst pressure of this muscle, {burst_mpa:.3} MPa, at which its strands break"
             ),
             Self::BurstNotChecked(why) => write!(f, "BURST NOT CHECKED: {why}"),
             Self::StrandsBreak { tension_n, strength_n, pressure_mpa } => write!(
                 f,
                 "the strands break: at {pressure_mpa:.3} MPa one of them carries {tension_n:.1} N, and its strength is {strength_n} N"
+            ),
+            Self::BeyondBraid { contraction, largest } => write!(
+                f,
+                "a contraction of {:.1} % is beyond the end of this braid: it contracts by {:.1} % at most (its angle is 54.7° there)",
+                100.0 * contraction,
+                100.0 * largest
             ),
             Self::StrandStrain { strain } => write!(
                 f,

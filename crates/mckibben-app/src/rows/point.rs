@@ -4,7 +4,7 @@ use super::{Row, estimated};
 use crate::many::PointQuantity;
 use crate::point::PointAnswer;
 use crate::units::Units;
-use crate::words::{number, percent};
+use crate::words::{half_width, number, percent, within};
 use mckibben::answer::Answer;
 use mckibben_design::SAFETY;
 
@@ -31,7 +31,7 @@ pub fn point_rows(answer: &PointAnswer, asked: PointQuantity, u: &Units) -> Vec<
     let pull = match asked {
         _ if a.slack => format!("{} (slack: the muscle would have to push)", u.force.show(0.0)),
         PointQuantity::Force => {
-            let half = a.uncertainty_n.map_or_else(unknown, |e| u.force.to(e, 2));
+            let half = a.uncertainty_n.map_or_else(unknown, |e| u.force.half_width(e));
             format!("{} ± {half} {}", u.force.within(r.force_n, a.uncertainty_n), u.force.name)
         }
         _ => u.force.show(r.force_n),
@@ -40,20 +40,20 @@ pub fn point_rows(answer: &PointAnswer, asked: PointQuantity, u: &Units) -> Vec<
         PointQuantity::Pressure => {
             let half = a.pressure_uncertainty_mpa;
             let value = u.pressure.within(r.pressure_mpa, half);
-            format!("{value} ± {} {}", half.map_or_else(unknown, |v| u.pressure.to(v, 2)), u.pressure.name)
+            format!(
+                "{value} ± {} {}",
+                half.map_or_else(unknown, |v| u.pressure.half_width(v)),
+                u.pressure.name
+            )
         }
         _ => u.pressure.show(r.pressure_mpa),
     };
-    let half = match asked {
-        PointQuantity::Contraction => {
-            let half = a.contraction_uncertainty.map_or_else(unknown, |v| number(100.0 * v, 2));
-            format!(" ± {half} %")
+    let ratio = match (asked, a.contraction_uncertainty) {
+        (PointQuantity::Contraction, Some(half)) => {
+            format!("{} ± {} %", within(100.0 * r.contraction, 100.0 * half), half_width(100.0 * half))
         }
-        _ => String::new(),
-    };
-    let ratio = match half.is_empty() {
-        true => percent(r.contraction),
-        false => format!("{}{half}", percent(r.contraction).trim_end_matches(" %")),
+        (PointQuantity::Contraction, None) => format!("{} ± {}", percent(r.contraction), unknown()),
+        _ => percent(r.contraction),
     };
     let shortening = u.length.to(r.contraction * answer.muscle.length_mm, 4);
     let mut list = vec![
@@ -89,14 +89,14 @@ pub fn point_rows(answer: &PointAnswer, asked: PointQuantity, u: &Units) -> Vec<
     let estimate = estimated(&answer.muscle);
     add("burst pressure", answer.burst_pressure_mpa, &|v| u.pressure.show(v) + estimate);
     add("allowed: a quarter of it", answer.burst_pressure_mpa, &|v| u.pressure.show(v / SAFETY));
-    add("stretch of the rubber at mid-length, inside", r.middle_stretch, &|v| number(v, 3));
-    add("99 % of the rubber is stretched by less than", r.max_stretch, &|v| number(v, 3));
+    add("stretch at mid-length, inside", r.middle_stretch, &|v| number(v, 3));
+    add("stretch of 99 % of the rubber", r.max_stretch, &|v| format!("below {}", number(v, 3)));
     if let Some(parts) = &a.uncertainty_parts_n {
         let mut named: Vec<(&str, f64)> = parts.named().collect();
         named.sort_by(|a, b| b.1.total_cmp(&a.1));
         let each: Vec<String> =
-            named.into_iter().map(|(name, part)| format!("{name} {}", u.force.to(part, 2))).collect();
-        let (whole, force) = (u.force.to(parts.total_n(), 2), &u.force.name);
+            named.into_iter().map(|(name, part)| format!("{name} {}", u.force.half_width(part))).collect();
+        let (whole, force) = (u.force.half_width(parts.total_n()), &u.force.name);
         let of = match asked {
             PointQuantity::Force => "",
             _ => " of the pull",

@@ -3,7 +3,7 @@
 use super::{Row, estimated};
 use crate::show::{Characteristics, MuscleShowAnswer};
 use crate::units::Units;
-use crate::words::{braid_name, law_text, number, percent, rubber_name};
+use crate::words::{air, braid_name, law_text, number, percent, rubber_name};
 use mckibben::muscle::{Bulk, EndFactor, Muscle};
 use mckibben::rubber::RubberLaw;
 use mckibben_design::SAFETY;
@@ -28,10 +28,7 @@ pub fn characteristic_rows(c: &Characteristics, u: &Units) -> Vec<Row> {
         ("free contraction", or_dash(c.free_contraction, &percent)),
         ("work of a free stroke", or_dash(c.work_j, &|v| format!("{} J", number(v, 4)))),
         ("cavity at its end", or_dash(c.volume_mm3, &|v| u.volume.show(v))),
-        (
-            "air of a free stroke",
-            or_dash(c.air_normal_litres, &|v| format!("{} normal litres", number(v, 4))),
-        ),
+        ("air of a free stroke", or_dash(c.air_normal_litres, &air)),
         ("burst pressure", c.burst_pressure_mpa.map_or_else(|| "not stated".into(), |v| u.pressure.show(v))),
     ];
     rows.extend(c.burst_pressure_mpa.map(|v| ("allowed: a quarter of it", u.pressure.show(v / SAFETY))));

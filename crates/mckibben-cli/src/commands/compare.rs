@@ -25,15 +25,16 @@ pub const EXAMPLES: &str = "Examples:
 
 /// `compare`.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Question")]
 pub struct CompareArgs {
     /// Models, by name [fe,paper,thick-wall,ideal]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = MODELS, hide_possible_values = true)]
     pub models: Vec<String>,
     /// One model, same as --models with one name
-    #[arg(long, value_name = "NAME", conflicts_with = "models", value_parser = MODELS, hide_possible_values = true)]
+    #[arg(long, value_name = "NAME", conflicts_with = "models", value_parser = MODELS, hide_possible_values = true, hide_short_help = true)]
     pub model: Option<String>,
     /// Measured points: a table of pressures, contractions (or shortenings, or lengths) and forces, with units
-    #[arg(long, value_name = "FILE.csv", help_heading = "Data")]
+    #[arg(long, value_name = "FILE.csv")]
     pub data: Option<PathBuf>,
     #[command(flatten)]
     pub columns: ColumnsFlag,
@@ -58,7 +59,7 @@ pub struct CompareArgs {
 
 /// Runs the command.
 pub fn run(args: &CompareArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(args.plot.plot.as_deref())?;
+    plot::check(&args.plot)?;
     let unit = shown::units();
     let models: Vec<String> = match &args.model {
         Some(one) => vec![one.clone()],
@@ -84,7 +85,7 @@ pub fn run(args: &CompareArgs, format: Format) -> Result<u8, Failure> {
         figure: args.plot.plot.as_ref().map(|_| unit.clone()),
     };
     let mut answer = mckibben_app::compare(&request, &Bar::new("models"))?;
-    plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
+    plot::save(answer.figure.take(), &args.plot)?;
     let text = || {
         answer.warnings.iter().for_each(warn);
         as_text(args, &answer, &unit)

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::flags::{LoadFlag, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
 use crate::format::Format;
 use crate::output::loaded::loaded as text_of_load;
-use crate::output::text::{Units, columns, number, percent, percents};
+use crate::output::text::{Units, columns, half_width, or_dash, percent, percents, within};
 use crate::output::{burst_first, is_json, show, streamed, warn};
 use crate::plot;
 use crate::progress::Bar;
@@ -34,6 +34,7 @@ pub enum StudyWord {
 
 /// `curve`.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Question")]
 pub struct CurveArgs {
     /// Kind of test
     #[arg(value_parser = word::<Test>(), required_unless_present = "study", conflicts_with = "study")]
@@ -41,10 +42,6 @@ pub struct CurveArgs {
     /// Compute a study of the paper
     #[arg(long, value_enum, conflicts_with_all = ["pressure", "contraction", "force", "load"])]
     pub study: Option<StudyWord>,
-    #[command(flatten)]
-    pub muscle: MuscleFlags,
-    #[command(flatten)]
-    pub model: ModelFlags,
     /// Pressures [isobaric: 0.05..0.25:0.05, else 0..0.25:0.01]
     #[arg(short, long, value_name = "RANGE", allow_hyphen_values = true)]
     pub pressure: Option<String>,
@@ -60,6 +57,10 @@ pub struct CurveArgs {
     #[arg(long, conflicts_with = "study")]
     pub both: bool,
     #[command(flatten)]
+    pub muscle: MuscleFlags,
+    #[command(flatten)]
+    pub model: ModelFlags,
+    #[command(flatten)]
     pub plot: PlotFlag,
     #[command(flatten)]
     pub output: OutputFlags,
@@ -67,7 +68,7 @@ pub struct CurveArgs {
 
 /// Runs the command.
 pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(args.plot.plot.as_deref())?;
+    plot::check(&args.plot)?;
     // Without a study, which is another command to the program, the test must be there.
     let test = args.test.unwrap_or(Test::Isometric);
     let unit = shown::units();
@@ -99,7 +100,7 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     if let Some(problem) = answer.problem.take_if(|_| format == Format::Text) {
         return Err(problem.into());
     }
-    plot::save(answer.figure.take().filter(|_| answer.problem.is_none()), args.plot.plot.as_deref())?;
+    plot::save(answer.figure.take().filter(|_| answer.problem.is_none()), &args.plot)?;
     let text = || {
         let burst = warnings(&answer.warnings, &answer.curves);
         let head = burst
@@ -136,8 +137,8 @@ fn doubt(test: Test, list: &[Curve], u: &Units) -> String {
         return String::new();
     };
     let (low, high, unit) = match test {
-        Test::Isotonic => (number(100.0 * low, 2), number(100.0 * high, 2), "%"),
-        _ => (u.force.to(low, 2), u.force.to(high, 2), &*u.force.name),
+        Test::Isotonic => (half_width(100.0 * low), half_width(100.0 * high), "%"),
+        _ => (u.force.half_width(low), u.force.half_width(high), &*u.force.name),
     };
     format!("\n± {low} to {high} {unit}: 95 %, against a measured muscle\n")
 }
@@ -171,7 +172,15 @@ fn as_table(answer: &CurveAnswer, u: &Units) -> String {
 fn column(test: Test, curve: &Curve, u: &Units) -> Vec<String> {
     let answers = || curve.points.iter().map(|q| q.answer.as_ref().ok());
     if test == Test::Isotonic {
-        return percents(answers().map(|a| a.map(|a| a.response.contraction)), 4);
+        let ratios = || answers().map(|a| a.map(|a| a.response.contraction));
+        let least = answers().flatten().filter_map(|a| a.contraction_uncertainty).reduce(f64::min);
+        return match least {
+            Some(least) => {
+                let one = |e: f64| within(100.0 * e, 100.0 * least) + " %";
+                ratios().map(|e| or_dash(e, one)).collect()
+            }
+            None => percents(ratios(), 4),
+        };
     }
     let pulls = || answers().map(|a| a.filter(|a| !a.slack).map(|a| a.response.force_n));
     let least = answers().flatten().filter(|a| !a.slack).filter_map(|a| a.uncertainty_n).reduce(f64::min);

@@ -9,6 +9,7 @@ use crate::flags::{LoadFlag, OverwriteFlag, PlotFlag, StrandFlags, UnitsFlag};
 use crate::format::Format;
 use crate::names::{MODELS, RUBBERS, SLEEVES};
 use crate::output::text::{Units, place};
+use crate::output::width;
 use crate::output::{Content, Target, burst_first, check, colour, emit, save, show};
 use crate::plot;
 use crate::progress::Bar;
@@ -41,57 +42,49 @@ pub const EXAMPLES: &str = "Examples:
 
 /// `design`.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Question")]
 pub struct DesignArgs {
     /// Required pull
-    #[arg(
-        short = 'F',
-        long,
-        value_name = "FORCE",
-        allow_hyphen_values = true,
-        help_heading = "Specification"
-    )]
+    #[arg(short = 'F', long, value_name = "FORCE", allow_hyphen_values = true)]
     pub force: Option<String>,
-    /// Contraction ratio ΔL/L0 at which the pull is required
-    #[arg(
-        short = 'e',
-        long,
-        value_name = "RATIO",
-        allow_hyphen_values = true,
-        help_heading = "Specification"
-    )]
+    /// Contraction ratio ΔL/L0 with that pull
+    #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
     pub contraction: Option<String>,
     /// Several operating points: 700N@15%,1200N@5%
-    #[arg(long, value_name = "F@E,…", allow_hyphen_values = true, conflicts_with_all = ["force", "contraction"], help_heading = "Specification")]
+    #[arg(long, value_name = "F@E,…", allow_hyphen_values = true, conflicts_with_all = ["force", "contraction"])]
     pub at: Option<String>,
-    #[command(flatten, next_help_heading = "Specification")]
+    #[command(flatten, next_help_heading = "Question")]
     pub load: LoadFlag,
-    /// Required torques of a joint at angles, to either side: 8Nm@45deg,3Nm@60deg. Two equal opposed muscles on a
-    /// pulley, one of them without pressure
-    #[arg(long, value_name = "T@ANGLE,…", allow_hyphen_values = true, conflicts_with_all = ["force", "contraction", "at", "load", "stroke"], help_heading = "Specification")]
+    /// Required torques of a joint: 8Nm@45deg,3Nm@60deg
+    ///
+    /// At angles to either side. Two equal opposed muscles on a pulley, one of them without pressure.
+    #[arg(long, value_name = "T@ANGLE,…", allow_hyphen_values = true, conflicts_with_all = ["force", "contraction", "at", "load", "stroke"])]
     pub joint: Option<String>,
     /// Largest angle of the joint to either side [largest of --joint]
-    #[arg(long, value_name = "ANGLE", requires = "joint", help_heading = "Specification")]
+    #[arg(long, value_name = "ANGLE", requires = "joint", hide_short_help = true)]
     pub largest_angle: Option<String>,
-    /// Radii of the joint's pulley [searched]
-    #[arg(long, value_name = "RANGE", requires = "joint", help_heading = "Search space")]
-    pub radius: Option<String>,
-    /// Supply pressure
-    #[arg(
-        short = 'p',
-        long,
-        value_name = "PRESSURE",
-        allow_hyphen_values = true,
-        alias = "pressure",
-        help_heading = "Specification"
-    )]
-    pub max_pressure: Option<String>,
-    /// Stroke in mm: with --contraction it sets the length, with --length the contraction
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Specification")]
+    /// Stroke
+    ///
+    /// With --contraction it sets the length, with --length the contraction.
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub stroke: Option<String>,
+    /// Supply pressure
+    #[arg(short = 'p', long, value_name = "PRESSURE", allow_hyphen_values = true, alias = "pressure")]
+    pub max_pressure: Option<String>,
+    /// The lower end of the ± meets it [95%]
+    ///
+    /// The muscle whose pull less its ± meets the requirement; another share, such as --guaranteed=99%, widens the ± accordingly.
+    #[arg(long, value_name = "SHARE", num_args = 0..=1, default_missing_value = "95%", require_equals = true)]
+    pub guaranteed: Option<String>,
+    /// Quantity to rank by
+    #[arg(long, value_parser = word::<ObjectiveWord>(), default_value = "diameter")]
+    pub objective: ObjectiveWord,
     /// Largest outer diameter at the operating points
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Limits")]
     pub max_bulged_diameter: Option<String>,
-    /// Smallest ratio of burst pressure to supply pressure, 0 for none [4 if the strength of the strands is known]
+    /// Least burst pressure over supply pressure [4]
+    ///
+    /// 0 for none. The strength of the strands must be known.
     #[arg(
         long,
         visible_alias = "min-burst-margin",
@@ -101,95 +94,102 @@ pub struct DesignArgs {
     )]
     pub safety: Option<String>,
     /// Largest stretch of the rubber at the operating points; 2 means twice its length [range of its fitted data]
-    #[arg(long, value_name = "STRETCH", allow_hyphen_values = true, help_heading = "Limits")]
+    #[arg(
+        long,
+        value_name = "STRETCH",
+        allow_hyphen_values = true,
+        hide_short_help = true,
+        help_heading = "Limits"
+    )]
     pub max_stretch: Option<String>,
     /// Largest strain of the strands at the supply pressure [6 %: the validated range]
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = "Limits")]
+    #[arg(
+        long,
+        value_name = "RATIO",
+        allow_hyphen_values = true,
+        hide_short_help = true,
+        help_heading = "Limits"
+    )]
     pub max_strand_strain: Option<String>,
-    /// Meet the requirement with the lower end of the ±: 95 % of such muscles, or the share that is given
-    #[arg(long, value_name = "SHARE", num_args = 0..=1, default_missing_value = "95%", require_equals = true, help_heading = "Specification")]
-    pub guaranteed: Option<String>,
-    /// Quantity to rank by
-    #[arg(long, value_parser = word::<ObjectiveWord>(), default_value = "diameter", help_heading = "Specification")]
-    pub objective: ObjectiveWord,
-    /// Muscle file for all values that are not searched; flags override it
-    #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle", help_heading = "Arguments")]
+    /// Muscle file, for what is not searched
+    ///
+    /// Flags override it. `paper` is the muscle of the paper.
+    #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle", display_order = 0, help_heading = "Muscle")]
     pub file: Option<PathBuf>,
     /// Muscle file, same as [MUSCLE.toml]
-    #[arg(long, value_name = "FILE", help_heading = "Search space")]
+    #[arg(long, value_name = "FILE", hide_short_help = true, help_heading = "Muscle")]
     pub muscle: Option<PathBuf>,
-    /// Tubes as sold or cast, by name (mckibben parts list tubes) [all]
-    #[arg(long, value_name = "LIST", value_delimiter = ',', help_heading = "Search space")]
+    /// Tubes as sold or cast (`mckibben parts list`) [all]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', help_heading = "Muscle")]
     pub tube: Vec<String>,
     /// Tubes of your own: a file of the catalogue's form
-    #[arg(long, value_name = "FILE.toml", help_heading = "Search space")]
+    #[arg(long, value_name = "FILE.toml", hide_short_help = true, help_heading = "Muscle")]
     pub parts: Option<PathBuf>,
-    /// Free diameters and walls with the paper's rubber and braid, or those that are given, instead of tubes and sleeves as sold
-    #[arg(long, conflicts_with_all = ["tube", "parts"], help_heading = "Search space")]
+    /// Free sizes instead of parts as sold
+    ///
+    /// Diameters and walls are free, with the paper's rubber and braid, or those that are given. So they are with -D, -s, --angle, --stiffness or a muscle
+    /// file.
+    #[arg(long, conflicts_with_all = ["tube", "parts"], help_heading = "Muscle")]
     pub continuous: bool,
-    /// Outer diameters at rest: a value, list, range or stepped range [5..80]
-    #[arg(
-        short = 'D',
-        long,
-        value_name = "RANGE",
-        allow_hyphen_values = true,
-        help_heading = "Search space"
-    )]
+    /// Outer diameters: a value, list or range [parts]
+    ///
+    /// At rest; also a stepped range, 20..40:5.
+    #[arg(short = 'D', long, value_name = "RANGE", allow_hyphen_values = true, help_heading = "Muscle")]
     pub outer_diameter: Option<String>,
-    /// Wall thicknesses at rest [0.5..10]
-    #[arg(
-        short = 's',
-        long,
-        value_name = "RANGE",
-        allow_hyphen_values = true,
-        help_heading = "Search space"
-    )]
+    /// Wall thicknesses at rest [parts]
+    #[arg(short = 's', long, value_name = "RANGE", allow_hyphen_values = true, help_heading = "Muscle")]
     pub wall: Option<String>,
-    /// Braid angles to the axis at rest [28deg]
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, help_heading = "Search space")]
+    /// Lengths between the terminals at rest [285mm]
+    #[arg(short = 'L', long, value_name = "RANGE", allow_hyphen_values = true, help_heading = "Muscle")]
+    pub length: Option<String>,
+    /// Braid angles to the axis at rest [those of the sleeves]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, help_heading = "Muscle")]
     pub angle: Option<String>,
+    /// Rubbers, by name [those of the tubes]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = RUBBERS, hide_possible_values = true, help_heading = "Muscle")]
+    pub rubber: Vec<String>,
+    /// Sleeves, by name (`mckibben braid list`) [all]
+    ///
+    /// The diameter of the tube then sets angle and stiffness.
+    #[arg(long, value_name = "LIST", value_delimiter = ',', conflicts_with_all = ["angle", "strand_length_per_turn"], value_parser = SLEEVES, hide_possible_values = true, help_heading = "Muscle")]
+    pub braid: Vec<String>,
+    #[command(flatten, next_help_heading = "Muscle")]
+    pub strands: StrandFlags,
     /// Sleeves on sale, by their strand length per turn; the tube diameter then sets the angle
     #[arg(
         long,
         value_name = "LIST",
         allow_hyphen_values = true,
         conflicts_with = "angle",
-        help_heading = "Search space"
+        hide_short_help = true,
+        help_heading = "Muscle"
     )]
     pub strand_length_per_turn: Option<String>,
-    /// Sleeves on sale, by name (mckibben braid list); the tube diameter then sets angle and stiffness
-    #[arg(long, value_name = "LIST", value_delimiter = ',', conflicts_with_all = ["angle", "strand_length_per_turn"], value_parser = SLEEVES, hide_possible_values = true, help_heading = "Search space")]
-    pub braid: Vec<String>,
-    /// Rubbers, by name [paper]
-    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = RUBBERS, hide_possible_values = true, help_heading = "Search space")]
-    pub rubber: Vec<String>,
-    #[command(flatten, next_help_heading = "Search space")]
-    pub strands: StrandFlags,
-    /// Lengths between the terminals at rest [285mm]
-    #[arg(
-        short = 'L',
-        long,
-        value_name = "RANGE",
-        allow_hyphen_values = true,
-        help_heading = "Search space"
-    )]
-    pub length: Option<String>,
-    /// Spread of the pull of the best muscle for ± tolerances of pressure, modulus, stiffness and dimensions (named as their flags):
-    /// wall=0.1mm,angle=1deg,modulus=10%
-    #[arg(long, value_name = "LIST", allow_hyphen_values = true, help_heading = "Search space")]
-    pub tolerance: Option<String>,
+    /// Radii of the joint's pulley [searched]
+    #[arg(long, value_name = "RANGE", requires = "joint", hide_short_help = true, help_heading = "Muscle")]
+    pub radius: Option<String>,
     /// Force model [fe; the search uses universal within its range]
-    #[arg(long, value_name = "NAME", value_parser = MODELS, hide_possible_values = true, help_heading = "Model")]
+    #[arg(long, value_name = "NAME", value_parser = MODELS, hide_possible_values = true, help_heading = "Advanced")]
     pub model: Option<String>,
     /// Mesh of `fe` or `fe3d`, as for the other commands [automatic]
-    #[arg(long, value_name = "N or MxN:G", help_heading = "Model")]
+    #[arg(long, value_name = "N or MxN:G", hide_short_help = true, help_heading = "Advanced")]
     pub mesh: Option<String>,
     /// Compute outside the model's range too, with a warning
-    #[arg(long, help_heading = "Model")]
+    #[arg(long, hide_short_help = true, help_heading = "Advanced")]
     pub extrapolate: bool,
     /// With another --model: compute the best muscle again by finite elements and show the difference
-    #[arg(long, value_parser = word::<Verify>(), default_value = "fe", help_heading = "Model")]
+    #[arg(long, value_parser = word::<Verify>(), default_value = "fe", hide_short_help = true, help_heading = "Advanced")]
     pub verify: Verify,
+    /// Spread of the pull of the best muscle for ± tolerances of pressure, modulus, stiffness and dimensions (named as their flags):
+    /// wall=0.1mm,angle=1deg,modulus=10%
+    #[arg(
+        long,
+        value_name = "LIST",
+        allow_hyphen_values = true,
+        hide_short_help = true,
+        help_heading = "Advanced"
+    )]
+    pub tolerance: Option<String>,
     /// Number of candidates to show
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=1000), help_heading = "Output")]
     pub top: u16,
@@ -209,7 +209,7 @@ pub struct DesignArgs {
 
 /// Runs the command.
 pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(args.plot.plot.as_deref())?;
+    plot::check(&args.plot)?;
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
     check(target, &Content::Muscle)?;
     let unit = shown::units();
@@ -224,12 +224,13 @@ pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
     let text = || burst_first(&answer.warnings) + &text::of(&answer, args.output.as_deref(), &unit);
     show(&answer, format, "candidates", text, Target::STDOUT)?;
     if let Some(figure) = figure.as_ref().filter(|_| chart) {
-        emit(format!("\n{}\n", clean::chart(&figure.to_text(100, 24, colour()))), None)?;
+        let columns = width::of_tables().min(100);
+        emit(format!("\n{}\n", clean::chart(&figure.to_text(columns, 24, colour()))), None)?;
     }
     if let (Some(path), Some(_), Format::Text) = (&args.output, winner, format) {
         emit(format!("\nThe winner is in {}.\n", place(path)), None)?;
     }
-    plot::save(figure.clone(), args.plot.plot.as_deref())?;
+    plot::save(figure.clone(), &args.plot)?;
     Ok(if answer.candidates.is_empty() { NO_ANSWER } else { 0 })
 }
 

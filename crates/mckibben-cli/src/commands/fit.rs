@@ -31,6 +31,7 @@ pub const EXAMPLES: &str = "Examples:
 
 /// `fit`.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Question")]
 pub struct FitArgs {
     /// Table of points (CSV with columns outer_diameter_mm, wall_mm, length_mm, angle_deg, pressure_mpa, contraction, force_n, status)
     #[arg(value_name = "FILE", required_unless_present = "report", conflicts_with = "report")]
@@ -44,27 +45,27 @@ pub struct FitArgs {
     /// Diameters to leave out of the fit, to test it [none]
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     pub hold_out: Option<String>,
-    /// Largest number of terms of `global` [48]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=48))]
-    pub terms: Option<u8>,
-    /// Treatment of thick walls of thin muscles at low pressure, in the paper's method
-    #[arg(long, value_parser = word::<ThinRule>(), default_value = "leave-out")]
-    pub thin_rule: ThinRule,
-    /// Treatment of points where the muscle would have to push, in the paper's method
-    #[arg(long, value_parser = word::<SlackRule>(), default_value = "two-sided")]
-    pub slack_rule: SlackRule,
     /// Name of the formula in answers [that of the method]
     #[arg(long)]
     pub name: Option<String>,
     /// Rubber of the muscles, if the table does not state it [paper]
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", help_heading = "Muscle")]
     pub rubber: Option<String>,
     /// Braid of the muscles, if the table does not state it: N/mm, `inextensible`, or `paper` [paper]
-    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true)]
+    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, help_heading = "Muscle")]
     pub stiffness: Option<String>,
     /// Muscle file with the rubber and the braid
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", help_heading = "Muscle")]
     pub muscle: Option<PathBuf>,
+    /// Largest number of terms of `global` [48]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=48), hide_short_help = true, help_heading = "Advanced")]
+    pub terms: Option<u8>,
+    /// Treatment of thick walls of thin muscles at low pressure, in the paper's method
+    #[arg(long, value_parser = word::<ThinRule>(), default_value = "leave-out", hide_short_help = true, help_heading = "Advanced")]
+    pub thin_rule: ThinRule,
+    /// Treatment of points where the muscle would have to push, in the paper's method
+    #[arg(long, value_parser = word::<SlackRule>(), default_value = "two-sided", hide_short_help = true, help_heading = "Advanced")]
+    pub slack_rule: SlackRule,
     /// Write the intermediate tables of the paper's method (CSV and JSON) into a folder
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub tables: Option<PathBuf>,
@@ -92,7 +93,7 @@ pub fn run(args: &FitArgs, format: Format) -> Result<u8, Failure> {
         for named in std::mem::take(&mut answer.figures) {
             let file = folder.join(format!("{}.svg", named.name));
             check(Target::file(&file, target.overwrite), &Content::Figure)?;
-            plot::save(Some(named.figure), Some(&file))?;
+            plot::save_as(named.figure, &file)?;
         }
     }
     save(target, Content::Formula, answer.formula_file().as_bytes())?;

@@ -32,67 +32,18 @@ pub const EXAMPLES: &str = "Examples:
 
 /// `identify`.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Question")]
 pub struct IdentifyArgs {
     /// Points: a table of pressures, contractions (or shortenings, or lengths) and forces, with units; may be repeated
-    #[arg(long, value_name = "FILE.csv", help_heading = "Data")]
+    #[arg(long, value_name = "FILE.csv")]
     pub data: Vec<PathBuf>,
     #[command(flatten)]
     pub columns: ColumnsFlag,
-    /// A published formula as data: a model's name or a formula's JSON, at -p and -e (-D and -s may be lists)
-    #[arg(long, value_name = "NAME or FILE.json", help_heading = "Data")]
-    pub formula: Option<String>,
-    /// Pressures of --formula [0.05..0.25:0.05]
-    #[arg(
-        short,
-        long,
-        value_name = "RANGE",
-        allow_hyphen_values = true,
-        requires = "formula",
-        help_heading = "Data"
-    )]
-    pub pressure: Option<String>,
-    /// Contraction ratios of --formula [0..0.2:0.05]
-    #[arg(
-        short = 'e',
-        long,
-        value_name = "RANGE",
-        allow_hyphen_values = true,
-        requires = "formula",
-        help_heading = "Data"
-    )]
-    pub contraction: Option<String>,
-    /// Weight of each --data, then of --formula [1,1,...]
-    #[arg(
-        long,
-        value_name = "LIST",
-        value_delimiter = ',',
-        allow_hyphen_values = true,
-        help_heading = "Data"
-    )]
-    pub weights: Vec<String>,
-    /// Treatment of the branches of the hysteresis
-    #[arg(long, value_parser = word::<Branches>(), default_value = "both", help_heading = "Data")]
-    pub branches: Branches,
-    /// Use points with a force of zero or below as measurements; by default the muscle counts as slack there
-    #[arg(long, help_heading = "Data")]
-    pub two_sided: bool,
     /// Free parameters: NAME, NAME=START or NAME=START:LOW:HIGH [modulus; stiffness and friction if the data determine them]
-    #[arg(
-        long,
-        value_name = "LIST",
-        value_delimiter = ',',
-        allow_hyphen_values = true,
-        help_heading = "Parameters"
-    )]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', allow_hyphen_values = true)]
     pub free: Vec<String>,
     /// Fix a parameter: NAME=VALUE
-    #[arg(
-        long,
-        value_name = "LIST",
-        value_delimiter = ',',
-        allow_hyphen_values = true,
-        help_heading = "Parameters"
-    )]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', allow_hyphen_values = true)]
     pub fix: Vec<String>,
     /// Bounds of free parameters: NAME=LOW:HIGH
     #[arg(
@@ -100,26 +51,51 @@ pub struct IdentifyArgs {
         value_name = "LIST",
         value_delimiter = ',',
         allow_hyphen_values = true,
-        help_heading = "Parameters"
+        hide_short_help = true
     )]
     pub bounds: Vec<String>,
     /// Fit every rubber law with its constants free, and show which law fits the points best
-    #[arg(long, help_heading = "Parameters")]
+    #[arg(long)]
     pub laws: bool,
-    /// Loss function of the residuals
-    #[arg(long, value_parser = word::<Loss>(), default_value = "squares", help_heading = "Parameters")]
-    pub loss: Loss,
-    /// The same as --loss huber
-    #[arg(long, conflicts_with = "loss", help_heading = "Parameters")]
-    pub robust: bool,
-    /// Force model [fe]
-    #[arg(long, value_name = "NAME", value_parser = MODELS, hide_possible_values = true, help_heading = "Model")]
-    pub model: Option<String>,
-    /// Mesh of `fe`, as for the other commands [automatic]
-    #[arg(long, value_name = "N or MxN:G", help_heading = "Model")]
-    pub mesh: Option<String>,
+    /// A published formula as data: a model's name or a formula's JSON, at -p and -e (-D and -s may be lists)
+    #[arg(long, value_name = "NAME or FILE.json")]
+    pub formula: Option<String>,
+    /// Pressures of --formula [0.05..0.25:0.05]
+    #[arg(short, long, value_name = "RANGE", allow_hyphen_values = true, requires = "formula")]
+    pub pressure: Option<String>,
+    /// Contraction ratios of --formula [0..0.2:0.05]
+    #[arg(short = 'e', long, value_name = "RANGE", allow_hyphen_values = true, requires = "formula")]
+    pub contraction: Option<String>,
     #[command(flatten)]
     pub muscle: MuscleFlags,
+    /// Force model [fe]
+    #[arg(long, value_name = "NAME", value_parser = MODELS, hide_possible_values = true, help_heading = "Advanced")]
+    pub model: Option<String>,
+    /// Mesh of `fe`, as for the other commands [automatic]
+    #[arg(long, value_name = "N or MxN:G", hide_short_help = true, help_heading = "Advanced")]
+    pub mesh: Option<String>,
+    /// Weight of each --data, then of --formula [1,1,...]
+    #[arg(
+        long,
+        value_name = "LIST",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        hide_short_help = true,
+        help_heading = "Advanced"
+    )]
+    pub weights: Vec<String>,
+    /// Treatment of the branches of the hysteresis
+    #[arg(long, value_parser = word::<Branches>(), default_value = "both", hide_short_help = true, help_heading = "Advanced")]
+    pub branches: Branches,
+    /// Use points with a force of zero or below as measurements; by default the muscle counts as slack there
+    #[arg(long, hide_short_help = true, help_heading = "Advanced")]
+    pub two_sided: bool,
+    /// Loss function of the residuals
+    #[arg(long, value_parser = word::<Loss>(), default_value = "squares", hide_short_help = true, help_heading = "Advanced")]
+    pub loss: Loss,
+    /// The same as --loss huber
+    #[arg(long, conflicts_with = "loss", hide_short_help = true, help_heading = "Advanced")]
+    pub robust: bool,
     #[command(flatten)]
     pub units: UnitsFlag,
     #[command(flatten)]
@@ -133,11 +109,11 @@ pub struct IdentifyArgs {
 
 /// Runs the command.
 pub fn run(args: &IdentifyArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(args.plot.plot.as_deref())?;
+    plot::check(&args.plot)?;
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
     check(target, &Content::Muscle)?;
     let mut answer = mckibben_app::identify(&request(args)?, &Bar::new("points"))?;
-    plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
+    plot::save(answer.figure.take(), &args.plot)?;
     save(target, Content::Muscle, answer.muscle_file.as_bytes())?;
     let text = || {
         let mut text = text::of(&answer, &shown::units());

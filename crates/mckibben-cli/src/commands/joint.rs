@@ -4,8 +4,8 @@ use crate::failure::Failure;
 use crate::files;
 use crate::flags::{ModelFlags, OutputFlags, PlotFlag};
 use crate::format::Format;
-use crate::output::text::{Units, number, table};
-use crate::output::{burst_first, show};
+use crate::output::text::{Units, half_width, number, table, within};
+use crate::output::{burst_first, is_text, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{points, quantity, values};
@@ -24,9 +24,10 @@ pub const EXAMPLES: &str = "Examples:
 
 /// `joint`.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Question")]
 pub struct JointArgs {
     /// Joint file
-    #[arg(value_name = "JOINT.toml", help_heading = "Arguments")]
+    #[arg(value_name = "JOINT.toml")]
     pub file: PathBuf,
     /// Pressures of the muscles, such as 2bar,1bar; may be repeated for a family
     #[arg(short, long, value_name = "PRESSURES", allow_hyphen_values = true)]
@@ -70,7 +71,7 @@ pub fn fields(path: &Path) -> Result<JointFields, Failure> {
 
 /// Runs the command.
 pub fn run(args: &JointArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(args.plot.plot.as_deref())?;
+    plot::check(&args.plot)?;
     let unit = shown::units();
     let asking = args.model.asking.fields();
     if asking.two_sided {
@@ -99,6 +100,8 @@ pub fn run(args: &JointArgs, format: Format) -> Result<u8, Failure> {
         max_pressure_mpa: quantity("--max-pressure", args.max_pressure.as_deref(), Dimension::Pressure)?,
         map: args.map.map(usize::from),
         extrapolate: asking.extrapolate,
+        // Text does not show them.
+        without_start_pressures: is_text(args.output.target(), format)?,
         figure: args.plot.plot.as_ref().map(|_| unit.clone()),
     };
     let bar = Bar::new("joint");
@@ -108,7 +111,7 @@ pub fn run(args: &JointArgs, format: Format) -> Result<u8, Failure> {
         let message = "--plot: a figure of a joint has torques over angles, or a map";
         return Err(Failure::input(ProblemKind::Usage, message, "give --angle with a range, or --map"));
     }
-    plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
+    plot::save(answer.figure.take(), &args.plot)?;
     let text = || burst_first(&answer.warnings) + &as_text(&answer, &unit);
     show(&answer, format, "points", text, args.output.target())?;
     Ok(0)
@@ -195,17 +198,23 @@ fn rows(points: &[JointRow], u: &Units) -> String {
     let second = pulls(&|q| (q.force_2_n, q.slack_2 == Some(true)));
     let row = |(i, q): (usize, &JointRow)| {
         let unknown = || "–".to_owned();
-        let mut row = vec![number(if q.angle_deg.abs() < 1e-9 { 0.0 } else { q.angle_deg }, 5)];
-        row.extend(angle_half.then(|| q.angle_uncertainty_deg.map_or_else(unknown, |half| number(half, 2))));
+        let angle = if q.angle_deg.abs() < 1e-9 { 0.0 } else { q.angle_deg };
+        let mut row =
+            vec![q.angle_uncertainty_deg.map_or_else(|| number(angle, 5), |half| within(angle, half))];
+        row.extend(angle_half.then(|| q.angle_uncertainty_deg.map_or_else(unknown, half_width)));
         let sought = [
             (Some(q.pressure_1_mpa), q.pressure_1_uncertainty_mpa),
             (q.pressure_2_mpa, q.pressure_2_uncertainty_mpa),
         ];
         for (p, half) in sought.into_iter().filter_map(|(p, half)| Some((p?, half))) {
-            row.push(u.pressure.bare(p));
-            row.extend(halves.then(|| half.map_or_else(unknown, |half| u.pressure.to(half, 2))));
+            row.push(u.pressure.within(p, half));
+            row.extend(halves.then(|| half.map_or_else(unknown, |half| u.pressure.half_width(half))));
         }
-        row.extend([torque(q.torque_nm), q.uncertainty_nm.map_or_else(|| "–".into(), |v| number(v, 2))]);
+        let known = |half| within(q.torque_nm, half);
+        row.extend([
+            q.uncertainty_nm.map_or_else(|| torque(q.torque_nm), known),
+            q.uncertainty_nm.map_or_else(|| "–".into(), half_width),
+        ]);
         if branches {
             row.extend([some(q.torque_turning_plus_nm), some(q.torque_turning_minus_nm)]);
         }

@@ -7,6 +7,7 @@ pub mod curve;
 pub mod design;
 pub mod fit;
 pub mod formula;
+pub mod help;
 pub mod identify;
 pub mod joint;
 pub mod models;
@@ -23,16 +24,17 @@ pub mod simulate;
 mod study;
 pub mod validate;
 
-use crate::cli::{BraidCommand, Cli, Command, FormulaCommand, MuscleCommand, PartsCommand, RubberCommand};
+use crate::cli::{
+    BraidCommand, Command, FormulaCommand, MuscleCommand, PartsCommand, RubberCommand, command,
+};
 use crate::failure::Failure;
 use crate::format::Format;
 use crate::output::emit;
-use clap::CommandFactory;
 use mckibben::budget::Resource;
 
 /// Runs a command; the exit code where it ends well. What its answer may cost is set already, but for `serve`, which answers many.
-pub fn run(command: Command, format: Format, limits: &[(Resource, f64)]) -> Result<u8, Failure> {
-    match command {
+pub fn run(asked: Command, format: Format, limits: &[(Resource, f64)]) -> Result<u8, Failure> {
+    match asked {
         Command::Design(args) => design::run(&args, format),
         Command::Force(args) => point::force(&args, format),
         Command::Pressure(args) => point::pressure(&args, format),
@@ -61,10 +63,12 @@ pub fn run(command: Command, format: Format, limits: &[(Resource, f64)]) -> Resu
         Command::Models(args) => models::run(&args, format),
         Command::Schema(args) => schema::run(&args),
         Command::Serve(args) => serve::run(args, format, limits),
+        Command::Help(args) => help::run(&args),
+        Command::Man(args) => help::man(&args),
         Command::Completions { shell } => {
             // Into memory first: clap_complete panics where it cannot write.
             let mut script = vec![];
-            clap_complete::generate(shell, &mut Cli::command(), "mckibben", &mut script);
+            clap_complete::generate(shell, &mut command(), "mckibben", &mut script);
             emit(&script, None)?;
             Ok(0)
         }

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::flags::{ModelFlags, OutputFlags, PlotFlag};
 use crate::format::Format;
-use crate::output::text::{Units, number, pairs, percent};
+use crate::output::text::{Units, air, number, pairs, percent};
 use crate::output::{burst_first, show};
 use crate::plot;
 use crate::progress::Bar;
@@ -32,12 +32,11 @@ pub const EXAMPLES: &str = "Examples:
 
 /// `motion`.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Question")]
 pub struct MotionArgs {
     /// Drive file; or give a muscle, a load, a valve and a pressure by the flags below
-    #[arg(value_name = "DRIVE.toml", required_unless_present = "muscle", help_heading = "Arguments")]
+    #[arg(value_name = "DRIVE.toml", required_unless_present = "muscle")]
     pub file: Option<PathBuf>,
-    #[command(flatten)]
-    pub step: StepFlags,
     /// Run once for each value of a key of the drive file
     #[arg(long, value_name = "KEY=VALUE,…")]
     pub sweep: Option<String>,
@@ -47,6 +46,8 @@ pub struct MotionArgs {
     /// Required rise time (10 to 90 %) with the smallest valve
     #[arg(long, value_name = "TIME", requires = "size")]
     pub rise_time: Option<String>,
+    #[command(flatten)]
+    pub step: StepFlags,
     #[command(flatten)]
     pub model: ModelFlags,
     #[command(flatten)]
@@ -125,7 +126,7 @@ fn files_of(args: &MotionArgs) -> Result<MotionRequest, Failure> {
 
 /// Runs the command.
 pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(args.plot.plot.as_deref())?;
+    plot::check(&args.plot)?;
     let asking = args.model.asking.fields();
     let ignored = [
         ("--extrapolate", asking.extrapolate),
@@ -163,7 +164,7 @@ pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
     let bar = Bar::new("motion");
     let mut answer = motion(&request, &bar)?;
     drop(bar);
-    plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
+    plot::save(answer.figure.take(), &args.plot)?;
     let text = || burst_first(&answer.warnings) + &as_text(&answer, &unit);
     show(&answer, format, "series", text, args.output.target())?;
     Ok(answer.problem().map_or(0, |problem| Failure::from(problem).exit()))
@@ -221,8 +222,8 @@ fn one(run: &MotionRun, u: &Units) -> String {
     };
     list.push(("largest speed", speed));
     list.push(("largest power", format!("{} W", number(run.largest_power_w, 4))));
-    list.push(("air from the supply", format!("{} nL", number(run.air_normal_litres, 4))));
-    list.extend(run.air_normal_litres_per_cycle.map(|v| ("air of a cycle", format!("{} nL", number(v, 4)))));
+    list.push(("air from the supply", air(run.air_normal_litres)));
+    list.extend(run.air_normal_litres_per_cycle.map(|v| ("air of a cycle", air(v))));
     let energies = &run.energies;
     list.push((
         "work, exergy of the air",

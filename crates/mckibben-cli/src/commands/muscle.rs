@@ -14,14 +14,15 @@ use mckibben_app::{MeasureEntry, MeasuresAnswer, MeasuresRequest, MuscleShowRequ
 
 /// `muscle show`.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Question")]
 pub struct MuscleShowArgs {
     /// Also show its values at this pressure: blocked force, free contraction, work, air, burst
     #[arg(short, long, value_name = "PRESSURE", allow_hyphen_values = true)]
     pub pressure: Option<String>,
     #[command(flatten)]
-    pub model: ModelFlags,
-    #[command(flatten)]
     pub muscle: MuscleFlags,
+    #[command(flatten)]
+    pub model: ModelFlags,
     #[command(flatten)]
     pub output: OutputFlags,
 }

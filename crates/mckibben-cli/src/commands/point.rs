@@ -16,62 +16,71 @@ use mckibben_app::{ContractionRequest, ForceRequest, PointAnswer, PointQuantity,
 
 /// `force`.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Question")]
 pub struct ForceArgs {
-    #[command(flatten)]
-    pub muscle: MuscleFlags,
-    #[command(flatten)]
-    pub model: ModelFlags,
     /// Gauge pressure
     #[arg(short, long, value_name = "PRESSURE", allow_hyphen_values = true)]
     pub pressure: Option<String>,
     /// Contraction ratio ΔL/L0 [0]
     #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
     pub contraction: Option<String>,
-    /// Both branches of the friction hysteresis, and the band between them
+    /// Both branches of the friction hysteresis
+    ///
+    /// The band between them is printed as well.
     #[arg(long)]
     pub both: bool,
+    #[command(flatten)]
+    pub muscle: MuscleFlags,
+    #[command(flatten)]
+    pub model: ModelFlags,
     #[command(flatten)]
     pub output: OutputFlags,
 }
 
 /// `pressure`.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Question")]
 pub struct PressureArgs {
-    #[command(flatten)]
-    pub muscle: MuscleFlags,
-    #[command(flatten)]
-    pub model: ModelFlags,
     /// Required pull
     #[arg(short = 'F', long, value_name = "FORCE", allow_hyphen_values = true)]
     pub force: Option<String>,
     /// Contraction ratio ΔL/L0 [0]
     #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
     pub contraction: Option<String>,
-    /// Both branches of the friction hysteresis, and the band between them
+    /// Both branches of the friction hysteresis
+    ///
+    /// The band between them is printed as well.
     #[arg(long)]
     pub both: bool,
+    #[command(flatten)]
+    pub muscle: MuscleFlags,
+    #[command(flatten)]
+    pub model: ModelFlags,
     #[command(flatten)]
     pub output: OutputFlags,
 }
 
 /// `contraction`.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Question")]
 pub struct ContractionArgs {
-    #[command(flatten)]
-    pub muscle: MuscleFlags,
-    #[command(flatten)]
-    pub model: ModelFlags,
+    /// Gauge pressure
+    #[arg(short, long, value_name = "PRESSURE", allow_hyphen_values = true)]
+    pub pressure: Option<String>,
     /// Required pull [0N: free contraction]
     #[arg(short = 'F', long, value_name = "FORCE", allow_hyphen_values = true)]
     pub force: Option<String>,
     #[command(flatten)]
     pub load: LoadFlag,
-    /// Gauge pressure
-    #[arg(short, long, value_name = "PRESSURE", allow_hyphen_values = true)]
-    pub pressure: Option<String>,
-    /// Both branches of the friction hysteresis, and the band between them
+    /// Both branches of the friction hysteresis
+    ///
+    /// The band between them is printed as well.
     #[arg(long)]
     pub both: bool,
+    #[command(flatten)]
+    pub muscle: MuscleFlags,
+    #[command(flatten)]
+    pub model: ModelFlags,
     #[command(flatten)]
     pub output: OutputFlags,
 }

@@ -19,6 +19,7 @@ pub const EXAMPLES: &str = "Examples:
 
 /// `report`.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Question")]
 pub struct ReportArgs {
     /// Pressure of the state in the report [0.25]
     #[arg(short, long, value_name = "PRESSURE", allow_hyphen_values = true)]

@@ -40,6 +40,7 @@ fn laws() -> String {
 
 /// `rubber fit`.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Question")]
 pub struct RubberFitArgs {
     /// Tension tests: a table of stretches, strains or extensions, and of stresses or forces, with units
     pub file: PathBuf,
@@ -47,9 +48,6 @@ pub struct RubberFitArgs {
     pub columns: ColumnsFlag,
     #[arg(long, value_name = "LIST", value_delimiter = ',', help = laws())]
     pub law: Vec<String>,
-    /// Terms of `ogden` [1, 2 and 3]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=3))]
-    pub terms: Option<u8>,
     /// How the specimens were stretched, where the file has no column `mode`
     #[arg(long, value_parser = word_or::<Mode>(&[("planar", "pure-shear"), ("equibiaxial", "biaxial")]), default_value = "uniaxial")]
     pub mode: Mode,
@@ -59,39 +57,49 @@ pub struct RubberFitArgs {
     /// Length of the specimen at rest, for a column of extensions or lengths
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub gauge_length: Option<String>,
-    /// Fit only these modes; hold out the others and show the errors of the laws there
-    #[arg(long, value_name = "LIST")]
-    pub fit_mode: Option<String>,
     /// Leave out points beyond this stretch (3) or strain (200%)
     #[arg(long, value_name = "STRETCH", allow_hyphen_values = true)]
     pub up_to: Option<String>,
-    /// Minimise relative differences: small stretches count as much as large ones
-    #[arg(long)]
-    pub relative: bool,
-    /// Give every mode the same weight [every point has the same weight]
-    #[arg(long)]
-    pub balance: bool,
-    /// Weights of the modes, such as uniaxial=1,equibiaxial=2
-    #[arg(long, value_name = "LIST")]
-    pub weights: Option<String>,
-    /// Fit only laws that stay stable in a muscle (C01 not below 0)
-    #[arg(long)]
-    pub stable: bool,
-    /// Hoop stretch of the muscle up to which a law must be stable
-    #[arg(long, value_name = "STRETCH", default_value = "3", allow_hyphen_values = true)]
-    pub hoop_stretch: String,
     /// Also fit a Prony series of N branches; needs a column of times
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=8))]
     pub relaxation: Option<u8>,
     /// Also fit Ogden–Roxburgh softening; needs a column of times that begins with the first loading
     #[arg(long)]
     pub softening: bool,
-    /// Name of the rubber in the muscle file [that of the data file]
-    #[arg(long)]
-    pub name: Option<String>,
     /// Muscle file that receives the rubber, for -o [the prototype]
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", help_heading = "Muscle")]
     pub muscle: Option<PathBuf>,
+    /// Name of the rubber in the muscle file [that of the data file]
+    #[arg(long, help_heading = "Muscle")]
+    pub name: Option<String>,
+    /// Terms of `ogden` [1, 2 and 3]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=3), hide_short_help = true, help_heading = "Advanced")]
+    pub terms: Option<u8>,
+    /// Fit only these modes; hold out the others and show the errors of the laws there
+    #[arg(long, value_name = "LIST", hide_short_help = true, help_heading = "Advanced")]
+    pub fit_mode: Option<String>,
+    /// Minimise relative differences: small stretches count as much as large ones
+    #[arg(long, hide_short_help = true, help_heading = "Advanced")]
+    pub relative: bool,
+    /// Give every mode the same weight [every point has the same weight]
+    #[arg(long, hide_short_help = true, help_heading = "Advanced")]
+    pub balance: bool,
+    /// Weights of the modes, such as uniaxial=1,equibiaxial=2
+    #[arg(long, value_name = "LIST", hide_short_help = true, help_heading = "Advanced")]
+    pub weights: Option<String>,
+    /// Fit only laws that stay stable in a muscle (C01 not below 0)
+    #[arg(long, hide_short_help = true, help_heading = "Advanced")]
+    pub stable: bool,
+    /// Hoop stretch of the muscle up to which a law must be stable
+    #[arg(
+        long,
+        value_name = "STRETCH",
+        default_value = "3",
+        allow_hyphen_values = true,
+        hide_short_help = true,
+        help_heading = "Advanced"
+    )]
+    pub hoop_stretch: String,
     #[command(flatten)]
     pub plot: PlotFlag,
     /// Write a muscle file with the recommended law
@@ -109,7 +117,7 @@ struct Constants {
 
 /// Runs the command.
 pub fn run(args: &RubberFitArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(args.plot.plot.as_deref())?;
+    plot::check(&args.plot)?;
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
     check(target, &Content::Muscle)?;
     let request = request(args)?;
@@ -117,7 +125,7 @@ pub fn run(args: &RubberFitArgs, format: Format) -> Result<u8, Failure> {
     if target.path.is_some() {
         save(target, Content::Muscle, answer.muscle_file(&request)?.as_bytes())?;
     }
-    plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
+    plot::save(answer.figure.take(), &args.plot)?;
     if format == Format::Csv {
         let table = Constants { constants: answer.constants() };
         show(&table, format, "constants", String::new, Target::STDOUT)?;

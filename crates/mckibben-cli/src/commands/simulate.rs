@@ -35,6 +35,7 @@ pub const EXAMPLES: &str = "Examples:
 
 /// `simulate`.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Question")]
 pub struct SimulateArgs {
     /// Kind of test
     #[arg(long, value_parser = word::<Test>(), default_value = "isometric")]
@@ -51,32 +52,25 @@ pub struct SimulateArgs {
     /// Pulls of an isotonic test [20,80,150N]
     #[arg(short = 'F', long, value_name = "RANGE", allow_hyphen_values = true)]
     pub force: Option<String>,
+    #[command(flatten)]
+    pub muscle: MuscleFlags,
     /// Model: fe (axisymmetric) or fe3d (three-dimensional)
-    #[arg(long, value_name = "NAME", default_value = "fe")]
+    #[arg(long, value_name = "NAME", default_value = "fe", help_heading = "Advanced")]
     pub model: String,
     /// Mesh of fe: elements along the half length, or through the wall x along, or with :grading; of fe3d: bricks around
     /// the quarter, or through x around, or through x around x along [automatic]
-    #[arg(long, value_name = "N or MxN:G")]
+    #[arg(long, value_name = "N or MxN:G", hide_short_help = true, help_heading = "Advanced")]
     pub mesh: Option<String>,
     /// Dimension that fe3d keeps if bricks with strands at ±θ0 do not fill the length exactly
-    #[arg(long = "match", value_parser = word::<Keep>(), value_name = "WHAT", default_value = "length")]
+    #[arg(long = "match", value_parser = word::<Keep>(), value_name = "WHAT", default_value = "length", hide_short_help = true, help_heading = "Advanced")]
     pub keep: Keep,
     /// Terminal of fe3d: none (a rigid plane), rigid or aluminium (a plug), with :insertion and :radius of its nose [none]
-    #[arg(long, value_name = "WORD:MM:MM")]
+    #[arg(long, value_name = "WORD:MM:MM", hide_short_help = true, help_heading = "Advanced")]
     pub terminal: Option<String>,
     /// Give the negative force, not slack, where the muscle would have to push
-    #[arg(long)]
+    #[arg(long, hide_short_help = true, help_heading = "Advanced")]
     pub two_sided: bool,
-    /// Write the deformed muscle, point by point, into a folder that ParaView opens (muscle.pvd)
-    #[arg(long, value_name = "DIR", help_heading = "Output")]
-    pub vtu: Option<PathBuf>,
-    /// Write the whole muscle, not only the eighth that fe3d computes; fe always writes the whole muscle
-    #[arg(long, requires = "vtu", help_heading = "Output")]
-    pub whole: bool,
-    /// Write mesh, material, loads and steps of an isometric test with fe3d as an input deck for CalculiX and Abaqus
-    #[arg(long, value_name = "FILE", help_heading = "Output")]
-    pub export_inp: Option<PathBuf>,
-    /// Draw the deformed muscle at the last converged point: a file ending in .png or .svg
+    /// Draw the deformed muscle at the last converged point: a file ending in .png, .svg or .pdf
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub picture: Option<PathBuf>,
     /// Quantity that colours the picture, such as hoop_stretch or stress_hoop_mpa
@@ -85,14 +79,22 @@ pub struct SimulateArgs {
         value_name = "NAME",
         default_value = "max_stretch",
         requires = "picture",
+        hide_short_help = true,
         help_heading = "Output"
     )]
     pub show: String,
     /// Cut a quarter out of the picture, to show wall and cavity
-    #[arg(long, requires = "picture", help_heading = "Output")]
+    #[arg(long, requires = "picture", hide_short_help = true, help_heading = "Output")]
     pub cut: bool,
-    #[command(flatten)]
-    pub muscle: MuscleFlags,
+    /// Write the deformed muscle, point by point, into a folder that ParaView opens (muscle.pvd)
+    #[arg(long, value_name = "DIR", help_heading = "Output")]
+    pub vtu: Option<PathBuf>,
+    /// Write the whole muscle, not only the eighth that fe3d computes; fe always writes the whole muscle
+    #[arg(long, requires = "vtu", hide_short_help = true, help_heading = "Output")]
+    pub whole: bool,
+    /// Write mesh, material, loads and steps of an isometric test with fe3d as an input deck for CalculiX and Abaqus
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
+    pub export_inp: Option<PathBuf>,
     #[command(flatten)]
     pub plot: PlotFlag,
     #[command(flatten)]
@@ -101,7 +103,7 @@ pub struct SimulateArgs {
 
 /// Runs the command.
 pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(args.plot.plot.as_deref())?;
+    plot::check(&args.plot)?;
     check_picture(args.picture.as_deref())?;
     let deck = args.export_inp.as_deref();
     check(Target { path: deck, overwrite: args.output.replace.overwrite }, &Content::Deck)?;
@@ -137,7 +139,7 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
     if let (Some(path), Some(deck)) = (&args.export_inp, answer.deck.take()) {
         save(Target::file(path, args.output.replace.overwrite), Content::Deck, deck.as_bytes())?;
     }
-    plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
+    plot::save(answer.figure.take(), &args.plot)?;
     if let (Some(path), Some(scene)) = (&args.picture, &answer.picture) {
         plot::unread(path)?;
         scene.save(path)?;
@@ -157,11 +159,11 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
 /// Refuses a picture that could not be written, before any work is done for it.
 fn check_picture(path: Option<&Path>) -> Result<(), Failure> {
     let Some(path) = path else { return Ok(()) };
-    if ending(path).is_some_and(|e| ["svg", "png"].contains(&e.as_str())) {
+    if ending(path).is_some_and(|e| ["svg", "png", "pdf"].contains(&e.as_str())) {
         return Ok(());
     }
     let message =
-        format!("unknown format of {}: the name of a picture must end in .svg or .png", path.display());
+        format!("unknown format of {}: the name of a picture must end in .svg, .png or .pdf", path.display());
     Err(Failure::input(ProblemKind::Plot, message, "`--plot` draws curves, and also as .html"))
 }
 

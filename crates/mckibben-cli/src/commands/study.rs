@@ -14,7 +14,7 @@ use mckibben_app::{StudyAnswer, StudyRequest, study};
 
 /// Runs the study.
 pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(args.plot.plot.as_deref())?;
+    plot::check(&args.plot)?;
     let unit = shown::units();
     let request = StudyRequest {
         muscle: args.muscle.fields()?,
@@ -23,7 +23,7 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
         figure: args.plot.plot.as_ref().map(|_| unit.clone()),
     };
     let mut answer = study(&request, &Bar::hidden())?;
-    plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
+    plot::save(answer.figure.take(), &args.plot)?;
     let text = || {
         answer.warnings.iter().for_each(warn);
         as_text(&answer, &unit)

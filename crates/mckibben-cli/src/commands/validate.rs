@@ -8,6 +8,7 @@ use crate::format::Format;
 use crate::names::MODELS;
 use crate::output::show;
 use crate::output::text::{aligned, number, or_dash, table};
+use crate::output::width;
 use crate::progress::Bar;
 use clap::Args;
 use mckibben::verification::{CaseKind, Measure, VerificationRow};
@@ -128,14 +129,20 @@ fn section(
     columns: &[&str],
     numbers: &dyn Fn(&VerificationRow) -> Vec<String>,
 ) -> String {
-    let header: Vec<&str> = [""].iter().chain(columns).chain(&["case", "source"]).copied().collect();
+    let source = has_sources().then_some("source");
+    let header: Vec<&str> = ["", "case"].iter().chain(columns).copied().chain(source).collect();
     let row = |c: &&VerificationRow| {
-        let mut row = vec![if c.ok { "ok" } else { "FAILS" }.to_owned()];
+        let mut row = vec![if c.ok { "ok" } else { "FAILS" }.to_owned(), c.name.clone()];
         row.extend(numbers(c));
-        row.extend([c.name.clone(), c.source.to_owned()]);
+        row.extend(source.map(|_| c.source.to_owned()));
         row
     };
     table(&header, cases.iter().map(row).collect())
+}
+
+/// Whether the tables are wide enough for the sources of the cases.
+fn has_sources() -> bool {
+    width::of_tables() >= 160
 }
 
 fn summary(values: &[&VerificationRow], rms: &[&VerificationRow], shares: &[&VerificationRow]) -> String {
@@ -147,9 +154,10 @@ fn summary(values: &[&VerificationRow], rms: &[&VerificationRow], shares: &[&Ver
     let failed = [values, rms, shares].concat().into_iter().filter(|c| !c.ok);
     let failed: String = failed.map(|c| format!("  FAILS: {}\n", c.name)).collect();
     format!(
-        "\nSummary\n  verification: {} cases hold\n  measured pulls: {} cases hold\n  ± of fe: {} cases hold{least}\n{failed}",
+        "\nSummary\n  verification: {} cases hold\n  measured pulls: {} cases hold\n  ± of fe: {} cases hold{least}\n{failed}{}",
         held(values),
         held(rms),
-        held(shares)
+        held(shares),
+        if has_sources() { "" } else { "\nSources of the cases: mckibben validate --format csv\n" }
     )
 }

@@ -33,6 +33,8 @@ pub enum Content {
     Pdf,
     /// An input deck.
     Deck,
+    /// A manual page.
+    Manual,
     /// A figure or a picture.
     Figure,
     /// A file for ParaView, in a folder of them.
@@ -82,6 +84,7 @@ impl Content {
             Self::Figure => mckibben_report::is_figure(&head(path)),
             Self::Pdf => text_of(&head(path)).contains(PRINTED_TITLE),
             Self::Deck => text_of(&head(path)).contains("mm, MPa, N; mckibben "),
+            Self::Manual => text_of(&head(path)).contains("\n.TH mckibben"),
         }
     }
 
@@ -94,6 +97,7 @@ impl Content {
             Self::Page => "a page that this program wrote",
             Self::Pdf => "a PDF that this program printed",
             Self::Deck => "an input deck that this program wrote",
+            Self::Manual => "a manual page that this program wrote",
             Self::Figure => "a figure that this program drew",
             Self::Vtk => "a file of a series for ParaView",
             Self::Table { .. } => "a table of this kind",
@@ -110,7 +114,7 @@ impl Content {
             Self::Page => &["html", "htm"],
             Self::Pdf => &["pdf"],
             Self::Deck => &["inp"],
-            Self::Figure | Self::Vtk | Self::Table { .. } | Self::Text { .. } => &[],
+            Self::Figure | Self::Vtk | Self::Manual | Self::Table { .. } | Self::Text { .. } => &[],
         }
     }
 

@@ -1,6 +1,6 @@
 //! Equilibria with a load, as text.
 
-use super::text::{Units, number, pairs, percent, table};
+use super::text::{Units, air, half_width, number, pairs, percent, table};
 use mckibben::load::LoadError;
 use mckibben_app::LoadAnswer;
 
@@ -26,7 +26,7 @@ pub fn loaded(answer: &LoadAnswer, u: &Units) -> String {
                 percent(r.contraction),
                 e.answer
                     .contraction_uncertainty
-                    .map_or_else(|| "–".into(), |h| format!("{} %", number(100.0 * h, 2))),
+                    .map_or_else(|| "–".into(), |h| format!("{} %", half_width(100.0 * h))),
                 u.length.to(e.shortening_mm, 4),
                 u.force.within(r.force_n, e.answer.uncertainty_n),
                 u.stiffness().to(e.stiffness_n_per_mm, 4),
@@ -54,9 +54,9 @@ pub fn loaded(answer: &LoadAnswer, u: &Units) -> String {
             ),
         )];
         list.push(("work on the load", format!("{} J", number(c.work_j, 4))));
-        let air = c.air_normal_litres.zip(c.air_exergy_j);
-        list.extend(air.map(|(litres, exergy)| {
-            let text = format!("{} nL, exergy {} J", number(litres, 4), number(exergy, 4));
+        let filling = c.air_normal_litres.zip(c.air_exergy_j);
+        list.extend(filling.map(|(litres, exergy)| {
+            let text = format!("{}, exergy {} J", air(litres), number(exergy, 4));
             ("air of a filling", text)
         }));
         list.extend(c.efficiency.map(|e| ("work over exergy", percent(e))));

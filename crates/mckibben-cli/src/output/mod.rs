@@ -8,6 +8,7 @@ mod parquet;
 mod rows;
 mod stream;
 pub mod text;
+pub mod width;
 mod write;
 
 pub use guard::{Content, check, ending, of_input};
@@ -66,7 +67,10 @@ pub fn show<T: Serialize + JsonSchema>(
     let out = match form {
         Form::Text => {
             unit_hint().into_iter().for_each(warn);
-            clean::lines(&text()).into_owned().into_bytes()
+            if target.path.is_some() {
+                width::in_file();
+            }
+            width::broken(&clean::lines(&text())).into_bytes()
         }
         Form::Json => format!("{:#}\n", json(answer)?).into_bytes(),
         Form::Csv => csv::rows(&table()?)?,
@@ -93,6 +97,11 @@ pub fn show<T: Serialize + JsonSchema>(
 /// Whether an answer is wanted as JSON.
 pub fn is_json(target: Target<'_>, format: Format) -> Result<bool, Failure> {
     Ok(form(target.path, format)? == Form::Json)
+}
+
+/// Whether an answer is wanted as text.
+pub fn is_text(target: Target<'_>, format: Format) -> Result<bool, Failure> {
+    Ok(form(target.path, format)? == Form::Text)
 }
 
 /// The form of a file by its ending; without one, or for standard output, that of `--format`.

@@ -1,10 +1,11 @@
 //! Text for people: aligned, with units, rounded to what is worth reading.
 
+use super::width::{self, fold};
 use crate::clean::line;
 use comfy_table::{CellAlignment, Table, presets};
 use mckibben_app::UnderstoodTable;
 pub use mckibben_app::units::Units;
-pub use mckibben_app::words::{aligned, law_text, number, percent};
+pub use mckibben_app::words::{air, aligned, half_width, law_text, number, percent, within};
 use std::path::Path;
 
 /// The name of a file.
@@ -17,34 +18,96 @@ pub fn or_dash<T>(v: Option<T>, show: impl Fn(T) -> String) -> String {
     v.map_or_else(|| "–".into(), show)
 }
 
-/// A table without borders: a header, aligned columns (numbers to the right).
+/// A text column of a table that is too wide is not made narrower than this.
+const NARROW: usize = 24;
+/// Blanks between columns.
+const GAP: usize = 2;
+
+/// A table without borders: a header, aligned columns (numbers to the right). One that is wider than the text may be has narrower text
+/// columns, or goes on below, with its first column again.
 pub fn table(header: &[&str], rows: Vec<Vec<String>>) -> String {
+    table_within(width::of_tables(), header, &rows)
+}
+
+fn table_within(room: usize, header: &[&str], rows: &[Vec<String>]) -> String {
+    let rows: Vec<Vec<String>> =
+        rows.iter().map(|row| row.iter().map(|cell| line(cell).into_owned()).collect()).collect();
+    let cells = |i: usize| rows.iter().filter_map(move |row| row.get(i));
     let numeric = |i: usize| {
-        let cells = rows.iter().filter_map(|row| row.get(i));
         let number = |c: &String| {
             c.starts_with(|ch: char| ch.is_ascii_digit() || "–-+. ".contains(ch)) && !c.starts_with("--")
         };
-        cells.clone().all(|c| c.is_empty() || number(c) || c == "slack" || c == "unknown" || c == "→")
+        cells(i).all(|c| c.is_empty() || number(c) || c == "slack" || c == "unknown" || c == "→")
     };
     let numeric: Vec<bool> = (0..header.len()).map(numeric).collect();
-    let mut table = Table::new();
-    table.load_preset(presets::NOTHING).set_header(header.iter().copied());
-    for row in rows {
-        table.add_row(row.iter().map(|cell| line(cell)));
+    let length = |text: &str| text.chars().count();
+    let widths: Vec<usize> = (0..header.len())
+        .map(|i| cells(i).map(|cell| length(cell)).chain([length(header[i])]).max().unwrap_or(0))
+        .collect();
+    let wide = |columns: &[usize], most: usize| {
+        let one = |&i: &usize| if numeric[i] { widths[i] } else { widths[i].min(most) };
+        columns.iter().map(one).sum::<usize>() + GAP * columns.len().saturating_sub(1)
+    };
+    let all: Vec<usize> = (0..header.len()).collect();
+    // The widest text columns for which a list of columns fits.
+    let fits =
+        |columns: &[usize]| (NARROW..=room.max(NARROW)).rev().find(|&most| wide(columns, most) <= room);
+    let mut blocks: Vec<(Vec<usize>, usize)> = vec![];
+    if wide(&all, usize::MAX) <= room {
+        blocks.push((all, usize::MAX));
+    } else if let Some(most) = fits(&all) {
+        blocks.push((all, most));
+    } else {
+        // Rows are told apart by the first column, or by the first two.
+        let mut seen = std::collections::BTreeSet::new();
+        let keys = if cells(0).all(|cell| seen.insert(cell)) { 1 } else { 2 };
+        let (keys, others) = all.split_at(keys.min(all.len()));
+        let mut block = keys.to_vec();
+        let end = |block: &[usize]| (block.to_vec(), fits(block).unwrap_or(NARROW));
+        for &i in others {
+            block.push(i);
+            if block.len() > keys.len() + 1 && fits(&block).is_none() {
+                block.pop();
+                blocks.push(end(&block));
+                block = [keys, &[i]].concat();
+            }
+        }
+        blocks.push(end(&block));
     }
-    let last = header.len().saturating_sub(1);
-    for (i, column) in table.column_iter_mut().enumerate() {
-        column.set_cell_alignment(if numeric[i] { CellAlignment::Right } else { CellAlignment::Left });
-        column.set_padding((0, if i == last { 0 } else { 2 }));
-    }
-    let text: Vec<String> = table.lines().map(|l| l.trim_end().to_owned()).collect();
-    text.join("\n") + "\n"
+    let drawn = blocks.into_iter().map(|(columns, most)| {
+        let cut =
+            |text: &str, i: usize| if numeric[i] { text.to_owned() } else { fold(text, most).join("\n") };
+        let mut table = Table::new();
+        table.load_preset(presets::NOTHING).set_header(columns.iter().map(|&i| cut(header[i], i)));
+        for row in &rows {
+            let cell = |&i: &usize| row.get(i).map_or_else(String::new, |cell| cut(cell, i));
+            table.add_row(columns.iter().map(cell));
+        }
+        let last = columns.len().saturating_sub(1);
+        for (at, column) in table.column_iter_mut().enumerate() {
+            let right = numeric[columns[at]];
+            column.set_cell_alignment(if right { CellAlignment::Right } else { CellAlignment::Left });
+            column.set_padding((0, if at == last { 0 } else { GAP as u16 }));
+        }
+        let text: Vec<String> = table.lines().map(|l| l.trim_end().to_owned()).collect();
+        text.join("\n") + "\n"
+    });
+    drawn.collect::<Vec<_>>().join("\n")
 }
 
-/// Aligned `name   value` lines.
+/// Aligned `name   value` lines; a long value goes on below.
 pub fn pairs(list: &[(&str, String)]) -> String {
+    pairs_within(width::of_tables(), list)
+}
+
+fn pairs_within(room: usize, list: &[(&str, String)]) -> String {
     let width = list.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
-    list.iter().map(|(name, value)| format!("  {name:<width$}   {}\n", line(value))).collect()
+    let room = room.saturating_sub(width + 5).max(NARROW);
+    let one = |(name, value): &(&str, String)| {
+        let value = fold(&line(value), room).join(&format!("\n{:1$}", "", width + 5));
+        format!("  {name:<width$}   {value}\n")
+    };
+    list.iter().map(one).collect()
 }
 
 /// What was understood of tables, a line each.
@@ -66,4 +129,48 @@ pub fn columns(list: impl IntoIterator<Item = (String, Vec<String>)>) -> String 
     let count = columns.first().map_or(0, Vec::len);
     let row = |i: usize| columns.iter().map(|c| c.get(i).cloned().unwrap_or_default()).collect();
     table(&header, (0..count).map(row).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rows() -> Vec<Vec<String>> {
+        let row = |i: usize| {
+            let numbers = (0..6).map(|j| format!("{i}{j}.5"));
+            std::iter::once(format!("{i}."))
+                .chain(numbers)
+                .chain(["a few words of text".to_owned()])
+                .collect()
+        };
+        (1..3).map(row).collect()
+    }
+
+    #[test]
+    fn a_wide_table_goes_on_below_with_its_first_column_again() {
+        let header = ["", "one", "two", "three", "four", "five", "six", "what"];
+        let whole = table_within(80, &header, &rows());
+        assert_eq!(whole.lines().count(), 3, "{whole}");
+        let narrow = table_within(40, &header, &rows());
+        assert!(narrow.lines().all(|l| l.chars().count() <= 40), "{narrow}");
+        assert_eq!(narrow.lines().filter(|l| l.starts_with("1.")).count(), 2, "{narrow}");
+        assert!(narrow.contains("\n\n"), "{narrow}");
+        // Every cell is there once.
+        for cell in rows().iter().flat_map(|row| &row[1..7]) {
+            assert_eq!(narrow.matches(cell.as_str()).count(), 1, "{cell}: {narrow}");
+        }
+    }
+
+    #[test]
+    fn a_table_of_texts_has_narrower_columns() {
+        let long = "words and words and words and words and words and words and words and words".to_owned();
+        let text = table_within(60, &["n", "case"], &[vec!["1".into(), long]]);
+        assert!(text.lines().count() > 2 && text.lines().all(|l| l.chars().count() <= 60), "{text}");
+    }
+
+    #[test]
+    fn a_long_value_goes_on_below_its_beginning() {
+        let text = pairs_within(40, &[("name", "value and value and value and value and value".into())]);
+        assert_eq!(text, "  name   value and value and value and\n         value and value\n");
+    }
 }

@@ -1,8 +1,9 @@
 //! Where results go: standard output, or a file that appears whole or not at all.
 
 use super::guard::{Content, check};
+use super::width;
 use crate::clean;
-use crate::failure::Failure;
+use crate::failure::{Failure, in_flags};
 use crate::shown;
 use anstyle::{AnsiColor, Style};
 use mckibben::units::short_numbers;
@@ -47,10 +48,12 @@ const HINT: Style = AnsiColor::Cyan.on_default();
 
 /// A line for the user beside the result, in the units that he reads; nothing better can be done if nobody can read it.
 pub fn warn(message: impl std::fmt::Display) {
-    let message = message.to_string();
+    let message = in_flags(&message.to_string());
     let text = shown::sentence(&message);
     let text = short_numbers(&text);
-    let _ = writeln!(anstream::stderr(), "{WARNING}warning:{WARNING:#} {}", clean::line(&text));
+    let text = width::broken_aside(&format!("warning: {}", clean::line(&text)));
+    let text = text.strip_prefix("warning:").unwrap_or(&text);
+    let _ = writeln!(anstream::stderr(), "{WARNING}warning:{WARNING:#}{text}");
 }
 
 /// Warnings that are printed behind the text.
@@ -79,7 +82,7 @@ pub fn burst_first(warnings: &[impl std::fmt::Display]) -> String {
 pub fn complain(text: &str) {
     let styled =
         |text: String, word: &str, style: Style| text.replacen(word, &format!("{style}{word}{style:#}"), 1);
-    let text = styled(text.to_owned(), "error:", ERROR);
+    let text = styled(width::broken_aside(text), "error:", ERROR);
     let _ = writeln!(anstream::stderr(), "{}", styled(text, "\n  hint:", HINT));
 }
 

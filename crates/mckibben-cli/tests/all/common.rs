@@ -51,7 +51,7 @@ impl Ran {
 /// A command in a folder, not yet started.
 pub fn command(folder: &Path) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_mckibben"));
-    command.current_dir(folder).stdin(Stdio::null()).env_remove("RUST_BACKTRACE");
+    command.current_dir(folder).stdin(Stdio::null()).env_remove("RUST_BACKTRACE").env_remove("COLUMNS");
     command
 }
 

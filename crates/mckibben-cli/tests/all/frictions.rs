@@ -23,6 +23,19 @@ strand_strength = "40 N"
 insertion = "15 mm"
 "#;
 
+/// A joint with two of them.
+const JOINT: &str = r#"
+[joint]
+radius = "20 mm"
+range = "-45..45 deg"
+[muscle_1]
+file = "my.toml"
+contraction_at_neutral = "8%"
+[muscle_2]
+file = "my.toml"
+contraction_at_neutral = "8%"
+"#;
+
 fn muscle() -> tempfile::TempDir {
     let dir = folder();
     std::fs::write(dir.path().join("my.toml"), MUSCLE).unwrap();
@@ -56,8 +69,8 @@ fn a_file_is_what_its_ending_says() {
         ("simulate my.toml --export-inp x.svg", "end it in .inp"),
         ("schema force -o x.toml", "end it in .json"),
         ("force my.toml -p 6bar -o table.xlsx", ".txt, .json, .csv and .parquet"),
-        ("curve isobaric my.toml --model ideal --plot x.pdf", ".svg, .png or .html"),
-        ("simulate my.toml --picture x.pdf", ".svg or .png"),
+        ("curve isobaric my.toml --model ideal --plot x.docx", ".svg, .png, .pdf or .html"),
+        ("simulate my.toml --picture x.html", ".svg, .png or .pdf"),
     ] {
         let words = words.replace(" --model ideal -p", " -p");
         let ran = line(dir.path(), &words);
@@ -83,6 +96,29 @@ fn a_report_named_pdf_is_a_pdf_or_is_refused() {
     }
 }
 
+/// 88 mm are 249.45 points.
+#[test]
+fn a_figure_named_pdf_is_a_pdf_with_the_width_of_a_column() {
+    let dir = muscle();
+    let words = "curve isobaric my.toml --model ideal --plot f.pdf";
+    let page = |more: &str| {
+        line(dir.path(), &format!("{words}{more}")).ok();
+        let pdf = std::fs::read(dir.path().join("f.pdf")).unwrap();
+        assert!(pdf.starts_with(b"%PDF-1.4") && pdf.ends_with(b"%%EOF\n"));
+        let text = String::from_utf8_lossy(&pdf).into_owned();
+        let size = text.split("/MediaBox [0 0 ").nth(1).unwrap().split(' ').next().unwrap();
+        size.parse::<f64>().unwrap()
+    };
+    assert!((page("") - 160.0 * 72.0 / 25.4).abs() < 0.01);
+    assert!((page(" --plot-width 88mm") - 249.45).abs() < 0.01);
+    let wide = line(dir.path(), &format!("{words} --plot-width 8m"));
+    assert!(wide.code == 2 && wide.err.contains("20 to 2000 mm"), "{}", wide.err);
+    assert_eq!(line(dir.path(), "curve isobaric my.toml --plot-width 88mm").code, 2);
+    // A PDF of somebody else stays.
+    std::fs::write(dir.path().join("f.pdf"), b"%PDF-1.7 notes of mine").unwrap();
+    assert_eq!(line(dir.path(), words).code, 2);
+}
+
 #[test]
 fn the_joint_file_of_a_design_names_the_muscle_file_that_was_written() {
     let dir = folder();
@@ -102,12 +138,7 @@ fn the_joint_file_of_a_design_names_the_muscle_file_that_was_written() {
 #[test]
 fn what_people_read_is_in_the_unit_of_the_first_pressure_that_was_typed() {
     let dir = muscle();
-    std::fs::write(
-        dir.path().join("jt.toml"),
-        "[joint]\nradius=\"20 mm\"\nrange=\"-45..45 deg\"\n[muscle_1]\nfile=\"my.toml\"\ncontraction_at_neutral=\"8%\"\n\
-         [muscle_2]\nfile=\"my.toml\"\ncontraction_at_neutral=\"8%\"\n",
-    )
-    .unwrap();
+    std::fs::write(dir.path().join("jt.toml"), JOINT).unwrap();
     let muscle = "--muscle my.toml --load mass:5kg";
     let motion = "--valve '0.5 L/(s bar)' --damping '200 N s/m' --model thick-wall";
     for words in [
@@ -131,7 +162,11 @@ fn what_people_read_is_in_the_unit_of_the_first_pressure_that_was_typed() {
         let said = format!("{}{}", String::from_utf8_lossy(&ran.out), ran.err);
         let lines = said.lines().filter(|l| {
             // Moduli have their own unit, and so has a power law of the pressure.
-            !(l.contains("modul") || l.contains("law ") || l.contains("neo-hookean") || l.contains("P/MPa"))
+            !(l.contains("modul")
+                || l.contains("mu 1.2")
+                || l.contains("law ")
+                || l.contains("neo-hookean")
+                || l.contains("P/MPa"))
         });
         let wrong: Vec<&str> = lines.filter(|l| l.contains("MPa")).collect();
         assert!(wrong.is_empty(), "{words}: {wrong:?}");
@@ -173,6 +208,7 @@ fn typing_slips_are_named_with_what_was_meant() {
 #[test]
 fn tables_have_the_same_columns_whatever_the_values() {
     let dir = muscle();
+    std::fs::write(dir.path().join("jt.toml"), JOINT).unwrap();
     std::fs::write(
         dir.path().join("bench.csv"),
         "pressure_bar,contraction,force_n\n1,0,150\n1,0.05,100\n2,0,310\n2,0.05,250\n2,0.1,150\n",
@@ -202,6 +238,15 @@ fn tables_have_the_same_columns_whatever_the_values() {
         ],
         &["muscle show my.toml", "muscle show my.toml -p 2bar --model ideal", "muscle show -D 40 -s 2"],
         &["braid show nfl-19", "braid show s-muscle-20"],
+        &[
+            "design -F 300N -e 10% -p 4bar --model thick-wall --verify none",
+            "design my.toml -F 100N -e 5% -p 4bar -D 14,16 -s 1 --model thick-wall --verify none",
+        ],
+        &[
+            "joint jt.toml -p 2bar,1bar --model ideal",
+            "joint jt.toml -p 2bar,1bar --angle 0 --model ideal",
+            "joint jt.toml --angle 5deg --torque 1Nm --model ideal",
+        ],
     ] {
         let heads: Vec<String> = group
             .iter()
@@ -311,8 +356,81 @@ fn what_rounding_leaves_is_zero_and_no_muscle_is_half_as_long_again() {
     let far = line(dir.path(), "force my.toml -p 6bar -e -50%");
     assert_eq!(far.code, 2, "{}", far.text());
     assert!(far.err.contains("outside the range of the fe model: contraction -0.5"), "{}", far.err);
+    // 1 − 1/cos 22°.
+    assert!(
+        far.err.contains("the strands of this braid are straight at a contraction of -7.9 %"),
+        "{}",
+        far.err
+    );
+    // arccos(1/√3)/22°: 1 − cos 54.7°/cos 22° = 37.7 %.
+    let beyond = line(dir.path(), "force my.toml -p 2bar -e 60% --model thick-wall").ok();
+    assert!(beyond.err.contains("it contracts by 37.7 % at most"), "{}", beyond.err);
+    let none = line(dir.path(), "pressure my.toml -F 0N -e 45% --model thick-wall");
+    assert!(none.code == 1 && none.err.contains("contracts by 37.7 % at most"), "{}", none.err);
     // A load stretches it a little all the same.
     line(dir.path(), "force my.toml -p 6bar -e -3%").ok();
+}
+
+#[test]
+fn an_answer_ends_at_the_second_digit_of_its_uncertainty() {
+    let dir = muscle();
+    for (words, name) in [
+        ("force my.toml -p 6bar --model thick-wall", "pull"),
+        ("pressure my.toml -F 100N --units bar --model thick-wall", "pressure"),
+        ("contraction my.toml -F 50N -p 4bar --model thick-wall", "contraction"),
+    ] {
+        let ran = line(dir.path(), words).ok();
+        let row = ran.text().lines().find(|l| l.trim_start().starts_with(&format!("{name} "))).unwrap();
+        let (value, half) = row.split_once(" ± ").unwrap();
+        let value = value.rsplit(' ').next().unwrap();
+        let half = half.split(' ').next().unwrap();
+        let decimals = |text: &str| text.split_once('.').map_or(0, |(_, behind)| behind.len());
+        assert_eq!(decimals(value), decimals(half), "{row}");
+        let digits = half.trim_start_matches(['0', '.']).chars().filter(char::is_ascii_digit);
+        let significant = digits.collect::<String>();
+        assert!(significant.trim_end_matches('0').len() <= 2, "{row}");
+    }
+    let air = line(dir.path(), "muscle show my.toml -p 4bar --model thick-wall").ok();
+    assert!(air.text().contains("L (ANR)") && !air.text().contains("nL"), "{}", air.text());
+}
+
+#[test]
+fn no_answer_is_said_in_words_of_the_muscle_and_not_of_the_solver() {
+    let dir = muscle();
+    for (words, said) in [
+        ("pressure -F 300N -e 40%", "this braid contracts by 34.6 % at most"),
+        ("pressure my.toml -F 300N -e 40%", "this braid contracts by 37.7 % at most"),
+        ("force my.toml -p 36", "take stiffer strands"),
+        ("design -F 700N -e 15% -p 100bar -D 20..40:10 -s 1,2 --no-chart", "strands"),
+    ] {
+        let ran = line(dir.path(), words);
+        let text = format!("{}{}", ran.text(), ran.err);
+        assert!(ran.code != 0 && text.contains(said), "{words}: {text}");
+        for word in ["residual", "iteration", "J ", "converge", "diverge", "Newton", "solver", "too long"] {
+            assert!(!text.contains(word), "{words}: {word} in {text}");
+        }
+    }
+}
+
+/// The map of 25 × 25 rests takes more than 32 000 factorisations; point by point it was more than 100 000.
+#[test]
+fn a_joint_point_by_point_costs_less_than_its_map() {
+    let dir = folder();
+    let words = "joint examples/forearm.toml -p 4bar,0bar --angle -60..60:5deg";
+    let text = mckibben(&format!("{words} --limit factorisations=3000")).ok();
+    assert_eq!(text.text().lines().filter(|l| l.contains("slack") || l.ends_with(" 0")).count(), 25);
+    // Programs get P′ as well, each of opposite angles once.
+    let path = dir.path().join("points.json").display().to_string();
+    mckibben(&format!("{words} -o {path}")).ok();
+    let points: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
+    let points = points["points"].as_array().unwrap().clone();
+    let start = |i: usize, muscle: u8| points[i][format!("start_pressure_{muscle}_mpa")].as_f64().unwrap();
+    for i in 0..points.len() {
+        assert_eq!(start(i, 1), start(points.len() - 1 - i, 2), "{i}");
+    }
+    let alone = mckibben("force examples/forearm-muscle.toml -p 4bar -e 0.09341 --format json").ok();
+    let alone = alone.json()["start_pressure_mpa"].as_f64().unwrap();
+    assert!((start(12, 1) / alone - 1.0).abs() < 1e-6, "{} {alone}", start(12, 1));
 }
 
 #[test]

@@ -9,18 +9,23 @@ use mckibben_report::{Axis, Figure, FigureError, Mark, Panel, Series};
 fn the_ending_names_the_format() {
     let folder = tempfile::tempdir().unwrap();
     let figure = figures::models();
-    for (name, start) in [("a.svg", &b"<svg"[..]), ("a.PNG", b"\x89PNG"), ("a.html", b"<!DOCTYPE html>")] {
+    for (name, start) in [
+        ("a.svg", &b"<svg"[..]),
+        ("a.PNG", b"\x89PNG"),
+        ("a.pdf", b"%PDF-1.4"),
+        ("a.html", b"<!DOCTYPE html>"),
+    ] {
         let path = folder.path().join(name);
         figure.save(&path).unwrap();
         assert!(fs::read(&path).unwrap().starts_with(start), "{name}");
     }
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 3, "a temporary file was left behind");
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 4, "a temporary file was left behind");
 }
 
 #[test]
 fn unknown_endings_are_named() {
     let folder = tempfile::tempdir().unwrap();
-    for name in ["a.pdf", "a", ".svg"] {
+    for name in ["a.docx", "a", ".svg"] {
         let error = figures::models().save(&folder.path().join(name)).unwrap_err();
         assert!(matches!(error, FigureError::UnknownExtension { .. }), "{error}");
         let text = error.to_string();

@@ -5,5 +5,6 @@ mod figures;
 
 mod drawing;
 mod files;
+mod pdf;
 mod scene;
 mod terminal;

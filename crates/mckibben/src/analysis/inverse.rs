@@ -77,7 +77,7 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
             contraction,
             nearest_force_n: pulled(v),
             nearest_pressure_mpa,
-            braid_stops_at: (pulled(v) <= 0.0 && force_n > 0.0 && contraction >= ideal).then_some(ideal),
+            braid_stops_at: (pulled(v) <= 0.0 && force_n >= 0.0 && contraction >= ideal).then_some(ideal),
         }
     };
     if let Some(companion) = can.companion {

@@ -1,8 +1,10 @@
 //! Torque and stiffness at pressures and an angle.
 
 use super::{Joint, JointError};
-use crate::analysis::{AnalysisError, Options, free_contraction, response_on, stiffness_of};
-use crate::answer::{self, Answer};
+use crate::analysis::{
+    AnalysisError, Options, free_contraction, response_on, start_pressure_mpa, stiffness_of,
+};
+use crate::answer::{self, Answer, SlackState};
 use crate::model::{ForceModel, Workspace};
 use crate::muscle::Direction;
 use serde::{Deserialize, Serialize};
@@ -35,7 +37,7 @@ impl Turning {
 /// A muscle at a point of a joint.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MuscleState {
-    /// The muscle's answer, with its ± and P′.
+    /// The muscle's answer, with its ±.
     pub answer: Answer,
     /// dΔ/dφ in mm.
     pub arm_mm: f64,
@@ -130,6 +132,44 @@ impl<'m> JointModel<'m> {
         angle_deg: f64,
         turning: Turning,
     ) -> Result<JointPoint, JointError> {
+        self.point(workspaces, pressures_mpa, angle_deg, turning, &mut vec![None; self.models.len()])
+    }
+
+    /// The same at several angles, between both branches of friction.
+    ///
+    /// # Errors
+    /// [`JointError`].
+    pub fn along(
+        &self,
+        workspaces: &mut [Workspace],
+        pressures_mpa: &[f64],
+        angles_deg: &[f64],
+    ) -> Result<Vec<JointPoint>, JointError> {
+        // How a slack muscle hangs depends on its pressure alone.
+        let hanging = &mut vec![None; self.models.len()];
+        let one = |&angle: &f64| self.point(workspaces, pressures_mpa, angle, Turning::Mean, hanging);
+        angles_deg.iter().map(one).collect()
+    }
+
+    /// P′ of a muscle at a contraction in MPa, where there is one.
+    pub fn start_pressure_mpa(
+        &self,
+        muscle: usize,
+        workspace: &mut Workspace,
+        contraction: f64,
+    ) -> Option<f64> {
+        let model = *self.models.get(muscle)?;
+        start_pressure_mpa(model, workspace, contraction, self.options(Direction::Mean)).ok()
+    }
+
+    fn point(
+        &self,
+        workspaces: &mut [Workspace],
+        pressures_mpa: &[f64],
+        angle_deg: f64,
+        turning: Turning,
+        hanging: &mut [Option<SlackState>],
+    ) -> Result<JointPoint, JointError> {
         self.check_pressures(pressures_mpa)?;
         self.check_angle(angle_deg)?;
         let angle = angle_deg.to_radians();
@@ -140,8 +180,8 @@ impl<'m> JointModel<'m> {
             let Some((contraction, s)) = self.joint.contraction(i, angle) else { break };
             let options = self.options(turning.branch(s.arm_mm));
             let (model, p) = (self.models[i], pressures_mpa[i]);
-            let answer =
-                answer::force(model, workspace, p, contraction, options).map_err(JointError::model(i))?;
+            let answer = answer::point_beyond(model, workspace, p, contraction, options, &mut hanging[i])
+                .map_err(JointError::model(i))?;
             let force = answer.response.force_n;
             let k = if answer.slack {
                 0.0

@@ -88,7 +88,7 @@ pub enum ModelError {
     },
     /// An iteration did not converge.
     #[error(
-        "no equilibrium found at {pressure_mpa} MPa and contraction {contraction}: the iteration for the deformed shape did not converge; try a nearby point, or another model"
+        "no equilibrium found at {pressure_mpa} MPa and contraction {contraction}; try a nearby point, or another model"
     )]
     NotConverged {
         /// Pressure in MPa.

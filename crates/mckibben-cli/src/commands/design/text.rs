@@ -1,7 +1,8 @@
 //! A design for people.
 
 use crate::failure::in_flags;
-use crate::output::text::{Units, aligned, columns, number, percent, percents, place};
+use crate::output::text::{Units, aligned, columns, half_width, number, or_dash, percent, percents, place};
+use mckibben::analysis::litres_anr;
 use mckibben_app::{
     CandidateAnswer, ClosestAnswer, DemandAnswer, DesignAnswer, OperatingPoint, RejectedAnswer,
     SearchedAnswer, SureAnswer, TorqueWanted,
@@ -189,9 +190,12 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
         ("ε free".into(), percents(maybe(&|c| c.free_contraction), 3)),
         (u.length.heading("bulged D"), u.length.column(maybe(&|c| c.bulged_diameter_mm), 3)),
         (per_length.heading("stiffness"), per_length.column(maybe(&|c| c.stiffness_n_per_mm), 3)),
-        ("air [nL]".into(), aligned(&maybe(&|c| c.air_normal_litres), 3)),
+        ("air [L]".into(), aligned(&maybe(&|c| c.air_normal_litres.map(litres_anr)), 3)),
         (u.force.heading(if strands { "strand" } else { "braid" }), u.force.column(maybe(&tension), 3)),
-        (u.force.heading("±"), u.force.column(maybe(&|c| c.uncertainty_n), 2)),
+        (
+            u.force.heading("±"),
+            list.iter().map(|c| or_dash(c.uncertainty_n, |v| u.force.half_width(v))).collect(),
+        ),
     ]);
     if burst {
         found.push((u.pressure.heading("P burst"), u.pressure.column(maybe(&|c| c.burst_pressure_mpa), 3)));
@@ -208,7 +212,7 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
         if strands { "strand: tension of one strand" } else { "braid: tension of all strands together" };
     let k = if several_braids { "k: stiffness of one strand family. " } else { "" };
     out.push_str(&format!(
-        "\n{}margin: pull above the required pull, at the maximum pressure.\nF blocked and ε free: at the maximum pressure. stiffness: at the first point. bulged D, {}, air, ±: the largest of the points.\nair: normal litres from rest to the point. {k}{braid}.\n±: 95 % half-width of the pull, against a measured muscle.\n",
+        "\n{}margin: pull above the required pull, at the maximum pressure.\nF blocked and ε free: at the maximum pressure. stiffness: at the first point. bulged D, {}, air, ±: the largest of the points.\nair: litres (ANR: at 20 °C and 1 bar) from rest to the point. {k}{braid}.\n±: 95 % half-width of the pull, against a measured muscle.\n",
         if list.iter().any(|c| c.points.len() > 1) { "P required: the pressure of each point. " } else { "" },
         if strands { "strand" } else { "braid" }
     ));
@@ -231,12 +235,12 @@ fn doubt(answer: &DesignAnswer, u: &Units) -> String {
     let force = |q: &OperatingPoint| u.force.show(q.force_n);
     let (half, wanted) = match &answer.wanted {
         DemandAnswer::Joint { torques, radius_mm } => {
-            let half = format!("{} N m", number(1e-3 * half * radius_mm, 2));
+            let half = format!("{} N m", half_width(1e-3 * half * radius_mm));
             (half, joined(torques.iter().map(|t| format!("{} N m", number(t.torque_nm, 4))).collect()))
         }
         _ => {
             let wanted = first.points.iter().map(|q| u.force.show(q.response.force_n));
-            (format!("{} {}", u.force.to(half, 2), u.force.name), joined(wanted.collect()))
+            (format!("{} {}", u.force.half_width(half), u.force.name), joined(wanted.collect()))
         }
     };
     let ask = match &answer.to_be_sure {
@@ -298,7 +302,7 @@ fn spread_text(spreads: &[Spread], u: &Units) -> String {
             u.pressure.show(s.pressure_mpa),
             u.force.to(s.low_n, 4),
             u.force.to(s.high_n, 4),
-            u.force.to(s.likely_n, 2),
+            u.force.half_width(s.likely_n),
             u.force.name
         )
     };

@@ -54,8 +54,8 @@ pub fn of(answer: &IdentifyAnswer, u: &Units) -> String {
             u.pressure.show(p.1),
             percent(e.0),
             percent(e.1),
-            u.force.to(least, 2),
-            u.force.to(most, 2),
+            u.force.half_width(least),
+            u.force.half_width(most),
             u.force.name
         ));
     }

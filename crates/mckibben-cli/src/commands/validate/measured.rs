@@ -17,12 +17,12 @@ use std::path::Path;
 
 /// Runs the command.
 pub fn run(args: &ValidateArgs, folder: Option<&Path>, format: Format) -> Result<u8, Failure> {
-    plot::check(args.plot.plot.as_deref())?;
+    plot::check(&args.plot)?;
     let figure = args.plot.plot.as_ref().map(|_| shown::units());
     let cases = chosen(cases(folder)?, &args.only)?;
     let request = MeasuredRequest { cases, model: args.model.clone(), figure };
     let mut answer = mckibben_app::measured(&request, &Bar::new("fits"))?;
-    plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
+    plot::save(answer.figure.take(), &args.plot)?;
     let rows = if answer.results.is_empty() { "stresses" } else { "results" };
     show(&answer, format, rows, || as_text(&answer), args.output.target())?;
     Ok(0)

@@ -1,0 +1,97 @@
+//! Help and manual pages: what is said first, and on how many lines.
+
+use crate::common::{command, folder, mckibben, ran, root};
+use std::path::Path;
+
+/// What a command prints in a terminal of 80 columns.
+fn at_80(words: &str) -> String {
+    let output = command(&root()).args(words.split(' ')).env("COLUMNS", "80").output().unwrap();
+    ran(output).ok().text().to_owned()
+}
+
+/// The headings of a help.
+fn headings(help: &str) -> Vec<&str> {
+    let known = ["Question", "Limits", "Muscle", "Advanced", "Output"];
+    let lines = help.lines().filter_map(|line| line.strip_suffix(':'));
+    lines.filter(|line| known.contains(line)).collect()
+}
+
+#[test]
+fn the_short_help_of_force_pressure_and_contraction_fits_a_screen_of_40_lines() {
+    for name in ["force", "pressure", "contraction"] {
+        let help = at_80(&format!("{name} -h"));
+        assert!(help.lines().count() <= 40, "{name}: {} lines\n{help}", help.lines().count());
+        assert!(help.lines().all(|line| line.chars().count() <= 80), "{help}");
+        assert_eq!(headings(&help), ["Question", "Muscle", "Advanced", "Output"], "{help}");
+        assert!(help.contains(&format!("All flags, with details: mckibben {name} --help")), "{help}");
+        let before = help.split("\nMuscle:").next().unwrap();
+        assert!(before.contains("-e, --contraction") || name == "contraction", "{help}");
+    }
+}
+
+#[test]
+fn the_long_help_has_every_flag_in_the_same_groups() {
+    for (name, groups) in [
+        ("force", &["Question", "Muscle", "Advanced", "Output"][..]),
+        ("curve", &["Question", "Muscle", "Advanced", "Output"]),
+        ("design", &["Question", "Limits", "Muscle", "Advanced", "Output"]),
+        ("simulate", &["Question", "Muscle", "Advanced", "Output"]),
+        ("compare", &["Question", "Muscle", "Advanced", "Output"]),
+        ("identify", &["Question", "Muscle", "Advanced", "Output"]),
+        ("rubber fit", &["Question", "Muscle", "Advanced", "Output"]),
+        ("fit", &["Question", "Muscle", "Advanced", "Output"]),
+        ("report", &["Question", "Muscle", "Advanced", "Output"]),
+        ("joint", &["Question", "Advanced", "Output"]),
+        ("motion", &["Question", "Advanced", "Output"]),
+    ] {
+        let help = at_80(&format!("{name} --help"));
+        assert_eq!(headings(&help), groups, "{name}: {help}");
+        let short = at_80(&format!("{name} -h"));
+        assert!(short.lines().count() < help.lines().count(), "{name}");
+        for flag in short.split_whitespace().filter(|word| word.starts_with("--")) {
+            assert!(help.contains(flag.trim_end_matches(',')), "{name}: {flag}");
+        }
+    }
+}
+
+#[test]
+fn help_and_a_command_print_the_help_of_the_command() {
+    for name in ["force", "muscle show", "rubber fit"] {
+        assert_eq!(at_80(&format!("help {name}")), at_80(&format!("{name} --help")), "{name}");
+    }
+    assert_eq!(at_80("help"), at_80("--help"));
+    let none = mckibben("help forse");
+    assert_eq!(none.code, 2);
+    assert!(none.err.contains("there is no command `forse`"), "{}", none.err);
+}
+
+#[test]
+fn every_command_has_a_manual_page_that_is_not_written_over_the_file_of_another() {
+    let dir = folder();
+    let man = |dir: &Path| crate::common::run_in(dir, &["man", "-o", "man1"]);
+    man(dir.path()).ok();
+    let mut names: Vec<String> = std::fs::read_dir(dir.path().join("man1"))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    assert!(names.len() > 25 && names.contains(&"mckibben.1".into()), "{names:?}");
+    assert!(names.contains(&"mckibben-muscle-show.1".into()), "{names:?}");
+    let page = std::fs::read_to_string(dir.path().join("man1/mckibben-force.1")).unwrap();
+    for part in [
+        ".SH QUESTION",
+        ".SH MUSCLE",
+        ".SH ADVANCED",
+        ".SH EXAMPLES",
+        "mckibben force \\-D 50",
+        "Density of the rubber",
+        "Muscle file, same as",
+    ] {
+        assert!(page.contains(part), "{part}: {page}");
+    }
+    assert_eq!(mckibben("man force").ok().text(), page);
+    // Again: ours are replaced, another's is not.
+    man(dir.path()).ok();
+    std::fs::write(dir.path().join("man1/mckibben-force.1"), "notes of mine").unwrap();
+    assert_eq!(man(dir.path()).code, 2);
+}
