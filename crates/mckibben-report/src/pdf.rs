@@ -78,7 +78,7 @@ fn file(objects: &[Vec<u8>]) -> Vec<u8> {
     let mut places = String::new();
     for (i, object) in objects.iter().enumerate() {
         // Writing into a string does not fail.
-        let _ = write!(places, "{:010} 00000 n \n", out.len());
+        let _ = writeln!(places, "{:010} 00000 n ", out.len());
         out.extend(format!("{} 0 obj\n", i + 1).bytes());
         out.extend(object);
         out.extend(b"\nendobj\n");

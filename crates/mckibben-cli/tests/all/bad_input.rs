@@ -43,7 +43,7 @@ const FLAGS: &[Case] = &[
         "simulate -p 0.2 -e 0 --picture DIR/a.html",
         2,
         "plot",
-        "must end in .svg or .png",
+        "must end in .svg, .png or .pdf",
     ),
     (
         "a picture of something unknown",
@@ -403,8 +403,14 @@ const FLAGS: &[Case] = &[
         "output",
         "does not exist",
     ),
-    ("figure of an unknown kind", "curve isobaric --plot DIR/x.pdf", 2, "output", ".svg, .png or .html"),
-    ("figure without kind", "curve isobaric --plot DIR/x", 2, "output", ".svg, .png or .html"),
+    (
+        "figure of an unknown kind",
+        "curve isobaric --plot DIR/x.docx",
+        2,
+        "output",
+        ".svg, .png, .pdf or .html",
+    ),
+    ("figure without kind", "curve isobaric --plot DIR/x", 2, "output", ".svg, .png, .pdf or .html"),
     ("figure into a missing folder", "curve isobaric --plot DIR/none/x.svg", 2, "output", "does not exist"),
 ];
 

@@ -163,7 +163,7 @@ fn what_people_read_is_in_the_unit_of_the_first_pressure_that_was_typed() {
         let lines = said.lines().filter(|l| {
             // Moduli have their own unit, and so has a power law of the pressure.
             !(l.contains("modul")
-                || l.contains("mu 1.2")
+                || l.contains("1.2 MPa")
                 || l.contains("law ")
                 || l.contains("neo-hookean")
                 || l.contains("P/MPa"))

@@ -47,11 +47,8 @@ pub fn start_pressure_mpa<M: ForceModel + ?Sized>(
     options: Options,
 ) -> Result<f64, AnalysisError> {
     let lowest = model.info().range.pressure_mpa.0;
-    // Without pressure a tube that is shorter than it was made pushes, if it has an equilibrium at all, which is long to seek.
-    let tube = model.muscle().tube();
-    let pushes = model.info().costly && (1.0 - contraction) * tube.prestretch < 1.0;
+    // Without pressure a shortened muscle may have no equilibrium at all: then it does not pull either.
     if lowest <= 0.0
-        && !pushes
         && force_on(model, workspace, lowest, contraction, options.direction).is_ok_and(|force| force >= 0.0)
     {
         return Ok(lowest);
