@@ -288,7 +288,7 @@ const FLAGS: &[Case] = &[
     ),
     (
         "burst margin without strength",
-        "design -F 300 -e 10% -p 2.5bar --min-burst-margin 2",
+        "design -F 300 -e 10% -p 2.5bar --continuous --min-burst-margin 2",
         2,
         "specification",
         "strand_strength",
