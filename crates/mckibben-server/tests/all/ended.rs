@@ -134,7 +134,8 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
             ]
         }
         "formula-show" | "campaign-show" | "campaign-merge" | "muscle-show" | "muscle-measures"
-        | "braid-list" | "braid-show" | "rubber-list" | "rubber-show" | "quantities" | "units" | "models" => {
+        | "parts-list" | "parts-show" | "braid-list" | "braid-show" | "rubber-list" | "rubber-show"
+        | "quantities" | "units" | "models" => {
             vec![]
         }
         other => panic!("say what a dear request of {other} is, or that there is none"),
