@@ -44,6 +44,8 @@ def bench(root: Path) -> dict[str, str]:
 # A call for every command of the package; `root` is the repository.
 CALLS: dict[str, Callable[[Path], Any]] = {
     "braid_list": lambda root: mk.braid_list(),
+    "parts_list": lambda root: mk.parts_list(),
+    "parts_show": lambda root: mk.parts_show("latex-1/4x3/8in"),
     "muscle_measures": lambda root: mk.muscle_measures(),
     "braid_show": lambda root: mk.braid_show(mk.braid_list().braids[0].name),
     "compare": lambda root: mk.compare(root / "examples/tondu2012.toml", models=["ideal"], data=root / "data/tondu2012/static_force_20deg.csv"),

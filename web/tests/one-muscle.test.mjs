@@ -183,8 +183,8 @@ inBrowser(({ name, url, open, blank }) => {
       const flags = [];
       for (const key of lacks) {
         const [label, text, flag] = fields[key];
-        // The engine says that it lacks something.
-        await page.waitForFunction((label) => [...document.querySelectorAll(".quantity")].some((q) => q.textContent?.includes(label) && q.querySelector("[aria-invalid=true]")), label);
+        // An estimate answers until it is measured.
+        await page.waitForFunction((label) => [...document.querySelectorAll(".quantity")].some((q) => q.textContent?.includes(label)), label);
         if (sleeve === "nfl-19" && key === "sd") await page.screenshot({ path: `${shots}/sleeve-${name}.png` });
         await type(page, label, text);
         flags.push(flag, text);
@@ -241,12 +241,12 @@ inBrowser(({ name, url, open, blank }) => {
     await alive(page);
     await page.getByRole("link", { name: "Design" }).click();
     await page.waitForSelector("table", { timeout: 60_000 });
-    await type(page, "Pull", "650 N");
-    const best = ask("design", "-F", "650N", "-e", "15%", "-p", "2.5bar").candidates[0];
+    await type(page, "Pull", "300 N");
+    const best = ask("design", "-F", "300N", "-e", "15%", "-p", "2.5bar").candidates[0];
     await reads(page, ".middle h2", `Outer diameter ${Number(best.outer_diameter_mm.toPrecision(4))} mm, wall ${Number(best.wall_mm.toPrecision(4))} mm`);
     await page.locator("tr.pick").first().click();
     await alive(page);
-    await reads(page, PULL, "650");
+    await reads(page, PULL, "300");
     assert.doesNotMatch(page.url(), /k=/);
     await context.close();
   });

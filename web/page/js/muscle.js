@@ -18,7 +18,7 @@ export class MuscleState {
     this.state = prototype();
     /** What the engine read of file and fields, the last time that it could. @type {Record<string, any> | undefined} */
     this.shown = undefined;
-    /** Named sleeves, with what their sources do not state. @type {{ name: string, missing: string }[]} */
+    /** Named sleeves, with what their sources do not state. @type {{ name: string, missing: string, least_diameter_mm: number, largest_diameter_mm: number }[]} */
     this.sleeves = [];
     /** @type {[string, string][]} */
     this.unknown = [];

@@ -153,7 +153,10 @@ export function mount(main) {
     const { signal } = (mapping = new AbortController());
     const { figure, tolerance, ...rest } = of;
     const span = (/** @type {number} */ mid, /** @type {number} */ low, /** @type {number} */ high, /** @type {number} */ n) => Array.from({ length: n }, (_, i) => Number((low * mid + ((high - low) * mid * i) / (n - 1)).toPrecision(4)));
-    const D = span(best.outer_diameter_mm, 0.5, 1.9, 29), S = span(Math.max(best.wall_mm, 1.5), 0.2, 2.6, 25);
+    // Within the sleeve, where there is one.
+    const range = muscle.sleeves.find((s) => s.name === best.sleeve);
+    const [least, most] = [range?.least_diameter_mm ?? 0, range?.largest_diameter_mm ?? Infinity].map((d) => d / best.outer_diameter_mm);
+    const D = span(best.outer_diameter_mm, Math.max(0.5, least), Math.min(1.9, most), 29), S = span(Math.max(best.wall_mm, 1.5), 0.2, 2.6, 25);
     // With a named sleeve the diameter sets the angle; parts are varied as if any size of them were sold.
     const part = best.sleeve && !of.braids?.length ? { rubbers: best.rubber ? [best.rubber] : undefined, braids: [best.sleeve] } : {};
     const fixed = { length_mm: of.stroke_mm ? undefined : best.length_mm, ...(of.braids?.length || best.sleeve ? {} : { angle_deg: best.angle_deg }), ...part };
