@@ -12,7 +12,7 @@ from ._record import Record
 ROWS = {
     "simulate": "points", "design": "candidates", "joint": "points", "study": "points", "validate": "cases", "measured": "results", "compare": "models",
     "identify": "parameters", "rubber-fit": "laws", "rubber-list": "rubbers", "braid-list": "braids", "muscle-measures": "measures", "models": "models",
-    "motion": "series", "fit-report": "findings", "units": "kinds", "braid-show": "points", "rubber-show": "fits",
+    "motion": "series", "fit-report": "findings", "units": "kinds", "braid-show": "points", "parts-list": "tubes", "rubber-show": "fits",
 }
 
 

@@ -29,6 +29,8 @@ POSITIONAL = {
     "rubber-fit": ["data"],
     "rubber-show": ["name"],
     "braid-show": ["name"],
+    "parts-list": ["kind"],
+    "parts-show": ["name"],
     "models": ["model"],
     "formula-show": ["file"],
     "identify": ["muscle", "data"],
