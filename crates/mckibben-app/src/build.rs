@@ -181,12 +181,13 @@ fn operating(
     let usual_mpa = allowed_mpa.map_or(USUAL_MPA, |allowed| lower(allowed).min(USUAL_MPA));
     let pressure_mpa = finite("pressure_mpa", asked_mpa.unwrap_or(usual_mpa))?;
     check_range(model, pressure_mpa, 0.0, options)?;
+    let free = free_contraction(model, w, pressure_mpa, options)?;
     let mut free_contractions = vec![];
     for p in Plan::test_pressures_mpa(pressure_mpa) {
-        free_contractions.push((p, free_contraction(model, w, p, options)?));
+        // Below the pressure at which it begins to pull there is nothing to test.
+        free_contractions.extend(free_contraction(model, w, p, options).ok().map(|free| (p, free)));
         budget.ended()?;
     }
-    let free = free_contractions.last().map_or(0.0, |at| at.1);
     let blocked_force_n = blocked_force_n(model, w, pressure_mpa, options)?;
     let shape = ShapeRequest {
         muscle: request.muscle.clone(),

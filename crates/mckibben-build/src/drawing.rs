@@ -1,50 +1,28 @@
 //! The drawing: the muscle at rest, half in section; the same at the working pressure; a cross-section; parts and title block on A4.
 
 use crate::fitting::Fitting;
+use crate::frame::{self, Drawing, FRAME_MM, TITLE_MM, largest, ratio};
 use crate::plan::{Clamps, Plan};
 use crate::text::{fixed, mm, percent, pressure, significant};
-use crate::view::{SMALL_MM, View, diameter};
+use crate::view::{View, diameter};
 use mckibben_report::{Anchor, Pen, Sheet};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// A4 across, and the frame on it (ISO 5457): left, bottom, right, top.
-const PAPER_MM: (f64, f64) = (297.0, 210.0);
-const FRAME_MM: [f64; 4] = [20.0, 10.0, 287.0, 200.0];
-/// Left edge and top of the title block, and what lies above all of the lower part.
-const TITLE_MM: (f64, f64) = (167.0, 40.0);
-const LOWER_MM: f64 = 80.0;
-/// Scales in use (ISO 5455).
-const SCALES: [f64; 12] = [5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001];
+/// What lies above all of the lower part, in mm.
+const LOWER_MM: f64 = 78.0;
 /// Room for the views of the muscle: its length, and both diameters together.
-const ROOM_MM: (f64, f64) = (245.0, 52.0);
+const ROOM_MM: (f64, f64) = (245.0, 60.0);
 /// Room for the cross-section.
 const SECTION_MM: f64 = 38.0;
 
-/// A drawing and its scale.
-pub(crate) struct Drawing {
-    pub(crate) sheet: Sheet,
-    pub(crate) scale: f64,
-}
-
 /// The drawing on paper; the cross-section is enlarged as far as there is room.
-pub(crate) fn sheet(plan: &Plan) -> Drawing {
-    let section = largest(|s| s * plan.over_sleeve_mm <= SECTION_MM);
-    drawn(plan, section)
+pub(crate) fn on_paper(plan: &Plan) -> Drawing {
+    drawn(plan, largest(|s| s * plan.over_sleeve_mm <= SECTION_MM))
 }
 
-/// The drawing with all bodies in their true size, as DXF.
-pub(crate) fn full_size(plan: &Plan) -> String {
-    let Drawing { sheet, scale } = drawn(plan, Body::of(plan).scale());
-    sheet.to_dxf(1.0 / scale, &format!("{}, lengths in mm, 1:1", crate::MARK))
-}
-
-fn largest(fits: impl Fn(f64) -> bool) -> f64 {
-    SCALES.into_iter().find(|s| fits(*s)).unwrap_or(SCALES[SCALES.len() - 1])
-}
-
-/// `1:2`, `5:1`.
-fn ratio(scale: f64) -> String {
-    if scale >= 1.0 { format!("{}:1", fixed(scale, 0)) } else { format!("1:{}", fixed(1.0 / scale, 0)) }
+/// The drawing with all bodies in one scale.
+pub(crate) fn in_one_scale(plan: &Plan) -> Drawing {
+    drawn(plan, Body::of(plan).scale())
 }
 
 /// Measures that both views need, in mm.
@@ -84,31 +62,23 @@ impl<'a> Body<'a> {
 fn drawn(plan: &Plan, section_scale: f64) -> Drawing {
     let body = Body::of(plan);
     let scale = body.scale();
-    let mut sheet = Sheet {
-        title: format!(
-            "McKibben muscle {} x {} mm",
-            mm(plan.muscle.outer_diameter_mm()),
-            mm(2.0 * body.half)
-        ),
-        width_mm: PAPER_MM.0,
-        height_mm: PAPER_MM.1,
-        items: vec![],
-    };
+    let mut sheet = frame::sheet(plan, "McKibben muscle", 1, scale);
     let [left, bottom, right, top] = FRAME_MM;
-    sheet.outline(Pen::Outline, [[left, bottom], [right, bottom], [right, top], [left, top]]);
     // The ends of both plugs have the same distance from the frame.
     let x = 0.5 * (left + right) + 0.5 * scale * (body.left - body.right);
-    let mut y = top - 22.0 - scale * body.widest;
-    at_rest(&body, &mut View { sheet: &mut sheet, origin: [x, y], scale });
     let bulged = (0.5 * plan.operating.bulged_diameter_mm).max(body.widest);
-    y -= scale * body.widest + 19.0 + scale * bulged;
+    // Above the first view, between both, below the second; what is left is shared.
+    let used = 22.0 + 22.0 + 12.0 + 2.0 * scale * (body.widest + bulged);
+    let spare = ((top - LOWER_MM - used) / 3.0).max(0.0);
+    let mut y = top - 22.0 - spare - scale * body.widest;
+    at_rest(&body, &mut View { sheet: &mut sheet, origin: [x, y], scale });
+    y -= scale * (body.widest + bulged) + 22.0 + spare;
     under_pressure(&body, &mut View { sheet: &mut sheet, origin: [x, y], scale });
     let reach = 0.5 * section_scale * plan.over_sleeve_mm;
     let centre = [left + 12.0 + reach, bottom + 8.0 + reach];
     cross_section(plan, &mut View { sheet: &mut sheet, origin: centre, scale: section_scale });
     data(plan, &mut sheet);
     parts(plan, &mut sheet);
-    title_block(plan, &mut sheet, scale);
     Drawing { sheet, scale }
 }
 
@@ -175,10 +145,15 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
         ([half + plan.eye_plug.stem.top_mm() + 0.3, -0.35 * plan.eye_plug.width_mm], 4),
     ];
     for (to, number) in targets {
-        let x = v.at(to[0], to[1])[0] + if to[0] < -half { -4.0 } else { 5.0 };
+        let beside = match number {
+            3 => -9.0,
+            5 => 1.0,
+            _ => 5.0,
+        };
+        let x = v.at(to[0], to[1])[0] + beside;
         v.balloon(to, [x, low], number);
     }
-    label(v, body, body.widest, 15.5, "At rest, without pressure");
+    label(v, body.widest, 15.5, "At rest, without pressure");
 }
 
 /// Collars, boss or barb, and eye from outside, below the axis or on both sides; the right end moved by `shift`.
@@ -253,8 +228,8 @@ fn strands(body: &Body<'_>, v: &mut View<'_>) {
     let radius = body.sleeve;
     let along = TAU * radius / tan;
     let count = body.plan.cut.sleeve.strands.map_or(24.0, |n| 0.5 * f64::from(n));
-    // Not nearer than 2.5 mm on paper.
-    let count = count.min((v.scale * along / 2.5).floor()).max(1.0);
+    // Not nearer than 5 mm on paper.
+    let count = count.min((v.scale * along / 5.0).floor()).max(1.0);
     let step = along / count;
     let quarter = 0.25 * along;
     let turns = ((2.0 * body.half + quarter) / step).ceil().min(2000.0) as usize;
@@ -298,7 +273,7 @@ fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
     }
     heads(body, v, stroke, false);
     let widest = 0.5 * found.bulged_diameter_mm + thickness;
-    v.inside(middle - 0.2 * half, (-widest, widest), &diameter(2.0 * widest));
+    v.inside(middle + 0.35 * half, (-widest, widest), &diameter(2.0 * widest));
     let row = -(v.scale * widest.max(body.widest) + 6.0);
     let clamp = -0.5 * plan.clamped_diameter_mm;
     v.across((-half, half - stroke), (clamp, clamp), row, &fixed(2.0 * half - stroke, 1));
@@ -308,11 +283,11 @@ fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
         pressure(found.pressure_mpa),
         percent(found.free_contraction)
     );
-    label(v, body, widest.max(body.widest), 2.5, &text);
+    label(v, widest.max(body.widest), 3.0, &text);
 }
 
-fn label(v: &mut View<'_>, body: &Body<'_>, radius: f64, above: f64, text: &str) {
-    let x = v.at(-body.half - body.left, 0.0)[0].min(FRAME_MM[0] + 8.0);
+fn label(v: &mut View<'_>, radius: f64, above: f64, text: &str) {
+    let x = FRAME_MM[0] + 6.0;
     let y = v.origin[1] + v.scale * radius + above;
     v.sheet.text([x, y], 3.0, Anchor::Start, text);
 }
@@ -363,7 +338,7 @@ fn data(plan: &Plan, sheet: &mut Sheet) {
         format!("Numbers by model {}", found.model),
     ];
     for row in rows {
-        sheet.text([x, y], SMALL_MM, Anchor::Start, row);
+        sheet.text([x, y], 2.3, Anchor::Start, row);
         y -= 5.2;
     }
 }
@@ -375,8 +350,10 @@ fn parts(plan: &Plan, sheet: &mut Sheet) {
     let (row, height) = (4.6, 2.0);
     for part in &plan.parts {
         sheet.text([left + 4.0, y + 1.3], height, Anchor::Middle, part.number.to_string());
-        sheet.text([left + 9.5, y + 1.3], height, Anchor::Start, shortened(&part.part, 44));
-        sheet.text([right - 1.5, y + 1.3], height, Anchor::End, shortened(&part.amount, 24));
+        let amount = shortened(&part.amount, 36);
+        let room = 76 - amount.chars().count();
+        sheet.text([left + 9.5, y + 1.3], height, Anchor::Start, shortened(&part.part, room));
+        sheet.text([right - 1.5, y + 1.3], height, Anchor::End, amount);
         y += row;
         sheet.line(Pen::Thin, [[left, y], [right, y]]);
     }
@@ -390,34 +367,5 @@ fn shortened(text: &str, most: usize) -> String {
         text.into()
     } else {
         text.chars().take(most - 1).chain(['…']).collect()
-    }
-}
-
-fn title_block(plan: &Plan, sheet: &mut Sheet, scale: f64) {
-    let (left, top) = TITLE_MM;
-    let [_, bottom, right, _] = FRAME_MM;
-    sheet.outline(Pen::Outline, [[left, bottom], [right, bottom], [right, top], [left, top]]);
-    let rows = [bottom + 8.0, bottom + 16.0];
-    rows.iter().for_each(|y| sheet.line(Pen::Thin, [[left, *y], [right, *y]]));
-    let columns = [left + 26.0, left + 62.0, left + 96.0];
-    columns.iter().for_each(|x| sheet.line(Pen::Thin, [[*x, bottom], [*x, rows[1]]]));
-    let title = format!("⌀{} × {} mm", mm(plan.muscle.outer_diameter_mm()), mm(plan.muscle.length_mm()));
-    sheet.text([left + 3.0, top - 6.5], 4.0, Anchor::Start, "McKibben muscle");
-    sheet.text([left + 3.0, top - 12.0], 3.0, Anchor::Start, title);
-    let version = concat!("mckibben ", env!("CARGO_PKG_VERSION"));
-    let mass = format!("{} g", significant(plan.mass_g(), 3));
-    let cells = [
-        (left, rows[0], "scale", ratio(scale)),
-        (columns[0], rows[0], "lengths", "mm, ±0.5".into()),
-        (columns[1], rows[0], "known masses", mass),
-        (columns[2], rows[0], "sheet", "1/1".into()),
-        (left, bottom, "format", "A4".into()),
-        (columns[0], bottom, "drawn by", version.into()),
-        (columns[1], bottom, "checked", String::new()),
-        (columns[2], bottom, "date", String::new()),
-    ];
-    for (x, y, head, text) in cells {
-        sheet.text([x + 1.0, y + 5.6], 1.6, Anchor::Start, head);
-        sheet.text([x + 1.5, y + 1.5], 2.5, Anchor::Start, text);
     }
 }

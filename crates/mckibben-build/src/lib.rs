@@ -12,10 +12,12 @@
 mod cut;
 mod drawing;
 mod fitting;
+mod frame;
 mod material;
 mod mesh;
 mod plan;
 mod plug;
+mod plug_drawing;
 mod safety;
 mod scad;
 mod steps;
@@ -72,7 +74,7 @@ impl Content {
 /// # Errors
 /// [`FigureError`] where the drawing cannot be drawn.
 pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
-    let (drawing, full_size) = (drawing::sheet(plan), drawing::full_size(plan));
+    let (drawing, plugs) = (drawing::on_paper(plan), plug_drawing::on_paper(plan));
     let text = |name, about, text| File { name, about, content: Content::Text(text) };
     let bytes = |name, about, bytes| File { name, about, content: Content::Bytes(bytes) };
     let (air, eye) = (plan.air_plug.mesh(), plan.eye_plug.mesh());
@@ -80,7 +82,11 @@ pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
         text("drawing.svg", "drawing of the muscle", drawing.sheet.to_svg()?),
         #[cfg(feature = "pdf")]
         bytes("drawing.pdf", "the same for printing, A4", drawing.sheet.to_pdf()?),
-        text("drawing.dxf", "the same for CAD programs, 1:1 in mm", full_size),
+        text("drawing.dxf", "the same for CAD programs, 1:1 in mm", drawing::in_one_scale(plan).to_dxf()),
+        text("plugs.svg", "drawing of both plugs", plugs.sheet.to_svg()?),
+        #[cfg(feature = "pdf")]
+        bytes("plugs.pdf", "the same for printing, A4", plugs.sheet.to_pdf()?),
+        text("plugs.dxf", "the same for CAD programs, 1:1 in mm", plugs.to_dxf()),
         bytes("air-plug.stl", "plug with the air passage, for the printer", air.to_stl(MARK)),
         text("air-plug.scad", "the same in OpenSCAD, with its measures as variables", scad::air_plug(plan)),
         bytes("eye-plug.stl", "closed plug with the eye, for the printer", eye.to_stl(MARK)),

@@ -117,7 +117,7 @@ fn sleeve(plan: &Plan) -> Part {
     let volume = rubber_free.map(|(n, area)| f64::from(n) * area * cut.strand_mm);
     let angle = mm(plan.muscle.braid().angle_deg);
     let amount = match (cut.relaxed_mm, cut.relaxed_diameter_mm) {
-        (Some(length), Some(diameter)) => format!("{} mm at a diameter of {} mm", mm(length), mm(diameter)),
+        (Some(length), Some(diameter)) => format!("{} mm at ⌀ {} mm", mm(length), mm(diameter)),
         _ => format!("{} mm on the tube", mm(cut.mounted_mm)),
     };
     let strands = cut.strands.map_or_else(String::new, |n| format!(", {n} strands"));

@@ -218,13 +218,11 @@ impl Plan {
         self.parts.iter().filter_map(|p| p.mass_g).sum()
     }
 
-    /// The pressures in MPa of the test sheet for a working pressure: thirds of it, to 0.01 MPa where that leaves three.
+    /// The pressures in MPa of the test sheet for a working pressure: a half, three quarters and all of it, to 0.01 MPa where that leaves three.
     pub fn test_pressures_mpa(working_mpa: f64) -> [f64; 3] {
         let step = if working_mpa >= 0.06 { 0.01 } else { working_mpa / 100.0 };
-        [1.0, 2.0, 3.0].map(|part| {
-            let exact = part / 3.0 * working_mpa;
-            if part == 3.0 { exact } else { (exact / step).round() * step }
-        })
+        let round = |p: f64| (p / step).round() * step;
+        [round(0.5 * working_mpa), round(0.75 * working_mpa), working_mpa]
     }
 
     /// What should be said beside the plan, in sentences.

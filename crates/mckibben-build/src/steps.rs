@@ -109,8 +109,8 @@ fn plugs(plan: &Plan, out: &mut String) {
     let _ = writeln!(
         out,
         "\n## 1. Plugs\n\n\
-         1. Print `air-plug.stl` and `eye-plug.stl` solid (100 % infill, at least 4 walls), stem upwards or lying in two halves of support. The files `.scad` have all measures \
-         as variables at the top.\n\
+         1. Print `air-plug.stl` and `eye-plug.stl` solid (100 % infill, at least 4 walls): the air plug with its fitting on the bed, the eye plug with a support below its eye. The \
+         files `.scad` have all measures as variables at the top.\n\
          2. The stem has {} mm: the bore of the tube and {} mm. How tight it sits is a choice; sellers of barbs say only that a barb is a little larger than the bore. \
          Change `interference` if the tube does not go on or slides off.\n\
          3. Smooth the stem. A printed surface leaks along its layers: coat it with epoxy resin or thin cyanoacrylate.",
@@ -132,7 +132,7 @@ fn plugs(plan: &Plan, out: &mut String) {
     };
     let _ = writeln!(
         out,
-        "4. {fitting}\n5. Drill the eye to {} mm for the bolt M{}. The eye is {} mm thick; at the load of an end ({} N) the bolt presses on it with {} MPa.",
+        "4. {fitting}\n5. The eye has a hole of {} mm for the bolt M{}, and is {} mm thick; at the load of an end ({} N) the bolt presses on it with {} MPa.",
         mm(eye.hole_mm),
         mm(eye.bolt_mm),
         mm(eye.thickness_mm),
@@ -218,7 +218,7 @@ fn tests(plan: &Plan, out: &mut String) {
     );
     let _ = writeln!(
         out,
-        "\n1. **Proof test with water, never with air.** Fill the muscle with water, eye upwards, until no air is left. Put on safety glasses, and put the muscle into a box or \
+        "\n1. **Proof test with water, never with air.** Hold the muscle with the air plug upwards, and fill it with water until no air is left. Put on safety glasses, and put the muscle into a box or \
          behind a screen. Raise the pressure with a hand pump in four steps to {}, and hold it for one minute. It passes if the pressure stays, no end moves \
          (watch the marks on the sleeve), and the tube does not bulge through the mesh.\n\
          2. Let the water out, and dry the muscle.\n\

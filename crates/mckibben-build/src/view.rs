@@ -141,17 +141,28 @@ fn dimension(sheet: &mut Sheet, a: [f64; 2], b: [f64; 2], text: &str) {
         let side = [-along[1] * ARROW_MM.1, along[0] * ARROW_MM.1];
         sheet.fill([tip, [foot[0] + side[0], foot[1] + side[1]], [foot[0] - side[0], foot[1] - side[1]]]);
     }
-    // About as wide as the text is set.
-    let width = 0.85 * SMALL_MM * text.chars().count() as f64;
-    let room = fits && width < length;
+    let width = width_of(text);
+    let room = fits && width + 2.0 < length;
     let out = if fits { 0.0 } else { 2.0 * ARROW_MM.0 };
-    let far = if room { 0.0 } else { width + 1.0 };
-    sheet.line(Pen::Thin, [move_by(a, -out), move_by(b, out.max(far))]);
-    let middle = if room { move_by(a, 0.5 * length) } else { move_by(b, 0.5 * (out.max(far) + 1.0)) };
-    match upright {
-        true => sheet.text_upwards([middle[0] - 1.0, middle[1]], SMALL_MM, Anchor::Middle, text),
-        false => sheet.text([middle[0], middle[1] + 1.0], SMALL_MM, Anchor::Middle, text),
+    if room {
+        sheet.line(Pen::Thin, [a, b]);
+        let middle = move_by(a, 0.5 * length);
+        match upright {
+            true => sheet.text_upwards([middle[0] - 1.0, middle[1]], SMALL_MM, Anchor::Middle, text),
+            false => sheet.text([middle[0], middle[1] + 1.0], SMALL_MM, Anchor::Middle, text),
+        }
+        return;
     }
+    // Beyond the end, on a shelf.
+    let end = if upright { move_by(b, out.max(3.5)) } else { move_by(b, out) };
+    let shelf = [end[0] + width + 1.5, end[1]];
+    sheet.line(Pen::Thin, [move_by(a, -out), end, shelf]);
+    sheet.text([end[0] + 1.0, end[1] + 1.0], SMALL_MM, Anchor::Start, text);
+}
+
+/// About as wide as a text is set, in mm.
+pub(crate) fn width_of(text: &str) -> f64 {
+    0.75 * SMALL_MM * text.chars().count() as f64
 }
 
 /// A diameter as it is written.

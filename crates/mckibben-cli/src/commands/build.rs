@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 pub const EXAMPLES: &str = "Examples:
   mckibben build examples/prototype.toml -o build
   mckibben build --rubber latex --braid flexo-overexpanded-0.38in \\
-    -D 0.375in -s 1/16in -L 200mm -p 2bar --fitting barb:4 -o build";
+    -D 0.375in -s 0.0625in -L 200mm -p 2bar --fitting barb:4 -o build";
 
 /// `build`.
 #[derive(Debug, Args)]
@@ -88,11 +88,7 @@ fn text(answer: &BuildAnswer, folder: Option<&Path>) -> String {
     let (cut, safety) = (&answer.cut, &answer.safety);
     let sleeve = match (cut.sleeve.relaxed_mm, cut.sleeve.relaxed_diameter_mm) {
         (Some(length), Some(diameter)) => {
-            format!(
-                "{} at its diameter of {}",
-                u.length.to(length, 4) + " " + &u.length.name,
-                u.length.show(diameter)
-            )
+            format!("{} at its diameter of {}", u.length.show(length), u.length.show(diameter))
         }
         _ => format!("{} on the tube", u.length.show(cut.sleeve.mounted_mm)),
     };
