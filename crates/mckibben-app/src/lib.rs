@@ -81,6 +81,7 @@ pub use braid::*;
 pub use build::*;
 #[cfg(feature = "schema")]
 pub use bundle::bundle;
+pub use burst::PressureLimits;
 #[cfg(feature = "files")]
 pub use campaign::*;
 pub use commands::{COMMANDS, CommandEntry, Ready, ask, ask_packed, ask_value, find, packed, parsed};
@@ -100,6 +101,7 @@ pub use many::{
     with_parameters,
 };
 pub use mckibben::model::ModelEntry;
+pub use mckibben_design::TubePart;
 pub use mckibben_motion::{Event, Subject};
 pub use measured::*;
 pub use measured_rubber::{MeasuredRubber, MeasuredRubberFit, MeasuredStress};
