@@ -1,6 +1,6 @@
 //! `build`: from a muscle to drawing, plugs, cut list, bill of materials, steps and test sheet.
 
-use crate::burst::burst_of;
+use crate::burst::{PressureLimits, burst_of, said_of};
 use crate::fields::{ModelFields, MuscleFields};
 use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
@@ -9,7 +9,7 @@ use crate::problem::{Problem, ProblemKind};
 use crate::shape::{ShapeRequest, shaped};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use mckibben::analysis::{blocked_force_n, free_contraction};
+use mckibben::analysis::{Burst, blocked_force_n, free_contraction};
 use mckibben::answer::{Options, check_range};
 use mckibben::model::Workspace;
 use mckibben::progress::Progress;
@@ -61,6 +61,9 @@ pub struct BuildAnswer {
     /// Pressures of the tests, and the energy of the air.
     #[serde(flatten)]
     pub safety: Safety,
+    /// The pressures that the muscle bears.
+    #[serde(flatten)]
+    pub limits: PressureLimits,
     /// What is cut.
     pub cut: Cut,
     /// The bill of materials.
@@ -95,8 +98,6 @@ pub struct BuiltFile {
 
 /// Working pressure in MPa where none is given, and nothing forbids it: that of the paper.
 const USUAL_MPA: f64 = 0.25;
-/// Allowed pressure as a share of the burst pressure.
-const ALLOWED: f64 = 0.25;
 
 /// All that is needed to build a muscle.
 ///
@@ -121,7 +122,8 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
         sleeve_diameter_mm: above_zero("sleeve_diameter_mm", request.sleeve_diameter_mm)?,
     };
     let pressure_mpa = above_zero("pressure_mpa", request.pressure_mpa)?;
-    let operating = operating(request, &muscle, pressure_mpa, progress)?;
+    let (operating, burst) = operating(request, &muscle, pressure_mpa, progress)?;
+    let said = said_of(&burst, operating.pressure_mpa, 0.0);
     let plan = Plan::new(muscle, operating, &wishes).map_err(|error| {
         let field = match error {
             BuildError::Insertion { .. } => "insertion_mm",
@@ -140,6 +142,7 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
         };
         BuiltFile { name: file.name.into(), about: file.about.into(), text, base64, content }
     });
+    let warnings = said.iter().map(ToString::to_string);
     Ok(BuildAnswer {
         muscle: (&plan.muscle).into(),
         blocked_force_n: plan.operating.blocked_force_n,
@@ -152,7 +155,8 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
         bolt_mm: plan.eye_plug.bolt_mm,
         safety: plan.safety,
         mass_g: plan.mass_g(),
-        warnings: plan.muscle.warnings().into_iter().chain(plan.warnings()).collect(),
+        limits: (&burst).into(),
+        warnings: warnings.chain(plan.muscle.warnings()).chain(plan.warnings()).collect(),
         files: files.collect(),
         cut: plan.cut,
         parts: plan.parts,
@@ -167,15 +171,15 @@ fn operating(
     muscle: &mckibben::muscle::Muscle,
     asked_mpa: Option<f64>,
     progress: &dyn Progress,
-) -> Result<Operating, Problem> {
+) -> Result<(Operating, Burst), Problem> {
     let choice = Model::choose(&ModelFields::default(), Purpose::Answer)?;
     let budget = progress.budget();
     choice.admit(muscle, &budget)?;
     let model = choice.build(muscle)?;
     let (model, options) = (&*model, Options::default());
     let w = &mut Workspace::within(budget.clone());
-    let burst_mpa = burst_of(&choice, model, &budget)?.pressure_mpa();
-    let allowed_mpa = burst_mpa.map(|burst| ALLOWED * burst);
+    let burst = burst_of(&choice, model, &budget)?;
+    let allowed_mpa = burst.allowed_mpa();
     // Down to a hundredth, which a regulator shows.
     let lower = |p: f64| if p >= 0.01 { (100.0 * p).floor() / 100.0 } else { p };
     let usual_mpa = allowed_mpa.map_or(USUAL_MPA, |allowed| lower(allowed).min(USUAL_MPA));
@@ -203,7 +207,7 @@ fn operating(
     let widest = 2.0 * contour_mm.iter().map(|p| p[1]).fold(0.0, f64::max);
     let response = &shape.point.response;
     let volume_mm3 = response.volume_mm3.unwrap_or_else(|| muscle.rest_volume_mm3());
-    Ok(Operating {
+    let found = Operating {
         model: model.info().name.to_string(),
         pressure_mpa,
         blocked_force_n,
@@ -211,8 +215,9 @@ fn operating(
         bulged_diameter_mm: response.bulged_diameter_mm.unwrap_or(widest),
         volume_mm3,
         contour_mm,
-        burst_mpa,
+        burst: burst.first().map(|(by, burst_mpa)| (burst_mpa, by)),
         allowed_mpa,
         free_contractions,
-    })
+    };
+    Ok((found, burst))
 }

@@ -329,12 +329,12 @@ fn data(plan: &Plan, sheet: &mut Sheet) {
         format!("Braid angle θ₀ {}°", mm(muscle.braid().angle_deg)),
         format!("Strands {strands}"),
         format!("Tube to cut {} mm", mm(plan.cut.tube_mm)),
-        format!("Working pressure {} MPa", significant(safety.working_mpa, 3)),
+        format!("Working pressure {} MPa", significant(safety.pressure_mpa, 3)),
         format!("Blocked force {} N", significant(found.blocked_force_n, 3)),
         format!("Free contraction {}", percent(found.free_contraction)),
-        format!("Burst pressure {}", known(safety.burst_mpa)),
-        format!("Allowed pressure {}", known(safety.allowed_mpa)),
-        format!("Proof test {} MPa, water", significant(safety.proof_mpa, 3)),
+        format!("Burst pressure {}", known(found.burst.map(|b| b.0))),
+        format!("Allowed pressure {}", known(found.allowed_mpa)),
+        format!("Proof test {} MPa, water", significant(safety.proof_pressure_mpa, 3)),
         format!("Numbers by model {}", found.model),
     ];
     for row in rows {

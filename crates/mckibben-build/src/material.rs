@@ -43,8 +43,8 @@ fn tube_of(muscle: &Muscle, cut: &Cut) -> Option<&'static TubePart> {
     let name = muscle.tube().rubber.name.as_deref()?;
     let same = |a: f64, b: f64| (a - b).abs() < SAME_MM;
     tubes::catalogue().ok()?.iter().find(|t| {
-        same(t.outer_mm, cut.tube_outer_diameter_mm)
-            && same(t.wall_mm(), cut.tube_wall_mm)
+        same(t.outer_diameter_mm, cut.tube_outer_diameter_mm)
+            && same(t.wall_mm, cut.tube_wall_mm)
             && t.rubber.name.as_deref() == Some(name)
     })
 }

@@ -6,6 +6,7 @@ use crate::material::{self, Part};
 use crate::plug::{self, AirPlug, EyePlug, Stem};
 use crate::safety::Safety;
 use crate::test_sheet::{self, TestPoint};
+use mckibben::analysis::FailureMode;
 use mckibben::muscle::Muscle;
 use std::f64::consts::PI;
 use thiserror::Error;
@@ -27,9 +28,9 @@ pub struct Operating {
     pub volume_mm3: f64,
     /// Its outer contour from the middle (z = 0) to a clamp: z and radius in mm.
     pub contour_mm: Vec<[f64; 2]>,
-    /// Burst pressure in MPa, where it is known.
-    pub burst_mpa: Option<f64>,
-    /// Largest allowed pressure in MPa, where it is stated; else a quarter of the burst pressure.
+    /// Burst pressure in MPa, where it is known, and how the muscle fails there.
+    pub burst: Option<(f64, FailureMode)>,
+    /// Largest allowed pressure in MPa, where it is known.
     pub allowed_mpa: Option<f64>,
     /// Free contractions at the pressures of the test sheet: pressure in MPa, contraction.
     pub free_contractions: Vec<(f64, f64)>,
@@ -186,12 +187,7 @@ impl Plan {
             _ => Clamps::Crimped,
         };
         let fitting = wishes.fitting.unwrap_or_else(|| Fitting::usual(muscle.outer_diameter_mm()));
-        let safety = Safety::new(
-            operating.pressure_mpa,
-            operating.burst_mpa,
-            operating.allowed_mpa,
-            operating.volume_mm3,
-        );
+        let safety = Safety::new(operating.pressure_mpa, operating.volume_mm3);
         let test = test_sheet::points(&operating);
         let mut plan = Self {
             clamped_diameter_mm: stem.diameter_mm + 2.0 * (cut.tube_wall_mm + sleeve_mm),
@@ -218,23 +214,18 @@ impl Plan {
         self.parts.iter().filter_map(|p| p.mass_g).sum()
     }
 
-    /// The pressures in MPa of the test sheet for a working pressure: a half, three quarters and all of it, to 0.01 MPa where that leaves three.
-    pub fn test_pressures_mpa(working_mpa: f64) -> [f64; 3] {
-        let step = if working_mpa >= 0.06 { 0.01 } else { working_mpa / 100.0 };
-        let round = |p: f64| (p / step).round() * step;
-        [round(0.5 * working_mpa), round(0.75 * working_mpa), working_mpa]
+    /// Pressures in MPa from which the test sheet takes its own: shares of the working pressure, to 0.01 MPa where that leaves all of them.
+    pub fn test_pressures_mpa(working_mpa: f64) -> [f64; 5] {
+        let step = if working_mpa >= 0.1 { 0.01 } else { working_mpa / 100.0 };
+        [0.3, 0.5, 0.7, 0.85, 1.0].map(|share| match share {
+            1.0 => working_mpa,
+            share => (share * working_mpa / step).round() * step,
+        })
     }
 
     /// What should be said beside the plan, in sentences.
     pub fn warnings(&self) -> Vec<String> {
         let mut out = vec![];
-        if self.safety.is_above_allowed() {
-            out.push(format!(
-                "the working pressure of {} MPa is above the allowed one of {} MPa; lower `pressure_mpa`, or build another muscle",
-                crate::text::significant(self.safety.working_mpa, 3),
-                crate::text::significant(self.safety.allowed_mpa.unwrap_or_default(), 3)
-            ));
-        }
         let bore_mm = self.air_plug.stem.diameter_mm - self.air_plug.stem.interference_mm;
         if bore_mm < 4.0 {
             out.push(format!(

@@ -39,14 +39,23 @@ pub(crate) fn on_paper(plan: &Plan) -> Drawing {
         v.line(Pen::Outline, &[[x, -inner], [x, inner]]);
     }
     stem(&mut v, &air.stem, air.length_mm());
-    let r = 0.5 * air.passage_mm;
-    v.beside((-r, r), 0.0, -17.0, &diameter(air.passage_mm));
     let what = match (air.fitting, air.fitting.thread_mm()) {
         (thread, Some((drill, depth, boss))) => {
-            format!("{thread}: hole {}, {} deep; boss {}", diameter(drill), mm(depth), diameter(boss))
+            format!(
+                "{thread}: hole {}, {} deep; boss {}; passage {}",
+                diameter(drill),
+                mm(depth),
+                diameter(boss),
+                diameter(air.passage_mm)
+            )
         }
         (Fitting::Barb { bore_mm }, _) => {
-            format!("barb {} for a hose with a bore of {}", diameter(1.2 * bore_mm), mm(bore_mm))
+            format!(
+                "barb {} for a hose with a bore of {}; passage {}",
+                diameter(1.2 * bore_mm),
+                mm(bore_mm),
+                diameter(air.passage_mm)
+            )
         }
         // Threads are above.
         _ => String::new(),
@@ -117,18 +126,15 @@ fn stem(v: &mut View<'_>, stem: &Stem, length_mm: f64) {
     v.across((stem.length_mm, stem.top_mm()), (collar, collar), above, &mm(stem.collar_mm));
     v.across((0.0, length_mm), (half, 0.0), above + 7.0, &mm(length_mm));
     v.beside((-half, half), stem.bevel_mm().0, -9.0, &diameter(stem.diameter_mm));
-    let mut from = 0.0;
-    for start in stem.groove_starts_mm() {
-        v.across((from, start), (-half, -half), -above, &mm(start - from));
-        from = start + stem.groove_width_mm;
-        v.across((start, from), (-half, -half), -above, &mm(stem.groove_width_mm));
+    for (i, start) in stem.groove_starts_mm().into_iter().enumerate() {
+        v.across((0.0, start), (-half, -half), -above - 6.0 * i as f64, &mm(start));
     }
-    v.beside((-collar, collar), stem.length_mm, -25.0, &diameter(stem.collar_diameter_mm));
+    v.beside((-collar, collar), stem.length_mm, -17.0, &diameter(stem.collar_diameter_mm));
 }
 
 /// What a view shows, below it.
 fn names(v: &mut View<'_>, height_mm: f64, lines: &[&str]) {
-    let y = v.origin[1] - 0.5 * v.scale * height_mm - 20.0;
+    let y = v.origin[1] - 0.5 * v.scale * height_mm - 24.0;
     for (i, line) in lines.iter().enumerate() {
         v.sheet.text([v.origin[0], y - 5.0 * i as f64], 3.0 - 0.5 * i as f64, Anchor::Start, *line);
     }

@@ -197,24 +197,27 @@ fn clamping(plan: &Plan) -> String {
 
 fn tests(plan: &Plan, out: &mut String) {
     let safety = &plan.safety;
-    let known = |what: Option<f64>| {
-        what.map_or_else(|| "not known: the strength of its strands is not stated".into(), pressure)
-    };
+    let found = &plan.operating;
+    let burst = found.burst.map_or_else(
+        || "not known: no number for it is stated".into(),
+        |(burst_mpa, by)| format!("{}: {by}", pressure(burst_mpa)),
+    );
+    let allowed = found.allowed_mpa.map_or_else(|| "not known".into(), pressure);
     let _ = writeln!(
         out,
         "\n## 3. Leak test and proof test\n\n\
          | | |\n|---|---|\n\
-         | working pressure | {} |\n| burst pressure by the model | {} |\n| largest allowed pressure, a quarter of the burst pressure | {} |\n\
+         | working pressure | {} |\n| burst pressure by the model | {} |\n| largest allowed pressure: a quarter of the burst pressure, at most that of the fittings | {} |\n\
          | proof pressure, twice the working pressure | {} |\n| energy of the air at the working pressure | {} J |\n| energy of air at the proof pressure | {} J |\n\n\
          Hoses for compressed air burst at 4 times their working pressure or above (RMA IP-2, Hose Handbook; ISO 7751), and are proved at 2 times (ISO 7751); the same ratios are \
-         used here. The burst pressure is that of new strands; clamps and hand-made ends may fail far below it. The energy is that of an isothermal expansion, \
+         used here. The burst pressure is that of new parts; hand-made ends may fail far below it. The energy is that of an isothermal expansion, \
          p V ln(p/p₀) with the absolute pressure p: an upper bound.",
-        pressure(safety.working_mpa),
-        known(safety.burst_mpa),
-        known(safety.allowed_mpa),
-        pressure(safety.proof_mpa),
-        significant(safety.air_j, 2),
-        significant(safety.air_at_proof_j, 2)
+        pressure(safety.pressure_mpa),
+        burst,
+        allowed,
+        pressure(safety.proof_pressure_mpa),
+        significant(safety.air_energy_j, 2),
+        significant(safety.air_energy_at_proof_j, 2)
     );
     let _ = writeln!(
         out,
@@ -225,8 +228,8 @@ fn tests(plan: &Plan, out: &mut String) {
          3. **Leak test with air**: raise the pressure to {}, put the muscle under water behind the screen, and watch for one minute. No bubble may grow. Then shut the valve: \
          the pressure may fall by 5 % in five minutes (a choice).\n\
          4. After the first 50 strokes, repeat the leak test, and compare the marks at the clamps. Replace latex when it turns dull or sticky.",
-        pressure(safety.proof_mpa),
-        pressure(safety.leak_mpa)
+        pressure(safety.proof_pressure_mpa),
+        pressure(safety.leak_pressure_mpa)
     );
 }
 

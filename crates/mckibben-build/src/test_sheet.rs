@@ -16,24 +16,25 @@ pub struct TestPoint {
     pub branch: Direction,
 }
 
-/// Contractions of the test, as shares of the free contraction at the lowest pressure of the test, and the last at the working pressure.
-const SHARES: [f64; 3] = [0.0, 0.4, 0.8];
-const LAST_SHARE: f64 = 0.75;
+/// Contractions of the test, as shares of the free contraction at the working pressure.
+const SHARES: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
 /// Points are kept up to this share of the free contraction at their own pressure: beyond it the muscle hardly pulls.
 const PULLS: f64 = 0.85;
 
 /// The points in the order of the test: at each length the pressure rises, then falls.
 pub(crate) fn points(operating: &Operating) -> Vec<TestPoint> {
     let mut out = vec![];
-    let lowest = operating.free_contractions.first().map_or(0.0, |at| at.1);
-    let shares = SHARES.map(|share| share * lowest).into_iter();
-    // To half a percent, which one can set.
-    let all = shares.chain([LAST_SHARE * operating.free_contraction]).map(|e| (200.0 * e).round() / 200.0);
-    let mut all: Vec<f64> = all.collect();
-    all.dedup();
-    for contraction in all {
+    for share in SHARES {
+        // To half a percent, which one can set.
+        let contraction = (200.0 * share * operating.free_contraction).round() / 200.0;
         let pulls = |at: &&(f64, f64)| contraction <= PULLS * at.1;
-        let up: Vec<f64> = operating.free_contractions.iter().filter(pulls).map(|at| at.0).collect();
+        let all: Vec<f64> = operating.free_contractions.iter().filter(pulls).map(|at| at.0).collect();
+        // The lowest, the middle and the highest pressure.
+        let mut up = match all[..] {
+            [first, .., last] => vec![first, all[all.len() / 2], last],
+            _ => all,
+        };
+        up.dedup();
         let point = |branch| move |pressure_mpa| TestPoint { pressure_mpa, contraction, branch };
         out.extend(up.iter().copied().map(point(Direction::Contraction)));
         // Where it turns there is one point.

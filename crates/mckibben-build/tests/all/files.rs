@@ -1,5 +1,6 @@
 //! Cut list, pressures, files.
 
+use mckibben::analysis::FailureMode;
 use mckibben::muscle::Muscle;
 use mckibben::muscle::file::parse_muscle;
 use mckibben_build::{Clamps, Content, MARK, Operating, Plan, Wishes, files};
@@ -15,9 +16,9 @@ fn operating(muscle: &Muscle, pressure_mpa: f64) -> Operating {
         bulged_diameter_mm: 1.5 * d0,
         volume_mm3: 1.5 * muscle.rest_volume_mm3(),
         contour_mm: vec![[0.0, 0.75 * d0], [0.8 * half, 0.75 * d0], [half, 0.5 * d0]],
-        burst_mpa: Some(1.2),
-        allowed_mpa: None,
-        free_contractions: vec![(0.08, 0.11), (0.17, 0.17), (0.25, 0.2)],
+        burst: Some((1.2, FailureMode::Mesh)),
+        allowed_mpa: Some(0.3),
+        free_contractions: vec![(0.08, 0.02), (0.13, 0.11), (0.18, 0.15), (0.21, 0.17), (0.25, 0.2)],
     }
 }
 

@@ -93,7 +93,7 @@ fn text(answer: &BuildAnswer, folder: Option<&Path>) -> String {
         _ => format!("{} on the tube", u.length.show(cut.sleeve.mounted_mm)),
     };
     let rows = [
-        ("working pressure", u.pressure.show(safety.working_mpa)),
+        ("working pressure", u.pressure.show(safety.pressure_mpa)),
         ("blocked force", format!("{} {}", u.force.to(answer.blocked_force_n, 4), u.force.name)),
         ("free contraction", mckibben_app::words::percent(answer.free_contraction)),
         ("tube to cut", u.length.show(cut.tube_mm)),
@@ -102,10 +102,10 @@ fn text(answer: &BuildAnswer, folder: Option<&Path>) -> String {
             "plugs",
             format!("{} wide, bolt M{}", u.length.show(answer.plug_diameter_mm), number(answer.bolt_mm, 3)),
         ),
-        ("burst pressure", known(safety.burst_mpa)),
-        ("allowed pressure", known(safety.allowed_mpa)),
-        ("proof test", format!("{}, with water", u.pressure.show(safety.proof_mpa))),
-        ("energy of the air", format!("{} J", number(safety.air_j, 2))),
+        ("burst pressure", known(answer.limits.burst_pressure_mpa)),
+        ("allowed pressure", known(answer.limits.allowed_pressure_mpa)),
+        ("proof test", format!("{}, with water", u.pressure.show(safety.proof_pressure_mpa))),
+        ("energy of the air", format!("{} J", number(safety.air_energy_j, 2))),
     ];
     let mut out = burst_first(&answer.warnings) + &answer.muscle.line(&u) + "\n" + &pairs(&rows) + "\n";
     let dash = || "–".to_owned();

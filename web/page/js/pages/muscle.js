@@ -385,7 +385,7 @@ export function mount(main) {
         return el("li", {}, el("button", { type: "button", class: "link", onclick: () => download(file.name, content, "application/octet-stream") }, file.name), ` ${file.about}`);
       });
       const notes = answer.warnings.map((/** @type {string} */ w) => el("li", {}, capital(inWords(w))));
-      built.replaceChildren(el("p", {}, `At ${show("pressure", answer.working_mpa, 3)}: cut ${show("length", answer.cut.tube_mm)} of tube. Proof test with water at ${show("pressure", answer.proof_mpa, 3)}.`),
+      built.replaceChildren(el("p", {}, `At ${show("pressure", answer.pressure_mpa, 3)}: cut ${show("length", answer.cut.tube_mm)} of tube. Proof test with water at ${show("pressure", answer.proof_pressure_mpa, 3)}.`),
         el("ul", { class: "warnings" }, ...notes), el("ul", { class: "files" }, ...items));
     } catch (problem) {
       built.replaceChildren(problemBox(problem));
