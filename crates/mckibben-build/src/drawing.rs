@@ -175,7 +175,7 @@ fn heads(body: &Body<'_>, v: &mut View<'_>, shift: f64, below_only: bool) {
         let outer = if matches!(body.plan.air_plug.fitting, Fitting::Barb { .. }) { 4 } else { 2 };
         let outside: Vec<[f64; 2]> = head.iter().take(outer).map(|[r, z]| [-(half + z), y(*r)]).collect();
         let last = outside.last().map(|p| [p[0], 0.0]);
-        let points: Vec<[f64; 2]> = outside.into_iter().chain(last).collect();
+        let points: Vec<[f64; 2]> = [[-top, y(collar)]].into_iter().chain(outside).chain(last).collect();
         v.line(Pen::Outline, &points);
     }
     let eye = &body.plan.eye_plug;

@@ -3,7 +3,7 @@
 use crate::cut::Cut;
 use crate::fitting::Fitting;
 use crate::plan::{Clamps, Plan};
-use crate::text::mm;
+use crate::text::{fixed, mm};
 use mckibben::muscle::Muscle;
 use mckibben::rubber::library as rubbers;
 use mckibben::sleeve::library as sleeves;
@@ -64,7 +64,7 @@ pub(crate) fn bill(plan: &Plan) -> Vec<Part> {
             "{what}, bore {} mm, outer diameter {} mm{}",
             mm(bore),
             mm(cut.tube_outer_diameter_mm),
-            rubber.map_or_else(String::new, |name| format!(", {name}"))
+            rubber.map_or_else(String::new, |name| format!(", rubber {name}"))
         ),
         amount: format!("{} mm", mm(cut.tube_mm)),
         sold_as: tube.map(|t| t.name.clone()),
@@ -117,7 +117,7 @@ fn sleeve(plan: &Plan) -> Part {
     let volume = rubber_free.map(|(n, area)| f64::from(n) * area * cut.strand_mm);
     let angle = mm(plan.muscle.braid().angle_deg);
     let amount = match (cut.relaxed_mm, cut.relaxed_diameter_mm) {
-        (Some(length), Some(diameter)) => format!("{} mm at ⌀ {} mm", mm(length), mm(diameter)),
+        (Some(length), Some(diameter)) => format!("{} mm at ⌀ {} mm", fixed(length, 1), mm(diameter)),
         _ => format!("{} mm on the tube", mm(cut.mounted_mm)),
     };
     let strands = cut.strands.map_or_else(String::new, |n| format!(", {n} strands"));

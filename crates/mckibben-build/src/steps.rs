@@ -24,6 +24,9 @@ pub(crate) fn markdown(plan: &Plan, files: &[File]) -> String {
         fixed(found.free_contraction * muscle.length_mm(), 1),
         found.model
     );
+    if found.allowed_mpa.is_some_and(|allowed| found.pressure_mpa > allowed * (1.0 + 1e-9)) {
+        out.push_str("**Warning:** the working pressure is above the largest allowed one (see the tests below). Lower it, or build another muscle.\n\n");
+    }
     for warning in plan.warnings() {
         let _ = writeln!(out, "**Warning:** {warning}.\n");
     }
@@ -57,7 +60,7 @@ fn cut_list(plan: &Plan, out: &mut String) {
     let _ = writeln!(out, "| tube | {} mm | {how} |", mm(cut.tube_mm));
     let first = match (sleeve.relaxed_mm, sleeve.relaxed_diameter_mm) {
         (Some(length), Some(diameter)) => {
-            format!("{} mm | relaxed, at its diameter of {} mm as sold |", mm(length), mm(diameter))
+            format!("{} mm | relaxed, at its diameter of {} mm |", fixed(length, 1), mm(diameter))
         }
         _ => format!("{} mm | on the tube, at the braid angle |", mm(sleeve.mounted_mm)),
     };
@@ -166,7 +169,8 @@ fn assembly(plan: &Plan, out: &mut String) {
          4. {}\n\
          5. Pull the sleeve along the tube until it lies on it everywhere, without folds. Push in the eye plug, and clamp it the same way.\n\
          6. Measure: {} mm ± 0.5 mm from clamp to clamp; the strands at {}° ± 1° to the axis. One turn of a strand is {} mm long along the tube. If it is longer, the sleeve is \
-         pulled too much: open one end, push the sleeve together, clamp again.",
+         pulled too much: open one end, push the sleeve together, clamp again.\n\
+         7. If you measure the force at which an end lets go, state it as `pull_off` in [terminals] of the muscle file.",
         clamping(plan),
         mm(muscle.length_mm()),
         mm(muscle.braid().angle_deg),

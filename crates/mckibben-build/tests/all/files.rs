@@ -31,7 +31,7 @@ fn plan_from(text: &str, wishes: &Wishes) -> Plan {
 pub(crate) fn plan_of(outer_mm: f64, wall_mm: f64, wishes: &Wishes) -> Plan {
     plan_from(
         &format!(
-            "[tube]\nouter_diameter = {outer_mm}\nwall_thickness = {wall_mm}\nlength = 200\nmaterial = \"latex\"\n[braid]\nangle = 30\n"
+            "[tube]\nouter_diameter = {outer_mm}\nwall_thickness = {wall_mm}\nlength = 200\nrubber = \"latex\"\n[braid]\nangle = 30\n"
         ),
         wishes,
     )
@@ -71,7 +71,7 @@ fn a_tube_that_is_stretched_is_cut_shorter_and_bought_thicker() {
 /// The tube of the catalogue with these diameters has its name and price; masses by hand: rubber π (4.7625² − 3.175²) 240 mm³ = 9501.3 mm³.
 #[test]
 fn the_bill_names_parts_as_sold() {
-    let text = "[tube]\nouter_diameter = 9.525\nwall_thickness = 1.5875\nlength = 200\nmaterial = \"latex\"\n[braid]\nname = \"flexo-overexpanded-0.38in\"\n";
+    let text = "[tube]\nouter_diameter = 9.525\nwall_thickness = 1.5875\nlength = 200\nrubber = \"latex\"\n[braid]\nname = \"flexo-overexpanded-0.38in\"\n";
     let plan = plan_from(text, &Wishes::default());
     let (tube, sleeve) = (&plan.parts[0], &plan.parts[1]);
     assert_eq!(tube.sold_as.as_deref(), Some("latex-1/4x3/8in"));

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 
 pub const EXAMPLES: &str = "Examples:
   mckibben build examples/prototype.toml -o build
-  mckibben build --rubber latex --braid flexo-overexpanded-0.38in \\
+  mckibben build --rubber latex --braid flexo-overexpanded-0.25in \\
     -D 0.375in -s 0.0625in -L 200mm -p 2bar --fitting barb:4 -o build";
 
 /// `build`.

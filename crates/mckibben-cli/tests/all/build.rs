@@ -63,7 +63,7 @@ fn the_test_sheet_is_read_back_by_identify() {
         "json",
     ];
     let answer = run(&words).ok().json();
-    assert_eq!(answer["data"][0]["points"], points, "{answer:#}");
+    assert_eq!(answer["points"].as_array().unwrap().len(), points, "{answer:#}");
     let modulus = &answer["parameters"][0];
     assert!((number(modulus, "value") - 1.0).abs() < 1e-6, "{modulus:#}");
     // What was measured is not lost.
