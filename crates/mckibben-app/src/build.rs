@@ -179,7 +179,7 @@ fn operating(
     let (model, options) = (&*model, Options::default());
     let w = &mut Workspace::within(budget.clone());
     let burst = burst_of(&choice, model, &budget)?;
-    let allowed_mpa = burst.allowed_mpa();
+    let allowed_mpa = burst.allowed().map(|a| a.0);
     // Down to a hundredth, which a regulator shows.
     let lower = |p: f64| if p >= 0.01 { (100.0 * p).floor() / 100.0 } else { p };
     let usual_mpa = allowed_mpa.map_or(USUAL_MPA, |allowed| lower(allowed).min(USUAL_MPA));

@@ -187,7 +187,7 @@ impl Plan {
             _ => Clamps::Crimped,
         };
         let fitting = wishes.fitting.unwrap_or_else(|| Fitting::usual(muscle.outer_diameter_mm()));
-        let safety = Safety::new(operating.pressure_mpa, operating.volume_mm3);
+        let safety = Safety::new(operating.pressure_mpa, operating.burst.map(|b| b.0), operating.volume_mm3);
         let test = test_sheet::points(&operating);
         let mut plan = Self {
             clamped_diameter_mm: stem.diameter_mm + 2.0 * (cut.tube_wall_mm + sleeve_mm),

@@ -3,7 +3,9 @@
 use mckibben::analysis::ATMOSPHERE_MPA;
 
 /// Proof over working pressure of a hose for compressed air (ISO 7751).
-pub(crate) const PROOF_TO_WORKING: f64 = 2.0;
+const PROOF_TO_WORKING: f64 = 2.0;
+/// A proof is at most this share of the burst pressure, so that it does not destroy a good muscle: a choice.
+const PROOF_TO_BURST: f64 = 0.75;
 
 /// Pressures, and what they store.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -11,7 +13,8 @@ pub(crate) const PROOF_TO_WORKING: f64 = 2.0;
 pub struct Safety {
     /// Working pressure, MPa.
     pub pressure_mpa: f64,
-    /// Pressure of the proof test with water, MPa: twice the working pressure.
+    /// Pressure of the proof test with water, MPa: twice the working pressure, at most three quarters of the burst pressure, and never below the working
+    /// pressure.
     pub proof_pressure_mpa: f64,
     /// Pressure of the leak test, MPa.
     pub leak_pressure_mpa: f64,
@@ -23,8 +26,9 @@ pub struct Safety {
 
 impl Safety {
     /// The tests of a muscle with a cavity of `volume_mm3` at the working pressure.
-    pub(crate) fn new(pressure_mpa: f64, volume_mm3: f64) -> Self {
-        let proof_pressure_mpa = PROOF_TO_WORKING * pressure_mpa;
+    pub(crate) fn new(pressure_mpa: f64, burst_mpa: Option<f64>, volume_mm3: f64) -> Self {
+        let most = burst_mpa.map_or(f64::INFINITY, |burst| PROOF_TO_BURST * burst);
+        let proof_pressure_mpa = (PROOF_TO_WORKING * pressure_mpa).min(most).max(pressure_mpa);
         Self {
             pressure_mpa,
             proof_pressure_mpa,
@@ -56,7 +60,10 @@ mod tests {
 
     #[test]
     fn a_proof_is_half_of_the_burst_where_the_working_pressure_is_a_quarter_of_it() {
-        let safety = Safety::new(1.0 / SAFETY, 1e5);
+        let safety = Safety::new(1.0 / SAFETY, Some(1.0), 1e5);
         assert_eq!((safety.proof_pressure_mpa, safety.leak_pressure_mpa), (0.5, 0.25));
+        // A tube may work at half of its burst pressure, and is not proved at all of it.
+        assert_eq!(Safety::new(0.5, Some(1.0), 1e5).proof_pressure_mpa, 0.75);
+        assert_eq!(Safety::new(0.9, Some(1.0), 1e5).proof_pressure_mpa, 0.9);
     }
 }
