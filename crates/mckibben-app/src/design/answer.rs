@@ -135,6 +135,9 @@ pub struct CandidateAnswer {
     /// Name of its tube as sold or cast, where tubes were searched.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tube: Option<String>,
+    /// Price of that tube, where one was seen.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tube_price: Option<String>,
     /// Largest pressure any point needs, MPa.
     pub pressure_mpa: f64,
     /// Smallest margin over the points: pull at the maximum pressure over the required pull, minus 1.
@@ -388,6 +391,11 @@ impl CandidateAnswer {
             },
             muscle: (&c.muscle).into(),
             tube: c.tube.clone(),
+            tube_price: spec
+                .tubes
+                .iter()
+                .find(|t| Some(&t.name) == c.tube.as_ref())
+                .and_then(|t| t.price.clone()),
             pressure_mpa: c.pressure_mpa,
             margin: c.margin,
             blocked_force_n: c.blocked_force_n,
