@@ -41,6 +41,9 @@ PARTS = {
     "server": ("the server: made-up requests, two hundred clients", [
         r"crates/mckibben-(server|app)/src/.*", r"checks/server.*",
     ], None, ["bash checks/server_schema.sh \"$MCKIBBEN\" 3 coverage", "python3 checks/server_load.py \"$MCKIBBEN\" --sessions 200 --seconds 5"]),
+    "build": ("plugs and drawings in OpenSCAD and a reader of DXF", [
+        r"crates/mckibben-build/src/.*", r"crates/mckibben-report/src/sheet/.*", r"checks/build\..*",
+    ], None, ["bash checks/build.sh \"$MCKIBBEN\""]),
     "release": ("the release build and README's first command", MANIFESTS, None, [
         "cargo build --release --locked",
         "cargo run --release --locked -- design --force 700N --contraction 15% --max-pressure 2.5bar",

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import base64
+import os
 from collections.abc import Callable
 from html import escape
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -105,6 +108,24 @@ class Identification(_Plain, _answers.IdentifyAnswer):
         from ._muscle import Muscle
 
         return Muscle.from_toml(str(self.muscle_file))
+
+
+class Build(_Plain, _answers.BuildAnswer):
+    """What is needed to build a muscle. Its table has one row for each part."""
+
+    __slots__ = ()
+
+    def save(self, folder: str | os.PathLike[str]) -> Path:
+        """Writes the files into a folder, and gives the page to begin with. A file of that name is replaced only where it is the same."""
+        place = Path(folder)
+        contents = {file.name: base64.b64decode(file.base64) if file.base64 is not None else str(file.text).encode() for file in self.files}
+        for name, content in contents.items():
+            if (place / name).exists() and (place / name).read_bytes() != content:
+                raise FileExistsError(f"{place / name} is another file; name a new folder")
+        place.mkdir(parents=True, exist_ok=True)
+        for name, content in contents.items():
+            (place / name).write_bytes(content)
+        return place / "README.md"
 
 
 class RubberFit(_Plain, _answers.RubberFitAnswer):

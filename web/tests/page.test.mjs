@@ -160,6 +160,20 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
   });
 
+  test("a muscle is built: its files as downloads", async () => {
+    const { page, context } = await open("#muscle");
+    await alive(page);
+    await page.getByRole("button", { name: "Build it" }).click();
+    for (const [file, begin] of /** @type {[string, RegExp][]} */ ([["README.md", /^<!-- mckibben build -->\n# McKibben muscle/], ["air-plug.stl", /^mckibben build/], ["drawing.svg", /^<svg /]])) {
+      const button = page.getByRole("button", { name: file, exact: true });
+      await button.waitFor({ timeout: 60_000 });
+      const [download] = await Promise.all([page.waitForEvent("download"), button.click()]);
+      assert.equal(download.suggestedFilename(), file);
+      assert.match(readFileSync(/** @type {string} */ (await download.path())).toString("latin1"), begin);
+    }
+    await context.close();
+  });
+
   test("curves as table, CSV, SVG and PNG", async () => {
     const { page, context } = await open("#muscle");
     await alive(page);

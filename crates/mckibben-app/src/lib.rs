@@ -28,6 +28,7 @@
 mod annotate;
 mod border;
 mod braid;
+mod build;
 #[cfg(feature = "schema")]
 mod bundle;
 mod burst;
@@ -77,6 +78,7 @@ pub mod words;
 
 pub use border::{guarded, panics_are_problems, within};
 pub use braid::*;
+pub use build::*;
 #[cfg(feature = "schema")]
 pub use bundle::bundle;
 pub use burst::PressureLimits;

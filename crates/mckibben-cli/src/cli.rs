@@ -2,6 +2,7 @@
 
 use crate::commands;
 use crate::commands::braid::{BraidListArgs, BraidShowArgs};
+use crate::commands::build::BuildArgs;
 use crate::commands::campaign::CampaignArgs;
 use crate::commands::compare::CompareArgs;
 use crate::commands::curve::CurveArgs;
@@ -125,6 +126,9 @@ pub enum Command {
     /// One finite-element test with all results: curves, shape, strands, stretches, sensitivities
     #[command(after_help = commands::simulate::EXAMPLES)]
     Simulate(Box<SimulateArgs>),
+    /// Build a muscle: drawing, plugs, cut list, bill of materials, steps, test sheet
+    #[command(after_help = commands::build::EXAMPLES)]
+    Build(Box<BuildArgs>),
     /// Report of a muscle as one HTML file, for reading offline and for printing
     #[command(after_help = commands::report::EXAMPLES)]
     Report(Box<ReportArgs>),

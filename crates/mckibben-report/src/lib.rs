@@ -35,6 +35,7 @@ mod room;
 #[cfg(feature = "files")]
 mod save;
 mod scene;
+mod sheet;
 mod strokes;
 mod svg;
 mod text;
@@ -50,3 +51,4 @@ pub use mark::{is_figure, is_page};
 #[cfg(feature = "png")]
 pub use outlines::texts_as_outlines;
 pub use scene::{Face, Scene, Thread, View};
+pub use sheet::{Anchor, Item, Pen, Sheet};

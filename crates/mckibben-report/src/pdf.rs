@@ -34,7 +34,8 @@ impl Scene {
     }
 }
 
-fn render(svg: &str, title: &str) -> Result<Vec<u8>, FigureError> {
+/// A drawing as a PDF page of its size.
+pub(crate) fn render(svg: &str, title: &str) -> Result<Vec<u8>, FigureError> {
     let unread = |reason: String| FigureError::Raster { reason };
     let tree = usvg::Tree::from_str(&texts_as_outlines(svg)?, &usvg::Options::default())
         .map_err(|e| unread(e.to_string()))?;

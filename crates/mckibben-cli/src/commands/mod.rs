@@ -1,6 +1,7 @@
 //! One file a command.
 
 pub mod braid;
+pub mod build;
 pub mod campaign;
 pub mod compare;
 pub mod curve;
@@ -59,6 +60,7 @@ pub fn run(asked: Command, format: Format, limits: &[(Resource, f64)]) -> Result
         Command::Rubber(RubberCommand::List(args)) => rubber::list(&args, format),
         Command::Rubber(RubberCommand::Show(args)) => rubber::show(&args, format),
         Command::Rubber(RubberCommand::Fit(args)) => rubber_fit::run(&args, format),
+        Command::Build(args) => build::run(&args, format),
         Command::Report(args) => report::run(&args, format),
         Command::Models(args) => models::run(&args, format),
         Command::Schema(args) => schema::run(&args),

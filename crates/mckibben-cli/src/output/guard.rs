@@ -35,6 +35,10 @@ pub enum Content {
     Deck,
     /// A manual page.
     Manual,
+    /// A file of a build.
+    Built,
+    /// A sheet for measured forces.
+    EmptySheet,
     /// A figure or a picture.
     Figure,
     /// A file for ParaView, in a folder of them.
@@ -84,6 +88,8 @@ impl Content {
             Self::Figure => mckibben_report::is_figure(&head(path)),
             Self::Pdf => text_of(&head(path)).contains(PRINTED_TITLE),
             Self::Deck => text_of(&head(path)).contains("mm, MPa, N; mckibben "),
+            Self::Built => is_built(&head(path)),
+            Self::EmptySheet => is_built(&head(path)) && is_empty_sheet(path),
             Self::Manual => text_of(&head(path)).contains("\n.TH mckibben"),
         }
     }
@@ -98,6 +104,8 @@ impl Content {
             Self::Pdf => "a PDF that this program printed",
             Self::Deck => "an input deck that this program wrote",
             Self::Manual => "a manual page that this program wrote",
+            Self::Built => "a file that `build` wrote",
+            Self::EmptySheet => "a test sheet without forces",
             Self::Figure => "a figure that this program drew",
             Self::Vtk => "a file of a series for ParaView",
             Self::Table { .. } => "a table of this kind",
@@ -114,6 +122,7 @@ impl Content {
             Self::Page => &["html", "htm"],
             Self::Pdf => &["pdf"],
             Self::Deck => &["inp"],
+            Self::Built | Self::EmptySheet => &[],
             Self::Figure | Self::Vtk | Self::Manual | Self::Table { .. } | Self::Text { .. } => &[],
         }
     }
@@ -159,6 +168,19 @@ fn first_key(text: &str) -> Option<&str> {
 /// The first two words.
 fn first_words(text: &str) -> String {
     text.split_whitespace().take(2).collect::<Vec<_>>().join(" ")
+}
+
+/// Whether a file with these first bytes is one of a build: by its mark, or as a drawing.
+fn is_built(head: &[u8]) -> bool {
+    text_of(head).contains(mckibben_build::MARK) || mckibben_report::is_figure(head)
+}
+
+/// Whether nobody has filled in a test sheet: what was measured must not be lost.
+fn is_empty_sheet(path: &Path) -> bool {
+    let Ok(text) = mckibben_files::read(path, 1 << 20) else { return false };
+    let text = text_of(&text).into_owned();
+    let rows = text.lines().filter(|line| !line.starts_with('#')).skip(1);
+    rows.into_iter().all(|row| row.trim().is_empty() || row.split(',').nth(2) == Some(""))
 }
 
 fn is_formula(path: &Path) -> bool {

@@ -4,6 +4,7 @@
 
 mod bad_input;
 mod budget;
+mod build;
 mod burst;
 mod campaign;
 mod common;

@@ -116,7 +116,7 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
         "fit-report" => vec![json!({})],
         "plan" => vec![json!({ "plan": plan })],
         "campaign" => vec![json!({ "plan": plan, "output": folder.join("c.parquet") })],
-        "report" => vec![json!({ "length_mm": 30000 })],
+        "report" | "build" => vec![json!({ "length_mm": 30000 })],
         "rubber-fit" => {
             let row = |t: f64| {
                 let l = 1.0 + 4.0 * t;

@@ -47,13 +47,15 @@ export function mount(main) {
   const more = el("details", {}, el("summary", {}, "More measures"), ...groups.map((group) => el("fieldset", {}, el("legend", {}, GROUPS[group] ?? capital(group)), ...MORE.filter((m) => m.group === group).map((m) => el("div", {}, make(m))))));
   const homes = new Map(STRANDS.map(({ key }) => [key, /** @type {HTMLElement} */ (controls[key].element.parentElement)]));
   const fileName = el("p", { class: "small soft" });
+  const built = el("div", { class: "small", "aria-live": "polite" });
   const controlsBox = el("section", { class: "controls", "aria-label": "Muscle" },
     el("fieldset", { class: "state" }, el("legend", {}, "State"), make(PRESSURE), held.element, make(CONTRACTION), make(LOAD)),
     el("fieldset", {}, el("legend", {}, "Tube and braid"), ...QUANTITIES.map(make), rubber.element, braid.element, strands.element, make(STIFFNESS), needed),
     el("details", {}, el("summary", {}, "Ends"), ...ENDS.map(make)),
     more,
     el("details", {}, el("summary", {}, "Muscle file"), fileName, fileField("Open a muscle file (TOML)", ".toml", takeFile),
-      el("p", { style: "margin-top:8px" }, el("button", { type: "button", onclick: save }, "Download this muscle"))));
+      el("p", { style: "margin-top:8px" }, el("button", { type: "button", onclick: save }, "Download this muscle"))),
+    el("p", { class: "row" }, el("button", { type: "button", onclick: build }, "Build it")), built);
 
   // The muscle in space.
   const busy = el("div", { class: "busy" });
@@ -102,6 +104,7 @@ export function mount(main) {
   /** @param {string} key @param {any} value @param {boolean} settled */
   function changed(key, value, settled) {
     stopPump();
+    built.replaceChildren();
     muscle.set(key, value);
     sync();
     ask();
@@ -370,6 +373,23 @@ export function mount(main) {
       download("muscle.toml", await muscle.file(), "application/toml");
     } catch (problem) {
       said.replaceChildren(problemBox(problem));
+    }
+  }
+
+  /** Drawing, plugs, steps and test sheet of this muscle at this pressure, as a list of downloads. */
+  async function build() {
+    built.replaceChildren(el("p", { class: "soft" }, "…"));
+    try {
+      const answer = await engine().ask("build", { ...muscle.fields(), ...(muscle.p > 0 ? { pressure_mpa: muscle.p } : {}) }, { lane: "side" });
+      const items = answer.files.map((/** @type {any} */ file) => {
+        const content = file.text ?? Uint8Array.from(atob(file.base64), (c) => c.charCodeAt(0));
+        return el("li", {}, el("button", { type: "button", class: "link", onclick: () => download(file.name, content, "application/octet-stream") }, file.name), ` ${file.about}`);
+      });
+      const notes = answer.warnings.map((/** @type {string} */ w) => el("li", {}, capital(inWords(w))));
+      built.replaceChildren(el("p", {}, `At ${show("pressure", answer.pressure_mpa, 3)}: cut ${show("length", answer.cut.tube_mm)} of tube. Proof test with water at ${show("pressure", answer.proof_pressure_mpa, 3)}.`),
+        el("ul", { class: "warnings" }, ...notes), el("ul", { class: "files" }, ...items));
+    } catch (problem) {
+      built.replaceChildren(problemBox(problem));
     }
   }
 

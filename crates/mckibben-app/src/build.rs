@@ -1,0 +1,223 @@
+//! `build`: from a muscle to drawing, plugs, cut list, bill of materials, steps and test sheet.
+
+use crate::burst::{PressureLimits, burst_of, said_of};
+use crate::fields::{ModelFields, MuscleFields};
+use crate::model::{Model, Purpose};
+use crate::muscle::MuscleSummary;
+use crate::point::finite;
+use crate::problem::{Problem, ProblemKind};
+use crate::shape::{ShapeRequest, shaped};
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use mckibben::analysis::{Burst, blocked_force_n, free_contraction};
+use mckibben::answer::{Options, check_range};
+use mckibben::model::Workspace;
+use mckibben::progress::Progress;
+use mckibben_build::{BuildError, Content, Cut, Operating, Part, Plan, Safety, TestPoint, Wishes};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A muscle to be built.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct BuildRequest {
+    /// The muscle.
+    #[serde(flatten)]
+    pub muscle: MuscleFields,
+    /// Working pressure, MPa; default 0.25, or the allowed pressure where that is lower.
+    pub pressure_mpa: Option<f64>,
+    /// Fitting of the air: the thread `m5`, `g1/8` or `g1/4`, into which a push-in fitting is screwed, or `barb:4` for a hose with a bore of 4 mm;
+    /// default m5 up to a tube of 15 mm, then g1/8.
+    pub fitting: Option<String>,
+    /// Bolt of the eye, mm; default by the load of the end.
+    pub bolt_mm: Option<f64>,
+    /// Diameter of the sleeve as it comes off the roll, mm; default that as which it is sold, where it is known.
+    pub sleeve_diameter_mm: Option<f64>,
+}
+
+/// All that is needed to build a muscle.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct BuildAnswer {
+    /// The muscle.
+    pub muscle: MuscleSummary,
+    /// The model that all numbers come from.
+    pub model: String,
+    /// Blocked force at the working pressure, N.
+    pub blocked_force_n: f64,
+    /// Free contraction at the working pressure.
+    pub free_contraction: f64,
+    /// Largest outer diameter at the working pressure without load, mm.
+    pub bulged_diameter_mm: f64,
+    /// Load of an end, N: the blocked force, and the pressure on the bore.
+    pub end_load_n: f64,
+    /// Diameter over tube and sleeve on a plug, mm: what a clamp closes on.
+    pub clamped_diameter_mm: f64,
+    /// Inner diameter of a crimped ferrule, mm.
+    pub crimp_diameter_mm: f64,
+    /// Diameter of the plugs' stem, mm.
+    pub plug_diameter_mm: f64,
+    /// Bolt of the eye, mm.
+    pub bolt_mm: f64,
+    /// Pressures of the tests, and the energy of the air.
+    #[serde(flatten)]
+    pub safety: Safety,
+    /// The pressures that the muscle bears.
+    #[serde(flatten)]
+    pub limits: PressureLimits,
+    /// What is cut.
+    pub cut: Cut,
+    /// The bill of materials.
+    pub parts: Vec<Part>,
+    /// Mass of the parts whose mass is known, g.
+    pub mass_g: f64,
+    /// The points of the first test.
+    pub test: Vec<TestPoint>,
+    /// The files: the steps first, which link to the others.
+    pub files: Vec<BuiltFile>,
+    /// Warnings, in sentences.
+    pub warnings: Vec<String>,
+}
+
+/// A file for the workshop.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct BuiltFile {
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    pub about: String,
+    /// What is in it, if it is text.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub text: Option<String>,
+    /// What is in it, if it is not text: its bytes in base64.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub base64: Option<String>,
+    /// The same as bytes.
+    #[serde(skip)]
+    pub content: Vec<u8>,
+}
+
+/// Working pressure in MPa where none is given, and nothing forbids it: that of the paper.
+const USUAL_MPA: f64 = 0.25;
+
+/// All that is needed to build a muscle.
+///
+/// # Errors
+/// [`Problem`].
+pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAnswer, Problem> {
+    let muscle = request.muscle.resolve()?;
+    let fitting = request.fitting.as_deref().map(str::parse).transpose();
+    let fitting = fitting.map_err(|e: mckibben_build::UnknownFitting| {
+        Problem::new(ProblemKind::Usage, e.to_string(), "").in_field("fitting")
+    })?;
+    let above_zero = |field: &str, value: Option<f64>| match value {
+        Some(value) if !(value.is_finite() && value > 0.0) => {
+            let message = format!("`{field}` is {value}; it must be above zero");
+            Err(Problem::new(ProblemKind::OutOfRange, message, "").in_field(field))
+        }
+        value => Ok(value),
+    };
+    let wishes = Wishes {
+        fitting,
+        bolt_mm: above_zero("bolt_mm", request.bolt_mm)?,
+        sleeve_diameter_mm: above_zero("sleeve_diameter_mm", request.sleeve_diameter_mm)?,
+    };
+    let pressure_mpa = above_zero("pressure_mpa", request.pressure_mpa)?;
+    let (operating, burst) = operating(request, &muscle, pressure_mpa, progress)?;
+    let said = said_of(&burst, operating.pressure_mpa, 0.0);
+    let plan = Plan::new(muscle, operating, &wishes).map_err(|error| {
+        let field = match error {
+            BuildError::Insertion { .. } => "insertion_mm",
+            BuildError::Bolt { .. } => "bolt_mm",
+            BuildError::Sleeve { .. } => "sleeve_diameter_mm",
+        };
+        Problem::new(ProblemKind::OutOfRange, error.to_string(), "").in_field(field)
+    })?;
+    let files = mckibben_build::files(&plan)
+        .map_err(|e| Problem::new(ProblemKind::Internal, format!("the drawing cannot be drawn: {e}"), ""))?;
+    let files = files.into_iter().map(|file| {
+        let content = file.content.bytes().to_vec();
+        let (text, base64) = match file.content {
+            Content::Text(text) => (Some(text), None),
+            Content::Bytes(bytes) => (None, Some(STANDARD.encode(bytes))),
+        };
+        BuiltFile { name: file.name.into(), about: file.about.into(), text, base64, content }
+    });
+    let warnings = said.iter().map(ToString::to_string);
+    Ok(BuildAnswer {
+        muscle: (&plan.muscle).into(),
+        blocked_force_n: plan.operating.blocked_force_n,
+        free_contraction: plan.operating.free_contraction,
+        bulged_diameter_mm: plan.operating.bulged_diameter_mm,
+        end_load_n: plan.end_load_n,
+        clamped_diameter_mm: plan.clamped_diameter_mm,
+        crimp_diameter_mm: plan.crimp_diameter_mm,
+        plug_diameter_mm: plan.air_plug.stem.diameter_mm,
+        bolt_mm: plan.eye_plug.bolt_mm,
+        safety: plan.safety,
+        mass_g: plan.mass_g(),
+        limits: (&burst).into(),
+        warnings: warnings.chain(plan.muscle.warnings()).chain(plan.warnings()).collect(),
+        files: files.collect(),
+        cut: plan.cut,
+        parts: plan.parts,
+        test: plan.test,
+        model: plan.operating.model,
+    })
+}
+
+/// What `fe` finds of the muscle.
+fn operating(
+    request: &BuildRequest,
+    muscle: &mckibben::muscle::Muscle,
+    asked_mpa: Option<f64>,
+    progress: &dyn Progress,
+) -> Result<(Operating, Burst), Problem> {
+    let choice = Model::choose(&ModelFields::default(), Purpose::Answer)?;
+    let budget = progress.budget();
+    choice.admit(muscle, &budget)?;
+    let model = choice.build(muscle)?;
+    let (model, options) = (&*model, Options::default());
+    let w = &mut Workspace::within(budget.clone());
+    let burst = burst_of(&choice, model, &budget)?;
+    let allowed_mpa = burst.allowed().map(|a| a.0);
+    // Down to a hundredth, which a regulator shows.
+    let lower = |p: f64| if p >= 0.01 { (100.0 * p).floor() / 100.0 } else { p };
+    let usual_mpa = allowed_mpa.map_or(USUAL_MPA, |allowed| lower(allowed).min(USUAL_MPA));
+    let pressure_mpa = finite("pressure_mpa", asked_mpa.unwrap_or(usual_mpa))?;
+    check_range(model, pressure_mpa, 0.0, options)?;
+    let free = free_contraction(model, w, pressure_mpa, options)?;
+    let mut free_contractions = vec![];
+    for p in Plan::test_pressures_mpa(pressure_mpa) {
+        // Below the pressure at which it begins to pull there is nothing to test.
+        free_contractions.extend(free_contraction(model, w, p, options).ok().map(|free| (p, free)));
+        budget.ended()?;
+    }
+    let blocked_force_n = blocked_force_n(model, w, pressure_mpa, options)?;
+    let shape = ShapeRequest {
+        muscle: request.muscle.clone(),
+        pressure_mpa: Some(pressure_mpa),
+        contraction: Some(free),
+        ..ShapeRequest::default()
+    };
+    let (shape, _) = shaped(&shape, progress)?;
+    let array = |name: &str| shape.arrays.get(name).map_or(&[][..], Vec::as_slice);
+    let (r, z, across) = (array("r_mm"), array("z_mm"), shape.across.max(1));
+    let outer = r.iter().zip(z).skip(across - 1).step_by(across);
+    let contour_mm: Vec<[f64; 2]> = outer.map(|(r, z)| [*z, *r]).collect();
+    let widest = 2.0 * contour_mm.iter().map(|p| p[1]).fold(0.0, f64::max);
+    let response = &shape.point.response;
+    let volume_mm3 = response.volume_mm3.unwrap_or_else(|| muscle.rest_volume_mm3());
+    let found = Operating {
+        model: model.info().name.to_string(),
+        pressure_mpa,
+        blocked_force_n,
+        free_contraction: free,
+        bulged_diameter_mm: response.bulged_diameter_mm.unwrap_or(widest),
+        volume_mm3,
+        contour_mm,
+        burst: burst.first().map(|(by, burst_mpa)| (burst_mpa, by)),
+        allowed_mpa,
+        free_contractions,
+    };
+    Ok((found, burst))
+}

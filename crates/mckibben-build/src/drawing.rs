@@ -1,0 +1,371 @@
+//! The drawing: the muscle at rest, half in section; the same at the working pressure; a cross-section; parts and title block on A4.
+
+use crate::fitting::Fitting;
+use crate::frame::{self, Drawing, FRAME_MM, TITLE_MM, largest, ratio};
+use crate::plan::{Clamps, Plan};
+use crate::text::{fixed, mm, percent, pressure, significant};
+use crate::view::{View, diameter};
+use mckibben_report::{Anchor, Pen, Sheet};
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// What lies above all of the lower part, in mm.
+const LOWER_MM: f64 = 78.0;
+/// Room for the views of the muscle: its length, and both diameters together.
+const ROOM_MM: (f64, f64) = (245.0, 60.0);
+/// Room for the cross-section.
+const SECTION_MM: f64 = 38.0;
+
+/// The drawing on paper; the cross-section is enlarged as far as there is room.
+pub(crate) fn on_paper(plan: &Plan) -> Drawing {
+    drawn(plan, largest(|s| s * plan.over_sleeve_mm <= SECTION_MM))
+}
+
+/// The drawing with all bodies in one scale.
+pub(crate) fn in_one_scale(plan: &Plan) -> Drawing {
+    drawn(plan, Body::of(plan).scale())
+}
+
+/// Measures that both views need, in mm.
+struct Body<'a> {
+    plan: &'a Plan,
+    /// Half of the free length.
+    half: f64,
+    /// Radius over the sleeve, and over clamps or collar.
+    sleeve: f64,
+    widest: f64,
+    /// From the ends of the free length to the ends of the plugs.
+    left: f64,
+    right: f64,
+}
+
+impl<'a> Body<'a> {
+    fn of(plan: &'a Plan) -> Self {
+        let head = plan.air_plug.head().iter().map(|p| p[0]).fold(0.0, f64::max);
+        let collar = 0.5 * plan.eye_plug.stem.collar_diameter_mm;
+        Self {
+            plan,
+            half: 0.5 * plan.muscle.length_mm(),
+            sleeve: 0.5 * plan.over_sleeve_mm,
+            widest: (0.5 * plan.clamped_diameter_mm + 1.5).max(collar).max(head),
+            left: plan.air_plug.length_mm(),
+            right: plan.eye_plug.length_mm(),
+        }
+    }
+
+    fn scale(&self) -> f64 {
+        let bulged = self.plan.operating.bulged_diameter_mm.max(2.0 * self.widest);
+        let (length, height) = (2.0 * self.half + self.left + self.right, 2.0 * self.widest + bulged);
+        largest(|s| s * length <= ROOM_MM.0 && s * height <= ROOM_MM.1)
+    }
+}
+
+fn drawn(plan: &Plan, section_scale: f64) -> Drawing {
+    let body = Body::of(plan);
+    let scale = body.scale();
+    let mut sheet = frame::sheet(plan, "McKibben muscle", 1, scale);
+    let [left, bottom, right, top] = FRAME_MM;
+    // The ends of both plugs have the same distance from the frame.
+    let x = 0.5 * (left + right) + 0.5 * scale * (body.left - body.right);
+    let bulged = (0.5 * plan.operating.bulged_diameter_mm).max(body.widest);
+    // Above the first view, between both, below the second; what is left is shared.
+    let used = 22.0 + 22.0 + 12.0 + 2.0 * scale * (body.widest + bulged);
+    let spare = ((top - LOWER_MM - used) / 3.0).max(0.0);
+    let mut y = top - 22.0 - spare - scale * body.widest;
+    at_rest(&body, &mut View { sheet: &mut sheet, origin: [x, y], scale });
+    y -= scale * (body.widest + bulged) + 22.0 + spare;
+    under_pressure(&body, &mut View { sheet: &mut sheet, origin: [x, y], scale });
+    let reach = 0.5 * section_scale * plan.over_sleeve_mm;
+    let centre = [left + 12.0 + reach, bottom + 8.0 + reach];
+    cross_section(plan, &mut View { sheet: &mut sheet, origin: centre, scale: section_scale });
+    data(plan, &mut sheet);
+    parts(plan, &mut sheet);
+    Drawing { sheet, scale }
+}
+
+/// The muscle at rest: above the axis in section, below it from outside.
+fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
+    let (plan, half) = (body.plan, body.half);
+    let (cut, stem) = (&plan.cut, &plan.air_plug.stem);
+    let (ro, ri) = (0.5 * plan.muscle.outer_diameter_mm(), 0.5 * plan.muscle.inner_diameter_mm());
+    let (inner, wall) = (0.5 * stem.diameter_mm, cut.tube_wall_mm);
+    let outer = 0.5 * plan.clamped_diameter_mm;
+    let end = half + stem.length_mm;
+    axis(v, half + body.left, half + body.right);
+    v.cut((-half, half), (ri, ro), true);
+    v.cut((-half, half), (ro, body.sleeve), false);
+    for side in [-1.0, 1.0] {
+        let (a, b) = (side * half, side * end);
+        let x = (a.min(b), a.max(b));
+        v.cut(x, (inner, inner + wall), true);
+        v.cut(x, (inner + wall, outer), false);
+    }
+    let plug = |profile: Vec<[f64; 2]>, side: f64| -> Vec<[f64; 2]> {
+        profile.into_iter().map(|[r, z]| [side * (half + z), r]).collect()
+    };
+    let air = plug(plan.air_plug.profile(), -1.0);
+    let mut eye = plan.eye_plug.stem.profile();
+    eye.extend([[0.0, plan.eye_plug.stem.top_mm()], [0.0, 0.0]]);
+    let eye = plug(eye, 1.0);
+    for section in [air, eye] {
+        v.outline(Pen::Outline, &section);
+        v.hatch(&[section], false);
+    }
+    clamps(body, v, true);
+    // From outside.
+    v.line(Pen::Outline, &[[-half, -body.sleeve], [half, -body.sleeve]]);
+    for side in [-1.0, 1.0] {
+        v.line(Pen::Outline, &[[side * half, -body.sleeve], [side * half, -outer], [side * end, -outer]]);
+    }
+    strands(body, v);
+    clamps(body, v, false);
+    heads(body, v, 0.0, true);
+    // Dimensions.
+    let row = v.scale * body.widest + 5.0;
+    let clamped = mm(stem.length_mm);
+    v.across((-half, half), (ro, ro), row, &format!("L₀ {}", mm(2.0 * half)));
+    v.across((-end, -half), (outer, ro), row, &clamped);
+    v.across((half, end), (ro, outer), row, &clamped);
+    let (left, right) = (half + body.left, half + body.right);
+    v.across((-left, right), (0.0, 0.0), row + 7.0, &format!("({})", mm(left + right)));
+    // The plane of the section.
+    let plane = 0.5 * half;
+    for sign in [-1.0, 1.0] {
+        let edge = sign * body.sleeve;
+        let [x, y] = v.at(plane, edge);
+        v.sheet.line(Pen::Outline, [[x, y + sign * 0.8], [x, y + sign * 3.8]]);
+        v.sheet.text([x - 2.6, y + sign * 2.6 - 1.2], 3.0, Anchor::Middle, "A");
+    }
+    let low = v.origin[1] - v.scale * body.widest - 6.5;
+    let groove = stem.groove_starts_mm().first().map_or(0.5 * stem.length_mm, |g| g + 1.0);
+    let targets = [
+        ([-half - 0.5 * body.left, -0.3 * stem.collar_diameter_mm], 3),
+        ([-half - groove, -outer - 0.5], 5),
+        ([-0.45 * half, 0.5 * (ri + ro)], 1),
+        ([-0.15 * half, -0.7 * body.sleeve], 2),
+        ([half + plan.eye_plug.stem.top_mm() + 0.3, -0.35 * plan.eye_plug.width_mm], 4),
+    ];
+    for (to, number) in targets {
+        let beside = match number {
+            3 => -9.0,
+            5 => 1.0,
+            _ => 5.0,
+        };
+        let x = v.at(to[0], to[1])[0] + beside;
+        v.balloon(to, [x, low], number);
+    }
+    label(v, body.widest, 15.5, "At rest, without pressure");
+}
+
+/// Collars, boss or barb, and eye from outside, below the axis or on both sides; the right end moved by `shift`.
+fn heads(body: &Body<'_>, v: &mut View<'_>, shift: f64, below_only: bool) {
+    let (half, stem) = (body.half, &body.plan.air_plug.stem);
+    let collar = 0.5 * stem.collar_diameter_mm;
+    let (from, top) = (half + stem.length_mm, half + stem.top_mm());
+    let sides: &[f64] = if below_only { &[-1.0] } else { &[-1.0, 1.0] };
+    let head = body.plan.air_plug.head();
+    for sign in sides {
+        let y = |r: f64| sign * r;
+        v.line(Pen::Outline, &[[-from, y(0.0)], [-from, y(collar)], [-top, y(collar)], [-top, y(0.0)]]);
+        let right = |x: f64| x - shift;
+        v.line(
+            Pen::Outline,
+            &[[right(from), y(0.0)], [right(from), y(collar)], [right(top), y(collar)], [right(top), y(0.0)]],
+        );
+        // From outside one sees it up to its end.
+        let outer = if matches!(body.plan.air_plug.fitting, Fitting::Barb { .. }) { 4 } else { 2 };
+        let outside: Vec<[f64; 2]> = head.iter().take(outer).map(|[r, z]| [-(half + z), y(*r)]).collect();
+        let last = outside.last().map(|p| [p[0], 0.0]);
+        let points: Vec<[f64; 2]> = [[-top, y(collar)]].into_iter().chain(outside).chain(last).collect();
+        v.line(Pen::Outline, &points);
+    }
+    let eye = &body.plan.eye_plug;
+    let (outline, _) = eye.eye();
+    let turned: Vec<[f64; 2]> =
+        outline.iter().skip(1).chain(outline.first()).map(|[x, z]| [top + z - shift, *x]).collect();
+    v.line(Pen::Outline, &turned);
+    let origin = v.origin;
+    v.origin = v.at(top + eye.centre_mm - shift, 0.0);
+    v.circle(Pen::Outline, eye.hole_mm);
+    v.origin = origin;
+    let x = top + eye.centre_mm - shift;
+    v.line(Pen::Axis, &[[x, -0.75 * eye.width_mm], [x, 0.75 * eye.width_mm]]);
+}
+
+fn axis(v: &mut View<'_>, left: f64, right: f64) {
+    let beyond = 4.0 / v.scale;
+    v.line(Pen::Axis, &[[-left - beyond, 0.0], [right + beyond, 0.0]]);
+}
+
+/// Ties in their grooves, or ferrules, on one side of the axis.
+fn clamps(body: &Body<'_>, v: &mut View<'_>, above: bool) {
+    let (plan, stem) = (body.plan, &body.plan.air_plug.stem);
+    let outer = 0.5 * plan.clamped_diameter_mm;
+    let bands: Vec<(f64, f64)> = match plan.clamps {
+        Clamps::Ties { width_mm, .. } => {
+            let start = |s: f64| s + 0.5 * (stem.groove_width_mm - width_mm);
+            stem.groove_starts_mm().into_iter().map(|s| (start(s), start(s) + width_mm)).collect()
+        }
+        Clamps::Crimped => vec![(0.1 * stem.length_mm, 0.9 * stem.length_mm)],
+    };
+    for (from, to) in bands {
+        for side in [-1.0, 1.0] {
+            let (a, b) = (side * (body.half + from), side * (body.half + to));
+            let x = (a.min(b), a.max(b));
+            match above {
+                true => v.cut(x, (outer, outer + 1.2), true),
+                false => v.outline(
+                    Pen::Outline,
+                    &[[x.0, 0.0], [x.0, -outer - 1.2], [x.1, -outer - 1.2], [x.1, 0.0]],
+                ),
+            }
+        }
+    }
+}
+
+/// Strands of both families below the axis, not all of them.
+fn strands(body: &Body<'_>, v: &mut View<'_>) {
+    let tan = body.plan.muscle.braid().angle_rad().tan();
+    let radius = body.sleeve;
+    let along = TAU * radius / tan;
+    let count = body.plan.cut.sleeve.strands.map_or(24.0, |n| 0.5 * f64::from(n));
+    // Not nearer than 5 mm on paper.
+    let count = count.min((v.scale * along / 5.0).floor()).max(1.0);
+    let step = along / count;
+    let quarter = 0.25 * along;
+    let turns = ((2.0 * body.half + quarter) / step).ceil().min(2000.0) as usize;
+    for family in [-1.0, 1.0] {
+        for i in 0..=turns {
+            let start = -body.half - quarter + i as f64 * step;
+            let place = |k: usize| {
+                let share = k as f64 / 12.0;
+                let x = start + share * quarter;
+                let turn = if family > 0.0 { share } else { 1.0 - share };
+                [x, -radius * (FRAC_PI_2 * turn).sin()]
+            };
+            let points: Vec<[f64; 2]> = (0..=12).map(place).filter(|p| p[0].abs() <= body.half).collect();
+            if points.len() > 1 {
+                v.line(Pen::Thin, &points);
+            }
+        }
+    }
+}
+
+/// The muscle at the working pressure, free to contract.
+fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
+    let (plan, half) = (body.plan, body.half);
+    let found = &plan.operating;
+    let stroke = 2.0 * half * found.free_contraction;
+    let thickness = body.sleeve - 0.5 * plan.muscle.outer_diameter_mm();
+    axis(v, half + body.left, half + body.right - stroke);
+    let middle = -0.5 * stroke;
+    for sign in [-1.0, 1.0] {
+        let right = found.contour_mm.iter().map(|[z, r]| [middle + z.abs(), sign * (r + thickness)]);
+        let left = found.contour_mm.iter().rev().map(|[z, r]| [middle - z.abs(), sign * (r + thickness)]);
+        let outer = sign * 0.5 * plan.clamped_diameter_mm;
+        let end = half + plan.air_plug.stem.length_mm;
+        let all: Vec<[f64; 2]> = [[-end, outer], [-half, outer]]
+            .into_iter()
+            .chain(left)
+            .chain(right)
+            .chain([[half - stroke, outer], [end - stroke, outer]])
+            .collect();
+        v.line(Pen::Outline, &all);
+    }
+    heads(body, v, stroke, false);
+    let widest = 0.5 * found.bulged_diameter_mm + thickness;
+    v.inside(middle + 0.35 * half, (-widest, widest), &diameter(2.0 * widest));
+    let row = -(v.scale * widest.max(body.widest) + 6.0);
+    let clamp = -0.5 * plan.clamped_diameter_mm;
+    v.across((-half, half - stroke), (clamp, clamp), row, &fixed(2.0 * half - stroke, 1));
+    v.across((half - stroke, half), (clamp, 0.0), row, &format!("stroke {}", fixed(stroke, 1)));
+    let text = format!(
+        "At {} without load: contracted by {}",
+        pressure(found.pressure_mpa),
+        percent(found.free_contraction)
+    );
+    label(v, widest.max(body.widest), 3.0, &text);
+}
+
+fn label(v: &mut View<'_>, radius: f64, above: f64, text: &str) {
+    let x = FRAME_MM[0] + 6.0;
+    let y = v.origin[1] + v.scale * radius + above;
+    v.sheet.text([x, y], 3.0, Anchor::Start, text);
+}
+
+/// The section A–A.
+fn cross_section(plan: &Plan, v: &mut View<'_>) {
+    let (d0, bore) = (plan.muscle.outer_diameter_mm(), plan.muscle.inner_diameter_mm());
+    let over = plan.over_sleeve_mm;
+    for diameter in [bore, d0, over] {
+        v.circle(Pen::Outline, diameter);
+    }
+    let ring = |d: f64| -> Vec<[f64; 2]> {
+        (0..72).map(|i| TAU * f64::from(i) / 72.0).map(|a| [0.5 * d * a.cos(), 0.5 * d * a.sin()]).collect()
+    };
+    v.hatch(&[ring(d0), ring(bore)], true);
+    v.circle(Pen::Thin, 0.5 * (d0 + over));
+    let reach = 0.5 * over + 2.5 / v.scale;
+    v.line(Pen::Axis, &[[-reach, 0.0], [reach, 0.0]]);
+    v.line(Pen::Axis, &[[0.0, -reach], [0.0, reach]]);
+    let column = v.scale * 0.5 * over;
+    for (i, d) in [bore, d0, over].into_iter().enumerate() {
+        v.beside((-0.5 * d, 0.5 * d), 0.0, column + 8.0 + 7.0 * i as f64, &diameter(d));
+    }
+    let [x, y] = v.at(0.0, 0.5 * over);
+    let text = format!("A–A  ({})", ratio(v.scale));
+    v.sheet.text([x, y + 4.5], 3.0, Anchor::Middle, text);
+}
+
+/// What the muscle is and does, in words.
+fn data(plan: &Plan, sheet: &mut Sheet) {
+    let (muscle, found, safety) = (&plan.muscle, &plan.operating, &plan.safety);
+    let x = 104.0;
+    let mut y = LOWER_MM - 6.0;
+    let known = |value: Option<f64>| {
+        value.map_or_else(|| "not known".into(), |p| format!("{} MPa", significant(p, 3)))
+    };
+    let strands = plan.cut.sleeve.strands.map_or_else(|| "not stated".into(), |n| n.to_string());
+    let rows = [
+        format!("Braid angle θ₀ {}°", mm(muscle.braid().angle_deg)),
+        format!("Strands {strands}"),
+        format!("Tube to cut {} mm", mm(plan.cut.tube_mm)),
+        format!("Working pressure {} MPa", significant(safety.pressure_mpa, 3)),
+        format!("Blocked force {} N", significant(found.blocked_force_n, 3)),
+        format!("Free contraction {}", percent(found.free_contraction)),
+        format!("Burst pressure {}", known(found.burst.map(|b| b.0))),
+        format!("Allowed pressure {}", known(found.allowed_mpa)),
+        format!("Proof test {} MPa, water", significant(safety.proof_pressure_mpa, 3)),
+        format!("Numbers by model {}", found.model),
+    ];
+    for row in rows {
+        sheet.text([x, y], 2.3, Anchor::Start, row);
+        y -= 5.2;
+    }
+}
+
+/// The list of parts above the title block.
+fn parts(plan: &Plan, sheet: &mut Sheet) {
+    let (left, right) = (TITLE_MM.0, FRAME_MM[2]);
+    let mut y = TITLE_MM.1;
+    let (row, height) = (4.6, 2.0);
+    for part in &plan.parts {
+        sheet.text([left + 4.0, y + 1.3], height, Anchor::Middle, part.number.to_string());
+        let amount = shortened(&part.amount, 36);
+        let room = 76 - amount.chars().count();
+        sheet.text([left + 9.5, y + 1.3], height, Anchor::Start, shortened(&part.part, room));
+        sheet.text([right - 1.5, y + 1.3], height, Anchor::End, amount);
+        y += row;
+        sheet.line(Pen::Thin, [[left, y], [right, y]]);
+    }
+    for x in [left, left + 8.0] {
+        sheet.line(Pen::Thin, [[x, TITLE_MM.1], [x, y]]);
+    }
+}
+
+fn shortened(text: &str, most: usize) -> String {
+    if text.chars().count() <= most {
+        text.into()
+    } else {
+        text.chars().take(most - 1).chain(['…']).collect()
+    }
+}

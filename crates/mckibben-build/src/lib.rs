@@ -1,0 +1,100 @@
+//! From a muscle to what a workshop needs: a drawing (SVG, PDF, DXF), two plugs (STL, OpenSCAD), a cut list, a bill of materials, steps with the
+//! numbers of this muscle, and a sheet for its first test, which `identify` reads back.
+//!
+//! [`Plan::new`] makes all numbers from the muscle and from what a model found of it ([`Operating`]); [`files`] writes them down. What practice
+//! chose, and no source states, is a constant with a comment.
+//!
+//! Units: mm, MPa, N.
+
+#![warn(clippy::print_stdout, clippy::print_stderr)]
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+mod cut;
+mod drawing;
+mod fitting;
+mod frame;
+mod material;
+mod mesh;
+mod plan;
+mod plug;
+mod plug_drawing;
+mod safety;
+mod scad;
+mod steps;
+mod test_sheet;
+mod text;
+mod view;
+
+pub use cut::{Cut, SleeveCut, SleeveLength};
+pub use fitting::{Fitting, UnknownFitting};
+pub use material::Part;
+pub use mesh::Mesh;
+pub use plan::{BuildError, Clamps, Operating, Plan, Wishes};
+pub use plug::{AirPlug, EyePlug, Stem};
+pub use safety::Safety;
+pub use test_sheet::TestPoint;
+
+use mckibben_report::FigureError;
+
+/// What every file of this crate has in it, so that a later run knows it.
+pub const MARK: &str = "mckibben build";
+
+/// A file for the workshop.
+#[derive(Debug, Clone, PartialEq)]
+pub struct File {
+    /// Its name.
+    pub name: &'static str,
+    /// What it is, in a few words.
+    pub about: &'static str,
+    /// What is in it.
+    pub content: Content,
+}
+
+/// What is in a file.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Content {
+    /// Text.
+    Text(String),
+    /// Bytes.
+    Bytes(Vec<u8>),
+}
+
+impl Content {
+    /// The bytes of the file.
+    pub fn bytes(&self) -> &[u8] {
+        match self {
+            Self::Text(text) => text.as_bytes(),
+            Self::Bytes(bytes) => bytes,
+        }
+    }
+}
+
+/// All files: the steps first, which link to the others.
+///
+/// # Errors
+/// [`FigureError`] where the drawing cannot be drawn.
+pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
+    let (drawing, plugs) = (drawing::on_paper(plan), plug_drawing::on_paper(plan));
+    let text = |name, about, text| File { name, about, content: Content::Text(text) };
+    let bytes = |name, about, bytes| File { name, about, content: Content::Bytes(bytes) };
+    let (air, eye) = (plan.air_plug.mesh(), plan.eye_plug.mesh());
+    let mut out = vec![
+        text("drawing.svg", "drawing of the muscle", drawing.sheet.to_svg()?),
+        #[cfg(feature = "pdf")]
+        bytes("drawing.pdf", "the same for printing, A4", drawing.sheet.to_pdf()?),
+        text("drawing.dxf", "the same for CAD programs, 1:1 in mm", drawing::in_one_scale(plan).to_dxf()),
+        text("plugs.svg", "drawing of both plugs", plugs.sheet.to_svg()?),
+        #[cfg(feature = "pdf")]
+        bytes("plugs.pdf", "the same for printing, A4", plugs.sheet.to_pdf()?),
+        text("plugs.dxf", "the same for CAD programs, 1:1 in mm", plugs.to_dxf()),
+        bytes("air-plug.stl", "plug with the air passage, for the printer", air.to_stl(MARK)),
+        text("air-plug.scad", "the same in OpenSCAD, with its measures as variables", scad::air_plug(plan)),
+        bytes("eye-plug.stl", "closed plug with the eye, for the printer", eye.to_stl(MARK)),
+        text("eye-plug.scad", "the same in OpenSCAD, with its measures as variables", scad::eye_plug(plan)),
+        text("test.csv", "sheet for the first test; `identify` reads it", test_sheet::csv(plan)),
+        text("muscle.toml", "the muscle itself", mckibben::muscle::file::to_toml(&plan.muscle)),
+    ];
+    let readme = steps::markdown(plan, &out);
+    out.insert(0, text("README.md", "cut list, bill of materials, steps", readme));
+    Ok(out)
+}

@@ -1,0 +1,138 @@
+//! The bill of materials.
+
+use crate::cut::Cut;
+use crate::fitting::Fitting;
+use crate::plan::{Clamps, Plan};
+use crate::text::{fixed, mm};
+use mckibben::muscle::Muscle;
+use mckibben::rubber::library as rubbers;
+use mckibben::sleeve::library as sleeves;
+use mckibben_design::tubes::{self, TubePart};
+
+/// Density of printed plugs in g/mm³: solid PETG, 1.27 g/cm³ (PLA has 1.24).
+const PRINTED_G_PER_MM3: f64 = 1.27e-3;
+/// Part and muscle have the same diameters within so many mm.
+const SAME_MM: f64 = 0.011;
+
+/// A line of the bill.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Part {
+    /// Number in the drawing.
+    pub number: u32,
+    /// What it is.
+    pub part: String,
+    /// How much of it.
+    pub amount: String,
+    /// Name as sold, where it is of the catalogue.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sold_as: Option<String>,
+    /// Mass in g, where it is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mass_g: Option<f64>,
+    /// Price as its source states it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub price: Option<String>,
+    /// Where name and price come from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub source: Option<String>,
+}
+
+/// The tube of the catalogue that has the muscle's diameters and rubber.
+fn tube_of(muscle: &Muscle, cut: &Cut) -> Option<&'static TubePart> {
+    let name = muscle.tube().rubber.name.as_deref()?;
+    let same = |a: f64, b: f64| (a - b).abs() < SAME_MM;
+    tubes::catalogue().ok()?.iter().find(|t| {
+        same(t.outer_diameter_mm, cut.tube_outer_diameter_mm)
+            && same(t.wall_mm, cut.tube_wall_mm)
+            && t.rubber.name.as_deref() == Some(name)
+    })
+}
+
+/// All lines.
+pub(crate) fn bill(plan: &Plan) -> Vec<Part> {
+    let (muscle, cut) = (&plan.muscle, &plan.cut);
+    let tube = tube_of(muscle, cut);
+    let rubber = muscle.tube().rubber.name.as_deref();
+    let of_rubber = || rubber.and_then(|n| rubbers::entry(n).ok()).and_then(|e| e.density_kg_per_m3);
+    let density = muscle.tube().density_kg_per_m3.or_else(of_rubber);
+    let bore = cut.tube_outer_diameter_mm - 2.0 * cut.tube_wall_mm;
+    let what = if tube.is_some_and(|t| t.is_cast) { "cast tube" } else { "tube" };
+    let first = Part {
+        number: 1,
+        part: format!(
+            "{what}, bore {} mm, outer diameter {} mm{}",
+            mm(bore),
+            mm(cut.tube_outer_diameter_mm),
+            rubber.map_or_else(String::new, |name| format!(", rubber {name}"))
+        ),
+        amount: format!("{} mm", mm(cut.tube_mm)),
+        sold_as: tube.map(|t| t.name.clone()),
+        mass_g: density.map(|d| 1e-6 * d * cut.rubber_mm3),
+        price: tube.and_then(|t| t.price.clone()),
+        source: tube.map(|t| t.source.clone()),
+    };
+    let plug = |number, part: &str, volume_mm3: f64| Part {
+        number,
+        part: part.into(),
+        amount: "1, printed solid".into(),
+        sold_as: None,
+        mass_g: Some(PRINTED_G_PER_MM3 * volume_mm3),
+        price: None,
+        source: None,
+    };
+    let clamps = match plan.clamps {
+        Clamps::Ties { width_mm, .. } => format!("cable tie, {} mm wide", mm(width_mm)),
+        Clamps::Crimped => "crimped ferrule or hose clamp".into(),
+    };
+    let bought = |number, part: String, amount: &str| Part {
+        number,
+        part,
+        amount: amount.into(),
+        sold_as: None,
+        mass_g: None,
+        price: None,
+        source: None,
+    };
+    let fitting = match plan.air_plug.fitting {
+        Fitting::Barb { bore_mm } => format!("hose with a bore of {} mm, and a clamp for it", mm(bore_mm)),
+        thread => format!("push-in fitting with thread {thread}, with its seal"),
+    };
+    vec![
+        first,
+        sleeve(plan),
+        plug(3, "air plug (air-plug.stl)", plan.air_plug.mesh().volume_mm3()),
+        plug(4, "eye plug (eye-plug.stl)", plan.eye_plug.mesh().volume_mm3()),
+        bought(5, clamps, &plan.clamps.amount()),
+        bought(6, fitting, "1"),
+        bought(7, format!("bolt M{}", mm(plan.eye_plug.bolt_mm)), "1"),
+    ]
+}
+
+fn sleeve(plan: &Plan) -> Part {
+    let (cut, shape) = (&plan.cut.sleeve, plan.muscle.braid().sleeve.as_ref());
+    let entry = shape.and_then(|s| sleeves::entry(&s.name).ok());
+    let density = entry.and_then(|e| e.modulus_of).and_then(|material| material.density_kg_per_m3);
+    let rubber_free = cut.strands.zip(cut.strand_area_mm2);
+    let volume = rubber_free.map(|(n, area)| f64::from(n) * area * cut.strand_mm);
+    let angle = mm(plan.muscle.braid().angle_deg);
+    let amount = match (cut.relaxed_mm, cut.relaxed_diameter_mm) {
+        (Some(length), Some(diameter)) => format!("{} mm at ⌀ {} mm", fixed(length, 1), mm(diameter)),
+        _ => format!("{} mm on the tube", mm(cut.mounted_mm)),
+    };
+    let strands = cut.strands.map_or_else(String::new, |n| format!(", {n} strands"));
+    Part {
+        number: 2,
+        part: match entry {
+            Some(entry) => format!("{}{strands}", entry.title),
+            None => {
+                format!("braided sleeve, {angle}° on {} mm{strands}", mm(plan.muscle.outer_diameter_mm()))
+            }
+        },
+        amount,
+        sold_as: shape.map(|s| s.name.clone()),
+        mass_g: volume.zip(density).map(|(v, d)| 1e-6 * d * v),
+        price: entry.and_then(|e| e.price.clone()),
+        source: entry.map(|e| e.source.clone()),
+    }
+}

@@ -1,0 +1,301 @@
+//! The plugs: a stem with grooves for clamps, a collar, and a fitting for the air or an eye for a bolt.
+
+use crate::fitting::Fitting;
+use crate::mesh::{FACETS, Mesh, Ring};
+use std::f64::consts::{PI, TAU};
+
+/// A stem is so much wider than the bore, as a share of it, at least and at most in mm. A choice: sellers of barbs say only that a barb is "a
+/// little larger" than the bore.
+const INTERFERENCE: (f64, f64, f64) = (0.05, 0.2, 1.5);
+/// A groove is so much wider than a cable tie, in mm: room for the sleeve.
+const GROOVE_ROOM_MM: f64 = 1.0;
+/// Depth of a groove as a share of the stem, at most in mm. A choice.
+const GROOVE_DEPTH: (f64, f64) = (0.06, 1.5);
+/// Least length between grooves and at both ends of the stem, in mm.
+const LAND_MM: f64 = 2.0;
+/// Thickness of the collar in mm, and how far it is wider than the sleeve. A choice.
+const COLLAR_MM: (f64, f64) = (3.0, 1.5);
+/// Bearing pressure that the eye of a printed plug may carry, in MPa. A choice, about a third of what solid PETG yields at.
+const BEARING_MPA: f64 = 15.0;
+/// Bolts and their holes (ISO 273, medium), in mm.
+const BOLTS_MM: [(f64, f64); 9] = [
+    (3.0, 3.4),
+    (4.0, 4.5),
+    (5.0, 5.5),
+    (6.0, 6.6),
+    (8.0, 9.0),
+    (10.0, 11.0),
+    (12.0, 13.5),
+    (16.0, 17.5),
+    (20.0, 22.0),
+];
+
+/// What both plugs have.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stem {
+    /// Diameter in mm: the bore and the interference.
+    pub diameter_mm: f64,
+    /// How much wider it is than the bore, in mm.
+    pub interference_mm: f64,
+    /// Length in the tube in mm.
+    pub length_mm: f64,
+    /// Grooves for clamps.
+    pub grooves: usize,
+    /// Width of a groove in mm.
+    pub groove_width_mm: f64,
+    /// Depth of a groove in mm.
+    pub groove_depth_mm: f64,
+    /// Diameter of the collar in mm.
+    pub collar_diameter_mm: f64,
+    /// Thickness of the collar in mm.
+    pub collar_mm: f64,
+}
+
+impl Stem {
+    /// The stem for a tube, under a sleeve of a diameter over its strands, for ties of a width; the collar has room for a foot.
+    pub(crate) fn new(bore_mm: f64, length_mm: f64, over_sleeve_mm: f64, tie_mm: f64, foot_mm: f64) -> Self {
+        let (share, least, most) = INTERFERENCE;
+        let interference_mm = (share * bore_mm).clamp(least.min(0.2 * bore_mm), most);
+        let diameter_mm = bore_mm + interference_mm;
+        let groove_width_mm = tie_mm + GROOVE_ROOM_MM;
+        let fits = |n: f64| length_mm >= n * groove_width_mm + (n + 1.0) * LAND_MM;
+        Self {
+            diameter_mm,
+            interference_mm,
+            length_mm,
+            // Builders: two narrow ties hold where a wide one leaked.
+            grooves: [2, 1].into_iter().find(|n| fits(f64::from(*n))).unwrap_or(0) as usize,
+            groove_width_mm,
+            groove_depth_mm: (GROOVE_DEPTH.0 * diameter_mm).min(GROOVE_DEPTH.1),
+            collar_diameter_mm: (over_sleeve_mm + 2.0 * COLLAR_MM.1).max(foot_mm + 1.0),
+            collar_mm: COLLAR_MM.0,
+        }
+    }
+
+    /// Distance of the inner end of each groove from the inner end of the stem, in mm.
+    pub fn groove_starts_mm(&self) -> Vec<f64> {
+        let lands = self.grooves as f64 + 1.0;
+        let land = (self.length_mm - self.grooves as f64 * self.groove_width_mm) / lands;
+        (0..self.grooves).map(|i| land + i as f64 * (land + self.groove_width_mm)).collect()
+    }
+
+    /// Length of the bevel of the inner end in mm, and the radius there.
+    pub(crate) fn bevel_mm(&self) -> (f64, f64) {
+        let bevel = (0.1 * self.length_mm).min(0.2 * self.diameter_mm).min(0.5 * LAND_MM);
+        (bevel, 0.5 * self.diameter_mm - 0.5 * bevel)
+    }
+
+    /// Radii and heights from the inner end to the outer edge of the collar.
+    pub(crate) fn profile(&self) -> Vec<[f64; 2]> {
+        let (radius, depth, width) = (0.5 * self.diameter_mm, self.groove_depth_mm, self.groove_width_mm);
+        let (bevel, tip) = self.bevel_mm();
+        let mut out = vec![[tip, 0.0], [radius, bevel]];
+        for start in self.groove_starts_mm() {
+            let end = start + width;
+            out.extend([
+                [radius, start],
+                [radius - depth, start + depth],
+                [radius - depth, end - depth],
+                [radius, end],
+            ]);
+        }
+        let collar = 0.5 * self.collar_diameter_mm;
+        out.extend([[radius, self.length_mm], [collar, self.length_mm], [collar, self.top_mm()]]);
+        out
+    }
+
+    /// Height of the collar's outer face above the inner end, in mm.
+    pub fn top_mm(&self) -> f64 {
+        self.length_mm + self.collar_mm
+    }
+}
+
+/// The plug with the air passage.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AirPlug {
+    /// Stem and collar.
+    pub stem: Stem,
+    /// What the hose is connected to.
+    pub fitting: Fitting,
+    /// Diameter of the passage in mm.
+    pub passage_mm: f64,
+}
+
+impl AirPlug {
+    pub(crate) fn new(stem: Stem, fitting: Fitting) -> Self {
+        let root = stem.diameter_mm - 2.0 * stem.groove_depth_mm;
+        let hole = match fitting {
+            Fitting::Barb { bore_mm } => 0.55 * bore_mm,
+            _ => fitting.thread_mm().map_or(4.0, |t| 0.8 * t.0),
+        };
+        // Two thirds of the stem are its wall.
+        Self { stem, fitting, passage_mm: (root / 3.0).min(4.0).min(hole) }
+    }
+
+    /// Radii and heights of what is above the collar's edge: outside up, and down to the passage.
+    pub(crate) fn head(&self) -> Vec<[f64; 2]> {
+        let (top, hole) = (self.stem.top_mm(), 0.5 * self.passage_mm);
+        match (self.fitting, self.fitting.thread_mm()) {
+            (_, Some((drill, depth, boss))) => {
+                let end = top + depth;
+                let cone = (0.5 * drill - hole).min(self.stem.collar_mm);
+                vec![
+                    [0.5 * boss, top],
+                    [0.5 * boss, end],
+                    [0.5 * drill, end],
+                    [0.5 * drill, top],
+                    [hole, top - cone],
+                ]
+            }
+            (Fitting::Barb { bore_mm }, _) => {
+                // One sharp barb with a cylinder behind it holds better than several.
+                let (neck, edge, tip) = (0.5 * bore_mm, 0.6 * bore_mm, 0.45 * bore_mm);
+                let (start, end) = (top + 1.5 * bore_mm, top + 2.5 * bore_mm);
+                vec![[neck, top], [neck, start], [edge, start], [tip, end], [hole, end]]
+            }
+            // Threads are above.
+            _ => vec![],
+        }
+    }
+
+    /// Whole length in mm.
+    pub fn length_mm(&self) -> f64 {
+        self.head().iter().map(|p| p[1]).fold(self.stem.top_mm(), f64::max)
+    }
+
+    /// The whole section, closed.
+    pub(crate) fn profile(&self) -> Vec<[f64; 2]> {
+        let mut out = self.stem.profile();
+        out.extend(self.head());
+        out.push([0.5 * self.passage_mm, 0.0]);
+        out.push(out[0]);
+        // A boss may be exactly as wide as the collar.
+        out.dedup();
+        out
+    }
+
+    /// Its surface.
+    pub fn mesh(&self) -> Mesh {
+        let mut mesh = Mesh::default();
+        let mut profile = self.profile();
+        profile.pop();
+        if let Some((first, last)) = mesh.bands(&profile) {
+            mesh.band(&last, &first);
+        }
+        mesh
+    }
+
+    /// Volume of the round plug in mm³.
+    pub fn volume_mm3(&self) -> f64 {
+        revolved_mm3(&self.profile())
+    }
+}
+
+/// The closed plug with an eye for a bolt.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EyePlug {
+    /// Stem and collar.
+    pub stem: Stem,
+    /// The bolt in mm: 6 is M6.
+    pub bolt_mm: f64,
+    /// Hole of the eye in mm.
+    pub hole_mm: f64,
+    /// Thickness of the eye in mm.
+    pub thickness_mm: f64,
+    /// Width of the eye in mm.
+    pub width_mm: f64,
+    /// Distance of the hole's centre from the collar in mm.
+    pub centre_mm: f64,
+}
+
+/// Hole of a bolt, thickness and width of its eye, distance of its centre, in mm.
+fn eye_mm(bolt_mm: f64) -> (f64, f64, f64, f64) {
+    let standard = BOLTS_MM.iter().find(|b| b.0 == bolt_mm);
+    let hole = standard.map_or(1.1 * bolt_mm, |b| b.1);
+    (hole, bolt_mm.max(4.0), 2.5 * hole, 1.5 * hole)
+}
+
+/// The bolt in mm that a pull in N needs at [`BEARING_MPA`] in an eye as thick as the bolt: d = √(F/p), the next standard one.
+pub(crate) fn bolt_mm(pull_n: f64) -> f64 {
+    let least = (pull_n.max(0.0) / BEARING_MPA).sqrt();
+    BOLTS_MM.iter().map(|b| b.0).find(|d| *d >= least).unwrap_or((least / 4.0).ceil() * 4.0)
+}
+
+/// Diameter in mm that an eye for a bolt needs on the collar.
+pub(crate) fn foot_mm(bolt_mm: f64) -> f64 {
+    let (_, thickness, width, _) = eye_mm(bolt_mm);
+    width.hypot(thickness)
+}
+
+impl EyePlug {
+    pub(crate) fn new(stem: Stem, bolt_mm: f64) -> Self {
+        let (hole_mm, thickness_mm, width_mm, centre_mm) = eye_mm(bolt_mm);
+        Self { stem, bolt_mm, hole_mm, thickness_mm, width_mm, centre_mm }
+    }
+
+    /// Whole length in mm.
+    pub fn length_mm(&self) -> f64 {
+        self.stem.top_mm() + self.centre_mm + 0.5 * self.width_mm
+    }
+
+    /// Outline of the eye from its foot, and its hole, both about the hole's centre and counter-clockwise.
+    pub(crate) fn eye(&self) -> (Vec<[f64; 2]>, Vec<[f64; 2]>) {
+        let (w, h) = (0.5 * self.width_mm, self.centre_mm);
+        let arc = |i: usize| PI * i as f64 / (FACETS / 2) as f64;
+        let mut outline = vec![[-w, 0.0], [w, 0.0]];
+        outline.extend((0..=FACETS / 2).map(|i| [w * arc(i).cos(), h + w * arc(i).sin()]));
+        let turn = |i: usize| TAU * i as f64 / FACETS as f64;
+        let hole = 0.5 * self.hole_mm;
+        let around = (0..FACETS).map(|i| [hole * turn(i).cos(), h + hole * turn(i).sin()]);
+        (outline, around.collect())
+    }
+
+    /// Its surface.
+    pub fn mesh(&self) -> Mesh {
+        let mut mesh = Mesh::default();
+        let (top, t) = (self.stem.top_mm(), 0.5 * self.thickness_mm);
+        let Some((first, last)) = mesh.bands(&self.stem.profile()) else { return mesh };
+        let end = mesh.corner([0.0, 0.0, 0.0]);
+        for i in 0..first.len() {
+            mesh.triangles.push([end, first[(i + 1) % first.len()], first[i]]);
+        }
+        let (outline, hole) = self.eye();
+        let mut side = |points: &[[f64; 2]], y: f64| -> Ring {
+            points.iter().map(|[x, z]| mesh.corner([*x, y, top + z])).collect()
+        };
+        let (front, back) = (side(&outline, -t), side(&outline, t));
+        let (front_hole, back_hole) = (side(&hole, -t), side(&hole, t));
+        let centre = self.centre_mm + top;
+        mesh.face(&front, &front_hole, |[x, _, z]| [x, z], [0.0, centre]);
+        let turned = |ring: &[usize]| ring.iter().rev().copied().collect::<Ring>();
+        mesh.face(&turned(&back), &turned(&back_hole), |[x, _, z]| [-x, z], [0.0, centre]);
+        for i in 1..front.len() {
+            let j = (i + 1) % front.len();
+            mesh.triangles.extend([[front[i], back[i], front[j]], [front[j], back[i], back[j]]]);
+        }
+        // The wall of the hole.
+        mesh.band(&front_hole, &back_hole);
+        let foot = [front[0], front[1], back[1], back[0]];
+        mesh.face(&last, &foot, |[x, y, _]| [x, y], [0.0, 0.0]);
+        mesh
+    }
+
+    /// Volume in mm³.
+    pub fn volume_mm3(&self) -> f64 {
+        let (w, hole) = (self.width_mm, 0.5 * self.hole_mm);
+        let area = w * self.centre_mm + 0.125 * PI * w * w - PI * hole * hole;
+        let mut closed = self.stem.profile();
+        closed.insert(0, [0.0, 0.0]);
+        closed.push([0.0, self.stem.top_mm()]);
+        revolved_mm3(&closed) + area * self.thickness_mm
+    }
+}
+
+/// Volume in mm³ of a closed section that is turned about the axis: π/3 Σ (r₀² + r₀ r₁ + r₁²) Δz.
+pub(crate) fn revolved_mm3(profile: &[[f64; 2]]) -> f64 {
+    let cone = |p: &[[f64; 2]]| {
+        let ([r0, z0], [r1, z1]) = (p[0], p[1]);
+        (r0 * r0 + r0 * r1 + r1 * r1) * (z1 - z0)
+    };
+    PI / 3.0 * profile.windows(2).map(cone).sum::<f64>()
+}

@@ -1,0 +1,141 @@
+//! The drawing of the plugs: both in section, with their measures.
+
+use crate::fitting::Fitting;
+use crate::frame::{self, Drawing, FRAME_MM, largest};
+use crate::plan::Plan;
+use crate::plug::Stem;
+use crate::text::mm;
+use crate::view::{SMALL_MM, View, diameter};
+use mckibben_report::{Anchor, Pen};
+
+/// Room for both plugs side by side, and for the higher one, in mm.
+const ROOM_MM: (f64, f64) = (165.0, 70.0);
+
+/// The drawing on paper; all bodies have one scale.
+pub(crate) fn on_paper(plan: &Plan) -> Drawing {
+    let (air, eye) = (&plan.air_plug, &plan.eye_plug);
+    let head = air.head().iter().map(|p| 2.0 * p[0]).fold(air.stem.collar_diameter_mm, f64::max);
+    let scale = largest(|s| s * (air.length_mm() + eye.length_mm()) <= ROOM_MM.0 && s * head <= ROOM_MM.1);
+    let mut sheet = frame::sheet(plan, "Plugs of the muscle", 2, scale);
+    let [left, _, right, top] = FRAME_MM;
+    let (widths, y) = ([scale * air.length_mm(), scale * eye.length_mm()], 0.5 * (top + 66.0) - 4.0);
+    let gap = (right - left - widths[0] - widths[1]) / 3.0;
+    let places = [left + gap, left + 2.0 * gap + widths[0]];
+
+    let mut v = View { sheet: &mut sheet, origin: [places[0], y], scale };
+    let across = |profile: Vec<[f64; 2]>, sign: f64| -> Vec<[f64; 2]> {
+        profile.into_iter().map(|[r, z]| [z, sign * r]).collect()
+    };
+    for sign in [-1.0, 1.0] {
+        let section = across(air.profile(), sign);
+        v.outline(Pen::Outline, &section);
+        v.hatch(&[section], sign > 0.0);
+    }
+    // Edges that one sees behind the section.
+    let mut behind = vec![0.0, air.length_mm()];
+    behind.extend(air.head().iter().skip(2).map(|p| p[1]));
+    for x in behind {
+        let inner = if x == 0.0 { 0.5 * air.passage_mm } else { hole_at(plan, x) };
+        v.line(Pen::Outline, &[[x, -inner], [x, inner]]);
+    }
+    stem(&mut v, &air.stem, air.length_mm());
+    let what = match (air.fitting, air.fitting.thread_mm()) {
+        (thread, Some((drill, depth, boss))) => {
+            format!(
+                "{thread}: hole {}, {} deep; boss {}; passage {}",
+                diameter(drill),
+                mm(depth),
+                diameter(boss),
+                diameter(air.passage_mm)
+            )
+        }
+        (Fitting::Barb { bore_mm }, _) => {
+            format!(
+                "barb {} for a hose with a bore of {}; passage {}",
+                diameter(1.2 * bore_mm),
+                mm(bore_mm),
+                diameter(air.passage_mm)
+            )
+        }
+        // Threads are above.
+        _ => String::new(),
+    };
+    names(&mut v, head, &["3  air plug", &what]);
+
+    let mut v = View { sheet: &mut sheet, origin: [places[1], y], scale };
+    let (outline, _) = eye.eye();
+    let top = eye.stem.top_mm();
+    let mut all = across(eye.stem.profile(), 1.0);
+    all.extend(across(eye.stem.profile(), -1.0).into_iter().rev());
+    v.outline(Pen::Outline, &all);
+    v.hatch(&[all], true);
+    let tab: Vec<[f64; 2]> =
+        outline.iter().skip(1).chain(outline.first()).map(|[x, z]| [top + z, *x]).collect();
+    v.line(Pen::Outline, &tab);
+    let origin = v.origin;
+    v.origin = v.at(top + eye.centre_mm, 0.0);
+    v.circle(Pen::Outline, eye.hole_mm);
+    v.origin = origin;
+    let x = top + eye.centre_mm;
+    v.line(Pen::Axis, &[[x, -0.7 * eye.width_mm], [x, 0.7 * eye.width_mm]]);
+    stem(&mut v, &eye.stem, eye.length_mm());
+    let half = 0.5 * eye.stem.collar_diameter_mm;
+    v.across((top, x), (-half, -0.5 * eye.width_mm), -(scale * half + 6.0), &mm(eye.centre_mm));
+    let text = format!(
+        "eye for M{}: hole {}, {} wide, {} thick",
+        mm(eye.bolt_mm),
+        diameter(eye.hole_mm),
+        mm(eye.width_mm),
+        mm(eye.thickness_mm)
+    );
+    names(&mut v, head, &["4  eye plug", &text]);
+
+    let stem = &air.stem;
+    let notes = [
+        format!(
+            "Stem: bore {} and {}",
+            mm(stem.diameter_mm - stem.interference_mm),
+            mm(stem.interference_mm)
+        ),
+        format!("Grooves {} wide, {} deep, sides at 45°", mm(stem.groove_width_mm), mm(stem.groove_depth_mm)),
+        "Print solid; seal the surface".into(),
+    ];
+    for (i, note) in notes.iter().enumerate() {
+        sheet.text([left + 6.0, 34.0 - 5.2 * i as f64], SMALL_MM, Anchor::Start, note);
+    }
+    Drawing { sheet, scale }
+}
+
+/// Radius of the hole of the air plug at the edges of its section, in mm.
+fn hole_at(plan: &Plan, x: f64) -> f64 {
+    let air = &plan.air_plug;
+    let inner = air.head().into_iter().skip(2).filter(|p| p[1] == x).map(|p| p[0]);
+    match air.fitting.thread_mm() {
+        Some(_) => inner.fold(0.5 * air.passage_mm, f64::max),
+        None => 0.5 * air.passage_mm,
+    }
+}
+
+/// The axis of a plug, and the measures of its stem.
+fn stem(v: &mut View<'_>, stem: &Stem, length_mm: f64) {
+    let (half, collar) = (0.5 * stem.diameter_mm, 0.5 * stem.collar_diameter_mm);
+    let beyond = 4.0 / v.scale;
+    v.line(Pen::Axis, &[[-beyond, 0.0], [length_mm + beyond, 0.0]]);
+    let above = v.scale * collar + 6.0;
+    v.across((0.0, stem.length_mm), (half, collar), above, &mm(stem.length_mm));
+    v.across((stem.length_mm, stem.top_mm()), (collar, collar), above, &mm(stem.collar_mm));
+    v.across((0.0, length_mm), (half, 0.0), above + 7.0, &mm(length_mm));
+    v.beside((-half, half), stem.bevel_mm().0, -9.0, &diameter(stem.diameter_mm));
+    for (i, start) in stem.groove_starts_mm().into_iter().enumerate() {
+        v.across((0.0, start), (-half, -half), -above - 6.0 * i as f64, &mm(start));
+    }
+    v.beside((-collar, collar), stem.length_mm, -17.0, &diameter(stem.collar_diameter_mm));
+}
+
+/// What a view shows, below it.
+fn names(v: &mut View<'_>, height_mm: f64, lines: &[&str]) {
+    let y = v.origin[1] - 0.5 * v.scale * height_mm - 24.0;
+    for (i, line) in lines.iter().enumerate() {
+        v.sheet.text([v.origin[0], y - 5.0 * i as f64], 3.0 - 0.5 * i as f64, Anchor::Start, *line);
+    }
+}

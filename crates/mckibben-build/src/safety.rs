@@ -1,0 +1,69 @@
+//! Pressures of the tests and the energy of the air.
+
+use mckibben::analysis::ATMOSPHERE_MPA;
+
+/// Proof over working pressure of a hose for compressed air (ISO 7751).
+const PROOF_TO_WORKING: f64 = 2.0;
+/// A proof is at most this share of the burst pressure, so that it does not destroy a good muscle: a choice.
+const PROOF_TO_BURST: f64 = 0.75;
+
+/// Pressures, and what they store.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Safety {
+    /// Working pressure, MPa.
+    pub pressure_mpa: f64,
+    /// Pressure of the proof test with water, MPa: twice the working pressure, at most three quarters of the burst pressure, and never below the working
+    /// pressure.
+    pub proof_pressure_mpa: f64,
+    /// Pressure of the leak test, MPa.
+    pub leak_pressure_mpa: f64,
+    /// Energy of the air at the working pressure, J, at most: p V ln(p/p₀).
+    pub air_energy_j: f64,
+    /// Energy that air would have at the proof pressure, J.
+    pub air_energy_at_proof_j: f64,
+}
+
+impl Safety {
+    /// The tests of a muscle with a cavity of `volume_mm3` at the working pressure.
+    pub(crate) fn new(pressure_mpa: f64, burst_mpa: Option<f64>, volume_mm3: f64) -> Self {
+        let most = burst_mpa.map_or(f64::INFINITY, |burst| PROOF_TO_BURST * burst);
+        let proof_pressure_mpa = (PROOF_TO_WORKING * pressure_mpa).min(most).max(pressure_mpa);
+        Self {
+            pressure_mpa,
+            proof_pressure_mpa,
+            leak_pressure_mpa: pressure_mpa,
+            air_energy_j: energy_j(pressure_mpa, volume_mm3),
+            air_energy_at_proof_j: energy_j(proof_pressure_mpa, volume_mm3),
+        }
+    }
+}
+
+/// Energy in J of air at a gauge pressure: E = p V ln(p/p₀), p absolute. It is the work of an isothermal expansion to the atmosphere, an upper
+/// bound of what the air can do.
+pub fn energy_j(gauge_mpa: f64, volume_mm3: f64) -> f64 {
+    let absolute = gauge_mpa.max(0.0) + ATMOSPHERE_MPA;
+    1e-3 * absolute * volume_mm3 * (absolute / ATMOSPHERE_MPA).ln()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mckibben::analysis::SAFETY;
+
+    /// By hand: 0.5 L at 6 bar gauge, 0.701325 MPa · 500 000 mm³ = 350.66 J, ln(6.92154) = 1.934638, together 678.4 J.
+    #[test]
+    fn the_energy_of_air_is_that_of_an_isothermal_expansion() {
+        assert!((energy_j(0.6, 5e5) - 678.4).abs() < 0.05, "{}", energy_j(0.6, 5e5));
+        assert_eq!(energy_j(0.0, 5e5), 0.0);
+    }
+
+    #[test]
+    fn a_proof_is_half_of_the_burst_where_the_working_pressure_is_a_quarter_of_it() {
+        let safety = Safety::new(1.0 / SAFETY, Some(1.0), 1e5);
+        assert_eq!((safety.proof_pressure_mpa, safety.leak_pressure_mpa), (0.5, 0.25));
+        // A tube may work at half of its burst pressure, and is not proved at all of it.
+        assert_eq!(Safety::new(0.5, Some(1.0), 1e5).proof_pressure_mpa, 0.75);
+        assert_eq!(Safety::new(0.9, Some(1.0), 1e5).proof_pressure_mpa, 0.9);
+    }
+}

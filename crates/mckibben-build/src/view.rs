@@ -1,0 +1,171 @@
+//! Tools of a drawing: a view at a scale, dimensions, hatches.
+
+use crate::text::mm;
+use mckibben_report::{Anchor, Pen, Sheet};
+
+/// Height of dimensions and notes in mm.
+pub(crate) const SMALL_MM: f64 = 2.5;
+/// Length and half width of an arrow in mm.
+const ARROW_MM: (f64, f64) = (2.5, 0.42);
+/// An extension line begins so far from the body, and ends so far beyond the dimension, in mm.
+const GAP_MM: f64 = 0.8;
+const BEYOND_MM: f64 = 1.5;
+/// Distance of the lines of a hatch in mm.
+const HATCH_MM: f64 = 1.4;
+/// Sections thinner than this on paper, in mm, are filled (ISO 128-3).
+const THIN_MM: f64 = 1.0;
+
+/// A body drawn at a scale: `origin` is where its point (0, 0) lies on the sheet.
+pub(crate) struct View<'a> {
+    pub(crate) sheet: &'a mut Sheet,
+    pub(crate) origin: [f64; 2],
+    /// mm on paper for each mm of the body.
+    pub(crate) scale: f64,
+}
+
+impl View<'_> {
+    /// Where a point of the body lies on the sheet.
+    pub(crate) fn at(&self, x: f64, y: f64) -> [f64; 2] {
+        [self.origin[0] + self.scale * x, self.origin[1] + self.scale * y]
+    }
+
+    pub(crate) fn line(&mut self, pen: Pen, points: &[[f64; 2]]) {
+        let points: Vec<_> = points.iter().map(|[x, y]| self.at(*x, *y)).collect();
+        self.sheet.line(pen, points);
+    }
+
+    pub(crate) fn outline(&mut self, pen: Pen, corners: &[[f64; 2]]) {
+        let corners: Vec<_> = corners.iter().map(|[x, y]| self.at(*x, *y)).collect();
+        self.sheet.outline(pen, corners);
+    }
+
+    pub(crate) fn circle(&mut self, pen: Pen, diameter: f64) {
+        self.sheet.circle(pen, self.origin, 0.5 * diameter * self.scale);
+    }
+
+    /// A cut rectangle: its edge, and a hatch; filled where it is thin.
+    pub(crate) fn cut(&mut self, x: (f64, f64), y: (f64, f64), rising: bool) {
+        let corners = [[x.0, y.0], [x.1, y.0], [x.1, y.1], [x.0, y.1]];
+        if (x.1 - x.0).min(y.1 - y.0) * self.scale < THIN_MM {
+            let corners: Vec<_> = corners.iter().map(|[x, y]| self.at(*x, *y)).collect();
+            return self.sheet.fill(corners);
+        }
+        self.outline(Pen::Outline, &corners);
+        self.hatch(&[corners.to_vec()], rising);
+    }
+
+    /// Lines at 45° in what lies inside of an odd number of loops.
+    pub(crate) fn hatch(&mut self, loops: &[Vec<[f64; 2]>], rising: bool) {
+        let edges: Vec<[[f64; 2]; 2]> = loops
+            .iter()
+            .flat_map(|l| (0..l.len()).map(move |i| [l[i], l[(i + 1) % l.len()]]))
+            .map(|edge| edge.map(|[x, y]| self.at(x, y)))
+            .collect();
+        let sign = if rising { 1.0 } else { -1.0 };
+        // Lines y − sign x = c.
+        let height = |p: [f64; 2]| p[1] - sign * p[0];
+        let heights = edges.iter().map(|e| height(e[0]));
+        let (low, high) = heights.fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
+        let step = HATCH_MM * std::f64::consts::SQRT_2;
+        let first = (low / step).ceil() as i64;
+        // A sheet has no room for more.
+        for k in first..=((high / step).floor() as i64).min(first + 1000) {
+            let c = k as f64 * step;
+            let mut cuts: Vec<[f64; 2]> = vec![];
+            for [a, b] in &edges {
+                let (ha, hb) = (height(*a) - c, height(*b) - c);
+                if (ha < 0.0) != (hb < 0.0) {
+                    let t = ha / (ha - hb);
+                    cuts.push([a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]);
+                }
+            }
+            cuts.sort_by(|a, b| a[0].total_cmp(&b[0]));
+            cuts.chunks_exact(2).for_each(|pair| self.sheet.line(Pen::Thin, [pair[0], pair[1]]));
+        }
+    }
+
+    /// A horizontal dimension between x of the body; its line lies at `row`, in mm on paper from the axis. Extension lines begin at `from` of the body.
+    pub(crate) fn across(&mut self, x: (f64, f64), from: (f64, f64), row: f64, text: &str) {
+        let y = self.origin[1] + row;
+        let beyond = BEYOND_MM * row.signum();
+        let (a, b) = (self.at(x.0, from.0), self.at(x.1, from.1));
+        for end in [a, b] {
+            let gap = GAP_MM * (y - end[1]).signum();
+            self.sheet.line(Pen::Thin, [[end[0], end[1] + gap], [end[0], y + beyond]]);
+        }
+        dimension(self.sheet, [a[0], y], [b[0], y], text);
+    }
+
+    /// A vertical dimension between y of the body at a place x of the body, inside of it.
+    pub(crate) fn inside(&mut self, x: f64, y: (f64, f64), text: &str) {
+        let (a, b) = (self.at(x, y.0), self.at(x, y.1));
+        dimension(self.sheet, a, b, text);
+    }
+
+    /// A vertical dimension beside the body: its line lies at `column`, in mm on paper from the origin.
+    pub(crate) fn beside(&mut self, y: (f64, f64), from: f64, column: f64, text: &str) {
+        let x = self.origin[0] + column;
+        let beyond = BEYOND_MM * column.signum();
+        let (a, b) = (self.at(from, y.0), self.at(from, y.1));
+        for end in [a, b] {
+            let gap = GAP_MM * (x - end[0]).signum();
+            self.sheet.line(Pen::Thin, [[end[0] + gap, end[1]], [x + beyond, end[1]]]);
+        }
+        dimension(self.sheet, [x, a[1]], [x, b[1]], text);
+    }
+
+    /// A number in a circle with a line to a point of the body.
+    pub(crate) fn balloon(&mut self, to: [f64; 2], at: [f64; 2], number: u32) {
+        let to = self.at(to[0], to[1]);
+        let radius = 3.0;
+        let length = (to[0] - at[0]).hypot(to[1] - at[1]).max(1e-9);
+        let edge = [0, 1].map(|k| at[k] + radius * (to[k] - at[k]) / length);
+        self.sheet.circle(Pen::Thin, at, radius);
+        self.sheet.line(Pen::Thin, [edge, to]);
+        self.sheet.circle(Pen::Outline, to, 0.3);
+        self.sheet.text([at[0], at[1] - 0.5 * SMALL_MM], SMALL_MM, Anchor::Middle, number.to_string());
+    }
+}
+
+/// A dimension line with arrows and its text: above a horizontal one, to the left of an upright one. Where arrows have no room inside they point from
+/// outside.
+fn dimension(sheet: &mut Sheet, a: [f64; 2], b: [f64; 2], text: &str) {
+    let length = (b[0] - a[0]).hypot(b[1] - a[1]).max(1e-9);
+    let along = [0, 1].map(|k| (b[k] - a[k]) / length);
+    let upright = along[1].abs() > 0.5;
+    let fits = length > 2.5 * ARROW_MM.0;
+    let move_by = |p: [f64; 2], by: f64| [0, 1].map(|k| p[k] + by * along[k]);
+    let inward = if fits { 1.0 } else { -1.0 };
+    for (tip, sign) in [(a, inward), (b, -inward)] {
+        let foot = move_by(tip, sign * ARROW_MM.0);
+        let side = [-along[1] * ARROW_MM.1, along[0] * ARROW_MM.1];
+        sheet.fill([tip, [foot[0] + side[0], foot[1] + side[1]], [foot[0] - side[0], foot[1] - side[1]]]);
+    }
+    let width = width_of(text);
+    let room = fits && width + 2.0 < length;
+    let out = if fits { 0.0 } else { 2.0 * ARROW_MM.0 };
+    if room {
+        sheet.line(Pen::Thin, [a, b]);
+        let middle = move_by(a, 0.5 * length);
+        match upright {
+            true => sheet.text_upwards([middle[0] - 1.0, middle[1]], SMALL_MM, Anchor::Middle, text),
+            false => sheet.text([middle[0], middle[1] + 1.0], SMALL_MM, Anchor::Middle, text),
+        }
+        return;
+    }
+    // Beyond the end, on a shelf.
+    let end = if upright { move_by(b, out.max(3.5)) } else { move_by(b, out) };
+    let shelf = [end[0] + width + 1.5, end[1]];
+    sheet.line(Pen::Thin, [move_by(a, -out), end, shelf]);
+    sheet.text([end[0] + 1.0, end[1] + 1.0], SMALL_MM, Anchor::Start, text);
+}
+
+/// About as wide as a text is set, in mm.
+pub(crate) fn width_of(text: &str) -> f64 {
+    0.75 * SMALL_MM * text.chars().count() as f64
+}
+
+/// A diameter as it is written.
+pub(crate) fn diameter(value: f64) -> String {
+    format!("⌀{}", mm(value))
+}

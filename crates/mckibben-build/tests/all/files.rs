@@ -1,0 +1,143 @@
+//! Cut list, pressures, files.
+
+use mckibben::analysis::FailureMode;
+use mckibben::muscle::Muscle;
+use mckibben::muscle::file::parse_muscle;
+use mckibben_build::{Clamps, Content, MARK, Operating, Plan, Wishes, files};
+
+/// What a model could have found of a muscle: the ideal one at 28°, nearly.
+fn operating(muscle: &Muscle, pressure_mpa: f64) -> Operating {
+    let (d0, half) = (muscle.outer_diameter_mm(), 0.4 * muscle.length_mm());
+    Operating {
+        model: "test".into(),
+        pressure_mpa,
+        blocked_force_n: 6.0 * pressure_mpa * d0 * d0,
+        free_contraction: 0.2,
+        bulged_diameter_mm: 1.5 * d0,
+        volume_mm3: 1.5 * muscle.rest_volume_mm3(),
+        contour_mm: vec![[0.0, 0.75 * d0], [0.8 * half, 0.75 * d0], [half, 0.5 * d0]],
+        burst: Some((1.2, FailureMode::Mesh)),
+        allowed_mpa: Some(0.3),
+        free_contractions: vec![(0.08, 0.02), (0.13, 0.11), (0.18, 0.15), (0.21, 0.17), (0.25, 0.2)],
+    }
+}
+
+fn plan_from(text: &str, wishes: &Wishes) -> Plan {
+    let muscle = parse_muscle(text).unwrap();
+    let operating = operating(&muscle, 0.25);
+    Plan::new(muscle, operating, wishes).unwrap()
+}
+
+pub(crate) fn plan_of(outer_mm: f64, wall_mm: f64, wishes: &Wishes) -> Plan {
+    plan_from(
+        &format!(
+            "[tube]\nouter_diameter = {outer_mm}\nwall_thickness = {wall_mm}\nlength = 200\nrubber = \"latex\"\n[braid]\nangle = 30\n"
+        ),
+        wishes,
+    )
+}
+
+/// By hand: 200 mm and 20 mm on each plug are 240 mm at 30° on 10 mm, a strand 240/cos 30° = 277.128 mm; sinθ grows with the diameter: on 16 mm sinθ = 0.8,
+/// cosθ = 0.6, on 6 mm sinθ = 0.3, cosθ = 0.953 939.
+#[test]
+fn a_sleeve_is_cut_longer_where_it_is_narrower_as_by_hand() {
+    for (diameter, length) in [(16.0, 166.277), (6.0, 264.363), (10.0, 240.0)] {
+        let wishes = Wishes { sleeve_diameter_mm: Some(diameter), ..Wishes::default() };
+        let cut = plan_of(10.0, 1.5, &wishes).cut;
+        assert!((cut.sleeve.relaxed_mm.unwrap() - length).abs() < 1e-3, "{cut:?}");
+        assert!((cut.sleeve.strand_mm - 277.1281).abs() < 1e-4 && (cut.tube_mm - 240.0).abs() < 1e-9);
+        assert!(cut.sleeve.by_diameter.len() > 3);
+    }
+    // Strands run around at ℓ/π = 10/sin 30° = 20 mm.
+    let muscle = plan_of(10.0, 1.5, &Wishes::default()).muscle;
+    let wishes = Wishes { sleeve_diameter_mm: Some(20.5), ..Wishes::default() };
+    let error = Plan::new(muscle.clone(), operating(&muscle, 0.25), &wishes).unwrap_err().to_string();
+    assert!(error.contains("diameters up to 20.0 mm"), "{error}");
+}
+
+/// By hand: mounted with λp = 1.21, a tube of 10 × 1 mm was 11 × 1.1 mm; 200/1.21 + 40 mm of it.
+#[test]
+fn a_tube_that_is_stretched_is_cut_shorter_and_bought_thicker() {
+    let text = "[tube]\nouter_diameter = 10\nwall_thickness = 1\nlength = 200\nprestretch = 1.21\n";
+    let plan = plan_from(text, &Wishes::default());
+    assert!((plan.cut.tube_mm - (200.0 / 1.21 + 40.0)).abs() < 1e-9);
+    assert!(
+        (plan.cut.tube_outer_diameter_mm - 11.0).abs() < 1e-9 && (plan.cut.tube_wall_mm - 1.1).abs() < 1e-9
+    );
+    // The plug fits the tube as it is in the clamp.
+    assert!((plan.air_plug.stem.diameter_mm - plan.air_plug.stem.interference_mm - 8.8).abs() < 1e-9);
+}
+
+/// The tube of the catalogue with these diameters has its name and price; masses by hand: rubber π (4.7625² − 3.175²) 240 mm³ = 9501.3 mm³.
+#[test]
+fn the_bill_names_parts_as_sold() {
+    let text = "[tube]\nouter_diameter = 9.525\nwall_thickness = 1.5875\nlength = 200\nrubber = \"latex\"\n[braid]\nname = \"flexo-overexpanded-0.38in\"\n";
+    let plan = plan_from(text, &Wishes::default());
+    let (tube, sleeve) = (&plan.parts[0], &plan.parts[1]);
+    assert_eq!(tube.sold_as.as_deref(), Some("latex-1/4x3/8in"));
+    assert!(tube.price.as_deref().unwrap().contains("USD"), "{tube:?}");
+    assert!((plan.cut.rubber_mm3 - 9501.3).abs() < 0.1, "{}", plan.cut.rubber_mm3);
+    assert_eq!(sleeve.sold_as.as_deref(), Some("flexo-overexpanded-0.38in"));
+    assert!(sleeve.mass_g.is_some_and(|m| m > 0.5 && m < 20.0), "{sleeve:?}");
+    assert!(plan.mass_g() > plan.parts[0].mass_g.unwrap());
+}
+
+#[test]
+fn ties_hold_a_thin_muscle_and_ferrules_a_thick_one() {
+    let clamps = |outer_mm, wall_mm| plan_of(outer_mm, wall_mm, &Wishes::default()).clamps;
+    assert!(matches!(clamps(6.0, 1.0), Clamps::Ties { at_each_end: 2, .. }), "{:?}", clamps(6.0, 1.0));
+    assert_eq!(clamps(40.0, 2.0), Clamps::Crimped);
+    let muscle = parse_muscle("[terminals]\ninsertion = 1\n").unwrap();
+    let error = Plan::new(muscle.clone(), operating(&muscle, 0.25), &Wishes::default()).unwrap_err();
+    assert!(error.to_string().contains("at least 3 mm"), "{error}");
+}
+
+/// Every file of every muscle is there, has its mark, and holds no number that is none.
+#[test]
+fn all_files_are_written_with_their_mark() {
+    for (outer_mm, wall_mm) in [(1.3, 0.3), (9.525, 1.5875), (30.0, 3.0), (150.0, 10.0)] {
+        let plan = plan_of(outer_mm, wall_mm, &Wishes::default());
+        let all = files(&plan).unwrap();
+        let readme = all.iter().find(|f| f.name == "README.md").unwrap();
+        let Content::Text(readme) = &readme.content else { panic!("{readme:?}") };
+        for file in &all {
+            let bytes = file.content.bytes();
+            let head = &bytes[..bytes.len().min(4096)];
+            let marked = String::from_utf8_lossy(head).contains(MARK) || mckibben_report::is_figure(head);
+            assert!(marked || file.name == "muscle.toml", "{}", file.name);
+            assert!(
+                file.name == "README.md" || readme.contains(&format!("]({})", file.name)),
+                "{}",
+                file.name
+            );
+            if let Content::Text(text) = &file.content {
+                assert!(
+                    !text.contains("NaN") && !text.contains("inf,") && !text.contains("Some("),
+                    "{}",
+                    file.name
+                );
+            }
+        }
+        assert!(readme.contains("Proof test with water") && readme.contains("0.5 MPa (5 bar)"), "{readme}");
+    }
+}
+
+/// Identities: the drawing's scale times the factor of the DXF is 1, so that the free length is there in its true size.
+#[test]
+fn the_drawing_for_cad_programs_has_true_sizes() {
+    for length_mm in [40.0, 285.0, 1200.0] {
+        let text = format!("[tube]\nlength = {length_mm}\n");
+        let all = files(&plan_from(&text, &Wishes::default())).unwrap();
+        let dxf = all.iter().find(|f| f.name == "drawing.dxf").unwrap();
+        let text = String::from_utf8_lossy(dxf.content.bytes()).into_owned();
+        let lines: Vec<&str> = text.lines().collect();
+        let number = |i: usize| lines[i].parse::<f64>().unwrap();
+        // LINE, its layer, and both ends.
+        let lengths: Vec<f64> = (0..lines.len() - 12)
+            .filter(|i| lines[*i] == "LINE" && lines[i + 2] == "OUTLINE")
+            .map(|i| (number(i + 8) - number(i + 4)).hypot(number(i + 10) - number(i + 6)))
+            .collect();
+        assert!(lengths.iter().any(|l| (l - length_mm).abs() < 1e-4), "{length_mm}");
+        assert!(text.contains("AC1009") && text.trim_end().ends_with("EOF"));
+    }
+}

@@ -1,0 +1,4 @@
+//! Builds.
+
+mod files;
+mod plugs;

@@ -1,0 +1,103 @@
+//! A technical drawing as SVG, and as PDF by way of it.
+
+use super::{Anchor, Item, Pen, Sheet};
+use crate::FigureError;
+use crate::font::FAMILY;
+use crate::layout::PER_MM;
+use crate::svg::INK;
+use crate::xml::{escape, length as n};
+use std::fmt::Write as _;
+
+/// Height of the capitals of the embedded font, as a share of its size.
+const CAPITALS: f64 = 0.729;
+
+impl Sheet {
+    /// The drawing as SVG of the sheet's size.
+    ///
+    /// # Errors
+    /// [`FigureError::PaperSize`]; [`FigureError::NotFinite`] for a place that is no number.
+    pub fn to_svg(&self) -> Result<String, FigureError> {
+        let Self { width_mm, height_mm, .. } = *self;
+        if !(20.0..=2000.0).contains(&width_mm) || !(20.0..=2000.0).contains(&height_mm) {
+            return Err(FigureError::PaperSize { width_mm, height_mm });
+        }
+        let (w, h) = (n(width_mm * PER_MM), n(height_mm * PER_MM));
+        let mut out = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {w} {h}\" \
+             font-family=\"{FAMILY}\" role=\"img\" aria-label=\"{}\">\n<rect width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n",
+            n(width_mm),
+            n(height_mm),
+            escape(&self.title)
+        );
+        self.items.iter().try_for_each(|item| self.draw(item, &mut out))?;
+        out.push_str("</svg>\n");
+        Ok(out)
+    }
+
+    /// The drawing as a PDF page of the sheet's size.
+    ///
+    /// # Errors
+    /// Those of [`Sheet::to_svg`]; [`FigureError::Raster`] if the drawing cannot be read.
+    #[cfg(feature = "png")]
+    pub fn to_pdf(&self) -> Result<Vec<u8>, FigureError> {
+        crate::pdf::render(&self.to_svg()?, &self.title)
+    }
+
+    /// A place in units of the drawing, y downwards.
+    fn place(&self, [x, y]: [f64; 2]) -> Result<(f64, f64), FigureError> {
+        match x.is_finite() && y.is_finite() {
+            true => Ok((x * PER_MM, (self.height_mm - y) * PER_MM)),
+            false => Err(FigureError::NotFinite { title: self.title.clone(), what: "a place" }),
+        }
+    }
+
+    fn path(&self, points: &[[f64; 2]]) -> Result<String, FigureError> {
+        let mut d = String::new();
+        for (i, point) in points.iter().enumerate() {
+            let (x, y) = self.place(*point)?;
+            // Writing into a string does not fail.
+            let _ = write!(d, "{}{} {}", if i == 0 { "M" } else { "L" }, n(x), n(y));
+        }
+        Ok(d)
+    }
+
+    fn draw(&self, item: &Item, out: &mut String) -> Result<(), FigureError> {
+        // Writing into a string does not fail.
+        let _ = match item {
+            Item::Line { points, pen } => {
+                writeln!(out, "<path d=\"{}\" fill=\"none\"{}/>", self.path(points)?, stroke(*pen))
+            }
+            Item::Fill { points } => writeln!(out, "<path d=\"{}Z\" fill=\"{INK}\"/>", self.path(points)?),
+            Item::Circle { centre, radius_mm, pen } => {
+                let ((x, y), r) = (self.place(*centre)?, radius_mm * PER_MM);
+                let (x, y, r) = (n(x), n(y), n(r));
+                writeln!(out, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"none\"{}/>", stroke(*pen))
+            }
+            Item::Text { at, height_mm, text, anchor, upright } => {
+                let (x, y) = self.place(*at)?;
+                let (x, y, size) = (n(x), n(y), n(height_mm * PER_MM / CAPITALS));
+                let anchor = match anchor {
+                    Anchor::Start => "",
+                    Anchor::Middle => " text-anchor=\"middle\"",
+                    Anchor::End => " text-anchor=\"end\"",
+                };
+                let turn =
+                    if *upright { format!(" transform=\"rotate(-90 {x} {y})\"") } else { String::new() };
+                let text = escape(text);
+                writeln!(
+                    out,
+                    "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" fill=\"{INK}\"{anchor}{turn}>{text}</text>"
+                )
+            }
+        };
+        Ok(())
+    }
+}
+
+fn stroke(pen: Pen) -> String {
+    let dashes: Vec<String> = pen.dashes_mm().iter().map(|d| n(d * PER_MM)).collect();
+    let dashes =
+        if dashes.is_empty() { String::new() } else { format!(" stroke-dasharray=\"{}\"", dashes.join(" ")) };
+    let width = n(pen.width_mm() * PER_MM);
+    format!(" stroke=\"{INK}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"{dashes}")
+}
