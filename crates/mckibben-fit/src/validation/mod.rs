@@ -10,6 +10,7 @@
 
 pub mod case;
 pub mod coverage;
+pub mod held_out;
 mod read;
 pub mod report;
 pub mod residual;
