@@ -7,7 +7,7 @@ use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
 use crate::point::{finite, given};
 use crate::problem::{Problem, ProblemKind};
-use crate::uncertainty::{breakdown, states_friction};
+use crate::uncertainty::breakdown;
 use crate::units::{Scale, Units};
 use crate::warnings;
 use crate::words::number;
@@ -274,9 +274,8 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
         bursts.iter().enumerate().filter_map(|(i, found)| said_of(found, highest(i), 0.0)).collect();
     let mut warnings = Warning::gravest(&asked.said);
     put_first(&mut warnings, said);
-    let stated = states_friction(joint.muscles().iter().map(|m| &m.muscle));
     let mut answer = JointAnswer {
-        uncertainty_text: largest_uncertainty(&rows, stated),
+        uncertainty_text: largest_uncertainty(&rows),
         burst_pressure_mpa: least(&bursts),
         model: models.first().map_or_else(String::new, |m| m.info().name.to_string()),
         muscles: summaries,
@@ -438,11 +437,11 @@ impl Asked<'_> {
 }
 
 /// The largest ± of the torques, in words.
-fn largest_uncertainty(rows: &[JointRow], friction_is_stated: bool) -> Option<String> {
+fn largest_uncertainty(rows: &[JointRow]) -> Option<String> {
     let known = rows.iter().filter_map(|row| Some((row.angle_deg, row.uncertainty_parts_nm?)));
     let (angle_deg, parts) = known.max_by(|a, b| a.1.total().total_cmp(&b.1.total()))?;
     let angle = number(if angle_deg.abs() < 1e-9 { 0.0 } else { angle_deg }, 4);
-    Some(format!("at φ {angle}°: {}", breakdown(&parts, friction_is_stated, &Scale::newton_metres())))
+    Some(format!("at φ {angle}°: {}", breakdown(&parts, &Scale::newton_metres())))
 }
 
 /// A kind of muscle and its contraction, as a key: those of opposed muscles at opposite angles differ by rounding.

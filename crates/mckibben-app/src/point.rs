@@ -199,7 +199,10 @@ fn answered(
     let all = std::iter::once(&point).chain(&branches);
     let highest_mpa = all.map(|a| a.response.pressure_mpa).fold(0.0, f64::max);
     put_first(&mut point.warnings, said_of(&found, highest_mpa, QUIET_MPA));
-    let uncertainty_words = UncertaintyWords::of(&point, &*question.model, &mut question.workspace);
+    let uncertainty_words = {
+        let (parts, pressure_mpa) = (point.uncertainty_parts_n, point.response.pressure_mpa);
+        UncertaintyWords::of(parts, &*question.model, &mut question.workspace, pressure_mpa)
+    };
     let about = ModelAbout {
         source: source_of(&*question.model, options.direction),
         uncertainty_basis: basis_of(&question.model.info().accuracy),

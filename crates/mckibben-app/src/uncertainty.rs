@@ -2,9 +2,7 @@
 
 use crate::units::{Scale, Units};
 use crate::words::part;
-use mckibben::answer::Answer;
 use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::Muscle;
 use mckibben::uncertainty::{UncertaintyParts, identified_n};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -28,42 +26,35 @@ pub struct UncertaintyWords {
     /// That bench: `10 points on both branches at 0.1 and 0.3 MPa would leave about ± 30 N`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bench: Option<String>,
-    /// Whether the muscle states its friction.
     #[serde(skip)]
-    #[schemars(skip)]
-    friction_is_stated: bool,
+    parts: Option<UncertaintyParts>,
+    #[serde(skip)]
+    pressure_mpa: f64,
 }
 
 impl UncertaintyWords {
-    /// Of an answer of a model.
-    pub(crate) fn of(answer: &Answer, model: &dyn ForceModel, workspace: &mut Workspace) -> Self {
-        let Some(parts) = &answer.uncertainty_parts_n else { return Self::default() };
-        let (muscle, units) = (model.muscle(), Units::default());
-        let left = bench_n(parts, model, workspace, answer.response.pressure_mpa);
-        let mut out = Self {
-            bench_uncertainty_n: left,
-            friction_is_stated: states_friction([muscle]),
-            ..Self::default()
-        };
-        out.text = out.text_in(answer, &units);
-        out.bench = out.bench_in(answer.response.pressure_mpa, &units);
+    /// Of the ± of a pull at a pressure by a model.
+    pub(crate) fn of(
+        parts: Option<UncertaintyParts>,
+        model: &dyn ForceModel,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+    ) -> Self {
+        let left = parts.and_then(|parts| bench_n(&parts, model, workspace, pressure_mpa));
+        let mut out = Self { bench_uncertainty_n: left, parts, pressure_mpa, ..Self::default() };
+        (out.text, out.bench) = (out.text_in(&Units::default()), out.bench_in(&Units::default()));
         out
     }
 
-    /// The parts of the ± of a pull.
-    pub fn text_in(&self, answer: &Answer, u: &Units) -> Option<String> {
-        Some(breakdown(answer.uncertainty_parts_n.as_ref()?, self.friction_is_stated, &u.force))
+    /// The ± with its parts, in units.
+    pub fn text_in(&self, u: &Units) -> Option<String> {
+        self.parts.map(|parts| breakdown(&parts, &u.force))
     }
 
-    /// The smallest bench that would make the ± smaller.
-    pub fn bench_in(&self, pressure_mpa: f64, u: &Units) -> Option<String> {
-        bench_text(self.bench_uncertainty_n?, pressure_mpa, u)
+    /// The smallest bench, in units.
+    pub fn bench_in(&self, u: &Units) -> Option<String> {
+        bench(self.bench_uncertainty_n?, self.pressure_mpa, u)
     }
-}
-
-/// Whether all muscles state their friction.
-pub(crate) fn states_friction<'a>(muscles: impl IntoIterator<Item = &'a Muscle>) -> bool {
-    muscles.into_iter().all(|m| m.friction().is_some())
 }
 
 /// What the smallest bench would leave of a ± in N; `None` where the muscle was measured, or where it helps little.
@@ -78,14 +69,11 @@ pub(crate) fn bench_n(
 }
 
 /// A ± with its parts, the largest first: `± 170 N (95 %): friction unknown 160, model against tests 50, mesh 1`.
-pub fn breakdown(parts: &UncertaintyParts, friction_is_stated: bool, scale: &Scale) -> String {
+pub fn breakdown(parts: &UncertaintyParts, scale: &Scale) -> String {
     let whole = parts.total();
     let mut named: Vec<(&str, f64)> = parts.named().collect();
     named.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let each = named.into_iter().map(|(name, v)| {
-        let name = if name == "friction" && !friction_is_stated { "friction unknown" } else { name };
-        (name, part(scale.value(v), scale.value(whole)))
-    });
+    let each = named.into_iter().map(|(name, v)| (name, part(scale.value(v), scale.value(whole))));
     // What rounds to nothing is not listed.
     let each: Vec<String> = each
         .filter(|(_, text)| text.chars().any(|c| ('1'..='9').contains(&c)))
@@ -96,7 +84,7 @@ pub fn breakdown(parts: &UncertaintyParts, friction_is_stated: bool, scale: &Sca
 }
 
 /// The smallest bench for a ± of `left_n` about a pressure; `None` without pressure.
-pub(crate) fn bench_text(left_n: f64, pressure_mpa: f64, u: &Units) -> Option<String> {
+pub(crate) fn bench(left_n: f64, pressure_mpa: f64, u: &Units) -> Option<String> {
     let high = u.pressure.value(pressure_mpa);
     if !(high > 0.0 && high.is_finite()) {
         return None;
@@ -128,19 +116,20 @@ mod tests {
         };
         let u = Units::default();
         let unknown = "± 170 N (95 %): friction unknown 160, model against tests 50, mesh 1";
-        assert_eq!(breakdown(&parts, false, &u.force), unknown);
-        assert!(breakdown(&parts, true, &u.force).contains(": friction 160,"));
-        assert_eq!(breakdown(&UncertaintyParts::default(), true, &u.force), "± 0 N (95 %)");
+        assert_eq!(breakdown(&parts, &u.force), unknown);
+        let stated = UncertaintyParts { friction_is_stated: true, ..parts };
+        assert!(breakdown(&stated, &u.force).contains(": friction 160,"));
+        assert_eq!(breakdown(&UncertaintyParts::default(), &u.force), "± 0 N (95 %)");
     }
 
     #[test]
     fn the_bench_is_in_the_units_of_the_reader() {
-        let text = |p: f64, units: &str| bench_text(31.4, p, &units.parse().unwrap()).unwrap();
+        let text = |p: f64, units: &str| bench(31.4, p, &units.parse().unwrap()).unwrap();
         assert_eq!(text(0.3, "bar"), "10 points on both branches at 1 and 3 bar would leave about ± 31 N");
         assert_eq!(
             text(0.25, "MPa"),
             "10 points on both branches at 0.1 and 0.25 MPa would leave about ± 31 N"
         );
-        assert_eq!(bench_text(31.4, 0.0, &Units::default()), None);
+        assert_eq!(bench(31.4, 0.0, &Units::default()), None);
     }
 }

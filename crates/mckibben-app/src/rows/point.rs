@@ -91,10 +91,9 @@ pub fn point_rows(answer: &PointAnswer, asked: PointQuantity, u: &Units) -> Vec<
     add("allowed: a quarter of it", answer.burst_pressure_mpa, &|v| u.pressure.show(v / SAFETY));
     add("stretch at mid-length, inside", r.middle_stretch, &|v| number(v, 3));
     add("stretch of 99 % of the rubber", r.max_stretch, &|v| format!("below {}", number(v, 3)));
-    if let Some(text) = answer.uncertainty_words.text_in(a, u) {
-        let of = if asked == PointQuantity::Force { "" } else { "of the pull " };
-        list.push(("uncertainty", format!("{of}{text}")));
-    }
-    list.extend(answer.uncertainty_words.bench_in(r.pressure_mpa, u).map(|text| ("smallest bench", text)));
+    let words = &answer.uncertainty_words;
+    let of = if asked == PointQuantity::Force { "" } else { "of the pull " };
+    list.extend(words.text_in(u).map(|text| ("uncertainty", format!("{of}{text}"))));
+    list.extend(words.bench_in(u).map(|text| ("smallest bench", text)));
     list
 }

@@ -98,6 +98,9 @@ pub struct UncertaintyParts {
     /// The bench that the muscle was identified from, against the fit.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fit: Option<f64>,
+    /// Whether the muscle states its friction.
+    #[serde(skip)]
+    pub friction_is_stated: bool,
 }
 
 impl UncertaintyParts {
@@ -109,7 +112,7 @@ impl UncertaintyParts {
             ("rubber", self.rubber),
             ("stiffness of the braid", self.braid),
             ("model against tests", self.measured),
-            ("friction", self.friction),
+            (if self.friction_is_stated { "friction" } else { "friction unknown" }, self.friction),
             ("fit", self.fit),
         ];
         all.into_iter().filter_map(|(name, part)| Some((name, part?)))
@@ -187,6 +190,7 @@ fn general<M: ForceModel + ?Sized>(
         measured: Some(measured_n(muscle, blocked, contraction)),
         friction: Some(friction_n(model, workspace, (pressure_mpa, contraction), direction, blocked)),
         fit: None,
+        friction_is_stated: muscle.friction().is_some(),
     })
 }
 
@@ -240,7 +244,8 @@ fn of_bench<M: ForceModel + ?Sized>(
         Some(friction_n(model, workspace, (pressure_mpa, contraction), direction, blocked))
     };
     let fit = Some(bench.half_width_n(pressure_mpa, contraction));
-    Some(UncertaintyParts { formula, friction, fit, ..UncertaintyParts::default() })
+    let friction_is_stated = model.muscle().friction().is_some();
+    Some(UncertaintyParts { formula, friction, fit, friction_is_stated, ..UncertaintyParts::default() })
 }
 
 /// Squares of the parts, weighted by 1 − x and x.
@@ -260,6 +265,7 @@ fn between(inside: &UncertaintyParts, outside: &UncertaintyParts, x: f64) -> Unc
         measured: part(|p| p.measured),
         friction: part(|p| p.friction),
         fit: part(|p| p.fit),
+        friction_is_stated: inside.friction_is_stated,
     }
 }
 
@@ -307,7 +313,7 @@ mod tests {
     fn parts_add_as_squares() {
         let parts = UncertaintyParts { formula: Some(3.0), friction: Some(4.0), ..Default::default() };
         assert_eq!(parts.total(), 5.0);
-        assert_eq!(parts.named().map(|p| p.0).collect::<Vec<_>>(), ["formula", "friction"]);
+        assert_eq!(parts.named().map(|p| p.0).collect::<Vec<_>>(), ["formula", "friction unknown"]);
     }
 
     #[test]
