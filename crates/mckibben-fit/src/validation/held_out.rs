@@ -1,13 +1,15 @@
 //! What share of points that were held out of a fit lies within the ± that the fit leaves.
 
-use super::case::{CaseFit, MuscleCase};
+use super::case::{CaseFit, MuscleCase, muscles};
 use super::coverage::COVERAGE;
 use crate::identify::{Build, IdentifyError, Request, identify_with};
 use crate::least_squares::Loss;
 use crate::measured::{DataPoint, mean_of_data};
 use mckibben::analysis::force_on;
+use mckibben::budget::Exceeded;
 use mckibben::model::Workspace;
-use mckibben::progress::Progress;
+use mckibben::progress::{CancelOnly, Progress};
+use mckibben::threads;
 use mckibben::uncertainty::uncertainty;
 use mckibben::verification::{CaseKind, Measure, VerificationRow};
 
@@ -36,12 +38,6 @@ impl HeldOut {
     pub fn is_held(&self) -> bool {
         self.left_n.abs() <= self.half_width_n
     }
-}
-
-/// The fit of a set that states the most of it: that with the most constants, on all points.
-pub fn richest(set: &MuscleCase) -> Option<&CaseFit> {
-    let whole = set.fits.iter().filter(|fit| fit.split.is_none());
-    whole.rev().max_by_key(|fit| fit.free.len())
 }
 
 /// The points of a set that a fit is made to.
@@ -102,18 +98,18 @@ pub fn judged<B: Build>(
 ///
 /// # Errors
 /// [`IdentifyError`].
-pub fn of_set<B: Build>(
+pub fn of_fit<B: Build>(
     set: &MuscleCase,
+    fit: &CaseFit,
     build: &B,
     progress: &dyn Progress,
 ) -> Result<Vec<HeldOut>, IdentifyError> {
-    let Some(fit) = richest(set) else { return Ok(vec![]) };
     let points = points_of(set, fit);
     let mut all = vec![];
     for part in 0..PARTS {
-        let held = |i: usize| i % PARTS == part;
         let of = |wanted: bool| -> Vec<DataPoint> {
-            points.iter().enumerate().filter(|(i, _)| held(*i) == wanted).map(|(_, p)| *p).collect()
+            let each = points.iter().enumerate().filter(|(i, _)| (i % PARTS == part) == wanted);
+            each.map(|(_, p)| *p).collect()
         };
         all.extend(judged(fit, &of(false), &of(true), build, progress)?);
     }
@@ -123,4 +119,44 @@ pub fn of_set<B: Build>(
 /// The share of points that are within their ±.
 pub fn share(list: &[HeldOut]) -> Option<f64> {
     (!list.is_empty()).then(|| list.iter().filter(|p| p.is_held()).count() as f64 / list.len() as f64)
+}
+
+/// The share of the held-out points of each set that the ± of its fit holds.
+///
+/// # Errors
+/// [`Exceeded`] where the caller wanted it to end.
+pub fn cases<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
+    let sets: Vec<&MuscleCase> = muscles().unwrap_or_default();
+    let of = |set: &&MuscleCase| -> Vec<HeldOut> {
+        let found = set.fits.first().map(|fit| of_fit(set, fit, elements, &CancelOnly(progress)));
+        found.and_then(Result::ok).unwrap_or_default()
+    };
+    let found = threads::map(&sets, of);
+    if progress.cancelled() {
+        return Err(Exceeded::Cancelled);
+    }
+    Ok(sets.into_iter().zip(found).map(|(set, list)| row(set, &list)).collect())
+}
+
+fn row(set: &'static MuscleCase, list: &[HeldOut]) -> VerificationRow {
+    let ours = share(list);
+    let error = ours.map(|share| (share - COVERAGE).abs());
+    // Of few points the share of those that happen to be held scatters by more.
+    let by_chance = 1.96 * (COVERAGE * (1.0 - COVERAGE) / list.len().max(1) as f64).sqrt();
+    let tolerance = TOLERANCE.max(by_chance);
+    VerificationRow {
+        name: format!(
+            "{}: {} points held out of fits of fe, within the ± of the fit",
+            set.facts.title,
+            list.len()
+        ),
+        kind: CaseKind::Validation,
+        measure: Measure::Share,
+        source: &set.facts.source,
+        reference: COVERAGE,
+        ours,
+        error,
+        tolerance,
+        ok: error.is_some_and(|e| e <= tolerance),
+    }
 }
