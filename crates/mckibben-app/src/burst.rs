@@ -2,11 +2,13 @@
 
 use crate::model::Model;
 use crate::problem::Problem;
-use mckibben::analysis::{AnalysisError, Burst, NoBurst, burst};
+use mckibben::analysis::{AnalysisError, Burst, FailureMode, NoBurst, SAFETY, burst};
 use mckibben::budget::Budget;
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::warning::Warning;
+use schemars::JsonSchema;
+use serde::Serialize;
 use std::sync::Mutex;
 
 /// Pressure in MPa up to which a single point or a curve says nothing of a burst pressure that is not known: that of a usual supply. Whoever
@@ -23,9 +25,6 @@ static KNOWN: Mutex<Vec<(Model, Muscle, Burst)>> = Mutex::new(vec![]);
 /// # Errors
 /// [`Problem`] where the budget is spent.
 pub(crate) fn burst_of(choice: &Model, model: &dyn ForceModel, budget: &Budget) -> Result<Burst, Problem> {
-    if let Some(missing) = Burst::missing(model.muscle()) {
-        return Ok(Burst::Unknown(missing));
-    }
     // Whoever panicked with the list left it whole.
     let list = || KNOWN.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
     let of = |known: &&(Model, Muscle, Burst)| known.0 == *choice && known.1 == *model.muscle();
@@ -35,7 +34,7 @@ pub(crate) fn burst_of(choice: &Model, model: &dyn ForceModel, budget: &Budget) 
     let found = match burst(model, &Workspace::within(budget.clone())) {
         Ok(found) => found,
         Err(AnalysisError::Model(ModelError::Exceeded(exceeded))) => return Err(exceeded.into()),
-        Err(_) => Burst::Unknown(NoBurst::NoAnswer { up_to_mpa: 0.0 }),
+        Err(_) => Burst::unknown(NoBurst::NoAnswer { up_to_mpa: 0.0 }),
     };
     budget.ended()?;
     let mut list = list();
@@ -47,13 +46,20 @@ pub(crate) fn burst_of(choice: &Model, model: &dyn ForceModel, budget: &Budget) 
 }
 
 /// What is said of a burst pressure where the largest pressure is `highest_mpa`; of one that is not known only above `quiet_mpa`.
-pub(crate) fn said_of(found: &Burst, highest_mpa: f64, quiet_mpa: f64) -> Option<Warning> {
-    match *found {
-        Burst::At { pressure_mpa: burst_mpa, .. } => {
-            (highest_mpa >= burst_mpa).then_some(Warning::Burst { pressure_mpa: highest_mpa, burst_mpa })
+pub(crate) fn said_of(found: &Burst, highest_mpa: f64, quiet_mpa: f64) -> Vec<Warning> {
+    let pressure_mpa = highest_mpa;
+    let above = match (found.first(), found.allowed_mpa()) {
+        (Some((by, burst_mpa)), _) if highest_mpa >= burst_mpa => {
+            Some(Warning::Burst { pressure_mpa, burst_mpa, by })
         }
-        Burst::Unknown(why) => (highest_mpa > quiet_mpa).then_some(Warning::BurstNotChecked(why)),
-    }
+        (first, Some(allowed_mpa)) if highest_mpa > allowed_mpa => {
+            let burst = first.filter(|f| f.1 / SAFETY <= allowed_mpa).map(|(by, burst_mpa)| (burst_mpa, by));
+            Some(Warning::AboveAllowed { pressure_mpa, allowed_mpa, burst })
+        }
+        _ => None,
+    };
+    let unknown = found.not_checked().filter(|_| highest_mpa > quiet_mpa).map(Warning::BurstNotChecked);
+    above.into_iter().chain(unknown).collect()
 }
 
 /// Puts what is said of a burst before all other warnings, and takes out what it includes.
@@ -65,8 +71,38 @@ pub(crate) fn put_first(warnings: &mut Vec<Warning>, said: impl IntoIterator<Ite
     warnings.splice(..0, first);
 }
 
-/// The least burst pressure of several muscles in MPa; none where that of one of them is not known.
-pub(crate) fn least(all: &[Burst]) -> Option<f64> {
-    let known: Option<Vec<f64>> = all.iter().map(Burst::pressure_mpa).collect();
-    known?.into_iter().reduce(f64::min)
+/// The pressures that a muscle bears.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, JsonSchema)]
+pub struct PressureLimits {
+    /// Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
+    pub burst_pressure_mpa: Option<f64>,
+    /// How it fails there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub burst_by: Option<FailureMode>,
+    /// Allowed pressure, MPa: a quarter of the burst pressure, and at most that for which the fittings are rated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub allowed_pressure_mpa: Option<f64>,
+}
+
+impl From<&Burst> for PressureLimits {
+    fn from(found: &Burst) -> Self {
+        let first = found.first();
+        Self {
+            burst_pressure_mpa: first.map(|f| f.1),
+            burst_by: first.map(|f| f.0),
+            allowed_pressure_mpa: found.allowed_mpa(),
+        }
+    }
+}
+
+impl PressureLimits {
+    /// Those of the weakest of several muscles; none where that of one of them is not known.
+    pub(crate) fn of_all(all: &[Burst]) -> Self {
+        let known: Option<Vec<&Burst>> = all.iter().map(|b| b.pressure_mpa().map(|_| b)).collect();
+        let weakest = known
+            .into_iter()
+            .flatten()
+            .reduce(|a, b| if b.pressure_mpa() < a.pressure_mpa() { b } else { a });
+        weakest.map_or_else(Self::default, Self::from)
+    }
 }

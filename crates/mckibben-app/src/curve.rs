@@ -1,6 +1,6 @@
 //! `curve isometric|isotonic|isobaric`: a family of curves.
 
-use crate::burst::{QUIET_MPA, put_first, said_of};
+use crate::burst::{PressureLimits, QUIET_MPA, put_first, said_of};
 use crate::fields::{AskFields, ModelFields, MuscleFields};
 use crate::figure;
 use crate::load::{LoadAnswer, LoadFields, loaded};
@@ -74,8 +74,9 @@ pub struct CurveAnswer {
     /// Warnings; of each kind the most serious.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
-    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none if that is not stated.
-    pub burst_pressure_mpa: Option<f64>,
+    /// The pressures that the muscle bears.
+    #[serde(flatten)]
+    pub limits: PressureLimits,
     /// The points, curve after curve; all curves have the same number of points.
     #[serde(rename = "points", serialize_with = "points")]
     #[schemars(with = "Vec<PointRow>")]
@@ -252,7 +253,7 @@ fn each(
     let found = question.burst()?;
     put_first(&mut said, said_of(&found, highest_mpa, QUIET_MPA));
     Ok(CurveAnswer {
-        burst_pressure_mpa: found.pressure_mpa(),
+        limits: (&found).into(),
         model: question.model.info().name.to_string(),
         test: request.test,
         muscle: MuscleSummary::from(&question.muscle),

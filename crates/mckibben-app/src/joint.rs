@@ -1,6 +1,6 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a muscle against a spring, or of two against each other.
 
-use crate::burst::{burst_of, least, put_first, said_of};
+use crate::burst::{PressureLimits, burst_of, put_first, said_of};
 use crate::fields::{ModelFields, MuscleFields, TextFile};
 use crate::figure;
 use crate::model::{Model, Purpose};
@@ -201,8 +201,9 @@ pub struct JointAnswer {
     pub range_deg: (f64, f64),
     /// The points, pressures after pressures.
     pub points: Vec<JointRow>,
-    /// Burst pressure, MPa: the lowest of its muscles'; none where one of them does not state the strength of its strands.
-    pub burst_pressure_mpa: Option<f64>,
+    /// The pressures that its weakest muscle bears.
+    #[serde(flatten)]
+    pub limits: PressureLimits,
     /// What the joint reaches, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub map: Option<JointMap>,
@@ -271,12 +272,12 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
         rows.iter().filter_map(of).fold(supplied, f64::max)
     };
     let said: Vec<Warning> =
-        bursts.iter().enumerate().filter_map(|(i, found)| said_of(found, highest(i), 0.0)).collect();
+        bursts.iter().enumerate().flat_map(|(i, found)| said_of(found, highest(i), 0.0)).collect();
     let mut warnings = Warning::gravest(&asked.said);
     put_first(&mut warnings, said);
     let mut answer = JointAnswer {
         uncertainty_text: largest_uncertainty(&rows),
-        burst_pressure_mpa: least(&bursts),
+        limits: PressureLimits::of_all(&bursts),
         model: models.first().map_or_else(String::new, |m| m.info().name.to_string()),
         muscles: summaries,
         range_deg: joint.range_deg(),

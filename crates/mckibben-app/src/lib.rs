@@ -80,6 +80,7 @@ pub use border::{guarded, panics_are_problems, within};
 pub use braid::*;
 #[cfg(feature = "schema")]
 pub use bundle::bundle;
+pub use burst::PressureLimits;
 #[cfg(feature = "files")]
 pub use campaign::*;
 pub use commands::{COMMANDS, CommandEntry, Ready, ask, ask_packed, ask_value, find, packed, parsed};
@@ -99,6 +100,7 @@ pub use many::{
     with_parameters,
 };
 pub use mckibben::model::ModelEntry;
+pub use mckibben_design::TubePart;
 pub use mckibben_motion::{Event, Subject};
 pub use measured::*;
 pub use measured_rubber::{MeasuredRubber, MeasuredRubberFit, MeasuredStress};

@@ -39,36 +39,11 @@ pub struct PartsListRequest {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct PartsListAnswer {
     /// Tubes.
-    pub tubes: Vec<TubeSummary>,
+    pub tubes: Vec<TubePart>,
     /// Sleeves.
     pub sleeves: Vec<BraidSummary>,
     /// Rubbers.
     pub rubbers: Vec<RubberSummary>,
-}
-
-/// A tube.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct TubeSummary {
-    /// Name, for `design --tube`.
-    pub name: String,
-    /// Bore, mm.
-    pub inner_diameter_mm: f64,
-    /// Outer diameter, mm.
-    pub outer_diameter_mm: f64,
-    /// Wall, mm.
-    pub wall_mm: f64,
-    /// Its rubber.
-    pub rubber: String,
-    /// Whether it is cast, not bought.
-    pub is_cast: bool,
-    /// Price, where one was seen.
-    pub price: Option<String>,
-    /// Largest pressure that its source names, MPa.
-    pub pressure_mpa: Option<f64>,
-    /// Where the figures come from.
-    pub source: String,
-    /// What else one should know.
-    pub note: Option<String>,
 }
 
 /// One part.
@@ -84,30 +59,13 @@ pub struct PartShowRequest {
 pub struct PartShowAnswer {
     /// A tube.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub tube: Option<TubeSummary>,
+    pub tube: Option<TubePart>,
     /// A sleeve.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sleeve: Option<BraidShowAnswer>,
     /// A rubber.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rubber: Option<RubberShowAnswer>,
-}
-
-impl From<&TubePart> for TubeSummary {
-    fn from(t: &TubePart) -> Self {
-        Self {
-            name: t.name.clone(),
-            inner_diameter_mm: t.inner_mm,
-            outer_diameter_mm: t.outer_mm,
-            wall_mm: t.wall_mm(),
-            rubber: t.rubber.name.clone().unwrap_or_default(),
-            is_cast: t.is_cast,
-            price: t.price.clone(),
-            pressure_mpa: t.pressure_mpa,
-            source: t.source.clone(),
-            note: t.note.clone(),
-        }
-    }
 }
 
 fn unread(error: tubes::TubeError) -> Problem {
@@ -120,13 +78,10 @@ fn unread(error: tubes::TubeError) -> Problem {
 /// [`Problem`] for a file of tubes that cannot be read.
 pub fn parts_list(request: &PartsListRequest) -> Result<PartsListAnswer, Problem> {
     let wants = |kind| request.kind.is_none_or(|only| only == kind);
-    let tubes: Vec<TubeSummary> = match &request.parts {
+    let tubes: Vec<TubePart> = match &request.parts {
         _ if !wants(PartKind::Tubes) => vec![],
-        Some(file) => {
-            let own = tubes::read(&file.text).map_err(|e| unread(e).in_field("parts"))?;
-            own.iter().map(Into::into).collect()
-        }
-        None => tubes::catalogue().map_err(unread)?.iter().map(Into::into).collect(),
+        Some(file) => tubes::read(&file.text).map_err(|e| unread(e).in_field("parts"))?,
+        None => tubes::catalogue().map_err(unread)?.to_vec(),
     };
     let sleeves = if wants(PartKind::Sleeves) { braid_list(&BraidListRequest {})?.braids } else { vec![] };
     let rubbers = if wants(PartKind::Rubbers) { rubber_list(&RubberListRequest {})?.rubbers } else { vec![] };
@@ -142,7 +97,7 @@ pub fn part_show(request: &PartShowRequest) -> Result<PartShowAnswer, Problem> {
     let name = request.name.as_str();
     let none = PartShowAnswer { tube: None, sleeve: None, rubber: None };
     if let Ok(tube) = tubes::find(tubes, name) {
-        return Ok(PartShowAnswer { tube: Some(tube.into()), ..none });
+        return Ok(PartShowAnswer { tube: Some(tube), ..none });
     }
     if let Ok(sleeve) = braid_show(&BraidShowRequest { name: name.into(), ..BraidShowRequest::default() }) {
         return Ok(PartShowAnswer { sleeve: Some(sleeve), ..none });

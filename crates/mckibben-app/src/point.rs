@@ -1,6 +1,6 @@
 //! `force`, `pressure`, `contraction`: one point of a muscle's behaviour.
 
-use crate::burst::{QUIET_MPA, put_first, said_of};
+use crate::burst::{PressureLimits, QUIET_MPA, put_first, said_of};
 use crate::fields::{AskFields, ModelFields, MuscleFields};
 use crate::load::{LoadAnswer, LoadFields, loaded};
 use crate::model::check_both;
@@ -94,8 +94,9 @@ pub struct PointAnswer {
     /// The same while the muscle is shortened and while it is lengthened, where both were asked for.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub branches: Vec<Answer>,
-    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none if that is not stated.
-    pub burst_pressure_mpa: Option<f64>,
+    /// The pressures that the muscle bears.
+    #[serde(flatten)]
+    pub limits: PressureLimits,
     /// All equilibria with the load, if any; the point is the first stable one, or the first.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loaded: Option<LoadAnswer>,
@@ -211,7 +212,7 @@ fn answered(
         point,
         uncertainty_words,
         branches,
-        burst_pressure_mpa: found.pressure_mpa(),
+        limits: (&found).into(),
         loaded: None,
         muscle: (&question.muscle).into(),
         about,

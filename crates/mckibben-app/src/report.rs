@@ -1,5 +1,6 @@
 //! `report`: all that is known of a muscle, as one document.
 
+use crate::burst::PressureLimits;
 use crate::compare::{CompareRequest, compare};
 use crate::curve::{CurveRequest, curve};
 use crate::fields::{AskFields, MuscleFields};
@@ -42,8 +43,9 @@ pub struct ReportRequest {
 pub struct ReportAnswer {
     /// The muscle.
     pub muscle: MuscleSummary,
-    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none if that is not stated.
-    pub burst_pressure_mpa: Option<f64>,
+    /// The pressures that the muscle bears.
+    #[serde(flatten)]
+    pub limits: PressureLimits,
     /// Warnings, in sentences.
     pub warnings: Vec<String>,
     /// The report.
@@ -120,8 +122,8 @@ pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<Report
         parts,
         footer: format!("mckibben {version}. Muscle file: SHA-256 {hash}."),
     };
-    let burst_pressure_mpa = shown.characteristics.as_ref().and_then(|c| c.burst_pressure_mpa);
-    Ok(ReportAnswer { muscle: shown.summary, burst_pressure_mpa, warnings: shown.warnings, document })
+    let limits = shown.characteristics.as_ref().map(|c| c.limits).unwrap_or_default();
+    Ok(ReportAnswer { muscle: shown.summary, limits, warnings: shown.warnings, document })
 }
 
 /// Whether a warning is about the burst of the muscle: it comes first in the report.

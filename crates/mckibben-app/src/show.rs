@@ -1,6 +1,6 @@
 //! `muscle show`: what was understood of a muscle, what follows from it, and how to build it.
 
-use crate::burst::{burst_of, said_of};
+use crate::burst::{PressureLimits, burst_of, said_of};
 use crate::fields::{AskFields, MeshFields, ModelFields, MuscleFields};
 use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
@@ -111,8 +111,9 @@ pub struct Characteristics {
     pub volume_mm3: Option<f64>,
     /// Air from rest to there, normal litres.
     pub air_normal_litres: Option<f64>,
-    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none if that is not stated.
-    pub burst_pressure_mpa: Option<f64>,
+    /// The pressures that the muscle bears.
+    #[serde(flatten)]
+    pub limits: PressureLimits,
 }
 
 /// The data of a muscle, and derived quantities.
@@ -135,7 +136,7 @@ pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Prob
             .map_err(|p| p.with_hint("give `pressure_mpa`, such as 0.2 MPa"))?;
     }
     let asked = request.pressure_mpa.map(|p| characteristics(request, &muscle, p)).transpose()?;
-    let said = asked.as_ref().and_then(|(c, found)| said_of(found, c.pressure_mpa, 0.0));
+    let said = asked.as_ref().map(|(c, found)| said_of(found, c.pressure_mpa, 0.0)).unwrap_or_default();
     let characteristics = asked.map(|a| a.0);
     let rubber = &muscle.tube().rubber;
     let (law, reach) = (&rubber.law, muscle.reach());
@@ -169,7 +170,8 @@ pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Prob
         },
         build_sheet: muscle.build_sheet(),
         warnings: said
-            .map(|w| w.to_string())
+            .iter()
+            .map(ToString::to_string)
             .into_iter()
             .chain(muscle.warnings())
             .chain(warnings.iter().map(ToString::to_string))
@@ -204,7 +206,7 @@ fn characteristics(
         work_j: free.and_then(|e| work_per_stroke_j(model, w, pressure_mpa, 0.0, e, options).ok()),
         volume_mm3: air.map(|a| a.volume_mm3),
         air_normal_litres: air.map(|a| a.normal_litres),
-        burst_pressure_mpa: found.pressure_mpa(),
+        limits: (&found).into(),
     };
     Ok((characteristics, found))
 }

@@ -29,6 +29,7 @@ const FLAGS: &[(&str, &[&str])] = &[
     ("forces_n", &["force"]),
     ("rubbers", &["rubber"]),
     ("braids", &["braid"]),
+    ("tubes", &["tube"]),
     ("points", &["at"]),
     ("torques", &["joint"]),
     ("models", &["models", "model"]),

@@ -63,10 +63,7 @@ pub struct Candidate {
     /// Work in J from ε = 0 to the largest contraction wanted, at the maximum pressure.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub work_j: Option<f64>,
-    /// Burst pressure in MPa ([`burst`]), where the strands' strength is known.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub burst_pressure_mpa: Option<f64>,
-    /// The same, or why it is not known; `None` where no model answers for the blocked muscle.
+    /// The pressures at which it fails; `None` where no model answers for the blocked muscle.
     #[serde(skip)]
     pub burst: Option<Burst>,
     /// Quantities that the design's model does not give and the thick-wall model gave instead.
@@ -142,7 +139,7 @@ pub(super) fn candidate(
         free_contraction(&thick_wall, workspace, max, options).ok()
     });
     let burst = burst(model, workspace).ok();
-    if let Some(Burst::At { from_thick_wall: true, .. }) = burst {
+    if burst.is_some_and(|b| b.from_thick_wall) {
         from_thick_wall.push("burst pressure");
     }
     from_thick_wall.sort_unstable();
@@ -154,7 +151,6 @@ pub(super) fn candidate(
         blocked_force_n: force_on(model, workspace, max, 0.0, options.direction)?,
         free_contraction: free,
         work_j: work_per_stroke_j(model, workspace, max, 0.0, furthest, options).ok(),
-        burst_pressure_mpa: burst.and_then(|b| b.pressure_mpa()),
         burst,
         from_thick_wall,
         points,

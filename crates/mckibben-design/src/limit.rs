@@ -2,11 +2,17 @@
 
 use super::reason::Reason;
 use super::spec::{Build, Objective, OperatingPoint, Spec};
-use mckibben::analysis::{AnalysisError, air_per_stroke, burst, force_on, pressure_at, pressure_up_to};
+use mckibben::analysis::burst::{ends, mesh};
+use mckibben::analysis::{
+    AnalysisError, FailureMode, FailurePressure, air_per_stroke, burst, force_on, pressure_at, pressure_up_to,
+};
 use mckibben::model::{ForceModel, ModelError, Response, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::uncertainty::uncertainty;
 use serde::{Deserialize, Serialize};
+
+/// Margin of what never fails.
+const NEVER: f64 = 1e6;
 
 /// A kind of limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -43,9 +49,15 @@ pub(super) struct Check {
     pub(super) point: Option<OperatingPoint>,
     pub(super) value: f64,
     pub(super) bound: f64,
+    /// How the muscle fails, for a burst.
+    pub(super) by: FailureMode,
 }
 
 impl Check {
+    fn new(limit: Limit, value: f64, bound: f64) -> Self {
+        Self { limit, point: None, value, bound, by: FailureMode::Strands }
+    }
+
     /// The share by which the limit is missed; at most 0 where it is met.
     pub(super) fn excess(&self) -> f64 {
         self.limit.missed_by(self.value, self.bound)
@@ -58,7 +70,7 @@ impl Check {
             (Limit::Force, Some(point)) => {
                 Reason::Force { point, available_n: value, pressure_mpa: spec.max_pressure_mpa }
             }
-            (Limit::Force | Limit::BurstMargin, _) => Reason::Burst { margin: value, limit },
+            (Limit::Force | Limit::BurstMargin, _) => Reason::Burst { by: self.by, margin: value, limit },
             (Limit::BulgedDiameter, _) => Reason::Bulge { diameter_mm: value, limit_mm: limit },
             (Limit::MaxStretch, _) => Reason::Stretch { stretch: value, limit },
             (Limit::StrandStrain, _) => Reason::StrandStrain { strain: value, limit },
@@ -120,7 +132,7 @@ pub(super) fn probe_with(
             let parts = uncertainty(model, workspace, (max, point.contraction), value, direction);
             value -= widths * parts.map_or(0.0, |parts| parts.total());
         }
-        checks.push(Check { limit: Limit::Force, point: Some(point), value, bound: point.force_n });
+        checks.push(Check { point: Some(point), ..Check::new(Limit::Force, value, point.force_n) });
     }
     let limits = &spec.limits;
     let stretch = limits.stretch.or(muscle.tube().rubber.fitted_to_stretch.filter(|_| limits.fitted_stretch));
@@ -143,10 +155,10 @@ pub(super) fn probe_with(
             }
             let (full, _) = full_response(model, workspace, &thick_wall, p, point.contraction)?;
             if let (Some(bound), Some(value)) = (limits.bulged_diameter_mm, full.bulged_diameter_mm) {
-                checks.push(Check { limit: Limit::BulgedDiameter, point: None, value, bound });
+                checks.push(Check::new(Limit::BulgedDiameter, value, bound));
             }
             if let (Some(bound), Some(value)) = (stretch, full.rubber_stretch()) {
-                checks.push(Check { limit: Limit::MaxStretch, point: None, value, bound });
+                checks.push(Check::new(Limit::MaxStretch, value, bound));
             }
             bulge = bulge.max(full.bulged_diameter_mm.unwrap_or(0.0));
             if scored && spec.objective == Objective::Air {
@@ -185,9 +197,6 @@ pub(super) fn strands(
     let (limits, max, muscle) = (&spec.limits, spec.max_pressure_mpa, model.muscle());
     let strength = muscle.braid().strands.and_then(|s| s.strength_n);
     let mut checks = vec![];
-    if limits.strand_strain.is_none() && (limits.burst_margin.is_none() || strength.is_none()) {
-        return Ok(checks);
-    }
     let places = || std::iter::once(0.0).chain(points.iter().map(|q| q.contraction));
     if let Some(bound) = limits.strand_strain {
         let mut largest: Option<f64> = None;
@@ -196,25 +205,37 @@ pub(super) fn strands(
             let strain = full.braid_tension_n.and_then(|t| muscle.strand_strain(t));
             largest = strain.map_or(largest, |s| Some(largest.map_or(s, |l| l.max(s))));
         }
-        let check = |value| Check { limit: Limit::StrandStrain, point: None, value, bound };
-        checks.extend(largest.map(check));
+        checks.extend(largest.map(|value| Check::new(Limit::StrandStrain, value, bound)));
     }
+    let mut blocked = |p| full_response(model, workspace, thick_wall, p, 0.0).ok().map(|(r, _)| r);
     if let (Some(bound), Some(strength)) = (limits.burst_margin, strength) {
         // Blocked, as the burst pressure is; without an equilibrium at that pressure they break before it.
-        let full = full_response(model, workspace, thick_wall, bound * max, 0.0).ok();
-        let strand = full.map_or(Some(f64::INFINITY), |(r, _)| r.strand_tension_n);
+        let strand = blocked(bound * max).map_or(Some(f64::INFINITY), |r| r.strand_tension_n);
         let value = bound * strength / strand.unwrap_or(0.0).max(0.0);
-        checks.push(Check { limit: Limit::BurstMargin, point: None, value, bound });
+        checks.push(Check::new(Limit::BurstMargin, value, bound));
+    }
+    if let Some(bound) = limits.burst_margin {
+        let check =
+            |by, margin: f64| Check { by, ..Check::new(Limit::BurstMargin, margin.min(NEVER), bound) };
+        match mesh::herniation(muscle) {
+            FailurePressure::At(p) => checks.push(check(FailureMode::Mesh, p / max)),
+            FailurePressure::None => checks.push(check(FailureMode::Mesh, NEVER)),
+            FailurePressure::Unknown(_) => {}
+        }
+        if let Some(bears) = muscle.terminals().pull_off_n {
+            let load = blocked(bound * max).map_or(f64::INFINITY, |r| ends::clamp_load_n(muscle, &r));
+            checks.push(check(FailureMode::Ends, bound * bears / load.max(0.0)));
+        }
     }
     Ok(checks)
 }
 
-/// The burst pressure over the maximum pressure, solved for: where the margin is missed, that of its check is in proportion to the
+/// How a muscle fails, and its burst pressure over the maximum pressure, solved for: where the margin is missed, that of its check is in proportion to the
 /// strands' tension alone.
-pub(super) fn burst_margin(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<f64> {
-    muscle.braid().strands?.strength_n?;
+pub(super) fn burst_margin(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<(FailureMode, f64)> {
     let solved = burst(build(muscle).ok()?.as_ref(), &Workspace::new()).ok()?;
-    Some(solved.pressure_mpa()? / spec.max_pressure_mpa)
+    let (by, pressure_mpa) = solved.first()?;
+    Some((by, pressure_mpa / spec.max_pressure_mpa))
 }
 
 /// The pressure a point takes, where the pull at the maximum pressure is known to be enough.

@@ -2,6 +2,7 @@
 
 use super::limit::Limit;
 use super::spec::OperatingPoint;
+use mckibben::analysis::FailureMode;
 use mckibben::model::ModelError;
 use mckibben::muscle::{Muscle, MuscleError};
 use mckibben::units::Dimension;
@@ -27,8 +28,10 @@ pub enum Reason {
         /// The bound in mm.
         limit_mm: f64,
     },
-    /// Its strands break too early.
+    /// It bursts too early.
     Burst {
+        /// How it fails.
+        by: FailureMode,
         /// Burst pressure over maximum pressure.
         margin: f64,
         /// The bound.
@@ -76,8 +79,8 @@ impl Reason {
                 let [bulged, limit] = [bulged, *limit_mm].map(|v| show(Dimension::Length, v));
                 format!("bulged diameter {bulged}, at most {limit} allowed")
             }
-            Reason::Burst { margin, limit } => {
-                format!("strands break at {margin:.2} times the maximum pressure, {limit} required")
+            Reason::Burst { by, margin, limit } => {
+                format!("{by} at {margin:.2} times the maximum pressure, {limit} required")
             }
             Reason::Stretch { stretch, limit } => {
                 format!("rubber stretched to {stretch:.2}, at most {limit} allowed")
@@ -109,7 +112,7 @@ impl Reason {
         let (value, bound) = match *self {
             Reason::Force { point, available_n, .. } => (available_n, point.force_n),
             Reason::Bulge { diameter_mm: value, limit_mm: bound }
-            | Reason::Burst { margin: value, limit: bound }
+            | Reason::Burst { margin: value, limit: bound, .. }
             | Reason::Stretch { stretch: value, limit: bound }
             | Reason::StrandStrain { strain: value, limit: bound } => (value, bound),
             Reason::Model(_) | Reason::Muscle(_) => return None,

@@ -139,7 +139,7 @@ fn of_muscle(spec: &Spec, build: &Build<'_>, muscle: &Muscle, widen: bool) -> Ve
     ease(worst(Limit::StrandStrain), &|l, v| l.strand_strain = Some(v * up), &|strand_strain| {
         Relaxation::MaxStrandStrain { strand_strain }
     });
-    let margin = worst(Limit::BurstMargin).and_then(|_| burst_margin(spec, build, muscle));
+    let margin = worst(Limit::BurstMargin).and_then(|_| Some(burst_margin(spec, build, muscle)?.1));
     ease(margin, &|l, v| l.burst_margin = Some(v * (1.0 - 1e-9)), &|burst_margin| {
         Relaxation::MinBurstMargin { burst_margin }
     });

@@ -242,8 +242,11 @@ impl<'a> Search<'a> {
         let one = |&i: &usize| {
             let mut result = SearchResult::default();
             let part = &self.spec.tubes[i];
-            let pick =
-                Pick { choice: Choice { rubber: i, braid, length_mm }, d0: part.outer_mm, s: part.wall_mm() };
+            let pick = Pick {
+                choice: Choice { rubber: i, braid, length_mm },
+                d0: part.outer_diameter_mm,
+                s: part.wall_mm,
+            };
             // A sleeve that does not go over a tube makes no muscle.
             if self.progress.cancelled() || self.muscle(pick).is_err() {
                 return result;
@@ -410,7 +413,8 @@ impl<'a> Search<'a> {
                 let worst = *probe.worst().filter(|c| c.excess() > 0.0)?;
                 let solved =
                     burst_margin(self.spec, build, muscle).filter(|_| worst.limit == Limit::BurstMargin);
-                Some(Check { value: solved.unwrap_or(worst.value), ..worst }.reason(self.spec))
+                let (by, value) = solved.unwrap_or((worst.by, worst.value));
+                Some(Check { by, value, ..worst }.reason(self.spec))
             }
             Err(error @ ModelError::Exceeded(_)) => Some(Reason::Model(error)),
             Err(error) => Some(self.overstretched(muscle).unwrap_or(Reason::Model(error))),

@@ -3,6 +3,7 @@
 use super::demand::Demand;
 use super::tubes::TubePart;
 use mckibben::analysis::Options;
+pub use mckibben::analysis::SAFETY;
 use mckibben::model::{ForceModel, ModelError};
 use mckibben::muscle::{Braid, Direction, Muscle, MuscleError, Rubber};
 use mckibben::rubber::over_time::erf;
@@ -65,9 +66,6 @@ pub enum BraidChoice {
     /// Named sleeves: each braid lies on a tube as its sleeve does there ([`Braid::on_diameter`]).
     Sleeves(Vec<Braid>),
 }
-
-/// Burst pressure over maximum pressure that a muscle has where nothing else is said: that of new hose for compressed air (RMA, Hose Handbook, IP-2, 2003).
-pub const SAFETY: f64 = 4.0;
 
 /// Bounds on what comes out.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]

@@ -5,6 +5,8 @@
 
 use mckibben::rubber::library;
 use mckibben::rubber::{LibraryError, Rubber};
+use serde::Serialize;
+use std::collections::BTreeSet;
 use std::sync::OnceLock;
 use thiserror::Error;
 use toml_edit::{Array, Document, Item, Table, Value};
@@ -20,17 +22,22 @@ pub const CAST_RUBBER: &str = "dragon-skin-30";
 const TEXT: &str = include_str!("../data/tubes.toml");
 
 /// A tube as sold or cast.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct TubePart {
     /// Name, such as `latex-1/4x3/8in`.
     pub name: String,
-    /// Bore in mm.
-    pub inner_mm: f64,
-    /// Outer diameter in mm.
-    pub outer_mm: f64,
-    /// What it is made of.
+    /// Bore, mm.
+    pub inner_diameter_mm: f64,
+    /// Outer diameter, mm.
+    pub outer_diameter_mm: f64,
+    /// Wall, mm.
+    pub wall_mm: f64,
+    /// Its rubber.
+    #[serde(serialize_with = "name_of")]
+    #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub rubber: Rubber,
-    /// Density of the rubber in kg/m³, where it is known.
+    /// Density of the rubber, kg/m³, where it is known.
     pub density_kg_per_m3: Option<f64>,
     /// Whether it is cast, not bought.
     pub is_cast: bool,
@@ -38,17 +45,20 @@ pub struct TubePart {
     pub source: String,
     /// Price, where one was seen.
     pub price: Option<String>,
-    /// Largest pressure in MPa that its source names.
+    /// Largest pressure that its source names, MPa.
     pub pressure_mpa: Option<f64>,
     /// What else one should know.
     pub note: Option<String>,
 }
 
-impl TubePart {
-    /// Wall in mm.
-    pub fn wall_mm(&self) -> f64 {
-        0.5 * (self.outer_mm - self.inner_mm)
-    }
+fn name_of<S: serde::Serializer>(rubber: &Rubber, out: S) -> Result<S::Ok, S::Error> {
+    out.serialize_str(rubber.name.as_deref().unwrap_or_default())
+}
+
+/// The names of the tubes' rubbers, in alphabetical order.
+pub fn rubbers<'a>(tubes: impl IntoIterator<Item = &'a TubePart>) -> Vec<&'a str> {
+    let names: BTreeSet<&str> = tubes.into_iter().filter_map(|t| t.rubber.name.as_deref()).collect();
+    names.into_iter().collect()
 }
 
 /// Why a table of tubes cannot be read.
@@ -84,16 +94,27 @@ pub fn catalogue() -> Result<&'static [TubePart], TubeError> {
     ALL.get_or_init(|| read(TEXT)).as_deref().map_err(TubeError::clone)
 }
 
-/// The tube of a name.
+/// The tube of a name: one of `tubes`, or one that is cast of a rubber of the library, `cast-8x12-latex`.
 ///
 /// # Errors
 /// [`TubeError::Unknown`] with the nearest name.
-pub fn find<'a>(tubes: &'a [TubePart], name: &str) -> Result<&'a TubePart, TubeError> {
+pub fn find(tubes: &[TubePart], name: &str) -> Result<TubePart, TubeError> {
     let plain = library::plain(name);
-    tubes.iter().find(|t| t.name == plain).ok_or_else(|| TubeError::Unknown {
+    if let Some(listed) = tubes.iter().find(|t| t.name == plain) {
+        return Ok(listed.clone());
+    }
+    let rubber = plain.strip_prefix("cast-").and_then(|rest| Some(rest.split_once('-')?.1));
+    let cast = rubber.and_then(|rubber| cast_of(rubber).ok()?.into_iter().find(|t| t.name == plain));
+    cast.ok_or_else(|| TubeError::Unknown {
         name: name.chars().take(60).collect(),
         nearest: mckibben::nearest::nearest(&plain, tubes.iter().map(|t| t.name.as_str())).map(str::to_owned),
     })
+}
+
+fn source_of(document: &Document<&str>, table: &Table) -> String {
+    let key = table.get("source").and_then(Item::as_str).unwrap_or("not stated");
+    let sources = document.get("sources").and_then(Item::as_table);
+    sources.and_then(|s| s.get(key)?.as_str()).unwrap_or(key).to_owned()
 }
 
 /// The tubes of a table.
@@ -102,11 +123,7 @@ pub fn find<'a>(tubes: &'a [TubePart], name: &str) -> Result<&'a TubePart, TubeE
 /// [`TubeError`].
 pub fn read(text: &str) -> Result<Vec<TubePart>, TubeError> {
     let document = Document::parse(text).map_err(|e| TubeError::Table(e.to_string()))?;
-    let sources = document.get("sources").and_then(Item::as_table);
-    let source = |table: &Table| {
-        let key = table.get("source").and_then(Item::as_str).unwrap_or("not stated");
-        sources.and_then(|s| s.get(key)?.as_str()).unwrap_or(key).to_owned()
-    };
+    let source = |table: &Table| source_of(&document, table);
     let of = |key: &str| document.get(key).and_then(Item::as_array_of_tables);
     let mut out = vec![];
     for table in of("tube").into_iter().flatten() {
@@ -138,8 +155,7 @@ pub fn read(text: &str) -> Result<Vec<TubePart>, TubeError> {
 pub fn cast_of(rubber: &str) -> Result<Vec<TubePart>, TubeError> {
     let document = Document::parse(TEXT).map_err(|e| TubeError::Table(e.to_string()))?;
     let tables = document.get("cast").and_then(Item::as_array_of_tables);
-    let source = "cast between a rod and a pipe as sold in millimetres";
-    let lists = tables.into_iter().flatten().map(|table| cast(table, rubber, source));
+    let lists = tables.into_iter().flatten().map(|table| cast(table, rubber, &source_of(&document, table)));
     Ok(lists.collect::<Result<Vec<_>, _>>()?.concat())
 }
 
@@ -163,20 +179,22 @@ pub fn can_be_cast(bore_mm: f64, wall_mm: f64) -> bool {
 type More = (Option<String>, Option<f64>, Option<String>);
 
 fn part(
-    (name, inner_mm, outer_mm, is_cast): (String, f64, f64, bool),
+    (name, inner_diameter_mm, outer_diameter_mm, is_cast): (String, f64, f64, bool),
     rubber: &str,
     source: String,
     (price, pressure_mpa, note): More,
 ) -> Result<TubePart, TubeError> {
-    if !(inner_mm > 0.0 && outer_mm > inner_mm && outer_mm.is_finite()) {
+    let wall_mm = 0.5 * (outer_diameter_mm - inner_diameter_mm);
+    if !(inner_diameter_mm > 0.0 && wall_mm > 0.0 && wall_mm.is_finite()) {
         return Err(wrong(&name, "the inner diameter must be above zero and below the outer one"));
     }
     let found = library::find(rubber).map_err(|e: LibraryError| wrong(&name, &e.to_string()))?;
     let density_kg_per_m3 = library::entry(rubber).ok().and_then(|e| e.density_kg_per_m3);
     Ok(TubePart {
         name,
-        inner_mm,
-        outer_mm,
+        inner_diameter_mm,
+        outer_diameter_mm,
+        wall_mm,
         rubber: found,
         density_kg_per_m3,
         is_cast,
@@ -227,26 +245,27 @@ mod tests {
         let all = catalogue().unwrap();
         assert!(all.len() > 100, "{}", all.len());
         for tube in all.iter().filter(|t| t.is_cast) {
-            assert!(can_be_cast(tube.inner_mm, tube.wall_mm()), "{}", tube.name);
+            assert!(can_be_cast(tube.inner_diameter_mm, tube.wall_mm), "{}", tube.name);
         }
         // 1/4 x 3/8 in: a wall of 1/16 in.
         let latex = find(all, "latex-1/4x3/8in").unwrap();
-        assert!(
-            (latex.wall_mm() - 25.4 / 16.0).abs() < 1e-9 && latex.rubber.name.as_deref() == Some("latex")
-        );
+        assert!((latex.wall_mm - 25.4 / 16.0).abs() < 1e-9 && latex.rubber.name.as_deref() == Some("latex"));
         let mut names: Vec<&str> = all.iter().map(|t| t.name.as_str()).collect();
         names.sort_unstable();
         names.dedup();
         assert_eq!(names.len(), all.len());
         let error = find(all, "latex-1/4x3/8").unwrap_err().to_string();
         assert!(error.contains("did you mean latex-1/4x3/8in"), "{error}");
+        // Of a rubber that the list leaves out.
+        assert_eq!(find(all, "cast-8x12-rtv615").unwrap().rubber.name.as_deref(), Some("rtv615"));
+        assert!(find(all, "cast-8x12-no-such-rubber").is_err());
     }
 
     #[test]
     fn a_table_of_ones_own_is_read_and_slips_are_named() {
         let text = "[[tube]]\nname = \"mine\"\ninner = 8\nouter = 12.0\nrubber = \"shore:35A:natural\"\n";
         let own = read(text).unwrap();
-        assert_eq!((own[0].wall_mm(), own[0].source.as_str()), (2.0, "not stated"));
+        assert_eq!((own[0].wall_mm, own[0].source.as_str()), (2.0, "not stated"));
         let message = |text: &str| read(text).unwrap_err().to_string();
         assert!(message("tube = ").contains("the table of tubes"));
         assert!(message(&text.replace("12.0", "7")).contains("mine: the inner diameter"));

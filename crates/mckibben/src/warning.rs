@@ -1,6 +1,6 @@
 //! What the user should know of an answer.
 
-use crate::analysis::NoBurst;
+use crate::analysis::{FailureMode, NoBurst, SAFETY};
 use crate::model::Response;
 use crate::muscle::{Muscle, Rubber};
 use crate::units::short_numbers;
@@ -21,6 +21,17 @@ pub enum Warning {
         pressure_mpa: f64,
         /// The burst pressure in MPa.
         burst_mpa: f64,
+        /// How the muscle fails there.
+        by: FailureMode,
+    },
+    /// The pressure exceeds the allowed one.
+    AboveAllowed {
+        /// The largest pressure in question in MPa.
+        pressure_mpa: f64,
+        /// The allowed pressure in MPa.
+        allowed_mpa: f64,
+        /// The burst pressure in MPa with how the muscle fails there, where it is the reason; else the fittings are rated for the allowed pressure.
+        burst: Option<(f64, FailureMode)>,
     },
     /// The burst pressure is not known.
     BurstNotChecked(NoBurst),
@@ -64,7 +75,7 @@ pub enum Warning {
 impl Warning {
     /// Whether it is about the burst of the muscle, and so comes first.
     pub fn is_of_burst(&self) -> bool {
-        matches!(self, Self::Burst { .. } | Self::BurstNotChecked(_))
+        matches!(self, Self::Burst { .. } | Self::AboveAllowed { .. } | Self::BurstNotChecked(_))
     }
 
     /// Of a stretch beyond the data that a rubber's constants were fitted to.
@@ -78,7 +89,8 @@ impl Warning {
     fn gravity(&self) -> Option<f64> {
         match self {
             Self::Said(_) | Self::BurstNotChecked(_) => None,
-            Self::Burst { pressure_mpa, burst_mpa } => Some(pressure_mpa / burst_mpa),
+            Self::Burst { pressure_mpa, burst_mpa, .. } => Some(pressure_mpa / burst_mpa),
+            Self::AboveAllowed { pressure_mpa, allowed_mpa, .. } => Some(pressure_mpa / allowed_mpa),
             Self::StrandsBreak { tension_n, strength_n, .. } => Some(tension_n / strength_n),
             Self::StrandStrain { strain } => Some(*strain),
             Self::BeyondBraid { contraction, .. } => Some(*contraction),
@@ -109,9 +121,17 @@ impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Said(sentence) => f.write_str(&short_numbers(sentence)),
-            Self::Burst { pressure_mpa, burst_mpa } => write!(
+            Self::Burst { pressure_mpa, burst_mpa, by } => write!(
                 f,
-                "BURST: {pressure_mpa:.3} MPa is not below the burst pressure of this muscle, {burst_mpa:.3} MPa, at which its strands break"
+                "BURST: {pressure_mpa:.3} MPa is not below the burst pressure of this muscle, {burst_mpa:.3} MPa, at which {by}"
+            ),
+            Self::AboveAllowed { pressure_mpa, allowed_mpa, burst: Some((burst_mpa, by)) } => write!(
+                f,
+                "ABOVE THE ALLOWED PRESSURE: {pressure_mpa:.3} MPa; {allowed_mpa:.3} MPa is allowed, the burst pressure over {SAFETY}: at {burst_mpa:.3} MPa {by}"
+            ),
+            Self::AboveAllowed { pressure_mpa, allowed_mpa, burst: None } => write!(
+                f,
+                "ABOVE THE ALLOWED PRESSURE: {pressure_mpa:.3} MPa; the fittings are rated for {allowed_mpa:.3} MPa"
             ),
             Self::BurstNotChecked(why) => write!(f, "BURST NOT CHECKED: {why}"),
             Self::StrandsBreak { tension_n, strength_n, pressure_mpa } => write!(

@@ -2,7 +2,7 @@
 
 use super::policy::ModelPolicy;
 use super::request::{OperatingPoint, TorqueWanted};
-use crate::burst::{put_first, said_of};
+use crate::burst::{PressureLimits, put_first, said_of};
 use crate::fields::TextFile;
 use crate::muscle::MuscleSummary;
 use crate::uncertainty::UncertaintyWords;
@@ -12,6 +12,7 @@ use mckibben::analysis::{Burst, NoBurst};
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Braid, BraidStiffness};
 use mckibben::warning::Warning;
+use mckibben_design::tubes::rubbers;
 use mckibben_design::{
     BraidChoice, Candidate, CandidatePoint, Closest, Demand, Lift, Limit, Outcome, Rejected, Relaxation,
     Spec, Spread, Sure,
@@ -162,8 +163,9 @@ pub struct CandidateAnswer {
     pub braid_tension_n: Option<f64>,
     /// Largest stretch of the rubber.
     pub max_stretch: Option<f64>,
-    /// Burst pressure, MPa, where the strands' strength is known.
-    pub burst_pressure_mpa: Option<f64>,
+    /// The pressures that the muscle bears.
+    #[serde(flatten)]
+    pub limits: PressureLimits,
     /// Largest 95 % half-width of the pull, N.
     pub uncertainty_n: Option<f64>,
     /// The operating points, in the order of the specification.
@@ -354,10 +356,8 @@ impl SearchedAnswer {
 /// The rubber that is searched with.
 fn rubber_of(spec: &Spec) -> String {
     if !spec.tubes.is_empty() {
-        let mut rubbers: Vec<&str> = spec.tubes.iter().filter_map(|t| t.rubber.name.as_deref()).collect();
-        rubbers.sort_unstable();
-        rubbers.dedup();
-        return format!("{} tubes of {}", spec.tubes.len(), rubbers.join(", "));
+        let (n, of) = (spec.tubes.len(), rubbers(&spec.tubes).join(", "));
+        return format!("{n} {} of {of}", if n == 1 { "tube" } else { "tubes" });
     }
     let names: Vec<&str> = spec.rubbers.iter().filter_map(|rubber| rubber.name.as_deref()).collect();
     match names[..] {
@@ -405,7 +405,7 @@ impl CandidateAnswer {
             strand_tension_n: c.largest(|q| q.response.strand_tension_n),
             braid_tension_n: c.largest(|q| q.response.braid_tension_n),
             max_stretch: c.largest(|q| q.response.max_stretch),
-            burst_pressure_mpa: c.burst_pressure_mpa,
+            limits: c.burst.as_ref().map(Into::into).unwrap_or_default(),
             uncertainty_n: c.largest(|q| q.uncertainty_n),
             points: c.points.clone(),
             from_thick_wall: c.from_thick_wall.iter().map(|&name| name.into()).collect(),
@@ -457,13 +457,13 @@ impl ClosestAnswer {
 /// What is said of a burst where nothing fits: that it was not checked, of strands whose strength is not stated.
 fn not_checked(outcome: &Outcome, max_pressure_mpa: f64) -> Vec<Warning> {
     let missing = outcome.closest.as_ref().and_then(|closest| Burst::missing(&closest.muscle));
-    missing.and_then(|why| said_of(&Burst::Unknown(why), max_pressure_mpa, 0.0)).into_iter().collect()
+    missing.map(|why| said_of(&Burst::unknown(why), max_pressure_mpa, 0.0)).unwrap_or_default()
 }
 
 /// What the user should know of a candidate: of its burst pressure, of its muscle, and of its operating points.
 fn warnings(c: &Candidate, max_pressure_mpa: f64) -> Vec<Warning> {
     let mut all = crate::warnings::of_responses(&c.muscle, c.points.iter().map(|q| &q.response));
-    let found = c.burst.unwrap_or(Burst::Unknown(NoBurst::NoAnswer { up_to_mpa: 0.0 }));
+    let found = c.burst.unwrap_or(Burst::unknown(NoBurst::NoAnswer { up_to_mpa: 0.0 }));
     all.extend(super::assumed::thin_wall(&c.muscle).map(Warning::from));
     put_first(&mut all, said_of(&found, max_pressure_mpa, 0.0));
     all

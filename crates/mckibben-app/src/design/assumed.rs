@@ -3,20 +3,21 @@
 use super::request::DesignRequest;
 use crate::words::{number, percent};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle};
+use mckibben_design::tubes::{LEAST_CAST_WALL_MM, rubbers};
 use mckibben_design::{BraidChoice, Build, Closest, Reason, Relaxation, Spec, fits};
 
 /// What was assumed, in sentences.
 pub(super) fn assumptions(request: &DesignRequest, spec: &Spec) -> Vec<String> {
     let mut out = vec![];
-    if request.searches_parts() {
+    if !spec.tubes.is_empty() {
         let estimated = |braid: &Braid| braid.stiffness_factor > 1.0;
         if matches!(&spec.braid, BraidChoice::Sleeves(list) if list.iter().any(estimated)) {
             out.push("diameter, stiffness and strength of strands that no seller states are estimates (the catalogue of parts marks them); the ± carries that of the stiffness".into());
         }
-        if spec.tubes.iter().any(|tube| tube.is_cast) {
+        let cast = rubbers(spec.tubes.iter().filter(|tube| tube.is_cast)).join(", ");
+        if !cast.is_empty() {
             out.push(format!(
-                "tubes are sold, or cast of {} with walls of at least 1 mm",
-                cast_rubbers(spec)
+                "tubes are sold, or cast of {cast} with walls of at least {LEAST_CAST_WALL_MM} mm"
             ));
         }
         return out;
@@ -31,16 +32,6 @@ pub(super) fn assumptions(request: &DesignRequest, spec: &Spec) -> Vec<String> {
         out.push(format!("the braid is that of the paper, because none is named {named}"));
     }
     out
-}
-
-/// The rubbers of the tubes that are cast.
-fn cast_rubbers(spec: &Spec) -> String {
-    let mut names: Vec<&str> =
-        spec.tubes.iter().filter(|t| t.is_cast).filter_map(|t| t.rubber.name.as_deref()).collect();
-    names.sort_unstable();
-    names.dedup();
-    names.retain(|name| *name != "paper");
-    names.join(", ")
 }
 
 /// Whether the braid is the paper's, whose stiffness follows from the diameter.

@@ -166,8 +166,20 @@ impl DesignRequest {
                 elements: Model::choose(&self.model, Purpose::Answer)?,
             },
         };
-        let tubes = if self.searches_parts() { self.tubes()? } else { vec![] };
-        let sleeves = self.sleeves(&base)?;
+        let free = self.free_sizes(&models);
+        let tubes = match free {
+            None => self.tubes()?,
+            Some(by) => {
+                let named = [("tubes", !self.tubes.is_empty()), ("parts", self.parts.is_some())];
+                if let Some((field, _)) = named.into_iter().find(|(_, given)| *given) {
+                    let message = format!("`{field}` has no effect: {by} asks for free sizes");
+                    let hint = format!("leave out `{field}`, or {by}");
+                    return Err(Problem::new(ProblemKind::Usage, message, hint));
+                }
+                vec![]
+            }
+        };
+        let sleeves = self.sleeves(&base, free.is_none())?;
         let braid = match (&self.strand_length_per_turn_mm[..], &sleeves[..], &self.angle_deg) {
             ([], [], None) => BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
             ([], [], Some(angles)) => BraidChoice::Angle(angles.values("angle_deg")?),
@@ -244,16 +256,20 @@ impl DesignRequest {
         }
     }
 
-    /// Whether tubes and sleeves as sold are searched.
-    pub(super) fn searches_parts(&self) -> bool {
-        let free = [&self.outer_diameter_mm, &self.wall_mm, &self.angle_deg].into_iter().any(Option::is_some);
-        let braided = !self.strand_length_per_turn_mm.is_empty() || self.stiffness.is_some();
-        // A formula for one braid and rubber has no answer for others.
-        let of_sections = || {
-            self.model.model.is_some()
-                && Model::choose(&self.model, Purpose::Search).is_ok_and(|model| model.sections().is_some())
-        };
-        !(self.continuous || free || braided || self.muscle.is_some() || of_sections())
+    /// What asks for free sizes, in place of tubes and sleeves as sold.
+    fn free_sizes(&self, models: &ModelPolicy) -> Option<&'static str> {
+        let given = [
+            ("`continuous`", self.continuous),
+            ("`muscle`", self.muscle.is_some()),
+            ("`outer_diameter_mm`", self.outer_diameter_mm.is_some()),
+            ("`wall_mm`", self.wall_mm.is_some()),
+            ("`angle_deg`", self.angle_deg.is_some()),
+            ("`strand_length_per_turn_mm`", !self.strand_length_per_turn_mm.is_empty()),
+            ("`stiffness`", self.stiffness.is_some()),
+            // A formula for one braid and rubber has no answer for others.
+            ("a formula for one braid", matches!(models, ModelPolicy::Named(m) if m.sections().is_some())),
+        ];
+        given.into_iter().find(|(_, given)| *given).map(|(by, _)| by)
     }
 
     /// The tubes that are searched.
@@ -266,7 +282,7 @@ impl DesignRequest {
             None => tubes::catalogue().map_err(problem)?,
         };
         if !self.tubes.is_empty() {
-            let named = self.tubes.iter().map(|name| tubes::find(all, name).cloned());
+            let named = self.tubes.iter().map(|name| tubes::find(all, name));
             return named.collect::<Result<_, _>>().map_err(|e| problem(e).in_field("tubes"));
         }
         if own.is_some() && self.rubbers.is_empty() {
@@ -290,8 +306,8 @@ impl DesignRequest {
     }
 
     /// The named sleeves, all of the library where parts are searched, or the base muscle's.
-    fn sleeves(&self, base: &Muscle) -> Result<Vec<Braid>, Problem> {
-        if self.braids.is_empty() && self.searches_parts() {
+    fn sleeves(&self, base: &Muscle, as_sold: bool) -> Result<Vec<Braid>, Problem> {
+        if self.braids.is_empty() && as_sold {
             let on_least = |entry: &SleeveEntry| Ok(entry.sleeve.on(entry.sleeve.diameters().0)?);
             return library::entries()?.iter().map(on_least).collect();
         }

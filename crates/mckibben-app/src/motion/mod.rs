@@ -8,7 +8,7 @@ pub use uncertainty::EndUncertainty;
 
 pub use request::{MotionRequest, MotionSweep, StepFields};
 
-use crate::burst::{burst_of, least, put_first, said_of};
+use crate::burst::{PressureLimits, burst_of, put_first, said_of};
 use crate::fields::{MuscleFields, NamedFields, TextFile};
 use crate::figure;
 use crate::model::{Model, Purpose};
@@ -58,8 +58,9 @@ pub struct MotionAnswer {
     /// Sonic conductance of the smallest valve with the rise time that was asked for, L/(s bar).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sonic_conductance_l_per_s_bar: Option<f64>,
-    /// Burst pressure, MPa: the lowest of its muscles'; none where one of them does not state the strength of its strands.
-    pub burst_pressure_mpa: Option<f64>,
+    /// The pressures that its weakest muscle bears.
+    #[serde(flatten)]
+    pub limits: PressureLimits,
     /// Warnings.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
@@ -195,7 +196,7 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
     let budget = progress.budget();
     let bursts = moved.models.iter().map(|m| burst_of(&moved.choice, &**m, &budget));
     let bursts = bursts.collect::<Result<Vec<_>, _>>()?;
-    let burst = bursts.iter().zip(&highest_mpa).filter_map(|(found, highest)| said_of(found, *highest, 0.0));
+    let burst = bursts.iter().zip(&highest_mpa).flat_map(|(found, highest)| said_of(found, *highest, 0.0));
     put_first(&mut warnings, burst.collect::<Vec<_>>());
     let mut runs = runs.into_iter();
     let Some(motion) = runs.next() else { return Err(Problem::missing("drive", "a drive file")) };
@@ -205,7 +206,7 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
         motion,
         others: runs.collect(),
         sonic_conductance_l_per_s_bar: sized,
-        burst_pressure_mpa: least(&bursts),
+        limits: PressureLimits::of_all(&bursts),
         warnings,
         figure: None,
     };

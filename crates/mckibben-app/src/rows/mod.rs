@@ -4,7 +4,7 @@ mod point;
 mod show;
 
 pub use point::point_rows;
-pub use show::{Sheet, build_rows, characteristic_rows, muscle_sheets};
+pub use show::{characteristic_rows, limit_rows, muscle_sheets};
 
 use crate::muscle::MuscleSummary;
 

@@ -1,12 +1,12 @@
 //! `force`, `pressure`, `contraction` as rows.
 
+use super::show::limit_rows;
 use super::{Row, estimated};
 use crate::many::PointQuantity;
 use crate::point::PointAnswer;
 use crate::units::Units;
 use crate::words::{half_width, number, percent, within};
 use mckibben::answer::Answer;
-use mckibben_design::SAFETY;
 
 fn of(asked: PointQuantity, answer: &Answer) -> f64 {
     match asked {
@@ -87,8 +87,10 @@ pub fn point_rows(answer: &PointAnswer, asked: PointQuantity, u: &Units) -> Vec<
     add("tension of one strand", r.strand_tension_n, &tension);
     add("tension of all strands", r.braid_tension_n, &tension);
     let estimate = estimated(&answer.muscle);
-    add("burst pressure", answer.burst_pressure_mpa, &|v| u.pressure.show(v) + estimate);
-    add("allowed: a quarter of it", answer.burst_pressure_mpa, &|v| u.pressure.show(v / SAFETY));
+    list.extend(limit_rows(&answer.limits, estimate, u));
+    let mut add = |name, value: Option<f64>, show: &dyn Fn(f64) -> String| {
+        list.extend(value.map(|v| (name, show(v))));
+    };
     add("stretch at mid-length, inside", r.middle_stretch, &|v| number(v, 3));
     add("stretch of 99 % of the rubber", r.max_stretch, &|v| format!("below {}", number(v, 3)));
     let words = &answer.uncertainty_words;

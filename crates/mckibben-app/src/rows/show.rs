@@ -1,12 +1,13 @@
 //! `muscle show` as rows.
 
 use super::{Row, estimated};
+use crate::burst::PressureLimits;
 use crate::show::{Characteristics, MuscleShowAnswer};
 use crate::units::Units;
 use crate::words::{air, braid_name, law_text, number, percent, rubber_name};
+use mckibben::analysis::SAFETY;
 use mckibben::muscle::{Bulk, EndFactor, Muscle};
 use mckibben::rubber::RubberLaw;
-use mckibben_design::SAFETY;
 
 /// A heading and its rows.
 pub type Sheet = (&'static str, Vec<Row>);
@@ -29,10 +30,24 @@ pub fn characteristic_rows(c: &Characteristics, u: &Units) -> Vec<Row> {
         ("work of a free stroke", or_dash(c.work_j, &|v| format!("{} J", number(v, 4)))),
         ("cavity at its end", or_dash(c.volume_mm3, &|v| u.volume.show(v))),
         ("air of a free stroke", or_dash(c.air_normal_litres, &air)),
-        ("burst pressure", c.burst_pressure_mpa.map_or_else(|| "not stated".into(), |v| u.pressure.show(v))),
     ];
-    rows.extend(c.burst_pressure_mpa.map(|v| ("allowed: a quarter of it", u.pressure.show(v / SAFETY))));
+    let limits = limit_rows(&c.limits, "", u);
+    rows.extend(if limits.is_empty() { vec![("burst pressure", "not stated".into())] } else { limits });
     rows
+}
+
+/// What the muscle bears.
+pub fn limit_rows(limits: &PressureLimits, estimate: &str, u: &Units) -> Vec<Row> {
+    let burst = limits.burst_pressure_mpa.map(|p| {
+        let by = limits.burst_by.map(|by| format!("; there {by}")).unwrap_or_default();
+        ("burst pressure", u.pressure.show(p) + &by + estimate)
+    });
+    let allowed = limits.allowed_pressure_mpa.map(|p| {
+        let rated = limits.burst_pressure_mpa.is_none_or(|burst| p < burst / SAFETY * (1.0 - 1e-12));
+        let why = if rated { "the fittings are rated for it" } else { "a quarter of the burst pressure" };
+        ("allowed pressure", format!("{}, {why}", u.pressure.show(p)))
+    });
+    burst.into_iter().chain(allowed).collect()
 }
 
 /// How far the muscle stretches its rubber, and how far the rubber is known.
@@ -117,7 +132,7 @@ fn derived(answer: &MuscleShowAnswer, u: &Units) -> Vec<Row> {
 }
 
 /// What to cut and clamp.
-pub fn build_rows(answer: &MuscleShowAnswer, u: &Units) -> Vec<Row> {
+fn build_rows(answer: &MuscleShowAnswer, u: &Units) -> Vec<Row> {
     let m = &answer.muscle;
     let mm = |v: f64| u.length.show(v);
     let sheet = &answer.build_sheet;

@@ -1,6 +1,7 @@
 //! What a finite-element test answers with.
 
 use super::Simulated;
+use crate::burst::PressureLimits;
 use crate::curve::FailedPoint;
 use crate::muscle::MuscleSummary;
 use crate::problem::Problem;
@@ -30,8 +31,9 @@ pub struct SimulateAnswer {
     /// Warnings; of each kind the most serious.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
-    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none if that is not stated.
-    pub burst_pressure_mpa: Option<f64>,
+    /// The pressures that the muscle bears.
+    #[serde(flatten)]
+    pub limits: PressureLimits,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,

@@ -221,7 +221,7 @@ pub fn simulate(
         muscle: summary,
         notes: notes_of(&*simulation, workspace),
         warnings,
-        burst_pressure_mpa: found.pressure_mpa(),
+        limits: (&found).into(),
         figure,
         deck,
         picture,

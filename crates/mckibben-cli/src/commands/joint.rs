@@ -12,6 +12,7 @@ use crate::quantities::{points, quantity, values};
 use crate::shown;
 use clap::Args;
 use mckibben::units::Dimension;
+use mckibben_app::rows::limit_rows;
 use mckibben_app::{JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, TextFile, joint};
 use std::path::{Path, PathBuf};
 
@@ -122,8 +123,8 @@ fn as_text(answer: &JointAnswer, u: &Units) -> String {
     for (i, muscle) in answer.muscles.iter().enumerate() {
         text += &format!("muscle {}: {}\n", i + 1, muscle.line(u));
     }
-    if let Some(burst) = answer.burst_pressure_mpa {
-        text += &format!("burst pressure {}\n", u.pressure.show(burst));
+    for (name, value) in limit_rows(&answer.limits, "", u) {
+        text += &format!("{name} {value}\n");
     }
     if !answer.points.is_empty() {
         text += &format!("\n{}", rows(&answer.points, u));

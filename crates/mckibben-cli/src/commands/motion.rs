@@ -14,6 +14,7 @@ use crate::shown;
 use clap::Args;
 use mckibben::load::Load;
 use mckibben::units::Dimension;
+use mckibben_app::rows::limit_rows;
 use mckibben_app::{
     MotionAnswer, MotionRequest, MotionRun, MotionSweep, ProblemKind, StepFields, Subject, TextFile, motion,
 };
@@ -175,8 +176,8 @@ fn as_text(answer: &MotionAnswer, u: &Units) -> String {
     for muscle in &answer.muscles {
         text += &format!("muscle: {}\n", muscle.line(u));
     }
-    if let Some(burst) = answer.burst_pressure_mpa {
-        text += &format!("burst pressure {}\n", u.pressure.show(burst));
+    for (name, value) in limit_rows(&answer.limits, "", u) {
+        text += &format!("{name} {value}\n");
     }
     if let Some(c) = answer.sonic_conductance_l_per_s_bar {
         text += &format!("\nthe smallest valve has {} L/(s bar)\n", number(c, 4));

@@ -11,7 +11,7 @@ use crate::shown;
 use crate::word::word;
 use clap::Args;
 use mckibben_app::{
-    PartKind, PartShowRequest, PartsListAnswer, PartsListRequest, TubeSummary, part_show, parts_list,
+    PartKind, PartShowRequest, PartsListAnswer, PartsListRequest, TubePart, part_show, parts_list,
 };
 use std::path::PathBuf;
 
@@ -58,10 +58,14 @@ pub fn list(args: &PartsListArgs, format: Format) -> Result<u8, Failure> {
 fn list_text(answer: &PartsListAnswer) -> String {
     let mut out = vec![];
     if !answer.tubes.is_empty() {
-        let row = |t: &TubeSummary| {
+        let row = |t: &TubePart| {
             let sizes = [t.inner_diameter_mm, t.outer_diameter_mm, t.wall_mm].map(|v| number(v, 4));
             let use_of = if t.is_cast { "cast" } else { "sold" };
-            [t.name.clone()].into_iter().chain(sizes).chain([t.rubber.clone(), use_of.into()]).collect()
+            [t.name.clone()]
+                .into_iter()
+                .chain(sizes)
+                .chain([t.rubber.name.clone().unwrap_or_default(), use_of.into()])
+                .collect()
         };
         let header = ["tube", "bore [mm]", "D0 [mm]", "wall [mm]", "rubber", ""];
         out.push(table(&header, answer.tubes.iter().map(row).collect()));
@@ -89,14 +93,14 @@ pub fn show(args: &PartShowArgs, format: Format) -> Result<u8, Failure> {
     Ok(0)
 }
 
-fn tube_text(t: &TubeSummary) -> String {
+fn tube_text(t: &TubePart) -> String {
     let u = shown::units();
     let mut rows = vec![
         ("tube", t.name.clone()),
         ("bore", u.length.show(t.inner_diameter_mm)),
         ("outer diameter", u.length.show(t.outer_diameter_mm)),
         ("wall", u.length.show(t.wall_mm)),
-        ("rubber", t.rubber.clone()),
+        ("rubber", t.rubber.name.clone().unwrap_or_default()),
         ("made", if t.is_cast { "cast by hand" } else { "as sold" }.into()),
     ];
     rows.extend(t.price.clone().map(|price| ("price", price)));

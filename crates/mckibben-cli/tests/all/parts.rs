@@ -102,4 +102,13 @@ fn parts_are_listed_and_own_tubes_take_their_place() {
     assert!(unknown.err.contains("did you mean latex-1/4x3/8in?"), "{}", unknown.err);
     let unknown = mckibben("design -F 200N -e 10% -p 2bar --tube latex-1/4x3/8");
     assert!(unknown.err.contains("did you mean latex-1/4x3/8in?"), "{}", unknown.err);
+    // A tube of a rubber that the list leaves out, by name; the assumption names its rubber, the paper's as well.
+    let cast =
+        mckibben("design -F 60N -e 15% -p 4bar --tube cast-8x12-rtv615 --model universal --verify none");
+    assert!(cast.text().contains("1 tube of rtv615"), "{}", cast.text());
+    let paper = mckibben("design -F 700N -e 15% -p 2.5bar --rubber paper --model universal --verify none");
+    assert!(paper.text().contains("cast of paper with walls of at least 1 mm"), "{}", paper.text());
+    // Free sizes leave no room for a tube as sold.
+    let both = mckibben("design -F 60N -e 15% -p 4bar --tube latex-1/4x3/8in -D 10mm");
+    assert!(both.err.contains("--tube has no effect: --outer-diameter asks for free sizes"), "{}", both.err);
 }

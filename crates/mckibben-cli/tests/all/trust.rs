@@ -152,7 +152,10 @@ fn every_uncertainty_says_what_it_consists_of() {
     let shown = flat(mckibben(line).ok().text());
     assert!(shown.contains(text), "{shown}");
     let bench = words["bench"].as_str().unwrap_or_default();
-    assert!(bench.starts_with("10 points on both branches at 0.1 and 0.25 MPa would leave about ± "), "{bench}");
+    assert!(
+        bench.starts_with("10 points on both branches at 0.1 and 0.25 MPa would leave about ± "),
+        "{bench}"
+    );
     assert!(shown.contains(bench) && number(&words, "bench_uncertainty_n") > 0.0);
     let joint = json("joint examples/elbow.toml -p 2bar,1bar --angle 0,20deg --model thick-wall");
     let text = joint["uncertainty_text"].as_str().unwrap_or_default();

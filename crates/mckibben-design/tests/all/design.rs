@@ -235,7 +235,13 @@ fn burst_margin_needs_and_uses_the_strands() {
     let mut spec = spec(300.0, 0.1);
     spec.limits.burst_margin = Some(3.0);
     // Where the strength is not known the margin is not, either.
-    assert!(design(&spec, BUILD).unwrap().candidates.iter().all(|c| c.burst_pressure_mpa.is_none()));
+    assert!(
+        design(&spec, BUILD)
+            .unwrap()
+            .candidates
+            .iter()
+            .all(|c| c.burst.and_then(|b| b.strands.mpa()).is_none())
+    );
     let braid = Braid {
         stiffness: BraidStiffness::OfStrands,
         strands: Some(Strands { count: 96, section: Some((0.3, 2500.0)), strength_n: Some(60.0) }),
@@ -243,7 +249,12 @@ fn burst_margin_needs_and_uses_the_strands() {
     };
     spec.base = spec.base.with_braid(braid).unwrap();
     let outcome = design(&spec, BUILD).unwrap();
-    assert!(outcome.candidates.iter().all(|c| c.burst_pressure_mpa.unwrap() >= 3.0 * 0.25 - 1e-9));
+    assert!(
+        outcome
+            .candidates
+            .iter()
+            .all(|c| c.burst.and_then(|b| b.strands.mpa()).unwrap() >= 3.0 * 0.25 - 1e-9)
+    );
     spec.limits.burst_margin = Some(300.0);
     let outcome = design(&spec, BUILD).unwrap();
     assert!(outcome.candidates.is_empty());

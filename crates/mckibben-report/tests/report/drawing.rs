@@ -292,5 +292,10 @@ fn a_band_is_drawn_below_its_line() {
     assert!(place("fill-opacity=\"0.14\"") < place("stroke-width=\"1.7\""));
     let without = Figure::new("f").panel(panel.series(line)).to_svg().unwrap();
     assert_eq!(svg.matches("a line").count(), without.matches("a line").count());
-    assert!(Figure::new("f").panel(Panel::default().series(Series::band(&edges))).to_text(60, 20, false).contains('┤'));
+    assert!(
+        Figure::new("f")
+            .panel(Panel::default().series(Series::band(&edges)))
+            .to_text(60, 20, false)
+            .contains('┤')
+    );
 }

@@ -2,7 +2,7 @@
 
 mod air;
 mod ask;
-mod burst;
+pub mod burst;
 mod characteristics;
 mod error;
 mod golden;
@@ -14,7 +14,7 @@ mod sweep;
 pub use air::{ATMOSPHERE_MPA, Air, air_per_stroke, litres_anr, normal_litres};
 pub(crate) use ask::friction_half_width_n;
 pub use ask::{Options, force_on, response_on, slope_by_pressure, source_of, stiffness_of};
-pub use burst::{Burst, NoBurst, burst};
+pub use burst::{Burst, FailureMode, FailurePressure, NoBurst, SAFETY, burst};
 pub use characteristics::{blocked_force_n, free_contraction, start_pressure_mpa, work_per_stroke_j};
 pub use error::AnalysisError;
 pub use golden::{Abscissa, golden};

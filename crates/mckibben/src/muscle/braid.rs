@@ -64,6 +64,8 @@ pub struct Braid {
     pub crimp: Option<Crimp>,
     /// Factor within which the stiffness is known; 1 where it is taken as it is.
     pub stiffness_factor: f64,
+    /// b: strands that lie side by side on a carrier of the braiding machine, where it is known.
+    pub strands_per_carrier: Option<f64>,
     /// The named sleeve that it was cut from, which gives its angle on another tube.
     pub sleeve: Option<SleeveShape>,
 }
@@ -88,6 +90,7 @@ impl Braid {
             diameter_mm: None,
             crimp: None,
             stiffness_factor: 1.0,
+            strands_per_carrier: None,
             sleeve: None,
         }
     }

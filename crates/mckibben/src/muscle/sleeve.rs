@@ -44,6 +44,7 @@ impl Sleeve {
             stiffness: BraidStiffness::OfStrands,
             strands: Some(strands),
             stiffness_factor: self.stiffness_factor(),
+            strands_per_carrier: self.strands_per_carrier,
             sleeve: Some(self.shape.clone()),
             ..Braid::paper()
         })

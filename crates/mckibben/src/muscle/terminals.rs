@@ -46,6 +46,10 @@ pub struct Terminals {
     pub slip_mm_per_n: Option<f64>,
     /// Length at each end, within L0, in which tube and braid are held, in mm ([`Ends`](super::Ends)).
     pub grip_mm: Option<f64>,
+    /// Axial load in N at which a clamp lets go of tube and braid, where it is known.
+    pub pull_off_n: Option<f64>,
+    /// Pressure in MPa for which plugs and fittings are rated, where it is known.
+    pub rated_pressure_mpa: Option<f64>,
     /// Empirical end factor, where one was measured or fitted.
     pub end_factor: Option<EndFactor>,
     /// kc of the conical-ends model (Tondu 2012 \[tondu2012\] eq. 25): tips of length kc·L0·ε.

@@ -67,6 +67,8 @@ pub struct Material {
     pub filament_diameter_mm: Option<f64>,
     /// Strength of a filament in a braid in MPa: an estimate.
     pub strength_mpa: Option<f64>,
+    /// Strands that lie side by side on a carrier, of sleeves whose seller does not state it.
+    pub strands_per_carrier: Option<f64>,
     /// Density in kg/m³.
     pub density_kg_per_m3: Option<f64>,
     /// Factor within which the stiffness of a sleeve with these estimates is known.
@@ -172,6 +174,7 @@ fn read_materials(file: &str) -> Result<Vec<Material>, SleeveError> {
             modulus_mpa: number(table, "modulus")?.ok_or_else(|| damaged("a material without modulus"))?,
             filament_diameter_mm: number(table, "filament_diameter")?,
             strength_mpa: number(table, "strength")?,
+            strands_per_carrier: number(table, "strands_per_carrier")?,
             density_kg_per_m3: number(table, "density")?,
             factor: number(table, "factor")?.unwrap_or(1.0),
             estimate: table.get("estimate").and_then(Item::as_str).map(str::to_string),
@@ -227,6 +230,7 @@ fn read_entry(
         strand_diameter_mm,
         strand_modulus_mpa: number(table, "strand_modulus")?,
         strand_strength_n: number(table, "strand_strength")?,
+        strands_per_carrier: number(table, "strands_per_carrier")?,
         estimated: vec![],
         factor: 1.0,
     };
@@ -249,6 +253,9 @@ fn read_entry(
     })
 }
 
+/// Estimates on which the stiffness depends.
+pub(super) const OF_STIFFNESS: [&str; 2] = ["strand_diameter", "strand_modulus"];
+
 /// A sleeve with what its source does not state taken from its material.
 fn estimated(mut sleeve: Sleeve, material: &Material, factor: Option<f64>) -> Sleeve {
     let mut fill = |key: &'static str, own: &mut Option<f64>, value: Option<f64>| {
@@ -259,12 +266,13 @@ fn estimated(mut sleeve: Sleeve, material: &Material, factor: Option<f64>) -> Sl
     };
     fill("strand_diameter", &mut sleeve.strand_diameter_mm, material.filament_diameter_mm);
     fill("strand_modulus", &mut sleeve.strand_modulus_mpa, Some(material.modulus_mpa));
+    fill("strands_per_carrier", &mut sleeve.strands_per_carrier, material.strands_per_carrier);
     let (area, strength) = (sleeve.strand_area_mm2(), material.strength_mpa);
     if let Some((area, strength)) = area.zip(strength).filter(|_| sleeve.strand_strength_n.is_none()) {
         sleeve.strand_strength_n = Some(area * strength);
         sleeve.estimated.push("strand_strength");
     }
-    if sleeve.estimated.iter().any(|key| *key != "strand_strength") {
+    if sleeve.estimated.iter().any(|key| OF_STIFFNESS.contains(key)) {
         sleeve.factor = factor.unwrap_or(material.factor);
     }
     sleeve

@@ -51,6 +51,8 @@ pub struct Sleeve {
     pub strand_modulus_mpa: Option<f64>,
     /// Force at which one strand breaks, in N.
     pub strand_strength_n: Option<f64>,
+    /// b, strands that lie side by side on a carrier of the braiding machine.
+    pub strands_per_carrier: Option<f64>,
     /// Of these what is an estimate, as keys of a muscle file: no source states it for this sleeve.
     pub estimated: Vec<&'static str>,
     /// Factor within which the stiffness is known with all estimates; 1 without any.
@@ -288,7 +290,7 @@ impl Sleeve {
             ("strand_strength", strength_n.is_some()),
         ];
         self.estimated.retain(|key| !given.iter().any(|g| g.1 && g.0 == *key));
-        if !self.estimated.iter().any(|key| ["strand_diameter", "strand_modulus"].contains(key)) {
+        if !self.estimated.iter().any(|key| library::OF_STIFFNESS.contains(key)) {
             self.factor = 1.0;
         }
         self

@@ -18,6 +18,7 @@ fn whole() -> Sleeve {
         strand_diameter_mm: Some(0.25),
         strand_modulus_mpa: Some(8530.0),
         strand_strength_n: None,
+        strands_per_carrier: None,
         estimated: vec![],
         factor: 1.0,
     }

@@ -156,7 +156,7 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
     let stiffness = |c: &One| c.family_stiffness_n_per_mm;
     let several_braids = list.windows(2).any(|w| stiffness(&w[0]) != stiffness(&w[1]));
     let strands = list.iter().any(|c| c.strand_tension_n.is_some());
-    let burst = list.iter().any(|c| c.burst_pressure_mpa.is_some());
+    let burst = list.iter().any(|c| c.limits.burst_pressure_mpa.is_some());
     let tension = |c: &One| if strands { c.strand_tension_n } else { c.braid_tension_n };
     let needs = list.iter().map(|c| {
         let each = c.points.iter().map(|q| u.pressure.to(q.response.pressure_mpa, 3));
@@ -203,7 +203,10 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
         ),
     ]);
     if burst {
-        found.push((u.pressure.heading("P burst"), u.pressure.column(maybe(&|c| c.burst_pressure_mpa), 3)));
+        found.push((
+            u.pressure.heading("P burst"),
+            u.pressure.column(maybe(&|c| c.limits.burst_pressure_mpa), 3),
+        ));
     }
     let mass = |c: &One| c.muscle.rubber_mass_g;
     if list.iter().any(|c| mass(c).is_some()) {

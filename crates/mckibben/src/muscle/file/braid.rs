@@ -29,9 +29,12 @@ pub(super) fn read(section: &Section<'_>, parts: &mut Parts) -> Result<(), FileE
     };
     // In place of what the sleeve's estimates leave open.
     let stiffness_factor = section.number("stiffness_factor")?.unwrap_or(stiffness_factor);
+    let strands_per_carrier =
+        section.number("strands_per_carrier")?.or(sleeve.as_ref().and_then(|s| s.strands_per_carrier));
     let compression = section.boolean("compression")?.unwrap_or(default.compression);
     let sleeve = sleeve.map(|s| s.shape);
-    parts.braid = Braid { stiffness, strands, compression, stiffness_factor, sleeve, ..default };
+    parts.braid =
+        Braid { stiffness, strands, compression, stiffness_factor, strands_per_carrier, sleeve, ..default };
     measures(section, "braid", parts)?;
     let braid = parts.braid.clone();
     parts.braid = match angle_deg {

@@ -101,6 +101,7 @@ fn braid() -> impl Strategy<Value = Braid> {
                 diameter_mm,
                 crimp: crimp.filter(|_| stiffness != BraidStiffness::Inextensible),
                 stiffness_factor: 1.0,
+                strands_per_carrier: strands.map(|_| 4.0),
                 sleeve: None,
             }
         },
@@ -127,7 +128,17 @@ prop_compose! {
     ) -> Muscle {
         let tube = Tube::new(outer_diameter_mm, share * outer_diameter_mm / 2.0, length_mm, rubber);
         let grip_mm = grip_share.map(|share| share * 0.5 * (length_mm - seating_mm.unwrap_or(0.0)));
-        let terminals = Terminals { insertion_mm, seating_mm, slip_mm_per_n, grip_mm, end_factor, cone_factor };
+        let (pull_off_n, rated_pressure_mpa) = (seating_mm.map(|v| 100.0 + v), grip_mm.map(|_| 0.8));
+        let terminals = Terminals {
+            insertion_mm,
+            seating_mm,
+            slip_mm_per_n,
+            grip_mm,
+            pull_off_n,
+            rated_pressure_mpa,
+            end_factor,
+            cone_factor,
+        };
         let friction = friction.map(|(coefficient, exponent, lever_mm)| Friction { coefficient, exponent, lever_mm });
         Muscle::new(tube, braid, terminals, friction).unwrap()
     }
@@ -233,6 +244,8 @@ fn every_key_is_understood() {
         seating_mm: Some(1.6),
         slip_mm_per_n: Some(0.003),
         grip_mm: Some(4.0),
+        pull_off_n: None,
+        rated_pressure_mpa: None,
         end_factor: Some(EndFactor::OfPressure { a: 0.2, b: 1.0 }),
         cone_factor: Some(0.0),
     };

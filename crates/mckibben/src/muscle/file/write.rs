@@ -194,6 +194,12 @@ impl Text {
             let comment = "the stiffness is known within this factor; the ± of the pull carries it";
             self.key("stiffness_factor", &number(braid.stiffness_factor), comment);
         }
+        if let Some(b) = braid
+            .strands_per_carrier
+            .filter(|_| braid.strands_per_carrier != sleeve.and_then(|s| s.strands_per_carrier))
+        {
+            self.key("strands_per_carrier", &number(b), "side by side, which leaves openings between them");
+        }
         self.measures(muscle, "braid");
         if braid.compression {
             self.key("compression", "true", "strands that carry compression");

@@ -19,6 +19,8 @@ pub static MEASURES: &[&Measure] = &[
     &SEATING,
     &SLIP,
     &GRIP,
+    &PULL_OFF,
+    &RATED_PRESSURE,
     &END_FACTOR,
     &CONE_FACTOR,
     &STIFFNESS,
@@ -27,6 +29,7 @@ pub static MEASURES: &[&Measure] = &[
     &STRAND_AREA,
     &STRAND_MODULUS,
     &STRAND_STRENGTH,
+    &STRANDS_PER_CARRIER,
     &STRAND_LENGTH,
     &TURNS,
     &THICKNESS,
@@ -244,6 +247,34 @@ pub static GRIP: Measure = Measure {
     ..Measure::BASE
 };
 
+/// Pull-off force of a clamp
+pub static PULL_OFF: Measure = Measure {
+    key: "terminals.pull_off",
+    field: Some("pull_off_n"),
+    dimension: Dimension::Force,
+    about: "Axial load at which a clamp lets go of tube and braid",
+    label: "pull-off force of a clamp",
+    is_shown: true,
+    comment: "axial load at which a clamp lets go; the burst pressure follows from it",
+    get: |p| p.terminals.pull_off_n,
+    set: |p, v| p.terminals.pull_off_n = Some(v),
+    ..Measure::BASE
+};
+
+/// Rated pressure of the fittings
+pub static RATED_PRESSURE: Measure = Measure {
+    key: "terminals.rated_pressure",
+    field: Some("rated_pressure_mpa"),
+    dimension: Dimension::Pressure,
+    about: "Pressure for which plugs and fittings are rated",
+    label: "rated pressure of the fittings",
+    is_shown: true,
+    comment: "of plugs and fittings; the allowed pressure is at most this",
+    get: |p| p.terminals.rated_pressure_mpa,
+    set: |p, v| p.terminals.rated_pressure_mpa = Some(v),
+    ..Measure::BASE
+};
+
 /// k of Tondu & Lopez; what depends on the pressure is at zero pressure here
 pub static END_FACTOR: Measure = Measure {
     key: "terminals.end_factor",
@@ -372,6 +403,22 @@ pub static STRAND_STRENGTH: Measure = Measure {
     comment: "force at which one strand breaks",
     get: |p| p.braid.strands?.strength_n,
     set: |p, v| strands(p).strength_n = Some(v),
+    ..Measure::BASE
+};
+
+/// b
+pub static STRANDS_PER_CARRIER: Measure = Measure {
+    key: "braid.strands_per_carrier",
+    field: Some("strands_per_carrier"),
+    has_flag: false,
+    dimension: Dimension::Ratio,
+    written: Written::Special,
+    bounds: Bounds::Between(1.0, 100.0),
+    symbol: "b",
+    about: "Strands that lie side by side on a carrier of the braiding machine",
+    label: "strands per carrier",
+    get: |p| p.braid.strands_per_carrier,
+    set: |p, v| p.braid.strands_per_carrier = Some(v),
     ..Measure::BASE
 };
 

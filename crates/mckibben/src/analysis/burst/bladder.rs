@@ -1,0 +1,73 @@
+//! The pressure at which the rubber tears: where its largest stretch in the unloaded muscle is that at which a strip of it breaks.
+//!
+//! The unloaded muscle is the widest. With stiff strands its stretch ends at the neutral angle of 54.7°, so that most rubbers never reach it. The stretch at break
+//! is 1 plus the elongation at break of a test in one axis; in two axes, at notches and after ageing rubber breaks earlier.
+
+use super::{FailurePressure, NoBurst};
+use crate::analysis::ask::Options;
+use crate::analysis::characteristics::free_contraction;
+use crate::analysis::error::AnalysisError;
+use crate::analysis::root::{RootError, find_root};
+use crate::budget::Budget;
+use crate::model::{ForceModel, ModelError, ThickWall, Workspace};
+use crate::muscle::{Muscle, NEUTRAL_ANGLE_DEG};
+use crate::rubber::library;
+
+/// Where the search ends if nothing else fails before, in MPa.
+const HIGHEST_MPA: f64 = 20.0;
+/// Strain of the strands up to which the stretch at the neutral angle is a bound.
+const STRAND_STRAIN: f64 = 0.1;
+/// The pressure is known to this share.
+const TOLERANCE: f64 = 1e-9;
+
+/// The stretch at which the rubber of a muscle breaks, where it is known.
+pub fn stretch_at_break(muscle: &Muscle) -> Option<f64> {
+    let name = muscle.tube().rubber.name.as_deref()?;
+    Some(1.0 + library::entry(name).ok()?.max_strain?)
+}
+
+/// The pressure at which the rubber of the unloaded muscle tears, below one at which another part fails.
+///
+/// # Errors
+/// [`AnalysisError`] where the budget is spent.
+pub fn tearing(
+    muscle: &Muscle,
+    below_mpa: Option<f64>,
+    budget: &Budget,
+) -> Result<FailurePressure, AnalysisError> {
+    let Some(breaks) = stretch_at_break(muscle) else {
+        return Ok(FailurePressure::Unknown(NoBurst::NoElongation));
+    };
+    if widest(muscle) < breaks {
+        return Ok(FailurePressure::None);
+    }
+    let (model, mut workspace) = (ThickWall::new(muscle), Workspace::within(budget.clone()));
+    let mut over = |p: f64| -> Result<f64, AnalysisError> {
+        let free = free_contraction(&model, &mut workspace, p, Options::extrapolating())?;
+        Ok(model.response(&mut workspace, p, free)?.max_stretch.unwrap_or(1.0) - breaks)
+    };
+    let highest = below_mpa.unwrap_or(HIGHEST_MPA);
+    let found = match over(highest) {
+        Ok(over) if over < 0.0 => return Ok(FailurePressure::None),
+        Ok(_) => find_root(&mut over, TOLERANCE * highest, highest, TOLERANCE * highest),
+        Err(error) => Err(RootError::Function(error)),
+    };
+    match found {
+        Ok(p) => Ok(FailurePressure::At(p)),
+        Err(RootError::Function(AnalysisError::Model(ModelError::Exceeded(spent)))) => {
+            Err(ModelError::Exceeded(spent).into())
+        }
+        Err(_) => Ok(FailurePressure::Unknown(NoBurst::NoAnswer { up_to_mpa: 0.0 })),
+    }
+}
+
+/// The largest stretch at the neutral angle: around the bore, with strands that are stretched by [`STRAND_STRAIN`].
+fn widest(muscle: &Muscle) -> f64 {
+    let (lay, tube) = (muscle.strand_lay(), muscle.tube());
+    let (ro, ri) = (tube.outer_radius_mm(), tube.inner_radius_mm());
+    let neutral = NEUTRAL_ANGLE_DEG.to_radians();
+    let outer = (1.0 + STRAND_STRAIN) * lay.radius_mm * neutral.sin() / lay.angle_rad.sin();
+    let shortened = (1.0 + STRAND_STRAIN) * neutral.cos() / lay.angle_rad.cos();
+    let inner = (outer * outer - (ro * ro - ri * ri) / shortened).max(0.0).sqrt();
+    (inner / ri).max(outer / ro)
+}

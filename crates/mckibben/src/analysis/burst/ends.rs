@@ -1,0 +1,34 @@
+//! The pressure at which tube and braid are pulled off a plug.
+//!
+//!   F(P, 0) + π Ri² P = T_clamp
+//!
+//! F is the pull of the blocked muscle. The pressure pushes the plug, of the tube's bore Ri, out of the tube, so that the clamp carries both. T_clamp is
+//! the force at which it lets go, measured or of its maker.
+
+use super::strands::overloaded;
+use super::{FailurePressure, NoBurst};
+use crate::analysis::error::AnalysisError;
+use crate::budget::Budget;
+use crate::model::{ForceModel, Response};
+use crate::muscle::Muscle;
+use std::f64::consts::PI;
+
+/// The pressure at which the clamps of a model's muscle let go.
+///
+/// # Errors
+/// [`AnalysisError`] where the budget is spent, or the model has no answer at all.
+pub fn pull_off<M: ForceModel + ?Sized>(
+    model: &M,
+    budget: &Budget,
+) -> Result<FailurePressure, AnalysisError> {
+    let muscle = model.muscle();
+    let Some(bears) = muscle.terminals().pull_off_n else {
+        return Ok(FailurePressure::Unknown(NoBurst::NoPullOff));
+    };
+    Ok(overloaded(model, budget, &|r| Some(clamp_load_n(muscle, r)), bears)?.0)
+}
+
+/// What each clamp carries in a state, in N.
+pub fn clamp_load_n(muscle: &Muscle, state: &Response) -> f64 {
+    state.force_n + PI * muscle.tube().inner_radius_mm().powi(2) * state.pressure_mpa
+}

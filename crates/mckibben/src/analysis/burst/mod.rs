@@ -1,0 +1,203 @@
+//! The burst pressure of a muscle: the least pressure at which one of its parts fails, one value for each muscle and model.
+//!
+//! | failure | at | needs |
+//! |---|---|---|
+//! | [`strands`](strands): a strand breaks | T(P, 0) = T_max | number and strength of the strands |
+//! | [`mesh`](mesh): the tube bulges through an opening of the braid | P = 1.83 μ t/a | strands per carrier, their diameter |
+//! | [`bladder`](bladder): the rubber tears in the unloaded muscle | largest stretch = that at break | elongation at break |
+//! | [`ends`](ends): tube and braid are pulled off the plug | F(P, 0) + π Ri² P = T_clamp | the clamps' pull-off force |
+//!
+//! Measured hand-made muscles with polyester sleeves failed at a tenth of what their strands bear: the least of the four counts. All are those
+//! of new parts under a slow rise of the pressure: abrasion, fatigue and ageing are no part of them, so that the allowed pressure is
+//! the burst pressure over [`SAFETY`], and at most that for which the fittings are rated.
+
+pub mod bladder;
+pub mod ends;
+pub mod mesh;
+pub mod strands;
+
+use super::error::AnalysisError;
+use crate::model::{ForceModel, Workspace};
+use crate::muscle::Muscle;
+use serde::Serialize;
+use std::fmt;
+
+/// Burst pressure over allowed pressure: that of new hose for compressed air (RMA, Hose Handbook, IP-2, 2003).
+pub const SAFETY: f64 = 4.0;
+
+/// How a muscle fails.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum FailureMode {
+    /// A strand breaks.
+    Strands,
+    /// The tube bulges through an opening of the braid.
+    Mesh,
+    /// The rubber tears.
+    Bladder,
+    /// Tube and braid are pulled off a plug.
+    Ends,
+}
+
+impl fmt::Display for FailureMode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Strands => "its strands break",
+            Self::Mesh => "the tube bulges through the openings of the braid",
+            Self::Bladder => "the rubber tears",
+            Self::Ends => "the clamps let go",
+        })
+    }
+}
+
+/// The pressure of one failure mode.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FailurePressure {
+    /// In MPa.
+    At(f64),
+    /// At no pressure that the other parts bear.
+    None,
+    /// A number is missing, or the model has no answer up to there.
+    Unknown(NoBurst),
+}
+
+impl FailurePressure {
+    /// In MPa, where there is one.
+    pub fn mpa(self) -> Option<f64> {
+        match self {
+            Self::At(p) => Some(p),
+            Self::None | Self::Unknown(_) => None,
+        }
+    }
+}
+
+/// Why the pressure of a failure mode is not known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum NoBurst {
+    /// Neither the number of the strands nor their strength is stated.
+    NoStrands,
+    /// The number of the strands is stated, and their strength is not.
+    NoStrength,
+    /// How many strands lie side by side, or how thick they are, is not stated.
+    NoOpening,
+    /// The elongation at break of the rubber is not known.
+    NoElongation,
+    /// The pull-off force of the clamps is not stated.
+    NoPullOff,
+    /// The model has no answer beyond this pressure in MPa, and nothing fails up to it.
+    NoAnswer {
+        /// The largest pressure with an answer.
+        up_to_mpa: f64,
+    },
+}
+
+impl fmt::Display for NoBurst {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoStrands => f.write_str(
+                "the strength of the braid is not stated; give `strands` (how many) and `strand_strength` (such as \"40 N\") in [braid] of the muscle file",
+            ),
+            Self::NoStrength => f.write_str(
+                "the strength of the strands is not stated; give `strand_strength` (such as \"40 N\") in [braid] of the muscle file",
+            ),
+            Self::NoOpening => f.write_str(
+                "the openings of the braid are not stated; give `strands`, `strand_area` and `strands_per_carrier` in [braid] of the muscle file",
+            ),
+            Self::NoElongation => f.write_str("the elongation at break of this rubber is not known"),
+            Self::NoPullOff => {
+                f.write_str("the pull-off force of the clamps is not stated; give `pull_off` in [terminals] of the muscle file")
+            }
+            Self::NoAnswer { up_to_mpa } if *up_to_mpa == 0.0 => {
+                f.write_str("the model has no answer for the blocked muscle; another model may answer")
+            }
+            Self::NoAnswer { up_to_mpa } => write!(
+                f,
+                "the model has no answer beyond {up_to_mpa:.3} MPa ({:.2} bar), and nothing fails up to there; another model may answer",
+                10.0 * up_to_mpa
+            ),
+        }
+    }
+}
+
+/// The pressures at which a muscle fails.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Burst {
+    /// A strand breaks.
+    pub strands: FailurePressure,
+    /// The tube bulges through the braid.
+    pub mesh: FailurePressure,
+    /// The rubber tears.
+    pub bladder: FailurePressure,
+    /// The clamps let go.
+    pub ends: FailurePressure,
+    /// The pressure for which the fittings are rated, in MPa.
+    pub rated_mpa: Option<f64>,
+    /// The answering model has no tension of the strands, and the thick-wall model gave it.
+    pub from_thick_wall: bool,
+}
+
+impl Burst {
+    /// One of which nothing is known.
+    pub fn unknown(why: NoBurst) -> Self {
+        let none = FailurePressure::Unknown(why);
+        Self { strands: none, mesh: none, bladder: none, ends: none, rated_mpa: None, from_thick_wall: false }
+    }
+
+    /// All failure modes.
+    pub fn modes(&self) -> [(FailureMode, FailurePressure); 4] {
+        [
+            (FailureMode::Strands, self.strands),
+            (FailureMode::Mesh, self.mesh),
+            (FailureMode::Bladder, self.bladder),
+            (FailureMode::Ends, self.ends),
+        ]
+    }
+
+    /// The failure that comes first, with its pressure in MPa.
+    pub fn first(&self) -> Option<(FailureMode, f64)> {
+        let known = self.modes().into_iter().filter_map(|(mode, p)| Some((mode, p.mpa()?)));
+        known.reduce(|a, b| if b.1 < a.1 { b } else { a })
+    }
+
+    /// P_b in MPa, where it is known.
+    pub fn pressure_mpa(&self) -> Option<f64> {
+        Some(self.first()?.1)
+    }
+
+    /// The allowed pressure in MPa: P_b/[`SAFETY`], and at most the rated pressure of the fittings.
+    pub fn allowed_mpa(&self) -> Option<f64> {
+        [self.pressure_mpa().map(|p| p / SAFETY), self.rated_mpa].into_iter().flatten().reduce(f64::min)
+    }
+
+    /// Why the strength of the strands was not checked.
+    pub fn not_checked(&self) -> Option<NoBurst> {
+        match self.strands {
+            FailurePressure::Unknown(why) => Some(why),
+            FailurePressure::At(_) | FailurePressure::None => None,
+        }
+    }
+
+    /// What a muscle must state for the pressure at which its strands break to be known.
+    pub fn missing(muscle: &Muscle) -> Option<NoBurst> {
+        match muscle.braid().strands {
+            None => Some(NoBurst::NoStrands),
+            Some(strands) if strands.strength_n.is_none() => Some(NoBurst::NoStrength),
+            Some(_) => None,
+        }
+    }
+}
+
+/// The burst pressure of a model's muscle. The answer does not depend on what the workspace was used for before.
+///
+/// # Errors
+/// [`AnalysisError`] where the budget is spent, or the model has no answer at all.
+pub fn burst<M: ForceModel + ?Sized>(model: &M, workspace: &Workspace) -> Result<Burst, AnalysisError> {
+    let (muscle, budget) = (model.muscle(), workspace.budget());
+    let (strands, from_thick_wall) = strands::breaking(model, budget)?;
+    let (mesh, ends) = (mesh::herniation(muscle), ends::pull_off(model, budget)?);
+    let least = [strands, mesh, ends].into_iter().filter_map(FailurePressure::mpa).reduce(f64::min);
+    let bladder = bladder::tearing(muscle, least, budget)?;
+    let rated_mpa = muscle.terminals().rated_pressure_mpa;
+    Ok(Burst { strands, mesh, bladder, ends, rated_mpa, from_thick_wall })
+}

@@ -1,0 +1,162 @@
+//! The pressure at which a part of the blocked muscle carries what it bears, and that of its strands.
+//!
+//!   T(P_b, 0) = T_max,   T(P, ε) the tension of the most loaded strand, T_max its strength
+//!
+//! T is the solved one of the model that answers, so that P_b is not in proportion to it: strands give way, the rubber carries a part of
+//! the pressure, and both change with the pressure. The contraction is 0: the blocked muscle is the worst case. An ideal muscle has
+//!
+//!   T = P b² cosθ / (2 π N n²)     (b strand length, n turns, N strands)
+//!
+//! which falls with contraction because θ grows, and in a real one the rubber carries more of the pressure the more it is widened. A
+//! muscle that a load stretches beyond its length at rest (ε < 0) bursts earlier; [`Warning::StrandsBreak`](crate::warning::Warning) says
+//! so of the answer in question.
+
+use super::{Burst, FailurePressure, NoBurst};
+use crate::analysis::error::AnalysisError;
+use crate::analysis::root::{RootError, find_root};
+use crate::budget::Budget;
+use crate::model::{ForceModel, ModelError, ModelKind, Response, Workspace};
+
+/// Pressures in MPa up to which a burst is sought.
+const HIGHEST_MPA: f64 = 1e4;
+/// P_b is known to this share.
+const TOLERANCE: f64 = 1e-10;
+/// Pressures at which no equilibrium is found are closed in on to this share.
+const EDGE: f64 = 1e-6;
+
+/// The pressure at which the strands of a model's muscle break, and whether the thick-wall model gave it.
+///
+/// # Errors
+/// [`AnalysisError`] where the budget is spent, or the model has no answer at all.
+pub fn breaking<M: ForceModel + ?Sized>(
+    model: &M,
+    budget: &Budget,
+) -> Result<(FailurePressure, bool), AnalysisError> {
+    match (Burst::missing(model.muscle()), model.muscle().braid().strands.and_then(|s| s.strength_n)) {
+        (None, Some(strength)) => overloaded(model, budget, &|r| r.strand_tension_n, strength),
+        (missing, _) => Ok((FailurePressure::Unknown(missing.unwrap_or(NoBurst::NoStrength)), false)),
+    }
+}
+
+/// What a part carries in a state, in N; `None` of a model that does not give it.
+pub(super) type Load<'a> = dyn Fn(&Response) -> Option<f64> + 'a;
+
+/// The pressure at which a part of the blocked muscle carries what it bears, in N, and whether the thick-wall model gave it.
+pub(super) fn overloaded<M: ForceModel + ?Sized>(
+    model: &M,
+    budget: &Budget,
+    load: &Load<'_>,
+    bears: f64,
+) -> Result<(FailurePressure, bool), AnalysisError> {
+    let thick = ModelKind::ThickWall.build(model.muscle())?;
+    let workspace = || Workspace::within(budget.clone());
+    // Of the infinitely long muscle: where the other begins to search.
+    let mut of_thick = Blocked { model: &*thick, workspace: workspace(), load, bears };
+    let near = of_thick.fails_near(1.0);
+    let found = match model.extensions().companion {
+        Some(model) => Blocked { model, workspace: workspace(), load, bears }.fails_near(guess(&near)),
+        None => Blocked { model, workspace: workspace(), load, bears }.fails_near(guess(&near)),
+    };
+    match found {
+        Err(AnalysisError::Unknown { .. }) => Ok((closed(near?, &mut of_thick), true)),
+        found => Ok((closed(found?, &mut of_thick), false)),
+    }
+}
+
+/// Where the part fails, or the last pressure with an answer.
+enum Found {
+    Fails(f64),
+    Ends(f64),
+}
+
+fn guess(near: &Result<Found, AnalysisError>) -> f64 {
+    match near {
+        Ok(Found::Fails(p) | Found::Ends(p)) => *p,
+        Err(_) => 1.0,
+    }
+}
+
+/// A muscle without an equilibrium has burst: where the infinitely long one has none beyond the same pressure, too.
+fn closed(found: Found, thick: &mut Blocked<'_, dyn ForceModel>) -> FailurePressure {
+    const BEYOND: f64 = 1.1;
+    match found {
+        Found::Fails(pressure_mpa) => FailurePressure::At(pressure_mpa),
+        Found::Ends(pressure_mpa) => match thick.over(BEYOND * pressure_mpa) {
+            Ok(over) if over < 0.0 => FailurePressure::Unknown(NoBurst::NoAnswer { up_to_mpa: pressure_mpa }),
+            _ => FailurePressure::At(pressure_mpa),
+        },
+    }
+}
+
+/// A part of the blocked muscle under a model.
+struct Blocked<'m, M: ForceModel + ?Sized> {
+    model: &'m M,
+    workspace: Workspace,
+    load: &'m Load<'m>,
+    bears: f64,
+}
+
+impl<M: ForceModel + ?Sized> Blocked<'_, M> {
+    /// What it carries less what it bears, in N.
+    fn over(&mut self, pressure_mpa: f64) -> Result<f64, AnalysisError> {
+        let response = self.model.response(&mut self.workspace, pressure_mpa, 0.0)?;
+        let unknown =
+            AnalysisError::Unknown { model: self.model.info().name.to_string(), quantity: "strand tension" };
+        Ok((self.load)(&response).ok_or(unknown)? - self.bears)
+    }
+
+    /// The pressure at which it fails, sought from one that is thought to be near.
+    fn fails_near(&mut self, near: f64) -> Result<Found, AnalysisError> {
+        const STRIDE: f64 = 1.05;
+        let bears = self.bears;
+        // (pressure, excess) below and above, and a pressure without an answer.
+        let mut low: Option<(f64, f64)> = None;
+        let mut high: Option<(f64, f64)> = None;
+        let mut without = f64::INFINITY;
+        let mut refused = None;
+        let mut p = near.clamp(1e-6, HIGHEST_MPA);
+        loop {
+            match self.over(p) {
+                Ok(over) if over >= 0.0 => high = Some((p, over)),
+                Ok(over) => low = Some((p, over)),
+                Err(AnalysisError::Model(ModelError::Exceeded(exceeded))) => {
+                    return Err(ModelError::Exceeded(exceeded).into());
+                }
+                Err(error @ AnalysisError::Unknown { .. }) => return Err(error),
+                Err(error) => {
+                    without = p;
+                    refused = Some(error);
+                }
+            }
+            p = match (low, high) {
+                (Some(low), Some(high)) => return self.between(low.0, high.0),
+                // The load is nearly in proportion to the pressure.
+                (None, Some((p, over))) => (p * bears / (over + bears) / STRIDE).min(p / STRIDE),
+                (Some((p, over)), None) => {
+                    let next = (p * bears / (over + bears).max(f64::MIN_POSITIVE)).min(4.0 * p) * STRIDE;
+                    let next = if next >= without { 0.5 * (p + without) } else { next };
+                    if p >= HIGHEST_MPA || without - p <= EDGE * p {
+                        return Ok(Found::Ends(p));
+                    }
+                    next.min(HIGHEST_MPA)
+                }
+                (None, None) => 0.5 * p,
+            };
+            if p < 1e-9 {
+                // Not even without pressure.
+                let none =
+                    ModelError::NoEquilibrium { reason: "the blocked muscle has no equilibrium".into() };
+                return Err(refused.unwrap_or_else(|| none.into()));
+            }
+        }
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> Result<Found, AnalysisError> {
+        match find_root(|p| self.over(p), low, high, TOLERANCE * high) {
+            Ok(p) => Ok(Found::Fails(p)),
+            Err(RootError::Function(error)) => Err(error),
+            // Both signs were found.
+            Err(RootError::NotBracketed { .. }) => Ok(Found::Fails(low)),
+        }
+    }
+}
