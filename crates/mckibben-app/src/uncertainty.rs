@@ -23,7 +23,7 @@ pub struct UncertaintyWords {
     /// 95 % half-width of the pull after `identify` from the smallest bench, N; none where the muscle was measured, or where this helps little.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bench_uncertainty_n: Option<f64>,
-    /// That bench: `10 points on both branches at 0.1 and 0.3 MPa would leave about ± 30 N`.
+    /// That bench: `10 points on both branches at 0.1 MPa and 0.3 MPa would leave about ± 30 N`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bench: Option<String>,
     #[serde(skip)]
@@ -92,8 +92,9 @@ pub(crate) fn bench(left_n: f64, pressure_mpa: f64, u: &Units) -> Option<String>
     let unit = 10f64.powi((LOWER_PRESSURE * high).log10().floor() as i32);
     let low = (LOWER_PRESSURE * high / unit).round() * unit;
     Some(format!(
-        "{BENCH_POINTS} points on both branches at {} and {} would leave about ± {} {}",
+        "{BENCH_POINTS} points on both branches at {} {} and {} would leave about ± {} {}",
         crate::words::number(low, 1),
+        u.pressure.name,
         u.pressure.show(pressure_mpa),
         u.force.half_width(left_n),
         u.force.name
@@ -125,10 +126,13 @@ mod tests {
     #[test]
     fn the_bench_is_in_the_units_of_the_reader() {
         let text = |p: f64, units: &str| bench(31.4, p, &units.parse().unwrap()).unwrap();
-        assert_eq!(text(0.3, "bar"), "10 points on both branches at 1 and 3 bar would leave about ± 31 N");
+        assert_eq!(
+            text(0.3, "bar"),
+            "10 points on both branches at 1 bar and 3 bar would leave about ± 31 N"
+        );
         assert_eq!(
             text(0.25, "MPa"),
-            "10 points on both branches at 0.1 and 0.25 MPa would leave about ± 31 N"
+            "10 points on both branches at 0.1 MPa and 0.25 MPa would leave about ± 31 N"
         );
         assert_eq!(bench(31.4, 0.0, &Units::default()), None);
     }

@@ -153,7 +153,7 @@ fn every_uncertainty_says_what_it_consists_of() {
     assert!(shown.contains(text), "{shown}");
     let bench = words["bench"].as_str().unwrap_or_default();
     assert!(
-        bench.starts_with("10 points on both branches at 0.1 and 0.25 MPa would leave about ± "),
+        bench.starts_with("10 points on both branches at 0.1 MPa and 0.25 MPa would leave about ± "),
         "{bench}"
     );
     assert!(shown.contains(bench) && number(&words, "bench_uncertainty_n") > 0.0);
