@@ -95,7 +95,7 @@ pub(crate) fn bench(left_n: f64, pressure_mpa: f64, u: &Units) -> Option<String>
         "{BENCH_POINTS} points on both branches at {} {} and {} would leave about ± {} {}",
         crate::words::number(low, 1),
         u.pressure.name,
-        u.pressure.show(pressure_mpa),
+        u.pressure.to(pressure_mpa, 3) + " " + &u.pressure.name,
         u.force.half_width(left_n),
         u.force.name
     ))
