@@ -2,7 +2,7 @@
 
 use crate::model::Model;
 use crate::problem::Problem;
-use mckibben::analysis::{AnalysisError, Burst, FailureMode, NoBurst, SAFETY, burst};
+use mckibben::analysis::{AnalysisError, Burst, FailureMode, NoBurst, burst};
 use mckibben::budget::Budget;
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::Muscle;
@@ -48,13 +48,12 @@ pub(crate) fn burst_of(choice: &Model, model: &dyn ForceModel, budget: &Budget) 
 /// What is said of a burst pressure where the largest pressure is `highest_mpa`; of one that is not known only above `quiet_mpa`.
 pub(crate) fn said_of(found: &Burst, highest_mpa: f64, quiet_mpa: f64) -> Vec<Warning> {
     let pressure_mpa = highest_mpa;
-    let above = match (found.first(), found.allowed_mpa()) {
+    let above = match (found.first(), found.allowed()) {
         (Some((by, burst_mpa)), _) if highest_mpa >= burst_mpa => {
             Some(Warning::Burst { pressure_mpa, burst_mpa, by })
         }
-        (first, Some(allowed_mpa)) if highest_mpa > allowed_mpa => {
-            let burst = first.filter(|f| f.1 / SAFETY <= allowed_mpa).map(|(by, burst_mpa)| (burst_mpa, by));
-            Some(Warning::AboveAllowed { pressure_mpa, allowed_mpa, burst })
+        (_, Some((allowed_mpa, by))) if highest_mpa > allowed_mpa => {
+            Some(Warning::AboveAllowed { pressure_mpa, allowed_mpa, by })
         }
         _ => None,
     };
@@ -79,18 +78,22 @@ pub struct PressureLimits {
     /// How it fails there.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub burst_by: Option<FailureMode>,
-    /// Allowed pressure, MPa: a quarter of the burst pressure, and at most that for which the fittings are rated.
+    /// Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, and at most that for which the fittings are rated.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub allowed_pressure_mpa: Option<f64>,
+    /// The failure that it keeps its distance from; none where the fittings are rated for it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub allowed_by: Option<FailureMode>,
 }
 
 impl From<&Burst> for PressureLimits {
     fn from(found: &Burst) -> Self {
-        let first = found.first();
+        let (first, allowed) = (found.first(), found.allowed());
         Self {
             burst_pressure_mpa: first.map(|f| f.1),
             burst_by: first.map(|f| f.0),
-            allowed_pressure_mpa: found.allowed_mpa(),
+            allowed_pressure_mpa: allowed.map(|a| a.0),
+            allowed_by: allowed.and_then(|a| a.1),
         }
     }
 }

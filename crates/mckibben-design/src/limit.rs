@@ -70,7 +70,9 @@ impl Check {
             (Limit::Force, Some(point)) => {
                 Reason::Force { point, available_n: value, pressure_mpa: spec.max_pressure_mpa }
             }
-            (Limit::Force | Limit::BurstMargin, _) => Reason::Burst { by: self.by, margin: value, limit },
+            (Limit::Force | Limit::BurstMargin, _) => {
+                Reason::Burst { by: self.by, margin: value * self.by.share(), limit: limit * self.by.share() }
+            }
             (Limit::BulgedDiameter, _) => Reason::Bulge { diameter_mm: value, limit_mm: limit },
             (Limit::MaxStretch, _) => Reason::Stretch { stretch: value, limit },
             (Limit::StrandStrain, _) => Reason::StrandStrain { strain: value, limit },
@@ -218,7 +220,9 @@ pub(super) fn strands(
         let check =
             |by, margin: f64| Check { by, ..Check::new(Limit::BurstMargin, margin.min(NEVER), bound) };
         match mesh::herniation(muscle) {
-            FailurePressure::At(p) => checks.push(check(FailureMode::Mesh, p / max)),
+            FailurePressure::At(p) => {
+                checks.push(check(FailureMode::Mesh, p / max / FailureMode::Mesh.share()))
+            }
             FailurePressure::None => checks.push(check(FailureMode::Mesh, NEVER)),
             FailurePressure::Unknown(_) => {}
         }
@@ -230,11 +234,11 @@ pub(super) fn strands(
     Ok(checks)
 }
 
-/// How a muscle fails, and its burst pressure over the maximum pressure, solved for: where the margin is missed, that of its check is in proportion to the
+/// The decisive failure of a muscle, and its pressure over the maximum pressure and its share of the margin, solved for: where the margin is missed, that of its check is in proportion to the
 /// strands' tension alone.
 pub(super) fn burst_margin(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<(FailureMode, f64)> {
     let solved = burst(build(muscle).ok()?.as_ref(), &Workspace::new()).ok()?;
-    let (by, pressure_mpa) = solved.first()?;
+    let (by, pressure_mpa) = solved.decisive()?;
     Some((by, pressure_mpa / spec.max_pressure_mpa))
 }
 

@@ -30,8 +30,8 @@ pub enum Warning {
         pressure_mpa: f64,
         /// The allowed pressure in MPa.
         allowed_mpa: f64,
-        /// The burst pressure in MPa with how the muscle fails there, where it is the reason; else the fittings are rated for the allowed pressure.
-        burst: Option<(f64, FailureMode)>,
+        /// The failure that it keeps its distance from; none where the fittings are rated for it.
+        by: Option<FailureMode>,
     },
     /// The burst pressure is not known.
     BurstNotChecked(NoBurst),
@@ -125,11 +125,13 @@ impl fmt::Display for Warning {
                 f,
                 "BURST: {pressure_mpa:.3} MPa is not below the burst pressure of this muscle, {burst_mpa:.3} MPa, at which {by}"
             ),
-            Self::AboveAllowed { pressure_mpa, allowed_mpa, burst: Some((burst_mpa, by)) } => write!(
+            Self::AboveAllowed { pressure_mpa, allowed_mpa, by: Some(by) } => write!(
                 f,
-                "ABOVE THE ALLOWED PRESSURE: {pressure_mpa:.3} MPa; {allowed_mpa:.3} MPa is allowed, the burst pressure over {SAFETY}: at {burst_mpa:.3} MPa {by}"
+                "ABOVE THE ALLOWED PRESSURE: {pressure_mpa:.3} MPa; {allowed_mpa:.3} MPa is allowed, since {by} at {:.3} MPa (safety factor {})",
+                allowed_mpa * SAFETY * by.share(),
+                SAFETY * by.share()
             ),
-            Self::AboveAllowed { pressure_mpa, allowed_mpa, burst: None } => write!(
+            Self::AboveAllowed { pressure_mpa, allowed_mpa, by: None } => write!(
                 f,
                 "ABOVE THE ALLOWED PRESSURE: {pressure_mpa:.3} MPa; the fittings are rated for {allowed_mpa:.3} MPa"
             ),

@@ -43,9 +43,11 @@ pub fn limit_rows(limits: &PressureLimits, estimate: &str, u: &Units) -> Vec<Row
         ("burst pressure", u.pressure.show(p) + &by + estimate)
     });
     let allowed = limits.allowed_pressure_mpa.map(|p| {
-        let rated = limits.burst_pressure_mpa.is_none_or(|burst| p < burst / SAFETY * (1.0 - 1e-12));
-        let why = if rated { "the fittings are rated for it" } else { "a quarter of the burst pressure" };
-        ("allowed pressure", format!("{}, {why}", u.pressure.show(p)))
+        let why = match limits.allowed_by {
+            Some(by) => format!("safety factor {} where {by}", number(SAFETY * by.share(), 3)),
+            None => "the fittings are rated for it".into(),
+        };
+        ("allowed pressure", format!("{}; {why}", u.pressure.show(p)))
     });
     burst.into_iter().chain(allowed).collect()
 }

@@ -240,7 +240,7 @@ fn burst_margin_needs_and_uses_the_strands() {
             .unwrap()
             .candidates
             .iter()
-            .all(|c| c.burst.and_then(|b| b.strands.mpa()).is_none())
+            .all(|c| c.burst.is_none_or(|b| b.pressure_mpa().is_none()))
     );
     let braid = Braid {
         stiffness: BraidStiffness::OfStrands,
@@ -249,12 +249,7 @@ fn burst_margin_needs_and_uses_the_strands() {
     };
     spec.base = spec.base.with_braid(braid).unwrap();
     let outcome = design(&spec, BUILD).unwrap();
-    assert!(
-        outcome
-            .candidates
-            .iter()
-            .all(|c| c.burst.and_then(|b| b.strands.mpa()).unwrap() >= 3.0 * 0.25 - 1e-9)
-    );
+    assert!(outcome.candidates.iter().all(|c| c.burst.unwrap().pressure_mpa().unwrap() >= 3.0 * 0.25 - 1e-9));
     spec.limits.burst_margin = Some(300.0);
     let outcome = design(&spec, BUILD).unwrap();
     assert!(outcome.candidates.is_empty());

@@ -307,6 +307,7 @@ export function mount(main) {
       ["blocked force", show("force", c?.blocked_force_n)],
       ["free contraction", show("ratio", c?.free_contraction, 3)],
       ["bursts at", c?.burst_pressure_mpa ? show("pressure", c.burst_pressure_mpa, 3) : "not known"],
+      ["allowed", c?.allowed_pressure_mpa ? show("pressure", c.allowed_pressure_mpa, 3) : "not known"],
       ["work to there", c?.work_j ? `${number(c.work_j, 3)} J` : "–"],
       ["air to there", c?.air_normal_litres ? `${number(c.air_normal_litres, 3)} normal L` : "–"],
     ]);

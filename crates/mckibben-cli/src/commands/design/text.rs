@@ -2,6 +2,7 @@
 
 use crate::failure::in_flags;
 use crate::output::text::{Units, aligned, columns, half_width, number, or_dash, percent, percents, place};
+use mckibben::analysis::FailureMode;
 use mckibben::analysis::litres_anr;
 use mckibben_app::{
     CandidateAnswer, ClosestAnswer, DemandAnswer, DesignAnswer, OperatingPoint, RejectedAnswer,
@@ -116,7 +117,11 @@ fn safety(searched: &SearchedAnswer) -> String {
     let strain = strain.map(|v| format!("strands stretched by at most {}", percent(v)));
     let burst = match searched.min_burst_margin {
         Some(margin) if searched.burst_checked => {
-            format!("burst pressure at least {} times the maximum pressure", number(margin, 4))
+            format!(
+                "strands and clamps fail at {} times the maximum pressure or more, the tube at {}",
+                number(margin, 4),
+                number(FailureMode::Mesh.share() * margin, 4)
+            )
         }
         Some(margin) => format!(
             "burst not checked (required: {} times the maximum pressure), because the strength of the strands is not stated",
@@ -330,7 +335,7 @@ fn too_weak(answer: &DesignAnswer) -> String {
         some => format!("{some} of them meet every other limit"),
     };
     format!(
-        "Of {} muscles {count} burst below {} times the maximum pressure; {rest}.\n",
+        "Of {} muscles {count} miss the safety factor of {}; {rest}.\n",
         answer.looked_at,
         number(margin, 4)
     )
@@ -386,7 +391,7 @@ fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {
                 format!("allow a strand strain of {}", percent((strand_strain * 1e4).ceil() / 1e4))
             }
             Relaxation::MinBurstMargin { burst_margin } => {
-                format!("reduce the burst margin to {}", number((burst_margin * 100.0).floor() / 100.0, 3))
+                format!("reduce the safety factor to {}", number((burst_margin * 100.0).floor() / 100.0, 3))
             }
         };
         out.push_str(&format!("  - {line}\n"));

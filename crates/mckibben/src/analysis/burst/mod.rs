@@ -8,8 +8,9 @@
 //! | [`ends`](ends): tube and braid are pulled off the plug | F(P, 0) + π Ri² P = T_clamp | the clamps' pull-off force |
 //!
 //! Measured hand-made muscles with polyester sleeves failed at a tenth of what their strands bear: the least of the four counts. All are those
-//! of new parts under a slow rise of the pressure: abrasion, fatigue and ageing are no part of them, so that the allowed pressure is
-//! the burst pressure over [`SAFETY`], and at most that for which the fittings are rated.
+//! of new parts under a slow rise of the pressure: abrasion, fatigue and ageing are no part of them. The allowed pressure is the least of each divided by its
+//! safety factor, and at most that for which the fittings are rated. The factor is [`SAFETY`] for strands and clamps, which let go suddenly, and half of it for the tube, which
+//! leaks ([`FailureMode::share`]).
 
 pub mod bladder;
 pub mod ends;
@@ -22,7 +23,7 @@ use crate::muscle::Muscle;
 use serde::Serialize;
 use std::fmt;
 
-/// Burst pressure over allowed pressure: that of new hose for compressed air (RMA, Hose Handbook, IP-2, 2003).
+/// Burst pressure over allowed pressure, of strands and clamps: that of new hose for compressed air (RMA, Hose Handbook, IP-2, 2003).
 pub const SAFETY: f64 = 4.0;
 
 /// How a muscle fails.
@@ -38,6 +39,17 @@ pub enum FailureMode {
     Bladder,
     /// Tube and braid are pulled off a plug.
     Ends,
+}
+
+impl FailureMode {
+    /// The share of a safety factor that this failure needs: a half where the tube fails. It leaks then, and flies apart in no case; the pressure is that of
+    /// the unloaded muscle, at the widest openings, and builders use muscles up to 0.9 of it.
+    pub fn share(self) -> f64 {
+        match self {
+            Self::Strands | Self::Ends => 1.0,
+            Self::Mesh | Self::Bladder => 0.5,
+        }
+    }
 }
 
 impl fmt::Display for FailureMode {
@@ -165,9 +177,17 @@ impl Burst {
         Some(self.first()?.1)
     }
 
-    /// The allowed pressure in MPa: P_b/[`SAFETY`], and at most the rated pressure of the fittings.
-    pub fn allowed_mpa(&self) -> Option<f64> {
-        [self.pressure_mpa().map(|p| p / SAFETY), self.rated_mpa].into_iter().flatten().reduce(f64::min)
+    /// The failure that a safety factor leaves least pressure for, with its pressure over the factor's share ([`FailureMode::share`]) in MPa.
+    pub fn decisive(&self) -> Option<(FailureMode, f64)> {
+        let known = self.modes().into_iter().filter_map(|(mode, p)| Some((mode, p.mpa()? / mode.share())));
+        known.reduce(|a, b| if b.1 < a.1 { b } else { a })
+    }
+
+    /// The allowed pressure in MPa, and the failure that it keeps its distance from; none where the fittings are rated for less.
+    pub fn allowed(&self) -> Option<(f64, Option<FailureMode>)> {
+        let safe = self.decisive().map(|(mode, p)| (p / SAFETY, Some(mode)));
+        let rated = self.rated_mpa.map(|p| (p, None));
+        [safe, rated].into_iter().flatten().reduce(|a, b| if b.0 < a.0 { b } else { a })
     }
 
     /// Why the strength of the strands was not checked.
