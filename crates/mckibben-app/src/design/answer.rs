@@ -5,6 +5,7 @@ use super::request::{OperatingPoint, TorqueWanted};
 use crate::burst::{PressureLimits, put_first, said_of};
 use crate::fields::TextFile;
 use crate::muscle::MuscleSummary;
+use crate::uncertainty::UncertaintyWords;
 use crate::units::Units;
 use crate::words::{braid_name, number, percent, rubber_name};
 use mckibben::analysis::{Burst, NoBurst};
@@ -50,6 +51,9 @@ pub struct DesignAnswer {
     pub excluded_by_burst_alone: usize,
     /// The best muscles, best first.
     pub candidates: Vec<CandidateAnswer>,
+    /// The ± of the best muscle in words, at the point where it is largest.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub uncertainty_words: Option<UncertaintyWords>,
     /// Near misses, or the muscles that come closest.
     pub rejected: Vec<RejectedAnswer>,
     /// With another model: the best muscle by finite elements.
@@ -294,6 +298,7 @@ impl DesignAnswer {
             excluded_by_burst: outcome.too_weak.0,
             excluded_by_burst_alone: outcome.too_weak.1,
             candidates: outcome.candidates.iter().map(|c| CandidateAnswer::new(c, spec)).collect(),
+            uncertainty_words: None,
             rejected: outcome.rejected.iter().map(RejectedAnswer::from).collect(),
             verification,
             warnings: outcome

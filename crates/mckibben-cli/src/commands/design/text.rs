@@ -45,7 +45,12 @@ pub fn of(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
         }
     } else {
         out.push_str(&candidates(&answer.candidates, searched.length_mm.is_none(), u));
+        let words = answer.uncertainty_words.as_ref();
+        let first = words.and_then(|words| words.text_in(u));
+        out.push_str(&first.map_or_else(String::new, |text| format!("± of the first: {text}.\n")));
         out.push_str(&doubt(answer, u));
+        let bench = words.and_then(|words| words.bench_in(u));
+        out.push_str(&bench.map_or_else(String::new, |text| format!("{text}.\n")));
         out.push_str(&joint(answer, file, u));
         out.push_str(&verified(answer, u));
         out.push_str(&spread_text(&answer.tolerance, u));
