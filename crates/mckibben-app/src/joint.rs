@@ -7,8 +7,10 @@ use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
 use crate::point::{finite, given};
 use crate::problem::{Problem, ProblemKind};
-use crate::units::Units;
+use crate::uncertainty::breakdown;
+use crate::units::{Scale, Units};
 use crate::warnings;
+use crate::words::number;
 use mckibben::budget::Resource;
 use mckibben::joint::{
     Joint, JointError, JointMap, JointModel, JointPoint, JointTarget as WantedOfJoint, Rest, Turning,
@@ -18,6 +20,7 @@ use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use mckibben::threads;
+use mckibben::uncertainty::UncertaintyParts;
 use mckibben::units::short_numbers;
 use mckibben::warning::Warning;
 use mckibben_report::Figure;
@@ -107,6 +110,9 @@ pub struct JointRow {
     /// 95 % half-width of the torque against a measured joint, as far as the muscles' pulls make it, N m.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub uncertainty_nm: Option<f64>,
+    /// Its parts, each a 95 % half-width in N m; they add as squares. Friction of two muscles adds fully; a rubber or braid that both share shifts both pulls at once.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub uncertainty_parts_nm: Option<UncertaintyParts>,
     /// The torque while the joint turns to +, where the muscles' friction is known, N m.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub torque_turning_plus_nm: Option<f64>,
@@ -115,6 +121,9 @@ pub struct JointRow {
     pub torque_turning_minus_nm: Option<f64>,
     /// −dτ/dφ at these pressures, N m/rad.
     pub stiffness_nm_per_rad: f64,
+    /// 95 % half-width of the stiffness, N m/rad.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stiffness_uncertainty_nm_per_rad: Option<f64>,
     /// Of a joint at rest: `stable`, `unstable`, at a `limit` of its range, or `loose`: it rests at any angle near this one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rest: Option<RestWord>,
@@ -198,6 +207,9 @@ pub struct JointAnswer {
     /// What the joint reaches, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub map: Option<JointMap>,
+    /// The largest ± of the torques, in words: `at φ 20°: ± 2.0 N m (95 %): friction unknown 1.7, model against tests 0.8`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub uncertainty_text: Option<String>,
     /// Warnings.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
@@ -264,6 +276,7 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
     let mut warnings = Warning::gravest(&asked.said);
     put_first(&mut warnings, said);
     let mut answer = JointAnswer {
+        uncertainty_text: largest_uncertainty(&rows),
         limits: PressureLimits::of_all(&bursts),
         model: models.first().map_or_else(String::new, |m| m.info().name.to_string()),
         muscles: summaries,
@@ -401,9 +414,11 @@ impl Asked<'_> {
             pressure_2_mpa: point.pressures_mpa.get(1).copied(),
             torque_nm: point.torque_nm,
             uncertainty_nm: point.uncertainty_nm,
+            uncertainty_parts_nm: point.uncertainty_parts_nm,
             torque_turning_plus_nm: plus,
             torque_turning_minus_nm: minus,
             stiffness_nm_per_rad: point.stiffness_nm_per_rad,
+            stiffness_uncertainty_nm_per_rad: point.stiffness_uncertainty_nm_per_rad,
             rest,
             force_1_n: first.map_or(0.0, |m| response(m).force_n),
             force_2_n: second.map(|m| response(m).force_n),
@@ -420,6 +435,14 @@ impl Asked<'_> {
             pressure_2_uncertainty_mpa: None,
         })
     }
+}
+
+/// The largest ± of the torques, in words.
+fn largest_uncertainty(rows: &[JointRow]) -> Option<String> {
+    let known = rows.iter().filter_map(|row| Some((row.angle_deg, row.uncertainty_parts_nm?)));
+    let (angle_deg, parts) = known.max_by(|a, b| a.1.total().total_cmp(&b.1.total()))?;
+    let angle = number(if angle_deg.abs() < 1e-9 { 0.0 } else { angle_deg }, 4);
+    Some(format!("at φ {angle}°: {}", breakdown(&parts, &Scale::newton_metres())))
 }
 
 /// A kind of muscle and its contraction, as a key: those of opposed muscles at opposite angles differ by rounding.

@@ -71,6 +71,7 @@ mod shape;
 mod show;
 mod simulate;
 mod study;
+pub mod uncertainty;
 pub mod units;
 mod validate;
 mod warnings;

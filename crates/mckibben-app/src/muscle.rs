@@ -277,6 +277,9 @@ pub struct MuscleSummary {
     /// Mass of the rubber between the terminals, g, where its density is stated; braid and terminals are not in it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rubber_mass_g: Option<f64>,
+    /// Mass of tube and sleeve between the terminals, g, where both are known; the terminals are not in it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mass_g: Option<f64>,
 }
 
 impl From<&Muscle> for MuscleSummary {
@@ -291,6 +294,7 @@ impl From<&Muscle> for MuscleSummary {
             sleeve: m.braid().sleeve.as_ref().map(|s| s.name.clone()),
             stiffness_factor: Some(m.braid().stiffness_factor).filter(|factor| *factor > 1.0),
             rubber_mass_g: m.tube().rubber_mass_g(),
+            mass_g: m.mass_g(),
         }
     }
 }

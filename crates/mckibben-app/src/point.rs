@@ -7,6 +7,7 @@ use crate::model::check_both;
 use crate::muscle::MuscleSummary;
 use crate::problem::{Problem, ProblemKind};
 use crate::question::Question;
+use crate::uncertainty::UncertaintyWords;
 use mckibben::analysis::source_of;
 use mckibben::answer::{self, Answer, Options};
 use mckibben::model::{ForceModel, Workspace};
@@ -88,6 +89,8 @@ pub struct PointAnswer {
     /// The point.
     #[serde(flatten)]
     pub point: Answer,
+    /// The ± in words.
+    pub uncertainty_words: UncertaintyWords,
     /// The same while the muscle is shortened and while it is lengthened, where both were asked for.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub branches: Vec<Answer>,
@@ -197,12 +200,17 @@ fn answered(
     let all = std::iter::once(&point).chain(&branches);
     let highest_mpa = all.map(|a| a.response.pressure_mpa).fold(0.0, f64::max);
     put_first(&mut point.warnings, said_of(&found, highest_mpa, QUIET_MPA));
+    let uncertainty_words = {
+        let (parts, pressure_mpa) = (point.uncertainty_parts_n, point.response.pressure_mpa);
+        UncertaintyWords::of(parts, &*question.model, &mut question.workspace, pressure_mpa)
+    };
     let about = ModelAbout {
         source: source_of(&*question.model, options.direction),
         uncertainty_basis: basis_of(&question.model.info().accuracy),
     };
     Ok(PointAnswer {
         point,
+        uncertainty_words,
         branches,
         limits: (&found).into(),
         loaded: None,

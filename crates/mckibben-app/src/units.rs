@@ -30,6 +30,11 @@ impl Scale {
         Self { name: unit.name.into(), factor: unit.outside(), digits }
     }
 
+    /// Torques, which are in N m everywhere.
+    pub(crate) fn newton_metres() -> Self {
+        Self { name: "N m".into(), factor: (1.0, 1.0), digits: 4 }
+    }
+
     /// This for each of another.
     fn per(&self, other: &Self) -> Self {
         let (a, b) = (self.factor, other.factor);

@@ -39,6 +39,15 @@ pub fn half_width(uncertainty: f64) -> String {
     }
 }
 
+/// A part of a ±: two digits, but none beyond a tenth of the last digit of the whole.
+pub fn part(v: f64, whole: f64) -> String {
+    let known = |x: f64| x > 0.0 && x.is_finite();
+    match known(v) && known(whole) {
+        true => to_place(v, last_place(v).max(last_place(whole) - 1)),
+        false => number(v, 2),
+    }
+}
+
 /// The power of ten of the second digit of a ±.
 fn last_place(uncertainty: f64) -> i32 {
     (uncertainty.log10().floor() as i32 - 1).max(-8)

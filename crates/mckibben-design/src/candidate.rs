@@ -130,7 +130,7 @@ pub(super) fn candidate(
                 point.force_n,
                 options.direction,
             )
-            .map(|parts| parts.total_n()),
+            .map(|parts| parts.total()),
         });
     }
     let max = spec.max_pressure_mpa;

@@ -132,7 +132,7 @@ pub(super) fn probe_with(
         let mut value = force_on(model, workspace, max, point.contraction, direction)?;
         if let Some(widths) = spec.half_widths() {
             let parts = uncertainty(model, workspace, (max, point.contraction), value, direction);
-            value -= widths * parts.map_or(0.0, |parts| parts.total_n());
+            value -= widths * parts.map_or(0.0, |parts| parts.total());
         }
         checks.push(Check { point: Some(point), ..Check::new(Limit::Force, value, point.force_n) });
     }

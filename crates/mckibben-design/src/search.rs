@@ -10,7 +10,7 @@ use super::reason::Reason;
 use super::run::Models;
 use super::spec::{BraidChoice, Build, Objective, Spec};
 use super::tubes::TubePart;
-use mckibben::analysis::golden;
+use mckibben::analysis::{force_on, golden};
 use mckibben::model::{ModelError, ThickWall, Workspace};
 use mckibben::muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube};
 use mckibben::progress::Progress;
@@ -22,6 +22,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 const COARSE_STEPS: usize = 4;
 /// More muscles than are printed: some may not hold by the model that decides.
 const SPARE: usize = 3;
+/// Tubes are screened by the thick-wall model: with less than this share of a pull that is wanted a muscle is not computed by another one.
+const FAR_TOO_WEAK: f64 = 0.7;
 /// Least bore of a muscle in an interval of diameters, as a share of its outer diameter.
 const LEAST_BORE: f64 = 0.1;
 /// Samples of an interval of walls, angles and lengths, and golden sections after them.
@@ -248,10 +250,12 @@ impl<'a> Search<'a> {
                 s: part.wall_mm,
             };
             // A sleeve that does not go over a tube makes no muscle.
-            if self.progress.cancelled() || self.muscle(pick).is_err() {
+            let Some(muscle) = self.muscle(pick).ok().filter(|_| !self.progress.cancelled()) else {
                 return result;
-            }
-            let sample = self.sample(pick, self.build, &mut result, true);
+            };
+            let thick: &Build<'_> = &|m| Ok(Box::new(ThickWall::new(m)));
+            let build = if self.is_far_too_weak(&muscle) { thick } else { self.build };
+            let sample = self.sample(pick, build, &mut result, true);
             if sample.fits() {
                 SearchResult::keep(&mut result.fits, sample.score, pick, self.most);
             } else {
@@ -261,6 +265,16 @@ impl<'a> Search<'a> {
         };
         self.progress.report(self.done.fetch_add(1, Ordering::Relaxed), self.walls());
         self.gather(threads::map(&all, one).into_iter())
+    }
+
+    /// Whether even the infinitely long muscle, which pulls harder than a short one, is far from a pull that is wanted: nothing better need be asked.
+    fn is_far_too_weak(&self, muscle: &Muscle) -> bool {
+        let (model, workspace) = (ThickWall::new(muscle), &mut Workspace::new());
+        let (max, direction) = (self.spec.max_pressure_mpa, self.spec.options().direction);
+        self.spec.points(muscle).iter().any(|q| {
+            force_on(&model, workspace, max, q.contraction, direction)
+                .is_ok_and(|pull| pull < FAR_TOO_WEAK * q.force_n)
+        })
     }
 
     /// Keeps a muscle that does not fit; what is no muscle at all is none.

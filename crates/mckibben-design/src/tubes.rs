@@ -23,7 +23,7 @@ const TEXT: &str = include_str!("../data/tubes.toml");
 
 /// A tube as sold or cast.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "TubeSummary"))]
 pub struct TubePart {
     /// Name, such as `latex-1/4x3/8in`.
     pub name: String,

@@ -90,6 +90,31 @@ impl Frame<'_> {
         pieces
     }
 
+    /// The visible part of an area with an outline.
+    pub fn area(&self, outline: &[(f64, f64)]) -> Vec<Spot> {
+        let frame = &self.plot;
+        let mut spots: Vec<Spot> = outline.iter().filter_map(|p| self.spot(*p)).collect();
+        // How far inside of each edge a spot is (Sutherland and Hodgman).
+        let edges: [&dyn Fn(&Spot) -> f64; 4] =
+            [&|s| s.0 - frame.x, &|s| frame.right() - s.0, &|s| s.1 - frame.y, &|s| frame.bottom() - s.1];
+        for inside in edges {
+            let mut kept = Vec::with_capacity(spots.len() + 4);
+            for (i, to) in spots.iter().enumerate() {
+                let from = &spots[(i + spots.len() - 1) % spots.len()];
+                let (a, b) = (inside(from), inside(to));
+                if (a < 0.0) != (b < 0.0) {
+                    let t = a / (a - b);
+                    kept.push((from.0 + t * (to.0 - from.0), from.1 + t * (to.1 - from.1)));
+                }
+                if b >= 0.0 {
+                    kept.push(*to);
+                }
+            }
+            spots = kept;
+        }
+        spots
+    }
+
     /// The visible markers of a series.
     pub fn markers(&self, points: &[(f64, f64)]) -> Vec<Spot> {
         let frame = self.plot.grown(0.01);

@@ -127,6 +127,8 @@ pub enum Style {
     Points,
     /// A solid line with markers.
     LineAndPoints,
+    /// A pale area: the points are its outline, closed.
+    Band,
 }
 
 /// A marked operating point: a ringed dot with a label.
@@ -242,6 +244,13 @@ impl Series {
     /// Markers only ([`Style::Points`]), as for measured values.
     pub fn scatter(label: impl Into<String>, points: impl Into<Vec<(f64, f64)>>) -> Self {
         Self::new(label, points).style(Style::Points)
+    }
+
+    /// A pale area about a line ([`Style::Band`]), from points (x, lower edge, upper edge).
+    pub fn band(edges: &[(f64, f64, f64)]) -> Self {
+        let upper = edges.iter().map(|(x, _, high)| (*x, *high));
+        let lower = edges.iter().rev().map(|(x, low, _)| (*x, *low));
+        Self::new("", upper.chain(lower).collect::<Vec<_>>()).style(Style::Band)
     }
 
     /// Its colour number, at a position in its panel.

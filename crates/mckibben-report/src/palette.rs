@@ -84,7 +84,7 @@ pub(crate) fn dash(style: Style, number: usize, palette: Palette) -> Option<&'st
         Style::Dashed => Some(DASHES[1]),
         Style::Dotted => Some(DASHES[2]),
         Style::DashDot => Some(DASHES[3]),
-        Style::Points => None,
+        Style::Points | Style::Band => None,
     }
 }
 

@@ -9,6 +9,8 @@ use crate::{Palette, Style};
 
 const LINE_WIDTH: f64 = 1.7;
 const MARKER: f64 = 3.1;
+/// Opacity of an area.
+const PALE: f64 = 0.14;
 
 /// What a series is drawn with.
 pub(crate) struct Brush {
@@ -59,6 +61,17 @@ pub(crate) fn series(out: &mut String, lines: &[Vec<Spot>], markers: &[Spot], st
             out,
             "<path d=\"{shapes}\" fill=\"{fill}\" stroke=\"{edge}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"/>"
         );
+    }
+}
+
+/// Draws a pale area.
+pub(crate) fn area(out: &mut String, outline: &[Spot], hex: &str) {
+    let mut path = String::new();
+    for (i, (x, y)) in outline.iter().enumerate() {
+        let _ = write!(path, "{}{} {}", if i == 0 { "M" } else { "L" }, n(*x), n(*y));
+    }
+    if outline.len() > 2 {
+        let _ = writeln!(out, "<path d=\"{path}Z\" fill=\"{hex}\" fill-opacity=\"{PALE}\"/>");
     }
 }
 

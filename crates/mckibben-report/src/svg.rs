@@ -9,7 +9,7 @@ use crate::labels::{self, Label};
 use crate::layout::{self, CAPTION, PANEL_TITLE, PER_MM, Page, Placed, TITLE};
 use crate::legend::{self, Legend};
 use crate::palette;
-use crate::strokes::{Brush, series as draw_series};
+use crate::strokes::{Brush, area, series as draw_series};
 use crate::xml::{escape, length as n};
 use crate::{Figure, FigureError, Style, ticks};
 
@@ -114,7 +114,11 @@ fn draw_panel(out: &mut String, placed: &Placed<'_>, pen: &Pen<'_>) {
     }
     let frame = placed.axes.frame();
     let mut anything = false;
-    for (i, series) in placed.panel.series.iter().enumerate() {
+    let bands = |s: &&crate::Series| s.style == Style::Band;
+    for (i, band) in placed.panel.series.iter().enumerate().filter(|(_, s)| bands(s)) {
+        area(out, &frame.area(&band.points), &pen.hex(band.number(i)));
+    }
+    for (i, series) in placed.panel.series.iter().enumerate().filter(|(_, s)| !bands(s)) {
         let lines = if series.style == Style::Points { Vec::new() } else { frame.line(&series.points) };
         let markers =
             if palette::has_markers(series.style) { frame.markers(&series.points) } else { Vec::new() };

@@ -210,7 +210,7 @@ pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
     Ok(Answer {
         model: model.info().name.to_string(),
         direction: options.direction,
-        uncertainty_n: parts.map(|p| p.total_n()),
+        uncertainty_n: parts.map(|p| p.total()),
         uncertainty_parts_n: parts,
         pressure_uncertainty_mpa: None,
         contraction_uncertainty: None,

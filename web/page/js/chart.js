@@ -3,7 +3,7 @@ import { download, el } from "./dom.js";
 import { number, outside } from "./units.js";
 
 /**
- * @typedef {{ name: string, x: number[], y: (number | null)[], end?: string, at?: "start" | "end", colour?: string, dash?: "solid" | "dash" | "dot", mode?: "lines" | "markers" | "lines+markers", width?: number, legend?: string }} Series
+ * @typedef {{ name: string, x: number[], y: (number | null)[], end?: string, at?: "start" | "end", colour?: string, dash?: "solid" | "dash" | "dot", mode?: "lines" | "markers" | "lines+markers", width?: number, legend?: string, band?: boolean }} Series
  * @typedef {{ x: string, y: string, series: Series[], marks?: { x: number, y: number, text: string }[], data?: any[], z?: string, xaxis?: any, yaxis?: any, layout?: any }} Spec
  */
 
@@ -118,7 +118,9 @@ export class Chart {
   traces() {
     const spec = /** @type {Spec} */ (this.spec);
     const named = new Set();
-    const lines = spec.series.map((s, i) => ({
+    const lines = spec.series.map((s, i) => s.band ? {
+      x: s.x, y: s.y, mode: "lines", type: "scatter", fill: "toself", fillcolor: s.colour, opacity: 0.14, line: { width: 0 }, showlegend: false, hoverinfo: "skip",
+    } : ({
       x: s.x, y: s.y, name: s.name, mode: s.mode ?? "lines", type: "scatter", connectgaps: false,
       showlegend: Boolean(s.legend) && !named.has(s.legend) && Boolean(named.add(s.legend)),
       line: { color: s.colour ?? KINDS[i % KINDS.length], width: s.width ?? 1.5, dash: s.dash ?? "solid" },

@@ -48,6 +48,7 @@ function spec(panel, figure) {
   const series = panel.series.map((/** @type {any} */ s, /** @type {number} */ i) => {
     const points = s.style === "points" || s.style === "line-and-points";
     const dash = s.style === "dashed" ? "dash" : s.style === "dotted" ? "dot" : s.style === "auto" && figure.palette !== "sequential" ? DASHES[(s.colour ?? i) % DASHES.length] : "solid";
+    if (s.style === "band") return { name: "±", colour: colour(s, i), band: true, x: s.points.map((/** @type {any} */ p) => p[0]), y: s.points.map((/** @type {any} */ p) => p[1]), legend: "" };
     return {
       name: s.label || s.end_label || panel.y.label, end: s.end_label || undefined, colour: colour(s, i), dash, mode: s.style === "points" ? "markers" : points ? "lines+markers" : "lines",
       x: s.points.map((/** @type {any} */ p) => p[0]), y: s.points.map((/** @type {any} */ p) => p[1]), legend: s.label,

@@ -5,6 +5,7 @@ use super::request::{OperatingPoint, TorqueWanted};
 use crate::burst::{PressureLimits, put_first, said_of};
 use crate::fields::TextFile;
 use crate::muscle::MuscleSummary;
+use crate::uncertainty::UncertaintyWords;
 use crate::units::Units;
 use crate::words::{braid_name, number, percent, rubber_name};
 use mckibben::analysis::{Burst, NoBurst};
@@ -50,6 +51,9 @@ pub struct DesignAnswer {
     pub excluded_by_burst_alone: usize,
     /// The best muscles, best first.
     pub candidates: Vec<CandidateAnswer>,
+    /// The ± of the best muscle in words, at the point where it is largest.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub uncertainty_words: Option<UncertaintyWords>,
     /// Near misses, or the muscles that come closest.
     pub rejected: Vec<RejectedAnswer>,
     /// With another model: the best muscle by finite elements.
@@ -135,6 +139,9 @@ pub struct CandidateAnswer {
     /// Name of its tube as sold or cast, where tubes were searched.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tube: Option<String>,
+    /// Price of that tube, where one was seen.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tube_price: Option<String>,
     /// Largest pressure any point needs, MPa.
     pub pressure_mpa: f64,
     /// Smallest margin over the points: pull at the maximum pressure over the required pull, minus 1.
@@ -291,6 +298,7 @@ impl DesignAnswer {
             excluded_by_burst: outcome.too_weak.0,
             excluded_by_burst_alone: outcome.too_weak.1,
             candidates: outcome.candidates.iter().map(|c| CandidateAnswer::new(c, spec)).collect(),
+            uncertainty_words: None,
             rejected: outcome.rejected.iter().map(RejectedAnswer::from).collect(),
             verification,
             warnings: outcome
@@ -388,6 +396,11 @@ impl CandidateAnswer {
             },
             muscle: (&c.muscle).into(),
             tube: c.tube.clone(),
+            tube_price: spec
+                .tubes
+                .iter()
+                .find(|t| Some(&t.name) == c.tube.as_ref())
+                .and_then(|t| t.price.clone()),
             pressure_mpa: c.pressure_mpa,
             margin: c.margin,
             blocked_force_n: c.blocked_force_n,

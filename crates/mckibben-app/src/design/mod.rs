@@ -14,12 +14,14 @@ pub use request::{Choice, DesignRequest, ObjectiveWord, OperatingPoint, TorqueWa
 use crate::figure;
 use crate::model::Model;
 use crate::problem::Problem;
+use crate::uncertainty::UncertaintyWords;
 use mckibben::analysis::{force_on, pressure_at};
 use mckibben::answer::Options;
 use mckibben::budget::{Exceeded, Resource};
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::{CancelOnly, Progress};
+use mckibben::uncertainty::uncertainty;
 use mckibben::units::Values;
 use mckibben::warning::Warning;
 use mckibben_design::{
@@ -78,7 +80,8 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
             .warnings
             .push(Warning::from(format!("the specification that covers the ± was not computed: {spent}"))),
     }
-    Ok(DesignAnswer { load: request.load.load.clone(), assumptions, ..answer })
+    let uncertainty_words = words(&spec, &decide, winner);
+    Ok(DesignAnswer { load: request.load.load.clone(), assumptions, uncertainty_words, ..answer })
 }
 
 /// What to ask for to be sure of what is wanted, where the winner has less to spare than its ±.
@@ -107,6 +110,17 @@ fn sure(
     }
     // A specification that cannot be searched with more than was wanted: nothing is sure.
     Ok(found.unwrap_or_default())
+}
+
+/// The ± of the winner in words, at the point where it is largest.
+fn words(spec: &Spec, build: &Build<'_>, winner: Option<&Candidate>) -> Option<UncertaintyWords> {
+    let winner = winner?;
+    let half = |q: &CandidatePoint| q.uncertainty_n.unwrap_or(0.0);
+    let response = winner.points.iter().max_by(|a, b| half(a).total_cmp(&half(b)))?.response;
+    let (model, workspace) = (build(&winner.muscle).ok()?, &mut Workspace::new());
+    let at = (response.pressure_mpa, response.contraction);
+    let parts = uncertainty(&*model, workspace, at, response.force_n, spec.options().direction);
+    Some(UncertaintyWords::of(parts, &*model, workspace, response.pressure_mpa))
 }
 
 fn spreads(

@@ -1,7 +1,7 @@
 //! Models and measured points on one figure.
 
-use super::caption;
-use super::curves::{line, pull};
+use super::curves::{band, line, pull};
+use super::{BAND, caption};
 use crate::units::Units;
 use mckibben::answer::Options;
 use mckibben::curve::{Test, curves};
@@ -21,6 +21,7 @@ pub fn compare(
 ) -> Figure {
     let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), pull(u));
     let count = models.len();
+    let mut bands = vec![];
     for (number, (model, workspace)) in models.into_iter().enumerate() {
         let family = curves(model, workspace, Test::Isobaric, pressures, contractions, options);
         for (i, curve) in family.iter().enumerate() {
@@ -31,6 +32,9 @@ pub fn compare(
                 series = series.end_label(u.pressure.show(curve.fixed));
             }
             panel = panel.series(series);
+            // Of the first model alone: those of several would cover each other.
+            let band = band(curve, Test::Isobaric, u).filter(|_| number == 0);
+            bands.extend(band.map(|band| band.colour(number)));
         }
     }
     if !measured.is_empty() {
@@ -38,5 +42,8 @@ pub fn compare(
             measured.iter().map(|m| (m.contraction, u.force.value(m.force_n))).collect();
         panel = panel.series(Series::scatter("measured", points).colour(count));
     }
-    Figure::new("Isobaric curves of models").caption(caption(about)).panel(panel)
+    let said = if bands.is_empty() { "" } else { BAND };
+    let said = said.replace("band", "band of the first model");
+    panel.series.extend(bands);
+    Figure::new("Isobaric curves of models").caption(caption(format!("{about}{said}"))).panel(panel)
 }

@@ -1,11 +1,11 @@
 //! A family of curves of one test.
 
-use super::caption;
+use super::{BAND, caption};
 use crate::curve::CurveAnswer;
 use crate::load::LoadAnswer;
 use crate::units::Units;
 use crate::words::percent;
-use mckibben::curve::{Curve, Test};
+use mckibben::curve::{Curve, CurvePoint, Test};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 
 /// The axes of a test.
@@ -36,6 +36,27 @@ pub(super) fn line(curve: &Curve, test: Test, u: &Units) -> Vec<(f64, f64)> {
     points.map(shown).collect()
 }
 
+/// The ± along a curve, where it has one; the user of a muscle that pulls need not see pushes.
+pub(super) fn band(curve: &Curve, test: Test, u: &Units) -> Option<Series> {
+    let edge = |q: &CurvePoint| {
+        let a = q.answer.as_ref().ok().filter(|a| !a.slack)?;
+        let edges = |v: f64, half: f64| ((v - half).max(v.min(0.0)), v + half);
+        let (pull, pressure) = (|v| u.force.value(v), u.pressure.value(q.pressure_mpa));
+        let of_pull = || Some(edges(a.response.force_n, a.uncertainty_n?));
+        let (x, (low, high)) = match test {
+            Test::Isobaric => (q.contraction?, of_pull()?),
+            Test::Isometric => (pressure, of_pull()?),
+            Test::Isotonic => {
+                let (low, high) = edges(a.response.contraction, a.contraction_uncertainty?);
+                return Some((pressure, low, high));
+            }
+        };
+        Some((x, pull(low), pull(high)))
+    };
+    let edges: Vec<(f64, f64, f64)> = curve.points.iter().filter_map(edge).collect();
+    (edges.len() > 1).then(|| Series::band(&edges))
+}
+
 /// What is fixed along a curve, as its label.
 pub(super) fn label(test: Test, fixed: f64, u: &Units) -> String {
     match test {
@@ -45,6 +66,8 @@ pub(super) fn label(test: Test, fixed: f64, u: &Units) -> String {
     }
 }
 
+/// Curves whose bands can be told apart.
+pub(super) const MOST_BANDS: usize = 6;
 /// Points of a load's line.
 const LINE: usize = 101;
 
@@ -82,16 +105,20 @@ pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &
         panel =
             panel.series(if list.len() <= 12 * each { series("").end_label(text) } else { series(&text) });
     }
+    let bands = list.iter().enumerate().filter_map(|(i, curve)| Some(band(curve, test, u)?.colour(i / each)));
+    let bands: Vec<Series> = if list.len() <= MOST_BANDS { bands.collect() } else { vec![] };
+    let said = if bands.is_empty() { "" } else { BAND };
     if let Some(loaded) = loaded {
         let (line, balances) = load_line(loaded, muscle.length_mm, list, u);
         panel = panel.series(line.end_label(loaded.load.as_str())).series(balances);
     }
+    panel.series.extend(bands);
     let title = match test {
         Test::Isometric => "Isometric curves",
         Test::Isotonic => "Isotonic curves",
         Test::Isobaric => "Isobaric curves",
     };
     let branches = if both { "; dashed: while it is lengthened" } else { "" };
-    let about = format!("Model {model}{branches}. {}", muscle.line(u));
+    let about = format!("Model {model}{branches}{said}. {}", muscle.line(u));
     Figure::new(title).caption(caption(about)).palette(Palette::Sequential).panel(panel)
 }

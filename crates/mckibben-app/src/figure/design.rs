@@ -1,7 +1,7 @@
 //! Isobaric curves of the first candidates with the operating points.
 
-use super::caption;
-use super::curves::{line, pull};
+use super::curves::{band, line, pull};
+use super::{BAND, caption};
 use crate::units::Units;
 use crate::words::percent;
 use mckibben::answer::Options;
@@ -19,6 +19,7 @@ pub fn design(
     u: &Units,
 ) -> Figure {
     let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), pull(u));
+    let mut first_band = None;
     let asked = wanted.iter().map(|w| w.contraction).fold(0.0, f64::max);
     for (i, (candidate, model)) in models.iter().enumerate() {
         let m = &candidate.muscle;
@@ -33,6 +34,9 @@ pub fn design(
             }
             for curve in curves(model.as_ref(), &mut workspace, Test::Isobaric, &[pressure], &along, options)
             {
+                if i == 0 && pressure == max_pressure_mpa {
+                    first_band = band(&curve, Test::Isobaric, u).map(|band| band.colour(0));
+                }
                 let label = format!("{name} at {}", u.pressure.show(pressure));
                 let points = line(&curve, Test::Isobaric, u);
                 panel = panel.series(Series::new(label, points).colour(i).style(style));
@@ -43,9 +47,12 @@ pub fn design(
         let label = format!("{} at {}", u.force.show(w.force_n), percent(w.contraction));
         panel = panel.mark(Mark::new(w.contraction, u.force.value(w.force_n), label));
     }
+    let said = if first_band.is_some() { BAND } else { "" };
+    let said = said.replace("band", "band of the first");
+    panel.series.extend(first_band);
     let mut names: Vec<&str> = models.iter().map(|m| &*m.1.info().name).collect();
     names.dedup();
     Figure::new("Candidates: pull over contraction")
-        .caption(caption(format!("Model {}; lengths in {}", names.join(", then "), u.length.name)))
+        .caption(caption(format!("Model {}; lengths in {}{said}", names.join(", then "), u.length.name)))
         .panel(panel)
 }

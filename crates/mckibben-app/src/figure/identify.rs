@@ -1,7 +1,7 @@
 //! What was identified: the model over the points, and what is left of them.
 
-use super::caption;
-use super::curves::pull;
+use super::curves::{MOST_BANDS, pull};
+use super::{BAND, caption};
 use crate::units::Units;
 use crate::words::percent;
 use mckibben::analysis::force_on;
@@ -75,9 +75,10 @@ pub(crate) fn identified(
     about: &str,
     u: &Units,
 ) -> Figure {
+    let said = if found.bench.is_some() { BAND } else { "" };
     let mut figure = Figure::new(format!("Identified from {origin}"))
         .caption(caption(format!(
-            "Dots: data; lines: {about}. rms {} {}",
+            "Dots: data; lines: {about}{said}. rms {} {}",
             u.force.to(found.rms_n, 3),
             u.force.name
         )))
@@ -146,6 +147,9 @@ fn fit(
             u.length.show(m.wall_mm())
         ));
     }
+    // The ± of the fit belongs to the muscle of the file.
+    let bench = found.bench.as_ref().filter(|_| muscle.as_ref().is_ok_and(|m| *m == found.muscle));
+    let (mut bands, offset) = (vec![], found.candidate.contraction_offset);
     let model = muscle.ok().and_then(|m| build(&m).ok());
     for (n, &value) in levels.fixed.iter().enumerate() {
         let key = |f: &&&PointFit| same(levels.key(f), value);
@@ -167,15 +171,25 @@ fn fit(
         branches.dedup();
         for branch in branches {
             let mut workspace = Workspace::new();
+            let mut edges = vec![];
             let points = (0..=40).filter_map(|i| {
                 let x = low + (high - low) * f64::from(i) / 40.0;
                 let (pressure, contraction) = if isobaric { (value, x) } else { (x, value) };
                 let force = pulled(model.as_ref(), &mut workspace, found, (pressure, contraction), branch)?;
-                Some((if isobaric { x } else { u.pressure.value(x) }, u.force.value(force)))
+                let x = if isobaric { x } else { u.pressure.value(x) };
+                let half = bench.map(|bench| bench.half_width_n(pressure, contraction + offset));
+                edges.extend(
+                    half.map(|half| (x, u.force.value((force - half).max(0.0)), u.force.value(force + half))),
+                );
+                Some((x, u.force.value(force)))
             });
             let style = if branch == Direction::Elongation { Style::Dashed } else { Style::Line };
             panel = panel.series(Series::new("", points.collect::<Vec<_>>()).style(style).colour(n));
+            bands.extend((edges.len() > 1).then(|| Series::band(&edges).colour(n)));
         }
+    }
+    if bands.len() <= MOST_BANDS {
+        panel.series.append(&mut bands);
     }
     panel
 }

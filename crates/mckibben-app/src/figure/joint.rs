@@ -1,6 +1,7 @@
 //! A joint: torques over the angle, and what it reaches.
 
-use super::caption;
+use super::curves::MOST_BANDS;
+use super::{BAND, caption};
 use crate::joint::{JointAnswer, JointRow};
 use crate::units::Units;
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
@@ -11,7 +12,7 @@ pub fn joint(answer: &JointAnswer, over_angles: bool, u: &Units) -> Option<Figur
     let mut figure = Figure::new("Joint")
         .caption(caption(format!("Model {}. {about}", answer.model)))
         .palette(Palette::Sequential);
-    let mut drawn = false;
+    let (mut drawn, mut bands) = (false, vec![]);
     let same = |a: &JointRow, b: &JointRow| {
         (a.pressure_1_mpa, a.pressure_2_mpa) == (b.pressure_1_mpa, b.pressure_2_mpa)
     };
@@ -26,11 +27,23 @@ pub fn joint(answer: &JointAnswer, over_angles: bool, u: &Units) -> Option<Figur
                 family.iter().filter_map(|q| Some((q.angle_deg, of(q)?))).collect()
             };
             panel = panel.series(Series::line("", line(&|q| Some(q.torque_nm))).colour(i).end_label(label));
+            let edges: Vec<(f64, f64, f64)> = family
+                .iter()
+                .filter_map(|q| {
+                    let half = q.uncertainty_nm?;
+                    Some((q.angle_deg, q.torque_nm - half, q.torque_nm + half))
+                })
+                .collect();
+            bands.extend((edges.len() > 1).then(|| Series::band(&edges).colour(i)));
             for branch in [line(&|q| q.torque_turning_plus_nm), line(&|q| q.torque_turning_minus_nm)] {
                 if !branch.is_empty() {
                     panel = panel.series(Series::new("", branch).style(Style::Dotted).colour(i));
                 }
             }
+        }
+        if bands.len() <= MOST_BANDS && !bands.is_empty() {
+            panel.series.append(&mut bands);
+            figure = figure.caption(caption(format!("Model {}{BAND}. {about}", answer.model)));
         }
         figure = figure.panel(panel);
         drawn = true;

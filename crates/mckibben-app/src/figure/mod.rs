@@ -26,6 +26,9 @@ pub(crate) use simulate::simulate;
 pub(crate) use study::study;
 pub(crate) use tension::tension;
 
+/// What a caption says of the bands.
+const BAND: &str = "; band: ± (95 %)";
+
 /// The small line below every figure.
 fn caption(text: impl std::fmt::Display) -> String {
     format!("{text}. mckibben {}", env!("CARGO_PKG_VERSION"))

@@ -1,6 +1,6 @@
 //! A motion: position and pressure over time.
 
-use super::caption;
+use super::{BAND, caption};
 use crate::motion::{MotionAnswer, MotionRun};
 use crate::units::Units;
 use mckibben_motion::Coordinate;
@@ -14,7 +14,9 @@ pub fn motion(answer: &MotionAnswer, sweep: Option<&str>, u: &Units) -> Figure {
     let position = if joint { "angle φ [°]" } else { "contraction ratio ε [–]" };
     let mut places = Panel::new(time(), Axis::new(position));
     let mut pressures = Panel::new(time(), Axis::new(u.pressure.heading("pressure P")).from_zero());
+    let mut bands = vec![];
     for (i, run) in runs.iter().enumerate() {
+        bands.extend(end_band(run).map(|band| band.colour(i)));
         let s = &run.motion.series;
         let over = |list: &[f64], scale: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {
             s.time_s.iter().zip(list).map(|(t, v)| (*t, scale(*v))).collect()
@@ -35,11 +37,38 @@ pub fn motion(answer: &MotionAnswer, sweep: Option<&str>, u: &Units) -> Figure {
                 .series(Series::new("", over(list, &pressure)).style(style).colour(i).end_label(name));
         }
     }
+    let said = if bands.is_empty() { String::new() } else { BAND.replace("band", "band at the end") };
+    places.series.extend(bands);
     let about = answer.muscles.first().map_or_else(String::new, |m| m.line(u));
     let of = sweep.map_or_else(String::new, |key| format!(" over {key}"));
     Figure::new(format!("Motion{of}"))
-        .caption(caption(format!("Model {}. {about}", answer.model)))
+        .caption(caption(format!("Model {}{said}. {about}", answer.model)))
         .palette(Palette::Sequential)
         .panel(places)
         .panel(pressures)
+}
+
+/// The last part of a motion whose load does not settle.
+const LAST: f64 = 0.9;
+
+/// The ± of the end, from the time on from which the load rests.
+fn end_band(run: &MotionRun) -> Option<Series> {
+    let (motion, end) = (&run.motion, &run.end);
+    let time = &motion.series.time_s;
+    let last = time.last().copied()?;
+    let settled = motion.steps.last().and_then(|step| Some(step.time_s + step.settling_time_s?));
+    let from = settled.unwrap_or(last).min(LAST * last);
+    let in_the_end = |list: &[f64]| list.last().copied();
+    let (value, half) = match (end.end_angle_uncertainty_deg, end.end_contraction_uncertainty) {
+        (Some(half), _) => {
+            let [angle, _] = motion.series.degrees()?;
+            (motion.equilibrium_angle_deg.or(in_the_end(&angle))?, half)
+        }
+        (None, Some(half)) => {
+            let own = motion.series.muscles.first().and_then(|m| in_the_end(&m.contraction));
+            (motion.equilibrium_contraction.or(own)?, half)
+        }
+        (None, None) => return None,
+    };
+    Some(Series::band(&[(from, value - half, value + half), (last, value - half, value + half)]))
 }

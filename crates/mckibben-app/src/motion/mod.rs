@@ -1,7 +1,10 @@
 //! `motion`: a muscle or a joint on a valve, over time.
 
 mod request;
+mod uncertainty;
 mod warnings;
+
+pub use uncertainty::EndUncertainty;
 
 pub use request::{MotionRequest, MotionSweep, StepFields};
 
@@ -34,6 +37,9 @@ pub struct MotionRun {
     /// The motion.
     #[serde(flatten)]
     pub motion: Motion,
+    /// The ± of its end.
+    #[serde(flatten)]
+    pub end: EndUncertainty,
 }
 
 /// The answer to a drive: its motion, or those of a sweep.
@@ -181,7 +187,9 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
         said.extend(
             moved.warnings(&motion, drive).into_iter().map(|text| Warning::Said(with.clone() + &text)),
         );
-        runs.push(MotionRun { value: value.clone(), motion });
+        let mut run = MotionRun { value: value.clone(), motion, end: EndUncertainty::default() };
+        moved.end_uncertainty(&mut run, drive, progress);
+        runs.push(run);
     }
     said.extend(moved.warnings_of_muscles().map(Warning::from));
     let mut warnings = Warning::gravest(&said);

@@ -93,20 +93,9 @@ pub fn point_rows(answer: &PointAnswer, asked: PointQuantity, u: &Units) -> Vec<
     };
     add("stretch at mid-length, inside", r.middle_stretch, &|v| number(v, 3));
     add("stretch of 99 % of the rubber", r.max_stretch, &|v| format!("below {}", number(v, 3)));
-    if let Some(parts) = &a.uncertainty_parts_n {
-        let mut named: Vec<(&str, f64)> = parts.named().collect();
-        named.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let each: Vec<String> =
-            named.into_iter().map(|(name, part)| format!("{name} {}", u.force.half_width(part))).collect();
-        let (whole, force) = (u.force.half_width(parts.total_n()), &u.force.name);
-        let of = match asked {
-            PointQuantity::Force => "",
-            _ => " of the pull",
-        };
-        list.push((
-            "uncertainty",
-            format!("± {whole} {force}{of} (95 %): {} (mckibben models {})", each.join(", "), a.model),
-        ));
-    }
+    let words = &answer.uncertainty_words;
+    let of = if asked == PointQuantity::Force { "" } else { "of the pull " };
+    list.extend(words.text_in(u).map(|text| ("uncertainty", format!("{of}{text}"))));
+    list.extend(words.bench_in(u).map(|text| ("smallest bench", text)));
     list
 }

@@ -129,7 +129,8 @@ fn derived(answer: &MuscleShowAnswer, u: &Units) -> Vec<Row> {
         ("cavity at rest", u.volume.show(m.rest_volume_mm3())),
     ];
     let mass = |g: f64| ("mass of the rubber", format!("{} g, without braid and terminals", number(g, 4)));
-    rows.extend(answer.summary.rubber_mass_g.map(mass));
+    let both = |g: f64| ("mass of tube and sleeve", format!("{} g, without terminals", number(g, 4)));
+    rows.extend(answer.summary.mass_g.map(both).or(answer.summary.rubber_mass_g.map(mass)));
     rows
 }
 

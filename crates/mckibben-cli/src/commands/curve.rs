@@ -16,6 +16,7 @@ use mckibben::answer::Answer;
 use mckibben::curve::{Curve, Test};
 use mckibben::muscle::Direction;
 use mckibben::warning::Warning;
+use mckibben_app::uncertainty::breakdown;
 use mckibben_app::{CurveAnswer, CurveRequest, PointRow, curve_by_curve};
 
 pub const EXAMPLES: &str = "Examples:
@@ -125,12 +126,12 @@ fn warnings(all: &[Warning], list: &[Curve]) -> String {
 
 /// The ± of what was asked, from the least to the largest.
 fn doubt(test: Test, list: &[Curve], u: &Units) -> String {
-    let answers = list.iter().flat_map(|c| &c.points).filter_map(|q| q.answer.as_ref().ok());
+    let answers = || list.iter().flat_map(|c| &c.points).filter_map(|q| q.answer.as_ref().ok());
     let half = |a: &Answer| match test {
         Test::Isotonic => a.contraction_uncertainty,
         _ => a.uncertainty_n.filter(|_| !a.slack),
     };
-    let known: Vec<f64> = answers.filter_map(half).collect();
+    let known: Vec<f64> = answers().filter_map(half).collect();
     let (Some(low), Some(high)) =
         (known.iter().copied().reduce(f64::min), known.iter().copied().reduce(f64::max))
     else {
@@ -140,7 +141,12 @@ fn doubt(test: Test, list: &[Curve], u: &Units) -> String {
         Test::Isotonic => (half_width(100.0 * low), half_width(100.0 * high), "%"),
         _ => (u.force.half_width(low), u.force.half_width(high), &*u.force.name),
     };
-    format!("\n± {low} to {high} {unit}: 95 %, against a measured muscle\n")
+    let of_pull = answers().filter_map(|a| a.uncertainty_parts_n.filter(|_| !a.slack));
+    let largest = of_pull.max_by(|a, b| a.total().total_cmp(&b.total()));
+    let largest = largest.map_or_else(String::new, |parts| {
+        format!("the largest of the pull: {}\n", breakdown(&parts, &u.force))
+    });
+    format!("\n± {low} to {high} {unit}: 95 %, against a measured muscle\n{largest}")
 }
 
 /// One row per value along the curves, one column per curve.

@@ -128,6 +128,7 @@ fn as_text(answer: &JointAnswer, u: &Units) -> String {
     }
     if !answer.points.is_empty() {
         text += &format!("\n{}", rows(&answer.points, u));
+        text += &answer.uncertainty_text.as_ref().map_or_else(String::new, |said| format!("\n{said}\n"));
     }
     if let Some(map) = &answer.map {
         let at_rest: Vec<_> = map.points.iter().flatten().filter(|q| !q.at_limit).collect();
@@ -177,7 +178,10 @@ fn rows(points: &[JointRow], u: &Units) -> String {
     if branches {
         header.extend(["turning to +".to_owned(), "to −".into()]);
     }
-    header.extend(["−dτ/dφ [N m/rad]".to_owned(), force(1)]);
+    let stiffness_half = points.iter().any(|q| q.stiffness_uncertainty_nm_per_rad.is_some());
+    header.push("−dτ/dφ [N m/rad]".to_owned());
+    header.extend(stiffness_half.then(|| "±".to_owned()));
+    header.push(force(1));
     if two {
         header.push(force(2));
     }
@@ -219,7 +223,10 @@ fn rows(points: &[JointRow], u: &Units) -> String {
         if branches {
             row.extend([some(q.torque_turning_plus_nm), some(q.torque_turning_minus_nm)]);
         }
-        row.extend([torque(q.stiffness_nm_per_rad), first[i].clone()]);
+        let half = q.stiffness_uncertainty_nm_per_rad;
+        row.push(half.map_or_else(|| torque(q.stiffness_nm_per_rad), |h| within(q.stiffness_nm_per_rad, h)));
+        row.extend(stiffness_half.then(|| half.map_or_else(unknown, half_width)));
+        row.push(first[i].clone());
         row.extend(q.force_2_n.map(|_| second[i].clone()));
         if resting {
             row.push(q.rest.map_or("", mckibben_app::RestWord::name).into());

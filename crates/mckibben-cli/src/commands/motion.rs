@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::flags::{ModelFlags, OutputFlags, PlotFlag};
 use crate::format::Format;
-use crate::output::text::{Units, air, number, pairs, percent};
+use crate::output::text::{Units, air, half_width, number, pairs, percent, within};
 use crate::output::{burst_first, show};
 use crate::plot;
 use crate::progress::Bar;
@@ -188,26 +188,39 @@ fn as_text(answer: &MotionAnswer, u: &Units) -> String {
     text
 }
 
-fn one(run: &MotionRun, u: &Units) -> String {
+fn one(of: &MotionRun, u: &Units) -> String {
     let s = |v: f64| format!("{} s", number(v, 4));
-    let (value, run) = (&run.value, &run.motion);
+    let (value, run) = (&of.value, &of.motion);
+    let rests = run.at_rest() == Some(true);
+    // The ± belongs to where it rests.
+    let angle_text = |angle: f64, rests: bool| match of.end.end_angle_uncertainty_deg.filter(|_| rests) {
+        Some(half) => format!("{} ± {} °", within(angle, half), half_width(half)),
+        None => format!("{} °", number(angle, 4)),
+    };
+    let ratio_text = |e: f64, rests: bool| match of.end.end_contraction_uncertainty.filter(|_| rests) {
+        Some(half) => format!("{} ± {} %", within(100.0 * e, 100.0 * half), half_width(100.0 * half)),
+        None => percent(e),
+    };
     let degrees = run.series.degrees();
     let joint = degrees.is_some();
     let mut list: Vec<(&str, String)> = vec![];
     list.extend(value.as_ref().map(|v| ("with", v.clone())));
     let last = |list: &[f64]| list.last().copied();
     if let Some([angle, _]) = &degrees {
-        list.extend(last(angle).map(|angle| ("ends at", format!("{} °", number(angle, 4)))));
+        list.extend(last(angle).map(|angle| ("ends at", angle_text(angle, rests))));
     } else if let Some(muscle) = run.series.muscles.first() {
         let ends = last(&muscle.contraction).zip(last(&muscle.pressure_mpa));
-        list.extend(ends.map(|(e, p)| ("ends at", format!("{}, {}", percent(e), u.pressure.show(p)))));
+        list.extend(
+            ends.map(|(e, p)| ("ends at", format!("{}, {}", ratio_text(e, rests), u.pressure.show(p)))),
+        );
     }
     if run.at_rest() == Some(false) {
-        let angle = run.equilibrium_angle_deg.map(|v| format!("{} °", number(v, 4)));
-        let at = run.equilibrium_contraction.map(percent).or(angle);
+        let angle = run.equilibrium_angle_deg.map(|v| angle_text(v, true));
+        let at = run.equilibrium_contraction.map(|e| ratio_text(e, true)).or(angle);
         let at = at.map_or_else(String::new, |at| format!("; its equilibrium is {at}"));
         list.push(("at rest", format!("not yet{at}")));
     }
+    list.extend(of.uncertainty_in(u).map(|text| ("uncertainty", text)));
     let times = [
         ("rise time (10–90 %)", run.rise_time_s),
         ("settling time (2 %)", run.settling_time_s),

@@ -1,6 +1,6 @@
 //! Equilibria with a load, as text.
 
-use super::text::{Units, air, half_width, number, pairs, percent, table};
+use super::text::{Units, air, half_width, number, pairs, percent, table, within};
 use mckibben::load::LoadError;
 use mckibben_app::LoadAnswer;
 
@@ -21,12 +21,14 @@ pub fn loaded(answer: &LoadAnswer, u: &Units) -> String {
         let pressure = u.pressure.bare(at.pressure_mpa);
         for e in &at.equilibria {
             let r = &e.answer.response;
+            let half = e.answer.contraction_uncertainty;
             rows.push(vec![
                 pressure.clone(),
-                percent(r.contraction),
-                e.answer
-                    .contraction_uncertainty
-                    .map_or_else(|| "–".into(), |h| format!("{} %", half_width(100.0 * h))),
+                half.map_or_else(
+                    || percent(r.contraction),
+                    |h| format!("{} %", within(100.0 * r.contraction, 100.0 * h)),
+                ),
+                half.map_or_else(|| "–".into(), |h| format!("{} %", half_width(100.0 * h))),
                 u.length.to(e.shortening_mm, 4),
                 u.force.within(r.force_n, e.answer.uncertainty_n),
                 u.stiffness().to(e.stiffness_n_per_mm, 4),

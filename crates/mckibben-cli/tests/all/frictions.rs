@@ -502,6 +502,8 @@ const COUNTS: &[(&str, &str, &str)] = &[
     ("seating", "1mm", ""),
     ("slip", "4mm/kN", ""),
     ("grip", "5mm", ""),
+    ("pull-off", "100N", ""),
+    ("rated-pressure", "1bar", ""),
     ("end-factor", "1.2", ""),
     ("cone-factor", "0.4", "--model conical-ends"),
     ("strand-length", "216mm", "--model belforte --turns 1.84"),

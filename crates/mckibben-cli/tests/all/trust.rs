@@ -112,3 +112,55 @@ fn what_design_says_to_ask_for_is_sure() {
         text.text()
     );
 }
+
+/// The ± of where a hanging mass comes to rest is that of `contraction` with the same load, by hand from its keys: ±F/(K L0).
+#[test]
+fn the_end_of_a_motion_has_the_uncertainty_of_its_equilibrium() {
+    let muscle = root().join("examples/prototype.toml").display().to_string();
+    let words = |more: &[&str]| {
+        let common = ["--muscle", &muscle, "--load", "mass:20kg", "-p", "2bar", "--model", "thick-wall"];
+        [more, &common].concat().into_iter().map(str::to_owned).collect::<Vec<_>>()
+    };
+    let drive = ["--valve", "0.5 L/(s bar)", "--damping", "3000 N s/m", "--until", "4s"];
+    let ask = |list: Vec<String>, format: &[&str]| {
+        let list: Vec<&str> = list.iter().map(String::as_str).chain(format.iter().copied()).collect();
+        run_in(folder().path(), &list).ok()
+    };
+    let motion = ask(words(&[&["motion"], &drive[..]].concat()), &["--format", "json"]).json();
+    let still = ask(words(&["contraction"]), &["--format", "json"]).json();
+    let at = &still["loaded"]["at"][0]["equilibria"][0];
+    let half = number(at, "uncertainty_n") / (number(at, "held_stiffness_n_per_mm") * 285.0);
+    assert!((number(&motion, "end_contraction_uncertainty") / half - 1.0).abs() < 1e-9, "{half}");
+    assert_eq!(motion["at_rest"], true);
+    let text = ask(words(&[&["motion"], &drive[..]].concat()), &[]);
+    let line = text.text().lines().find(|l| l.contains("ends at")).unwrap().to_owned();
+    assert!(line.contains(" ± ") && line.contains('%'), "{line}");
+    assert!(text.text().contains("of the pull ± "), "{}", text.text());
+    // What a controller corrects, and what lies on a stop, has none.
+    let position = json("motion examples/elbow-drive.toml --model universal");
+    assert!(number(&position, "end_angle_uncertainty_deg") > 0.0);
+}
+
+/// The breakdown is one text: in JSON, in the terminal, of a joint and of a curve.
+#[test]
+fn every_uncertainty_says_what_it_consists_of() {
+    let line = "force -p 0.25 -e 10% --model thick-wall";
+    let words = json(line)["uncertainty_words"].clone();
+    let text = words["text"].as_str().unwrap_or_default();
+    assert!(text.starts_with("± ") && text.contains(" N (95 %): friction unknown "), "{text}");
+    let flat = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let shown = flat(mckibben(line).ok().text());
+    assert!(shown.contains(text), "{shown}");
+    let bench = words["bench"].as_str().unwrap_or_default();
+    assert!(
+        bench.starts_with("10 points on both branches at 0.1 MPa and 0.25 MPa would leave about ± "),
+        "{bench}"
+    );
+    assert!(shown.contains(bench) && number(&words, "bench_uncertainty_n") > 0.0);
+    let joint = json("joint examples/elbow.toml -p 2bar,1bar --angle 0,20deg --model thick-wall");
+    let text = joint["uncertainty_text"].as_str().unwrap_or_default();
+    assert!(text.starts_with("at φ ") && text.contains(" N m (95 %): friction unknown "), "{text}");
+    assert!(number(&joint["points"][0], "stiffness_uncertainty_nm_per_rad") > 0.0);
+    let curve = mckibben("curve isobaric -p 1bar,2bar -e 0..0.2:0.05 --model thick-wall").ok();
+    assert!(curve.text().contains("(95 %): friction unknown "), "{}", curve.text());
+}

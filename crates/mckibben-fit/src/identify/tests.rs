@@ -655,9 +655,9 @@ fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
                     parts.fit.is_some() && parts.measured.is_none() && parts.friction.is_none(),
                     "{parts:?}"
                 );
-                held += usize::from((measured - found).abs() <= parts.total_n());
+                held += usize::from((measured - found).abs() <= parts.total());
                 all += 1;
-                widest = widest.max(parts.total_n());
+                widest = widest.max(parts.total());
             }
         }
         let share = f64::from(held as u32) / f64::from(all as u32);

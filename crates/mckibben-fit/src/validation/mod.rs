@@ -10,6 +10,7 @@
 
 pub mod case;
 pub mod coverage;
+pub mod held_out;
 mod read;
 pub mod report;
 pub mod residual;
@@ -68,6 +69,7 @@ pub fn cases<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<Veri
         rows.push(row(name, build, parameters, &points, allowed));
     }
     rows.extend(coverage::cases(elements, progress)?);
+    rows.extend(held_out::cases(elements, progress)?);
     progress.report(cases.len(), cases.len());
     Ok(rows)
 }

@@ -275,3 +275,27 @@ proptest! {
         let _ = figure.to_text(60, 15, false);
     }
 }
+
+/// A band is a pale area below the lines, cut at the edges of the plot; it has no entry in the legend.
+#[test]
+fn a_band_is_drawn_below_its_line() {
+    let edges = [(0.0, 1.0, 3.0), (1.0, 2.0, 4.0), (2.0, 1.0, 30.0)];
+    let line = Series::line("a line", vec![(0.0, 2.0), (1.0, 3.0), (2.0, 4.0)]).colour(0);
+    let panel = Panel::new(Axis::new("x"), Axis::new("y").range(0.0, 5.0));
+    let with = panel.clone().series(line.clone()).series(Series::band(&edges).colour(0));
+    let svg = Figure::new("f").panel(with).to_svg().unwrap();
+    let area = svg.lines().find(|l| l.contains("fill-opacity=\"0.14\"")).unwrap();
+    let spots = area.matches(['M', 'L']).count();
+    // Six corners, one of which lies above the plot: two cuts in its place.
+    assert_eq!(spots, 7, "{area}");
+    let place = |what: &str| svg.find(what).unwrap();
+    assert!(place("fill-opacity=\"0.14\"") < place("stroke-width=\"1.7\""));
+    let without = Figure::new("f").panel(panel.series(line)).to_svg().unwrap();
+    assert_eq!(svg.matches("a line").count(), without.matches("a line").count());
+    assert!(
+        Figure::new("f")
+            .panel(Panel::default().series(Series::band(&edges)))
+            .to_text(60, 20, false)
+            .contains('┤')
+    );
+}

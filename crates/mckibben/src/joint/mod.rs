@@ -17,6 +17,7 @@ mod rest;
 mod sought;
 #[cfg(test)]
 mod tests;
+mod uncertainty;
 pub mod verification;
 
 pub use error::JointError;

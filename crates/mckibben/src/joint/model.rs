@@ -7,6 +7,7 @@ use crate::analysis::{
 use crate::answer::{self, Answer, SlackState};
 use crate::model::{ForceModel, Workspace};
 use crate::muscle::Direction;
+use crate::uncertainty::UncertaintyParts;
 use serde::{Deserialize, Serialize};
 
 /// Which way the joint turns: on which branch of their friction the muscles are.
@@ -41,6 +42,8 @@ pub struct MuscleState {
     pub answer: Answer,
     /// dΔ/dφ in mm.
     pub arm_mm: f64,
+    /// d²Δ/dφ² in mm.
+    pub arm_by_angle_mm: f64,
 }
 
 /// A joint at pressures and an angle.
@@ -54,8 +57,12 @@ pub struct JointPoint {
     pub torque_nm: f64,
     /// −dτ/dφ in N m/rad at these pressures.
     pub stiffness_nm_per_rad: f64,
-    /// 95 % half-width of the torque in N m, from those of the pulls, which add as squares.
+    /// 95 % half-width of the torque in N m.
     pub uncertainty_nm: Option<f64>,
+    /// Its parts in N m.
+    pub uncertainty_parts_nm: Option<UncertaintyParts>,
+    /// 95 % half-width of the stiffness in N m/rad.
+    pub stiffness_uncertainty_nm_per_rad: Option<f64>,
     /// The muscles.
     pub muscles: Vec<MuscleState>,
 }
@@ -65,6 +72,8 @@ pub struct JointModel<'m> {
     joint: &'m Joint,
     models: Vec<&'m dyn ForceModel>,
     extrapolate: bool,
+    /// Whether its muscles are of one construction.
+    alike: bool,
 }
 
 /// Workspaces, one a muscle, and what is known of them at fixed pressures.
@@ -87,7 +96,9 @@ impl<'m> JointModel<'m> {
         extrapolate: bool,
     ) -> Result<Self, JointError> {
         if models.len() == joint.muscles().len() {
-            Ok(Self { joint, models, extrapolate })
+            let mut digests = joint.muscles().iter().map(|m| m.muscle.digest());
+            let alike = digests.next().is_some_and(|first| digests.all(|other| other == first));
+            Ok(Self { joint, models, extrapolate, alike })
         } else {
             Err(JointError::Muscles(models.len()))
         }
@@ -106,6 +117,11 @@ impl<'m> JointModel<'m> {
     /// Whether its models answer outside of their ranges.
     pub(super) fn extrapolates(&self) -> bool {
         self.extrapolate
+    }
+
+    /// Whether its muscles are of one construction: tube, rubber, braid and ends.
+    pub(super) fn are_alike(&self) -> bool {
+        self.alike
     }
 
     pub(super) fn options(&self, direction: Direction) -> Options {
@@ -174,7 +190,7 @@ impl<'m> JointModel<'m> {
         self.check_angle(angle_deg)?;
         let angle = angle_deg.to_radians();
         let (mut torque, slope) = self.joint.passive_nm(angle);
-        let (mut stiffness, mut doubt) = (-slope, Some(0.0));
+        let mut stiffness = -slope;
         let mut muscles = vec![];
         for (i, workspace) in workspaces.iter_mut().enumerate().take(self.models.len()) {
             let Some((contraction, s)) = self.joint.contraction(i, angle) else { break };
@@ -191,16 +207,17 @@ impl<'m> JointModel<'m> {
             };
             torque += 1e-3 * force * s.arm_mm;
             stiffness += 1e-3 * (k * s.arm_mm * s.arm_mm - force * s.arm_by_angle_mm);
-            let own = answer.uncertainty_n.map(|u| 1e-3 * u * s.arm_mm);
-            doubt = doubt.zip(own).map(|(sum, own): (f64, f64)| sum.hypot(own));
-            muscles.push(MuscleState { answer, arm_mm: s.arm_mm });
+            muscles.push(MuscleState { answer, arm_mm: s.arm_mm, arm_by_angle_mm: s.arm_by_angle_mm });
         }
+        let parts = self.torque_uncertainty(workspaces, &muscles);
         Ok(JointPoint {
             angle_deg,
             pressures_mpa: pressures_mpa.to_vec(),
             torque_nm: torque,
             stiffness_nm_per_rad: stiffness,
-            uncertainty_nm: doubt,
+            uncertainty_nm: parts.map(|p| p.total()),
+            uncertainty_parts_nm: parts,
+            stiffness_uncertainty_nm_per_rad: self.stiffness_uncertainty(&muscles),
             muscles,
         })
     }

@@ -71,6 +71,63 @@ fn what_was_sought_has_the_uncertainty_of_the_torque_over_its_slope() {
     assert!((moved / half - 1.0).abs() < 1e-5, "{half}°, by differences {moved}°");
 }
 
+/// Of one muscle on a pulley r ±F and, with ±K = √2 ±F without friction over ε_max L0, r² ±K: by hand. Of two opposed ones with the same friction law
+/// r (±F₁ + ±F₂) of the parts for friction, and squares of those of the model.
+#[test]
+fn the_uncertainty_of_the_torque_is_that_of_the_pulls_on_their_arms() {
+    let one = || muscle(Path::Pulley { radius_mm: 25.0 }, 0.1);
+    let spring = JointSpring::Torsion { rate_nm_per_rad: 3.0, preload_nm: 0.0 };
+    let single = Joint::new(vec![one()], Some(spring), Link::default(), (-60.0, 60.0)).unwrap();
+    let both = antagonists();
+    let w = &mut [Workspace::new(), Workspace::new()][..];
+    let m = one().muscle;
+    let way_mm = m.max_ideal_contraction() * m.length_mm();
+    let single_models = models(&single, ModelKind::ThickWall);
+    let of_one = bound(&single, &single_models).at(&mut w[..1], &[0.2], 10.0, Turning::Mean).unwrap();
+    let parts = of_one.muscles[0].answer.uncertainty_parts_n.unwrap();
+    let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-12, "{a} {b}");
+    near(of_one.uncertainty_nm.unwrap(), 0.025 * parts.total());
+    let without = parts.total().powi(2) - parts.friction.unwrap().powi(2);
+    near(of_one.stiffness_uncertainty_nm_per_rad.unwrap(), 1e-3 * 625.0 * (2.0 * without).sqrt() / way_mm);
+    let both_models = models(&both, ModelKind::ThickWall);
+    let of_both = bound(&both, &both_models).at(w, &[0.2, 0.1], 10.0, Turning::Mean).unwrap();
+    let [a, b] = [0, 1].map(|i| of_both.muscles[i].answer.uncertainty_parts_n.unwrap());
+    let torque = of_both.uncertainty_parts_nm.unwrap();
+    near(torque.friction.unwrap(), 0.025 * (a.friction.unwrap() + b.friction.unwrap()));
+    near(torque.measured.unwrap(), 0.025 * a.measured.unwrap().hypot(b.measured.unwrap()));
+    near(of_both.uncertainty_nm.unwrap(), torque.total());
+}
+
+/// Strands known within a factor of 2: the torque of two runs with both muscles' strands twice and half as stiff, less that of the first.
+#[test]
+fn an_unknown_that_both_muscles_share_shifts_both_pulls_at_once() {
+    let of = |k: f64, factor: f64| {
+        let muscles = [25.0, -25.0].map(|radius_mm| {
+            let joint_muscle = muscle(Path::Pulley { radius_mm }, 0.1);
+            let braid = crate::muscle::Braid {
+                stiffness: crate::muscle::BraidStiffness::NewtonPerMm(k),
+                stiffness_factor: factor,
+                ..joint_muscle.muscle.braid().clone()
+            };
+            JointMuscle { muscle: joint_muscle.muscle.with_braid(braid).unwrap(), ..joint_muscle }
+        });
+        Joint::new(muscles.to_vec(), None, Link::default(), (-60.0, 60.0)).unwrap()
+    };
+    let point = |joint: &Joint| {
+        let models = models(joint, ModelKind::ThickWall);
+        let w = &mut [Workspace::new(), Workspace::new()][..];
+        bound(joint, &models).at(w, &[0.25, 0.15], 15.0, Turning::Mean).unwrap()
+    };
+    let [known, stiffer, softer] = [1000.0, 2000.0, 500.0].map(|k| point(&of(k, 1.0)).torque_nm);
+    let found = point(&of(1000.0, 2.0));
+    let braid = found.uncertainty_parts_nm.unwrap().braid.unwrap();
+    let expected = (stiffer - known).abs().max((softer - known).abs());
+    assert!((braid / expected - 1.0).abs() < 1e-9, "{braid} {expected}");
+    // Less than the muscles' own, of which it is the difference.
+    let own = found.muscles.iter().map(|m| 0.025 * m.answer.uncertainty_parts_n.unwrap().braid.unwrap());
+    assert!(braid < own.fold(0.0, f64::max));
+}
+
 #[test]
 fn a_muscle_beyond_its_free_contraction_hangs_slack() {
     let joint = antagonists();

@@ -1,7 +1,7 @@
 //! The braid that a sleeve is on a tube.
 
-use super::{Braid, BraidStiffness, Strands};
-use crate::sleeve::{Sleeve, SleeveError};
+use super::{Braid, BraidStiffness, Muscle, Strands};
+use crate::sleeve::{Sleeve, SleeveError, library};
 
 impl Sleeve {
     /// The strands of a braid.
@@ -48,5 +48,39 @@ impl Sleeve {
             sleeve: Some(self.shape.clone()),
             ..Braid::paper()
         })
+    }
+}
+
+impl Muscle {
+    /// Mass of the sleeve between the terminals in g: N A B ρ, with N strands of section A, B the length of one and ρ the density of their material; where all are known.
+    pub fn sleeve_mass_g(&self) -> Option<f64> {
+        let (strands, sleeve) = (self.braid().strands?, self.braid().sleeve.as_ref()?);
+        let density = library::entry(&sleeve.name).ok()?.modulus_of?.density_kg_per_m3?;
+        Some(1e-6 * density * f64::from(strands.count) * strands.section?.0 * self.strand_length_mm())
+    }
+
+    /// Mass of tube and sleeve between the terminals in g, where both are known.
+    pub fn mass_g(&self) -> Option<f64> {
+        Some(self.tube().rubber_mass_g()? + self.sleeve_mass_g()?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::muscle::{Terminals, Tube};
+    use crate::rubber::library as rubbers;
+
+    /// By hand: 232 strands of 0.0490874 mm² and 285/cos 14.0362° = 293.77 mm, 1380 kg/m³: 4.617 g; tube π/4 (9.525² − 6.35²) mm² of 285 mm, 960 kg/m³: 10.831 g.
+    #[test]
+    fn masses_of_a_latex_tube_in_its_sleeve() {
+        let braid = library::find("flexo-overexpanded-0.38in").unwrap().on(9.525).unwrap();
+        let tube = Tube::new(9.525, 1.5875, 285.0, rubbers::find("latex").unwrap());
+        let bare = Muscle::new(tube.clone(), braid.clone(), Terminals::default(), None).unwrap();
+        assert!((bare.sleeve_mass_g().unwrap() - 4.617).abs() < 1e-3, "{:?}", bare.sleeve_mass_g());
+        assert_eq!(bare.mass_g(), None);
+        let dense = Tube { density_kg_per_m3: Some(960.0), ..tube };
+        let muscle = Muscle::new(dense, braid, Terminals::default(), None).unwrap();
+        assert!((muscle.mass_g().unwrap() - 4.617 - 10.831).abs() < 2e-3, "{:?}", muscle.mass_g());
     }
 }

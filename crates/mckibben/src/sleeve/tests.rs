@@ -125,7 +125,10 @@ fn a_tube_outside_of_the_range_is_told_both_bounds() {
 #[test]
 fn what_is_not_stated_is_an_estimate_and_can_be_given() {
     let sleeve = library::find("nfl-19").unwrap();
-    assert_eq!(sleeve.estimated, ["strand_diameter", "strand_modulus", "strand_strength"]);
+    assert_eq!(
+        sleeve.estimated,
+        ["strand_diameter", "strand_modulus", "strands_per_carrier", "strand_strength"]
+    );
     assert_eq!((sleeve.strand_count(), sleeve.stiffness_factor()), (Some(346), 3.0));
     let braid = sleeve.on(20.0).unwrap();
     let strands = braid.strands.unwrap();

@@ -56,7 +56,7 @@ export function mount(main) {
     const take = (/** @type {any} */ answer) => {
       stale(false);
       said.replaceChildren(warnings(answer.warnings));
-      point = { ...answer.points[0], model: answer.model };
+      point = { ...answer.points[0], model: answer.model, words: answer.uncertainty_text };
       paint();
     };
     const fail = (/** @type {any} */ problem) => {
@@ -89,13 +89,14 @@ export function mount(main) {
     drawArm();
     drawFamily();
     if (!point) return numbers.replaceChildren();
+    const half = (/** @type {number | undefined} */ u) => (u ? ` ± ${number(u, 2)}` : "");
     const rows = [
       ["pressure of muscle 1", show("pressure", point.pressure_1_mpa, 3)], ["pressure of muscle 2", show("pressure", point.pressure_2_mpa, 3)],
-      ["stiffness", `${number(point.stiffness_nm_per_rad, 3)} N m/rad`], ["pulls", `${show("force", point.force_1_n, 3)}, ${show("force", point.force_2_n, 3)}`],
+      ["stiffness", `${number(point.stiffness_nm_per_rad, 3)}${half(point.stiffness_uncertainty_nm_per_rad)} N m/rad`], ["pulls", `${show("force", point.force_1_n, 3)}, ${show("force", point.force_2_n, 3)}`],
       ["contractions", `${show("ratio", point.contraction_1, 3)}, ${show("ratio", point.contraction_2, 3)}`],
     ];
-    numbers.replaceChildren(el("dl", {}, el("dt", { class: "head" }, "rests at"), el("dd", { class: "head" }, `${number(point.angle_deg, 3)}°`), ...rows.flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)])),
-      el("p", { class: "small soft" }, `${second ? "Muscle 2 is that of its file." : "Both muscles are those of the page Muscle."} Pressures by ${point.model}; curves and map by universal.`));
+    numbers.replaceChildren(el("dl", {}, el("dt", { class: "head" }, "rests at"), el("dd", { class: "head" }, `${number(point.angle_deg, 3)}${half(point.angle_uncertainty_deg)}°`), ...rows.flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)])),
+      el("p", { class: "small soft" }, `${second ? "Muscle 2 is that of its file." : "Both muscles are those of the page Muscle."} Pressures by ${point.model}; curves and map by universal.${point.words ? ` The ± of the torque ${point.words}.` : ""}`));
   }
 
   // The arm: dragged about its axis.

@@ -87,7 +87,7 @@ export function mount(main) {
   } });
 
   const numbers = el("section", { class: "numbers", "aria-label": "Numbers" });
-  const meterBox = el("div", {}), notes = el("ul", { class: "warnings" });
+  const meterBox = el("div", {}), notes = el("ul", { class: "warnings" }), parts = el("p", { class: "small soft" });
   /** @type {HTMLElement[]} */ const values = [];
   let noted = "";
   const said = el("div", {});
@@ -180,7 +180,7 @@ export function mount(main) {
   /** P′, at the contraction of the state, and what `force` has to say of it: whether it bursts takes more than a shape. */
   function starts() {
     const { state } = muscle;
-    startSlot.ask("force", { ...muscle.fields(), pressure_mpa: state.p, contraction: state.e }, (answer) => { facts = { ...facts, start: answer.start_pressure_mpa, said: { state, warnings: answer.warnings } }; paintNumbers(); }, () => { facts = { ...facts, start: undefined }; });
+    startSlot.ask("force", { ...muscle.fields(), pressure_mpa: state.p, contraction: state.e }, (answer) => { facts = { ...facts, start: answer.start_pressure_mpa, said: { state, warnings: answer.warnings, words: answer.uncertainty_words } }; paintNumbers(); }, () => { facts = { ...facts, start: undefined }; });
   }
 
   // Curves: five pressures up to a round one above this, and the state's own.
@@ -317,7 +317,7 @@ export function mount(main) {
     rows.unshift(["pull", point.slack ? "slack" : withUncertainty("force", point.force_n, point.uncertainty_n)]);
     if (!values.length) {
       const list = el("dl", {}, ...rows.flatMap(([name], i) => { values.push(el("dd", { class: i ? undefined : "head" })); return [el("dt", { class: i ? undefined : "head" }, name), values[i]]; }));
-      numbers.replaceChildren(list, meterBox, notes, el("p", { class: "small soft" }, `Model ${point.model}; ± covers 95 % against a measured muscle. ${engine().about}.`));
+      numbers.replaceChildren(list, meterBox, notes, parts, el("p", { class: "small soft" }, `Model ${point.model}; ± covers 95 % against a measured muscle. ${engine().about}.`));
     }
     rows.forEach(([, value], i) => { if (values[i].textContent !== value) values[i].textContent = value; });
     const meters = [
@@ -326,6 +326,8 @@ export function mount(main) {
       meter("contraction", point.contraction, c?.free_contraction, (x) => show("ratio", x, 3)),
     ];
     meterBox.replaceChildren(...meters.filter((m) => m !== null));
+    const words = facts?.said?.state === muscle.state ? facts.said.words : undefined;
+    parts.textContent = [words?.text, words?.bench].filter(Boolean).map((/** @type {string} */ text) => `${inWords(text)}.`).join(" ");
     const warned = new Set([...(facts?.said?.state === muscle.state ? facts.said.warnings : []), ...(point.warnings ?? [])]);
     const said = [...[...warned].map((/** @type {string} */ w) => capital(inWords(w))), ...muscle.wrong.values(), ...(muscle.unknown.length ? [`Not understood in the address: ${muscle.unknown.map(([k]) => k).join(", ")}`] : [])];
     if (said.join() !== noted) {

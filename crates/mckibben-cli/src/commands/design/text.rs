@@ -45,7 +45,12 @@ pub fn of(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
         }
     } else {
         out.push_str(&candidates(&answer.candidates, searched.length_mm.is_none(), u));
+        let words = answer.uncertainty_words.as_ref();
+        let first = words.and_then(|words| words.text_in(u));
+        out.push_str(&first.map_or_else(String::new, |text| format!("± of the first: {text}.\n")));
         out.push_str(&doubt(answer, u));
+        let bench = words.and_then(|words| words.bench_in(u));
+        out.push_str(&bench.map_or_else(String::new, |text| format!("{text}.\n")));
         out.push_str(&joint(answer, file, u));
         out.push_str(&verified(answer, u));
         out.push_str(&spread_text(&answer.tolerance, u));
@@ -208,9 +213,10 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
             u.pressure.column(maybe(&|c| c.limits.burst_pressure_mpa), 3),
         ));
     }
-    let mass = |c: &One| c.muscle.rubber_mass_g;
-    if list.iter().any(|c| mass(c).is_some()) {
-        found.push(("rubber [g]".into(), aligned(&maybe(&mass), 4)));
+    let masses: [(&str, &dyn Fn(&One) -> Option<f64>); 2] =
+        [("mass [g]", &|c| c.muscle.mass_g), ("rubber [g]", &|c| c.muscle.rubber_mass_g)];
+    if let Some((name, mass)) = masses.into_iter().find(|(_, mass)| list.iter().any(|c| mass(c).is_some())) {
+        found.push((name.into(), aligned(&maybe(mass), 3)));
     }
     if several_rubbers && list.iter().all(|c| c.tube.is_none()) {
         found.push(("rubber".into(), list.iter().map(|c| c.muscle.rubber.clone()).collect()));

@@ -11,12 +11,15 @@ use crate::analysis::root::{RootError, find_root};
 use crate::budget::Budget;
 use crate::model::{ForceModel, ModelError, ThickWall, Workspace};
 use crate::muscle::{Muscle, NEUTRAL_ANGLE_DEG};
-use crate::rubber::library;
+use crate::rubber::{RubberLaw, library};
 
 /// Where the search ends if nothing else fails before, in MPa.
 const HIGHEST_MPA: f64 = 20.0;
 /// Strain of the strands up to which the stretch at the neutral angle is a bound.
 const STRAND_STRAIN: f64 = 0.1;
+/// First pressure of the search over the shear modulus, and the ratio of one to the next.
+const FIRST: f64 = 0.05;
+const GROWTH: f64 = 1.5;
 /// The pressure is known to this share.
 const TOLERANCE: f64 = 1e-9;
 
@@ -46,19 +49,31 @@ pub fn tearing(
         let free = free_contraction(&model, &mut workspace, p, Options::extrapolating())?;
         Ok(model.response(&mut workspace, p, free)?.max_stretch.unwrap_or(1.0) - breaks)
     };
-    let highest = below_mpa.unwrap_or(HIGHEST_MPA);
-    let found = match over(highest) {
-        Ok(over) if over < 0.0 => return Ok(FailurePressure::None),
-        Ok(_) => find_root(&mut over, TOLERANCE * highest, highest, TOLERANCE * highest),
-        Err(error) => Err(RootError::Function(error)),
-    };
-    match found {
-        Ok(p) => Ok(FailurePressure::At(p)),
-        Err(RootError::Function(AnalysisError::Model(ModelError::Exceeded(spent)))) => {
-            Err(ModelError::Exceeded(spent).into())
+    let highest = below_mpa.unwrap_or(HIGHEST_MPA).min(HIGHEST_MPA);
+    let mut low = 0.0;
+    let mut high = FIRST * muscle.tube().rubber.law.shear_modulus_mpa();
+    while low < highest {
+        high = high.min(highest);
+        match over(high) {
+            Ok(excess) if excess >= 0.0 => {
+                return match find_root(&mut over, low.max(TOLERANCE * high), high, TOLERANCE * high) {
+                    Ok(p) => Ok(FailurePressure::At(p)),
+                    Err(RootError::Function(error)) => Err(error),
+                    Err(RootError::NotBracketed { .. }) => Ok(FailurePressure::At(high)),
+                };
+            }
+            Ok(_) => (low, high) = (high, GROWTH * high),
+            Err(AnalysisError::Model(ModelError::Exceeded(spent))) => {
+                return Err(ModelError::Exceeded(spent).into());
+            }
+            // Not taut yet, or beyond the last equilibrium.
+            Err(_) if low == 0.0 => (low, high) = (high, GROWTH * high),
+            Err(_) => {
+                return Ok(FailurePressure::Unknown(NoBurst::NoAnswer { up_to_mpa: low }));
+            }
         }
-        Err(_) => Ok(FailurePressure::Unknown(NoBurst::NoAnswer { up_to_mpa: 0.0 })),
     }
+    Ok(FailurePressure::None)
 }
 
 /// The largest stretch at the neutral angle: around the bore, with strands that are stretched by [`STRAND_STRAIN`].

@@ -1,0 +1,139 @@
+//! The ± in words: one text for the terminal, the report and the page.
+
+use crate::units::{Scale, Units};
+use crate::words::part;
+use mckibben::model::{ForceModel, Workspace};
+use mckibben::uncertainty::{UncertaintyParts, identified_n};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Points of the smallest bench.
+const BENCH_POINTS: usize = 10;
+/// Its lower pressure over the higher one, about.
+const LOWER_PRESSURE: f64 = 0.4;
+/// A bench is worth its work where it leaves less than this share of the ±.
+const WORTH: f64 = 0.8;
+
+/// The ± of a pull in words, and the smallest bench that would make it smaller.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
+pub struct UncertaintyWords {
+    /// The ± with its parts: `± 170 N (95 %): friction unknown 160, model against tests 50, mesh 1`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub text: Option<String>,
+    /// 95 % half-width of the pull after `identify` from the smallest bench, N; none where the muscle was measured, or where this helps little.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bench_uncertainty_n: Option<f64>,
+    /// That bench: `10 points on both branches at 0.1 MPa and 0.3 MPa would leave about ± 30 N`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bench: Option<String>,
+    #[serde(skip)]
+    parts: Option<UncertaintyParts>,
+    #[serde(skip)]
+    pressure_mpa: f64,
+}
+
+impl UncertaintyWords {
+    /// Of the ± of a pull at a pressure by a model.
+    pub(crate) fn of(
+        parts: Option<UncertaintyParts>,
+        model: &dyn ForceModel,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+    ) -> Self {
+        let left = parts.and_then(|parts| bench_n(&parts, model, workspace, pressure_mpa));
+        let mut out = Self { bench_uncertainty_n: left, parts, pressure_mpa, ..Self::default() };
+        (out.text, out.bench) = (out.text_in(&Units::default()), out.bench_in(&Units::default()));
+        out
+    }
+
+    /// The ± with its parts, in units.
+    pub fn text_in(&self, u: &Units) -> Option<String> {
+        self.parts.map(|parts| breakdown(&parts, &u.force))
+    }
+
+    /// The smallest bench, in units.
+    pub fn bench_in(&self, u: &Units) -> Option<String> {
+        bench(self.bench_uncertainty_n?, self.pressure_mpa, u)
+    }
+}
+
+/// What the smallest bench would leave of a ± in N; `None` where the muscle was measured, or where it helps little.
+pub(crate) fn bench_n(
+    parts: &UncertaintyParts,
+    model: &dyn ForceModel,
+    workspace: &mut Workspace,
+    pressure_mpa: f64,
+) -> Option<f64> {
+    let left = identified_n(model, workspace, pressure_mpa).filter(|_| parts.fit.is_none())?;
+    (left > 0.0 && left < WORTH * parts.total()).then_some(left)
+}
+
+/// A ± with its parts, the largest first: `± 170 N (95 %): friction unknown 160, model against tests 50, mesh 1`.
+pub fn breakdown(parts: &UncertaintyParts, scale: &Scale) -> String {
+    let whole = parts.total();
+    let mut named: Vec<(&str, f64)> = parts.named().collect();
+    named.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let each = named.into_iter().map(|(name, v)| (name, part(scale.value(v), scale.value(whole))));
+    // What rounds to nothing is not listed.
+    let each: Vec<String> = each
+        .filter(|(_, text)| text.chars().any(|c| ('1'..='9').contains(&c)))
+        .map(|(name, text)| format!("{name} {text}"))
+        .collect();
+    let head = format!("± {} {} (95 %)", scale.half_width(whole), scale.name);
+    if each.is_empty() { head } else { format!("{head}: {}", each.join(", ")) }
+}
+
+/// The smallest bench for a ± of `left_n` about a pressure; `None` without pressure.
+pub(crate) fn bench(left_n: f64, pressure_mpa: f64, u: &Units) -> Option<String> {
+    let high = u.pressure.value(pressure_mpa);
+    if !(high > 0.0 && high.is_finite()) {
+        return None;
+    }
+    let unit = 10f64.powi((LOWER_PRESSURE * high).log10().floor() as i32);
+    let low = (LOWER_PRESSURE * high / unit).round() * unit;
+    Some(format!(
+        "{BENCH_POINTS} points on both branches at {} {} and {} would leave about ± {} {}",
+        crate::words::number(low, 1),
+        u.pressure.name,
+        u.pressure.to(pressure_mpa, 3) + " " + &u.pressure.name,
+        u.force.half_width(left_n),
+        u.force.name
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// √(159² + 50² + 1²) = 166.7, by hand.
+    #[test]
+    fn the_breakdown_names_the_parts_by_size() {
+        let parts = UncertaintyParts {
+            friction: Some(159.0),
+            measured: Some(50.0),
+            mesh: Some(0.96),
+            formula: Some(0.02),
+            ..UncertaintyParts::default()
+        };
+        let u = Units::default();
+        let unknown = "± 170 N (95 %): friction unknown 160, model against tests 50, mesh 1";
+        assert_eq!(breakdown(&parts, &u.force), unknown);
+        let stated = UncertaintyParts { friction_is_stated: true, ..parts };
+        assert!(breakdown(&stated, &u.force).contains(": friction 160,"));
+        assert_eq!(breakdown(&UncertaintyParts::default(), &u.force), "± 0 N (95 %)");
+    }
+
+    #[test]
+    fn the_bench_is_in_the_units_of_the_reader() {
+        let text = |p: f64, units: &str| bench(31.4, p, &units.parse().unwrap()).unwrap();
+        assert_eq!(
+            text(0.3, "bar"),
+            "10 points on both branches at 1 bar and 3 bar would leave about ± 31 N"
+        );
+        assert_eq!(
+            text(0.25, "MPa"),
+            "10 points on both branches at 0.1 MPa and 0.25 MPa would leave about ± 31 N"
+        );
+        assert_eq!(bench(31.4, 0.0, &Units::default()), None);
+    }
+}
