@@ -44,7 +44,7 @@ const TASKS: [Task; 13] = [
 const FIGURES: [(&str, &str); 16] = [
     (
         "build.svg",
-        "build --rubber latex --braid flexo-overexpanded-0.25in -D 0.375in -s 0.0625in -L 285mm -p 2.5bar",
+        "build --rubber latex --braid flexo-overexpanded-0.38in -D 0.375in -s 0.0625in -L 285mm -p 2.5bar",
     ),
     ("design.svg", "design --force 700N --contraction 15% --max-pressure 2.5bar"),
     ("models.svg", "compare --models fe,paper,thick-wall,ideal"),

@@ -385,11 +385,11 @@ export function mount(main) {
       const answer = await engine().ask("build", { ...muscle.fields(), ...(muscle.p > 0 ? { pressure_mpa: muscle.p } : {}) }, { lane: "side" });
       const items = answer.files.map((/** @type {any} */ file) => {
         const content = file.text ?? Uint8Array.from(atob(file.base64), (c) => c.charCodeAt(0));
-        return el("li", {}, el("button", { type: "button", class: "link", onclick: () => download(file.name, content, "application/octet-stream") }, file.name), ` ${file.about}`);
+        return el("li", {}, el("button", { type: "button", onclick: () => download(file.name, content, "application/octet-stream") }, file.name), ` ${file.about}`);
       });
       const notes = answer.warnings.map((/** @type {string} */ w) => el("li", {}, capital(inWords(w))));
       built.replaceChildren(el("p", {}, `At ${show("pressure", answer.pressure_mpa, 3)}: cut ${show("length", answer.cut.tube_mm)} of tube. Proof test with water at ${show("pressure", answer.proof_pressure_mpa, 3)}.`),
-        el("ul", { class: "warnings" }, ...notes), el("ul", { class: "files" }, ...items));
+        el("ul", { class: "warnings" }, ...notes), el("ul", { style: "list-style:none;padding:0" }, ...items));
     } catch (problem) {
       built.replaceChildren(problemBox(problem));
     }
