@@ -4,7 +4,7 @@ use mckibben::analysis::force_on;
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Silent;
-use mckibben::uncertainty::uncertainty;
+use mckibben::uncertainty::{STIFFNESS_WAY, uncertainty};
 use mckibben_fem::axisymmetric::MeshSpec;
 use mckibben_fem::elements::Elements;
 use mckibben_fit::identify::{Request, identify};
@@ -139,12 +139,12 @@ fn the_uncertainty_of_the_stiffness_holds_the_slopes_of_measured_pulls() {
                     let way = (a.contraction_share - b.contraction_share).abs();
                     if (a.pressure_mpa - b.pressure_mpa).abs() < 1e-3 && way > 0.25 {
                         let half = a.half_width_n.unwrap().max(b.half_width_n.unwrap());
-                        ratios.push((a.left_n - b.left_n).abs() / way / (2f64.sqrt() * half));
+                        let slope = (a.left_n - b.left_n).abs() / way;
+                        ratios.push(slope * STIFFNESS_WAY / (2f64.sqrt() * half));
                     }
                 }
             }
             let own = ratios.iter().filter(|r| **r <= 1.0).count();
-            println!("{} {length:?}: {own} of {}", set.facts.name, ratios.len());
             (held, all) = (held + own, all + ratios.len());
         }
     }
