@@ -2,6 +2,7 @@
 
 mod answer;
 mod assumed;
+mod other_sleeve;
 mod policy;
 mod request;
 
@@ -65,7 +66,11 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         Some(unit) if winner.is_some() => Some(draw(&spec, &decide, &outcome, unit)?),
         _ => None,
     };
-    let hint = outcome.closest.as_ref().and_then(|closest| assumed::stiffer_sleeve(&spec, &decide, closest));
+    let hint = outcome.closest.as_ref().and_then(|closest| {
+        let stiffer = assumed::stiffer_sleeve(&spec, &decide, closest);
+        let by_parts = || other_sleeve::that_fits(&spec, models, &CancelOnly(progress));
+        stiffer.or_else(|| request.braids.is_empty().then(by_parts).flatten())
+    });
     let assumptions = assumed::assumptions(request, &spec);
     let sure = sure(&spec, &outcome, radius_mm.as_ref(), models, progress);
     let mut answer = DesignAnswer::new(&spec, &model, &outcome, spreads, verified, figure);

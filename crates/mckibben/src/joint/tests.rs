@@ -71,7 +71,7 @@ fn what_was_sought_has_the_uncertainty_of_the_torque_over_its_slope() {
     assert!((moved / half - 1.0).abs() < 1e-5, "{half}°, by differences {moved}°");
 }
 
-/// Of one muscle on a pulley r ±F and, with ±K = √2 ±F without friction over ε_max L0, r² ±K: by hand. Of two opposed ones with the same friction law
+/// Of one muscle on a pulley r ±F and, with ±K = √2 ±F without friction over 0.37 ε_max L0, r² ±K: by hand. Of two opposed ones with the same friction law
 /// r (±F₁ + ±F₂) of the parts for friction, and squares of those of the model.
 #[test]
 fn the_uncertainty_of_the_torque_is_that_of_the_pulls_on_their_arms() {
@@ -81,7 +81,7 @@ fn the_uncertainty_of_the_torque_is_that_of_the_pulls_on_their_arms() {
     let both = antagonists();
     let w = &mut [Workspace::new(), Workspace::new()][..];
     let m = one().muscle;
-    let way_mm = m.max_ideal_contraction() * m.length_mm();
+    let way_mm = 0.37 * m.max_ideal_contraction() * m.length_mm();
     let single_models = models(&single, ModelKind::ThickWall);
     let of_one = bound(&single, &single_models).at(&mut w[..1], &[0.2], 10.0, Turning::Mean).unwrap();
     let parts = of_one.muscles[0].answer.uncertainty_parts_n.unwrap();

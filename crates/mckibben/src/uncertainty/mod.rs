@@ -27,9 +27,9 @@
 //! What one axis does not tell comes from six rubbers that were measured in several modes up to a stretch of 3 (`data/treloar`, `data/rubber_biaxial`): with the law that is recommended from the
 //! uniaxial test alone, against the one that is recommended from all, it holds every pull of each rubber (a test below compares them).
 //!
-//! The ± of a stiffness follows from that of the pull ([`stiffness_uncertainty_n_per_mm`]): the pull at rest and the pull at the ideal muscle's largest
-//! contraction err independently of each other, each by its ± without friction, which moves a whole branch up or down. The slope of the line between
-//! them errs by √2 times that over the way between them. A test compares it with the slopes of measured muscles.
+//! The ± of a stiffness follows from that of the pull ([`stiffness_uncertainty_n_per_mm`]): the pulls at two contractions that are [`STIFFNESS_WAY`] of the ideal
+//! muscle's largest contraction apart err independently of each other, each by its ± without friction, which moves a whole branch up or down. The slope
+//! of the line between them errs by √2 times that over the way between them. The slopes of the measured muscles give the way; a test compares them.
 //!
 //! `mckibben validate` prints the coverage of every set. A muscle whose rubber was not identified from its own pull may be further off: none is
 //! known whose tube and sleeve are stated as sold and whose pull was published.
@@ -55,6 +55,10 @@ const MEASURED_BY_WALL: f64 = 0.35;
 const FRICTION: f64 = 0.12;
 /// d: what a stated law of friction errs by, over the half-width that it gives.
 const FRICTION_LAW: f64 = 0.81;
+
+/// The share of the ideal muscle's largest contraction over which errors of the pull are independent: with it the ± holds 95 % of the slopes of the measured
+/// muscles.
+pub const STIFFNESS_WAY: f64 = 0.37;
 
 /// What identification from 10 points leaves, over the blocked force: 4 to 10 % of the four measured muscles.
 const IDENTIFIED: f64 = 0.06;
@@ -127,7 +131,7 @@ impl UncertaintyParts {
 
 /// 95 % half-width of the stiffness of a muscle in N/mm, for the parts of the ± of its pull.
 pub fn stiffness_uncertainty_n_per_mm(muscle: &Muscle, parts: &UncertaintyParts) -> f64 {
-    let way_mm = muscle.max_ideal_contraction() * muscle.length_mm();
+    let way_mm = STIFFNESS_WAY * muscle.max_ideal_contraction() * muscle.length_mm();
     let without_friction = UncertaintyParts { friction: None, ..*parts };
     SQRT_2 * without_friction.total() / way_mm
 }
