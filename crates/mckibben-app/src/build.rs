@@ -13,7 +13,7 @@ use mckibben::analysis::{Burst, blocked_force_n, free_contraction};
 use mckibben::answer::{Options, check_range};
 use mckibben::model::Workspace;
 use mckibben::progress::Progress;
-use mckibben_build::{BuildError, Content, Cut, Operating, Part, Plan, Safety, TestPoint, Wishes};
+use mckibben_build::{BuildError, BuildPart, Content, Cut, Operating, Plan, Safety, TestPoint, Wishes};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -67,7 +67,7 @@ pub struct BuildAnswer {
     /// What is cut.
     pub cut: Cut,
     /// The bill of materials.
-    pub parts: Vec<Part>,
+    pub parts: Vec<BuildPart>,
     /// Mass of the parts whose mass is known, g.
     pub mass_g: f64,
     /// The points of the first test.

@@ -27,7 +27,7 @@ mod view;
 
 pub use cut::{Cut, SleeveCut, SleeveLength};
 pub use fitting::{Fitting, UnknownFitting};
-pub use material::Part;
+pub use material::BuildPart;
 pub use mesh::Mesh;
 pub use plan::{BuildError, Clamps, Operating, Plan, Wishes};
 pub use plug::{AirPlug, EyePlug, Stem};

@@ -17,7 +17,7 @@ const SAME_MM: f64 = 0.011;
 /// A line of the bill.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct Part {
+pub struct BuildPart {
     /// Number in the drawing.
     pub number: u32,
     /// What it is.
@@ -50,7 +50,7 @@ fn tube_of(muscle: &Muscle, cut: &Cut) -> Option<&'static TubePart> {
 }
 
 /// All lines.
-pub(crate) fn bill(plan: &Plan) -> Vec<Part> {
+pub(crate) fn bill(plan: &Plan) -> Vec<BuildPart> {
     let (muscle, cut) = (&plan.muscle, &plan.cut);
     let tube = tube_of(muscle, cut);
     let rubber = muscle.tube().rubber.name.as_deref();
@@ -58,7 +58,7 @@ pub(crate) fn bill(plan: &Plan) -> Vec<Part> {
     let density = muscle.tube().density_kg_per_m3.or_else(of_rubber);
     let bore = cut.tube_outer_diameter_mm - 2.0 * cut.tube_wall_mm;
     let what = if tube.is_some_and(|t| t.is_cast) { "cast tube" } else { "tube" };
-    let first = Part {
+    let first = BuildPart {
         number: 1,
         part: format!(
             "{what}, bore {} mm, outer diameter {} mm{}",
@@ -72,7 +72,7 @@ pub(crate) fn bill(plan: &Plan) -> Vec<Part> {
         price: tube.and_then(|t| t.price.clone()),
         source: tube.map(|t| t.source.clone()),
     };
-    let plug = |number, part: &str, volume_mm3: f64| Part {
+    let plug = |number, part: &str, volume_mm3: f64| BuildPart {
         number,
         part: part.into(),
         amount: "1, printed solid".into(),
@@ -85,7 +85,7 @@ pub(crate) fn bill(plan: &Plan) -> Vec<Part> {
         Clamps::Ties { width_mm, .. } => format!("cable tie, {} mm wide", mm(width_mm)),
         Clamps::Crimped => "crimped ferrule or hose clamp".into(),
     };
-    let bought = |number, part: String, amount: &str| Part {
+    let bought = |number, part: String, amount: &str| BuildPart {
         number,
         part,
         amount: amount.into(),
@@ -109,7 +109,7 @@ pub(crate) fn bill(plan: &Plan) -> Vec<Part> {
     ]
 }
 
-fn sleeve(plan: &Plan) -> Part {
+fn sleeve(plan: &Plan) -> BuildPart {
     let (cut, shape) = (&plan.cut.sleeve, plan.muscle.braid().sleeve.as_ref());
     let entry = shape.and_then(|s| sleeves::entry(&s.name).ok());
     let density = entry.and_then(|e| e.modulus_of).and_then(|material| material.density_kg_per_m3);
@@ -121,7 +121,7 @@ fn sleeve(plan: &Plan) -> Part {
         _ => format!("{} mm on the tube", mm(cut.mounted_mm)),
     };
     let strands = cut.strands.map_or_else(String::new, |n| format!(", {n} strands"));
-    Part {
+    BuildPart {
         number: 2,
         part: match entry {
             Some(entry) => format!("{}{strands}", entry.title),

@@ -2,7 +2,7 @@
 
 use crate::cut::Cut;
 use crate::fitting::Fitting;
-use crate::material::{self, Part};
+use crate::material::{self, BuildPart};
 use crate::plug::{self, AirPlug, EyePlug, Stem};
 use crate::safety::Safety;
 use crate::test_sheet::{self, TestPoint};
@@ -139,7 +139,7 @@ pub struct Plan {
     /// Pressures of the tests.
     pub safety: Safety,
     /// The bill of materials.
-    pub parts: Vec<Part>,
+    pub parts: Vec<BuildPart>,
     /// The points of the first test.
     pub test: Vec<TestPoint>,
 }

@@ -109,7 +109,7 @@ fn text(answer: &BuildAnswer, folder: Option<&Path>) -> String {
     ];
     let mut out = burst_first(&answer.warnings) + &answer.muscle.line(&u) + "\n" + &pairs(&rows) + "\n";
     let dash = || "–".to_owned();
-    let row = |part: &mckibben_build::Part| {
+    let row = |part: &mckibben_build::BuildPart| {
         let mass = part.mass_g.map_or_else(dash, |mass| number(mass, 3));
         vec![part.part.clone(), part.amount.clone(), part.sold_as.clone().unwrap_or_else(dash), mass]
     };
