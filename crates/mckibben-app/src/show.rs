@@ -172,7 +172,6 @@ pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Prob
         warnings: said
             .iter()
             .map(ToString::to_string)
-            .into_iter()
             .chain(muscle.warnings())
             .chain(warnings.iter().map(ToString::to_string))
             .chain(beyond)
