@@ -116,7 +116,7 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
         "fit-report" => vec![json!({})],
         "plan" => vec![json!({ "plan": plan })],
         "campaign" => vec![json!({ "plan": plan, "output": folder.join("c.parquet") })],
-        "report" | "build" => vec![json!({ "length_mm": 30000 })],
+        "report" => vec![json!({ "length_mm": 30000 })],
         "rubber-fit" => {
             let row = |t: f64| {
                 let l = 1.0 + 4.0 * t;
@@ -133,7 +133,7 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
                 json!({ "data": history, "laws": ["yeoh"], "softening": true }),
             ]
         }
-        "formula-show" | "campaign-show" | "campaign-merge" | "muscle-show" | "muscle-measures"
+        "build" | "formula-show" | "campaign-show" | "campaign-merge" | "muscle-show" | "muscle-measures"
         | "parts-list" | "parts-show" | "braid-list" | "braid-show" | "rubber-list" | "rubber-show"
         | "quantities" | "units" | "models" => {
             vec![]
