@@ -213,10 +213,10 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
             u.pressure.column(maybe(&|c| c.limits.burst_pressure_mpa), 3),
         ));
     }
-    let masses: [(&str, &dyn Fn(&One) -> Option<f64>); 2] =
-        [("mass [g]", &|c| c.muscle.mass_g), ("rubber [g]", &|c| c.muscle.rubber_mass_g)];
-    if let Some((name, mass)) = masses.into_iter().find(|(_, mass)| list.iter().any(|c| mass(c).is_some())) {
-        found.push((name.into(), aligned(&maybe(mass), 3)));
+    if list.iter().any(|c| c.muscle.mass_g.is_some()) {
+        found.push(("mass [g]".into(), aligned(&maybe(&|c| c.muscle.mass_g), 3)));
+    } else if list.iter().any(|c| c.muscle.rubber_mass_g.is_some()) {
+        found.push(("rubber [g]".into(), aligned(&maybe(&|c| c.muscle.rubber_mass_g), 3)));
     }
     if several_rubbers && list.iter().all(|c| c.tube.is_none()) {
         found.push(("rubber".into(), list.iter().map(|c| c.muscle.rubber.clone()).collect()));
