@@ -18,6 +18,7 @@ use crate::words::{number, percent};
 use mckibben::curve::Test;
 use mckibben::muscle::file::to_toml;
 use mckibben::progress::Progress;
+use mckibben::warning::is_of_burst;
 use mckibben_fem::output::Shape;
 use mckibben_report::{Body, Document, Figure, Part};
 use schemars::JsonSchema;
@@ -124,11 +125,6 @@ pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<Report
     };
     let limits = shown.characteristics.as_ref().map(|c| c.limits).unwrap_or_default();
     Ok(ReportAnswer { muscle: shown.summary, limits, warnings: shown.warnings, document })
-}
-
-/// Whether a warning is about the burst of the muscle: it comes first in the report.
-fn is_of_burst(sentence: &str) -> bool {
-    sentence.starts_with("BURST")
 }
 
 /// Rows as a table.

@@ -10,6 +10,15 @@ use std::fmt;
 /// Strand strain at which the validated range of all models ends.
 pub const VALIDATED_STRAND_STRAIN: f64 = 0.06;
 
+/// How a sentence about the burst begins.
+const ABOVE: &str = "ABOVE THE ALLOWED PRESSURE";
+const BURST: &str = "BURST";
+
+/// Whether the sentence of a warning is about the burst of the muscle, and so comes first.
+pub fn is_of_burst(sentence: &str) -> bool {
+    sentence.starts_with(BURST) || sentence.starts_with(ABOVE)
+}
+
 /// What the user should know of an answer; as data it is its sentence.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Warning {
@@ -123,19 +132,18 @@ impl fmt::Display for Warning {
             Self::Said(sentence) => f.write_str(&short_numbers(sentence)),
             Self::Burst { pressure_mpa, burst_mpa, by } => write!(
                 f,
-                "BURST: {pressure_mpa:.3} MPa is not below the burst pressure of this muscle, {burst_mpa:.3} MPa, at which {by}"
+                "{BURST}: {pressure_mpa:.3} MPa is not below the burst pressure of this muscle, {burst_mpa:.3} MPa, at which {by}"
             ),
             Self::AboveAllowed { pressure_mpa, allowed_mpa, by: Some(by) } => write!(
                 f,
-                "ABOVE THE ALLOWED PRESSURE: {pressure_mpa:.3} MPa; {allowed_mpa:.3} MPa is allowed, since {by} at {:.3} MPa (safety factor {})",
+                "{ABOVE}: {pressure_mpa:.3} MPa; {allowed_mpa:.3} MPa is allowed, since {by} at {:.3} MPa (safety factor {})",
                 allowed_mpa * SAFETY * by.share(),
                 SAFETY * by.share()
             ),
-            Self::AboveAllowed { pressure_mpa, allowed_mpa, by: None } => write!(
-                f,
-                "ABOVE THE ALLOWED PRESSURE: {pressure_mpa:.3} MPa; the fittings are rated for {allowed_mpa:.3} MPa"
-            ),
-            Self::BurstNotChecked(why) => write!(f, "BURST NOT CHECKED: {why}"),
+            Self::AboveAllowed { pressure_mpa, allowed_mpa, by: None } => {
+                write!(f, "{ABOVE}: {pressure_mpa:.3} MPa; the fittings are rated for {allowed_mpa:.3} MPa")
+            }
+            Self::BurstNotChecked(why) => write!(f, "{BURST} NOT CHECKED: {why}"),
             Self::StrandsBreak { tension_n, strength_n, pressure_mpa } => write!(
                 f,
                 "the strands break: at {pressure_mpa:.3} MPa one of them carries {tension_n:.1} N, and its strength is {strength_n} N"

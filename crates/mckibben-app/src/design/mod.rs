@@ -69,7 +69,8 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     let hint = outcome.closest.as_ref().and_then(|closest| {
         let stiffer = assumed::stiffer_sleeve(&spec, &decide, closest);
         let by_parts = || other_sleeve::that_fits(&spec, models, &CancelOnly(progress));
-        stiffer.or_else(|| request.braids.is_empty().then(by_parts).flatten())
+        let stronger = || other_sleeve::stronger_strands(closest);
+        stiffer.or_else(stronger).or_else(|| request.braids.is_empty().then(by_parts).flatten())
     });
     let assumptions = assumed::assumptions(request, &spec);
     let sure = sure(&spec, &outcome, radius_mm.as_ref(), models, progress);

@@ -1,10 +1,11 @@
-//! Where no sleeve of the catalogue fits: the size of an expandable sleeve of polyester that would.
+//! Where no sleeve of the catalogue fits: the strands, or the size of an expandable sleeve of polyester, that would.
 
 use crate::words::number;
+use mckibben::analysis::FailureMode;
 use mckibben::muscle::Braid;
 use mckibben::progress::Progress;
 use mckibben::sleeve::{Helix, SleeveShape, library};
-use mckibben_design::{BraidChoice, Demand, Models, Spec, design_with};
+use mckibben_design::{BraidChoice, Closest, Demand, Models, Reason, Relaxation, Spec, design_with};
 
 /// The sleeve whose filaments, material and estimates the others have.
 const LIKE: &str = "flexo-overexpanded-0.75in";
@@ -21,6 +22,21 @@ fn sized(least_mm: f64) -> Option<Braid> {
     let helix = Helix::jammed_at(least_mm, largest_mm)?;
     sleeve.shape = SleeveShape { name: "another".into(), helix, least_mm, largest_mm };
     sleeve.on(least_mm).ok()
+}
+
+/// The strength of the strands with which the closest muscle fits, where it misses nothing else.
+pub(super) fn stronger_strands(closest: &Closest) -> Option<String> {
+    let Reason::Burst { by: FailureMode::Strands, margin, limit } = closest.rejected.reason else {
+        return None;
+    };
+    closest.relaxations.iter().find(|r| matches!(r, Relaxation::MinBurstMargin { .. }))?;
+    let strength = closest.muscle.braid().strands?.strength_n?;
+    let needed = (100.0 * strength * limit / margin).ceil() / 100.0;
+    Some(format!(
+        "It fits with strands that bear {} N each; those of this sleeve bear {} N.",
+        number(needed, 3),
+        number(strength, 3)
+    ))
 }
 
 /// Which sleeve would make a muscle that fits, in a sentence; none where no size does. Of a joint, whose search takes seconds, nothing is looked for.

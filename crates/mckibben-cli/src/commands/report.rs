@@ -9,6 +9,7 @@ use crate::quantities::{contraction, quantity};
 use crate::shown;
 use clap::Args;
 use mckibben::units::Dimension;
+use mckibben::warning::is_of_burst;
 use mckibben_app::{ProblemKind, ReportRequest, report};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -65,7 +66,7 @@ pub fn run(args: &ReportArgs, format: Format) -> Result<u8, Failure> {
         units: shown::units(),
     };
     let answer = report(&request, &Bar::new("parts"))?;
-    answer.warnings.iter().filter(|w| w.starts_with("BURST")).for_each(warn);
+    answer.warnings.iter().filter(|w| is_of_burst(w)).for_each(warn);
     if let Some(browser) = browser {
         let bytes = printed(browser, &answer.document.to_html("")?)?;
         pdfs.iter().try_for_each(|path| save(target(Some(path)), Content::Pdf, &bytes))?;

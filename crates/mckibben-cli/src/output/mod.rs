@@ -12,6 +12,7 @@ pub mod width;
 mod write;
 
 pub use guard::{Content, check, ending, of_input};
+use mckibben::warning::is_of_burst;
 pub use stream::streamed;
 pub use write::{Target, burst_first, colour, complain, emit, save, warn, warn_behind};
 
@@ -80,7 +81,7 @@ pub fn show<T: Serialize + JsonSchema>(
         // A table has no place for it.
         let value = json(answer)?;
         let all = value.get("warnings").and_then(Value::as_array).into_iter().flatten();
-        all.filter_map(Value::as_str).filter(|w| w.starts_with("BURST")).for_each(warn);
+        all.filter_map(Value::as_str).filter(|w| is_of_burst(w)).for_each(warn);
     }
     let content = match form {
         Form::Text => Content::text(&out),

@@ -7,6 +7,7 @@ use crate::failure::{Failure, in_flags};
 use crate::shown;
 use anstyle::{AnsiColor, Style};
 use mckibben::units::short_numbers;
+use mckibben::warning::is_of_burst;
 use std::io::Write;
 use std::path::Path;
 use std::sync::Mutex;
@@ -69,7 +70,7 @@ pub fn warn_behind() {
 /// behind it; without them the others before it.
 pub fn burst_first(warnings: &[impl std::fmt::Display]) -> String {
     let all = warnings.iter().map(ToString::to_string);
-    let (first, others): (Vec<String>, Vec<String>) = all.partition(|w| w.starts_with("BURST"));
+    let (first, others): (Vec<String>, Vec<String>) = all.partition(|w| is_of_burst(w));
     if first.is_empty() {
         others.into_iter().for_each(warn);
         return String::new();

@@ -55,7 +55,7 @@ fn assert_units(value: &Value) {
         "max_strand_strain",
     ];
     const UNITS: &[&str] =
-        &["_n", "_mpa", "_mm", "_mm3", "_deg", "_n_per_mm", "_n_per_mpa", "_j", "_normal_litres"];
+        &["_n", "_mpa", "_mm", "_mm3", "_deg", "_n_per_mm", "_n_per_mpa", "_j", "_g", "_normal_litres"];
     match value {
         Value::Array(list) => list.iter().for_each(assert_units),
         Value::Object(map) => {

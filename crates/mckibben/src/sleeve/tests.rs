@@ -139,7 +139,7 @@ fn what_is_not_stated_is_an_estimate_and_can_be_given() {
     assert!((thick.strand_strength_n.unwrap() - 79.92).abs() < 0.01);
     assert_eq!(
         (thick.estimated.clone(), thick.stiffness_factor()),
-        (vec!["strand_modulus", "strand_strength"], 3.0)
+        (vec!["strand_modulus", "strands_per_carrier", "strand_strength"], 3.0)
     );
     // Measured: what is left is that the strands may not touch all along.
     let measured = sleeve.clone().with_strands(Some(0.25), Some(8530.0)).unwrap();
