@@ -7,7 +7,7 @@ use crate::words;
 use mckibben::muscle::file::parse_muscle;
 use mckibben::muscle::measures::{
     ANGLE, END_FACTOR, SECTIONS, SLEEVE_DIAMETER, STIFFNESS_FACTOR, STRAND_AREA, STRAND_MODULUS,
-    STRAND_STRENGTH, STRANDS, fields,
+    STRAND_STRENGTH, STRANDS, STRANDS_PER_CARRIER, fields,
 };
 use mckibben::muscle::{Braid, BraidStiffness, EndFactor, Measure, Muscle, Parts, Rubber, Strands};
 use mckibben::rubber::library;
@@ -165,7 +165,9 @@ impl MuscleFields {
             // To the last bit, not by way of the diameter.
             section.0 = area;
         }
-        Ok(Braid { stiffness, strands, stiffness_factor, sleeve: Some(sleeve.shape), ..own })
+        let strands_per_carrier = self.measures.get(&STRANDS_PER_CARRIER).or(sleeve.strands_per_carrier);
+        let sleeve = Some(sleeve.shape);
+        Ok(Braid { stiffness, strands, stiffness_factor, strands_per_carrier, sleeve, ..own })
     }
 
     /// A braid whose strands the fields may have changed: all that a stiffness needs, or none of it.

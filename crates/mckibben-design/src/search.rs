@@ -24,8 +24,8 @@ const COARSE_STEPS: usize = 4;
 const SPARE: usize = 3;
 /// Tubes are screened by the thick-wall model: with less than this share of a pull that is wanted a muscle is not computed by another one.
 const FAR_TOO_WEAK: f64 = 0.7;
-/// Least bore of a muscle in an interval of diameters, as a share of its outer diameter.
-const LEAST_BORE: f64 = 0.1;
+/// Least bore of a muscle in an interval of diameters, as a share of its outer diameter: half of that of the thickest tube that is sold.
+const LEAST_BORE: f64 = 0.25;
 /// Samples of an interval of walls, angles and lengths, and golden sections after them.
 const WALLS: (usize, usize) = (10, 6);
 const ANGLES: (usize, usize) = (8, 6);

@@ -22,7 +22,7 @@ const LEAST_SLENDERNESS: f64 = 1.5;
 const ANGLES: std::ops::RangeInclusive<f64> = 14.0..=42.0;
 /// Largest wall over D0 that `universal` searches. Beyond, of nearly solid rods, its pull rises and falls with the pressure, and each inverse searches
 /// the whole range.
-const THICKEST: f64 = 0.3;
+const THICKEST: f64 = 0.38;
 
 /// Whether a muscle is searched with `universal`.
 fn near_the_box(muscle: &Muscle) -> bool {

@@ -114,3 +114,16 @@ fn parts_are_listed_and_own_tubes_take_their_place() {
     let both = mckibben("design -F 60N -e 15% -p 4bar --tube latex-1/4x3/8in -D 10mm");
     assert!(both.err.contains("--tube has no effect: --outer-diameter asks for free sizes"), "{}", both.err);
 }
+
+/// A regression: the first table of README is the answer to the command above it.
+#[test]
+fn the_first_table_of_the_readme_is_what_its_command_prints() {
+    let readme = std::fs::read_to_string(root().join("README.md")).unwrap();
+    let printed = readme.split("```text\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    let answer = mckibben("design --force 700N --contraction 15% --max-pressure 2.5bar").ok();
+    let lines: Vec<&str> = printed.lines().filter(|l| !l.is_empty()).collect();
+    assert!(lines.len() >= 9);
+    for line in lines {
+        assert!(answer.text().lines().any(|l| l == line), "{line}\n{}", answer.text());
+    }
+}
