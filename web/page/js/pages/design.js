@@ -110,7 +110,7 @@ export function mount(main) {
     const best = found.candidates[0];
     const out = [];
     if (best) {
-      out.push(el("h2", {}, `Outer diameter ${show("length", best.outer_diameter_mm)}, wall ${show("length", best.wall_mm)}, length ${show("length", best.length_mm)}, braid ${show("angle", best.angle_deg)}`));
+      out.push(el("h2", {}, `Outer diameter ${show("length", best.outer_diameter_mm, 4)}, wall ${show("length", best.wall_mm)}, length ${show("length", best.length_mm)}, braid ${show("angle", best.angle_deg)}`));
       out.push(el("p", {}, `Rubber ${best.rubber}. Required pressure ${show("pressure", best.pressure_mpa, 3)}; pull ${withUncertainty("force", best.points[0].force_n, best.points[0].uncertainty_n)} at ${show("ratio", best.points[0].contraction, 3)}, blocked force ${show("force", best.blocked_force_n)}. ${best.binds ? `Limited by: ${String(best.binds).replaceAll("_", " ")}.` : ""}`));
       out.push(warnings(found.warnings));
       const rows = found.candidates.map((/** @type {any} */ c) => [c.tube ?? "", c.sleeve ?? "", show("length", c.outer_diameter_mm), show("length", c.wall_mm), show("length", c.length_mm), show("angle", c.angle_deg), c.rubber, show("pressure", c.pressure_mpa, 3), `${number(100 * c.margin, 2)} %`, show("length", c.bulged_diameter_mm), c.air_normal_litres ? `${number(c.air_normal_litres, 3)} L` : "–"]);
