@@ -86,6 +86,11 @@ export function mount(main) {
   async function request() {
     const [wanted, choice, tolerance] = await Promise.all(forms.map((f) => f.read()));
     if (!wanted || !choice || !tolerance) return undefined;
+    // An interval without a step is searched as a whole, as on the command line.
+    for (const [key, field] of [["D", "outer_diameter_mm"], ["s", "wall_mm"], ["L", "length_mm"], ["angle", "angle_deg"], ["r", "radius_mm"]]) {
+      const read = choice[field];
+      if (Array.isArray(read) && /^[^:,]+\.\.[^:,]+$/.test(choices.text(key))) choice[field] = { low: read[0], high: read[read.length - 1] };
+    }
     // Several points or torques stand in place of the one pull; a load in place of its force.
     if (wanted.points || wanted.torques || wanted.load) delete wanted.force_n;
     if (wanted.points || wanted.torques || (wanted.load && wanted.stroke_mm)) delete wanted.contraction;
