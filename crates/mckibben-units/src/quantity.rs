@@ -110,10 +110,10 @@ pub(super) fn split(text: &str, expected: Dimension) -> Result<(f64, &str), Quan
     if !value.is_finite() {
         return Err(QuantityError::NotFinite { text: t.into(), expected });
     }
-    if expected == Dimension::Length {
-        if let Some((share, behind)) = fraction(value, &t[end..]) {
-            return Ok((share, behind.trim()));
-        }
+    if expected == Dimension::Length
+        && let Some((share, behind)) = fraction(value, &t[end..])
+    {
+        return Ok((share, behind.trim()));
     }
     Ok((value, t[end..].trim()))
 }
