@@ -104,34 +104,8 @@ const USUAL_MPA: f64 = 0.25;
 /// # Errors
 /// [`Problem`].
 pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAnswer, Problem> {
-    let muscle = request.muscle.resolve()?;
-    let fitting = request.fitting.as_deref().map(str::parse).transpose();
-    let fitting = fitting.map_err(|e: mckibben_build::UnknownFitting| {
-        Problem::new(ProblemKind::Usage, e.to_string(), "").in_field("fitting")
-    })?;
-    let above_zero = |field: &str, value: Option<f64>| match value {
-        Some(value) if !(value.is_finite() && value > 0.0) => {
-            let message = format!("`{field}` is {value}; it must be above zero");
-            Err(Problem::new(ProblemKind::OutOfRange, message, "").in_field(field))
-        }
-        value => Ok(value),
-    };
-    let wishes = Wishes {
-        fitting,
-        bolt_mm: above_zero("bolt_mm", request.bolt_mm)?,
-        sleeve_diameter_mm: above_zero("sleeve_diameter_mm", request.sleeve_diameter_mm)?,
-    };
-    let pressure_mpa = above_zero("pressure_mpa", request.pressure_mpa)?;
-    let (operating, burst) = operating(request, &muscle, pressure_mpa, progress)?;
-    let said = said_of(&burst, operating.pressure_mpa, 0.0);
-    let plan = Plan::new(muscle, operating, &wishes).map_err(|error| {
-        let field = match error {
-            BuildError::Insertion { .. } => "insertion_mm",
-            BuildError::Bolt { .. } => "bolt_mm",
-            BuildError::Sleeve { .. } => "sleeve_diameter_mm",
-        };
-        Problem::new(ProblemKind::OutOfRange, error.to_string(), "").in_field(field)
-    })?;
+    let (plan, burst) = planned(request, progress)?;
+    let said = said_of(&burst, plan.operating.pressure_mpa, 0.0);
     let files = mckibben_build::files(&plan)
         .map_err(|e| Problem::new(ProblemKind::Internal, format!("the drawing cannot be drawn: {e}"), ""))?;
     let files = files.into_iter().map(|file| {
@@ -163,6 +137,38 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
         test: plan.test,
         model: plan.operating.model,
     })
+}
+
+/// The plan of a muscle, and the pressures at which it fails.
+pub(crate) fn planned(request: &BuildRequest, progress: &dyn Progress) -> Result<(Plan, Burst), Problem> {
+    let muscle = request.muscle.resolve()?;
+    let fitting = request.fitting.as_deref().map(str::parse).transpose();
+    let fitting = fitting.map_err(|e: mckibben_build::UnknownFitting| {
+        Problem::new(ProblemKind::Usage, e.to_string(), "").in_field("fitting")
+    })?;
+    let above_zero = |field: &str, value: Option<f64>| match value {
+        Some(value) if !(value.is_finite() && value > 0.0) => {
+            let message = format!("`{field}` is {value}; it must be above zero");
+            Err(Problem::new(ProblemKind::OutOfRange, message, "").in_field(field))
+        }
+        value => Ok(value),
+    };
+    let wishes = Wishes {
+        fitting,
+        bolt_mm: above_zero("bolt_mm", request.bolt_mm)?,
+        sleeve_diameter_mm: above_zero("sleeve_diameter_mm", request.sleeve_diameter_mm)?,
+    };
+    let pressure_mpa = above_zero("pressure_mpa", request.pressure_mpa)?;
+    let (operating, burst) = operating(request, &muscle, pressure_mpa, progress)?;
+    let plan = Plan::new(muscle, operating, &wishes).map_err(|error| {
+        let field = match error {
+            BuildError::Insertion { .. } => "insertion_mm",
+            BuildError::Bolt { .. } => "bolt_mm",
+            BuildError::Sleeve { .. } => "sleeve_diameter_mm",
+        };
+        Problem::new(ProblemKind::OutOfRange, error.to_string(), "").in_field(field)
+    })?;
+    Ok((plan, burst))
 }
 
 /// What `fe` finds of the muscle.
