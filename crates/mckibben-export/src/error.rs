@@ -30,6 +30,12 @@ pub enum ExportError {
         /// Upper end.
         high: f64,
     },
+    /// The model gives no volume.
+    #[error("the {model} model gives no volume, which an export states; `fe` and thick-wall do")]
+    NoVolume {
+        /// The model's name.
+        model: String,
+    },
     /// Too few points with an answer.
     #[error(
         "{points} points at which the muscle pulls are too few for the form; choose a higher supply or a wider box"

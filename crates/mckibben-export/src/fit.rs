@@ -110,7 +110,7 @@ pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted, budget: &Budget) -> Re
     for row in form.b.iter_mut() {
         row.iter_mut().for_each(|b| *b *= blocked_n);
     }
-    volumes(&mut form, &at)?;
+    volumes(&mut form, &at, &model.info().name)?;
     let errors = errors(&form, &held_out, blocked_n);
     Ok(Fitted { form, errors, blocked_n, held_out })
 }
@@ -274,14 +274,14 @@ fn free_by_pressure(at: &[Sample], high: f64) -> Vec<f64> {
 }
 
 /// v0, v1, v2 by what the potential leaves of the volumes.
-fn volumes(form: &mut Form, at: &[Sample]) -> Result<(), ExportError> {
+fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<(), ExportError> {
     let known: Vec<(f64, f64)> = at
         .iter()
         .filter(|p| p.pull.is_some_and(|pull| pull >= 0.0))
         .filter_map(|p| Some((p.q, p.volume_m3? - form.potential_volume_m3(p.q, p.contraction))))
         .collect();
     if known.is_empty() {
-        return Ok(());
+        return Err(ExportError::NoVolume { model: model.to_owned() });
     }
     let scale = known.iter().map(|k| k.1.abs()).fold(0.0, f64::max);
     let matrix = DMatrix::from_fn(known.len(), 3, |r, c| known[r].0.powi(c as i32));

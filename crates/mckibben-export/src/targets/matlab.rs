@@ -28,7 +28,7 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
     };
     let across = t.pressures.len();
     let file = mat_file(
-        &facts[0],
+        &format!("{} {}, hash {}", crate::MARK, muscle.version, muscle.hash),
         &[
             ("about", Variable::Text(&said)),
             ("rest_length_m", Variable::Matrix(1, vec![f.length_m])),
