@@ -104,7 +104,7 @@ impl ExportedMuscle {
         let percent = |share: f64| format!("{:.2} %", 100.0 * share);
         let (e, b) = (&self.errors, &self.bounds);
         vec![
-            format!("Muscle {}, {MARK} {}, hash {}.", self.name, self.version, self.hash),
+            format!("Muscle {}, {MARK} {}, hash {}.", self.plain_name(), self.version, self.hash),
             format!(
                 "Model {}; pressures from 0 to {} Pa, contractions from {:.4} to {:.4}.",
                 self.model,
@@ -171,12 +171,10 @@ impl ExportedMuscle {
         word
     }
 
-    /// The name on one line of a comment.
+    /// The name as a comment of any language may have it.
     pub(crate) fn plain_name(&self) -> String {
-        self.name
-            .chars()
-            .map(|c| if c.is_control() || "*/\"\\<>&-".contains(c) && c != '-' { '_' } else { c })
-            .collect()
+        let plain = |c: char| if c.is_alphanumeric() || " _.-".contains(c) { c } else { '_' };
+        self.name.chars().take(80).map(plain).collect::<String>().replace("--", "__")
     }
 
     /// The files for a target.

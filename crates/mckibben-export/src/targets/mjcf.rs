@@ -93,7 +93,6 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
         100.0 * error.worst
     );
     let mut facts = muscle.facts();
-    facts.iter_mut().for_each(|fact| *fact = fact.replace("--", "- "));
     facts.push(reach.clone());
     let stiffness = 6.0 * blocked_n / length;
     let values = [

@@ -2,11 +2,13 @@
 
 mod c;
 mod csv;
+mod fmu;
 mod mat_file;
 mod matlab;
 mod mjcf;
 mod python;
 mod tables;
+mod zip;
 
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
@@ -46,11 +48,13 @@ pub enum Target {
     Matlab,
     /// MuJoCo.
     Mjcf,
+    /// Functional Mock-up Unit.
+    Fmu,
 }
 
 impl Target {
     /// All of them.
-    pub const ALL: [Self; 5] = [Self::C, Self::Python, Self::Csv, Self::Matlab, Self::Mjcf];
+    pub const ALL: [Self; 6] = [Self::C, Self::Python, Self::Csv, Self::Matlab, Self::Mjcf, Self::Fmu];
 
     /// What is known of it.
     pub fn entry(self) -> &'static TargetEntry {
@@ -60,6 +64,7 @@ impl Target {
             Self::Csv => &csv::ENTRY,
             Self::Matlab => &matlab::ENTRY,
             Self::Mjcf => &mjcf::ENTRY,
+            Self::Fmu => &fmu::ENTRY,
         }
     }
 
