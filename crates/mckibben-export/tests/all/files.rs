@@ -51,7 +51,8 @@ fn every_file_names_muscle_version_hash_and_error() {
                 }
             }
             assert!(!text.contains("@{"), "{target:?} {}: a place without a value", file.name);
-            assert!(!text.contains("NaN") && !text.contains("inf,"), "{target:?} {}", file.name);
+            let numbers = ["muscle.h", "muscle.xml", "force.csv", "pressure.csv"].contains(&file.name);
+            assert!(!numbers || !text.contains("NaN") && !text.contains("inf,"), "{target:?} {}", file.name);
         }
     }
 }
