@@ -37,6 +37,7 @@ pub const NO_ANSWER: u32 = 8;
 /// Pull and volume of a muscle in closed form. Units: Pa, m, N, m³.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(rename = "ExportForm"))]
 pub struct Form {
     /// Length at rest L0, m.
     pub length_m: f64,
