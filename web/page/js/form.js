@@ -2,6 +2,7 @@
 import { engine, understood } from "./ask.js";
 import { capital, el, problemBox } from "./dom.js";
 import { expectation, meant } from "./units.js";
+import { sketched } from "./sketch.js";
 import { inWords } from "./words.js";
 
 /**
@@ -24,6 +25,7 @@ export function form(fields, submit) {
     // A form of several fields without a button of its own is not submitted by Enter.
     input.addEventListener("keydown", (event) => { if (/** @type {KeyboardEvent} */ (event).key === "Enter" && !f.options) { event.preventDefault(); submit(); } });
     const row = el("div", { style: "margin-bottom:8px", hidden: f.hidden }, el("div", { class: "choice", style: "margin:0;grid-template-columns:minmax(0,5fr) minmax(0,6fr)" }, el("label", { for: id }, f.label), input), wrong);
+    sketched(row, f.field, f.key);
     inputs.set(f.key, { input, wrong, row });
     return row;
   });
