@@ -1,6 +1,6 @@
 // The frame around the pages: which one is shown follows from the address.
 import { engine } from "./ask.js";
-import { address, arrived, onMoved, query, read, whileLoading } from "./address.js";
+import { address, arrived, onMoved, read, whileLoading } from "./address.js";
 import { muscleBar } from "./bar.js";
 import { isDark } from "./chart.js";
 import { byId, el, problemBox } from "./dom.js";
@@ -30,7 +30,7 @@ byId("pages").append(...links);
 /** A page's address with the muscle and what was typed there. @param {string} name */
 function linked(name) {
   const own = wordsOf(name), mine = muscle.params();
-  return address(name, OWN_WORDS.includes(name) ? { ...own, m: query(mine) } : { ...own, ...mine });
+  return address(name, OWN_WORDS.includes(name) ? { ...own, m: muscle.word() } : { ...own, ...mine });
 }
 
 /** Links lead to the muscle as it is now. */

@@ -1,5 +1,6 @@
 // The muscle that all pages share: its state, what the engine read of it, and the address.
 import { engine, understood } from "./ask.js";
+import { query } from "./address.js";
 import { pack } from "./deflate.js";
 import { canonical, fields, fromWords, keys, missing, opened, prototype, say, shownValue, takeMeasures, texts, words, MEASURES } from "./state.js";
 import { nameIn, named } from "./name.js";
@@ -106,6 +107,12 @@ export class MuscleState {
   /** Words of the address. */
   params() {
     return this.paramsOf(this.state);
+  }
+
+  /** The muscle as one word, for pages where its words mean other things; empty for the prototype. */
+  word() {
+    const params = this.params(), plain = !this.called && !params.u && JSON.stringify(this.state) === JSON.stringify(prototype());
+    return plain ? "" : query(params);
   }
 
   /** Words of the address with another state. @param {import("./state.js").State} state */
