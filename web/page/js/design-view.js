@@ -40,6 +40,12 @@ function columns(prices) {
   ];
 }
 
+/** Columns that tell the candidates apart: a rubber that tubes name, and one length of all, is said above. @param {Candidate[]} candidates @param {Prices} prices */
+function shownColumns(candidates, prices) {
+  const same = { rubber: candidates.every((c) => c.tube), L0: candidates.every((c) => c.length_mm === candidates[0].length_mm), tube: candidates.every((c) => !c.tube), sleeve: candidates.every((c) => !c.sleeve) };
+  return columns(prices).filter(([name]) => !(/** @type {Record<string, boolean>} */ (same))[name]);
+}
+
 /** @param {Candidate[]} candidates @param {Prices} prices */
 function csv(candidates, prices) {
   const quoted = (/** @type {string | number | null | undefined} */ v) => (typeof v === "string" && /[",\n]/.test(v) ? `"${v.replaceAll('"', '""')}"` : v ?? "");
@@ -84,12 +90,13 @@ function details(answer) {
 
 /** What was found. @param {Answer} answer @param {Prices} prices @param {{ open: (c: Candidate) => void, ask: (words: Record<string, string>) => void }} act */
 export function foundView(answer, prices, { open, ask }) {
-  const list = columns(prices), rows = answer.candidates.map((c) => list.map(([, , cell]) => cell(c)));
+  const list = shownColumns(answer.candidates, prices), rows = answer.candidates.map((c) => list.map(([, , cell]) => cell(c)));
+  const text = list.flatMap(([name], i) => (["tube", "sleeve", "rubber", "price"].includes(name) ? [i] : []));
   const save = () => download("design.csv", csv(answer.candidates, prices), "text/csv");
   const assumed = answer.assumptions?.length ? el("details", { class: "small" }, el("summary", {}, "What was assumed"), el("ul", {}, ...answer.assumptions.map((text) => el("li", {}, capital(inWords(text)))))) : null;
   return [
     ...head(answer), doubt(answer, ask), warnings(answer.warnings),
-    table(list.map(([name]) => name), rows, { text: [0, 1, 6, 15], pick: (i) => open(answer.candidates[i]), label: "Muscles that fit, best first" }),
+    table(list.map(([name]) => name), rows, { text, pick: (i) => open(answer.candidates[i]), label: "Muscles that fit, best first" }),
     el("p", { class: "row small soft" }, el("span", { class: "grow" }, `${answer.fitting} of ${answer.looked_at} muscles fit; searched with ${answer.searched_with}, computed by ${answer.model}. Click one to show it. Sure: the pull to spare covers the ±.`), el("button", { type: "button", onclick: save, title: "The table of the muscles as a file" }, "CSV of the table")),
     ...details(answer), assumed,
   ].filter((part) => part !== null);

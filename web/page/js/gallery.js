@@ -52,7 +52,7 @@ function measures(file) {
 export function gallery(fail, opened, wait = 0) {
   return el("div", { class: "gallery" }, ...GALLERY.map((entry) => {
     const picture = el("span", { class: "picture" });
-    setTimeout(() => measures(entry.file).then((of) => picture.replaceChildren(thumbnail(of)), () => {}), wait);
+    setTimeout(() => measures(entry.file).then((of) => picture.replaceChildren(thumbnail(of, undefined, entry.page)), () => {}), wait);
     const open = () => openEntry(entry).then(() => opened?.(), fail);
     return el("button", { type: "button", class: "card", onclick: open }, picture, el("b", {}, entry.title), el("span", { class: "small soft" }, entry.about));
   }));
