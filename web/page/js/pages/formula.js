@@ -36,6 +36,7 @@ const COMPUTED = "campaign";
 export function mount(main) {
   /** @type {any} */ let made, /** @type {any} */ formula = PUBLISHED;
   const plan = el("textarea", { rows: 20, style: "width:100%;font:13px ui-monospace,monospace", "aria-label": "Plan (TOML)", spellcheck: "false" });
+  plan.value = fileOf("plan") ?? PLAN;
   plan.addEventListener("input", () => keepFile("plan", plan.value === PLAN ? undefined : plan.value));
   const how = form([
     { key: "method", field: "method", label: "Method", options: [["paper", "the paper's seven steps"], ["global", "one least-squares problem"]], value: "paper" },
@@ -81,7 +82,8 @@ export function mount(main) {
     async load(params) {
       await muscle.read(params, how.keys);
       how.set(params);
-      plan.value = fileOf("plan") ?? PLAN;
+      // One that was dropped meanwhile.
+      plan.value = fileOf("plan") ?? plan.value;
       if (fileOf(COMPUTED) === plan.value && !made) campaign.run();
       else paint();
     },
