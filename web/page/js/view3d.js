@@ -95,6 +95,11 @@ export function reach(list) {
   return [sorted[Math.floor(0.01 * sorted.length)], sorted[Math.ceil(0.985 * sorted.length) - 1]];
 }
 
+/**
+ * What colours the muscle and between which values; its length and radius at rest; lengths in words, where they are to be shown as dimensions.
+ * @typedef {{ field: string, low: number, high: number, restLength: number, restRadius: number, words?: (mm: number) => string }} Show
+ */
+
 export class View {
   /** @param {HTMLElement} stage @param {{ contract?: (share: number, settled: boolean) => void, drawn?: () => void }} handlers share: of the rest length, that the dragged end moves; drawn: after each picture */
   constructor(stage, { contract, drawn } = {}) {
@@ -105,7 +110,7 @@ export class View {
     this.drawn = drawn;
     this.cut = false;
     /** @type {any} */ this.shape = undefined;
-    /** @type {{ field: string, low: number, high: number, restLength: number, restRadius: number }} */
+    /** @type {Show} */
     this.show = { field: "", low: 0, high: 1, restLength: 1, restRadius: 1 };
     /** @type {WebGLTexture | null} */ this.plugTexture = null;
     /** @type {{ array: WebGLVertexArrayObject, count: number }[] | undefined} */ this.plug = undefined;
@@ -125,7 +130,8 @@ export class View {
     this.width = stage.clientWidth;
     this.height = stage.clientHeight;
     this.rest = 0;
-    new ResizeObserver(() => { this.width = stage.clientWidth; this.height = stage.clientHeight; this.draw(true); }).observe(stage);
+    this.sized = new ResizeObserver(() => { this.width = stage.clientWidth; this.height = stage.clientHeight; this.draw(true); });
+    this.sized.observe(stage);
   }
 
   /** @param {WebGL2RenderingContext} gl */
@@ -187,7 +193,7 @@ export class View {
 
   /**
    * A new shape: the answer of `shape`; `rest` is the length at rest; what colours it and between which values.
-   * @param {any} shape @param {{ field: string, low: number, high: number, restLength: number, restRadius: number }} show
+   * @param {any} shape @param {Show} show
    */
   set(shape, show) {
     this.shape = shape;
@@ -317,6 +323,14 @@ export class View {
   /** For a scale bar. */
   get millimetresPerPixel() {
     return (2 * (this.half ?? 1)) / Math.max(1, this.width);
+  }
+
+  /** Nothing of it is kept. */
+  destroy() {
+    clearTimeout(this.rest);
+    this.sized.disconnect();
+    this.gl?.getExtension("WEBGL_lose_context")?.loseContext();
+    this.canvas.remove();
   }
 
   listen() {
