@@ -88,20 +88,28 @@ export async function root(of, from, { low = 0, high = 1, label, kind }, near, a
   throw new Error("The search did not converge in 12 steps: give a value that is nearer to the wanted one.");
 }
 
-/** Two values with different signs. @param {(x: number) => Promise<number>} ask @param {number} x0 @param {number} f0 @param {number} low @param {number} high */
+/**
+ * Two values with different signs: a step to both sides shows which one leads there.
+ * @param {(x: number) => Promise<number>} ask @param {number} x0 @param {number} f0 @param {number} low @param {number} high
+ */
 async function bracket(ask, x0, f0, low, high) {
-  const tried = [{ x: x0, f: f0 }, { x: x0, f: f0 }];
-  for (const share of [0.15, 0.5, 1]) {
-    for (const [i, end] of [low, high].entries()) {
-      const x = x0 + share * (end - x0);
-      try {
-        const f = await ask(x);
-        if (Math.sign(f) !== Math.sign(f0)) return { x, f, before: tried[i] };
-        tried[i] = { x, f };
-      } catch (problem) {
-        if (/** @type {Error} */ (problem).name === "AbortError") throw problem;
-      }
+  const at = async (/** @type {number} */ x) => {
+    try {
+      return { x, f: await ask(x) };
+    } catch (problem) {
+      if (/** @type {Error} */ (problem).name === "AbortError") throw problem;
+      return undefined;
     }
+  };
+  const first = await Promise.all([low, high].map(async (end) => ({ end, at: await at(x0 + 0.12 * (end - x0)) })));
+  const [best] = first.filter((side) => side.at).sort((a, b) => Math.sign(f0) * (Number(a.at?.f) - Number(b.at?.f)));
+  if (!best?.at) return undefined;
+  let before = { x: x0, f: f0 };
+  let now = /** @type {{ x: number, f: number } | undefined} */ (best.at);
+  for (const share of [0.4, 0.7, 0.9, 1]) {
+    if (now && Math.sign(now.f) !== Math.sign(f0)) return { ...now, before };
+    before = now ?? before;
+    now = await at(x0 + share * (best.end - x0));
   }
-  return undefined;
+  return now && Math.sign(now.f) !== Math.sign(f0) ? { ...now, before } : undefined;
 }

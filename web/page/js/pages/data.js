@@ -6,6 +6,7 @@ import { fileField, onDrop } from "../controls.js";
 import { download, el, problemBox } from "../dom.js";
 import { Figures } from "../figure.js";
 import { form, job, table, warnings } from "../form.js";
+import { measured } from "../measured.js";
 import { muscle } from "../muscle.js";
 import { number, show, unitName } from "../units.js";
 
@@ -60,6 +61,7 @@ export function mount(main) {
     write(address("data", { ...muscle.params(), ...what.texts(), columns: columns.text() }), true);
     looking.abort();
     const { signal } = (looking = new AbortController());
+    measured.set(data, columns.value());
     try {
       const answer = await engine().ask("compare", { ...fields(), data, columns: columns.value(), models: read.models, extrapolate: true, figure: unitName("pressure") }, { signal });
       const u = answer.understood?.[0] ?? answer.understood;
@@ -91,7 +93,9 @@ export function mount(main) {
       what.set(params);
       columns.read(params.get("columns") ?? "");
       fields();
-      if (data) await look();
+      // A table that was dropped on the page Muscle.
+      data ??= measured.file;
+      if (data) { columns.offer(headings(data.text)); await look(); }
     },
     unmount() { identify.end(); looking.abort(); },
   };
