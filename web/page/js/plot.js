@@ -104,7 +104,7 @@ export function drawing(spec, at, colours, file = false) {
   const paper = file ? `<rect width="${width}" height="${height}" fill="${colours.paper}"/>` : "";
   return `<svg xmlns="http://www.w3.org/2000/svg" class="curves" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}"`
     + ` font-family="system-ui, sans-serif" font-size="${FONT}" fill="${colours.ink}"${file ? "" : ' aria-hidden="true"'}>${paper}`
-    + `${axes(spec, at, colours)}<svg x="${left}" y="${top - 4}" width="${w + 1}" height="${h + 5}" viewBox="${left} ${top - 4} ${w + 1} ${h + 5}" overflow="hidden">${inner}</svg>`
+    + `${axes(spec, at, colours)}<svg x="${left - 4}" y="${top - 4}" width="${w + 8}" height="${h + 8}" viewBox="${left - 4} ${top - 4} ${w + 8} ${h + 8}" overflow="hidden">${inner}</svg>`
     + `${marks}${labels(spec, at, colours)}${legend(spec, at)}</svg>`;
 }
 
