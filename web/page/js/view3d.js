@@ -49,8 +49,8 @@ export function reach(list) {
 }
 
 /**
- * What colours the muscle and between which values; its length and radius at rest; lengths in words, where they are to be shown as dimensions.
- * @typedef {{ field: string, low: number, high: number, restLength: number, restRadius: number, words?: (mm: number) => string }} Show
+ * What colours the muscle and between which values; its length and radius at rest.
+ * @typedef {{ field: string, low: number, high: number, restLength: number, restRadius: number }} Show
  */
 
 export class View {

@@ -7,6 +7,7 @@ import { muscle } from "../muscle.js";
 import { PRESSURE } from "../state.js";
 import { number, show, withUncertainty } from "../units.js";
 import { View, reach } from "../view3d.js";
+import { dimensions } from "./dimensions.js";
 import { niceUp } from "./round.js";
 
 /** @typedef {import("./store.js").Store} Store */
@@ -34,10 +35,17 @@ export function stageView(store, busy) {
     const line = el("span", { style: `display:block;border:1px solid currentColor;border-top:0;height:5px;width:${step / perPixel}px` });
     scale.replaceChildren(line, show("length", step, 3));
   };
-  const view = new View(stage, { drawn: paintScale, contract: contracting(store) });
+  const drawn = () => { paintScale(); measures.paint(); };
+  const view = new View(stage, { drawn, contract: contracting(store) });
+  const measures = dimensions(stage, store, () => view);
   const colour = choice("Colour", SHOWN.map(([name, text]) => [name, text]), store.wanted.show, (name) => store.look({ show: name }));
   const cut = el("button", { type: "button", "aria-pressed": false, onclick: () => store.look({ cut: store.wanted.cut ? "" : "1" }) }, "Cut open");
   const pump = pumping(store);
+  const measure = el("button", { type: "button", "aria-pressed": "true", onclick: () => {
+    const on = measure.getAttribute("aria-pressed") !== "true";
+    measure.setAttribute("aria-pressed", String(on));
+    measures.show(on);
+  } }, "Dimensions");
 
   function paint() {
     const { shape, point } = store;
@@ -47,7 +55,7 @@ export function stageView(store, busy) {
     colour.set(name);
     cut.setAttribute("aria-pressed", String(Boolean(store.wanted.cut)));
     view.cut = Boolean(store.wanted.cut);
-    view.set(shape, { field: name, low, high, restLength: shape.muscle.length_mm, restRadius: shape.muscle.outer_diameter_mm / 2, words: (mm) => show("length", mm, 4) });
+    view.set(shape, { field: name, low, high, restLength: shape.muscle.length_mm, restRadius: shape.muscle.outer_diameter_mm / 2 });
     if (!point) return;
     paintLegend(words, kind, low, high);
     said.replaceChildren(...sentence(shape, point));
@@ -68,9 +76,9 @@ export function stageView(store, busy) {
   for (const event of /** @type {const} */ (["answer", "look", "ranges"])) store.on(event, paint);
   store.on("changed", pump.stop);
   return {
-    stage, tools: el("div", { class: "row" }, colour.element, cut, pump.button),
+    stage, tools: el("div", { class: "row" }, colour.element, cut, measure, pump.button),
     /** In other units. */
-    units() { scaled = 0; legendKey = ""; paint(); paintScale(); },
+    units() { scaled = 0; legendKey = ""; paint(); paintScale(); measures.paint(); },
     end() { pump.stop(); view.destroy(); },
   };
 }
