@@ -43,7 +43,7 @@ const STACK: usize = 8 << 20;
 /// Memory that a server needs to begin.
 const LEAST_MEMORY: usize = 64 << 20;
 /// Packed answers up to this many bytes go as they are.
-const SHORT: u16 = u16::MAX;
+const SHORT: u64 = 32 << 10;
 /// Headers of a request, in bytes.
 const HEADERS: usize = 64 << 10;
 

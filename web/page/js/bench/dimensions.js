@@ -25,7 +25,9 @@ export function dimensions(stage, store, view) {
     svg.style.display = on && shape ? "" : "none";
     if (!on || !shape) return;
     const places = layout(seen, shape, seen.show.restLength, seen.show.restRadius);
-    lines.innerHTML = drawing(places, shape, seen.show, seen.height);
+    // On a narrow page they would lie on each other: there are sliders.
+    handles.forEach((one) => { one.style.display = seen.width > 560 ? "" : "none"; });
+    lines.innerHTML = drawing(places, shape, seen.show, seen.width, seen.height);
     const { rest: [, b], up, radius } = places;
     [[b[0] + up[0] * radius, b[1] + up[1] * radius], b].forEach(([x, y], i) => handles[i].setAttribute("transform", `translate(${x.toFixed(1)} ${y.toFixed(1)})`));
   }
@@ -78,8 +80,8 @@ function layout(view, shape, length, radius) {
   return { ends, rest, along, up: up[1] > 0 ? /** @type {Place} */ ([-up[0], -up[1]]) : up, radius: radius / perPixel, bulge: view.largest() / perPixel };
 }
 
-/** @param {ReturnType<typeof layout>} places @param {NonNullable<Store["shape"]>} shape @param {{ restRadius: number, restLength: number }} show @param {number} tall */
-function drawing({ ends, rest, up, radius, bulge }, shape, { restRadius, restLength }, tall) {
+/** @param {ReturnType<typeof layout>} places @param {NonNullable<Store["shape"]>} shape @param {{ restRadius: number, restLength: number }} show @param {number} wide @param {number} tall */
+function drawing({ ends, rest, up, radius, bulge }, shape, { restRadius, restLength }, wide, tall) {
   const off = (/** @type {Place} */ [x, y], /** @type {number} */ by) => /** @type {Place} */ ([x + up[0] * by, y + up[1] * by]);
   const middle = (/** @type {Place[]} */ [a, b], share = 0.5) => /** @type {Place} */ ([a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])]);
   const [a, b] = rest;
@@ -93,5 +95,5 @@ function drawing({ ends, rest, up, radius, bulge }, shape, { restRadius, restLen
   const atRest = `dashed: at rest ⌀ ${show("length", 2 * restRadius, 4)}, L0 ${show("length", restLength, 4)}`;
   return `${ghost}${long}${round}${words([below[0], below[1] + 15], `L ${show("length", shape.length_mm, 4)}`)}`
     + `${words(above, `⌀ ${show("length", shape.bulged_diameter_mm ?? 2 * restRadius, 4)}`)}`
-    + words([12, tall - 46], atRest, "start");
+    + (wide > 560 ? words([12, tall - 46], atRest, "start") : "");
 }
