@@ -45,7 +45,7 @@ pub const fn charts() -> &'static [u8] {
 
 /// The script that turns the muscle in a report: the page's own view, in one piece.
 pub fn viewer() -> String {
-    let modules = ["js/dom.js", "js/view3d.js"].into_iter().filter_map(file);
+    let modules = ["js/dom.js", "js/shaders.js", "js/view3d.js"].into_iter().filter_map(file);
     let mut out = String::new();
     for module in modules {
         let text = String::from_utf8_lossy(&module).replace("\nexport ", "\n");

@@ -173,5 +173,6 @@ export function isobar(points) {
   return {
     x: [...taut.map((q) => 100 * q.contraction), ...ends],
     y: [...taut.map((q) => (q.status === "ok" ? outside("force", q.force_n) : null)), ...ends.map(() => 0)],
+    half: [...taut, ...(ends.length ? [points[slack]] : [])].map((q) => (q.uncertainty_n ? outside("force", q.uncertainty_n) : null)),
   };
 }

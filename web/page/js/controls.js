@@ -1,7 +1,7 @@
 // A quantity as a slider with a field beside it, and a choice from a list.
 import { understood } from "./ask.js";
 import { capital, el } from "./dom.js";
-import { changeUnit, expectation, hasChoice, inside, meant, number, onUnits, outside, show, unitName } from "./units.js";
+import { changeUnit, expectation, hasChoice, inside, meant, number, onAnyUnits, outside, show, unitName } from "./units.js";
 import { atEnd } from "./life.js";
 import { sketched } from "./sketch.js";
 import { inWords } from "./words.js";
@@ -95,7 +95,7 @@ export function quantity({ key, field: of, label, symbol = "", about, kind, unit
   }
   field.addEventListener("change", () => { read().catch((problem) => wrongly(problem.message)); });
   field.addEventListener("keydown", (event) => { if (event.key === "Enter") { event.preventDefault(); read().catch(() => {}); } });
-  atEnd(onUnits(() => paint()));
+  atEnd(onAnyUnits(() => paint()));
   paint();
   return {
     element,

@@ -2,6 +2,7 @@
 import { address } from "./address.js";
 import { keepFile, wordsOf } from "./kept.js";
 import { pack } from "./deflate.js";
+import { measured } from "./measured.js";
 import { muscle } from "./muscle.js";
 import { notice, noticeProblem } from "./notice.js";
 import { openProject } from "./project.js";
@@ -43,14 +44,15 @@ async function take(files) {
   const own = muscles.find((file) => file.name === wanted[0]) ?? muscles[0];
   const second = muscles.find((file) => file.name === wanted[1] && file !== own);
   if (own) await muscle.take(own.text);
-  if (data) keepFile("data", { name: data.name, text: data.text });
+  if (data) measured.set({ name: data.name, text: data.text });
   if (plan) keepFile("plan", plan.text);
   const lacks = (joint || drive) && !own && wanted[0];
   const what = files.map((file) => file.name).join(", ");
   notice(`Opened ${what}.${lacks ? ` It names ${wanted[0]}, which was not among the files: the muscle of this page takes its place.` : ""}`);
   if (drive) return go("motion", { drive: drive.text });
   if (joint) return go("joint", { joint: joint.text, r: undefined, range: undefined, e0: undefined, file2: second?.text });
-  if (data) return go("data", {});
+  // Over the curves of the page Muscle they are at their place too.
+  if (data && document.body.dataset.page !== "muscle") return go("data", {});
   if (plan) return go("formula", {});
   return go("muscle", {});
 }

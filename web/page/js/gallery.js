@@ -2,8 +2,8 @@
 import { engine } from "./ask.js";
 import { address } from "./address.js";
 import { el } from "./dom.js";
-import { keepFile } from "./kept.js";
 import { pack } from "./deflate.js";
+import { measured } from "./measured.js";
 import { thumbnail } from "./thumbnail.js";
 
 /**
@@ -32,7 +32,7 @@ export async function example(name) {
 /** Opens an entry: the address of its page with its muscle. @param {Entry} entry */
 export async function openEntry({ file, page = "muscle", words = {}, joint, data }) {
   const [text, jointText, dataText] = await Promise.all([example(file), joint ? example(joint) : undefined, data ? example(data) : undefined]);
-  if (data && dataText) keepFile("data", { name: data, text: dataText });
+  if (data && dataText) measured.set({ name: data, text: dataText });
   await Promise.all([text, jointText ?? ""].map(pack));
   location.hash = address(page, { ...words, file: text, joint: jointText });
 }

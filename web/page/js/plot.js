@@ -70,7 +70,7 @@ export function frame(spec, width, height, reach) {
   const longest = Math.max(0, ...spec.series.map((s) => (s.at === "start" ? 0 : (s.end ?? "").length)));
   const across = ticks(reach.y, Math.max(2, height / 60));
   const left = 30 + GLYPH * Math.max(2, ...across.map((t) => t.text.length));
-  const named = legends(spec), top = named.length ? 28 : 12, bottom = 40;
+  const named = legends(spec, left, width), top = named.length ? named[named.length - 1].y + 12 : 12, bottom = 40;
   const right = Math.min(0.4 * width, 16 + GLYPH * longest);
   const [w, h] = [Math.max(20, width - left - right), Math.max(20, height - top - bottom)];
   const [fx, fy] = [w / (reach.x[1] - reach.x[0]), h / (reach.y[1] - reach.y[0])];
@@ -82,12 +82,18 @@ export function frame(spec, width, height, reach) {
 }
 /** @typedef {ReturnType<typeof frame>} Frame */
 
-/** Each name of the legend once, with the curve that it is first said of. @param {Curves} spec */
-function legends(spec) {
+/** Each name of the legend once, with the curve that it is first said of, and its place: in as many lines as it takes. @param {Curves} spec @param {number} left @param {number} width */
+function legends(spec, left, width) {
   /** @type {Map<string, number>} */
   const found = new Map();
   spec.series.forEach((s, i) => { if (s.legend && !found.has(s.legend)) found.set(s.legend, i); });
-  return [...found];
+  let [x, y] = [left, 16];
+  return [...found].map(([text, i]) => {
+    const long = 40 + GLYPH * text.length;
+    if (x > left && x + long > width) [x, y] = [left, y + 18];
+    x += long;
+    return { text, i, x: x - long, y };
+  });
 }
 
 /** The whole drawing. @param {Curves} spec @param {Frame} at @param {Colours} colours @param {boolean} [file] as a file of its own */
@@ -98,7 +104,7 @@ export function drawing(spec, at, colours, file = false) {
   const paper = file ? `<rect width="${width}" height="${height}" fill="${colours.paper}"/>` : "";
   return `<svg xmlns="http://www.w3.org/2000/svg" class="curves" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}"`
     + ` font-family="system-ui, sans-serif" font-size="${FONT}" fill="${colours.ink}"${file ? "" : ' aria-hidden="true"'}>${paper}`
-    + `${axes(spec, at, colours)}<svg x="${left}" y="${top - 4}" width="${w + 1}" height="${h + 5}" viewBox="${left} ${top - 4} ${w + 1} ${h + 5}" overflow="hidden">${inner}</svg>`
+    + `${axes(spec, at, colours)}<svg x="${left - 4}" y="${top - 4}" width="${w + 8}" height="${h + 8}" viewBox="${left - 4} ${top - 4} ${w + 8} ${h + 8}" overflow="hidden">${inner}</svg>`
     + `${marks}${labels(spec, at, colours)}${legend(spec, at)}</svg>`;
 }
 
@@ -172,13 +178,12 @@ function apart(ends, lowest) {
 }
 
 /** @param {Curves} spec @param {Frame} at */
-function legend(spec, { named, left }) {
-  let x = left;
-  return named.map(([text, i]) => {
-    const s = spec.series[i], colour = colourOf(s, i), from = x;
-    x += 36 + GLYPH * text.length;
-    const sign = s.mode === "markers" ? `<circle cx="${from + 10}" cy="12" r="3.2" fill="none" stroke="${colour}" stroke-width="1.4"/>` : `<path d="M${from} 12h20" stroke="${colour}" stroke-width="2"${DASHES[s.dash ?? "solid"]}/>`;
-    return `${sign}<text x="${from + 25}" y="16">${escaped(text)}</text>`;
+function legend(spec, { named }) {
+  return named.map(({ text, i, x, y }) => {
+    const s = spec.series[i], colour = colourOf(s, i);
+    const sign = s.mode === "markers" ? `<circle cx="${x + 10}" cy="${y - 4}" r="3.2" fill="none" stroke="${colour}" stroke-width="1.4"/>`
+      : `<path d="M${x} ${y - 4}h20" stroke="${colour}" stroke-width="2"${DASHES[s.dash ?? "solid"]}/>`;
+    return `${sign}<text x="${x + 25}" y="${y}">${escaped(text)}</text>`;
   }).join("");
 }
 

@@ -7,8 +7,7 @@ import { thumbnail } from "./thumbnail.js";
 
 /** What stands in the fields that are shown: names and values. @returns {[string, string][]} */
 function inputs() {
-  const seen = (/** @type {HTMLElement} */ of) => of.offsetParent !== null;
-  const rows = [...document.querySelectorAll(".controls .quantity, .controls .choice")].filter((row) => seen(/** @type {HTMLElement} */ (row)));
+  const rows = [...document.querySelectorAll(".controls .quantity, .controls .choice")].filter((row) => !row.closest("[hidden], details:not([open])"));
   return rows.flatMap((row) => {
     const name = row.querySelector("label, span")?.textContent?.trim() ?? "", field = row.querySelector("input[type=text], select");
     const list = field instanceof HTMLSelectElement, text = list ? field.selectedOptions[0]?.textContent ?? "" : /** @type {HTMLInputElement | null} */ (field)?.value ?? "";

@@ -18,8 +18,8 @@ const CHOICES = {
 };
 /** @type {Record<string, string>} */
 const chosen = Object.fromEntries(Object.entries(CHOICES).map(([kind, list]) => [kind, list[0]]));
-/** @type {Set<() => void>} */
-const listeners = new Set();
+/** Those that a click tells, and those that an address tells too: fields, which write nothing into it. @type {Set<() => void>} */
+const listeners = new Set(), /** @type {Set<() => void>} */ readers = new Set();
 
 export async function loadUnits() { takeUnits(await engine().ask("units", {}, { lane: "state" })); }
 /** @param {{ kinds: readonly any[] }} answer of `units` */
@@ -122,9 +122,13 @@ export function changeUnit(kind, name) {
 export const unitsInAddress = () => Object.entries(CHOICES).filter(([kind, list]) => chosen[kind] !== list[0]).map(([kind]) => chosen[kind]).join(",");
 /** @param {string} names */
 export function unitsFromAddress(names) {
+  const before = JSON.stringify(chosen);
   for (const [kind, list] of Object.entries(CHOICES)) chosen[kind] = names.split(",").find((n) => list.includes(n)) ?? list[0];
+  if (JSON.stringify(chosen) !== before) readers.forEach((tell) => tell());
 }
 /** @param {() => void} tell */
 export const onUnits = (tell) => { listeners.add(tell); return () => listeners.delete(tell); };
+/** Is told of units that a click or an address changed. @param {() => void} tell */
+export const onAnyUnits = (tell) => { listeners.add(tell); readers.add(tell); return () => { listeners.delete(tell); readers.delete(tell); }; };
 /** Whether it has several units to choose from. @param {string} kind */
 export const hasChoice = (kind) => (CHOICES[kind]?.length ?? 0) > 1;

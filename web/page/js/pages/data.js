@@ -9,8 +9,8 @@ import { form, job, table, warnings } from "../form.js";
 import { example } from "../gallery.js";
 import { fileOf, keepFile } from "../kept.js";
 import { atEnd } from "../life.js";
+import { measured } from "../measured.js";
 import { muscle } from "../muscle.js";
-import { thinned, thinnedWords } from "../thin.js";
 import { number, onUnits, show, unitName } from "../units.js";
 
 const HEADING = "pressure_bar,contraction,force_n\n", CONSTANTS = "constants";
@@ -39,9 +39,7 @@ const errorTable = (models) => table(["model", "rms", "largest", "mean", "points
 
 /** @param {HTMLElement} main */
 export function mount(main) {
-  /** @type {{ name: string, text: string } | undefined} */ let data = fileOf("data");
-  /** What the models are computed at. */
-  let used = thinned("");
+  let data = measured.file;
   /** @type {any} */ let compared, /** @type {any} */ known;
   const what = form([
     { key: "free", field: "free", label: "Free constants", words: true, hint: "modulus; or mu, braid.angle" },
@@ -53,7 +51,7 @@ export function mount(main) {
   const identify = job("Identify", "identify", async () => {
     const read = await what.read();
     if (!data || !read) { found.replaceChildren(el("p", { class: "soft" }, "Open a table first.")); return undefined; }
-    return { ...fields(), data: [{ name: data.name, text: used.text }], columns: columns.value(), free: read.free ?? [], figure: unitName("pressure") };
+    return { ...fields(), data: [data], columns: columns.value(), free: read.free ?? [], figure: unitName("pressure") };
   }, (answer) => { known = answer; keepFile(CONSTANTS, true); found.classList.remove("stale"); fitted.element.classList.remove("stale"); paint(); fitted.show(answer.figure); }, () => [found, fitted.element].forEach((part) => part.classList.add("stale")));
   const samples = el("p", { class: "row small" }, "Examples:", el("button", { type: "button", onclick: () => madeUp().then((text) => take("example.csv", text), problem) }, "points of this muscle"),
     el("button", { type: "button", onclick: () => Promise.all([example("bench.csv"), example("bench.toml")]).then(async ([text, file]) => { await muscle.take(file); await take("bench.csv", text); }).catch(problem) }, "a bench with its muscle"));
@@ -71,8 +69,8 @@ export function mount(main) {
 
   /** @param {string} name @param {string} text */
   async function take(name, text) {
-    data = { name, text };
-    keepFile("data", data);
+    measured.set({ name, text });
+    data = measured.file;
     keepFile(CONSTANTS, undefined);
     [compared, known] = [undefined, undefined];
     begin();
@@ -83,9 +81,7 @@ export function mount(main) {
 
   /** The table as it is used. */
   function begin() {
-    if (!data) return;
-    used = thinned(data.text);
-    columns.offer(headings(data.text));
+    if (data) columns.offer(headings(data.text));
   }
 
   let looking = new AbortController();
@@ -94,9 +90,10 @@ export function mount(main) {
     if (!data || !read || !main.contains(understood)) return;
     place();
     looking.abort();
-    const { signal } = (looking = new AbortController()), { name } = data;
+    const { signal } = (looking = new AbortController());
+    measured.set(data, columns.value());
     try {
-      const request = { ...fields(), data: { name, text: used.text }, columns: columns.value(), models: read.models, extrapolate: true, figure: unitName("pressure") };
+      const request = { ...fields(), data, columns: columns.value(), models: read.models, extrapolate: true, figure: unitName("pressure") };
       compared = await engine().ask("compare", request, { signal });
       paint();
       stale(false);
@@ -115,7 +112,7 @@ export function mount(main) {
     if (compared && data) {
       const u = compared.understood?.[0] ?? compared.understood;
       const list = u?.columns?.map((/** @type {any} */ c) => `${c.column} → ${c.quantity}${c.unit ? ` (${c.unit})` : ""}`).join(", ");
-      const said = thinnedWords(used);
+      const { said } = measured;
       understood.replaceChildren(el("p", {}, `${data.name}: ${compared.points} points. ${list ?? ""}`), warnings([...(said ? [said] : []), ...(compared.warnings ?? [])]));
       errors.replaceChildren(errorTable(compared.models));
     }
@@ -130,7 +127,7 @@ export function mount(main) {
       await muscle.read(params, [...what.keys, "columns"]);
       what.set(params);
       columns.read(params.get("columns") ?? "");
-      data = fileOf("data");
+      data = measured.file;
       begin();
       fields();
       if (data) await look();
