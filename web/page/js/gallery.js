@@ -37,15 +37,15 @@ export async function openEntry({ file, page = "muscle", words = {}, joint, data
   location.hash = address(page, { ...words, file: text, joint: jointText });
 }
 
-/** Pictures, once they are drawn. @type {Map<string, Promise<any>>} */ const measured = new Map();
+/** What the engine says of the files, once. @type {Map<string, Promise<any>>} */ const asked = new Map();
 /** @param {string} file */
 function measures(file) {
-  const known = measured.get(file);
+  const known = asked.get(file);
   if (known) return known;
-  const asked = example(file).then((text) => engine().ask("muscle-show", { muscle: { name: file, text } }, { lane: "read" }));
-  asked.catch(() => measured.delete(file));
-  measured.set(file, asked);
-  return asked;
+  const answer = example(file).then((text) => engine().ask("muscle-show", { muscle: { name: file, text } }, { lane: "read" }));
+  answer.catch(() => asked.delete(file));
+  asked.set(file, answer);
+  return answer;
 }
 
 /** Cards of all muscles; pictures are drawn after some milliseconds. @param {(problem: any) => void} fail @param {() => void} [opened] */

@@ -89,6 +89,7 @@ async function route() {
       if (mine !== routes) return;
       leave();
       shown = { name, page: mount(main) };
+      main.dataset.shown = name;
     }
     await whileLoading(() => /** @type {any} */ (shown).page.load(params));
     if (mine !== routes) return;
