@@ -218,6 +218,8 @@ inBrowser(({ name, url, open, blank }) => {
       }
       await alive(page);
     };
+    // What is loaded once, and what a library keeps of the last page that it drew on.
+    await round();
     await round();
     const before = await count();
     for (let i = 0; i < 4; i++) await round();
