@@ -158,7 +158,7 @@ export function mount(main) {
     location.hash = linked(c, { p: c.pressure_mpa, e: c.points[0].contraction });
   }
 
-  const off = onUnits(() => { paint(); });
+  const off = onUnits(() => { paint(); map.draw(); });
   return {
     /** @param {URLSearchParams} params */
     async load(params) {
