@@ -46,7 +46,7 @@ export const launch = () => chromium.launch({
 
 /** A page that fails the test on any error of its own; answers that say what is wrong with a request (422) are none. @param {import("playwright-core").Browser} browser @param {import("playwright-core").BrowserContextOptions} [options] */
 export async function tab(browser, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, acceptDownloads: true, ...options });
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, acceptDownloads: true, serviceWorkers: "block", ...options });
   const page = await context.newPage();
   /** @type {string[]} */
   const errors = [];

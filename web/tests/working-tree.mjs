@@ -23,6 +23,7 @@ async function headers() {
 /** A file of the page, as crates/mckibben-server/src/page.rs finds it. @param {string} folder @param {string} path */
 async function file(folder, path) {
   if (path === "js/kind.js") return 'export { Engine } from "./engine/http.js";\nexport const DOCUMENTATION = "";\n';
+  if (path.startsWith("examples/")) return readFile(join(ROOT, path));
   if (path !== "js/plotly.js") return readFile(join(folder, path));
   const vendor = join(ROOT, "web/vendor");
   const name = (await readdir(vendor)).find((n) => /^plotly-.*\.min\.js$/.test(n));

@@ -1,4 +1,5 @@
 // A chart: curves as SVG (lines.js), maps and surfaces by plotly.js (map.js); with a table, PNG, SVG and CSV.
+import { atEnd } from "./life.js";
 import { download, el } from "./dom.js";
 import { Lines } from "./lines.js";
 import { PlotlyMap } from "./map.js";
@@ -51,6 +52,7 @@ export class Chart {
     this.sized = new ResizeObserver(() => this.plot.offsetWidth && this.draw());
     this.sized.observe(this.plot);
     this.ends = new AbortController();
+    atEnd(() => this.destroy());
     const { signal } = this.ends;
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.draw(), { signal });
     document.addEventListener("theme", () => this.draw(), { signal });
