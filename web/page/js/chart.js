@@ -75,6 +75,9 @@ export class Chart {
     this.placeMark();
   }
 
+  /** What lies at a place of the plot, as values of its axes. @param {number} px @param {number} py */
+  values(px, py) { return this.drawer?.values(px, py); }
+
   placeMark() {
     const place = this.at && this.drawer?.place(this.at[0], this.at[1]);
     this.ring.hidden = !place;
@@ -141,7 +144,8 @@ export class Chart {
   /** Rows of all series: name, x, y; of maps and surfaces also what they show there. @returns {(string | number | null)[][]} */
   rows() {
     const lines = (this.spec?.series ?? []).flatMap((s) => s.x.map((x, i) => [s.name, x, s.y[i]]));
-    const maps = (this.spec?.data ?? []).flatMap((d) => (d.type === "scatter" ? d.x.map((/** @type {number} */ x, /** @type {number} */ i) => [d.name, x, d.y[i], d.marker.color[i]])
+    // A picture is finer than what was computed.
+    const maps = (this.spec?.data ?? []).filter((d) => !d.picture).flatMap((d) => (d.type === "scatter" ? d.x.map((/** @type {number} */ x, /** @type {number} */ i) => [d.name, x, d.y[i], d.marker.color[i]])
       : d.y.flatMap((/** @type {number} */ y, /** @type {number} */ j) => d.x.flatMap((/** @type {number} */ x, /** @type {number} */ i) => (d.z[j][i] === null ? [] : [[d.name, x, y, d.text ? d.text[j][i] : d.z[j][i]]])))));
     return [...lines, ...maps];
   }

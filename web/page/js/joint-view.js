@@ -1,28 +1,11 @@
-// The joint as people see it: arm and muscles, torques over the angle, what it can reach, and its numbers.
-import { KINDS, isDark, viridis } from "./chart.js";
+// The joint in numbers and curves: torques over the angle, what it can reach, and its numbers.
+import { KINDS } from "./chart.js";
 import { el } from "./dom.js";
+import { reachable } from "./joint-drawing.js";
 import { number, outside, show, unitName } from "./units.js";
 
 /** @typedef {import("../../types/commands").Commands["joint"]["answer"]} Answer */
 /** A point as the page shows it. @typedef {any} Point */
-
-/** A muscle of the drawing. @param {number} y @param {number} e its contraction @param {number} share of the supply's pressure @param {string} text */
-function tube(y, e, share, text) {
-  const short = 150 * (1 - (e ?? 0)), x0 = -190, fat = 6 + 26 * Math.max(0, e ?? 0) + 3 * share;
-  const colour = isDark() ? viridis(0.25 + 0.75 * share, 1) : viridis(share);
-  return `<path d="M${x0} ${y - 5}q8 ${-fat} ${short / 2} ${-fat}t${short / 2} ${fat}v10q-8 ${fat} ${-short / 2} ${fat}t${-short / 2} ${-fat}z" fill="${colour}" stroke="currentColor"/>`
-    + `<path d="M${x0 + short} ${y}L0 ${y}" stroke="currentColor" fill="none"/><text x="${x0}" y="${y < 0 ? y - 26 : y + 38}" font-size="11" fill="currentColor">${text}</text>`;
-}
-
-/** The arm and its muscles as SVG. @param {Point | undefined} point @param {number} angle in degrees @param {number} supply */
-export function armDrawing(point, angle, supply) {
-  const R = 26, far = 120, phi = (angle * Math.PI) / 180, tip = [far * Math.cos(phi), -far * Math.sin(phi)];
-  const label = (/** @type {1 | 2} */ i) => (point ? `${i}: ${show("pressure", point[`pressure_${i}_mpa`], 3)}` : String(i));
-  const share = (/** @type {1 | 2} */ i) => (point?.[`pressure_${i}_mpa`] ?? 0) / supply;
-  const muscles = tube(-R, point?.contraction_1, share(1), label(1)) + (point && point.pressure_2_mpa === undefined ? "" : tube(R, point?.contraction_2, share(2), label(2)));
-  return `<svg class="section" viewBox="-210 -140 360 280"><g stroke-width="1.5">${muscles}<circle r="${R}" fill="none" stroke="currentColor"/>`
-    + `<path d="M0 0L${tip[0]} ${tip[1]}" stroke="currentColor" stroke-width="7" stroke-linecap="round"/><circle cx="${tip[0]}" cy="${tip[1]}" r="8" fill="${KINDS[1]}"/></g></svg>`;
-}
 
 /** The angle under the pointer in degrees. @param {HTMLElement} stage @param {PointerEvent} event */
 export function angleAt(stage, event) {
@@ -56,7 +39,7 @@ export function torqueChart({ answer, angles, pairs }, point) {
     return { name, end: name, colour: KINDS[i], x: angles, y: rows.map((/** @type {any} */ q) => outside("torque", q.torque_nm)) };
   });
   const marks = point ? [{ x: point.angle_deg, y: outside("torque", point.torque_nm ?? 0), text: "required" }] : [];
-  return { x: "angle φ [°]", y: `torque [${unitName("torque")}]`, yaxis: {}, series, marks };
+  return { x: "angle φ [°]", y: `torque [${unitName("torque")}]`, yaxis: {}, series: [...reachable(angles, series.map((s) => s.y)), ...series], marks };
 }
 
 /** Rest angles and stiffnesses that it reaches. @param {any} map @returns {import("./chart.js").Spec} */

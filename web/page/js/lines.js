@@ -53,6 +53,9 @@ export class Lines {
     return [within(at.px(x), at.left, at.w), within(at.py(y), at.top, at.h)];
   }
 
+  /** @param {number} px @param {number} py */
+  values(px, py) { return this.at && [this.at.x(px), this.at.y(py)]; }
+
   /** @param {import("./plot.js").Reach | undefined} reach nothing for all */
   zoom(reach) {
     this.zoomed = reach;

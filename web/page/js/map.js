@@ -56,6 +56,12 @@ export class PlotlyMap {
     return [at(axes.xaxis, x), at(axes.yaxis, y)];
   }
 
+  /** @param {number} px @param {number} py */
+  values(px, py) {
+    const { axes } = this;
+    return axes && [axes.xaxis.p2d(px - axes.xaxis._offset), axes.yaxis.p2d(py - axes.yaxis._offset)];
+  }
+
   traces() {
     const spec = /** @type {import("./chart.js").Spec} */ (this.spec);
     const lines = spec.series.map((s) => ({

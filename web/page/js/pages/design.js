@@ -138,7 +138,7 @@ export function mount(main) {
   main.replaceChildren(el("div", { class: "bench two" },
     el("section", { class: "controls", "aria-label": "Specification" }, el("h2", {}, "Specification"), ...spec.elements, search.element),
     el("div", { class: "middle" }, results, ...map.elements, figures.element)));
-  atEnd(onUnits(() => { paint(); if (found) map.show(found, of); }));
+  atEnd(onUnits(() => { paint(); map.draw(); }));
   return {
     /** @param {URLSearchParams} params */
     async load(params) {

@@ -7,7 +7,8 @@ import { pack } from "../deflate.js";
 import { el, problemBox } from "../dom.js";
 import { job, warnings } from "../form.js";
 import { jointOfFile, stated } from "../joint-file.js";
-import { angleAt, armDrawing, numbersView, reachChart, torqueChart } from "../joint-view.js";
+import { jointDrawing } from "../joint-drawing.js";
+import { angleAt, numbersView, reachChart, torqueChart } from "../joint-view.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { joint } from "../state.js";
@@ -106,7 +107,10 @@ export function mount(main) {
 
   const stale = (/** @type {boolean} */ on) => [arm, numbers].forEach((part) => part.classList.toggle("stale", on));
   const which = () => (files.file2 ? "Muscle 2 is that of its file." : "Both muscles are those of the page Muscle.");
-  const drawArm = () => { arm.innerHTML = armDrawing(point, point?.angle_deg ?? v.phi, v.pmax); };
+  const drawArm = () => {
+    const { length_mm: length = 285, outer_diameter_mm: diameter = 30, angle_deg: angle = 28 } = muscle.shown ?? {};
+    arm.innerHTML = jointDrawing(point, point?.angle_deg ?? v.phi, v.pmax, { ...v, length, diameter, angle });
+  };
   const asks = questions({
     take(answer) {
       stale(false);
