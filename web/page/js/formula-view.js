@@ -35,7 +35,7 @@ const steps = ([low, high], n = 11) => Array.from({ length: n }, (_, i) => low +
 
 /** The formula as two surfaces: over contraction and wall, and over contraction and diameter. */
 export function surfaces() {
-  const wallTitle = el("h3", {}), diameterTitle = el("h3", {});
+  const wallTitle = el("h2", {}), diameterTitle = el("h2", {});
   const overWall = new Chart("surface-wall", { tools: wallTitle, tall: true }), overDiameter = new Chart("surface-diameter", { tools: diameterTitle, tall: true });
   const element = el("div", { class: "charts", hidden: true }, overWall.element, overDiameter.element), ends = new AbortController();
   atEnd(() => ends.abort());
