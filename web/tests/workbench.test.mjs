@@ -8,6 +8,7 @@ import { test } from "node:test";
 import axe from "axe-core";
 import { files, listed } from "../offline.mjs";
 import { nameIn, named } from "../page/js/name.js";
+import { PAGES } from "../page/js/pages.js";
 import { thinned } from "../page/js/thin.js";
 import { alive, launch, pull, served } from "./browser.mjs";
 import { ask, inBrowser, program, root, shots } from "./sites.mjs";
@@ -55,6 +56,14 @@ test("a table of more than 20,000 rows is thinned to at most so many, with its h
   assert.deepEqual([rows, kept, step], [50_001, 16_667, 3]);
   assert.ok(text.startsWith("# by hand\npressure_bar,contraction,force_n\n0,0.1,-3\n3,0.1,-3\n"));
   assert.equal(text.match(/0\.1/g)?.length, kept);
+});
+
+test("help leads to a page and a place that the book has", () => {
+  for (const { name, help } of PAGES) {
+    const [file, anchor] = help.split("#"), text = readFileSync(`${root}docs/${file}.md`, "utf8");
+    const places = [...text.matchAll(/^#+ (.*)$/gm)].map(([, heading]) => heading.toLowerCase().replace(/[^\w\s-]/g, "").trim().replace(/\s/g, "-"));
+    assert.ok(!anchor || places.includes(anchor), `${name}: ${help} is none of ${places.join(" ")}`);
+  }
 });
 
 test("the list of files for use without a network is that of the folder (node web/offline.mjs renews it)", () => assert.deepEqual(listed(), files()));
@@ -147,8 +156,9 @@ inBrowser(({ name, url, open, blank }) => {
     await go(page, "Design");
     await page.waitForSelector("tr.pick", { timeout: 60_000 });
     await type(page, "Pull", "300 N");
-    await page.waitForFunction(() => /F=300/.test(location.hash) && !document.querySelector("progress:not([hidden])"));
-    const heading = await page.locator(".middle h2").first().innerText();
+    const [best] = ask("design", "-F", "300N", "-e", "15%", "-p", "2.5bar").candidates;
+    const heading = `Outer diameter ${Number(best.outer_diameter_mm.toPrecision(4))} mm, wall ${Number(best.wall_mm.toPrecision(4))} mm`;
+    await reads(page, ".middle h2", heading);
     await go(page, "Motion");
     await page.waitForSelector(".controls table", { timeout: 60_000 });
     await page.getByRole("combobox", { name: "Model" }).selectOption("universal");
@@ -218,6 +228,8 @@ inBrowser(({ name, url, open, blank }) => {
       }
       await alive(page);
     };
+    // What is loaded once, and what a library keeps of the last page that it drew on.
+    await round();
     await round();
     const before = await count();
     for (let i = 0; i < 4; i++) await round();
@@ -374,20 +386,33 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
   });
 
+  test("axe finds nothing on any page, best practices among it", async () => {
+    for (const where of ["muscle", "design", "joint", "motion", "data", "formula", "compare", "parts", "about"]) {
+      const { page, errors, context } = await open(`#${where}`);
+      await there(page, where);
+      await page.waitForLoadState("networkidle");
+      await page.evaluate(axe.source);
+      const { violations } = await page.evaluate(() => /** @type {any} */ (window).axe.run(document, { runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"] }));
+      assert.deepEqual(violations.map((/** @type {any} */ v) => `${v.id}: ${v.nodes[0].html}`), [], where);
+      assert.deepEqual(errors, [], where);
+      await context.close();
+    }
+  });
+
   test("a part is found by a filter and put into the muscle, which has the command line's pull", async () => {
     const { page, errors, context } = await open("#parts");
     const { tubes } = ask("parts", "list", "tubes");
     await reads(page, "main", `${tubes.length} of ${tubes.length} tubes`);
     await page.getByRole("textbox", { name: "Filter" }).fill("latex 9.525");
     await page.waitForFunction(() => document.querySelectorAll("tbody tr").length < 6);
-    await page.getByRole("button", { name: "Put latex-1/4x3/8in into the muscle" }).click();
+    await page.getByRole("button", { name: "Put into the muscle: latex-1/4x3/8in" }).click();
     await reads(page, ".muscle-bar", "D0 9.525 mm");
     await page.getByRole("combobox", { name: "Show" }).selectOption("sleeves");
     await page.getByRole("textbox", { name: "Filter" }).fill("");
     await page.getByText("only what fits the muscle's diameter").click();
     assert.ok(await page.locator(".estimated").count() > 0, "estimates are marked");
     await page.screenshot({ path: `${shots}/parts-${name}.png` });
-    await page.getByRole("button", { name: "Put flexo-overexpanded-0.38in into the muscle" }).click();
+    await page.getByRole("button", { name: "Put into the muscle: flexo-overexpanded-0.38in" }).click();
     await page.getByRole("link", { name: "See it move" }).click();
     await alive(page);
     const said = ask("force", "-D", "9.525", "-s", "1.5875", "--rubber", "latex", "--braid", "flexo-overexpanded-0.38in", "-p", "2.5bar", "-e", "15%");
@@ -436,6 +461,18 @@ inBrowser(({ name, url, open, blank }) => {
     await supply.focus();
     assert.doesNotMatch(String(await supply.getAttribute("title")), /bare number is MPa/);
     await design.context.close();
+  });
+
+  test("all that the command line warns stands on the pages", async () => {
+    const { page, context } = await open("#muscle?D=9.525&s=1.5875&L=200&rubber=latex&braid=flexo-overexpanded-0.38in&p=5bar&e=10%25");
+    const list = ["force", "-D", "9.525", "-s", "1.5875", "-L", "200", "--rubber", "latex", "--braid", "flexo-overexpanded-0.38in", "-p", "5bar", "-e", "10%"];
+    const { warnings } = ask(...list), plain = (/** @type {string} */ text) => text.replace(/[\d.]+ \w+|`[^`]*`|[^a-z ]/gi, "").slice(0, 24).trim().toLowerCase();
+    assert.ok(warnings.length > 0);
+    for (const where of ["Muscle", "Compare"]) {
+      await go(page, where);
+      for (const warning of warnings) await page.waitForFunction((text) => [...document.querySelectorAll("main .warnings li")].some((li) => li.textContent?.replace(/[\d.]+ \w+|`[^`]*`|[^a-z ]/gi, "").toLowerCase().startsWith(text)), plain(warning), { timeout: 30_000 });
+    }
+    await context.close();
   });
 
   test("all units switch by a click, and a click changes no value", async () => {

@@ -97,6 +97,8 @@ export class Chart {
 
   /** @param {Spec} spec */
   show(spec) {
+    // An answer that comes after the page was left.
+    if (this.ends.signal.aborted) return;
     this.spec = spec;
     if (!this.table.hidden) this.tabulate();
     this.draw();

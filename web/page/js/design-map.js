@@ -20,7 +20,7 @@ export function designMap(linked) {
   /** @type {any} */ let of;
   /** @type {Found | undefined} */ let found;
   let mapping = new AbortController();
-  const title = el("h3", {}, "Feasible region over diameter and wall");
+  const title = el("h2", {}, "Feasible region over diameter and wall");
   const feasible = new Chart("design-map", { tools: title, tall: true, drag(x, y, settled) { if (settled) pick(x, y); } });
   feasible.element.hidden = true;
   const picked = el("p", { class: "small", style: "min-height:1.5em" });

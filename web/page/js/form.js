@@ -172,7 +172,7 @@ export function table(head, rows, { text = [0], pick, label } = {}) {
     class: pick ? "pick" : undefined, tabindex: pick ? 0 : undefined, onclick: pick ? () => pick(i) : undefined,
     onkeydown: pick ? (/** @type {KeyboardEvent} */ event) => { if (event.key === "Enter") pick(i); } : undefined,
   }, ...row.map((value, k) => cell("td", value, k))));
-  return el("div", { class: "scroll", tabindex: pick ? undefined : 0, role: "region", "aria-label": label ?? "table" }, el("table", {}, el("thead", {}, el("tr", {}, ...head.map((h, i) => cell("th", h, i)))), el("tbody", {}, ...body)));
+  return el("div", { class: "scroll", tabindex: pick ? undefined : 0, role: "region", "aria-label": label ?? "table" }, el("table", {}, el("thead", {}, el("tr", {}, ...head.map((h, i) => cell(h ? "th" : "td", h, i)))), el("tbody", {}, ...body)));
 }
 
 /** Warnings of an answer. @param {string[] | undefined} list */

@@ -4,6 +4,7 @@ import { Chart } from "./chart.js";
 import { download, el } from "./dom.js";
 import { Figures } from "./figure.js";
 import { table } from "./form.js";
+import { atEnd } from "./life.js";
 import { number, outside, show, unitName } from "./units.js";
 
 /** The paper's formula, with the box that it was fitted in. */
@@ -34,9 +35,10 @@ const steps = ([low, high], n = 11) => Array.from({ length: n }, (_, i) => low +
 
 /** The formula as two surfaces: over contraction and wall, and over contraction and diameter. */
 export function surfaces() {
-  const wallTitle = el("h3", {}), diameterTitle = el("h3", {});
+  const wallTitle = el("h2", {}), diameterTitle = el("h2", {});
   const overWall = new Chart("surface-wall", { tools: wallTitle, tall: true }), overDiameter = new Chart("surface-diameter", { tools: diameterTitle, tall: true });
-  const element = el("div", { class: "charts", hidden: true }, overWall.element, overDiameter.element);
+  const element = el("div", { class: "charts", hidden: true }, overWall.element, overDiameter.element), ends = new AbortController();
+  atEnd(() => ends.abort());
   /** @param {Chart} chart @param {string} label @param {number[]} list @param {number[]} E @param {(value: number) => Promise<(number | null)[]>} line */
   async function draw(chart, label, list, E, line) {
     /** @type {(number | null)[][]} */ const z = [];
@@ -58,7 +60,7 @@ export function surfaces() {
       diameterTitle.textContent = `Pull over contraction and diameter, s ${show("length", S[5])}`;
       const model = formula === PUBLISHED ? { model: "paper" } : { model: formula.name, formulas: [{ name: formula.name, text: JSON.stringify(formula) }] };
       const line = (/** @type {string} */ field) => async (/** @type {number} */ value) => {
-        const answer = await engine().ask("curve", { ...model, ...middle, [field]: value, test: "isobaric", pressures_mpa: [at], contractions: E, extrapolate: true });
+        const answer = await engine().ask("curve", { ...model, ...middle, [field]: value, test: "isobaric", pressures_mpa: [at], contractions: E, extrapolate: true }, { signal: ends.signal });
         return answer.points.map((/** @type {any} */ q) => (q.force_n === undefined ? null : outside("force", q.force_n)));
       };
       await draw(overWall, `s [${unitName("length")}]`, S, E, line("wall_mm"));

@@ -38,6 +38,8 @@ export class PlotlyMap {
     if (!this.plotly) this.host.replaceChildren();
     this.plotly = Plotly;
     await Plotly.react(this.host, this.traces(), this.layout(), { displayModeBar: false, responsive: false });
+    // The page was left while the library was drawing.
+    if (this.ends.signal.aborted) Plotly.purge(this.host);
   }
 
   /** @returns {{ xaxis: LibraryAxis, yaxis: LibraryAxis } | undefined} */

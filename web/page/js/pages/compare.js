@@ -90,7 +90,7 @@ const ROWS = [
 /** @param {HTMLElement} main */
 export function mount(main) {
   const sides = ["a", "b"].map((name, i) => sideOf(name, i === 1, { ask: () => ask(), paint: () => paint() }));
-  const chart = new Chart("compare", { tools: el("h3", {}, "Pull over contraction") }), numbers = el("div", {});
+  const chart = new Chart("compare", { tools: el("h2", {}, "Pull over contraction") }), numbers = el("div", {});
   main.replaceChildren(el("div", { class: "pair" }, ...sides.map((s) => s.element)), el("div", { style: "margin-top:16px" }, chart.element), numbers);
   const files = () => Object.fromEntries(sides.map((s) => [`${s.name}file`, s.file]));
 

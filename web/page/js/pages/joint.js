@@ -99,8 +99,8 @@ export function mount(main) {
   });
   const { controls } = bench;
   const turned = (/** @type {number} */ angle, /** @type {boolean} */ settled) => { v.phi = Math.max(-v.range, Math.min(v.range, Math.round(angle))); controls.phi.set(v.phi); ask(settled); };
-  const torque = new Chart("joint-torque", { tools: el("h3", {}, "Torque over the angle"), drag: (x, _, settled) => turned(x, settled) });
-  const reach = new Chart("joint-map", { tools: el("h3", {}, "Reachable stiffness") });
+  const torque = new Chart("joint-torque", { tools: el("h2", {}, "Torque over the angle"), drag: (x, _, settled) => turned(x, settled) });
+  const reach = new Chart("joint-map", { tools: el("h2", {}, "Reachable stiffness") });
   const map = job("Map of the reachable states", "joint", async () => ({ ...request(), map: 25, max_pressure_mpa: v.pmax }), (answer) => { reached = answer.map; if (reached) reach.show(reachChart(reached)); });
   main.replaceChildren(el("div", { class: "bench" }, bench.element, el("div", { class: "middle" }, arm, el("div", { class: "charts" }, torque.element, reach.element), map.element), el("div", { class: "side" }, said, numbers)));
   turning(arm, turned);

@@ -88,7 +88,7 @@ export function mount(main) {
   /** @type {any} */ let run;
   let drive = "";
   const fields = form(STEP, () => go.run()), shown = player();
-  const pressure = new Chart("motion-pressure", { tools: el("h3", {}, "Pressure") }), way = new Chart("motion-contraction", { tools: el("h3", {}, "Contraction") });
+  const pressure = new Chart("motion-pressure", { tools: el("h2", {}, "Pressure") }), way = new Chart("motion-contraction", { tools: el("h2", {}, "Contraction") });
   const numbers = el("div", {}), which = el("p", { class: "small soft" }), ofFile = el("p", { class: "small soft" }), said = el("div", {});
   const leave = el("button", { type: "button", hidden: true, onclick: () => take("") }, "Close the drive file");
   const title = el("h2", {}, "A step on a valve");

@@ -86,7 +86,7 @@ export function mount(main) {
     fitsRow.hidden = state.kind !== "sleeves";
     which.textContent = `The muscle: ${muscle.line()}.`;
     count.textContent = `${shown.length} of ${all.length} ${state.kind}. What no source states is marked as estimated.`;
-    const put = (/** @type {Row} */ row) => el("button", { type: "button", "aria-label": `Put ${row.name} into the muscle`, onclick: () => take(row) }, "Put into the muscle");
+    const put = (/** @type {Row} */ row) => el("button", { type: "button", "aria-label": `Put into the muscle: ${row.name}`, onclick: () => take(row) }, "Put into the muscle");
     list.replaceChildren(table(head, shown.map((row) => [...row.cells, put(row)]), { text, label: state.kind }));
   }
 
