@@ -51,13 +51,15 @@ inBrowser(({ name, open, blank, url }) => {
   });
 
   test("a crosshair reads a curve off; a drag on an axis, the wheel and keys zoom, a double-click shows all", async () => {
-    const { page, context } = await open("#muscle");
+    const { page, context } = await open("#muscle", { viewport: { width: 1440, height: 1200 } });
     await alive(page);
     await drawn(page);
     await page.getByText("2.5 bar", { exact: true }).waitFor();
     const plot = page.locator(".plot").first(), box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await plot.boundingBox());
+    await page.waitForFunction(() => !/** @type {HTMLElement} */ (document.querySelector(".ring")).hidden);
     const ring = /** @type {{ x: number, y: number }} */ (await page.locator(".ring").boundingBox());
     await page.mouse.move(ring.x + 8, ring.y + 8);
+    await page.waitForSelector(".tip:not([hidden])");
     assert.match(await page.locator(".tip").innerText(), /^2.5 bar: 1[45](\.\d+)? %, 3[23]\d.* ± 118 N$/);
     const all = await lower(page);
     await page.mouse.move(box.x + 0.4 * box.width, box.y + box.height - 20);

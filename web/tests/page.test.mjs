@@ -284,7 +284,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.waitForFunction(() => /rests at\s*−\d/.test(document.querySelector(".numbers")?.textContent ?? ""));
     await page.locator("summary").filter({ hasText: "Another muscle 2" }).click();
     const thin = `[tube]\nouter_diameter = "24 mm"\nwall_thickness = "2 mm"\nlength = "285 mm"\nrubber = "paper"\n[braid]\nangle = "28 deg"\nstiffness = 150\n`;
-    await page.locator("input[type=file]").setInputFiles({ name: "thin.toml", mimeType: "application/toml", buffer: Buffer.from(thin) });
+    await page.getByLabel("Open muscle 2 (TOML)").setInputFiles({ name: "thin.toml", mimeType: "application/toml", buffer: Buffer.from(thin) });
     await page.getByText("Muscle 2 is that of its file.").waitFor();
     assert.match(page.url(), /file2=/);
     await page.getByRole("button", { name: "Use the same muscle twice" }).click();

@@ -88,19 +88,20 @@ export function refined(grid, segments, by) {
   });
   const [fx, fy] = [finer(x), finer(y)];
   const cell = (/** @type {number} */ k, /** @type {number} */ most) => { const i = Math.min(most - 2, Math.floor(k / by)); return { i, t: k / by - i }; };
+  const corners = (/** @type {number} */ i, /** @type {number} */ j) => [nodes[j][i], nodes[j][i + 1], nodes[j + 1][i], nodes[j + 1][i + 1]];
+  /** Only cells that the border runs through have to be looked at place by place. @param {Node[]} of @param {number} px @param {number} py */
+  const there = (of, px, py) => of.every((n) => n.fits) || (of.some((n) => n.fits) && inside(segments, px, py + 1e-9));
   const value = fy.map((py, l) => fx.map((px, k) => {
     const { i, t } = cell(k, x.length), { i: j, t: s } = cell(l, y.length);
-    if (!inside(segments, px, py + 1e-9)) return null;
+    if (!there(corners(i, j), px, py)) return null;
     const v = (1 - s) * ((1 - t) * values[j][i] + t * values[j][i + 1]) + s * ((1 - t) * values[j + 1][i] + t * values[j + 1][i + 1]);
     return Number.isFinite(v) ? v : null;
   }));
   const missed = fy.map((_, l) => fx.map((__, k) => {
-    const { i, t } = cell(k, x.length), { i: j, t: s } = cell(l, y.length);
-    const corners = /** @type {[Node, number][]} */ ([[nodes[j][i], (1 - t) * (1 - s)], [nodes[j][i + 1], t * (1 - s)], [nodes[j + 1][i], (1 - t) * s], [nodes[j + 1][i + 1], t * s]]);
-    /** @type {Map<string, number>} */
-    const weights = new Map();
-    for (const [{ fits, limit }, w] of corners) if (!fits) weights.set(limit, (weights.get(limit) ?? 0) + w);
-    return [...weights].sort((a, b) => b[1] - a[1])[0]?.[0] ?? null;
+    const { i, t } = cell(k, x.length), { i: j, t: s } = cell(l, y.length), of = corners(i, j);
+    const shares = [(1 - t) * (1 - s), t * (1 - s), (1 - t) * s, t * s], limits = of.filter((n) => !n.fits).map((n) => n.limit);
+    const share = (/** @type {string} */ limit) => of.reduce((sum, n, c) => sum + (!n.fits && n.limit === limit ? shares[c] : 0), 0);
+    return limits.every((limit) => limit === limits[0]) ? limits[0] ?? null : limits.reduce((a, b) => (share(b) > share(a) ? b : a));
   }));
   return { x: fx, y: fy, value, missed };
 }

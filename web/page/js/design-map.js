@@ -11,7 +11,7 @@ import { outside, show, unitName } from "./units.js";
 /** @typedef {Design["answer"]["candidates"][number]} Candidate */
 /** @typedef {{ D: number[], S: number[], fits: Map<string, Candidate>, nodes: import("./border.js").Node[][], limits: string[] }} Found */
 /** Diameters and walls; the picture is finer than they are. */
-const ACROSS = 29, UP = 25, FINER = 6;
+const ACROSS = 29, UP = 25, FINER = 4;
 const RAMP = [[0, "rgb(33,144,141)"], [0.5, "rgb(92,200,99)"], [1, "rgb(253,231,37)"]];
 
 /** @param {(candidate: any, at: { p: number, e: number }) => string} linked the address of a muscle */
@@ -33,9 +33,8 @@ export function designMap(linked) {
   async function map() {
     const middle = best();
     // A joint is searched over its pulley too: there is no one map.
-    feasible.element.hidden = !middle || Boolean(of.torques);
     mapping.abort();
-    if (!middle || feasible.element.hidden) return;
+    if (!middle || of.torques) { feasible.element.hidden = true; return; }
     const { signal } = (mapping = new AbortController());
     const request = asked(of, middle);
     found = read(request, await engine().ask("design", request, { signal }));

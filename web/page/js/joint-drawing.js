@@ -1,4 +1,5 @@
 // The joint to scale: pulley, both muscles as long and as thick as they are, the arm in its range, and the torque that it holds.
+import { niceUp } from "./bench/round.js";
 import { KINDS, isDark, viridis } from "./chart.js";
 import { number, outside, show, unitName } from "./units.js";
 
@@ -35,7 +36,7 @@ export function jointDrawing(point, angle, supply, m) {
   const large = m.range > 90 ? 1 : 0;
   const range = `<path d="M0 0L${at(arm, -m.range)}A${arm} ${arm} 0 ${large} 0 ${at(arm, m.range)}Z" class="range"/>`;
   const muscles = tube(m, 1, point, supply, left) + (point && point.pressure_2_mpa === undefined ? "" : tube(m, 2, point, supply, left));
-  const bar = 0.2 * m.length, scale = `<path d="M${left} ${tall / 2 - 0.03 * m.length}v${0.015 * m.length}h${bar}v${-0.015 * m.length}" fill="none" class="line"/><text x="${left + bar + 4}" y="${tall / 2 - 0.01 * m.length}">${show("length", bar, 2)}</text>`;
+  const bar = niceUp(0.13 * m.length), scale = `<path d="M${left} ${tall / 2 - 0.03 * m.length}v${0.015 * m.length}h${bar}v${-0.015 * m.length}" fill="none" class="line"/><text x="${left + bar + 4}" y="${tall / 2 - 0.01 * m.length}">${show("length", bar, 2)}</text>`;
   const wall = `<path d="M${left - 0.5 * m.diameter} ${-m.r - m.diameter}V${m.r + m.diameter}" class="wall"/>`;
   return `<svg class="section joint" viewBox="${left - 0.04 * m.length} ${-tall / 2} ${width} ${tall}" font-size="${size}">${range}${wall}${muscles}<circle r="${m.r}" class="pulley"/>`
     + `<path d="M0 0L${at(arm, angle)}" class="arm" stroke-width="${0.035 * m.length}"/><circle r="${0.02 * m.length}" fill="currentColor"/>`
