@@ -202,6 +202,7 @@ inBrowser(({ name, url, open, blank }) => {
     assert.match(lines[0], /^curve,outer diameter D0 \[mm\],wall s \[mm\],"required pressure \[bar\], or missed limit"$/);
     assert.equal(lines.length, 1 + 29 * 25);
     await map.locator(".heatmaplayer, .contourlayer").first().waitFor({ state: "attached", timeout: 30_000 });
+    await map.locator(".plot").first().scrollIntoViewIfNeeded();
     const box = /** @type {any} */ (await map.locator(".plot").first().boundingBox());
     await page.mouse.click(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
     await page.getByRole("link", { name: "see this muscle" }).click();

@@ -20,6 +20,7 @@ export class Lines {
     /** @type {import("./plot.js").Frame | undefined} */ this.at = undefined;
     /** @type {import("./plot.js").Reach | undefined} */ this.zoomed = undefined;
     /** What the keyboard reads: curve and point. @type {[number, number] | undefined} */ this.read = undefined;
+    /** Where the pointer rests on the plot. @type {[number, number] | undefined} */ this.pointer = undefined;
     this.drawn = el("div", {});
     this.dot = el("i", { class: "dot", hidden: true });
     this.tip = el("div", { class: "tip small", hidden: true });
@@ -42,7 +43,9 @@ export class Lines {
     this.at = frame(spec, width, height, this.zoomed ?? reachOf(spec));
     this.drawn.innerHTML = drawing(spec, this.at, colours());
     this.all.hidden = !this.zoomed;
-    if (!this.tip.hidden) this.clear();
+    // What is below the pointer is read off anew.
+    if (this.pointer) this.hover(this.pointer[0], this.pointer[1]);
+    else if (!this.tip.hidden) this.clear();
   }
 
   /** Where values lie, in pixels of the plot; at its edge, where they lie beyond. @param {number} x @param {number} y */
@@ -114,6 +117,7 @@ export class Lines {
     });
     on("pointermove", (/** @type {PointerEvent} */ event) => {
       const [px, py] = where(event);
+      this.pointer = from ? undefined : [px, py];
       if (!from) return this.hover(px, py);
       if (from.what === "drag") drag(px, py, false);
       else this.frameOf(from, px, py);
@@ -125,7 +129,7 @@ export class Lines {
       else if (begun) this.zoomTo(begun, px, py);
     });
     on("pointercancel", () => { from = undefined; this.clear(); });
-    on("pointerleave", () => { if (!from) this.clear(); });
+    on("pointerleave", () => { this.pointer = undefined; if (!from) this.clear(); });
     on("blur", () => this.clear());
     on("dblclick", () => this.zoom(undefined));
     on("wheel", (/** @type {WheelEvent} */ event) => {
@@ -175,6 +179,7 @@ export class Lines {
 
   /** @param {string} key @returns whether it means something here */
   key(key) {
+    this.pointer = undefined;
     const step = { ArrowRight: [0, 1], ArrowLeft: [0, -1], ArrowUp: [1, 0], ArrowDown: [-1, 0] }[key];
     if (step) this.walk(step[0], step[1]);
     else if (key === "+" || key === "=") this.zoomAbout(0.7);
