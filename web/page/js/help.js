@@ -18,7 +18,7 @@ const HOW = {
   about: ["Compute the verification here: it takes about a minute."],
 };
 
-/** The page of the book, from this one. @param {string} place such as `commands#design` */
+/** The page of the book, from this one. @param {string} place such as `commands#commands` */
 function book(place) {
   const [file, anchor] = place.split("#");
   return `${DOCUMENTATION.replace(/[^/]*$/, "")}${file}.html${anchor ? `#${anchor}` : ""}`;

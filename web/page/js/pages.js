@@ -4,7 +4,7 @@
 /** @type {Page[]} */
 export const PAGES = [
   { name: "muscle", text: "Muscle", help: "workbench", about: "Change a muscle and see at once how it pulls, bulges and stretches, computed by finite elements while you drag." },
-  { name: "design", text: "Design", help: "commands#design", about: "State the pull that you need: this page finds muscles that give it, and ranks them." },
+  { name: "design", text: "Design", help: "commands#commands", about: "State the pull that you need: this page finds muscles that give it, and ranks them." },
   { name: "joint", text: "Joint", help: "joints", about: "Two muscles pull against each other on a pulley: see the torque, the stiffness and the pressures of a joint." },
   { name: "motion", text: "Motion", help: "motion", about: "Open a valve and see how fast the muscle fills, and how it moves its load." },
   { name: "data", text: "Data", help: "identify", about: "Compare points that you measured with the models, and identify the constants of your own muscle." },
