@@ -51,17 +51,18 @@ inBrowser(({ name, open, blank, url }) => {
   });
 
   test("a crosshair reads a curve off; a drag on an axis, the wheel and keys zoom, a double-click shows all", async () => {
-    const { page, context } = await open("#muscle", { viewport: { width: 1440, height: 1200 } });
+    const { page, context } = await open("#muscle");
     await alive(page);
     await drawn(page);
     await page.getByText("2.5 bar", { exact: true }).waitFor();
-    const plot = page.locator(".plot").first(), box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await plot.boundingBox());
+    const plot = page.locator(".plot").first();
+    await page.locator(".points + .row").scrollIntoViewIfNeeded();
     await page.waitForFunction(() => !/** @type {HTMLElement} */ (document.querySelector(".ring")).hidden);
     const ring = /** @type {{ x: number, y: number }} */ (await page.locator(".ring").boundingBox());
     await page.mouse.move(ring.x + 8, ring.y + 8);
     await page.waitForSelector(".tip:not([hidden])");
     assert.match(await page.locator(".tip").innerText(), /^2.5 bar: 1[45](\.\d+)? %, 3[23]\d.* ± 118 N$/);
-    const all = await lower(page);
+    const all = await lower(page), box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await plot.boundingBox());
     await page.mouse.move(box.x + 0.4 * box.width, box.y + box.height - 20);
     await page.mouse.down();
     await page.mouse.move(box.x + 0.6 * box.width, box.y + box.height - 20, { steps: 3 });

@@ -11,15 +11,26 @@ import { niceUp, twoDigits } from "./round.js";
 /** @typedef {import("./store.js").Store} Store */
 /** @typedef {import("../../../types/commands").Commands["curve"]["answer"]} Answer */
 /** @typedef {Answer["points"][number] & Record<string, any>} Point */
-const TESTS = /** @type {[string, string][]} */ ([["isobaric", "Isobaric"], ["isometric", "Isometric"], ["isotonic", "Isotonic"], ["along", "Along the muscle"]]);
+const TESTS = /** @type {[string, string][]} */ ([
+  ["isobaric", "Isobaric"],
+  ["isometric", "Isometric"],
+  ["isotonic", "Isotonic"],
+  ["along", "Along the muscle"],
+]);
 const OVERLAYS = ["universal", "thick-wall", "ideal", "paper"];
 /** Points of a curve. */
-const FAMILY = 13, FINE = 21;
-const steps = (/** @type {number} */ count, /** @type {number} */ end) => Array.from({ length: count }, (_, i) => (i * end) / (count - 1));
+const FAMILY = 13,
+  FINE = 21;
+const steps = (/** @type {number} */ count, /** @type {number} */ end) =>
+  Array.from({ length: count }, (_, i) => (i * end) / (count - 1));
 
 /** @param {Store} store */
 export function curvesView(store) {
-  const slots = { family: new Slot({ lane: "curves" }), own: new Slot({ lane: "curves" }), over: new Slot({ lane: "curves" }) };
+  const slots = {
+    family: new Slot({ lane: "curves" }),
+    own: new Slot({ lane: "curves" }),
+    over: new Slot({ lane: "curves" }),
+  };
   /** @type {{ test: string, answer: Answer, top: number } | undefined} */ let family;
   /** @type {{ test: string, answer: Answer } | undefined} */ let own;
   /** @type {Answer[]} */ let overlays = [];
@@ -34,7 +45,10 @@ export function curvesView(store) {
   } });
   const points = pointsView(store, () => { keys.family = ""; ask(); draw(); });
 
-  /** Curves, at most ten times a second, and where drawing them takes most of a frame once the hand rests: the muscle comes first. */
+  /**
+   * Curves, at most ten times a second, and where drawing them takes most of a frame once the hand rests: the muscle
+   * comes first.
+   */
   function soon() {
     if (chart.cost > 8) clearTimeout(timer);
     else if (timer) return;
@@ -53,7 +67,10 @@ export function curvesView(store) {
     points.ask();
   }
 
-  /** Asks what was not asked yet. @param {"family" | "own"} what @param {string} key @param {object} request @param {(answer: Answer) => void} take */
+  /**
+   * Asks what was not asked yet.
+   * @param {"family" | "own"} what @param {string} key @param {object} request @param {(answer: Answer) => void} take
+   */
   function once(what, key, request, take) {
     if (key === keys[what]) return;
     keys[what] = key;
@@ -72,9 +89,27 @@ export function curvesView(store) {
     const found = /** @type {Answer[]} */ ([]);
     const next = (/** @type {string[]} */ [model, ...rest]) => {
       if (keys.over !== key) return;
-      if (!model) { overlays = found; return draw(); }
-      const request = { test: /** @type {const} */ ("isobaric"), ...fields, model, extrapolate: true, pressures_mpa: [muscle.p], contractions };
-      slots.over.ask("curve", request, (answer) => { found.push(answer); next(rest); }, () => next(rest));
+      if (!model) {
+        overlays = found;
+        return draw();
+      }
+      const request = {
+        test: /** @type {const} */ ("isobaric"),
+        ...fields,
+        model,
+        extrapolate: true,
+        pressures_mpa: [muscle.p],
+        contractions,
+      };
+      slots.over.ask(
+        "curve",
+        request,
+        (answer) => {
+          found.push(answer);
+          next(rest);
+        },
+        () => next(rest),
+      );
     };
     next(names);
   }
@@ -88,15 +123,27 @@ export function curvesView(store) {
     const series = [...familySeries(family.answer, test, top, mine), ...(mine ? ownSeries(mine, test, top) : [])];
     if (test === "isobaric") series.push(...overlays.map(overlay), ...points.series(top));
     const [pressure, force] = [`pressure p [${unitName("pressure")}]`, `pull F [${unitName("force")}]`];
-    chart.show({ x: test === "isobaric" ? "contraction ε [%]" : pressure, y: test === "isotonic" ? "contraction ε [%]" : force, series });
+    chart.show({
+      x: test === "isobaric" ? "contraction ε [%]" : pressure,
+      y: test === "isotonic" ? "contraction ε [%]" : force,
+      series,
+    });
     mark();
   }
 
   function mark() {
     const { point } = store, { test } = store.wanted;
     if (!point || test === "along") return chart.mark();
-    const [pull, pressure, contraction] = [outside("force", point.force_n), outside("pressure", point.pressure_mpa), 100 * point.contraction];
-    chart.mark(...(test === "isobaric" ? /** @type {const} */ ([contraction, pull]) : /** @type {const} */ ([pressure, test === "isotonic" ? contraction : pull])));
+    const [pull, pressure, contraction] = [
+      outside("force", point.force_n),
+      outside("pressure", point.pressure_mpa),
+      100 * point.contraction,
+    ];
+    chart.mark(
+      ...(test === "isobaric"
+        ? /** @type {const} */ ([contraction, pull])
+        : /** @type {const} */ ([pressure, test === "isotonic" ? contraction : pull])),
+    );
   }
 
   store.on("answer", (pumped) => {
@@ -112,7 +159,9 @@ export function curvesView(store) {
     chart, over: over.element, points, draw,
     /** What the address says. */
     load() {
-      tab.list.querySelectorAll("button").forEach((b) => b.setAttribute("aria-selected", String(b.dataset.name === store.wanted.test)));
+      tab.list
+        .querySelectorAll("button")
+        .forEach((b) => b.setAttribute("aria-selected", String(b.dataset.name === store.wanted.test)));
       over.set(store.wanted.over.split(","));
     },
     end() {
@@ -130,14 +179,26 @@ const friction = () => typeof muscle.shown?.friction_coefficient === "number";
 
 /** @param {Store} store @param {() => void} changed */
 function overlayChoice(store, changed) {
-  const boxes = OVERLAYS.map((name) => el("input", { type: "checkbox", id: `over-${name}`, onchange: () => {
-    store.wanted.over = OVERLAYS.filter((_, i) => boxes[i].checked).join(",");
-    changed();
-  } }));
-  const dash = (/** @type {number} */ i) => el("i", { style: `display:inline-block;width:16px;border-top:2px dashed ${KINDS[i + 1]};vertical-align:middle` });
+  const boxes = OVERLAYS.map((name) =>
+    el("input", {
+      type: "checkbox",
+      id: `over-${name}`,
+      onchange: () => {
+        store.wanted.over = OVERLAYS.filter((_, i) => boxes[i].checked).join(",");
+        changed();
+      },
+    }),
+  );
+  const dash = (/** @type {number} */ i) =>
+    el("i", { style: `display:inline-block;width:16px;border-top:2px dashed ${KINDS[i + 1]};vertical-align:middle` });
   const labels = OVERLAYS.map((name, i) => el("label", { for: `over-${name}` }, boxes[i], ` ${name} `, dash(i)));
   return {
-    element: el("div", { class: "row small" }, el("span", { class: "soft" }, "Other models at this pressure:"), ...labels),
+    element: el(
+      "div",
+      { class: "row small" },
+      el("span", { class: "soft" }, "Other models at this pressure:"),
+      ...labels,
+    ),
     /** @param {string[]} names */
     set(names) { OVERLAYS.forEach((name, i) => { boxes[i].checked = names.includes(name); }); },
   };
@@ -149,20 +210,33 @@ function reachOf(store, count) {
   return steps(count, end).map((e) => Math.round(1e4 * e) / 1e4);
 }
 
-/** Five pressures up to a round one above the state's, or those of the measured points. @param {Store} store @param {number[]} measured */
+/**
+ * Five pressures up to a round one above the state's, or those of the measured points.
+ * @param {Store} store @param {number[]} measured
+ */
 function familyOf(store, measured) {
   const { test } = store.wanted;
-  const shown = outside("pressure", Math.max(muscle.p, 0.02)), step = niceUp(shown / 5), count = Math.ceil(shown / step - 1e-9);
+  const shown = outside("pressure", Math.max(muscle.p, 0.02)),
+    step = niceUp(shown / 5),
+    count = Math.ceil(shown / step - 1e-9);
   let top = inside("pressure", count * step);
   if (test === "isobaric" && measured.length) {
     top = Math.max(top, ...measured);
     return { top, request: { pressures_mpa: measured, contractions: reachOf(store, FAMILY) } };
   }
-  const pressures = Array.from({ length: count }, (_, i) => inside("pressure", Number(((i + 1) * step).toPrecision(12))));
+  const pressures = Array.from({ length: count }, (_, i) =>
+    inside("pressure", Number(((i + 1) * step).toPrecision(12))),
+  );
   if (test === "isobaric") return { top, request: { pressures_mpa: pressures, contractions: reachOf(store, FAMILY) } };
   const over = steps(FAMILY, top), blocked = store.facts.characteristics?.blocked_force_n ?? 500;
   if (test === "isometric") return { top, request: { contractions: [0, 0.05, 0.1, 0.15, 0.2], pressures_mpa: over } };
-  return { top, request: { forces_n: [0.1, 0.3, 0.5, 0.7].map((x) => Math.max(1, twoDigits(x * blocked))), pressures_mpa: over.slice(1) } };
+  return {
+    top,
+    request: {
+      forces_n: [0.1, 0.3, 0.5, 0.7].map((x) => Math.max(1, twoDigits(x * blocked))),
+      pressures_mpa: over.slice(1),
+    },
+  };
 }
 
 /** The curve through the present state. @param {Store} store @param {number} top */
@@ -175,7 +249,12 @@ function ownOf(store, top) {
 }
 
 /** @param {number} fixed @param {string} test */
-const named = (fixed, test) => (test === "isobaric" ? show("pressure", fixed, 3) : test === "isotonic" ? show("force", fixed, 3) : show("ratio", fixed, 3));
+const named = (fixed, test) =>
+  test === "isobaric"
+    ? show("pressure", fixed, 3)
+    : test === "isotonic"
+      ? show("force", fixed, 3)
+      : show("ratio", fixed, 3);
 
 /** Points of one curve as a series. @param {Point[]} list @param {string} test */
 function line(list, test) {
@@ -186,30 +265,59 @@ function line(list, test) {
     const half = list.map((q) => (q.contraction_uncertainty ? 100 * q.contraction_uncertainty : null));
     return { x, y: list.map((q) => (ok(q) ? 100 * Number(q.contraction) : null)), half };
   }
-  return { x, y: list.map((q) => (ok(q) ? outside("force", q.force_n) : null)), half: list.map((q) => (q.uncertainty_n ? outside("force", q.uncertainty_n) : null)) };
+  return {
+    x,
+    y: list.map((q) => (ok(q) ? outside("force", q.force_n) : null)),
+    half: list.map((q) => (q.uncertainty_n ? outside("force", q.uncertainty_n) : null)),
+  };
 }
 
-/** @param {Answer} answer @param {string} test @param {number} top @param {Answer | undefined} own a curve that is drawn besides */
+/**
+ * @param {Answer} answer @param {string} test @param {number} top
+ * @param {Answer | undefined} own a curve that is drawn besides
+ */
 function familySeries(answer, test, top, own) {
   const count = answer.points.length / answer.fixed.length;
-  const hue = (/** @type {number} */ i) => (isDark() ? viridis(0.3 + (0.7 * i) / answer.fixed.length, 1) : viridis(i / answer.fixed.length));
+  const hue = (/** @type {number} */ i) =>
+    isDark() ? viridis(0.3 + (0.7 * i) / answer.fixed.length, 1) : viridis(i / answer.fixed.length);
   return answer.fixed.flatMap((fixed, i) => {
     if (own && Math.abs(own.fixed[0] - fixed) < 1e-9) return [];
-    const name = named(fixed, test), colour = test === "isobaric" ? pressureColour(fixed, top) : hue(i);
-    return [/** @type {import("../chart.js").Series} */ ({ name, end: name, at: test === "isobaric" ? "start" : "end", colour, ...line(answer.points.slice(i * count, (i + 1) * count), test) })];
+    const name = named(fixed, test),
+      colour = test === "isobaric" ? pressureColour(fixed, top) : hue(i);
+    return [
+      /** @type {import("../chart.js").Series} */ ({
+        name,
+        end: name,
+        at: test === "isobaric" ? "start" : "end",
+        colour,
+        ...line(answer.points.slice(i * count, (i + 1) * count), test),
+      }),
+    ];
   });
 }
 
-/** The curve of the state; both branches of its loop, where the friction is known. @param {Answer} answer @param {string} test @param {number} top */
+/**
+ * The curve of the state; both branches of its loop, where the friction is known.
+ * @param {Answer} answer @param {string} test @param {number} top
+ */
 function ownSeries(answer, test, top) {
-  const name = named(answer.fixed[0], test), colour = test === "isobaric" ? pressureColour(answer.fixed[0], top) : "#0072B2";
+  const name = named(answer.fixed[0], test),
+    colour = test === "isobaric" ? pressureColour(answer.fixed[0], top) : "#0072B2";
   const branches = [...new Set(answer.points.map((/** @type {Point} */ q) => q.direction))];
   return branches.map((branch, i) => {
     const list = answer.points.filter((/** @type {Point} */ q) => q.direction === branch);
-    const words = branch === "contraction" ? " while it shortens" : branch === "elongation" ? " while it lengthens" : "";
+    const words =
+      branch === "contraction" ? " while it shortens" : branch === "elongation" ? " while it lengthens" : "";
     const label = i ? {} : { end: name, at: /** @type {"start" | "end"} */ (test === "isobaric" ? "start" : "end") };
     const curve = line(list, test);
-    return /** @type {import("../chart.js").Series} */ ({ name: name + words, ...label, colour, strong: true, dash: branch === "elongation" ? "dash" : "solid", ...curve });
+    return /** @type {import("../chart.js").Series} */ ({
+      name: name + words,
+      ...label,
+      colour,
+      strong: true,
+      dash: branch === "elongation" ? "dash" : "solid",
+      ...curve,
+    });
   });
 }
 
@@ -217,5 +325,10 @@ function ownSeries(answer, test, top) {
 function overlay(answer) {
   const colour = KINDS[OVERLAYS.indexOf(answer.model) + 1] ?? KINDS[6];
   const { half, ...curve } = isobar(answer.points);
-  return /** @type {import("../chart.js").Series} */ ({ name: `${answer.model} at ${show("pressure", answer.fixed[0], 3)}`, dash: "dash", colour, ...curve });
+  return /** @type {import("../chart.js").Series} */ ({
+    name: `${answer.model} at ${show("pressure", answer.fixed[0], 3)}`,
+    dash: "dash",
+    colour,
+    ...curve,
+  });
 }

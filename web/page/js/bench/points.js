@@ -28,11 +28,23 @@ export function pointsView(store, changed) {
     key = "";
     said.replaceChildren();
     inner.hidden = !of;
-    if (!of) { points = []; return changed(); }
-    reading.ask("identify", { ...muscle.fields(), data: [of], columns: measured.columns, free: ["modulus"] }, (answer) => {
-      points = answer.points.filter((q) => q.measured === "force");
-      changed();
-    }, (problem) => { points = []; said.replaceChildren(problemBox(problem)); changed(); });
+    if (!of) {
+      points = [];
+      return changed();
+    }
+    reading.ask(
+      "identify",
+      { ...muscle.fields(), data: [of], columns: measured.columns, free: ["modulus"] },
+      (answer) => {
+        points = answer.points.filter((q) => q.measured === "force");
+        changed();
+      },
+      (problem) => {
+        points = [];
+        said.replaceChildren(problemBox(problem));
+        changed();
+      },
+    );
   }
 
   /** How far the muscle is from them now. */
@@ -42,10 +54,19 @@ export function pointsView(store, changed) {
     const request = { ...muscle.fields(), ...of, models: ["fe"], extrapolate: true }, next = JSON.stringify(request);
     if (next === key) return;
     key = next;
-    slot.ask("compare", request, ({ models: [m], points: count }) => {
-      if (!m || m.rms_n === null || m.rms_n === undefined) return;
-      words.textContent = `${of.data.name}: ${count} points. Residuals: ${show("force", m.rms_n, 3)} rms, ${show("force", m.max_n, 3)} the largest.`;
-    }, (problem) => { key = ""; said.replaceChildren(problemBox(problem)); });
+    slot.ask(
+      "compare",
+      request,
+      ({ models: [m], points: count }) => {
+        if (!m || m.rms_n === null || m.rms_n === undefined) return;
+        words.textContent = `${of.data.name}: ${count} points. Residuals: ${show("force", m.rms_n, 3)} rms, ` +
+          `${show("force", m.max_n, 3)} the largest.`;
+      },
+      (problem) => {
+        key = "";
+        said.replaceChildren(problemBox(problem));
+      },
+    );
   }
 
   /** The shear modulus that fits them best becomes the muscle's. */
@@ -54,7 +75,12 @@ export function pointsView(store, changed) {
     fit.disabled = true;
     said.replaceChildren();
     try {
-      const answer = await engine().ask("identify", { ...muscle.fields(), data: [measured.file], columns: measured.columns, free: ["modulus"] });
+      const answer = await engine().ask("identify", {
+        ...muscle.fields(),
+        data: [measured.file],
+        columns: measured.columns,
+        free: ["modulus"],
+      });
       await muscle.take(answer.muscle_file);
       store.tell("sync");
       store.ask();
@@ -73,13 +99,21 @@ export function pointsView(store, changed) {
     /** Those of the isobars to draw: none where the points have too many. */
     pressures() {
       const all = [...new Set(points.map((q) => q.pressure_mpa))].sort((a, b) => a - b).filter((p) => p > 0);
-      return all.length > MOST ? Array.from({ length: MOST }, (_, i) => all[Math.round((i * (all.length - 1)) / (MOST - 1))]) : all;
+      return all.length > MOST
+        ? Array.from({ length: MOST }, (_, i) => all[Math.round((i * (all.length - 1)) / (MOST - 1))])
+        : all;
     },
     /** @param {number} top the pressure that has the last colour @returns {import("../chart.js").Series[]} */
     series(top) {
       return [...new Set(points.map((q) => q.pressure_mpa))].map((p) => {
         const at = points.filter((q) => q.pressure_mpa === p);
-        return { name: `measured at ${show("pressure", p, 3)}`, mode: "markers", colour: pressureColour(p, top), x: at.map((q) => 100 * q.contraction), y: at.map((q) => outside("force", q.force_n)) };
+        return {
+          name: `measured at ${show("pressure", p, 3)}`,
+          mode: "markers",
+          colour: pressureColour(p, top),
+          x: at.map((q) => 100 * q.contraction),
+          y: at.map((q) => outside("force", q.force_n)),
+        };
       });
     },
     end() { off(); slot.end(); reading.end(); },
