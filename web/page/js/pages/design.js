@@ -83,8 +83,8 @@ function specification(submit) {
     elements: [wanted.element, vary,
       el("details", {}, el("summary", {}, "Tolerances of the workshop"), spread.element)],
     offer,
-    put: wanted.put,
-    options: choice.options,
+    put: (/** @type {string} */ key, /** @type {string} */ text) => wanted.put(key, text),
+    options: (/** @type {string} */ key, /** @type {string[]} */ names) => choice.options(key, names),
     texts: () => Object.assign({}, ...forms.map((f) => f.texts())),
     set: (/** @type {URLSearchParams} */ params) => forms.forEach((f) => f.set(params)),
     /**
