@@ -1,4 +1,5 @@
-// Keeps the page so that it opens without a network. What is newer comes first: the kept copy answers only where nothing else does.
+// Keeps the page so that it opens without a network. What is newer comes first: the kept copy answers only where
+// nothing else does.
 const NAME = "mckibben-page-1";
 /** Files of the page; a test compares the list with the folder. */
 const FILES = [
@@ -34,7 +35,8 @@ self.addEventListener("install", (event) => {
 
 self.addEventListener("activate", (event) => {
   const clean = async () => {
-    for (const name of await caches.keys()) if (name.startsWith("mckibben-page") && name !== NAME) await caches.delete(name);
+    for (const name of await caches.keys())
+      if (name.startsWith("mckibben-page") && name !== NAME) await caches.delete(name);
   };
   event.waitUntil(clean());
 });
@@ -43,7 +45,10 @@ self.addEventListener("fetch", (event) => {
   const { request } = event, url = new URL(request.url), scope = new URL(self.registration.scope);
   // Questions go to the server, or nowhere; the book is not of the page.
   const path = url.pathname.slice(scope.pathname.length);
-  if (request.method !== "GET" || url.origin !== scope.origin || !url.pathname.startsWith(scope.pathname) || /^(api|docs)\//.test(path)) return;
+  if (
+    request.method !== "GET" || url.origin !== scope.origin || !url.pathname.startsWith(scope.pathname) ||
+    /^(api|docs)\//.test(path)
+  ) return;
   const answer = async () => {
     const cache = await caches.open(NAME), file = path || "index.html";
     try {

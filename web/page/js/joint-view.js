@@ -18,38 +18,67 @@ export function angleAt(stage, event) {
 /** @param {Point} point @param {string} which muscles these are */
 export function numbersView(point, which) {
   const half = (/** @type {number | undefined} */ u) => (u ? ` ± ${number(u, 2)}` : "");
-  const stiffness = (/** @type {Point} */ { stiffness_nm_per_rad: k, stiffness_uncertainty_nm_per_rad: u }) => `${number(outside("angular-stiffness", k), 3)}${half(u && outside("angular-stiffness", u))} ${unitName("angular-stiffness")}`;
+  const stiffness = (/** @type {Point} */ { stiffness_nm_per_rad: k, stiffness_uncertainty_nm_per_rad: u }) =>
+    `${number(outside("angular-stiffness", k), 3)}${half(u && outside("angular-stiffness", u))} ${
+      unitName("angular-stiffness")
+    }`;
   const rows = /** @type {[string, string][]} */ ([
-    ["pressure of muscle 1", show("pressure", point.pressure_1_mpa, 3)], ["pressure of muscle 2", show("pressure", point.pressure_2_mpa, 3)],
-    ["stiffness", stiffness(point)], ["pulls", `${show("force", point.force_1_n, 3)}, ${show("force", point.force_2_n, 3)}`],
+    ["pressure of muscle 1", show("pressure", point.pressure_1_mpa, 3)],
+    ["pressure of muscle 2", show("pressure", point.pressure_2_mpa, 3)],
+    ["stiffness", stiffness(point)],
+    ["pulls", `${show("force", point.force_1_n, 3)}, ${show("force", point.force_2_n, 3)}`],
     ["contractions", `${show("ratio", point.contraction_1, 3)}, ${show("ratio", point.contraction_2, 3)}`],
   ]);
   const words = point.words ? ` The ± of the torque ${point.words}.` : "";
   return [
-    el("dl", {}, el("dt", { class: "head" }, "rests at"), el("dd", { class: "head" }, `${number(point.angle_deg, 3)}${half(point.angle_uncertainty_deg)}°`), ...rows.flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)])),
+    el("dl", {}, el("dt", { class: "head" }, "rests at"),
+      el("dd", { class: "head" }, `${number(point.angle_deg, 3)}${half(point.angle_uncertainty_deg)}°`),
+      ...rows.flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)])),
     el("p", { class: "small soft" }, `${which} Pressures by ${point.model}; curves and map by universal.${words}`),
   ];
 }
 
-/** Torques over the angle at pairs of pressures. @param {{ answer: any, angles: number[], pairs: number[][] }} family @param {Point | undefined} point @returns {import("./chart.js").Spec} */
+/**
+ * Torques over the angle at pairs of pressures.
+ * @param {{ answer: any, angles: number[], pairs: number[][] }} family
+ * @param {Point | undefined} point
+ * @returns {import("./chart.js").Spec}
+ */
 export function torqueChart({ answer, angles, pairs }, point) {
   const series = pairs.map((pair, i) => {
     const rows = answer.points.slice(i * angles.length, (i + 1) * angles.length);
     const name = pair.map((p) => number(outside("pressure", p), 3)).join(" | ") + " " + unitName("pressure");
-    return { name, end: name, colour: KINDS[i], x: angles, y: rows.map((/** @type {any} */ q) => outside("torque", q.torque_nm)) };
+    return { name, end: name, colour: KINDS[i], x: angles,
+      y: rows.map((/** @type {any} */ q) => outside("torque", q.torque_nm)) };
   });
   const marks = point ? [{ x: point.angle_deg, y: outside("torque", point.torque_nm ?? 0), text: "required" }] : [];
-  return { x: "angle φ [°]", y: `torque [${unitName("torque")}]`, yaxis: {}, series: [...reachable(angles, series.map((s) => s.y)), ...series], marks };
+  return { x: "angle φ [°]", y: `torque [${unitName("torque")}]`, yaxis: {},
+    series: [...reachable(angles, series.map((s) => s.y)), ...series], marks };
 }
 
 /** Rest angles and stiffnesses that it reaches. @param {any} map @returns {import("./chart.js").Spec} */
 export function reachChart(map) {
   const points = map.points.filter(Boolean), unit = unitName("pressure");
-  const mean = (/** @type {any} */ q) => outside("pressure", q.pressures_mpa.reduce((/** @type {number} */ a, /** @type {number} */ b) => a + b, 0) / q.pressures_mpa.length);
+  const mean = (/** @type {any} */ q) =>
+    outside("pressure", q.pressures_mpa.reduce((/** @type {number} */ a, /** @type {number} */ b) =>
+      a + b, 0) / q.pressures_mpa.length);
   const of = (/** @type {string} */ key) => points.map((/** @type {any} */ q) => q[key]);
-  const marker = { size: 5, color: points.map(mean), colorscale: "Viridis", colorbar: { title: { text: `mean pressure [${unit}]` } } };
+  const marker = { size: 5, color: points.map(mean), colorscale: "Viridis",
+    colorbar: { title: { text: `mean pressure [${unit}]` } } };
   return {
-    x: "rest angle φ [°]", y: `stiffness [${unitName("angular-stiffness")}]`, z: `mean pressure [${unit}]`, series: [],
-    data: [{ type: "scatter", name: "reached", mode: "markers", showlegend: false, x: of("angle_deg"), y: of("stiffness_nm_per_rad").map((/** @type {number} */ k) => outside("angular-stiffness", k)), marker, hovertemplate: `%{x:.3g}°, %{y:.3g} ${unitName("angular-stiffness")}<extra></extra>` }],
+    x: "rest angle φ [°]",
+    y: `stiffness [${unitName("angular-stiffness")}]`,
+    z: `mean pressure [${unit}]`,
+    series: [],
+    data: [{
+      type: "scatter",
+      name: "reached",
+      mode: "markers",
+      showlegend: false,
+      x: of("angle_deg"),
+      y: of("stiffness_nm_per_rad").map((/** @type {number} */ k) => outside("angular-stiffness", k)),
+      marker,
+      hovertemplate: `%{x:.3g}°, %{y:.3g} ${unitName("angular-stiffness")}<extra></extra>`,
+    }],
   };
 }

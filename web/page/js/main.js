@@ -54,7 +54,9 @@ const theme = el("button", { type: "button", onclick: () => {
   paintTheme();
   document.dispatchEvent(new Event("theme"));
 } }, "Dark");
-const paintTheme = () => { theme.textContent = isDark() ? "Light" : "Dark"; };
+const paintTheme = () => {
+  theme.textContent = isDark() ? "Light" : "Dark";
+};
 const help = helpLink();
 const bar = muscleBar();
 byId("tools").append(help.element, theme);
@@ -110,7 +112,8 @@ function leave() {
 /** @param {any} problem */
 function fail(problem) {
   leave();
-  main.replaceChildren(problemBox(problem), el("p", {}, el("button", { type: "button", class: "main", onclick: start }, "Try again")));
+  main.replaceChildren(problemBox(problem),
+    el("p", {}, el("button", { type: "button", class: "main", onclick: start }, "Try again")));
 }
 
 async function start() {
@@ -125,14 +128,26 @@ async function start() {
 
 paintTheme();
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", paintTheme);
-onMoved(() => { bar.moved(); keep().then(link, () => {}); });
+onMoved(() => {
+  bar.moved();
+  keep().then(link, () => {});
+});
 onKept(link);
-muscle.onChange(() => { link(); bar.paint(); });
+muscle.onChange(() => {
+  link();
+  bar.paint();
+});
 // A link that is followed right after a gesture has the muscle of that gesture.
 for (const event of ["pointerdown", "focusin"]) byId("pages").addEventListener(event, () => muscle.tell());
-window.addEventListener("popstate", () => { arrived(); route(); });
+window.addEventListener("popstate", () => {
+  arrived();
+  route();
+});
 sketches();
 printing();
 dropAnywhere();
 start();
-if ("serviceWorker" in navigator && window.isSecureContext) window.addEventListener("load", () => { navigator.serviceWorker.register("sw.js").catch(() => {}); });
+if ("serviceWorker" in navigator && window.isSecureContext)
+  window.addEventListener("load", () => {
+    navigator.serviceWorker.register("sw.js").catch(() => {});
+  });
