@@ -34,10 +34,7 @@ export function designMap(linked) {
   });
   feasible.element.hidden = true;
   const picked = el("p", { class: "small", style: "min-height:1.5em" });
-  const card = el("div", { class: "card small", hidden: true });
-  feasible.element.append(card);
-  feasible.plot.addEventListener("pointermove", (event) => hover(event));
-  feasible.plot.addEventListener("pointerleave", () => { card.hidden = true; });
+  hovering(feasible, () => found);
   const best = () => answer?.candidates[0] ?? answer?.closest ?? undefined;
 
   async function map() {
@@ -57,12 +54,6 @@ export function designMap(linked) {
     if (found && middle) feasible.show(spec(found, middle));
   }
 
-  /** @param {number} x @param {number} y in the shown unit */
-  const measures = (x, y) => {
-    const scale = outside("length", 1);
-    return [Number((x / scale).toPrecision(3)), Number((y / scale).toPrecision(2))];
-  };
-
   /** @param {number} x @param {number} y */
   function pick(x, y) {
     const middle = best(), [d, s] = measures(x, y);
@@ -78,34 +69,6 @@ export function designMap(linked) {
     );
   }
 
-  /** The muscle below the pointer, as it is and as it bulges. @param {PointerEvent} event */
-  function hover(event) {
-    const box = feasible.plot.getBoundingClientRect(),
-      at = feasible.values(event.clientX - box.left, event.clientY - box.top);
-    card.hidden = true;
-    if (!found || !at) return;
-    const [d, s] = measures(at[0], at[1]),
-      nearest = (/** @type {number[]} */ list, /** @type {number} */ v) =>
-        list.reduce((a, b) => (Math.abs(b - v) < Math.abs(a - v) ? b : a));
-    const one = found.fits.get(`${nearest(found.D, d)},${nearest(found.S, s)}`);
-    if (!one) return;
-    card.innerHTML = section(one);
-    card.append(
-      el(
-        "span",
-        {},
-        `D0 ${show("length", one.outer_diameter_mm, 3)}, s ${show("length", one.wall_mm, 2)}: requires ` +
-          `${show("pressure", one.pressure_mpa, 3)}, bulges to ${show("length", one.bulged_diameter_mm, 3)}`,
-      ),
-    );
-    const left = event.clientX - box.left,
-      wide = feasible.plot.clientWidth;
-    const top = feasible.plot.offsetTop + event.clientY - box.top + 14;
-    const aside = left > wide / 2 ? `right:${wide - left + 14}px` : `left:${left + 14}px`;
-    card.style.cssText = `top:${top}px;${aside}`;
-    card.hidden = false;
-  }
-
   return {
     elements: [picked, feasible.element], draw,
     /** @param {any} next answer of the search @param {any} request that it was asked by */
@@ -115,6 +78,37 @@ export function designMap(linked) {
     },
     end() { mapping.abort(); feasible.destroy(); },
   };
+}
+
+/** Diameter and wall in mm, rounded. @param {number} x @param {number} y in the shown unit */
+function measures(x, y) {
+  const scale = outside("length", 1);
+  return [Number((x / scale).toPrecision(3)), Number((y / scale).toPrecision(2))];
+}
+
+/** The muscle below the pointer, as it is and as it bulges. @param {Chart} chart @param {() => Found | undefined} of */
+function hovering(chart, of) {
+  const card = el("div", { class: "card small", hidden: true }), { plot } = chart;
+  const nearest = (/** @type {number[]} */ list, /** @type {number} */ v) =>
+    list.reduce((a, b) => (Math.abs(b - v) < Math.abs(a - v) ? b : a));
+  chart.element.append(card);
+  plot.addEventListener("pointerleave", () => { card.hidden = true; });
+  plot.addEventListener("pointermove", (event) => {
+    const box = plot.getBoundingClientRect(), [px, py] = [event.clientX - box.left, event.clientY - box.top];
+    const at = chart.values(px, py), found = of();
+    card.hidden = true;
+    if (!found || !at) return;
+    const [d, s] = measures(at[0], at[1]);
+    const one = found.fits.get(`${nearest(found.D, d)},${nearest(found.S, s)}`);
+    if (!one) return;
+    const size = `D0 ${show("length", one.outer_diameter_mm, 3)}, s ${show("length", one.wall_mm, 2)}`;
+    const [needs, bulge] = [show("pressure", one.pressure_mpa, 3), show("length", one.bulged_diameter_mm, 3)];
+    card.innerHTML = section(one);
+    card.append(el("span", {}, `${size}: requires ${needs}, bulges to ${bulge}`));
+    const wide = plot.clientWidth, aside = px > wide / 2 ? `right:${wide - px + 14}px` : `left:${px + 14}px`;
+    card.style.cssText = `top:${plot.offsetTop + py + 14}px;${aside}`;
+    card.hidden = false;
+  });
 }
 
 /**

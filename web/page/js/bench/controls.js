@@ -28,46 +28,12 @@ export function controlsView(store, fail) {
   const built = el("div", { class: "small", "aria-live": "polite" });
   const fileName = el("p", { class: "small soft" });
   const take = (/** @type {string} */ text) => takeFile(store, text, revealAll, fail);
-  const element = el(
-    "section",
-    { class: "controls", "aria-label": "Muscle" },
-    el(
-      "fieldset",
-      { class: "state" },
-      el("legend", {}, "State"),
-      make(PRESSURE),
-      picks.held.element,
-      make(CONTRACTION),
-      make(LOAD),
-    ),
-    el(
-      "fieldset",
-      {},
-      el("legend", {}, "Tube and braid"),
-      ...QUANTITIES.map(make),
-      picks.rubber.element,
-      picks.braid.element,
-      picks.strands.element,
-      make(STIFFNESS),
-      needed,
-    ),
-    el("details", {}, el("summary", {}, "Ends"), ...ENDS.map(make)),
-    moreMeasures(make),
-    el(
-      "details",
-      {},
-      el("summary", {}, "Muscle file"),
-      fileName,
-      fileField("Open a muscle file (TOML)", ".toml", (_, text) => take(text)),
-      el(
-        "p",
-        { style: "margin-top:8px" },
-        el("button", { type: "button", onclick: () => save(fail) }, "Download this muscle"),
-      ),
-    ),
-    el("p", { class: "row" }, el("button", { type: "button", onclick: () => build(built) }, "Build it")),
-    built,
-  );
+  const buttons = {
+    file: fileField("Open a muscle file (TOML)", ".toml", (_, text) => take(text)),
+    save: el("button", { type: "button", onclick: () => save(fail) }, "Download this muscle"),
+    build: el("button", { type: "button", onclick: () => build(built) }, "Build it"),
+  };
+  const element = section(make, picks, buttons, { needed, fileName, built });
   const homes = new Map(
     STRANDS.map(({ key }) => [key, /** @type {HTMLElement} */ (controls[key].element.parentElement)]),
   );
@@ -112,6 +78,24 @@ export function controlsView(store, fail) {
       () => {},
     );
   return { element, take, revealAll, braids: () => picks.braid.options(muscle.sleeves.map((s) => s.name)) };
+}
+
+/**
+ * @param {(spec: import("../state.js").Measure) => HTMLElement} make @param {ReturnType<typeof choices>} picks
+ * @param {{ file: Node, save: Node, build: Node }} buttons @param {{ needed: Node, fileName: Node, built: Node }} parts
+ */
+function section(make, { rubber, braid, strands, held }, buttons, { needed, fileName, built }) {
+  const group = (/** @type {string} */ name, /** @type {Node[]} */ ...list) =>
+    el("details", {}, el("summary", {}, name), ...list);
+  const state = [make(PRESSURE), held.element, make(CONTRACTION), make(LOAD)];
+  const tube = [...QUANTITIES.map(make), rubber.element, braid.element, strands.element, make(STIFFNESS), needed];
+  return el("section", { class: "controls", "aria-label": "Muscle" },
+    el("fieldset", { class: "state" }, el("legend", {}, "State"), ...state),
+    el("fieldset", {}, el("legend", {}, "Tube and braid"), ...tube),
+    group("Ends", ...ENDS.map(make)),
+    moreMeasures(make),
+    group("Muscle file", fileName, buttons.file, el("p", { style: "margin-top:8px" }, buttons.save)),
+    el("p", { class: "row" }, buttons.build), built);
 }
 
 /** @param {Store} store */

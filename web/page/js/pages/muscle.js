@@ -1,6 +1,6 @@
 // The muscle, alive: its measures as sliders, the deformed body, curves, and numbers with their ±.
 import { controlsView } from "../bench/controls.js";
-import { curvesView } from "../bench/curves.js";
+import { Curves } from "../bench/curves.js";
 import { numbersView } from "../bench/numbers.js";
 import { stageView } from "../bench/stage.js";
 import { OWN, Store } from "../bench/store.js";
@@ -16,7 +16,7 @@ export function mount(main) {
   const store = new Store((on) => busy.classList.toggle("on", on));
   const controls = controlsView(store, (problem) => said.replaceChildren(problemBox(problem)));
   const stage = stageView(store, busy),
-    curves = curvesView(store),
+    curves = new Curves(store),
     numbers = numbersView(store);
   const middle = el(
     "div",
@@ -25,7 +25,7 @@ export function mount(main) {
     stage.tools,
     curves.chart.element,
     curves.points.element,
-    curves.over,
+    curves.over.element,
   );
   const bench = el(
     "div",
@@ -78,7 +78,7 @@ export function mount(main) {
       controls.revealAll();
       store.ask();
       store.follow();
-      curves.points.load();
+      curves.points.read();
     },
     unmount() {
       offUnits();
