@@ -41,6 +41,32 @@ function sideForm(name, second, ask) {
   return fields;
 }
 
+/** Which muscle it is. @param {Commands["force"]["answer"]["muscle"] | undefined} m */
+function muscleLine(m) {
+  if (!m) return "";
+  const size = `D0 ${show("length", m.outer_diameter_mm)}, s ${show("length", m.wall_mm)}`;
+  return `${size}, L0 ${show("length", m.length_mm)}, θ0 ${show("angle", m.angle_deg)}, rubber ${m.rubber}, `
+    + `braid ${m.braid}`;
+}
+
+/**
+ * What a field says where nothing is typed into it: that of the muscle.
+ * @param {ReturnType<typeof form>} fields @param {string} name of the side @param {string} file of its own
+ */
+function usualTexts(fields, name, file) {
+  const put = (/** @type {string} */ key, /** @type {string | undefined} */ text) =>
+    fields.usual(name + key, file ? "as in its file" : text ?? "");
+  for (const m of QUANTITIES) {
+    const value = shownValue(muscle.state, muscle.shown, m), shown = value === undefined ? "" : show(m.kind, value);
+    put(m.key, m.key === "angle" && fields.text(`${name}braid`) ? "of the sleeve" : shown);
+  }
+  put("rubber", muscle.shown?.rubber);
+  put("braid", muscle.shown?.sleeve);
+  put("k", muscle.shown?.braid);
+  fields.usual(`${name}p`, show("pressure", muscle.p));
+  fields.usual(`${name}e`, show("ratio", muscle.e));
+}
+
 /** One of both. @param {string} name @param {boolean} second @param {{ ask: () => void, paint: () => void }} act */
 function sideOf(name, second, { ask, paint }) {
   const fields = sideForm(name, second, ask), stage = el("div", { class: "stage", style: "height:220px" }),
@@ -104,30 +130,10 @@ function sideOf(name, second, { ask, paint }) {
     },
     /** Which muscle it is. */
     line() {
-      const m = side.answer?.muscle;
-      which.textContent = m
-        ? `D0 ${show("length", m.outer_diameter_mm)}, s ${show("length", m.wall_mm)}, L0 ${
-          show("length", m.length_mm)
-        }, θ0 ${show("angle", m.angle_deg)}, rubber ${m.rubber}, braid ${m.braid}`
-        : "";
+      which.textContent = muscleLine(side.answer?.muscle);
     },
-    /** What a field says where nothing is typed into it: that of the muscle. */
     usual() {
-      const put = (/** @type {string} */ key, /** @type {string | undefined} */ text) =>
-        fields.usual(name + key, side.file ? "as in its file" : text ?? "");
-      for (const m of QUANTITIES) {
-        const value = shownValue(muscle.state, muscle.shown, m);
-        put(m.key, m.key === "angle" && fields.text(`${name}braid`)
-          ? "of the sleeve"
-          : value === undefined
-          ? ""
-          : show(m.kind, value));
-      }
-      put("rubber", muscle.shown?.rubber);
-      put("braid", muscle.shown?.sleeve);
-      put("k", muscle.shown?.braid);
-      fields.usual(`${name}p`, show("pressure", muscle.p));
-      fields.usual(`${name}e`, show("ratio", muscle.e));
+      usualTexts(fields, name, side.file);
     },
     end() {
       [point, shape, curve].forEach((slot) => slot.end());

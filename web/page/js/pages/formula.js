@@ -32,6 +32,14 @@ pressures = "0..0.25:0.01 MPa"
 /** The plan that was computed before: it is computed again when one comes back. */
 const COMPUTED = "campaign";
 
+/** How a formula is fitted. @type {import("../form.js").Field[]} */
+const HOW = [
+  { key: "method", field: "method", label: "Method",
+    options: [["paper", "the paper's seven steps"], ["global", "one least-squares problem"]], value: "paper" },
+  { key: "hold", field: "hold_out_mm", label: "Diameters kept out", kind: "length", list: true, hint: "45 mm" },
+  { key: "at", field: "at", label: "Surfaces at", kind: "pressure", value: "2.5 bar" },
+];
+
 /** @param {HTMLElement} main */
 export function mount(main) {
   /** @type {any} */ let made, /** @type {any} */ formula = PUBLISHED;
@@ -39,12 +47,7 @@ export function mount(main) {
     "aria-label": "Plan (TOML)", spellcheck: "false" });
   plan.value = fileOf("plan") ?? PLAN;
   plan.addEventListener("input", () => keepFile("plan", plan.value === PLAN ? undefined : plan.value));
-  const how = form([
-    { key: "method", field: "method", label: "Method",
-      options: [["paper", "the paper's seven steps"], ["global", "one least-squares problem"]], value: "paper" },
-    { key: "hold", field: "hold_out_mm", label: "Diameters kept out", kind: "length", list: true, hint: "45 mm" },
-    { key: "at", field: "at", label: "Surfaces at", kind: "pressure", value: "2.5 bar" },
-  ], () => (made ? fit.run() : paint()));
+  const how = form(HOW, () => (made ? fit.run() : paint()));
   const table1 = el("p", { class: "small" }), errors = el("div", {}), figures = el("div", {}), shown = surfaces();
   const stale = (/** @type {boolean} */ on) =>
     [errors, shown.element, figures].forEach((part) => part.classList.toggle("stale", on));

@@ -101,16 +101,54 @@ function player() {
   } };
 }
 
+const CLOSED =
+  "A drive file states supply, valve, load and commands over time. One with a joint moves the joint of the "
+  + "page Joint.";
+const EXAMPLES = [["lift 10 kg and lower it", "drive.toml"], ["turn the joint", "elbow-drive.toml"]];
+
+/** Drive files: one that is opened, and examples. @param {(text: string) => void} take */
+function driveBox(take) {
+  const words = el("p", { class: "small soft" }), said = el("div", {});
+  const fail = (/** @type {any} */ problem) => said.replaceChildren(problemBox(problem));
+  const leave = el("button", { type: "button", hidden: true, onclick: () => take("") }, "Close the drive file");
+  const samples = EXAMPLES.map(([text, name]) =>
+    el("button", { type: "button", onclick: () => example(name).then(take).catch(fail) }, text)
+  );
+  const element = el("details", {}, el("summary", {}, "Drive file and examples"), words,
+    el("p", { class: "row small" }, "Examples:", ...samples),
+    fileField("Open a drive file (TOML)", ".toml", (_, text) => take(text)), leave, said);
+  return {
+    element,
+    /** @param {string} drive */
+    show(drive) {
+      leave.hidden = !drive;
+      words.textContent = drive ? "A drive file is open: it states supply, valve, load and commands." : CLOSED;
+    },
+  };
+}
+
+/** Pressure and way over time. */
+function chartsOf() {
+  const pressure = new Chart("motion-pressure", { tools: el("h2", {}, "Pressure") });
+  const way = new Chart("motion-contraction", { tools: el("h2", {}, "Contraction") });
+  return {
+    element: el("div", { class: "charts" }, pressure.element, way.element),
+    /** @param {any} run */
+    show(run) {
+      pressure.show(pressureChart(run));
+      way.show(wayChart(run));
+    },
+  };
+}
+
 /** @param {HTMLElement} main */
 export function mount(main) {
   /** @type {any} */ let run;
   let drive = "";
   const fields = form(STEP, () => go.run()), shown = player();
-  const pressure = new Chart("motion-pressure", { tools: el("h2", {}, "Pressure") }),
-    way = new Chart("motion-contraction", { tools: el("h2", {}, "Contraction") });
-  const numbers = el("div", {}), which = el("p", { class: "small soft" }), ofFile = el("p", { class: "small soft" }),
-    said = el("div", {});
-  const leave = el("button", { type: "button", hidden: true, onclick: () => take("") }, "Close the drive file");
+  const charts = chartsOf();
+  const numbers = el("div", {}), which = el("p", { class: "small soft" });
+  const box = driveBox((text) => take(text));
   const title = el("h2", {}, "A step on a valve");
   const go = job("Run", "motion", request, (answer) => {
     run = answer;
@@ -121,23 +159,14 @@ export function mount(main) {
     fields.at(problem);
     stale(true);
   });
-  const samples = el("p", { class: "row small" }, "Examples:",
-    ...[["lift 10 kg and lower it", "drive.toml"], ["turn the joint", "elbow-drive.toml"]].map(([text, name]) =>
-      el("button", { type: "button", onclick: () =>
-        example(name).then(take, (problem) => said.replaceChildren(problemBox(problem))) }, text)
-    ));
   main.replaceChildren(
     el("div", { class: "bench two" },
       el("section", { class: "controls", "aria-label": "Step" }, title, fields.element, go.element, which, numbers,
-        el("details", {}, el("summary", {}, "Drive file and examples"), ofFile, samples,
-          fileField("Open a drive file (TOML)", ".toml", (_, text) => take(text)), leave, said)),
-      el("div", { class: "middle" }, shown.stage, shown.row,
-        el("div", { class: "charts" }, pressure.element, way.element))),
+        box.element), el("div", { class: "middle" }, shown.stage, shown.row, charts.element)),
   );
 
   /** What is shown belongs to the last step that had an answer. @param {boolean} on */
-  const stale = (on) =>
-    [shown.stage, numbers, pressure.element, way.element].forEach((part) => part.classList.toggle("stale", on));
+  const stale = (on) => [shown.stage, numbers, charts.element].forEach((part) => part.classList.toggle("stale", on));
   const place = (replace = false) =>
     write(address("motion", { ...muscle.params(), ...fields.texts(), [DRIVE]: drive }), replace);
 
@@ -161,18 +190,13 @@ export function mount(main) {
   /** What a drive file states has no field. */
   function offer() {
     for (const key of STEP_KEYS) fields.shown(key, !drive);
-    leave.hidden = !drive;
+    box.show(drive);
     title.textContent = drive ? "Commands of a drive file" : "A step on a valve";
-    ofFile.textContent = drive
-      ? "A drive file is open: it states supply, valve, load and commands."
-      : "A drive file states supply, valve, load and commands over time. One with a joint moves the joint of the "
-        + "page Joint.";
   }
 
   function paint() {
     if (!run) return;
-    pressure.show(pressureChart(run));
-    way.show(wayChart(run));
+    charts.show(run);
     numbers.replaceChildren(warnings(run.warnings), figures(run));
   }
 

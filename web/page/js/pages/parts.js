@@ -82,10 +82,49 @@ function estimated({ missing, stiffness_factor: factor }) {
   return capital([what, factor ? `stiffness within a factor of ${number(factor, 2)}` : ""].filter(Boolean).join("; "));
 }
 
+/** Whether all words occur. @param {Row} row @param {string} find */
+function fitsFilter(row, find) {
+  const cells = row.cells.filter((cell) => typeof cell === "string").join(" ");
+  const words = `${row.words} ${cells}`.toLowerCase();
+  return find.toLowerCase().split(/[\s,]+/).every((word) => words.includes(word));
+}
+
+/** Whether a sleeve can have the diameter of the muscle. @param {Row} row */
+function isFor({ low, high }) {
+  const d = muscle.shown?.outer_diameter_mm;
+  return d === undefined || (d >= low - 1e-9 && d <= high + 1e-9);
+}
+
+/** A part in the muscle, where it can be there. @param {Row} row */
+async function putInto(row) {
+  const before = muscle.state;
+  for (const [key, value] of Object.entries(row.said)) muscle.set(key, value);
+  try {
+    await muscle.look();
+    return true;
+  } catch (problem) {
+    muscle.state = before;
+    await muscle.look().catch(() => {});
+    const { message, hint } = /** @type {any} */ (problem), why = hint ? capital(inWords(hint)) : "";
+    notice(`${row.name} does not go into this muscle: ${inWords(message)}. ${why}`);
+    return false;
+  }
+}
+
+/** @param {string} id @param {string} text @param {() => void} changed */
+function check(id, text, changed) {
+  const box = el("input", { type: "checkbox", id, onchange: changed });
+  return { box, row: el("label", { for: id }, box, ` ${text}`) };
+}
+
+/** @param {Row} row @param {() => void} act */
+const putButton = ({ name }, act) =>
+  el("button", { type: "button", "aria-label": `Put into the muscle: ${name}`, onclick: act }, "Put into the muscle");
+
 /** @param {HTMLElement} main */
 export function mount(main) {
   /** @type {Parts | undefined} */ let parts;
-  const state = { kind: /** @type {Kind} */ ("tubes"), find: "", made: "" };
+  const state = { kind: /** @type {Kind} */ ("tubes"), find: "" };
   const kind = choice("Show", KINDS, state.kind, (name) => {
     state.kind = /** @type {Kind} */ (name);
     changed();
@@ -95,68 +134,42 @@ export function mount(main) {
       state.find = find.value.trim();
       changed();
     } });
-  const fits = el("input", { type: "checkbox", id: "parts-fits", onchange: () => changed() }),
-    cast = el("input", { type: "checkbox", id: "parts-sold", onchange: () => changed() });
-  const castRow = el("label", { for: "parts-sold" }, cast, " only as sold"),
-    fitsRow = el("label", { for: "parts-fits" }, fits, " only what fits the muscle's diameter");
+  const fits = check("parts-fits", "only what fits the muscle's diameter", () => changed());
+  const cast = check("parts-sold", "only as sold", () => changed());
   const list = el("div", {}), count = el("p", { class: "small soft", role: "status" }),
     which = el("p", { class: "small soft" });
-  main.replaceChildren(
-    el("div", { class: "parts-filter" }, kind.element, el("label", { for: "parts-find" }, "Filter"), find, fitsRow,
-      castRow),
-    which,
-    count,
-    list,
-  );
+  const filter = el("label", { for: "parts-find" }, "Filter");
+  const line = el("div", { class: "parts-filter" }, kind.element, filter, find, fits.row, cast.row);
+  main.replaceChildren(line, which, count, list);
 
-  const place = (replace = false) =>
-    write(
-      address("parts", { ...muscle.params(), kind: state.kind === "tubes" ? "" : state.kind, find: state.find,
-        fits: fits.checked ? "1" : "", sold: cast.checked ? "1" : "" }),
-      replace,
-    );
+  const place = (replace = false) => {
+    const own = { kind: state.kind === "tubes" ? "" : state.kind, find: state.find };
+    const ticks = { fits: fits.box.checked ? "1" : "", sold: cast.box.checked ? "1" : "" };
+    write(address("parts", { ...muscle.params(), ...own, ...ticks }), replace);
+  };
   function changed() {
     place(true);
     paint();
   }
 
-  /** Words all occur; a length is one that the part has. @param {Row} row */
-  function matches(row) {
-    if (fits.checked && state.kind === "sleeves" && !within(row, muscle.shown?.outer_diameter_mm)) return false;
-    if (cast.checked && state.kind === "tubes" && /\bcast$/.test(row.words)) return false;
-    const words = `${row.words} ${row.cells.filter((cell) => typeof cell === "string").join(" ")}`.toLowerCase();
-    return state.find.toLowerCase().split(/[\s,]+/).every((word) => words.includes(word));
-  }
-  const within = (/** @type {Row} */ row, /** @type {number | undefined} */ d) =>
-    d === undefined || (d >= row.low - 1e-9 && d <= row.high + 1e-9);
+  const matches = (/** @type {Row} */ row) =>
+    fitsFilter(row, state.find) && !(fits.box.checked && state.kind === "sleeves" && !isFor(row))
+    && !(cast.box.checked && state.kind === "tubes" && /\bcast$/.test(row.words));
 
   function paint() {
     if (!parts) return;
     const { head, text, rows } = LISTS[state.kind], all = rows(parts), shown = all.filter(matches);
-    castRow.hidden = state.kind !== "tubes";
-    fitsRow.hidden = state.kind !== "sleeves";
+    cast.row.hidden = state.kind !== "tubes";
+    fits.row.hidden = state.kind !== "sleeves";
     which.textContent = `The muscle: ${muscle.line()}.`;
     count.textContent = `${shown.length} of ${all.length} ${state.kind}. What no source states is marked as estimated.`;
-    const put = (/** @type {Row} */ row) =>
-      el("button", { type: "button", "aria-label": `Put into the muscle: ${row.name}`, onclick: () => take(row) },
-        "Put into the muscle");
+    const put = (/** @type {Row} */ row) => putButton(row, () => take(row));
     list.replaceChildren(table(head, shown.map((row) => [...row.cells, put(row)]), { text, label: state.kind }));
   }
 
   /** @param {Row} row */
   async function take(row) {
-    const before = muscle.state;
-    for (const [key, value] of Object.entries(row.said)) muscle.set(key, value);
-    try {
-      await muscle.look();
-    } catch (problem) {
-      muscle.state = before;
-      await muscle.look().catch(() => {});
-      const { message, hint } = /** @type {any} */ (problem);
-      return notice(
-        `${row.name} does not go into this muscle: ${inWords(message)}. ${hint ? capital(inWords(hint)) : ""}`,
-      );
-    }
+    if (!await putInto(row)) return;
     place();
     paint();
     notice(`${row.name} is in the muscle now.`, el("a", { href: address("muscle", muscle.params()) }, "See it move"));
@@ -175,8 +188,8 @@ export function mount(main) {
       kind.set(state.kind);
       if (document.activeElement !== find) find.value = params.get("find") ?? "";
       state.find = find.value.trim();
-      fits.checked = params.has("fits");
-      cast.checked = params.has("sold");
+      fits.box.checked = params.has("fits");
+      cast.box.checked = params.has("sold");
       try {
         parts ??= await engine().ask("parts-list", {});
         paint();
