@@ -537,6 +537,7 @@ inBrowser(({ name, url, open, blank }) => {
     const { page, context } = await open(
       "#muscle?D=9.525&s=1.5875&L=200&rubber=latex&braid=flexo-overexpanded-0.38in&p=5bar&e=10%25",
     );
+    await alive(page);
     const list = ["force", "-D", "9.525", "-s", "1.5875", "-L", "200", "--rubber", "latex", "--braid",
       "flexo-overexpanded-0.38in", "-p", "5bar", "-e", "10%"];
     const { warnings } = ask(...list),

@@ -24,7 +24,11 @@ let routes = 0;
 
 // Words of the muscle mean other things in a specification: it is one word there.
 const OWN_WORDS = ["design"];
-const links = PAGES.map(({ name, text }) => el("a", { href: `#${name}`, "data-name": name }, text));
+const here = (/** @type {string} */ name) => location.hash.slice(1).split("?")[0] === name;
+// Until the muscle is read, the link to this page is its address.
+const links = PAGES.map(({ name, text }) =>
+  el("a", { href: here(name) ? location.hash : `#${name}`, "data-name": name }, text)
+);
 byId("pages").append(...links);
 
 /** A page's address with the muscle and what was typed there. @param {string} name */
