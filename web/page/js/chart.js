@@ -195,7 +195,8 @@ export class Chart {
    */
   rows() {
     const third = Boolean(this.spec?.z);
-    const line = (/** @type {Series} */ s) => s.x.map((x, i) => [s.name, x, s.y[i], ...(third ? [s.z?.[i] ?? null] : [])]);
+    const more = (/** @type {Series} */ s, /** @type {number} */ i) => (third ? [s.z?.[i] ?? null] : []);
+    const line = (/** @type {Series} */ s) => s.x.map((x, i) => [s.name, x, s.y[i], ...more(s, i)]);
     const lines = (this.spec?.series ?? []).flatMap(line);
     // A picture is finer than what was computed.
     const maps = (this.spec?.data ?? [])

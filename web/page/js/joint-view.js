@@ -62,13 +62,15 @@ export function reachChart(map) {
   const points = map.points.filter(Boolean), unit = unitName("pressure"), stiffness = "angular-stiffness";
   const mean = (/** @type {any} */ { pressures_mpa: list }) =>
     outside("pressure", list.reduce((/** @type {number} */ a, /** @type {number} */ b) => a + b, 0) / list.length);
-  const most = Math.max(1e-9, ...points.map(mean)), step = niceUp(most / 6), count = Math.max(1, Math.ceil(most / step - 1e-9));
+  const most = Math.max(1e-9, ...points.map(mean)), step = niceUp(most / 6);
+  const count = Math.max(1, Math.ceil(most / step - 1e-9));
   const series = Array.from({ length: count }, (_, i) => {
     const of = points.filter((/** @type {any} */ q) => Math.min(count - 1, Math.floor(mean(q) / step)) === i);
     const name = `${number(i * step, 3)} to ${number((i + 1) * step, 3)} ${unit}`;
     const y = of.map((/** @type {any} */ q) => outside(stiffness, q.stiffness_nm_per_rad));
     const x = of.map((/** @type {any} */ q) => q.angle_deg), colour = pressureColour(i + 0.5, count);
-    return { name, legend: i ? name : `mean pressure ${name}`, mode: /** @type {const} */ ("markers"), colour, x, y, z: of.map(mean) };
+    const legend = i ? name : `mean pressure ${name}`, z = of.map(mean);
+    return { name, legend, mode: /** @type {const} */ ("markers"), colour, x, y, z };
   });
   return { x: "rest angle φ [°]", y: `stiffness [${unitName(stiffness)}]`, z: `mean pressure [${unit}]`, series };
 }
