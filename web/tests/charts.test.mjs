@@ -282,4 +282,23 @@ inBrowser(({ name, open, blank, url }) => {
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth));
     await context.close();
   });
+
+  test("the joint is drawn to scale, with its range, and what it reaches needs no plotly", async () => {
+    const { page, errors, context } = await open("#joint");
+    /** @type {string[]} */
+    const asked = [];
+    page.on("request", (request) => { if (request.url().includes("plotly")) asked.push(request.url()); });
+    await page.getByText("mean pressure 0 to 1 bar").waitFor({ timeout: 60_000 });
+    await page.waitForSelector(".numbers dl");
+    // Pulley of 25 mm and scale of 50 mm in the same units.
+    const scale = await page.evaluate(() => {
+      const joint = /** @type {SVGElement} */ (document.querySelector("svg.joint"));
+      return { radius: Number(joint.querySelector(".pulley")?.getAttribute("r")), bar: /** @type {SVGPathElement} */ (joint.querySelector(".line")).getBBox().width };
+    });
+    assert.deepEqual(scale, { radius: 25, bar: 50 });
+    assert.equal(await page.locator("svg.joint .range").count(), 1);
+    assert.equal(await page.locator('section[aria-label="joint torque"] svg.curves svg path[opacity]').count(), 1);
+    assert.deepEqual([asked, errors], [[], []]);
+    await context.close();
+  });
 });

@@ -194,18 +194,19 @@ export class Chart {
    * @returns {(string | number | null)[][]}
    */
   rows() {
-    const lines = (this.spec?.series ?? []).flatMap((s) => s.x.map((x, i) => [s.name, x, s.y[i]]));
+    const third = Boolean(this.spec?.z);
+    const more = (/** @type {Series} */ s, /** @type {number} */ i) => (third ? [s.z?.[i] ?? null] : []);
+    const line = (/** @type {Series} */ s) => s.x.map((x, i) => [s.name, x, s.y[i], ...more(s, i)]);
+    const lines = (this.spec?.series ?? []).flatMap(line);
     // A picture is finer than what was computed.
     const maps = (this.spec?.data ?? [])
       .filter((d) => !d.picture)
       .flatMap((d) =>
-        d.type === "scatter"
-          ? d.x.map((/** @type {number} */ x, /** @type {number} */ i) => [d.name, x, d.y[i], d.marker.color[i]])
-          : d.y.flatMap((/** @type {number} */ y, /** @type {number} */ j) =>
-              d.x.flatMap((/** @type {number} */ x, /** @type {number} */ i) =>
-                d.z[j][i] === null ? [] : [[d.name, x, y, d.text ? d.text[j][i] : d.z[j][i]]],
-              ),
-            ),
+        d.y.flatMap((/** @type {number} */ y, /** @type {number} */ j) =>
+          d.x.flatMap((/** @type {number} */ x, /** @type {number} */ i) =>
+            d.z[j][i] === null ? [] : [[d.name, x, y, d.text ? d.text[j][i] : d.z[j][i]]],
+          ),
+        ),
       );
     return [...lines, ...maps];
   }

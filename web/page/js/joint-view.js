@@ -1,5 +1,6 @@
 // The joint in numbers and curves: torques over the angle, what it can reach, and its numbers.
-import { KINDS } from "./chart.js";
+import { niceUp } from "./bench/round.js";
+import { KINDS, pressureColour } from "./chart.js";
 import { el } from "./dom.js";
 import { reachable } from "./joint-drawing.js";
 import { number, outside, show, unitName } from "./units.js";
@@ -58,27 +59,18 @@ export function torqueChart({ answer, angles, pairs }, point) {
 
 /** Rest angles and stiffnesses that it reaches. @param {any} map @returns {import("./chart.js").Spec} */
 export function reachChart(map) {
-  const points = map.points.filter(Boolean), unit = unitName("pressure");
-  const mean = (/** @type {any} */ q) =>
-    outside("pressure", q.pressures_mpa.reduce((/** @type {number} */ a, /** @type {number} */ b) =>
-      a + b, 0) / q.pressures_mpa.length);
-  const of = (/** @type {string} */ key) => points.map((/** @type {any} */ q) => q[key]);
-  const marker = { size: 5, color: points.map(mean), colorscale: "Viridis",
-    colorbar: { title: { text: `mean pressure [${unit}]` } } };
-  return {
-    x: "rest angle φ [°]",
-    y: `stiffness [${unitName("angular-stiffness")}]`,
-    z: `mean pressure [${unit}]`,
-    series: [],
-    data: [{
-      type: "scatter",
-      name: "reached",
-      mode: "markers",
-      showlegend: false,
-      x: of("angle_deg"),
-      y: of("stiffness_nm_per_rad").map((/** @type {number} */ k) => outside("angular-stiffness", k)),
-      marker,
-      hovertemplate: `%{x:.3g}°, %{y:.3g} ${unitName("angular-stiffness")}<extra></extra>`,
-    }],
-  };
+  const points = map.points.filter(Boolean), unit = unitName("pressure"), stiffness = "angular-stiffness";
+  const mean = (/** @type {any} */ { pressures_mpa: list }) =>
+    outside("pressure", list.reduce((/** @type {number} */ a, /** @type {number} */ b) => a + b, 0) / list.length);
+  const most = Math.max(1e-9, ...points.map(mean)), step = niceUp(most / 6);
+  const count = Math.max(1, Math.ceil(most / step - 1e-9));
+  const series = Array.from({ length: count }, (_, i) => {
+    const of = points.filter((/** @type {any} */ q) => Math.min(count - 1, Math.floor(mean(q) / step)) === i);
+    const name = `${number(i * step, 3)} to ${number((i + 1) * step, 3)} ${unit}`;
+    const y = of.map((/** @type {any} */ q) => outside(stiffness, q.stiffness_nm_per_rad));
+    const x = of.map((/** @type {any} */ q) => q.angle_deg), colour = pressureColour(i + 0.5, count);
+    const legend = i ? name : `mean pressure ${name}`, z = of.map(mean);
+    return { name, legend, mode: /** @type {const} */ ("markers"), colour, x, y, z };
+  });
+  return { x: "rest angle φ [°]", y: `stiffness [${unitName(stiffness)}]`, z: `mean pressure [${unit}]`, series };
 }

@@ -3,13 +3,12 @@ import { number } from "./units.js";
 
 /**
  * `half`: half-widths of the ± at each point, drawn as a band; `band`: the points are the outline of one; `end`: a
- * label at the curve's end, or
- * at its start; `strong`: the curve of the state among its family.
- * @typedef {{ name: string, x: number[], y: (number | null)[], half?: (number | null | undefined)[],
- *   end?: string, at?: "start" | "end",
- *   colour?: string, dash?: "solid" | "dash" | "dot", mode?: "lines" | "markers" | "lines+markers", width?: number,
- * legend?: string,
- *   band?: boolean, strong?: boolean }} Series
+ * label at the curve's end, or at its start; `z`: a third number of each point, for tables; `strong`: the curve of the
+ * state among its family.
+ * @typedef {{ name: string, x: number[], y: (number | null)[], half?: (number | null | undefined)[], z?: number[],
+ *   end?: string, at?: "start" | "end", colour?: string, dash?: "solid" | "dash" | "dot",
+ *   mode?: "lines" | "markers" | "lines+markers", width?: number, legend?: string, band?: boolean,
+ *   strong?: boolean }} Series
  * @typedef {{ range?: number[], rangemode?: string }} Axis
  * @typedef {{ x: string, y: string, series: Series[], marks?: { x: number, y: number, text: string }[],
  *   xaxis?: Axis, yaxis?: Axis }} Curves

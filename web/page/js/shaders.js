@@ -38,24 +38,27 @@ const float PI = 3.14159265, HALF = 0.16;   // half the width of a strand, of th
 // Viridis by polynomials of degree six (Matt Zucker's fit, public domain).
 vec3 viridis(float t) {
   const vec3 c0 = vec3(0.2777, 0.0054, 0.3341), c1 = vec3(0.1051, 1.4046, 1.3846), c2 = vec3(-0.3309, 0.2148, 0.0951);
-  const vec3 c3 = vec3(-4.6342, -5.7991, -19.3324), c4 = vec3(6.2283, 14.1799, 56.6906), c5 = vec3(4.7764, -13.7451, -65.3530);
-  const vec3 c6 = vec3(-5.4355, 4.6459, 26.3124);
+  const vec3 c3 = vec3(-4.6342, -5.7991, -19.3324), c4 = vec3(6.2283, 14.1799, 56.6906);
+  const vec3 c5 = vec3(4.7764, -13.7451, -65.3530), c6 = vec3(-5.4355, 4.6459, 26.3124);
   return c0 + t * (c1 + t * (c2 + t * (c3 + t * (c4 + t * (c5 + t * c6)))));
 }
 vec3 shown(float v) { return viridis(clamp((v - reach.x) / max(reach.y - reach.x, 1e-9), 0.0, 1.0)); }
-float lit(vec3 n) { return 0.35 + 0.4 * max(dot(n, eye), 0.0) + 0.3 * max(dot(n, normalize(vec3(-0.3, 0.4, 0.85))), 0.0); }
+float lit(vec3 n) {
+  return 0.35 + 0.4 * max(dot(n, eye), 0.0) + 0.3 * max(dot(n, normalize(vec3(-0.3, 0.4, 0.85))), 0.0);
+}
 // Off the middle of the nearest strand, in distances between two.
 float off(float u) { return fract(u + 0.5) - 0.5; }
 // How much of a point a strand covers, its edges as soft as a pixel is wide.
 float covered(float d, float pixel) { return 1.0 - smoothstep(HALF - 0.6 * pixel, HALF + 0.6 * pixel, abs(d)); }
-vec3 woven(vec3 rubber, vec3 fibre, vec3 n) {
+vec3 woven(vec3 rubber, vec3 fibre) {
   vec2 u = vec2(strand.x - strand.y, strand.x + strand.y) * strands / (2.0 * PI);
   vec2 pixel = max(fwidth(u), vec2(1e-4));
   // Too fine to be seen one by one.
   float fine = smoothstep(0.25, 0.5, max(pixel.x, pixel.y));
   vec2 d = vec2(off(u.x), off(u.y)), at = u - d;
   vec2 on = vec2(covered(d.x, pixel.x), covered(d.y, pixel.y));
-  // A strand goes over every second one of the other family, and under those between: its height as it waves from one to the next.
+  // A strand goes over every second one of the other family, and under those between: its height as it waves from one
+  // to the next.
   vec2 high = vec2(cos(PI * (u.y + at.x)), -cos(PI * (u.x + at.y)));
   bool first = on.x > 0.5 && (on.y < 0.5 || high.x > high.y);
   float across = (first ? d.x : d.y) / HALF, height = first ? high.x : high.y, cover = max(on.x, on.y);
@@ -74,7 +77,7 @@ void main() {
   vec3 n = normalize(normal);
   if (dot(n, eye) < 0.0) n = -n;
   vec3 base = mapped > 0.5 && mapped < 1.5 ? shown(value) : plain;
-  if (strands > 0.5) base = woven(base, mapped > 1.5 ? shown(strand.z) : mix(vec3(0.96, 0.95, 0.92), base, 0.3), n);
+  if (strands > 0.5) base = woven(base, mapped > 1.5 ? shown(strand.z) : mix(vec3(0.96, 0.95, 0.92), base, 0.3));
   float gloss = shine * pow(max(dot(n, normalize(eye + normalize(vec3(-0.3, 0.8, 0.85)))), 0.0), 24.0);
   colour = vec4(base * lit(n) + gloss, 1.0);
 }`;

@@ -29,7 +29,8 @@ export class Curves {
     this.over = overlayChoice(store, () => { this.ask(); store.settle(); });
     const choose = (/** @type {string} */ test) => { store.look({ test }); this.draw(); this.ask(); };
     this.tab = tabs("Curves", TESTS, store.wanted.test, choose);
-    const drag = (/** @type {number} */ x, /** @type {number} */ _, /** @type {boolean} */ settled) => this.dragged(x, settled);
+    /** @type {(x: number, y: number, settled: boolean) => void} */
+    const drag = (x, _, settled) => this.dragged(x, settled);
     this.chart = new Chart("muscle-curves", { tools: this.tab.list, drag });
     this.points = new Points(store, () => { this.keys.family = ""; this.ask(); this.draw(); });
     store.on("answer", (pumped) => {
