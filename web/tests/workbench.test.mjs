@@ -366,6 +366,7 @@ inBrowser(({ name, url, open, blank }) => {
         { timeout: 30_000 },
       );
       assert.equal(await page.locator(".problem").count(), 0, title);
+      if (where === "data") await page.getByRole("heading", { name: "Identified" }).waitFor({ timeout: 60_000 });
     }
     await page.goto(`${url()}#about`);
     await page.goto(`${url()}#muscle`);

@@ -3,6 +3,7 @@ import { engine } from "./ask.js";
 import { address } from "./address.js";
 import { el } from "./dom.js";
 import { pack } from "./deflate.js";
+import { keepFile } from "./kept.js";
 import { measured } from "./measured.js";
 import { thumbnail } from "./thumbnail.js";
 
@@ -43,7 +44,11 @@ export async function example(name) {
 export async function openEntry({ file, page = "muscle", words = {}, joint, data }) {
   const [text, jointText, dataText] = await Promise.all([example(file), joint ? example(joint) : undefined,
     data ? example(data) : undefined]);
-  if (data && dataText) measured.set({ name: data, text: dataText });
+  if (data && dataText) {
+    measured.set({ name: data, text: dataText });
+    // Its constants are identified at once.
+    keepFile("constants", true);
+  }
   await Promise.all([text, jointText ?? ""].map(pack));
   location.hash = address(page, { ...words, file: text, joint: jointText });
 }

@@ -28,8 +28,8 @@ const source = (source, note) =>
 /** @type {{ [K in Kind]: { head: string[], text: number[], rows: (parts: Parts) => Row[] } }} */
 const LISTS = {
   tubes: {
-    head: ["tube", "inside", "outside", "wall", "rubber", "made", "price", "rated", "source", ""],
-    text: [0, 4, 5, 6, 8],
+    head: ["tube", "", "inside", "outside", "wall", "rubber", "made", "price", "rated", "source"],
+    text: [0, 5, 6, 7, 9],
     rows: ({ tubes }) =>
       tubes.map((t) => ({
         name: t.name,
@@ -43,8 +43,8 @@ const LISTS = {
       })),
   },
   sleeves: {
-    head: ["sleeve", "what it is", "material", "for diameters", "angle from", "strands", "estimated", "source", ""],
-    text: [0, 1, 2, 6, 7],
+    head: ["sleeve", "", "what it is", "material", "for diameters", "angle from", "strands", "estimated", "source"],
+    text: [0, 2, 3, 7, 8],
     rows: ({ sleeves }) =>
       sleeves.map((s) => ({
         name: s.name,
@@ -59,8 +59,8 @@ const LISTS = {
       })),
   },
   rubbers: {
-    head: ["rubber", "what it is", "law", "shear modulus", "breaks at", "source", ""],
-    text: [0, 1, 2, 5],
+    head: ["rubber", "", "what it is", "law", "shear modulus", "breaks at", "source"],
+    text: [0, 2, 3, 6],
     rows: ({ rubbers }) =>
       rubbers.map((r) => ({
         name: r.name,
@@ -164,7 +164,7 @@ export function mount(main) {
     which.textContent = `The muscle: ${muscle.line()}.`;
     count.textContent = `${shown.length} of ${all.length} ${state.kind}. What no source states is marked as estimated.`;
     const put = (/** @type {Row} */ row) => putButton(row, () => take(row));
-    list.replaceChildren(table(head, shown.map((row) => [...row.cells, put(row)]), { text, label: state.kind }));
+    list.replaceChildren(table(head, shown.map((row) => [row.cells[0], put(row), ...row.cells.slice(1)]), { text, label: state.kind }));
   }
 
   /** @param {Row} row */
