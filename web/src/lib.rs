@@ -14,7 +14,7 @@ struct Page;
 
 /// Muscles, joints and points that the page's gallery opens.
 #[derive(Embed)]
-#[folder = "../examples/"]
+#[folder = "examples/"]
 #[prefix = "examples/"]
 struct Examples;
 
