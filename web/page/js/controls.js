@@ -1,7 +1,9 @@
 // A quantity as a slider with a field beside it, and a choice from a list.
 import { understood } from "./ask.js";
 import { capital, el } from "./dom.js";
-import { changeUnit, expectation, hasChoice, inside, meant, number, onUnits, outside, show, unitName } from "./units.js";
+import { changeUnit, expectation, hasChoice, inside, meant, number, onAnyUnits, outside, show, unitName } from "./units.js";
+import { atEnd } from "./life.js";
+import { sketched } from "./sketch.js";
 import { inWords } from "./words.js";
 
 let count = 0;
@@ -9,10 +11,10 @@ let count = 0;
 /**
  * A field with a slider, where that has ends. `change` is called at every step, with `settled` at the end of a gesture. Without a value the field
  * is empty; one that `clears` may be emptied, and then has the usual value.
- * @param {{ label: string, symbol?: string, about?: string, kind: import("./units.js").Kind, unit?: string, value?: number, above?: number, minimum?: number, maximum?: number, usual?: number,
+ * @param {{ key?: string, field?: string, label: string, symbol?: string, about?: string, kind: import("./units.js").Kind, unit?: string, value?: number, above?: number, minimum?: number, maximum?: number, usual?: number,
  *   low?: number, high?: number, clears?: boolean, change: (value: number | undefined, settled: boolean) => void }} spec
  */
-export function quantity({ label, symbol = "", about, kind, unit: own, value, above, minimum, maximum, usual, low = NaN, high = NaN, clears, change }) {
+export function quantity({ key, field: of, label, symbol = "", about, kind, unit: own, value, above, minimum, maximum, usual, low = NaN, high = NaN, clears, change }) {
   const id = `q${++count}`;
   let now = /** @type {number} */ (value), painted = "";
   /** Whether somebody is typing. */
@@ -25,6 +27,8 @@ export function quantity({ label, symbol = "", about, kind, unit: own, value, ab
   const wrong = el("p", { class: "wrong", id: `${id}w`, hidden: true, role: "status" });
   const element = el("div", { class: "quantity" }, el("label", { for: id }, label, symbol ? " " : "", symbol ? el("i", { class: "soft" }, symbol) : null), field, unit, Number.isNaN(low) ? null : slider, wrong);
 
+  sketched(element, key, of);
+  if (about) element.dataset.about = about;
   const bounds = { low, high };
   const toSlider = (/** @type {number} */ v) => String((1000 * (v - bounds.low)) / (bounds.high - bounds.low));
   /** A value as it stands in the field; with its sign where it is in %, so that it can be read again. @param {number} v */
@@ -91,7 +95,7 @@ export function quantity({ label, symbol = "", about, kind, unit: own, value, ab
   }
   field.addEventListener("change", () => { read().catch((problem) => wrongly(problem.message)); });
   field.addEventListener("keydown", (event) => { if (event.key === "Enter") { event.preventDefault(); read().catch(() => {}); } });
-  onUnits(() => paint());
+  atEnd(onAnyUnits(() => paint()));
   paint();
   return {
     element,
@@ -150,5 +154,5 @@ export function fileField(label, accept, take) {
 export function onDrop(box, read) {
   box.addEventListener("dragover", (event) => { event.preventDefault(); box.classList.add("over"); });
   box.addEventListener("dragleave", () => box.classList.remove("over"));
-  box.addEventListener("drop", (event) => { event.preventDefault(); box.classList.remove("over"); read(event.dataTransfer?.files[0]); });
+  box.addEventListener("drop", (event) => { event.preventDefault(); event.stopPropagation(); box.classList.remove("over"); read(event.dataTransfer?.files[0]); });
 }

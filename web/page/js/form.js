@@ -1,7 +1,8 @@
 // A form of quantities as people type them, read by the engine in one question; and long work with progress and a way to end it.
-import { engine, understood } from "./ask.js";
+import { longWork, understood } from "./ask.js";
 import { capital, el, problemBox } from "./dom.js";
-import { expectation, meant } from "./units.js";
+import { expectation, meant, withUnit } from "./units.js";
+import { sketched } from "./sketch.js";
 import { inWords } from "./words.js";
 
 /**
@@ -18,12 +19,15 @@ export function form(fields, submit) {
     const id = `${f.key}-${i}-${Math.random().toString(36).slice(2, 7)}`;
     const input = f.options
       ? el("select", { id }, ...f.options.map(([name, text]) => el("option", { value: name }, text)))
-      : el("input", { type: "text", id, autocomplete: "off", spellcheck: "false", placeholder: f.hint ?? "", title: f.kind ? expectation(f.kind) : "", "aria-describedby": `${id}w` });
+      : el("input", { type: "text", id, autocomplete: "off", spellcheck: "false", placeholder: f.hint ?? "", "aria-describedby": `${id}w` });
     input.value = f.value ?? "";
+    // What a number alone means follows the unit that is shown.
+    if (f.kind) for (const event of ["pointerenter", "focus"]) input.addEventListener(event, () => { input.title = expectation(/** @type {Kind} */ (f.kind)); });
     const wrong = el("p", { class: "wrong", id: `${id}w`, hidden: true });
     // A form of several fields without a button of its own is not submitted by Enter.
     input.addEventListener("keydown", (event) => { if (/** @type {KeyboardEvent} */ (event).key === "Enter" && !f.options) { event.preventDefault(); submit(); } });
     const row = el("div", { style: "margin-bottom:8px", hidden: f.hidden }, el("div", { class: "choice", style: "margin:0;grid-template-columns:minmax(0,5fr) minmax(0,6fr)" }, el("label", { for: id }, f.label), input), wrong);
+    sketched(row, f.field, f.key);
     inputs.set(f.key, { input, wrong, row });
     return row;
   });
@@ -39,8 +43,9 @@ export function form(fields, submit) {
   };
   return {
     element, mark,
-    /** Fields of a request, or nothing where a text cannot be understood: it is marked. @returns {Promise<Record<string, any> | undefined>} */
-    async read() {
+    /** Fields of a request, or nothing where a text cannot be understood: it is marked. An interval without a step is its two ends where those are
+     * wanted, else a list. @param {{ intervals?: boolean }} [options] @returns {Promise<Record<string, any> | undefined>} */
+    async read({ intervals = false } = {}) {
       fields.forEach((f) => mark(f.key, ""));
       /** @type {Record<string, any>} */
       const values = {};
@@ -50,10 +55,12 @@ export function form(fields, submit) {
       const notes = new Map();
       /** As the engine shall read it; what was read of a bare ratio is said. @param {Field} f @param {Kind} kind @param {string} text */
       const clear = (f, kind, text) => {
-        if (kind !== "ratio" || f.factor || f.list) return text;
-        const { text: clearer, note } = meant(kind, text);
+        if (f.list) return withUnit(kind, text);
+        if (kind === "ratio" && f.factor) return text;
+        const { text: clearer, note } = meant(kind, text), whole = withUnit(kind, clearer);
         if (note) notes.set(f.key, note);
-        return clearer;
+        else if (whole !== clearer && f.kind) notes.set(f.key, `${text} without a unit was read as ${whole}.`);
+        return whole;
       };
       for (const f of fields) {
         const { input, row } = inputs.get(f.key) ?? {};
@@ -74,7 +81,7 @@ export function form(fields, submit) {
       asked.forEach(({ key, list, take }, i) => {
         const reading = readings[i];
         if (reading.problem) { mark(key, reading.problem.message); good = false; }
-        else take(list ? reading.values : reading.value);
+        else take(list ? (intervals && ends(asked[i].text, reading)) || reading.values : reading.value);
       });
       for (const [key, note] of notes) {
         const wrong = inputs.get(key)?.wrong;
@@ -97,8 +104,8 @@ export function form(fields, submit) {
     /** @param {string} key @param {string[]} names */
     options(key, names) {
       const input = inputs.get(key)?.input;
-      if (input instanceof HTMLSelectElement) input.append(...names.map((n) => el("option", { value: n }, n)));
-      else if (input) {
+      if (input instanceof HTMLSelectElement) input.append(...names.filter((n) => ![...input.options].some((o) => o.value === n)).map((n) => el("option", { value: n }, n)));
+      else if (input && !input.hasAttribute("list")) {
         const list = el("datalist", { id: `${input.id}l` }, ...names.map((n) => el("option", { value: n })));
         input.setAttribute("list", list.id);
         input.after(list);
@@ -112,6 +119,13 @@ export function form(fields, submit) {
     },
     keys: fields.map((f) => f.key),
   };
+}
+
+/** The ends of an interval without a step, which a search takes as a whole. @param {string} text @param {any} reading @returns {{ low: number, high: number } | undefined} */
+function ends(text, { values, interval }) {
+  // Programs of before do not say it.
+  const [low, high] = interval ?? (/^[^:,]+\.\.[^:,]+$/.test(text) ? [values[0], values[values.length - 1]] : []);
+  return high === undefined ? undefined : { low, high };
 }
 
 /**
@@ -139,7 +153,7 @@ export function job(label, command, request, take, fail) {
     bar.removeAttribute("value");
     const late = setTimeout(() => { bar.hidden = false; stop.hidden = false; }, 150);
     try {
-      take(await engine().job(command, asked, { signal: mine.signal, progress(done, total) { bar.max = total; bar.value = done; words.textContent = `${done} of ${total}`; } }));
+      take(await longWork(command, asked, { signal: mine.signal, progress(done, total) { bar.max = total; bar.value = done; words.textContent = `${done} of ${total}`; } }));
       words.textContent = "";
     } catch (problem) {
       if (/** @type {any} */ (problem).name === "AbortError") words.textContent = ends === mine ? "Cancelled." : "";

@@ -20,11 +20,21 @@ export function learn(measures) {
   pattern = new RegExp(`\`(${any(names)})\`|\\b(${any(names.filter((k) => /[._]/.test(k)))})\\b(?!["=])`, "g");
 }
 
+/** A number before a unit inside: kind, pattern, and where it is no quantity of that kind. @type {[string, RegExp][]} */
+const UNITS = [
+  ["pressure", /(-?\d+(?:\.\d+)?(?:e-?\d+)?) MPa\b(?![·^/²])/gi],
+  ["force", /(-?\d+(?:\.\d+)?(?:e-?\d+)?) N\b(?!\/| m\b| mm\b| s\b|[·^²])/g],
+  ["length", /(-?\d+(?:\.\d+)?(?:e-?\d+)?) mm\b(?![·^/²³])/g],
+];
+const INSIDE = { pressure: "MPa", force: "N", length: "mm" };
+
 /** A sentence of the engine. @param {string} text */
 export function inWords(text) {
   const named = text.replace(pattern, (all, quoted, plain) => LABELS[quoted ?? plain] ?? all);
-  const unit = unitName("pressure");
-  if (!unit || unit === "MPa") return named;
-  // Moduli stay in MPa, and so do units that MPa is a part of.
-  return named.replace(/(-?\d+(?:\.\d+)?(?:e-?\d+)?) MPa\b(?![·^/²])/gi, (all, value, at) => (/modul|\bmu\b|c\d\d/i.test(named.slice(Math.max(0, at - 40), at)) ? all : `${number(outside("pressure", Number(value)), 4)} ${unit}`));
+  return UNITS.reduce((said, [kind, number_]) => {
+    const unit = unitName(kind);
+    if (!unit || unit === INSIDE[/** @type {keyof typeof INSIDE} */ (kind)]) return said;
+    // Moduli stay in MPa, and so do units that MPa is a part of.
+    return said.replace(number_, (all, value, at) => (kind === "pressure" && /modul|\bmu\b|c\d\d/i.test(said.slice(Math.max(0, at - 40), at)) ? all : `${number(outside(kind, Number(value)), 4)} ${unit}`));
+  }, named);
 }
