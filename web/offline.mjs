@@ -7,9 +7,15 @@ const here = fileURLToPath(new URL(".", import.meta.url)), page = join(here, "pa
 
 /** Files of the page, and the examples that its scripts name. */
 export function files() {
-  const own = readdirSync(page, { recursive: true, withFileTypes: true }).filter((file) => file.isFile()).map((file) => relative(page, join(file.parentPath, file.name)));
-  const examples = readdirSync(join(here, "../examples"), { withFileTypes: true }).filter((file) => file.isFile()).map((file) => file.name);
-  const scripts = own.filter((file) => file.endsWith(".js") && file !== "sw.js").map((file) => readFileSync(join(page, file), "utf8")).join("\n");
+  const own = readdirSync(page, { recursive: true, withFileTypes: true }).filter((file) => file.isFile()).map((file) =>
+    relative(page, join(file.parentPath, file.name))
+  );
+  const examples = readdirSync(join(here, "../examples"), { withFileTypes: true }).filter((file) => file.isFile()).map((
+    file,
+  ) => file.name);
+  const scripts = own.filter((file) => file.endsWith(".js") && file !== "sw.js").map((file) =>
+    readFileSync(join(page, file), "utf8")
+  ).join("\n");
   const named = examples.filter((name) => scripts.includes(`"${name}"`)).map((name) => `examples/${name}`);
   return [...own.filter((file) => !["sw.js", "icon-512.png"].includes(file)), ...named].sort();
 }

@@ -55,11 +55,14 @@ inBrowser(({ name, open, blank, url }) => {
     await alive(page);
     await drawn(page);
     await page.getByText("2.5 bar", { exact: true }).waitFor();
-    const plot = page.locator(".plot").first(), box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await plot.boundingBox());
+    const plot = page.locator(".plot").first();
+    await page.locator(".points + .row").scrollIntoViewIfNeeded();
+    await page.waitForFunction(() => !/** @type {HTMLElement} */ (document.querySelector(".ring")).hidden);
     const ring = /** @type {{ x: number, y: number }} */ (await page.locator(".ring").boundingBox());
     await page.mouse.move(ring.x + 8, ring.y + 8);
+    await page.waitForSelector(".tip:not([hidden])");
     assert.match(await page.locator(".tip").innerText(), /^2.5 bar: 1[45](\.\d+)? %, 3[23]\d.* ± 118 N$/);
-    const all = await lower(page);
+    const all = await lower(page), box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await plot.boundingBox());
     await page.mouse.move(box.x + 0.4 * box.width, box.y + box.height - 20);
     await page.mouse.down();
     await page.mouse.move(box.x + 0.6 * box.width, box.y + box.height - 20, { steps: 3 });
@@ -194,6 +197,89 @@ inBrowser(({ name, open, blank, url }) => {
     const said = (/** @type {string} */ direction) => ask("force", "examples/tondu2012.toml", "-p", "3bar", "-e", "0", "--branch", direction).force_n;
     assert.ok(Math.abs(first("shortens") / said("contraction") - 1) < 1e-6);
     assert.ok(Math.abs(first("lengthens") / said("elongation") - 1) < 1e-6);
+    await context.close();
+  });
+
+  test("the border of the map lies where the engine's own muscles begin to fit, to a fifth of a step of its grid", async () => {
+    const { page, errors, context } = await open("#about");
+    await page.waitForSelector("h2");
+    const found = await page.evaluate(async () => {
+      const load = (/** @type {string} */ file) => import(new URL(file, document.baseURI).href);
+      const [{ engine }, { border }, { read }] = await Promise.all(["js/ask.js", "js/border.js", "js/design-map.js"].map(load));
+      const of = { force_n: 700, contraction: 0.15, max_pressure_mpa: 0.25, length_mm: 285, rubbers: ["dragon-skin-30"], braids: ["flexo-overexpanded-0.75in"], model: "universal", verify: "none", extrapolate: true, top: 1000 };
+      const D = Array.from({ length: 12 }, (_, i) => 20 + i), S = Array.from({ length: 15 }, (_, i) => Number((0.6 + 0.15 * i).toFixed(3)));
+      const request = { ...of, outer_diameter_mm: D, wall_mm: S };
+      const { nodes } = read(request, await engine().ask("design", request));
+      const segments = border({ x: D, y: S, nodes });
+      const out = [];
+      for (const d of [24, 27, 29]) {
+        const i = D.indexOf(d), fits = S.map((_, j) => nodes[j][i].fits);
+        for (let j = 0; j + 1 < S.length; j++) {
+          if (fits[j] === fits[j + 1]) continue;
+          const fine = Array.from({ length: 31 }, (_, k) => Number((S[j] + (0.15 * k) / 30).toFixed(4)));
+          const answer = await engine().ask("design", { ...of, outer_diameter_mm: [d], wall_mm: fine });
+          const walls = answer.candidates.map((/** @type {{ wall_mm: number }} */ c) => c.wall_mm), upper = fits[j];
+          const ends = segments.flatMap((/** @type {number[]} */ [a, b, c, e]) => [[a, b], [c, e]]).filter((/** @type {number[]} */ [x, y]) => Math.abs(x - d) < 1e-9 && y >= S[j] && y <= S[j + 1]);
+          out.push({ d, limit: nodes[upper ? j + 1 : j][i].limit, drawn: ends[0]?.[1], exact: upper ? Math.max(...walls) + 0.0025 : Math.min(...walls) - 0.0025 });
+        }
+      }
+      return out;
+    });
+    assert.ok(found.length >= 6, JSON.stringify(found));
+    assert.deepEqual([...new Set(found.map(({ limit }) => limit))].sort(), ["burst_margin", "force"]);
+    for (const one of found) assert.ok(Math.abs(one.drawn - one.exact) < 0.03, JSON.stringify(one));
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("a dimension line that is dragged changes the number", async () => {
+    const { page, errors, context } = await open("#muscle");
+    await alive(page);
+    const handle = /** @type {{ x: number, y: number, width: number, height: number }} */ (await page.locator(".dimensions circle").first().boundingBox());
+    const [x, y] = [handle.x + handle.width / 2, handle.y + handle.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 2, y - 12, { steps: 4 });
+    await page.mouse.up();
+    const D = Number(await page.getByRole("textbox", { name: "Outer diameter" }).inputValue());
+    assert.ok(D > 32 && D < 50, String(D));
+    await page.waitForFunction(() => location.hash.includes("D="));
+    const before = await page.locator(".stage .bar").innerText();
+    await page.locator(".stage canvas").focus();
+    for (let i = 0; i < 5; i++) await page.keyboard.press("+");
+    assert.notEqual(await page.locator(".stage .bar").innerText(), before);
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("two fingers zoom the muscle", async () => {
+    const { page, context } = await open("#muscle", { hasTouch: true });
+    await alive(page);
+    const bar = () => page.evaluate(() => { const box = /** @type {HTMLElement} */ (document.querySelector(".stage .bar")); return Number(box.querySelector("span")?.getBoundingClientRect().width) / parseFloat(box.textContent ?? ""); });
+    const before = await bar();
+    await page.evaluate(() => {
+      const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector(".stage canvas")), { x, y, width, height } = canvas.getBoundingClientRect();
+      canvas.setPointerCapture = () => {};
+      const send = (/** @type {string} */ type, /** @type {number} */ pointerId, /** @type {number} */ dx) => canvas.dispatchEvent(new PointerEvent(type, { pointerId, pointerType: "touch", clientX: x + width / 2 + dx, clientY: y + height / 2, bubbles: true }));
+      send("pointerdown", 1, -50);
+      send("pointerdown", 2, 50);
+      send("pointermove", 2, 150);
+      send("pointerup", 2, 150);
+      send("pointerup", 1, -50);
+    });
+    assert.ok(Math.abs((await bar()) / before / 2 - 1) < 0.02, `${(await bar()) / before}`);
+    await context.close();
+  });
+
+  test("on a phone the header is one row, and targets are 44 px", async () => {
+    const { page, context } = await open("#muscle", { viewport: { width: 400, height: 800 }, hasTouch: true, isMobile: true });
+    await alive(page);
+    const header = /** @type {{ height: number }} */ (await page.locator("header").boundingBox());
+    assert.ok(header.height <= 64, `${header.height}`);
+    const small = await page.evaluate(() => [...document.querySelectorAll("main button, main select, main summary, main input[type=range], header a, header button")]
+      .filter((e) => { const b = e.getBoundingClientRect(); return b.width > 0 && (b.height < 43.5 || (e.tagName === "BUTTON" && b.width < 43.5)); }).map((e) => `${e.tagName} ${e.textContent} ${e.getBoundingClientRect().height}`));
+    assert.deepEqual(small, []);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth));
     await context.close();
   });
 });

@@ -1,4 +1,5 @@
-// The address: `#muscle?D=38&p=2.5bar`. All that can be seen stands in it; an entry of the history is a gesture, not a frame.
+// The address: `#muscle?D=38&p=2.5bar`. All that can be seen stands in it; an entry of the history is a gesture, not a
+// frame.
 import { pack, packed, unpack } from "./deflate.js";
 
 /** @returns {{ page: string, params: URLSearchParams }} */
@@ -13,7 +14,12 @@ export async function read() {
   const { page, params } = parse();
   /** @type {string[]} */ const lost = [];
   for (const [key, word] of [...params]) {
-    try { params.set(key, await unpack(word)); } catch { params.delete(key); lost.push(key); }
+    try {
+      params.set(key, await unpack(word));
+    } catch {
+      params.delete(key);
+      lost.push(key);
+    }
   }
   await Promise.all([...params.values()].map(pack));
   return { page, params, lost, bare: !location.hash.includes("?") };
@@ -22,12 +28,17 @@ export async function read() {
 /** Readable: blanks as +, and no escapes where an address needs none. @param {URLSearchParams} params */
 const readable = (params) => {
   const text = params.toString();
-  return [["%2C", ","], ["%3A", ":"], ["%2F", "/"], ["%40", "@"]].reduce((all, [escape, sign]) => all.replaceAll(escape, sign), text);
+  return [["%2C", ","], ["%3A", ":"], ["%2F", "/"], ["%40", "@"]].reduce(
+    (all, [escape, sign]) => all.replaceAll(escape, sign),
+    text,
+  );
 };
 
 /** Words as the query of an address. @param {Record<string, string | undefined>} params */
 export function query(params) {
-  const said = Object.entries(params).flatMap(([key, word]) => (word === undefined || word === "" ? [] : [[key, packed(word)]]));
+  const said = Object.entries(params).flatMap((
+    [key, word],
+  ) => (word === undefined || word === "" ? [] : [[key, packed(word)]]));
   return readable(new URLSearchParams(said));
 }
 
@@ -42,20 +53,30 @@ let loading = 0;
 /** @template T @param {() => Promise<T>} load */
 export async function whileLoading(load) {
   loading++;
-  try { return await load(); } finally { loading--; }
+  try {
+    return await load();
+  } finally {
+    loading--;
+  }
 }
 
 // Places in the history: how many gestures can be taken back, and done again.
 const place = { now: 0, last: 0 };
 /** @type {() => void} */ let moved = () => {};
 const LAST = "mckibben:last";
-const remember = () => { try { sessionStorage.setItem(LAST, String(place.last)); } catch { /* It is only for a button. */ } };
+const remember = () => {
+  try {
+    sessionStorage.setItem(LAST, String(place.last));
+  } catch { /* It is only for a button. */ }
+};
 
 /** @param {() => void} tell is called whenever it changes what can be undone */
 export function onMoved(tell) {
   place.now = Number(history.state?.at ?? 0);
   let last = 0;
-  try { last = Number(sessionStorage.getItem(LAST) ?? 0); } catch { /* As above. */ }
+  try {
+    last = Number(sessionStorage.getItem(LAST) ?? 0);
+  } catch { /* As above. */ }
   place.last = Math.max(place.now, history.state ? last : 0);
   if (!history.state) history.replaceState({ at: place.now }, "");
   moved = tell;

@@ -16,7 +16,10 @@ export async function understood(texts) {
   return (await engine().ask("quantities", { texts: asked }, { lane: "read" })).readings;
 }
 
-/** Answers of long work, the newest last: who comes back to a page has them at once. The engine is deterministic. @type {Map<string, any>} */
+/**
+ * Answers of long work, the newest last: who comes back to a page has them at once. The engine is deterministic.
+ * @type {Map<string, any>}
+ */
 const answers = new Map();
 const MOST_ANSWERS = 16;
 /**
@@ -55,7 +58,8 @@ export class Slot {
    * Asks, or waits for the question before.
    * @template {keyof import("../../types/commands").Commands} K
    * @param {K} command @param {import("../../types/commands").Commands[K]["request"]} request
-   * @param {(answer: import("../../types/commands").Commands[K]["answer"]) => void} take @param {(problem: any) => void} [fail]
+   * @param {(answer: import("../../types/commands").Commands[K]["answer"]) => void} take
+   * @param {(problem: any) => void} [fail]
    */
   ask(command, request, take, fail) {
     const go = async () => {

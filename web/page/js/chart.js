@@ -10,10 +10,21 @@ export { KINDS };
 
 /**
  * @typedef {import("./plot.js").Series} Series
- * @typedef {import("./plot.js").Curves & { data?: any[], z?: string, xaxis?: any, yaxis?: any, layout?: any }} Spec `data`: traces of a map or surface
+ * `data`: traces of a map or surface.
+ * @typedef {import("./plot.js").Curves & { data?: any[], z?: string, xaxis?: any, yaxis?: any, layout?: any }} Spec
  */
 
-const VIRIDIS = [[68, 1, 84], [71, 44, 122], [59, 81, 139], [44, 113, 142], [33, 144, 141], [39, 173, 129], [92, 200, 99], [170, 220, 50], [253, 231, 37]];
+const VIRIDIS = [
+  [68, 1, 84],
+  [71, 44, 122],
+  [59, 81, 139],
+  [44, 113, 142],
+  [33, 144, 141],
+  [39, 173, 129],
+  [92, 200, 99],
+  [170, 220, 50],
+  [253, 231, 37],
+];
 /** Viridis between 0 and 1; without its palest end, which a white page would swallow. @param {number} share */
 export function viridis(share, most = 0.82) {
   const t = Math.min(1, Math.max(0, share)) * most * (VIRIDIS.length - 1);
@@ -26,21 +37,43 @@ export function pressureColour(pressure, top) {
   const dark = isDark();
   return dark ? viridis(0.25 + 0.75 * (pressure / top), 1) : viridis(pressure / top);
 }
-export const isDark = () => (document.documentElement.dataset.theme ? document.documentElement.dataset.theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches);
+export const isDark = () =>
+  document.documentElement.dataset.theme
+    ? document.documentElement.dataset.theme === "dark"
+    : matchMedia("(prefers-color-scheme: dark)").matches;
 /** @param {string} name */
 export const token = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 export class Chart {
-  /** @param {string} name of its files @param {{ tools?: Node, tall?: boolean, drag?: (x: number, y: number, settled: boolean) => void }} [options] */
+  /**
+   * @param {string} name of its files
+   * @param {{ tools?: Node, tall?: boolean, drag?: (x: number, y: number, settled: boolean) => void }} [options]
+   */
   constructor(name, { tools, tall, drag } = {}) {
     this.name = name;
     /** @type {Spec | undefined} */ this.spec = undefined;
     this.plot = el("div", { class: "plot" });
     this.table = el("div", { class: "scroll", hidden: true, tabindex: 0 });
     this.asTable = el("button", { type: "button", "aria-pressed": false, onclick: () => this.flip() }, "Table");
-    const save = (/** @type {"csv" | "svg" | "png"} */ kind) => el("button", { type: "button", onclick: () => this.save(kind) }, kind.toUpperCase());
-    const bar = el("div", { class: "row" }, tools ?? null, el("span", { class: "grow" }), this.asTable, save("csv"), save("svg"), save("png"));
-    this.element = el("section", { class: tall ? "chart tall" : "chart", "aria-label": name.replaceAll("-", " ") }, bar, this.plot, this.table);
+    const save = (/** @type {"csv" | "svg" | "png"} */ kind) =>
+      el("button", { type: "button", onclick: () => this.save(kind) }, kind.toUpperCase());
+    const bar = el(
+      "div",
+      { class: "row" },
+      tools ?? null,
+      el("span", { class: "grow" }),
+      this.asTable,
+      save("csv"),
+      save("svg"),
+      save("png"),
+    );
+    this.element = el(
+      "section",
+      { class: tall ? "chart tall" : "chart", "aria-label": name.replaceAll("-", " ") },
+      bar,
+      this.plot,
+      this.table,
+    );
     this.drag = drag;
     this.ring = el("i", { class: "ring", hidden: true });
     /** @type {number[] | undefined} */ this.at = undefined;
@@ -69,11 +102,17 @@ export class Chart {
     this.element.remove();
   }
 
-  /** A ring over the curves at values of the axes; none without. Nothing is drawn anew for it. @param {number} [x] @param {number} [y] */
+  /**
+   * A ring over the curves at values of the axes; none without. Nothing is drawn anew for it.
+   * @param {number} [x] @param {number} [y]
+   */
   mark(x, y) {
     this.at = x === undefined || y === undefined ? undefined : [x, y];
     this.placeMark();
   }
+
+  /** What lies at a place of the plot, as values of its axes. @param {number} px @param {number} py */
+  values(px, py) { return this.drawer?.values(px, py); }
 
   placeMark() {
     const place = this.at && this.drawer?.place(this.at[0], this.at[1]);
@@ -94,6 +133,8 @@ export class Chart {
 
   /** @param {Spec} spec */
   show(spec) {
+    // An answer that comes after the page was left.
+    if (this.ends.signal.aborted) return;
     this.spec = spec;
     if (!this.table.hidden) this.tabulate();
     this.draw();
@@ -123,8 +164,20 @@ export class Chart {
       this.cost = performance.now() - began;
       this.placeMark();
     } catch (error) {
-      const retry = el("button", { type: "button", onclick: () => { this.drawer = undefined; this.draw(); } }, "Try again");
-      this.plot.replaceChildren(el("p", { class: "waiting" }, `${/** @type {Error} */ (error).message} The table shows the numbers. `, retry));
+      const retry = el(
+        "button",
+        {
+          type: "button",
+          onclick: () => {
+            this.drawer = undefined;
+            this.draw();
+          },
+        },
+        "Try again",
+      );
+      this.plot.replaceChildren(
+        el("p", { class: "waiting" }, `${/** @type {Error} */ (error).message} The table shows the numbers. `, retry),
+      );
     }
     this.drawing = false;
     if (this.again) { this.again = false; this.draw(); }
@@ -136,17 +189,40 @@ export class Chart {
     return ["curve", spec.x, spec.y, ...(spec.z ? [spec.z] : [])];
   }
 
-  /** Rows of all series: name, x, y; of maps and surfaces also what they show there. @returns {(string | number | null)[][]} */
+  /**
+   * Rows of all series: name, x, y; of maps and surfaces also what they show there.
+   * @returns {(string | number | null)[][]}
+   */
   rows() {
-    const lines = (this.spec?.series ?? []).flatMap((s) => s.x.map((x, i) => [s.name, x, s.y[i]]));
-    const maps = (this.spec?.data ?? []).flatMap((d) => (d.type === "scatter" ? d.x.map((/** @type {number} */ x, /** @type {number} */ i) => [d.name, x, d.y[i], d.marker.color[i]])
-      : d.y.flatMap((/** @type {number} */ y, /** @type {number} */ j) => d.x.flatMap((/** @type {number} */ x, /** @type {number} */ i) => (d.z[j][i] === null ? [] : [[d.name, x, y, d.text ? d.text[j][i] : d.z[j][i]]])))));
+    const third = Boolean(this.spec?.z);
+    const line = (/** @type {Series} */ s) => s.x.map((x, i) => [s.name, x, s.y[i], ...(third ? [s.z?.[i] ?? null] : [])]);
+    const lines = (this.spec?.series ?? []).flatMap(line);
+    // A picture is finer than what was computed.
+    const maps = (this.spec?.data ?? [])
+      .filter((d) => !d.picture)
+      .flatMap((d) =>
+        d.y.flatMap((/** @type {number} */ y, /** @type {number} */ j) =>
+          d.x.flatMap((/** @type {number} */ x, /** @type {number} */ i) =>
+            d.z[j][i] === null ? [] : [[d.name, x, y, d.text ? d.text[j][i] : d.z[j][i]]],
+          ),
+        ),
+      );
     return [...lines, ...maps];
   }
 
   tabulate() {
-    const head = el("tr", {}, ...this.head().map((text, i) => el("th", { class: i ? undefined : "text", scope: "col" }, text)));
-    const body = this.rows().map((row) => el("tr", {}, ...row.map((v, i) => el("td", { class: i ? undefined : "text" }, typeof v === "string" ? v : number(v)))));
+    const head = el(
+      "tr",
+      {},
+      ...this.head().map((text, i) => el("th", { class: i ? undefined : "text", scope: "col" }, text)),
+    );
+    const body = this.rows().map((row) =>
+      el(
+        "tr",
+        {},
+        ...row.map((v, i) => el("td", { class: i ? undefined : "text" }, typeof v === "string" ? v : number(v))),
+      ),
+    );
     this.table.replaceChildren(el("table", {}, el("thead", {}, head), el("tbody", {}, ...body)));
   }
 
@@ -154,7 +230,8 @@ export class Chart {
   async save(kind) {
     if (!this.spec) return;
     if (kind === "csv") {
-      const quoted = (/** @type {any} */ v) => (typeof v === "string" && /[",\n]/.test(v) ? `"${v.replaceAll('"', '""')}"` : v ?? "");
+      const quoted = (/** @type {any} */ v) =>
+        typeof v === "string" && /[",\n]/.test(v) ? `"${v.replaceAll('"', '""')}"` : (v ?? "");
       const lines = [this.head(), ...this.rows()].map((row) => row.map(quoted).join(","));
       return download(`${this.name}.csv`, lines.join("\n") + "\n", "text/csv");
     }
@@ -165,7 +242,11 @@ export class Chart {
   }
 }
 
-/** Points of an isobaric curve as a line of pull over contraction in %; it ends at the free contraction, wherever the points lie. @param {any[]} points */
+/**
+ * Points of an isobaric curve as a line of pull over contraction in %; it ends at the free contraction, wherever the
+ * points lie.
+ * @param {any[]} points
+ */
 export function isobar(points) {
   const slack = points.findIndex((q) => q.slack), free = points[slack]?.free_contraction;
   const taut = slack < 0 ? points : points.slice(0, slack);
@@ -173,6 +254,8 @@ export function isobar(points) {
   return {
     x: [...taut.map((q) => 100 * q.contraction), ...ends],
     y: [...taut.map((q) => (q.status === "ok" ? outside("force", q.force_n) : null)), ...ends.map(() => 0)],
-    half: [...taut, ...(ends.length ? [points[slack]] : [])].map((q) => (q.uncertainty_n ? outside("force", q.uncertainty_n) : null)),
+    half: [...taut, ...(ends.length ? [points[slack]] : [])].map((q) =>
+      q.uncertainty_n ? outside("force", q.uncertainty_n) : null,
+    ),
   };
 }

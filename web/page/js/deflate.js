@@ -6,7 +6,11 @@ const MOST = 4_000_000;
 /** Texts as they stand in an address. @type {Map<string, string>} */ const known = new Map();
 
 /** @param {Uint8Array} bytes */
-const toText = (bytes) => btoa(Array.from(bytes, (b) => String.fromCharCode(b)).join("")).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+const toText = (bytes) =>
+  btoa(Array.from(bytes, (b) => String.fromCharCode(b)).join("")).replaceAll("+", "-").replaceAll("/", "_").replaceAll(
+    "=",
+    "",
+  );
 /** @param {string} text */
 const toBytes = (text) => Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));
 
@@ -14,11 +18,14 @@ const toBytes = (text) => Uint8Array.from(atob(text.replaceAll("-", "+").replace
 async function piped(bytes, through) {
   const reader = new Blob([bytes]).stream().pipeThrough(/** @type {any} */ (through)).getReader();
   /** @type {Uint8Array[]} */ const parts = [];
-  for (let size = 0; ;) {
+  for (let size = 0;;) {
     const { done, value } = await reader.read();
     if (done) break;
     size += value.length;
-    if (size > MOST) { reader.cancel().catch(() => {}); throw new Error("too long"); }
+    if (size > MOST) {
+      reader.cancel().catch(() => {});
+      throw new Error("too long");
+    }
     parts.push(value);
   }
   return new Uint8Array(await new Blob(/** @type {any} */ (parts)).arrayBuffer());
@@ -37,7 +44,9 @@ export const packed = (text) => known.get(text) ?? text;
 /** What stands in an address, as a text. @param {string} word @returns {Promise<string>} */
 export async function unpack(word) {
   if (!word.startsWith(MARK)) return word;
-  const text = new TextDecoder("utf-8", { fatal: true }).decode(await piped(toBytes(word.slice(MARK.length)), new DecompressionStream("deflate-raw")));
+  const text = new TextDecoder("utf-8", { fatal: true }).decode(
+    await piped(toBytes(word.slice(MARK.length)), new DecompressionStream("deflate-raw")),
+  );
   known.set(text, word);
   return text;
 }

@@ -9,8 +9,11 @@ export function dialog(title, inside) {
   const close = () => box.close();
   box.addEventListener("close", () => box.remove());
   // A click beside it closes it too.
-  box.addEventListener("click", (event) => { if (event.target === box) close(); });
-  const head = el("div", { class: "row head" }, el("h2", { id }, title), el("button", { type: "button", onclick: close }, "Close"));
+  box.addEventListener("click", (event) => {
+    if (event.target === box) close();
+  });
+  const head = el("div", { class: "row head" }, el("h2", { id }, title),
+    el("button", { type: "button", onclick: close }, "Close"));
   box.append(el("div", { class: "inside" }, head, ...inside(close).filter((part) => part !== null)));
   document.body.append(box);
   box.showModal();

@@ -1,4 +1,5 @@
-// Files that are dropped anywhere, or chosen: what each is follows from what it holds, and each goes to the page that it belongs to.
+// Files that are dropped anywhere, or chosen: what each is follows from what it holds, and each goes to the page that
+// it belongs to.
 import { address } from "./address.js";
 import { keepFile, wordsOf } from "./kept.js";
 import { pack } from "./deflate.js";
@@ -24,9 +25,14 @@ export function kindOfFile(name, text) {
 }
 
 /** The muscle files that a joint file names, without their folders. @param {string} text */
-const namedIn = (text) => [...text.matchAll(/^[ \t]*(?:file|muscle)[ \t]*=[ \t]*"([^"]+)"/gm)].map((m) => m[1].split("/").pop() ?? "");
+const namedIn = (text) =>
+  [...text.matchAll(/^[ \t]*(?:file|muscle)[ \t]*=[ \t]*"([^"]+)"/gm)].map((m) => m[1].split("/").pop() ?? "");
 
-/** Goes to a page with words over the kept ones; the muscle goes along. @param {string} page @param {Record<string, string | undefined>} words */
+/**
+ * Goes to a page with words over the kept ones; the muscle goes along.
+ * @param {string} page
+ * @param {Record<string, string | undefined>} words
+ */
 async function go(page, words) {
   await Promise.all(Object.values(words).map((word) => pack(word ?? "")));
   const to = address(page, { ...wordsOf(page), ...words, ...muscle.params() });
@@ -48,9 +54,14 @@ async function take(files) {
   if (plan) keepFile("plan", plan.text);
   const lacks = (joint || drive) && !own && wanted[0];
   const what = files.map((file) => file.name).join(", ");
-  notice(`Opened ${what}.${lacks ? ` It names ${wanted[0]}, which was not among the files: the muscle of this page takes its place.` : ""}`);
+  notice(
+    `Opened ${what}.${
+      lacks ? ` It names ${wanted[0]}, which was not among the files: the muscle of this page takes its place.` : ""
+    }`,
+  );
   if (drive) return go("motion", { drive: drive.text });
-  if (joint) return go("joint", { joint: joint.text, r: undefined, range: undefined, e0: undefined, file2: second?.text });
+  if (joint)
+    return go("joint", { joint: joint.text, r: undefined, range: undefined, e0: undefined, file2: second?.text });
   // Over the curves of the page Muscle they are at their place too.
   if (data && document.body.dataset.page !== "muscle") return go("data", {});
   if (plan) return go("formula", {});
@@ -67,7 +78,11 @@ export async function takeFiles(files) {
       read.push({ name: file.name, text, kind: kindOfFile(file.name, text) });
     }
     const other = read.find(({ kind }) => kind === "other");
-    if (other) throw new Error(`${other.name} is no file of this program: muscles, joints, drives and plans end in .toml, measured points in .csv, projects in .json.`);
+    if (other)
+      throw new Error(
+        `${other.name} is no file of this program: muscles, joints, drives and plans end in .toml, measured points `
+          + `in .csv, projects in .json.`,
+      );
     if (read.length) await take(read);
   } catch (problem) {
     noticeProblem(problem);
@@ -76,9 +91,17 @@ export async function takeFiles(files) {
 
 /** The whole window takes files; boxes for one kind of file come first. */
 export function dropAnywhere() {
-  const hasFiles = (/** @type {DragEvent} */ event) => event.dataTransfer?.types.includes("Files") && !(/** @type {Element} */ (event.target).closest?.(".drop"));
-  window.addEventListener("dragover", (event) => { if (hasFiles(event)) { event.preventDefault(); document.body.classList.add("dropping"); } }, true);
-  window.addEventListener("dragleave", (event) => { if (!event.relatedTarget) document.body.classList.remove("dropping"); });
+  const hasFiles = (/** @type {DragEvent} */ event) =>
+    event.dataTransfer?.types.includes("Files") && !(/** @type {Element} */ (event.target).closest?.(".drop"));
+  window.addEventListener("dragover", (event) => {
+    if (hasFiles(event)) {
+      event.preventDefault();
+      document.body.classList.add("dropping");
+    }
+  }, true);
+  window.addEventListener("dragleave", (event) => {
+    if (!event.relatedTarget) document.body.classList.remove("dropping");
+  });
   window.addEventListener("drop", (event) => {
     document.body.classList.remove("dropping");
     if (!hasFiles(event)) return;

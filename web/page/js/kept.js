@@ -1,22 +1,31 @@
-// What pages keep while others are shown, and over a reload: words of the address that are their own, and files. It ends with the tab.
+// What pages keep while others are shown, and over a reload: words of the address that are their own, and files. It
+// ends with the tab.
 
 const NAME = "mckibben:kept";
 /** @typedef {{ words: Record<string, Record<string, string>>, files: Record<string, any> }} Kept */
 /** @returns {Kept} */
 function before() {
-  try { return { words: {}, files: {}, ...JSON.parse(sessionStorage.getItem(NAME) ?? "{}") }; } catch { return { words: {}, files: {} }; }
+  try {
+    return { words: {}, files: {}, ...JSON.parse(sessionStorage.getItem(NAME) ?? "{}") };
+  } catch {
+    return { words: {}, files: {} };
+  }
 }
 const kept = before();
 /** @type {Set<() => void>} */ const listeners = new Set();
 
 function save() {
   // What is too long for the browser stays until a reload.
-  try { sessionStorage.setItem(NAME, JSON.stringify(kept)); } catch { /* As said. */ }
+  try {
+    sessionStorage.setItem(NAME, JSON.stringify(kept));
+  } catch { /* As said. */ }
   listeners.forEach((tell) => tell());
 }
 
 /** @param {() => void} tell */
-export const onKept = (tell) => { listeners.add(tell); };
+export const onKept = (tell) => {
+  listeners.add(tell);
+};
 /** A page's own words. @param {string} page */
 export const wordsOf = (page) => kept.words[page] ?? {};
 /** @param {string} page @param {Record<string, string | undefined>} words */

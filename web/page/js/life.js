@@ -15,7 +15,12 @@ export function endAll() {
   all.forEach((end) => end());
 }
 
-/** A view or a chart of the page that is shown: destroyed with it. @template T @param {T & { destroy?: () => void }} view @returns {T} */
+/**
+ * A view or a chart of the page that is shown: destroyed with it.
+ * @template T
+ * @param {T & { destroy?: () => void }} view
+ * @returns {T}
+ */
 export function held(view) {
   atEnd(() => view.destroy?.());
   return view;

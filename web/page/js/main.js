@@ -24,7 +24,11 @@ let routes = 0;
 
 // Words of the muscle mean other things in a specification: it is one word there.
 const OWN_WORDS = ["design"];
-const links = PAGES.map(({ name, text }) => el("a", { href: `#${name}`, "data-name": name }, text));
+const here = (/** @type {string} */ name) => location.hash.slice(1).split("?")[0] === name;
+// Until the muscle is read, the link to this page is its address.
+const links = PAGES.map(({ name, text }) =>
+  el("a", { href: here(name) ? location.hash : `#${name}`, "data-name": name }, text)
+);
 byId("pages").append(...links);
 
 /** A page's address with the muscle and what was typed there. @param {string} name */
@@ -54,7 +58,9 @@ const theme = el("button", { type: "button", onclick: () => {
   paintTheme();
   document.dispatchEvent(new Event("theme"));
 } }, "Dark");
-const paintTheme = () => { theme.textContent = isDark() ? "Light" : "Dark"; };
+const paintTheme = () => {
+  theme.textContent = isDark() ? "Light" : "Dark";
+};
 const help = helpLink();
 const bar = muscleBar();
 byId("tools").append(help.element, theme);
@@ -110,7 +116,8 @@ function leave() {
 /** @param {any} problem */
 function fail(problem) {
   leave();
-  main.replaceChildren(problemBox(problem), el("p", {}, el("button", { type: "button", class: "main", onclick: start }, "Try again")));
+  main.replaceChildren(problemBox(problem),
+    el("p", {}, el("button", { type: "button", class: "main", onclick: start }, "Try again")));
 }
 
 async function start() {
@@ -125,14 +132,26 @@ async function start() {
 
 paintTheme();
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", paintTheme);
-onMoved(() => { bar.moved(); keep().then(link, () => {}); });
+onMoved(() => {
+  bar.moved();
+  keep().then(link, () => {});
+});
 onKept(link);
-muscle.onChange(() => { link(); bar.paint(); });
+muscle.onChange(() => {
+  link();
+  bar.paint();
+});
 // A link that is followed right after a gesture has the muscle of that gesture.
 for (const event of ["pointerdown", "focusin"]) byId("pages").addEventListener(event, () => muscle.tell());
-window.addEventListener("popstate", () => { arrived(); route(); });
+window.addEventListener("popstate", () => {
+  arrived();
+  route();
+});
 sketches();
 printing();
 dropAnywhere();
 start();
-if ("serviceWorker" in navigator && window.isSecureContext) window.addEventListener("load", () => { navigator.serviceWorker.register("sw.js").catch(() => {}); });
+if ("serviceWorker" in navigator && window.isSecureContext)
+  window.addEventListener("load", () => {
+    navigator.serviceWorker.register("sw.js").catch(() => {});
+  });

@@ -1,4 +1,5 @@
-// The table of measured points that pages share: opened on the page Data, or dropped anywhere. It is kept over a reload.
+// The table of measured points that pages share: opened on the page Data, or dropped anywhere. It is kept over a
+// reload.
 import { fileOf, keepFile } from "./kept.js";
 import { thinned, thinnedWords } from "./thin.js";
 
@@ -10,9 +11,13 @@ const listeners = new Set();
 
 export const measured = {
   /** As it is used: a long one is thinned. @returns {File | undefined} */
-  get file() { return fileOf("data"); },
+  get file() {
+    return fileOf("data");
+  },
   /** What to say of a table that was thinned. @returns {string} */
-  get said() { return fileOf("data-said") ?? ""; },
+  get said() {
+    return fileOf("data-said") ?? "";
+  },
   /** What its headings do not say, as requests have it. @type {Record<string, string>} */ columns: {},
 
   /** @param {File | undefined} file @param {Record<string, string>} [columns] */
@@ -28,4 +33,9 @@ export const measured = {
 };
 
 /** @param {() => void} tell @returns {() => void} what ends it */
-export const onMeasured = (tell) => { listeners.add(tell); return () => { listeners.delete(tell); }; };
+export const onMeasured = (tell) => {
+  listeners.add(tell);
+  return () => {
+    listeners.delete(tell);
+  };
+};

@@ -2,7 +2,8 @@
 import { engine, understood } from "./ask.js";
 import { query } from "./address.js";
 import { pack } from "./deflate.js";
-import { canonical, fields, fromWords, keys, missing, opened, prototype, say, shownValue, takeMeasures, texts, words, MEASURES } from "./state.js";
+import { canonical, fields, fromWords, keys, missing, opened, prototype, say, shownValue, takeMeasures, texts, words,
+  MEASURES } from "./state.js";
 import { nameIn, named } from "./name.js";
 import { show, typed, unitsFromAddress, unitsInAddress } from "./units.js";
 import { learn } from "./words.js";
@@ -25,7 +26,10 @@ export class MuscleState {
   constructor() {
     /** The name that somebody gave it here; without one that of its file. */
     this.called = "";
-    /** Named sleeves, with what their sources do not state. @type {{ name: string, missing: string, least_diameter_mm: number, largest_diameter_mm: number }[]} */
+    /**
+     * Named sleeves, with what their sources do not state.
+     * @type {{ name: string, missing: string, least_diameter_mm: number, largest_diameter_mm: number }[]}
+     */
     this.sleeves = [];
     /** @type {[string, string][]} */
     this.unknown = [];
@@ -35,15 +39,29 @@ export class MuscleState {
     this.written = undefined;
   }
 
-  get state() { return this.#state; }
-  set state(next) { this.#state = next; this.#changed(); }
+  get state() {
+    return this.#state;
+  }
+  set state(next) {
+    this.#state = next;
+    this.#changed();
+  }
   /** What the engine read of file and fields, the last time that it could. */
-  get shown() { return this.#shown; }
-  set shown(next) { this.#shown = next; this.#changed(); }
+  get shown() {
+    return this.#shown;
+  }
+  set shown(next) {
+    this.#shown = next;
+    this.#changed();
+  }
 
   /** Is called some time after it changed. @param {() => void} tell */
-  onChange(tell) { this.#listeners.add(tell); }
-  #changed() { this.#telling ||= window.setTimeout(() => this.tell(), 120); }
+  onChange(tell) {
+    this.#listeners.add(tell);
+  }
+  #changed() {
+    this.#telling ||= window.setTimeout(() => this.tell(), 120);
+  }
   /** Tells at once that it changed. */
   tell() {
     clearTimeout(this.#telling);
@@ -57,14 +75,25 @@ export class MuscleState {
     return this.called || nameIn(file) || (file || Object.keys(said).length ? "My muscle" : "Prototype of the paper");
   }
   /** @param {string} text empty for that of its file */
-  rename(text) { this.called = text === nameIn(this.state.file) ? "" : text; this.#changed(); }
+  rename(text) {
+    this.called = text === nameIn(this.state.file) ? "" : text;
+    this.#changed();
+  }
 
-  get p() { return this.state.p; }
-  get e() { return this.state.e; }
-  get F() { return this.state.F; }
+  get p() {
+    return this.state.p;
+  }
+  get e() {
+    return this.state.e;
+  }
+  get F() {
+    return this.state.F;
+  }
 
   /** Fields of a request. */
-  fields() { return fields(this.state); }
+  fields() {
+    return fields(this.state);
+  }
 
   /** @param {string} key @param {number | string | undefined} value */
   set(key, value) {
@@ -87,21 +116,31 @@ export class MuscleState {
     if (this.written?.of !== of) {
       const file = canonical(this.state, (command, request) => engine().ask(command, request));
       this.written = { of, file };
-      file.catch(() => { this.written = undefined; });
+      file.catch(() => {
+        this.written = undefined;
+      });
     }
     return this.written.file;
   }
 
   /** What its sleeve needs beside its name, and is not said yet. */
-  missing() { return missing(this.state, this.sleeves); }
+  missing() {
+    return missing(this.state, this.sleeves);
+  }
 
   /** The muscle file with its name, for people to keep. */
-  async toml() { return named(await this.file(), this.name); }
+  async toml() {
+    return named(await this.file(), this.name);
+  }
 
   /** The measures in a line. */
   line() {
     const s = this.shown;
-    return s ? `D0 ${show("length", s.outer_diameter_mm)}, s ${show("length", s.wall_mm)}, L0 ${show("length", s.length_mm)}, θ0 ${show("angle", s.angle_deg)}, rubber ${s.rubber}, braid ${s.braid}` : "none yet";
+    return s
+      ? `D0 ${show("length", s.outer_diameter_mm)}, s ${show("length", s.wall_mm)}, L0 ${
+        show("length", s.length_mm)
+      }, θ0 ${show("angle", s.angle_deg)}, rubber ${s.rubber}, braid ${s.braid}`
+      : "none yet";
   }
 
   /** Words of the address. */
@@ -111,7 +150,8 @@ export class MuscleState {
 
   /** The muscle as one word, for pages where its words mean other things; empty for the prototype. */
   word() {
-    const params = this.params(), plain = !this.called && !params.u && JSON.stringify(this.state) === JSON.stringify(prototype());
+    const params = this.params(),
+      plain = !this.called && !params.u && JSON.stringify(this.state) === JSON.stringify(prototype());
     return plain ? "" : query(params);
   }
 
@@ -129,13 +169,18 @@ export class MuscleState {
    */
   async read(params, own = []) {
     unitsFromAddress(params.get("u") ?? "");
-    const [readings] = await Promise.all([understood(texts(params).map(({ text, kind }) => ({ text, kind }))), this.known()]);
+    const [readings] = await Promise.all([understood(texts(params).map(({ text, kind }) => ({ text, kind }))),
+      this.known()]);
     Object.assign(this, fromWords(params, readings));
     this.called = (params.get("name") ?? "").slice(0, 80);
     const known = new Set([...keys(), "u", "name", ...own]);
     this.unknown = [...params].filter(([key]) => !known.has(key));
     // What cannot be read the page says when it asks for more.
-    try { await this.look(); } catch { this.shown = undefined; }
+    try {
+      await this.look();
+    } catch {
+      this.shown = undefined;
+    }
   }
 
   /** The sleeves of the library, once. */

@@ -10,7 +10,11 @@ const head = (file) => file.slice(0, /^[ \t]*\[/m.exec(file)?.index ?? file.leng
 export function nameIn(file) {
   const [, quoted, bare] = LINE.exec(head(file)) ?? [];
   if (bare !== undefined) return bare;
-  try { return quoted === undefined ? "" : /** @type {string} */ (JSON.parse(`"${quoted}"`)); } catch { return quoted ?? ""; }
+  try {
+    return quoted === undefined ? "" : /** @type {string} */ (JSON.parse(`"${quoted}"`));
+  } catch {
+    return quoted ?? "";
+  }
 }
 
 /** The file with another name. @param {string} file @param {string} name */
@@ -20,8 +24,13 @@ export function named(file, name) {
   if (LINE.test(top)) return top.replace(LINE, () => line) + file.slice(top.length);
   // Below the remarks that a file begins with.
   const remarks = /^(?:[ \t]*#.*\n)*/.exec(file)?.[0] ?? "";
-  return `${remarks}${line}\n${remarks && !file.slice(remarks.length).startsWith("\n") ? "\n" : ""}${file.slice(remarks.length)}`;
+  return `${remarks}${line}\n${remarks && !file.slice(remarks.length).startsWith("\n") ? "\n" : ""}${
+    file.slice(remarks.length)
+  }`;
 }
 
 /** The name of a file. @param {string} name @param {string} end such as `.toml` */
-export const fileName = (name, end) => `${name.normalize("NFKD").replace(/[^\w.-]+/g, "-").replace(/^[-.]+|-+$/g, "").toLowerCase().slice(0, 60) || "muscle"}${end}`;
+export const fileName = (name, end) =>
+  `${
+    name.normalize("NFKD").replace(/[^\w.-]+/g, "-").replace(/^[-.]+|-+$/g, "").toLowerCase().slice(0, 60) || "muscle"
+  }${end}`;

@@ -1,4 +1,5 @@
-// Tables of measured points that are longer than what models are computed at: every n-th row, and a sentence that says so.
+// Tables of measured points that are longer than what models are computed at: every n-th row, and a sentence that says
+// so.
 
 export const MOST_ROWS = 20_000;
 
@@ -15,4 +16,10 @@ export function thinned(text, most = MOST_ROWS) {
 }
 
 /** @param {{ rows: number, kept: number, step: number }} of */
-export const thinnedWords = ({ rows, kept, step }) => (step === 1 ? "" : `The table has ${rows.toLocaleString("en")} rows, more than ${MOST_ROWS.toLocaleString("en")}: every ${step === 2 ? "second" : step === 3 ? "third" : `${step}th`} one is used, ${kept.toLocaleString("en")} points.`);
+export const thinnedWords = (
+  { rows, kept, step },
+) => (step === 1
+  ? ""
+  : `The table has ${rows.toLocaleString("en")} rows, more than ${MOST_ROWS.toLocaleString("en")}: every ${
+    step === 2 ? "second" : step === 3 ? "third" : `${step}th`
+  } one is used, ${kept.toLocaleString("en")} points.`);

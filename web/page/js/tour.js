@@ -17,14 +17,22 @@ export function startTour() {
   end?.();
   if (document.body.dataset.page === "muscle") return run();
   location.hash = "#muscle";
-  const seen = new MutationObserver(() => { if (document.querySelector(".bench .numbers")) { seen.disconnect(); run(); } });
+  const seen = new MutationObserver(() => {
+    if (document.querySelector(".bench .numbers")) {
+      seen.disconnect();
+      run();
+    }
+  });
   seen.observe(document.body, { childList: true, subtree: true });
 }
 
 /** Puts a box below a place, or above it where there is no room. @param {HTMLElement} box @param {DOMRect} at */
 function place(box, at) {
   const { width, height } = box.getBoundingClientRect(), margin = 8;
-  const below = at.bottom + margin + height < innerHeight, y = below ? at.bottom + margin : Math.max(margin, Math.min(innerHeight - height - margin, at.top - height - margin));
+  const below = at.bottom + margin + height < innerHeight,
+    y = below
+      ? at.bottom + margin
+      : Math.max(margin, Math.min(innerHeight - height - margin, at.top - height - margin));
   box.style.left = `${Math.max(margin, Math.min(innerWidth - width - margin, at.left))}px`;
   box.style.top = `${y}px`;
 }
@@ -33,15 +41,20 @@ function run() {
   let stop = -1, timer = 0;
   const text = el("p", { "aria-live": "polite" }), count = el("span", { class: "small soft grow" });
   const ring = el("div", { class: "tour-ring", "aria-hidden": "true" });
-  const skip = el("button", { type: "button", onclick: () => end?.() }, "Skip"), next = el("button", { type: "button", class: "main", onclick: () => go() }, "Next");
-  const box = el("div", { class: "tour", role: "dialog", "aria-label": "Tour" }, text, el("div", { class: "row" }, count, skip, next));
-  const keys = (/** @type {KeyboardEvent} */ event) => { if (event.key === "Escape") end?.(); };
+  const skip = el("button", { type: "button", onclick: () => end?.() }, "Skip"),
+    next = el("button", { type: "button", class: "main", onclick: () => go() }, "Next");
+  const box = el("div", { class: "tour", role: "dialog", "aria-label": "Tour" }, text,
+    el("div", { class: "row" }, count, skip, next));
+  const keys = (/** @type {KeyboardEvent} */ event) => {
+    if (event.key === "Escape") end?.();
+  };
   const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
   const follow = () => {
     const target = document.querySelector(STOPS[stop]?.[0] ?? "body");
     if (!target) return;
     const at = target.getBoundingClientRect();
-    Object.assign(ring.style, { left: `${at.left - 3}px`, top: `${at.top - 3}px`, width: `${at.width + 6}px`, height: `${at.height + 6}px` });
+    Object.assign(ring.style, { left: `${at.left - 3}px`, top: `${at.top - 3}px`, width: `${at.width + 6}px`,
+      height: `${at.height + 6}px` });
     place(box, at);
   };
   function go() {

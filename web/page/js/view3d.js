@@ -1,7 +1,8 @@
-// The muscle in space: one lit surface turned about the axis, its strands, and the terminals. WebGL2; without it a section as SVG.
+// The muscle in space: one lit surface turned about the axis, its strands, and the terminals. WebGL2; without it a
+// section as SVG.
 //
-// What the engine knows along the half muscle goes into one small texture; where each point of surface or strand lies follows from
-// it on the graphics processor, so that a new shape costs one upload of a few kilobytes.
+// What the engine knows along the half muscle goes into one small texture; where each point of surface or strand lies
+// follows from it on the graphics processor, so that a new shape costs one upload of a few kilobytes.
 import { el } from "./dom.js";
 import { FRAGMENT, SURFACE } from "./shaders.js";
 
@@ -10,17 +11,24 @@ const AROUND = 48;
 const DRAWN = 18, MOST = 60;
 /** How the muscle is first seen, and how far it may be zoomed. */
 const TURN = [0.35, -0.5], ZOOM = [0.5, 8];
-/** The profile of a crimped fitting: radius and distance from the tube's end, as shares of the tube's radius; doubled points are edges. */
+/**
+ * The profile of a crimped fitting: radius and distance from the tube's end, as shares of the tube's radius; doubled
+ * points are edges.
+ */
 const FITTING = [
-  [1.02, -0.12], [1.14, -0.12], [1.14, -0.12], [1.14, 0.06], [1.14, 0.06], [1.05, 0.12], [1.05, 0.2], [1.14, 0.26], [1.14, 0.26], [1.14, 0.36],
-  [1.14, 0.36], [1.05, 0.42], [1.05, 0.5], [1.14, 0.56], [1.14, 0.56], [1.14, 0.72], [1.14, 0.72], [0.62, 0.72], [0.62, 0.72], [0.62, 0.98],
-  [0.62, 0.98], [0.36, 0.98], [0.36, 0.98], [0.36, 1.1], [0.42, 1.14], [0.36, 1.22], [0.42, 1.26], [0.36, 1.34], [0.36, 1.42], [0.36, 1.42], [0.18, 1.42],
+  [1.02, -0.12], [1.14, -0.12], [1.14, -0.12], [1.14, 0.06], [1.14, 0.06], [1.05, 0.12], [1.05, 0.2], [1.14, 0.26],
+  [1.14, 0.26], [1.14, 0.36], [1.14, 0.36], [1.05, 0.42], [1.05, 0.5], [1.14, 0.56], [1.14, 0.56], [1.14, 0.72],
+  [1.14, 0.72], [0.62, 0.72], [0.62, 0.72], [0.62, 0.98], [0.62, 0.98], [0.36, 0.98], [0.36, 0.98], [0.36, 1.1],
+  [0.42, 1.14], [0.36, 1.22], [0.42, 1.26], [0.36, 1.34], [0.36, 1.42], [0.36, 1.42], [0.18, 1.42],
 ];
 
 /** @param {WebGL2RenderingContext} gl @param {string} vertex */
 function program(gl, vertex) {
   const made = /** @type {WebGLProgram} */ (gl.createProgram());
-  for (const [kind, source] of /** @type {[number, string][]} */ ([[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, FRAGMENT]])) {
+  for (const [kind, source] of /** @type {[number, string][]} */ ([
+    [gl.VERTEX_SHADER, vertex],
+    [gl.FRAGMENT_SHADER, FRAGMENT],
+  ])) {
     const shader = /** @type {WebGLShader} */ (gl.createShader(kind));
     gl.shaderSource(shader, source);
     gl.compileShader(shader);
@@ -37,12 +45,19 @@ function software() {
   if (slow !== undefined) return slow;
   const gl = document.createElement("canvas").getContext("webgl2");
   const info = gl?.getExtension("WEBGL_debug_renderer_info");
-  slow = Boolean(gl && info && /swiftshader|llvmpipe|software|basic render/i.test(String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL))));
+  slow = Boolean(
+    gl &&
+    info &&
+    /swiftshader|llvmpipe|software|basic render/i.test(String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL))),
+  );
   gl?.getExtension("WEBGL_lose_context")?.loseContext();
   return slow;
 }
 
-/** Between which values the colours run: the few nodes at the bonded corner would take the whole map. @param {ArrayLike<number>} list @returns {[number, number]} */
+/**
+ * Between which values the colours run: the few nodes at the bonded corner would take the whole map.
+ * @param {ArrayLike<number>} list @returns {[number, number]}
+ */
 export function reach(list) {
   const sorted = Float64Array.from(list).sort();
   return [sorted[Math.floor(0.01 * sorted.length)], sorted[Math.ceil(0.985 * sorted.length) - 1]];
@@ -54,7 +69,11 @@ export function reach(list) {
  */
 
 export class View {
-  /** @param {HTMLElement} stage @param {{ contract?: (share: number, settled: boolean) => void, drawn?: () => void }} handlers share: of the rest length, that the dragged end moves; drawn: after each picture */
+  /**
+   * @param {HTMLElement} stage
+   * @param {{ contract?: (share: number, settled: boolean) => void, drawn?: () => void }} handlers
+   *   share: of the rest length, that the dragged end moves; drawn: after each picture
+   */
   constructor(stage, { contract, drawn } = {}) {
     this.stage = stage;
     this.turn = [...TURN];
@@ -67,7 +86,10 @@ export class View {
     this.show = { field: "", low: 0, high: 1, restLength: 1, restRadius: 1 };
     /** @type {WebGLTexture | null} */ this.plugTexture = null;
     /** @type {{ array: WebGLVertexArrayObject, count: number }[] | undefined} */ this.plug = undefined;
-    /** Meshes by their stations and nodes: with the measures of the muscle their number changes to and fro. @type {Map<string, any>} */
+    /**
+     * Meshes by their stations and nodes: with the measures of the muscle their number changes to and fro.
+     * @type {Map<string, any>}
+     */
     this.meshes = new Map();
     this.canvas = el("canvas", { role: "img", "aria-label": "The deformed muscle" });
     const gl = this.canvas.getContext("webgl2", { antialias: !software(), alpha: true });
@@ -83,7 +105,11 @@ export class View {
     this.width = stage.clientWidth;
     this.height = stage.clientHeight;
     this.rest = 0;
-    this.sized = new ResizeObserver(() => { this.width = stage.clientWidth; this.height = stage.clientHeight; this.draw(true); });
+    this.sized = new ResizeObserver(() => {
+      this.width = stage.clientWidth;
+      this.height = stage.clientHeight;
+      this.draw(true);
+    });
     this.sized.observe(stage);
   }
 
@@ -104,7 +130,10 @@ export class View {
     this.plugTexture = null;
   }
 
-  /** Points and triangles that depend on the number of stations and nodes alone. @param {number} stations @param {number} across */
+  /**
+   * Points and triangles that depend on the number of stations and nodes alone.
+   * @param {number} stations @param {number} across
+   */
   mesh(stations, across) {
     const key = `${stations}x${across}`;
     this.parts = this.meshes.get(key);
@@ -123,9 +152,15 @@ export class View {
       });
       return this.buffers(this.surface, data, index, [["station", 1], ["angle", 1], ["row", 1]]);
     };
-    const round = (/** @type {number} */ row) => Array.from({ length: AROUND + 1 }, (_, k) => /** @type {[number, number]} */ ([(2 * Math.PI * k) / AROUND, row]));
-    const wall = (/** @type {number} */ angle) => Array.from({ length: across }, (_, i) => /** @type {[number, number]} */ ([angle, i]));
-    this.parts = { outer: grid(round(across - 1)), inner: grid(round(0)), walls: [grid(wall(0)), grid(wall(Math.PI / 2))] };
+    const round = (/** @type {number} */ row) =>
+      Array.from({ length: AROUND + 1 }, (_, k) => /** @type {[number, number]} */ ([(2 * Math.PI * k) / AROUND, row]));
+    const wall = (/** @type {number} */ angle) =>
+      Array.from({ length: across }, (_, i) => /** @type {[number, number]} */ ([angle, i]));
+    this.parts = {
+      outer: grid(round(across - 1)),
+      inner: grid(round(0)),
+      walls: [grid(wall(0)), grid(wall(Math.PI / 2))],
+    };
     this.meshes.set(key, this.parts);
   }
 
@@ -142,7 +177,10 @@ export class View {
     let offset = 0;
     for (const [name, size] of parts) {
       const at = gl.getAttribLocation(of, name);
-      if (at >= 0) { gl.enableVertexAttribArray(at); gl.vertexAttribPointer(at, size, gl.FLOAT, false, stride, offset); }
+      if (at >= 0) {
+        gl.enableVertexAttribArray(at);
+        gl.vertexAttribPointer(at, size, gl.FLOAT, false, stride, offset);
+      }
       offset += 4 * size;
     }
     return { array, count: index.length };
@@ -207,10 +245,17 @@ export class View {
     gl.uniform1f(at("cut"), this.cut ? 1 : 0);
     gl.uniform2f(at("reach"), this.show.low, this.show.high);
     const parts = /** @type {any} */ (this.parts);
-    const draw = (/** @type {any} */ part) => { gl.bindVertexArray(part.array); gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 0); };
+    const draw = (/** @type {any} */ part) => {
+      gl.bindVertexArray(part.array);
+      gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 0);
+    };
     const known = shape.strands ? Math.min(shape.strands / 2, MOST) : DRAWN;
     /** What colours a part: the field (1), that of the strands (2), or nothing. */
-    const paint = (/** @type {number} */ mapped, /** @type {number[]} */ plain, strands = 0) => { gl.uniform1f(at("mapped"), mapped); gl.uniform3fv(at("plain"), plain); gl.uniform1f(at("strands"), strands); };
+    const paint = (/** @type {number} */ mapped, /** @type {number[]} */ plain, strands = 0) => {
+      gl.uniform1f(at("mapped"), mapped);
+      gl.uniform3fv(at("plain"), plain);
+      gl.uniform1f(at("strands"), strands);
+    };
     gl.uniform1f(at("flat_normal"), 0);
     paint(strand ? 2 : 1, [0.5, 0.48, 0.46], Math.round(known));
     draw(parts.outer);
@@ -245,14 +290,19 @@ export class View {
     this.plug ??= [1, -1].map((sign) => this.revolved(sign, count));
     gl.uniform1f(at("flat_normal"), 0);
     gl.uniform1f(at("cut"), 0);
-    for (const part of this.plug) { gl.bindVertexArray(part.array); gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 0); }
+    for (const part of this.plug) {
+      gl.bindVertexArray(part.array);
+      gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 0);
+    }
     gl.bindTexture(gl.TEXTURE_2D, this.texture ?? null);
   }
 
   /** A profile of so many stations, turned about the axis. @param {number} sign @param {number} count */
   revolved(sign, count) {
-    const data = /** @type {number[]} */ ([]), index = /** @type {number[]} */ ([]);
-    for (let k = 0; k <= AROUND; k++) for (let j = 1; j <= count; j++) data.push(sign * j, (2 * Math.PI * k) / AROUND, 0);
+    const data = /** @type {number[]} */ ([]),
+      index = /** @type {number[]} */ ([]);
+    for (let k = 0; k <= AROUND; k++)
+      for (let j = 1; j <= count; j++) data.push(sign * j, (2 * Math.PI * k) / AROUND, 0);
     for (let k = 0; k < AROUND; k++) {
       for (let j = 0; j < count - 1; j++) {
         const [a, b] = [count * k + j, count * (k + 1) + j];
@@ -283,7 +333,10 @@ export class View {
     return { camera: m, eye: rows[2] };
   }
 
-  /** Where a point of the muscle is seen, in pixels of the stage: along its axis from its middle, up, and to the front. @param {number} x @param {number} y @param {number} z */
+  /**
+   * Where a point of the muscle is seen, in pixels of the stage: along its axis from its middle, up, and to the front.
+   * @param {number} x @param {number} y @param {number} z
+   */
   project(x, y, z) {
     const m = this.matrix;
     if (!m) return [0, 0];
@@ -347,7 +400,10 @@ export class View {
     canvas.addEventListener("dblclick", () => this.reset());
   }
 
-  /** Whether a place, as a share of the width, is at the right end of the muscle: its last tenth and what lies beyond. @param {number} share */
+  /**
+   * Whether a place, as a share of the width, is at the right end of the muscle: its last tenth and what lies beyond.
+   * @param {number} share
+   */
   atEnd(share) {
     const { restLength } = this.show;
     const place = 0.5 + ((this.shape.length_mm - 0.5 * restLength) * Math.cos(this.turn[1])) / (2 * (this.half ?? 1));
@@ -361,7 +417,10 @@ export class View {
     const down = new Map();
     /** @type {{ x: number, y: number, turn: number[], end: boolean } | undefined} */ let from;
     let apart = 0;
-    const distance = () => { const [a, b] = [...down.values()]; return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY); };
+    const distance = () => {
+      const [a, b] = [...down.values()];
+      return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
+    };
     const moved = (/** @type {PointerEvent} */ event, /** @type {boolean} */ settled) => {
       if (!from) return;
       const [dx, dy] = [event.clientX - from.x, event.clientY - from.y];
@@ -404,14 +463,19 @@ export class View {
       const points = [];
       for (let j = 1 - stations; j < stations; j++) {
         const at = Math.abs(j) * across + i;
-        points.push(`${((j < 0 ? -1 : 1) * arrays.z_mm[at] + 0.5 * (length_mm - restLength)).toFixed(2)},${(sign * arrays.r_mm[at]).toFixed(2)}`);
+        points.push(
+          `${((j < 0 ? -1 : 1) * arrays.z_mm[at] + 0.5 * (length_mm - restLength)).toFixed(2)},` +
+            `${(sign * arrays.r_mm[at]).toFixed(2)}`,
+        );
       }
       return points;
     };
     const wall = (/** @type {number} */ sign) => [...line(across - 1, sign), ...line(0, sign).reverse()].join(" ");
     const most = Math.max(1.3 * this.largest(), 10);
     const box = `${-0.6 * restLength} ${-most} ${1.2 * restLength} ${2 * most}`;
-    const svg = `<svg class="section" xmlns="http://www.w3.org/2000/svg" viewBox="${box}" role="img" aria-label="Section of the deformed muscle"><g fill="#9a8f86" stroke="currentColor" stroke-width="0.5"><polygon points="${wall(1)}"/><polygon points="${wall(-1)}"/></g></svg>`;
+    const svg = `<svg class="section" xmlns="http://www.w3.org/2000/svg" viewBox="${box}" role="img" ` +
+      `aria-label="Section of the deformed muscle"><g fill="#9a8f86" stroke="currentColor" stroke-width="0.5">` +
+      `<polygon points="${wall(1)}"/><polygon points="${wall(-1)}"/></g></svg>`;
     this.stage.querySelector("svg.section")?.remove();
     this.stage.insertAdjacentHTML("afterbegin", svg);
     // Of a box that is fitted into the stage whole.

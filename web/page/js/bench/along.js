@@ -10,10 +10,22 @@ export function along({ arrays, stations, across }) {
     return [...half.slice(1).reverse().map((x) => sign * x), ...half];
   };
   const radius = (/** @type {number} */ i) => mirror((j) => outside("length", arrays.r_mm[j * across + i]), 1);
-  const x = mirror((j) => outside("length", arrays.z_mm[j * across + across - 1]), -1), unit = unitName("length");
-  return { x: `z from the middle [${unit}]`, y: `radius [${unit}], strand angle [°]`, series: [
-    { name: "outer radius", end: "outer", x, y: radius(across - 1), colour: KINDS[0] },
-    { name: "inner radius", end: "inner", x, y: radius(0), colour: KINDS[5] },
-    { name: "strand angle", end: "angle", x, y: mirror((j) => arrays.strand_angle_deg[j], 1), colour: KINDS[1], dash: "dot" },
-  ] };
+  const x = mirror((j) => outside("length", arrays.z_mm[j * across + across - 1]), -1),
+    unit = unitName("length");
+  return {
+    x: `z from the middle [${unit}]`,
+    y: `radius [${unit}], strand angle [°]`,
+    series: [
+      { name: "outer radius", end: "outer", x, y: radius(across - 1), colour: KINDS[0] },
+      { name: "inner radius", end: "inner", x, y: radius(0), colour: KINDS[5] },
+      {
+        name: "strand angle",
+        end: "angle",
+        x,
+        y: mirror((j) => arrays.strand_angle_deg[j], 1),
+        colour: KINDS[1],
+        dash: "dot",
+      },
+    ],
+  };
 }

@@ -17,10 +17,16 @@ export function numbersView(store) {
   const parts = partsView(store), tornado = tornadoView(store), solve = solveView(store);
   /** @type {HTMLElement[]} */ const values = [];
   let noted = "";
-  const half = el("button", { type: "button", class: "bare", "aria-expanded": false, title: "What the ± is made of", onclick: () => {
-    parts.element.hidden = !parts.element.hidden;
-    half.setAttribute("aria-expanded", String(!parts.element.hidden));
-  } });
+  const half = el("button", {
+    type: "button",
+    class: "bare",
+    "aria-expanded": false,
+    title: "What the ± is made of",
+    onclick: () => {
+      parts.element.hidden = !parts.element.hidden;
+      half.setAttribute("aria-expanded", String(!parts.element.hidden));
+    },
+  });
   const pull = el("span", {});
 
   function paint() {
@@ -28,12 +34,26 @@ export function numbersView(store) {
     if (!point) return;
     const list = rows(store, point);
     if (!values.length) {
-      const lines = list.flatMap(([name]) => { const value = el("dd", {}); values.push(value); return [el("dt", {}, name), value]; });
+      const lines = list.flatMap(([name]) => {
+        const value = el("dd", {});
+        values.push(value);
+        return [el("dt", {}, name), value];
+      });
       const head = [el("dt", { class: "head" }, "pull"), el("dd", { class: "head" }, pull, " ", half)];
       const basis = `Model ${point.model}; ± covers 95 % against a measured muscle. ${engine().about}.`;
-      element.replaceChildren(el("dl", {}, ...head, ...lines), parts.element, meters, notes, solve.element, tornado.element, el("p", { class: "small soft" }, basis));
+      element.replaceChildren(
+        el("dl", {}, ...head, ...lines),
+        parts.element,
+        meters,
+        notes,
+        solve.element,
+        tornado.element,
+        el("p", { class: "small soft" }, basis),
+      );
     }
-    const [value, uncertainty] = point.slack ? ["slack", ""] : withUncertainty("force", point.force_n, point.uncertainty_n).split(/ (?=±)/);
+    const [value, uncertainty] = point.slack
+      ? ["slack", ""]
+      : withUncertainty("force", point.force_n, point.uncertainty_n).split(/ (?=±)/);
     put(pull, value);
     put(half, uncertainty ?? "");
     half.hidden = !uncertainty;
@@ -59,7 +79,10 @@ function rows({ facts }, point) {
     ["stiffness", point.stiffness_n_per_mm === undefined ? "–" : `${number(point.stiffness_n_per_mm, 3)} N/mm`],
     ["contraction", contraction(point)],
     ["bulged diameter", show("length", point.bulged_diameter_mm)],
-    ["cavity", point.volume_mm3 === undefined || point.volume_mm3 === null ? "–" : `${number(point.volume_mm3 / 1e3, 3)} cm³`],
+    [
+      "cavity",
+      point.volume_mm3 === undefined || point.volume_mm3 === null ? "–" : `${number(point.volume_mm3 / 1e3, 3)} cm³`,
+    ],
     ["starts at", show("pressure", facts.start, 3)],
     ["blocked force", show("force", c?.blocked_force_n)],
     ["free contraction", show("ratio", c?.free_contraction, 3)],
@@ -73,7 +96,9 @@ function rows({ facts }, point) {
 /** Of a held load the contraction has the ±. @param {NonNullable<Store["point"]>} point */
 function contraction(point) {
   const half = /** @type {{ contraction_uncertainty?: number | null }} */ (point).contraction_uncertainty;
-  return muscle.F !== undefined && half ? withUncertainty("ratio", point.contraction, half) : show("ratio", point.contraction, 3);
+  return muscle.F !== undefined && half
+    ? withUncertainty("ratio", point.contraction, half)
+    : show("ratio", point.contraction, 3);
 }
 
 /** @param {Store} store @param {NonNullable<Store["point"]>} point */
@@ -86,18 +111,31 @@ function margins({ facts }, point) {
   ].filter((m) => m !== null);
 }
 
-/** A share of a limit as a bar. @param {string} name @param {number | undefined | null} value @param {number | undefined | null} limit @param {(x: number) => string} text */
+/**
+ * A share of a limit as a bar.
+ * @param {string} name @param {number | undefined | null} value @param {number | undefined | null} limit
+ * @param {(x: number) => string} text
+ */
 function meter(name, value, limit, text, from = 0) {
   if (value === undefined || value === null || limit === undefined || limit === null || limit <= from) return null;
   const share = (value - from) / (limit - from), width = Math.min(100, Math.max(0, 100 * share)).toFixed(1);
   const words = el("span", {}, name, el("span", {}, `${text(value)} of ${text(limit)}`));
-  return el("div", { class: share > 1 ? "meter over" : "meter" }, words, el("i", {}, el("b", { style: `width:${width}%` })));
+  return el(
+    "div",
+    { class: share > 1 ? "meter over" : "meter" },
+    words,
+    el("i", {}, el("b", { style: `width:${width}%` })),
+  );
 }
 
 /** @param {Store} store @param {NonNullable<Store["point"]>} point */
 function warned({ facts }, point) {
   const own = facts.said?.state === muscle.state ? facts.said.warnings : [];
-  const list = [...new Set([...own, ...(/** @type {string[]} */ (point.warnings ?? []))])].map((w) => capital(inWords(w)));
-  const unknown = muscle.unknown.length ? [`Not understood in the address: ${muscle.unknown.map(([k]) => k).join(", ")}`] : [];
+  const list = [...new Set([...own, .../** @type {string[]} */ (point.warnings ?? [])])].map((w) =>
+    capital(inWords(w)),
+  );
+  const unknown = muscle.unknown.length
+    ? [`Not understood in the address: ${muscle.unknown.map(([k]) => k).join(", ")}`]
+    : [];
   return [...list, ...muscle.wrong.values(), ...unknown];
 }

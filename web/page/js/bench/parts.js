@@ -7,7 +7,10 @@ import { inWords } from "../words.js";
 /** @typedef {import("./store.js").Store} Store */
 /** Name of each part, and what reduces it. @type {Record<string, [string, string]>} */
 const PARTS = {
-  friction: ["friction, not measured", "Pull the muscle at one pressure in both directions, and identify it on the page Data."],
+  friction: [
+    "friction, not measured",
+    "Pull the muscle at one pressure in both directions, and identify it on the page Data.",
+  ],
   measured: ["model against tests", "Identify the rubber from the muscle's own pull on the page Data."],
   rubber: ["rubber", "Identify the rubber from the muscle's own pull, or test the rubber in tension."],
   braid: ["stiffness of the braid", "Measure the sleeve, or identify the stiffness from the muscle's own pull."],
@@ -18,12 +21,20 @@ const PARTS = {
 
 /** @param {Store} store */
 export function partsView(store) {
-  const list = el("dl", { class: "parts" }), note = el("p", { class: "small soft" });
-  const element = el("div", { class: "breakdown", role: "region", "aria-label": "Parts of the ±", hidden: true }, list, note);
+  const list = el("dl", { class: "parts" }),
+    note = el("p", { class: "small soft" });
+  const element = el(
+    "div",
+    { class: "breakdown", role: "region", "aria-label": "Parts of the ±", hidden: true },
+    list,
+    note,
+  );
   let key = "";
   function paint() {
     const { point, facts } = store;
-    const parts = Object.entries(point?.uncertainty_parts_n ?? {}).filter((pair) => typeof pair[1] === "number").sort((a, b) => b[1] - a[1]);
+    const parts = Object.entries(point?.uncertainty_parts_n ?? {})
+      .filter((pair) => typeof pair[1] === "number")
+      .sort((a, b) => b[1] - a[1]);
     const words = facts.said?.state === muscle.state ? facts.said.words : undefined;
     const bench = words?.bench ? ` ${capital(inWords(words.bench))}.` : "";
     const next = JSON.stringify([parts.map(([name, value]) => [name, show("force", value, 2)]), bench]);
@@ -42,5 +53,9 @@ export function partsView(store) {
 function row(name, value, most) {
   const [words, remedy] = PARTS[name] ?? [name.replaceAll("_", " "), ""];
   const bar = el("i", { style: `width:${Math.max(1, (100 * value) / most).toFixed(1)}%` });
-  return [el("dt", {}, words), el("dd", {}, `± ${show("force", value, 2)}`), el("dd", { class: "wide" }, bar, value > 0.3 * most ? remedy : "")];
+  return [
+    el("dt", {}, words),
+    el("dd", {}, `± ${show("force", value, 2)}`),
+    el("dd", { class: "wide" }, bar, value > 0.3 * most ? remedy : ""),
+  ];
 }

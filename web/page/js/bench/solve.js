@@ -16,11 +16,35 @@ const NEAR = 2e-4;
 /** @param {Store} store */
 export function solveView(store) {
   const choices = [PRESSURE, CONTRACTION, ...QUANTITIES.filter((m) => m.key !== "L")];
-  const what = el("select", { "aria-label": "Solve for" }, ...choices.map((m) => el("option", { value: m.key }, m.label)));
-  const wanted = el("input", { type: "text", "aria-label": "Wanted pull", placeholder: "500 N", size: 8, autocomplete: "off", spellcheck: "false" });
+  const what = el(
+    "select",
+    { "aria-label": "Solve for" },
+    ...choices.map((m) => el("option", { value: m.key }, m.label)),
+  );
+  const wanted = el("input", {
+    type: "text",
+    "aria-label": "Wanted pull",
+    placeholder: "500 N",
+    size: 8,
+    autocomplete: "off",
+    spellcheck: "false",
+  });
   const said = el("p", { class: "small", role: "status" });
   const run = el("button", { type: "submit" }, "Solve");
-  const form = el("form", { class: "row", onsubmit: (/** @type {Event} */ event) => { event.preventDefault(); solve(); } }, what, el("span", {}, "for a pull of"), wanted, run);
+  const form = el(
+    "form",
+    {
+      class: "row",
+      onsubmit: (/** @type {Event} */ event) => {
+        event.preventDefault();
+        solve();
+      },
+    },
+    what,
+    el("span", {}, "for a pull of"),
+    wanted,
+    run,
+  );
   const element = el("details", {}, el("summary", {}, "Solve for a wanted pull"), form, said);
   let ends = new AbortController();
 
@@ -55,19 +79,31 @@ async function pull(text) {
 async function solved(measure, force, signal) {
   const { state } = muscle, muscleFields = muscle.fields(), options = /** @type {const} */ ({ lane: "side", signal });
   // The command has an inverse of its own for both.
-  if (measure.key === "p") return (await engine().ask("pressure", { ...muscleFields, force_n: force, contraction: state.e }, options)).pressure_mpa;
-  if (measure.key === "e") return (await engine().ask("contraction", { ...muscleFields, force_n: force, pressure_mpa: state.p }, options)).contraction;
+  if (measure.key === "p")
+    return (await engine().ask("pressure", { ...muscleFields, force_n: force, contraction: state.e }, options))
+      .pressure_mpa;
+  if (measure.key === "e")
+    return (await engine().ask("contraction", { ...muscleFields, force_n: force, pressure_mpa: state.p }, options))
+      .contraction;
   const of = async (/** @type {number} */ value) => {
     const changed = say({ ...state, F: undefined }, measure.key, value);
     return (await engine().ask("force", { ...fields(changed), ...point(changed) }, options)).force_n - force;
   };
-  return root(of, /** @type {number} */ (muscle.value(measure.key)), measure, NEAR * Math.abs(force), () => signal.aborted);
+  return root(
+    of,
+    /** @type {number} */ (muscle.value(measure.key)),
+    measure,
+    NEAR * Math.abs(force),
+    () => signal.aborted,
+  );
 }
 
 /**
- * Where `of` is zero between the ends of a slider, beginning from a value: steps outwards until the sign changes, then bisection with
+ * Where `of` is zero between the ends of a slider, beginning from a value: steps outwards until the sign changes, then
+ * bisection with
  * secants (Illinois).
- * @param {(value: number) => Promise<number>} of @param {number} from @param {Measure} measure @param {number} near @param {() => boolean} aborted
+ * @param {(value: number) => Promise<number>} of @param {number} from @param {Measure} measure @param {number} near
+ * @param {() => boolean} aborted
  */
 export async function root(of, from, { low = 0, high = 1, label, kind }, near, aborted) {
   let asked = 0;
@@ -75,7 +111,11 @@ export async function root(of, from, { low = 0, high = 1, label, kind }, near, a
   let [a, fa] = [from, await ask(from)];
   if (Math.abs(fa) <= near) return a;
   const found = await bracket(ask, a, fa, low, high);
-  if (!found) throw new Error(`No ${label.toLowerCase()} between ${show(kind, low)} and ${show(kind, high)} gives this pull with all else as it is.`);
+  if (!found)
+    throw new Error(
+      `No ${label.toLowerCase()} between ${show(kind, low)} and ${show(kind, high)} gives this pull with all else ` +
+        `as it is.`,
+    );
   let [b, fb, previous] = [found.x, found.f, found.before];
   [a, fa] = [previous.x, previous.f];
   let side = 0;
@@ -90,7 +130,8 @@ export async function root(of, from, { low = 0, high = 1, label, kind }, near, a
 
 /**
  * Two values with different signs: a step to both sides shows which one leads there.
- * @param {(x: number) => Promise<number>} ask @param {number} x0 @param {number} f0 @param {number} low @param {number} high
+ * @param {(x: number) => Promise<number>} ask @param {number} x0 @param {number} f0 @param {number} low
+ * @param {number} high
  */
 async function bracket(ask, x0, f0, low, high) {
   const at = async (/** @type {number} */ x) => {

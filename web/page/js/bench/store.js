@@ -1,4 +1,5 @@
-// What the views of the page Muscle share: what is to be shown, the newest answers, and the questions that lead to them.
+// What the views of the page Muscle share: what is to be shown, the newest answers, and the questions that lead to
+// them.
 import { Slot } from "../ask.js";
 import { address, write } from "../address.js";
 import { muscle } from "../muscle.js";
@@ -24,7 +25,10 @@ export class Store {
     /** @type {Shape | undefined} */ this.shape = undefined;
     /** The same where it is of the present muscle. @type {Shape | undefined} */ this.point = undefined;
     /** @type {Facts} */ this.facts = {};
-    /** Ends of the colour scales, by field: of the muscle up to its supply. @type {Record<string, [number, number]> | undefined} */
+    /**
+     * Ends of the colour scales, by field: of the muscle up to its supply.
+     * @type {Record<string, [number, number]> | undefined}
+     */
     this.ranges = undefined;
     this.rangesKey = "";
     /** The last problem, until there is an answer. @type {any} */ this.problem = undefined;
@@ -119,12 +123,18 @@ export class Store {
     return muscle.p > usual ? niceUp(muscle.p) : usual;
   }
 
-  /** Between which values the colours run: what the muscle shows anywhere between blocked and free, up to its supply. */
+  /**
+   * Between which values the colours run: what the muscle shows anywhere between blocked and free, up to its supply.
+   */
   range() {
     const fields = muscle.fields(), supply = this.supply(), key = JSON.stringify([fields, supply]);
     if (key === this.rangesKey) return;
     this.rangesKey = key;
-    const states = [{ pressure_mpa: supply, contraction: 0 }, { pressure_mpa: supply, force_n: 0 }, { pressure_mpa: supply / 10, contraction: 0 }];
+    const states = [
+      { pressure_mpa: supply, contraction: 0 },
+      { pressure_mpa: supply, force_n: 0 },
+      { pressure_mpa: supply / 10, contraction: 0 },
+    ];
     const found = /** @type {Record<string, [number, number]>} */ ({});
     const next = () => {
       const at = states.shift();
@@ -135,7 +145,15 @@ export class Store {
         this.ranges = Object.keys(found).length ? found : undefined;
         this.tell("ranges");
       };
-      this.slots.range.ask("shape", { ...fields, ...at }, (answer) => { widen(found, /** @type {Shape} */ (answer)); done(); }, done);
+      this.slots.range.ask(
+        "shape",
+        { ...fields, ...at },
+        (answer) => {
+          widen(found, /** @type {Shape} */ (answer));
+          done();
+        },
+        done,
+      );
     };
     next();
   }

@@ -20,10 +20,14 @@ export function tornadoView(store) {
   let of = "", timer = 0;
 
   function start() {
-    const { state } = muscle, { point: at } = store, key = JSON.stringify([state, unitName("force"), unitName("length"), unitName("pressure")]);
+    const { state } = muscle,
+      { point: at } = store,
+      key = JSON.stringify([state, unitName("force"), unitName("length"), unitName("pressure")]);
     if (!element.open || !at || at.slack || key === of) return;
     of = key;
-    const list = /** @type {Measure[]} */ ([...QUANTITIES, PRESSURE, CONTRACTION]).filter((m) => (m.key !== "angle" || !muscle.shown?.sleeve) && !(m.key === "e" && state.F !== undefined));
+    const list = /** @type {Measure[]} */ ([...QUANTITIES, PRESSURE, CONTRACTION]).filter(
+      (m) => (m.key !== "angle" || !muscle.shown?.sleeve) && !(m.key === "e" && state.F !== undefined),
+    );
     const jobs = list.flatMap((m) => [-1, 1].map((sign) => ({ m, sign })));
     /** @type {Map<string, number[]>} */
     const found = new Map();
@@ -35,7 +39,15 @@ export function tornadoView(store) {
       if (value === undefined) return next();
       const changed = say({ ...state, F: undefined, e: at.contraction }, m.key, value + sign * STEPS[m.key]);
       const request = { ...fields(changed), ...point(changed) };
-      slot.ask("force", request, ({ force_n: force }) => { found.set(m.key, [...(found.get(m.key) ?? []), force - at.force_n]); next(); }, next);
+      slot.ask(
+        "force",
+        request,
+        ({ force_n: force }) => {
+          found.set(m.key, [...(found.get(m.key) ?? []), force - at.force_n]);
+          next();
+        },
+        next,
+      );
     };
     words.textContent = "Computing …";
     next();
@@ -66,9 +78,15 @@ const size = (list) => Math.max(...(list ?? [0]).map(Math.abs));
 
 /** @param {Measure} m @param {number[]} changes @param {number} reach */
 function bar(m, changes, reach) {
-  const step = STEPS[m.key], text = m.kind === "ratio" ? `${100 * step} %` : show(m.kind, step, 2);
-  const signed = (/** @type {number} */ v) => `${v < 0 ? "−" : "+"}${number(outside("force", Math.abs(v)), 2)} ${unitName("force")}`;
-  const piece = (/** @type {number} */ v, /** @type {number} */ i) => el("b", { class: i ? "more" : "less", style: `${v < 0 ? "right" : "left"}:50%;width:${((50 * Math.abs(v)) / reach).toFixed(1)}%` });
+  const step = STEPS[m.key],
+    text = m.kind === "ratio" ? `${100 * step} %` : show(m.kind, step, 2);
+  const signed = (/** @type {number} */ v) =>
+    `${v < 0 ? "−" : "+"}${number(outside("force", Math.abs(v)), 2)} ${unitName("force")}`;
+  const piece = (/** @type {number} */ v, /** @type {number} */ i) =>
+    el("b", {
+      class: i ? "more" : "less",
+      style: `${v < 0 ? "right" : "left"}:50%;width:${((50 * Math.abs(v)) / reach).toFixed(1)}%`,
+    });
   const label = el("span", {}, m.label, el("span", { class: "soft" }, ` ± ${text}`));
   const value = el("span", {}, changes.length === 2 ? `${signed(changes[0])}, ${signed(changes[1])}` : "–");
   return el("div", {}, label, value, el("i", {}, ...changes.map(piece)));

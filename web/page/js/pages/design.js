@@ -12,15 +12,22 @@ import { STIFFNESS_NAMES, candidate, missing } from "../state.js";
 import { onUnits, unitName } from "../units.js";
 
 const OBJECTIVES = /** @type {[string, string][]} */ ([
-  ["diameter", "smallest diameter"], ["pressure", "lowest pressure"], ["air", "least air"], ["margin", "largest margin of pull"], ["bulged-diameter", "smallest bulged diameter"], ["length", "shortest"],
+  ["diameter", "smallest diameter"],
+  ["pressure", "lowest pressure"],
+  ["air", "least air"],
+  ["margin", "largest margin of pull"],
+  ["bulged-diameter", "smallest bulged diameter"],
+  ["length", "shortest"],
 ]);
 /** @typedef {import("../form.js").Field} Field */
 /** @type {Field[]} */
 const WANTED = [
   { key: "F", field: "force_n", label: "Pull", kind: "force", value: "700 N" },
   { key: "e", field: "contraction", label: "at a contraction of", kind: "ratio", value: "15 %" },
-  { key: "at", field: "points", label: "or several pulls", pair: [["force", "force_n"], ["ratio", "contraction"]], hint: "700N@15%, 1200N@5%" },
-  { key: "joint", field: "torques", label: "or torques of a joint", pair: [["torque", "torque_nm"], ["angle", "angle_deg"]], hint: "8Nm@45deg" },
+  { key: "at", field: "points", label: "or several pulls", pair: [["force", "force_n"], ["ratio", "contraction"]],
+    hint: "700N@15%, 1200N@5%" },
+  { key: "joint", field: "torques", label: "or torques of a joint",
+    pair: [["torque", "torque_nm"], ["angle", "angle_deg"]], hint: "8Nm@45deg" },
   { key: "load", field: "load", label: "or a load to lift", hint: "mass:20kg" },
   { key: "stroke", field: "stroke_mm", label: "Stroke", kind: "length", hint: "40 mm" },
   { key: "pmax", field: "max_pressure_mpa", label: "Pressure of the supply", kind: "pressure", value: "2.5 bar" },
@@ -36,11 +43,15 @@ const choices = () => [
   { key: "angle", field: "angle_deg", label: "Braid angles", kind: "angle", list: true, hint: "28 deg" },
   { key: "rubber", field: "rubbers", label: "Rubbers", words: true, hint: "paper, ecoflex-00-30" },
   { key: "braid", field: "braids", label: "Sleeves as sold", words: true, hint: "names of the list" },
-  { key: "sd", field: "strand_diameter_mm", label: "Diameter of a strand", kind: "length", hint: "0.25 mm", hidden: true },
-  { key: "sE", field: "strand_modulus_mpa", label: "Young's modulus of a strand", kind: "modulus", hint: "2500 MPa", hidden: true },
-  { key: "k", field: "stiffness", label: "Stiffness of a strand family", kind: "stiffness", or: STIFFNESS_NAMES, hint: "500 N/mm; inextensible" },
+  { key: "sd", field: "strand_diameter_mm", label: "Diameter of a strand", kind: "length", hint: "0.25 mm",
+    hidden: true },
+  { key: "sE", field: "strand_modulus_mpa", label: "Young's modulus of a strand", kind: "modulus", hint: "2500 MPa",
+    hidden: true },
+  { key: "k", field: "stiffness", label: "Stiffness of a strand family", kind: "stiffness", or: STIFFNESS_NAMES,
+    hint: "500 N/mm; inextensible" },
   { key: "r", field: "radius_mm", label: "Pulley of a joint", kind: "length", list: true, hint: "20..40 mm" },
-  { key: "burst", field: "min_burst_margin", label: "Burst over supply, at least", kind: "ratio", factor: true, hint: "4" },
+  { key: "burst", field: "min_burst_margin", label: "Burst over supply, at least", kind: "ratio", factor: true,
+    hint: "4" },
 ];
 /** @type {Field[]} */
 const SPREADS = [
@@ -54,7 +65,8 @@ const SPREADS = [
 
 /** The forms of a specification, and the request that they make. @param {() => void} submit */
 function specification(submit) {
-  const wanted = form(WANTED, submit), choice = form(choices(), submit), spread = form(SPREADS, submit), forms = [wanted, choice, spread];
+  const wanted = form(WANTED, submit), choice = form(choices(), submit), spread = form(SPREADS, submit),
+    forms = [wanted, choice, spread];
   const vary = el("details", {}, el("summary", {}, "Search space"), choice.element);
   /** What the sleeves need beside their names has a field. */
   const lacking = () => {
@@ -68,42 +80,65 @@ function specification(submit) {
   };
   choice.element.addEventListener("input", offer);
   return {
-    elements: [wanted.element, vary, el("details", {}, el("summary", {}, "Tolerances of the workshop"), spread.element)],
-    offer, put: wanted.put, options: choice.options,
+    elements: [wanted.element, vary,
+      el("details", {}, el("summary", {}, "Tolerances of the workshop"), spread.element)],
+    offer,
+    put: (/** @type {string} */ key, /** @type {string} */ text) => wanted.put(key, text),
+    options: (/** @type {string} */ key, /** @type {string[]} */ names) => choice.options(key, names),
     texts: () => Object.assign({}, ...forms.map((f) => f.texts())),
     set: (/** @type {URLSearchParams} */ params) => forms.forEach((f) => f.set(params)),
-    /** Fields of the request, or nothing where a text cannot be read. @returns {Promise<Record<string, any> | undefined>} */
+    /**
+     * Fields of the request, or nothing where a text cannot be read.
+     * @returns {Promise<Record<string, any> | undefined>}
+     */
     async read() {
-      const [want, space, tolerance] = await Promise.all([wanted.read(), choice.read({ intervals: true }), spread.read()]);
+      const [want, space, tolerance] = await Promise.all([wanted.read(), choice.read({ intervals: true }),
+        spread.read()]);
       if (!want || !space || !tolerance) return undefined;
       // Several points or torques stand in place of the one pull; a load in place of its force.
       if (want.points || want.torques || want.load) delete want.force_n;
       if (want.points || want.torques || (want.load && want.stroke_mm)) delete want.contraction;
-      return { ...want, ...space, figure: unitName("pressure"), ...(Object.keys(tolerance).length ? { tolerance } : {}) };
+      return { ...want, ...space, figure: unitName("pressure"),
+        ...(Object.keys(tolerance).length ? { tolerance } : {}) };
     },
     /** @param {any} problem */
     at(problem) {
       forms.some((f) => f.at(problem));
-      for (const key of lacking()) if (!choice.text(key)) choice.mark(key, "The source of the sleeve does not state it: measure it, or give a stiffness.");
+      for (const key of lacking())
+        if (!choice.text(key))
+          choice.mark(key, "The source of the sleeve does not state it: measure it, or give a stiffness.");
     },
   };
 }
 
 /** Prices of tubes and sleeves; asked once. @type {Promise<Map<string, string>> | undefined} */ let prices;
-const priced = () => (prices ??= engine().ask("parts-list", {}).then((parts) => new Map([...parts.tubes, ...parts.sleeves].flatMap((part) => {
-  const { price } = /** @type {{ price?: string | null }} */ (part);
-  return price ? [/** @type {[string, string]} */ ([part.name, price])] : [];
-})), () => new Map()));
+const priced = () => (prices ??= engine().ask("parts-list", {}).then(
+  (parts) =>
+    new Map([...parts.tubes, ...parts.sleeves].flatMap((part) => {
+      const { price } = /** @type {{ price?: string | null }} */ (part);
+      return price ? [/** @type {[string, string]} */ ([part.name, price])] : [];
+    })),
+  () => new Map(),
+));
 
-/** The address of a muscle of the search: that muscle, and nothing of the one of the other pages. @param {any} c @param {any} of the request @param {{ p: number, e: number }} at */
+/**
+ * The address of a muscle of the search: that muscle, and nothing of the one of the other pages.
+ * @param {any} c
+ * @param {any} of the request
+ * @param {{ p: number, e: number }} at
+ */
 const linked = (c, of, at) => address("muscle", muscle.paramsOf(candidate(c, of, at)));
 
 /** @param {HTMLElement} main */
 export function mount(main) {
   /** @type {any} */ let found;
-  /** What the answer that is shown was asked by, and the newest question. @type {any} */ let of, /** @type {any} */ asked;
+  /** What the answer that is shown was asked by, and the newest question. @type {any} */
+  let of, /** @type {any} */ asked;
   const spec = specification(() => search.run());
-  const results = el("div", {}, el("p", { class: "soft" }, "State the requirement. The search ranks tubes and sleeves that you can buy or cast, or free diameters and walls where you give them; finite elements compute the final values."));
+  const results = el("div", {},
+    el("p", { class: "soft" },
+      "State the requirement. The search ranks tubes and sleeves that you can buy or cast, or free diameters and "
+        + "walls where you give them; finite elements compute the final values."));
   const figures = new Figures("design"), map = designMap((c, at) => linked(c, of, at));
   const search = job("Design", "design", async () => {
     asked = await spec.read();
@@ -121,24 +156,39 @@ export function mount(main) {
     stale(true);
   });
   /** What is shown belongs to the last specification that had an answer. @param {boolean} on */
-  const stale = (on) => [results, ...map.elements, figures.element].forEach((part) => part.classList.toggle("stale", on && Boolean(found)));
-  const place = () => { if (main.contains(results)) write(address("design", { ...spec.texts(), m: muscle.word() })); };
+  const stale = (on) =>
+    [results, ...map.elements, figures.element].forEach((part) => part.classList.toggle("stale", on && Boolean(found)));
+  const place = () => {
+    if (main.contains(results)) write(address("design", { ...spec.texts(), m: muscle.word() }));
+  };
 
   async function paint() {
     if (!found) return;
     const answer = found;
-    const act = { open: (/** @type {any} */ c) => { location.hash = linked(c, of, { p: c.pressure_mpa, e: c.points[0].contraction }); }, ask(/** @type {Record<string, string>} */ words) { Object.entries(words).forEach(([key, text]) => spec.put(key, text)); search.run(); } };
-    const show = (/** @type {Map<string, string>} */ known) => results.replaceChildren(...(answer.candidates[0] ? foundView(answer, known, act) : closestView(answer)), ...rejectedView(answer));
+    const act = { open: (/** @type {any} */ c) => {
+      location.hash = linked(c, of, { p: c.pressure_mpa, e: c.points[0].contraction });
+    }, ask(/** @type {Record<string, string>} */ words) {
+      Object.entries(words).forEach(([key, text]) => spec.put(key, text));
+      search.run();
+    } };
+    const show = (/** @type {Map<string, string>} */ known) =>
+      results.replaceChildren(...(answer.candidates[0] ? foundView(answer, known, act) : closestView(answer)),
+        ...rejectedView(answer));
     show(new Map());
     if (!answer.candidates.some((/** @type {any} */ c) => c.tube || c.sleeve)) return;
     const known = await priced();
     if (answer === found && known.size) show(known);
   }
 
-  main.replaceChildren(el("div", { class: "bench two" },
-    el("section", { class: "controls", "aria-label": "Specification" }, el("h2", {}, "Specification"), ...spec.elements, search.element),
-    el("div", { class: "middle" }, results, ...map.elements, figures.element)));
-  atEnd(onUnits(() => { paint(); if (found) map.show(found, of); }));
+  main.replaceChildren(
+    el("div", { class: "bench two" },
+      el("section", { class: "controls", "aria-label": "Specification" }, el("h2", {}, "Specification"),
+        ...spec.elements, search.element), el("div", { class: "middle" }, results, ...map.elements, figures.element)),
+  );
+  atEnd(onUnits(() => {
+    paint();
+    map.draw();
+  }));
   return {
     /** @param {URLSearchParams} params */
     async load(params) {
@@ -151,6 +201,9 @@ export function mount(main) {
       spec.offer();
       await search.run();
     },
-    unmount() { search.end(); map.end(); },
+    unmount() {
+      search.end();
+      map.end();
+    },
   };
 }

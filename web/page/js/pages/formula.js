@@ -35,24 +35,33 @@ const COMPUTED = "campaign";
 /** @param {HTMLElement} main */
 export function mount(main) {
   /** @type {any} */ let made, /** @type {any} */ formula = PUBLISHED;
-  const plan = el("textarea", { rows: 20, style: "width:100%;font:13px ui-monospace,monospace", "aria-label": "Plan (TOML)", spellcheck: "false" });
+  const plan = el("textarea", { rows: 20, style: "width:100%;font:13px ui-monospace,monospace",
+    "aria-label": "Plan (TOML)", spellcheck: "false" });
   plan.value = fileOf("plan") ?? PLAN;
   plan.addEventListener("input", () => keepFile("plan", plan.value === PLAN ? undefined : plan.value));
   const how = form([
-    { key: "method", field: "method", label: "Method", options: [["paper", "the paper's seven steps"], ["global", "one least-squares problem"]], value: "paper" },
+    { key: "method", field: "method", label: "Method",
+      options: [["paper", "the paper's seven steps"], ["global", "one least-squares problem"]], value: "paper" },
     { key: "hold", field: "hold_out_mm", label: "Diameters kept out", kind: "length", list: true, hint: "45 mm" },
     { key: "at", field: "at", label: "Surfaces at", kind: "pressure", value: "2.5 bar" },
   ], () => (made ? fit.run() : paint()));
   const table1 = el("p", { class: "small" }), errors = el("div", {}), figures = el("div", {}), shown = surfaces();
-  const stale = (/** @type {boolean} */ on) => [errors, shown.element, figures].forEach((part) => part.classList.toggle("stale", on));
-  const campaign = job("Compute the plan", "plan", async () => ({ plan: { name: "page.toml", text: plan.value } }), (answer) => {
-    made = answer;
-    keepFile(COMPUTED, plan.value);
-    table1.replaceChildren(`${answer.muscles} muscles, ${answer.points} points, ${answer.failed} without an answer. `, el("button", { type: "button", onclick: () => download(answer.table.name, answer.table.text, "text/csv") }, "Download the table"));
-    fit.run();
-  }, () => stale(true));
+  const stale = (/** @type {boolean} */ on) =>
+    [errors, shown.element, figures].forEach((part) => part.classList.toggle("stale", on));
+  const campaign = job("Compute the plan", "plan", async () => ({ plan: { name: "page.toml", text: plan.value } }),
+    (answer) => {
+      made = answer;
+      keepFile(COMPUTED, plan.value);
+      table1.replaceChildren(`${answer.muscles} muscles, ${answer.points} points, ${answer.failed} without an answer. `,
+        el("button", { type: "button", onclick: () => download(answer.table.name, answer.table.text, "text/csv") },
+          "Download the table"));
+      fit.run();
+    }, () => stale(true));
   const fit = job("Fit", "fit", async () => {
-    if (!made) { errors.replaceChildren(el("p", { class: "soft" }, "Compute the plan first.")); return undefined; }
+    if (!made) {
+      errors.replaceChildren(el("p", { class: "soft" }, "Compute the plan first."));
+      return undefined;
+    }
     const read = await how.read();
     if (!read) return undefined;
     place();
@@ -64,17 +73,32 @@ export function mount(main) {
     errors.replaceChildren(...errorsView(file));
     figures.replaceChildren(...figuresView(drawn));
     paint();
-  }, (problem) => { how.at(problem); stale(true); });
-  main.replaceChildren(el("div", { class: "bench two" },
-    el("section", { class: "controls", "aria-label": "Campaign" }, el("h2", {}, "Campaign"), el("p", { class: "small soft" }, "A plan lists the muscles to compute by finite elements. This is the plan of the paper."), plan, campaign.element, table1, how.element, fit.element),
-    el("div", { class: "middle" }, errors, shown.element, figures)));
-  errors.append(el("h2", {}, PUBLISHED.name), el("p", { class: "soft" }, "Below is the formula that the paper published. Compute a campaign and fit your own formula to it. The paper used a hundred simulations; here they run while you watch."));
+  }, (problem) => {
+    how.at(problem);
+    stale(true);
+  });
+  main.replaceChildren(
+    el("div", { class: "bench two" },
+      el("section", { class: "controls", "aria-label": "Campaign" }, el("h2", {}, "Campaign"),
+        el("p", { class: "small soft" },
+          "A plan lists the muscles to compute by finite elements. This is the plan of the paper."), plan,
+        campaign.element, table1, how.element, fit.element),
+      el("div", { class: "middle" }, errors, shown.element, figures)),
+  );
+  errors.append(el("h2", {}, PUBLISHED.name),
+    el("p", { class: "soft" },
+      "Below is the formula that the paper published. Compute a campaign and fit your own formula to it. The paper "
+        + "used a hundred simulations; here they run while you watch."));
 
-  const place = () => { if (main.contains(plan)) write(address("formula", { ...muscle.params(), ...how.texts() }), true); };
+  const place = () => {
+    if (main.contains(plan)) write(address("formula", { ...muscle.params(), ...how.texts() }), true);
+  };
   async function paint() {
     place();
     const read = await how.read();
-    await shown.show(formula, read?.at).catch(() => { shown.element.hidden = true; });
+    await shown.show(formula, read?.at).catch(() => {
+      shown.element.hidden = true;
+    });
   }
   atEnd(onUnits(() => paint()));
   return {
@@ -87,6 +111,9 @@ export function mount(main) {
       if (fileOf(COMPUTED) === plan.value && !made) campaign.run();
       else paint();
     },
-    unmount() { campaign.end(); fit.end(); },
+    unmount() {
+      campaign.end();
+      fit.end();
+    },
   };
 }

@@ -29,7 +29,12 @@ const STEP = [
 ];
 const STEP_KEYS = STEP.map(({ key }) => key).filter((key) => key !== "model");
 
-/** A drive file with the muscle of the page, or with the joint of the page Joint. @param {string} text @param {string} file @param {string | undefined} model */
+/**
+ * A drive file with the muscle of the page, or with the joint of the page Joint.
+ * @param {string} text
+ * @param {string} file
+ * @param {string | undefined} model
+ */
 function driven(text, file, model) {
   const drive = { name: "drive.toml", text }, ofJoint = /^\s*joint\s*=/m.test(text);
   if (!ofJoint) {
@@ -37,17 +42,22 @@ function driven(text, file, model) {
     return { drive, muscle: { name, text: file }, model };
   }
   const { joint: own, file2 = "" } = wordsOf("joint");
-  return { drive, ...(own ? jointOfFile(own, file, file2, {}) : joint(file, file2, { r: 25, range: 60, e0: 0.12 })), model };
+  return { drive, ...(own ? jointOfFile(own, file, file2, {}) : joint(file, file2, { r: 25, range: 60, e0: 0.12 })),
+    model };
 }
 
 /** The muscle in space at every time of a run, and the time that is shown. */
 function player() {
   const stage = el("div", { class: "stage" }), clock = el("p", { class: "say" });
   stage.append(clock);
-  const view = held(/** @type {View & { destroy?: () => void }} */ (new View(stage))), slot = new Slot({ lane: "state" });
+  const view = held(/** @type {View & { destroy?: () => void }} */ (new View(stage))),
+    slot = new Slot({ lane: "state" });
   /** @type {any} */ let run;
   let frame = 0;
-  const slider = el("input", { type: "range", min: 0, max: 1000, value: 0, "aria-label": "Time", oninput: () => { stop(); at(Number(slider.value) / 1000); } });
+  const slider = el("input", { type: "range", min: 0, max: 1000, value: 0, "aria-label": "Time", oninput: () => {
+    stop();
+    at(Number(slider.value) / 1000);
+  } });
   const play = el("button", { type: "button", onclick: () => (frame ? stop() : start()) }, "Play");
 
   /** The state at a share of the time. @param {number} share */
@@ -58,7 +68,8 @@ function player() {
     slider.setAttribute("aria-valuetext", `${times[i].toFixed(2)} s`);
     clock.replaceChildren(el("b", {}, `${times[i].toFixed(2)} s`), el("br"), stateLine(run, i));
     slot.ask("shape", { ...muscle.fields(), ...stateAt(run, i) }, (shape) => {
-      view.set(shape, { field: "max_stretch", low: 1, high: Math.max(1.2, reach(shape.arrays.max_stretch)[1]), restLength: shape.muscle.length_mm, restRadius: shape.muscle.outer_diameter_mm / 2 });
+      view.set(shape, { field: "max_stretch", low: 1, high: Math.max(1.2, reach(shape.arrays.max_stretch)[1]),
+        restLength: shape.muscle.length_mm, restRadius: shape.muscle.outer_diameter_mm / 2 });
     }, () => {});
   }
   function start() {
@@ -80,7 +91,14 @@ function player() {
     frame = 0;
     play.textContent = "Play";
   }
-  return { stage, row: el("div", { class: "row" }, play, el("span", { style: "flex:1" }, slider)), show(/** @type {any} */ found) { run = found; start(); }, again: () => at(Number(slider.value) / 1000), end() { stop(); slot.end(); } };
+  return { stage, row: el("div", { class: "row" }, play, el("span", { style: "flex:1" }, slider)),
+    show(/** @type {any} */ found) {
+      run = found;
+      start();
+    }, again: () => at(Number(slider.value) / 1000), end() {
+    stop();
+    slot.end();
+  } };
 }
 
 /** @param {HTMLElement} main */
@@ -88,20 +106,40 @@ export function mount(main) {
   /** @type {any} */ let run;
   let drive = "";
   const fields = form(STEP, () => go.run()), shown = player();
-  const pressure = new Chart("motion-pressure", { tools: el("h3", {}, "Pressure") }), way = new Chart("motion-contraction", { tools: el("h3", {}, "Contraction") });
-  const numbers = el("div", {}), which = el("p", { class: "small soft" }), ofFile = el("p", { class: "small soft" }), said = el("div", {});
+  const pressure = new Chart("motion-pressure", { tools: el("h2", {}, "Pressure") }),
+    way = new Chart("motion-contraction", { tools: el("h2", {}, "Contraction") });
+  const numbers = el("div", {}), which = el("p", { class: "small soft" }), ofFile = el("p", { class: "small soft" }),
+    said = el("div", {});
   const leave = el("button", { type: "button", hidden: true, onclick: () => take("") }, "Close the drive file");
   const title = el("h2", {}, "A step on a valve");
-  const go = job("Run", "motion", request, (answer) => { run = answer; stale(false); paint(); shown.show(run); }, (problem) => { fields.at(problem); stale(true); });
-  const samples = el("p", { class: "row small" }, "Examples:", ...[["lift 10 kg and lower it", "drive.toml"], ["turn the joint", "elbow-drive.toml"]].map(([text, name]) => el("button", { type: "button", onclick: () => example(name).then(take, (problem) => said.replaceChildren(problemBox(problem))) }, text)));
-  main.replaceChildren(el("div", { class: "bench two" },
-    el("section", { class: "controls", "aria-label": "Step" }, title, fields.element, go.element, which, numbers,
-      el("details", {}, el("summary", {}, "Drive file and examples"), ofFile, samples, fileField("Open a drive file (TOML)", ".toml", (_, text) => take(text)), leave, said)),
-    el("div", { class: "middle" }, shown.stage, shown.row, el("div", { class: "charts" }, pressure.element, way.element))));
+  const go = job("Run", "motion", request, (answer) => {
+    run = answer;
+    stale(false);
+    paint();
+    shown.show(run);
+  }, (problem) => {
+    fields.at(problem);
+    stale(true);
+  });
+  const samples = el("p", { class: "row small" }, "Examples:",
+    ...[["lift 10 kg and lower it", "drive.toml"], ["turn the joint", "elbow-drive.toml"]].map(([text, name]) =>
+      el("button", { type: "button", onclick: () =>
+        example(name).then(take, (problem) => said.replaceChildren(problemBox(problem))) }, text)
+    ));
+  main.replaceChildren(
+    el("div", { class: "bench two" },
+      el("section", { class: "controls", "aria-label": "Step" }, title, fields.element, go.element, which, numbers,
+        el("details", {}, el("summary", {}, "Drive file and examples"), ofFile, samples,
+          fileField("Open a drive file (TOML)", ".toml", (_, text) => take(text)), leave, said)),
+      el("div", { class: "middle" }, shown.stage, shown.row,
+        el("div", { class: "charts" }, pressure.element, way.element))),
+  );
 
   /** What is shown belongs to the last step that had an answer. @param {boolean} on */
-  const stale = (on) => [shown.stage, numbers, pressure.element, way.element].forEach((part) => part.classList.toggle("stale", on));
-  const place = (replace = false) => write(address("motion", { ...muscle.params(), ...fields.texts(), [DRIVE]: drive }), replace);
+  const stale = (on) =>
+    [shown.stage, numbers, pressure.element, way.element].forEach((part) => part.classList.toggle("stale", on));
+  const place = (replace = false) =>
+    write(address("motion", { ...muscle.params(), ...fields.texts(), [DRIVE]: drive }), replace);
 
   async function request() {
     const read = await fields.read();
@@ -125,7 +163,10 @@ export function mount(main) {
     for (const key of STEP_KEYS) fields.shown(key, !drive);
     leave.hidden = !drive;
     title.textContent = drive ? "Commands of a drive file" : "A step on a valve";
-    ofFile.textContent = drive ? "A drive file is open: it states supply, valve, load and commands." : "A drive file states supply, valve, load and commands over time. One with a joint moves the joint of the page Joint.";
+    ofFile.textContent = drive
+      ? "A drive file is open: it states supply, valve, load and commands."
+      : "A drive file states supply, valve, load and commands over time. One with a joint moves the joint of the "
+        + "page Joint.";
   }
 
   function paint() {
@@ -135,7 +176,11 @@ export function mount(main) {
     numbers.replaceChildren(warnings(run.warnings), figures(run));
   }
 
-  atEnd(onUnits(() => { paint(); shown.again(); place(true); }));
+  atEnd(onUnits(() => {
+    paint();
+    shown.again();
+    place(true);
+  }));
   return {
     /** @param {URLSearchParams} params */
     async load(params) {
@@ -145,6 +190,9 @@ export function mount(main) {
       offer();
       await go.run();
     },
-    unmount() { shown.end(); go.end(); },
+    unmount() {
+      shown.end();
+      go.end();
+    },
   };
 }

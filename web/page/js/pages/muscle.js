@@ -1,6 +1,6 @@
 // The muscle, alive: its measures as sliders, the deformed body, curves, and numbers with their ±.
 import { controlsView } from "../bench/controls.js";
-import { curvesView } from "../bench/curves.js";
+import { Curves } from "../bench/curves.js";
 import { numbersView } from "../bench/numbers.js";
 import { stageView } from "../bench/stage.js";
 import { OWN, Store } from "../bench/store.js";
@@ -15,9 +15,25 @@ export function mount(main) {
   const busy = el("div", { class: "busy" }), said = el("div", {});
   const store = new Store((on) => busy.classList.toggle("on", on));
   const controls = controlsView(store, (problem) => said.replaceChildren(problemBox(problem)));
-  const stage = stageView(store, busy), curves = curvesView(store), numbers = numbersView(store);
-  const middle = el("div", { class: "middle" }, stage.stage, stage.tools, curves.chart.element, curves.points.element, curves.over);
-  const bench = el("div", { class: "bench" }, controls.element, middle, el("div", { class: "side" }, said, numbers.element));
+  const stage = stageView(store, busy),
+    curves = new Curves(store),
+    numbers = numbersView(store);
+  const middle = el(
+    "div",
+    { class: "middle" },
+    stage.stage,
+    stage.tools,
+    curves.chart.element,
+    curves.points.element,
+    curves.over.element,
+  );
+  const bench = el(
+    "div",
+    { class: "bench" },
+    controls.element,
+    middle,
+    el("div", { class: "side" }, said, numbers.element),
+  );
   main.replaceChildren(bench);
   onDrop(bench, (file) => file?.text().then((text) => {
     if (file.name.endsWith(".toml")) controls.take(text);
@@ -25,7 +41,8 @@ export function mount(main) {
   }));
 
   /** What is shown belongs to the last muscle that had an answer. @param {boolean} on */
-  const stale = (on) => [stage.stage, numbers.element, curves.chart.element].forEach((part) => part.classList.toggle("stale", on));
+  const stale = (on) =>
+    [stage.stage, numbers.element, curves.chart.element].forEach((part) => part.classList.toggle("stale", on));
   store.on("answer", (pumped) => {
     said.replaceChildren();
     stale(false);
@@ -34,7 +51,11 @@ export function mount(main) {
   });
   store.on("problem", ({ problem }) => {
     const again = el("button", { type: "button", class: "main", onclick: () => store.ask() }, "Try again");
-    const old = el("p", { class: "small soft" }, "The page shows the last result, which is for another muscle or state.");
+    const old = el(
+      "p",
+      { class: "small soft" },
+      "The page shows the last result, which is for another muscle or state.",
+    );
     said.replaceChildren(problemBox(problem), store.shape ? old : "", problem.kind === "engine" ? again : "");
     stale(true);
   });
@@ -46,13 +67,18 @@ export function mount(main) {
       await muscle.read(params, OWN);
       controls.braids();
       const word = (/** @type {string} */ key, usual = "") => params.get(key) ?? usual;
-      Object.assign(store.wanted, { test: word("test", "isobaric"), show: word("show", "max_stretch"), cut: word("cut"), over: word("over") });
+      Object.assign(store.wanted, {
+        test: word("test", "isobaric"),
+        show: word("show", "max_stretch"),
+        cut: word("cut"),
+        over: word("over"),
+      });
       curves.load();
       store.tell("sync");
       controls.revealAll();
       store.ask();
       store.follow();
-      curves.points.load();
+      curves.points.read();
     },
     unmount() {
       offUnits();
