@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from ._parts import Braid as Braid
     from ._parts import Rubber as Rubber
     from ._record import Record as Record
+    from ._problem import UnitWarning as UnitWarning
     from ._table import Table as Table
 
     __all__: list[str]
@@ -46,6 +47,7 @@ _PLACES = {
     "Rubber": "_parts",
     "Record": "_record",
     "Table": "_table",
+    "UnitWarning": "_problem",
 }
 # Modules for other libraries, listed where these are installed.
 _BRIDGES = ("jax", "torch")

@@ -11,6 +11,7 @@ from . import _schema
 from ._ask import answered
 from ._docs import entry, section, wrapped
 from ._files import FORMULAS, TABLES
+from ._problem import warned
 
 # Commands that are no function of the package: they serve pages and the command line.
 LEFT_OUT = {"quantities", "report", "campaign-show", "campaign-merge", "campaign"}
@@ -42,6 +43,8 @@ DEFAULTS = {("curve", "test"): "isobaric", ("simulate", "test"): "isobaric", ("s
 OWN_CLASS = {"build": "Build", "curve": "Curve", "plan": "Plan", "design": "Design", "fit": "Fitted", "shape": "Shape", "identify": "Identification", "rubber-fit": "RubberFit"}
 # Commands that take a muscle and are none of its methods.
 NO_METHOD = {"design", "fit", "motion", "rubber-fit"}
+# What a muscle must be given.
+GEOMETRY = ("outer_diameter_mm", "wall_mm", "length_mm")
 PROGRESS = "True for a progress bar (tqdm, where it is installed), or a function that is called with (done, total)."
 # Types of what may be given for fields, by their names.
 GIVEN = {
@@ -177,7 +180,11 @@ def _muscle_fields() -> type:
     def make(given: dict[str, Any]) -> None:
         from ._plain import muscle_text
 
-        given.pop("self")._hold(muscle_text({"muscle": given.pop("base", None), **given}))
+        muscle, base = given.pop("self"), given.pop("base", None)
+        if base is None and (missing := [name for name in GEOMETRY if given.get(name) is None]):
+            text = f"{', '.join(missing)} of the paper's prototype (D0 30 mm, s 3 mm, L0 285 mm) {'is' if len(missing) == 1 else 'are'} used; give every measure, or say Muscle.prototype(…)"
+            warned(text, DeprecationWarning)
+        muscle._hold(muscle_text({"muscle": base, **given}))
 
     def other(given: dict[str, Any]) -> Any:
         muscle = given.pop("self")

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 
-from . import _native, _plain
+from . import _native, _plain, _quantity
 from ._arrays import any_masked, array
 from ._ask import Progress, listening
 from ._problem import MckibbenError
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
+# Measures of a muscle, as :meth:`Muscle.replace` has them, by which there are derivatives.
+MEASURES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "stiffness")
 # A list of pairs has so many places at most: what a machine could address.
 _MOST = 2**47
 
@@ -81,7 +83,7 @@ class Model:
     ) -> None:
         from ._muscle import Muscle
 
-        held = muscle if isinstance(muscle, Muscle) else Muscle(muscle)
+        held = muscle if isinstance(muscle, Muscle) else Muscle.prototype() if muscle is None else Muscle(muscle)
         values = {
             "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal,
             "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction,
@@ -143,7 +145,9 @@ class Model:
             Contraction ratios ε = ΔL/L0, broadcast against the pressures.
         jac
             True for the derivatives as well; or names of constants and measures of the muscle (see :attr:`Muscle.parameters`) for the
-            derivatives by these too. Those of finite elements come from the factorised tangent of the equilibrium itself.
+            derivatives by these too, all others held: k of the strands as well, where the diameter changes. ``outer_diameter_mm``,
+            ``wall_mm``, ``length_mm``, ``angle_deg`` and ``stiffness`` are those by :meth:`Muscle.replace`: k of a named braid follows the
+            diameter. Those of finite elements come from the factorised tangent of the equilibrium itself.
         errors
             ``raise`` for the first point without an answer, or ``nan`` for NaN there.
         progress
@@ -206,6 +210,8 @@ class Model:
         # Most calls have neither derivatives nor a bar: they take a microsecond, and every line here a part of one.
         plain = jac is False and progress is None
         if plain and type(a) is float and type(b) is float:
+            if a > 5.0 and wanted == "force" or b > 5.0 and wanted == "contraction":
+                _quantity.likely("pressure_mpa", a if wanted == "force" else b)
             return self._native.one(wanted, a, b, nan)
         a, b = array(a_name, a), array(b_name, b)
         if any_masked(a, b):
@@ -213,6 +219,8 @@ class Model:
         # Neither is spread here: the compiled half reads each where it lies, as often as the other needs it.
         shape = a.shape if a.shape == b.shape or not b.shape else b.shape if not a.shape else np.broadcast_shapes(a.shape, b.shape)
         names = [] if isinstance(jac, (bool, np.bool_)) else [jac] if isinstance(jac, str) else list(jac)
+        if any(name in MEASURES for name in names):
+            return self._by_measures(wanted, a_name, a, b_name, b, names, errors, progress)
         slopes = bool(names) or bool(jac)
         width = 3 + len(names) if slopes else 1
         if math.prod(shape) > _MOST // width:
@@ -233,6 +241,14 @@ class Model:
         if slopes:
             return out[..., 0] if shape else float(out[0]), out[..., 1:]
         return out if shape else float(out)
+
+    def _by_measures(self, wanted: str, a_name: str, a: Any, b_name: str, b: Any, names: list[str], errors: str, progress: Progress) -> Any:
+        """With derivatives by measures of the muscle: all parameters that follow a measure change with it."""
+        rows = [self._muscle._follows(name) if name in MEASURES else {name: 1.0} for name in names]
+        own = list(dict.fromkeys(parameter for row in rows for parameter in row))
+        found, slopes = self._fill(wanted, a_name, a, b_name, b, own, errors, progress)
+        by = np.array([[row.get(parameter, 0.0) for parameter in own] for row in rows])
+        return found, np.concatenate([slopes[..., :2], slopes[..., 2:] @ by.T], axis=-1)
 
     def _masked(self, wanted: str, a_name: str, a: Any, b_name: str, b: Any, jac: bool | Sequence[str], errors: str, progress: Progress) -> Any:
         """What is masked is not asked for, and its answer is masked."""

@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
 
 class Muscle(MuscleFields, MuscleCommands):
-    """A McKibben muscle: a rubber tube in a braid between two terminals. What is not said is that of the paper's prototype:
-    D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid ``paper``.
+    """A McKibben muscle: a rubber tube in a braid between two terminals. Diameter, wall and length are to be given; :meth:`prototype` is that
+    of the paper. Angle 28°, rubber and braid ``paper`` where they are left out.
 
     A muscle does not change; :meth:`replace` gives another one. Two are equal where their muscle files are.
 
     Examples
     --------
-    >>> Muscle(outer_diameter_mm="50 mm", wall_mm=1).outer_diameter_mm
+    >>> Muscle(outer_diameter_mm="50 mm", wall_mm=1, length_mm=285).outer_diameter_mm
     50.0
     """
 
@@ -42,6 +42,13 @@ class Muscle(MuscleFields, MuscleCommands):
 
             object.__setattr__(self, "_own", _native.muscle_fields(self._text))
         return (self._own or {}).get(name)
+
+    @classmethod
+    def prototype(cls, **changes: Any) -> Muscle:
+        """The paper's prototype (D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid ``paper``), with changes by the names of :meth:`replace`."""
+        from . import _native
+
+        return cls({"name": "prototype", "text": _native.muscle_text({})}, **changes)
 
     @classmethod
     def from_file(cls, path: str | PathLike[str]) -> Muscle:
@@ -74,6 +81,16 @@ class Muscle(MuscleFields, MuscleCommands):
         from . import _native
 
         return {name: value for name, value, _ in _native.parameters(self._text)}
+
+    def _follows(self, measure: str) -> dict[str, float]:
+        """How the parameters change with a measure of :meth:`replace`: by central differences of smooth formulas."""
+        value = getattr(self, measure)
+        if not isinstance(value, float):
+            raise ValueError(f"{measure}: a muscle whose {measure} is {value!r} has no derivative by it; use jac=['braid.stiffness']")
+        step = 1e-4 * abs(value)
+        high, low = (self.replace(**{measure: value + sign * step}).parameters for sign in (1, -1))
+        rates = {name: (high[name] - low[name]) / (2 * step) for name in high}
+        return {name: rate for name, rate in rates.items() if abs(rate) * abs(value) > 1e-10 * abs(high[name])}
 
     def with_parameters(self, values: Mapping[str, float]) -> Muscle:
         """The same with other constants and measures, named as in :attr:`parameters`; all others are held, k of the strands in N/mm

@@ -2,7 +2,21 @@
 
 from __future__ import annotations
 
+import sys
+import warnings
 from typing import Any
+
+
+def warned(text: str, kind: type[Warning]) -> None:
+    """Warns at the line outside of the package that called it."""
+    level, frame = 2, sys._getframe(1)
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("mckibben"):
+        level, frame = level + 1, frame.f_back
+    warnings.warn(text, kind, stacklevel=level)
+
+
+class UnitWarning(UserWarning):
+    """A bare number that was likely meant in another unit."""
 
 
 class MckibbenError(Exception):

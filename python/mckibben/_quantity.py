@@ -53,7 +53,33 @@ def number(name: str, value: Any, kind: Kind | None = None) -> float:
     out = float(value)
     if not math.isfinite(out):
         raise wrong(name, f"{out} is not a finite number")
+    likely(name, out)
     return out
+
+
+# Bare numbers beyond what muscles have, and the units in which they were likely meant.
+_UNLIKELY = {
+    "outer_diameter_mm": (1.0, 1000.0), "wall_mm": (0.02, 100.0), "length_mm": (3.0, 30_000.0),
+    "pressure_mpa": (0.0, 5.0), "pressures_mpa": (0.0, 5.0), "max_pressure_mpa": (0.0, 5.0),
+}
+
+
+def likely(name: str, value: float) -> None:
+    """Warns of a bare number that was likely meant in another unit."""
+    bounds = _UNLIKELY.get(name)
+    if bounds is None or value <= 0 or bounds[0] <= value <= bounds[1]:
+        return
+    from ._problem import UnitWarning, warned
+
+    if name.endswith("mpa"):
+        unit, factor = ("Pa", 1e-6) if value >= 1e4 else ("kPa", 1e-3) if value >= 50 else ("bar", 0.1)
+        said, meant = "MPa", f"{value * factor:g} MPa"
+    else:
+        unit, factor = ("m", 1e3) if value < bounds[0] else ("um", 1e-3)
+        said, meant = "mm", f"{value * factor:g} mm"
+    bare = name.rsplit("_", 1)[0]
+    text = f'{name}={value:g} is {value:g} {said}; if {value:g} {unit} is meant, give {meant}, or {bare}="{value:g} {unit}"'
+    warned(text, UnitWarning)
 
 
 def unpinted(name: str, value: Any, kind: Kind | None = None) -> Any:
