@@ -14,6 +14,7 @@ mod model;
 mod muscle;
 mod pairs;
 mod run;
+mod simulation;
 mod value;
 mod view;
 
@@ -34,6 +35,8 @@ mod _native {
     use crate::model::Model;
     #[pymodule_export]
     use crate::muscle::{design, muscle_fields, muscle_text, muscle_with, parameters};
+    #[pymodule_export]
+    use crate::simulation::Simulation;
     #[pymodule_export]
     use crate::view::{body_html, report_html};
 
