@@ -30,7 +30,6 @@ if TYPE_CHECKING:
     from ._parts import Braid as Braid
     from ._parts import Rubber as Rubber
     from ._record import Record as Record
-    from ._problem import UnitWarning as UnitWarning
     from ._table import Table as Table
 
     __all__: list[str]
@@ -47,7 +46,6 @@ _PLACES = {
     "Rubber": "_parts",
     "Record": "_record",
     "Table": "_table",
-    "UnitWarning": "_problem",
 }
 # Modules for other libraries, listed where these are installed.
 _BRIDGES = ("jax", "torch")
@@ -74,6 +72,11 @@ def __getattr__(name: str) -> Any:
             value = getattr(module, name)
             globals()[name] = value
             return value
+    if name.endswith("Error"):
+        try:
+            return getattr(import_module("._errors", __name__), name)
+        except AttributeError:
+            pass
     from difflib import get_close_matches
 
     near = get_close_matches(name, __dir__(), 1)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import keyword
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Iterable
 from inspect import Parameter, Signature
 from typing import Any
 
-from . import _schema
+from . import _quantity, _schema
 from ._ask import answered
 from ._docs import entry, section, wrapped
 from ._files import FORMULAS, TABLES
@@ -57,6 +58,7 @@ GIVEN = {
     "models": "Sequence[str | Formula] | None",
     "figure": "str | None",
 }
+_UNIT = r"_(mm[23]?|mpa|nm|n|deg|kg|s|j|w|g|degc|kpa|cm3|hz)(_per_[a-z0-9_]+)?$"
 # Files that are tables or formulas, by the names of their fields.
 LIKE = {name: "TableLike" for name in TABLES} | {name: "FormulaLike" for name in FORMULAS}
 
@@ -96,6 +98,29 @@ def _parameter(command: str, name: str, schema: _schema.Schema, is_keyword: bool
     return Parameter(_argument(name), Parameter.KEYWORD_ONLY if is_keyword else Parameter.POSITIONAL_OR_KEYWORD, default=default, annotation=kind)
 
 
+def unit_free(names: Iterable[str]) -> dict[str, str]:
+    """The fields of quantities by their names without the unit: `outer_diameter` is `outer_diameter_mm`."""
+    names = list(names)
+    short = {name: re.sub(_UNIT, "", name) for name in names if _quantity.kind_of(name) is not None}
+    return {bare: name for name, bare in short.items() if bare != name and bare not in names}
+
+
+def spelled(function: str, given: dict[str, Any], known: Iterable[str]) -> dict[str, Any]:
+    """Arguments by the names of the fields: those without a unit in their name are texts with one, or quantities of pint."""
+    bare, out = unit_free(known), {}
+    for name, value in given.items():
+        if name in bare:
+            if bare[name] in given:
+                raise TypeError(f"{function}(): both {name} and {bare[name]} are given")
+            several = value if isinstance(value, (list, tuple)) else [value]
+            if not all(isinstance(v, str) or hasattr(v, "magnitude") or v is None for v in several):
+                raise TypeError(f'{function}(): {name} is a text with its unit or a quantity of pint; for a number {bare[name]}={value!r}')
+            if any(isinstance(v, str) and re.fullmatch(r"\s*[-+\d.,eE]+\s*", v) for v in several):
+                raise TypeError(f'{function}(): {name}={value!r} has no unit; for a number {bare[name]}')
+        out[bare.get(name, name)] = value
+    return out
+
+
 def _called(signature: Signature, name: str, about: str, owner: str, ask: Callable[[dict[str, Any]], Any]) -> Callable[..., Any]:
     """A function, or a method of an owner, of a signature, name and documentation; `ask` has its arguments by their names."""
 
@@ -103,6 +128,9 @@ def _called(signature: Signature, name: str, about: str, owner: str, ask: Callab
 
     def called(*args: Any, **values: Any) -> Any:
         given = {**dict(zip(first, args)), **values}
+        if not given.keys() <= known:
+            given = values = spelled(name, given, known)
+            args = ()
         if len(given) != len(args) + len(values) or not given.keys() <= known or owner and not args:
             # Slower, and it has the words for what is wrong.
             try:

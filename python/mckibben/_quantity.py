@@ -36,16 +36,16 @@ def unit_for_pint(name: str, kind: Kind | None = None) -> str:
 
 def wrong(field: str, message: str, hint: str = "") -> Exception:
     """A quantity that is none."""
-    from ._errors import QuantityError
+    from ._problem import InputError
 
-    return QuantityError(message, kind="quantity", hint=hint, field=field)
+    return InputError(message, kind="quantity", hint=hint, field=field)
 
 
 def number(name: str, value: Any, kind: Kind | None = None) -> float:
     """A number in the unit of its field."""
     if isinstance(value, str):
         return _native.quantity(value, typed(name, value, kind), name)
-    value = unpinted(name, value, kind)
+    given, value = value, unpinted(name, value, kind)
     if isinstance(value, bool) or not hasattr(value, "__float__"):
         raise TypeError(f"{name}: a number, a text with its unit or a quantity of pint, not {type(value).__name__}")
     if getattr(value, "shape", ()) != ():
@@ -53,7 +53,8 @@ def number(name: str, value: Any, kind: Kind | None = None) -> float:
     out = float(value)
     if not math.isfinite(out):
         raise wrong(name, f"{out} is not a finite number")
-    likely(name, out)
+    if given is value:
+        likely(name, out)
     return out
 
 

@@ -48,7 +48,7 @@ class Design(_answers.DesignAnswer):
     @property
     def best(self) -> Muscle:
         """The first of them."""
-        from ._errors import NoAnswerError
+        from ._problem import NoAnswerError
 
         if not self._muscles:
             raise NoAnswerError("no muscle fits", kind="no_answer", hint="`closest` and `rejected` say why", exit_code=1)
@@ -135,7 +135,7 @@ class RubberFit(_Plain, _answers.RubberFitAnswer):
 
     def rubber(self, law: str | None = None) -> Rubber:
         """A law with its constants; the recommended one where none is named."""
-        from ._errors import NoAnswerError
+        from ._problem import NoAnswerError
         from ._parts import Rubber
 
         name = law or self.recommended

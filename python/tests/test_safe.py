@@ -94,3 +94,19 @@ def test_no_field_of_a_record_has_numbers_of_another() -> None:
     curve = mk.Muscle.prototype().curve("isobaric", pressures_mpa=[0.1, 0.2], contractions=asked)
     assert np.array_equal(np.unique(curve.contraction), asked)
     assert curve.slack.any() and np.isfinite(curve.volume_mm3).all()
+
+
+def test_a_quantity_is_given_by_its_name_without_the_unit() -> None:
+    """An inch is 25.4 mm by definition. Both names at once, and a number without its unit, are refused."""
+    muscle = mk.Muscle(outer_diameter="2 in", wall="1000 um", length="28.5 cm", angle="28 deg")
+    assert muscle == mk.Muscle(outer_diameter_mm=50.8, wall_mm=1, length_mm=285, angle_deg=28) == muscle.replace(wall="1 mm")
+    assert mk.force(muscle, pressure="2 bar", contraction=0.1, model="ideal") == mk.force(muscle, 0.2, 0.1, model="ideal")
+    asked: dict[str, Any] = {"contraction": 0.15, "model": "universal"}
+    one = mk.design(force="700 N", max_pressure="2.5 bar", outer_diameter=("30 mm", "5 cm"), **asked)
+    assert one == mk.design(force_n=700, max_pressure_mpa=0.25, outer_diameter_mm=(30, 50), **asked)
+    wrong: list[tuple[str, dict[str, Any]]] = [("both wall and wall_mm", {"wall": "2 mm", "wall_mm": 2}), ("wall_mm=2", {"wall": 2}), ("has no unit", {"wall": "2"}), ("unexpected keyword", {"wal": "2 mm"})]
+    for said, given in wrong:
+        with pytest.raises(TypeError, match=said):
+            muscle.replace(**given)
+    pint = pytest.importorskip("pint")
+    assert muscle.replace(wall=0.1 * pint.UnitRegistry().inch).wall_mm == pytest.approx(2.54)
