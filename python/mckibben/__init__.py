@@ -29,7 +29,11 @@ if TYPE_CHECKING:
     from ._muscle import Muscle as Muscle
     from ._parts import Braid as Braid
     from ._parts import Rubber as Rubber
+    from ._points import Solution as Solution
+    from ._points import errstate as errstate
+    from ._quantity import units as units
     from ._record import Record as Record
+    from ._simulation import Simulation as Simulation
     from ._table import Table as Table
 
     __all__: list[str]
@@ -45,7 +49,11 @@ _PLACES = {
     "Muscle": "_muscle",
     "Rubber": "_parts",
     "Record": "_record",
+    "Simulation": "_simulation",
+    "Solution": "_points",
     "Table": "_table",
+    "errstate": "_points",
+    "units": "_quantity",
 }
 # Modules for other libraries, listed where these are installed.
 _BRIDGES = ("jax", "torch")

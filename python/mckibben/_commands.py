@@ -44,6 +44,8 @@ DEFAULTS = {("curve", "test"): "isobaric", ("simulate", "test"): "isobaric", ("s
 OWN_CLASS = {"build": "Build", "curve": "Curve", "plan": "Plan", "design": "Design", "fit": "Fitted", "shape": "Shape", "identify": "Identification", "rubber-fit": "RubberFit"}
 # Commands that take a muscle and are none of its methods.
 NO_METHOD = {"design", "fit", "motion", "rubber-fit"}
+# Methods of a muscle with names of their own: the whole point is its state.
+METHODS = {"muscle-show": "show", "force": "state"}
 # What a muscle must be given.
 GEOMETRY = ("outer_diameter_mm", "wall_mm", "length_mm")
 PROGRESS = "True for a progress bar (tqdm, where it is installed), or a function that is called with (done, total)."
@@ -177,13 +179,13 @@ def _function(command: str, owner: str = "") -> Callable[..., Any]:
 
     own = [Parameter("self", Parameter.POSITIONAL_OR_KEYWORD)] if owner else []
     signature = Signature([*own, *parameters], return_annotation=f"{'_results' if command in OWN_CLASS else '_answers'}.{answer}")
-    return _called(signature, "show" if owner and command == "muscle-show" else command.replace("-", "_"), "\n\n".join(about), owner, ask)
+    return _called(signature, METHODS.get(command, command.replace("-", "_")) if owner else command.replace("-", "_"), "\n\n".join(about), owner, ask)
 
 
 def _muscle_commands() -> type:
     """The methods of a muscle: every command that takes one."""
     asked = [c for c in _schema.commands() if c not in LEFT_OUT | NO_METHOD and {"muscle", "angle_deg"} <= _schema.request(c).keys()]
-    methods = {method.__name__: method for method in (_function(command, "MuscleCommands.") for command in asked)}
+    methods = {method.__name__: method for method in (_function(command, "MuscleCommands.") for command in asked if command not in ("pressure", "contraction"))}
     return type("MuscleCommands", (), {"__slots__": (), "__module__": __name__, "__doc__": "What a muscle is asked: every command that takes one.", **methods})
 
 

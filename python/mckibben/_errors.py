@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from ._problem import FileError, InputError, InternalError, MckibbenError, NoAnswerError, NotConvergedError, OutOfRangeError, UnitWarning, of, warned
+from ._problem import FileError, InputError, InternalError, MckibbenError, NoAnswerError, NotConvergedError, OutOfRangeError, OutsideWarning, UnitWarning, of, warned
 
-__all__ = ["FileError", "InputError", "InternalError", "MckibbenError", "NoAnswerError", "NotConvergedError", "OutOfRangeError", "UnitWarning"]
+__all__ = ["FileError", "InputError", "InternalError", "MckibbenError", "NoAnswerError", "NotConvergedError", "OutOfRangeError", "OutsideWarning", "UnitWarning"]
 
 
 def __getattr__(name: str) -> type[MckibbenError]:

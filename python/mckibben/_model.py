@@ -12,7 +12,8 @@ import numpy as np
 from . import _native, _plain, _quantity
 from ._arrays import any_masked, array
 from ._ask import Progress, listening
-from ._problem import MckibbenError
+from ._points import Outside, outside
+from ._problem import MckibbenError, OutsideWarning, warned
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -127,13 +128,13 @@ class Model:
         return other
 
     @overload
-    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: str = ..., progress: Progress = ...) -> Any: ...
+    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., progress: Progress = ...) -> Any: ...
     @overload
-    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[True] | Sequence[str], errors: str = ..., progress: Progress = ...) -> tuple[Any, Array]: ...
+    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[True] | Sequence[str], errors: Outside | None = ..., progress: Progress = ...) -> tuple[Any, Array]: ...
     @overload
-    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: bool | Sequence[str] = ..., errors: str = ..., progress: Progress = ...) -> Any: ...
+    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: bool | Sequence[str] = ..., errors: Outside | None = ..., progress: Progress = ...) -> Any: ...
 
-    def force(self, pressure_mpa: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: str = "raise", progress: Progress = None) -> Any:
+    def force(self, pressure_mpa: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, progress: Progress = None) -> Any:
         """F(P, ε): the pull, in N; 0 where the muscle is slack.
 
         Parameters
@@ -149,7 +150,8 @@ class Model:
             ``wall_mm``, ``length_mm``, ``angle_deg`` and ``stiffness`` are those by :meth:`Muscle.replace`: k of a named braid follows the
             diameter. Those of finite elements come from the factorised tangent of the equilibrium itself.
         errors
-            ``raise`` for the first point without an answer, or ``nan`` for NaN there.
+            ``raise`` for the first point without an answer, ``nan`` for NaN there, ``warn`` for NaN and one warning; where it is left out,
+            what :func:`errstate` says, else ``raise``.
         progress
             True for a progress bar, or a function that is called with (done, total).
 
@@ -159,9 +161,10 @@ class Model:
             The pull, of the broadcast shape; a masked array where one of the two is. With ``jac`` a pair: the pull, and an array with one axis more: ∂F/∂P in N/MPa, ∂F/∂ε in
             N, then ∂F/∂θ of each name, in N per its unit, all other constants held.
         """
-        return self._fill("force", "pressure_mpa", pressure_mpa, "contraction", contraction, jac, errors, progress)
+        found = self._fill("force", "pressure_mpa", pressure_mpa, "contraction", contraction, jac, errors, progress)
+        return found if _quantity.REGISTRY is None else _dressed("force_n", found)
 
-    def pressure(self, force_n: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: str = "raise", progress: Progress = None) -> Any:
+    def pressure(self, force_n: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, progress: Progress = None) -> Any:
         """P(F, ε): the pressure that gives a pull, in MPa.
 
         Parameters
@@ -180,9 +183,10 @@ class Model:
         float or numpy.ndarray
             The pressure; with ``jac`` a pair.
         """
-        return self._fill("pressure", "force_n", force_n, "contraction", contraction, jac, errors, progress)
+        found = self._fill("pressure", "force_n", force_n, "contraction", contraction, jac, errors, progress)
+        return found if _quantity.REGISTRY is None else _dressed("pressure_mpa", found)
 
-    def contraction(self, force_n: Any, pressure_mpa: Any, *, jac: bool | Sequence[str] = False, errors: str = "raise", progress: Progress = None) -> Any:
+    def contraction(self, force_n: Any, pressure_mpa: Any, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, progress: Progress = None) -> Any:
         """ε(F, P): the contraction at which a pressure gives a pull.
 
         Parameters
@@ -201,11 +205,12 @@ class Model:
         float or numpy.ndarray
             The contraction ratio; with ``jac`` a pair.
         """
-        return self._fill("contraction", "force_n", force_n, "pressure_mpa", pressure_mpa, jac, errors, progress)
+        found = self._fill("contraction", "force_n", force_n, "pressure_mpa", pressure_mpa, jac, errors, progress)
+        return found if _quantity.REGISTRY is None else _dressed("contraction", found)
 
-    def _fill(self, wanted: str, a_name: str, a: Any, b_name: str, b: Any, jac: bool | Sequence[str], errors: str, progress: Progress) -> Any:
-        if errors not in ("raise", "nan"):
-            raise ValueError(f'errors: "raise" or "nan", not {errors!r}')
+    def _fill(self, wanted: str, a_name: str, a: Any, b_name: str, b: Any, jac: bool | Sequence[str], errors: str | None, progress: Progress) -> Any:
+        if errors != "nan" and (errors := outside(errors, "raise")) == "warn":
+            return self._warned(wanted, a_name, a, b_name, b, jac, progress)
         nan = errors == "nan"
         # Most calls have neither derivatives nor a bar: they take a microsecond, and every line here a part of one.
         plain = jac is False and progress is None
@@ -242,6 +247,22 @@ class Model:
             return out[..., 0] if shape else float(out[0]), out[..., 1:]
         return out if shape else float(out)
 
+    def _warned(self, wanted: str, a_name: str, a: Any, b_name: str, b: Any, jac: bool | Sequence[str], progress: Progress) -> Any:
+        """NaN where there is no answer, and one warning with the first reason."""
+        a, b = array(a_name, a), array(b_name, b)
+        found = self._fill(wanted, a_name, a, b_name, b, jac, "nan", progress)
+        values = np.asarray(np.ma.filled(found[0] if isinstance(found, tuple) else found, 0.0))
+        missing = np.flatnonzero(np.isnan(values))
+        if missing.size:
+            first = [np.broadcast_to(np.ma.getdata(v), values.shape).ravel()[missing[0]] for v in (a, b)]
+            try:
+                self._native.one(wanted, *map(float, first), False)
+                reason = ""
+            except MckibbenError as error:
+                reason = f"; {error.at(int(missing[0]))}"
+            warned(f"{missing.size} of {values.size} points have no answer{reason}", OutsideWarning)
+        return found
+
     def _by_measures(self, wanted: str, a_name: str, a: Any, b_name: str, b: Any, names: list[str], errors: str, progress: Progress) -> Any:
         """With derivatives by measures of the muscle: all parameters that follow a measure change with it."""
         rows = [self._muscle._follows(name) if name in MEASURES else {name: 1.0} for name in names]
@@ -250,7 +271,7 @@ class Model:
         by = np.array([[row.get(parameter, 0.0) for parameter in own] for row in rows])
         return found, np.concatenate([slopes[..., :2], slopes[..., 2:] @ by.T], axis=-1)
 
-    def _masked(self, wanted: str, a_name: str, a: Any, b_name: str, b: Any, jac: bool | Sequence[str], errors: str, progress: Progress) -> Any:
+    def _masked(self, wanted: str, a_name: str, a: Any, b_name: str, b: Any, jac: bool | Sequence[str], errors: str | None, progress: Progress) -> Any:
         """What is masked is not asked for, and its answer is masked."""
         a, b = np.ma.asarray(a), np.ma.asarray(b)
         mask = np.logical_or(*np.broadcast_arrays(np.ma.getmaskarray(a), np.ma.getmaskarray(b)))
@@ -295,6 +316,10 @@ class Model:
 
     def __repr__(self) -> str:
         return f"Model({self.name!r}, {self._muscle!r})"
+
+
+def _dressed(name: str, found: Any) -> Any:
+    return (_quantity.dressed(name, found[0]), found[1]) if isinstance(found, tuple) else _quantity.dressed(name, found)
 
 
 def _restored(muscle: Muscle, request: dict[str, Any]) -> Model:

@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 from ._commands import MuscleCommands, MuscleFields
 
 if TYPE_CHECKING:
     from os import PathLike
 
-    from ._inputs import MuscleLike, Number
-    from ._model import Model
+    from ._inputs import Floats, MuscleLike, Number
+    from ._model import Array, Model
+    from ._points import Found, Outside, Solution
+
+
+def _title(command: str) -> str:
+    """The class of a command's answer."""
+    from . import _schema
+
+    return str(_schema.bundle()[command]["answer"]["title"])
 
 
 class Muscle(MuscleFields, MuscleCommands):
@@ -74,6 +82,85 @@ class Muscle(MuscleFields, MuscleCommands):
         from ._model import Model
 
         return Model(self, model, **options)
+
+    @overload
+    def force(self, pressure_mpa: Number, contraction: Number = ..., *, errors: Outside | None = ..., **options: Any) -> Found: ...
+    @overload
+    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Any) -> Array: ...
+    @overload
+    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Any) -> tuple[Array, Array]: ...
+
+    def force(self, pressure_mpa: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, **options: Any) -> Any:
+        """F(P, ε): the pull, in N; 0 where the muscle is slack.
+
+        Parameters
+        ----------
+        pressure_mpa : MPa
+            Gauge pressure P: a number, a text such as ``"2.5 bar"``, a quantity of pint, or an array of numbers.
+        contraction : ratio
+            Contraction ratio ε = ΔL/L0, or an array that is broadcast against the pressures.
+        jac
+            As in :meth:`Model.force`: True for a pair with the derivatives.
+        errors
+            At points of arrays without an answer: ``warn`` (where it is left out: NaN and one warning), ``nan`` or ``raise``.
+        options
+            Those of :class:`Model` for arrays, of :meth:`state` for one point: ``model``, ``mesh``, ``extrapolate``, ``direction``, …
+
+        Returns
+        -------
+        float or numpy.ndarray
+            The pull. That of one point has the whole point with it: ``.state``, ``.uncertainty_n``, ``.stiffness_n_per_mm``, …
+        """
+        return self._asked("force", ("pressure_mpa", pressure_mpa), ("contraction", contraction), jac, errors, options)
+
+    @overload
+    def pressure(self, force_n: Number, contraction: Number = ..., *, errors: Outside | None = ..., **options: Any) -> Found: ...
+    @overload
+    def pressure(self, force_n: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Any) -> Array: ...
+    @overload
+    def pressure(self, force_n: Floats, contraction: Floats = ..., *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Any) -> tuple[Array, Array]: ...
+
+    def pressure(self, force_n: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, **options: Any) -> Any:
+        """P(F, ε): the gauge pressure that gives a pull, in MPa. Arguments as in :meth:`force`, the pull in N first."""
+        return self._asked("pressure", ("force_n", force_n), ("contraction", contraction), jac, errors, options)
+
+    @overload
+    def contraction(self, force_n: Number, pressure_mpa: Number, *, errors: Outside | None = ..., **options: Any) -> Found: ...
+    @overload
+    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Any) -> Array: ...
+    @overload
+    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Any) -> tuple[Array, Array]: ...
+
+    def contraction(self, force_n: Any, pressure_mpa: Any, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, **options: Any) -> Any:
+        """ε(F, P): the contraction ratio at which a pressure gives a pull. Arguments as in :meth:`force`, the pull in N first."""
+        return self._asked("contraction", ("force_n", force_n), ("pressure_mpa", pressure_mpa), jac, errors, options)
+
+    def _asked(self, wanted: str, first: tuple[str, Any], second: tuple[str, Any], jac: Any, errors: str | None, options: dict[str, Any]) -> Any:
+        from ._points import Found, model_of, outside, several
+
+        (a_name, a), (b_name, b) = first, second
+        if several(a, b) or jac is not False:
+            return getattr(model_of(self, options), wanted)(a, b, jac=jac, errors=outside(errors, "warn"))
+        from ._ask import answered
+
+        state = answered(wanted, {"muscle": self, a_name: a, b_name: b, **options}, _title(wanted))
+        return Found(state._data[{"force": "force_n", "pressure": "pressure_mpa", "contraction": "contraction"}[wanted]], state)
+
+    def solve(self, pressure_mpa: Floats, contraction: Floats = 0.0, **options: Any) -> Solution:
+        """All that is known of many points: pulls, their ±, volumes, stiffness, strand tension, … as arrays.
+
+        Parameters
+        ----------
+        pressure_mpa : MPa
+            Gauge pressures P, as in :meth:`force`.
+        contraction : ratio
+            Contraction ratios ε, broadcast against them.
+        options
+            Those of :meth:`curve`: ``model``, ``extrapolate``, …
+        """
+        from ._points import solved
+
+        return solved(self, pressure_mpa, contraction, options)
 
     @property
     def parameters(self) -> dict[str, float]:

@@ -19,6 +19,10 @@ class UnitWarning(UserWarning):
     """A bare number that was likely meant in another unit."""
 
 
+class OutsideWarning(RuntimeWarning):
+    """Points of an array have no answer and are NaN."""
+
+
 class MckibbenError(Exception):
     """Why a call has no answer. Its classes are :class:`InputError`, :class:`OutOfRangeError`, :class:`FileError`, :class:`NoAnswerError`,
     :class:`NotConvergedError` and :class:`InternalError`; each is one of Python's own too.

@@ -41,6 +41,40 @@ def wrong(field: str, message: str, hint: str = "") -> Exception:
     return InputError(message, kind="quantity", hint=hint, field=field)
 
 
+# The registry of pint whose quantities are returned; None: plain numbers.
+REGISTRY: Any = None
+
+
+def units(system: Any = None) -> Any:
+    """How numbers are returned: ``"pint"`` as quantities of pint in the unit of their name, ``"plain"`` as numbers. A registry of pint may be
+    given instead, so that its quantities go together with yours. With nothing: the answer of the command ``units``, all units that texts
+    may have.
+    """
+    global REGISTRY
+    if system is None:
+        from . import _commands
+
+        return _commands.units()
+    if system == "pint":
+        import pint
+
+        system = pint.get_application_registry()
+    elif system == "plain":
+        system = None
+    elif not hasattr(system, "Quantity"):
+        raise ValueError(f'units: "pint", "plain" or a registry of pint, not {system!r}')
+    REGISTRY = system
+    return None
+
+
+def dressed(name: str, value: Any) -> Any:
+    """A number or array as a quantity, where these are wanted."""
+    if REGISTRY is None or not (isinstance(value, float) or getattr(value, "dtype", None) == float):
+        return value
+    kind = kind_of(name)
+    return value if kind is None else REGISTRY.Quantity(value, unit_for_pint(name, kind))
+
+
 def number(name: str, value: Any, kind: Kind | None = None) -> float:
     """A number in the unit of its field."""
     if isinstance(value, str):

@@ -8,6 +8,8 @@ from collections.abc import Iterator
 from html import escape
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from . import _quantity
+
 if TYPE_CHECKING:
     from ._table import Table
 
@@ -50,7 +52,7 @@ class Record:
     def _shown(self, name: str) -> Any:
         value, kind = self._data[name], self._nested_.get(name)
         if kind is None or value is None:
-            return value
+            return _quantity.dressed(name, value) if type(value) is float and _quantity.REGISTRY is not None else value
         from . import _answers
 
         return _wrapped(getattr(_answers, kind), value)
