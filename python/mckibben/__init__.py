@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from . import jax as jax
+    from . import plot as plot
     from . import torch as torch
     from ._ask import ask as ask
     from ._campaign import Campaign as Campaign
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from ._points import errstate as errstate
     from ._quantity import units as units
     from ._record import Record as Record
+    from ._record import load as load
     from ._simulation import Simulation as Simulation
     from ._table import Table as Table
 
@@ -53,6 +55,7 @@ _PLACES = {
     "Solution": "_points",
     "Table": "_table",
     "errstate": "_points",
+    "load": "_record",
     "units": "_quantity",
 }
 # Modules for other libraries, listed where these are installed.
@@ -67,6 +70,8 @@ def __getattr__(name: str) -> Any:
         return [name for name in __dir__() if name not in _BRIDGES and not name.startswith("_")]
     if name.startswith("_"):
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    if name == "plot":
+        return import_module(".plot", __name__)
     if name in _BRIDGES:
         try:
             return import_module(f".{name}", __name__)
@@ -97,4 +102,4 @@ def __dir__() -> list[str]:
     from . import _commands, _errors
 
     there = [name for name in _BRIDGES if find_spec(name) is not None]
-    return sorted({*_PLACES, *_commands.__all__, *_errors.__all__, "__version__", *there})
+    return sorted({*_PLACES, "plot", *_commands.__all__, *_errors.__all__, "__version__", *there})

@@ -72,6 +72,16 @@ class Muscle(MuscleFields, MuscleCommands):
         """The text of its muscle file; reading it gives the same muscle to the last bit."""
         return self._text
 
+    @classmethod
+    def load(cls, path: str | PathLike[str]) -> Muscle:
+        """The muscle that :meth:`save` wrote."""
+        return cls(path)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Its fields by name, those that it has: ``Muscle(**muscle.to_dict())`` is a muscle of the same measures."""
+        self._field("wall_mm")
+        return dict(self._own or {})
+
     def save(self, path: str | PathLike[str]) -> None:
         """Writes its muscle file."""
         with open(path, "w", encoding="utf-8") as file:

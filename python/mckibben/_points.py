@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -107,10 +108,11 @@ class Found(float):
 def said(state: Record, value: float) -> str:
     """A number of a point in words: with its unit, its ± and its model."""
     data = state._data
-    name = next((n for n in ("force_n", "pressure_mpa", "contraction") if data.get(n) == value), "")
+    command = state._asked[0] if state._asked else "force"
+    name = {"force": "force_n", "pressure": "pressure_mpa", "contraction": "contraction"}.get(command, "")
     unit = {"force_n": " N", "pressure_mpa": " MPa"}.get(name, "")
-    own = {"force_n": "uncertainty_n", "pressure_mpa": "uncertainty_mpa", "contraction": "uncertainty_contraction"}.get(name, "")
-    error = f" ± {data[own]:.2g}{unit}" if isinstance(data.get(own), float) else ""
+    own = {"force_n": "uncertainty_n", "pressure_mpa": "pressure_uncertainty_mpa", "contraction": "contraction_uncertainty"}.get(name, "")
+    error = f" ± {data[own]:.3g}{unit}" if isinstance(data.get(own), float) else ""
     return f"{value:.6g}{unit}{error} ({data.get('model', '')}" + (", slack)" if data.get("slack") else ")")
 
 
@@ -183,6 +185,11 @@ class Solution:
     def to_dict(self) -> dict[str, Any]:
         """Plain lists by name."""
         return {name: values.tolist() for name, values in self._columns.items()}
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes its points as CSV."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.to_table().to_csv())
 
     def to_table(self) -> Table:
         """A row for each point, in the order of the last index."""

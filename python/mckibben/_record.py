@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import copy
 import json
+import math
+import os
 from collections.abc import Iterator
 from html import escape
 from typing import TYPE_CHECKING, Any, ClassVar
@@ -78,6 +80,14 @@ class Record:
     def to_dict(self) -> dict[str, Any]:
         """Plain dicts and lists."""
         return copy.deepcopy(self._data)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes it as JSON, from which :func:`load` reads the same again."""
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump({"mckibben": type(self).__name__, **self._state()}, file, ensure_ascii=False)
+
+    def _state(self) -> dict[str, Any]:
+        return {"data": self._data, "asked": self._asked}
 
     def __dir__(self) -> list[str]:
         return sorted({*super().__dir__(), *self._fields_})
@@ -173,6 +183,35 @@ class Record:
         if figure is None:
             raise AttributeError(f"there is no figure of this {type(self).__name__}")
         return dict(figure)
+
+
+def load(path: str | os.PathLike[str]) -> Any:
+    """What ``save()`` wrote: an answer (JSON), a muscle or a rubber (TOML), a formula (JSON)."""
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    if not text.lstrip().startswith("{"):
+        from ._muscle import Muscle
+        from ._parts import Braid, Rubber
+
+        part = next((kind for kind in (Rubber, Braid) if text.lstrip().startswith(f"[{kind._table}]")), None)
+        return Muscle.from_toml(text) if part is None else part.from_toml(text)
+    held = json.loads(text)
+    if "mckibben" not in held:
+        from ._formula import Formula
+
+        return Formula(text)
+    from . import _answers, _results
+    from ._table import Table
+
+    kind = getattr(_results, held["mckibben"], None) or getattr(_answers, held["mckibben"])
+    asked = tuple(held["asked"]) if held["asked"] else None
+    if "muscles" in held:
+        return _results._design(held["data"], asked, held["muscles"])
+    if "points" in held:
+        from ._columns import _columned
+
+        return _columned(kind, held["data"], asked, Table({name: [math.nan if v is None else v for v in values] if any(isinstance(v, float) for v in values) else values for name, values in held["points"].items()}))
+    return kind(held["data"], asked)
 
 
 def _wrapped(kind: type[Record], value: Any) -> Any:

@@ -34,7 +34,7 @@ mod _native {
     #[pymodule_export]
     use crate::model::Model;
     #[pymodule_export]
-    use crate::muscle::{design, muscle_fields, muscle_text, muscle_with, parameters};
+    use crate::muscle::{design, muscle_fields, muscle_text, muscle_with, parameters, rubber_stress};
     #[pymodule_export]
     use crate::simulation::Simulation;
     #[pymodule_export]
