@@ -4,8 +4,8 @@ Lengths are in mm, pressures in MPa (gauge), forces in N, angles in degrees; a q
 (``"2.5 bar"``) or a quantity of pint. Every name carries its unit, and is the same as on the command line and in JSON.
 
 >>> import mckibben as mk
->>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1)
->>> round(muscle.force("2.5 bar", 0.1).force_n, 1)
+>>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
+>>> round(muscle.force("2.5 bar", 0.1), 1)
 1545.3
 """
 

@@ -15,7 +15,9 @@ if TYPE_CHECKING:
 
     from ._model import Model
 
-    Array = NDArray[np.float64]
+    from typing import TypeAlias
+
+    Array: TypeAlias = NDArray[np.float64]
 
 NO_SECOND = "a model has first derivatives only: for second ones take differences of jax.grad, or the outer product of residuals' gradients (Gauss-Newton)"
 

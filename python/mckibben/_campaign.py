@@ -9,6 +9,10 @@ from . import _answers, _files, _native
 from ._ask import Progress, listening
 
 if TYPE_CHECKING:
+    import pandas
+    import polars
+    import pyarrow
+
     from os import PathLike
 
     from ._inputs import FileLike
@@ -93,19 +97,19 @@ class Campaign:
 
         return fit(campaign=self._table, method=method, progress=progress, **options)
 
-    def to_arrow(self) -> Any:
+    def to_arrow(self) -> pyarrow.Table:
         """The table as a ``pyarrow.Table``."""
         import pyarrow.parquet as pq
 
         return pq.read_table(self._table)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> pandas.DataFrame:
         """The table as a ``pandas.DataFrame`` (by pyarrow or fastparquet)."""
         import pandas as pd
 
         return pd.read_parquet(self._table)
 
-    def to_polars(self) -> Any:
+    def to_polars(self) -> polars.DataFrame:
         """The table as a ``polars.DataFrame``."""
         import polars as pl
 

@@ -15,7 +15,7 @@ from ._files import FORMULAS, TABLES
 from ._problem import warned
 
 # Commands that are no function of the package: they serve pages and the command line.
-LEFT_OUT = {"quantities", "report", "campaign-show", "campaign-merge", "campaign"}
+LEFT_OUT = {"quantities", "report", "campaign-show", "campaign-merge", "campaign", "units"}
 # What may be given without its keyword, in this order.
 POSITIONAL = {
     "build": ["muscle", "pressure_mpa"],

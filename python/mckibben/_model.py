@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from ._muscle import Muscle
     from ._results import Curve
 
-    Array = NDArray[np.float64]
 
 # Measures of a muscle, as :meth:`Muscle.replace` has them, by which there are derivatives.
 MEASURES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "stiffness")
@@ -59,7 +58,7 @@ class Model:
     Examples
     --------
     >>> import numpy as np
-    >>> paper = Model(Muscle(outer_diameter_mm=50, wall_mm=1), "paper")
+    >>> paper = Model(Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285), "paper")
     >>> paper.force(0.25, np.array([0.0, 0.1])).round(1)
     array([2684.7, 1511.2])
     """
@@ -128,11 +127,13 @@ class Model:
         return other
 
     @overload
-    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., progress: Progress = ...) -> Any: ...
+    def force(self, pressure_mpa: float, contraction: float = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., progress: Progress = ...) -> float: ...  # type: ignore[overload-overlap]
     @overload
-    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[True] | Sequence[str], errors: Outside | None = ..., progress: Progress = ...) -> tuple[Any, Array]: ...
+    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., progress: Progress = ...) -> NDArray[np.float64]: ...
     @overload
-    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: bool | Sequence[str] = ..., errors: Outside | None = ..., progress: Progress = ...) -> Any: ...
+    def force(self, pressure_mpa: float, contraction: float = ..., *, jac: Literal[True] | Sequence[str], errors: Outside | None = ..., progress: Progress = ...) -> tuple[float, NDArray[np.float64]]: ...  # type: ignore[overload-overlap]
+    @overload
+    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[True] | Sequence[str], errors: Outside | None = ..., progress: Progress = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
 
     def force(self, pressure_mpa: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, progress: Progress = None) -> Any:
         """F(P, ε): the pull, in N; 0 where the muscle is slack.
@@ -164,6 +165,15 @@ class Model:
         found = self._fill("force", "pressure_mpa", pressure_mpa, "contraction", contraction, jac, errors, progress)
         return found if _quantity.REGISTRY is None else _dressed("force_n", found)
 
+    @overload
+    def pressure(self, force_n: float, contraction: float = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., progress: Progress = ...) -> float: ...  # type: ignore[overload-overlap]
+    @overload
+    def pressure(self, force_n: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., progress: Progress = ...) -> NDArray[np.float64]: ...
+    @overload
+    def pressure(self, force_n: float, contraction: float = ..., *, jac: Literal[True] | Sequence[str], errors: Outside | None = ..., progress: Progress = ...) -> tuple[float, NDArray[np.float64]]: ...  # type: ignore[overload-overlap]
+    @overload
+    def pressure(self, force_n: Floats, contraction: Floats = ..., *, jac: Literal[True] | Sequence[str], errors: Outside | None = ..., progress: Progress = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+
     def pressure(self, force_n: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, progress: Progress = None) -> Any:
         """P(F, ε): the pressure that gives a pull, in MPa.
 
@@ -185,6 +195,15 @@ class Model:
         """
         found = self._fill("pressure", "force_n", force_n, "contraction", contraction, jac, errors, progress)
         return found if _quantity.REGISTRY is None else _dressed("pressure_mpa", found)
+
+    @overload
+    def contraction(self, force_n: float, pressure_mpa: float, *, jac: Literal[False] = ..., errors: Outside | None = ..., progress: Progress = ...) -> float: ...  # type: ignore[overload-overlap]
+    @overload
+    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: Literal[False] = ..., errors: Outside | None = ..., progress: Progress = ...) -> NDArray[np.float64]: ...
+    @overload
+    def contraction(self, force_n: float, pressure_mpa: float, *, jac: Literal[True] | Sequence[str], errors: Outside | None = ..., progress: Progress = ...) -> tuple[float, NDArray[np.float64]]: ...  # type: ignore[overload-overlap]
+    @overload
+    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: Literal[True] | Sequence[str], errors: Outside | None = ..., progress: Progress = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
 
     def contraction(self, force_n: Any, pressure_mpa: Any, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, progress: Progress = None) -> Any:
         """ε(F, P): the contraction at which a pressure gives a pull.
@@ -256,14 +275,14 @@ class Model:
         if missing.size:
             first = [np.broadcast_to(np.ma.getdata(v), values.shape).ravel()[missing[0]] for v in (a, b)]
             try:
-                self._native.one(wanted, *map(float, first), False)
+                self._native.one(wanted, float(first[0]), float(first[1]), False)
                 reason = ""
             except MckibbenError as error:
                 reason = f"; {error.at(int(missing[0]))}"
             warned(f"{missing.size} of {values.size} points have no answer{reason}", OutsideWarning)
         return found
 
-    def _by_measures(self, wanted: str, a_name: str, a: Any, b_name: str, b: Any, names: list[str], errors: str, progress: Progress) -> Any:
+    def _by_measures(self, wanted: str, a_name: str, a: Any, b_name: str, b: Any, names: list[str], errors: str | None, progress: Progress) -> Any:
         """With derivatives by measures of the muscle: all parameters that follow a measure change with it."""
         rows = [self._muscle._follows(name) if name in MEASURES else {name: 1.0} for name in names]
         own = list(dict.fromkeys(parameter for row in rows for parameter in row))
@@ -285,7 +304,7 @@ class Model:
             # Its place among all.
             raise error.at(int(np.flatnonzero(asked)[error.index])) from None
 
-        def whole(values: Array) -> Any:
+        def whole(values: NDArray[np.float64]) -> Any:
             out = np.full(mask.shape + values.shape[1:], np.nan)
             out[asked] = values
             over = np.array(np.broadcast_to(mask.reshape(mask.shape + (1,) * (out.ndim - mask.ndim)), out.shape))

@@ -10,8 +10,11 @@ from ._commands import MuscleCommands, MuscleFields
 if TYPE_CHECKING:
     from os import PathLike
 
+    import numpy as np
+    from numpy.typing import NDArray
+
     from ._inputs import Floats, MuscleLike, Number
-    from ._model import Array, Model
+    from ._model import Model
     from ._points import Found, Outside, Solution
 
 
@@ -96,9 +99,9 @@ class Muscle(MuscleFields, MuscleCommands):
     @overload
     def force(self, pressure_mpa: Number, contraction: Number = ..., *, errors: Outside | None = ..., **options: Any) -> Found: ...
     @overload
-    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Any) -> Array: ...
+    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Any) -> NDArray[np.float64]: ...
     @overload
-    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Any) -> tuple[Array, Array]: ...
+    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
 
     def force(self, pressure_mpa: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, **options: Any) -> Any:
         """F(P, ε): the pull, in N; 0 where the muscle is slack.
@@ -126,9 +129,9 @@ class Muscle(MuscleFields, MuscleCommands):
     @overload
     def pressure(self, force_n: Number, contraction: Number = ..., *, errors: Outside | None = ..., **options: Any) -> Found: ...
     @overload
-    def pressure(self, force_n: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Any) -> Array: ...
+    def pressure(self, force_n: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Any) -> NDArray[np.float64]: ...
     @overload
-    def pressure(self, force_n: Floats, contraction: Floats = ..., *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Any) -> tuple[Array, Array]: ...
+    def pressure(self, force_n: Floats, contraction: Floats = ..., *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
 
     def pressure(self, force_n: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, **options: Any) -> Any:
         """P(F, ε): the gauge pressure that gives a pull, in MPa. Arguments as in :meth:`force`, the pull in N first."""
@@ -137,9 +140,9 @@ class Muscle(MuscleFields, MuscleCommands):
     @overload
     def contraction(self, force_n: Number, pressure_mpa: Number, *, errors: Outside | None = ..., **options: Any) -> Found: ...
     @overload
-    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Any) -> Array: ...
+    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Any) -> NDArray[np.float64]: ...
     @overload
-    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Any) -> tuple[Array, Array]: ...
+    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
 
     def contraction(self, force_n: Any, pressure_mpa: Any, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, **options: Any) -> Any:
         """ε(F, P): the contraction ratio at which a pressure gives a pull. Arguments as in :meth:`force`, the pull in N first."""
@@ -185,7 +188,8 @@ class Muscle(MuscleFields, MuscleCommands):
         if not isinstance(value, float):
             raise ValueError(f"{measure}: a muscle whose {measure} is {value!r} has no derivative by it; use jac=['braid.stiffness']")
         step = 1e-4 * abs(value)
-        high, low = (self.replace(**{measure: value + sign * step}).parameters for sign in (1, -1))
+        changed: list[dict[str, Any]] = [{measure: value + sign * step} for sign in (1, -1)]
+        high, low = (self.replace(**change).parameters for change in changed)
         rates = {name: (high[name] - low[name]) / (2 * step) for name in high}
         return {name: rate for name, rate in rates.items() if abs(rate) * abs(value) > 1e-10 * abs(high[name])}
 

@@ -91,7 +91,8 @@ class Found(float):
         equal = self.__eq__(other)
         return equal if equal is NotImplemented else not equal
 
-    __hash__ = float.__hash__
+    def __hash__(self) -> int:
+        return float.__hash__(self)
 
     def __dir__(self) -> list[str]:
         return sorted({*super().__dir__(), *dir(self._state)})
@@ -102,7 +103,8 @@ class Found(float):
     def __repr__(self) -> str:
         return said(self._state, float(self))
 
-    __str__ = float.__repr__
+    def __str__(self) -> str:
+        return float.__repr__(self)
 
 
 def said(state: Record, value: float) -> str:
@@ -123,7 +125,7 @@ def several(*values: Any) -> bool:
         if isinstance(value, str):
             if ".." in value or "," in value:
                 return True
-        elif isinstance(value, (list, tuple, range)) or getattr(value, "ndim", 0):
+        elif isinstance(value, (list, tuple, range)) or getattr(value, "ndim", None):
             return True
     return False
 
@@ -219,9 +221,9 @@ class Solution:
                 dims[axes[0]] = name
                 coords[name] = own[tuple(slice(None) if axis == axes[0] else 0 for axis in range(p.ndim))]
         out = xr.Dataset({name: (dims, values) for name, values in self._columns.items() if name not in coords}, coords, {"model": self._model})
-        for name in out.variables:
-            if unit := (_quantity.kind_of(str(name)) or ("", ""))[1]:
-                out[name].attrs["units"] = unit
+        for column in out.variables:
+            if unit := (_quantity.kind_of(str(column)) or ("", ""))[1]:
+                out[column].attrs["units"] = unit
         return out
 
     def __repr__(self) -> str:

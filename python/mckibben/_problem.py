@@ -54,8 +54,13 @@ class MckibbenError(Exception):
         index: int | None = None,
         exit_code: int = 2,
     ) -> None:
-        self.message, self.kind, self.hint, self.field = message, kind, hint, field
-        self.nearest, self.index, self._exit_code = nearest, index, exit_code
+        self.message: str = message
+        self.kind: str = kind
+        self.hint: str = hint
+        self.field: str | None = field
+        self.nearest: dict[str, float | None] | None = nearest
+        self.index: int | None = index
+        self._exit_code: int = exit_code
         place = f"{field}: " if field else ""
         at = f"point {index}: " if index is not None else ""
         super().__init__(f"{at}{place}{message}" + (f" ({hint})" if hint else ""))

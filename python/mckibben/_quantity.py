@@ -52,13 +52,14 @@ def units(system: Any = None) -> Any:
     """
     global REGISTRY
     if system is None:
-        from . import _commands
+        from ._ask import answered
 
-        return _commands.units()
+        return answered("units", {}, "UnitsAnswer")
     if system == "pint":
         import pint
 
-        system = pint.get_application_registry()
+        registry: Any = pint
+        system = registry.get_application_registry()
     elif system == "plain":
         system = None
     elif not hasattr(system, "Quantity"):

@@ -13,6 +13,10 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from . import _quantity
 
 if TYPE_CHECKING:
+    import pandas
+    import polars
+    import pyarrow
+
     from ._table import Table
 
 
@@ -133,15 +137,15 @@ class Record:
         held = self._data.get(self._rows_)
         return Table.from_columns(held) if isinstance(held, dict) else Table.from_rows(held or [])
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> pandas.DataFrame:
         """The table as a ``pandas.DataFrame``."""
         return self.to_table().to_pandas()
 
-    def to_polars(self) -> Any:
+    def to_polars(self) -> polars.DataFrame:
         """The table as a ``polars.DataFrame``."""
         return self.to_table().to_polars()
 
-    def to_arrow(self) -> Any:
+    def to_arrow(self) -> pyarrow.Table:
         """The table as a ``pyarrow.Table``."""
         return self.to_table().to_arrow()
 

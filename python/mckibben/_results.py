@@ -186,7 +186,7 @@ class Build(_Plain, _answers.BuildAnswer):
 
     __slots__ = ()
 
-    def save(self, folder: str | os.PathLike[str]) -> Path:
+    def save(self, folder: str | os.PathLike[str]) -> Path:  # type: ignore[override]
         """Writes the files into a folder, and gives the page to begin with. A file of that name is replaced only where it is the same."""
         place = Path(folder)
         contents = {file.name: base64.b64decode(file.base64) if file.base64 is not None else str(file.text).encode() for file in self.files}

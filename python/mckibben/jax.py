@@ -91,6 +91,7 @@ def _function(asked: Asked) -> Callable[..., jax.Array]:
         values = jnp.asarray(theta, dtype=kind)
         if values.shape != (count,):
             raise ValueError(f"theta holds the values of {list(asked.names)}, not {values.shape}")
-        return value(jnp.asarray(first, dtype=kind), jnp.asarray(second, dtype=kind), values)
+        found: jax.Array = value(jnp.asarray(first, dtype=kind), jnp.asarray(second, dtype=kind), values)
+        return found
 
     return outer

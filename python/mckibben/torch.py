@@ -57,7 +57,7 @@ def _function(asked: Asked) -> Callable[..., torch.Tensor]:
         def forward(ctx: Any, a: Any, b: Any, theta: Any) -> Any:
             arrays = [t.detach().cpu().numpy().astype(np.float64) for t in (a, b, theta)]
             slopes = any(ctx.needs_input_grad)
-            found = asked.many(*arrays, slopes)
+            found = asked.many(arrays[0], arrays[1], arrays[2], slopes)
             if slopes:
                 ctx.save_for_backward(torch.as_tensor(np.ascontiguousarray(found[..., 1:]), dtype=a.dtype))
                 ctx.shapes = a.shape, b.shape
@@ -65,7 +65,7 @@ def _function(asked: Asked) -> Callable[..., torch.Tensor]:
             return torch.as_tensor(np.array(found), dtype=a.dtype)
 
         @staticmethod
-        @once_differentiable
+        @once_differentiable  # type: ignore[untyped-decorator,unused-ignore]
         def backward(ctx: Any, change: Any) -> Any:
             (slopes,) = ctx.saved_tensors
             by_a, by_b = (_summed(change * slopes[..., i], shape) for i, shape in enumerate(ctx.shapes))

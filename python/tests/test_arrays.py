@@ -153,7 +153,7 @@ def test_wrong_shapes_and_types(thin: mk.Muscle) -> None:
     with pytest.raises(mk.InputError):
         model.force("3 mm", 0.1)
     with pytest.raises(ValueError):
-        model.force(0.1, 0.1, errors="ignore")
+        model.force(0.1, 0.1, errors="ignore")  # type: ignore[call-overload]
     with pytest.raises(mk.InputError):
         model.force(0.1, 0.1, jac=["tube.material.c99"])
     with pytest.raises(mk.InputError, match="contraction ratio"):
@@ -299,9 +299,11 @@ def test_masks_are_honoured(thin: mk.Muscle) -> None:
     model = thin.model("paper")
     p = np.ma.masked_array([0.1, np.nan, 0.2, 9.9], mask=[False, True, False, True])
     e = np.ma.masked_array([[0.0], [0.1], [-5.0]], mask=[[False], [False], [True]])
-    force = model.force(p, 0.1)
+    force: Any = model.force(p, 0.1)
     assert isinstance(force, np.ma.MaskedArray) and np.ma.getmaskarray(force).tolist() == [False, True, False, True]
     assert force.compressed().tolist() == model.force([0.1, 0.2], 0.1).tolist()
+    grid: Any
+    slopes: Any
     grid, slopes = model.force(p, e, jac=True)
     assert grid.shape == (3, 4) and slopes.shape == (3, 4, 2)
     assert grid.mask.tolist() == [[False, True, False, True]] * 2 + [[True] * 4] and (np.ma.getmaskarray(slopes) == grid.mask[..., None]).all()

@@ -183,7 +183,7 @@ def test_the_names_of_each_kind_still_catch_it() -> None:
             with pytest.warns(DeprecationWarning, match=kind["const"]):
                 assert issubclass(getattr(mk, name), mk.MckibbenError)
     with pytest.warns(DeprecationWarning):
-        assert mk.WrongInputError is mk.InputError  # type: ignore[attr-defined]
+        assert mk.WrongInputError is mk.InputError
     with pytest.raises(mk.NoAnswerError) as caught:
         mk.pressure(force_n=1e6)
     with pytest.warns(DeprecationWarning):

@@ -61,7 +61,12 @@ def test_jax_asks_once_for_a_batch(monkeypatch: pytest.MonkeyPatch) -> None:
 
     asked: list[bool] = []
     fill = Model._fill
-    monkeypatch.setattr(Model, "_fill", lambda self, *args: (asked.append(args[5] is not False), fill(self, *args))[1])
+
+    def counted(self: Model, *args: Any) -> Any:
+        asked.append(args[5] is not False)
+        return fill(self, *args)
+
+    monkeypatch.setattr(Model, "_fill", counted)
     model = mk.Muscle.prototype().model("universal")
     pull, p, e = mk.jax.force(model), np.linspace(0.05, 0.2, 40), np.linspace(0.0, 0.15, 40)
     assert np.array_equal(jax.vmap(pull)(p, e), model.force(p, e)) and asked == [False, False]

@@ -56,7 +56,8 @@ def test_points_without_an_answer_are_nan_with_one_warning(thin: mk.Muscle) -> N
 def test_a_solution_is_its_points(thin: mk.Muscle, model: str) -> None:
     """On a grid, and where every point has a pressure of its own: what the command answers for each, ± and volume among it."""
     rng = np.random.default_rng(2)
-    for p, e in [(np.array([0.05, 0.2])[:, None], np.array([0.0, 0.1, 0.3])), (rng.uniform(0.05, 0.25, 7), rng.uniform(0, 0.2, 7)), (0.2, 0.1)]:
+    points: list[Any] = [(np.array([0.05, 0.2])[:, None], np.array([0.0, 0.1, 0.3])), (rng.uniform(0.05, 0.25, 7), rng.uniform(0, 0.2, 7)), (0.2, 0.1)]
+    for p, e in points:
         solution = thin.solve(p, e, model=model)
         a, b = np.broadcast_arrays(p, e)
         assert solution.shape == a.shape and np.array_equal(solution.pressure_mpa, a) and np.array_equal(solution.contraction, b)
@@ -91,7 +92,8 @@ def test_numbers_come_back_as_quantities_of_pint(thin: mk.Muscle) -> None:
     try:
         pull: Any = thin.model("ideal").force(0.2, [0.0, 0.1])
         assert pull.check("[force]") and pull[0].to("kN").magnitude == pytest.approx(float(thin.model("ideal")._fill("force", "", 0.2, "", 0.0, False, None, None)) / 1000)
-        assert thin.state(0.2, 0.1).volume_mm3.to("ml").magnitude == pytest.approx(841.115, rel=1e-6)
+        point: Any = thin.state(0.2, 0.1)
+        assert point.volume_mm3.to("ml").magnitude == pytest.approx(841.115, rel=1e-6)
         assert (thin.solve(0.2, 0.1).stiffness_n_per_mm * registry.mm).check("[force]")
         again = thin.force(thin.model("ideal").pressure(pull, [0.0, 0.1]), [0.0, 0.1], model="ideal")
         assert np.allclose((again - pull).magnitude, 0, atol=1e-6)

@@ -60,11 +60,13 @@ def test_what_is_said_with_its_unit_is_not_warned_of() -> None:
 @pytest.mark.parametrize("name", ["fe", "universal"])
 def test_derivatives_by_measures_are_those_of_replace(name: str, measure: str) -> None:
     """Central differences of replace(); their error is O(h²). With k held the one by the diameter is another number."""
-    muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=2, length_mm=285, **({"stiffness": 590.0} if measure == "stiffness" else {}))
+    given: dict[str, Any] = {"stiffness": 590.0} if measure == "stiffness" else {}
+    muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=2, length_mm=285, **given)
     _, jac = muscle.model(name).force(0.2, [0.05, 0.1], jac=[measure, "tube.outer_diameter"])
     value = getattr(muscle, measure)
     h = 1e-4 * value
-    high, low = (muscle.replace(**{measure: value + s * h}).model(name).force(0.2, [0.05, 0.1]) for s in (1, -1))
+    changes: list[dict[str, Any]] = [{measure: value + s * h} for s in (1, -1)]
+    high, low = (muscle.replace(**change).model(name).force(0.2, [0.05, 0.1]) for change in changes)
     assert np.allclose(jac[:, 2], (high - low) / (2 * h), rtol=1e-4)
     if measure == "outer_diameter_mm":
         assert (jac[:, 2] > 1.01 * jac[:, 3]).all()

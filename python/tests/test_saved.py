@@ -66,7 +66,7 @@ def test_stress_of_a_rubber_is_that_of_treloar() -> None:
 def test_figures_have_bands_of_the_uncertainty(found: Any, thin: mk.Muscle, root: Path) -> None:
     """The band is the pull with its ±, in the unit of the axis: 1 lbf is 4.4482216152605 N."""
     plt = pytest.importorskip("matplotlib.pyplot")
-    axes = mk.plot.isobars(thin, [0.1, 0.2], units="bar,lbf", model="universal")
+    axes: Any = mk.plot.isobars(thin, [0.1, 0.2], units="bar,lbf", model="universal")
     assert len(axes.collections) == 2 and "lbf" in axes.get_ylabel()
     tops = [collection.get_paths()[0].vertices[:, 1].max() for collection in axes.collections]
     for top, pressure in zip(tops, (0.1, 0.2)):
@@ -78,9 +78,9 @@ def test_figures_have_bands_of_the_uncertainty(found: Any, thin: mk.Muscle, root
     assert not mk.plot.isobars(thin, [0.1], band=False, model="universal").collections
     assert len(mk.plot.fit(found)) == 3 and mk.plot.design(mk.design(force_n=700, contraction=0.15, max_pressure_mpa=0.25, model="universal")) is not None
     joint = mk.joint(root / "examples/elbow.toml", pressures_mpa=[[0.3, 0.1], [0.2, 0.2]], angles_deg="-20..20:10 deg", model="universal")
-    drawn = mk.plot.joint(joint)
+    drawn: Any = mk.plot.joint(joint)
     assert len(drawn.lines) == 2 and drawn.lines[0].get_ydata().tolist() == [row.torque_nm for row in joint.points if row.pressure_1_mpa == 0.3]
     assert mk.plot.motion(mk.motion(root / "examples/elbow-drive.toml", model="universal")).lines
-    lines = mk.Rubber("neo-hookean", mu=0.4).plot(to_stretch=2.0).lines
+    lines: Any = mk.Rubber("neo-hookean", mu=0.4).plot(to_stretch=2.0).lines
     assert lines[0].get_ydata()[-1] == pytest.approx(0.4 * (2 - 2**-2))
     plt.close("all")

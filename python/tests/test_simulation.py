@@ -15,7 +15,7 @@ import pytest
 import mckibben as mk
 
 DT = 0.002
-DRIVES = {
+DRIVES: dict[str, Any] = {
     "elbow": ("elbow-drive.toml", lambda c: f'pressure_1 = {c(0)}\npressure_2 = {c(1)}', 2),
     "muscle on a valve that switches": ("drive.toml", lambda c: f"pressure = {c(0)}", 1),
 }
@@ -97,7 +97,7 @@ def test_copies_go_their_own_way_and_a_reset_is_the_start(drive: Any) -> None:
 def test_forces_from_outside(root: Path) -> None:
     """A torque as large as that of the muscles at the angle they are held at by it: the joint's own answer. A weight from outside is a load."""
     elbow = mk.Simulation(root / "examples/elbow-drive.toml", 0.05, model="universal")
-    torque = mk.joint(root / "examples/elbow.toml", pressures_mpa=[[0.2, 0.1]], angles_deg=10, model="universal").points[0].torque_nm
+    torque = mk.joint(root / "examples/elbow.toml", pressures_mpa=[[0.2, 0.1]], angles_deg=[10], model="universal").points[0].torque_nm
     for _ in range(200):
         state = elbow.step([0.2, 0.1], torque_nm=-torque)
     assert state.angle_deg == pytest.approx(10, abs=1e-3) and abs(state.velocity_deg_per_s) < 1e-3
