@@ -112,7 +112,7 @@ def test_what_is_wrong_leaves_it_where_it_was(root: Path) -> None:
     elbow = mk.Simulation(root / "examples/elbow-drive.toml", 0.01, model="universal")
     elbow.step([0.2, 0.1])
     state, rows = elbow.state, elbow.to_table()
-    wrong: list[Any] = [([0.2], {}), ([0.2, 9.0], {}), ([0.2, float("nan")], {}), ([0.2, -0.1], {}), ([0.2, "3 mm"], {}), ([0.2, 0.1], {"force_n": 3.0}), ([0.2, 0.1], {"torque_nm": 1e7})]
+    wrong: list[Any] = [([0.2], {}), ([0.2, 9.0], {}), ([0.2, float("nan")], {}), ([0.2, -0.1], {}), ([0.2, "3 mm"], {}), ([0.2, 0.1], {"force_n": 3.0}), ([0.2, 0.1], {"torque_nm": 1e12}), ([0.2, 0.1], {"torque_nm": float("nan")})]
     for command, outside in wrong:
         with pytest.raises((mk.MckibbenError, TypeError)):
             elbow.step(command, **outside)

@@ -73,8 +73,8 @@ pub(crate) struct Integration<'s, 'd> {
     pub outputs: usize,
     pub steps: usize,
     pub impacts_j: f64,
-    /// In mm/s or rad/s.
-    pub largest_speed: f64,
+    /// In mm/s or rad/s; `None` where nobody asks for it.
+    pub largest_speed: Option<f64>,
     /// Until the load is lifted from the stop on which it lies at the start.
     pub on_stop: Option<OnStop>,
     pub cycle: Option<Cycle>,
@@ -102,7 +102,8 @@ impl<'s, 'd> Integration<'s, 'd> {
             ..MotionSeries::default()
         };
         let motion = Motion { series, ..Motion::default() };
-        Ok(Self { on_stop, cycle, air, ..Self::at((system, progress), 0.0, state, motion) })
+        let largest_speed = Some(0.0);
+        Ok(Self { on_stop, cycle, air, largest_speed, ..Self::at((system, progress), 0.0, state, motion) })
     }
 
     /// At a time, with what was recorded up to it.
@@ -124,7 +125,7 @@ impl<'s, 'd> Integration<'s, 'd> {
             outputs: 0,
             steps: 0,
             impacts_j: 0.0,
-            largest_speed: 0.0,
+            largest_speed: None,
             on_stop: None,
             cycle: None,
             passed: vec![],
