@@ -105,6 +105,8 @@ def classes(module: Any) -> Iterator[tuple[str, Any]]:
         names = module.__all__
     else:
         names = [node.name for node in ast.parse(inspect.getsource(module)).body if isinstance(node, (ast.FunctionDef, ast.ClassDef))]
+    if made == "_points":
+        names = ["Found", "Solution", "errstate"]
     for name in names:
         if not name.startswith("_") and getattr(module, name).__doc__:
             yield name, getattr(module, name)
@@ -127,7 +129,7 @@ def reference() -> str:
 
     fields = inspect.getdoc(mckibben._muscle.Muscle.__init__) or ""
     out = ["# Python reference\n", "Made from the docstrings of the package. [The Python package](python.md) tells how they go together.\n"]
-    parts = {"Objects": "_muscle _parts _model _formula _campaign _table", "Commands": "_commands", "Answers": "_columns _results _record", "Exceptions": "_problem"}
+    parts = {"Objects": "_muscle _parts _model _points _simulation _formula _campaign _table", "Commands": "_commands", "Figures": "plot", "Answers": "_columns _results _record", "Exceptions": "_problem"}
     bridges = [name for name in BRIDGES if name in sys.modules or find_spec(name)]
     for title, modules in [*parts.items(), ("For JAX and PyTorch", " ".join(bridges))]:
         out.append(f"## {title}\n")
