@@ -162,3 +162,11 @@ def test_the_environment_of_gymnasium(root: Path, monkeypatch: pytest.MonkeyPatc
     for _ in range(200):
         observed, reward, ended, cut, info = environment.step(made.proportional(observed))
     assert abs(info["angle_deg"] - info["target_deg"]) < 2
+
+
+def test_the_elbow_in_mujoco_rests_where_the_joint_does(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("mujoco")
+    monkeypatch.syspath_prepend(str(root / "python" / "examples"))
+    made: Any = importlib.import_module("elbow_mujoco")
+    motion = mk.motion(root / "examples/elbow-drive.toml", model="universal")
+    assert made.main((0.2, 0.1)) == pytest.approx(motion.equilibrium_angle_deg, abs=1e-3)
