@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import torch
-from torch.autograd.function import once_differentiable
 
 from ._bridge import Asked
 
@@ -65,7 +64,7 @@ def _function(asked: Asked) -> Callable[..., torch.Tensor]:
             return torch.as_tensor(np.array(found), dtype=a.dtype)
 
         @staticmethod
-        @once_differentiable  # type: ignore[untyped-decorator,unused-ignore]
+        @torch.autograd.function.once_differentiable  # type: ignore[untyped-decorator,unused-ignore]
         def backward(ctx: Any, change: Any) -> Any:
             (slopes,) = ctx.saved_tensors
             by_a, by_b = (_summed(change * slopes[..., i], shape) for i, shape in enumerate(ctx.shapes))
