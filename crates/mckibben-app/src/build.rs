@@ -78,7 +78,7 @@ pub struct BuildAnswer {
     pub warnings: Vec<String>,
 }
 
-/// A file for the workshop.
+/// A file that a command makes.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct BuiltFile {
     /// Its name.
@@ -96,6 +96,17 @@ pub struct BuiltFile {
     pub content: Vec<u8>,
 }
 
+impl BuiltFile {
+    /// Of text, or of bytes.
+    pub(crate) fn new(name: &str, about: &str, content: Result<String, Vec<u8>>) -> Self {
+        let (text, base64, content) = match content {
+            Ok(text) => (Some(text.clone()), None, text.into_bytes()),
+            Err(bytes) => (None, Some(STANDARD.encode(&bytes)), bytes),
+        };
+        Self { name: name.into(), about: about.into(), text, base64, content }
+    }
+}
+
 /// Working pressure in MPa where none is given, and nothing forbids it: that of the paper.
 const USUAL_MPA: f64 = 0.25;
 
@@ -109,12 +120,11 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
     let files = mckibben_build::files(&plan)
         .map_err(|e| Problem::new(ProblemKind::Internal, format!("the drawing cannot be drawn: {e}"), ""))?;
     let files = files.into_iter().map(|file| {
-        let content = file.content.bytes().to_vec();
-        let (text, base64) = match file.content {
-            Content::Text(text) => (Some(text), None),
-            Content::Bytes(bytes) => (None, Some(STANDARD.encode(bytes))),
+        let content = match file.content {
+            Content::Text(text) => Ok(text),
+            Content::Bytes(bytes) => Err(bytes),
         };
-        BuiltFile { name: file.name.into(), about: file.about.into(), text, base64, content }
+        BuiltFile::new(file.name, file.about, content)
     });
     let warnings = said.iter().map(ToString::to_string);
     Ok(BuildAnswer {
