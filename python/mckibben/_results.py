@@ -92,6 +92,11 @@ class Fitted(_Plain, _answers.FitAnswer):
 
     __slots__ = ()
 
+    def __repr__(self) -> str:
+        errors = (self._data.get("errors") or {}).get("fit") or {}
+        share = f", rms {100 * errors['rms_of_blocked']:.2g} % of the blocked force" if errors.get("rms_of_blocked") is not None else ""
+        return f"Fitted({self._data['name']}: {self._data['kind']}, {(self._data.get('provenance') or {}).get('points', 0)} points{share})"
+
     @property
     def formula(self) -> Formula:
         """The formula, which is a model and a file."""
