@@ -19,6 +19,7 @@ LEFT_OUT = {"quantities", "report", "campaign-show", "campaign-merge", "campaign
 # What may be given without its keyword, in this order.
 POSITIONAL = {
     "build": ["muscle", "pressure_mpa"],
+    "export": ["muscle", "target"],
     "force": ["muscle", "pressure_mpa", "contraction"],
     "pressure": ["muscle", "force_n", "contraction"],
     "contraction": ["muscle", "force_n", "pressure_mpa"],
@@ -41,7 +42,7 @@ POSITIONAL = {
 }
 DEFAULTS = {("curve", "test"): "isobaric", ("simulate", "test"): "isobaric", ("sweep", "muscles"): 100}
 # The answers that have a class of their own around that of the schema, by command.
-OWN_CLASS = {"build": "Build", "curve": "Curve", "plan": "Plan", "design": "Design", "fit": "Fitted", "shape": "Shape", "identify": "Identification", "rubber-fit": "RubberFit"}
+OWN_CLASS = {"build": "Build", "export": "Export", "curve": "Curve", "plan": "Plan", "design": "Design", "fit": "Fitted", "shape": "Shape", "identify": "Identification", "rubber-fit": "RubberFit"}
 # Commands that take a muscle and are none of its methods.
 NO_METHOD = {"design", "fit", "motion", "rubber-fit"}
 # Methods of a muscle with names of their own: the whole point is its state.

@@ -186,6 +186,19 @@ class Identification(Fit, _answers.IdentifyAnswer):
         return Muscle.from_toml(str(self.muscle_file))
 
 
+def _saved(files: Any, folder: str | os.PathLike[str]) -> Path:
+    """Writes files into a folder, and gives the first one. A file of that name is replaced only where it is the same."""
+    place = Path(folder)
+    contents = {file.name: base64.b64decode(file.base64) if file.base64 is not None else str(file.text).encode() for file in files}
+    for name, content in contents.items():
+        if (place / name).exists() and (place / name).read_bytes() != content:
+            raise FileExistsError(f"{place / name} is another file; name a new folder")
+    place.mkdir(parents=True, exist_ok=True)
+    for name, content in contents.items():
+        (place / name).write_bytes(content)
+    return place / next(iter(contents))
+
+
 class Build(_Plain, _answers.BuildAnswer):
     """What is needed to build a muscle. Its table has one row for each part."""
 
@@ -193,15 +206,17 @@ class Build(_Plain, _answers.BuildAnswer):
 
     def save(self, folder: str | os.PathLike[str]) -> Path:  # type: ignore[override]
         """Writes the files into a folder, and gives the page to begin with. A file of that name is replaced only where it is the same."""
-        place = Path(folder)
-        contents = {file.name: base64.b64decode(file.base64) if file.base64 is not None else str(file.text).encode() for file in self.files}
-        for name, content in contents.items():
-            if (place / name).exists() and (place / name).read_bytes() != content:
-                raise FileExistsError(f"{place / name} is another file; name a new folder")
-        place.mkdir(parents=True, exist_ok=True)
-        for name, content in contents.items():
-            (place / name).write_bytes(content)
-        return place / "README.md"
+        return _saved(self.files, folder)
+
+
+class Export(_Plain, _answers.ExportAnswer):
+    """A muscle for a controller or a simulator. Its table has one row for each file."""
+
+    __slots__ = ()
+
+    def save(self, folder: str | os.PathLike[str]) -> Path:
+        """Writes the files into a folder, and gives the one to begin with. A file of that name is replaced only where it is the same."""
+        return _saved(self.files, folder)
 
 
 class RubberFit(Fit, _answers.RubberFitAnswer):
