@@ -214,7 +214,7 @@ class Export(_Plain, _answers.ExportAnswer):
 
     __slots__ = ()
 
-    def save(self, folder: str | os.PathLike[str]) -> Path:
+    def save(self, folder: str | os.PathLike[str]) -> Path:  # type: ignore[override]
         """Writes the files into a folder, and gives the one to begin with. A file of that name is replaced only where it is the same."""
         return _saved(self.files, folder)
 
