@@ -353,7 +353,7 @@ inBrowser(({ name, url, open, blank }) => {
     await alive(page);
     await page.waitForSelector("svg.section polygon");
     await page.goto(url() + "#formula");
-    await page.getByText("The chart library could not be loaded.").waitFor();
+    await page.getByText("The chart library could not be loaded.").first().waitFor();
     await page.getByRole("button", { name: "Table" }).first().click();
     assert.ok((await page.locator(".chart table tr").count()) > 20);
     await context.close();
