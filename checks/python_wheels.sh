@@ -14,7 +14,7 @@ trap 'rm -rf "$work"' EXIT
 "$work/venv/bin/python" -m pip install --quiet "maturin[zig]>=1.12,<2"
 export PATH="$work/venv/bin:$PATH"
 # Types of what is made from the schema.
-cargo build --quiet --workspace --profile test --locked
+cargo build --quiet --workspace --all-targets --profile test --locked
 python python/write.py stubs
 maturin build --release --strip --zig --compatibility manylinux2014 -o dist "$@"
 maturin sdist -o dist

@@ -17,7 +17,7 @@ python -m pip install --quiet "maturin>=1.12,<2" mypy pytest numpy pandas polars
     nbclient nbformat ipykernel pandas-stubs types-tqdm
 
 step "types of what is made from the schema"
-cargo build --quiet --workspace --profile test --locked
+cargo build --quiet --workspace --all-targets --profile test --locked
 python python/write.py stubs
 
 step "wheel"

@@ -42,7 +42,7 @@ if [ -n "$site" ]; then
     mkdir "$book/theme"
     echo '<p style="margin:0;padding:4px 16px;text-align:right"><a href="{{ path_to_root }}../index.html">Workbench</a> · <a href="{{ path_to_root }}../api/mckibben/index.html">API of the crates</a></p>' >"$book/theme/header.hbs"
     # Schemas and the Python reference are made by the program and its library.
-    cargo build --workspace --profile test --locked --quiet
+    cargo build --workspace --all-targets --profile test --locked --quiet
     "$CARGO_TARGET_DIR/debug/mckibben" schema -o "$book/schema"
     test -x "$CARGO_TARGET_DIR/venv/bin/python" || python3 -m venv "$CARGO_TARGET_DIR/venv"
     "$CARGO_TARGET_DIR/venv/bin/python" -m pip install --quiet numpy

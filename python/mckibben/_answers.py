@@ -10,7 +10,7 @@ from ._record import Record
 
 # The list of an answer that is its table, by command.
 ROWS = {
-    "build": "parts",
+    "build": "parts", "export": "files", "export-list": "targets",
     "simulate": "points", "design": "candidates", "joint": "points", "study": "points", "validate": "cases", "measured": "results", "compare": "models",
     "identify": "parameters", "rubber-fit": "laws", "rubber-list": "rubbers", "braid-list": "braids", "muscle-measures": "measures", "models": "models",
     "motion": "series", "fit-report": "findings", "units": "kinds", "braid-show": "points", "parts-list": "tubes", "rubber-show": "fits",

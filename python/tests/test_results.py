@@ -49,6 +49,8 @@ CALLS: dict[str, Callable[[Path], Any]] = {
     "muscle_measures": lambda root: mk.muscle_measures(),
     "braid_show": lambda root: mk.braid_show(mk.braid_list().braids[0].name),
     "build": lambda root: mk.build(**MUSCLE),
+    "export": lambda root: mk.export(**MUSCLE, target="c", model="thick-wall"),
+    "export_list": lambda root: mk.export_list(),
     "compare": lambda root: mk.compare(root / "examples/tondu2012.toml", models=["ideal"], data=root / "data/tondu2012/static_force_20deg.csv"),
     "contraction": lambda root: mk.contraction(**MUSCLE, force_n=700, pressure_mpa=0.2, model="universal"),
     "curve": lambda root: mk.curve(**MUSCLE, model="universal"),
@@ -83,7 +85,7 @@ def results(root: Path) -> dict[str, Any]:
 
 
 def test_every_command_is_asked() -> None:
-    assert set(CALLS) == set(_commands.__all__)
+    assert set(CALLS) == {*_commands.__all__, "units"}
 
 
 @pytest.mark.parametrize("name", CALLS)

@@ -78,7 +78,7 @@ pub struct BuildAnswer {
     pub warnings: Vec<String>,
 }
 
-/// A file for the workshop.
+/// A file that a command makes.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct BuiltFile {
     /// Its name.
@@ -96,6 +96,17 @@ pub struct BuiltFile {
     pub content: Vec<u8>,
 }
 
+impl BuiltFile {
+    /// Of text, or of bytes.
+    pub(crate) fn new(name: &str, about: &str, content: Result<String, Vec<u8>>) -> Self {
+        let (text, base64, content) = match content {
+            Ok(text) => (Some(text.clone()), None, text.into_bytes()),
+            Err(bytes) => (None, Some(STANDARD.encode(&bytes)), bytes),
+        };
+        Self { name: name.into(), about: about.into(), text, base64, content }
+    }
+}
+
 /// Working pressure in MPa where none is given, and nothing forbids it: that of the paper.
 const USUAL_MPA: f64 = 0.25;
 
@@ -104,43 +115,16 @@ const USUAL_MPA: f64 = 0.25;
 /// # Errors
 /// [`Problem`].
 pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAnswer, Problem> {
-    let muscle = request.muscle.resolve()?;
-    let fitting = request.fitting.as_deref().map(str::parse).transpose();
-    let fitting = fitting.map_err(|e: mckibben_build::UnknownFitting| {
-        Problem::new(ProblemKind::Usage, e.to_string(), "").in_field("fitting")
-    })?;
-    let above_zero = |field: &str, value: Option<f64>| match value {
-        Some(value) if !(value.is_finite() && value > 0.0) => {
-            let message = format!("`{field}` is {value}; it must be above zero");
-            Err(Problem::new(ProblemKind::OutOfRange, message, "").in_field(field))
-        }
-        value => Ok(value),
-    };
-    let wishes = Wishes {
-        fitting,
-        bolt_mm: above_zero("bolt_mm", request.bolt_mm)?,
-        sleeve_diameter_mm: above_zero("sleeve_diameter_mm", request.sleeve_diameter_mm)?,
-    };
-    let pressure_mpa = above_zero("pressure_mpa", request.pressure_mpa)?;
-    let (operating, burst) = operating(request, &muscle, pressure_mpa, progress)?;
-    let said = said_of(&burst, operating.pressure_mpa, 0.0);
-    let plan = Plan::new(muscle, operating, &wishes).map_err(|error| {
-        let field = match error {
-            BuildError::Insertion { .. } => "insertion_mm",
-            BuildError::Bolt { .. } => "bolt_mm",
-            BuildError::Sleeve { .. } => "sleeve_diameter_mm",
-        };
-        Problem::new(ProblemKind::OutOfRange, error.to_string(), "").in_field(field)
-    })?;
+    let (plan, burst) = planned(request, progress)?;
+    let said = said_of(&burst, plan.operating.pressure_mpa, 0.0);
     let files = mckibben_build::files(&plan)
         .map_err(|e| Problem::new(ProblemKind::Internal, format!("the drawing cannot be drawn: {e}"), ""))?;
     let files = files.into_iter().map(|file| {
-        let content = file.content.bytes().to_vec();
-        let (text, base64) = match file.content {
-            Content::Text(text) => (Some(text), None),
-            Content::Bytes(bytes) => (None, Some(STANDARD.encode(bytes))),
+        let content = match file.content {
+            Content::Text(text) => Ok(text),
+            Content::Bytes(bytes) => Err(bytes),
         };
-        BuiltFile { name: file.name.into(), about: file.about.into(), text, base64, content }
+        BuiltFile::new(file.name, file.about, content)
     });
     let warnings = said.iter().map(ToString::to_string);
     Ok(BuildAnswer {
@@ -163,6 +147,38 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
         test: plan.test,
         model: plan.operating.model,
     })
+}
+
+/// The plan of a muscle, and the pressures at which it fails.
+pub(crate) fn planned(request: &BuildRequest, progress: &dyn Progress) -> Result<(Plan, Burst), Problem> {
+    let muscle = request.muscle.resolve()?;
+    let fitting = request.fitting.as_deref().map(str::parse).transpose();
+    let fitting = fitting.map_err(|e: mckibben_build::UnknownFitting| {
+        Problem::new(ProblemKind::Usage, e.to_string(), "").in_field("fitting")
+    })?;
+    let above_zero = |field: &str, value: Option<f64>| match value {
+        Some(value) if !(value.is_finite() && value > 0.0) => {
+            let message = format!("`{field}` is {value}; it must be above zero");
+            Err(Problem::new(ProblemKind::OutOfRange, message, "").in_field(field))
+        }
+        value => Ok(value),
+    };
+    let wishes = Wishes {
+        fitting,
+        bolt_mm: above_zero("bolt_mm", request.bolt_mm)?,
+        sleeve_diameter_mm: above_zero("sleeve_diameter_mm", request.sleeve_diameter_mm)?,
+    };
+    let pressure_mpa = above_zero("pressure_mpa", request.pressure_mpa)?;
+    let (operating, burst) = operating(request, &muscle, pressure_mpa, progress)?;
+    let plan = Plan::new(muscle, operating, &wishes).map_err(|error| {
+        let field = match error {
+            BuildError::Insertion { .. } => "insertion_mm",
+            BuildError::Bolt { .. } => "bolt_mm",
+            BuildError::Sleeve { .. } => "sleeve_diameter_mm",
+        };
+        Problem::new(ProblemKind::OutOfRange, error.to_string(), "").in_field(field)
+    })?;
+    Ok((plan, burst))
 }
 
 /// What `fe` finds of the muscle.

@@ -12,10 +12,7 @@ use crate::units::{Scale, Units};
 use crate::warnings;
 use crate::words::number;
 use mckibben::budget::Resource;
-use mckibben::joint::{
-    Joint, JointError, JointMap, JointModel, JointPoint, JointTarget as WantedOfJoint, Rest, Turning,
-    parse_joint,
-};
+use mckibben::joint::{Joint, JointError, JointMap, JointModel, JointPoint, Rest, Turning, parse_joint};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
@@ -352,7 +349,7 @@ impl Asked<'_> {
                         Some(_) => Some(given("stiffness_nm_per_rad", request.stiffness_nm_per_rad, "")?),
                         None => None,
                     };
-                    let wanted = WantedOfJoint { angle_deg, torque_nm, stiffness_nm_per_rad };
+                    let wanted = mckibben::joint::JointTarget { angle_deg, torque_nm, stiffness_nm_per_rad };
                     let point = self.model.pressures(&mut self.workspaces, wanted, max)?;
                     let halves = self.model.pressure_uncertainties_mpa(&mut self.workspaces, &point);
                     let half = |i: usize| halves.get(i).copied().flatten();

@@ -40,6 +40,7 @@ mod curve;
 mod design;
 #[cfg(feature = "schema")]
 mod expected;
+mod export;
 mod fields;
 mod figure;
 mod fit;
@@ -91,6 +92,7 @@ pub use commands::{RequestFields, schema, understood};
 pub use compare::*;
 pub use curve::*;
 pub use design::*;
+pub use export::*;
 pub use fields::*;
 pub use fit::*;
 pub use identify::*;

@@ -1,5 +1,7 @@
 //! `report`: all that is known of a muscle, as one document.
 
+mod workshop;
+
 use crate::burst::PressureLimits;
 use crate::compare::{CompareRequest, compare};
 use crate::curve::{CurveRequest, curve};
@@ -23,6 +25,7 @@ use mckibben_fem::output::Shape;
 use mckibben_report::{Body, Document, Figure, Part};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use workshop::Workshop;
 
 /// A muscle to be reported on.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
@@ -37,6 +40,42 @@ pub struct ReportRequest {
     pub contraction: Option<f64>,
     /// Units: `bar`, or `psi,lbf,in`.
     pub units: Units,
+    /// Title block.
+    #[serde(flatten)]
+    pub title_block: TitleBlock,
+}
+
+/// What a report states of itself; what is empty is a field to fill in by hand.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct TitleBlock {
+    /// Name of the muscle.
+    pub name: String,
+    /// Project.
+    pub project: String,
+    /// Number of the document.
+    pub number: String,
+    /// Revision of the document.
+    pub revision: String,
+    /// Date of the document.
+    pub date: String,
+}
+
+impl TitleBlock {
+    /// Its fields, with those that are signed by hand.
+    fn fields(&self) -> Vec<(String, String)> {
+        let version = concat!("mckibben ", env!("CARGO_PKG_VERSION"));
+        let fields: [(&str, &str); 7] = [
+            ("muscle", &self.name),
+            ("project", &self.project),
+            ("document no.", &self.number),
+            ("revision", &self.revision),
+            ("date", &self.date),
+            ("computed by", version),
+            ("checked", ""),
+        ];
+        fields.map(|(name, value)| (name.to_owned(), value.to_owned())).to_vec()
+    }
 }
 
 /// A report.
@@ -98,6 +137,8 @@ pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<Report
     };
     parts.push(body_of(&of, units, progress)?);
     step(3)?;
+    let workshop = Workshop::of(request, pressure_mpa, progress)?;
+    parts.extend(workshop.front(units));
     parts.push(Part::Heading("Curves".into()));
     for test in [Test::Isobaric, Test::Isometric] {
         parts.extend(curves(request, test, pressure_mpa, progress)?.map(|f| Part::Figure(Box::new(f))));
@@ -108,12 +149,14 @@ pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<Report
         parts.extend([Part::Heading(heading.into()), table(rows)]);
     }
     parts.extend(limits(&shown, &point));
+    parts.extend(workshop.back(units));
     let file = to_toml(&shown.muscle);
     let hash = mckibben_campaign::sha256(file.as_bytes());
     parts.extend([Part::Heading("Muscle file".into()), Part::Code(file)]);
     let version = env!("CARGO_PKG_VERSION");
     let document = Document {
         title: format!("McKibben muscle: {}", shown.summary.line(units)),
+        title_block: request.title_block.fields(),
         lead: format!(
             "At {} and a contraction of {}. All numbers by {}, axisymmetric finite elements, unless stated otherwise; ± covers 95 % against a measured muscle.",
             units.pressure.show(pressure_mpa),
@@ -209,7 +252,8 @@ fn models(request: &ReportRequest, pressure_mpa: f64, progress: &dyn Progress) -
     };
     let answer = compare(&asked, progress)?;
     let force = &request.units.force;
-    let shown = |v: Option<f64>| v.map_or_else(|| "–".to_owned(), |v| force.show(v));
+    let shown =
+        |v: Option<f64>| v.map_or_else(|| "–".to_owned(), |v| format!("{} {}", force.to(v, 2), force.name));
     let rows = answer.models.iter().filter(|m| m.model != answer.reference);
     let rows = rows.map(|m| vec![m.model.clone(), shown(m.rms_n), shown(m.max_n)]).collect();
     let head = ["model", "rms", "largest"].map(str::to_owned).to_vec();

@@ -13,6 +13,7 @@ use mckibben::model::Workspace;
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{BuildSheet, Bulk, Muscle};
 use mckibben::rubber::{RubberLaw, library};
+use mckibben::uncertainty::uncertainty;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -103,6 +104,9 @@ pub struct Characteristics {
     pub pressure_mpa: f64,
     /// Blocked force, N.
     pub blocked_force_n: f64,
+    /// Half-width of the 95 % interval of the blocked force, N.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub blocked_force_uncertainty_n: Option<f64>,
     /// Contraction without pull.
     pub free_contraction: Option<f64>,
     /// Work from rest to there, J.
@@ -201,6 +205,14 @@ fn characteristics(
         model: model.info().name.to_string(),
         pressure_mpa,
         blocked_force_n,
+        blocked_force_uncertainty_n: uncertainty(
+            model,
+            w,
+            (pressure_mpa, 0.0),
+            blocked_force_n,
+            options.direction,
+        )
+        .map(|parts| parts.total()),
         free_contraction: free,
         work_j: free.and_then(|e| work_per_stroke_j(model, w, pressure_mpa, 0.0, e, options).ok()),
         volume_mm3: air.map(|a| a.volume_mm3),

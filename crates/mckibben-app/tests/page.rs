@@ -162,12 +162,14 @@ fn a_report_holds_the_answers_of_its_commands() {
         headings,
         [
             "Performance",
+            "Margins of safety",
             "Curves",
             "Other models",
             "Muscle",
             "Derived",
             "Build sheet",
             "Assumptions and limits",
+            "Bench test",
             "Muscle file"
         ]
     );

@@ -69,6 +69,14 @@ impl Content {
     }
 }
 
+/// The drawing of the muscle as SVG.
+///
+/// # Errors
+/// [`FigureError`] where it cannot be drawn.
+pub fn drawing_svg(plan: &Plan) -> Result<String, FigureError> {
+    drawing::on_paper(plan).sheet.to_svg()
+}
+
 /// All files: the steps first, which link to the others.
 ///
 /// # Errors

@@ -7,6 +7,7 @@ use crate::plug::{self, AirPlug, EyePlug, Stem};
 use crate::safety::Safety;
 use crate::test_sheet::{self, TestPoint};
 use mckibben::analysis::FailureMode;
+use mckibben::analysis::burst::ends::clamp_load_n;
 use mckibben::muscle::Muscle;
 use std::f64::consts::PI;
 use thiserror::Error;
@@ -174,8 +175,7 @@ impl Plan {
         };
         let over_sleeve_mm = muscle.outer_diameter_mm() + 2.0 * sleeve_mm;
         let bore_mm = cut.tube_outer_diameter_mm - 2.0 * cut.tube_wall_mm;
-        let end_load_n = operating.blocked_force_n.max(0.0)
-            + operating.pressure_mpa * PI * (0.5 * muscle.inner_diameter_mm()).powi(2);
+        let end_load_n = clamp_load_n(&muscle, operating.blocked_force_n.max(0.0), operating.pressure_mpa);
         let bolt_mm = wishes.bolt_mm.unwrap_or_else(|| plug::bolt_mm(end_load_n));
         let (width_mm, strength_n, _) =
             TIES.into_iter().find(|tie| bore_mm <= tie.2).unwrap_or(TIES[TIES.len() - 1]);

@@ -7,6 +7,7 @@ use crate::commands::campaign::CampaignArgs;
 use crate::commands::compare::CompareArgs;
 use crate::commands::curve::CurveArgs;
 use crate::commands::design::DesignArgs;
+use crate::commands::export::ExportArgs;
 use crate::commands::fit::FitArgs;
 use crate::commands::formula::FormulaShowArgs;
 use crate::commands::help::{HelpArgs, ManArgs};
@@ -129,6 +130,9 @@ pub enum Command {
     /// Build a muscle: drawing, plugs, cut list, bill of materials, steps, test sheet
     #[command(after_help = commands::build::EXAMPLES)]
     Build(Box<BuildArgs>),
+    /// The muscle for a controller or simulator: C, Python, tables, MATLAB, MuJoCo, FMI
+    #[command(after_help = commands::export::EXAMPLES)]
+    Export(Box<ExportArgs>),
     /// Report of a muscle as one HTML file, for reading offline and for printing
     #[command(after_help = commands::report::EXAMPLES)]
     Report(Box<ReportArgs>),

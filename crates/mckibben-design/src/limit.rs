@@ -209,27 +209,28 @@ pub(super) fn strands(
         }
         checks.extend(largest.map(|value| Check::new(Limit::StrandStrain, value, bound)));
     }
-    let mut blocked = |p| full_response(model, workspace, thick_wall, p, 0.0).ok().map(|(r, _)| r);
-    if let (Some(bound), Some(strength)) = (limits.burst_margin, strength) {
-        // Blocked, as the burst pressure is; without an equilibrium at that pressure they break before it.
-        let strand = blocked(bound * max).map_or(Some(f64::INFINITY), |r| r.strand_tension_n);
-        let value = bound * strength / strand.unwrap_or(0.0).max(0.0);
-        checks.push(Check::new(Limit::BurstMargin, value, bound));
+    let Some(bound) = limits.burst_margin else { return Ok(checks) };
+    let pull_off = muscle.terminals().pull_off_n;
+    // Blocked, as the burst pressure is; without an equilibrium at that pressure it bursts before.
+    let blocked = (strength.is_some() || pull_off.is_some())
+        .then(|| full_response(model, workspace, thick_wall, bound * max, 0.0).ok().map(|(r, _)| r))
+        .flatten();
+    let mut margin = |by, value: f64| {
+        checks.push(Check { by, ..Check::new(Limit::BurstMargin, value, bound) });
+    };
+    if let Some(strength) = strength {
+        let tension = blocked.as_ref().map_or(f64::INFINITY, |r| r.strand_tension_n.unwrap_or(0.0));
+        margin(FailureMode::Strands, bound * strength / tension.max(0.0));
     }
-    if let Some(bound) = limits.burst_margin {
-        let check =
-            |by, margin: f64| Check { by, ..Check::new(Limit::BurstMargin, margin.min(NEVER), bound) };
-        match mesh::herniation(muscle) {
-            FailurePressure::At(p) => {
-                checks.push(check(FailureMode::Mesh, p / max / FailureMode::Mesh.share()))
-            }
-            FailurePressure::None => checks.push(check(FailureMode::Mesh, NEVER)),
-            FailurePressure::Unknown(_) => {}
-        }
-        if let Some(bears) = muscle.terminals().pull_off_n {
-            let load = blocked(bound * max).map_or(f64::INFINITY, |r| ends::clamp_load_n(muscle, &r));
-            checks.push(check(FailureMode::Ends, bound * bears / load.max(0.0)));
-        }
+    match mesh::herniation(muscle) {
+        FailurePressure::At(p) => margin(FailureMode::Mesh, (p / max / FailureMode::Mesh.share()).min(NEVER)),
+        FailurePressure::None => margin(FailureMode::Mesh, NEVER),
+        FailurePressure::Unknown(_) => {}
+    }
+    if let Some(bears) = pull_off {
+        let load =
+            blocked.as_ref().map_or(f64::INFINITY, |r| ends::clamp_load_n(muscle, r.force_n, r.pressure_mpa));
+        margin(FailureMode::Ends, (bound * bears / load.max(0.0)).min(NEVER));
     }
     Ok(checks)
 }

@@ -137,7 +137,8 @@ pub fn read(text: &str) -> Result<Vec<TubePart>, TubeError> {
         let optional = |key: &str| table.get(key).and_then(Item::as_str).map(str::to_owned);
         let pressure_mpa = number("pressure_mpa")?;
         let more = (optional("price"), pressure_mpa, optional("note"));
-        out.push(part((name, inner_mm, outer_mm, false), rubber, source(table), more)?);
+        let is_cast = table.get("cast").and_then(Item::as_bool).unwrap_or(false);
+        out.push(part((name, inner_mm, outer_mm, is_cast), rubber, source(table), more)?);
     }
     for table in of("cast").into_iter().flatten() {
         let names = table.get("rubbers").and_then(Item::as_array).map(Array::iter).into_iter().flatten();
@@ -247,6 +248,7 @@ mod tests {
         for tube in all.iter().filter(|t| t.is_cast) {
             assert!(can_be_cast(tube.inner_diameter_mm, tube.wall_mm), "{}", tube.name);
         }
+        assert!(find(all, "cast-24x30").unwrap().is_cast);
         // 1/4 x 3/8 in: a wall of 1/16 in.
         let latex = find(all, "latex-1/4x3/8in").unwrap();
         assert!((latex.wall_mm - 25.4 / 16.0).abs() < 1e-9 && latex.rubber.name.as_deref() == Some("latex"));

@@ -11,6 +11,8 @@ use std::fmt::Write as _;
 pub struct Document {
     /// Its title.
     pub title: String,
+    /// Its title block: names of fields and what they hold; an empty one is filled in by hand.
+    pub title_block: Vec<(String, String)>,
     /// What it is, in a sentence or two.
     pub lead: String,
     /// Its parts, in order.
@@ -39,6 +41,8 @@ pub enum Part {
     },
     /// A figure.
     Figure(Box<Figure>),
+    /// A drawing as SVG, on a page of its own.
+    Drawing(String),
     /// A text whose lines and blanks matter, such as a file.
     Code(String),
     /// A body in space.
@@ -70,7 +74,8 @@ impl Document {
             "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
              <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:\">\n\
-             <title>{title}</title><style>{STYLE}</style></head>\n<body>\n<h1>{title}</h1>\n<p class=\"lead\">{}</p>\n",
+             <title>{title}</title><style>{STYLE}</style></head>\n<body>\n<header><h1>{title}</h1>{}</header>\n<p class=\"lead\">{}</p>\n",
+            title_block(&self.title_block),
             escape(&self.lead)
         );
         for part in &self.parts {
@@ -97,12 +102,13 @@ impl Part {
             }
             Self::Table { head, rows } => writeln!(out, "{}", table(head, rows)),
             Self::Figure(figure) => writeln!(out, "<figure>{}</figure>", figure.to_svg()?),
+            Self::Drawing(svg) => writeln!(out, "<figure class=\"drawing\">{svg}</figure>"),
             Self::Code(text) => {
                 let lines: Vec<String> = text.lines().map(escape).collect();
                 writeln!(out, "<pre>{}</pre>", lines.join("\n"))
             }
             Self::Body(body) => {
-                let still = body.picture.as_ref().map(Scene::to_svg).transpose()?.unwrap_or_default();
+                let still = body.picture.as_ref().map(still).transpose()?.unwrap_or_default();
                 // In JSON it can only stand in a text, where this means the same.
                 let data = body.data.replace('<', "\\u003c");
                 writeln!(
@@ -115,11 +121,29 @@ impl Part {
     }
 }
 
+/// A picture for paper: pixels, where they can be made.
+fn still(scene: &Scene) -> Result<String, FigureError> {
+    #[cfg(feature = "png")]
+    return scene.to_img();
+    #[cfg(not(feature = "png"))]
+    scene.to_svg()
+}
+
+fn title_block(fields: &[(String, String)]) -> String {
+    let one = |(name, value): &(String, String)| {
+        format!("<div><dt>{}</dt><dd>{}</dd></div>", escape(name), escape(value))
+    };
+    let all: String = fields.iter().map(one).collect();
+    if all.is_empty() { all } else { format!("<dl class=\"block\">{all}</dl>") }
+}
+
 fn table(head: &[String], rows: &[Vec<String>]) -> String {
     let line = |row: &[String], first: &str, other: &str| {
         let cell = |(i, text): (usize, &String)| {
             let tag = if i == 0 { first } else { other };
-            format!("<{tag}>{}</{tag}>", escape(text))
+            // Sentences begin at the left.
+            let class = if text.chars().count() > 40 { " class=\"words\"" } else { "" };
+            format!("<{tag}{class}>{}</{tag}>", escape(text))
         };
         format!("<tr>{}</tr>", row.iter().enumerate().map(cell).collect::<String>())
     };
@@ -147,7 +171,9 @@ mod tests {
             Part::Body(Body { data: format!("\"{evil}\""), picture: None }),
         ];
         let html =
-            Document { title: one(), lead: one(), parts, footer: one() }.to_html("").unwrap_or_default();
+            Document { title: one(), title_block: vec![(one(), one())], lead: one(), parts, footer: one() }
+                .to_html("")
+                .unwrap_or_default();
         assert!(html.len() > 1000 && !html.contains("<script>alert"), "{html}");
     }
 }

@@ -150,7 +150,9 @@ impl Sheet<'_> {
         for (i, series) in self.panel.series.iter().enumerate() {
             // the legend tells plain lines apart: dashes would only make them harder to see
             let style = if series.style == Style::Auto { Style::Line } else { series.style };
-            let Some(dash) = palette::dash(style, 0, self.figure.palette) else { continue };
+            // The edges of a band are sparse dots.
+            let band = (style == Style::Band).then_some(&BAND_DOTS[..]);
+            let Some(dash) = band.or_else(|| palette::dash(style, 0, self.figure.palette)) else { continue };
             let look = self.look_of(series, i);
             let lines = frame.line(&series.points);
             let spots: BTreeSet<_> = lines.iter().flat_map(|line| dots(line, dash)).map(dot).collect();
@@ -169,7 +171,9 @@ impl Sheet<'_> {
         of_series: &[Option<usize>],
     ) {
         for (series, key) in self.panel.series.iter().zip(of_series) {
-            let Some(key) = key.filter(|_| series.style != Style::Points) else { continue };
+            let Some(key) = key.filter(|_| !matches!(series.style, Style::Points | Style::Band)) else {
+                continue;
+            };
             let phase = (key as f64 + 0.5) / keys.len() as f64;
             for line in frame.line(&series.points) {
                 let way: Vec<Spot> = dots(&line, &[]).collect();
@@ -182,6 +186,9 @@ impl Sheet<'_> {
         }
     }
 }
+
+/// A dot of a band's edge and the gap after it.
+const BAND_DOTS: [f64; 2] = [0.5, 4.5];
 
 /// Places on a line from one letter to the next.
 const LETTERS_EVERY: usize = 160;

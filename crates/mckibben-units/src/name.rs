@@ -2,7 +2,7 @@
 //!
 //! This is the one table of it. Schemas, documentation and the Python package have their units from here.
 
-use super::quantity::Dimension;
+use super::dimension::Dimension;
 
 /// Ends of names of what is answered only, in no unit that a user types.
 const ANSWERED: &[(&str, &str)] = &[

@@ -1,6 +1,7 @@
 //! Ranges and lists of quantities.
 
-use super::quantity::{Dimension, QuantityError, convert, factor, plausible, split, tidy};
+use super::dimension::Dimension;
+use super::quantity::{QuantityError, convert, factor, plausible, split, tidy};
 use thiserror::Error;
 
 /// The most points a range or list may hold.

@@ -1,6 +1,7 @@
 //! Units by themselves, as they stand in the headings of tables.
 
-use super::quantity::{Dimension, Spelled, convert};
+use super::dimension::{Dimension, Spelled};
+use super::quantity::convert;
 
 /// A unit of some dimension.
 #[derive(Debug, Clone, Copy, PartialEq)]

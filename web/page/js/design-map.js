@@ -15,7 +15,7 @@ import { outside, show, unitName } from "./units.js";
  *   limits: string[] }} Found
  */
 /** Diameters and walls; the picture is finer than they are. */
-const ACROSS = 29, UP = 25, FINER = 4;
+const ACROSS = 29, UP = 25, FINER = 8;
 const RAMP = [[0, "rgb(33,144,141)"], [0.5, "rgb(92,200,99)"], [1, "rgb(253,231,37)"]];
 
 /** @param {(candidate: any, at: { p: number, e: number }) => string} linked the address of a muscle */

@@ -24,8 +24,15 @@ pub fn muscle_sheets(answer: &MuscleShowAnswer, u: &Units) -> [Sheet; 3] {
 /// Values at one pressure.
 pub fn characteristic_rows(c: &Characteristics, u: &Units) -> Vec<Row> {
     let or_dash = |v: Option<f64>, show: &dyn Fn(f64) -> String| v.map_or_else(|| "–".into(), show);
+    let blocked = match c.blocked_force_uncertainty_n {
+        Some(half) => {
+            let value = u.force.within(c.blocked_force_n, Some(half));
+            format!("{value} ± {} {}", u.force.half_width(half), u.force.name)
+        }
+        None => u.force.show(c.blocked_force_n),
+    };
     let mut rows = vec![
-        ("blocked force", u.force.show(c.blocked_force_n)),
+        ("blocked force", blocked),
         ("free contraction", or_dash(c.free_contraction, &percent)),
         ("work of a free stroke", or_dash(c.work_j, &|v| format!("{} J", number(v, 4)))),
         ("cavity at its end", or_dash(c.volume_mm3, &|v| u.volume.show(v))),

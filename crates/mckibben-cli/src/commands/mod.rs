@@ -6,6 +6,7 @@ pub mod campaign;
 pub mod compare;
 pub mod curve;
 pub mod design;
+pub mod export;
 pub mod fit;
 pub mod formula;
 pub mod help;
@@ -61,6 +62,7 @@ pub fn run(asked: Command, format: Format, limits: &[(Resource, f64)]) -> Result
         Command::Rubber(RubberCommand::Show(args)) => rubber::show(&args, format),
         Command::Rubber(RubberCommand::Fit(args)) => rubber_fit::run(&args, format),
         Command::Build(args) => build::run(&args, format),
+        Command::Export(args) => export::run(&args, format),
         Command::Report(args) => report::run(&args, format),
         Command::Models(args) => models::run(&args, format),
         Command::Schema(args) => schema::run(&args),

@@ -10,13 +10,15 @@ use crate::shown;
 use clap::Args;
 use mckibben::units::Dimension;
 use mckibben::warning::is_of_burst;
-use mckibben_app::{ProblemKind, ReportRequest, report};
+use mckibben_app::{ProblemKind, ReportRequest, TitleBlock, report};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 pub const EXAMPLES: &str = "Examples:
   mckibben report examples/prototype.toml -o muscle.html
   mckibben report -D 38 -s 1 -p 2.5bar -e 15% -o muscle.html";
+
+const TITLE_BLOCK: &str = "Title block";
 
 /// `report`.
 #[derive(Debug, Args)]
@@ -28,6 +30,21 @@ pub struct ReportArgs {
     /// Contraction of that state [half of the free contraction]
     #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
     pub contraction: Option<String>,
+    /// Name of the muscle in the title block
+    #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true, help_heading = TITLE_BLOCK)]
+    pub name: String,
+    /// Project [a field to fill in]
+    #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true, help_heading = TITLE_BLOCK)]
+    pub project: String,
+    /// Number of the document [a field to fill in]
+    #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true, help_heading = TITLE_BLOCK)]
+    pub number: String,
+    /// Revision of the document [a field to fill in]
+    #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true, help_heading = TITLE_BLOCK)]
+    pub revision: String,
+    /// Date of the document [a field to fill in]
+    #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true, help_heading = TITLE_BLOCK)]
+    pub date: String,
     #[command(flatten)]
     pub muscle: MuscleFlags,
     #[command(flatten)]
@@ -64,6 +81,13 @@ pub fn run(args: &ReportArgs, format: Format) -> Result<u8, Failure> {
         pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
         contraction: contraction("--contraction", args.contraction.as_deref())?,
         units: shown::units(),
+        title_block: TitleBlock {
+            name: args.name.clone(),
+            project: args.project.clone(),
+            number: args.number.clone(),
+            revision: args.revision.clone(),
+            date: args.date.clone(),
+        },
     };
     let answer = report(&request, &Bar::new("parts"))?;
     answer.warnings.iter().filter(|w| is_of_burst(w)).for_each(warn);

@@ -37,6 +37,8 @@ pub enum Content {
     Manual,
     /// A file of a build.
     Built,
+    /// A file of an export.
+    Exported,
     /// A sheet for measured forces.
     EmptySheet,
     /// A figure or a picture.
@@ -89,6 +91,7 @@ impl Content {
             Self::Pdf => text_of(&head(path)).contains(PRINTED_TITLE),
             Self::Deck => text_of(&head(path)).contains("mm, MPa, N; mckibben "),
             Self::Built => is_built(&head(path)),
+            Self::Exported => text_of(&head(path)).contains(mckibben_app::EXPORT_MARK),
             Self::EmptySheet => is_built(&head(path)) && is_empty_sheet(path),
             Self::Manual => text_of(&head(path)).contains("\n.TH mckibben"),
         }
@@ -105,6 +108,7 @@ impl Content {
             Self::Deck => "an input deck that this program wrote",
             Self::Manual => "a manual page that this program wrote",
             Self::Built => "a file that `build` wrote",
+            Self::Exported => "a file that `export` wrote",
             Self::EmptySheet => "a test sheet without forces",
             Self::Figure => "a figure that this program drew",
             Self::Vtk => "a file of a series for ParaView",
@@ -122,7 +126,7 @@ impl Content {
             Self::Page => &["html", "htm"],
             Self::Pdf => &["pdf"],
             Self::Deck => &["inp"],
-            Self::Built | Self::EmptySheet => &[],
+            Self::Built | Self::Exported | Self::EmptySheet => &[],
             Self::Figure | Self::Vtk | Self::Manual | Self::Table { .. } | Self::Text { .. } => &[],
         }
     }

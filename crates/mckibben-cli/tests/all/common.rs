@@ -79,6 +79,7 @@ pub fn run_in<S: AsRef<OsStr>>(folder: &Path, args: &[S]) -> Ran {
 fn schema_name(words: &[&str]) -> Option<String> {
     let [first, second] = [words.first()?, words.get(1).unwrap_or(&"")];
     Some(match *first {
+        "export" if words.contains(&"--list") => "export-list".into(),
         "curve" if words.contains(&"--study") => "study".into(),
         "validate" if words.contains(&"--sweep") => "sweep".into(),
         "validate" if words.contains(&"--measured") => "measured".into(),

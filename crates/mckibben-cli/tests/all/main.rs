@@ -21,6 +21,7 @@ mod joint;
 mod measured;
 mod motion;
 mod parts;
+mod report;
 mod rubber_fit;
 mod security;
 mod serve;

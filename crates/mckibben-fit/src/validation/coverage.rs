@@ -19,7 +19,8 @@ pub const COVERAGE: f64 = 0.95;
 pub fn cases<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
     let sets = match muscles() {
         Ok(sets) => sets,
-        Err(error) => return Ok(vec![unread(error.to_string())]),
+        // Measurements that are built in and cannot be read: a case that fails.
+        Err(error) => return Ok(vec![share_row(format!("measured muscles: {error}"), "", None, AT_LEAST)]),
     };
     let mut rows = vec![];
     for set in sets {
@@ -39,35 +40,34 @@ pub fn cases<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<Veri
     Ok(rows)
 }
 
-/// Measurements that are built in and cannot be read: a case that fails.
-fn unread(error: String) -> VerificationRow {
+/// The row of a share of points: met where the error is within the tolerance.
+pub(super) fn share_row(name: String, source: &'static str, ours: Option<f64>, off: Off) -> VerificationRow {
+    let error = ours.map(off.error);
     VerificationRow {
-        name: format!("measured muscles: {error}"),
+        name,
         kind: CaseKind::Validation,
         measure: Measure::Share,
-        source: "",
-        reference: COVERAGE,
-        ours: None,
-        error: None,
-        tolerance: 0.0,
-        ok: false,
-    }
-}
-
-fn held(set: &'static MuscleCase, left: &Left, what: &str) -> VerificationRow {
-    let ours = left.share_held();
-    let error = ours.map(|share| (COVERAGE - share).max(0.0));
-    VerificationRow {
-        name: format!("{}: {} {what} within the ± of fe", set.facts.title, left.points),
-        kind: CaseKind::Validation,
-        measure: Measure::Share,
-        source: &set.facts.source,
+        source,
         reference: COVERAGE,
         ours,
         error,
-        tolerance: 0.0,
-        ok: error == Some(0.0),
+        tolerance: off.tolerance,
+        ok: error.is_some_and(|e| e <= off.tolerance),
     }
+}
+
+/// How far a share may be from [`COVERAGE`].
+pub(super) struct Off {
+    pub(super) error: fn(f64) -> f64,
+    pub(super) tolerance: f64,
+}
+
+/// At least the stated share is to be held.
+const AT_LEAST: Off = Off { error: |share| (COVERAGE - share).max(0.0), tolerance: 0.0 };
+
+fn held(set: &'static MuscleCase, left: &Left, what: &str) -> VerificationRow {
+    let name = format!("{}: {} {what} within the ± of fe", set.facts.title, left.points);
+    share_row(name, &set.facts.source, left.share_held(), AT_LEAST)
 }
 
 /// The rms of what a set's identified muscle leaves of the means of the branches, beside its largest blocked force.

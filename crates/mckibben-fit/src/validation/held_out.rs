@@ -1,7 +1,7 @@
 //! What share of points that were held out of a fit lies within the ± that the fit leaves.
 
 use super::case::{CaseFit, MuscleCase, muscles};
-use super::coverage::COVERAGE;
+use super::coverage::{COVERAGE, Off, share_row};
 use crate::identify::{Build, IdentifyError, Request, identify_with};
 use crate::least_squares::Loss;
 use crate::measured::{DataPoint, mean_of_data};
@@ -11,7 +11,7 @@ use mckibben::model::Workspace;
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben::threads;
 use mckibben::uncertainty::uncertainty;
-use mckibben::verification::{CaseKind, Measure, VerificationRow};
+use mckibben::verification::VerificationRow;
 
 /// Parts into which the points of a set are divided; each is held out of one fit.
 const PARTS: usize = 5;
@@ -139,24 +139,10 @@ pub fn cases<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<Veri
 }
 
 fn row(set: &'static MuscleCase, list: &[HeldOut]) -> VerificationRow {
-    let ours = share(list);
-    let error = ours.map(|share| (share - COVERAGE).abs());
+    let title = &set.facts.title;
+    let name = format!("{title}: {} points held out of fits of fe, within the ± of the fit", list.len());
     // Of few points the share of those that happen to be held scatters by more.
     let by_chance = 1.96 * (COVERAGE * (1.0 - COVERAGE) / list.len().max(1) as f64).sqrt();
-    let tolerance = TOLERANCE.max(by_chance);
-    VerificationRow {
-        name: format!(
-            "{}: {} points held out of fits of fe, within the ± of the fit",
-            set.facts.title,
-            list.len()
-        ),
-        kind: CaseKind::Validation,
-        measure: Measure::Share,
-        source: &set.facts.source,
-        reference: COVERAGE,
-        ours,
-        error,
-        tolerance,
-        ok: error.is_some_and(|e| e <= tolerance),
-    }
+    let off = Off { error: |share| (share - COVERAGE).abs(), tolerance: TOLERANCE.max(by_chance) };
+    share_row(name, &set.facts.source, share(list), off)
 }

@@ -3,6 +3,7 @@
 //! The unloaded muscle is the widest. With stiff strands its stretch ends at the neutral angle of 54.7°, so that most rubbers never reach it. The stretch at break
 //! is 1 plus the elongation at break of a test in one axis; in two axes, at notches and after ageing rubber breaks earlier.
 
+use super::radii::Radii;
 use super::{FailurePressure, NoBurst};
 use crate::analysis::ask::Options;
 use crate::analysis::characteristics::free_contraction;
@@ -41,7 +42,8 @@ pub fn tearing(
     let Some(breaks) = stretch_at_break(muscle) else {
         return Ok(FailurePressure::Unknown(NoBurst::NoElongation));
     };
-    if widest(muscle) < breaks {
+    // At the neutral angle, with strands that give way.
+    if Radii::of(muscle).hoop_stretch(NEUTRAL_ANGLE_DEG.to_radians(), 1.0 + STRAND_STRAIN) < breaks {
         return Ok(FailurePressure::None);
     }
     let (model, mut workspace) = (ThickWall::new(muscle), Workspace::within(budget.clone()));
@@ -74,15 +76,4 @@ pub fn tearing(
         }
     }
     Ok(FailurePressure::None)
-}
-
-/// The largest stretch at the neutral angle: around the bore, with strands that are stretched by [`STRAND_STRAIN`].
-fn widest(muscle: &Muscle) -> f64 {
-    let (lay, tube) = (muscle.strand_lay(), muscle.tube());
-    let (ro, ri) = (tube.outer_radius_mm(), tube.inner_radius_mm());
-    let neutral = NEUTRAL_ANGLE_DEG.to_radians();
-    let outer = (1.0 + STRAND_STRAIN) * lay.radius_mm * neutral.sin() / lay.angle_rad.sin();
-    let shortened = (1.0 + STRAND_STRAIN) * neutral.cos() / lay.angle_rad.cos();
-    let inner = (outer * outer - (ro * ro - ri * ri) / shortened).max(0.0).sqrt();
-    (inner / ri).max(outer / ro)
 }

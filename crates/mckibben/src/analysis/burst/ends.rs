@@ -9,7 +9,7 @@ use super::strands::overloaded;
 use super::{FailurePressure, NoBurst};
 use crate::analysis::error::AnalysisError;
 use crate::budget::Budget;
-use crate::model::{ForceModel, Response};
+use crate::model::ForceModel;
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -25,10 +25,10 @@ pub fn pull_off<M: ForceModel + ?Sized>(
     let Some(bears) = muscle.terminals().pull_off_n else {
         return Ok(FailurePressure::Unknown(NoBurst::NoPullOff));
     };
-    Ok(overloaded(model, budget, &|r| Some(clamp_load_n(muscle, r)), bears)?.0)
+    Ok(overloaded(model, budget, &|r| Some(clamp_load_n(muscle, r.force_n, r.pressure_mpa)), bears)?.0)
 }
 
-/// What each clamp carries in a state, in N.
-pub fn clamp_load_n(muscle: &Muscle, state: &Response) -> f64 {
-    state.force_n + PI * muscle.tube().inner_radius_mm().powi(2) * state.pressure_mpa
+/// What each clamp carries at a pull in N and a pressure in MPa, in N.
+pub fn clamp_load_n(muscle: &Muscle, force_n: f64, pressure_mpa: f64) -> f64 {
+    force_n + PI * muscle.tube().inner_radius_mm().powi(2) * pressure_mpa
 }

@@ -15,6 +15,7 @@
 //! The opening is widest at 45°. P is the least one over the angles from that at rest to 54.7°, since an unloaded muscle passes them all; the strands keep their
 //! length here and the rubber its volume. It is an estimate, good to a factor of about 2: rubbers stiffen, strands have edges, and openings differ.
 
+use super::radii::Radii;
 use super::{FailurePressure, NoBurst};
 use crate::muscle::{Muscle, NEUTRAL_ANGLE_DEG};
 use crate::rubber::RubberLaw;
@@ -35,46 +36,31 @@ pub fn herniation(muscle: &Muscle) -> FailurePressure {
     least.map_or(FailurePressure::None, FailurePressure::At)
 }
 
-/// The clear distance between carriers of one family in mm at an angle of the strands in radians; `None` where the strands are not described.
-pub fn opening_mm(muscle: &Muscle, angle_rad: f64) -> Option<f64> {
-    Some(Openings::of(muscle)?.width_mm(angle_rad))
-}
-
-struct Openings<'m> {
-    muscle: &'m Muscle,
+struct Openings {
+    radii: Radii,
+    shear_modulus_mpa: f64,
     /// Carriers of one family.
     carriers: f64,
     /// Width of what one carrier lays, in mm.
     band_mm: f64,
 }
 
-impl<'m> Openings<'m> {
-    fn of(muscle: &'m Muscle) -> Option<Self> {
+impl Openings {
+    fn of(muscle: &Muscle) -> Option<Self> {
         let strands = muscle.braid().strands?;
         let side_by_side = muscle.braid().strands_per_carrier?;
         let diameter = (4.0 / PI * strands.section?.0).sqrt();
         let carriers = 0.5 * f64::from(strands.count) / side_by_side;
-        Some(Self { muscle, carriers, band_mm: side_by_side * diameter })
-    }
-
-    /// Radius of the braid in mm.
-    fn radius_mm(&self, angle_rad: f64) -> f64 {
-        let lay = self.muscle.strand_lay();
-        lay.radius_mm * angle_rad.sin() / lay.angle_rad.sin()
-    }
-
-    fn width_mm(&self, angle_rad: f64) -> f64 {
-        2.0 * PI * self.radius_mm(angle_rad) * angle_rad.cos() / self.carriers - self.band_mm
+        let shear_modulus_mpa = muscle.tube().rubber.law.shear_modulus_mpa();
+        Some(Self { radii: Radii::of(muscle), shear_modulus_mpa, carriers, band_mm: side_by_side * diameter })
     }
 
     fn pressure_mpa(&self, angle_rad: f64) -> Option<f64> {
-        let (lay, tube) = (self.muscle.strand_lay(), self.muscle.tube());
-        let (ro, ri) = (tube.outer_radius_mm(), tube.inner_radius_mm());
-        let shortened = angle_rad.cos() / lay.angle_rad.cos();
-        let outer = self.radius_mm(angle_rad) - lay.offset_mm;
-        let inner = (outer * outer - (ro * ro - ri * ri) / shortened).max(0.0).sqrt();
-        let half = 0.5 * self.width_mm(angle_rad);
-        (half > 0.0).then(|| CAP * tube.rubber.law.shear_modulus_mpa() * (outer - inner) / half)
+        let (outer, inner) = self.radii.tube_mm(angle_rad, 1.0);
+        let width =
+            2.0 * PI * self.radii.braid_mm(angle_rad, 1.0) * angle_rad.cos() / self.carriers - self.band_mm;
+        let half = 0.5 * width;
+        (half > 0.0).then(|| CAP * self.shear_modulus_mpa * (outer - inner) / half)
     }
 }
 

@@ -15,6 +15,7 @@
 pub mod bladder;
 pub mod ends;
 pub mod mesh;
+mod radii;
 pub mod strands;
 
 use super::error::AnalysisError;

@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# Exported muscles in their hosts, which are installed where they are missing: checks/exports.sh PROGRAM
+set -euo pipefail
+cd "$(dirname "$0")/.."
+packages=()
+need() { command -v "$1" >/dev/null || packages+=("${@:2}"); }
+need gcc gcc libc6-dev
+need clang clang
+need octave-cli octave
+need arm-none-eabi-gcc gcc-arm-none-eabi libnewlib-arm-none-eabi
+need qemu-system-arm qemu-system-arm
+need avr-gcc gcc-avr avr-libc
+need simavr simavr
+if [ ${#packages[@]} -gt 0 ]; then
+    (apt-get update -qq && apt-get install -y -qq --no-install-recommends "${packages[@]}") >/dev/null
+fi
+venv=${CARGO_TARGET_DIR:-target}/venv-exports
+test -x "$venv/bin/python" || python3 -m venv "$venv"
+"$venv/bin/python" -m pip install --quiet numpy jax mujoco fmpy
+# PyTorch without the libraries of graphics cards, where its own index can be reached.
+"$venv/bin/python" -c "import torch" 2>/dev/null || "$venv/bin/python" -m pip install --quiet torch --index-url https://download.pytorch.org/whl/cpu || echo "PyTorch could not be installed: its part is left out"
+"$venv/bin/python" checks/exports.py "$1"

@@ -1,0 +1,218 @@
+//! `export`: a muscle for a controller or a simulator.
+
+use crate::build::BuiltFile;
+use crate::burst::burst_of;
+use crate::fields::{ModelFields, MuscleFields};
+use crate::model::{Model, Purpose};
+use crate::muscle::MuscleSummary;
+use crate::point::finite;
+use crate::problem::{Problem, ProblemKind};
+use mckibben::answer::{Options, check_range};
+use mckibben::progress::Progress;
+use mckibben_export::{
+    Content, ExportBox, ExportError, ExportedMuscle, Form, FormErrors, MARK, Target, Wanted,
+};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+
+/// A muscle for a controller or a simulator: pull and volume in closed form, fitted to a model, as files for a target.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct ExportRequest {
+    /// The muscle.
+    #[serde(flatten)]
+    pub muscle: MuscleFields,
+    /// The model.
+    #[serde(flatten)]
+    pub model: ModelFields,
+    /// The target: `c`, `python`, `csv`, `matlab`, `mjcf`, `fmu`; `export-list` describes them.
+    pub target: Option<String>,
+    /// Supply pressure, the upper end of the box, MPa; default 0.25, or the allowed pressure where that is lower.
+    pub pressure_mpa: Option<f64>,
+    /// Lower end of the box in the contraction; default -0.05, a muscle that is stretched by 5 %.
+    pub contraction_low: Option<f64>,
+    /// Upper end of the box in the contraction; default the free contraction at the supply pressure.
+    pub contraction_high: Option<f64>,
+    /// Name of the muscle in the files; default the name of the muscle file.
+    pub name: Option<String>,
+}
+
+/// A muscle as files for a target.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct ExportAnswer {
+    /// The target.
+    pub target: String,
+    /// Name of the muscle in the files.
+    pub name: String,
+    /// The muscle.
+    pub muscle: MuscleSummary,
+    /// The model that the form was fitted to.
+    pub model: String,
+    /// The box over which the form was fitted.
+    #[serde(flatten)]
+    pub bounds: ExportBox,
+    /// Blocked force at the supply pressure, N.
+    pub blocked_force_n: f64,
+    /// Errors of the form against the model.
+    #[serde(flatten)]
+    pub errors: FormErrors,
+    /// 95 % half-width of the blocked force against a measured muscle, N, where it is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub uncertainty_n: Option<f64>,
+    /// The first 16 digits of the SHA-256 of muscle file, model, version and coefficients.
+    pub hash: String,
+    /// Pull and volume in closed form.
+    pub form: Form,
+    /// What the target needs.
+    pub needs: String,
+    /// What of the muscle the target loses.
+    pub loses: String,
+    /// The files: the one to begin with first.
+    pub files: Vec<BuiltFile>,
+    /// Warnings, in sentences.
+    pub warnings: Vec<String>,
+}
+
+/// The targets of `export`.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct ExportListRequest {}
+
+/// The targets of `export`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct ExportListAnswer {
+    /// One for each host.
+    pub targets: Vec<ExportTarget>,
+}
+
+/// A target of `export`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct ExportTarget {
+    /// Its word for `target`.
+    pub name: String,
+    /// What it is.
+    pub about: String,
+    /// What it needs.
+    pub needs: String,
+    /// What of the muscle it loses.
+    pub loses: String,
+}
+
+/// The targets.
+///
+/// # Errors
+/// None.
+pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer, Problem> {
+    let target = |target: Target| {
+        let entry = target.entry();
+        let [name, about, needs, loses] =
+            [entry.name, entry.about, entry.needs, entry.loses].map(String::from);
+        ExportTarget { name, about, needs, loses }
+    };
+    Ok(ExportListAnswer { targets: Target::ALL.map(target).into() })
+}
+
+/// Supply pressure in MPa where none is given, and nothing forbids it.
+const USUAL_MPA: f64 = 0.25;
+
+/// A muscle as files.
+///
+/// # Errors
+/// [`Problem`].
+pub fn export(request: &ExportRequest, progress: &dyn Progress) -> Result<ExportAnswer, Problem> {
+    let Some(target) = request.target.as_deref() else {
+        let message = "`target` is missing: what the muscle is exported for";
+        let names = Target::ALL.map(|t| t.entry().name).join(", ");
+        return Err(Problem::new(ProblemKind::Usage, message, format!("one of {names}")).in_field("target"));
+    };
+    let target: Target = target.parse().map_err(|e| Problem::from(e).in_field("target"))?;
+    let muscle = request.muscle.resolve()?;
+    let choice = Model::choose(&request.model, Purpose::Answer)?;
+    let budget = progress.budget();
+    choice.admit(&muscle, &budget)?;
+    let model = choice.build(&muscle)?;
+    let model = &*model;
+    let burst = burst_of(&choice, model, &budget)?;
+    let allowed_mpa = burst.allowed().map_or(USUAL_MPA, |allowed| allowed.0);
+    let usual_mpa = allowed_mpa.min(USUAL_MPA);
+    let supply_mpa = finite("pressure_mpa", request.pressure_mpa.unwrap_or(usual_mpa))?;
+    if supply_mpa <= 0.0 {
+        let message = format!("`pressure_mpa` is {supply_mpa}; it must be above zero");
+        return Err(Problem::new(ProblemKind::OutOfRange, message, "").in_field("pressure_mpa"));
+    }
+    check_range(model, supply_mpa, 0.0, Options::default())?;
+    let range = model.info().range.contraction;
+    let contraction_low =
+        finite("contraction_low", request.contraction_low.unwrap_or(Wanted::LOW.max(range.0).min(0.0)))?;
+    let high = request.contraction_high.map(|e| finite("contraction_high", e)).transpose()?;
+    let name = request.name.clone().unwrap_or_else(|| {
+        let file = request.muscle.named.muscle.as_ref().map(|file| Path::new(&file.name));
+        file.and_then(Path::file_stem)
+            .map_or_else(|| "muscle".into(), |stem| stem.to_string_lossy().into_owned())
+    });
+    let wanted = Wanted { supply_mpa, contraction_low, contraction_high: high };
+    let exported = ExportedMuscle::fit(model, &name, wanted, &budget)?;
+    let artefact = exported.to(target)?;
+    let mut warnings = exported.warnings();
+    if let Some((allowed, _)) = burst.allowed().filter(|allowed| supply_mpa > allowed.0) {
+        warnings.push(format!(
+            "the supply pressure of {supply_mpa} MPa is above the allowed pressure of {allowed:.3} MPa"
+        ));
+    }
+    warnings.extend(artefact.notes);
+    warnings.extend(muscle.warnings());
+    let entry = target.entry();
+    Ok(ExportAnswer {
+        target: entry.name.into(),
+        muscle: (&muscle).into(),
+        needs: entry.needs.into(),
+        loses: entry.loses.into(),
+        files: artefact
+            .files
+            .into_iter()
+            .map(|file| {
+                BuiltFile::new(
+                    file.name,
+                    file.about,
+                    match file.content {
+                        Content::Text(text) => Ok(text),
+                        Content::Bytes(bytes) => Err(bytes),
+                    },
+                )
+            })
+            .collect(),
+        name: exported.name,
+        model: exported.model,
+        bounds: exported.bounds,
+        blocked_force_n: exported.blocked_force_n,
+        errors: exported.errors,
+        uncertainty_n: exported.uncertainty_n,
+        hash: exported.hash,
+        form: exported.form,
+        warnings,
+    })
+}
+
+/// What every file of `export` has in its first bytes.
+pub const EXPORT_MARK: &str = MARK;
+
+impl From<ExportError> for Problem {
+    fn from(error: ExportError) -> Self {
+        let message = error.to_string();
+        match error {
+            ExportError::Model(error) => error.into(),
+            ExportError::Analysis(error) => error.into(),
+            ExportError::Exceeded(exceeded) => exceeded.into(),
+            ExportError::Target { .. } => Self::new(ProblemKind::Usage, message, ""),
+            ExportError::Box { .. } => Self::new(ProblemKind::OutOfRange, message, ""),
+            ExportError::NoVolume { .. } => Self::new(ProblemKind::Model, message, ""),
+            ExportError::NoPull { .. } => {
+                Self::new(ProblemKind::NoAnswer, message, "give a higher `pressure_mpa`")
+            }
+            ExportError::Points { .. } | ExportError::Misses { .. } | ExportError::Host(_) => {
+                Self::new(ProblemKind::Fit, message, "")
+            }
+        }
+    }
+}

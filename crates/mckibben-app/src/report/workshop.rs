@@ -1,0 +1,129 @@
+//! What a report takes from the plan of a build: the drawing, the margins of safety, the sheet of the first test.
+
+use super::ReportRequest;
+use crate::build::{BuildRequest, planned};
+use crate::problem::{Problem, ProblemKind};
+use crate::units::Units;
+use crate::words::{fixed, number, percent};
+use mckibben::analysis::{Burst, FailurePressure, SAFETY};
+use mckibben::muscle::Direction;
+use mckibben::progress::{CancelOnly, Progress};
+use mckibben_build::{Plan, drawing_svg};
+use mckibben_report::Part;
+
+/// The plan of the muscle, or why it cannot be built as it is.
+pub(super) enum Workshop {
+    /// A plan.
+    Planned { plan: Box<Plan>, burst: Burst },
+    /// A sentence.
+    Not(String),
+}
+
+impl Workshop {
+    /// The plan at the pressure of a report.
+    ///
+    /// # Errors
+    /// [`Problem`] where the caller wanted it to end; a muscle that cannot be built has a sentence.
+    pub(super) fn of(
+        request: &ReportRequest,
+        pressure_mpa: f64,
+        progress: &dyn Progress,
+    ) -> Result<Self, Problem> {
+        let asked = BuildRequest {
+            muscle: request.muscle.clone(),
+            pressure_mpa: Some(pressure_mpa).filter(|p| *p > 0.0),
+            ..BuildRequest::default()
+        };
+        match planned(&asked, &CancelOnly(progress)) {
+            Ok((plan, burst)) => Ok(Self::Planned { plan: Box::new(plan), burst }),
+            Err(problem) if matches!(problem.kind, ProblemKind::Budget | ProblemKind::Cancelled) => {
+                Err(problem)
+            }
+            Err(problem) => Ok(Self::Not(problem.message)),
+        }
+    }
+
+    /// Drawing and margins.
+    pub(super) fn front(&self, units: &Units) -> Vec<Part> {
+        match self {
+            Self::Planned { plan, burst } => {
+                let drawing = drawing_svg(plan).ok().map(Part::Drawing);
+                margins(plan, burst, units).into_iter().chain(drawing).collect()
+            }
+            Self::Not(why) => {
+                vec![Part::Text(format!("This muscle has no drawing and no test sheet: {why}."))]
+            }
+        }
+    }
+
+    /// The sheet of the first test.
+    pub(super) fn back(&self, units: &Units) -> Vec<Part> {
+        match self {
+            Self::Planned { plan, .. } => test_sheet(plan, units),
+            Self::Not(_) => vec![],
+        }
+    }
+}
+
+/// The pressure of each failure over the working pressure, beside what is required.
+fn margins(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
+    let working_mpa = plan.operating.pressure_mpa;
+    let mut rows: Vec<Vec<String>> = burst
+        .modes()
+        .into_iter()
+        .map(|(mode, at)| {
+            let required = number(SAFETY * mode.share(), 3);
+            let (pressure, factor) = match at {
+                FailurePressure::At(p) => (units.pressure.show(p), fixed(p / working_mpa, 1)),
+                FailurePressure::None => ("at no pressure".into(), "–".into()),
+                FailurePressure::Unknown(why) => {
+                    (format!("not known: {}", units.sentence(&why.to_string())), "–".into())
+                }
+            };
+            vec![mode.to_string(), factor, required, pressure]
+        })
+        .collect();
+    if let Some(rated) = burst.rated_mpa {
+        let factor = fixed(rated / working_mpa, 1);
+        rows.push(vec!["the fittings are rated for".into(), factor, "1".into(), units.pressure.show(rated)]);
+    }
+    let safety = plan.safety;
+    let head = ["failure", "factor", "required", "pressure"].map(str::to_owned).to_vec();
+    vec![
+        Part::Heading("Margins of safety".into()),
+        Part::Text(format!(
+            "Factor: pressure of the failure over {}. Estimates of new parts under a slowly rising pressure; proof test with water at {}. The air holds {} J.",
+            units.pressure.show(working_mpa),
+            units.pressure.show(safety.proof_pressure_mpa),
+            number(safety.air_energy_j, 2),
+        )),
+        Part::Table { head, rows },
+    ]
+}
+
+/// The points of the first test, with a column to fill in.
+fn test_sheet(plan: &Plan, units: &Units) -> Vec<Part> {
+    let length_mm = plan.muscle.length_mm();
+    let mut rows: Vec<Vec<String>> = vec![];
+    for (i, point) in plan.test.iter().enumerate() {
+        let branch = if point.branch == Direction::Elongation { "falling" } else { "rising" };
+        rows.push(vec![
+            (i + 1).to_string(),
+            units.length.show(length_mm * (1.0 - point.contraction)),
+            percent(point.contraction),
+            units.pressure.show(point.pressure_mpa),
+            branch.into(),
+            String::new(),
+        ]);
+    }
+    let pull = format!("measured pull [{}]", units.force.name);
+    let head = ["no.", "distance of the clamps", "contraction", "pressure", "pressure is", &pull];
+    vec![
+        Part::Heading("Bench test".into()),
+        Part::Text(
+            "Set the distance, then the pressure, row by row and without going back; write the pull down. `mckibben build` writes the same rows as test.csv, which `mckibben identify` reads."
+                .into(),
+        ),
+        Part::Table { head: head.map(str::to_owned).to_vec(), rows },
+    ]
+}

@@ -1,0 +1,338 @@
+//! The form fitted to a force model.
+//!
+//! Linear least squares at Chebyshev nodes of the box where the muscle pulls. Where it would have to push only the sign counts: rows that hold
+//! the form below zero are added where it would pull there, and at the end of the box where its slope would let a pull return. The errors are
+//! those at other points, with slack as 0 N.
+
+use crate::error::ExportError;
+use crate::form::{Form, POWERS};
+use mckibben::analysis::{Options, blocked_force_n, force_on, free_contraction};
+use mckibben::budget::Budget;
+use mckibben::model::{ForceModel, Workspace};
+use mckibben::muscle::Direction;
+use mckibben::threads;
+use nalgebra::{DMatrix, DVector};
+use serde::Serialize;
+use std::f64::consts::PI;
+
+/// The box over which a muscle is exported; what is `None` is chosen.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wanted {
+    /// Supply pressure, MPa.
+    pub supply_mpa: f64,
+    /// Lower end in ε.
+    pub contraction_low: f64,
+    /// Upper end in ε; `None`: the free contraction at the supply.
+    pub contraction_high: Option<f64>,
+}
+
+impl Wanted {
+    /// The lower end of ε where none is given: 5 % longer than at rest.
+    pub const LOW: f64 = -0.05;
+}
+
+/// Errors of the form against its model at points that it was not fitted to.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct FormErrors {
+    /// Root mean square of the pull's error, share of the blocked force at the supply.
+    pub force_rms: f64,
+    /// 95 % of the points err by less, share of the blocked force.
+    pub force_95: f64,
+    /// Largest, share of the blocked force.
+    pub force_worst: f64,
+    /// Root mean square of the volume's error, share of the largest volume.
+    pub volume_rms: f64,
+    /// Largest of the volume, share of the largest volume.
+    pub volume_worst: f64,
+    /// Number of points.
+    pub points: usize,
+}
+
+/// A sampled point of the model: q, ε, pull over the blocked force, volume in m³. A pull that is negative, or that the model cannot find behind
+/// the free contraction, is slack.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Sample {
+    pub q: f64,
+    pub contraction: f64,
+    pub pull: Option<f64>,
+    pub volume_m3: Option<f64>,
+}
+
+/// The form, its errors, the blocked force and the samples that the errors are from.
+pub(crate) struct Fitted {
+    pub form: Form,
+    pub errors: FormErrors,
+    pub blocked_n: f64,
+    pub held_out: Vec<Sample>,
+}
+
+/// Fits a form.
+pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted, budget: &Budget) -> Result<Fitted, ExportError> {
+    let (low, supply) = (wanted.contraction_low, wanted.supply_mpa);
+    let w = &mut Workspace::within(budget.clone());
+    let options = Options::extrapolating();
+    let blocked_n = blocked_force_n(model, w, supply, options)?;
+    let high = match wanted.contraction_high {
+        Some(high) => high,
+        None => free_contraction(model, w, supply, options)?,
+    };
+    if !(blocked_n > 0.0 && high > low.max(0.0)) {
+        return Err(ExportError::NoPull { supply_mpa: supply });
+    }
+    let nodes = |n: usize, a: f64, b: f64| {
+        let at = move |i: usize| 0.5 * (1.0 - (PI * (i as f64 + 0.5) / n as f64).cos());
+        (0..n).map(move |i| a + (b - a) * at(i))
+    };
+    let even = |n: usize, a: f64, b: f64| (0..n).map(move |i| a + (b - a) * i as f64 / (n - 1) as f64);
+    let pressures: Vec<f64> = [0.0].into_iter().chain(nodes(8, 0.0, 1.0)).chain([1.0]).collect();
+    let mut contractions: Vec<f64> = even(7, low.min(0.0), 0.0).collect();
+    contractions.extend(nodes(12, 0.0, high).chain([high]).filter(|e| *e > low));
+    let at = sample(model, (&pressures, &contractions), supply, blocked_n, budget)?;
+    let held: Vec<f64> = even(12, low, high).collect();
+    let held_out = sample(model, (&even(8, 0.0, 1.0).collect::<Vec<_>>(), &held), supply, blocked_n, budget)?;
+    // A muscle without pressure at its length at rest pulls nothing, unless its tube is stretched: exactly.
+    let at_rest = force_on(model, w, 0.0, 0.0, Direction::Mean).is_ok_and(|f| f.abs() < 1e-6 * blocked_n);
+    let mut form = Form {
+        length_m: 1e-3 * model.muscle().length_mm(),
+        supply_pa: 1e6 * supply,
+        contraction_low: low,
+        contraction_high: high,
+        a: [[0.0; POWERS]; 3],
+        b: [[0.0; 2]; 3],
+        v: [0.0; 3],
+        friction_n: friction(model, w, supply, high),
+    };
+    pulls(&mut form, &at, at_rest)?;
+    for row in form.a.iter_mut() {
+        row.iter_mut().for_each(|a| *a *= blocked_n);
+    }
+    for row in form.b.iter_mut() {
+        row.iter_mut().for_each(|b| *b *= blocked_n);
+    }
+    volumes(&mut form, &at, &model.info().name)?;
+    let errors = errors(&form, &held_out, blocked_n);
+    Ok(Fitted { form, errors, blocked_n, held_out })
+}
+
+/// Asks the model, along falling pulls: behind the second point at which the muscle would push it is slack.
+fn sample(
+    model: &dyn ForceModel,
+    (pressures, contractions): (&[f64], &[f64]),
+    supply_mpa: f64,
+    blocked_n: f64,
+    budget: &Budget,
+) -> Result<Vec<Sample>, ExportError> {
+    let rows = threads::map(pressures, |&q| {
+        let w = &mut Workspace::within(budget.clone());
+        let (mut row, mut slack) = (vec![], false);
+        for &contraction in contractions {
+            let mut point = Sample { q, contraction, pull: None, volume_m3: None };
+            if !slack {
+                budget.check()?;
+                match model.response(w, q * supply_mpa, contraction) {
+                    Ok(found) => {
+                        slack = found.force_n < -1e-3 * blocked_n;
+                        point.pull = Some(found.force_n / blocked_n);
+                        point.volume_m3 = found.volume_mm3.map(|v| 1e-9 * v);
+                    }
+                    // What has no equilibrium without pressure, and is not stretched, has collapsed.
+                    Err(_) if contraction > 0.0 && q < 0.2 => slack = true,
+                    Err(error) => return Err(ExportError::from(error)),
+                }
+            }
+            row.push(point);
+        }
+        Ok(row)
+    });
+    let mut all = vec![];
+    for row in rows {
+        all.extend(row?);
+    }
+    Ok(all)
+}
+
+/// The row of a point: what each coefficient adds to the pull; `slope`: to its slope in ε.
+fn row(q: f64, e: f64, slope: bool) -> Vec<f64> {
+    let s = (-e).max(0.0);
+    let mut out = vec![];
+    for power in [1.0, q, q * q] {
+        for j in 0..POWERS as i32 {
+            let value = match (slope, j) {
+                (false, _) => e.powi(j),
+                (true, 0) => 0.0,
+                (true, _) => f64::from(j) * e.powi(j - 1),
+            };
+            out.push(power * value);
+        }
+        for k in [2, 3] {
+            out.push(power * if slope { -f64::from(k) * s.powi(k - 1) } else { s.powi(k) });
+        }
+    }
+    out
+}
+
+/// How often rows are added where the form pulls and the muscle does not.
+const ROUNDS: usize = 8;
+/// The form stays this share of the blocked force below zero where rows hold it there.
+const BELOW: f64 = 2e-3;
+
+fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<(), ExportError> {
+    let mut rows: Vec<(Vec<f64>, f64, f64)> = vec![];
+    for p in at {
+        let Some(pull) = p.pull.filter(|pull| *pull >= -BELOW) else { continue };
+        rows.push((row(p.q, p.contraction, false), pull, 1.0));
+    }
+    let (low, high) = (form.contraction_low, form.contraction_high);
+    let stretched = low < 0.0;
+    // Columns that the data determine: s only where the box is stretched, a_00 = 0 where the muscle at rest pulls nothing.
+    let used: Vec<usize> = (0..3 * (POWERS + 2))
+        .filter(|c| (stretched || c % (POWERS + 2) < POWERS) && (*c != 0 || !at_rest))
+        .collect();
+    // Scales of the columns: ε over its range.
+    let scale: Vec<f64> = used
+        .iter()
+        .map(|c| match c % (POWERS + 2) {
+            j if j < POWERS => high.max(-low).powi(j as i32),
+            j => (-low).powi((j - POWERS) as i32 + 2),
+        })
+        .collect();
+    let free: Vec<f64> = free_by_pressure(at, high);
+    for _ in 0..ROUNDS {
+        let matrix =
+            DMatrix::from_fn(rows.len(), used.len(), |r, c| rows[r].2 * rows[r].0[used[c]] / scale[c]);
+        let values = DVector::from_iterator(rows.len(), rows.iter().map(|r| r.2 * r.1));
+        let qr = matrix.qr();
+        let solved = (rows.len() >= used.len())
+            .then(|| qr.r().solve_upper_triangular(&(qr.q().transpose() * values)))
+            .flatten()
+            .filter(|s| s.iter().all(|v| v.is_finite()))
+            .ok_or(ExportError::Points { points: rows.len() })?;
+        for (c, index) in used.iter().enumerate() {
+            let (i, j) = (index / (POWERS + 2), index % (POWERS + 2));
+            let value = solved[c] / scale[c];
+            if j < POWERS {
+                form.a[i][j] = value;
+            } else {
+                form.b[i][j - POWERS] = value;
+            }
+        }
+        // A fine grid of the slack part.
+        let before = rows.len();
+        for k in 0..=40 {
+            let q = k as f64 / 40.0;
+            let from = free[k];
+            for m in 1..=24 {
+                let e = from + (high - from) * f64::from(m) / 24.0;
+                if e <= from + 0.01 {
+                    continue;
+                }
+                if form.two_sided_n(q * form.supply_pa, e).0 > -0.5 * BELOW {
+                    rows.push((row(q, e, false), -2.0 * BELOW, 0.5));
+                }
+            }
+            if form.two_sided_n(q * form.supply_pa, high).1 > -0.05 {
+                rows.push((row(q, high, true), -0.2, 0.03));
+            }
+        }
+        if rows.len() == before {
+            break;
+        }
+    }
+    Ok(())
+}
+
+/// The contraction at which the model stops pulling, at 41 pressures: between its samples in proportion.
+fn free_by_pressure(at: &[Sample], high: f64) -> Vec<f64> {
+    let mut ends: Vec<(f64, f64)> = vec![];
+    let mut i = 0;
+    while i < at.len() {
+        let q = at[i].q;
+        let line: Vec<&Sample> = at[i..].iter().take_while(|p| p.q == q).collect();
+        i += line.len();
+        let pulls = |p: &Sample| p.pull.filter(|f| *f > 0.0);
+        let last = line.iter().rposition(|p| pulls(p).is_some());
+        let free = match last {
+            None => 0.0,
+            Some(k) => match (line[k].pull, line.get(k + 1)) {
+                (Some(a), Some(next)) => {
+                    let share = next.pull.map_or(1.0, |b| a / (a - b));
+                    line[k].contraction + share * (next.contraction - line[k].contraction)
+                }
+                _ => high,
+            },
+        };
+        ends.push((q, free.max(0.0)));
+    }
+    let at = |q: f64| {
+        let k = ends.partition_point(|e| e.0 < q).clamp(1, ends.len() - 1);
+        let ((a, x), (b, y)) = (ends[k - 1], ends[k]);
+        // The curve is steep at low pressure and bends down: the upper one is never exceeded.
+        if b > a { (x + (y - x) * ((q - a) / (b - a)).clamp(0.0, 1.0).sqrt()).max(x) } else { y }
+    };
+    (0..=40).map(|k| at(f64::from(k) / 40.0)).collect()
+}
+
+/// v0, v1, v2 by what the potential leaves of the volumes.
+fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<(), ExportError> {
+    let known: Vec<(f64, f64)> = at
+        .iter()
+        .filter(|p| p.pull.is_some_and(|pull| pull >= 0.0))
+        .filter_map(|p| Some((p.q, p.volume_m3? - form.potential_volume_m3(p.q, p.contraction))))
+        .collect();
+    if known.is_empty() {
+        return Err(ExportError::NoVolume { model: model.to_owned() });
+    }
+    let scale = known.iter().map(|k| k.1.abs()).fold(0.0, f64::max);
+    let matrix = DMatrix::from_fn(known.len(), 3, |r, c| known[r].0.powi(c as i32));
+    let values = DVector::from_iterator(known.len(), known.iter().map(|k| k.1 / scale));
+    let qr = matrix.qr();
+    let solved = qr
+        .r()
+        .solve_upper_triangular(&(qr.q().transpose() * values))
+        .filter(|s| s.iter().all(|v| v.is_finite()))
+        .ok_or(ExportError::Points { points: known.len() })?;
+    form.v = [solved[0] * scale, solved[1] * scale, solved[2] * scale];
+    Ok(())
+}
+
+fn errors(form: &Form, held_out: &[Sample], blocked_n: f64) -> FormErrors {
+    let mut force: Vec<f64> = vec![];
+    let mut volume: Vec<f64> = vec![];
+    let largest = held_out.iter().filter_map(|p| p.volume_m3).fold(0.0, f64::max);
+    for p in held_out {
+        let here = form.at(p.q * form.supply_pa, p.contraction);
+        force.push((here.force_n / blocked_n - p.pull.unwrap_or(0.0).max(0.0)).abs());
+        if let (Some(v), Some(true)) = (p.volume_m3, p.pull.map(|f| f > 0.0)) {
+            volume.push((here.volume_m3 - v).abs() / largest);
+        }
+    }
+    force.sort_by(f64::total_cmp);
+    let rms = |of: &[f64]| (of.iter().map(|e| e * e).sum::<f64>() / of.len().max(1) as f64).sqrt();
+    let top = |of: &[f64]| of.iter().copied().fold(0.0, f64::max);
+    FormErrors {
+        force_rms: rms(&force),
+        force_95: force.get((0.95 * force.len() as f64) as usize).copied().unwrap_or(0.0),
+        force_worst: top(&force),
+        volume_rms: rms(&volume),
+        volume_worst: top(&volume),
+        points: force.len(),
+    }
+}
+
+/// h0 √q + h1 q of the friction that the muscle states, halfway to the free contraction.
+fn friction(model: &dyn ForceModel, w: &mut Workspace, supply: f64, high: f64) -> [f64; 2] {
+    if model.muscle().friction().is_none() {
+        return [0.0; 2];
+    }
+    let mut half = |q: f64| {
+        let at = |w: &mut Workspace, direction| force_on(model, w, q * supply, 0.25 * high, direction).ok();
+        let (more, less) = (at(w, Direction::Elongation)?, at(w, Direction::Contraction)?);
+        Some(0.5 * (more - less))
+    };
+    // Both numbers from the half-widths at a quarter of the supply and at the supply.
+    match (half(0.25), half(1.0)) {
+        (Some(quarter), Some(whole)) => [4.0 * quarter - whole, 2.0 * whole - 4.0 * quarter],
+        _ => [0.0; 2],
+    }
+}

@@ -1,0 +1,69 @@
+//! A muscle for controllers and simulators: one closed form of pull and volume ([`Form`]), fitted to a force model with its error
+//! ([`ExportedMuscle`]), and written for a host ([`Target`]).
+//!
+//! Units at the hosts' interface: Pa, m, N, m³. Each artefact names muscle, version, hash, error and ±.
+
+#![warn(clippy::print_stdout, clippy::print_stderr)]
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+mod error;
+mod fit;
+mod form;
+mod muscle;
+mod targets;
+mod template;
+
+pub use error::ExportError;
+pub use fit::{FormErrors, Wanted};
+pub use form::{CONTRACTION_OUTSIDE, Form, NO_ANSWER, OK, POWERS, PRESSURE_OUTSIDE, Point, SLACK};
+pub use muscle::{ExportBox, ExportedMuscle};
+pub use targets::{Target, TargetEntry};
+
+/// What every text of this crate has in it, so that a later run knows it.
+pub const MARK: &str = "exported by mckibben";
+
+/// A file for a host.
+#[derive(Debug, Clone, PartialEq)]
+pub struct File {
+    /// Its name.
+    pub name: &'static str,
+    /// What it is, in a few words.
+    pub about: &'static str,
+    /// What is in it.
+    pub content: Content,
+}
+
+/// What is in a file.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Content {
+    /// Text.
+    Text(String),
+    /// Bytes.
+    Bytes(Vec<u8>),
+}
+
+impl Content {
+    /// The bytes of the file.
+    pub fn bytes(&self) -> &[u8] {
+        match self {
+            Self::Text(text) => text.as_bytes(),
+            Self::Bytes(bytes) => bytes,
+        }
+    }
+}
+
+/// What a target makes of a muscle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Artefact {
+    /// The files: the one to begin with first.
+    pub files: Vec<File>,
+    /// What it loses, and what a user must know, in sentences.
+    pub notes: Vec<String>,
+}
+
+/// Root mean square and largest error of a host's own form, shares of the blocked force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct HostError {
+    pub rms: f64,
+    pub worst: f64,
+}

@@ -1,0 +1,187 @@
+//! A muscle fitted for export, with all that an artefact states of it.
+
+use crate::error::ExportError;
+use crate::fit::{Fitted, FormErrors, Sample, Wanted, fit};
+use crate::form::Form;
+use crate::targets::Target;
+use crate::{Artefact, MARK};
+use mckibben::budget::Budget;
+use mckibben::model::{ForceModel, Workspace};
+use mckibben::muscle::{Direction, file::to_toml};
+use mckibben::uncertainty::uncertainty;
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+
+/// The box over which a muscle is exported.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct ExportBox {
+    /// Supply pressure, MPa; the box begins at 0.
+    pub supply_pressure_mpa: f64,
+    /// Lower end of the contraction.
+    pub contraction_low: f64,
+    /// Upper end of the contraction: the free contraction at the supply, where no other was asked for.
+    pub contraction_high: f64,
+}
+
+/// A muscle fitted for export.
+#[derive(Debug, Clone)]
+pub struct ExportedMuscle {
+    /// Its name.
+    pub name: String,
+    /// Its muscle file.
+    pub muscle_file: String,
+    /// The form.
+    pub form: Form,
+    /// The box.
+    pub bounds: ExportBox,
+    /// The model that answered.
+    pub model: String,
+    /// Version of the program.
+    pub version: &'static str,
+    /// The first 16 digits of the SHA-256 of muscle file, model, version and coefficients.
+    pub hash: String,
+    /// Errors of the form.
+    pub errors: FormErrors,
+    /// Blocked force at the supply, N.
+    pub blocked_force_n: f64,
+    /// 95 % half-width of the blocked force against a measured muscle, N, where it is known.
+    pub uncertainty_n: Option<f64>,
+    pub(crate) held_out: Vec<Sample>,
+}
+
+/// What is not exported: a form that misses its model by more, share of the blocked force.
+const LIMIT: f64 = 0.05;
+/// The goal: 95 % of points within the first, all within the second, shares of the blocked force.
+const GOAL: [f64; 2] = [0.003, 0.01];
+
+impl ExportedMuscle {
+    /// Fits the form to a model of the muscle named so.
+    ///
+    /// # Errors
+    /// [`ExportError`].
+    pub fn fit(
+        model: &dyn ForceModel,
+        name: &str,
+        wanted: Wanted,
+        budget: &Budget,
+    ) -> Result<Self, ExportError> {
+        let (low, high) = (wanted.contraction_low, wanted.contraction_high);
+        if !((-0.2..=0.0).contains(&low) && high.is_none_or(|high| high > 0.0 && high < 0.5)) {
+            return Err(ExportError::Box { low, high: high.unwrap_or(0.0) });
+        }
+        let Fitted { form, errors, blocked_n, held_out } = fit(model, wanted, budget)?;
+        if errors.force_worst > LIMIT {
+            let percent = 100.0 * errors.force_worst;
+            return Err(ExportError::Misses { percent, limit: 100.0 * LIMIT });
+        }
+        let w = &mut Workspace::within(budget.clone());
+        let half = uncertainty(model, w, (wanted.supply_mpa, 0.0), blocked_n, Direction::Mean);
+        let muscle_file = to_toml(model.muscle());
+        let (version, model) = (env!("CARGO_PKG_VERSION"), model.info().name.to_string());
+        let digest = Sha256::digest(format!("{muscle_file}{model}{version}{form:?}"));
+        Ok(Self {
+            name: name.to_owned(),
+            hash: digest.iter().take(8).map(|byte| format!("{byte:02x}")).collect(),
+            bounds: ExportBox {
+                supply_pressure_mpa: wanted.supply_mpa,
+                contraction_low: form.contraction_low,
+                contraction_high: form.contraction_high,
+            },
+            form,
+            model,
+            version,
+            muscle_file,
+            errors,
+            blocked_force_n: blocked_n,
+            uncertainty_n: half.map(|parts| parts.total()),
+            held_out,
+        })
+    }
+
+    /// What every artefact states, a line each.
+    pub fn facts(&self) -> Vec<String> {
+        let percent = |share: f64| format!("{:.2} %", 100.0 * share);
+        let (e, b) = (&self.errors, &self.bounds);
+        vec![
+            format!("Muscle {}, {MARK} {}, hash {}.", self.plain_name(), self.version, self.hash),
+            format!(
+                "Model {}; pressures from 0 to {} Pa, contractions from {:.4} to {:.4}.",
+                self.model,
+                (1e6 * b.supply_pressure_mpa).round(),
+                b.contraction_low,
+                b.contraction_high
+            ),
+            format!(
+                "Pull against the model: {} rms, {} at 95 % of points, {} worst, of the blocked force of {:.1} N.",
+                percent(e.force_rms),
+                percent(e.force_95),
+                percent(e.force_worst),
+                self.blocked_force_n
+            ),
+            format!(
+                "Volume against the model: {} rms, {} worst, of the largest volume.",
+                percent(e.volume_rms),
+                percent(e.volume_worst)
+            ),
+            match self.uncertainty_n {
+                Some(n) => format!(
+                    "Model against a measured muscle: +- {n:.1} N ({:.1} % of the blocked force) at 95 %.",
+                    100.0 * n / self.blocked_force_n
+                ),
+                None => "Model against a measured muscle: the error of this model is not known.".into(),
+            },
+        ]
+    }
+
+    /// What a user must know of the fit, in sentences.
+    pub fn warnings(&self) -> Vec<String> {
+        let e = &self.errors;
+        if e.force_95 <= GOAL[0] && e.force_worst <= GOAL[1] {
+            return vec![];
+        }
+        vec![format!(
+            "the form misses the model by {:.2} % of the blocked force at 95 % of points and {:.2} % at worst; a smaller box, such as a lower end of the contraction nearer to 0, lowers this",
+            100.0 * e.force_95,
+            100.0 * e.force_worst
+        )]
+    }
+
+    /// The name as a word of a programming language: letters, digits and `_`.
+    pub fn identifier(&self) -> String {
+        let mut word: String = self
+            .name
+            .chars()
+            .map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' })
+            .collect();
+        if !word.starts_with(|c: char| c.is_ascii_alphabetic()) {
+            word.insert_str(0, "muscle_");
+        }
+        word.truncate(40);
+        // A word that C, Python or MATLAB has itself.
+        if word.len() < 3
+            || [
+                "mckibben", "for", "int", "float", "double", "char", "long", "short", "static", "const",
+                "void", "main",
+            ]
+            .contains(&word.as_str())
+        {
+            word.insert_str(0, "muscle_");
+        }
+        word
+    }
+
+    /// The name as a comment of any language may have it.
+    pub(crate) fn plain_name(&self) -> String {
+        let plain = |c: char| if c.is_alphanumeric() || " _.-".contains(c) { c } else { '_' };
+        self.name.chars().take(80).map(plain).collect::<String>().replace("--", "__")
+    }
+
+    /// The files for a target.
+    ///
+    /// # Errors
+    /// [`ExportError`].
+    pub fn to(&self, target: Target) -> Result<Artefact, ExportError> {
+        (target.entry().make)(self)
+    }
+}

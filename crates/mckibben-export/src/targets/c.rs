@@ -1,0 +1,59 @@
+//! C99: generic functions and the numbers of a muscle. A compiler for a microcontroller needs nothing else.
+
+use super::{TargetEntry, text};
+use crate::error::ExportError;
+use crate::muscle::ExportedMuscle;
+use crate::template::{list, lists, number, render};
+use crate::{Artefact, File};
+
+pub(super) const ENTRY: TargetEntry = TargetEntry {
+    name: "c",
+    about: "C99 header and source, double or float, for controllers and simulators",
+    needs: "a C99 compiler; of its library only sqrt",
+    loses: "nothing of the form",
+    make,
+};
+
+fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
+    let mut files = sources(muscle);
+    let example = include_str!("../../templates/example.c");
+    files.push(text(
+        "example.c",
+        "an example that compiles as its first line says",
+        rendered(example, muscle),
+    ));
+    Ok(Artefact { files, notes: vec![] })
+}
+
+/// Header, source and the numbers.
+pub(super) fn sources(muscle: &ExportedMuscle) -> Vec<File> {
+    vec![
+        text("mckibben.h", "the functions", rendered(include_str!("../../templates/mckibben.h"), muscle)),
+        text("mckibben.c", "their source", rendered(include_str!("../../templates/mckibben.c"), muscle)),
+        text(
+            "muscle.h",
+            "the numbers of the muscle",
+            rendered(include_str!("../../templates/muscle.h"), muscle),
+        ),
+    ]
+}
+
+pub(super) fn rendered(template: &str, muscle: &ExportedMuscle) -> String {
+    let (f, id) = (&muscle.form, muscle.identifier());
+    let braces = ["{", "}"];
+    let one = |v: f64| format!("MCKIBBEN_R({})", number(v));
+    let values = [
+        ("name", muscle.plain_name()),
+        ("ID", id.to_ascii_uppercase()),
+        ("id", id),
+        ("length", number(f.length_m)),
+        ("supply", number(f.supply_pa)),
+        ("low", number(f.contraction_low)),
+        ("high", number(f.contraction_high)),
+        ("c_a", lists(&f.a, braces, ",\n     ", one)),
+        ("c_b", lists(&f.b, braces, ", ", one)),
+        ("c_v", list(&f.v, braces, one)),
+        ("c_friction", list(&f.friction_n, braces, one)),
+    ];
+    render(template, &muscle.facts(), &values)
+}

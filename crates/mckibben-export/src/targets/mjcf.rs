@@ -1,0 +1,120 @@
+//! MuJoCo: a scene in MJCF, with no plugin and no callback.
+//!
+//! MuJoCo has no actuator F(P, L). Two of its actuators on one tendon make one, with x = L/L0 and the pressure P as the control of both:
+//!
+//! ```text
+//! muscle: − (k2 P + m2) x²        gaintype and biastype "muscle" on their first quarters, which are parabolas
+//! affine: − (k0 + k1 x) P − (m0 + m1 x)
+//! ```
+//!
+//! The gain of a muscle is −force · 2 L² for 0 ≤ L ≤ 1/2 with `lmin` 0, and L = length/span with `range` 0 1 and `lengthrange` 0 span; its bias
+//! is −force · fpmax (L − 1)²/2 for 1 ≤ L ≤ 2 with `lmax` 3, and L − 1 = length/span with `range` 1 2. (MuJoCo, "Computation",
+//! section "Muscle actuators"; engine_util_misc.c.) A limit of the force of all actuators at the tendon makes it slack.
+
+use super::{TargetEntry, text};
+use crate::error::ExportError;
+use crate::muscle::ExportedMuscle;
+use crate::template::{number, render};
+use crate::{Artefact, HostError};
+use nalgebra::{DMatrix, DVector};
+
+pub(super) const ENTRY: TargetEntry = TargetEntry {
+    name: "mjcf",
+    about: "a MuJoCo scene of native actuators on a tendon, without plugin or callback",
+    needs: "MuJoCo 3.3 or later",
+    loses: "the form: pull is linear in the pressure and of second degree in the length, from the length at rest to the free contraction; no volume",
+    make,
+};
+
+/// Lengths up to this share of that at rest lie on the parabola of the gain.
+const REACH: f64 = 1.25;
+/// Largest share of the pull beyond the blocked force at the supply.
+const STRONGEST: f64 = 3.0;
+
+/// k0, k1, k2, m0, m1, m2 over the blocked force, and their error.
+fn fitted(muscle: &ExportedMuscle) -> Option<([f64; 6], HostError)> {
+    let row = |q: f64, x: f64| [q, q * x, q * x * x, 1.0, x, x * x];
+    let pulling: Vec<(f64, f64, f64)> = muscle
+        .held_out
+        .iter()
+        .filter_map(|p| Some((p.q, 1.0 - p.contraction, p.pull?)).filter(|p| p.2 >= 0.0 && p.1 <= 1.0))
+        .collect();
+    if pulling.len() < 12 {
+        return None;
+    }
+    // Again with less weight on points that are met: the largest error falls.
+    let mut weight = vec![1.0; pulling.len()];
+    let mut best: Option<([f64; 6], HostError)> = None;
+    for _ in 0..30 {
+        let matrix =
+            DMatrix::from_fn(pulling.len(), 6, |r, c| weight[r] * row(pulling[r].0, pulling[r].1)[c]);
+        let values = DVector::from_iterator(pulling.len(), pulling.iter().zip(&weight).map(|(p, w)| w * p.2));
+        let qr = matrix.qr();
+        let found = qr.r().solve_upper_triangular(&(qr.q().transpose() * values))?;
+        let k: [f64; 6] = std::array::from_fn(|i| found[i]);
+        if k.iter().any(|v| !v.is_finite()) {
+            return None;
+        }
+        let at = |q: f64, x: f64| row(q, x).iter().zip(&k).map(|(a, b)| a * b).sum::<f64>();
+        let errors: Vec<f64> = muscle
+            .held_out
+            .iter()
+            .filter(|p| p.contraction >= 0.0)
+            .map(|p| at(p.q, 1.0 - p.contraction).max(0.0) - p.pull.unwrap_or(0.0).max(0.0))
+            .collect();
+        let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
+        let worst = errors.iter().map(|e| e.abs()).fold(0.0, f64::max);
+        if best.is_none_or(|(_, b)| worst < b.worst) {
+            best = Some((k, HostError { rms, worst }));
+        }
+        for (w, p) in weight.iter_mut().zip(&pulling) {
+            *w *= (0.3 + (at(p.0, p.1) - p.2).abs() / worst).sqrt();
+        }
+    }
+    best
+}
+
+fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
+    let (f, blocked_n) = (&muscle.form, muscle.blocked_force_n);
+    let refused = || {
+        ExportError::Host("the pull of this muscle is not of the form that MuJoCo's actuators have; the targets c and python have all of it".into())
+    };
+    let (k, error) = fitted(muscle).ok_or_else(refused)?;
+    if k[2] <= 0.0 {
+        return Err(refused());
+    }
+    let (length, per_pa) = (f.length_m, blocked_n / f.supply_pa);
+    let span = 2.0 * REACH * length;
+    let of_square = (span / length).powi(2);
+    let mass_kg = 0.4 * blocked_n / 9.81;
+    let reach = format!(
+        "Pull of the actuators against the model, from the length at rest to the free contraction: {:.2} % rms, {:.2} % worst, of the blocked force.",
+        100.0 * error.rms,
+        100.0 * error.worst
+    );
+    let mut facts = muscle.facts();
+    facts.push(reach.clone());
+    let stiffness = 6.0 * blocked_n / length;
+    let values = [
+        ("id", muscle.identifier()),
+        ("name", muscle.plain_name()),
+        ("supply", number(f.supply_pa)),
+        ("half_supply", number(0.5 * f.supply_pa)),
+        ("length", number(length)),
+        ("below", number(-length)),
+        ("span", number(span)),
+        ("gain_square", number(k[2] * per_pa * of_square / 2.0)),
+        ("bias_square", number(2.0 * k[5] * blocked_n * of_square)),
+        ("gain_0", number(-k[0] * per_pa)),
+        ("gain_1", number(-k[1] * per_pa / length)),
+        ("bias_0", number(-k[3] * blocked_n)),
+        ("bias_1", number(-k[4] * blocked_n / length)),
+        ("strongest", number(-STRONGEST * blocked_n)),
+        ("mass", number(mass_kg)),
+        ("damping", number(0.5 * 2.0 * (stiffness * mass_kg).sqrt())),
+    ];
+    let scene = render(include_str!("../../templates/muscle.xml"), &facts, &values);
+    let notes =
+        vec![reach, "both actuators of a muscle take the same control: its gauge pressure in Pa".into()];
+    Ok(Artefact { files: vec![text("muscle.xml", "a mass that hangs from the muscle", scene)], notes })
+}

@@ -1,0 +1,89 @@
+//! The hosts: one file each, and the list of all.
+
+mod c;
+mod csv;
+mod fmu;
+mod mat_file;
+mod matlab;
+mod mjcf;
+mod python;
+mod tables;
+mod zip;
+
+use crate::error::ExportError;
+use crate::muscle::ExportedMuscle;
+use crate::{Artefact, Content, File};
+use std::str::FromStr;
+
+/// What is known of a target.
+#[derive(Clone, Copy)]
+pub struct TargetEntry {
+    /// Its word.
+    pub name: &'static str,
+    /// What it is.
+    pub about: &'static str,
+    /// What it needs.
+    pub needs: &'static str,
+    /// What of the muscle it loses.
+    pub loses: &'static str,
+    pub(crate) make: fn(&ExportedMuscle) -> Result<Artefact, ExportError>,
+}
+
+impl std::fmt::Debug for TargetEntry {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name)
+    }
+}
+
+/// A host.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Target {
+    /// C99.
+    C,
+    /// Python.
+    Python,
+    /// Tables.
+    Csv,
+    /// MATLAB, Simulink and GNU Octave.
+    Matlab,
+    /// MuJoCo.
+    Mjcf,
+    /// Functional Mock-up Unit.
+    Fmu,
+}
+
+impl Target {
+    /// All of them.
+    pub const ALL: [Self; 6] = [Self::C, Self::Python, Self::Csv, Self::Matlab, Self::Mjcf, Self::Fmu];
+
+    /// What is known of it.
+    pub fn entry(self) -> &'static TargetEntry {
+        match self {
+            Self::C => &c::ENTRY,
+            Self::Python => &python::ENTRY,
+            Self::Csv => &csv::ENTRY,
+            Self::Matlab => &matlab::ENTRY,
+            Self::Mjcf => &mjcf::ENTRY,
+            Self::Fmu => &fmu::ENTRY,
+        }
+    }
+
+    /// Their words.
+    pub(crate) fn names() -> String {
+        Self::ALL.map(|t| t.entry().name).join(", ")
+    }
+}
+
+impl FromStr for Target {
+    type Err = ExportError;
+
+    fn from_str(name: &str) -> Result<Self, ExportError> {
+        let found = Self::ALL.into_iter().find(|t| t.entry().name == name.trim());
+        found.ok_or_else(|| ExportError::Target { name: name.to_owned() })
+    }
+}
+
+/// A text as a file.
+fn text(name: &'static str, about: &'static str, text: String) -> File {
+    File { name, about, content: Content::Text(text) }
+}

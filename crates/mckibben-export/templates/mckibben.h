@@ -1,0 +1,56 @@
+/* Pull and volume of a McKibben muscle in closed form. C99; no heap; of the C library only sqrt.
+ * @{facts}
+ *
+ * Units: Pa (gauge), m, N, m3. With -DMCKIBBEN_FLOAT all numbers are float, otherwise double.
+ * Licence: MIT OR Apache-2.0.
+ */
+#ifndef MCKIBBEN_H
+#define MCKIBBEN_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifdef MCKIBBEN_FLOAT
+typedef float mckibben_real;
+#else
+typedef double mckibben_real;
+#endif
+#define MCKIBBEN_R(x) ((mckibben_real)(x))
+
+/* What a status says: a sum of these. */
+#define MCKIBBEN_OK 0u
+#define MCKIBBEN_SLACK 1u               /* the muscle would have to push: it is slack */
+#define MCKIBBEN_PRESSURE_OUTSIDE 2u    /* outside of the box: the form continues along its tangent */
+#define MCKIBBEN_CONTRACTION_OUTSIDE 4u
+#define MCKIBBEN_NO_ANSWER 8u           /* no pressure gives this pull */
+
+typedef struct {
+    mckibben_real length;    /* L0, at rest, m */
+    mckibben_real supply;    /* upper end of the box, Pa */
+    mckibben_real low, high; /* ends of the box in the contraction 1 - L/L0 */
+    mckibben_real a[3][6];   /* N; powers of P/supply, powers of the contraction */
+    mckibben_real b[3][2];   /* N; of the stretched muscle */
+    mckibben_real v[3];      /* m3 */
+    mckibben_real friction[2]; /* N; zeros where the muscle does not state its friction */
+} mckibben_muscle;
+
+/* Pull F in N at a pressure and a length; `status` may be 0. */
+mckibben_real mckibben_force(const mckibben_muscle *m, mckibben_real pressure, mckibben_real length, unsigned *status);
+/* dF/dL at constant pressure, N/m. */
+mckibben_real mckibben_stiffness(const mckibben_muscle *m, mckibben_real pressure, mckibben_real length);
+/* dF/dP at constant length, m2. */
+mckibben_real mckibben_force_per_pressure(const mckibben_muscle *m, mckibben_real pressure, mckibben_real length);
+/* Volume of the cavity, m3. */
+mckibben_real mckibben_volume(const mckibben_muscle *m, mckibben_real pressure, mckibben_real length);
+/* Pressure at which the muscle pulls with `force` at a length; closed form; `status` may be 0. */
+mckibben_real mckibben_pressure(const mckibben_muscle *m, mckibben_real force, mckibben_real length, unsigned *status);
+/* Contraction 1 - L/L0 at which the muscle pulls with `force` at a pressure. */
+mckibben_real mckibben_contraction(const mckibben_muscle *m, mckibben_real force, mckibben_real pressure);
+/* What friction adds to the pull while the length changes by `velocity` in m/s (positive: longer); smooth at rest over `smoothing` in m/s. */
+mckibben_real mckibben_friction(const mckibben_muscle *m, mckibben_real pressure, mckibben_real velocity, mckibben_real smoothing);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,17 @@
+/* The muscle @{name}.
+ * @{facts}
+ */
+#ifndef MCKIBBEN_MUSCLE_@{ID}_H
+#define MCKIBBEN_MUSCLE_@{ID}_H
+
+#include "mckibben.h"
+
+static const mckibben_muscle @{id} = {
+    MCKIBBEN_R(@{length}), MCKIBBEN_R(@{supply}), MCKIBBEN_R(@{low}), MCKIBBEN_R(@{high}),
+    @{c_a},
+    @{c_b},
+    @{c_v},
+    @{c_friction}
+};
+
+#endif

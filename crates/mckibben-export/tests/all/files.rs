@@ -1,0 +1,170 @@
+//! The files: what each names, and what a C compiler and Python make of them.
+
+use super::exported;
+use mckibben::muscle::Muscle;
+use mckibben_export::{ExportError, ExportedMuscle, Target};
+use std::fmt::Write as _;
+use std::path::Path;
+use std::process::Command;
+use std::sync::LazyLock;
+
+static PROTOTYPE: LazyLock<ExportedMuscle> = LazyLock::new(|| exported(&Muscle::prototype(), 0.25).unwrap());
+
+fn write(target: Target, folder: &Path) {
+    for file in PROTOTYPE.to(target).unwrap().files {
+        std::fs::write(folder.join(file.name), file.content.bytes()).unwrap();
+    }
+}
+
+fn runs(program: &str) -> bool {
+    Command::new(program).arg("--version").output().is_ok_and(|o| o.status.success())
+}
+
+/// Points in the box, outside of it, and slack.
+fn points() -> Vec<(f64, f64)> {
+    let form = &PROTOTYPE.form;
+    let mut out = vec![];
+    for i in -1..=11 {
+        for k in -1..=13 {
+            let e =
+                form.contraction_low + (form.contraction_high - form.contraction_low) * f64::from(k) / 12.0;
+            out.push((f64::from(i) * 0.1 * form.supply_pa, (1.0 - e) * form.length_m));
+        }
+    }
+    out
+}
+
+#[test]
+fn every_file_names_muscle_version_hash_and_error() {
+    for target in Target::ALL {
+        let made = PROTOTYPE.to(target).unwrap();
+        assert!(!made.files.is_empty());
+        for file in made.files {
+            let text = String::from_utf8_lossy(file.content.bytes()).into_owned();
+            for word in [&PROTOTYPE.hash, "exported by mckibben", env!("CARGO_PKG_VERSION")] {
+                assert!(text.contains(word), "{target:?} {}: {word}", file.name);
+            }
+            // A MAT-file has its text in 16 bits.
+            if file.name != "muscle.mat" {
+                for word in ["prototype", "% worst", "+-"] {
+                    assert!(text.contains(word), "{target:?} {}: {word}", file.name);
+                }
+            }
+            assert!(!text.contains("@{"), "{target:?} {}: a place without a value", file.name);
+            assert!(!text.contains("NaN") && !text.contains("inf,"), "{target:?} {}", file.name);
+        }
+    }
+}
+
+#[test]
+fn an_unknown_target_is_named_with_those_that_there_are() {
+    let error = "simscape".parse::<Target>().unwrap_err();
+    assert!(matches!(error, ExportError::Target { .. }));
+    assert!(error.to_string().contains("c, python, csv"), "{error}");
+}
+
+/// Columns: pressure, length, pull, stiffness, dF/dP, volume, pressure of the pull.
+fn of_c(flags: &[&str]) -> Option<Vec<Vec<f64>>> {
+    if !runs("cc") {
+        return None;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    write(Target::C, folder.path());
+    let mut main = String::from("#include \"muscle.h\"\n#include <stdio.h>\nint main(void) {\nunsigned s;\n");
+    main += "const mckibben_muscle *m = &prototype;\n";
+    for (p, l) in points() {
+        let _ = writeln!(
+            main,
+            "{{ mckibben_real p = (mckibben_real){p:e}, l = (mckibben_real){l:e}, f = mckibben_force(m, p, l, &s);"
+        );
+        main += "printf(\"%.17g %.17g %.17g %.17g %.17g %u\\n\", (double)f, (double)mckibben_stiffness(m, p, l), (double)mckibben_force_per_pressure(m, p, l), (double)mckibben_volume(m, p, l), (double)mckibben_pressure(m, f, l, 0), s); }\n";
+    }
+    main += "return 0; }\n";
+    std::fs::write(folder.path().join("main.c"), main).unwrap();
+    let strict =
+        ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", "-ffp-contract=off", "-O1"];
+    let done = Command::new("cc")
+        .args(strict)
+        .args(flags)
+        .args(["main.c", "mckibben.c", "-lm", "-o", "main"])
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let out = Command::new(folder.path().join("main")).output().unwrap();
+    let text = String::from_utf8(out.stdout).unwrap();
+    Some(text.lines().map(|line| line.split(' ').map(|v| v.parse().unwrap()).collect()).collect())
+}
+
+fn compare_with_c(flags: &[&str], tolerance: f64) {
+    let Some(rows) = of_c(flags) else { return };
+    let form = &PROTOTYPE.form;
+    let full = form.at(form.supply_pa, 0.0);
+    let scales =
+        [full.force_n, full.stiffness_n_per_m, full.force_per_pressure_m2, full.volume_m3, form.supply_pa];
+    assert_eq!(rows.len(), points().len());
+    let mut largest = [0.0_f64; 5];
+    for (row, (p, l)) in rows.iter().zip(points()) {
+        let e = form.contraction_of(l);
+        let point = form.at(p, e);
+        // Derivatives jump where the muscle becomes slack: single precision may lie on the other side.
+        if tolerance > 1e-6 && form.two_sided_n(p, e).0.abs() < 1e-3 * full.force_n {
+            continue;
+        }
+        let ours = [
+            point.force_n,
+            point.stiffness_n_per_m,
+            point.force_per_pressure_m2,
+            point.volume_m3,
+            form.pressure(point.force_n, e).0,
+        ];
+        // The slope ∂F/∂P is small at the free contraction: a pressure is compared where it is determined.
+        let last = if point.force_n > 0.0 { 5 } else { 4 };
+        for (k, large) in largest.iter_mut().enumerate().take(last) {
+            *large = large.max((row[k] - ours[k]).abs() / scales[k]);
+        }
+    }
+    eprintln!("{flags:?}: {largest:?}");
+    assert!(largest.iter().all(|e| *e < tolerance), "{largest:?}");
+}
+
+#[test]
+fn c_in_double_precision_is_the_form_to_1e_12() {
+    compare_with_c(&[], 1e-12);
+}
+
+#[test]
+fn c_in_single_precision_errs_by_less_than_1e_4() {
+    compare_with_c(&["-DMCKIBBEN_FLOAT"], 1e-4);
+}
+
+#[test]
+fn python_with_numpy_is_the_form_to_1e_12() {
+    let numpy =
+        Command::new("python3").args(["-c", "import numpy"]).output().is_ok_and(|o| o.status.success());
+    if !numpy {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    write(Target::Python, folder.path());
+    let (p, l): (Vec<f64>, Vec<f64>) = points().into_iter().unzip();
+    let script = format!(
+        "import numpy as n, mckibben_muscle as m\np, l = n.array({p:?}), n.array({l:?})\nf = m.force(p, l)\nfor row in zip(f, m.stiffness(p, l), m.volume(p, l), m.status(p, l)): print(*(repr(float(v)) for v in row))\n"
+    );
+    let out = Command::new("python3").args(["-c", &script]).current_dir(folder.path()).output().unwrap();
+    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+    let text = String::from_utf8(out.stdout).unwrap();
+    let form = &PROTOTYPE.form;
+    let full = form.at(form.supply_pa, 0.0);
+    for (line, (p, l)) in text.lines().zip(points()) {
+        let row: Vec<f64> = line.split(' ').map(|v| v.parse().unwrap()).collect();
+        let point = form.at(p, form.contraction_of(l));
+        assert!((row[0] - point.force_n).abs() < 1e-12 * full.force_n, "{line} {point:?}");
+        assert!(
+            (row[1] - point.stiffness_n_per_m).abs() < 1e-12 * full.stiffness_n_per_m,
+            "{line} {point:?}"
+        );
+        assert!((row[2] - point.volume_m3).abs() < 1e-12 * full.volume_m3, "{line} {point:?}");
+        assert_eq!(row[3], f64::from(point.status));
+    }
+}

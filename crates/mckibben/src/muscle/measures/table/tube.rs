@@ -1,0 +1,94 @@
+//! Measures of the tube.
+
+use super::IDENTIFY;
+use crate::muscle::measures::{Bounds, Identify, Measure, Written};
+use crate::units::Dimension;
+
+/// D0
+pub static OUTER_DIAMETER: Measure = Measure {
+    key: "tube.outer_diameter",
+    field: Some("outer_diameter_mm"),
+    short: Some('D'),
+    symbol: "D0",
+    about: "Outer diameter D0 of the tube at rest",
+    label: "outer diameter",
+    identify: Some(Identify { limit: |v| 0.1 * v.abs(), is_geometry: true, ..IDENTIFY }),
+    get: |p| Some(p.tube.outer_diameter_mm),
+    set: |p, v| p.tube.outer_diameter_mm = v,
+    ..Measure::BASE
+};
+
+/// s
+pub static WALL: Measure = Measure {
+    key: "tube.wall_thickness",
+    field: Some("wall_mm"),
+    short: Some('s'),
+    symbol: "s",
+    about: "Wall thickness s of the tube at rest",
+    label: "wall",
+    identify: Some(Identify {
+        bounds: |m| (0.0, 0.5 * m.outer_diameter_mm()),
+        is_geometry: true,
+        ..IDENTIFY
+    }),
+    get: |p| Some(p.tube.wall_mm),
+    set: |p, v| p.tube.wall_mm = v,
+    ..Measure::BASE
+};
+
+/// L0
+pub static LENGTH: Measure = Measure {
+    key: "tube.length",
+    field: Some("length_mm"),
+    short: Some('L'),
+    symbol: "L0",
+    about: "Length L0 between the terminals at rest",
+    label: "length",
+    comment: "between the terminals",
+    identify: Some(Identify { is_geometry: true, ..IDENTIFY }),
+    get: |p| Some(p.tube.length_mm),
+    set: |p, v| p.tube.length_mm = v,
+    ..Measure::BASE
+};
+
+/// ρ
+pub static DENSITY: Measure = Measure {
+    key: "tube.density",
+    field: Some("density_kg_per_m3"),
+    dimension: Dimension::Density,
+    symbol: "ρ",
+    about: "Density ρ of the rubber",
+    label: "density of the rubber",
+    is_shown: true,
+    comment: "of the rubber; only its mass follows from it",
+    get: |p| p.tube.density_kg_per_m3,
+    set: |p, v| p.tube.density_kg_per_m3 = Some(v),
+    ..Measure::BASE
+};
+
+/// λp
+pub static PRESTRETCH: Measure = Measure {
+    key: "tube.prestretch",
+    field: Some("prestretch"),
+    dimension: Dimension::Ratio,
+    written: Written::Number,
+    bounds: Bounds::Between(0.5, 2.0),
+    default: Some(1.0),
+    symbol: "λp",
+    about: "Axial stretch of the mounted tube: L0 over its free length; all dimensions are those of the mounted muscle",
+    label: "prestretch",
+    is_shown: true,
+    comment: "mounted length over free length; D0, wall and length are the mounted ones",
+    digested: true,
+    identify: Some(Identify {
+        also: &["prestretch"],
+        // Beside 1, where a model that leaves it out and one that has it differ.
+        start: |_| Some(1.02),
+        bounds: |_| (0.5, 2.0),
+        limit: |_| 0.05,
+        ..IDENTIFY
+    }),
+    get: |p| Some(p.tube.prestretch).filter(|v| *v != 1.0),
+    set: |p, v| p.tube.prestretch = v,
+    ..Measure::BASE
+};
