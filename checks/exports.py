@@ -293,7 +293,7 @@ d = fmpy.read_model_description(path)
 u = FMU2Slave(guid=d.guid, unzipDirectory=fmpy.extract(path), modelIdentifier=d.coSimulation.modelIdentifier, instanceName='i')
 u.instantiate(); u.setupExperiment(); u.enterInitializationMode(); u.exitInitializationMode()
 if saved:
-    u.setFMUState(u.deSerializeFMUState(saved))
+    u.setFMUState(u.deSerializeFMUstate(saved))
 else:
     u.setReal([0, 1], [1.5e5, length])
 s = u.getFMUState()

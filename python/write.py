@@ -28,7 +28,7 @@ PACKAGE = ROOT / "python" / "mckibben"
 BRIDGES = ("jax", "torch")
 HEAD = "# Written by python/write.py from the schema.\n"
 TYPES = """
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Literal
 
 from . import _answers, _results
@@ -69,6 +69,8 @@ def commands() -> Iterator[str]:
     from mckibben import _commands
 
     yield HEAD + TYPES
+    yield "def unit_free(names: Iterable[str]) -> dict[str, str]: ..."
+    yield "def spelled(function: str, given: dict[str, Any], known: Iterable[str]) -> dict[str, Any]: ..."
     yield f"__all__ = {_commands.__all__}"
     for name in _commands.__all__:
         yield function(name, getattr(_commands, name))

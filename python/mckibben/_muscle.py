@@ -97,13 +97,13 @@ class Muscle(MuscleFields, MuscleCommands):
         return Model(self, model, **options)
 
     @overload
-    def force(self, pressure_mpa: Number, contraction: Number = ..., *, errors: Outside | None = ..., **options: Any) -> Found: ...
+    def force(self, pressure_mpa: Number | None = ..., contraction: Number = ..., *, errors: Outside | None = ..., **options: Any) -> Found: ...
     @overload
     def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Any) -> NDArray[np.float64]: ...
     @overload
     def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
 
-    def force(self, pressure_mpa: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, **options: Any) -> Any:
+    def force(self, pressure_mpa: Any = None, contraction: Any = None, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, **options: Any) -> Any:
         """F(P, ε): the pull, in N; 0 where the muscle is slack.
 
         Parameters
@@ -127,37 +127,47 @@ class Muscle(MuscleFields, MuscleCommands):
         return self._asked("force", ("pressure_mpa", pressure_mpa), ("contraction", contraction), jac, errors, options)
 
     @overload
-    def pressure(self, force_n: Number, contraction: Number = ..., *, errors: Outside | None = ..., **options: Any) -> Found: ...
+    def pressure(self, force_n: Number | None = ..., contraction: Number = ..., *, errors: Outside | None = ..., **options: Any) -> Found: ...
     @overload
     def pressure(self, force_n: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Any) -> NDArray[np.float64]: ...
     @overload
     def pressure(self, force_n: Floats, contraction: Floats = ..., *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
 
-    def pressure(self, force_n: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, **options: Any) -> Any:
+    def pressure(self, force_n: Any = None, contraction: Any = None, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, **options: Any) -> Any:
         """P(F, ε): the gauge pressure that gives a pull, in MPa. Arguments as in :meth:`force`, the pull in N first."""
         return self._asked("pressure", ("force_n", force_n), ("contraction", contraction), jac, errors, options)
 
     @overload
-    def contraction(self, force_n: Number, pressure_mpa: Number, *, errors: Outside | None = ..., **options: Any) -> Found: ...
+    def contraction(self, force_n: Number | None = ..., pressure_mpa: Number | None = ..., *, errors: Outside | None = ..., **options: Any) -> Found: ...
     @overload
     def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Any) -> NDArray[np.float64]: ...
     @overload
     def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
 
-    def contraction(self, force_n: Any, pressure_mpa: Any, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, **options: Any) -> Any:
+    def contraction(self, force_n: Any = None, pressure_mpa: Any = None, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, **options: Any) -> Any:
         """ε(F, P): the contraction ratio at which a pressure gives a pull. Arguments as in :meth:`force`, the pull in N first."""
         return self._asked("contraction", ("force_n", force_n), ("pressure_mpa", pressure_mpa), jac, errors, options)
 
     def _asked(self, wanted: str, first: tuple[str, Any], second: tuple[str, Any], jac: Any, errors: str | None, options: dict[str, Any]) -> Any:
+        from . import _schema
+        from ._commands import spelled
         from ._points import Found, model_of, outside, several
 
-        (a_name, a), (b_name, b) = first, second
+        (a_name, _), (b_name, _) = first, second
+        known = [name for name in _schema.request(wanted) if name != "muscle" and name not in _schema.muscle()]
+        given = spelled(wanted, {name: value for name, value in (first, second, *options.items()) if value is not None}, known)
+        if unknown := [name for name in given if name not in known]:
+            raise TypeError(f"Muscle.{wanted}() got an unexpected keyword argument {unknown[0]!r}")
+        a, b = given.pop(a_name, None), given.pop(b_name, None)
+        options = given
         if several(a, b) or jac is not False:
-            return getattr(model_of(self, options), wanted)(a, b, jac=jac, errors=outside(errors, "warn"))
+            return getattr(model_of(self, options), wanted)(a, 0.0 if b is None else b, jac=jac, errors=outside(errors, "warn"))
         from ._ask import answered
 
         state = answered(wanted, {"muscle": self, a_name: a, b_name: b, **options}, _title(wanted))
-        return Found(state._data[{"force": "force_n", "pressure": "pressure_mpa", "contraction": "contraction"}[wanted]], state)
+        value = state._data.get({"force": "force_n", "pressure": "pressure_mpa", "contraction": "contraction"}[wanted])
+        # Against a load the answer is more than a number.
+        return state if value is None else Found(value, state)
 
     def solve(self, pressure_mpa: Floats, contraction: Floats = 0.0, **options: Any) -> Solution:
         """All that is known of many points: pulls, their ±, volumes, stiffness, strand tension, … as arrays.

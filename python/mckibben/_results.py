@@ -92,6 +92,11 @@ class Fitted(_Plain, _answers.FitAnswer):
 
     __slots__ = ()
 
+    def __repr__(self) -> str:
+        errors = (self._data.get("errors") or {}).get("fit") or {}
+        share = f", rms {100 * errors['rms_of_blocked']:.2g} % of the blocked force" if errors.get("rms_of_blocked") is not None else ""
+        return f"Fitted({self._data['name']}: {self._data['kind']}, {(self._data.get('provenance') or {}).get('points', 0)} points{share})"
+
     @property
     def formula(self) -> Formula:
         """The formula, which is a model and a file."""
@@ -209,7 +214,7 @@ class Export(_Plain, _answers.ExportAnswer):
 
     __slots__ = ()
 
-    def save(self, folder: str | os.PathLike[str]) -> Path:
+    def save(self, folder: str | os.PathLike[str]) -> Path:  # type: ignore[override]
         """Writes the files into a folder, and gives the one to begin with. A file of that name is replaced only where it is the same."""
         return _saved(self.files, folder)
 

@@ -106,3 +106,16 @@ def test_jax_inverses_measures_and_samplers() -> None:
     safe = mk.jax.force(model, wrt=["wall_mm"], errors="nan")
     value, change = jax.value_and_grad(lambda t: safe(0.2, 0.1, t))(np.array([30.0]))
     assert np.isnan(value) and np.isnan(change).all() and np.isnan(mk.jax.force(model, errors="nan")(90.0, 0.1))
+
+
+@pytest.mark.parametrize("sampler, needs", [("by_emcee", "emcee"), ("by_nuts", "numpyro")])
+def test_a_posterior_is_as_wide_as_the_errors_of_identify(sampler: str, needs: str, root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With a flat prior and ten points the posterior is nearly normal: its mean is what least squares find, its standard deviations are the standard
+    errors, both within what a few hundred correlated samples leave."""
+    pytest.importorskip(needs)
+    monkeypatch.syspath_prepend(str(root / "python" / "examples"))
+    made: Any = importlib.import_module("identify_bayes")
+    found, *points = made.bench()
+    samples = getattr(made, sampler)(found, *points)
+    assert np.allclose((samples.mean(axis=0) - found.x) / found.stderr, 0, atol=0.4)
+    assert np.allclose(samples.std(axis=0) / found.stderr, 1, atol=0.25)

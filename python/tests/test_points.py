@@ -101,3 +101,16 @@ def test_numbers_come_back_as_quantities_of_pint(thin: mk.Muscle) -> None:
         mk.units("plain")
     assert isinstance(thin.model("ideal").force(0.2, 0.1), float)
     assert any(kind.kind == "pressure" for kind in mk.units().kinds)
+
+
+def test_arguments_of_a_muscle_are_those_of_its_commands(thin: mk.Muscle) -> None:
+    """What a command takes besides the muscle, by keyword or place, with its unit in the name or in the text; nothing else."""
+    assert thin.force(pressure_mpa=0.2, contraction=0.1, model="ideal") == thin.force(pressure="2 bar", contraction="10%", model="ideal")
+    assert thin.pressure(force="300 N", model="ideal") == thin.pressure(300, 0.0, model="ideal")
+    # A weight of 10 kg pulls 98.0665 N.
+    assert thin.contraction(pressure_mpa=0.25, load="mass:10kg", model="universal") == pytest.approx(thin.contraction(98.0665, 0.25, model="universal"), rel=1e-6)
+    for wrong in ({"lod": 1}, {"outer_diameter_mm": 30}, {"pressure": 0.2}):
+        with pytest.raises(TypeError):
+            thin.force(contraction=0.1, **wrong)
+    with pytest.raises(mk.InputError, match="missing"):
+        thin.force()

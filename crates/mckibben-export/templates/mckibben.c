@@ -44,7 +44,7 @@ static void at_contraction(const mckibben_muscle *m, real e, coefficients *k)
 }
 
 /* phi and dphi/dq. */
-static real square(real q, real *slope)
+static real squared(real q, real *slope)
 {
     *slope = q <= R(0) ? R(0) : (q <= R(1) ? R(2) * q : R(2));
     return q <= R(0) ? R(0) : (q <= R(1) ? q * q : R(2) * q - R(1));
@@ -53,7 +53,7 @@ static real square(real q, real *slope)
 static real two_sided(const mckibben_muscle *m, const real c[3], real pressure)
 {
     real slope;
-    const real q = pressure / m->supply, phi = square(q, &slope);
+    const real q = pressure / m->supply, phi = squared(q, &slope);
     return c[0] + c[1] * q + c[2] * phi;
 }
 
@@ -86,7 +86,7 @@ real mckibben_force_per_pressure(const mckibben_muscle *m, real pressure, real l
     coefficients k;
     real slope;
     at_contraction(m, R(1) - length / m->length, &k);
-    (void)square(pressure / m->supply, &slope);
+    (void)squared(pressure / m->supply, &slope);
     return two_sided(m, k.c, pressure) <= R(0) ? R(0) : (k.c[1] + k.c[2] * slope) / m->supply;
 }
 
@@ -129,7 +129,7 @@ real mckibben_volume(const mckibben_muscle *m, real pressure, real length)
 {
     coefficients k;
     real slope;
-    const real q = pressure / m->supply, phi = square(q, &slope);
+    const real q = pressure / m->supply, phi = squared(q, &slope);
     at_contraction(m, R(1) - length / m->length, &k);
     if (two_sided(m, k.c, pressure) <= R(0)) /* slack: it hangs at its free contraction */
         at_contraction(m, mckibben_contraction(m, R(0), pressure), &k);

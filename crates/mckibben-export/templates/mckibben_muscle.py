@@ -45,6 +45,15 @@ def _stopped(xp, value):
     return value
 
 
+def _repeated(xp, times, step, state):
+    """A loop that JAX compiles once."""
+    if xp.__name__ == "jax.numpy":
+        return sys.modules["jax"].lax.fori_loop(0, times, lambda _, s: step(*s), state)
+    for _ in range(times):
+        state = step(*state)
+    return state
+
+
 def _coefficients(xp, e):
     """c, dc/de and the integral of c at a contraction, for each power of the pressure."""
     inside = xp.where(e < LOW, LOW + 0 * e, xp.where(e > HIGH, HIGH + 0 * e, e))
@@ -135,10 +144,14 @@ def contraction(force, pressure):
     (pull_low, slope_low), (pull_high, slope_high) = pull(low), pull(high)
     beyond_low, beyond_high = force >= pull_low, force <= pull_high
     a, b = _stopped(xp, low), _stopped(xp, high)
-    for _ in range(50):
+    wanted, fixed_q, fixed_phi = _stopped(xp, force), _stopped(xp, q), _stopped(xp, phi)
+
+    def halved(a, b):
         middle = 0.5 * (a + b)
-        over = pull(middle)[0] > force
-        a, b = xp.where(over, middle, a), xp.where(over, b, middle)
+        over = _two_sided(_coefficients(xp, middle)[0], fixed_q, fixed_phi) > wanted
+        return xp.where(over, middle, a), xp.where(over, b, middle)
+
+    a, b = _repeated(xp, 50, halved, (a, b))
     at = _stopped(xp, 0.5 * (a + b))
     for _ in range(2):
         value, slope = pull(at)

@@ -11,6 +11,7 @@ mod common;
 mod contract;
 mod design;
 mod examples;
+mod export;
 mod files;
 mod formulas;
 mod frictions;
