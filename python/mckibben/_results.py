@@ -196,7 +196,8 @@ def _saved(files: Any, folder: str | os.PathLike[str]) -> Path:
     place.mkdir(parents=True, exist_ok=True)
     for name, content in contents.items():
         (place / name).write_bytes(content)
-    return place / next(iter(contents))
+    first: str = next(iter(contents))
+    return place / first
 
 
 class Build(_Plain, _answers.BuildAnswer):
