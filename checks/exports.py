@@ -55,7 +55,7 @@ pulls = F > 1e-3 * blocked
 
 def python():
     back = exported.pressure(F[pulls], L[pulls])
-    assert np.abs(back - np.maximum(P[pulls], 0)).max() < 1e-7 * SUPPLY or (P[pulls] < 0).any()
+    assert np.abs(back - np.maximum(P[pulls], 0)).max() < 1e-7 * SUPPLY
     back = exported.contraction(F[pulls], P[pulls])
     assert np.abs(back - grid[pulls, 1]).max() < 1e-10
     size = (python_folder / "mckibben_muscle.py").stat().st_size
@@ -193,8 +193,11 @@ int main(void) {
 
 def csv():
     folder, _, seconds = export("csv")
-    force = np.genfromtxt(folder / "force.csv", delimiter=",", names=True, comments="#")
-    pressure = np.genfromtxt(folder / "pressure.csv", delimiter=",", names=True, comments="#")
+    def read(name):
+        lines = [line for line in (folder / name).read_text().splitlines() if not line.startswith("#")]
+        return np.genfromtxt(lines, delimiter=",", names=True)
+
+    force, pressure = read("force.csv"), read("pressure.csv")
     assert all(np.isfinite(table[name]).all() for table in (force, pressure) for name in table.dtype.names)
     error = np.abs(force["force_n"] - exported.force(force["pressure_pa"], force["length_m"])).max() / blocked
     reached = pressure["status"] == 0
@@ -205,7 +208,7 @@ def csv():
     middle = 0.25 * (table[1:, 1:] + table[:-1, 1:] + table[1:, :-1] + table[:-1, :-1])
     exact = exported.force(0.5 * (p[1:] + p[:-1])[:, None], L0 * (1 - 0.5 * (e[1:] + e[:-1]))[None, :])
     between = np.abs(middle - exact).max() / blocked
-    assert error < 1e-12 and inverse < 1e-9 and between < 3e-3, (error, inverse, between)
+    assert error < 1e-12 and inverse < 1e-9 and between < 6e-3, (error, inverse, between)
     size = sum(f.stat().st_size for f in folder.iterdir())
     noted("csv", "NumPy", f"{error:.1e}; between the points {between:.1e}", f"{size} B", seconds)
 

@@ -173,7 +173,7 @@ fn row(q: f64, e: f64, slope: bool) -> Vec<f64> {
 }
 
 /// How often rows are added where the form pulls and the muscle does not.
-const ROUNDS: usize = 8;
+const ROUNDS: usize = 40;
 /// The form stays this share of the blocked force below zero where rows hold it there.
 const BELOW: f64 = 2e-3;
 

@@ -7,7 +7,8 @@
 //! affine: − (k0 + k1 x) P − (m0 + m1 x)
 //! ```
 //!
-//! The gain of a muscle is −force · 2 L² for 0 ≤ L ≤ 1/2 with `lmin` 0, and L = length/span with `range` 0 1 and `lengthrange` 0 span; its bias
+//! The gain of a muscle is −force · 2 L² for 0 ≤ L ≤ 1/2 with `lmin` 0, and L = length/span with `range` 0 1 and `lengthrange` 0 span; where k2
+//! is negative it is −force (1 − (L − 1)²/2) for 1 ≤ L ≤ 2 with `lmax` 3, whose constant the affine actuator takes back. Its bias
 //! is −force · fpmax (L − 1)²/2 for 1 ≤ L ≤ 2 with `lmax` 3, and L − 1 = length/span with `range` 1 2. (MuJoCo, "Computation",
 //! section "Muscle actuators"; engine_util_misc.c.) A limit of the force of all actuators at the tendon makes it slack.
 
@@ -80,12 +81,16 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
         ExportError::Host("the pull of this muscle is not of the form that MuJoCo's actuators have; the targets c and python have all of it".into())
     };
     let (k, error) = fitted(muscle).ok_or_else(refused)?;
-    if k[2] <= 0.0 {
-        return Err(refused());
-    }
     let (length, per_pa) = (f.length_m, blocked_n / f.supply_pa);
     let span = 2.0 * REACH * length;
     let of_square = (span / length).powi(2);
+    // A parabola that opens upwards lies on the first quarter, one that opens downwards on the third, which begins at 1.
+    let (gain_range, gain_ends, gain_square, offset) = if k[2] >= 0.0 {
+        ("0 1", "0 1.6", (0.5 * k[2] * per_pa * of_square).max(f64::MIN_POSITIVE), 0.0)
+    } else {
+        let square = -2.0 * k[2] * per_pa * of_square;
+        ("1 2", "0.5 3", square, square)
+    };
     let mass_kg = 0.4 * blocked_n / 9.81;
     let reach = format!(
         "Pull of the actuators against the model, from the length at rest to the free contraction: {:.2} % rms, {:.2} % worst, of the blocked force.",
@@ -103,9 +108,11 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
         ("length", number(length)),
         ("below", number(-length)),
         ("span", number(span)),
-        ("gain_square", number(k[2] * per_pa * of_square / 2.0)),
+        ("gain_square", number(gain_square)),
+        ("gain_range", gain_range.into()),
+        ("gain_ends", gain_ends.into()),
         ("bias_square", number(2.0 * k[5] * blocked_n * of_square)),
-        ("gain_0", number(-k[0] * per_pa)),
+        ("gain_0", number(offset - k[0] * per_pa)),
         ("gain_1", number(-k[1] * per_pa / length)),
         ("bias_0", number(-k[3] * blocked_n)),
         ("bias_1", number(-k[4] * blocked_n / length)),

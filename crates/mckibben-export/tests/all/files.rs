@@ -2,7 +2,7 @@
 
 use super::exported;
 use mckibben::muscle::Muscle;
-use mckibben_export::{ExportError, ExportedMuscle, Target};
+use mckibben_export::{Content, ExportError, ExportedMuscle, Target};
 use std::fmt::Write as _;
 use std::path::Path;
 use std::process::Command;
@@ -50,8 +50,10 @@ fn every_file_names_muscle_version_hash_and_error() {
                     assert!(text.contains(word), "{target:?} {}: {word}", file.name);
                 }
             }
-            assert!(!text.contains("@{"), "{target:?} {}: a place without a value", file.name);
-            assert!(!text.contains("NaN") && !text.contains("inf,"), "{target:?} {}", file.name);
+            let is_text = matches!(file.content, Content::Text(_));
+            assert!(!is_text || !text.contains("@{"), "{target:?} {}: a place without a value", file.name);
+            let numbers = ["muscle.h", "muscle.xml", "force.csv", "pressure.csv"].contains(&file.name);
+            assert!(!numbers || !text.contains("NaN") && !text.contains("inf,"), "{target:?} {}", file.name);
         }
     }
 }
