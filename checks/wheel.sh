@@ -23,7 +23,7 @@ python python/write.py stubs
 step "wheel"
 maturin build --quiet --release --features stubs -o "$work/dist"
 python/stubs.sh --check
-test "$(python -m zipfile -l "$work"/dist/*.whl | grep -cE '/_(answers|commands|errors|native)\.pyi ')" = 4
+test "$(python -m zipfile -l "$work"/dist/*.whl | grep -cE '/_(answers|commands|native)\.pyi ')" = 3
 
 step "types"
 mypy python/mckibben python/tests python/examples/*.py python/*.py

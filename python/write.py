@@ -28,13 +28,13 @@ PACKAGE = ROOT / "python" / "mckibben"
 BRIDGES = ("jax", "torch")
 HEAD = "# Written by python/write.py from the schema.\n"
 TYPES = """
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Literal
 
 from . import _answers, _results
 from ._ask import Progress
 from ._formula import Formula
-from ._inputs import Choice, FileLike, FormulaLike, MuscleLike, Number, Numbers, TableLike
+from ._inputs import Choice, FileLike, FormulaLike, Measured, MuscleLike, Number, Numbers, TableLike
 from ._muscle import Muscle
 from ._parts import Braid, Rubber
 """
@@ -56,13 +56,21 @@ def documented(text: str | None, indent: str) -> str:
 
 
 def function(name: str, made: Any, indent: str = "") -> str:
-    return f"{indent}def {name}{inspect.signature(made)}:\n{documented(made.__doc__, indent + '    ')}"
+    from mckibben._commands import unit_free
+
+    signature = inspect.signature(made)
+    # A quantity is also given by its name without the unit, as a text or a quantity of pint.
+    more = [inspect.Parameter(bare, inspect.Parameter.KEYWORD_ONLY, default=None, annotation="str | Measured | Sequence[str | Measured] | None") for bare in unit_free(signature.parameters)]
+    signature = signature.replace(parameters=[*signature.parameters.values(), *more])
+    return f"{indent}def {name}{signature}:\n{documented(made.__doc__, indent + '    ')}"
 
 
 def commands() -> Iterator[str]:
     from mckibben import _commands
 
     yield HEAD + TYPES
+    yield "def unit_free(names: Iterable[str]) -> dict[str, str]: ..."
+    yield "def spelled(function: str, given: dict[str, Any], known: Iterable[str]) -> dict[str, Any]: ..."
     yield f"__all__ = {_commands.__all__}"
     for name in _commands.__all__:
         yield function(name, getattr(_commands, name))
@@ -87,33 +95,20 @@ def answers() -> Iterator[str]:
         yield f"class {name}(Record):\n{documented(made.__doc__, '    ')}{fields}"
 
 
-def errors() -> Iterator[str]:
-    from mckibben import _errors
-
-    bases = {base.__name__: base for base in vars(_errors).values() if inspect.isclass(base) and base.__module__ == "mckibben._problem"}
-    yield HEAD + "\nfrom typing import Any\n"
-    yield "\n".join(f"from ._problem import {name} as {name}" for name in sorted(bases))
-    yield f"__all__ = {_errors.__all__}"
-    for name in _errors.__all__:
-        made = getattr(_errors, name)
-        if name not in bases:
-            yield f"class {name}({made.__base__.__name__}):\n{documented(made.__doc__, '    ')}"
-    yield "KINDS: dict[str, type[MckibbenError]]"
-    yield "def of(values: dict[str, Any]) -> MckibbenError: ..."
-
-
 def stubs(folder: Path) -> None:
-    for name, lines in (("_commands", commands()), ("_answers", answers()), ("_errors", errors())):
+    for name, lines in (("_commands", commands()), ("_answers", answers())):
         (folder / f"{name}.pyi").write_text("\n\n".join(lines) + "\n", "utf-8")
 
 
 def classes(module: Any) -> Iterator[tuple[str, Any]]:
     """Functions and classes of a module in the order in which they are written; of one that is made from the schema, all there are."""
     made = module.__name__.rsplit(".", 1)[-1]
-    if made in ("_commands", "_errors", "_answers"):
-        names = [name for name in module.__all__ if made != "_errors" or getattr(module, name).__module__ == module.__name__]
+    if made in ("_commands", "_answers"):
+        names = module.__all__
     else:
         names = [node.name for node in ast.parse(inspect.getsource(module)).body if isinstance(node, (ast.FunctionDef, ast.ClassDef))]
+    if made == "_points":
+        names = ["Found", "Solution", "errstate"]
     for name in names:
         if not name.startswith("_") and getattr(module, name).__doc__:
             yield name, getattr(module, name)
@@ -136,7 +131,7 @@ def reference() -> str:
 
     fields = inspect.getdoc(mckibben._muscle.Muscle.__init__) or ""
     out = ["# Python reference\n", "Made from the docstrings of the package. [The Python package](python.md) tells how they go together.\n"]
-    parts = {"Objects": "_muscle _parts _model _formula _campaign _table", "Commands": "_commands", "Answers": "_columns _results _record", "Exceptions": "_problem _errors"}
+    parts = {"Objects": "_muscle _parts _model _points _simulation _formula _campaign _table", "Commands": "_commands", "Figures": "plot", "Answers": "_columns _results _record", "Exceptions": "_problem"}
     bridges = [name for name in BRIDGES if name in sys.modules or find_spec(name)]
     for title, modules in [*parts.items(), ("For JAX and PyTorch", " ".join(bridges))]:
         out.append(f"## {title}\n")

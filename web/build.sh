@@ -27,7 +27,7 @@ made=$(mktemp -d)
 trap 'rm -rf "$made"' EXIT
 build "$made/live.wasm"
 build "$made/whole.wasm" --features whole
-cp -r web/page/. "$made"
+cp -r web/page/. examples "$made"
 cp web/vendor/plotly-*.min.js "$made/js/plotly.js"
 if [ -n "$site" ]; then
     if ! command -v mdbook >/dev/null; then
@@ -50,7 +50,7 @@ if [ -n "$site" ]; then
     sed -i 's#^- \[The Python package\].*#&\n- [Python reference](python-reference.md)#' "$book/SUMMARY.md"
     mdbook build "$book" --dest-dir "$made/docs"
     (cd "$book/schema" && ls *.json | sed 's#.*#<li><a href="&">&</a></li>#' | sed '1i <!DOCTYPE html><html lang="en"><title>JSON Schemas</title><h1>JSON Schemas of the commands</h1><ul>' && echo '</ul></html>') >"$made/docs/schema/index.html"
-    cp -r literature.bib examples "$made"
+    cp literature.bib "$made"
     cargo doc --workspace --no-deps --locked --quiet
     cp -r "$CARGO_TARGET_DIR/doc" "$made/api"
     # Outside of the book there is only the repository.

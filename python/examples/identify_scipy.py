@@ -23,7 +23,7 @@ def measured(muscle: mk.Muscle) -> Any:
 
 def main() -> Any:
     """C10 in MPa and k in N/mm."""
-    muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=3)
+    muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=3, length_mm=285)
     model, forces = muscle.model(), measured(muscle)
 
     def at(theta: Any) -> Any:

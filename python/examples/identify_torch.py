@@ -16,7 +16,7 @@ from mckibben.torch import force
 
 def main() -> Any:
     """C10 in MPa and k in N/mm."""
-    muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=3)
+    muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=3, length_mm=285)
     pull, forces = force(muscle.model(), NAMES), torch.as_tensor(measured(muscle))
     scale = torch.tensor([0.1, 500.0], dtype=torch.float64)
     start = torch.tensor([muscle.parameters[name] for name in NAMES], dtype=torch.float64) / scale

@@ -4,8 +4,8 @@ Lengths are in mm, pressures in MPa (gauge), forces in N, angles in degrees; a q
 (``"2.5 bar"``) or a quantity of pint. Every name carries its unit, and is the same as on the command line and in JSON.
 
 >>> import mckibben as mk
->>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1)
->>> round(muscle.force("2.5 bar", 0.1).force_n, 1)
+>>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
+>>> round(muscle.force("2.5 bar", 0.1), 1)
 1545.3
 """
 
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from . import jax as jax
+    from . import plot as plot
     from . import torch as torch
     from ._ask import ask as ask
     from ._campaign import Campaign as Campaign
@@ -29,7 +30,12 @@ if TYPE_CHECKING:
     from ._muscle import Muscle as Muscle
     from ._parts import Braid as Braid
     from ._parts import Rubber as Rubber
+    from ._points import Solution as Solution
+    from ._points import errstate as errstate
+    from ._quantity import units as units
     from ._record import Record as Record
+    from ._record import load as load
+    from ._simulation import Simulation as Simulation
     from ._table import Table as Table
 
     __all__: list[str]
@@ -45,7 +51,12 @@ _PLACES = {
     "Muscle": "_muscle",
     "Rubber": "_parts",
     "Record": "_record",
+    "Simulation": "_simulation",
+    "Solution": "_points",
     "Table": "_table",
+    "errstate": "_points",
+    "load": "_record",
+    "units": "_quantity",
 }
 # Modules for other libraries, listed where these are installed.
 _BRIDGES = ("jax", "torch")
@@ -59,6 +70,8 @@ def __getattr__(name: str) -> Any:
         return [name for name in __dir__() if name not in _BRIDGES and not name.startswith("_")]
     if name.startswith("_"):
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    if name == "plot":
+        return import_module(".plot", __name__)
     if name in _BRIDGES:
         try:
             return import_module(f".{name}", __name__)
@@ -72,6 +85,11 @@ def __getattr__(name: str) -> Any:
             value = getattr(module, name)
             globals()[name] = value
             return value
+    if name.endswith("Error"):
+        try:
+            return getattr(import_module("._errors", __name__), name)
+        except AttributeError:
+            pass
     from difflib import get_close_matches
 
     near = get_close_matches(name, __dir__(), 1)
@@ -84,4 +102,4 @@ def __dir__() -> list[str]:
     from . import _commands, _errors
 
     there = [name for name in _BRIDGES if find_spec(name) is not None]
-    return sorted({*_PLACES, *_commands.__all__, *_errors.__all__, "__version__", *there})
+    return sorted({*_PLACES, "plot", *_commands.__all__, *_errors.__all__, "__version__", *there})

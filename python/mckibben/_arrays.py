@@ -19,6 +19,8 @@ FLOAT = np.dtype(np.float64)
 def array(name: str, value: Any) -> NDArray[np.float64]:
     """Numbers in the unit of a name, without a copy where they are such already; masked ones stay masked."""
     if type(value) is np.ndarray and value.dtype is FLOAT:
+        if name == "pressure_mpa" and value.size:
+            _likely(name, value)
         # Numbers between others in a record may lie anywhere.
         return value if value.flags.aligned else value.copy()
     if isinstance(value, str):
@@ -34,7 +36,14 @@ def array(name: str, value: Any) -> NDArray[np.float64]:
     if masked:
         return array.astype(np.float64)
     array = np.asarray(array, dtype=np.float64)
+    if name == "pressure_mpa" and array.size:
+        _likely(name, array)
     return array if array.flags.aligned else array.copy()
+
+
+def _likely(name: str, values: NDArray[np.float64]) -> None:
+    """In another unit they are all too large: the ends are enough."""
+    _quantity.likely(name, max(values.item(0), values.item(-1)))
 
 
 def any_masked(a: NDArray[Any], b: NDArray[Any]) -> bool:

@@ -9,6 +9,10 @@ from . import _answers, _files, _native
 from ._ask import Progress, listening
 
 if TYPE_CHECKING:
+    import pandas
+    import polars
+    import pyarrow
+
     from os import PathLike
 
     from ._inputs import FileLike
@@ -45,6 +49,12 @@ class Campaign:
         """Where the table is."""
         return self._output
 
+    @property
+    def _table(self) -> str:
+        """Where its points are: while it is not complete, in the folder of its parts."""
+        parts = self._output + ".parts"
+        return parts if not os.path.exists(self._output) and os.path.isdir(parts) else self._output
+
     def run(self, *, shard: str | None = None, threads: int | None = None, overwrite: bool = False, yes: bool = False, progress: Progress = None) -> _answers.Outcome:
         """Runs the plan, or what is missing of it. Ctrl-C ends it well: what was computed stays, and another run resumes it.
 
@@ -73,7 +83,7 @@ class Campaign:
 
     def summary(self) -> _answers.Summary:
         """What the table holds: muscles, points, failures by cause, ranges, where it comes from."""
-        return _answers.Summary(_native.ask("campaign-show", {"campaign": self._output}))
+        return _answers.Summary(_native.ask("campaign-show", {"campaign": self._table}))
 
     @staticmethod
     def merge(folders: list[str | PathLike[str]], output: str | PathLike[str], *, overwrite: bool = False) -> Campaign:
@@ -85,25 +95,25 @@ class Campaign:
         """The formula that a method makes of the table; the other arguments are those of :func:`fit`."""
         from ._commands import fit
 
-        return fit(campaign=self._output, method=method, progress=progress, **options)
+        return fit(campaign=self._table, method=method, progress=progress, **options)
 
-    def to_arrow(self) -> Any:
+    def to_arrow(self) -> pyarrow.Table:
         """The table as a ``pyarrow.Table``."""
         import pyarrow.parquet as pq
 
-        return pq.read_table(self._output)
+        return pq.read_table(self._table)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> pandas.DataFrame:
         """The table as a ``pandas.DataFrame`` (by pyarrow or fastparquet)."""
         import pandas as pd
 
-        return pd.read_parquet(self._output)
+        return pd.read_parquet(self._table)
 
-    def to_polars(self) -> Any:
+    def to_polars(self) -> polars.DataFrame:
         """The table as a ``polars.DataFrame``."""
         import polars as pl
 
-        path = self._output
+        path = self._table
         return pl.read_parquet(os.path.join(path, "**", "*.parquet") if os.path.isdir(path) else path)
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> Any:

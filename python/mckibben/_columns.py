@@ -44,6 +44,12 @@ class _Columned(Record):
     def _key(self) -> Any:
         return super()._key(), self._points._key()
 
+    def _state(self) -> dict[str, Any]:
+        def plain(values: Any) -> list[Any]:
+            return [None if v != v else v for v in (values.tolist() if isinstance(values, np.ndarray) else values)]
+
+        return {**super()._state(), "points": {name: plain(self._points[name]) for name in self._points}}
+
     def __reduce__(self) -> tuple[Any, ...]:
         return _columned, (type(self), self._data, self._asked, self._points)
 

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import keyword
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Iterable
 from inspect import Parameter, Signature
 from typing import Any
 
-from . import _schema
+from . import _quantity, _schema
 from ._ask import answered
 from ._docs import entry, section, wrapped
 from ._files import FORMULAS, TABLES
+from ._problem import warned
 
 # Commands that are no function of the package: they serve pages and the command line.
-LEFT_OUT = {"quantities", "report", "campaign-show", "campaign-merge", "campaign"}
+LEFT_OUT = {"quantities", "report", "campaign-show", "campaign-merge", "campaign", "units"}
 # What may be given without its keyword, in this order.
 POSITIONAL = {
     "build": ["muscle", "pressure_mpa"],
@@ -43,6 +45,10 @@ DEFAULTS = {("curve", "test"): "isobaric", ("simulate", "test"): "isobaric", ("s
 OWN_CLASS = {"build": "Build", "export": "Export", "curve": "Curve", "plan": "Plan", "design": "Design", "fit": "Fitted", "shape": "Shape", "identify": "Identification", "rubber-fit": "RubberFit"}
 # Commands that take a muscle and are none of its methods.
 NO_METHOD = {"design", "fit", "motion", "rubber-fit"}
+# Methods of a muscle with names of their own: the whole point is its state.
+METHODS = {"muscle-show": "show", "force": "state"}
+# What a muscle must be given.
+GEOMETRY = ("outer_diameter_mm", "wall_mm", "length_mm")
 PROGRESS = "True for a progress bar (tqdm, where it is installed), or a function that is called with (done, total)."
 # Types of what may be given for fields, by their names.
 GIVEN = {
@@ -55,6 +61,7 @@ GIVEN = {
     "models": "Sequence[str | Formula] | None",
     "figure": "str | None",
 }
+_UNIT = r"_(mm[23]?|mpa|nm|n|deg|kg|s|j|w|g|degc|kpa|cm3|hz)(_per_[a-z0-9_]+)?$"
 # Files that are tables or formulas, by the names of their fields.
 LIKE = {name: "TableLike" for name in TABLES} | {name: "FormulaLike" for name in FORMULAS}
 
@@ -94,6 +101,29 @@ def _parameter(command: str, name: str, schema: _schema.Schema, is_keyword: bool
     return Parameter(_argument(name), Parameter.KEYWORD_ONLY if is_keyword else Parameter.POSITIONAL_OR_KEYWORD, default=default, annotation=kind)
 
 
+def unit_free(names: Iterable[str]) -> dict[str, str]:
+    """The fields of quantities by their names without the unit: `outer_diameter` is `outer_diameter_mm`."""
+    names = list(names)
+    short = {name: re.sub(_UNIT, "", name) for name in names if _quantity.kind_of(name) is not None}
+    return {bare: name for name, bare in short.items() if bare != name and bare not in names}
+
+
+def spelled(function: str, given: dict[str, Any], known: Iterable[str]) -> dict[str, Any]:
+    """Arguments by the names of the fields: those without a unit in their name are texts with one, or quantities of pint."""
+    bare, out = unit_free(known), {}
+    for name, value in given.items():
+        if name in bare:
+            if bare[name] in given:
+                raise TypeError(f"{function}(): both {name} and {bare[name]} are given")
+            several = value if isinstance(value, (list, tuple)) else [value]
+            if not all(isinstance(v, str) or hasattr(v, "magnitude") or v is None for v in several):
+                raise TypeError(f'{function}(): {name} is a text with its unit or a quantity of pint; for a number {bare[name]}={value!r}')
+            if any(isinstance(v, str) and re.fullmatch(r"\s*[-+\d.,eE]+\s*", v) for v in several):
+                raise TypeError(f'{function}(): {name}={value!r} has no unit; for a number {bare[name]}')
+        out[bare.get(name, name)] = value
+    return out
+
+
 def _called(signature: Signature, name: str, about: str, owner: str, ask: Callable[[dict[str, Any]], Any]) -> Callable[..., Any]:
     """A function, or a method of an owner, of a signature, name and documentation; `ask` has its arguments by their names."""
 
@@ -101,6 +131,9 @@ def _called(signature: Signature, name: str, about: str, owner: str, ask: Callab
 
     def called(*args: Any, **values: Any) -> Any:
         given = {**dict(zip(first, args)), **values}
+        if not given.keys() <= known:
+            given = values = spelled(name, given, known)
+            args = ()
         if len(given) != len(args) + len(values) or not given.keys() <= known or owner and not args:
             # Slower, and it has the words for what is wrong.
             try:
@@ -147,13 +180,13 @@ def _function(command: str, owner: str = "") -> Callable[..., Any]:
 
     own = [Parameter("self", Parameter.POSITIONAL_OR_KEYWORD)] if owner else []
     signature = Signature([*own, *parameters], return_annotation=f"{'_results' if command in OWN_CLASS else '_answers'}.{answer}")
-    return _called(signature, "show" if owner and command == "muscle-show" else command.replace("-", "_"), "\n\n".join(about), owner, ask)
+    return _called(signature, METHODS.get(command, command.replace("-", "_")) if owner else command.replace("-", "_"), "\n\n".join(about), owner, ask)
 
 
 def _muscle_commands() -> type:
     """The methods of a muscle: every command that takes one."""
     asked = [c for c in _schema.commands() if c not in LEFT_OUT | NO_METHOD and {"muscle", "angle_deg"} <= _schema.request(c).keys()]
-    methods = {method.__name__: method for method in (_function(command, "MuscleCommands.") for command in asked)}
+    methods = {method.__name__: method for method in (_function(command, "MuscleCommands.") for command in asked if command not in ("pressure", "contraction"))}
     return type("MuscleCommands", (), {"__slots__": (), "__module__": __name__, "__doc__": "What a muscle is asked: every command that takes one.", **methods})
 
 
@@ -178,7 +211,11 @@ def _muscle_fields() -> type:
     def make(given: dict[str, Any]) -> None:
         from ._plain import muscle_text
 
-        given.pop("self")._hold(muscle_text({"muscle": given.pop("base", None), **given}))
+        muscle, base = given.pop("self"), given.pop("base", None)
+        if base is None and (missing := [name for name in GEOMETRY if given.get(name) is None]):
+            text = f"{', '.join(missing)} of the paper's prototype (D0 30 mm, s 3 mm, L0 285 mm) {'is' if len(missing) == 1 else 'are'} used; give every measure, or say Muscle.prototype(…)"
+            warned(text, DeprecationWarning)
+        muscle._hold(muscle_text({"muscle": base, **given}))
 
     def other(given: dict[str, Any]) -> Any:
         muscle = given.pop("self")

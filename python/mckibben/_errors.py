@@ -1,28 +1,22 @@
-"""An exception class for every kind of problem that the schema lists."""
+"""The exceptions, and the names that they had: one for each kind of problem."""
 
 from __future__ import annotations
 
-from typing import Any
+from ._problem import FileError, InputError, InternalError, MckibbenError, NoAnswerError, NotConvergedError, OutOfRangeError, OutsideWarning, UnitWarning, of, warned
 
-from . import _schema
-from ._problem import InternalError, MckibbenError, NoAnswerError, NotConvergedError, WrongInputError
-
-_SPECIAL: dict[str, type[MckibbenError]] = {"no_answer": NoAnswerError, "not_converged": NotConvergedError, "internal": InternalError}
+__all__ = ["FileError", "InputError", "InternalError", "MckibbenError", "NoAnswerError", "NotConvergedError", "OutOfRangeError", "OutsideWarning", "UnitWarning"]
 
 
-def _class(word: str, about: str) -> type[MckibbenError]:
-    if word in _SPECIAL:
-        return _SPECIAL[word]
-    name, base = "".join(part.capitalize() for part in word.split("_")), NotConvergedError if word == "cancelled" else WrongInputError
-    return type(f"{name}Error", (base,), {"__module__": __name__, "__doc__": about})
+def __getattr__(name: str) -> type[MckibbenError]:
+    import re
 
+    from . import _schema
+    from ._problem import KINDS
 
-KINDS = {kind["const"]: _class(kind["const"], kind["description"]) for kind in _schema.bundle()["$defs"]["ProblemKind"]["oneOf"]}
-_CLASSES = {kind.__name__: kind for kind in (MckibbenError, WrongInputError, *KINDS.values())}
-globals().update(_CLASSES)
-__all__ = sorted(_CLASSES)
-
-
-def of(values: dict[str, Any]) -> MckibbenError:
-    """The exception of a problem, as the compiled half hands it over."""
-    return KINDS.get(str(values["kind"]), MckibbenError)(**values)
+    word = re.sub(r"(?<!^)(?=[A-Z])", "_", name.removesuffix("Error")).lower()
+    kinds = {kind["const"] for kind in _schema.bundle()["$defs"]["ProblemKind"]["oneOf"]} if name.endswith("Error") else set()
+    if word not in kinds | {"wrong_input"}:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    kind = KINDS.get(word, InputError)
+    warned(f"{name} is {kind.__name__} now" + ("" if word == "wrong_input" else f'; its kind is "{word}"'), DeprecationWarning)
+    return kind

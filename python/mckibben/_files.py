@@ -78,9 +78,9 @@ def beside(values: dict[str, Any]) -> None:
         values["joint"] = file
         names = dict.fromkeys(_native.joint_files(file["name"], file["text"]))
         if unknown := [name for name in given if name not in names]:
-            from ._errors import UsageError
+            from ._problem import InputError
 
-            raise UsageError(f"{file['name']} names {', '.join(names)}, not {unknown[0]}", kind="usage", field="muscles")
+            raise InputError(f"{file['name']} names {', '.join(names)}, not {unknown[0]}", kind="usage", field="muscles")
         there = [name for name in names if name in given or folder is not None]
         values["muscles"] = [{**text(given[name] if name in given else os.path.join(folder or "", name)), "name": name} for name in there]
 

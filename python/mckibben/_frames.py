@@ -12,11 +12,17 @@ from . import _quantity
 
 def columns_of(data: Any) -> dict[str, Any]:
     """The columns of a data frame, of an answer, or of a map in which a single value applies to all rows."""
+    if isinstance(data, np.ndarray) and data.dtype.names:
+        # Records, and those with masks.
+        return {name: data[name] for name in data.dtype.names}
     if isinstance(data, Mapping):
         return _spread({str(name): _values(str(name), values) for name, values in data.items()})
     if hasattr(data, "columns") and hasattr(data, "items"):
         if not data.columns.is_unique:
             raise ValueError("two columns of one name")
+        if any(name is not None for name in data.index.names):
+            # An index with a name is a column.
+            data = data.reset_index()
         return {str(name): _of_pandas(values) for name, values in data.items()}
     if hasattr(data, "get_columns"):
         return {column.name: column.to_list() for column in data.get_columns()}

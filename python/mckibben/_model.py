@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 
-from . import _native, _plain
+from . import _native, _plain, _quantity
 from ._arrays import any_masked, array
 from ._ask import Progress, listening
-from ._problem import MckibbenError
+from ._points import Outside, outside
+from ._problem import MckibbenError, OutsideWarning, warned
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -22,8 +23,9 @@ if TYPE_CHECKING:
     from ._muscle import Muscle
     from ._results import Curve
 
-    Array = NDArray[np.float64]
 
+# Measures of a muscle, as :meth:`Muscle.replace` has them, by which there are derivatives.
+MEASURES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "stiffness")
 # A list of pairs has so many places at most: what a machine could address.
 _MOST = 2**47
 
@@ -56,7 +58,7 @@ class Model:
     Examples
     --------
     >>> import numpy as np
-    >>> paper = Model(Muscle(outer_diameter_mm=50, wall_mm=1), "paper")
+    >>> paper = Model(Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285), "paper")
     >>> paper.force(0.25, np.array([0.0, 0.1])).round(1)
     array([2684.7, 1511.2])
     """
@@ -81,7 +83,7 @@ class Model:
     ) -> None:
         from ._muscle import Muscle
 
-        held = muscle if isinstance(muscle, Muscle) else Muscle(muscle)
+        held = muscle if isinstance(muscle, Muscle) else Muscle.prototype() if muscle is None else Muscle(muscle)
         values = {
             "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal,
             "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction,
@@ -125,13 +127,15 @@ class Model:
         return other
 
     @overload
-    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: str = ..., progress: Progress = ...) -> Any: ...
+    def force(self, pressure_mpa: float, contraction: float = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., progress: Progress = ...) -> float: ...  # type: ignore[overload-overlap]
     @overload
-    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[True] | Sequence[str], errors: str = ..., progress: Progress = ...) -> tuple[Any, Array]: ...
+    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., progress: Progress = ...) -> NDArray[np.float64]: ...
     @overload
-    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: bool | Sequence[str] = ..., errors: str = ..., progress: Progress = ...) -> Any: ...
+    def force(self, pressure_mpa: float, contraction: float = ..., *, jac: Literal[True] | Sequence[str], errors: Outside | None = ..., progress: Progress = ...) -> tuple[float, NDArray[np.float64]]: ...  # type: ignore[overload-overlap]
+    @overload
+    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[True] | Sequence[str], errors: Outside | None = ..., progress: Progress = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
 
-    def force(self, pressure_mpa: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: str = "raise", progress: Progress = None) -> Any:
+    def force(self, pressure_mpa: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, progress: Progress = None) -> Any:
         """F(P, ε): the pull, in N; 0 where the muscle is slack.
 
         Parameters
@@ -143,9 +147,12 @@ class Model:
             Contraction ratios ε = ΔL/L0, broadcast against the pressures.
         jac
             True for the derivatives as well; or names of constants and measures of the muscle (see :attr:`Muscle.parameters`) for the
-            derivatives by these too. Those of finite elements come from the factorised tangent of the equilibrium itself.
+            derivatives by these too, all others held: k of the strands as well, where the diameter changes. ``outer_diameter_mm``,
+            ``wall_mm``, ``length_mm``, ``angle_deg`` and ``stiffness`` are those by :meth:`Muscle.replace`: k of a named braid follows the
+            diameter. Those of finite elements come from the factorised tangent of the equilibrium itself.
         errors
-            ``raise`` for the first point without an answer, or ``nan`` for NaN there.
+            ``raise`` for the first point without an answer, ``nan`` for NaN there, ``warn`` for NaN and one warning; where it is left out,
+            what :func:`errstate` says, else ``raise``.
         progress
             True for a progress bar, or a function that is called with (done, total).
 
@@ -155,9 +162,19 @@ class Model:
             The pull, of the broadcast shape; a masked array where one of the two is. With ``jac`` a pair: the pull, and an array with one axis more: ∂F/∂P in N/MPa, ∂F/∂ε in
             N, then ∂F/∂θ of each name, in N per its unit, all other constants held.
         """
-        return self._fill("force", "pressure_mpa", pressure_mpa, "contraction", contraction, jac, errors, progress)
+        found = self._fill("force", "pressure_mpa", pressure_mpa, "contraction", contraction, jac, errors, progress)
+        return found if _quantity.REGISTRY is None else _dressed("force_n", found)
 
-    def pressure(self, force_n: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: str = "raise", progress: Progress = None) -> Any:
+    @overload
+    def pressure(self, force_n: float, contraction: float = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., progress: Progress = ...) -> float: ...  # type: ignore[overload-overlap]
+    @overload
+    def pressure(self, force_n: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., progress: Progress = ...) -> NDArray[np.float64]: ...
+    @overload
+    def pressure(self, force_n: float, contraction: float = ..., *, jac: Literal[True] | Sequence[str], errors: Outside | None = ..., progress: Progress = ...) -> tuple[float, NDArray[np.float64]]: ...  # type: ignore[overload-overlap]
+    @overload
+    def pressure(self, force_n: Floats, contraction: Floats = ..., *, jac: Literal[True] | Sequence[str], errors: Outside | None = ..., progress: Progress = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+
+    def pressure(self, force_n: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, progress: Progress = None) -> Any:
         """P(F, ε): the pressure that gives a pull, in MPa.
 
         Parameters
@@ -176,9 +193,19 @@ class Model:
         float or numpy.ndarray
             The pressure; with ``jac`` a pair.
         """
-        return self._fill("pressure", "force_n", force_n, "contraction", contraction, jac, errors, progress)
+        found = self._fill("pressure", "force_n", force_n, "contraction", contraction, jac, errors, progress)
+        return found if _quantity.REGISTRY is None else _dressed("pressure_mpa", found)
 
-    def contraction(self, force_n: Any, pressure_mpa: Any, *, jac: bool | Sequence[str] = False, errors: str = "raise", progress: Progress = None) -> Any:
+    @overload
+    def contraction(self, force_n: float, pressure_mpa: float, *, jac: Literal[False] = ..., errors: Outside | None = ..., progress: Progress = ...) -> float: ...  # type: ignore[overload-overlap]
+    @overload
+    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: Literal[False] = ..., errors: Outside | None = ..., progress: Progress = ...) -> NDArray[np.float64]: ...
+    @overload
+    def contraction(self, force_n: float, pressure_mpa: float, *, jac: Literal[True] | Sequence[str], errors: Outside | None = ..., progress: Progress = ...) -> tuple[float, NDArray[np.float64]]: ...  # type: ignore[overload-overlap]
+    @overload
+    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: Literal[True] | Sequence[str], errors: Outside | None = ..., progress: Progress = ...) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+
+    def contraction(self, force_n: Any, pressure_mpa: Any, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, progress: Progress = None) -> Any:
         """ε(F, P): the contraction at which a pressure gives a pull.
 
         Parameters
@@ -197,15 +224,18 @@ class Model:
         float or numpy.ndarray
             The contraction ratio; with ``jac`` a pair.
         """
-        return self._fill("contraction", "force_n", force_n, "pressure_mpa", pressure_mpa, jac, errors, progress)
+        found = self._fill("contraction", "force_n", force_n, "pressure_mpa", pressure_mpa, jac, errors, progress)
+        return found if _quantity.REGISTRY is None else _dressed("contraction", found)
 
-    def _fill(self, wanted: str, a_name: str, a: Any, b_name: str, b: Any, jac: bool | Sequence[str], errors: str, progress: Progress) -> Any:
-        if errors not in ("raise", "nan"):
-            raise ValueError(f'errors: "raise" or "nan", not {errors!r}')
+    def _fill(self, wanted: str, a_name: str, a: Any, b_name: str, b: Any, jac: bool | Sequence[str], errors: str | None, progress: Progress) -> Any:
+        if errors != "nan" and (errors := outside(errors, "raise")) == "warn":
+            return self._warned(wanted, a_name, a, b_name, b, jac, progress)
         nan = errors == "nan"
         # Most calls have neither derivatives nor a bar: they take a microsecond, and every line here a part of one.
         plain = jac is False and progress is None
         if plain and type(a) is float and type(b) is float:
+            if a > 5.0 and wanted == "force" or b > 5.0 and wanted == "contraction":
+                _quantity.likely("pressure_mpa", a if wanted == "force" else b)
             return self._native.one(wanted, a, b, nan)
         a, b = array(a_name, a), array(b_name, b)
         if any_masked(a, b):
@@ -213,6 +243,8 @@ class Model:
         # Neither is spread here: the compiled half reads each where it lies, as often as the other needs it.
         shape = a.shape if a.shape == b.shape or not b.shape else b.shape if not a.shape else np.broadcast_shapes(a.shape, b.shape)
         names = [] if isinstance(jac, (bool, np.bool_)) else [jac] if isinstance(jac, str) else list(jac)
+        if any(name in MEASURES for name in names):
+            return self._by_measures(wanted, a_name, a, b_name, b, names, errors, progress)
         slopes = bool(names) or bool(jac)
         width = 3 + len(names) if slopes else 1
         if math.prod(shape) > _MOST // width:
@@ -234,7 +266,31 @@ class Model:
             return out[..., 0] if shape else float(out[0]), out[..., 1:]
         return out if shape else float(out)
 
-    def _masked(self, wanted: str, a_name: str, a: Any, b_name: str, b: Any, jac: bool | Sequence[str], errors: str, progress: Progress) -> Any:
+    def _warned(self, wanted: str, a_name: str, a: Any, b_name: str, b: Any, jac: bool | Sequence[str], progress: Progress) -> Any:
+        """NaN where there is no answer, and one warning with the first reason."""
+        a, b = array(a_name, a), array(b_name, b)
+        found = self._fill(wanted, a_name, a, b_name, b, jac, "nan", progress)
+        values = np.asarray(np.ma.filled(found[0] if isinstance(found, tuple) else found, 0.0))
+        missing = np.flatnonzero(np.isnan(values))
+        if missing.size:
+            first = [np.broadcast_to(np.ma.getdata(v), values.shape).ravel()[missing[0]] for v in (a, b)]
+            try:
+                self._native.one(wanted, float(first[0]), float(first[1]), False)
+                reason = ""
+            except MckibbenError as error:
+                reason = f"; {error.at(int(missing[0]))}"
+            warned(f"{missing.size} of {values.size} points have no answer{reason}", OutsideWarning)
+        return found
+
+    def _by_measures(self, wanted: str, a_name: str, a: Any, b_name: str, b: Any, names: list[str], errors: str | None, progress: Progress) -> Any:
+        """With derivatives by measures of the muscle: all parameters that follow a measure change with it."""
+        rows = [self._muscle._follows(name) if name in MEASURES else {name: 1.0} for name in names]
+        own = list(dict.fromkeys(parameter for row in rows for parameter in row))
+        found, slopes = self._fill(wanted, a_name, a, b_name, b, own, errors, progress)
+        by = np.array([[row.get(parameter, 0.0) for parameter in own] for row in rows])
+        return found, np.concatenate([slopes[..., :2], slopes[..., 2:] @ by.T], axis=-1)
+
+    def _masked(self, wanted: str, a_name: str, a: Any, b_name: str, b: Any, jac: bool | Sequence[str], errors: str | None, progress: Progress) -> Any:
         """What is masked is not asked for, and its answer is masked."""
         a, b = np.ma.asarray(a), np.ma.asarray(b)
         mask = np.logical_or(*np.broadcast_arrays(np.ma.getmaskarray(a), np.ma.getmaskarray(b)))
@@ -248,7 +304,7 @@ class Model:
             # Its place among all.
             raise error.at(int(np.flatnonzero(asked)[error.index])) from None
 
-        def whole(values: Array) -> Any:
+        def whole(values: NDArray[np.float64]) -> Any:
             out = np.full(mask.shape + values.shape[1:], np.nan)
             out[asked] = values
             over = np.array(np.broadcast_to(mask.reshape(mask.shape + (1,) * (out.ndim - mask.ndim)), out.shape))
@@ -279,6 +335,10 @@ class Model:
 
     def __repr__(self) -> str:
         return f"Model({self.name!r}, {self._muscle!r})"
+
+
+def _dressed(name: str, found: Any) -> Any:
+    return (_quantity.dressed(name, found[0]), found[1]) if isinstance(found, tuple) else _quantity.dressed(name, found)
 
 
 def _restored(muscle: Muscle, request: dict[str, Any]) -> Model:

@@ -2,27 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 from ._commands import MuscleCommands, MuscleFields
 
 if TYPE_CHECKING:
     from os import PathLike
 
-    from ._inputs import MuscleLike, Number
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from ._inputs import Floats, MuscleLike, Number
     from ._model import Model
+    from ._points import Found, Outside, Solution
+
+
+def _title(command: str) -> str:
+    """The class of a command's answer."""
+    from . import _schema
+
+    return str(_schema.bundle()[command]["answer"]["title"])
 
 
 class Muscle(MuscleFields, MuscleCommands):
-    """A McKibben muscle: a rubber tube in a braid between two terminals. What is not said is that of the paper's prototype:
-    D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid ``paper``.
+    """A McKibben muscle: a rubber tube in a braid between two terminals. Diameter, wall and length are to be given; :meth:`prototype` is that
+    of the paper. Angle 28°, rubber and braid ``paper`` where they are left out.
 
     A muscle does not change; :meth:`replace` gives another one. Two are equal where their muscle files are.
 
     Examples
     --------
-    >>> Muscle(outer_diameter_mm="50 mm", wall_mm=1).outer_diameter_mm
+    >>> Muscle(outer_diameter_mm="50 mm", wall_mm=1, length_mm=285).outer_diameter_mm
     50.0
     """
 
@@ -44,6 +55,13 @@ class Muscle(MuscleFields, MuscleCommands):
         return (self._own or {}).get(name)
 
     @classmethod
+    def prototype(cls, **changes: Any) -> Muscle:
+        """The paper's prototype (D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid ``paper``), with changes by the names of :meth:`replace`."""
+        from . import _native
+
+        return cls({"name": "prototype", "text": _native.muscle_text({})}, **changes)
+
+    @classmethod
     def from_file(cls, path: str | PathLike[str]) -> Muscle:
         """The muscle of a muscle file (TOML)."""
         return cls(path)
@@ -57,6 +75,16 @@ class Muscle(MuscleFields, MuscleCommands):
         """The text of its muscle file; reading it gives the same muscle to the last bit."""
         return self._text
 
+    @classmethod
+    def load(cls, path: str | PathLike[str]) -> Muscle:
+        """The muscle that :meth:`save` wrote."""
+        return cls(path)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Its fields by name, those that it has: ``Muscle(**muscle.to_dict())`` is a muscle of the same measures."""
+        self._field("wall_mm")
+        return dict(self._own or {})
+
     def save(self, path: str | PathLike[str]) -> None:
         """Writes its muscle file."""
         with open(path, "w", encoding="utf-8") as file:
@@ -68,12 +96,112 @@ class Muscle(MuscleFields, MuscleCommands):
 
         return Model(self, model, **options)
 
+    @overload
+    def force(self, pressure_mpa: Number | None = ..., contraction: Number = ..., *, errors: Outside | None = ..., **options: Any) -> Found: ...
+    @overload
+    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Any) -> NDArray[np.float64]: ...
+    @overload
+    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+
+    def force(self, pressure_mpa: Any = None, contraction: Any = None, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, **options: Any) -> Any:
+        """F(P, ε): the pull, in N; 0 where the muscle is slack.
+
+        Parameters
+        ----------
+        pressure_mpa : MPa
+            Gauge pressure P: a number, a text such as ``"2.5 bar"``, a quantity of pint, or an array of numbers.
+        contraction : ratio
+            Contraction ratio ε = ΔL/L0, or an array that is broadcast against the pressures.
+        jac
+            As in :meth:`Model.force`: True for a pair with the derivatives.
+        errors
+            At points of arrays without an answer: ``warn`` (where it is left out: NaN and one warning), ``nan`` or ``raise``.
+        options
+            Those of :class:`Model` for arrays, of :meth:`state` for one point: ``model``, ``mesh``, ``extrapolate``, ``direction``, …
+
+        Returns
+        -------
+        float or numpy.ndarray
+            The pull. That of one point has the whole point with it: ``.state``, ``.uncertainty_n``, ``.stiffness_n_per_mm``, …
+        """
+        return self._asked("force", ("pressure_mpa", pressure_mpa), ("contraction", contraction), jac, errors, options)
+
+    @overload
+    def pressure(self, force_n: Number | None = ..., contraction: Number = ..., *, errors: Outside | None = ..., **options: Any) -> Found: ...
+    @overload
+    def pressure(self, force_n: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Any) -> NDArray[np.float64]: ...
+    @overload
+    def pressure(self, force_n: Floats, contraction: Floats = ..., *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+
+    def pressure(self, force_n: Any = None, contraction: Any = None, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, **options: Any) -> Any:
+        """P(F, ε): the gauge pressure that gives a pull, in MPa. Arguments as in :meth:`force`, the pull in N first."""
+        return self._asked("pressure", ("force_n", force_n), ("contraction", contraction), jac, errors, options)
+
+    @overload
+    def contraction(self, force_n: Number | None = ..., pressure_mpa: Number | None = ..., *, errors: Outside | None = ..., **options: Any) -> Found: ...
+    @overload
+    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Any) -> NDArray[np.float64]: ...
+    @overload
+    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+
+    def contraction(self, force_n: Any = None, pressure_mpa: Any = None, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, **options: Any) -> Any:
+        """ε(F, P): the contraction ratio at which a pressure gives a pull. Arguments as in :meth:`force`, the pull in N first."""
+        return self._asked("contraction", ("force_n", force_n), ("pressure_mpa", pressure_mpa), jac, errors, options)
+
+    def _asked(self, wanted: str, first: tuple[str, Any], second: tuple[str, Any], jac: Any, errors: str | None, options: dict[str, Any]) -> Any:
+        from . import _schema
+        from ._commands import spelled
+        from ._points import Found, model_of, outside, several
+
+        (a_name, _), (b_name, _) = first, second
+        known = [name for name in _schema.request(wanted) if name != "muscle" and name not in _schema.muscle()]
+        given = spelled(wanted, {name: value for name, value in (first, second, *options.items()) if value is not None}, known)
+        if unknown := [name for name in given if name not in known]:
+            raise TypeError(f"Muscle.{wanted}() got an unexpected keyword argument {unknown[0]!r}")
+        a, b = given.pop(a_name, None), given.pop(b_name, None)
+        options = given
+        if several(a, b) or jac is not False:
+            return getattr(model_of(self, options), wanted)(a, 0.0 if b is None else b, jac=jac, errors=outside(errors, "warn"))
+        from ._ask import answered
+
+        state = answered(wanted, {"muscle": self, a_name: a, b_name: b, **options}, _title(wanted))
+        value = state._data.get({"force": "force_n", "pressure": "pressure_mpa", "contraction": "contraction"}[wanted])
+        # Against a load the answer is more than a number.
+        return state if value is None else Found(value, state)
+
+    def solve(self, pressure_mpa: Floats, contraction: Floats = 0.0, **options: Any) -> Solution:
+        """All that is known of many points: pulls, their ±, volumes, stiffness, strand tension, … as arrays.
+
+        Parameters
+        ----------
+        pressure_mpa : MPa
+            Gauge pressures P, as in :meth:`force`.
+        contraction : ratio
+            Contraction ratios ε, broadcast against them.
+        options
+            Those of :meth:`curve`: ``model``, ``extrapolate``, …
+        """
+        from ._points import solved
+
+        return solved(self, pressure_mpa, contraction, options)
+
     @property
     def parameters(self) -> dict[str, float]:
         """Constants and measures by which models have derivatives, named as in the muscle file: moduli in MPa, k in N/mm, mm, degrees."""
         from . import _native
 
         return {name: value for name, value, _ in _native.parameters(self._text)}
+
+    def _follows(self, measure: str) -> dict[str, float]:
+        """How the parameters change with a measure of :meth:`replace`: by central differences of smooth formulas."""
+        value = getattr(self, measure)
+        if not isinstance(value, float):
+            raise ValueError(f"{measure}: a muscle whose {measure} is {value!r} has no derivative by it; use jac=['braid.stiffness']")
+        step = 1e-4 * abs(value)
+        changed: list[dict[str, Any]] = [{measure: value + sign * step} for sign in (1, -1)]
+        high, low = (self.replace(**change).parameters for change in changed)
+        rates = {name: (high[name] - low[name]) / (2 * step) for name in high}
+        return {name: rate for name, rate in rates.items() if abs(rate) * abs(value) > 1e-10 * abs(high[name])}
 
     def with_parameters(self, values: Mapping[str, float]) -> Muscle:
         """The same with other constants and measures, named as in :attr:`parameters`; all others are held, k of the strands in N/mm

@@ -11,7 +11,7 @@ from _typeshed import SupportsGetItem
 from os import PathLike
 from typing import Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Model", "arrow_stream", "ask", "body_html", "choice", "curve", "design", "drive_files", "joint_files", "muscle_fields", "muscle_text", "muscle_with", "parameters", "plan", "quantity", "read_formula", "read_table", "read_text", "report_html", "schema", "unit_of", "values"]
+__all__ = ["VERSION", "Model", "Simulation", "arrow_stream", "ask", "body_html", "choice", "curve", "design", "drive_files", "joint_files", "muscle_fields", "muscle_text", "muscle_with", "parameters", "plan", "quantity", "read_formula", "read_table", "read_text", "report_html", "rubber_stress", "schema", "unit_of", "values"]
 
 VERSION: Final[str]
 """
@@ -55,6 +55,50 @@ class Model:
     def source(self, /) -> str:
         """
         Where its formula comes from: author, year, equation.
+        """
+
+@final
+class Simulation:
+    """
+    A drive that is stepped.
+    """
+    def __new__(cls, /, request: "dict[str, typing.Any]", step_s: SupportsFloat | SupportsIndex) -> Simulation:
+        """
+        The drive of a request of `motion`, with steps of a length in s.
+        """
+    @property
+    def commands(self, /) -> tuple[str, int, bool]:
+        """
+        What is commanded (`pressure`, `opening` or `position`), how many commands there are, and whether a joint is moved.
+        """
+    def copy(self, /) -> Simulation:
+        """
+        Another one in the same state.
+        """
+    def events(self, /) -> "list[dict[str, typing.Any]]":
+        """
+        What happened: stops, slack, switching and reversals.
+        """
+    def last(self, /) -> list[float]:
+        """
+        What was recorded last, in the order of the names.
+        """
+    @property
+    def names(self, /) -> list[str]:
+        """
+        The names of the numbers that are recorded.
+        """
+    def reset(self, /) -> list[float]:
+        """
+        Back to the start.
+        """
+    def rows(self, /) -> "numpy.typing.NDArray[numpy.float64]":
+        """
+        All that was recorded: a row for the start and for each step.
+        """
+    def step(self, /, commands: "list[float]", outside: SupportsFloat | SupportsIndex) -> list[float]:
+        """
+        One step on, with a command for each of the drive's and a force in N or torque in N m from outside; what was recorded at its end.
         """
 
 def arrow_stream(columns: "dict[str, typing.Any]") -> "typing.Any":
@@ -148,6 +192,11 @@ def read_text(path: str | PathLike[str]) -> str:
 def report_html(request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> str:
     """
     A page with all that is known of a muscle.
+    """
+
+def rubber_stress(text: "str", mode: "str", stretches: "list[float]") -> list[float]:
+    """
+    Nominal stress in MPa of the rubber of a muscle at stretches: `uniaxial`, `planar` or `equibiaxial`, with plane stress and constant volume.
     """
 
 def schema() -> "dict[str, typing.Any]":

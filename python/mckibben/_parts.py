@@ -3,9 +3,15 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 if TYPE_CHECKING:
+    import os
+
+    from matplotlib.axes import Axes
+    from numpy.typing import ArrayLike, NDArray
+    from typing_extensions import Self
+
     from ._inputs import Number, TableLike
 
 
@@ -30,6 +36,38 @@ class _Part:
     def to_toml(self) -> str:
         """The table as in a muscle file."""
         return "\n".join([f"[{self._table}]", *(f"{name} = {_toml(value)}" for name, value in self._values.items()), ""])
+
+    @classmethod
+    def from_toml(cls, text: str) -> Self:
+        """The part of its table, or of a muscle file that has it."""
+        try:
+            import tomllib
+        except ImportError:
+            # Python 3.10: the lines of our own tables are those of JSON.
+            lines = text.split(f"[{cls._table}]\n", 1)[1].split("\n[", 1)[0].splitlines()
+            values: Any = {name.strip(): json.loads(value) for name, _, value in (line.partition("=") for line in lines) if value}
+        else:
+            values = tomllib.loads(text)
+            for name in cls._table.split("."):
+                values = values[name]
+        part = object.__new__(cls)
+        part._set({name: tuple(v) if isinstance(v, list) else v for name, v in values.items()})
+        return part
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes its table (TOML)."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.to_toml())
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Self:
+        """The part that :meth:`save` wrote, or that a muscle file has."""
+        with open(path, encoding="utf-8") as file:
+            return cls.from_toml(file.read())
+
+    def to_dict(self) -> dict[str, Any]:
+        """Its values by name."""
+        return dict(self._values)
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"a {type(self).__name__} does not change: {name}")
@@ -107,6 +145,24 @@ class Rubber(_Part):
         if bulk is not None and not (isinstance(bulk, str) and bulk.strip().lower() == "incompressible"):
             bulk = f"{_number('bulk_modulus_mpa', bulk)!r} MPa"
         self._set({"law": law, **{name: _constant(value) for name, value in constants.items()}, "bulk_modulus": bulk})
+
+    def stress(self, mode: Literal["uniaxial", "planar", "equibiaxial"], stretch: ArrayLike) -> NDArray[Any]:
+        """Nominal stress (force over the area at rest) of the incompressible rubber in MPa, at stretches (length over that at rest)."""
+        import numpy as np
+
+        from . import _native
+
+        if mode not in ("uniaxial", "planar", "equibiaxial"):
+            raise ValueError(f'mode: "uniaxial", "planar" or "equibiaxial", not {mode!r}')
+        stretches = np.asarray(stretch, dtype=np.float64)
+        text = _native.muscle_text({}, self.to_toml(), None)
+        return np.array(_native.rubber_stress(text, mode, stretches.ravel().tolist())).reshape(stretches.shape)
+
+    def plot(self, ax: Axes | None = None, *, to_stretch: float = 3.0) -> Axes:
+        """Nominal stress over stretch in the three tests, on axes of matplotlib."""
+        from .plot import rubber
+
+        return rubber(self, ax=ax, to_stretch=to_stretch)
 
     @staticmethod
     def fit(data: TableLike, **options: Any) -> Rubber:

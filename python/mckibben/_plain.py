@@ -24,6 +24,9 @@ def field(name: str, value: Any, schema: _schema.Schema) -> Any:
         return {str(end): number(name, v, kind) for end, v in value.items() if v is not None}
     if kind[0] == "stiffness" and isinstance(value, str) and value.strip().lower() in ("paper", "inextensible"):
         return value.strip().lower()
+    if holds == "Choice" and isinstance(value, tuple) and len(value) == 2:
+        # Two bounds; several values are a list.
+        return {end: number(name, v, kind) for end, v in zip(("low", "high"), value)}
     several = isinstance(value, (list, tuple, range)) or getattr(value, "ndim", 0) == 1
     if holds == "Choice" and isinstance(value, str):
         return _native.choice(value, kind[0], name)

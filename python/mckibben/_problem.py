@@ -2,28 +2,45 @@
 
 from __future__ import annotations
 
+import sys
+import warnings
 from typing import Any
 
 
+def warned(text: str, kind: type[Warning]) -> None:
+    """Warns at the line outside of the package that called it."""
+    level, frame = 2, sys._getframe(1)
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("mckibben"):
+        level, frame = level + 1, frame.f_back
+    warnings.warn(text, kind, stacklevel=level)
+
+
+class UnitWarning(UserWarning):
+    """A bare number that was likely meant in another unit."""
+
+
+class OutsideWarning(RuntimeWarning):
+    """Points of an array have no answer and are NaN."""
+
+
 class MckibbenError(Exception):
-    """Why a call has no answer, in the words of the command line.
+    """Why a call has no answer. Its classes are :class:`InputError`, :class:`OutOfRangeError`, :class:`FileError`, :class:`NoAnswerError`,
+    :class:`NotConvergedError` and :class:`InternalError`; each is one of Python's own too.
 
     Attributes
     ----------
-    kind
-        A word for programs, such as ``out_of_range``.
     message
         What is wrong, in a sentence.
     hint
         What to do about it; may be empty.
     field
         The argument that is to blame, where it is one.
+    kind
+        A word for programs, such as ``quantity``: finer than the classes.
     nearest
         The nearest answer there is, where it is known: a dict with ``force_n``, ``pressure_mpa``, ``contraction``.
     index
         The place in the flattened arrays, where the question was for arrays.
-    exit_code
-        That of the command line: 1 no answer exists, 2 the input is wrong, 3 not converged or cancelled, 4 the program is at fault.
     """
 
     def __init__(
@@ -37,11 +54,22 @@ class MckibbenError(Exception):
         index: int | None = None,
         exit_code: int = 2,
     ) -> None:
-        self.message, self.kind, self.hint, self.field = message, kind, hint, field
-        self.nearest, self.index, self.exit_code = nearest, index, exit_code
+        self.message: str = message
+        self.kind: str = kind
+        self.hint: str = hint
+        self.field: str | None = field
+        self.nearest: dict[str, float | None] | None = nearest
+        self.index: int | None = index
+        self._exit_code: int = exit_code
         place = f"{field}: " if field else ""
         at = f"point {index}: " if index is not None else ""
         super().__init__(f"{at}{place}{message}" + (f" ({hint})" if hint else ""))
+
+    @property
+    def exit_code(self) -> int:
+        """That of the command line. Deprecated: the class says the same."""
+        warned("exit_code is the command line's; use the class of the exception, or its kind", DeprecationWarning)
+        return self._exit_code
 
     def at(self, index: int) -> MckibbenError:
         """The same of another place in the flattened arrays."""
@@ -49,7 +77,7 @@ class MckibbenError(Exception):
         return _restored(kind, message, {**values, "index": index})
 
     def __reduce__(self) -> tuple[Any, ...]:
-        values = {"kind": self.kind, "hint": self.hint, "field": self.field, "nearest": self.nearest, "index": self.index, "exit_code": self.exit_code}
+        values = {"kind": self.kind, "hint": self.hint, "field": self.field, "nearest": self.nearest, "index": self.index, "exit_code": self._exit_code}
         return _restored, (type(self), self.message, values)
 
 
@@ -57,17 +85,44 @@ def _restored(kind: type[MckibbenError], message: str, values: dict[str, Any]) -
     return kind(message, **values)
 
 
-class NoAnswerError(MckibbenError):
-    """No answer exists."""
+class InputError(MckibbenError, ValueError):
+    """The input is wrong: a quantity, a name, an argument."""
 
 
-class WrongInputError(MckibbenError, ValueError):
-    """The input is wrong."""
+class OutOfRangeError(InputError):
+    """Outside of the range for which a model was made."""
+
+
+class FileError(InputError, OSError):
+    """A file is not what it should be; one that does not exist is a ``FileNotFoundError`` too."""
+
+
+class MissingFileError(FileError, FileNotFoundError):
+    """A file that does not exist."""
+
+
+class NoAnswerError(MckibbenError, ValueError):
+    """No answer exists; ``nearest`` is the nearest one there is."""
 
 
 class NotConvergedError(MckibbenError, ArithmeticError):
-    """The computation did not converge."""
+    """The computation did not converge, or was cancelled."""
 
 
 class InternalError(MckibbenError, RuntimeError):
     """The program itself is at fault."""
+
+
+# Words of JSON whose class is not InputError.
+KINDS = {
+    "out_of_range": OutOfRangeError, "no_answer": NoAnswerError, "not_converged": NotConvergedError, "cancelled": NotConvergedError,
+    "internal": InternalError, **dict.fromkeys(("file", "damaged", "locked", "output", "incomplete", "other_plan"), FileError),
+}
+
+
+def of(values: dict[str, Any]) -> MckibbenError:
+    """The exception of a problem, as the compiled half hands it over."""
+    kind = KINDS.get(str(values["kind"]), InputError)
+    if kind is FileError and "(os error 2)" in str(values["message"]):
+        kind = MissingFileError
+    return kind(**values)

@@ -36,16 +36,51 @@ def unit_for_pint(name: str, kind: Kind | None = None) -> str:
 
 def wrong(field: str, message: str, hint: str = "") -> Exception:
     """A quantity that is none."""
-    from ._errors import QuantityError
+    from ._problem import InputError
 
-    return QuantityError(message, kind="quantity", hint=hint, field=field)
+    return InputError(message, kind="quantity", hint=hint, field=field)
+
+
+# The registry of pint whose quantities are returned; None: plain numbers.
+REGISTRY: Any = None
+
+
+def units(system: Any = None) -> Any:
+    """How numbers are returned: ``"pint"`` as quantities of pint in the unit of their name, ``"plain"`` as numbers. A registry of pint may be
+    given instead, so that its quantities go together with yours. With nothing: the answer of the command ``units``, all units that texts
+    may have.
+    """
+    global REGISTRY
+    if system is None:
+        from ._ask import answered
+
+        return answered("units", {}, "UnitsAnswer")
+    if system == "pint":
+        import pint
+
+        registry: Any = pint
+        system = registry.get_application_registry()
+    elif system == "plain":
+        system = None
+    elif not hasattr(system, "Quantity"):
+        raise ValueError(f'units: "pint", "plain" or a registry of pint, not {system!r}')
+    REGISTRY = system
+    return None
+
+
+def dressed(name: str, value: Any) -> Any:
+    """A number or array as a quantity, where these are wanted."""
+    if REGISTRY is None or not (isinstance(value, float) or getattr(value, "dtype", None) == float):
+        return value
+    kind = kind_of(name)
+    return value if kind is None else REGISTRY.Quantity(value, unit_for_pint(name, kind))
 
 
 def number(name: str, value: Any, kind: Kind | None = None) -> float:
     """A number in the unit of its field."""
     if isinstance(value, str):
         return _native.quantity(value, typed(name, value, kind), name)
-    value = unpinted(name, value, kind)
+    given, value = value, unpinted(name, value, kind)
     if isinstance(value, bool) or not hasattr(value, "__float__"):
         raise TypeError(f"{name}: a number, a text with its unit or a quantity of pint, not {type(value).__name__}")
     if getattr(value, "shape", ()) != ():
@@ -53,7 +88,34 @@ def number(name: str, value: Any, kind: Kind | None = None) -> float:
     out = float(value)
     if not math.isfinite(out):
         raise wrong(name, f"{out} is not a finite number")
+    if given is value:
+        likely(name, out)
     return out
+
+
+# Bare numbers beyond what muscles have, and the units in which they were likely meant.
+_UNLIKELY = {
+    "outer_diameter_mm": (1.0, 1000.0), "wall_mm": (0.02, 100.0), "length_mm": (3.0, 30_000.0),
+    "pressure_mpa": (0.0, 5.0), "pressures_mpa": (0.0, 5.0), "max_pressure_mpa": (0.0, 5.0),
+}
+
+
+def likely(name: str, value: float) -> None:
+    """Warns of a bare number that was likely meant in another unit."""
+    bounds = _UNLIKELY.get(name)
+    if bounds is None or value <= 0 or bounds[0] <= value <= bounds[1]:
+        return
+    from ._problem import UnitWarning, warned
+
+    if name.endswith("mpa"):
+        unit, factor = ("Pa", 1e-6) if value >= 1e4 else ("kPa", 1e-3) if value >= 50 else ("bar", 0.1)
+        said, meant = "MPa", f"{value * factor:g} MPa"
+    else:
+        unit, factor = ("m", 1e3) if value < bounds[0] else ("um", 1e-3)
+        said, meant = "mm", f"{value * factor:g} mm"
+    bare = name.rsplit("_", 1)[0]
+    text = f'{name}={value:g} is {value:g} {said}; if {value:g} {unit} is meant, give {meant}, or {bare}="{value:g} {unit}"'
+    warned(text, UnitWarning)
 
 
 def unpinted(name: str, value: Any, kind: Kind | None = None) -> Any:

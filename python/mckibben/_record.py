@@ -4,11 +4,19 @@ from __future__ import annotations
 
 import copy
 import json
+import math
+import os
 from collections.abc import Iterator
 from html import escape
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from . import _quantity
+
 if TYPE_CHECKING:
+    import pandas
+    import polars
+    import pyarrow
+
     from ._table import Table
 
 
@@ -50,7 +58,7 @@ class Record:
     def _shown(self, name: str) -> Any:
         value, kind = self._data[name], self._nested_.get(name)
         if kind is None or value is None:
-            return value
+            return _quantity.dressed(name, value) if type(value) is float and _quantity.REGISTRY is not None else value
         from . import _answers
 
         return _wrapped(getattr(_answers, kind), value)
@@ -76,6 +84,14 @@ class Record:
     def to_dict(self) -> dict[str, Any]:
         """Plain dicts and lists."""
         return copy.deepcopy(self._data)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes it as JSON, from which :func:`load` reads the same again."""
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump({"mckibben": type(self).__name__, **self._state()}, file, ensure_ascii=False)
+
+    def _state(self) -> dict[str, Any]:
+        return {"data": self._data, "asked": self._asked}
 
     def __dir__(self) -> list[str]:
         return sorted({*super().__dir__(), *self._fields_})
@@ -121,15 +137,15 @@ class Record:
         held = self._data.get(self._rows_)
         return Table.from_columns(held) if isinstance(held, dict) else Table.from_rows(held or [])
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> pandas.DataFrame:
         """The table as a ``pandas.DataFrame``."""
         return self.to_table().to_pandas()
 
-    def to_polars(self) -> Any:
+    def to_polars(self) -> polars.DataFrame:
         """The table as a ``polars.DataFrame``."""
         return self.to_table().to_polars()
 
-    def to_arrow(self) -> Any:
+    def to_arrow(self) -> pyarrow.Table:
         """The table as a ``pyarrow.Table``."""
         return self.to_table().to_arrow()
 
@@ -171,6 +187,35 @@ class Record:
         if figure is None:
             raise AttributeError(f"there is no figure of this {type(self).__name__}")
         return dict(figure)
+
+
+def load(path: str | os.PathLike[str]) -> Any:
+    """What ``save()`` wrote: an answer (JSON), a muscle or a rubber (TOML), a formula (JSON)."""
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    if not text.lstrip().startswith("{"):
+        from ._muscle import Muscle
+        from ._parts import Braid, Rubber
+
+        part = next((kind for kind in (Rubber, Braid) if text.lstrip().startswith(f"[{kind._table}]")), None)
+        return Muscle.from_toml(text) if part is None else part.from_toml(text)
+    held = json.loads(text)
+    if "mckibben" not in held:
+        from ._formula import Formula
+
+        return Formula(text)
+    from . import _answers, _results
+    from ._table import Table
+
+    kind = getattr(_results, held["mckibben"], None) or getattr(_answers, held["mckibben"])
+    asked = tuple(held["asked"]) if held["asked"] else None
+    if "muscles" in held:
+        return _results._design(held["data"], asked, held["muscles"])
+    if "points" in held:
+        from ._columns import _columned
+
+        return _columned(kind, held["data"], asked, Table({name: [math.nan if v is None else v for v in values] if any(isinstance(v, float) for v in values) else values for name, values in held["points"].items()}))
+    return kind(held["data"], asked)
 
 
 def _wrapped(kind: type[Record], value: Any) -> Any:

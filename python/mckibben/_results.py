@@ -48,7 +48,7 @@ class Design(_answers.DesignAnswer):
     @property
     def best(self) -> Muscle:
         """The first of them."""
-        from ._errors import NoAnswerError
+        from ._problem import NoAnswerError
 
         if not self._muscles:
             raise NoAnswerError("no muscle fits", kind="no_answer", hint="`closest` and `rejected` say why", exit_code=1)
@@ -56,6 +56,19 @@ class Design(_answers.DesignAnswer):
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _design, (self._data, self._asked, self._muscles)
+
+    def _state(self) -> dict[str, Any]:
+        return {**super()._state(), "muscles": self._muscles}
+
+    def __repr__(self) -> str:
+        if not self.candidates:
+            return f"Design({self.model}: none of {self.looked_at} muscles fits)"
+        best = self._data["candidates"][0]
+        said = f"D0 {best['outer_diameter_mm']:.4g} mm, s {best['wall_mm']:.3g} mm, {best['rubber']}, {best['braid']}"
+        point = (best.get("points") or [{}])[0]
+        pull = f"; {point['force_n']:.4g} N" + (f" ± {point['uncertainty_n']:.3g} N" if point.get("uncertainty_n") else "") if point.get("force_n") else ""
+        limits = f"; limited by {str(best['binds']).replace('_', ' ')}" if best.get("binds") else ""
+        return f"Design({self.model}: {self.fitting} of {self.looked_at} fit; best {said}, {best['pressure_mpa']:.3g} MPa{pull}{limits})"
 
 
 def _design(data: dict[str, Any], asked: Any, muscles: list[str]) -> Design:
@@ -79,6 +92,11 @@ class Fitted(_Plain, _answers.FitAnswer):
 
     __slots__ = ()
 
+    def __repr__(self) -> str:
+        errors = (self._data.get("errors") or {}).get("fit") or {}
+        share = f", rms {100 * errors['rms_of_blocked']:.2g} % of the blocked force" if errors.get("rms_of_blocked") is not None else ""
+        return f"Fitted({self._data['name']}: {self._data['kind']}, {(self._data.get('provenance') or {}).get('points', 0)} points{share})"
+
     @property
     def formula(self) -> Formula:
         """The formula, which is a model and a file."""
@@ -97,10 +115,68 @@ class Fitted(_Plain, _answers.FitAnswer):
         return Table(dict(zip(held[name]["header"], zip(*held[name]["rows"]))))
 
 
-class Identification(_Plain, _answers.IdentifyAnswer):
-    """Constants found in measured points, with their errors. Its table has one row for each constant."""
+class Fit(_Plain):
+    """Values found by least squares, as other packages name them."""
 
     __slots__ = ()
+
+    def _found(self) -> list[dict[str, Any]]:
+        found: list[dict[str, Any]] = self._data["parameters"]
+        return found
+
+    @property
+    def names(self) -> list[str]:
+        """The names of the values."""
+        return [str(p["name"]) for p in self._found()]
+
+    @property
+    def x(self) -> NDArray[np.float64]:
+        """The values found."""
+        return np.array([p["value"] for p in self._found()], dtype=np.float64)
+
+    @property
+    def stderr(self) -> NDArray[np.float64]:
+        """Their standard errors; NaN where the data does not determine one."""
+        return np.array([np.nan if p.get("standard_error") is None else p["standard_error"] for p in self._found()], dtype=np.float64)
+
+    def _words(self) -> list[str]:
+        def word(p: dict[str, Any], error: float) -> str:
+            unit = f" {p['unit']}" if p.get("unit") else ""
+            return f"{p['name']} {p['value']:.5g}{unit}" if np.isnan(error) else f"{p['name']} {p['value']:.5g} ± {error:.3g}{unit}"
+
+        half = [p.get("half_width_95") for p in self._found()]
+        return [word(p, np.nan if h is None else h) for p, h in zip(self._found(), half)]
+
+
+class Identification(Fit, _answers.IdentifyAnswer):
+    """Constants found in measured points, with their errors. Its table has one row for each constant.
+
+    Examples
+    --------
+    ``found.x``, ``found.names``, ``found.stderr``, ``found.cov`` and ``found.residuals`` are arrays; ``print(found.summary())`` is for reading.
+    """
+
+    __slots__ = ()
+
+    @property
+    def cov(self) -> NDArray[np.float64]:
+        """Their covariance, in the units of the values."""
+        correlation = np.array(self._data["correlation"], dtype=np.float64).reshape(len(self.x), len(self.x))
+        return correlation * np.outer(self.stderr, self.stderr)
+
+    @property
+    def residuals(self) -> NDArray[np.float64]:
+        """Model less measurement of each point, in N."""
+        return np.array([p["residual_n"] for p in self._data["points"]], dtype=np.float64)
+
+    def summary(self) -> str:
+        """What was found, in lines for reading."""
+        head = f"{self.model}: {len(self.residuals)} points, rms {self.rms_n:.3g} N (before {self.rms_before_n:.3g} N), largest {self.max_n:.3g} N"
+        errors = "± half width of 95 %, " + ("by the stated errors" if self.errors_stated else f"by the residuals, {self.degrees_of_freedom} degrees of freedom")
+        return "\n".join([head, *(f"  {word}" for word in self._words()), errors, *(f"note: {text}" for text in self.warnings)])
+
+    def __repr__(self) -> str:
+        return f"Identification({self.model}: {', '.join(self._words())}; rms {self.rms_n:.3g} N of {len(self.residuals)} points)"
 
     @property
     def identified(self) -> Muscle:
@@ -120,7 +196,8 @@ def _saved(files: Any, folder: str | os.PathLike[str]) -> Path:
     place.mkdir(parents=True, exist_ok=True)
     for name, content in contents.items():
         (place / name).write_bytes(content)
-    return place / next(iter(contents))
+    first: str = next(iter(contents))
+    return place / first
 
 
 class Build(_Plain, _answers.BuildAnswer):
@@ -128,7 +205,7 @@ class Build(_Plain, _answers.BuildAnswer):
 
     __slots__ = ()
 
-    def save(self, folder: str | os.PathLike[str]) -> Path:
+    def save(self, folder: str | os.PathLike[str]) -> Path:  # type: ignore[override]
         """Writes the files into a folder, and gives the page to begin with. A file of that name is replaced only where it is the same."""
         return _saved(self.files, folder)
 
@@ -138,19 +215,32 @@ class Export(_Plain, _answers.ExportAnswer):
 
     __slots__ = ()
 
-    def save(self, folder: str | os.PathLike[str]) -> Path:
+    def save(self, folder: str | os.PathLike[str]) -> Path:  # type: ignore[override]
         """Writes the files into a folder, and gives the one to begin with. A file of that name is replaced only where it is the same."""
         return _saved(self.files, folder)
 
 
-class RubberFit(_Plain, _answers.RubberFitAnswer):
-    """Laws fitted to tests of a rubber. Its table has one row for each law."""
+class RubberFit(Fit, _answers.RubberFitAnswer):
+    """Laws fitted to tests of a rubber. Its table has one row for each law; ``x``, ``names`` and ``stderr`` are those of the recommended one."""
 
     __slots__ = ()
 
+    def _found(self) -> list[dict[str, Any]]:
+        return self._data.get("parameters") or []
+
+    def summary(self) -> str:
+        """What was found, in lines for reading."""
+        head = f"{self.points} points to a stretch of {self.fitted_to_stretch:.3g}; recommended: {self.recommended or 'none'}"
+        errors = [f"  {w}" + ("" if np.isnan(e) else f" (standard error {e:.2g})") for w, e in zip(self._words(), self.stderr)]
+        laws = [f"  {law.name}: rms {law.rms_mpa:.3g} MPa, {'stable' if law.stable else 'not stable'}" for law in self.laws]
+        return "\n".join([head, *errors, "laws:", *laws])
+
+    def __repr__(self) -> str:
+        return f"RubberFit({self.recommended or 'no stable law'}: {', '.join(self._words())}; {self.points} points)"
+
     def rubber(self, law: str | None = None) -> Rubber:
         """A law with its constants; the recommended one where none is named."""
-        from ._errors import NoAnswerError
+        from ._problem import NoAnswerError
         from ._parts import Rubber
 
         name = law or self.recommended

@@ -6,9 +6,15 @@ import csv
 import io
 from collections.abc import Iterator, Mapping, Sequence
 from html import escape
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+if TYPE_CHECKING:
+    import pandas
+    import polars
+    import pyarrow
+    from numpy.typing import NDArray
 
 # Rows that a notebook shows.
 _SHOWN = 20
@@ -127,19 +133,19 @@ class Table:
         lists = {name: values.tolist() if isinstance(values, np.ndarray) else values for name, values in self._columns.items()}
         return [{n: v[i] for n, v in lists.items() if v[i] is not None and v[i] == v[i]} for i in range(len(self))]
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> pandas.DataFrame:
         """The same as a ``pandas.DataFrame``."""
         import pandas as pd
 
         return pd.DataFrame({name: values.copy() if isinstance(values, np.ndarray) else values for name, values in self._columns.items()})
 
-    def to_polars(self) -> Any:
+    def to_polars(self) -> polars.DataFrame:
         """The same as a ``polars.DataFrame``."""
         import polars as pl
 
         return pl.DataFrame(self)
 
-    def to_arrow(self) -> Any:
+    def to_arrow(self) -> pyarrow.Table:
         """The same as a ``pyarrow.Table``."""
         import pyarrow as pa
 

@@ -1,4 +1,4 @@
-"""A muscle in a loss of JAX: the pull and its derivatives as a function that ``jax.grad``, ``jax.jvp`` and ``jax.jit`` take."""
+"""A muscle in a loss of JAX: pulls, pressures and contractions as functions that ``jax.grad``, ``jax.jvp``, ``jax.vmap`` and ``jax.jit`` take."""
 
 from __future__ import annotations
 
@@ -9,59 +9,89 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from ._bridge import NO_SECOND, Asked
+
 if TYPE_CHECKING:
     from ._model import Model
 
 
-def force(model: Model, parameters: Sequence[str] = ()) -> Callable[..., Any]:
+def force(model: Model, parameters: Sequence[str] = (), *, wrt: Sequence[str] = (), errors: str = "raise") -> Callable[..., jax.Array]:
     """F(P, ε; θ) of a model as a function of JAX with its first derivatives (``jax.custom_jvp``).
 
-    JAX computes with 32 bits unless ``jax.config.update("jax_enable_x64", True)`` says otherwise.
+    ``jax.vmap`` of it asks the model once for all points, unless θ differs from point to point. A value alone costs no derivatives. JAX computes
+    with 32 bits unless ``jax.config.update("jax_enable_x64", True)`` says otherwise.
 
     Parameters
     ----------
     model
         The model.
     parameters
-        Names of constants and measures of the muscle (see :attr:`Muscle.parameters`) that the function takes as well.
+        Names of constants and measures of the muscle (see :attr:`Muscle.parameters`) that the function takes as well, all others held.
+    wrt
+        More of them, or measures as :meth:`Muscle.replace` has them: ``outer_diameter_mm``, ``wall_mm``, ``length_mm``, ``angle_deg``,
+        ``stiffness``; k of a named braid follows the diameter.
+    errors
+        ``raise``, or ``nan``: NaN at points without an answer and for muscles that cannot be, so that a sampler goes on.
 
     Returns
     -------
     function
-        ``f(pressure_mpa, contraction)``, or ``f(pressure_mpa, contraction, theta)`` with the values of the parameters in their order, in
+        ``f(pressure_mpa, contraction)``, or ``f(pressure_mpa, contraction, theta)`` with the values of the names in their order, in
         MPa, N/mm, mm, degrees. The result has the broadcast shape of pressures and contractions.
     """
-    names = tuple(parameters)
+    return _function(Asked(model, "force", [*parameters, *wrt], errors))
 
-    def asked(p: Any, e: Any, theta: Any) -> Any:
-        values = np.asarray(theta, dtype=np.float64)
-        bound = model.of(model.muscle.with_parameters(dict(zip(names, values)))) if names else model
-        value, slopes = bound.force(np.asarray(p, dtype=np.float64), np.asarray(e, dtype=np.float64), jac=names or True)
-        return np.concatenate([np.asarray(value)[..., None], slopes], axis=-1).astype(dtype())
 
-    def dtype() -> Any:
-        return jnp.result_type(float)
+def pressure(model: Model, parameters: Sequence[str] = (), *, wrt: Sequence[str] = (), errors: str = "raise") -> Callable[..., jax.Array]:
+    """P(F, ε; θ) of a model: ``f(force_n, contraction)`` or ``f(force_n, contraction, theta)`` in MPa; arguments as in :func:`force`."""
+    return _function(Asked(model, "pressure", [*parameters, *wrt], errors))
 
-    def all_of(p: Any, e: Any, theta: Any) -> Any:
-        shape = (*jnp.broadcast_shapes(jnp.shape(p), jnp.shape(e)), 3 + len(names))
+
+def contraction(model: Model, parameters: Sequence[str] = (), *, wrt: Sequence[str] = (), errors: str = "raise") -> Callable[..., jax.Array]:
+    """ε(F, P; θ) of a model: ``f(force_n, pressure_mpa)`` or ``f(force_n, pressure_mpa, theta)``; arguments as in :func:`force`."""
+    return _function(Asked(model, "contraction", [*parameters, *wrt], errors))
+
+
+def _function(asked: Asked) -> Callable[..., jax.Array]:
+    count = len(asked.names)
+
+    def call(a: Any, b: Any, theta: Any, slopes: bool) -> Any:
+        shape = jnp.broadcast_shapes(jnp.shape(a), jnp.shape(b))
+        # As many axes each, so that those of a batch come in front of all.
+        a, b = (jnp.reshape(v, (1,) * (len(shape) - jnp.ndim(v)) + jnp.shape(v)) for v in (a, b))
+        kind = jnp.result_type(float)
+
+        def ask(a: Any, b: Any, theta: Any) -> Any:
+            return np.asarray(asked.many(a, b, theta, slopes), dtype=kind)
+
         struct: Any = jax.ShapeDtypeStruct
-        return jax.pure_callback(asked, struct(shape, dtype()), p, e, theta, vmap_method="sequential")
+        return jax.pure_callback(ask, struct((*shape, 3 + count) if slopes else shape, kind), a, b, theta, vmap_method="expand_dims")
 
     @jax.custom_jvp
-    def pull(p: Any, e: Any, theta: Any) -> Any:
-        return all_of(p, e, theta)[..., 0]
+    def value(a: Any, b: Any, theta: Any) -> Any:
+        return call(a, b, theta, False)
 
-    @pull.defjvp
+    @jax.custom_jvp
+    def all_of(a: Any, b: Any, theta: Any) -> Any:
+        return call(a, b, theta, True)
+
+    @all_of.defjvp
+    def second(at: Any, by: Any) -> Any:
+        raise NotImplementedError(NO_SECOND)
+
+    @value.defjvp
     def moved(at: Any, by: Any) -> Any:
         found = all_of(*at)
-        p, e, theta = by
-        change = found[..., 1] * p + found[..., 2] * e
-        return found[..., 0], change + found[..., 3:] @ theta if names else change
+        a, b, theta = by
+        change = found[..., 1] * a + found[..., 2] * b
+        return found[..., 0], change + found[..., 3:] @ theta if count else change
 
-    def outer(pressure_mpa: Any, contraction: Any = 0.0, theta: Any = ()) -> Any:
-        values = jnp.asarray(theta, dtype=dtype())
-        if values.shape != (len(names),):
-            raise ValueError(f"theta holds the values of {list(names)}, not {values.shape}")
-        return pull(jnp.asarray(pressure_mpa, dtype=dtype()), jnp.asarray(contraction, dtype=dtype()), values)
+    def outer(first: Any, second: Any = 0.0, theta: Any = ()) -> jax.Array:
+        kind = jnp.result_type(float)
+        values = jnp.asarray(theta, dtype=kind)
+        if values.shape != (count,):
+            raise ValueError(f"theta holds the values of {list(asked.names)}, not {values.shape}")
+        found: jax.Array = value(jnp.asarray(first, dtype=kind), jnp.asarray(second, dtype=kind), values)
+        return found
 
     return outer

@@ -21,4 +21,4 @@ def root() -> Path:
 @pytest.fixture(scope="session")
 def thin() -> mk.Muscle:
     """The muscle of the paper's Table 1: D0 50, s 1."""
-    return mk.Muscle(outer_diameter_mm=50, wall_mm=1)
+    return mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)

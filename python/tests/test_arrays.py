@@ -107,7 +107,7 @@ def test_ends_that_give_way(thin: mk.Muscle, name: str) -> None:
     assert np.allclose(force, thin.model(name).force(0.2, e + 1.6 / 285), rtol=1e-9)
     assert np.allclose(jac[:, 2], jac[:, 1] / 285, rtol=1e-6)
     assert mk.force(seated, 0.2, 0.1, model=name).force_n == pytest.approx(mk.force(thin, 0.2, 0.1, model=name, seating_mm=1.6).force_n, rel=1e-12)
-    with pytest.raises(mk.MuscleError):
+    with pytest.raises(mk.InputError):
         thin.replace(seating_mm=300)
 
 
@@ -137,7 +137,7 @@ def test_the_first_point_without_an_answer_is_named(thin: mk.Muscle) -> None:
 def test_what_is_no_number_is_refused(thin: mk.Muscle, name: str, bad: float) -> None:
     model = thin.model(name)
     for p, e in [(bad, 0.1), (0.2, bad)]:
-        with pytest.raises(mk.WrongInputError):
+        with pytest.raises(mk.InputError):
             model.force([0.1, p], [0.0, e])
         assert np.isnan(model.force([0.1, p], [0.0, e], errors="nan")[1])
 
@@ -150,13 +150,13 @@ def test_wrong_shapes_and_types(thin: mk.Muscle) -> None:
     for bad in bads:
         with pytest.raises((TypeError, ValueError)):
             model.force(bad, 0.1)
-    with pytest.raises(mk.QuantityError):
+    with pytest.raises(mk.InputError):
         model.force("3 mm", 0.1)
     with pytest.raises(ValueError):
-        model.force(0.1, 0.1, errors="ignore")
-    with pytest.raises(mk.ParameterError):
+        model.force(0.1, 0.1, errors="ignore")  # type: ignore[call-overload]
+    with pytest.raises(mk.InputError):
         model.force(0.1, 0.1, jac=["tube.material.c99"])
-    with pytest.raises(mk.QuantityError, match="contraction ratio"):
+    with pytest.raises(mk.InputError, match="contraction ratio"):
         model.force(0.1, 15)
 
 
@@ -206,9 +206,9 @@ def test_pint(thin: mk.Muscle) -> None:
     assert model.force(2.5 * unit.bar, 0.1) == pytest.approx(model.force(0.25, 0.1), rel=1e-12)
     assert np.allclose(model.force(np.array([1.0, 2.0]) * unit.bar, 0.1), model.force([0.1, 0.2], 0.1))
     assert mk.Muscle(outer_diameter_mm=2 * unit.inch).outer_diameter_mm == pytest.approx(50.8)
-    with pytest.raises(mk.QuantityError):
+    with pytest.raises(mk.InputError):
         model.force(2.5 * unit.mm, 0.1)
-    with pytest.raises(mk.QuantityError):
+    with pytest.raises(mk.InputError):
         mk.force(pressure_mpa=2.5 * unit.mm)
 
 
@@ -299,9 +299,11 @@ def test_masks_are_honoured(thin: mk.Muscle) -> None:
     model = thin.model("paper")
     p = np.ma.masked_array([0.1, np.nan, 0.2, 9.9], mask=[False, True, False, True])
     e = np.ma.masked_array([[0.0], [0.1], [-5.0]], mask=[[False], [False], [True]])
-    force = model.force(p, 0.1)
+    force: Any = model.force(p, 0.1)
     assert isinstance(force, np.ma.MaskedArray) and np.ma.getmaskarray(force).tolist() == [False, True, False, True]
     assert force.compressed().tolist() == model.force([0.1, 0.2], 0.1).tolist()
+    grid: Any
+    slopes: Any
     grid, slopes = model.force(p, e, jac=True)
     assert grid.shape == (3, 4) and slopes.shape == (3, 4, 2)
     assert grid.mask.tolist() == [[False, True, False, True]] * 2 + [[True] * 4] and (np.ma.getmaskarray(slopes) == grid.mask[..., None]).all()
@@ -315,7 +317,7 @@ def test_masks_are_honoured(thin: mk.Muscle) -> None:
     with pytest.raises(mk.OutOfRangeError) as caught:
         model.force(np.ma.masked_array([9.9, 0.1, 9.9], mask=[True, False, False]), 0.1)
     assert caught.value.index == 2
-    with pytest.raises(mk.QuantityError, match="masked"):
+    with pytest.raises(mk.InputError, match="masked"):
         thin.curve("isobaric", pressures_mpa=np.ma.masked_array([0.1, 0.2], mask=[True, False]), model="paper")
     assert np.isnan(mk.Table({"a": np.ma.masked_array([1.0, 2.0], mask=[True, False])})["a"]).tolist() == [True, False]
     assert np.isnan(mk.Table({"a": np.ma.masked_array([1, 2], mask=[True, False])})["a"]).tolist() == [True, False]

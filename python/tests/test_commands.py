@@ -140,7 +140,7 @@ def test_muscles_of_a_joint_and_a_drive_are_objects(root: Path) -> None:
     # Where the ends give way a muscle pulls less, the one of higher pressure by more.
     seated = mk.joint(path, muscles={"biceps.toml": biceps.replace(seating_mm=3)}, **asked)
     assert 0 < seated.points[0].torque_nm < plain.points[0].torque_nm
-    with pytest.raises(mk.UsageError, match="triceps"):
+    with pytest.raises(mk.InputError, match="triceps"):
         mk.joint(path, muscles={"triceps.toml": biceps}, **asked)
     with pytest.raises(mk.FileError):
         mk.joint(text, **asked)

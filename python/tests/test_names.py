@@ -68,12 +68,12 @@ def test_a_star_import_gives_what_is_listed() -> None:
 
 def test_what_is_made_from_the_schema_is_as_if_it_were_written() -> None:
     """Functions and classes with names, signatures and documentation, found by pickle, refused arguments named."""
-    muscle = mk.Muscle()
-    for thing in (mk.force, mk.Muscle.force, mk.OutOfRangeError, type(muscle.force(0.2, 0.1, model="ideal"))):
+    muscle = mk.Muscle.prototype()
+    for thing in (mk.force, mk.Muscle.state, mk.OutOfRangeError, type(muscle.state(0.2, 0.1, model="ideal"))):
         assert pickle.loads(pickle.dumps(thing)) is thing and thing.__doc__ and thing.__module__.startswith("mckibben.")
-    assert inspect.isfunction(mk.force) and mk.force.__name__ == "force" and mk.Muscle.force.__qualname__ == "MuscleCommands.force"
+    assert inspect.isfunction(mk.force) and mk.force.__name__ == "force" and mk.Muscle.state.__qualname__ == "MuscleCommands.state"
     assert "pressure_mpa : MPa\n    Gauge pressure P in MPa." in (inspect.getdoc(mk.force) or "")
-    assert "pressure_mpa : MPa" in pydoc.plain(pydoc.render_doc(mk.force)) and "force_per_pressure_n_per_mpa : N/MPa" in (type(muscle.force(0.2, 0.1, model="ideal")).__doc__ or "")
+    assert "pressure_mpa : MPa" in pydoc.plain(pydoc.render_doc(mk.force)) and "force_per_pressure_n_per_mpa : N/MPa" in (type(muscle.state(0.2, 0.1, model="ideal")).__doc__ or "")
     ask: Any = mk.force
     with pytest.raises(TypeError, match=r"force\(\) got an unexpected keyword argument 'presure_mpa'"):
         ask(presure_mpa=1)

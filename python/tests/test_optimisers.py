@@ -51,3 +51,71 @@ def test_torch_derivatives() -> None:
     contractions = torch.tensor([0.0, 0.1, 0.15], dtype=torch.float64, requires_grad=True)
     pull = mk.torch.force(muscle.model())
     assert torch.autograd.gradcheck(pull, (pressures, contractions), eps=1e-5, atol=1e-2, rtol=1e-5)
+
+
+def test_jax_asks_once_for_a_batch(monkeypatch: pytest.MonkeyPatch) -> None:
+    """vmap of a function of points asks the model once, a value asks for no derivatives; over θ it is a loop with the same numbers."""
+    jax = pytest.importorskip("jax")
+    jax.config.update("jax_enable_x64", True)
+    from mckibben._model import Model
+
+    asked: list[bool] = []
+    fill = Model._fill
+
+    def counted(self: Model, *args: Any) -> Any:
+        asked.append(args[5] is not False)
+        return fill(self, *args)
+
+    monkeypatch.setattr(Model, "_fill", counted)
+    model = mk.Muscle.prototype().model("universal")
+    pull, p, e = mk.jax.force(model), np.linspace(0.05, 0.2, 40), np.linspace(0.0, 0.15, 40)
+    assert np.array_equal(jax.vmap(pull)(p, e), model.force(p, e)) and asked == [False, False]
+    asked.clear()
+    assert np.allclose(jax.vmap(jax.grad(pull))(p, e), model.force(p, e, jac=True)[1][:, 0], rtol=1e-12) and len(asked) == 2
+    asked.clear()
+    # A batch of batches, and one that is spread over points.
+    grid = jax.vmap(lambda a: jax.vmap(lambda b: pull(a, b))(e))(p)
+    assert np.array_equal(grid, model.force(p[:, None], e)) and len(asked) == 2
+    assert np.array_equal(jax.vmap(lambda a: pull(a, e))(p), model.force(p[:, None], e))
+    by = mk.jax.force(model, ["tube.material.c10"])
+    thetas = np.array([[0.1], [0.112], [0.13]])
+    many = jax.vmap(lambda t: by(0.2, e, t))(thetas)
+    for row, theta in zip(many, thetas):
+        assert np.array_equal(row, model.of(model.muscle.with_parameters({"tube.material.c10": theta[0]})).force(0.2, e))
+
+
+def test_jax_inverses_measures_and_samplers() -> None:
+    """Identities: P(F(P, ε), ε) = P, and the slope of an inverse is one over that of the function; measures by differences of replace()."""
+    jax = pytest.importorskip("jax")
+    jax.config.update("jax_enable_x64", True)
+    model = mk.Muscle(outer_diameter_mm=50, wall_mm=2, length_mm=285).model("universal")
+    pull, back, along = mk.jax.force(model), mk.jax.pressure(model), mk.jax.contraction(model)
+    assert float(back(pull(0.2, 0.1), 0.1)) == pytest.approx(0.2, rel=1e-9) and float(along(pull(0.2, 0.1), 0.2)) == pytest.approx(0.1, rel=1e-7)
+    assert float(jax.grad(back)(pull(0.2, 0.1), 0.1) * jax.grad(pull)(0.2, 0.1)) == pytest.approx(1, rel=1e-6)
+    of_d = mk.jax.force(model, wrt=["outer_diameter_mm", "tube.material.c10"])
+    theta = np.array([50.0, 0.112])
+    slope = jax.grad(lambda t: of_d(0.2, 0.1, t))(theta)
+    for i in range(2):
+        h = np.eye(2)[i] * 1e-4 * theta
+        assert slope[i] == pytest.approx(float((of_d(0.2, 0.1, theta + h) - of_d(0.2, 0.1, theta - h)) / (2 * h[i])), rel=1e-5)
+    assert slope[0] == pytest.approx(model.force(0.2, 0.1, jac=["outer_diameter_mm"])[1][2])
+    with pytest.raises(NotImplementedError, match="first derivatives only"):
+        jax.hessian(pull)(0.2, 0.1)
+    with pytest.raises(ValueError, match="wall_mm"):
+        mk.jax.force(model, wrt=["wal_mm"])
+    safe = mk.jax.force(model, wrt=["wall_mm"], errors="nan")
+    value, change = jax.value_and_grad(lambda t: safe(0.2, 0.1, t))(np.array([30.0]))
+    assert np.isnan(value) and np.isnan(change).all() and np.isnan(mk.jax.force(model, errors="nan")(90.0, 0.1))
+
+
+@pytest.mark.parametrize("sampler, needs", [("by_emcee", "emcee"), ("by_nuts", "numpyro")])
+def test_a_posterior_is_as_wide_as_the_errors_of_identify(sampler: str, needs: str, root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With a flat prior and ten points the posterior is nearly normal: its mean is what least squares find, its standard deviations are the standard
+    errors, both within what a few hundred correlated samples leave."""
+    pytest.importorskip(needs)
+    monkeypatch.syspath_prepend(str(root / "python" / "examples"))
+    made: Any = importlib.import_module("identify_bayes")
+    found, *points = made.bench()
+    samples = getattr(made, sampler)(found, *points)
+    assert np.allclose((samples.mean(axis=0) - found.x) / found.stderr, 0, atol=0.4)
+    assert np.allclose(samples.std(axis=0) / found.stderr, 1, atol=0.25)

@@ -153,7 +153,7 @@ def same(number: int, folder: Path, tool: str) -> tuple[int, list[str]]:
             answered += 1
         except mk.MckibbenError as error:
             # Both refuse for one reason.
-            found = (error.kind, error.exit_code)
+            found = (error.kind, error._exit_code)
         if name == "curve" and isinstance(found, dict) and isinstance(expected, dict):
             found, expected = shared(found, expected), shared(expected, found)
         if found != expected:

@@ -12,6 +12,12 @@ use std::borrow::Cow;
 #[folder = "page/"]
 struct Page;
 
+/// Muscles, joints and points that the page's gallery opens.
+#[derive(Embed)]
+#[folder = "examples/"]
+#[prefix = "examples/"]
+struct Examples;
+
 /// Where the page looks for the library that draws charts.
 pub const CHARTS: &str = "js/plotly.js";
 
@@ -24,12 +30,12 @@ pub const KIND_OF_SERVER: &str =
 
 /// A file of the page as it is kept, by its path from the page's folder, such as `index.html`.
 pub fn file(path: &str) -> Option<Cow<'static, [u8]>> {
-    Page::get(path).map(|file| file.data)
+    Page::get(path).or_else(|| Examples::get(path)).map(|file| file.data)
 }
 
 /// Paths of all files that are kept; the chart library is not among them.
 pub fn paths() -> impl Iterator<Item = Cow<'static, str>> {
-    Page::iter()
+    Page::iter().chain(Examples::iter())
 }
 
 /// The chart library as one script: plotly.js 3.0.1 (MIT), the file `plotly.min.js` of the npm package `plotly.js-dist-min` of that version.
@@ -39,7 +45,7 @@ pub const fn charts() -> &'static [u8] {
 
 /// The script that turns the muscle in a report: the page's own view, in one piece.
 pub fn viewer() -> String {
-    let modules = ["js/dom.js", "js/view3d.js"].into_iter().filter_map(file);
+    let modules = ["js/dom.js", "js/shaders.js", "js/view3d.js"].into_iter().filter_map(file);
     let mut out = String::new();
     for module in modules {
         let text = String::from_utf8_lossy(&module).replace("\nexport ", "\n");

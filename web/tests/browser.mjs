@@ -4,6 +4,7 @@ import { readFile } from "node:fs/promises";
 import { extname, join, normalize } from "node:path";
 import { spawn } from "node:child_process";
 import { chromium } from "playwright-core";
+import { workingTree } from "./working-tree.mjs";
 
 const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".svg": "image/svg+xml" };
 
@@ -25,7 +26,7 @@ export async function statically(folder) {
   return { url: `http://127.0.0.1:${port}/tools/muscles/`, end: () => server.close() };
 }
 
-/** `mckibben serve`. @param {string} program */
+/** `mckibben serve`; with PAGE=FOLDER in the environment, that folder's page in front of it. @param {string} program */
 export async function served(program) {
   // Builds with little optimisation take longer than a user would wait.
   const child = spawn(program, ["serve", "--port", "0", "--limit", "seconds=120"], { stdio: ["ignore", "pipe", "inherit"] });
@@ -34,7 +35,8 @@ export async function served(program) {
     child.on("exit", (code) => reject(new Error(`serve ended with ${code}`)));
   });
   child.removeAllListeners("exit");
-  return { url: String(url), end: () => child.kill("SIGTERM"), kill: () => child.kill("SIGKILL") };
+  const behind = { url: String(url), end: () => child.kill("SIGTERM"), kill: () => child.kill("SIGKILL") };
+  return process.env.PAGE ? workingTree(behind, process.env.PAGE) : behind;
 }
 
 export const launch = () => chromium.launch({
@@ -44,7 +46,7 @@ export const launch = () => chromium.launch({
 
 /** A page that fails the test on any error of its own; answers that say what is wrong with a request (422) are none. @param {import("playwright-core").Browser} browser @param {import("playwright-core").BrowserContextOptions} [options] */
 export async function tab(browser, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, acceptDownloads: true, ...options });
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, acceptDownloads: true, serviceWorkers: "block", ...options });
   const page = await context.newPage();
   /** @type {string[]} */
   const errors = [];

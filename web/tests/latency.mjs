@@ -42,5 +42,26 @@ for (const name of ["Pressure", "Contraction", "Outer diameter", "Wall"]) {
   const list = await page.evaluate(() => /** @type {any} */ (window).delays.splice(0));
   console.log(`${name}: ${list.length} inputs, median ${quantile(list, 0.5).toFixed(1)} ms, 95 % ${quantile(list, 0.95).toFixed(1)} ms, worst ${quantile(list, 1).toFixed(1)} ms`);
 }
+/** How long 90 frames take while something is done in each, in milliseconds a frame. @param {(i: number) => Promise<void>} act */
+async function frames(act) {
+  await page.evaluate(() => {
+    const w = /** @type {any} */ (window);
+    w.stamps = [];
+    const step = (/** @type {number} */ t) => { w.stamps.push(t); w.going = requestAnimationFrame(step); };
+    w.going = requestAnimationFrame(step);
+  });
+  for (let i = 0; i < 90; i++) await act(i);
+  const stamps = await page.evaluate(() => { const w = /** @type {any} */ (window); cancelAnimationFrame(w.going); return w.stamps; });
+  return stamps.slice(1).map((/** @type {number} */ t, /** @type {number} */ i) => t - stamps[i]);
+}
+const stage = /** @type {any} */ (await page.locator(".stage canvas").boundingBox());
+const to = (/** @type {number} */ i) => page.mouse.move(stage.x + 0.4 * stage.width + 2 * i, stage.y + 0.5 * stage.height + 20 * Math.sin(i / 9));
+const nothing = await frames(to);
+await page.mouse.move(stage.x + 0.4 * stage.width, stage.y + 0.5 * stage.height);
+await page.mouse.down();
+const turning = await frames(to);
+await page.mouse.up();
+const [idle, busy] = [nothing, turning].map((list) => quantile(list, 0.5));
+console.log(`frames at 1440: ${idle.toFixed(1)} ms with nothing to draw, ${busy.toFixed(1)} ms while the muscle turns (${(busy / idle).toFixed(2)} null frames), 95 % ${quantile(turning, 0.95).toFixed(1)} ms`);
 await browser.close();
 site.end();

@@ -3,7 +3,7 @@
 use crate::problem::{Problem, ProblemKind};
 use mckibben::budget::Resource;
 use mckibben::progress::Progress;
-use mckibben::units::{Dimension, MAX_POINTS, RangeError, parse_at_most, parse_quantity};
+use mckibben::units::{Dimension, MAX_POINTS, RangeError, Values, parse_at_most, parse_quantity};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -47,6 +47,9 @@ pub enum Reading {
     Many {
         /// The numbers; an interval without a step is cut into 20 parts.
         values: Vec<f64>,
+        /// Both ends of an interval without a step, which a search takes as a whole.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        interval: Option<[f64; 2]>,
     },
     /// It cannot be understood.
     Wrong {
@@ -75,7 +78,13 @@ pub fn quantities(request: &QuantitiesRequest, progress: &dyn Progress) -> Resul
             },
             // What there is no room for is not even made.
             true => match parse_at_most(&typed.text, typed.kind, (most - points).max(1.0) as usize) {
-                Ok(values) => Reading::Many { values: values.sampled(DIVISIONS) },
+                Ok(values) => Reading::Many {
+                    values: values.sampled(DIVISIONS),
+                    interval: match values {
+                        Values::Interval(low, high) => Some([low, high]),
+                        Values::List(_) => None,
+                    },
+                },
                 Err(error @ RangeError::TooMany { points: more, .. }) => {
                     if more <= MAX_POINTS as f64 {
                         budget.admit(Resource::Points, points + more)?;
@@ -87,7 +96,7 @@ pub fn quantities(request: &QuantitiesRequest, progress: &dyn Progress) -> Resul
             },
         };
         points += match &reading {
-            Reading::Many { values } => values.len() as f64,
+            Reading::Many { values, .. } => values.len() as f64,
             Reading::One { .. } | Reading::Wrong { .. } => 1.0,
         };
         budget.admit(Resource::Points, points)?;

@@ -92,6 +92,7 @@ fn typed_texts_are_quantities_or_say_why_not() {
         json!({ "texts": [
             { "text": "36psi", "kind": "pressure" }, { "text": "1.5 in", "kind": "length" }, { "text": "15%", "kind": "ratio" },
             { "text": "0..2:1bar", "kind": "pressure", "list": true }, { "text": "3 bar", "kind": "length" }, { "text": "NaN", "kind": "force" },
+            { "text": "10..30 mm", "kind": "length", "list": true },
         ] }),
     );
     let readings = answer["readings"].as_array().unwrap();
@@ -100,6 +101,9 @@ fn typed_texts_are_quantities_or_say_why_not() {
     assert_eq!(readings[3]["values"], json!([0.0, 0.1, 0.2]));
     assert!(readings[4]["problem"]["message"].as_str().unwrap().contains("is a pressure; expected a length"));
     assert!(readings[5]["problem"]["message"].as_str().unwrap().contains("finite"));
+    // An interval without a step has its ends too; a range with one has none.
+    assert_eq!((&readings[6]["interval"], &readings[3]["interval"]), (&json!([10.0, 30.0]), &json!(null)));
+    assert_eq!(readings[6]["values"].as_array().unwrap().len(), 21);
     let units = asked("units", json!({}));
     let pressure = units["kinds"].as_array().unwrap().iter().find(|k| k["kind"] == "pressure").unwrap();
     let bar = pressure["units"].as_array().unwrap().iter().find(|u| u["name"] == "bar").unwrap();
@@ -158,12 +162,14 @@ fn a_report_holds_the_answers_of_its_commands() {
         headings,
         [
             "Performance",
+            "Margins of safety",
             "Curves",
             "Other models",
             "Muscle",
             "Derived",
             "Build sheet",
             "Assumptions and limits",
+            "Bench test",
             "Muscle file"
         ]
     );

@@ -100,7 +100,41 @@ pub(crate) struct Member<'a> {
     pub substitute: Cell<Option<Substitute>>,
 }
 
+/// What a member has learnt: it begins the next piece of the same motion with it.
+#[derive(Default)]
+pub(crate) struct Memory {
+    workspace: Workspace,
+    kept: [Option<(f64, f64, Answer)>; 4],
+    next: usize,
+    clamp_slack: Option<f64>,
+}
+
+impl Memory {
+    /// The same for another simulation; the workspace of its model begins anew.
+    pub fn duplicate(&self) -> Self {
+        Self { workspace: Workspace::new(), ..*self }
+    }
+}
+
 impl<'a> Member<'a> {
+    /// The member that learnt this.
+    pub fn recall(&mut self, memory: Memory) {
+        self.workspace = RefCell::new(memory.workspace);
+        self.kept = RefCell::new(memory.kept);
+        self.next = Cell::new(memory.next);
+        self.clamp_slack = Cell::new(memory.clamp_slack);
+    }
+
+    /// What it has learnt.
+    pub fn memory(self) -> Memory {
+        Memory {
+            workspace: self.workspace.into_inner(),
+            kept: self.kept.into_inner(),
+            next: self.next.get(),
+            clamp_slack: self.clamp_slack.get(),
+        }
+    }
+
     pub fn new(model: &'a dyn ForceModel, budget: &Budget) -> Self {
         Self {
             model,

@@ -17,9 +17,7 @@ impl Integration<'_, '_> {
     /// parabola through it and its neighbours.
     pub fn fastest(&mut self, method: &mut dyn Stepper, t: f64) {
         const PIECES: usize = 8;
-        if self.lies() {
-            return;
-        }
+        let Some(largest) = self.largest_speed.filter(|_| !self.lies()) else { return };
         let (from, width) = (self.t, t - self.t);
         let mut speed = |i: usize| {
             let at = self.within(method, from + width * i as f64 / PIECES as f64);
@@ -32,7 +30,7 @@ impl Integration<'_, '_> {
             let bend = a - 2.0 * b + c;
             (b >= a && b >= c && bend < 0.0).then(|| b - (c - a).powi(2) / (8.0 * bend))
         });
-        self.largest_speed = tops.fold(self.largest_speed.max(of_points), f64::max);
+        self.largest_speed = Some(tops.fold(largest.max(of_points), f64::max));
     }
 
     /// Notes a point that was passed.
@@ -129,6 +127,7 @@ impl Integration<'_, '_> {
             missing = missing.max((grown - own.supplied_g + own.exhausted_g).abs());
             flowed += own.supplied_g.abs() + own.exhausted_g.abs() + first.mass_g;
         }
+        let largest_speed = self.largest_speed.unwrap_or(0.0);
         let mut motion = self.motion;
         motion.efficiency = (energies.exergy_j > 0.0).then(|| energies.work_j / energies.exergy_j);
         motion.energies = energies;
@@ -150,12 +149,12 @@ impl Integration<'_, '_> {
         }
         match drive.mechanism.coordinate() {
             Coordinate::Angle => {
-                motion.largest_speed = self.largest_speed.to_degrees();
+                motion.largest_speed = largest_speed.to_degrees();
                 motion.largest_velocity_deg_per_s = Some(motion.largest_speed);
                 motion.equilibrium_angle_deg = equilibrium.map(f64::to_degrees);
             }
             Coordinate::Shortening { rest_length_mm } => {
-                motion.largest_speed = self.largest_speed;
+                motion.largest_speed = largest_speed;
                 motion.largest_velocity_mm_per_s = Some(motion.largest_speed);
                 motion.equilibrium_contraction = equilibrium.map(|q| q / rest_length_mm);
             }

@@ -73,8 +73,8 @@ pub(crate) struct Integration<'s, 'd> {
     pub outputs: usize,
     pub steps: usize,
     pub impacts_j: f64,
-    /// In mm/s or rad/s.
-    pub largest_speed: f64,
+    /// In mm/s or rad/s; `None` where nobody asks for it.
+    pub largest_speed: Option<f64>,
     /// Until the load is lifted from the stop on which it lies at the start.
     pub on_stop: Option<OnStop>,
     pub cycle: Option<Cycle>,
@@ -87,8 +87,9 @@ const MOST_EVENTS: usize = 50;
 const SPAN_S: f64 = 1e-5;
 
 impl<'s, 'd> Integration<'s, 'd> {
-    fn begin(system: &'s System<'d>, progress: &'s dyn Progress) -> Result<Self, MotionError> {
+    pub fn begin(system: &'s System<'d>, progress: &'s dyn Progress) -> Result<Self, MotionError> {
         let state = system.initial_state()?;
+        let air = system.air_mj_mm3(&state)?;
         let mechanism = system.drive.mechanism;
         let lies = system.modes.borrow().stop.is_some_and(|side| side < 0.0) && !mechanism.is_held();
         let on_stop = lies.then_some(OnStop { net: f64::NEG_INFINITY, time_s: 0.0, pressure_mpa: 0.0 });
@@ -100,23 +101,35 @@ impl<'s, 'd> Integration<'s, 'd> {
             muscles: vec![MuscleSeries::default(); system.members.len()],
             ..MotionSeries::default()
         };
-        Ok(Self {
+        let motion = Motion { series, ..Motion::default() };
+        let largest_speed = Some(0.0);
+        Ok(Self { on_stop, cycle, air, largest_speed, ..Self::at((system, progress), 0.0, state, motion) })
+    }
+
+    /// At a time, with what was recorded up to it.
+    pub fn at(
+        (system, progress): (&'s System<'d>, &'s dyn Progress),
+        t: f64,
+        state: State,
+        motion: Motion,
+    ) -> Self {
+        Self {
             system,
             progress,
             budget: progress.budget(),
-            t: 0.0,
+            t,
             first: state.clone(),
-            air: system.air_mj_mm3(&state)?,
+            air: (0.0, 0.0),
             state,
-            motion: Motion { series, ..Motion::default() },
+            motion,
             outputs: 0,
             steps: 0,
             impacts_j: 0.0,
-            largest_speed: 0.0,
-            on_stop,
-            cycle,
+            largest_speed: None,
+            on_stop: None,
+            cycle: None,
             passed: vec![],
-        })
+        }
     }
 
     fn go(&mut self) -> Result<(), MotionError> {
@@ -166,7 +179,7 @@ impl<'s, 'd> Integration<'s, 'd> {
     }
 
     /// Up to the end of a piece of the command.
-    fn piece(&mut self, end: f64) -> Result<(), MotionError> {
+    pub fn piece(&mut self, end: f64) -> Result<(), MotionError> {
         let mut early = 0;
         while self.t < end {
             self.apply_events()?;

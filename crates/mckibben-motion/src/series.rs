@@ -93,29 +93,69 @@ impl MotionSeries {
     }
 }
 
+impl MotionSeries {
+    /// The names of its columns, with their units.
+    pub fn names(&self) -> Vec<String> {
+        let is_joint = self.of == Coordinate::Angle;
+        let own: &[&str] =
+            if is_joint { &["angle_deg", "velocity_deg_per_s"] } else { &["velocity_mm_per_s"] };
+        let muscles = (0..self.muscles.len())
+            .flat_map(|i| COLUMNS.iter().map(move |column| column.key(is_joint.then_some(i + 1))));
+        std::iter::once(&"time_s").chain(own).map(|name| (*name).to_owned()).chain(muscles).collect()
+    }
+
+    /// How many points it has.
+    pub fn len(&self) -> usize {
+        self.time_s.len()
+    }
+
+    /// Whether nothing is recorded.
+    pub fn is_empty(&self) -> bool {
+        self.time_s.is_empty()
+    }
+
+    /// A point, in the order of [`MotionSeries::names`]; `None` beyond the last one.
+    pub fn row(&self, i: usize) -> Option<Vec<f64>> {
+        let (time, q, v) = (*self.time_s.get(i)?, *self.coordinate.get(i)?, *self.velocity.get(i)?);
+        let mut row = match self.of {
+            Coordinate::Angle => vec![time, q.to_degrees(), v.to_degrees()],
+            Coordinate::Shortening { .. } => vec![time, v],
+        };
+        for muscle in &self.muscles {
+            for column in COLUMNS {
+                let value = *(column.of)(muscle).get(i)?;
+                row.push(if column.shift == 0.0 { value } else { value + column.shift });
+            }
+        }
+        Some(row)
+    }
+
+    /// Leaves so many points.
+    pub fn truncate(&mut self, points: usize) {
+        let own = [&mut self.time_s, &mut self.coordinate, &mut self.velocity];
+        let muscles = self.muscles.iter_mut().flat_map(|m| {
+            [
+                &mut m.pressure_mpa,
+                &mut m.contraction,
+                &mut m.force_n,
+                &mut m.air_mass_g,
+                &mut m.temperature_k,
+                &mut m.volume_mm3,
+                &mut m.opening,
+                &mut m.command,
+            ]
+        });
+        own.into_iter().chain(muscles).for_each(|list| list.truncate(points));
+    }
+}
+
 impl Serialize for MotionSeries {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("time_s", &self.time_s)?;
-        let degrees = self.degrees();
-        match &degrees {
-            Some([angle, velocity]) => {
-                map.serialize_entry("angle_deg", angle)?;
-                map.serialize_entry("velocity_deg_per_s", velocity)?;
-            }
-            None => map.serialize_entry("velocity_mm_per_s", &self.velocity)?,
-        }
-        for (i, muscle) in self.muscles.iter().enumerate() {
-            for column in COLUMNS {
-                let list = (column.of)(muscle);
-                let key = column.key(degrees.is_some().then_some(i + 1));
-                if column.shift == 0.0 {
-                    map.serialize_entry(&key, list)?;
-                } else {
-                    let shifted: Vec<f64> = list.iter().map(|v| v + column.shift).collect();
-                    map.serialize_entry(&key, &shifted)?;
-                }
-            }
+        let rows: Vec<Vec<f64>> = (0..self.len()).filter_map(|i| self.row(i)).collect();
+        for (i, name) in self.names().iter().enumerate() {
+            let column: Vec<f64> = rows.iter().filter_map(|row| row.get(i).copied()).collect();
+            map.serialize_entry(name, &column)?;
         }
         map.end()
     }

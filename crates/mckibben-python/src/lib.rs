@@ -14,6 +14,7 @@ mod model;
 mod muscle;
 mod pairs;
 mod run;
+mod simulation;
 mod value;
 mod view;
 
@@ -33,7 +34,9 @@ mod _native {
     #[pymodule_export]
     use crate::model::Model;
     #[pymodule_export]
-    use crate::muscle::{design, muscle_fields, muscle_text, muscle_with, parameters};
+    use crate::muscle::{design, muscle_fields, muscle_text, muscle_with, parameters, rubber_stress};
+    #[pymodule_export]
+    use crate::simulation::Simulation;
     #[pymodule_export]
     use crate::view::{body_html, report_html};
 

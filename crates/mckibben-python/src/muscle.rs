@@ -4,6 +4,7 @@ use crate::error::Wrong;
 use crate::{run, value};
 use mckibben::muscle::Muscle;
 use mckibben::muscle::file::to_toml;
+use mckibben::rubber::RubberLaw;
 use mckibben_app::{
     DesignRequest, MuscleFields, Problem, ProblemKind, TextFile, design as designed, muscle_of, understood,
     with_parameters,
@@ -63,6 +64,25 @@ pub fn muscle_fields(py: Python<'_>, text: String) -> PyResult<Bound<'_, PyAny>>
     let muscle = muscle_of(&TextFile { name: "muscle".into(), text }).map_err(Wrong::from)?;
     let wrong = |e: serde_json::Error| Wrong::from(Problem::new(ProblemKind::Internal, e.to_string(), ""));
     value::answer(py, &serde_json::to_value(MuscleFields::of(&muscle)).map_err(wrong)?)
+}
+
+/// Nominal stress in MPa of the rubber of a muscle at stretches: `uniaxial`, `planar` or `equibiaxial`, with plane stress and constant volume.
+#[pyfunction]
+#[pyo3(signature = (text: "str", mode: "str", stretches: "list[float]"))]
+pub fn rubber_stress(text: String, mode: &str, stretches: Vec<f64>) -> PyResult<Vec<f64>> {
+    let muscle = muscle_of(&TextFile { name: "muscle".into(), text }).map_err(Wrong::from)?;
+    let law = muscle.tube().rubber.law.clone();
+    if let Some(wrong) = stretches.iter().find(|s| !(**s > 0.0 && s.is_finite())) {
+        let message = format!("a stretch of {wrong}: it is the length over that at rest, above 0");
+        let problem = Problem::new(ProblemKind::Quantity, message, "").in_field("stretch");
+        return Err(Wrong::from(problem).into());
+    }
+    let stress = |stretch: &f64| match mode {
+        "planar" => law.planar_stress_mpa(*stretch),
+        "equibiaxial" => law.equibiaxial_stress_mpa(*stretch),
+        _ => law.uniaxial_stress_mpa(*stretch),
+    };
+    Ok(stretches.iter().map(stress).collect())
 }
 
 /// The muscle with other values of constants and measures, all others held.

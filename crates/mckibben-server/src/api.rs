@@ -32,7 +32,7 @@ impl<S: Send + Sync> FromRequestParts<S> for Name {
 }
 
 /// The content type of packed answers.
-const PACKED: &str = "application/octet-stream";
+pub const PACKED: &str = "application/octet-stream";
 
 fn as_json(bytes: impl Into<Bytes>) -> Response {
     ([(CONTENT_TYPE, "application/json")], bytes.into()).into_response()

@@ -1,6 +1,6 @@
 //! The server: routes, connections, and its end.
 
-use crate::api::{self, Ours};
+use crate::api::{self, Ours, PACKED};
 use crate::config::Config;
 use crate::door;
 use crate::jobs::Jobs;
@@ -8,9 +8,9 @@ use crate::page::page;
 use crate::refusal::Refusal;
 use crate::room::Room;
 use crate::work::Gate;
-use axum::body::Body;
+use axum::body::{Body, HttpBody};
 use axum::extract::Request;
-use axum::http::{HeaderMap, StatusCode};
+use axum::http::{HeaderMap, Response, StatusCode};
 use axum::middleware::{Next, from_fn};
 use axum::routing::{Router, get, post};
 use hyper::server::conn::http1;
@@ -31,7 +31,7 @@ use tokio::sync::{Semaphore, watch};
 use tokio::task::JoinSet;
 use tokio::time::{sleep, timeout};
 use tokio_io_timeout::TimeoutStream;
-use tower_http::compression::predicate::{DefaultPredicate, NotForContentType, Predicate};
+use tower_http::compression::predicate::{DefaultPredicate, NotForContentType, Predicate, SizeAbove};
 use tower_http::compression::{CompressionLayer, CompressionLevel};
 
 /// After the wish to end, connections have this time to be notified.
@@ -42,6 +42,8 @@ const TICK: Duration = Duration::from_millis(50);
 const STACK: usize = 8 << 20;
 /// Memory that a server needs to begin.
 const LEAST_MEMORY: usize = 64 << 20;
+/// Packed answers up to this many bytes go as they are.
+const SHORT: u64 = 32 << 10;
 /// Headers of a request, in bytes.
 const HEADERS: usize = 64 << 10;
 
@@ -72,6 +74,18 @@ pub struct State {
     pub stopping: watch::Receiver<bool>,
 }
 
+/// Which answers are compressed: all but those of events, and packed ones where they are short, such as shapes while the user drags.
+#[derive(Debug, Clone, Copy)]
+struct Worth;
+
+impl Predicate for Worth {
+    fn should_compress<B: HttpBody>(&self, response: &Response<B>) -> bool {
+        let packed = !NotForContentType::const_new(PACKED).should_compress(response);
+        DefaultPredicate::new().should_compress(response)
+            && (!packed || SizeAbove::new(SHORT).should_compress(response))
+    }
+}
+
 /// All routes: the page, and the commands.
 ///
 /// It needs a runtime of tokio with time around it.
@@ -89,7 +103,6 @@ fn routes(config: Config, stopping: watch::Receiver<bool>) -> Router {
         config: Arc::clone(&config),
         stopping,
     });
-    let small = DefaultPredicate::new().and(NotForContentType::const_new("application/octet-stream"));
     // A route a command: what is advertised of a job's address and of that of a command is then right for each.
     let jobs = COMMANDS.iter().fold(Router::<Arc<State>>::new(), |router, command| {
         let start =
@@ -109,7 +122,7 @@ fn routes(config: Config, stopping: watch::Receiver<bool>) -> Router {
         })
         .fallback(page)
         .with_state(state)
-        .layer(CompressionLayer::new().quality(CompressionLevel::Fastest).compress_when(small))
+        .layer(CompressionLayer::new().quality(CompressionLevel::Fastest).compress_when(Worth))
         .layer(from_fn(move |request: Request, next: Next| door::guarded(Arc::clone(&config), request, next)))
 }
 

@@ -1,24 +1,110 @@
-// The address: `#muscle?D=38&p=2.5bar`. All that can be seen stands in it; an entry of the history is a gesture, not a frame.
+// The address: `#muscle?D=38&p=2.5bar`. All that can be seen stands in it; an entry of the history is a gesture, not a
+// frame.
+import { pack, packed, unpack } from "./deflate.js";
 
 /** @returns {{ page: string, params: URLSearchParams }} */
-export function read() {
-  const [page, query] = location.hash.replace(/^#/, "").split("?", 2);
-  return { page: page || "muscle", params: new URLSearchParams(query ?? "") };
+function parse() {
+  const hash = location.hash.replace(/^#/, ""), cut = hash.indexOf("?");
+  const [page, query] = cut < 0 ? [hash, ""] : [hash.slice(0, cut), hash.slice(cut + 1)];
+  return { page: page || "muscle", params: new URLSearchParams(query) };
+}
+
+/** The page of the address, with its words; those that a damaged link has lost. */
+export async function read() {
+  const { page, params } = parse();
+  /** @type {string[]} */ const lost = [];
+  for (const [key, word] of [...params]) {
+    try {
+      params.set(key, await unpack(word));
+    } catch {
+      params.delete(key);
+      lost.push(key);
+    }
+  }
+  await Promise.all([...params.values()].map(pack));
+  return { page, params, lost, bare: !location.hash.includes("?") };
 }
 
 /** Readable: blanks as +, and no escapes where an address needs none. @param {URLSearchParams} params */
-const readable = (params) => params.toString().replaceAll("%2C", ",").replaceAll("%3A", ":").replaceAll("%2F", "/").replaceAll("%40", "@");
+const readable = (params) => {
+  const text = params.toString();
+  return [["%2C", ","], ["%3A", ":"], ["%2F", "/"], ["%40", "@"]].reduce(
+    (all, [escape, sign]) => all.replaceAll(escape, sign),
+    text,
+  );
+};
+
+/** Words as the query of an address. @param {Record<string, string | undefined>} params */
+export function query(params) {
+  const said = Object.entries(params).flatMap((
+    [key, word],
+  ) => (word === undefined || word === "" ? [] : [[key, packed(word)]]));
+  return readable(new URLSearchParams(said));
+}
 
 /** @param {string} page @param {Record<string, string | undefined>} params */
 export function address(page, params) {
-  const kept = new URLSearchParams(Object.entries(params).filter((pair) => pair[1] !== undefined && pair[1] !== "").map(([k, v]) => [k, /** @type {string} */ (v)]));
-  const query = readable(kept);
-  return `#${page}${query ? "?" + query : ""}`;
+  const words = query(params);
+  return `#${page}${words ? "?" + words : ""}`;
+}
+
+/** While a page is loaded it only completes its own entry of the history. */
+let loading = 0;
+/** @template T @param {() => Promise<T>} load */
+export async function whileLoading(load) {
+  loading++;
+  try {
+    return await load();
+  } finally {
+    loading--;
+  }
+}
+
+// Places in the history: how many gestures can be taken back, and done again.
+const place = { now: 0, last: 0 };
+/** @type {() => void} */ let moved = () => {};
+const LAST = "mckibben:last";
+const remember = () => {
+  try {
+    sessionStorage.setItem(LAST, String(place.last));
+  } catch { /* It is only for a button. */ }
+};
+
+/** @param {() => void} tell is called whenever it changes what can be undone */
+export function onMoved(tell) {
+  place.now = Number(history.state?.at ?? 0);
+  let last = 0;
+  try {
+    last = Number(sessionStorage.getItem(LAST) ?? 0);
+  } catch { /* As above. */ }
+  place.last = Math.max(place.now, history.state ? last : 0);
+  if (!history.state) history.replaceState({ at: place.now }, "");
+  moved = tell;
+  tell();
+}
+export const canUndo = () => place.now > 0;
+export const canRedo = () => place.now < place.last;
+
+/** The browser went elsewhere: to an entry of before, or by a link to a new one. */
+export function arrived() {
+  const at = history.state?.at;
+  if (typeof at === "number") place.now = at;
+  else {
+    place.last = ++place.now;
+    history.replaceState({ at: place.now }, "");
+    remember();
+  }
+  moved();
 }
 
 /** Puts it into the address: a new entry of the history, or in place of the present one. @param {string} to */
 export function write(to, replace = false) {
-  if (to === location.hash) return;
-  if (replace) history.replaceState(null, "", to);
-  else history.pushState(null, "", to);
+  if (to === location.hash || (to === "#muscle" && !location.hash)) return;
+  if (replace || loading) history.replaceState({ at: place.now }, "", to);
+  else {
+    place.last = ++place.now;
+    history.pushState({ at: place.now }, "", to);
+    remember();
+  }
+  moved();
 }

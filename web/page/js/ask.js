@@ -16,6 +16,28 @@ export async function understood(texts) {
   return (await engine().ask("quantities", { texts: asked }, { lane: "read" })).readings;
 }
 
+/**
+ * Answers of long work, the newest last: who comes back to a page has them at once. The engine is deterministic.
+ * @type {Map<string, any>}
+ */
+const answers = new Map();
+const MOST_ANSWERS = 16;
+/**
+ * Long work with progress; what was asked before is answered at once.
+ * @template {keyof import("../../types/commands").Commands} K
+ * @param {K} command @param {import("../../types/commands").Commands[K]["request"]} request
+ * @param {{ signal?: AbortSignal, progress?: (done: number, total: number) => void }} options
+ * @returns {Promise<import("../../types/commands").Commands[K]["answer"]>}
+ */
+export async function longWork(command, request, options) {
+  const key = `${command} ${JSON.stringify(request)}`, known = answers.get(key);
+  const answer = known ?? await engine().job(command, request, options);
+  answers.delete(key);
+  answers.set(key, answer);
+  if (answers.size > MOST_ANSWERS) answers.delete(answers.keys().next().value ?? "");
+  return answer;
+}
+
 /** So long a question may hold up a newer one of its place, in milliseconds; then it is given up. */
 const PATIENCE = 1500;
 
@@ -36,7 +58,8 @@ export class Slot {
    * Asks, or waits for the question before.
    * @template {keyof import("../../types/commands").Commands} K
    * @param {K} command @param {import("../../types/commands").Commands[K]["request"]} request
-   * @param {(answer: import("../../types/commands").Commands[K]["answer"]) => void} take @param {(problem: any) => void} [fail]
+   * @param {(answer: import("../../types/commands").Commands[K]["answer"]) => void} take
+   * @param {(problem: any) => void} [fail]
    */
   ask(command, request, take, fail) {
     const go = async () => {

@@ -4,7 +4,9 @@ import { inWords } from "./words.js";
 /**
  * An element: attributes by name, listeners as `onclick` functions, children as nodes or texts.
  * @template {keyof HTMLElementTagNameMap} K
- * @param {K} tag @param {Record<string, any>} [attributes] @param {...(Node | string | null | undefined | false)} children
+ * @param {K} tag
+ * @param {Record<string, any>} [attributes]
+ * @param {...(Node | string | null | undefined | false)} children
  * @returns {HTMLElementTagNameMap[K]}
  */
 export function el(tag, attributes = {}, ...children) {
@@ -27,13 +29,16 @@ let spoken = 0;
 /** Says something to screen readers once things have settled. @param {string} text */
 export function say(text) {
   clearTimeout(spoken);
-  spoken = setTimeout(() => { byId("live").textContent = text; }, 700);
+  spoken = setTimeout(() => {
+    byId("live").textContent = text;
+  }, 700);
 }
 
 /** A problem as people read it. @param {any} problem */
 export function problemBox(problem) {
   const hint = problem.hint ? el("p", { class: "small" }, capital(inWords(problem.hint))) : null;
-  return el("div", { class: "problem", role: "alert" }, el("p", {}, capital(inWords(problem.message ?? String(problem)))), hint);
+  return el("div", { class: "problem", role: "alert" },
+    el("p", {}, capital(inWords(problem.message ?? String(problem)))), hint);
 }
 
 /** @param {string} text */
@@ -48,13 +53,24 @@ export function download(name, content, type) {
 }
 
 /**
- * Tabs over one panel. @param {string} label @param {[string, string][]} tabs @param {string} chosen @param {(name: string) => void} choose
+ * Tabs over one panel.
+ * @param {string} label
+ * @param {[string, string][]} tabs
+ * @param {string} chosen
+ * @param {(name: string) => void} choose
  */
 export function tabs(label, tabs, chosen, choose) {
   const list = el("div", { role: "tablist", "aria-label": label });
-  const buttons = tabs.map(([name, text]) => el("button", {
-    role: "tab", type: "button", "aria-selected": name === chosen, tabindex: name === chosen ? 0 : -1, "data-name": name, onclick: () => pick(name),
-  }, text));
+  const buttons = tabs.map(([name, text]) =>
+    el("button", {
+      role: "tab",
+      type: "button",
+      "aria-selected": name === chosen,
+      tabindex: name === chosen ? 0 : -1,
+      "data-name": name,
+      onclick: () => pick(name),
+    }, text)
+  );
   function pick(/** @type {string} */ name) {
     for (const button of buttons) {
       const on = button.dataset.name === name;

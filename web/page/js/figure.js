@@ -37,7 +37,9 @@ export class Figures {
 
 /** @param {any} panel @param {any} figure */
 function spec(panel, figure) {
-  const numbers = figure.panels.flatMap((/** @type {any} */ p) => p.series.map((/** @type {any} */ s, /** @type {number} */ i) => s.colour ?? i));
+  const numbers = figure.panels.flatMap((/** @type {any} */ p) =>
+    p.series.map((/** @type {any} */ s, /** @type {number} */ i) => s.colour ?? i),
+  );
   const most = Math.max(1, ...numbers);
   const colour = (/** @type {any} */ s, /** @type {number} */ i) => {
     const n = s.colour ?? i;
@@ -47,13 +49,42 @@ function spec(panel, figure) {
   };
   const series = panel.series.map((/** @type {any} */ s, /** @type {number} */ i) => {
     const points = s.style === "points" || s.style === "line-and-points";
-    const dash = s.style === "dashed" ? "dash" : s.style === "dotted" ? "dot" : s.style === "auto" && figure.palette !== "sequential" ? DASHES[(s.colour ?? i) % DASHES.length] : "solid";
-    if (s.style === "band") return { name: "±", colour: colour(s, i), band: true, x: s.points.map((/** @type {any} */ p) => p[0]), y: s.points.map((/** @type {any} */ p) => p[1]), legend: "" };
+    const dash =
+      s.style === "dashed"
+        ? "dash"
+        : s.style === "dotted"
+          ? "dot"
+          : s.style === "auto" && figure.palette !== "sequential"
+            ? DASHES[(s.colour ?? i) % DASHES.length]
+            : "solid";
+    if (s.style === "band")
+      return {
+        name: "±",
+        colour: colour(s, i),
+        band: true,
+        x: s.points.map((/** @type {any} */ p) => p[0]),
+        y: s.points.map((/** @type {any} */ p) => p[1]),
+        legend: "",
+      };
     return {
-      name: s.label || s.end_label || panel.y.label, end: s.end_label || undefined, colour: colour(s, i), dash, mode: s.style === "points" ? "markers" : points ? "lines+markers" : "lines",
-      x: s.points.map((/** @type {any} */ p) => p[0]), y: s.points.map((/** @type {any} */ p) => p[1]), legend: s.label,
+      name: s.label || s.end_label || panel.y.label,
+      end: s.end_label || undefined,
+      colour: colour(s, i),
+      dash,
+      mode: s.style === "points" ? "markers" : points ? "lines+markers" : "lines",
+      x: s.points.map((/** @type {any} */ p) => p[0]),
+      y: s.points.map((/** @type {any} */ p) => p[1]),
+      legend: s.label,
     };
   });
-  const range = (/** @type {any} */ axis) => (axis.range ? { range: axis.range } : { rangemode: axis.from_zero ? "tozero" : "normal" });
-  return { x: panel.x.label, y: panel.y.label, series, marks: panel.marks.map((/** @type {any} */ m) => ({ x: m.x, y: m.y, text: m.label })), xaxis: range(panel.x), yaxis: range(panel.y) };
+  const range = (/** @type {any} */ axis) =>
+    axis.range ? { range: axis.range } : { rangemode: axis.from_zero ? "tozero" : "normal" };
+  return {
+    x: panel.x.label,
+    y: panel.y.label,
+    series,
+    marks: panel.marks.map((/** @type {any} */ m) => ({ x: m.x, y: m.y, text: m.label })),
+    xaxis: range(panel.x),
+    yaxis: range(panel.y),
+  };
 }

@@ -1,4 +1,5 @@
-// A pressure gauge beside the muscle: dragged about its centre. The slider says the same to keyboards and screen readers.
+// A pressure gauge beside the muscle: dragged about its centre. The slider says the same to keyboards and screen
+// readers.
 import { outside, number } from "./units.js";
 
 /** From straight down, clockwise: where the dial begins, and how far it goes, in degrees. */
@@ -11,9 +12,15 @@ const point = (/** @type {number} */ share, /** @type {number} */ r) => {
 /** @param {HTMLElement} stage @param {(pressure: number, settled: boolean) => void} turn */
 export function gauge(stage, turn) {
   const [[x0, y0], [x1, y1]] = [point(0, 40), point(1, 40)];
-  stage.insertAdjacentHTML("beforeend", `<svg class="gauge" viewBox="-50 -50 100 100" aria-hidden="true"><circle r="48" class="face"/><path d="M${x0} ${y0}A40 40 0 1 1 ${x1} ${y1}" class="dial"/>${Array.from({ length: 11 }, (_, i) => `<path d="M${point(i / 10, i % 5 ? 36 : 33).join(" ")}L${point(i / 10, 40).join(" ")}" class="dial"/>`).join("")}<text x="-24" y="46">0</text><text x="24" y="46" class="top"></text><path d="M0 8L-2.5 0L0 -36L2.5 0z" class="needle"/><circle r="4" class="hub"/></svg>`);
+  const tick = (/** @type {number} */ i) => `M${point(i / 10, i % 5 ? 36 : 33).join(" ")}L${point(i / 10, 40).join(" ")}`;
+  const ticks = Array.from({ length: 11 }, (_, i) => tick(i)).join("");
+  stage.insertAdjacentHTML("beforeend", `<svg class="gauge" viewBox="-50 -50 100 100" aria-hidden="true">`
+    + `<circle r="48" class="face"/><path d="M${x0} ${y0}A40 40 0 1 1 ${x1} ${y1}${ticks}" class="dial"/>`
+    + `<text x="-24" y="46">0</text><text x="24" y="46" class="top"></text>`
+    + `<path d="M0 8L-2.5 0L0 -36L2.5 0z" class="needle"/><circle r="4" class="hub"/></svg>`);
   const svg = /** @type {SVGSVGElement} */ (stage.lastElementChild);
-  const needle = /** @type {SVGElement} */ (svg.querySelector(".needle")), label = /** @type {SVGElement} */ (svg.querySelector(".top"));
+  const part = (/** @type {string} */ name) => /** @type {SVGElement} */ (svg.querySelector(name));
+  const needle = part(".needle"), label = part(".top");
   let top = 1, on = false;
   const at = (/** @type {PointerEvent} */ event, /** @type {boolean} */ settled) => {
     const box = svg.getBoundingClientRect();
@@ -23,7 +30,11 @@ export function gauge(stage, turn) {
     const share = Math.min(1, Math.max(0, (angle - FROM) / REACH));
     turn(Math.round(share * top * 1000) / 1000, settled);
   };
-  svg.addEventListener("pointerdown", (event) => { on = true; svg.setPointerCapture(event.pointerId); at(event, false); });
+  svg.addEventListener("pointerdown", (event) => {
+    on = true;
+    svg.setPointerCapture(event.pointerId);
+    at(event, false);
+  });
   svg.addEventListener("pointermove", (event) => { if (on) at(event, false); });
   svg.addEventListener("pointerup", (event) => { if (on) at(event, true); on = false; });
   svg.addEventListener("pointercancel", () => { on = false; });

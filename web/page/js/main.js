@@ -1,64 +1,123 @@
 // The frame around the pages: which one is shown follows from the address.
 import { engine } from "./ask.js";
-import { address, read } from "./address.js";
+import { address, arrived, onMoved, read, whileLoading } from "./address.js";
+import { muscleBar } from "./bar.js";
 import { isDark } from "./chart.js";
 import { byId, el, problemBox } from "./dom.js";
+import { dropAnywhere } from "./drop.js";
+import { helpLink } from "./help.js";
+import { keepWords, onKept, wordsOf } from "./kept.js";
+import { endAll } from "./life.js";
 import { loadMeasures, muscle } from "./muscle.js";
+import { notice } from "./notice.js";
+import { PAGES, pageOf } from "./pages.js";
+import { printing } from "./print.js";
+import { sketches } from "./sketch.js";
+import { keys } from "./state.js";
 import { loadUnits } from "./units.js";
+import { welcome } from "./welcome.js";
 
-/** @type {[string, string][]} */
-const PAGES = [["muscle", "Muscle"], ["design", "Design"], ["joint", "Joint"], ["motion", "Motion"], ["data", "Data"], ["formula", "Formula"], ["compare", "Compare"], ["about", "About"]];
 const main = byId("main");
-/** @type {{ name: string, page: any } | undefined} */ let shown;
+/** @typedef {{ load: (params: URLSearchParams) => Promise<void>, unmount: () => void }} View */
+/** @type {{ name: string, page: View } | undefined} */ let shown;
+let routes = 0;
 
-const links = PAGES.map(([name, text]) => el("a", { href: `#${name}`, "data-name": name, onclick: (/** @type {MouseEvent} */ event) => {
-  // The muscle goes along from page to page.
-  if (event.metaKey || event.ctrlKey || event.button) return;
-  event.preventDefault();
-  history.pushState(null, "", address(name, muscle.params()));
-  route();
-} }, text));
+// Words of the muscle mean other things in a specification: it is one word there.
+const OWN_WORDS = ["design"];
+const here = (/** @type {string} */ name) => location.hash.slice(1).split("?")[0] === name;
+// Until the muscle is read, the link to this page is its address.
+const links = PAGES.map(({ name, text }) =>
+  el("a", { href: here(name) ? location.hash : `#${name}`, "data-name": name }, text)
+);
 byId("pages").append(...links);
 
-const share = el("button", { type: "button", onclick: async () => {
-  try { await navigator.clipboard.writeText(location.href); share.textContent = "Link copied"; }
-  catch { prompt("The link to this view", location.href); }
-  setTimeout(() => { share.textContent = "Share"; }, 1500);
-} }, "Share");
+/** A page's address with the muscle and what was typed there. @param {string} name */
+function linked(name) {
+  const own = wordsOf(name), mine = muscle.params();
+  return address(name, OWN_WORDS.includes(name) ? { ...own, m: muscle.word() } : { ...own, ...mine });
+}
+
+/** Links lead to the muscle as it is now. */
+function link() {
+  for (const a of links) {
+    const to = linked(a.dataset.name ?? "");
+    if (a.getAttribute("href") !== to) a.setAttribute("href", to);
+  }
+}
+
+/** What a page has put into the address besides the muscle is its own. */
+async function keep() {
+  const { page, params } = await read();
+  if (shown?.name !== page) return;
+  const theirs = OWN_WORDS.includes(page) ? ["m"] : [...keys(), "u", "name", ...muscle.unknown.map(([key]) => key)];
+  keepWords(page, Object.fromEntries([...params].filter(([key]) => !theirs.includes(key))));
+}
+
 const theme = el("button", { type: "button", onclick: () => {
   document.documentElement.dataset.theme = isDark() ? "light" : "dark";
   paintTheme();
   document.dispatchEvent(new Event("theme"));
 } }, "Dark");
-const paintTheme = () => { theme.textContent = isDark() ? "Light" : "Dark"; };
-paintTheme();
-byId("tools").append(share, theme);
+const paintTheme = () => {
+  theme.textContent = isDark() ? "Light" : "Dark";
+};
+const help = helpLink();
+const bar = muscleBar();
+byId("tools").append(help.element, theme);
+byId("bar").append(bar.element);
+
+/** @param {string} name */
+function frame(name) {
+  for (const a of links) {
+    if (a.dataset.name === name) a.setAttribute("aria-current", "page");
+    else a.removeAttribute("aria-current");
+  }
+  const { text, about } = pageOf(name);
+  byId("claim").textContent = about;
+  byId("title").textContent = text;
+  help.show(name);
+  document.title = `${text} – mckibben workbench`;
+  document.body.dataset.page = name;
+  document.body.classList.toggle("first", name === "muscle");
+}
 
 async function route() {
-  const { page: name, params } = read();
-  const known = PAGES.some(([n]) => n === name) ? name : "muscle";
-  for (const link of links) {
-    if (link.dataset.name === known) link.setAttribute("aria-current", "page");
-    else link.removeAttribute("aria-current");
-  }
-  document.title = `${PAGES.find(([n]) => n === known)?.[1]} – mckibben workbench`;
-  document.body.classList.toggle("first", known === "muscle");
+  const mine = ++routes, { page: wanted, params, lost, bare } = await read();
+  if (mine !== routes) return;
+  const { name } = pageOf(wanted);
+  if (name !== wanted) notice(`There is no page "${wanted.slice(0, 40)}". This is the page Muscle.`);
+  if (lost.length) notice("The link is damaged: a file in it cannot be read. Ask for the link again, or for the file.");
+  frame(name);
+  welcome(bare && name === "muscle");
   try {
-    if (shown?.name !== known) {
-      shown?.page.unmount?.();
-      const { mount } = await import(`./pages/${known}.js`);
-      shown = { name: known, page: mount(main) };
+    if (shown?.name !== name) {
+      const { mount } = await import(`./pages/${name}.js`);
+      if (mine !== routes) return;
+      leave();
+      shown = { name, page: mount(main) };
+      main.dataset.shown = name;
     }
-    await shown.page.load(params);
+    await whileLoading(() => /** @type {any} */ (shown).page.load(params));
+    if (mine !== routes) return;
+    await keep();
+    link();
   } catch (problem) {
     fail(problem);
   }
 }
 
+/** The page that is shown ends, with all that it has begun. */
+function leave() {
+  shown?.page.unmount();
+  shown = undefined;
+  endAll();
+}
+
 /** @param {any} problem */
 function fail(problem) {
-  shown = undefined;
-  main.replaceChildren(problemBox(problem), el("p", {}, el("button", { type: "button", class: "main", onclick: start }, "Try again")));
+  leave();
+  main.replaceChildren(problemBox(problem),
+    el("p", {}, el("button", { type: "button", class: "main", onclick: start }, "Try again")));
 }
 
 async function start() {
@@ -71,5 +130,28 @@ async function start() {
   }
 }
 
-window.addEventListener("popstate", route);
+paintTheme();
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", paintTheme);
+onMoved(() => {
+  bar.moved();
+  keep().then(link, () => {});
+});
+onKept(link);
+muscle.onChange(() => {
+  link();
+  bar.paint();
+});
+// A link that is followed right after a gesture has the muscle of that gesture.
+for (const event of ["pointerdown", "focusin"]) byId("pages").addEventListener(event, () => muscle.tell());
+window.addEventListener("popstate", () => {
+  arrived();
+  route();
+});
+sketches();
+printing();
+dropAnywhere();
 start();
+if ("serviceWorker" in navigator && window.isSecureContext)
+  window.addEventListener("load", () => {
+    navigator.serviceWorker.register("sw.js").catch(() => {});
+  });

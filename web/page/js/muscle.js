@@ -1,6 +1,10 @@
 // The muscle that all pages share: its state, what the engine read of it, and the address.
 import { engine, understood } from "./ask.js";
-import { canonical, fields, fromWords, keys, missing, opened, prototype, say, shownValue, takeMeasures, texts, words, MEASURES } from "./state.js";
+import { query } from "./address.js";
+import { pack } from "./deflate.js";
+import { canonical, fields, fromWords, keys, missing, opened, prototype, say, shownValue, takeMeasures, texts, words,
+  MEASURES } from "./state.js";
+import { nameIn, named } from "./name.js";
 import { show, typed, unitsFromAddress, unitsInAddress } from "./units.js";
 import { learn } from "./words.js";
 
@@ -14,11 +18,18 @@ export async function loadMeasures() {
 }
 
 export class MuscleState {
+  /** @type {import("./state.js").State} */ #state = prototype();
+  /** @type {Record<string, any> | undefined} */ #shown = undefined;
+  /** @type {Set<() => void>} */ #listeners = new Set();
+  #telling = 0;
+
   constructor() {
-    this.state = prototype();
-    /** What the engine read of file and fields, the last time that it could. @type {Record<string, any> | undefined} */
-    this.shown = undefined;
-    /** Named sleeves, with what their sources do not state. @type {{ name: string, missing: string, least_diameter_mm: number, largest_diameter_mm: number }[]} */
+    /** The name that somebody gave it here; without one that of its file. */
+    this.called = "";
+    /**
+     * Named sleeves, with what their sources do not state.
+     * @type {{ name: string, missing: string, least_diameter_mm: number, largest_diameter_mm: number }[]}
+     */
     this.sleeves = [];
     /** @type {[string, string][]} */
     this.unknown = [];
@@ -28,12 +39,61 @@ export class MuscleState {
     this.written = undefined;
   }
 
-  get p() { return this.state.p; }
-  get e() { return this.state.e; }
-  get F() { return this.state.F; }
+  get state() {
+    return this.#state;
+  }
+  set state(next) {
+    this.#state = next;
+    this.#changed();
+  }
+  /** What the engine read of file and fields, the last time that it could. */
+  get shown() {
+    return this.#shown;
+  }
+  set shown(next) {
+    this.#shown = next;
+    this.#changed();
+  }
+
+  /** Is called some time after it changed. @param {() => void} tell */
+  onChange(tell) {
+    this.#listeners.add(tell);
+  }
+  #changed() {
+    this.#telling ||= window.setTimeout(() => this.tell(), 120);
+  }
+  /** Tells at once that it changed. */
+  tell() {
+    clearTimeout(this.#telling);
+    this.#telling = 0;
+    this.#listeners.forEach((tell) => tell());
+  }
+
+  /** Its name. */
+  get name() {
+    const { file, said } = this.state;
+    return this.called || nameIn(file) || (file || Object.keys(said).length ? "My muscle" : "Prototype of the paper");
+  }
+  /** @param {string} text empty for that of its file */
+  rename(text) {
+    this.called = text === nameIn(this.state.file) ? "" : text;
+    this.#changed();
+  }
+
+  get p() {
+    return this.state.p;
+  }
+  get e() {
+    return this.state.e;
+  }
+  get F() {
+    return this.state.F;
+  }
 
   /** Fields of a request. */
-  fields() { return fields(this.state); }
+  fields() {
+    return fields(this.state);
+  }
 
   /** @param {string} key @param {number | string | undefined} value */
   set(key, value) {
@@ -56,24 +116,50 @@ export class MuscleState {
     if (this.written?.of !== of) {
       const file = canonical(this.state, (command, request) => engine().ask(command, request));
       this.written = { of, file };
-      file.catch(() => { this.written = undefined; });
+      file.catch(() => {
+        this.written = undefined;
+      });
     }
     return this.written.file;
   }
 
   /** What its sleeve needs beside its name, and is not said yet. */
-  missing() { return missing(this.state, this.sleeves); }
+  missing() {
+    return missing(this.state, this.sleeves);
+  }
+
+  /** The muscle file with its name, for people to keep. */
+  async toml() {
+    return named(await this.file(), this.name);
+  }
 
   /** The measures in a line. */
   line() {
     const s = this.shown;
-    return s ? `D0 ${show("length", s.outer_diameter_mm)}, s ${show("length", s.wall_mm)}, L0 ${show("length", s.length_mm)}, θ0 ${show("angle", s.angle_deg)}, rubber ${s.rubber}, braid ${s.braid}` : "none yet";
+    return s
+      ? `D0 ${show("length", s.outer_diameter_mm)}, s ${show("length", s.wall_mm)}, L0 ${
+        show("length", s.length_mm)
+      }, θ0 ${show("angle", s.angle_deg)}, rubber ${s.rubber}, braid ${s.braid}`
+      : "none yet";
   }
 
   /** Words of the address. */
   params() {
-    const out = words(this.state, typed);
+    return this.paramsOf(this.state);
+  }
+
+  /** The muscle as one word, for pages where its words mean other things; empty for the prototype. */
+  word() {
+    const params = this.params(),
+      plain = !this.called && !params.u && JSON.stringify(this.state) === JSON.stringify(prototype());
+    return plain ? "" : query(params);
+  }
+
+  /** Words of the address with another state. @param {import("./state.js").State} state */
+  paramsOf(state) {
+    const out = words(state, typed);
     out.u = unitsInAddress() || undefined;
+    if (state === this.state) out.name = this.called || undefined;
     for (const [key, text] of this.unknown) out[key] = text;
     return out;
   }
@@ -83,12 +169,18 @@ export class MuscleState {
    */
   async read(params, own = []) {
     unitsFromAddress(params.get("u") ?? "");
-    const [readings] = await Promise.all([understood(texts(params).map(({ text, kind }) => ({ text, kind }))), this.known()]);
+    const [readings] = await Promise.all([understood(texts(params).map(({ text, kind }) => ({ text, kind }))),
+      this.known()]);
     Object.assign(this, fromWords(params, readings));
-    const known = new Set([...keys(), "u", ...own]);
+    this.called = (params.get("name") ?? "").slice(0, 80);
+    const known = new Set([...keys(), "u", "name", ...own]);
     this.unknown = [...params].filter(([key]) => !known.has(key));
     // What cannot be read the page says when it asks for more.
-    try { await this.look(); } catch { this.shown = undefined; }
+    try {
+      await this.look();
+    } catch {
+      this.shown = undefined;
+    }
   }
 
   /** The sleeves of the library, once. */
@@ -106,7 +198,8 @@ export class MuscleState {
   async take(text) {
     const next = opened(this.state, text);
     const shown = await engine().ask("muscle-show", fields(next), { lane: "read" });
-    Object.assign(this, { state: next, shown, wrong: new Map() });
+    await pack(text);
+    Object.assign(this, { state: next, shown, called: "", wrong: new Map() });
     return shown;
   }
 }

@@ -1,37 +1,59 @@
-// The muscle of the page as one state, and what every page asks about it. Nothing here touches the document or the engine: the muscle is
+// The muscle of the page as one state, and what every page asks about it. Nothing here touches the document or the
+// engine: the muscle is
 // what the engine says that the muscle file and the fields over it are, and no page makes another one of them.
 
 /**
- * A quantity: key of the address, field of requests, key and table of muscle files, kind, unit of a plain number, name, symbol, what it is, the
+ * A quantity: key of the address, field of requests, key and table of muscle files, kind, unit of a plain number,
+ * name, symbol, what it is, the
  * values that it may have and the one where nothing is stated, and the ends of its slider, where it has one.
- * @typedef {{ key: string, field: string, filed?: string, group?: string, kind: import("./units.js").Kind, unit?: string, label: string, symbol?: string, about?: string,
+ * @typedef {{ key: string, field: string, filed?: string, group?: string, kind: import("./units.js").Kind, unit?:
+ *   string, label: string, symbol?: string, about?: string,
  *   above?: number, minimum?: number, maximum?: number, usual?: number, low?: number, high?: number }} Measure
  */
-/** What the page adds to measures of the program, by their fields: short keys of the address, and sliders. @type {Record<string, { key: string, low: number, high: number }>} */
+/**
+ * What the page adds to measures of the program, by their fields: short keys of the address, and sliders.
+ * @type {Record<string, { key: string, low: number, high: number }>}
+ */
 const OWN = {
-  outer_diameter_mm: { key: "D", low: 6, high: 80 }, wall_mm: { key: "s", low: 0.3, high: 10 }, length_mm: { key: "L", low: 60, high: 900 }, angle_deg: { key: "angle", low: 12, high: 45 },
-  strand_modulus_mpa: { key: "sE", low: 500, high: 200000 }, stiffness: { key: "k", low: 20, high: 2000 },
-  seating_mm: { key: "seating", low: 0, high: 10 }, slip_mm_per_n: { key: "slip", low: 0, high: 0.02 }, grip_mm: { key: "grip", low: 0, high: 40 },
+  outer_diameter_mm: { key: "D", low: 6, high: 80 },
+  wall_mm: { key: "s", low: 0.3, high: 10 },
+  length_mm: { key: "L", low: 60, high: 900 },
+  angle_deg: { key: "angle", low: 12, high: 45 },
+  strand_modulus_mpa: { key: "sE", low: 500, high: 200000 },
+  stiffness: { key: "k", low: 20, high: 2000 },
+  seating_mm: { key: "seating", low: 0, high: 10 },
+  slip_mm_per_n: { key: "slip", low: 0, high: 0.02 },
+  grip_mm: { key: "grip", low: 0, high: 40 },
 };
 /** Another way to state the cross-section of a strand; no measure of the program. @type {Measure} */
-const STRAND_DIAMETER = { key: "sd", field: "strand_diameter_mm", group: "braid", kind: "length", label: "Diameter of a strand", low: 0.05, high: 1 };
+const STRAND_DIAMETER = { key: "sd", field: "strand_diameter_mm", group: "braid", kind: "length",
+  label: "Diameter of a strand", low: 0.05, high: 1 };
 
 /** Measures of the muscle, as the program lists them. */
 export let MEASURES = /** @type {Measure[]} */ ([]);
-/** The usual ones; of the strands of a named sleeve, where its source does not state them; what the ends of the muscle do; all others. */
+/**
+ * The usual ones; of the strands of a named sleeve, where its source does not state them; what the ends of the muscle
+ * do; all others.
+ */
 export let QUANTITIES = MEASURES, STRANDS = MEASURES, ENDS = MEASURES, MORE = MEASURES;
 export let STIFFNESS = STRAND_DIAMETER;
 
 /** @param {import("../../types/commands").Commands["muscle-measures"]["answer"]} answer */
 export function takeMeasures({ measures }) {
-  MEASURES = measures.flatMap(({ key, group, field, label, quantity, unit, symbol, about, above, minimum, maximum, default: usual }) => {
-    if (!field) return [];
-    // Pressures of a muscle are moduli.
-    const kind = /** @type {import("./units.js").Kind} */ (quantity === "pressure" ? "modulus" : quantity ?? "number");
-    const name = label.charAt(0).toUpperCase() + label.slice(1);
-    const own = OWN[field], found = /** @type {Measure} */ ({ ...own, key: own?.key ?? field, field, filed: key, group, kind, label: name, symbol, about, above, minimum, maximum, usual, unit: quantity ? undefined : unit });
-    return found.key === "sE" ? [STRAND_DIAMETER, found] : [found];
-  });
+  MEASURES = measures.flatMap(
+    ({ key, group, field, label, quantity, unit, symbol, about, above, minimum, maximum, default: usual }) => {
+      if (!field) return [];
+      // Pressures of a muscle are moduli.
+      const kind =
+        /** @type {import("./units.js").Kind} */ (quantity === "pressure" ? "modulus" : quantity ?? "number");
+      const name = label.charAt(0).toUpperCase() + label.slice(1);
+      const own = OWN[field],
+        found =
+          /** @type {Measure} */ ({ ...own, key: own?.key ?? field, field, filed: key, group, kind, label: name, symbol,
+            about, above, minimum, maximum, usual, unit: quantity ? undefined : unit });
+      return found.key === "sE" ? [STRAND_DIAMETER, found] : [found];
+    },
+  );
   const of = (/** @type {string[]} */ keys) => keys.flatMap((key) => MEASURES.filter((m) => m.key === key));
   QUANTITIES = of(["D", "s", "L", "angle"]);
   STRANDS = of(["sd", "sE"]);
@@ -39,9 +61,15 @@ export function takeMeasures({ measures }) {
   [STIFFNESS] = of(["k"]);
   MORE = MEASURES.filter((m) => ![...QUANTITIES, ...ENDS, STIFFNESS].includes(m));
 }
-export const PRESSURE = /** @type {const} @satisfies {Measure} */ ({ key: "p", field: "pressure_mpa", kind: "pressure", label: "Pressure", symbol: "p", low: 0, high: 0.6 });
-export const CONTRACTION = /** @type {const} @satisfies {Measure} */ ({ key: "e", field: "contraction", kind: "ratio", label: "Contraction", symbol: "ε", low: 0, high: 0.35 });
-export const LOAD = /** @type {const} @satisfies {Measure} */ ({ key: "F", field: "force_n", kind: "force", label: "Load", symbol: "F", low: 0, high: 1000 });
+export const PRESSURE =
+  /** @type {const} @satisfies {Measure} */ ({ key: "p", field: "pressure_mpa", kind: "pressure", label: "Pressure",
+    symbol: "p", low: 0, high: 0.6 });
+export const CONTRACTION =
+  /** @type {const} @satisfies {Measure} */ ({ key: "e", field: "contraction", kind: "ratio", label: "Contraction",
+    symbol: "ε", low: 0, high: 0.35 });
+export const LOAD =
+  /** @type {const} @satisfies {Measure} */ ({ key: "F", field: "force_n", kind: "force", label: "Load", symbol: "F",
+    low: 0, high: 1000 });
 
 /** @type {readonly Measure[]} */
 const POINT = [PRESSURE, CONTRACTION, LOAD];
@@ -52,8 +80,10 @@ export const STIFFNESS_NAMES = ["inextensible", "paper"];
 export const FILE = "file";
 
 /**
- * `file`: a muscle file, empty for the prototype; `said`: what is said over it, and nothing else; `p`, and `e` or `F`: where it is asked.
- * @typedef {{ file: string, said: Readonly<Record<string, number | string>>, p: number, e: number, F: number | undefined }} State
+ * `file`: a muscle file, empty for the prototype; `said`: what is said over it, and nothing else; `p`, and `e` or
+ * `F`: where it is asked.
+ * @typedef {{ file: string, said: Readonly<Record<string, number | string>>, p: number, e: number, F: number |
+ *   undefined }} State
  */
 
 /** The prototype at its usual point. @returns {State} */
@@ -64,8 +94,12 @@ export const opened = (state, file) => ({ ...prototype(), p: state.p, e: state.e
 
 /** What gives the stiffness of strands, and all of the strands of a sleeve. */
 const SECTION = ["sd", "sE", "strand_area_mm2"], OF_SLEEVE = [...SECTION, "strands", "strand_strength_n"];
-/** What excludes what: a sleeve has its angle and its strands, and a stiffness takes the place of their section. @type {Record<string, string[]>} */
-const OUSTS = { braid: ["angle", ...OF_SLEEVE], k: SECTION, sd: ["k", "strand_area_mm2"], sE: ["k"], strand_area_mm2: ["k", "sd"] };
+/**
+ * What excludes what: a sleeve has its angle and its strands, and a stiffness takes the place of their section.
+ * @type {Record<string, string[]>}
+ */
+const OUSTS = { braid: ["angle", ...OF_SLEEVE], k: SECTION, sd: ["k", "strand_area_mm2"], sE: ["k"],
+  strand_area_mm2: ["k", "sd"] };
 
 /**
  * The state with something said; nothing (`undefined` or an empty text) takes it back.
@@ -78,10 +112,10 @@ export function say(state, key, value) {
   const said = { ...state.said };
   if (value === undefined || value === "") {
     delete said[key];
-    if (key === "braid") for (const other of OF_SLEEVE) delete said[other];
+    if (key === "braid") { for (const other of OF_SLEEVE) delete said[other]; }
   } else {
     const others = key === "angle" && said.braid !== undefined ? ["braid", ...OF_SLEEVE] : OUSTS[key] ?? [];
-    if (said[key] !== value) for (const other of others) delete said[other];
+    if (said[key] !== value) { for (const other of others) delete said[other]; }
     said[key] = value;
   }
   return { ...state, said };
@@ -96,11 +130,18 @@ export function fields({ file, said }) {
   return out;
 }
 
-/** The measure that a problem is about: that of its field, or the first that its message names as muscle files do. @param {{ field: string, message: string }} problem */
+/**
+ * The measure that a problem is about: that of its field, or the first that its message names as muscle files do.
+ * @param {{ field: string, message: string }} problem
+ */
 export function about({ field, message }) {
-  const at = (/** @type {Measure} */ { filed }) => (filed && message.includes(filed) ? message.indexOf(filed) : Infinity);
+  const at = (
+    /** @type {Measure} */ { filed },
+  ) => (filed && message.includes(filed) ? message.indexOf(filed) : Infinity);
   // One key may begin with another.
-  const named = MEASURES.filter((m) => at(m) < Infinity).sort((a, b) => at(a) - at(b) || (b.filed ?? "").length - (a.filed ?? "").length);
+  const named = MEASURES.filter((m) => at(m) < Infinity).sort((a, b) =>
+    at(a) - at(b) || (b.filed ?? "").length - (a.filed ?? "").length
+  );
   return ([...MEASURES, ...POINT].find((m) => m.field === field) ?? named[0])?.key;
 }
 
@@ -116,7 +157,12 @@ export async function canonical(state, ask) {
   return /** @type {string} */ ((await ask("muscle-show", { ...fields(state), muscle_file: true })).muscle_file);
 }
 
-/** A measure as a control shows it: what is said, or what the engine read. @param {State} state @param {Record<string, any> | undefined} shown an answer's muscle @param {Measure} measure */
+/**
+ * A measure as a control shows it: what is said, or what the engine read.
+ * @param {State} state
+ * @param {Record<string, any> | undefined} shown an answer's muscle
+ * @param {Measure} measure
+ */
 export function shownValue(state, shown, { key, field, usual }) {
   const said = state.said[key];
   if (typeof said === "number") return said;
@@ -124,7 +170,11 @@ export function shownValue(state, shown, { key, field, usual }) {
   return typeof read === "number" ? read : QUANTITIES.some((m) => m.key === key) ? usual : undefined;
 }
 
-/** What a named sleeve needs beside its name: keys of measures. @param {{ said: State["said"] }} state @param {{ name: string, missing: string }[]} sleeves those of the library */
+/**
+ * What a named sleeve needs beside its name: keys of measures.
+ * @param {{ said: State["said"] }} state
+ * @param {{ name: string, missing: string }[]} sleeves those of the library
+ */
 export function missing({ said }, sleeves) {
   if (said.braid === undefined || said.k !== undefined) return [];
   const words = sleeves.find((s) => s.name === said.braid)?.missing.split(" ") ?? [];
@@ -153,7 +203,9 @@ export function words({ file, said, p, e, F }, typed) {
 
 /** Texts of an address that the engine has to read. @param {URLSearchParams} params */
 export function texts(params) {
-  const list = [...MEASURES, ...POINT].filter(({ key }) => params.has(key)).map(({ key, kind }) => ({ key, kind, text: params.get(key) ?? "" }));
+  const list = [...MEASURES, ...POINT].filter(({ key }) => params.has(key)).map(({ key, kind }) => ({ key, kind,
+    text: params.get(key) ?? "" })
+  );
   return list.filter(({ key, text }) => !(key === "k" && STIFFNESS_NAMES.includes(text)));
 }
 
@@ -183,30 +235,51 @@ export function fromWords(params, readings) {
 /** Keys of the address that are the muscle's. */
 export const keys = () => [...MEASURES, ...POINT].map(({ key }) => key).concat(NAMES, FILE);
 
-/** A joint with this muscle against itself or another one. @param {string} file the muscle's @param {string} second file of the other one; empty where it is the same @param {{ r: number, range: number, e0: number }} of mm, degrees, ratio */
+/**
+ * A joint with this muscle against itself or another one.
+ * @param {string} file the muscle's
+ * @param {string} second file of the other one; empty where it is the same
+ * @param {{ r: number, range: number, e0: number }} of mm, degrees, ratio
+ */
 export function joint(file, second, { r, range, e0 }) {
   const other = second ? "muscle-2.toml" : "muscle.toml";
-  const text = `[joint]\nradius = "${r} mm"\nrange = "-${range}..${range} deg"\n[muscle_1]\nfile = "muscle.toml"\ncontraction_at_neutral = "${e0}"\n[muscle_2]\nfile = "${other}"\ncontraction_at_neutral = "${e0}"\n`;
-  return { joint: { name: "joint.toml", text }, muscles: [{ name: "muscle.toml", text: file }, ...(second ? [{ name: other, text: second }] : [])] };
+  const text = `[joint]\nradius = "${r} mm"\nrange = "-${range}..${range} deg"\n[muscle_1]\nfile = "muscle.toml"\n`
+    + `contraction_at_neutral = "${e0}"\n[muscle_2]\nfile = "${other}"\ncontraction_at_neutral = "${e0}"\n`;
+  return { joint: { name: "joint.toml", text },
+    muscles: [{ name: "muscle.toml", text: file }, ...(second ? [{ name: other, text: second }] : [])] };
 }
 
-/** A step of this muscle's pressure. @param {string} file the muscle's @param {Record<string, any>} read fields of the form */
+/**
+ * A step of this muscle's pressure.
+ * @param {string} file the muscle's
+ * @param {Record<string, any>} read fields of the form
+ */
 export function motion(file, { model, ...step }) {
   return { step, muscle: { name: "muscle", text: file }, model };
 }
 
 /**
- * One side of a comparison: this muscle, or that of a file of its own, with what the side says over it, at the side's point or this one's.
+ * One side of a comparison: this muscle, or that of a file of its own, with what the side says over it, at the side's
+ * point or this one's.
  * @param {State} state @param {string} own a muscle file @param {Record<string, any>} read fields of the side's form
  */
 export function side(state, own, { model, pressure_mpa, contraction, ...over }) {
   // What a side says ousts what excludes it, as on the page Muscle.
   let base = own ? opened(state, own) : state;
-  for (const { key, field } of [...MEASURES, { key: "rubber", field: "rubber" }, { key: "braid", field: "braid" }]) if (over[field] !== undefined) base = say(base, key, over[field]);
-  return { muscle: fields(base), model: /** @type {string} */ (model), pressure_mpa: /** @type {number} */ (pressure_mpa ?? state.p), contraction: /** @type {number} */ (contraction ?? state.e) };
+  for (const { key, field } of [...MEASURES, { key: "rubber", field: "rubber" }, { key: "braid", field: "braid" }])
+    if (over[field] !== undefined) base = say(base, key, over[field]);
+  return { muscle: fields(base), model: /** @type {string} */ (model),
+    pressure_mpa: /** @type {number} */ (pressure_mpa ?? state.p),
+    contraction: /** @type {number} */ (contraction ?? state.e) };
 }
 
-/** The muscle of a candidate of a design: what the search chose, with what it was given of the strands. @param {Record<string, any>} candidate @param {Record<string, any>} asked the request @param {{ p: number, e: number }} at @returns {State} */
+/**
+ * The muscle of a candidate of a design: what the search chose, with what it was given of the strands.
+ * @param {Record<string, any>} candidate
+ * @param {Record<string, any>} asked the request
+ * @param {{ p: number, e: number }} at
+ * @returns {State}
+ */
 export function candidate(candidate, asked, { p, e }) {
   /** @type {Record<string, number | string>} */
   const said = { D: candidate.outer_diameter_mm, s: candidate.wall_mm, L: candidate.length_mm };

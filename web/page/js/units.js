@@ -11,29 +11,61 @@ export const kindOf = (kind) => (kind === "modulus" ? "pressure" : kind === "num
 /** @type {Map<string, { expectation: string, units: { name: string, multiply: number, divide: number }[] }>} */
 const kinds = new Map();
 /** Units to choose from by a click; the first is the usual one. @type {Record<string, string[]>} */
-const CHOICES = { pressure: ["bar", "kPa", "MPa", "psi"], force: ["N", "lbf"], length: ["mm", "in"], ratio: ["%"], angle: ["deg"], torque: ["N m"], "angular-stiffness": ["N m/rad"] };
+const CHOICES = {
+  pressure: ["bar", "kPa", "MPa", "psi"],
+  force: ["N", "kN", "lbf"],
+  length: ["mm", "cm", "in"],
+  ratio: ["%"],
+  angle: ["deg", "rad"],
+  modulus: ["MPa", "GPa"],
+  stiffness: ["N/mm", "kN/m", "lbf/in"],
+  torque: ["N m", "N cm", "lbf in"],
+  "angular-stiffness": ["N m/rad", "N m/deg"],
+  volume: ["cm3", "L"],
+  area: ["mm2", "cm2"],
+  mass: ["kg", "g", "lb"],
+  density: ["kg/m3", "g/cm3"],
+  time: ["s", "ms"],
+  compliance: ["mm/N", "mm/kN", "in/lbf"],
+  damping: ["N s/m", "N s/mm"],
+};
 /** @type {Record<string, string>} */
 const chosen = Object.fromEntries(Object.entries(CHOICES).map(([kind, list]) => [kind, list[0]]));
-/** @type {Set<() => void>} */
-const listeners = new Set();
+/**
+ * Those that a click tells, and those that an address tells too: fields, which write nothing into it.
+ * @type {Set<() => void>}
+ */
+const listeners = new Set(), /** @type {Set<() => void>} */ readers = new Set();
 
-export async function loadUnits() { takeUnits(await engine().ask("units", {}, { lane: "state" })); }
+export async function loadUnits() {
+  takeUnits(await engine().ask("units", {}, { lane: "state" }));
+}
 /** @param {{ kinds: readonly any[] }} answer of `units` */
 export function takeUnits(answer) {
   for (const { kind, expectation, units } of answer.kinds) kinds.set(kind, { expectation, units });
   const pressure = kinds.get("pressure");
-  if (pressure) kinds.set("modulus", { ...pressure, expectation: "a modulus such as 2500MPa or 3.5GPa" });
+  if (pressure)
+    kinds.set("modulus", { ...pressure, expectation: "a modulus such as 2500MPa or 3.5GPa (a bare number is MPa)" });
   kinds.set("number", { expectation: "a number", units: [{ name: "", multiply: 1, divide: 1 }] });
 }
 
-/** @param {string} kind */
-export const expectation = (kind) => kinds.get(kind)?.expectation ?? "";
+/** What may be typed; a number alone has the unit that is shown. @param {string} kind */
+export const expectation = (kind) =>
+  (kinds.get(kind)?.expectation ?? "").replace(/\(a bare number is [^)]*\)$/, () =>
+    `(a number alone is in ${unitName(kind)})`);
 /** Names of its units. @param {string} kind */
 export const unitsOf = (kind) => (kinds.get(kind)?.units ?? []).map((u) => u.name);
 /** The unit inside. @param {string} kind */
-const baseUnit = (kind) => (kind === "modulus" ? "MPa" : kinds.get(kind)?.units.find((u) => u.multiply === u.divide)?.name ?? "");
-/** @param {string} kind */
-export const unitName = (kind) => (kind === "angle" ? "°" : chosen[kind] ?? baseUnit(kind));
+const baseUnit = (
+  kind,
+) => (kind === "modulus" ? "MPa" : kinds.get(kind)?.units.find((u) => u.multiply === u.divide)?.name ?? "");
+/** As the engine writes it. @param {string} kind */
+const writtenUnit = (kind) => chosen[kind] ?? baseUnit(kind);
+/** As people write it. @param {string} kind */
+export const unitName = (kind) => {
+  const unit = writtenUnit(kind);
+  return unit === "deg" ? "°" : unit.replace(/(?<=m)2\b/, "²").replace(/(?<=m)3\b/, "³");
+};
 
 /** @param {string} kind */
 function factor(kind) {
@@ -41,11 +73,24 @@ function factor(kind) {
   return unit ?? { multiply: 1, divide: 1 };
 }
 /** A value inside in the shown unit. @param {string} kind @param {number} inside */
-export const outside = (kind, inside) => { const u = factor(kind); return (inside * u.multiply) / u.divide; };
-/** The other way, as the engine reads it: to 15 digits, so that 0.7 bar is 0.07 MPa. @param {string} kind @param {number} shown */
-export const inside = (kind, shown) => { const u = factor(kind); return u.divide === u.multiply ? shown : Number(((shown * u.divide) / u.multiply).toPrecision(15)); };
+export const outside = (kind, inside) => {
+  const u = factor(kind);
+  return (inside * u.multiply) / u.divide;
+};
+/**
+ * The other way, as the engine reads it: to 15 digits, so that 0.7 bar is 0.07 MPa.
+ * @param {string} kind
+ * @param {number} shown
+ */
+export const inside = (kind, shown) => {
+  const u = factor(kind);
+  return u.divide === u.multiply ? shown : Number(((shown * u.divide) / u.multiply).toPrecision(15));
+};
 
-/** A number to so many significant digits, without an exponent where it is short without. @param {number | null | undefined} v */
+/**
+ * A number to so many significant digits, without an exponent where it is short without.
+ * @param {number | null | undefined} v
+ */
 export function number(v, digits = 4) {
   if (v === null || v === undefined || !Number.isFinite(v)) return "–";
   if (v === 0) return "0";
@@ -55,32 +100,69 @@ export function number(v, digits = 4) {
   return text.replace("-", "−");
 }
 /** `2.5 bar`. @param {string} kind @param {number | null | undefined} value */
-export const show = (kind, value, digits = 4) => (value === null || value === undefined ? "–" : `${number(outside(kind, value), digits)}${kind === "angle" ? "°" : " " + unitName(kind)}`.trimEnd());
+export const show = (kind, value, digits = 4) => (value === null || value === undefined
+  ? "–"
+  : `${number(outside(kind, value), digits)}${unitName(kind) === "°" ? "°" : " " + unitName(kind)}`.trimEnd());
 /** As it is typed and stands in an address, to the last digit: `2.5bar`. @param {string} kind @param {number} value */
 export function typed(kind, value) {
-  const shown = [6, 9, 12, 15].map((digits) => Number(outside(kind, value).toPrecision(digits))).find((x) => inside(kind, x) === value);
+  const shown = [6, 9, 12, 15].map((digits) => Number(outside(kind, value).toPrecision(digits))).find((x) =>
+    inside(kind, x) === value
+  );
   // What no short number in the shown unit means is written in the unit inside.
-  const unit = kind === "angle" ? "deg" : shown === undefined ? baseUnit(kind) : unitName(kind);
+  const unit = shown === undefined ? baseUnit(kind) : writtenUnit(kind);
   const bare = ["length", "angle", "force"].includes(kind) && ["mm", "deg", "N"].includes(unit);
   return String(shown ?? value) + (bare ? "" : unit.replace(" ", ""));
 }
 
 /**
- * What was typed into a field of a kind, as the engine shall read it, and what to say of it. A bare number is in the unit beside the field;
- * for a field in % it is a ratio up to 1, as on the command line, and a percentage above, and that is said.
- * @param {string} kind @param {string} text @returns {{ text: string, value?: number, note?: string }}
+ * A number with a decimal comma, and what follows it. Behind three digits a comma may separate thousands: that the
+ * engine asks about.
  */
-export function meant(kind, text) {
-  const bare = text !== "" && Number.isFinite(Number(text));
-  if (!bare) return { text };
-  const value = Number(text);
-  if (kind !== "ratio") return { text, value: inside(kind, value) };
-  if (value === 0) return { text, value };
-  const percent = Math.abs(value) > 1 ? value : Number((100 * value).toPrecision(15));
-  return { text: `${percent} %`, note: `${text} without a unit was read as ${number(percent, 6)} %.` };
+const COMMA = /^([-+]?)(\d+),(\d+)(?![\d,.])(.*)$/s;
+/** With a point in place of a decimal comma. @param {string} text */
+function pointed(text) {
+  const [, sign, whole, decimals, rest] = COMMA.exec(text) ?? [];
+  return whole !== undefined && (decimals.length !== 3 || /^0*$/.test(whole)) &&
+      !/\d/.test(rest.replace(/[a-z]+\d/gi, ""))
+    ? `${sign}${whole}.${decimals}${rest}`
+    : text;
 }
 
-/** A pull to the digits that its ± leaves. @param {string} kind @param {number} value @param {number | null | undefined} half */
+/**
+ * What was typed into a field of a kind, as the engine shall read it, and what to say of it. A bare number is in the
+ * unit beside the field;
+ * for a field in % it is a ratio up to 1, as on the command line, and a percentage above, and that is said.
+ * @param {string} kind @param {string} typed @returns {{ text: string, value?: number, note?: string }}
+ */
+export function meant(kind, typed) {
+  const text = pointed(typed), comma = text === typed ? {} : { note: `${typed} was read as ${text}.` };
+  const bare = text !== "" && Number.isFinite(Number(text));
+  if (!bare) return { text, ...comma };
+  const value = Number(text);
+  if (kind !== "ratio") return { text, value: inside(kind, value), ...comma };
+  if (value === 0) return { text, value };
+  const percent = Math.abs(value) > 1 ? value : Number((100 * value).toPrecision(15));
+  return { text: `${percent} %`, note: `${typed} without a unit was read as ${number(percent, 6)} %.` };
+}
+
+/**
+ * Numbers of a form without any unit have the one that is shown: `2.5` and `1..3` in bar.
+ * @param {string} kind
+ * @param {string} text
+ */
+export function withUnit(kind, text) {
+  const hasUnit = /[a-z%°‰]/i.test(text.replace(/\de[-+]?\d/gi, ""));
+  if (kind === "ratio" || kind === "number" || hasUnit || !/\d/.test(text))
+    return text;
+  return `${text} ${writtenUnit(kind)}`;
+}
+
+/**
+ * A pull to the digits that its ± leaves.
+ * @param {string} kind
+ * @param {number} value
+ * @param {number | null | undefined} half
+ */
 export function withUncertainty(kind, value, half) {
   if (!half) return show(kind, value);
   const [v, u] = [outside(kind, value), outside(kind, half)];
@@ -98,12 +180,28 @@ export function changeUnit(kind, name) {
   listeners.forEach((tell) => tell());
 }
 /** Names that are not the usual ones, as they stand in an address. */
-export const unitsInAddress = () => Object.entries(CHOICES).filter(([kind, list]) => chosen[kind] !== list[0]).map(([kind]) => chosen[kind]).join(",");
+export const unitsInAddress = () =>
+  Object.entries(CHOICES).filter(([kind, list]) => chosen[kind] !== list[0]).map(([kind]) => chosen[kind]).join(",");
 /** @param {string} names */
 export function unitsFromAddress(names) {
-  for (const [kind, list] of Object.entries(CHOICES)) chosen[kind] = names.split(",").find((n) => list.includes(n)) ?? list[0];
+  const before = JSON.stringify(chosen);
+  for (const [kind, list] of Object.entries(CHOICES))
+    chosen[kind] = names.split(",").find((n) => list.includes(n)) ?? list[0];
+  if (JSON.stringify(chosen) !== before) readers.forEach((tell) => tell());
 }
 /** @param {() => void} tell */
-export const onUnits = (tell) => { listeners.add(tell); return () => listeners.delete(tell); };
+export const onUnits = (tell) => {
+  listeners.add(tell);
+  return () => listeners.delete(tell);
+};
+/** Is told of units that a click or an address changed. @param {() => void} tell */
+export const onAnyUnits = (tell) => {
+  listeners.add(tell);
+  readers.add(tell);
+  return () => {
+    listeners.delete(tell);
+    readers.delete(tell);
+  };
+};
 /** Whether it has several units to choose from. @param {string} kind */
 export const hasChoice = (kind) => (CHOICES[kind]?.length ?? 0) > 1;

@@ -1,73 +1,34 @@
-// The muscle in space: one lit surface turned about the axis, its strands, and the terminals. WebGL2; without it a section as SVG.
+// The muscle in space: one lit surface turned about the axis, its strands, and the terminals. WebGL2; without it a
+// section as SVG.
 //
-// What the engine knows along the half muscle goes into one small texture; where each point of surface or strand lies follows from
-// it on the graphics processor, so that a new shape costs one upload of a few kilobytes.
+// What the engine knows along the half muscle goes into one small texture; where each point of surface or strand lies
+// follows from it on the graphics processor, so that a new shape costs one upload of a few kilobytes.
 import { el } from "./dom.js";
+import { FRAGMENT, SURFACE } from "./shaders.js";
 
 const AROUND = 48;
 /** Strands drawn of a family whose number is not known, and most that are drawn. */
-const DRAWN = 24, MOST = 60;
-
-const SHARED = `#version 300 es
-precision highp float;
-uniform highp sampler2D shape;   // row 0..across-1: r, z, value; row across: turn, strand angle, tension
-uniform mat4 camera;
-uniform float outer;             // row of the outer surface
-vec4 node(int j, float row) { return texelFetch(shape, ivec2(abs(j), int(row + 0.5)), 0); }
-float side(int j) { return j < 0 ? -1.0 : 1.0; }
-`;
-const SURFACE = SHARED + `
-in float station; in float angle; in float row;
-uniform float flat_normal;
-out vec3 place; out vec3 normal; out float value; out vec3 strand;
-void main() {
-  int j = int(round(station));
-  vec4 n = node(j, row);
-  vec4 a = node(j - 1, row), b = node(j + 1, row), t = node(j, outer + 1.0);
-  float z = n.y * side(j), dz = b.y * side(j + 1) - a.y * side(j - 1), dr = b.x - a.x;
-  vec2 slope = normalize(vec2(-dr, max(dz, 1e-6)));
-  float c = cos(angle), s = sin(angle);
-  place = vec3(z, n.x * c, n.x * s);
-  vec3 round_normal = vec3(slope.x, slope.y * c, slope.y * s) * (row > 0.5 ? 1.0 : -1.0);
-  normal = flat_normal > 0.5 ? vec3(0.0, -s, c) : round_normal;
-  value = n.z;
-  strand = vec3(angle, t.x * side(j), t.z);
-  gl_Position = camera * vec4(place, 1.0);
-}`;
-const FRAGMENT = `#version 300 es
-precision highp float;
-in vec3 place; in vec3 normal; in float value;
-in vec3 strand;                  // angle about the axis, turn of a strand from the middle, value of the strands
-uniform vec2 reach;              // values at the ends of the colour map
-uniform vec3 eye; uniform vec3 plain; uniform float mapped; uniform float cut;
-uniform float strands;           // of a family; 0 draws none
-out vec4 colour;
-// Viridis by polynomials of degree six (Matt Zucker's fit, public domain).
-vec3 viridis(float t) {
-  const vec3 c0 = vec3(0.2777, 0.0054, 0.3341), c1 = vec3(0.1051, 1.4046, 1.3846), c2 = vec3(-0.3309, 0.2148, 0.0951), c3 = vec3(-4.6342, -5.7991, -19.3324), c4 = vec3(6.2283, 14.1799, 56.6906), c5 = vec3(4.7764, -13.7451, -65.3530), c6 = vec3(-5.4355, 4.6459, 26.3124);
-  return c0 + t * (c1 + t * (c2 + t * (c3 + t * (c4 + t * (c5 + t * c6)))));
-}
-vec3 shown(float v) { return viridis(clamp((v - reach.x) / max(reach.y - reach.x, 1e-9), 0.0, 1.0)); }
-// How much of a point a strand of a family covers, its edges as soft as a pixel is wide.
-float covered(float family) {
-  float u = (strand.x - family * strand.y) * strands / 6.2831853;
-  float pixel = max(fwidth(u), 1e-4), off = abs(fract(u + 0.5) - 0.5);
-  return pixel > 0.7 ? 0.2 : 1.0 - smoothstep(0.085 - 0.7 * pixel, 0.085 + 0.7 * pixel, off);
-}
-void main() {
-  if (cut > 0.5 && place.y > 1e-4 && place.z > 1e-4) discard;
-  vec3 n = normalize(normal);
-  if (dot(n, eye) < 0.0) n = -n;
-  float light = 0.35 + 0.4 * max(dot(n, eye), 0.0) + 0.3 * max(dot(n, normalize(vec3(-0.3, 0.4, 0.85))), 0.0);
-  vec3 base = mapped > 0.5 && mapped < 1.5 ? shown(value) : plain;
-  if (strands > 0.5) base = mix(base, mapped > 1.5 ? shown(strand.z) : vec3(0.93, 0.92, 0.9), max(covered(1.0), covered(-1.0)));
-  colour = vec4(base * light, 1.0);
-}`;
+const DRAWN = 18, MOST = 60;
+/** How the muscle is first seen, and how far it may be zoomed. */
+const TURN = [0.35, -0.5], ZOOM = [0.5, 8];
+/**
+ * The profile of a crimped fitting: radius and distance from the tube's end, as shares of the tube's radius; doubled
+ * points are edges.
+ */
+const FITTING = [
+  [1.02, -0.12], [1.14, -0.12], [1.14, -0.12], [1.14, 0.06], [1.14, 0.06], [1.05, 0.12], [1.05, 0.2], [1.14, 0.26],
+  [1.14, 0.26], [1.14, 0.36], [1.14, 0.36], [1.05, 0.42], [1.05, 0.5], [1.14, 0.56], [1.14, 0.56], [1.14, 0.72],
+  [1.14, 0.72], [0.62, 0.72], [0.62, 0.72], [0.62, 0.98], [0.62, 0.98], [0.36, 0.98], [0.36, 0.98], [0.36, 1.1],
+  [0.42, 1.14], [0.36, 1.22], [0.42, 1.26], [0.36, 1.34], [0.36, 1.42], [0.36, 1.42], [0.18, 1.42],
+];
 
 /** @param {WebGL2RenderingContext} gl @param {string} vertex */
 function program(gl, vertex) {
   const made = /** @type {WebGLProgram} */ (gl.createProgram());
-  for (const [kind, source] of /** @type {[number, string][]} */ ([[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, FRAGMENT]])) {
+  for (const [kind, source] of /** @type {[number, string][]} */ ([
+    [gl.VERTEX_SHADER, vertex],
+    [gl.FRAGMENT_SHADER, FRAGMENT],
+  ])) {
     const shader = /** @type {WebGLShader} */ (gl.createShader(kind));
     gl.shaderSource(shader, source);
     gl.compileShader(shader);
@@ -84,32 +45,51 @@ function software() {
   if (slow !== undefined) return slow;
   const gl = document.createElement("canvas").getContext("webgl2");
   const info = gl?.getExtension("WEBGL_debug_renderer_info");
-  slow = Boolean(gl && info && /swiftshader|llvmpipe|software|basic render/i.test(String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL))));
+  slow = Boolean(
+    gl &&
+    info &&
+    /swiftshader|llvmpipe|software|basic render/i.test(String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL))),
+  );
   gl?.getExtension("WEBGL_lose_context")?.loseContext();
   return slow;
 }
 
-/** Between which values the colours run: the few nodes at the bonded corner would take the whole map. @param {ArrayLike<number>} list @returns {[number, number]} */
+/**
+ * Between which values the colours run: the few nodes at the bonded corner would take the whole map.
+ * @param {ArrayLike<number>} list @returns {[number, number]}
+ */
 export function reach(list) {
   const sorted = Float64Array.from(list).sort();
   return [sorted[Math.floor(0.01 * sorted.length)], sorted[Math.ceil(0.985 * sorted.length) - 1]];
 }
 
+/**
+ * What colours the muscle and between which values; its length and radius at rest.
+ * @typedef {{ field: string, low: number, high: number, restLength: number, restRadius: number }} Show
+ */
+
 export class View {
-  /** @param {HTMLElement} stage @param {{ contract?: (share: number, settled: boolean) => void, drawn?: () => void }} handlers share: of the rest length, that the dragged end moves; drawn: after each picture */
+  /**
+   * @param {HTMLElement} stage
+   * @param {{ contract?: (share: number, settled: boolean) => void, drawn?: () => void }} handlers
+   *   share: of the rest length, that the dragged end moves; drawn: after each picture
+   */
   constructor(stage, { contract, drawn } = {}) {
     this.stage = stage;
-    this.turn = [0.35, -0.5];
+    this.turn = [...TURN];
     this.zoom = 1;
     this.contract = contract;
     this.drawn = drawn;
     this.cut = false;
     /** @type {any} */ this.shape = undefined;
-    /** @type {{ field: string, low: number, high: number, restLength: number, restRadius: number }} */
+    /** @type {Show} */
     this.show = { field: "", low: 0, high: 1, restLength: 1, restRadius: 1 };
     /** @type {WebGLTexture | null} */ this.plugTexture = null;
     /** @type {{ array: WebGLVertexArrayObject, count: number }[] | undefined} */ this.plug = undefined;
-    /** Meshes by their stations and nodes: with the measures of the muscle their number changes to and fro. @type {Map<string, any>} */
+    /**
+     * Meshes by their stations and nodes: with the measures of the muscle their number changes to and fro.
+     * @type {Map<string, any>}
+     */
     this.meshes = new Map();
     this.canvas = el("canvas", { role: "img", "aria-label": "The deformed muscle" });
     const gl = this.canvas.getContext("webgl2", { antialias: !software(), alpha: true });
@@ -125,12 +105,21 @@ export class View {
     this.width = stage.clientWidth;
     this.height = stage.clientHeight;
     this.rest = 0;
-    new ResizeObserver(() => { this.width = stage.clientWidth; this.height = stage.clientHeight; this.draw(true); }).observe(stage);
+    this.sized = new ResizeObserver(() => {
+      this.width = stage.clientWidth;
+      this.height = stage.clientHeight;
+      this.draw(true);
+    });
+    this.sized.observe(stage);
   }
 
   /** @param {WebGL2RenderingContext} gl */
   prepare(gl) {
     this.surface = program(gl, SURFACE);
+    const { surface } = this, count = gl.getProgramParameter(surface, gl.ACTIVE_UNIFORMS);
+    const names = Array.from({ length: count }, (_, i) => gl.getActiveUniform(surface, i)?.name ?? "");
+    /** @type {Record<string, WebGLUniformLocation | null>} */
+    this.places = Object.fromEntries(names.map((name) => [name, gl.getUniformLocation(surface, name)]));
     this.texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, this.texture);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
@@ -141,7 +130,10 @@ export class View {
     this.plugTexture = null;
   }
 
-  /** Points and triangles that depend on the number of stations and nodes alone. @param {number} stations @param {number} across */
+  /**
+   * Points and triangles that depend on the number of stations and nodes alone.
+   * @param {number} stations @param {number} across
+   */
   mesh(stations, across) {
     const key = `${stations}x${across}`;
     this.parts = this.meshes.get(key);
@@ -160,9 +152,15 @@ export class View {
       });
       return this.buffers(this.surface, data, index, [["station", 1], ["angle", 1], ["row", 1]]);
     };
-    const round = (/** @type {number} */ row) => Array.from({ length: AROUND + 1 }, (_, k) => /** @type {[number, number]} */ ([(2 * Math.PI * k) / AROUND, row]));
-    const wall = (/** @type {number} */ angle) => Array.from({ length: across }, (_, i) => /** @type {[number, number]} */ ([angle, i]));
-    this.parts = { outer: grid(round(across - 1)), inner: grid(round(0)), walls: [grid(wall(0)), grid(wall(Math.PI / 2))] };
+    const round = (/** @type {number} */ row) =>
+      Array.from({ length: AROUND + 1 }, (_, k) => /** @type {[number, number]} */ ([(2 * Math.PI * k) / AROUND, row]));
+    const wall = (/** @type {number} */ angle) =>
+      Array.from({ length: across }, (_, i) => /** @type {[number, number]} */ ([angle, i]));
+    this.parts = {
+      outer: grid(round(across - 1)),
+      inner: grid(round(0)),
+      walls: [grid(wall(0)), grid(wall(Math.PI / 2))],
+    };
     this.meshes.set(key, this.parts);
   }
 
@@ -179,7 +177,10 @@ export class View {
     let offset = 0;
     for (const [name, size] of parts) {
       const at = gl.getAttribLocation(of, name);
-      if (at >= 0) { gl.enableVertexAttribArray(at); gl.vertexAttribPointer(at, size, gl.FLOAT, false, stride, offset); }
+      if (at >= 0) {
+        gl.enableVertexAttribArray(at);
+        gl.vertexAttribPointer(at, size, gl.FLOAT, false, stride, offset);
+      }
       offset += 4 * size;
     }
     return { array, count: index.length };
@@ -187,7 +188,7 @@ export class View {
 
   /**
    * A new shape: the answer of `shape`; `rest` is the length at rest; what colours it and between which values.
-   * @param {any} shape @param {{ field: string, low: number, high: number, restLength: number, restRadius: number }} show
+   * @param {any} shape @param {Show} show
    */
   set(shape, show) {
     this.shape = shape;
@@ -237,17 +238,24 @@ export class View {
     const { camera, eye } = this.camera(w / h);
     const strand = this.show.field.startsWith("strand_");
     gl.useProgram(/** @type {WebGLProgram} */ (this.surface));
-    const at = (/** @type {string} */ name) => gl.getUniformLocation(/** @type {WebGLProgram} */ (this.surface), name);
+    const at = (/** @type {string} */ name) => this.places?.[name] ?? null;
     gl.uniformMatrix4fv(at("camera"), false, camera);
     gl.uniform3fv(at("eye"), eye);
     gl.uniform1f(at("outer"), shape.across - 1);
     gl.uniform1f(at("cut"), this.cut ? 1 : 0);
     gl.uniform2f(at("reach"), this.show.low, this.show.high);
     const parts = /** @type {any} */ (this.parts);
-    const draw = (/** @type {any} */ part) => { gl.bindVertexArray(part.array); gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 0); };
+    const draw = (/** @type {any} */ part) => {
+      gl.bindVertexArray(part.array);
+      gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 0);
+    };
     const known = shape.strands ? Math.min(shape.strands / 2, MOST) : DRAWN;
     /** What colours a part: the field (1), that of the strands (2), or nothing. */
-    const paint = (/** @type {number} */ mapped, /** @type {number[]} */ plain, strands = 0) => { gl.uniform1f(at("mapped"), mapped); gl.uniform3fv(at("plain"), plain); gl.uniform1f(at("strands"), strands); };
+    const paint = (/** @type {number} */ mapped, /** @type {number[]} */ plain, strands = 0) => {
+      gl.uniform1f(at("mapped"), mapped);
+      gl.uniform3fv(at("plain"), plain);
+      gl.uniform1f(at("strands"), strands);
+    };
     gl.uniform1f(at("flat_normal"), 0);
     paint(strand ? 2 : 1, [0.5, 0.48, 0.46], Math.round(known));
     draw(parts.outer);
@@ -258,41 +266,57 @@ export class View {
       gl.uniform1f(at("cut"), 0);
       parts.walls.forEach(draw);
     }
-    paint(0, [0.42, 0.45, 0.48]);
+    paint(0, [0.56, 0.58, 0.61]);
+    gl.uniform1f(at("shine"), 0.35);
     this.plugs(at);
+    gl.uniform1f(at("shine"), 0);
     this.drawn?.();
   }
 
-  /** The terminals: the end of the outer surface drawn on by a straight piece. @param {any} at */
+  /** The fittings at both ends, each with its port. @param {(name: string) => WebGLUniformLocation | null} at */
   plugs(at) {
     const { gl, shape } = this;
     if (!gl) return;
-    const end = shape.arrays.z_mm[shape.arrays.z_mm.length - 1], r = 1.04 * shape.arrays.r_mm[shape.arrays.r_mm.length - 1];
-    const long = 0.55 * r;
-    // Stations 1 to 4; the first and the last texel only give them neighbours.
-    const texels = new Float32Array([[0, end], [0, end], [r, end], [r, end + long], [0, end + long], [0, end + 2 * long]].flatMap(([a, z]) => [a, z, 0, 0]));
+    const last = shape.arrays.z_mm.length - 1, end = shape.arrays.z_mm[last], r = shape.arrays.r_mm[last];
+    const profile = FITTING.map(([a, z]) => [a * r, end + z * r]);
+    // The first and the last texel only give the others neighbours.
+    const all = [profile[0], ...profile, profile[profile.length - 1]], count = profile.length;
     this.plugTexture ??= gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, this.plugTexture);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 6, 1, 0, gl.RGBA, gl.FLOAT, texels);
-    this.plug ??= [1, -1].map((sign) => {
-      const data = [], index = [];
-      for (let k = 0; k <= AROUND; k++) for (let j = 1; j <= 4; j++) data.push(sign * j, (2 * Math.PI * k) / AROUND, 0);
-      for (let k = 0; k < AROUND; k++) for (let j = 0; j < 3; j++) { const [a, b] = [4 * k + j, 4 * k + 4 + j]; index.push(a, a + 1, b, b, a + 1, b + 1); }
-      return this.buffers(this.surface, data, index, [["station", 1], ["angle", 1], ["row", 1]]);
-    });
+    const texels = new Float32Array(all.flatMap(([a, z]) => [a, z, 0, 0]));
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, all.length, 1, 0, gl.RGBA, gl.FLOAT, texels);
+    this.plug ??= [1, -1].map((sign) => this.revolved(sign, count));
     gl.uniform1f(at("flat_normal"), 0);
     gl.uniform1f(at("cut"), 0);
-    for (const part of this.plug) { gl.bindVertexArray(part.array); gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 0); }
+    for (const part of this.plug) {
+      gl.bindVertexArray(part.array);
+      gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 0);
+    }
     gl.bindTexture(gl.TEXTURE_2D, this.texture ?? null);
+  }
+
+  /** A profile of so many stations, turned about the axis. @param {number} sign @param {number} count */
+  revolved(sign, count) {
+    const data = /** @type {number[]} */ ([]),
+      index = /** @type {number[]} */ ([]);
+    for (let k = 0; k <= AROUND; k++)
+      for (let j = 1; j <= count; j++) data.push(sign * j, (2 * Math.PI * k) / AROUND, 0);
+    for (let k = 0; k < AROUND; k++) {
+      for (let j = 0; j < count - 1; j++) {
+        const [a, b] = [count * k + j, count * (k + 1) + j];
+        index.push(a, a + 1, b, b, a + 1, b + 1);
+      }
+    }
+    return this.buffers(this.surface, data, index, [["station", 1], ["angle", 1], ["row", 1]]);
   }
 
   /** The left end stays where it is; the picture is as wide as the muscle at rest. @param {number} aspect */
   camera(aspect) {
     const { restLength, restRadius } = this.show;
     const now = this.shape.length_mm;
-    const wide = 0.5 * restLength + 1.4 * restRadius;
+    const wide = 0.5 * restLength + 2 * restRadius;
     const half = Math.max(wide, Math.max(2.4 * restRadius, 1.15 * this.largest()) * aspect) / this.zoom;
     this.half = half;
     const [pitch, yaw] = this.turn;
@@ -305,7 +329,36 @@ export class View {
     for (let c = 0; c < 3; c++) for (let r = 0; r < 3; r++) m[4 * c + r] = rows[r][c] * scale[r];
     for (let r = 0; r < 3; r++) m[12 + r] = rows[r][0] * shift * scale[r];
     m[15] = 1;
+    this.matrix = m;
     return { camera: m, eye: rows[2] };
+  }
+
+  /**
+   * Where a point of the muscle is seen, in pixels of the stage: along its axis from its middle, up, and to the front.
+   * @param {number} x @param {number} y @param {number} z
+   */
+  project(x, y, z) {
+    const m = this.matrix;
+    if (!m) return [0, 0];
+    const at = (/** @type {number} */ r) => m[r] * x + m[4 + r] * y + m[8 + r] * z + m[12 + r];
+    return [0.5 * (1 + at(0)) * this.width, 0.5 * (1 - at(1)) * this.height];
+  }
+
+  /** @param {number} by */
+  zoomBy(by) {
+    this.zoom = Math.max(ZOOM[0], Math.min(ZOOM[1], this.zoom * by));
+    this.draw();
+  }
+
+  /** @param {number} pitch @param {number} yaw */
+  turnTo(pitch, yaw) {
+    this.turn = [Math.max(-1.5, Math.min(1.5, pitch)), yaw];
+    this.draw();
+  }
+
+  reset() {
+    this.zoom = 1;
+    this.turnTo(TURN[0], TURN[1]);
   }
 
   largest() {
@@ -319,45 +372,87 @@ export class View {
     return (2 * (this.half ?? 1)) / Math.max(1, this.width);
   }
 
+  /** Nothing of it is kept. */
+  destroy() {
+    clearTimeout(this.rest);
+    this.sized.disconnect();
+    this.gl?.getExtension("WEBGL_lose_context")?.loseContext();
+    this.canvas.remove();
+  }
+
   listen() {
-    /** @type {{ x: number, y: number, turn: number[], end: boolean } | undefined} */ let from;
+    this.listenToPointers();
     const { canvas } = this;
-    canvas.addEventListener("pointerdown", (event) => {
-      if (!this.shape) return;
-      const box = canvas.getBoundingClientRect();
-      const share = (event.clientX - box.left) / box.width;
-      // The right end of the muscle: its last tenth and what lies beyond.
-      const { restLength } = this.show;
-      const place = 0.5 + ((this.shape.length_mm - 0.5 * restLength) * Math.cos(this.turn[1])) / (2 * (this.half ?? 1));
-      const end = Boolean(this.contract) && share > place - 0.06 && share < place + 0.08;
-      from = { x: event.clientX, y: event.clientY, turn: [...this.turn], end };
-      canvas.setPointerCapture(event.pointerId);
-      canvas.style.cursor = end ? "ew-resize" : "grabbing";
-    });
-    const moved = (/** @type {PointerEvent} */ event, /** @type {boolean} */ settled) => {
-      if (!from) return;
-      if (from.end) {
-        const dx = (event.clientX - from.x) * this.millimetresPerPixel / Math.max(0.3, Math.cos(this.turn[1]));
-        this.contract?.(-dx / this.show.restLength, settled);
-      } else {
-        this.turn = [Math.max(-1.5, Math.min(1.5, from.turn[0] + 0.008 * (event.clientY - from.y))), from.turn[1] + 0.008 * (event.clientX - from.x)];
-        this.draw();
-      }
-    };
-    canvas.addEventListener("pointermove", (event) => moved(event, false));
-    canvas.addEventListener("pointerup", (event) => { moved(event, true); from = undefined; canvas.style.cursor = ""; });
-    canvas.addEventListener("pointercancel", () => { from = undefined; });
-    canvas.addEventListener("wheel", (event) => { if (!event.ctrlKey && !event.shiftKey && document.activeElement !== canvas) return; event.preventDefault(); this.zoom = Math.max(0.5, Math.min(8, this.zoom * Math.exp(-0.001 * event.deltaY))); this.draw(); }, { passive: false });
+    canvas.addEventListener("wheel", (event) => {
+      if (!event.ctrlKey && !event.shiftKey && document.activeElement !== canvas) return;
+      event.preventDefault();
+      this.zoomBy(Math.exp(-0.001 * event.deltaY));
+    }, { passive: false });
     canvas.tabIndex = 0;
     canvas.addEventListener("keydown", (event) => {
       const step = { ArrowLeft: [0, -0.1], ArrowRight: [0, 0.1], ArrowUp: [-0.1, 0], ArrowDown: [0.1, 0] }[event.key];
-      if (event.key === "+" || event.key === "-") this.zoom = Math.max(0.5, Math.min(8, this.zoom * (event.key === "+" ? 1.2 : 1 / 1.2)));
-      else if (step) this.turn = [Math.max(-1.5, Math.min(1.5, this.turn[0] + step[0])), this.turn[1] + step[1]];
+      if (event.key === "+" || event.key === "-") this.zoomBy(event.key === "+" ? 1.2 : 1 / 1.2);
+      else if (event.key === "0" || event.key === "Home") this.reset();
+      else if (step) this.turnTo(this.turn[0] + step[0], this.turn[1] + step[1]);
       else return;
       event.preventDefault();
-      this.draw();
     });
-    canvas.addEventListener("dblclick", () => { this.turn = [0.35, -0.5]; this.zoom = 1; this.draw(); });
+    canvas.addEventListener("dblclick", () => this.reset());
+  }
+
+  /**
+   * Whether a place, as a share of the width, is at the right end of the muscle: its last tenth and what lies beyond.
+   * @param {number} share
+   */
+  atEnd(share) {
+    const { restLength } = this.show;
+    const place = 0.5 + ((this.shape.length_mm - 0.5 * restLength) * Math.cos(this.turn[1])) / (2 * (this.half ?? 1));
+    return Boolean(this.contract) && share > place - 0.06 && share < place + 0.08;
+  }
+
+  /** One pointer turns, or drags the end; two zoom. */
+  listenToPointers() {
+    const { canvas } = this;
+    /** @type {Map<number, PointerEvent>} */
+    const down = new Map();
+    /** @type {{ x: number, y: number, turn: number[], end: boolean } | undefined} */ let from;
+    let apart = 0;
+    const distance = () => {
+      const [a, b] = [...down.values()];
+      return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
+    };
+    const moved = (/** @type {PointerEvent} */ event, /** @type {boolean} */ settled) => {
+      if (!from) return;
+      const [dx, dy] = [event.clientX - from.x, event.clientY - from.y];
+      if (!from.end) return this.turnTo(from.turn[0] + 0.008 * dy, from.turn[1] + 0.008 * dx);
+      const along = (dx * this.millimetresPerPixel) / Math.max(0.3, Math.cos(this.turn[1]));
+      this.contract?.(-along / this.show.restLength, settled);
+    };
+    canvas.addEventListener("pointerdown", (event) => {
+      if (!this.shape) return;
+      down.set(event.pointerId, event);
+      canvas.setPointerCapture(event.pointerId);
+      if (down.size > 1) { from = undefined; apart = distance(); return; }
+      const box = canvas.getBoundingClientRect(), end = this.atEnd((event.clientX - box.left) / box.width);
+      from = { x: event.clientX, y: event.clientY, turn: [...this.turn], end };
+      canvas.style.cursor = end ? "ew-resize" : "grabbing";
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      if (!down.has(event.pointerId)) return;
+      down.set(event.pointerId, event);
+      if (down.size < 2) return moved(event, false);
+      const now = distance();
+      if (apart > 0 && now > 0) this.zoomBy(now / apart);
+      apart = now;
+    });
+    const up = (/** @type {PointerEvent} */ event) => {
+      down.delete(event.pointerId);
+      if (event.type === "pointerup") moved(event, true);
+      from = undefined;
+      canvas.style.cursor = "";
+    };
+    canvas.addEventListener("pointerup", up);
+    canvas.addEventListener("pointercancel", up);
   }
 
   /** Without WebGL: outer and inner line of the section. */
@@ -368,14 +463,19 @@ export class View {
       const points = [];
       for (let j = 1 - stations; j < stations; j++) {
         const at = Math.abs(j) * across + i;
-        points.push(`${((j < 0 ? -1 : 1) * arrays.z_mm[at] + 0.5 * (length_mm - restLength)).toFixed(2)},${(sign * arrays.r_mm[at]).toFixed(2)}`);
+        points.push(
+          `${((j < 0 ? -1 : 1) * arrays.z_mm[at] + 0.5 * (length_mm - restLength)).toFixed(2)},` +
+            `${(sign * arrays.r_mm[at]).toFixed(2)}`,
+        );
       }
       return points;
     };
     const wall = (/** @type {number} */ sign) => [...line(across - 1, sign), ...line(0, sign).reverse()].join(" ");
     const most = Math.max(1.3 * this.largest(), 10);
     const box = `${-0.6 * restLength} ${-most} ${1.2 * restLength} ${2 * most}`;
-    const svg = `<svg class="section" xmlns="http://www.w3.org/2000/svg" viewBox="${box}" role="img" aria-label="Section of the deformed muscle"><g fill="#9a8f86" stroke="currentColor" stroke-width="0.5"><polygon points="${wall(1)}"/><polygon points="${wall(-1)}"/></g></svg>`;
+    const svg = `<svg class="section" xmlns="http://www.w3.org/2000/svg" viewBox="${box}" role="img" ` +
+      `aria-label="Section of the deformed muscle"><g fill="#9a8f86" stroke="currentColor" stroke-width="0.5">` +
+      `<polygon points="${wall(1)}"/><polygon points="${wall(-1)}"/></g></svg>`;
     this.stage.querySelector("svg.section")?.remove();
     this.stage.insertAdjacentHTML("afterbegin", svg);
     // Of a box that is fitted into the stage whole.

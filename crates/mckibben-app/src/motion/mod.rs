@@ -1,12 +1,14 @@
 //! `motion`: a muscle or a joint on a valve, over time.
 
 mod request;
+mod simulated;
 mod uncertainty;
 mod warnings;
 
 pub use uncertainty::EndUncertainty;
 
 pub use request::{MotionRequest, MotionSweep, StepFields};
+pub use simulated::SimulatedDrive;
 
 use crate::burst::{PressureLimits, burst_of, put_first, said_of};
 use crate::fields::{MuscleFields, NamedFields, TextFile};
@@ -221,14 +223,9 @@ impl Moved {
         self.models.first().map_or(0.0, |m| m.muscle().length_mm())
     }
 
-    /// The motion, and the conductance that was sought.
-    fn go(
-        &self,
-        file: &DriveFile,
-        rise_time_s: Option<f64>,
-        progress: &dyn Progress,
-    ) -> Result<(Motion, Option<f64>), Problem> {
-        let single = match (&self.joint, self.models.first()) {
+    /// The muscle with its load, where no joint is moved.
+    fn single(&self, file: &DriveFile) -> Result<Option<SingleMuscle>, Problem> {
+        Ok(match (&self.joint, self.models.first()) {
             (None, Some(model)) if file.held.is_some() => Some(SingleMuscle::held(&**model)),
             (None, Some(model)) => {
                 let load = file.load.clone().ok_or_else(|| {
@@ -240,12 +237,25 @@ impl Moved {
                 Some(SingleMuscle { damping_n_s_per_m, stops_mm, ..SingleMuscle::new(&**model, load) })
             }
             _ => None,
-        };
-        let mechanism: &dyn Mechanism = match (&single, &self.joint) {
-            (Some(single), _) => single,
-            (None, Some(joint)) => joint,
-            (None, None) => return Err(Problem::missing("muscle", "what the drive moves")),
-        };
+        })
+    }
+
+    /// What moves.
+    fn mechanism<'a>(&'a self, single: Option<&'a SingleMuscle>) -> Result<&'a dyn Mechanism, Problem> {
+        match (single, &self.joint) {
+            (Some(single), _) => Ok(single),
+            (None, Some(joint)) => Ok(joint),
+            (None, None) => Err(Problem::missing("muscle", "what the drive moves")),
+        }
+    }
+
+    /// The drive of a file.
+    fn drive<'a>(
+        &'a self,
+        file: &DriveFile,
+        single: Option<&SingleMuscle>,
+        mechanism: &'a dyn Mechanism,
+    ) -> Drive<'a> {
         let muscles = self.models.iter().map(|model| Actuated {
             air: file.air,
             friction: model.muscle().friction().map(|f| Dahl::of(f, file.presliding_mm)),
@@ -257,13 +267,25 @@ impl Moved {
             // A joint with one muscle takes one command.
             list.truncate(1);
         }
-        let drive = Drive {
+        Drive {
             supply: file.supply,
             output_step_s: file.output_step_s,
             tolerance: Tolerance::default(),
-            initial_coordinate: single.as_ref().zip(file.held).map(|(s, e)| e * s.length_mm),
+            initial_coordinate: single.zip(file.held).map(|(s, e)| e * s.length_mm),
             ..Drive::new(mechanism, muscles.collect(), target, file.until_s)
-        };
+        }
+    }
+
+    /// The motion, and the conductance that was sought.
+    fn go(
+        &self,
+        file: &DriveFile,
+        rise_time_s: Option<f64>,
+        progress: &dyn Progress,
+    ) -> Result<(Motion, Option<f64>), Problem> {
+        let single = self.single(file)?;
+        let mechanism = self.mechanism(single.as_ref())?;
+        let drive = self.drive(file, single.as_ref(), mechanism);
         let bandwidth_hz = match &drive.target {
             Target::Pressure(list) if !list.is_empty() => {
                 let most = list.iter().map(|c| Command::Constant(c.bounds().1)).collect();

@@ -50,6 +50,21 @@ async fn answers_are_packed_where_bytes_are_accepted() {
 }
 
 #[tokio::test]
+async fn long_packed_answers_are_compressed_and_short_ones_are_not() {
+    let packed = |name: &str, request: &'static str| {
+        let asked = posted(&format!("/api/v1/{name}")).header("accept", "application/octet-stream");
+        asked.header("accept-encoding", "gzip").body(Body::from(request)).unwrap()
+    };
+    let client = Client::usual();
+    let long = client.send(packed("parts-list", "{}")).await;
+    assert_eq!(long.header("content-encoding"), "gzip");
+    assert!(4 * long.bytes.len() < ask_packed("parts-list", "{}", &Silent).unwrap().len());
+    let (name, request) = ASKED[5];
+    let short = client.send(packed(name, request)).await;
+    assert!(short.bytes == ask_packed(name, request, &Silent).unwrap());
+}
+
+#[tokio::test]
 async fn problems_have_their_status_and_their_words() {
     let client = Client::usual();
     for (path, request, status, kind) in [

@@ -14,10 +14,18 @@ async fn the_page_is_that_of_a_server() {
             assert!(answer.bytes == *mckibben_web::file(&path).unwrap(), "{path}");
         }
         let kind = answer.header("content-type");
-        for (ending, wanted) in [(".html", "text/html"), (".js", "text/javascript"), (".css", "text/css")] {
+        let kinds = [
+            (".html", "text/html"),
+            (".js", "text/javascript"),
+            (".css", "text/css"),
+            (".toml", "text/plain"),
+            (".webmanifest", "application/manifest+json"),
+        ];
+        for (ending, wanted) in kinds {
             assert!(!path.ends_with(ending) || kind.starts_with(wanted), "{path}: {kind}");
         }
     }
+    assert!(mckibben_web::paths().any(|path| path == "examples/prototype.toml"));
     assert!(client.get("/").await.bytes == *mckibben_web::file("index.html").unwrap());
     let kind = client.get(&format!("/{}", mckibben_web::KIND)).await;
     assert!(kind.bytes == mckibben_web::KIND_OF_SERVER);

@@ -1,4 +1,5 @@
-// Answers as bytes: the length of the JSON, the JSON, then the numbers of its `arrays` (32 bits each), all little-endian.
+// Answers as bytes: the length of the JSON, the JSON, then the numbers of its `arrays` (32 bits each), all
+// little-endian.
 
 /**
  * @param {ArrayBuffer} bytes

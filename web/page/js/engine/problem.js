@@ -11,4 +11,6 @@ export class Problem extends Error {
 }
 
 /** The engine is not there. @param {string} why */
-export const gone = (why) => new Problem({ kind: "engine", message: `The computation engine stopped: ${why}.`, hint: "Your muscle is kept; try again." });
+export const gone = (why) =>
+  new Problem({ kind: "engine", message: `The computation engine stopped: ${why}.`,
+    hint: "Your muscle is kept; try again." });

@@ -1,11 +1,13 @@
-// The engine as WebAssembly: in workers, so that the page never waits for it. A small module answers what is asked while somebody
+// The engine as WebAssembly: in workers, so that the page never waits for it. A small module answers what is asked
+// while somebody
 // drags; the whole one is loaded when it is first needed.
 import { Problem, gone } from "./problem.js";
 
 /** @typedef {import("../../../types/commands").Commands} Commands */
 
 /** Commands of the small module; it has no `fe3d`. */
-const LIVE = ["force", "pressure", "contraction", "curve", "shape", "muscle-show", "muscle-measures", "braid-list", "braid-show", "rubber-list", "rubber-show", "models", "quantities", "units"];
+const LIVE = ["force", "pressure", "contraction", "curve", "shape", "muscle-show", "muscle-measures", "braid-list",
+  "braid-show", "rubber-list", "rubber-show", "models", "quantities", "units"];
 
 /** @typedef {"state" | "read" | "side" | "curves"} LaneName */
 
@@ -56,7 +58,8 @@ class Lane {
     if (data.dead) return this.end(data.dead);
     const [asked] = this.open;
     if (!asked || asked.id !== data.id) return;
-    if (data.total !== undefined && data.answer === undefined && !data.problem) return asked.progress?.(data.done, data.total);
+    if (data.total !== undefined && data.answer === undefined && !data.problem)
+      return asked.progress?.(data.done, data.total);
     this.open.shift();
     this.go();
     this.close(asked, () => (data.problem ? asked.reject(new Problem(data.problem)) : asked.resolve(data.answer)));
@@ -69,17 +72,26 @@ class Lane {
     this.open.splice(0).forEach((asked) => this.close(asked, () => asked.reject(gone(why))));
   }
 
-  /** @param {string} command @param {any} request @param {{ signal?: AbortSignal, progress?: (done: number, total: number) => void }} options */
+  /**
+   * @param {string} command
+   * @param {any} request
+   * @param {{ signal?: AbortSignal, progress?: (done: number, total: number) => void }} options
+   */
   ask(command, request, { signal, progress } = {}) {
     signal?.throwIfAborted();
     return new Promise((resolve, reject) => {
-      const asked = { id: this.next++, command, request: JSON.stringify(request), resolve, reject, signal, progress, posted: false, stop: () => {} };
+      const asked = { id: this.next++, command, request: JSON.stringify(request), resolve, reject, signal, progress,
+        posted: false, stop: () => {} };
       asked.stop = () => {
         const at = this.open.indexOf(asked);
         if (at < 0) return;
         this.open.splice(at, 1);
         // Work in WebAssembly cannot be asked to stop: it ends with its worker.
-        if (asked.posted) { this.worker?.terminate(); this.worker = undefined; this.go(); }
+        if (asked.posted) {
+          this.worker?.terminate();
+          this.worker = undefined;
+          this.go();
+        }
         reject(new DOMException("cancelled", "AbortError"));
       };
       signal?.addEventListener("abort", asked.stop, { once: true });
@@ -112,10 +124,13 @@ export class Engine {
   constructor() {
     if (typeof WebAssembly !== "object") throw gone("this browser does not support WebAssembly");
     const live = loaded("live.wasm"), whole = loaded("whole.wasm");
-    this.lanes = { state: new Lane(live), read: new Lane(live), side: new Lane(live), curves: new Lane(live), whole: new Lane(whole), job: new Lane(whole) };
+    this.lanes = { state: new Lane(live), read: new Lane(live), side: new Lane(live), curves: new Lane(live),
+      whole: new Lane(whole), job: new Lane(whole) };
   }
 
-  get about() { return "WebAssembly in this browser"; }
+  get about() {
+    return "WebAssembly in this browser";
+  }
 
   /**
    * Answers a request. `lane`: what waits for what; `state` comes first, and `read` is for what takes no time.

@@ -6,7 +6,11 @@ import { unpack } from "./packed.js";
 let current = 0;
 const encoder = new TextEncoder(), decoder = new TextDecoder();
 
-/** @param {string} command @param {string} request @returns {{ problem?: any, answer?: any, buffers?: ArrayBuffer[] }} */
+/**
+ * @param {string} command
+ * @param {string} request
+ * @returns {{ problem?: any, answer?: any, buffers?: ArrayBuffer[] }}
+ */
 function ask(command, request) {
   const [a, b] = [encoder.encode(command), encoder.encode(request)];
   const at = engine.reserve(a.length + b.length);
@@ -20,13 +24,19 @@ function ask(command, request) {
 
 /** @param {WebAssembly.Module} module */
 async function begin(module) {
-  const host = { progress: (/** @type {number} */ done, /** @type {number} */ total) => self.postMessage({ id: current, done, total }) };
+  const host = {
+    progress: (/** @type {number} */ done, /** @type {number} */ total) =>
+      self.postMessage({ id: current, done, total }),
+  };
   engine = (await WebAssembly.instantiate(module, { host })).exports;
   engine.start();
 }
 
 self.onmessage = async ({ data }) => {
-  if (data.module) { ready = begin(data.module); return; }
+  if (data.module) {
+    ready = begin(data.module);
+    return;
+  }
   // A module that cannot begin ends the worker.
   await ready;
   current = data.id;

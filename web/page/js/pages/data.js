@@ -2,97 +2,220 @@
 import { engine } from "../ask.js";
 import { address, write } from "../address.js";
 import { columnChoice, headings } from "../columns.js";
-import { fileField, onDrop } from "../controls.js";
+import { fileField } from "../controls.js";
 import { download, el, problemBox } from "../dom.js";
 import { Figures } from "../figure.js";
 import { form, job, table, warnings } from "../form.js";
+import { example } from "../gallery.js";
+import { fileOf, keepFile } from "../kept.js";
+import { atEnd } from "../life.js";
+import { measured } from "../measured.js";
 import { muscle } from "../muscle.js";
-import { number, show, unitName } from "../units.js";
+import { number, onUnits, show, unitName } from "../units.js";
 
-const EXAMPLE = "pressure_bar,contraction,force_n\n";
+const HEADING = "pressure_bar,contraction,force_n\n", CONSTANTS = "constants";
 
-/** @param {HTMLElement} main */
-export function mount(main) {
-  /** @type {{ name: string, text: string } | undefined} */ let data;
-  const what = form([
-    { key: "free", field: "free", label: "Free constants", words: true, hint: "modulus; or mu, braid.angle" },
-    { key: "models", field: "models", label: "Models", words: true, value: "fe, thick-wall, ideal" },
-  ], () => look());
-  const columns = columnChoice(() => look());
-  const understood = el("div", {}), errors = el("div", {}), found = el("div", {});
-  const figures = new Figures("data"), fitted = new Figures("identified");
-  const which = el("p", { class: "small soft" });
-  const identify = job("Identify", "identify", async () => {
-    const read = await what.read();
-    if (!data || !read) { found.replaceChildren(el("p", { class: "soft" }, "Open a table first.")); return undefined; }
-    return { ...fields(), data: [data], columns: columns.value(), free: read.free ?? [], figure: unitName("pressure") };
-  }, (answer) => {
-    const rows = answer.parameters.map((/** @type {any} */ p) => [p.name, `${number(p.value, 5)} ${p.unit ?? ""}`, p.half_width_95 ? `± ${number(p.half_width_95, 2)}` : "–", p.identifiable ? "" : "not identifiable from these data"]);
-    found.replaceChildren(el("h2", {}, "Identified"), table(["constant", "value", "95 %", ""], rows, { text: [0, 3], label: "constants" }), el("p", {}, `Residuals ${number(answer.rms_n, 3)} N rms, ${number(answer.rms_before_n, 3)} N before.`), warnings(answer.warnings),
-      el("p", { class: "row" }, el("button", { type: "button", onclick: () => download("identified.toml", answer.muscle_file, "application/toml") }, "Download the muscle"), el("button", { type: "button", onclick: async () => { await muscle.take(answer.muscle_file); location.hash = address("muscle", muscle.params()); } }, "See it move")));
-    fitted.show(answer.figure);
-  });
-  main.replaceChildren(el("div", { class: "bench two" },
-    el("section", { class: "controls", "aria-label": "Data" }, el("h2", {}, "Measured points"), fileField("Open a table (CSV)", ".csv,.txt,.tsv", take), el("p", { class: "small soft" }, "Pressures, contractions (or shortenings, or lengths) and pulls, with their units in the heading. ", el("button", { type: "button", class: "bare", onclick: example }, "Make an example")), which, columns.element, what.element, el("div", { class: "row" }, el("button", { type: "button", onclick: () => look() }, "Compare")), identify.element),
-    el("div", { class: "middle" }, understood, errors, figures.element, found, fitted.element)));
-  onDrop(main, (file) => { if (file) file.text().then((text) => take(file.name, text)); });
-  understood.append(el("p", { class: "soft" }, "Drop a table of measured points. The figure compares it with the models of the muscle of the page Muscle. Then you can identify its constants."));
+/** Points of this muscle with errors of 3 %, always the same. */
+async function madeUp() {
+  const p = [0.1, 0.2, 0.3], e = [0, 0.05, 0.1, 0.15, 0.2];
+  const answer = await engine().ask("curve", { ...muscle.fields(), test: "isobaric", pressures_mpa: p,
+    contractions: e });
+  const rows = answer.points.flatMap((/** @type {any} */ q,
+    /** @type {number} */ i) => (q.status === "ok" && (q.force_n ?? 0) > 0
+      ? [
+        `${10 * q.pressure_mpa},${q.contraction},${
+          ((q.force_n ?? 0) * (1 + 0.03 * Math.sin(12.9898 * (i + 1)))).toFixed(1)
+        }`,
+      ]
+      : [])
+  );
+  return HEADING + rows.join("\n") + "\n";
+}
 
-  function fields() {
-    const of = muscle.fields();
-    which.textContent = `Compared with ${muscle.line()}.`;
-    return of;
+/** Constants with their ±, and what to do with them. @param {any} answer */
+function identifiedView(answer) {
+  const rows = answer.parameters.map((
+    /** @type {any} */ p,
+  ) => [p.name, `${number(p.value, 5)} ${p.unit ?? ""}`, p.half_width_95 ? `± ${number(p.half_width_95, 2)}` : "–",
+    p.identifiable ? "" : "not identifiable from these data"]
+  );
+  const see = async () => {
+    await muscle.take(answer.muscle_file);
+    location.hash = address("muscle", muscle.params());
+  };
+  return [
+    el("h2", {}, "Identified"),
+    table(["constant", "value", "95 %", ""], rows, { text: [0, 3], label: "constants" }),
+    el("p", {}, `Residuals ${show("force", answer.rms_n, 3)} rms, ${show("force", answer.rms_before_n, 3)} before.`),
+    warnings(answer.warnings),
+    el("p", { class: "row" },
+      el("button", { type: "button",
+        onclick: () => download("identified.toml", answer.muscle_file, "application/toml") }, "Download the muscle"),
+      el("button", { type: "button", onclick: see }, "See it move")),
+  ];
+}
+
+/** Errors of the models. @param {any[]} models */
+const errorTable = (models) => {
+  const force = (/** @type {number} */ f) => show("force", f, 3);
+  const rows = models.map((m) => [m.model, force(m.rms_n), force(m.max_n), force(m.mean_n), String(m.points)]);
+  return table(["model", "rms", "largest", "mean", "points"], rows, { label: "errors of the models" });
+};
+
+/** What is asked of the table. @type {import("../form.js").Field[]} */
+const FIELDS = [
+  { key: "free", field: "free", label: "Free constants", words: true, hint: "modulus; or mu, braid.angle" },
+  { key: "models", field: "models", label: "Models", words: true, value: "fe, thick-wall, ideal" },
+];
+const HINT = "Pressures, contractions (or shortenings, or lengths) and pulls, with their units in the heading.";
+const BEGIN = "Drop a table of measured points. The figure compares it with the models of the muscle of the page "
+  + "Muscle. Then you can identify its constants.";
+
+class DataPage {
+  /** @type {any} */ #compared;
+  /** @type {any} */ #known;
+  #looking = new AbortController();
+
+  /** @param {HTMLElement} main */
+  constructor(main) {
+    this.data = measured.file;
+    this.what = form(FIELDS, () => this.#look());
+    this.columns = columnChoice(() => this.#look());
+    this.understood = el("div", {}, el("p", { class: "soft" }, BEGIN));
+    this.errors = el("div", {});
+    this.found = el("div", {});
+    this.which = el("p", { class: "small soft" });
+    this.figures = new Figures("data");
+    this.fitted = new Figures("identified");
+    this.identify = job("Identify", "identify", () => this.#request(), (answer) => this.#identified(answer),
+      () => this.#dim([this.found, this.fitted.element], true));
+    main.replaceChildren(el("div", { class: "bench two" }, this.#controls(),
+      el("div", { class: "middle" }, this.understood, this.errors, this.figures.element, this.found,
+        this.fitted.element)));
+    // Figures are drawn by the engine in the units that are asked for.
+    atEnd(onUnits(() => {
+      this.#paint();
+      this.#place();
+      if (this.#compared) this.#look();
+    }));
+  }
+
+  #controls() {
+    const button = (/** @type {string} */ text, /** @type {() => void} */ act) =>
+      el("button", { type: "button", onclick: act }, text);
+    const fail = (/** @type {any} */ why) => this.#fail(why);
+    const samples = el("p", { class: "row small" }, "Examples:",
+      button("points of this muscle", () => madeUp().then((text) => this.#take("example.csv", text)).catch(fail)),
+      button("a bench with its muscle", () => this.#bench().catch(fail)));
+    return el("section", { class: "controls", "aria-label": "Data" }, el("h2", {}, "Measured points"),
+      fileField("Open a table (CSV)", ".csv,.txt,.tsv", (name, text) => this.#take(name, text)),
+      el("p", { class: "small soft" }, HINT), samples, this.which, this.columns.element, this.what.element,
+      el("div", { class: "row" }, button("Compare", () => this.#look())), this.identify.element);
+  }
+
+  async #bench() {
+    const [text, file] = await Promise.all([example("bench.csv"), example("bench.toml")]);
+    await muscle.take(file);
+    await this.#take("bench.csv", text);
+  }
+
+  async #request() {
+    const read = await this.what.read();
+    if (!this.data || !read) {
+      this.found.replaceChildren(el("p", { class: "soft" }, "Open a table first."));
+      return undefined;
+    }
+    return { ...this.#fields(), data: [this.data], columns: this.columns.value(), free: read.free ?? [],
+      figure: unitName("pressure") };
+  }
+
+  /** @param {any} answer */
+  #identified(answer) {
+    this.#known = answer;
+    keepFile(CONSTANTS, true);
+    this.#dim([this.found, this.fitted.element], false);
+    this.#paint();
+    this.fitted.show(answer.figure);
+  }
+
+  #fields() {
+    this.which.textContent = `Compared with ${muscle.line()}.`;
+    return muscle.fields();
+  }
+  /** @param {any} why */
+  #fail(why) { this.understood.replaceChildren(problemBox(why)); }
+  /** @param {HTMLElement[]} parts @param {boolean} on */
+  #dim(parts, on) { parts.forEach((part) => part.classList.toggle("stale", on)); }
+  #place() {
+    const own = { ...this.what.texts(), columns: this.columns.text() };
+    write(address("data", { ...muscle.params(), ...own }), true);
   }
 
   /** @param {string} name @param {string} text */
-  function take(name, text) {
-    data = { name, text };
-    columns.offer(headings(text));
-    found.replaceChildren();
-    fitted.show(undefined);
-    look();
+  async #take(name, text) {
+    measured.set({ name, text });
+    this.data = measured.file;
+    keepFile(CONSTANTS, undefined);
+    [this.#compared, this.#known] = [undefined, undefined];
+    this.#begin();
+    this.found.replaceChildren();
+    this.fitted.show(undefined);
+    await this.#look();
   }
+  #begin() { if (this.data) this.columns.offer(headings(this.data.text)); }
 
-  let looking = new AbortController();
-  async function look() {
-    const read = await what.read();
-    if (!data || !read) return;
-    write(address("data", { ...muscle.params(), ...what.texts(), columns: columns.text() }), true);
-    looking.abort();
-    const { signal } = (looking = new AbortController());
+  async #look() {
+    const read = await this.what.read(), { data } = this;
+    if (!data || !read || !this.understood.isConnected) return;
+    this.#place();
+    this.#looking.abort();
+    const { signal } = (this.#looking = new AbortController()), columns = this.columns.value();
+    measured.set(data, columns);
+    const request = { ...this.#fields(), data, columns, models: read.models, extrapolate: true,
+      figure: unitName("pressure") };
     try {
-      const answer = await engine().ask("compare", { ...fields(), data, columns: columns.value(), models: read.models, extrapolate: true, figure: unitName("pressure") }, { signal });
-      const u = answer.understood?.[0] ?? answer.understood;
-      const list = u?.columns?.map((/** @type {any} */ c) => `${c.column} → ${c.quantity}${c.unit ? ` (${c.unit})` : ""}`).join(", ");
-      understood.replaceChildren(el("p", {}, `${data.name}: ${answer.points} points. ${list ?? ""}`), warnings(answer.warnings));
-      errors.replaceChildren(table(["model", "rms", "largest", "mean", "points"], answer.models.map((/** @type {any} */ m) => [m.model, show("force", m.rms_n, 3), show("force", m.max_n, 3), show("force", m.mean_n, 3), String(m.points)]), { label: "errors of the models" }));
-      figures.show(answer.figure);
-    } catch (problem) {
+      this.#compared = await engine().ask("compare", request, { signal });
+      this.#paint();
+      this.#dim([this.errors, this.figures.element], false);
+      this.figures.show(this.#compared.figure);
+    } catch (why) {
       if (signal.aborted) return;
-      understood.replaceChildren(problemBox(problem));
-      if (/** @type {any} */ (problem).kind === "data") columns.open();
-      errors.replaceChildren();
-      figures.show(undefined);
+      this.#fail(why);
+      if (/** @type {any} */ (why).kind === "data") this.columns.open();
+      this.#dim([this.errors, this.figures.element], true);
     }
   }
 
-  /** Points of this muscle with errors of 3 %, always the same. */
-  async function example() {
-    const p = [0.1, 0.2, 0.3], e = [0, 0.05, 0.1, 0.15, 0.2];
-    const answer = await engine().ask("curve", { ...muscle.fields(), test: "isobaric", pressures_mpa: p, contractions: e });
-    const rows = answer.points.filter((/** @type {any} */ q) => q.status === "ok" && q.force_n > 0).map((/** @type {any} */ q, /** @type {number} */ i) => `${10 * q.pressure_mpa},${q.contraction},${(q.force_n * (1 + 0.03 * Math.sin(12.9898 * (i + 1)))).toFixed(1)}`);
-    take("example.csv", EXAMPLE + rows.join("\n") + "\n");
+  #paint() {
+    const compared = this.#compared, known = this.#known;
+    if (compared && this.data) {
+      const u = compared.understood?.[0] ?? compared.understood;
+      const column = (/** @type {any} */ c) => `${c.column} → ${c.quantity}${c.unit ? ` (${c.unit})` : ""}`;
+      const said = [...(measured.said ? [measured.said] : []), ...(compared.warnings ?? [])];
+      const line = `${this.data.name}: ${compared.points} points. ${u?.columns?.map(column).join(", ") ?? ""}`;
+      this.understood.replaceChildren(el("p", {}, line), warnings(said));
+      this.errors.replaceChildren(errorTable(compared.models));
+    }
+    if (known) this.found.replaceChildren(...identifiedView(known));
   }
 
-  return {
-    /** @param {URLSearchParams} params */
-    async load(params) {
-      await muscle.read(params, [...what.keys, "columns"]);
-      what.set(params);
-      columns.read(params.get("columns") ?? "");
-      fields();
-      if (data) await look();
-    },
-    unmount() { identify.end(); looking.abort(); },
-  };
+  /** @param {URLSearchParams} params */
+  async load(params) {
+    await muscle.read(params, [...this.what.keys, "columns"]);
+    this.what.set(params);
+    this.columns.read(params.get("columns") ?? "");
+    this.data = measured.file;
+    this.#begin();
+    this.#fields();
+    if (this.data) await this.#look();
+    // What was identified before is there again.
+    if (this.data && fileOf(CONSTANTS)) this.identify.run();
+  }
+  unmount() {
+    this.identify.end();
+    this.#looking.abort();
+  }
 }
+
+/** @param {HTMLElement} main */
+export const mount = (main) => new DataPage(main);

@@ -1,238 +1,209 @@
 // From a specification to ranked muscles, with a map of what is feasible and why the rest is not.
 import { engine } from "../ask.js";
 import { address, write } from "../address.js";
-import { Chart, KINDS, token } from "../chart.js";
-import { capital, el, problemBox } from "../dom.js";
+import { designMap } from "../design-map.js";
+import { closestView, foundView, rejectedView } from "../design-view.js";
+import { el, problemBox } from "../dom.js";
 import { Figures } from "../figure.js";
-import { form, job, table, warnings } from "../form.js";
+import { form, job } from "../form.js";
+import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { STIFFNESS_NAMES, candidate, missing } from "../state.js";
-import { number, onUnits, outside, show, unitName, withUncertainty } from "../units.js";
-import { inWords } from "../words.js";
+import { onUnits, unitName } from "../units.js";
 
-const OBJECTIVES = /** @type {[string, string][]} */ ([["diameter", "smallest diameter"], ["pressure", "lowest pressure"], ["air", "least air"], ["margin", "largest margin of pull"], ["bulged-diameter", "smallest bulged diameter"], ["length", "shortest"]]);
+const OBJECTIVES = /** @type {[string, string][]} */ ([
+  ["diameter", "smallest diameter"],
+  ["pressure", "lowest pressure"],
+  ["air", "least air"],
+  ["margin", "largest margin of pull"],
+  ["bulged-diameter", "smallest bulged diameter"],
+  ["length", "shortest"],
+]);
+/** @typedef {import("../form.js").Field} Field */
+/** @type {Field[]} */
+const WANTED = [
+  { key: "F", field: "force_n", label: "Pull", kind: "force", value: "700 N" },
+  { key: "e", field: "contraction", label: "at a contraction of", kind: "ratio", value: "15 %" },
+  { key: "at", field: "points", label: "or several pulls", pair: [["force", "force_n"], ["ratio", "contraction"]],
+    hint: "700N@15%, 1200N@5%" },
+  { key: "joint", field: "torques", label: "or torques of a joint",
+    pair: [["torque", "torque_nm"], ["angle", "angle_deg"]], hint: "8Nm@45deg" },
+  { key: "load", field: "load", label: "or a load to lift", hint: "mass:20kg" },
+  { key: "stroke", field: "stroke_mm", label: "Stroke", kind: "length", hint: "40 mm" },
+  { key: "pmax", field: "max_pressure_mpa", label: "Pressure of the supply", kind: "pressure", value: "2.5 bar" },
+  { key: "bulge", field: "max_bulged_diameter_mm", label: "Largest bulged diameter", kind: "length", hint: "60 mm" },
+  { key: "sure", field: "guaranteed", label: "Guaranteed share", kind: "ratio", hint: "95 %" },
+  { key: "for", field: "objective", label: "Rank by", options: OBJECTIVES, value: "diameter" },
+];
+/** @type {() => Field[]} */
+const choices = () => [
+  { key: "D", field: "outer_diameter_mm", label: "Outer diameters", kind: "length", list: true, hint: "10..60 mm" },
+  { key: "s", field: "wall_mm", label: "Walls", kind: "length", list: true, hint: "1..4:0.5 mm" },
+  { key: "L", field: "length_mm", label: "Length", kind: "length", list: true, hint: "285 mm" },
+  { key: "angle", field: "angle_deg", label: "Braid angles", kind: "angle", list: true, hint: "28 deg" },
+  { key: "rubber", field: "rubbers", label: "Rubbers", words: true, hint: "paper, ecoflex-00-30" },
+  { key: "braid", field: "braids", label: "Sleeves as sold", words: true, hint: "names of the list" },
+  { key: "sd", field: "strand_diameter_mm", label: "Diameter of a strand", kind: "length", hint: "0.25 mm",
+    hidden: true },
+  { key: "sE", field: "strand_modulus_mpa", label: "Young's modulus of a strand", kind: "modulus", hint: "2500 MPa",
+    hidden: true },
+  { key: "k", field: "stiffness", label: "Stiffness of a strand family", kind: "stiffness", or: STIFFNESS_NAMES,
+    hint: "500 N/mm; inextensible" },
+  { key: "r", field: "radius_mm", label: "Pulley of a joint", kind: "length", list: true, hint: "20..40 mm" },
+  { key: "burst", field: "min_burst_margin", label: "Burst over supply, at least", kind: "ratio", factor: true,
+    hint: "4" },
+];
+/** @type {Field[]} */
+const SPREADS = [
+  { key: "ts", field: "wall_mm", label: "Wall ±", kind: "length", hint: "0.1 mm" },
+  { key: "tD", field: "outer_diameter_mm", label: "Outer diameter ±", kind: "length", hint: "0.3 mm" },
+  { key: "tL", field: "length_mm", label: "Length ±", kind: "length", hint: "2 mm" },
+  { key: "ta", field: "angle_deg", label: "Braid angle ±", kind: "angle", hint: "1 deg" },
+  { key: "tp", field: "pressure_mpa", label: "Pressure ±", kind: "pressure", hint: "0.1 bar" },
+  { key: "tm", field: "modulus", label: "Modulus of the rubber ±", kind: "ratio", hint: "10 %" },
+];
 
-/** @param {HTMLElement} main */
-export function mount(main) {
-  /** @type {any} */ let found;
-  /** @type {any} */ let asked;
-  /** What the answer that is shown was asked by. @type {any} */ let of;
-  let mapping = new AbortController();
-  const fields = form([
-    { key: "F", field: "force_n", label: "Pull", kind: "force", value: "700 N" },
-    { key: "e", field: "contraction", label: "at a contraction of", kind: "ratio", value: "15 %" },
-    { key: "at", field: "points", label: "or several pulls", pair: [["force", "force_n"], ["ratio", "contraction"]], hint: "700N@15%, 1200N@5%" },
-    { key: "joint", field: "torques", label: "or torques of a joint", pair: [["torque", "torque_nm"], ["angle", "angle_deg"]], hint: "8Nm@45deg" },
-    { key: "load", field: "load", label: "or a load to lift", hint: "mass:20kg" },
-    { key: "stroke", field: "stroke_mm", label: "Stroke", kind: "length", hint: "40 mm" },
-    { key: "pmax", field: "max_pressure_mpa", label: "Pressure of the supply", kind: "pressure", value: "2.5 bar" },
-    { key: "bulge", field: "max_bulged_diameter_mm", label: "Largest bulged diameter", kind: "length", hint: "60 mm" },
-    { key: "sure", field: "guaranteed", label: "Guaranteed share", kind: "ratio", hint: "95 %" },
-    { key: "for", field: "objective", label: "Rank by", options: OBJECTIVES, value: "diameter" },
-  ], () => search.run());
-  const choices = form([
-    { key: "D", field: "outer_diameter_mm", label: "Outer diameters", kind: "length", list: true, hint: "10..60 mm" },
-    { key: "s", field: "wall_mm", label: "Walls", kind: "length", list: true, hint: "1..4:0.5 mm" },
-    { key: "L", field: "length_mm", label: "Length", kind: "length", list: true, hint: "285 mm" },
-    { key: "angle", field: "angle_deg", label: "Braid angles", kind: "angle", list: true, hint: "28 deg" },
-    { key: "rubber", field: "rubbers", label: "Rubbers", words: true, hint: "paper, ecoflex-0030" },
-    { key: "braid", field: "braids", label: "Sleeves as sold", words: true, hint: "names of the list" },
-    { key: "sd", field: "strand_diameter_mm", label: "Diameter of a strand", kind: "length", hint: "0.25 mm", hidden: true },
-    { key: "sE", field: "strand_modulus_mpa", label: "Young's modulus of a strand", kind: "modulus", hint: "2500 MPa", hidden: true },
-    { key: "k", field: "stiffness", label: "Stiffness of a strand family", kind: "stiffness", or: STIFFNESS_NAMES, hint: "500 N/mm; inextensible" },
-    { key: "r", field: "radius_mm", label: "Pulley of a joint", kind: "length", list: true, hint: "20..40 mm" },
-    { key: "burst", field: "min_burst_margin", label: "Burst over supply, at least", kind: "ratio", factor: true, hint: "4" },
-  ], () => search.run());
-  const spreads = form([
-    { key: "ts", field: "wall_mm", label: "Wall ±", kind: "length", hint: "0.1 mm" },
-    { key: "tD", field: "outer_diameter_mm", label: "Outer diameter ±", kind: "length", hint: "0.3 mm" },
-    { key: "tL", field: "length_mm", label: "Length ±", kind: "length", hint: "2 mm" },
-    { key: "ta", field: "angle_deg", label: "Braid angle ±", kind: "angle", hint: "1 deg" },
-    { key: "tp", field: "pressure_mpa", label: "Pressure ±", kind: "pressure", hint: "0.1 bar" },
-    { key: "tm", field: "modulus", label: "Modulus of the rubber ±", kind: "ratio", hint: "10 %" },
-  ], () => search.run());
-  const forms = [fields, choices, spreads];
+/** The forms of a specification, and the request that they make. @param {() => void} submit */
+function specification(submit) {
+  const wanted = form(WANTED, submit), choice = form(choices(), submit), spread = form(SPREADS, submit),
+    forms = [wanted, choice, spread];
+  const vary = el("details", {}, el("summary", {}, "Search space"), choice.element);
   /** What the sleeves need beside their names has a field. */
   const lacking = () => {
-    const k = choices.text("k");
-    const names = choices.text("braid").split(",").map((name) => name.trim()).filter(Boolean);
+    const k = choice.text("k"), names = choice.text("braid").split(",").map((name) => name.trim()).filter(Boolean);
     return [...new Set(names.flatMap((braid) => missing({ said: k ? { braid, k } : { braid } }, muscle.sleeves)))];
   };
   const offer = () => {
     const lacks = lacking();
-    for (const key of ["sd", "sE"]) choices.shown(key, lacks.includes(key));
+    for (const key of ["sd", "sE"]) choice.shown(key, lacks.includes(key));
     if (lacks.length) vary.open = true;
   };
-  choices.element.addEventListener("input", offer);
-  const results = el("div", {});
-  const figures = new Figures("design");
-  const feasible = new Chart("design-map", { tools: el("h3", {}, "Feasible region over diameter and wall"), tall: true, drag(x, y, settled) { if (settled) pickOnMap(x, y); } });
-  feasible.element.hidden = true;
-  const vary = el("details", {}, el("summary", {}, "Search space"), choices.element);
-  const picked = el("p", { class: "small", style: "min-height:1.5em" });
-  const search = job("Design", "design", request, take, (problem) => {
-    forms.some((f) => f.at(problem));
-    for (const key of lacking()) if (!choices.text(key)) choices.mark(key, "The source of the sleeve does not state it: measure it, or give a stiffness.");
+  choice.element.addEventListener("input", offer);
+  return {
+    elements: [wanted.element, vary,
+      el("details", {}, el("summary", {}, "Tolerances of the workshop"), spread.element)],
+    offer,
+    put: (/** @type {string} */ key, /** @type {string} */ text) => wanted.put(key, text),
+    options: (/** @type {string} */ key, /** @type {string[]} */ names) => choice.options(key, names),
+    texts: () => Object.assign({}, ...forms.map((f) => f.texts())),
+    set: (/** @type {URLSearchParams} */ params) => forms.forEach((f) => f.set(params)),
+    /**
+     * Fields of the request, or nothing where a text cannot be read.
+     * @returns {Promise<Record<string, any> | undefined>}
+     */
+    async read() {
+      const [want, space, tolerance] = await Promise.all([wanted.read(), choice.read({ intervals: true }),
+        spread.read()]);
+      if (!want || !space || !tolerance) return undefined;
+      // Several points or torques stand in place of the one pull; a load in place of its force.
+      if (want.points || want.torques || want.load) delete want.force_n;
+      if (want.points || want.torques || (want.load && want.stroke_mm)) delete want.contraction;
+      return { ...want, ...space, figure: unitName("pressure"),
+        ...(Object.keys(tolerance).length ? { tolerance } : {}) };
+    },
+    /** @param {any} problem */
+    at(problem) {
+      forms.some((f) => f.at(problem));
+      for (const key of lacking())
+        if (!choice.text(key))
+          choice.mark(key, "The source of the sleeve does not state it: measure it, or give a stiffness.");
+    },
+  };
+}
+
+/** Prices of tubes and sleeves; asked once. @type {Promise<Map<string, string>> | undefined} */ let prices;
+const priced = () => (prices ??= engine().ask("parts-list", {}).then(
+  (parts) =>
+    new Map([...parts.tubes, ...parts.sleeves].flatMap((part) => {
+      const { price } = /** @type {{ price?: string | null }} */ (part);
+      return price ? [/** @type {[string, string]} */ ([part.name, price])] : [];
+    })),
+  () => new Map(),
+));
+
+/**
+ * The address of a muscle of the search: that muscle, and nothing of the one of the other pages.
+ * @param {any} c
+ * @param {any} of the request
+ * @param {{ p: number, e: number }} at
+ */
+const linked = (c, of, at) => address("muscle", muscle.paramsOf(candidate(c, of, at)));
+
+/** @param {HTMLElement} main */
+export function mount(main) {
+  /** @type {any} */ let found;
+  /** What the answer that is shown was asked by, and the newest question. @type {any} */
+  let of, /** @type {any} */ asked;
+  const spec = specification(() => search.run());
+  const results = el("div", {},
+    el("p", { class: "soft" },
+      "State the requirement. The search ranks tubes and sleeves that you can buy or cast, or free diameters and "
+        + "walls where you give them; finite elements compute the final values."));
+  const figures = new Figures("design"), map = designMap((c, at) => linked(c, of, at));
+  const search = job("Design", "design", async () => {
+    asked = await spec.read();
+    if (asked) place();
+    return asked;
+  }, (answer) => {
+    [found, of] = [answer, asked];
+    stale(false);
+    paint();
+    figures.show(answer.figure);
+    map.show(found, of);
+  }, (problem) => {
+    spec.at(problem);
     if (!found) results.replaceChildren(problemBox(problem));
     stale(true);
   });
   /** What is shown belongs to the last specification that had an answer. @param {boolean} on */
-  const stale = (on) => [results, picked, feasible.element, figures.element].forEach((part) => part.classList.toggle("stale", on && Boolean(found)));
-  main.replaceChildren(el("div", { class: "bench two" },
-    el("section", { class: "controls", "aria-label": "Specification" }, el("h2", {}, "Specification"), fields.element, vary, el("details", {}, el("summary", {}, "Tolerances of the workshop"), spreads.element), search.element),
-    el("div", { class: "middle" }, results, picked, feasible.element, figures.element)));
-  results.append(el("p", { class: "soft" }, "State the requirement. The search ranks tubes and sleeves that you can buy or cast, or free diameters and walls where you give them; finite elements compute the final values."));
+  const stale = (on) =>
+    [results, ...map.elements, figures.element].forEach((part) => part.classList.toggle("stale", on && Boolean(found)));
+  const place = () => {
+    if (main.contains(results)) write(address("design", { ...spec.texts(), m: muscle.word() }));
+  };
 
-  async function request() {
-    const [wanted, choice, tolerance] = await Promise.all(forms.map((f) => f.read()));
-    if (!wanted || !choice || !tolerance) return undefined;
-    // An interval without a step is searched as a whole, as on the command line.
-    for (const [key, field] of [["D", "outer_diameter_mm"], ["s", "wall_mm"], ["L", "length_mm"], ["angle", "angle_deg"], ["r", "radius_mm"]]) {
-      const read = choice[field];
-      if (Array.isArray(read) && /^[^:,]+\.\.[^:,]+$/.test(choices.text(key))) choice[field] = { low: read[0], high: read[read.length - 1] };
-    }
-    // Several points or torques stand in place of the one pull; a load in place of its force.
-    if (wanted.points || wanted.torques || wanted.load) delete wanted.force_n;
-    if (wanted.points || wanted.torques || (wanted.load && wanted.stroke_mm)) delete wanted.contraction;
-    asked = { ...wanted, ...choice, figure: unitName("pressure") };
-    if (Object.keys(tolerance).length) asked.tolerance = tolerance;
-    write(address("design", Object.assign({}, ...forms.map((f) => f.texts()))));
-    return asked;
-  }
-
-  /** @param {any} answer */
-  function take(answer) {
-    found = answer;
-    of = asked;
-    stale(false);
-    paint();
-    figures.show(answer.figure);
-    map().catch((problem) => { if (problem.name !== "AbortError") feasible.element.hidden = true; });
-  }
-
-  function paint() {
+  async function paint() {
     if (!found) return;
-    const best = found.candidates[0];
-    const out = [];
-    if (best) {
-      out.push(el("h2", {}, `Outer diameter ${show("length", best.outer_diameter_mm, 4)}, wall ${show("length", best.wall_mm)}, length ${show("length", best.length_mm)}, braid ${show("angle", best.angle_deg)}`));
-      out.push(el("p", {}, `Rubber ${best.rubber}. Required pressure ${show("pressure", best.pressure_mpa, 3)}; pull ${withUncertainty("force", best.points[0].force_n, best.points[0].uncertainty_n)} at ${show("ratio", best.points[0].contraction, 3)}, blocked force ${show("force", best.blocked_force_n)}. ${best.binds ? `Limited by: ${String(best.binds).replaceAll("_", " ")}.` : ""}`));
-      out.push(warnings(found.warnings));
-      const rows = found.candidates.map((/** @type {any} */ c) => [c.tube ?? "", c.sleeve ?? "", show("length", c.outer_diameter_mm), show("length", c.wall_mm), show("length", c.length_mm), show("angle", c.angle_deg), c.rubber, show("pressure", c.pressure_mpa, 3), `${number(100 * c.margin, 2)} %`, show("length", c.bulged_diameter_mm), c.air_normal_litres ? `${number(c.air_normal_litres, 3)} L` : "–"]);
-      out.push(table(["tube", "sleeve", "D0", "s", "L0", "θ0", "rubber", "needs", "to spare", "bulged", "air per stroke"], rows, { text: [0, 1, 6], pick: (i) => open(found.candidates[i]), label: "Muscles that fit, best first" }));
-      if (best.joint) out.push(el("p", {}, `Pulley of radius ${show("length", best.joint.radius_mm, 3)}, ${show("ratio", best.joint.contraction_at_neutral, 3)} contracted at the neutral angle.`));
-      if (best.points.length > 1) out.push(table(["pull", "at", "needs"], best.points.map((/** @type {any} */ p) => [withUncertainty("force", p.force_n, p.uncertainty_n), show("ratio", p.contraction, 3), show("pressure", p.pressure_mpa, 3)]), { text: [], label: "the operating points" }));
-      if (found.tolerance?.length) out.push(table(["within the tolerances, at", "and", "least pull", "largest pull", "likely"], found.tolerance.map((/** @type {any} */ t) => [show("ratio", t.contraction, 3), show("pressure", t.pressure_mpa, 3), show("force", t.low_n), show("force", t.high_n), `± ${show("force", t.likely_n, 2)}`]), { text: [], label: "spread of the pull" }));
-      out.push(el("p", { class: "small soft" }, `${found.fitting} of ${found.looked_at} muscles fit; searched with ${found.searched_with}, computed by ${found.model}. Click one to show it.`));
-    } else if (found.closest) {
-      const c = found.closest;
-      out.push(el("h2", {}, "Nothing fits."), el("p", {}, `Closest: D0 ${show("length", c.outer_diameter_mm)}, s ${show("length", c.wall_mm)}${c.sleeve ? ` in ${c.sleeve}` : ""}: ${inWords(c.reason)}.`));
-      out.push(warnings(found.warnings));
-      if (found.excluded_by_burst) out.push(el("p", {}, `Of ${found.looked_at} muscles ${found.excluded_by_burst} burst too early; ${found.excluded_by_burst_alone} of them meet every other limit.`));
-      if (c.hint) out.push(el("p", {}, capital(inWords(c.hint))));
-      out.push(el("ul", {}, ...c.relaxations.map((/** @type {any} */ r) => el("li", {}, relaxation(r)))));
-    }
-    if (found.rejected?.length) out.push(el("details", {}, el("summary", {}, "Why others fail"), table(["D0", "s", "L0", "reason"], found.rejected.map((/** @type {any} */ r) => [show("length", r.outer_diameter_mm), show("length", r.wall_mm), show("length", r.length_mm), inWords(r.reason)]), { text: [3] })));
-    results.replaceChildren(...out);
+    const answer = found;
+    const act = { open: (/** @type {any} */ c) => {
+      location.hash = linked(c, of, { p: c.pressure_mpa, e: c.points[0].contraction });
+    }, ask(/** @type {Record<string, string>} */ words) {
+      Object.entries(words).forEach(([key, text]) => spec.put(key, text));
+      search.run();
+    } };
+    const show = (/** @type {Map<string, string>} */ known) =>
+      results.replaceChildren(...(answer.candidates[0] ? foundView(answer, known, act) : closestView(answer)),
+        ...rejectedView(answer));
+    show(new Map());
+    if (!answer.candidates.some((/** @type {any} */ c) => c.tube || c.sleeve)) return;
+    const known = await priced();
+    if (answer === found && known.size) show(known);
   }
 
-  /** @param {any} r */
-  function relaxation(r) {
-    const points = (r.points ?? []).map((/** @type {any} */ p) => `${show("force", p.force_n)} at ${show("ratio", p.contraction, 3)}`).join(", ");
-    switch (r.relax) {
-      case "max_pressure": return `Supply ${show("pressure", r.pressure_mpa, 3)}.`;
-      case "force": return `Reduce the pull to ${points}.`;
-      case "contraction": return `Reduce the requirement to ${points}.`;
-      case "outer_diameter": return `Take a tube of ${show("length", r.outer_diameter_mm)}.`;
-      default: return capital(Object.entries(r).map(([k, v]) => (k === "relax" ? String(v).replaceAll("_", " ") : `${k.replaceAll("_", " ")} ${typeof v === "number" ? number(v) : v}`)).join(": ")) + ".";
-    }
-  }
-
-  /** Feasible muscles over diameter and wall, by `universal`: the pressure that each needs, and the limit that others miss. */
-  async function map() {
-    const best = found.candidates[0] ?? found.closest;
-    // A joint is searched over its pulley too: there is no one map.
-    feasible.element.hidden = !best || Boolean(of.torques);
-    mapping.abort();
-    if (feasible.element.hidden) return;
-    const { signal } = (mapping = new AbortController());
-    const { figure, tolerance, ...rest } = of;
-    const span = (/** @type {number} */ mid, /** @type {number} */ low, /** @type {number} */ high, /** @type {number} */ n) => Array.from({ length: n }, (_, i) => Number((low * mid + ((high - low) * mid * i) / (n - 1)).toPrecision(4)));
-    // Within the sleeve, where there is one.
-    const range = muscle.sleeves.find((s) => s.name === best.sleeve);
-    const [least, most] = [range?.least_diameter_mm ?? 0, range?.largest_diameter_mm ?? Infinity].map((d) => d / best.outer_diameter_mm);
-    const D = span(best.outer_diameter_mm, Math.max(0.5, least), Math.min(1.9, most), 29), S = span(Math.max(best.wall_mm, 1.5), 0.2, 2.6, 25);
-    // With a named sleeve the diameter sets the angle; parts are varied as if any size of them were sold.
-    const part = best.sleeve && !of.braids?.length ? { rubbers: best.rubber ? [best.rubber] : undefined, braids: [best.sleeve] } : {};
-    const fixed = { length_mm: of.stroke_mm ? undefined : best.length_mm, ...(of.braids?.length || best.sleeve ? {} : { angle_deg: best.angle_deg }), ...part };
-    const answer = await engine().ask("design", { ...rest, ...fixed, outer_diameter_mm: D, wall_mm: S, model: "universal", verify: "none", extrapolate: true, top: D.length * S.length }, { signal });
-    const at = new Map(answer.candidates.map((/** @type {any} */ c) => [`${c.outer_diameter_mm},${c.wall_mm}`, c]));
-    const not = new Map((answer.rejected ?? []).map((/** @type {any} */ c) => [`${c.outer_diameter_mm},${c.wall_mm}`, c]));
-    const limits = [...new Set([...not.values()].map((c) => c.limit ?? "no answer"))];
-    const pressures = S.map((s) => D.map((d) => { const c = at.get(`${d},${s}`); return c ? outside("pressure", c.pressure_mpa) : null; }));
-    const missed = S.map((s) => D.map((d) => { const c = not.get(`${d},${s}`); return c ? limits.indexOf(c.limit ?? "no answer") : null; }));
-    const tints = limits.map((_, i) => /** @type {[number, string]} */ ([limits.length > 1 ? i / (limits.length - 1) : 0, KINDS[(i + 1) % KINDS.length]]));
-    const [x, y] = [D.map((d) => outside("length", d)), S.map((s) => outside("length", s))];
-    const names = missed.map((row) => row.map((i) => (i === null ? "" : String(limits[i]).replaceAll("_", " "))));
-    const ramp = [[0, "rgb(33,144,141)"], [0.5, "rgb(92,200,99)"], [1, "rgb(253,231,37)"]];
-    feasible.element.hidden = false;
-    feasible.show({
-      x: `outer diameter D0 [${unitName("length")}]`, y: `wall s [${unitName("length")}]`, z: `required pressure [${unitName("pressure")}], or missed limit`, yaxis: {}, series: [],
-      data: [
-        { type: "heatmap", name: "misses", x, y, z: missed, text: names, hovertemplate: "%{x}, %{y}: misses %{text}<extra></extra>", colorscale: tints.length > 1 ? tints : [[0, KINDS[1]], [1, KINDS[1]]], zmin: 0, zmax: Math.max(1, limits.length - 1), showscale: false, opacity: 0.35 },
-        { type: "contour", name: "needs", x, y, z: pressures, colorscale: ramp, contours: { showlabels: true, labelfont: { color: "#000" } }, line: { width: 1, color: "#333" }, colorbar: { title: { text: `P [${unitName("pressure")}]` }, tickfont: { color: token("--ink") } }, hovertemplate: `%{x}, %{y}: requires %{z:.3g} ${unitName("pressure")}<extra></extra>`, connectgaps: false },
-      ],
-      marks: [{ x: outside("length", best.outer_diameter_mm), y: outside("length", best.wall_mm), text: "best" }],
-      layout: { annotations: limits.map((limit, i) => place(limit, missed, i, x, y)).filter(Boolean) },
-    });
-  }
-
-  /** The name of a limit in the middle of the cells that miss it. @param {string} limit @param {(number | null)[][]} cells @param {number} which @param {number[]} x @param {number[]} y */
-  function place(limit, cells, which, x, y) {
-    const hit = cells.flatMap((row, j) => row.flatMap((v, i) => (v === which ? [[i, j]] : [])));
-    if (hit.length < 8) return null;
-    const middle = (/** @type {number} */ k) => hit.reduce((sum, c) => sum + c[k], 0) / hit.length;
-    const [ci, cj] = [middle(0), middle(1)];
-    const near = hit.reduce((a, b) => (Math.hypot(b[0] - ci, b[1] - cj) < Math.hypot(a[0] - ci, a[1] - cj) ? b : a));
-    return { x: x[near[0]], y: y[near[1]], text: `misses ${limit.replaceAll("_", " ")}`, showarrow: false, font: { color: token("--ink"), size: 13 }, bgcolor: token("--paper"), opacity: 0.85 };
-  }
-
-  /** @param {number} x @param {number} y */
-  function pickOnMap(x, y) {
-    const best = found?.candidates[0] ?? found?.closest;
-    if (!best) return;
-    const scale = outside("length", 1);
-    const [d, s] = [Number((x / scale).toPrecision(3)), Number((y / scale).toPrecision(2))];
-    const link = linked({ ...best, outer_diameter_mm: d, wall_mm: s }, { p: found.max_pressure_mpa, e: best.points?.[0]?.contraction ?? 0.1 });
-    picked.replaceChildren(`D0 ${show("length", d)}, s ${show("length", s)}: `, el("a", { href: link }, "see this muscle"));
-  }
-
-  /** The address of a muscle of the search: that muscle, and nothing of the one on the page Muscle. @param {any} c @param {{ p: number, e: number }} at */
-  function linked(c, at) {
-    const before = muscle.state;
-    muscle.state = candidate(c, of, at);
-    const link = address("muscle", muscle.params());
-    muscle.state = before;
-    return link;
-  }
-
-  /** @param {any} c */
-  function open(c) {
-    location.hash = linked(c, { p: c.pressure_mpa, e: c.points[0].contraction });
-  }
-
-  const off = onUnits(() => { paint(); });
+  main.replaceChildren(
+    el("div", { class: "bench two" },
+      el("section", { class: "controls", "aria-label": "Specification" }, el("h2", {}, "Specification"),
+        ...spec.elements, search.element), el("div", { class: "middle" }, results, ...map.elements, figures.element)),
+  );
+  atEnd(onUnits(() => {
+    paint();
+    map.draw();
+  }));
   return {
     /** @param {URLSearchParams} params */
     async load(params) {
-      // The muscle's own words mean other things here: a link to a specification has none of its pressure.
-      if (params.has("p")) params = new URLSearchParams();
-      forms.forEach((f) => f.set(params));
-      await muscle.known();
-      choices.options("braid", muscle.sleeves.map((s) => s.name));
-      offer();
+      // The muscle's own words mean other things here: it is one word. Links of before have its words alone.
+      const own = params.get("m"), old = !own && params.has("p");
+      if (own || old) await muscle.read(own ? new URLSearchParams(own) : params);
+      else await Promise.all([muscle.known(), muscle.shown ?? muscle.look()]);
+      spec.set(old ? new URLSearchParams() : params);
+      spec.options("braid", muscle.sleeves.map((s) => s.name));
+      spec.offer();
       await search.run();
     },
-    unmount() { off(); search.end(); mapping.abort(); },
+    unmount() {
+      search.end();
+      map.end();
+    },
   };
 }

@@ -1,176 +1,321 @@
 // A joint with two of this muscle against each other: pressures by dragging the arm, torques, and what it reaches.
 import { Slot, understood } from "../ask.js";
 import { address, write } from "../address.js";
-import { Chart, KINDS, isDark, viridis } from "../chart.js";
+import { Chart } from "../chart.js";
 import { fileField, quantity } from "../controls.js";
+import { pack } from "../deflate.js";
 import { el, problemBox } from "../dom.js";
 import { job, warnings } from "../form.js";
+import { jointOfFile, stated } from "../joint-file.js";
+import { jointDrawing } from "../joint-drawing.js";
+import { angleAt, numbersView, reachChart, torqueChart } from "../joint-view.js";
+import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { joint } from "../state.js";
-import { number, onUnits, outside, show, typed, unitName } from "../units.js";
+import { onUnits, typed } from "../units.js";
 
 /** Words of the address, and what kind of quantity each is; `k` is that of the muscle's strands. */
-const KINDS_OF = /** @type {const} */ ({ r: "length", range: "angle", e0: "ratio", phi: "angle", K: "angular-stiffness", pmax: "pressure" });
-const SECOND = "file2";
+const KINDS_OF =
+  /** @type {const} */ ({ r: "length", range: "angle", e0: "ratio", phi: "angle", K: "angular-stiffness",
+    pmax: "pressure" });
+const USUAL = { r: 25, range: 60, e0: 0.12, phi: 20, K: 5, pmax: 0.5 };
+/** @typedef {keyof typeof KINDS_OF} Key */
+const KEYS = /** @type {Key[]} */ (Object.keys(KINDS_OF));
+/** Files of the address: of the joint, and of muscle 2 where it is another one. */
+const FILES = /** @type {const} */ (["joint", "file2"]);
+/** What a joint file states too. */
+const IN_FILE = /** @type {const} */ (["r", "range", "e0"]);
 
-/** @param {HTMLElement} main */
-export function mount(main) {
-  const v = { r: 25, range: 60, e0: 0.12, phi: 20, K: 5, pmax: 0.5 };
-  /** @type {any} */ let point;
-  /** @type {any} */ let family;
-  const controls = /** @type {Record<string, any>} */ ({});
-  const make = (/** @type {string} */ key, /** @type {string} */ label, /** @type {import("../units.js").Kind} */ kind, /** @type {number} */ low, /** @type {number} */ high, symbol = "") => {
-    controls[key] = quantity({ label, symbol, kind, low, high, value: /** @type {any} */ (v)[key], change(value, settled) { /** @type {any} */ (v)[key] = value; ask(settled); } });
+/**
+ * The controls.
+ * @param {typeof USUAL} v
+ * @param {{ changed: (key: Key, settled: boolean) => void, takeSecond: (text: string) => void, takeJoint: (text:
+ *   string) => void }} act
+ */
+function controlsOf(v, { changed, takeSecond, takeJoint }) {
+  const controls = /** @type {Record<Key, ReturnType<typeof quantity>>} */ ({});
+  const make = (/** @type {Key} */ key, /** @type {string} */ label, /** @type {number} */ low,
+    /** @type {number} */ high, symbol = "") =>
+  {
+    controls[key] = quantity({ key, label, symbol, kind: KINDS_OF[key], low, high, value: v[key],
+      change(value, settled) {
+        if (value !== undefined) {
+          v[key] = value;
+          changed(key, settled);
+        }
+      } });
     return controls[key].element;
   };
-  const which = el("p", { class: "small soft" });
-  /** The file of muscle 2, where it is another one. */
-  let second = "";
-  /** The file that says what the muscle of the page Muscle is. */
-  let first = "";
-  const back = el("button", { type: "button", hidden: true, onclick: () => takeSecond("", "") }, "Use the same muscle twice");
-  const controlsBox = el("section", { class: "controls", "aria-label": "Joint" },
-    el("fieldset", { class: "state" }, el("legend", {}, "Required"), make("phi", "Angle", "angle", -60, 60, "φ"), make("K", "Stiffness", "angular-stiffness", 0, 30), el("p", { class: "small soft" }, "A stiffness of 0 selects the lowest pressures.")),
-    el("fieldset", {}, el("legend", {}, "Joint"), make("r", "Radius of the pulley", "length", 5, 80, "r"), make("range", "Range to either side", "angle", 10, 120), make("e0", "Contraction at the neutral angle", "ratio", 0, 0.25), make("pmax", "Pressure of the supply", "pressure", 0.05, 1)),
-    which,
-    el("details", {}, el("summary", {}, "Another muscle 2"), el("p", { class: "small soft" }, "Both muscles are that of the page Muscle, unless you open a file."), fileField("Open muscle 2 (TOML)", ".toml", takeSecond), back));
-  const arm = el("div", { class: "stage", role: "img", "aria-label": "The joint" });
-  const numbers = el("section", { class: "numbers", "aria-label": "Numbers" });
-  const said = el("div", {});
-  const torque = new Chart("joint-torque", { tools: el("h3", {}, "Torque over the angle"), drag(x, _, settled) { v.phi = clamp(x); controls.phi.set(v.phi); ask(settled); } });
-  const reach = new Chart("joint-map", { tools: el("h3", {}, "Reachable stiffness") });
-  const map = job("Map of the reachable states", "joint", async () => ({ ...request(), map: 25, max_pressure_mpa: v.pmax }), (answer) => drawMap(answer.map));
-  main.replaceChildren(el("div", { class: "bench" }, controlsBox, el("div", { class: "middle" }, arm, el("div", { class: "charts" }, torque.element, reach.element), map.element), el("div", { class: "side" }, said, numbers)));
-
-  const stale = (/** @type {boolean} */ on) => [arm, numbers].forEach((part) => part.classList.toggle("stale", on));
-  let settling = 0, asking = 0, decided = 0;
-  const pointSlot = new Slot(), elementSlot = new Slot(), familySlot = new Slot();
-  const clamp = (/** @type {number} */ phi) => Math.max(-v.range, Math.min(v.range, Math.round(phi)));
-
-  const request = () => ({ ...joint(first, second, v), model: "universal", extrapolate: true });
-
-  /** @param {boolean} settled */
-  function ask(settled) {
-    controls.phi.reach(-v.range, v.range);
-    const wanted = { angles_deg: [v.phi], max_pressure_mpa: v.pmax, ...(v.K > 0 ? { stiffness_nm_per_rad: v.K } : {}) };
-    const take = (/** @type {any} */ answer) => {
-      stale(false);
-      said.replaceChildren(warnings(answer.warnings));
-      point = { ...answer.points[0], model: answer.model, words: answer.uncertainty_text };
-      paint();
-    };
-    const fail = (/** @type {any} */ problem) => {
-      said.replaceChildren(problemBox(problem));
-      if (point) stale(true);
-      else drawArm();
-    };
-    const mine = ++asking;
-    pointSlot.ask("joint", { ...request(), ...wanted }, (answer) => { if (decided !== mine) take(answer); }, (problem) => { if (decided !== mine) fail(problem); });
-    // What stays is what finite elements say.
-    clearTimeout(settling);
-    elementSlot.end();
-    if (settled) settling = window.setTimeout(() => elementSlot.ask("joint", { ...request(), model: "fe", extrapolate: false, ...wanted }, (answer) => { decided = mine; take(answer); }, (problem) => { decided = mine; fail(problem); }), 50);
-    const angles = Array.from({ length: 25 }, (_, i) => -v.range + (2 * v.range * i) / 24);
-    const pairs = [[1, 0], [0.75, 0.25], [0.5, 0.5], [0.25, 0.75], [0, 1]].map((pair) => pair.map((x) => x * v.pmax));
-    familySlot.ask("joint", { ...request(), pressures_mpa: pairs, angles_deg: angles }, (answer) => { family = { answer, angles, pairs }; drawFamily(); }, () => {});
-    if (settled) write(address("joint", { ...muscle.params(), ...own() }));
-  }
-
-  /** @param {string} _name @param {string} text */
-  function takeSecond(_name, text) {
-    second = text;
-    back.hidden = !text;
-    ask(true);
-  }
-
-  const own = () => Object.fromEntries([...Object.entries(KINDS_OF).map(([key, kind]) => [key, typed(kind, /** @type {any} */ (v)[key])]), [SECOND, second]]);
-
-  function paint() {
-    drawArm();
-    drawFamily();
-    if (!point) return numbers.replaceChildren();
-    const half = (/** @type {number | undefined} */ u) => (u ? ` ± ${number(u, 2)}` : "");
-    const rows = [
-      ["pressure of muscle 1", show("pressure", point.pressure_1_mpa, 3)], ["pressure of muscle 2", show("pressure", point.pressure_2_mpa, 3)],
-      ["stiffness", `${number(point.stiffness_nm_per_rad, 3)}${half(point.stiffness_uncertainty_nm_per_rad)} N m/rad`], ["pulls", `${show("force", point.force_1_n, 3)}, ${show("force", point.force_2_n, 3)}`],
-      ["contractions", `${show("ratio", point.contraction_1, 3)}, ${show("ratio", point.contraction_2, 3)}`],
-    ];
-    numbers.replaceChildren(el("dl", {}, el("dt", { class: "head" }, "rests at"), el("dd", { class: "head" }, `${number(point.angle_deg, 3)}${half(point.angle_uncertainty_deg)}°`), ...rows.flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)])),
-      el("p", { class: "small soft" }, `${second ? "Muscle 2 is that of its file." : "Both muscles are those of the page Muscle."} Pressures by ${point.model}; curves and map by universal.${point.words ? ` The ± of the torque ${point.words}.` : ""}`));
-  }
-
-  // The arm: dragged about its axis.
-  function drawArm() {
-    const phi = ((point?.angle_deg ?? v.phi) * Math.PI) / 180;
-    const [cx, cy, R, far] = [0, 0, 26, 120];
-    const tip = [cx + far * Math.cos(phi), cy - far * Math.sin(phi)];
-    const tube = (/** @type {number} */ y, /** @type {number} */ e, /** @type {number} */ share, /** @type {string} */ text) => {
-      const short = 150 * (1 - (e ?? 0)), x0 = -190, fat = 6 + 26 * Math.max(0, e ?? 0) + 3 * share;
-      return `<path d="M${x0} ${y - 5}q8 ${-fat} ${short / 2} ${-fat}t${short / 2} ${fat}v10q-8 ${fat} ${-short / 2} ${fat}t${-short / 2} ${-fat}z" fill="${isDark() ? viridis(0.25 + 0.75 * share, 1) : viridis(share)}" stroke="currentColor"/><path d="M${x0 + short} ${y}L0 ${y}" stroke="currentColor" fill="none"/><text x="${x0}" y="${y < 0 ? y - 26 : y + 38}" font-size="11" fill="currentColor">${text}</text>`;
-    };
-    const p = point;
-    const label = (/** @type {number} */ i) => (p ? `${i}: ${show("pressure", i === 1 ? p.pressure_1_mpa : p.pressure_2_mpa, 3)}` : String(i));
-    arm.innerHTML = `<svg class="section" viewBox="-210 -140 360 280"><g stroke-width="1.5">${tube(-R, p?.contraction_1, p ? p.pressure_1_mpa / v.pmax : 0, label(1))}${tube(R, p?.contraction_2, p ? p.pressure_2_mpa / v.pmax : 0, label(2))}<circle r="${R}" fill="none" stroke="currentColor"/><path d="M0 0L${tip[0]} ${tip[1]}" stroke="currentColor" stroke-width="7" stroke-linecap="round"/><circle cx="${tip[0]}" cy="${tip[1]}" r="8" fill="${KINDS[1]}"/></g></svg>`;
-  }
-  let on = false;
-  const turn = (/** @type {PointerEvent} */ event, /** @type {boolean} */ settled) => {
-    const svg = arm.querySelector("svg");
-    const matrix = svg?.getScreenCTM()?.inverse();
-    if (!svg || !matrix) return;
-    const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix);
-    v.phi = clamp((Math.atan2(-at.y, at.x) * 180) / Math.PI);
-    controls.phi.set(v.phi);
-    ask(settled);
-  };
-  arm.addEventListener("pointerdown", (event) => { on = true; arm.setPointerCapture(event.pointerId); turn(event, false); });
-  arm.addEventListener("pointermove", (event) => on && turn(event, false));
-  arm.addEventListener("pointerup", (event) => { if (on) turn(event, true); on = false; });
-
-  function drawFamily() {
-    if (!family) return;
-    const { answer, angles, pairs } = family;
-    const series = pairs.map((/** @type {number[]} */ pair, /** @type {number} */ i) => {
-      const rows = answer.points.slice(i * angles.length, (i + 1) * angles.length);
-      const name = pair.map((p) => number(outside("pressure", p), 3)).join(" | ") + " " + unitName("pressure");
-      return { name, end: name, colour: KINDS[i], x: angles, y: rows.map((/** @type {any} */ q) => q.torque_nm) };
-    });
-    torque.show({ x: "angle φ [°]", y: "torque [N m]", yaxis: {}, series, marks: point ? [{ x: point.angle_deg, y: point.torque_nm ?? 0, text: "required" }] : [] });
-  }
-
-  /** @param {any} found */
-  function drawMap(found) {
-    if (!found) return;
-    found.points = found.points.filter(Boolean);
-    const colour = (/** @type {any} */ q) => q.pressures_mpa.reduce((/** @type {number} */ a, /** @type {number} */ b) => a + b, 0) / 2;
-    reach.show({
-      x: "rest angle φ [°]", y: "stiffness [N m/rad]", z: `mean pressure [${unitName("pressure")}]`, series: [],
-      data: [{ type: "scatter", name: "reached", mode: "markers", showlegend: false, x: found.points.map((/** @type {any} */ q) => q.angle_deg), y: found.points.map((/** @type {any} */ q) => q.stiffness_nm_per_rad), marker: { size: 5, color: found.points.map((/** @type {any} */ q) => outside("pressure", colour(q))), colorscale: "Viridis", colorbar: { title: { text: `mean pressure [${unitName("pressure")}]` } } }, hovertemplate: "%{x:.3g}°, %{y:.3g} N m/rad<extra></extra>" }],
-    });
-  }
-
-  const off = onUnits(() => paint());
+  const which = el("p", { class: "small soft" }), ofFile = el("p", { class: "small soft" });
+  const back = el("button", { type: "button", hidden: true, onclick: () => takeSecond("") },
+    "Use the same muscle twice");
+  const leave = el("button", { type: "button", hidden: true, onclick: () => takeJoint("") }, "Close the joint file");
+  const element = el("section", { class: "controls", "aria-label": "Joint" },
+    el("fieldset", { class: "state" }, el("legend", {}, "Required"), make("phi", "Angle", -60, 60, "φ"),
+      make("K", "Stiffness", 0, 30),
+      el("p", { class: "small soft" }, "A stiffness of 0 selects the lowest pressures.")),
+    el("fieldset", {}, el("legend", {}, "Joint"), make("r", "Radius of the pulley", 5, 80, "r"),
+      make("range", "Range to either side", 10, 120), make("e0", "Contraction at the neutral angle", 0, 0.25),
+      make("pmax", "Pressure of the supply", 0.05, 1)), which,
+    el("details", {}, el("summary", {}, "Another muscle 2"),
+      el("p", { class: "small soft" }, "Both muscles are that of the page Muscle, unless you open a file."),
+      fileField("Open muscle 2 (TOML)", ".toml", (_, text) => takeSecond(text)), back),
+    el("details", {}, el("summary", {}, "Joint file"), ofFile,
+      fileField("Open a joint file (TOML)", ".toml", (_, text) => takeJoint(text)), leave));
   return {
-    /** @param {URLSearchParams} params */
-    async load(params) {
-      // Links of before have the stiffness of the joint under the name of that of the strands.
-      if (/rad/.test(params.get("k") ?? "")) { params.set("K", params.get("k") ?? ""); params.delete("k"); }
-      await muscle.read(params, [...Object.keys(KINDS_OF), SECOND]);
+    element,
+    controls,
+    /** @param {{ joint: string, file2: string }} files */
+    show({ joint: file, file2 }) {
+      back.hidden = !file2;
+      leave.hidden = !file;
+      ofFile.textContent = file
+        ? "A joint file is open: its spring, weight and friction count; pulley, range and neutral contraction can "
+          + "be changed above."
+        : "A joint file can state a spring, the weight of the arm, and more.";
       which.textContent = `The muscle: ${muscle.line()}. Change it on the page Muscle.`;
-      second = params.get(SECOND) ?? "";
-      back.hidden = !second;
-      const asked = Object.keys(KINDS_OF).filter((key) => params.has(key));
-      const readings = await understood(asked.map((key) => ({ text: params.get(key) ?? "", kind: /** @type {any} */ (KINDS_OF)[key] })));
-      asked.forEach((key, i) => { if (!readings[i].problem) /** @type {any} */ (v)[key] = readings[i].value; });
-      for (const key of Object.keys(controls)) controls[key].set(/** @type {any} */ (v)[key]);
-      try {
-        first = await muscle.file();
-      } catch (problem) {
-        stale(true);
-        return void said.replaceChildren(problemBox(problem));
-      }
-      ask(true);
-      map.run();
     },
-    unmount() { off(); clearTimeout(settling); map.end(); [pointSlot, elementSlot, familySlot].forEach((slot) => slot.end()); },
   };
 }
+
+/**
+ * The arm is dragged about its axis.
+ * @param {HTMLElement} arm
+ * @param {(angle: number, settled: boolean) => void} turned
+ */
+function turning(arm, turned) {
+  let on = false;
+  const turn = (/** @type {PointerEvent} */ event, /** @type {boolean} */ settled) => {
+    const angle = angleAt(arm, event);
+    if (angle !== undefined) turned(angle, settled);
+  };
+  arm.addEventListener("pointerdown", (event) => {
+    on = true;
+    arm.setPointerCapture(event.pointerId);
+    turn(event, false);
+  });
+  arm.addEventListener("pointermove", (event) => on && turn(event, false));
+  arm.addEventListener("pointerup", (event) => {
+    if (on) turn(event, true);
+    on = false;
+  });
+}
+
+/**
+ * Questions about a joint: a point, by formulas while one drags and by finite elements at rest, and its family of
+ * torques.
+ * @param {{ take: (answer: any) => void, fail: (problem: any) => void, family: (family: any) => void }} act
+ */
+function questions({ take, fail, family }) {
+  let settling = 0, asking = 0, decided = 0;
+  const point = new Slot(), elements = new Slot(), curves = new Slot();
+  return {
+    /** @param {any} request @param {typeof USUAL} v @param {boolean} settled */
+    ask(request, v, settled) {
+      const mine = ++asking,
+        wanted = { angles_deg: [v.phi], max_pressure_mpa: v.pmax, ...(v.K > 0 ? { stiffness_nm_per_rad: v.K } : {}) };
+      point.ask("joint", { ...request, ...wanted }, (answer) => {
+        if (decided !== mine) take(answer);
+      }, (problem) => {
+        if (decided !== mine) fail(problem);
+      });
+      // What stays is what finite elements say.
+      clearTimeout(settling);
+      elements.end();
+      const last = () =>
+        elements.ask("joint", { ...request, model: "fe", extrapolate: false, ...wanted }, (answer) => {
+          decided = mine;
+          take(answer);
+        }, (problem) => {
+          decided = mine;
+          fail(problem);
+        });
+      if (settled) settling = window.setTimeout(last, 50);
+      const angles = Array.from({ length: 25 }, (_, i) => -v.range + (2 * v.range * i) / 24);
+      const pairs = [[1, 0], [0.75, 0.25], [0.5, 0.5], [0.25, 0.75], [0, 1]].map((pair) => pair.map((x) => x * v.pmax));
+      curves.ask("joint", { ...request, pressures_mpa: pairs, angles_deg: angles },
+        (answer) => family({ answer, angles, pairs }), () => {});
+    },
+    end() {
+      clearTimeout(settling);
+      [point, elements, curves].forEach((slot) => slot.end());
+    },
+  };
+}
+
+class JointPage {
+  files = { joint: "", file2: "" };
+  v = { ...USUAL };
+  /** What was typed over the joint file. @type {Set<string>} */ over = new Set();
+  /** @type {any} */ #point;
+  /** @type {any} */ #family;
+  /** @type {any} */ #reached;
+  /** The file that says what the muscle of the page Muscle is. */
+  #first = "";
+
+  /** @param {HTMLElement} main */
+  constructor(main) {
+    this.arm = el("div", { class: "stage", role: "img", "aria-label": "The joint" });
+    this.numbers = el("section", { class: "numbers", "aria-label": "Numbers" });
+    this.said = el("div", {});
+    this.bench = controlsOf(this.v, {
+      changed: (key, settled) => {
+        this.over.add(key);
+        this.#ask(settled);
+      },
+      takeSecond: (text) => this.#takeSecond(text),
+      takeJoint: (text) => this.#takeJoint(text),
+    });
+    this.torque = new Chart("joint-torque", { tools: el("h2", {}, "Torque over the angle"),
+      drag: (x, _, settled) => this.#turned(x, settled) });
+    this.reach = new Chart("joint-map", { tools: el("h2", {}, "Reachable stiffness") });
+    const question = async () => ({ ...this.#request(), map: 25, max_pressure_mpa: this.v.pmax });
+    this.map = job("Map of the reachable states", "joint", question, ({ map }) => this.#mapped(map));
+    this.asks = questions({
+      take: (answer) => this.#take(answer),
+      fail: (problem) => this.#fail(problem),
+      family: (family) => {
+        this.#family = family;
+        this.torque.show(torqueChart(family, this.#point));
+      },
+    });
+    const charts = el("div", { class: "charts" }, this.torque.element, this.reach.element);
+    main.replaceChildren(el("div", { class: "bench" }, this.bench.element,
+      el("div", { class: "middle" }, this.arm, charts, this.map.element),
+      el("div", { class: "side" }, this.said, this.numbers)));
+    turning(this.arm, (angle, settled) => this.#turned(angle, settled));
+    atEnd(onUnits(() => {
+      this.#paint();
+      this.#mapped(this.#reached);
+      this.#place(true);
+    }));
+  }
+
+  /** @param {string} text a muscle file */
+  async #takeSecond(text) {
+    await pack(text);
+    this.files.file2 = text;
+    this.bench.show(this.files);
+    this.#ask(true);
+  }
+  /** @param {string} text a joint file */
+  async #takeJoint(text) {
+    await pack(text);
+    this.files.joint = text;
+    this.over = new Set();
+    await this.#fromFile();
+    this.bench.show(this.files);
+    this.#ask(true);
+    this.map.run();
+  }
+  /** @param {number} angle @param {boolean} settled */
+  #turned(angle, settled) {
+    const { v } = this;
+    v.phi = Math.max(-v.range, Math.min(v.range, Math.round(angle)));
+    this.bench.controls.phi.set(v.phi);
+    this.#ask(settled);
+  }
+
+  #request() {
+    const { files, over, v } = this, first = this.#first;
+    const put = Object.fromEntries(IN_FILE.filter((key) => over.has(key)).map((key) => [key, v[key]]));
+    const of = files.joint ? jointOfFile(files.joint, first, files.file2, put) : joint(first, files.file2, v);
+    return { ...of, model: "universal", extrapolate: true };
+  }
+  /** @param {boolean} settled */
+  #ask(settled) {
+    this.bench.controls.phi.reach(-this.v.range, this.v.range);
+    this.asks.ask(this.#request(), this.v, settled);
+    if (settled) this.#place();
+  }
+  /** What a joint file states is not in the address twice. */
+  #place(replace = false) {
+    const { files, over, v } = this, inFile = /** @type {readonly string[]} */ (IN_FILE);
+    const said = KEYS.filter((key) => !files.joint || !inFile.includes(key) || over.has(key));
+    const own = Object.fromEntries(said.map((key) => [key, typed(KINDS_OF[key], v[key])]));
+    write(address("joint", { ...muscle.params(), ...own, ...files }), replace);
+  }
+
+  /** @param {any} answer */
+  #take(answer) {
+    this.#stale(false);
+    this.said.replaceChildren(warnings(answer.warnings));
+    this.#point = { ...answer.points[0], model: answer.model, words: answer.uncertainty_text };
+    this.#paint();
+  }
+  /** @param {any} problem */
+  #fail(problem) {
+    this.said.replaceChildren(problemBox(problem));
+    if (this.#point) this.#stale(true);
+    else this.#drawArm();
+  }
+  /** @param {any} map */
+  #mapped(map) {
+    this.#reached = map;
+    if (map) this.reach.show(reachChart(map));
+  }
+  /** @param {boolean} on */
+  #stale(on) { [this.arm, this.numbers].forEach((part) => part.classList.toggle("stale", on)); }
+  #drawArm() {
+    const { length_mm: length = 285, outer_diameter_mm: diameter = 30, angle_deg: angle = 28 } = muscle.shown ?? {};
+    const { v } = this, point = this.#point;
+    const drawing = jointDrawing(point, point?.angle_deg ?? v.phi, v.pmax, { ...v, length, diameter, angle });
+    this.arm.innerHTML = drawing;
+  }
+  #paint() {
+    const point = this.#point;
+    const which = this.files.file2 ? "Muscle 2 is that of its file." : "Both muscles are those of the page Muscle.";
+    this.#drawArm();
+    if (this.#family) this.torque.show(torqueChart(this.#family, point));
+    this.numbers.replaceChildren(...(point ? numbersView(point, which) : []));
+  }
+
+  /** Values that the joint file states. */
+  async #fromFile() {
+    const own = IN_FILE.filter((key) => !this.over.has(key));
+    Object.assign(this.v, Object.fromEntries(own.map((key) => [key, USUAL[key]])));
+    const of = this.files.joint ? stated(this.files.joint) : {};
+    await this.#readInto(own.filter((key) => of[key]).map((key) => [key, of[key] ?? ""]));
+  }
+  /** @param {[Key, string][]} texts */
+  async #readInto(texts) {
+    const list = texts.map(([key, text]) => ({ text, kind: KINDS_OF[key], list: text.includes("..") }));
+    const readings = await understood(list);
+    texts.forEach(([key], i) => {
+      const { problem, value, values } = readings[i];
+      if (!problem) this.v[key] = values ? Math.max(...values.map(Math.abs)) : value;
+    });
+    for (const key of KEYS) this.bench.controls[key].set(this.v[key]);
+  }
+
+  /** @param {URLSearchParams} params */
+  async load(params) {
+    // Links of before have the stiffness of the joint under the name of that of the strands.
+    if (/rad/.test(params.get("k") ?? "")) {
+      params.set("K", params.get("k") ?? "");
+      params.delete("k");
+    }
+    await muscle.read(params, [...KEYS, ...FILES]);
+    for (const key of FILES) this.files[key] = params.get(key) ?? "";
+    this.over = new Set(KEYS.filter((key) => params.has(key)));
+    Object.assign(this.v, USUAL);
+    await this.#fromFile();
+    await this.#readInto(KEYS.filter((key) => params.has(key)).map((key) => [key, params.get(key) ?? ""]));
+    this.bench.show(this.files);
+    try {
+      this.#first = await muscle.file();
+    } catch (problem) {
+      this.#stale(true);
+      return void this.said.replaceChildren(problemBox(problem));
+    }
+    this.#ask(true);
+    this.map.run();
+  }
+  unmount() {
+    this.asks.end();
+    this.map.end();
+  }
+}
+
+/** @param {HTMLElement} main */
+export const mount = (main) => new JointPage(main);

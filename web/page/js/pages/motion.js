@@ -1,84 +1,81 @@
-// A step on a valve, with the muscle moving.
+// A step on a valve, or the commands of a drive file, with the muscle moving.
 import { Slot } from "../ask.js";
 import { address, write } from "../address.js";
-import { Chart, KINDS } from "../chart.js";
-import { el } from "../dom.js";
-import { form, job, table, warnings } from "../form.js";
+import { Chart } from "../chart.js";
+import { fileField } from "../controls.js";
+import { pack } from "../deflate.js";
+import { el, problemBox } from "../dom.js";
+import { form, job, warnings } from "../form.js";
+import { example } from "../gallery.js";
+import { jointOfFile } from "../joint-file.js";
+import { wordsOf } from "../kept.js";
+import { atEnd, held } from "../life.js";
+import { figures, pressureChart, stateAt, stateLine, wayChart } from "../motion-view.js";
 import { muscle } from "../muscle.js";
-import { motion } from "../state.js";
-import { number, onUnits, outside, show, unitName } from "../units.js";
+import { joint, motion } from "../state.js";
+import { onUnits } from "../units.js";
 import { View, reach } from "../view3d.js";
 
-/** @param {HTMLElement} main */
-export function mount(main) {
+const DRIVE = "drive";
+/** @type {import("../form.js").Field[]} */
+const STEP = [
+  { key: "to", field: "pressure_mpa", label: "Step to", kind: "pressure", value: "3 bar" },
+  { key: "supply", field: "supply_mpa", label: "Supply", kind: "pressure", value: "6 bar" },
+  { key: "valve", field: "valve", label: "Valve", value: "0.5 L/(s bar)" },
+  { key: "load", field: "load", label: "Load", value: "mass:10kg" },
+  { key: "damping", field: "damping_n_s_per_m", label: "Damping", kind: "damping", value: "200 N s/m" },
+  { key: "until", field: "until_s", label: "Until", kind: "time", value: "2 s" },
+  { key: "model", field: "model", label: "Model", options: [["fe", "fe"], ["universal", "universal"]], value: "fe" },
+];
+const STEP_KEYS = STEP.map(({ key }) => key).filter((key) => key !== "model");
+
+/**
+ * A drive file with the muscle of the page, or with the joint of the page Joint.
+ * @param {string} text
+ * @param {string} file
+ * @param {string | undefined} model
+ */
+function driven(text, file, model) {
+  const drive = { name: "drive.toml", text }, ofJoint = /^\s*joint\s*=/m.test(text);
+  if (!ofJoint) {
+    const [, name = "muscle.toml"] = /^\s*muscle\s*=\s*"([^"]+)"/m.exec(text) ?? [];
+    return { drive, muscle: { name, text: file }, model };
+  }
+  const { joint: own, file2 = "" } = wordsOf("joint");
+  return { drive, ...(own ? jointOfFile(own, file, file2, {}) : joint(file, file2, { r: 25, range: 60, e0: 0.12 })),
+    model };
+}
+
+/** The muscle in space at every time of a run, and the time that is shown. */
+function player() {
+  const stage = el("div", { class: "stage" }), clock = el("p", { class: "say" });
+  stage.append(clock);
+  const view = held(/** @type {View & { destroy?: () => void }} */ (new View(stage))),
+    slot = new Slot({ lane: "state" });
   /** @type {any} */ let run;
   let frame = 0;
-  const fields = form([
-    { key: "to", field: "pressure_mpa", label: "Step to", kind: "pressure", value: "3 bar" },
-    { key: "supply", field: "supply_mpa", label: "Supply", kind: "pressure", value: "6 bar" },
-    { key: "valve", field: "valve", label: "Valve", value: "0.5 L/(s bar)" },
-    { key: "load", field: "load", label: "Load", value: "mass:10kg" },
-    { key: "damping", field: "damping_n_s_per_m", label: "Damping", kind: "damping", value: "200 N s/m" },
-    { key: "until", field: "until_s", label: "Until", kind: "time", value: "2 s" },
-    { key: "model", field: "model", label: "Model", options: [["fe", "fe"], ["universal", "universal"]], value: "fe" },
-  ], () => go.run());
-  const stage = el("div", { class: "stage" });
-  const clock = el("p", { class: "say" });
-  stage.append(clock);
-  const view = new View(stage);
-  const slot = new Slot({ lane: "state" });
-  const slider = el("input", { type: "range", min: 0, max: 1000, value: 0, "aria-label": "Time", oninput: () => { stop(); at(Number(slider.value) / 1000); } });
+  const slider = el("input", { type: "range", min: 0, max: 1000, value: 0, "aria-label": "Time", oninput: () => {
+    stop();
+    at(Number(slider.value) / 1000);
+  } });
   const play = el("button", { type: "button", onclick: () => (frame ? stop() : start()) }, "Play");
-  const pressure = new Chart("motion-pressure", { tools: el("h3", {}, "Pressure") });
-  const way = new Chart("motion-contraction", { tools: el("h3", {}, "Contraction") });
-  const numbers = el("div", {});
-  const go = job("Run", "motion", request, (answer) => { run = answer; stale(false); paint(); start(); }, (problem) => { fields.at(problem); stale(true); });
-  const which = el("p", { class: "small soft" });
-  main.replaceChildren(el("div", { class: "bench two" },
-    el("section", { class: "controls", "aria-label": "Step" }, el("h2", {}, "A step on a valve"), fields.element, go.element, which, numbers),
-    el("div", { class: "middle" }, stage, el("div", { class: "row" }, play, el("span", { style: "flex:1" }, slider)), el("div", { class: "charts" }, pressure.element, way.element))));
-
-  async function request() {
-    const read = await fields.read();
-    if (!read) return undefined;
-    write(address("motion", { ...muscle.params(), ...fields.texts() }));
-    which.textContent = `The muscle: ${muscle.line()}. Change it on the page Muscle.`;
-    return motion(await muscle.file(), read);
-  }
-
-  /** What is shown belongs to the last step that had an answer. @param {boolean} on */
-  const stale = (on) => [stage, numbers, pressure.element, way.element].forEach((part) => part.classList.toggle("stale", on));
-
-  function paint() {
-    if (!run) return;
-    const s = run.series, t = s.time_s;
-    pressure.show({ x: "time [s]", y: `pressure [${unitName("pressure")}]`, series: [
-      { name: "in the muscle", x: t, y: s.pressure_mpa.map((/** @type {number} */ p) => outside("pressure", p)), colour: KINDS[0], end: "muscle" },
-      { name: "command", x: t, y: s.command.map((/** @type {number} */ p) => outside("pressure", p)), colour: KINDS[6], dash: "dot", end: "command" },
-    ] });
-    way.show({ x: "time [s]", y: "contraction ε [%]", series: [{ name: "contraction", x: t, y: s.contraction.map((/** @type {number} */ e) => 100 * e), colour: KINDS[1] }] });
-    const time = (/** @type {number | null} */ x) => (x === null || x === undefined ? "–" : `${number(x, 3)} s`);
-    numbers.replaceChildren(warnings(run.warnings), table(["", ""], [
-      ["rise time, 10–90 %", time(run.rise_time_s)], ["settling time, 2 %", time(run.settling_time_s)], ["overshoot", run.overshoot === null ? "–" : `${number(100 * run.overshoot, 3)} %`],
-      ["filled within 2 % after", time(run.fill_time_s)], ["air from the supply", `${number(run.air_normal_litres, 3)} normal L`], ["largest speed", `${number(largestSpeed(run), 3)} mm/s`], ["largest power", `${number(run.largest_power_w, 3)} W`],
-    ], { label: "figures of the step" }));
-  }
 
   /** The state at a share of the time. @param {number} share */
   function at(share) {
     if (!run) return;
-    const s = run.series, i = Math.min(s.time_s.length - 1, Math.round(share * (s.time_s.length - 1)));
+    const times = run.series.time_s, i = Math.min(times.length - 1, Math.round(share * (times.length - 1)));
     slider.value = String(1000 * share);
-    clock.replaceChildren(el("b", {}, `${s.time_s[i].toFixed(2)} s`), el("br"), `${show("pressure", s.pressure_mpa[i], 3)}, ${number(100 * s.contraction[i], 3)} %`);
-    slot.ask("shape", { ...muscle.fields(), pressure_mpa: Math.max(0, s.pressure_mpa[i]), contraction: s.contraction[i] }, (shape) => {
-      view.set(shape, { field: "max_stretch", low: 1, high: Math.max(1.2, reach(shape.arrays.max_stretch)[1]), restLength: shape.muscle.length_mm, restRadius: shape.muscle.outer_diameter_mm / 2 });
+    slider.setAttribute("aria-valuetext", `${times[i].toFixed(2)} s`);
+    clock.replaceChildren(el("b", {}, `${times[i].toFixed(2)} s`), el("br"), stateLine(run, i));
+    slot.ask("shape", { ...muscle.fields(), ...stateAt(run, i) }, (shape) => {
+      view.set(shape, { field: "max_stretch", low: 1, high: Math.max(1.2, reach(shape.arrays.max_stretch)[1]),
+        restLength: shape.muscle.length_mm, restRadius: shape.muscle.outer_diameter_mm / 2 });
     }, () => {});
   }
-
   function start() {
     if (!run) return;
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) return at(1);
-    const began = performance.now(), long = 1000 * run.series.time_s[run.series.time_s.length - 1];
+    const began = performance.now(), times = run.series.time_s, long = 1000 * times[times.length - 1];
     play.textContent = "Stop";
     const step = () => {
       const share = Math.min(1, (performance.now() - began) / long);
@@ -89,24 +86,137 @@ export function mount(main) {
     cancelAnimationFrame(frame);
     frame = requestAnimationFrame(step);
   }
-
   function stop() {
     cancelAnimationFrame(frame);
     frame = 0;
     play.textContent = "Play";
   }
+  return { stage, row: el("div", { class: "row" }, play, el("span", { style: "flex:1" }, slider)),
+    show(/** @type {any} */ found) {
+      run = found;
+      start();
+    }, again: () => at(Number(slider.value) / 1000), end() {
+    stop();
+    slot.end();
+  } };
+}
 
-  const off = onUnits(() => paint());
+const CLOSED =
+  "A drive file states supply, valve, load and commands over time. One with a joint moves the joint of the "
+  + "page Joint.";
+const EXAMPLES = [["lift 10 kg and lower it", "drive.toml"], ["turn the joint", "elbow-drive.toml"]];
+
+/** Drive files: one that is opened, and examples. @param {(text: string) => void} take */
+function driveBox(take) {
+  const words = el("p", { class: "small soft" }), said = el("div", {});
+  const fail = (/** @type {any} */ problem) => said.replaceChildren(problemBox(problem));
+  const leave = el("button", { type: "button", hidden: true, onclick: () => take("") }, "Close the drive file");
+  const samples = EXAMPLES.map(([text, name]) =>
+    el("button", { type: "button", onclick: () => example(name).then(take).catch(fail) }, text)
+  );
+  const element = el("details", {}, el("summary", {}, "Drive file and examples"), words,
+    el("p", { class: "row small" }, "Examples:", ...samples),
+    fileField("Open a drive file (TOML)", ".toml", (_, text) => take(text)), leave, said);
   return {
-    /** @param {URLSearchParams} params */
-    async load(params) {
-      await muscle.read(params, fields.keys);
-      fields.set(params);
-      await go.run();
+    element,
+    /** @param {string} drive */
+    show(drive) {
+      leave.hidden = !drive;
+      words.textContent = drive ? "A drive file is open: it states supply, valve, load and commands." : CLOSED;
     },
-    unmount() { off(); stop(); go.end(); slot.end(); },
   };
 }
 
-/** Largest speed in mm/s, of the motion itself; of what was recorded only where nothing else is known. @param {any} run */
-const largestSpeed = (run) => run.largest_velocity_mm_per_s ?? run.largest_speed;
+/** Pressure and way over time. */
+function chartsOf() {
+  const pressure = new Chart("motion-pressure", { tools: el("h2", {}, "Pressure") });
+  const way = new Chart("motion-contraction", { tools: el("h2", {}, "Contraction") });
+  return {
+    element: el("div", { class: "charts" }, pressure.element, way.element),
+    /** @param {any} run */
+    show(run) {
+      pressure.show(pressureChart(run));
+      way.show(wayChart(run));
+    },
+  };
+}
+
+/** @param {HTMLElement} main */
+export function mount(main) {
+  /** @type {any} */ let run;
+  let drive = "";
+  const fields = form(STEP, () => go.run()), shown = player();
+  const charts = chartsOf();
+  const numbers = el("div", {}), which = el("p", { class: "small soft" });
+  const box = driveBox((text) => take(text));
+  const title = el("h2", {}, "A step on a valve");
+  const go = job("Run", "motion", request, (answer) => {
+    run = answer;
+    stale(false);
+    paint();
+    shown.show(run);
+  }, (problem) => {
+    fields.at(problem);
+    stale(true);
+  });
+  main.replaceChildren(
+    el("div", { class: "bench two" },
+      el("section", { class: "controls", "aria-label": "Step" }, title, fields.element, go.element, which, numbers,
+        box.element), el("div", { class: "middle" }, shown.stage, shown.row, charts.element)),
+  );
+
+  /** What is shown belongs to the last step that had an answer. @param {boolean} on */
+  const stale = (on) => [shown.stage, numbers, charts.element].forEach((part) => part.classList.toggle("stale", on));
+  const place = (replace = false) =>
+    write(address("motion", { ...muscle.params(), ...fields.texts(), [DRIVE]: drive }), replace);
+
+  async function request() {
+    const read = await fields.read();
+    if (!read || !main.contains(title)) return undefined;
+    place();
+    which.textContent = `The muscle: ${muscle.line()}. Change it on the page Muscle.`;
+    const file = await muscle.file();
+    return drive ? driven(drive, file, read.model) : motion(file, read);
+  }
+
+  /** @param {string} text a drive file; empty for a step */
+  async function take(text) {
+    await pack(text);
+    drive = text;
+    offer();
+    await go.run();
+  }
+
+  /** What a drive file states has no field. */
+  function offer() {
+    for (const key of STEP_KEYS) fields.shown(key, !drive);
+    box.show(drive);
+    title.textContent = drive ? "Commands of a drive file" : "A step on a valve";
+  }
+
+  function paint() {
+    if (!run) return;
+    charts.show(run);
+    numbers.replaceChildren(warnings(run.warnings), figures(run));
+  }
+
+  atEnd(onUnits(() => {
+    paint();
+    shown.again();
+    place(true);
+  }));
+  return {
+    /** @param {URLSearchParams} params */
+    async load(params) {
+      await muscle.read(params, [...fields.keys, DRIVE]);
+      fields.set(params);
+      drive = params.get(DRIVE) ?? "";
+      offer();
+      await go.run();
+    },
+    unmount() {
+      shown.end();
+      go.end();
+    },
+  };
+}

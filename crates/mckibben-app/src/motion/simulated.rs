@@ -1,0 +1,117 @@
+//! A drive in a control loop.
+
+use super::{MotionRequest, Moved};
+use crate::point::finite;
+use crate::problem::{Problem, ProblemKind};
+use mckibben::progress::Progress;
+use mckibben_motion::{Coordinate, Drive, DriveFile, Motion, Pushed, Simulation, SingleMuscle, Target};
+use std::sync::Arc;
+
+/// A drive that is stepped: each step holds its commands constant.
+pub struct SimulatedDrive {
+    setup: Arc<Setup>,
+    simulation: Simulation,
+}
+
+/// What all steps have in common.
+struct Setup {
+    moved: Moved,
+    file: DriveFile,
+    single: Option<SingleMuscle>,
+}
+
+impl Setup {
+    /// Does something with the drive, under commands (those of the file where there are none) and a force or torque from outside.
+    fn with<T>(
+        &self,
+        commands: Option<&[f64]>,
+        outside: f64,
+        work: impl FnOnce(&Drive<'_>) -> Result<T, Problem>,
+    ) -> Result<T, Problem> {
+        let mechanism = self.moved.mechanism(self.single.as_ref())?;
+        let force = match mechanism.coordinate() {
+            Coordinate::Angle => -1e3 * outside,
+            Coordinate::Shortening { .. } => outside,
+        };
+        let pushed = Pushed { mechanism, force };
+        let mut drive = self.moved.drive(&self.file, self.single.as_ref(), &pushed);
+        if let Some(values) = commands {
+            let is_angle = mechanism.coordinate() == Coordinate::Angle;
+            let values: Vec<f64> = match &drive.target {
+                Target::Position { .. } if is_angle => values.iter().map(|v| v.to_radians()).collect(),
+                _ => values.to_vec(),
+            };
+            drive.target = drive.target.constant(&values).ok_or_else(|| {
+                let (wanted, given) = (drive.target.commands().len(), values.len());
+                let message = format!("the drive has {wanted} commands, not {given}");
+                Problem::new(ProblemKind::Usage, message, "").in_field("command")
+            })?;
+        }
+        work(&drive)
+    }
+}
+
+impl SimulatedDrive {
+    /// A drive at the start, at rest where its first commands hold it, with steps of a length in s.
+    ///
+    /// # Errors
+    /// [`Problem`].
+    pub fn new(request: &MotionRequest, step_s: f64, progress: &dyn Progress) -> Result<Self, Problem> {
+        let moved = request.moved(progress)?;
+        let drives = request.drives(moved.length_mm())?;
+        let Some((_, mut file)) = drives.into_iter().next() else {
+            return Err(Problem::missing("drive", "a drive file"));
+        };
+        file.output_step_s = finite("step_s", step_s)?;
+        let single = moved.single(&file)?;
+        let setup = Arc::new(Setup { moved, file, single });
+        let simulation = setup.with(None, 0.0, |drive| Ok(Simulation::new(drive, progress)?))?;
+        Ok(Self { setup, simulation })
+    }
+
+    /// Back to the start.
+    ///
+    /// # Errors
+    /// [`Problem`].
+    pub fn reset(&mut self, progress: &dyn Progress) -> Result<(), Problem> {
+        self.simulation = self.setup.with(None, 0.0, |drive| Ok(Simulation::new(drive, progress)?))?;
+        Ok(())
+    }
+
+    /// One step on, with a command for each of the drive's (pressure in MPa, opening from −1 to 1, contraction ratio, or angle in degrees) and
+    /// from outside a force in N that stretches the muscle, or a torque in N m that turns the joint to +. A step that fails leaves all as
+    /// it was.
+    ///
+    /// # Errors
+    /// [`Problem`].
+    pub fn step(&mut self, commands: &[f64], outside: f64, progress: &dyn Progress) -> Result<(), Problem> {
+        let simulation = &mut self.simulation;
+        self.setup.with(Some(commands), outside, |drive| Ok(simulation.step(drive, progress)?))
+    }
+
+    /// What was recorded at the start and the end of each step.
+    pub fn motion(&self) -> &Motion {
+        self.simulation.motion()
+    }
+
+    /// What is commanded: `pressure`, `opening` or `position`, and how many commands there are.
+    pub fn commands(&self) -> (&'static str, usize) {
+        let count = self.setup.moved.models.len();
+        match &self.setup.file.target {
+            Target::Pressure(list) => ("pressure", list.len().min(count)),
+            Target::Opening(list) => ("opening", list.len().min(count)),
+            Target::Position { .. } => ("position", 1),
+        }
+    }
+
+    /// Whether a joint is moved, not a muscle with its load.
+    pub fn is_joint(&self) -> bool {
+        self.setup.single.is_none()
+    }
+
+    /// Another one in the same state.
+    #[must_use]
+    pub fn duplicate(&self) -> Self {
+        Self { setup: Arc::clone(&self.setup), simulation: self.simulation.duplicate() }
+    }
+}

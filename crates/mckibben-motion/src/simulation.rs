@@ -1,0 +1,167 @@
+//! A drive in a control loop: one step of constant commands after the other.
+
+use crate::command::Command;
+use crate::drive::{Drive, Target};
+use crate::error::MotionError;
+use crate::mechanism::{Coordinate, Lever, Mechanism};
+use crate::member::Memory;
+use crate::motion::Motion;
+use crate::run::Integration;
+use crate::state::State;
+use crate::system::{Modes, System};
+use mckibben::progress::Progress;
+
+/// A mechanism with a generalised force from outside that opposes growing q: in N (q in mm) or N mm (q in rad).
+pub struct Pushed<'a> {
+    /// The mechanism.
+    pub mechanism: &'a dyn Mechanism,
+    /// The force.
+    pub force: f64,
+}
+
+impl Mechanism for Pushed<'_> {
+    fn muscles(&self) -> usize {
+        self.mechanism.muscles()
+    }
+
+    fn lever(&self, muscle: usize, q: f64) -> Lever {
+        self.mechanism.lever(muscle, q)
+    }
+
+    fn load(&self, q: f64) -> f64 {
+        self.mechanism.load(q) + self.force
+    }
+
+    fn load_energy_mj(&self, q: f64) -> f64 {
+        self.mechanism.load_energy_mj(q) + self.force * q
+    }
+
+    fn inertia(&self) -> f64 {
+        self.mechanism.inertia()
+    }
+
+    fn damping(&self) -> f64 {
+        self.mechanism.damping()
+    }
+
+    fn stops(&self) -> (f64, f64) {
+        self.mechanism.stops()
+    }
+
+    fn is_held(&self) -> bool {
+        self.mechanism.is_held()
+    }
+
+    fn coordinate(&self) -> Coordinate {
+        self.mechanism.coordinate()
+    }
+
+    fn check(&self) -> Result<(), MotionError> {
+        self.mechanism.check()?;
+        MotionError::within("the force or torque from outside", self.force, -1e12, 1e12)
+    }
+}
+
+/// A drive that is stepped: its state at a time, and what was recorded at the end of each step.
+///
+/// The drive is handed over at each step, with constant commands and the same mechanism and muscles; a step is as long as the drive's
+/// [`output_step_s`](Drive::output_step_s). Steps with the commands of a [`Command::Steps`] are the pieces of [`run`](crate::run) to the
+/// last bit.
+pub struct Simulation {
+    done: usize,
+    state: State,
+    modes: Modes,
+    memories: Vec<Memory>,
+    motion: Motion,
+}
+
+impl Simulation {
+    /// At the start, at rest, where the drive's commands at time 0 hold it.
+    ///
+    /// # Errors
+    /// [`MotionError`] for a drive that is none, or has no beginning.
+    pub fn new(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Self, MotionError> {
+        let system = System::new(drive, &progress.budget())?;
+        let mut at = Integration::begin(&system, progress)?;
+        system.within.set(0.5 * drive.output_step_s);
+        at.record(0.0, at.state.clone())?;
+        let (state, motion) = (at.state, at.motion);
+        let modes = system.modes.borrow().clone();
+        let memories = system.members.into_iter().map(|m| m.memory()).collect();
+        Ok(Self { done: 0, state, modes, memories, motion })
+    }
+
+    /// One step on. A step that fails leaves it as it was.
+    ///
+    /// # Errors
+    /// [`MotionError`] with time, state and reason.
+    pub fn step(&mut self, drive: &Drive<'_>, progress: &dyn Progress) -> Result<(), MotionError> {
+        let (from, end) = (self.time_s(drive), drive.output_step_s * (self.done + 1) as f64);
+        let drive = Drive { until_s: end, ..drive.clone() };
+        let mut system = System::new(&drive, &progress.budget())?;
+        system.layout.write(self.state.clone(), &mut vec![0.0; system.layout.len])?;
+        for (member, memory) in system.members.iter_mut().zip(std::mem::take(&mut self.memories)) {
+            member.recall(memory);
+        }
+        *system.modes.borrow_mut() = self.modes.clone();
+        let (points, events) = (self.motion.series.len(), self.motion.events.len());
+        let motion = std::mem::take(&mut self.motion);
+        let mut at = Integration::at((&system, progress), from, self.state.clone(), motion);
+        at.outputs = self.done + 1;
+        system.within.set(0.5 * (from + end));
+        let mut stepped = at.piece(end);
+        if stepped.is_ok() && at.outputs == self.done + 1 {
+            stepped = at.record(end, at.state.clone());
+        }
+        let (state, motion) = (at.state, at.motion);
+        self.motion = motion;
+        if stepped.is_ok() {
+            (self.state, self.modes) = (state, system.modes.borrow().clone());
+            self.done += 1;
+        } else {
+            self.motion.series.truncate(points);
+            self.motion.events.truncate(events);
+        }
+        self.memories = system.members.into_iter().map(|m| m.memory()).collect();
+        stepped
+    }
+
+    /// Its time in s.
+    pub fn time_s(&self, drive: &Drive<'_>) -> f64 {
+        drive.output_step_s * self.done as f64
+    }
+
+    /// What was recorded: its series and events.
+    pub fn motion(&self) -> &Motion {
+        &self.motion
+    }
+
+    /// Another one in the same state, which goes its own way.
+    #[must_use]
+    pub fn duplicate(&self) -> Self {
+        Self {
+            done: self.done,
+            state: self.state.clone(),
+            modes: self.modes.clone(),
+            memories: self.memories.iter().map(Memory::duplicate).collect(),
+            motion: self.motion.clone(),
+        }
+    }
+}
+
+impl Target {
+    /// The same with constant commands; `None` where they are not as many as it has.
+    pub fn constant(&self, values: &[f64]) -> Option<Self> {
+        let commands = || values.iter().map(|v| Command::Constant(*v)).collect();
+        if values.len() != self.commands().len() {
+            return None;
+        }
+        Some(match self {
+            Self::Pressure(_) => Self::Pressure(commands()),
+            Self::Opening(_) => Self::Opening(commands()),
+            Self::Position { pid, .. } => {
+                Self::Position { command: Command::Constant(*values.first()?), pid: *pid }
+            }
+        })
+    }
+}

@@ -1,0 +1,89 @@
+"""The posterior of two constants of a muscle on its bench (examples/bench.csv), by NUTS (NumPyro) and by emcee, against the error bars of identify.
+
+    python identify_bayes.py
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import mckibben as mk
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
+Array = NDArray[np.float64]
+
+
+def bench() -> tuple[Any, Array, Array, Array]:
+    """What identify finds, and the points."""
+    found = mk.identify(EXAMPLES / "bench.toml", EXAMPLES / "bench.csv", model="universal")
+    rows = found.points
+    columns = ([row.pressure_mpa for row in rows], [row.contraction for row in rows], [row.force_n for row in rows])
+    p, e, f = (np.array(column, dtype=np.float64) for column in columns)
+    return found, p, e, f
+
+
+def by_emcee(found: Any, p: Array, e: Array, f: Array, steps: int = 300) -> Array:
+    """Samples of θ: flat prior, errors of the size that identify found."""
+    import emcee
+
+    model, muscle, names = found.identified.model("universal"), found.identified, found.names
+
+    def log_probability(theta: Array) -> float:
+        if not (theta > 0).all():
+            return -np.inf
+        pulls = model.of(muscle.with_parameters(dict(zip(names, theta)))).force(p, e, errors="nan")
+        chi = float((((pulls - f) / found.deviation) ** 2).sum())
+        return -0.5 * chi if np.isfinite(chi) else -np.inf
+
+    rng = np.random.default_rng(1)
+    start = found.x + 0.5 * found.stderr * rng.standard_normal((16, len(names)))
+    sampler = emcee.EnsembleSampler(16, len(names), log_probability)
+    sampler.random_state = np.random.RandomState(1).get_state()
+    sampler.run_mcmc(start, steps)
+    samples: Array = sampler.get_chain(discard=steps // 4, flat=True)
+    return samples
+
+
+def by_nuts(found: Any, p: Array, e: Array, f: Array, samples: int = 400) -> Array:
+    """The same by NUTS, with the gradients of the model."""
+    import jax
+    import jax.numpy as jnp
+    import numpyro
+    from numpyro.infer import MCMC, NUTS
+
+    config: Any = jax.config
+    config.update("jax_enable_x64", True)
+    pull = mk.jax.force(found.identified.model("universal"), found.names, errors="nan")
+
+    def model() -> None:
+        z = numpyro.sample("z", numpyro.distributions.Normal(jnp.zeros(len(found.x)), 30.0).to_event(1))
+        # In standard errors about what identify found: then the sampler needs little tuning.
+        theta = jnp.asarray(found.x) + jnp.asarray(found.stderr) * z
+        numpyro.sample("force", numpyro.distributions.Normal(pull(p, e, theta), found.deviation), obs=f)
+
+    mcmc = MCMC(NUTS(model), num_warmup=100, num_samples=samples, progress_bar=False)
+    mcmc.run(jax.random.PRNGKey(0))
+    z: Array = np.asarray(mcmc.get_samples()["z"])
+    return np.asarray(found.x + found.stderr * z)
+
+
+def main() -> dict[str, tuple[Array, Array]]:
+    """Mean and standard deviation of each, by its name."""
+    found, p, e, f = bench()
+    out = {"identify": (found.x, found.stderr)}
+    for name, ask in (("emcee", by_emcee), ("nuts", by_nuts)):
+        try:
+            samples = ask(found, p, e, f)
+        except ImportError:
+            continue
+        out[name] = samples.mean(axis=0), samples.std(axis=0)
+    return out
+
+
+if __name__ == "__main__":
+    for name, (mean, error) in main().items():
+        print(f"{name:9}", ", ".join(f"{m:.5g} ± {s:.2g}" for m, s in zip(mean, error)))

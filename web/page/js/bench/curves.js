@@ -1,0 +1,182 @@
+// Curves of the page Muscle: a family, the curve of the present state with its ±, other models, and measured points.
+import { Slot } from "../ask.js";
+import { Chart, KINDS } from "../chart.js";
+import { el, tabs } from "../dom.js";
+import { muscle } from "../muscle.js";
+import { outside, unitName } from "../units.js";
+import { along } from "./along.js";
+import { FAMILY, OVERLAYS, familyOf, familySeries, overlay, ownOf, ownSeries, reachOf } from "./family.js";
+import { Points } from "./points.js";
+
+/** @typedef {import("./store.js").Store} Store */
+/** @typedef {import("./family.js").Answer} Answer */
+const TESTS = /** @type {[string, string][]} */ ([
+  ["isobaric", "Isobaric"], ["isometric", "Isometric"], ["isotonic", "Isotonic"], ["along", "Along the muscle"],
+]);
+
+export class Curves {
+  /** @param {Store} store */
+  constructor(store) {
+    this.store = store;
+    const slot = () => new Slot({ lane: "curves" });
+    this.slots = { family: slot(), own: slot(), over: slot() };
+    /** @type {{ test: string, answer: Answer, top: number } | undefined} */ this.family = undefined;
+    /** @type {{ test: string, answer: Answer } | undefined} */ this.own = undefined;
+    /** @type {Answer[]} */ this.overlays = [];
+    /** What was asked last. */
+    this.keys = { family: "", own: "", over: "" };
+    this.timer = 0;
+    this.over = overlayChoice(store, () => { this.ask(); store.settle(); });
+    const choose = (/** @type {string} */ test) => { store.look({ test }); this.draw(); this.ask(); };
+    this.tab = tabs("Curves", TESTS, store.wanted.test, choose);
+    /** @type {(x: number, y: number, settled: boolean) => void} */
+    const drag = (x, _, settled) => this.dragged(x, settled);
+    this.chart = new Chart("muscle-curves", { tools: this.tab.list, drag });
+    this.points = new Points(store, () => { this.keys.family = ""; this.ask(); this.draw(); });
+    store.on("answer", (pumped) => {
+      if (store.wanted.test === "along") this.draw();
+      else this.mark();
+      if (!pumped) this.soon();
+    });
+    store.on("problem", () => this.mark());
+    store.on("facts", () => this.soon());
+    this.redraw = () => this.draw();
+    document.addEventListener("theme", this.redraw);
+  }
+
+  /** The mark is dragged along its curve. @param {number} x @param {boolean} settled */
+  dragged(x, settled) {
+    const { test } = this.store.wanted, pressure = Math.round((x / outside("pressure", 1)) * 1000) / 1000;
+    if (test === "isobaric") this.store.changed("e", Math.max(0, Math.round(x * 10) / 1000), settled);
+    if (test === "isometric" || test === "isotonic") this.store.changed("p", Math.max(0, pressure), settled);
+  }
+
+  /**
+   * Curves, at most ten times a second, and where drawing them takes most of a frame once the hand rests: the muscle
+   * comes first.
+   */
+  soon() {
+    if (this.chart.cost > 8) clearTimeout(this.timer);
+    else if (this.timer) return;
+    this.timer = window.setTimeout(() => { this.timer = 0; this.ask(); }, 100);
+  }
+
+  ask() {
+    const { store } = this, { test } = store.wanted;
+    if (test === "along") return this.draw();
+    const { request, top } = familyOf(store, this.points.pressures()), fields = muscle.fields();
+    const key = (/** @type {object} */ of) => JSON.stringify([test, fields, of]);
+    // Along a family only the mark and the own curve move.
+    this.once("family", key(request), request, (answer) => { this.family = { test, answer, top }; });
+    const mine = { ...ownOf(store, top), ...(friction() ? { both: true } : {}) };
+    this.once("own", key(mine), mine, (answer) => { this.own = { test, answer }; });
+    this.askOver(fields);
+    this.points.ask();
+  }
+
+  /**
+   * Asks what was not asked yet.
+   * @param {"family" | "own"} what @param {string} key @param {object} request @param {(answer: Answer) => void} take
+   */
+  once(what, key, request, take) {
+    if (key === this.keys[what]) return;
+    this.keys[what] = key;
+    const test = /** @type {"isobaric" | "isometric" | "isotonic"} */ (this.store.wanted.test);
+    const done = (/** @type {Answer} */ answer) => { take(answer); this.draw(); };
+    const fail = () => {
+      this.keys[what] = "";
+      if (what !== "own") return;
+      this.own = undefined;
+      this.draw();
+    };
+    this.slots[what].ask("curve", { test, ...muscle.fields(), ...request }, done, fail);
+  }
+
+  /** @param {Record<string, unknown>} fields */
+  askOver(fields) {
+    const { test, over } = this.store.wanted, contractions = reachOf(this.store, FAMILY);
+    const names = test === "isobaric" ? over.split(",").filter(Boolean) : [];
+    const key = JSON.stringify([names, fields, muscle.p, contractions]);
+    if (key === this.keys.over) return;
+    this.keys.over = key;
+    const found = /** @type {Answer[]} */ ([]);
+    const isobaric = /** @type {const} */ ("isobaric");
+    const common = { test: isobaric, ...fields, extrapolate: true, pressures_mpa: [muscle.p], contractions };
+    const next = (/** @type {string[]} */ [model, ...rest]) => {
+      if (this.keys.over !== key) return;
+      if (!model) { this.overlays = found; return this.draw(); }
+      const take = (/** @type {Answer} */ answer) => { found.push(answer); next(rest); };
+      this.slots.over.ask("curve", { ...common, model }, take, () => next(rest));
+    };
+    next(names);
+  }
+
+  draw() {
+    const { store, family, chart, points } = this, { test } = store.wanted;
+    this.over.element.hidden = points.element.hidden = test !== "isobaric";
+    if (test === "along") { if (store.shape) chart.show(along(store.shape)); return chart.mark(); }
+    if (family?.test !== test) return;
+    const mine = this.own?.test === test ? this.own.answer : undefined, { top } = family;
+    const series = [...familySeries(family.answer, test, top, mine), ...(mine ? ownSeries(mine, test, top) : [])];
+    if (test === "isobaric") series.push(...this.overlays.map(overlay), ...points.series(top));
+    const [pressure, force] = [`pressure p [${unitName("pressure")}]`, `pull F [${unitName("force")}]`];
+    const ratio = "contraction ε [%]";
+    chart.show({ x: test === "isobaric" ? ratio : pressure, y: test === "isotonic" ? ratio : force, series });
+    this.mark();
+  }
+
+  mark() {
+    const { store: { point, wanted: { test } }, chart } = this;
+    if (!point || test === "along") return chart.mark();
+    const [pull, pressure] = [outside("force", point.force_n), outside("pressure", point.pressure_mpa)];
+    const contraction = 100 * point.contraction;
+    if (test === "isobaric") chart.mark(contraction, pull);
+    else chart.mark(pressure, test === "isotonic" ? contraction : pull);
+  }
+
+  /** What the address says. */
+  load() {
+    const { test, over } = this.store.wanted;
+    const buttons = this.tab.list.querySelectorAll("button");
+    buttons.forEach((b) => b.setAttribute("aria-selected", String(b.dataset.name === test)));
+    this.over.set(over.split(","));
+  }
+
+  end() {
+    clearTimeout(this.timer);
+    document.removeEventListener("theme", this.redraw);
+    Object.values(this.slots).forEach((slot) => slot.end());
+    this.points.end();
+    this.chart.destroy();
+  }
+}
+
+/** Whether the muscle states its friction: its loop is known then. */
+const friction = () => typeof muscle.shown?.friction_coefficient === "number";
+
+/** @param {Store} store @param {() => void} changed */
+function overlayChoice(store, changed) {
+  const boxes = OVERLAYS.map((name) =>
+    el("input", {
+      type: "checkbox",
+      id: `over-${name}`,
+      onchange: () => {
+        store.wanted.over = OVERLAYS.filter((_, i) => boxes[i].checked).join(",");
+        changed();
+      },
+    }),
+  );
+  const dash = (/** @type {number} */ i) =>
+    el("i", { style: `display:inline-block;width:16px;border-top:2px dashed ${KINDS[i + 1]};vertical-align:middle` });
+  const labels = OVERLAYS.map((name, i) => el("label", { for: `over-${name}` }, boxes[i], ` ${name} `, dash(i)));
+  return {
+    element: el(
+      "div",
+      { class: "row small" },
+      el("span", { class: "soft" }, "Other models at this pressure:"),
+      ...labels,
+    ),
+    /** @param {string[]} names */
+    set(names) { OVERLAYS.forEach((name, i) => { boxes[i].checked = names.includes(name); }); },
+  };
+}

@@ -1,0 +1,144 @@
+// Families of curves of the page Muscle: what is asked for them, and their answers as series.
+import { KINDS, isDark, isobar, pressureColour, viridis } from "../chart.js";
+import { muscle } from "../muscle.js";
+import { inside, outside, show } from "../units.js";
+import { niceUp, twoDigits } from "./round.js";
+
+/** @typedef {import("./store.js").Store} Store */
+/** @typedef {import("../../../types/commands").Commands["curve"]["answer"]} Answer */
+/** @typedef {Answer["points"][number] & Record<string, any>} Point */
+/** Other models that can be laid over. */
+export const OVERLAYS = ["universal", "thick-wall", "ideal", "paper"];
+/** Points of a curve of the family, and of that of the state. */
+export const FAMILY = 13, FINE = 21;
+const steps = (/** @type {number} */ count, /** @type {number} */ end) =>
+  Array.from({ length: count }, (_, i) => (i * end) / (count - 1));
+
+/** Contractions up to a little beyond the free one. @param {Store} store @param {number} count */
+export function reachOf(store, count) {
+  const end = Math.max(0.1, (store.facts.characteristics?.free_contraction ?? 0.28) * 1.08);
+  return steps(count, end).map((e) => Math.round(1e4 * e) / 1e4);
+}
+
+/**
+ * Five pressures up to a round one above the state's, or those of the measured points.
+ * @param {Store} store @param {number[]} measured
+ */
+export function familyOf(store, measured) {
+  const { test } = store.wanted;
+  const shown = outside("pressure", Math.max(muscle.p, 0.02)),
+    step = niceUp(shown / 5),
+    count = Math.ceil(shown / step - 1e-9);
+  let top = inside("pressure", count * step);
+  if (test === "isobaric" && measured.length) {
+    top = Math.max(top, ...measured);
+    return { top, request: { pressures_mpa: measured, contractions: reachOf(store, FAMILY) } };
+  }
+  const pressures = Array.from({ length: count }, (_, i) =>
+    inside("pressure", Number(((i + 1) * step).toPrecision(12))),
+  );
+  if (test === "isobaric") return { top, request: { pressures_mpa: pressures, contractions: reachOf(store, FAMILY) } };
+  const over = steps(FAMILY, top), blocked = store.facts.characteristics?.blocked_force_n ?? 500;
+  if (test === "isometric") return { top, request: { contractions: [0, 0.05, 0.1, 0.15, 0.2], pressures_mpa: over } };
+  return {
+    top,
+    request: {
+      forces_n: [0.1, 0.3, 0.5, 0.7].map((x) => Math.max(1, twoDigits(x * blocked))),
+      pressures_mpa: over.slice(1),
+    },
+  };
+}
+
+/** The curve through the present state. @param {Store} store @param {number} top */
+export function ownOf(store, top) {
+  const { test } = store.wanted;
+  if (test === "isobaric") return { pressures_mpa: [muscle.p], contractions: reachOf(store, FINE) };
+  const over = steps(FINE, top);
+  if (test === "isometric") return { contractions: [muscle.e], pressures_mpa: over };
+  return { forces_n: [Math.max(1e-3, store.point?.force_n ?? muscle.F ?? 1)], pressures_mpa: over.slice(1) };
+}
+
+/** @param {number} fixed @param {string} test */
+const named = (fixed, test) =>
+  test === "isobaric"
+    ? show("pressure", fixed, 3)
+    : test === "isotonic"
+      ? show("force", fixed, 3)
+      : show("ratio", fixed, 3);
+
+/** Points of one curve as a series. @param {Point[]} list @param {string} test */
+function line(list, test) {
+  if (test === "isobaric") return isobar(list);
+  const ok = (/** @type {Point} */ q) => q.status === "ok";
+  const x = list.map((q) => outside("pressure", q.pressure_mpa));
+  if (test === "isotonic") {
+    const half = list.map((q) => (q.contraction_uncertainty ? 100 * q.contraction_uncertainty : null));
+    return { x, y: list.map((q) => (ok(q) ? 100 * Number(q.contraction) : null)), half };
+  }
+  return {
+    x,
+    y: list.map((q) => (ok(q) ? outside("force", q.force_n) : null)),
+    half: list.map((q) => (q.uncertainty_n ? outside("force", q.uncertainty_n) : null)),
+  };
+}
+
+/**
+ * @param {Answer} answer @param {string} test @param {number} top
+ * @param {Answer | undefined} own a curve that is drawn besides
+ */
+export function familySeries(answer, test, top, own) {
+  const count = answer.points.length / answer.fixed.length;
+  const hue = (/** @type {number} */ i) =>
+    isDark() ? viridis(0.3 + (0.7 * i) / answer.fixed.length, 1) : viridis(i / answer.fixed.length);
+  return answer.fixed.flatMap((fixed, i) => {
+    if (own && Math.abs(own.fixed[0] - fixed) < 1e-9) return [];
+    const name = named(fixed, test),
+      colour = test === "isobaric" ? pressureColour(fixed, top) : hue(i);
+    return [
+      /** @type {import("../chart.js").Series} */ ({
+        name,
+        end: name,
+        at: test === "isobaric" ? "start" : "end",
+        colour,
+        ...line(answer.points.slice(i * count, (i + 1) * count), test),
+      }),
+    ];
+  });
+}
+
+/**
+ * The curve of the state; both branches of its loop, where the friction is known.
+ * @param {Answer} answer @param {string} test @param {number} top
+ */
+export function ownSeries(answer, test, top) {
+  const name = named(answer.fixed[0], test),
+    colour = test === "isobaric" ? pressureColour(answer.fixed[0], top) : "#0072B2";
+  const branches = [...new Set(answer.points.map((/** @type {Point} */ q) => q.direction))];
+  return branches.map((branch, i) => {
+    const list = answer.points.filter((/** @type {Point} */ q) => q.direction === branch);
+    const words =
+      branch === "contraction" ? " while it shortens" : branch === "elongation" ? " while it lengthens" : "";
+    const label = i ? {} : { end: name, at: /** @type {"start" | "end"} */ (test === "isobaric" ? "start" : "end") };
+    const curve = line(list, test);
+    return /** @type {import("../chart.js").Series} */ ({
+      name: name + words,
+      ...label,
+      colour,
+      strong: true,
+      dash: branch === "elongation" ? "dash" : "solid",
+      ...curve,
+    });
+  });
+}
+
+/** @param {Answer} answer of another model */
+export function overlay(answer) {
+  const colour = KINDS[OVERLAYS.indexOf(answer.model) + 1] ?? KINDS[6];
+  const { half, ...curve } = isobar(answer.points);
+  return /** @type {import("../chart.js").Series} */ ({
+    name: `${answer.model} at ${show("pressure", answer.fixed[0], 3)}`,
+    dash: "dash",
+    colour,
+    ...curve,
+  });
+}

@@ -1,0 +1,141 @@
+// The numbers of the page Muscle: the pull with the parts of its ±, the margins, and what the engine warns of.
+import { engine } from "../ask.js";
+import { capital, el } from "../dom.js";
+import { muscle } from "../muscle.js";
+import { number, show, withUncertainty } from "../units.js";
+import { inWords } from "../words.js";
+import { partsView } from "./parts.js";
+import { solveView } from "./solve.js";
+import { tornadoView } from "./tornado.js";
+
+/** @typedef {import("./store.js").Store} Store */
+
+/** @param {Store} store */
+export function numbersView(store) {
+  const element = el("section", { class: "numbers", "aria-label": "Numbers" });
+  const meters = el("div", {}), notes = el("ul", { class: "warnings" });
+  const parts = partsView(store), tornado = tornadoView(store), solve = solveView(store);
+  /** @type {HTMLElement[]} */ const values = [];
+  let noted = "";
+  const half = el("button", {
+    type: "button",
+    class: "bare",
+    "aria-expanded": false,
+    title: "What the ± is made of",
+    onclick: () => {
+      parts.element.hidden = !parts.element.hidden;
+      half.setAttribute("aria-expanded", String(!parts.element.hidden));
+    },
+  });
+  const pull = el("span", {});
+
+  function paint() {
+    const { point } = store;
+    if (!point) return;
+    const list = rows(store, point);
+    if (!values.length) {
+      const lines = list.flatMap(([name]) => {
+        const value = el("dd", {});
+        values.push(value);
+        return [el("dt", {}, name), value];
+      });
+      const head = [el("dt", { class: "head" }, "pull"), el("dd", { class: "head" }, pull, " ", half)];
+      const basis = `Model ${point.model}; ± covers 95 % against a measured muscle. ${engine().about}.`;
+      element.replaceChildren(
+        el("dl", {}, ...head, ...lines),
+        parts.element,
+        meters,
+        notes,
+        solve.element,
+        tornado.element,
+        el("p", { class: "small soft" }, basis),
+      );
+    }
+    const [value, uncertainty] = point.slack
+      ? ["slack", ""]
+      : withUncertainty("force", point.force_n, point.uncertainty_n).split(/ (?=±)/);
+    put(pull, value);
+    put(half, uncertainty ?? "");
+    half.hidden = !uncertainty;
+    list.forEach(([, text], i) => put(values[i], text));
+    meters.replaceChildren(...margins(store, point));
+    const said = warned(store, point);
+    if (said.join() === noted) return;
+    noted = said.join();
+    notes.replaceChildren(...said.map((w) => el("li", {}, w)));
+  }
+  store.on("answer", paint);
+  store.on("facts", paint);
+  return { element, paint, end() { tornado.end(); solve.end(); } };
+}
+
+/** @param {HTMLElement} element @param {string} text */
+const put = (element, text) => { if (element.textContent !== text) element.textContent = text; };
+
+/** @param {Store} store @param {NonNullable<Store["point"]>} point @returns {[string, string][]} */
+function rows({ facts }, point) {
+  const c = facts.characteristics;
+  return [
+    ["stiffness", point.stiffness_n_per_mm === undefined ? "–" : `${number(point.stiffness_n_per_mm, 3)} N/mm`],
+    ["contraction", contraction(point)],
+    ["bulged diameter", show("length", point.bulged_diameter_mm)],
+    [
+      "cavity",
+      point.volume_mm3 === undefined || point.volume_mm3 === null ? "–" : `${number(point.volume_mm3 / 1e3, 3)} cm³`,
+    ],
+    ["starts at", show("pressure", facts.start, 3)],
+    ["blocked force", show("force", c?.blocked_force_n)],
+    ["free contraction", show("ratio", c?.free_contraction, 3)],
+    ["bursts at", c?.burst_pressure_mpa ? show("pressure", c.burst_pressure_mpa, 3) : "not known"],
+    ["allowed", c?.allowed_pressure_mpa ? show("pressure", c.allowed_pressure_mpa, 3) : "not known"],
+    ["work to there", c?.work_j ? `${number(c.work_j, 3)} J` : "–"],
+    ["air to there", c?.air_normal_litres ? `${number(c.air_normal_litres, 3)} normal L` : "–"],
+  ];
+}
+
+/** Of a held load the contraction has the ±. @param {NonNullable<Store["point"]>} point */
+function contraction(point) {
+  const half = /** @type {{ contraction_uncertainty?: number | null }} */ (point).contraction_uncertainty;
+  return muscle.F !== undefined && half
+    ? withUncertainty("ratio", point.contraction, half)
+    : show("ratio", point.contraction, 3);
+}
+
+/** @param {Store} store @param {NonNullable<Store["point"]>} point */
+function margins({ facts }, point) {
+  const c = facts.characteristics;
+  return [
+    meter("stretch of the rubber", point.max_stretch, facts.fitted_to_stretch, (x) => number(x, 3), 1),
+    meter("pull", point.force_n, c?.blocked_force_n, (x) => show("force", x, 3)),
+    meter("contraction", point.contraction, c?.free_contraction, (x) => show("ratio", x, 3)),
+  ].filter((m) => m !== null);
+}
+
+/**
+ * A share of a limit as a bar.
+ * @param {string} name @param {number | undefined | null} value @param {number | undefined | null} limit
+ * @param {(x: number) => string} text
+ */
+function meter(name, value, limit, text, from = 0) {
+  if (value === undefined || value === null || limit === undefined || limit === null || limit <= from) return null;
+  const share = (value - from) / (limit - from), width = Math.min(100, Math.max(0, 100 * share)).toFixed(1);
+  const words = el("span", {}, name, el("span", {}, `${text(value)} of ${text(limit)}`));
+  return el(
+    "div",
+    { class: share > 1 ? "meter over" : "meter" },
+    words,
+    el("i", {}, el("b", { style: `width:${width}%` })),
+  );
+}
+
+/** @param {Store} store @param {NonNullable<Store["point"]>} point */
+function warned({ facts }, point) {
+  const own = facts.said?.state === muscle.state ? facts.said.warnings : [];
+  const list = [...new Set([...own, .../** @type {string[]} */ (point.warnings ?? [])])].map((w) =>
+    capital(inWords(w)),
+  );
+  const unknown = muscle.unknown.length
+    ? [`Not understood in the address: ${muscle.unknown.map(([k]) => k).join(", ")}`]
+    : [];
+  return [...list, ...muscle.wrong.values(), ...unknown];
+}

@@ -1,0 +1,105 @@
+// Measured points over the isobars, with their residuals against the muscle as it is now.
+import { Slot, engine } from "../ask.js";
+import { pressureColour } from "../chart.js";
+import { el, problemBox } from "../dom.js";
+import { measured, onMeasured } from "../measured.js";
+import { muscle } from "../muscle.js";
+import { outside, show } from "../units.js";
+
+/** @typedef {import("./store.js").Store} Store */
+/** Isobars of more pressures than these would cover each other. */
+const MOST = 7;
+
+export class Points {
+  /** @param {Store} store @param {() => void} changed */
+  constructor(store, changed) {
+    this.store = store;
+    this.changed = changed;
+    this.slots = { read: new Slot(), compare: new Slot() };
+    /** @type {import("../measured.js").Point[]} */ this.list = [];
+    this.key = "";
+    this.words = el("span", {});
+    this.said = el("div", {});
+    this.fit = el("button", { type: "button", onclick: () => this.identify() }, "Fit the rubber");
+    const remove = el("button", { type: "button", onclick: () => measured.set(undefined) }, "Remove the points");
+    this.line = el("div", { class: "row small", hidden: true }, this.words, this.fit, remove);
+    this.element = el("div", { class: "points" }, this.line, this.said);
+    this.off = onMeasured(() => this.read());
+  }
+
+  /** The question of an identification. @param {{ name: string, text: string }} table */
+  request(table) {
+    return { ...muscle.fields(), data: [table], columns: measured.columns, free: ["modulus"] };
+  }
+
+  /** The points themselves, once for a table. */
+  read() {
+    const of = measured.file;
+    this.key = "";
+    this.said.replaceChildren();
+    this.line.hidden = !of;
+    const take = (/** @type {import("../measured.js").Point[]} */ list) => { this.list = list; this.changed(); };
+    if (!of) return take([]);
+    this.slots.read.ask("identify", this.request(of), ({ points }) => {
+      take(points.filter((q) => q.measured === "force"));
+    }, (problem) => {
+      this.said.replaceChildren(problemBox(problem));
+      take([]);
+    });
+  }
+
+  /** How far the muscle is from them now. */
+  ask() {
+    const data = measured.file;
+    if (!data) return;
+    const request = { ...muscle.fields(), data, columns: measured.columns, models: ["fe"], extrapolate: true };
+    const next = JSON.stringify(request);
+    if (next === this.key) return;
+    this.key = next;
+    this.slots.compare.ask("compare", request, ({ models: [m], points: count }) => {
+      if (!m || m.rms_n === null || m.rms_n === undefined) return;
+      const residuals = `${show("force", m.rms_n, 3)} rms, ${show("force", m.max_n, 3)} the largest`;
+      this.words.textContent = `${data.name}: ${count} points. Residuals: ${residuals}.`;
+    }, (problem) => { this.key = ""; this.said.replaceChildren(problemBox(problem)); });
+  }
+
+  /** The shear modulus that fits them best becomes the muscle's. */
+  async identify() {
+    if (!measured.file) return;
+    const { store } = this;
+    this.fit.disabled = true;
+    this.said.replaceChildren();
+    try {
+      const answer = await engine().ask("identify", this.request(measured.file));
+      await muscle.take(answer.muscle_file);
+      store.tell("sync");
+      store.ask();
+      store.follow();
+      store.settle();
+    } catch (problem) {
+      this.said.replaceChildren(problemBox(problem));
+    }
+    this.fit.disabled = false;
+  }
+
+  /** Pressures of the isobars to draw: some of them, where the points have too many. */
+  pressures() {
+    const all = [...new Set(this.list.map((q) => q.pressure_mpa))].sort((a, b) => a - b).filter((p) => p > 0);
+    if (all.length <= MOST) return all;
+    return Array.from({ length: MOST }, (_, i) => all[Math.round((i * (all.length - 1)) / (MOST - 1))]);
+  }
+
+  /** @param {number} top the pressure that has the last colour @returns {import("../chart.js").Series[]} */
+  series(top) {
+    return [...new Set(this.list.map((q) => q.pressure_mpa))].map((p) => {
+      const at = this.list.filter((q) => q.pressure_mpa === p), name = `measured at ${show("pressure", p, 3)}`;
+      const [x, y] = [at.map((q) => 100 * q.contraction), at.map((q) => outside("force", q.force_n))];
+      return { name, mode: "markers", colour: pressureColour(p, top), x, y };
+    });
+  }
+
+  end() {
+    this.off();
+    Object.values(this.slots).forEach((slot) => slot.end());
+  }
+}

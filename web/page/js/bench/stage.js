@@ -1,0 +1,158 @@
+// The muscle in space with what belongs to its picture: the pull, a scale, the colours, the gauge.
+import { choice } from "../controls.js";
+import { viridis } from "../chart.js";
+import { el } from "../dom.js";
+import { gauge } from "../gauge.js";
+import { muscle } from "../muscle.js";
+import { PRESSURE } from "../state.js";
+import { number, show, withUncertainty } from "../units.js";
+import { View, reach } from "../view3d.js";
+import { dimensions } from "./dimensions.js";
+import { niceUp } from "./round.js";
+
+/** @typedef {import("./store.js").Store} Store */
+/** What colours the muscle: field, name, kind of its unit. */
+const SHOWN = /** @type {[string, string, string][]} */ ([
+  ["max_stretch", "Largest stretch", ""],
+  ["hoop_stretch", "Hoop stretch", ""],
+  ["stress_hoop_mpa", "Hoop stress", "pressure"],
+  ["stress_axial_mpa", "Axial stress", "pressure"],
+  ["strand_tension_n_per_mm", "Tension of the strands per width", "N/mm"],
+  ["strand_tension_n", "Tension of a strand", "force"],
+  ["strand_angle_deg", "Angle of the strands", "angle"],
+]);
+const HINT =
+  "Drag to turn; drag the right end to contract; Ctrl and wheel, or two fingers, to zoom; double-click to reset";
+
+/** @param {Store} store @param {HTMLElement} busy */
+export function stageView(store, busy) {
+  const said = el("p", { class: "say" }), scale = el("div", { class: "bar" }), legend = el("div", { class: "legend" });
+  const stage = el("div", { class: "stage", title: HINT }, said, scale, legend, busy);
+  const dial = gauge(stage, (pressure, settled) => store.changed("p", pressure, settled));
+  let scaled = 0, legendKey = "";
+  /** As long as it says at every zoom. */
+  const paintScale = () => {
+    const perPixel = view.millimetresPerPixel;
+    if (!store.shape || perPixel === scaled) return;
+    scaled = perPixel;
+    const step = niceUp(80 * perPixel * 0.6);
+    const line = el("span", {
+      style: `display:block;border:1px solid currentColor;border-top:0;height:5px;width:${step / perPixel}px`,
+    });
+    scale.replaceChildren(line, show("length", step, 3));
+  };
+  const drawn = () => { paintScale(); measures.paint(); };
+  const view = new View(stage, { drawn, contract: contracting(store) });
+  const measures = dimensions(stage, store, () => view);
+  const colour = choice(
+    "Colour",
+    SHOWN.map(([name, text]) => [name, text]),
+    store.wanted.show,
+    (name) => store.look({ show: name }),
+  );
+  const cut = el(
+    "button",
+    { type: "button", "aria-pressed": false, onclick: () => store.look({ cut: store.wanted.cut ? "" : "1" }) },
+    "Cut open",
+  );
+  const pump = pumping(store);
+  const measure = el("button", { type: "button", "aria-pressed": "true", onclick: () => {
+    const on = measure.getAttribute("aria-pressed") !== "true";
+    measure.setAttribute("aria-pressed", String(on));
+    measures.show(on);
+  } }, "Dimensions");
+
+  function paint() {
+    const { shape, point } = store;
+    if (!shape) return;
+    const [name, words, kind] = SHOWN.find(([f]) => f === store.wanted.show && shape.arrays[f]) ?? SHOWN[0];
+    const [low, high] = store.ranges?.[name] ?? reach(shape.arrays[name]);
+    colour.set(name);
+    cut.setAttribute("aria-pressed", String(Boolean(store.wanted.cut)));
+    view.cut = Boolean(store.wanted.cut);
+    view.set(shape, {
+      field: name,
+      low,
+      high,
+      restLength: shape.muscle.length_mm,
+      restRadius: shape.muscle.outer_diameter_mm / 2,
+    });
+    if (!point) return;
+    paintLegend(words, kind, low, high);
+    said.replaceChildren(...sentence(shape, point));
+    dial.set(point.pressure_mpa, Math.max(PRESSURE.high, point.pressure_mpa));
+  }
+
+  /** @param {string} words @param {string} kind @param {number} low @param {number} high */
+  function paintLegend(words, kind, low, high) {
+    const end = (/** @type {number} */ x) =>
+      kind === "N/mm" ? `${number(x, 3)} N/mm` : kind ? show(kind, x, 3) : number(x, 3);
+    const key = `${words} ${end(low)} ${end(high)}`;
+    if (key === legendKey) return;
+    legendKey = key;
+    const ramp = Array.from({ length: 9 }, (_, i) => viridis(i / 8, 1)).join(",");
+    const bar = el("i", { style: `background:linear-gradient(90deg,${ramp})` });
+    legend.replaceChildren(el("span", {}, words), bar, el("span", {}, el("b", {}, end(low)), el("b", {}, end(high))));
+  }
+
+  for (const event of /** @type {const} */ (["answer", "look", "ranges"])) store.on(event, paint);
+  store.on("changed", pump.stop);
+  return {
+    stage, tools: el("div", { class: "row" }, colour.element, cut, measure, pump.button),
+    /** In other units. */
+    units() { scaled = 0; legendKey = ""; paint(); paintScale(); measures.paint(); },
+    end() { pump.stop(); view.destroy(); },
+  };
+}
+
+/** The pull in words. @param {NonNullable<Store["shape"]>} shape @param {NonNullable<Store["point"]>} point */
+function sentence(shape, point) {
+  if (point.slack)
+    return [
+      el("b", {}, "Slack"),
+      el("br"),
+      `The muscle is slack: contracted by ${show("ratio", shape.shape_contraction, 3)}, no pull.`,
+    ];
+  const at = `at ${show("pressure", point.pressure_mpa, 3)} and ${show("ratio", point.contraction, 3)}`;
+  return [el("b", {}, withUncertainty("force", point.force_n, point.uncertainty_n)), el("br"), at];
+}
+
+/** The end of the muscle is dragged. @param {Store} store */
+function contracting(store) {
+  let from = /** @type {number | undefined} */ (undefined);
+  return (/** @type {number} */ share, /** @type {boolean} */ settled) => {
+    from ??= Number(store.shape?.shape_contraction);
+    const to = Math.min(0.9, Math.max(-0.1, Math.round(1000 * (from + share)) / 1000));
+    if (settled) from = undefined;
+    store.changed("e", to, settled);
+  };
+}
+
+/** The pressure rises in two seconds. @param {Store} store */
+function pumping(store) {
+  let running = 0;
+  const button = el("button", { type: "button", onclick: start }, "Pump");
+  function start() {
+    if (running) return stop();
+    const to = muscle.p, began = performance.now();
+    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    button.textContent = "Stop";
+    const step = () => {
+      const share = Math.min(1, (performance.now() - began) / 2000);
+      // Three stills where motion is not wanted.
+      store.ask(to * (still ? Math.ceil(share * 3) / 3 : share));
+      if (share < 1) running = still ? window.setTimeout(step, 660) : requestAnimationFrame(step);
+      else stop();
+    };
+    running = 1;
+    step();
+  }
+  function stop() {
+    if (!running) return;
+    cancelAnimationFrame(running);
+    clearTimeout(running);
+    running = 0;
+    button.textContent = "Pump";
+  }
+  return { button, stop };
+}

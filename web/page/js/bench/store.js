@@ -1,0 +1,173 @@
+// What the views of the page Muscle share: what is to be shown, the newest answers, and the questions that lead to
+// them.
+import { Slot } from "../ask.js";
+import { address, write } from "../address.js";
+import { muscle } from "../muscle.js";
+import { PRESSURE, point as pointOf } from "../state.js";
+import { reach } from "../view3d.js";
+import { niceUp } from "./round.js";
+
+/** Keys of the address that are the page's own. */
+export const OWN = ["test", "show", "cut", "over"];
+/** @typedef {import("../../../types/commands").Commands} Commands */
+/** @typedef {Commands["shape"]["answer"] & { arrays: Record<string, Float32Array> }} Shape */
+/** @typedef {"answer" | "problem" | "facts" | "sync" | "changed" | "look" | "ranges"} Event */
+/**
+ * `start`: P′; `said`: what `force` has to say of a state.
+ * @typedef {Partial<Commands["muscle-show"]["answer"]> & { start?: number | null,
+ *   said?: { state: unknown, warnings: string[], words?: Commands["force"]["answer"]["uncertainty_words"] } }} Facts
+ */
+
+export class Store {
+  /** @param {(on: boolean) => void} busy */
+  constructor(busy) {
+    this.wanted = { test: "isobaric", show: "max_stretch", cut: "", over: "" };
+    /** @type {Shape | undefined} */ this.shape = undefined;
+    /** The same where it is of the present muscle. @type {Shape | undefined} */ this.point = undefined;
+    /** @type {Facts} */ this.facts = {};
+    /**
+     * Ends of the colour scales, by field: of the muscle up to its supply.
+     * @type {Record<string, [number, number]> | undefined}
+     */
+    this.ranges = undefined;
+    this.rangesKey = "";
+    /** The last problem, until there is an answer. @type {any} */ this.problem = undefined;
+    /** @type {Map<Event, ((more?: any) => void)[]>} */ this.listeners = new Map();
+    this.slots = { state: new Slot({ lane: "state", busy }), fact: new Slot(), start: new Slot(), range: new Slot() };
+    this.timers = { follow: 0, start: 0 };
+  }
+
+  /** @param {Event} what @param {(more?: any) => void} tell */
+  on(what, tell) { this.listeners.set(what, [...(this.listeners.get(what) ?? []), tell]); }
+  /** @param {Event} what @param {any} [more] */
+  tell(what, more) { this.listeners.get(what)?.forEach((tell) => tell(more)); }
+
+  /** @param {string} key @param {number | string | undefined} value @param {boolean} settled */
+  changed(key, value, settled) {
+    this.tell("changed");
+    muscle.set(key, value);
+    this.tell("sync");
+    this.ask();
+    clearTimeout(this.timers.follow);
+    if (settled) { this.settle(); this.follow(); }
+    else this.timers.follow = window.setTimeout(() => this.follow(), 120);
+  }
+
+  /** @param {Partial<Store["wanted"]>} wish */
+  look(wish) {
+    Object.assign(this.wanted, wish);
+    this.tell("look");
+    this.settle();
+  }
+
+  settle() {
+    const { test, show, cut, over } = this.wanted;
+    const own = { test: test === "isobaric" ? "" : test, show: show === "max_stretch" ? "" : show, cut, over };
+    write(address("muscle", { ...muscle.params(), ...own }));
+  }
+
+  /** The point and its shape. @param {number} [pressure] in place of the state's */
+  ask(pressure) {
+    const { state } = muscle, at = pointOf(state);
+    const request = { ...muscle.fields(), ...at, pressure_mpa: pressure ?? at.pressure_mpa };
+    this.slots.state.ask("shape", request, (answer) => {
+      this.shape = this.point = /** @type {Shape} */ (answer);
+      this.problem = undefined;
+      if (muscle.state === state) this.take(state, this.point);
+      this.tell("answer", pressure !== undefined);
+    }, (problem) => {
+      this.problem = problem;
+      this.point = undefined;
+      this.tell("problem", { problem, state });
+    });
+  }
+
+  /** @param {import("../state.js").State} state @param {Shape} answer */
+  take(state, answer) {
+    muscle.shown = { ...muscle.shown, ...answer.muscle };
+    if (state.F !== undefined) {
+      muscle.state = { ...state, e: answer.contraction };
+      clearTimeout(this.timers.start);
+      this.timers.start = window.setTimeout(() => this.starts(), 120);
+    }
+    this.tell("sync");
+  }
+
+  /** What comes after: P′, and what the muscle does at this pressure. */
+  follow() {
+    const { state } = muscle;
+    this.slots.fact.ask("muscle-show", { ...muscle.fields(), pressure_mpa: state.p }, (answer) => {
+      this.facts = { ...answer, start: this.facts.start, said: this.facts.said };
+      if (muscle.state.said === state.said) { muscle.shown = answer; this.tell("sync"); }
+      this.tell("facts");
+      this.range();
+    }, () => {});
+    // Of a load the contraction is known with its shape.
+    if (state.F === undefined) this.starts();
+  }
+
+  /** P′ at the contraction of the state, and what `force` has to say: whether it bursts takes more than a shape. */
+  starts() {
+    const { state } = muscle;
+    const request = { ...muscle.fields(), pressure_mpa: state.p, contraction: state.e };
+    this.slots.start.ask("force", request, ({ start_pressure_mpa: start, warnings, uncertainty_words: words }) => {
+      this.facts = { ...this.facts, start, said: { state, warnings: /** @type {string[]} */ (warnings), words } };
+      this.tell("facts");
+    }, () => { this.facts = { ...this.facts, start: undefined }; });
+  }
+
+  /** The pressure that the colours reach to: that of the gauge, or the one that the muscle may have. */
+  supply() {
+    const allowed = this.facts.characteristics?.allowed_pressure_mpa ?? this.facts.rated_pressure_mpa ?? Infinity;
+    const usual = Math.min(PRESSURE.high, allowed);
+    return muscle.p > usual ? niceUp(muscle.p) : usual;
+  }
+
+  /**
+   * Between which values the colours run: what the muscle shows anywhere between blocked and free, up to its supply.
+   */
+  range() {
+    const fields = muscle.fields(), supply = this.supply(), key = JSON.stringify([fields, supply]);
+    if (key === this.rangesKey) return;
+    this.rangesKey = key;
+    const states = [
+      { pressure_mpa: supply, contraction: 0 },
+      { pressure_mpa: supply, force_n: 0 },
+      { pressure_mpa: supply / 10, contraction: 0 },
+    ];
+    const found = /** @type {Record<string, [number, number]>} */ ({});
+    const next = () => {
+      const at = states.shift();
+      if (!at || this.rangesKey !== key) return;
+      const done = () => {
+        if (states.length) return next();
+        if (this.rangesKey !== key) return;
+        this.ranges = Object.keys(found).length ? found : undefined;
+        this.tell("ranges");
+      };
+      this.slots.range.ask(
+        "shape",
+        { ...fields, ...at },
+        (answer) => {
+          widen(found, /** @type {Shape} */ (answer));
+          done();
+        },
+        done,
+      );
+    };
+    next();
+  }
+
+  end() {
+    Object.values(this.timers).forEach(clearTimeout);
+    Object.values(this.slots).forEach((slot) => slot.end());
+  }
+}
+
+/** @param {Record<string, [number, number]>} found @param {Shape} shape */
+function widen(found, { arrays }) {
+  for (const [field, list] of Object.entries(arrays)) {
+    const [low, high] = reach(list), before = found[field] ?? [Infinity, -Infinity];
+    found[field] = [Math.min(low, before[0]), Math.max(high, before[1])];
+  }
+}

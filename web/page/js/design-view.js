@@ -1,0 +1,252 @@
+// The answer of a design as people read it: the best muscle, the table of all, what is not sure, and what would fit.
+import { capital, download, el } from "./dom.js";
+import { table, warnings } from "./form.js";
+import { number, outside, show, unitName, withUncertainty } from "./units.js";
+import { inWords } from "./words.js";
+
+/** @typedef {import("../../types/commands").Commands["design"]["answer"]} Answer */
+/** @typedef {Answer["candidates"][number]} Candidate */
+/** Prices of tubes and sleeves by their names, where the catalogue has them. @typedef {Map<string, string>} Prices */
+
+/** The least pull to spare at any of its points, and the ± there. @param {Candidate} c */
+function spare(c) {
+  const points = c.points.map((q) => ({ spare: q.force_at_max_pressure_n - q.force_n, half: q.uncertainty_n ?? NaN }));
+  return points.reduce((a, b) => (b.spare - b.half < a.spare - a.half ? b : a), points[0] ?? { spare: NaN, half: NaN });
+}
+/** Whether what is to spare covers the ±; nothing where the ± is not known. @param {Candidate} c */
+function isSure(c) {
+  const { spare: more, half } = spare(c);
+  return Number.isFinite(half) ? more >= half : undefined;
+}
+/** @param {Candidate} c @param {Prices} prices */
+const price = (c, prices) => [c.tube, c.sleeve].map((name) => prices.get(name ?? "")).filter(Boolean).join(" + ");
+const grams = (/** @type {number | null | undefined} */ g) => (g ? `${number(g, 3)} g` : "–");
+
+/**
+ * Columns: heading, unit for CSV, cell for people, value for CSV.
+ * @typedef {[string, string, (c: Candidate) => string, (c: Candidate) => string | number | null | undefined]} Column
+ */
+/** @param {Prices} prices @returns {Column[]} */
+function columns(prices) {
+  /**
+   * @param {string} head
+   * @param {string} kind
+   * @param {(c: Candidate) => number | null | undefined} of
+   * @returns {Column}
+   */
+  const quantity = (head, kind, of, digits = 4) => [head, unitName(kind), (c) => show(kind, of(c), digits), (c) => {
+    const v = of(c);
+    return v === null || v === undefined ? "" : Number(outside(kind, v).toPrecision(8));
+  }];
+  /** @param {string} head @param {(c: Candidate) => string | null | undefined} of @returns {Column} */
+  const words = (head, of) => [head, "", (c) => of(c) ?? "", of];
+  const sure = (/** @type {Candidate} */ c) => ({ true: "yes", false: "no" })[String(isSure(c))] ?? "–";
+  return [
+    words("tube", (c) => c.tube),
+    words("sleeve", (c) => c.sleeve),
+    quantity("D0", "length", (c) => c.outer_diameter_mm),
+    quantity("s", "length", (c) => c.wall_mm),
+    quantity("L0", "length", (c) => c.length_mm),
+    quantity("θ0", "angle", (c) => c.angle_deg),
+    words("rubber", (c) => c.rubber),
+    quantity("needs", "pressure", (c) => c.pressure_mpa, 3),
+    ["pull to spare", unitName("force"), (c) => show("force", spare(c).spare, 3),
+      (c) => outside("force", spare(c).spare)],
+    ["± of the pull", unitName("force"), (c) => (c.uncertainty_n ? `± ${show("force", c.uncertainty_n, 2)}` : "–"),
+      (c) => c.uncertainty_n && outside("force", c.uncertainty_n)],
+    words("sure", sure),
+    quantity("bulged", "length", (c) => c.bulged_diameter_mm),
+    quantity("bursts at", "pressure", (c) => c.burst_pressure_mpa, 3),
+    ["air per stroke", "normal L", (c) => (c.air_normal_litres ? `${number(c.air_normal_litres, 3)} L` : "–"),
+      (c) => c.air_normal_litres],
+    ["mass", "g", (c) => grams(c.mass_g ?? c.rubber_mass_g), (c) => c.mass_g ?? c.rubber_mass_g],
+    words("price", (c) => price(c, prices) || "–"),
+  ];
+}
+
+/**
+ * Columns that tell the candidates apart: a rubber that tubes name, and one length of all, is said above.
+ * @param {Candidate[]} candidates
+ * @param {Prices} prices
+ */
+function shownColumns(candidates, prices) {
+  const same = { rubber: candidates.every((c) => c.tube),
+    L0: candidates.every((c) => c.length_mm === candidates[0].length_mm), tube: candidates.every((c) => !c.tube),
+    sleeve: candidates.every((c) => !c.sleeve) };
+  return columns(prices).filter(([name]) => !(/** @type {Record<string, boolean>} */ (same))[name]);
+}
+
+/** @param {Candidate[]} candidates @param {Prices} prices */
+function csv(candidates, prices) {
+  const quoted = (
+    /** @type {string | number | null | undefined} */ v,
+  ) => (typeof v === "string" && /[",\n]/.test(v) ? `"${v.replaceAll('"', '""')}"` : v ?? "");
+  const list = columns(prices), head = list.map(([name, unit]) => (unit ? `${name} [${unit}]` : name));
+  return [head, ...candidates.map((c) => list.map(([, , , of]) => of(c)))].map((row) => row.map(quoted).join(",")).join(
+    "\n",
+  ) + "\n";
+}
+
+/**
+ * How to ask for a muscle that is sure, where the best has less to spare than its ±.
+ * @param {Answer} answer
+ * @param {(words: Record<string, string>) => void} ask
+ */
+function doubt(answer, ask) {
+  const [best] = answer.candidates, sure = answer.to_be_sure;
+  if (isSure(best) !== false) return null;
+  const half = show("force", best.uncertainty_n, 2),
+    begin = `The best muscle has less pull to spare than its ± of ${half}.`;
+  if (!sure) return el("p", { class: "doubt" }, `${begin} No muscle of this search is strong enough to cover it.`);
+  const points = sure.points ?? [], torques = sure.torques ?? [];
+  const wanted = sure.load_factor
+    ? `${number(sure.load_factor, 4)} times the load`
+    : [...points.map((q) => show("force", q.force_n)), ...torques.map((t) => `${number(t.torque_nm, 4)} N m`)].join(
+      ", ",
+    );
+  const guarantee = !torques.length && !sure.load_factor &&
+    el("button", { type: "button", onclick: () => ask({ sure: "95 %" }) }, "Design for a guaranteed pull (95 %)");
+  return el("p", { class: "doubt row" }, el("span", {}, `${begin} To be sure, design for ${wanted}.`),
+    guarantee || null);
+}
+
+/** @param {Answer} answer */
+function head(answer) {
+  const [best] = answer.candidates, [point] = best.points;
+  const size = `Outer diameter ${show("length", best.outer_diameter_mm, 4)}, wall ${
+    show("length", best.wall_mm)
+  }, length ${show("length", best.length_mm)}, braid ${show("angle", best.angle_deg)}`;
+  const pull = `pull ${withUncertainty("force", point.force_n, point.uncertainty_n)} at ${
+    show("ratio", point.contraction, 3)
+  }, blocked force ${show("force", best.blocked_force_n)}.`;
+  const binds = /** @type {{ binds?: string }} */ (best).binds;
+  const words = answer.uncertainty_words;
+  return [
+    el("h2", {}, size),
+    el("p", {},
+      `Rubber ${best.rubber}. Required pressure ${show("pressure", best.pressure_mpa, 3)}; ${pull} ${
+        binds ? `Limited by: ${binds.replaceAll("_", " ")}.` : ""
+      }`),
+    best.joint
+      ? el("p", {},
+        `Pulley of radius ${show("length", best.joint.radius_mm, 3)}, ${
+          show("ratio", best.joint.contraction_at_neutral, 3)
+        } contracted at the neutral angle.`)
+      : null,
+    words?.text
+      ? el("p", { class: "small soft" },
+        [words.text, words.bench].filter(Boolean).map((text) => `${inWords(/** @type {string} */ (text))}.`).join(" "))
+      : null,
+  ];
+}
+
+/** Tables below that of the muscles. @param {Answer} answer */
+function details(answer) {
+  const [best] = answer.candidates, out = [];
+  if (best.points.length > 1)
+    out.push(
+      table(["pull", "at", "needs"], best.points.map((
+        p,
+      ) => [withUncertainty("force", p.force_n, p.uncertainty_n), show("ratio", p.contraction, 3),
+        show("pressure", p.pressure_mpa, 3)]
+      ), { text: [], label: "the operating points" }),
+    );
+  const spread = /** @type {any[] | undefined} */ (/** @type {any} */ (answer).tolerance);
+  if (spread?.length)
+    out.push(
+      table(["within the tolerances, at", "and", "least pull", "largest pull", "likely"], spread.map((
+        t,
+      ) => [show("ratio", t.contraction, 3), show("pressure", t.pressure_mpa, 3), show("force", t.low_n),
+        show("force", t.high_n), `± ${show("force", t.likely_n, 2)}`]
+      ), { text: [], label: "spread of the pull" }),
+    );
+  return out;
+}
+
+/**
+ * What was found.
+ * @param {Answer} answer
+ * @param {Prices} prices
+ * @param {{ open: (c: Candidate) => void, ask: (words: Record<string, string>) => void }} act
+ */
+export function foundView(answer, prices, { open, ask }) {
+  const list = shownColumns(answer.candidates, prices),
+    rows = answer.candidates.map((c) => list.map(([, , cell]) => cell(c)));
+  const text = list.flatMap(([name], i) => (["tube", "sleeve", "rubber", "price"].includes(name) ? [i] : []));
+  const save = () => download("design.csv", csv(answer.candidates, prices), "text/csv");
+  const assumed = answer.assumptions?.length
+    ? el("details", { class: "small" }, el("summary", {}, "What was assumed"),
+      el("ul", {}, ...answer.assumptions.map((text) => el("li", {}, capital(inWords(text))))))
+    : null;
+  return [
+    ...head(answer),
+    doubt(answer, ask),
+    warnings(answer.warnings),
+    table(list.map(([name]) => name), rows, { text, pick: (i) => open(answer.candidates[i]),
+      label: "Muscles that fit, best first" }),
+    el("p", { class: "row small soft" },
+      el("span", { class: "grow" },
+        `${answer.fitting} of ${answer.looked_at} muscles fit; searched with ${answer.searched_with}, computed by `
+          + `${answer.model}. Click one to show it. Sure: the pull to spare covers the ±.`),
+      el("button", { type: "button", onclick: save, title: "The table of the muscles as a file" }, "CSV of the table")),
+    ...details(answer),
+    assumed,
+  ].filter((part) => part !== null);
+}
+
+/** @param {any} r */
+function relaxation(r) {
+  const points = (r.points ?? []).map((/** @type {any} */ p) =>
+    `${show("force", p.force_n)} at ${show("ratio", p.contraction, 3)}`
+  ).join(", ");
+  switch (r.relax) {
+    case "max_pressure":
+      return `Supply ${show("pressure", r.pressure_mpa, 3)}.`;
+    case "force":
+      return `Reduce the pull to ${points}.`;
+    case "contraction":
+      return `Reduce the requirement to ${points}.`;
+    case "outer_diameter":
+      return `Take a tube of ${show("length", r.outer_diameter_mm)}.`;
+    default:
+      return capital(
+        Object.entries(r).map(([k, v]) => (k === "relax"
+          ? String(v).replaceAll("_", " ")
+          : `${k.replaceAll("_", " ")} ${typeof v === "number" ? number(v) : v}`)
+        ).join(": "),
+      ) + ".";
+  }
+}
+
+/** What comes closest where nothing fits. @param {Answer} answer */
+export function closestView(answer) {
+  const c = answer.closest;
+  if (!c) return [el("h2", {}, "Nothing fits."), warnings(answer.warnings)];
+  return [
+    el("h2", {}, "Nothing fits."),
+    el("p", {},
+      `Closest: D0 ${show("length", c.outer_diameter_mm)}, s ${show("length", c.wall_mm)}${
+        c.sleeve ? ` in ${c.sleeve}` : ""
+      }: ${inWords(c.reason)}.`),
+    warnings(answer.warnings),
+    answer.excluded_by_burst
+      ? el("p", {}, `Of ${answer.looked_at} muscles ${answer.excluded_by_burst} burst too early; `
+        + `${answer.excluded_by_burst_alone} of them meet every other limit.`)
+      : null,
+    c.hint ? el("p", {}, capital(inWords(c.hint))) : null,
+    el("ul", {}, ...c.relaxations.map((r) => el("li", {}, relaxation(r)))),
+  ].filter((part) => part !== null);
+}
+
+/** @param {Answer} answer */
+export function rejectedView({ rejected }) {
+  if (!rejected?.length) return [];
+  const rows = rejected.map((
+    r,
+  ) => [show("length", r.outer_diameter_mm), show("length", r.wall_mm), show("length", r.length_mm),
+    inWords(r.reason)]
+  );
+  return [
+    el("details", {}, el("summary", {}, "Why others fail"), table(["D0", "s", "L0", "reason"], rows, { text: [3] })),
+  ];
+}

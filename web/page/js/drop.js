@@ -1,0 +1,112 @@
+// Files that are dropped anywhere, or chosen: what each is follows from what it holds, and each goes to the page that
+// it belongs to.
+import { address } from "./address.js";
+import { keepFile, wordsOf } from "./kept.js";
+import { pack } from "./deflate.js";
+import { measured } from "./measured.js";
+import { muscle } from "./muscle.js";
+import { notice, noticeProblem } from "./notice.js";
+import { openProject } from "./project.js";
+
+/** @typedef {"muscle" | "joint" | "drive" | "plan" | "data" | "project" | "other"} Kind */
+/** @typedef {{ name: string, text: string, kind: Kind }} Read */
+const MOST = 60_000_000;
+
+/** What a file is. @param {string} name @param {string} text @returns {Kind} */
+export function kindOfFile(name, text) {
+  if (/\.json$/i.test(name)) return /"mckibben-project"/.test(text.slice(0, 2000)) ? "project" : "other";
+  if (/\.(csv|tsv|txt|dat)$/i.test(name)) return "data";
+  const tables = new Set([...text.matchAll(/^[ \t]*\[\[?[ \t]*([\w-]+)/gm)].map((m) => m[1]));
+  if (tables.has("joint")) return "joint";
+  if (tables.has("vary") || tables.has("sampling")) return "plan";
+  if (tables.has("command") || tables.has("valve")) return "drive";
+  if (tables.has("tube") || tables.has("braid") || /\.toml$/i.test(name)) return "muscle";
+  return "other";
+}
+
+/** The muscle files that a joint file names, without their folders. @param {string} text */
+const namedIn = (text) =>
+  [...text.matchAll(/^[ \t]*(?:file|muscle)[ \t]*=[ \t]*"([^"]+)"/gm)].map((m) => m[1].split("/").pop() ?? "");
+
+/**
+ * Goes to a page with words over the kept ones; the muscle goes along.
+ * @param {string} page
+ * @param {Record<string, string | undefined>} words
+ */
+async function go(page, words) {
+  await Promise.all(Object.values(words).map((word) => pack(word ?? "")));
+  const to = address(page, { ...wordsOf(page), ...words, ...muscle.params() });
+  if (to === location.hash) window.dispatchEvent(new PopStateEvent("popstate", { state: history.state }));
+  else location.hash = to;
+}
+
+/** @param {Read[]} files */
+async function take(files) {
+  const first = (/** @type {Kind} */ kind) => files.find((file) => file.kind === kind);
+  const project = first("project");
+  if (project) return openProject(project.text);
+  const [joint, drive, data, plan] = [first("joint"), first("drive"), first("data"), first("plan")];
+  const muscles = files.filter((file) => file.kind === "muscle"), wanted = namedIn(joint?.text ?? drive?.text ?? "");
+  const own = muscles.find((file) => file.name === wanted[0]) ?? muscles[0];
+  const second = muscles.find((file) => file.name === wanted[1] && file !== own);
+  if (own) await muscle.take(own.text);
+  if (data) measured.set({ name: data.name, text: data.text });
+  if (plan) keepFile("plan", plan.text);
+  const lacks = (joint || drive) && !own && wanted[0];
+  const what = files.map((file) => file.name).join(", ");
+  notice(
+    `Opened ${what}.${
+      lacks ? ` It names ${wanted[0]}, which was not among the files: the muscle of this page takes its place.` : ""
+    }`,
+  );
+  if (drive) return go("motion", { drive: drive.text });
+  if (joint)
+    return go("joint", { joint: joint.text, r: undefined, range: undefined, e0: undefined, file2: second?.text });
+  // Over the curves of the page Muscle they are at their place too.
+  if (data && document.body.dataset.page !== "muscle") return go("data", {});
+  if (plan) return go("formula", {});
+  return go("muscle", {});
+}
+
+/** @param {readonly File[]} files */
+export async function takeFiles(files) {
+  try {
+    /** @type {Read[]} */ const read = [];
+    for (const file of files) {
+      if (file.size > MOST) throw new Error(`${file.name} is larger than 60 MB.`);
+      const text = await file.text();
+      read.push({ name: file.name, text, kind: kindOfFile(file.name, text) });
+    }
+    const other = read.find(({ kind }) => kind === "other");
+    if (other)
+      throw new Error(
+        `${other.name} is no file of this program: muscles, joints, drives and plans end in .toml, measured points `
+          + `in .csv, projects in .json.`,
+      );
+    if (read.length) await take(read);
+  } catch (problem) {
+    noticeProblem(problem);
+  }
+}
+
+/** The whole window takes files; boxes for one kind of file come first. */
+export function dropAnywhere() {
+  const hasFiles = (/** @type {DragEvent} */ event) =>
+    event.dataTransfer?.types.includes("Files") && !(/** @type {Element} */ (event.target).closest?.(".drop"));
+  window.addEventListener("dragover", (event) => {
+    if (hasFiles(event)) {
+      event.preventDefault();
+      document.body.classList.add("dropping");
+    }
+  }, true);
+  window.addEventListener("dragleave", (event) => {
+    if (!event.relatedTarget) document.body.classList.remove("dropping");
+  });
+  window.addEventListener("drop", (event) => {
+    document.body.classList.remove("dropping");
+    if (!hasFiles(event)) return;
+    event.preventDefault();
+    event.stopPropagation();
+    takeFiles([...(event.dataTransfer?.files ?? [])]);
+  }, true);
+}

@@ -1,0 +1,99 @@
+// A fitted formula as people see it: its errors, its figures, and surfaces that turn.
+import { engine } from "./ask.js";
+import { Chart } from "./chart.js";
+import { download, el } from "./dom.js";
+import { Figures } from "./figure.js";
+import { table } from "./form.js";
+import { atEnd } from "./life.js";
+import { number, outside, show, unitName } from "./units.js";
+
+/** The paper's formula, with the box that it was fitted in. */
+export const PUBLISHED = { name: "The formula of the paper",
+  range: { outer_diameter_mm: [30, 50], wall_mm: [1, 5], contraction: [0, 0.2] } };
+
+/** @param {any} file a formula */
+export function errorsView(file) {
+  const e = file.errors, share = (/** @type {number} */ x) => `${number(100 * x, 3)} %`;
+  const row = (/** @type {string} */ name,
+    /** @type {any} */ x) => [name, String(x.points), share(x.rms_of_blocked), share(x.p95_of_blocked),
+    share(x.max_of_blocked)];
+  const rows = [row("fitted to", e.fit), ...(e.held_out ? [row("kept out", e.held_out)] : [])];
+  const save = () => download(`${file.name}.json`, JSON.stringify(file, null, 2) + "\n", "application/json");
+  return [
+    el("h2", {}, file.name),
+    el("p", { class: "small" }, el("code", {}, file.equation)),
+    table(["against finite elements", "points", "rms", "95 %", "largest"], rows, {
+      label: "errors of the formula, of the blocked force",
+    }),
+    el("p", { class: "small soft" }, "Errors as shares of the blocked force."),
+    el("p", {}, el("button", { type: "button", onclick: save }, "Download the formula")),
+  ];
+}
+
+/** Figures that are drawn when they are opened. @param {any[] | undefined} drawn */
+export const figuresView = (drawn) =>
+  (drawn ?? []).map((f) => {
+    const box = el("details", {}, el("summary", {}, f.figure.title || f.name));
+    box.addEventListener("toggle", () => {
+      const one = new Figures(f.name);
+      box.append(one.element);
+      one.show(f.figure);
+    }, { once: true });
+    return box;
+  });
+
+/** So many values between two ends. @param {[number, number]} ends */
+const steps = ([low, high], n = 11) => Array.from({ length: n }, (_, i) => low + ((high - low) * i) / (n - 1));
+
+/** The formula as two surfaces: over contraction and wall, and over contraction and diameter. */
+export function surfaces() {
+  const wallTitle = el("h2", {}), diameterTitle = el("h2", {});
+  const overWall = new Chart("surface-wall", { tools: wallTitle, tall: true }),
+    overDiameter = new Chart("surface-diameter", { tools: diameterTitle, tall: true });
+  const element = el("div", { class: "charts", hidden: true }, overWall.element, overDiameter.element),
+    ends = new AbortController();
+  atEnd(() => ends.abort());
+  /**
+   * @param {Chart} chart
+   * @param {string} label
+   * @param {number[]} list
+   * @param {number[]} E
+   * @param {(value: number) => Promise<(number | null)[]>} line
+   */
+  async function draw(chart, label, list, E, line) {
+    /** @type {(number | null)[][]} */ const z = [];
+    for (const value of list) z.push(await line(value));
+    const axis = (/** @type {string} */ text) => ({ title: { text } }), pull = `F [${unitName("force")}]`;
+    const scene = { xaxis: axis("ε [%]"), yaxis: axis(label), zaxis: axis(pull),
+      camera: { eye: { x: 1.5, y: 1.5, z: 1.1 }, center: { x: 0, y: 0, z: -0.15 } } };
+    const data = [{ type: "surface", name: "surface", x: E.map((e) => 100 * e),
+      y: list.map((v) => outside("length", v)), z, colorscale: "Viridis", showscale: false }];
+    chart.show({ x: "contraction ε [%]", y: label, z: `pull ${pull}`, series: [], data,
+      layout: { scene, margin: { l: 0, r: 0, t: 0, b: 0 }, dragmode: "orbit" } });
+  }
+  return {
+    element,
+    /** @param {any} formula @param {number | undefined} at the pressure in MPa */
+    async show(formula, at) {
+      const { range } = formula;
+      element.hidden = !range?.outer_diameter_mm || !at;
+      if (element.hidden || !at) return;
+      const [D, S, E] = [steps(range.outer_diameter_mm), steps(range.wall_mm), steps(range.contraction, 21)],
+        middle = { outer_diameter_mm: D[5], wall_mm: S[5] };
+      wallTitle.textContent = `Pull over contraction and wall, D0 ${show("length", D[5])}`;
+      diameterTitle.textContent = `Pull over contraction and diameter, s ${show("length", S[5])}`;
+      const model = formula === PUBLISHED
+        ? { model: "paper" }
+        : { model: formula.name, formulas: [{ name: formula.name, text: JSON.stringify(formula) }] };
+      const line = (/** @type {string} */ field) => async (/** @type {number} */ value) => {
+        const answer = await engine().ask("curve", { ...model, ...middle, [field]: value, test: "isobaric",
+          pressures_mpa: [at], contractions: E, extrapolate: true }, { signal: ends.signal });
+        return answer.points.map((
+          /** @type {any} */ q,
+        ) => (q.force_n === undefined ? null : outside("force", q.force_n)));
+      };
+      await draw(overWall, `s [${unitName("length")}]`, S, E, line("wall_mm"));
+      await draw(overDiameter, `D0 [${unitName("length")}]`, D, E, line("outer_diameter_mm"));
+    },
+  };
+}

@@ -1,0 +1,121 @@
+// The joint to scale: pulley, both muscles as long and as thick as they are, the arm in its range, and the torque that
+// it holds.
+import { niceUp } from "./bench/round.js";
+import { KINDS, isDark, viridis } from "./chart.js";
+import { number, outside, show, unitName } from "./units.js";
+
+/** @typedef {Record<string, any>} Point a point of the answer */
+/** Radius, range and contraction at the neutral angle of the joint; length, diameter and braid angle of its muscle. */
+/** @typedef {{ r: number, range: number, e0: number, length: number, diameter: number, angle: number }} Measures */
+
+const at = (/** @type {number} */ radius, /** @type {number} */ degrees) =>
+  `${(radius * Math.cos((degrees * Math.PI) / 180)).toFixed(1)} ` +
+    `${(-radius * Math.sin((degrees * Math.PI) / 180)).toFixed(1)}`;
+
+/**
+ * Half the diameter at a contraction, by strands that do not stretch.
+ * @param {Measures} m @param {number} contraction
+ */
+function bulged({ diameter, angle }, contraction) {
+  const a = (angle * Math.PI) / 180, c = Math.cos(a) * (1 - contraction);
+  return ((diameter / 2) * Math.sqrt(Math.max(0, 1 - c * c))) / Math.sin(a);
+}
+
+/**
+ * A muscle of the drawing.
+ * @param {Measures} m @param {1 | 2} which @param {Point | undefined} point @param {number} supply @param {number} left
+ */
+function tube(m, which, point, supply, left) {
+  const y = which === 1 ? -m.r : m.r,
+    e = point?.[`contraction_${which}`] ?? m.e0,
+    p = point?.[`pressure_${which}_mpa`];
+  const long = m.length * (1 - e),
+    r = m.diameter / 2,
+    b = Math.max(r, bulged(m, e)),
+    end = 0.12 * long,
+    share = Math.min(1, (p ?? 0) / supply);
+  const colour = isDark() ? viridis(0.25 + 0.75 * share, 1) : viridis(share);
+  const shape = `M${left} ${y - r}q${0.4 * end} ${r - b} ${end} ${r - b}h${long - 2 * end}q${0.6 * end} 0 ${end} ` +
+    `${b - r}v${2 * r}q${-0.4 * end} ${b - r} ${-end} ${b - r}h${-(long - 2 * end)}q${-0.6 * end} 0 ${-end} ${r - b}z`;
+  const cap = (/** @type {number} */ x) =>
+    `<rect x="${x}" y="${y - 1.12 * r}" width="${0.6 * r}" height="${2.24 * r}" class="cap"/>`;
+  const text = p === undefined ? String(which) : `${which}: ${show("pressure", p, 3)}, ${show("ratio", e, 3)}`;
+  const place = which === 1 ? y - b - 0.02 * m.length : y + b + 0.055 * m.length;
+  return (
+    `<path d="M${left + long} ${y}H0" class="tendon"/><path d="${shape}" fill="${colour}" class="tube"/>` +
+      `${cap(left - 0.6 * r)}${cap(left + long)}` +
+    `<text x="${left}" y="${place}">${text}</text>`
+  );
+}
+
+/**
+ * The arm and its muscles as SVG; its axis is the origin.
+ * @param {Point | undefined} point @param {number} angle in degrees @param {number} supply @param {Measures} m
+ */
+export function jointDrawing(point, angle, supply, m) {
+  const arm = 0.45 * m.length,
+    spare = m.r * ((m.range * Math.PI) / 180) + m.diameter;
+  const left = -(m.length * (1 - m.e0) + spare),
+    size = m.length / 26,
+    width = arm * 1.25 - left + 0.1 * m.length;
+  const tall =
+    2 * Math.max(arm * Math.sin((Math.min(90, m.range) * Math.PI) / 180) + 0.1 * m.length, m.r + 1.6 * m.diameter);
+  const large = m.range > 90 ? 1 : 0;
+  const range = `<path d="M0 0L${at(arm, -m.range)}A${arm} ${arm} 0 ${large} 0 ${at(arm, m.range)}Z" class="range"/>`;
+  const muscles =
+    tube(m, 1, point, supply, left) +
+    (point && point.pressure_2_mpa === undefined ? "" : tube(m, 2, point, supply, left));
+  const bar = niceUp(0.13 * m.length),
+    scale = `<path d="M${left} ${tall / 2 - 0.03 * m.length}v${0.015 * m.length}h${bar}v${-0.015 * m.length}" ` +
+      `fill="none" class="line"/><text x="${left + bar + 4}" y="${tall / 2 - 0.01 * m.length}">` +
+      `${show("length", bar, 2)}</text>`;
+  const wall = `<path d="M${left - 0.5 * m.diameter} ${-m.r - m.diameter}V${m.r + m.diameter}" class="wall"/>`;
+  return (
+    `<svg class="section joint" viewBox="${left - 0.04 * m.length} ${-tall / 2} ${width} ${tall}" ` +
+      `font-size="${size}">${range}${wall}${muscles}<circle r="${m.r}" class="pulley"/>` +
+    `<path d="M0 0L${at(arm, angle)}" class="arm" stroke-width="${0.035 * m.length}"/><circle ` +
+    `r="${0.02 * m.length}" fill="currentColor"/>` +
+    `<circle cx="${at(arm, angle).replace(" ", '" cy="')}" r="${0.035 * m.length}" fill="${KINDS[1]}"/>` +
+    `${load(point, angle, arm, size)}${scale}</svg>`
+  );
+}
+
+/**
+ * The torque that the joint holds against its load, as an arrow about the axis.
+ * @param {Point | undefined} point @param {number} angle @param {number} arm @param {number} size
+ */
+function load(point, angle, arm, size) {
+  const torque = Number(point?.torque_nm ?? 0);
+  if (Math.abs(torque) < 1e-6) return "";
+  const r = 0.6 * arm, sweep = Math.sign(torque) * 28, tip = angle + sweep, back = tip - Math.sign(torque) * 5;
+  const text = `${number(outside("torque", torque), 3)} ${unitName("torque")}`;
+  return (
+    `<path d="M${at(r, angle)}A${r} ${r} 0 0 ${torque > 0 ? 0 : 1} ` +
+      `${at(r, tip)}M${at(0.94 * r, back)}L${at(r, tip)}L${at(1.06 * r, back)}" class="load"/>` +
+    `<text x="${at(1.1 * r, tip).replace(" ", '" y="')}" font-size="${size}">${text}</text>`
+  );
+}
+
+/**
+ * What the torque can be at each angle: between the pairs of pressures that pull hardest to either side.
+ * @param {number[]} angles @param {(number | null)[][]} torques by pair @returns {import("./chart.js").Series[]}
+ */
+export function reachable(angles, torques) {
+  const known = angles.map((_, i) =>
+    torques.map((list) => list[i]).filter((v) => typeof v === "number" && Number.isFinite(v)),
+  );
+  const there = angles.map((_, i) => i).filter((i) => known[i].length > 1);
+  if (there.length < 2) return [];
+  const ends = (/** @type {(...list: number[]) => number} */ of) =>
+    there.map((i) => of(.../** @type {number[]} */ (known[i])));
+  const x = there.map((i) => angles[i]);
+  return [
+    {
+      name: "reachable torque",
+      band: true,
+      colour: KINDS[0],
+      x: [...x, ...[...x].reverse()],
+      y: [...ends(Math.max), ...ends(Math.min).reverse()],
+    },
+  ];
+}

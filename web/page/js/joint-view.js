@@ -1,0 +1,76 @@
+// The joint in numbers and curves: torques over the angle, what it can reach, and its numbers.
+import { niceUp } from "./bench/round.js";
+import { KINDS, pressureColour } from "./chart.js";
+import { el } from "./dom.js";
+import { reachable } from "./joint-drawing.js";
+import { number, outside, show, unitName } from "./units.js";
+
+/** @typedef {import("../../types/commands").Commands["joint"]["answer"]} Answer */
+/** A point as the page shows it. @typedef {any} Point */
+
+/** The angle under the pointer in degrees. @param {HTMLElement} stage @param {PointerEvent} event */
+export function angleAt(stage, event) {
+  const svg = stage.querySelector("svg"), matrix = svg?.getScreenCTM()?.inverse();
+  if (!svg || !matrix) return undefined;
+  const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix);
+  return (Math.atan2(-at.y, at.x) * 180) / Math.PI;
+}
+
+/** @param {Point} point @param {string} which muscles these are */
+export function numbersView(point, which) {
+  const half = (/** @type {number | undefined} */ u) => (u ? ` ± ${number(u, 2)}` : "");
+  const stiffness = (/** @type {Point} */ { stiffness_nm_per_rad: k, stiffness_uncertainty_nm_per_rad: u }) =>
+    `${number(outside("angular-stiffness", k), 3)}${half(u && outside("angular-stiffness", u))} ${
+      unitName("angular-stiffness")
+    }`;
+  const rows = /** @type {[string, string][]} */ ([
+    ["pressure of muscle 1", show("pressure", point.pressure_1_mpa, 3)],
+    ["pressure of muscle 2", show("pressure", point.pressure_2_mpa, 3)],
+    ["stiffness", stiffness(point)],
+    ["pulls", `${show("force", point.force_1_n, 3)}, ${show("force", point.force_2_n, 3)}`],
+    ["contractions", `${show("ratio", point.contraction_1, 3)}, ${show("ratio", point.contraction_2, 3)}`],
+  ]);
+  const words = point.words ? ` The ± of the torque ${point.words}.` : "";
+  return [
+    el("dl", {}, el("dt", { class: "head" }, "rests at"),
+      el("dd", { class: "head" }, `${number(point.angle_deg, 3)}${half(point.angle_uncertainty_deg)}°`),
+      ...rows.flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)])),
+    el("p", { class: "small soft" }, `${which} Pressures by ${point.model}; curves and map by universal.${words}`),
+  ];
+}
+
+/**
+ * Torques over the angle at pairs of pressures.
+ * @param {{ answer: any, angles: number[], pairs: number[][] }} family
+ * @param {Point | undefined} point
+ * @returns {import("./chart.js").Spec}
+ */
+export function torqueChart({ answer, angles, pairs }, point) {
+  const series = pairs.map((pair, i) => {
+    const rows = answer.points.slice(i * angles.length, (i + 1) * angles.length);
+    const name = pair.map((p) => number(outside("pressure", p), 3)).join(" | ") + " " + unitName("pressure");
+    return { name, end: name, colour: KINDS[i], x: angles,
+      y: rows.map((/** @type {any} */ q) => outside("torque", q.torque_nm)) };
+  });
+  const marks = point ? [{ x: point.angle_deg, y: outside("torque", point.torque_nm ?? 0), text: "required" }] : [];
+  return { x: "angle φ [°]", y: `torque [${unitName("torque")}]`, yaxis: {},
+    series: [...reachable(angles, series.map((s) => s.y)), ...series], marks };
+}
+
+/** Rest angles and stiffnesses that it reaches. @param {any} map @returns {import("./chart.js").Spec} */
+export function reachChart(map) {
+  const points = map.points.filter(Boolean), unit = unitName("pressure"), stiffness = "angular-stiffness";
+  const mean = (/** @type {any} */ { pressures_mpa: list }) =>
+    outside("pressure", list.reduce((/** @type {number} */ a, /** @type {number} */ b) => a + b, 0) / list.length);
+  const most = Math.max(1e-9, ...points.map(mean)), step = niceUp(most / 6);
+  const count = Math.max(1, Math.ceil(most / step - 1e-9));
+  const series = Array.from({ length: count }, (_, i) => {
+    const of = points.filter((/** @type {any} */ q) => Math.min(count - 1, Math.floor(mean(q) / step)) === i);
+    const name = `${number(i * step, 3)} to ${number((i + 1) * step, 3)} ${unit}`;
+    const y = of.map((/** @type {any} */ q) => outside(stiffness, q.stiffness_nm_per_rad));
+    const x = of.map((/** @type {any} */ q) => q.angle_deg), colour = pressureColour(i + 0.5, count);
+    const legend = i ? name : `mean pressure ${name}`, z = of.map(mean);
+    return { name, legend, mode: /** @type {const} */ ("markers"), colour, x, y, z };
+  });
+  return { x: "rest angle φ [°]", y: `stiffness [${unitName(stiffness)}]`, z: `mean pressure [${unit}]`, series };
+}

@@ -1,0 +1,289 @@
+// Curves on the page: crosshair, zoom, and drags in values of the axes. The drawing itself is in plot.js.
+import { el, say } from "./dom.js";
+import { colourOf, drawing, frame, nearest, reachOf } from "./plot.js";
+import { number } from "./units.js";
+
+/** Farther away than this in pixels nothing is read off. */
+const NEAR = 48;
+/** @param {string} name */
+const token = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+const colours = () => ({
+  ink: token("--ink"),
+  line: token("--line"),
+  faint: token("--faint"),
+  paper: token("--paper"),
+});
+/** The unit of an axis. @param {string} title */
+const unit = (title) => { const [, u] = /\[(.+)\]/.exec(title) ?? []; return u ? ` ${u}` : ""; };
+
+export class Lines {
+  /**
+   * @param {HTMLElement} host @param {string} name
+   * @param {((x: number, y: number, settled: boolean) => void) | undefined} drag
+   */
+  constructor(host, name, drag) {
+    this.host = host;
+    this.drag = drag;
+    /** @type {import("./plot.js").Curves | undefined} */ this.spec = undefined;
+    /** @type {import("./plot.js").Frame | undefined} */ this.at = undefined;
+    /** @type {import("./plot.js").Reach | undefined} */ this.zoomed = undefined;
+    /** What the keyboard reads: curve and point. @type {[number, number] | undefined} */ this.read = undefined;
+    /** Where the pointer rests on the plot. @type {[number, number] | undefined} */ this.pointer = undefined;
+    this.drawn = el("div", {});
+    this.dot = el("i", { class: "dot", hidden: true });
+    this.tip = el("div", { class: "tip small", hidden: true });
+    this.hair = el("i", { class: "hair", hidden: true });
+    this.box = el("i", { class: "box", hidden: true });
+    this.all = el(
+      "button",
+      { type: "button", class: "all small", hidden: true, onclick: () => this.zoom(undefined) },
+      "Show all",
+    );
+    host.replaceChildren(this.drawn, this.hair, this.box, this.dot, this.tip, this.all);
+    host.tabIndex = 0;
+    host.setAttribute("role", "group");
+    host.setAttribute(
+      "aria-label",
+      `${name.replaceAll("-", " ")}: arrow keys read its points, + and − zoom, 0 shows all`,
+    );
+    this.ends = new AbortController();
+    this.listen();
+  }
+
+  /** @param {import("./plot.js").Curves} spec */
+  draw(spec) {
+    this.spec = spec;
+    const { clientWidth: width, clientHeight: height } = this.host;
+    if (!width || !height) return;
+    this.at = frame(spec, width, height, this.zoomed ?? reachOf(spec));
+    this.drawn.innerHTML = drawing(spec, this.at, colours());
+    this.all.hidden = !this.zoomed;
+    // What is below the pointer is read off anew.
+    if (this.pointer) this.hover(this.pointer[0], this.pointer[1]);
+    else if (!this.tip.hidden) this.clear();
+  }
+
+  /**
+   * Where values lie, in pixels of the plot; at its edge, where they lie beyond.
+   * @param {number} x @param {number} y
+   */
+  place(x, y) {
+    const { at } = this;
+    if (!at) return undefined;
+    const within = (/** @type {number} */ v, /** @type {number} */ low, /** @type {number} */ size) =>
+      Math.min(low + size, Math.max(low, v));
+    return [within(at.px(x), at.left, at.w), within(at.py(y), at.top, at.h)];
+  }
+
+  /** @param {number} px @param {number} py */
+  values(px, py) { return this.at && [this.at.x(px), this.at.y(py)]; }
+
+  /** @param {import("./plot.js").Reach | undefined} reach nothing for all */
+  zoom(reach) {
+    this.zoomed = reach;
+    if (this.spec) this.draw(this.spec);
+    this.host.dispatchEvent(new Event("zoomed"));
+  }
+
+  /** @param {number} by @param {number} [px] @param {number} [py] */
+  zoomAbout(by, px, py) {
+    const { at } = this;
+    if (!at) return;
+    const [cx, cy] = [at.x(px ?? at.left + at.w / 2), at.y(py ?? at.top + at.h / 2)];
+    const about = (/** @type {[number, number]} */ [low, high], /** @type {number} */ c, on = true) =>
+      /** @type {[number, number]} */ (on ? [c + (low - c) * by, c + (high - c) * by] : [low, high]);
+    this.zoom({
+      x: about(at.reach.x, cx, px === undefined || px > at.left),
+      y: about(at.reach.y, cy, py === undefined || py < at.top + at.h),
+    });
+  }
+
+  /** What lies at a place, in words. @param {{ which: number, x: number, y: number, half?: number }} found */
+  words({ which, x, y, half }) {
+    const spec = /** @type {import("./plot.js").Curves} */ (this.spec);
+    const value = half === undefined ? number(y, 4) : `${number(y, 4)} ± ${number(half, 2)}`;
+    return `${spec.series[which].name}: ${number(x, 4)}${unit(spec.x)}, ${value}${unit(spec.y)}`;
+  }
+
+  /** @param {{ which: number, x: number, y: number, half?: number }} found */
+  show(found) {
+    const { at, spec } = this;
+    if (!at || !spec) return;
+    const [px, py] = [at.px(found.x), at.py(found.y)];
+    const colour = colourOf(spec.series[found.which], found.which);
+    this.dot.style.cssText = `transform:translate(${px}px,${py}px);border-color:${colour}`;
+    this.hair.style.cssText = `left:${px}px;top:${at.top}px;height:${at.h}px`;
+    this.tip.textContent = this.words(found);
+    this.tip.style.cssText =
+      px > at.left + at.w / 2
+        ? `right:${at.width - px + 12}px;top:${Math.max(0, py - 34)}px`
+        : `left:${px + 12}px;top:${Math.max(0, py - 34)}px`;
+    [this.dot, this.hair, this.tip].forEach((part) => {
+      part.hidden = false;
+    });
+  }
+
+  clear() {
+    this.read = undefined;
+    [this.dot, this.hair, this.tip, this.box].forEach((part) => { part.hidden = true; });
+  }
+
+  listen() {
+    const { host } = this,
+      { signal } = this.ends;
+    const on = (/** @type {string} */ event, /** @type {(event: any) => void} */ act, options = {}) =>
+      host.addEventListener(event, act, { signal, ...options });
+    /** @type {{ px: number, py: number, what: "drag" | "x" | "y" | "box" } | undefined} */ let from;
+    const where = (/** @type {PointerEvent | MouseEvent} */ event) => {
+      const box = host.getBoundingClientRect();
+      return [event.clientX - box.left, event.clientY - box.top];
+    };
+    const drag = (/** @type {number} */ px, /** @type {number} */ py, /** @type {boolean} */ settled) =>
+      this.at && this.drag?.(this.at.x(px), this.at.y(py), settled);
+    on("pointerdown", (/** @type {PointerEvent} */ event) => {
+      if (event.button !== 0 || !this.at || event.target === this.all) return;
+      const [px, py] = where(event),
+        { left, top, h } = this.at;
+      const what =
+        py > top + h ? "x" : px < left ? "y" : this.drag ? "drag" : event.pointerType === "touch" ? undefined : "box";
+      if (!what) return;
+      from = { px, py, what };
+      this.clear();
+      host.setPointerCapture(event.pointerId);
+      if (what === "drag") drag(px, py, false);
+    });
+    on("pointermove", (/** @type {PointerEvent} */ event) => {
+      const [px, py] = where(event);
+      this.pointer = from ? undefined : [px, py];
+      if (!from) return this.hover(px, py);
+      if (from.what === "drag") drag(px, py, false);
+      else this.frameOf(from, px, py);
+    });
+    on("pointerup", (/** @type {PointerEvent} */ event) => {
+      const [px, py] = where(event), begun = from;
+      from = undefined;
+      if (begun?.what === "drag") drag(px, py, true);
+      else if (begun) this.zoomTo(begun, px, py);
+    });
+    on("pointercancel", () => { from = undefined; this.clear(); });
+    on("pointerleave", () => { this.pointer = undefined; if (!from) this.clear(); });
+    on("blur", () => this.clear());
+    on("dblclick", () => this.zoom(undefined));
+    on(
+      "wheel",
+      (/** @type {WheelEvent} */ event) => {
+        if (!event.ctrlKey && !event.metaKey) return;
+        event.preventDefault();
+        const [px, py] = where(event);
+        this.zoomAbout(Math.exp(0.002 * event.deltaY), px, py);
+      },
+      { passive: false },
+    );
+    on("keydown", (/** @type {KeyboardEvent} */ event) => {
+      if (event.target === host && this.key(event.key)) event.preventDefault();
+    });
+    host.style.touchAction = "pan-y";
+    if (this.drag) host.style.cursor = "crosshair";
+  }
+
+  /** @param {number} px @param {number} py */
+  hover(px, py) {
+    const { at, spec } = this;
+    if (!at || !spec) return;
+    this.host.style.cursor = py > at.top + at.h ? "ew-resize" : px < at.left ? "ns-resize" : "crosshair";
+    const found = px >= at.left && py <= at.top + at.h ? nearest(spec, at, px, py) : undefined;
+    if (found && found.far < NEAR) this.show(found);
+    else this.clear();
+  }
+
+  /**
+   * The part that a drag selects.
+   * @param {{ px: number, py: number, what: string }} from @param {number} px @param {number} py
+   */
+  selected(from, px, py) {
+    const { left, top, w, h } = /** @type {import("./plot.js").Frame} */ (this.at);
+    const sorted = (
+      /** @type {number} */ a,
+      /** @type {number} */ b,
+      /** @type {number} */ low,
+      /** @type {number} */ size,
+    ) => [Math.max(low, Math.min(a, b)), Math.min(low + size, Math.max(a, b))];
+    const [x0, x1] = from.what === "y" ? [left, left + w] : sorted(from.px, px, left, w);
+    const [y0, y1] = from.what === "x" ? [top, top + h] : sorted(from.py, py, top, h);
+    return { x0, x1, y0, y1 };
+  }
+
+  /** @param {{ px: number, py: number, what: string }} from @param {number} px @param {number} py */
+  frameOf(from, px, py) {
+    const { x0, x1, y0, y1 } = this.selected(from, px, py);
+    this.box.hidden = false;
+    const [wide, tall] = [Math.max(0, x1 - x0), Math.max(0, y1 - y0)];
+    this.box.style.cssText = `left:${x0}px;top:${y0}px;width:${wide}px;height:${tall}px`;
+  }
+
+  /** @param {{ px: number, py: number, what: string }} from @param {number} px @param {number} py */
+  zoomTo(from, px, py) {
+    this.box.hidden = true;
+    const { at } = this, { x0, x1, y0, y1 } = this.selected(from, px, py);
+    if (!at || x1 - x0 < 6 || y1 - y0 < 6) return;
+    this.zoom({
+      x: from.what === "y" ? at.reach.x : [at.x(x0), at.x(x1)],
+      y: from.what === "x" ? at.reach.y : [at.y(y1), at.y(y0)],
+    });
+  }
+
+  /** @param {string} key @returns whether it means something here */
+  key(key) {
+    this.pointer = undefined;
+    const step = { ArrowRight: [0, 1], ArrowLeft: [0, -1], ArrowUp: [1, 0], ArrowDown: [-1, 0] }[key];
+    if (step) this.walk(step[0], step[1]);
+    else if (key === "+" || key === "=") this.zoomAbout(0.7);
+    else if (key === "-") this.zoomAbout(1 / 0.7);
+    else if (key === "0" || key === "Escape") this.zoom(undefined);
+    else return false;
+    return true;
+  }
+
+  /** To the next point with a value, of this curve or another one. @param {number} curve @param {number} along */
+  walk(curve, along) {
+    const series = this.spec?.series ?? [];
+    const readable = series.map((_, i) => i).filter((i) => !series[i].band && series[i].x.length);
+    if (!readable.length) return;
+    const [was, i] = this.read ?? [readable[0], -1];
+    const which = readable[(Math.max(0, readable.indexOf(was)) + curve + readable.length) % readable.length];
+    const s = series[which];
+    let next = Math.min(s.x.length - 1, Math.max(0, i + along));
+    if (i < 0) next = 0;
+    while (s.y[next] === null && next + (along || 1) in s.x) next += along || 1;
+    const y = s.y[next];
+    if (typeof y !== "number") return;
+    const found = { which, x: s.x[next], y, half: s.half?.[next] ?? undefined };
+    this.show(found);
+    this.read = [which, next];
+    say(this.words(found));
+  }
+
+  /** The drawing as text of an SVG file. @param {number} width @param {number} height */
+  svg(width, height) {
+    const spec = /** @type {import("./plot.js").Curves} */ (this.spec);
+    return drawing(spec, frame(spec, width, height, this.zoomed ?? reachOf(spec)), colours(), true);
+  }
+
+  /** As an image's address. @param {"svg" | "png"} kind @param {{ width: number, height: number }} size */
+  async picture(kind, { width, height }) {
+    const file = URL.createObjectURL(new Blob([this.svg(width, height)], { type: "image/svg+xml" }));
+    if (kind === "svg") return file;
+    const image = el("img", { src: file });
+    await image.decode();
+    const canvas = el("canvas", { width: 2 * width, height: 2 * height });
+    canvas.getContext("2d")?.drawImage(image, 0, 0, 2 * width, 2 * height);
+    URL.revokeObjectURL(file);
+    return canvas.toDataURL("image/png");
+  }
+
+  destroy() {
+    this.ends.abort();
+    this.host.replaceChildren();
+    for (const name of ["tabindex", "role", "aria-label"]) this.host.removeAttribute(name);
+  }
+}

@@ -1,0 +1,71 @@
+// A motion as people see it: pressures, the way of muscle or joint over time, and its figures.
+import { KINDS } from "./chart.js";
+import { table } from "./form.js";
+import { number, outside, show, unitName } from "./units.js";
+
+/** @typedef {any} Run an answer of `motion` */
+/** Whether it is a joint's. @param {Run} run */
+export const isJoint = (run) => Boolean(run.series.angle_deg);
+const pressures = (/** @type {number[]} */ list) => list.map((p) => outside("pressure", p));
+
+/** @param {Run} run @returns {import("./chart.js").Spec} */
+export function pressureChart({ series: s, ...run }) {
+  const t = s.time_s,
+    line = (/** @type {string} */ key, /** @type {string} */ name, /** @type {number} */ colour,
+      /** @type {"dot" | undefined} */ dash) => (s[key]
+        ? [{ name, x: t, y: pressures(s[key]), colour: KINDS[colour], end: name, dash }]
+        : []);
+  const series = isJoint({ series: s, ...run })
+    ? [...line("pressure_1_mpa", "muscle 1", 0, undefined), ...line("command_1", "command 1", 6, "dot"),
+      ...line("pressure_2_mpa", "muscle 2", 1, undefined), ...line("command_2", "command 2", 6, "dot")]
+    : [...line("pressure_mpa", "muscle", 0, undefined), ...line("command", "command", 6, "dot")];
+  return { x: "time [s]", y: `pressure [${unitName("pressure")}]`, series };
+}
+
+/** @param {Run} run @returns {import("./chart.js").Spec} */
+export function wayChart(run) {
+  const { series: s } = run;
+  if (isJoint(run))
+    return { x: "time [s]", y: "angle φ [°]", yaxis: {},
+      series: [{ name: "angle", x: s.time_s, y: s.angle_deg, colour: KINDS[1] }] };
+  return { x: "time [s]", y: "contraction ε [%]",
+    series: [{ name: "contraction", x: s.time_s, y: s.contraction.map((/** @type {number} */ e) => 100 * e),
+      colour: KINDS[1] }] };
+}
+
+/** Largest speed, of the motion itself; of what was recorded only where nothing else is known. @param {Run} run */
+function speed(run) {
+  if (isJoint(run)) return `${number(run.largest_velocity_deg_per_s ?? run.largest_speed, 3)} °/s`;
+  const inside = run.largest_velocity_mm_per_s ?? run.largest_speed;
+  return `${number(outside("length", inside), 3)} ${unitName("length")}/s`;
+}
+
+/** @param {Run} run */
+export function figures(run) {
+  const time = (
+    /** @type {number | null | undefined} */ x,
+  ) => (x === null || x === undefined ? "–" : `${number(x, 3)} s`);
+  return table(["", ""], [
+    ["rise time, 10–90 %", time(run.rise_time_s)],
+    ["settling time, 2 %", time(run.settling_time_s)],
+    ["overshoot", show("ratio", run.overshoot, 3)],
+    ["filled within 2 % after", time(run.fill_time_s)],
+    ["air from the supply", `${number(run.air_normal_litres, 3)} normal L`],
+    ["largest speed", speed(run)],
+    ["largest power", `${number(run.largest_power_w, 3)} W`],
+  ], { label: "figures of the step" });
+}
+
+/** The state at a place of the record, in a line. @param {Run} run @param {number} i */
+export function stateLine(run, i) {
+  const { series: s } = run;
+  if (isJoint(run))
+    return `${number(s.angle_deg[i], 3)}°, ${
+      [s.pressure_1_mpa, s.pressure_2_mpa].filter(Boolean).map((p) => show("pressure", p[i], 3)).join(" and ")
+    }`;
+  return `${show("pressure", s.pressure_mpa[i], 3)}, ${number(100 * s.contraction[i], 3)} %`;
+}
+
+/** The muscle at a place of the record: that of the page, or muscle 1 of a joint. @param {Run} run @param {number} i */
+export const stateAt = ({ series: s }, i) => ({ pressure_mpa: Math.max(0, (s.pressure_mpa ?? s.pressure_1_mpa)[i]),
+  contraction: (s.contraction ?? s.contraction_1)[i] });

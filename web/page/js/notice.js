@@ -1,0 +1,16 @@
+// One line above the page: what was done with a file, and what a link has lost.
+import { byId, el } from "./dom.js";
+
+/** @param {string} text @param {(Node | string)[]} more */
+export function notice(text, ...more) {
+  const box = byId("notice");
+  const close = el("button", { type: "button", class: "bare", "aria-label": "Close this message", onclick: () => {
+    box.hidden = true;
+  } }, "Close");
+  box.replaceChildren(el("span", {}, text), ...more, close);
+  box.hidden = false;
+}
+
+/** A problem in the same place. @param {any} problem @param {string} [what] */
+export const noticeProblem = (problem, what = "") =>
+  notice([what, problem.message ?? String(problem), problem.hint].filter(Boolean).join(" "));

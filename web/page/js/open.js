@@ -1,0 +1,27 @@
+// Open: a file of any kind, or a muscle of the gallery.
+import { dialog } from "./dialog.js";
+import { el, problemBox } from "./dom.js";
+import { takeFiles } from "./drop.js";
+import { gallery } from "./gallery.js";
+
+export function openDialog() {
+  dialog("Open a muscle", (close) => {
+    const said = el("div", {});
+    const input = el("input", { type: "file", multiple: true, accept: ".toml,.csv,.txt,.tsv,.json", class: "unseen",
+      "aria-label": "Files", tabindex: -1 });
+    input.addEventListener("change", () => {
+      const files = [...(input.files ?? [])];
+      close();
+      takeFiles(files);
+    });
+    return [
+      el("p", { class: "row" },
+        el("button", { type: "button", class: "main", onclick: () => input.click() }, "Choose files"), input,
+        el("span", { class: "small soft" },
+          "A muscle, a joint or a drive (TOML), measured points (CSV), or a project (JSON). You can also drop files "
+            + "anywhere on the page.")),
+      said,
+      gallery((problem) => said.replaceChildren(problemBox(problem)), close),
+    ];
+  });
+}

@@ -1,0 +1,202 @@
+// Parts that one can buy or cast: tubes, sleeves and rubbers; a button puts one into the muscle.
+import { engine } from "../ask.js";
+import { address, write } from "../address.js";
+import { choice } from "../controls.js";
+import { capital, el, problemBox } from "../dom.js";
+import { table } from "../form.js";
+import { atEnd } from "../life.js";
+import { muscle } from "../muscle.js";
+import { notice } from "../notice.js";
+import { number, onUnits, show } from "../units.js";
+import { inWords } from "../words.js";
+
+/** @typedef {import("../../../types/commands").Commands["parts-list"]["answer"]} Parts */
+/** @typedef {"tubes" | "sleeves" | "rubbers"} Kind */
+const KINDS = /** @type {[Kind, string][]} */ ([["tubes", "Tubes"], ["sleeves", "Sleeves"], ["rubbers", "Rubbers"]]);
+/** What a part says of the muscle: keys of the state. @typedef {Record<string, number | string>} Said */
+/**
+ * A row: the name, cells, the words that a filter looks at, its outer or possible diameters, and what it says of the
+ * muscle.
+ * @typedef {{ name: string, cells: (string | Node)[], words: string, low: number, high: number, said: Said }} Row
+ */
+
+const estimate = (/** @type {string} */ text) => el("span", { class: "estimated" }, text);
+/** A source that may be long. @param {string | null | undefined} source @param {string | null | undefined} [note] */
+const source = (source, note) =>
+  el("details", { class: "small" }, el("summary", {}, "Source"), [source, note].filter(Boolean).join(" "));
+
+/** @type {{ [K in Kind]: { head: string[], text: number[], rows: (parts: Parts) => Row[] } }} */
+const LISTS = {
+  tubes: {
+    head: ["tube", "", "inside", "outside", "wall", "rubber", "made", "price", "rated", "source"],
+    text: [0, 5, 6, 7, 9],
+    rows: ({ tubes }) =>
+      tubes.map((t) => ({
+        name: t.name,
+        low: t.outer_diameter_mm,
+        high: t.outer_diameter_mm,
+        words: [t.name, t.rubber, t.source, t.note, t.is_cast ? "cast" : "sold"].join(" "),
+        said: { D: t.outer_diameter_mm, s: Number(t.wall_mm.toPrecision(12)), rubber: t.rubber },
+        cells: [t.name, show("length", t.inner_diameter_mm), show("length", t.outer_diameter_mm),
+          show("length", t.wall_mm, 3), t.rubber, t.is_cast ? "cast by oneself" : "as sold", t.price ?? "–",
+          t.pressure_mpa ? show("pressure", t.pressure_mpa, 3) : "–", source(t.source, t.note)],
+      })),
+  },
+  sleeves: {
+    head: ["sleeve", "", "what it is", "material", "for diameters", "angle from", "strands", "estimated", "source"],
+    text: [0, 2, 3, 7, 8],
+    rows: ({ sleeves }) =>
+      sleeves.map((s) => ({
+        name: s.name,
+        low: s.least_diameter_mm,
+        high: s.largest_diameter_mm,
+        words: [s.name, s.title, s.material, s.source].join(" "),
+        said: { braid: s.name },
+        cells: [s.name, s.title, s.material,
+          `${show("length", s.least_diameter_mm, 3)} to ${show("length", s.largest_diameter_mm, 3)}`,
+          show("angle", s.least_angle_deg, 3), s.strands ? String(s.strands) : estimate("estimated"),
+          s.missing || s.stiffness_factor ? estimate(estimated(s)) : "nothing", source(s.source)],
+      })),
+  },
+  rubbers: {
+    head: ["rubber", "", "what it is", "law", "shear modulus", "breaks at", "source"],
+    text: [0, 2, 3, 6],
+    rows: ({ rubbers }) =>
+      rubbers.map((r) => ({
+        name: r.name,
+        low: 0,
+        high: Infinity,
+        words: [r.name, r.title, r.law, r.source].join(" "),
+        said: { rubber: r.name },
+        cells: [r.name, r.title, r.law, show("modulus", r.shear_modulus_mpa, 3),
+          r.max_strain ? show("ratio", r.max_strain, 3) : estimate("not measured"), source(r.source)],
+      })),
+  },
+};
+
+/** What of a sleeve no seller states. @param {{ missing: string, stiffness_factor?: number | null }} s */
+function estimated({ missing, stiffness_factor: factor }) {
+  const what = missing.split(" ").filter(Boolean).map((word) =>
+    inWords(`\`${word}\``).replaceAll("`", "").replaceAll("_", " ")
+  ).join(", ");
+  return capital([what, factor ? `stiffness within a factor of ${number(factor, 2)}` : ""].filter(Boolean).join("; "));
+}
+
+/** Whether all words occur. @param {Row} row @param {string} find */
+function fitsFilter(row, find) {
+  const cells = row.cells.filter((cell) => typeof cell === "string").join(" ");
+  const words = `${row.words} ${cells}`.toLowerCase();
+  return find.toLowerCase().split(/[\s,]+/).every((word) => words.includes(word));
+}
+
+/** Whether a sleeve can have the diameter of the muscle. @param {Row} row */
+function isFor({ low, high }) {
+  const d = muscle.shown?.outer_diameter_mm;
+  return d === undefined || (d >= low - 1e-9 && d <= high + 1e-9);
+}
+
+/** A part in the muscle, where it can be there. @param {Row} row */
+async function putInto(row) {
+  const before = muscle.state;
+  for (const [key, value] of Object.entries(row.said)) muscle.set(key, value);
+  try {
+    await muscle.look();
+    return true;
+  } catch (problem) {
+    muscle.state = before;
+    await muscle.look().catch(() => {});
+    const { message, hint } = /** @type {any} */ (problem), why = hint ? capital(inWords(hint)) : "";
+    notice(`${row.name} does not go into this muscle: ${inWords(message)}. ${why}`);
+    return false;
+  }
+}
+
+/** @param {string} id @param {string} text @param {() => void} changed */
+function check(id, text, changed) {
+  const box = el("input", { type: "checkbox", id, onchange: changed });
+  return { box, row: el("label", { for: id }, box, ` ${text}`) };
+}
+
+/** @param {Row} row @param {() => void} act */
+const putButton = ({ name }, act) =>
+  el("button", { type: "button", "aria-label": `Put into the muscle: ${name}`, onclick: act }, "Put into the muscle");
+
+/** @param {HTMLElement} main */
+export function mount(main) {
+  /** @type {Parts | undefined} */ let parts;
+  const state = { kind: /** @type {Kind} */ ("tubes"), find: "" };
+  const kind = choice("Show", KINDS, state.kind, (name) => {
+    state.kind = /** @type {Kind} */ (name);
+    changed();
+  });
+  const find = el("input", { type: "text", id: "parts-find", autocomplete: "off", spellcheck: "false",
+    placeholder: "latex, silicone, 10 mm", oninput: () => {
+      state.find = find.value.trim();
+      changed();
+    } });
+  const fits = check("parts-fits", "only what fits the muscle's diameter", () => changed());
+  const cast = check("parts-sold", "only as sold", () => changed());
+  const list = el("div", {}), count = el("p", { class: "small soft", role: "status" }),
+    which = el("p", { class: "small soft" });
+  const filter = el("label", { for: "parts-find" }, "Filter");
+  const line = el("div", { class: "parts-filter" }, kind.element, filter, find, fits.row, cast.row);
+  main.replaceChildren(line, which, count, list);
+
+  const place = (replace = false) => {
+    const own = { kind: state.kind === "tubes" ? "" : state.kind, find: state.find };
+    const ticks = { fits: fits.box.checked ? "1" : "", sold: cast.box.checked ? "1" : "" };
+    write(address("parts", { ...muscle.params(), ...own, ...ticks }), replace);
+  };
+  function changed() {
+    place(true);
+    paint();
+  }
+
+  const matches = (/** @type {Row} */ row) =>
+    fitsFilter(row, state.find) && !(fits.box.checked && state.kind === "sleeves" && !isFor(row))
+    && !(cast.box.checked && state.kind === "tubes" && /\bcast$/.test(row.words));
+
+  function paint() {
+    if (!parts) return;
+    const { head, text, rows } = LISTS[state.kind], all = rows(parts), shown = all.filter(matches);
+    cast.row.hidden = state.kind !== "tubes";
+    fits.row.hidden = state.kind !== "sleeves";
+    which.textContent = `The muscle: ${muscle.line()}.`;
+    count.textContent = `${shown.length} of ${all.length} ${state.kind}. What no source states is marked as estimated.`;
+    const put = (/** @type {Row} */ row) => putButton(row, () => take(row));
+    list.replaceChildren(table(head, shown.map((row) => [row.cells[0], put(row), ...row.cells.slice(1)]), { text, label: state.kind }));
+  }
+
+  /** @param {Row} row */
+  async function take(row) {
+    if (!await putInto(row)) return;
+    place();
+    paint();
+    notice(`${row.name} is in the muscle now.`, el("a", { href: address("muscle", muscle.params()) }, "See it move"));
+  }
+
+  atEnd(onUnits(() => {
+    paint();
+    place(true);
+  }));
+  return {
+    /** @param {URLSearchParams} params */
+    async load(params) {
+      await muscle.read(params, ["kind", "find", "fits", "sold"]);
+      const asked = params.get("kind") ?? "tubes";
+      state.kind = /** @type {Kind} */ (KINDS.some(([name]) => name === asked) ? asked : "tubes");
+      kind.set(state.kind);
+      if (document.activeElement !== find) find.value = params.get("find") ?? "";
+      state.find = find.value.trim();
+      fits.box.checked = params.has("fits");
+      cast.box.checked = params.has("sold");
+      try {
+        parts ??= await engine().ask("parts-list", {});
+        paint();
+      } catch (problem) {
+        list.replaceChildren(problemBox(problem));
+      }
+    },
+    unmount() {},
+  };
+}

@@ -1,0 +1,338 @@
+// Curves and points as SVG: the same drawing on the page and in files. Nothing here asks the document anything.
+import { number } from "./units.js";
+
+/**
+ * `half`: half-widths of the ± at each point, drawn as a band; `band`: the points are the outline of one; `end`: a
+ * label at the curve's end, or at its start; `z`: a third number of each point, for tables; `strong`: the curve of the
+ * state among its family.
+ * @typedef {{ name: string, x: number[], y: (number | null)[], half?: (number | null | undefined)[], z?: number[],
+ *   end?: string, at?: "start" | "end", colour?: string, dash?: "solid" | "dash" | "dot",
+ *   mode?: "lines" | "markers" | "lines+markers", width?: number, legend?: string, band?: boolean,
+ *   strong?: boolean }} Series
+ * @typedef {{ range?: number[], rangemode?: string }} Axis
+ * @typedef {{ x: string, y: string, series: Series[], marks?: { x: number, y: number, text: string }[],
+ *   xaxis?: Axis, yaxis?: Axis }} Curves
+ * @typedef {{ ink: string, line: string, faint: string, paper: string }} Colours
+ * @typedef {{ x: [number, number], y: [number, number] }} Reach
+ */
+
+/** Okabe and Ito's colours, for what differs in kind; in the order of the figures of the command line. */
+export const KINDS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8a8a8a"];
+const DASHES = { solid: "", dash: ' stroke-dasharray="7 4"', dot: ' stroke-dasharray="2 3"' };
+const FONT = 12.5, GLYPH = 6.8;
+
+const finite = (/** @type {number | null | undefined} */ v) => typeof v === "number" && Number.isFinite(v);
+const escaped = (/** @type {string} */ text) =>
+  text.replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c] ?? c);
+const short = (/** @type {number} */ v) => v.toFixed(1);
+/** @param {Series} s @param {number} i */
+export const colourOf = (s, i) => s.colour ?? KINDS[i % KINDS.length];
+
+/** What the axes have to show of the curves. @param {Curves} spec @returns {Reach} */
+export function reachOf(spec) {
+  const [x, y] = [
+    [Infinity, -Infinity],
+    [Infinity, -Infinity],
+  ];
+  const take = (/** @type {number[]} */ r, /** @type {number} */ v) => {
+    r[0] = Math.min(r[0], v);
+    r[1] = Math.max(r[1], v);
+  };
+  let points = false;
+  for (const s of spec.series) {
+    points ||= Boolean(s.mode?.includes("markers"));
+    s.x.forEach((v, i) => {
+      const value = s.y[i];
+      if (!finite(v) || !finite(value)) return;
+      take(x, v);
+      // The ± of the others may be far wider than the curves that they belong to: they are cut where they would
+      // flatten them.
+      const half = s.strong ? s.half?.[i] ?? 0 : 0;
+      take(y, /** @type {number} */ (value) + half);
+      take(y, /** @type {number} */ (value));
+    });
+  }
+  for (const m of spec.marks ?? []) {
+    take(x, m.x);
+    take(y, m.y);
+  }
+  return {
+    x: axisReach(x, spec.xaxis ?? {}, points ? 0.03 : 0),
+    y: axisReach(y, spec.yaxis ?? { rangemode: "tozero" }, 0.05),
+  };
+}
+
+/** @param {number[]} found @param {Axis} axis @param {number} spare @returns {[number, number]} */
+function axisReach(found, axis, spare) {
+  if (axis.range) return [axis.range[0], axis.range[1]];
+  let [low, high] = found[0] <= found[1] ? found : [0, 1];
+  const zero = axis.rangemode === "tozero";
+  if (zero) { low = Math.min(0, low); high = Math.max(0, high); }
+  const wide = high - low || Math.abs(high) || 1;
+  if (high === low) return [low - 0.5 * wide, high + 0.5 * wide];
+  return [zero && low === 0 ? 0 : low - spare * wide, zero && high === 0 ? 0 : high + spare * wide];
+}
+
+/** Round values between two others. @param {[number, number]} reach @param {number} most */
+export function ticks([low, high], most) {
+  const rough = (high - low) / Math.max(1, most), power = 10 ** Math.floor(Math.log10(rough));
+  const step = power * ([1, 2, 2.5, 5, 10].find((m) => m * power >= rough * 0.999) ?? 10);
+  const first = Math.ceil(low / step - 1e-9),
+    count = Math.floor(high / step + 1e-9) - first + 1;
+  const values = Array.from({ length: Math.max(0, Math.min(50, count)) }, (_, i) =>
+    Number(((first + i) * step).toPrecision(12)),
+  );
+  return values.map((value) => ({
+    value,
+    text: number(value, Math.max(3, Math.ceil(Math.log10(Math.max(1, Math.abs(value) / step)) + 2))),
+  }));
+}
+
+/**
+ * Where the axes lie, and values to pixels and back.
+ * @param {Curves} spec @param {number} width @param {number} height @param {Reach} reach
+ */
+export function frame(spec, width, height, reach) {
+  const longest = Math.max(0, ...spec.series.map((s) => (s.at === "start" ? 0 : (s.end ?? "").length)));
+  const across = ticks(reach.y, Math.max(2, height / 60));
+  const left = 30 + GLYPH * Math.max(2, ...across.map((t) => t.text.length));
+  const named = legends(spec, left, width), top = named.length ? named[named.length - 1].y + 12 : 12, bottom = 40;
+  const right = Math.min(0.4 * width, 16 + GLYPH * longest);
+  const [w, h] = [Math.max(20, width - left - right), Math.max(20, height - top - bottom)];
+  const [fx, fy] = [w / (reach.x[1] - reach.x[0]), h / (reach.y[1] - reach.y[0])];
+  return {
+    width,
+    height,
+    left,
+    top,
+    w,
+    h,
+    reach,
+    across,
+    along: ticks(reach.x, Math.max(2, w / 80)),
+    named,
+    px: (/** @type {number} */ v) => left + (v - reach.x[0]) * fx,
+    py: (/** @type {number} */ v) => top + h - (v - reach.y[0]) * fy,
+    x: (/** @type {number} */ p) => reach.x[0] + (p - left) / fx,
+    y: (/** @type {number} */ p) => reach.y[0] + (top + h - p) / fy,
+  };
+}
+/** @typedef {ReturnType<typeof frame>} Frame */
+
+/**
+ * Each name of the legend once, with the curve that it is first said of, and its place: in as many lines as it takes.
+ * @param {Curves} spec @param {number} left @param {number} width
+ */
+function legends(spec, left, width) {
+  /** @type {Map<string, number>} */
+  const found = new Map();
+  spec.series.forEach((s, i) => { if (s.legend && !found.has(s.legend)) found.set(s.legend, i); });
+  let [x, y] = [left, 16];
+  return [...found].map(([text, i]) => {
+    const long = 40 + GLYPH * text.length;
+    if (x > left && x + long > width) [x, y] = [left, y + 18];
+    x += long;
+    return { text, i, x: x - long, y };
+  });
+}
+
+/**
+ * The whole drawing.
+ * @param {Curves} spec @param {Frame} at @param {Colours} colours @param {boolean} [file] as a file of its own
+ */
+export function drawing(spec, at, colours, file = false) {
+  const { width, height, left, top, w, h } = at;
+  const inner = [...spec.series.map((s, i) => band(s, i, at)), ...spec.series.map((s, i) => curve(s, i, at))].join("");
+  const marks = (spec.marks ?? [])
+    .map(
+      (m) =>
+        `<circle cx="${short(at.px(m.x))}" cy="${short(at.py(m.y))}" r="6" fill="none" stroke="${colours.ink}" ` +
+          `stroke-width="2"><title>${escaped(m.text)}</title></circle>`,
+    )
+    .join("");
+  const paper = file ? `<rect width="${width}" height="${height}" fill="${colours.paper}"/>` : "";
+  return (
+    `<svg xmlns="http://www.w3.org/2000/svg" class="curves" width="${width}" height="${height}" viewBox="0 0 ` +
+      `${width} ${height}"` +
+    ` font-family="system-ui, sans-serif" font-size="${FONT}" ` +
+    `fill="${colours.ink}"${file ? "" : ' aria-hidden="true"'}>${paper}` +
+    `${axes(spec, at, colours)}<svg x="${left - 4}" y="${top - 4}" width="${w + 8}" height="${h + 8}" ` +
+    `viewBox="${left - 4} ${top - 4} ${w + 8} ${h + 8}" overflow="hidden">${inner}</svg>` +
+    `${marks}${labels(spec, at, colours)}${legend(spec, at)}</svg>`
+  );
+}
+
+/** @param {Curves} spec @param {Frame} at @param {Colours} colours */
+function axes(spec, { left, top, w, h, along, across, px, py }, { line, faint }) {
+  const bottom = top + h;
+  const down = along.map(
+    ({ value, text }) =>
+      `<path d="M${short(px(value))} ${top}V${bottom}" stroke="${faint}"/><text x="${short(px(value))}" ` +
+        `y="${bottom + 17}" text-anchor="middle">${text}</text>`,
+  );
+  const over = across.map(
+    ({ value, text }) =>
+      `<path d="M${left} ${short(py(value))}h${w}" stroke="${faint}"/><text x="${left - 6}" ` +
+        `y="${short(py(value) + 4)}" text-anchor="end">${text}</text>`,
+  );
+  return (
+    `${down.join("")}${over.join("")}<path d="M${left} ${top}V${bottom}H${left + w}" fill="none" stroke="${line}"/>` +
+    `<text x="${left + w / 2}" y="${bottom + 34}" text-anchor="middle">${escaped(spec.x)}</text>` +
+    `<text transform="translate(12 ${top + h / 2}) rotate(-90)" text-anchor="middle">${escaped(spec.y)}</text>`
+  );
+}
+
+/** Lists of neighbouring points that have a value. @param {Series} s @param {(i: number) => boolean} has */
+function runs(s, has) {
+  const out = /** @type {number[][]} */ ([]);
+  let open = false;
+  s.x.forEach((_, i) => {
+    if (!has(i)) { open = false; return; }
+    if (open) out[out.length - 1].push(i);
+    else out.push([i]);
+    open = true;
+  });
+  return out;
+}
+
+/** @param {Series} s @param {number} which @param {Frame} at */
+function band(s, which, { px, py }) {
+  const known = (/** @type {number} */ i) => finite(s.x[i]) && finite(s.y[i]);
+  const place = (/** @type {number} */ i, by = 0) =>
+    `${short(px(s.x[i]))} ${short(py(/** @type {number} */ (s.y[i]) + by))}`;
+  const filled = (/** @type {string[]} */ points) =>
+    `<path d="M${points.join("L")}Z" fill="${colourOf(s, which)}" opacity="${s.strong ? 0.2 : s.band ? 0.14 : 0.09}"/>`;
+  if (s.band)
+    return runs(s, known)
+      .map((run) => filled(run.map((i) => place(i))))
+      .join("");
+  const { half } = s;
+  if (!half) return "";
+  const wide = (/** @type {number} */ i) => /** @type {number} */ (half[i]);
+  return runs(s, (i) => known(i) && finite(half[i]))
+    .filter((run) => run.length > 1)
+    .map((run) => filled([...run.map((i) => place(i, wide(i))), ...run.reverse().map((i) => place(i, -wide(i)))]))
+    .join("");
+}
+
+/** @param {Series} s @param {number} which @param {Frame} at */
+function curve(s, which, { px, py }) {
+  if (s.band) return "";
+  const colour = colourOf(s, which), mode = s.mode ?? "lines";
+  const known = (/** @type {number} */ i) => finite(s.x[i]) && finite(s.y[i]);
+  const place = (/** @type {number} */ i) => `${short(px(s.x[i]))} ${short(py(/** @type {number} */ (s.y[i])))}`;
+  const all = runs(s, known);
+  const lines = mode.includes("lines")
+    ? `<path d="${all.map((run) => `M${run.map(place).join("L")}`).join("")}" fill="none" stroke="${colour}" ` +
+      `stroke-width="${s.width ?? (s.strong ? 3 : 1.75)}" stroke-linejoin="round"${DASHES[s.dash ?? "solid"]}/>`
+    : "";
+  const ring = "m-3.2 0a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0-6.4 0";
+  const points = mode.includes("markers")
+    ? `<path d="${all
+        .flat()
+        .map((i) => `M${place(i)}${ring}`)
+        .join("")}" fill="none" stroke="${colour}" stroke-width="1.4"/>`
+    : "";
+  return lines + points;
+}
+
+/**
+ * Names at the ends of curves, moved apart where they would lie on one another.
+ * @param {Curves} spec @param {Frame} at @param {Colours} colours
+ */
+function labels(spec, { px, py, left, top, w, h, reach }, { ink, paper }) {
+  const known = (/** @type {Series} */ s, /** @type {number} */ i) =>
+    finite(s.x[i]) && finite(s.y[i]) && s.x[i] >= reach.x[0] && s.x[i] <= reach.x[1];
+  const ends = spec.series.flatMap((s, k) => {
+    const start = s.at === "start",
+      places = s.x.map((_, i) => i),
+      i = (start ? places : places.reverse()).find((i) => known(s, i));
+    if (!s.end || i === undefined) return [];
+    const y = py(/** @type {number} */ (s.y[i]));
+    if (y < top - 20 || y > top + h + 20) return [];
+    return [
+      {
+        x: start ? px(s.x[i]) + 8 : Math.min(px(s.x[i]), left + w) + 5,
+        y: start ? y - 4 : y + 4,
+        text: s.end,
+        strong: s.strong,
+        colour: s.colour ? colourOf(s, k) : ink,
+      },
+    ];
+  });
+  apart(ends, top + h + 6);
+  return ends
+    .map(
+      (e) =>
+        `<text x="${short(e.x)}" y="${short(e.y)}" fill="${e.colour}"${e.strong ? ' font-weight="600"' : ""} ` +
+          `stroke="${paper}" stroke-width="3" paint-order="stroke">${escaped(e.text)}</text>`,
+    )
+    .join("");
+}
+
+/** @param {{ y: number }[]} ends @param {number} lowest */
+function apart(ends, lowest) {
+  let below = lowest;
+  for (const end of [...ends].sort((a, b) => b.y - a.y)) { end.y = Math.min(end.y, below); below = end.y - 14; }
+}
+
+/** @param {Curves} spec @param {Frame} at */
+function legend(spec, { named }) {
+  return named
+    .map(({ text, i, x, y }) => {
+      const s = spec.series[i],
+        colour = colourOf(s, i);
+      const sign =
+        s.mode === "markers"
+          ? `<circle cx="${x + 10}" cy="${y - 4}" r="3.2" fill="none" stroke="${colour}" stroke-width="1.4"/>`
+          : `<path d="M${x} ${y - 4}h20" stroke="${colour}" stroke-width="2"${DASHES[s.dash ?? "solid"]}/>`;
+      return `${sign}<text x="${x + 25}" y="${y}">${escaped(text)}</text>`;
+    })
+    .join("");
+}
+
+/**
+ * A curve at a value of the lower axis: between its points by a line.
+ * @param {Series} s @param {number} x @param {"y" | "half"} [of]
+ */
+export function valueAt(s, x, of = "y") {
+  const list = s[of] ?? [];
+  for (let i = 1; i < s.x.length; i++) {
+    const [a, b, ya, yb] = [s.x[i - 1], s.x[i], list[i - 1], list[i]];
+    if (typeof ya !== "number" || typeof yb !== "number" || Math.min(a, b) > x || Math.max(a, b) < x || a === b)
+      continue;
+    return ya + ((yb - ya) * (x - a)) / (b - a);
+  }
+  return undefined;
+}
+
+/**
+ * What is nearest to a place in pixels: a point of a marked series, or a place on a curve.
+ * @param {Curves} spec @param {Frame} at @param {number} x @param {number} y
+ */
+export function nearest(spec, at, x, y) {
+  /** @type {{ far: number, which: number, x: number, y: number, half?: number } | undefined} */ let best;
+  const take = (
+    /** @type {number} */ which,
+    /** @type {number} */ vx,
+    /** @type {number} */ vy,
+    /** @type {number | undefined} */ half,
+    more = 0,
+  ) => {
+    const far = Math.hypot(at.px(vx) - x, at.py(vy) - y) + more;
+    if (!best || far < best.far) best = { far, which, x: vx, y: vy, half };
+  };
+  const value = at.x(x);
+  spec.series.forEach((s, which) => {
+    if (s.band) return;
+    if (s.mode?.includes("markers"))
+      s.x.forEach((vx, i) => {
+        const vy = s.y[i];
+        if (finite(vx) && typeof vy === "number") take(which, vx, vy, s.half?.[i] ?? undefined);
+      });
+    const on = s.mode === "markers" ? undefined : valueAt(s, value);
+    // Points come first where a curve runs through them.
+    if (on !== undefined) take(which, value, on, valueAt(s, value, "half"), 4);
+  });
+  return best;
+}

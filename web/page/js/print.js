@@ -1,0 +1,50 @@
+// Print: one sheet with the muscle, what was typed on the page, and its numbers.
+import { engine } from "./ask.js";
+import { byId, el } from "./dom.js";
+import { muscle } from "./muscle.js";
+import { pageOf } from "./pages.js";
+import { thumbnail } from "./thumbnail.js";
+
+/** What stands in the fields that are shown: names and values. @returns {[string, string][]} */
+function inputs() {
+  const rows = [...document.querySelectorAll(".controls .quantity, .controls .choice")].filter((row) =>
+    !row.closest("[hidden], details:not([open])")
+  );
+  return rows.flatMap((row) => {
+    const name = row.querySelector("label, span")?.textContent?.trim() ?? "",
+      field = row.querySelector("input[type=text], select");
+    const list = field instanceof HTMLSelectElement,
+      text = list
+        ? field.selectedOptions[0]?.textContent ?? ""
+        : /** @type {HTMLInputElement | null} */ (field)?.value ?? "";
+    const unit = row.classList.contains("quantity") && !text.includes("%")
+      ? row.querySelector(":scope > button, :scope > span.soft")?.textContent ?? ""
+      : "";
+    return text ? [/** @type {[string, string]} */ ([name, `${text} ${unit}`.trim()])] : [];
+  });
+}
+
+/** @param {[string, string][]} rows */
+const list = (rows) => el("dl", {}, ...rows.flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)]));
+
+/** The sheet of the page as it is now. */
+function sheet() {
+  const numbers = [
+    ...document.querySelectorAll("main .numbers dl, main .controls table, main .middle > div > .scroll > table"),
+  ].map((part) => part.cloneNode(true));
+  const notes = document.querySelector("main .warnings")?.cloneNode(true);
+  return el("section", { class: "sheet", "aria-label": "Sheet" },
+    el("div", { class: "row" }, thumbnail(/** @type {any} */ (muscle.shown), "The muscle"),
+      el("div", { class: "grow" }, el("h1", {}, muscle.name), el("p", {}, muscle.line())),
+      el("p", { class: "small" },
+        `${pageOf(document.body.dataset.page ?? "").text}, ${new Date().toISOString().slice(0, 10)}`, el("br"),
+        `mckibben workbench, ${engine().about}`)),
+    el("div", { class: "columns" }, el("div", {}, el("h2", {}, "Inputs"), list(inputs())),
+      el("div", {}, el("h2", {}, "Numbers"), .../** @type {Node[]} */ (numbers))), notes ?? null,
+    el("p", { class: "small link" }, location.href.length < 400 ? location.href : ""));
+}
+
+export function printing() {
+  addEventListener("beforeprint", () => byId("sheet").replaceChildren(sheet()));
+  addEventListener("afterprint", () => byId("sheet").replaceChildren());
+}

@@ -1,0 +1,42 @@
+// The first view: muscles to begin with, and a tour; until somebody hides it.
+import { byId, el } from "./dom.js";
+import { gallery } from "./gallery.js";
+import { noticeProblem } from "./notice.js";
+import { startTour } from "./tour.js";
+
+const HIDDEN = "mckibben:welcomed";
+const seen = () => {
+  try {
+    return Boolean(localStorage.getItem(HIDDEN));
+  } catch {
+    return false;
+  }
+};
+
+/** @param {boolean} on the address is bare: somebody has just arrived */
+export function welcome(on) {
+  const box = byId("welcome");
+  if (!on || seen()) {
+    box.hidden = true;
+    return;
+  }
+  const hide = () => {
+    box.hidden = true;
+    try {
+      localStorage.setItem(HIDDEN, "1");
+    } catch { /* Then it comes again. */ }
+  };
+  if (!box.childElementCount) {
+    box.append(
+      el("div", { class: "row" }, el("h2", { class: "grow" }, "Begin with a muscle"),
+        el("button", { type: "button", class: "main", onclick: () => {
+          hide();
+          startTour();
+        } }, "Take the tour (30 s)"), el("button", { type: "button", onclick: hide }, "Hide this")),
+      gallery(noticeProblem, () => {
+        box.hidden = true;
+      }, 1500),
+    );
+  }
+  box.hidden = false;
+}

@@ -1,0 +1,305 @@
+// Charts, the ± and its parts, and what is computed on demand on the page Muscle.
+import { test } from "node:test";
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { gzipSync } from "node:zlib";
+import { alive, pull } from "./browser.mjs";
+import { ask, inBrowser, root, shots } from "./sites.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+const drawn = (/** @type {Page} */ page) => page.waitForSelector(".plot svg.curves", { timeout: 30_000 });
+/** A chart as CSV, in rows. @param {Page} page */
+async function saved(page) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "CSV", exact: true }).first().click()]);
+  return readFileSync(/** @type {string} */ (await download.path())).toString().trim().split("\n").map((line) => line.split(","));
+}
+/** The numbers along the lower axis. @param {Page} page */
+const lower = (page) => page.locator(".plot svg.curves > text[text-anchor=middle]").allTextContents();
+
+inBrowser(({ name, open, blank, url }) => {
+  test("the page Muscle asks for no plotly, and its first load is at most 700 kB compressed", async () => {
+    const { page, context } = await blank();
+    /** @type {Map<string, number>} */
+    const loaded = new Map();
+    /** @type {Promise<void>[]} */
+    const bodies = [];
+    page.on("response", (answer) => {
+      const { pathname } = new URL(answer.url());
+      if (answer.request().method() === "GET" && !pathname.includes("/api/")) bodies.push(answer.body().then((body) => { loaded.set(pathname, gzipSync(body).length); }, () => {}));
+    });
+    await page.goto(url());
+    await alive(page);
+    await drawn(page);
+    await Promise.all(bodies);
+    assert.deepEqual([...loaded.keys()].filter((path) => path.includes("plotly")), []);
+    const sum = [...loaded.values()].reduce((a, b) => a + b, 0);
+    assert.ok(loaded.size > 10 && sum <= 700_000, `${sum} bytes in ${loaded.size} files`);
+    console.log(`first load, ${name}: ${Math.round(sum / 1000)} kB compressed in ${loaded.size} files`);
+    await context.close();
+  });
+
+  test("the curve at one's own pressure lies among the isobars, with the command line's pull and its ± as a band", async () => {
+    const { page, errors, context } = await open("#muscle?p=2.2bar&e=10%25");
+    await alive(page);
+    await page.getByText("2.2 bar", { exact: true }).waitFor();
+    const rows = (await saved(page)).filter(([curve]) => curve === "2.2 bar");
+    const { force_n: force } = ask("force", "-p", "2.2bar", "-e", "0");
+    assert.ok(Math.abs(Number(rows[0][2]) / force - 1) < 1e-6, `${rows[0]} for ${force}`);
+    assert.equal(await page.locator(".plot svg.curves svg path[opacity]").count(), 6);
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("a crosshair reads a curve off; a drag on an axis, the wheel and keys zoom, a double-click shows all", async () => {
+    const { page, context } = await open("#muscle");
+    await alive(page);
+    await drawn(page);
+    await page.getByText("2.5 bar", { exact: true }).waitFor();
+    const plot = page.locator(".plot").first();
+    await page.locator(".points + .row").scrollIntoViewIfNeeded();
+    await page.waitForFunction(() => !/** @type {HTMLElement} */ (document.querySelector(".ring")).hidden);
+    const ring = /** @type {{ x: number, y: number }} */ (await page.locator(".ring").boundingBox());
+    await page.mouse.move(ring.x + 8, ring.y + 8);
+    await page.waitForSelector(".tip:not([hidden])");
+    assert.match(await page.locator(".tip").innerText(), /^2.5 bar: 1[45](\.\d+)? %, 3[23]\d.* ± 118 N$/);
+    const all = await lower(page), box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await plot.boundingBox());
+    await page.mouse.move(box.x + 0.4 * box.width, box.y + box.height - 20);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 0.6 * box.width, box.y + box.height - 20, { steps: 3 });
+    await page.mouse.up();
+    const part = await lower(page);
+    assert.notDeepEqual(part, all);
+    assert.equal(await page.getByRole("textbox", { name: "Contraction" }).inputValue(), "15 %");
+    await page.getByRole("button", { name: "Show all" }).click();
+    assert.deepEqual(await lower(page), all);
+    await plot.focus();
+    for (let i = 0; i < 3; i++) await page.keyboard.press("+");
+    assert.notDeepEqual(await lower(page), all);
+    await page.keyboard.press("0");
+    assert.deepEqual(await lower(page), all);
+    await page.keyboard.press("ArrowRight");
+    assert.match(await page.locator(".tip").innerText(), /^0.5 bar: 0 %, 189.* N$/);
+    await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
+    await page.keyboard.down("Control");
+    await page.mouse.wheel(0, -300);
+    await page.keyboard.up("Control");
+    await page.waitForSelector(".all:not([hidden])");
+    await page.mouse.dblclick(box.x + 20, box.y + 0.5 * box.height);
+    assert.deepEqual(await lower(page), all);
+    await context.close();
+  });
+
+  test("a click on the ± opens its parts, which add as squares, and what would reduce them", async () => {
+    const { page, context } = await open("#muscle");
+    await alive(page);
+    const half = page.locator(".numbers dd.head button");
+    await half.click();
+    const parts = page.getByRole("region", { name: "Parts of the ±" });
+    await page.getByText("would leave about ± 55 N").waitFor();
+    const { uncertainty_n: total, uncertainty_parts_n: said } = ask("force", "-p", "2.5bar", "-e", "15%");
+    const shown = (await parts.locator("dd:not(.wide)").allInnerTexts()).map((text) => Number(text.replace(/[^\d.]/g, "")));
+    assert.equal(shown.length, Object.values(said).filter((v) => v !== null).length);
+    assert.ok(Math.abs(Math.hypot(...shown) / total - 1) < 0.02, `${shown} for ${total}`);
+    assert.match(await parts.innerText(), /friction, not measured[\s\S]*both directions/);
+    await half.click();
+    assert.equal(await parts.isVisible(), false);
+    await context.close();
+  });
+
+  test("what one more millimetre does is the difference of two answers of the command line", async () => {
+    const { page, context } = await open("#muscle");
+    await alive(page);
+    await page.getByText("What a small change does").click();
+    const bar = page.locator(".tornado > div", { hasText: "Outer diameter" });
+    await bar.waitFor({ timeout: 30_000 });
+    const at = (/** @type {string} */ D) => ask("force", "-p", "2.5bar", "-e", "15%", "-D", D).force_n;
+    const [less, same, more] = ["29mm", "30mm", "31mm"].map(at);
+    const signed = (/** @type {number} */ v) => `${v < 0 ? "−" : "+"}${Number(Math.abs(v).toPrecision(2))} N`;
+    assert.ok((await bar.innerText()).includes(`${signed(less - same)}, ${signed(more - same)}`), await bar.innerText());
+    await context.close();
+  });
+
+  test("a diameter, a wall, an angle, a pressure and a contraction are solved for a wanted pull", async () => {
+    const { page, errors, context } = await open("#muscle");
+    await alive(page);
+    await page.getByText("Solve for a wanted pull").click();
+    await page.getByRole("textbox", { name: "Wanted pull" }).fill("450 N");
+    for (const what of ["Outer diameter", "Pressure", "Contraction", "Braid angle"]) {
+      await page.goto(url() + "#muscle?u=");
+      await page.waitForFunction(() => /^326/.test(document.querySelector(".stage .say b")?.textContent ?? ""));
+      await page.getByRole("combobox", { name: "Solve for" }).selectOption({ label: what });
+      await page.getByRole("button", { name: "Solve", exact: true }).click();
+      await page.waitForFunction(() => /^450/.test(document.querySelector(".stage .say b")?.textContent ?? ""), undefined, { timeout: 20_000 });
+    }
+    await page.goto(url() + "#muscle?u=");
+    await page.waitForFunction(() => /^326/.test(document.querySelector(".stage .say b")?.textContent ?? ""));
+    await page.getByRole("combobox", { name: "Solve for" }).selectOption({ label: "Wall" });
+    await page.getByRole("textbox", { name: "Wanted pull" }).fill("380 N");
+    await page.getByRole("button", { name: "Solve", exact: true }).click();
+    await page.waitForFunction(() => /^380/.test(document.querySelector(".stage .say b")?.textContent ?? ""), undefined, { timeout: 20_000 });
+    await page.getByRole("textbox", { name: "Wanted pull" }).fill("90000 N");
+    await page.getByRole("combobox", { name: "Solve for" }).selectOption({ label: "Wall" });
+    await page.getByRole("button", { name: "Solve", exact: true }).click();
+    await page.getByText(/No wall between .* gives this pull/).waitFor({ timeout: 20_000 });
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("measured points lie on the isobars; a constant moves their residuals, a fit makes them small", async () => {
+    const file = encodeURIComponent(readFileSync(`${root}examples/bench.toml`, "utf8"));
+    const { page, errors, context } = await open(`#data?file=${file}`);
+    await page.waitForSelector("form");
+    await page.locator("input[type=file]").setInputFiles(`${root}examples/bench.csv`);
+    await page.getByText("10 points").first().waitFor({ timeout: 30_000 });
+    await page.getByRole("link", { name: "Muscle", exact: true }).click();
+    await alive(page);
+    await page.getByText(/Residuals: [\d.]+ N rms/).waitFor({ timeout: 30_000 });
+    const rms = async () => Number(/Residuals: ([\d.]+) N/.exec(await page.locator(".points").innerText())?.[1]);
+    const before = await rms();
+    const rows = (await saved(page)).filter(([curve]) => curve.startsWith("measured at"));
+    assert.equal(rows.length, 10);
+    await page.screenshot({ path: `${shots}/points-${name}.png` });
+    const wall = page.getByRole("textbox", { name: "Wall" });
+    await wall.fill("2.5");
+    await wall.press("Enter");
+    await page.waitForFunction((was) => Number(/Residuals: ([\d.]+) N/.exec(document.querySelector(".points")?.textContent ?? "")?.[1]) !== was, before);
+    const moved = await rms();
+    await page.getByRole("button", { name: "Fit the rubber" }).click();
+    await page.waitForFunction((was) => Number(/Residuals: ([\d.]+) N/.exec(document.querySelector(".points")?.textContent ?? "")?.[1]) < 0.9 * was, moved, { timeout: 30_000 });
+    await page.getByRole("button", { name: "Remove the points" }).click();
+    assert.equal(await page.locator(".points .row").isVisible(), false);
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("colours keep their scale while the state changes: 0.5 and 5 bar do not look alike", async () => {
+    const { page, context } = await open("#muscle?p=0.5bar&e=5%25");
+    await alive(page);
+    const legend = () => page.locator(".stage .legend").innerText();
+    await page.waitForFunction(() => /1\.01/.test(document.querySelector(".stage .legend")?.textContent ?? ""));
+    const before = await legend();
+    const field = page.getByRole("textbox", { name: "Pressure" });
+    const was = await pull(page);
+    await field.fill("5");
+    await field.press("Enter");
+    await page.waitForFunction((was) => document.querySelector(".stage .say b")?.textContent !== was, was);
+    assert.equal(await legend(), before);
+    await context.close();
+  });
+
+  test("the loop of a muscle whose friction is known has both of the command line's branches", async () => {
+    const file = encodeURIComponent(readFileSync(`${root}examples/tondu2012.toml`, "utf8"));
+    const { page, context } = await open(`#muscle?file=${file}&p=3bar&e=10%25`);
+    await alive(page);
+    await page.waitForFunction(() => document.querySelectorAll("svg.curves path[stroke-dasharray]").length > 0, undefined, { timeout: 30_000 });
+    const rows = await saved(page);
+    const first = (/** @type {string} */ branch) => Number(rows.find(([curve]) => curve === `3 bar while it ${branch}`)?.[2]);
+    const said = (/** @type {string} */ direction) => ask("force", "examples/tondu2012.toml", "-p", "3bar", "-e", "0", "--branch", direction).force_n;
+    assert.ok(Math.abs(first("shortens") / said("contraction") - 1) < 1e-6);
+    assert.ok(Math.abs(first("lengthens") / said("elongation") - 1) < 1e-6);
+    await context.close();
+  });
+
+  test("the border of the map lies where the engine's own muscles begin to fit: to a fortieth of a step of its grid, to a quarter where the failure changes", async () => {
+    const { page, errors, context } = await open("#about");
+    await page.waitForSelector("h2");
+    const found = await page.evaluate(async () => {
+      const load = (/** @type {string} */ file) => import(new URL(file, document.baseURI).href);
+      const [{ engine }, { border }, { read }] = await Promise.all(["js/ask.js", "js/border.js", "js/design-map.js"].map(load));
+      const of = { force_n: 700, contraction: 0.15, max_pressure_mpa: 0.25, length_mm: 285, rubbers: ["dragon-skin-30"], braids: ["flexo-overexpanded-0.75in"], model: "universal", verify: "none", extrapolate: true, top: 1000 };
+      const D = Array.from({ length: 12 }, (_, i) => 20 + i), S = Array.from({ length: 15 }, (_, i) => Number((0.6 + 0.15 * i).toFixed(3)));
+      const request = { ...of, outer_diameter_mm: D, wall_mm: S };
+      const { nodes } = read(request, await engine().ask("design", request));
+      const segments = border({ x: D, y: S, nodes });
+      const out = [];
+      for (const d of [22, 23, 24, 25, 26, 27, 28, 29, 30]) {
+        const i = D.indexOf(d), fits = S.map((_, j) => nodes[j][i].fits);
+        for (let j = 0; j + 1 < S.length; j++) {
+          if (fits[j] === fits[j + 1]) continue;
+          const fine = Array.from({ length: 31 }, (_, k) => Number((S[j] + (0.15 * k) / 30).toFixed(4)));
+          const answer = await engine().ask("design", { ...of, outer_diameter_mm: [d], wall_mm: fine });
+          const walls = answer.candidates.map((/** @type {{ wall_mm: number }} */ c) => c.wall_mm), upper = fits[j];
+          const ends = segments.flatMap((/** @type {number[]} */ [a, b, c, e]) => [[a, b], [c, e]]).filter((/** @type {number[]} */ [x, y]) => Math.abs(x - d) < 1e-9 && y >= S[j] && y <= S[j + 1]);
+          out.push({ d, limit: nodes[upper ? j + 1 : j][i].limit, drawn: ends[0]?.[1], exact: upper ? Math.max(...walls) + 0.0025 : Math.min(...walls) - 0.0025 });
+        }
+      }
+      return out;
+    });
+    assert.equal(found.length, 18, JSON.stringify(found));
+    assert.deepEqual([...new Set(found.map(({ limit }) => limit))].sort(), ["burst_margin", "force"]);
+    const off = found.map(({ drawn, exact }) => Math.abs(drawn - exact)).sort((a, b) => a - b);
+    assert.ok(off[16] < 0.15 / 40 && off[17] < 0.15 / 4, off.join(" "));
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("a dimension line that is dragged changes the number", async () => {
+    const { page, errors, context } = await open("#muscle");
+    await alive(page);
+    const handle = /** @type {{ x: number, y: number, width: number, height: number }} */ (await page.locator(".dimensions circle").first().boundingBox());
+    const [x, y] = [handle.x + handle.width / 2, handle.y + handle.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 2, y - 12, { steps: 4 });
+    await page.mouse.up();
+    const D = Number(await page.getByRole("textbox", { name: "Outer diameter" }).inputValue());
+    assert.ok(D > 32 && D < 50, String(D));
+    await page.waitForFunction(() => location.hash.includes("D="));
+    const before = await page.locator(".stage .bar").innerText();
+    await page.locator(".stage canvas").focus();
+    for (let i = 0; i < 5; i++) await page.keyboard.press("+");
+    assert.notEqual(await page.locator(".stage .bar").innerText(), before);
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("two fingers zoom the muscle", async () => {
+    const { page, context } = await open("#muscle", { hasTouch: true });
+    await alive(page);
+    const bar = () => page.evaluate(() => { const box = /** @type {HTMLElement} */ (document.querySelector(".stage .bar")); return Number(box.querySelector("span")?.getBoundingClientRect().width) / parseFloat(box.textContent ?? ""); });
+    const before = await bar();
+    await page.evaluate(() => {
+      const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector(".stage canvas")), { x, y, width, height } = canvas.getBoundingClientRect();
+      canvas.setPointerCapture = () => {};
+      const send = (/** @type {string} */ type, /** @type {number} */ pointerId, /** @type {number} */ dx) => canvas.dispatchEvent(new PointerEvent(type, { pointerId, pointerType: "touch", clientX: x + width / 2 + dx, clientY: y + height / 2, bubbles: true }));
+      send("pointerdown", 1, -50);
+      send("pointerdown", 2, 50);
+      send("pointermove", 2, 150);
+      send("pointerup", 2, 150);
+      send("pointerup", 1, -50);
+    });
+    assert.ok(Math.abs((await bar()) / before / 2 - 1) < 0.02, `${(await bar()) / before}`);
+    await context.close();
+  });
+
+  test("on a phone the header is one row, and targets are 44 px", async () => {
+    const { page, context } = await open("#muscle", { viewport: { width: 400, height: 800 }, hasTouch: true, isMobile: true });
+    await alive(page);
+    const header = /** @type {{ height: number }} */ (await page.locator("header").boundingBox());
+    assert.ok(header.height <= 64, `${header.height}`);
+    const small = await page.evaluate(() => [...document.querySelectorAll("main button, main select, main summary, main input[type=range], header a, header button")]
+      .filter((e) => { const b = e.getBoundingClientRect(); return b.width > 0 && (b.height < 43.5 || (e.tagName === "BUTTON" && b.width < 43.5)); }).map((e) => `${e.tagName} ${e.textContent} ${e.getBoundingClientRect().height}`));
+    assert.deepEqual(small, []);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth));
+    await context.close();
+  });
+
+  test("the joint is drawn to scale, with its range, and what it reaches needs no plotly", async () => {
+    const { page, errors, context } = await open("#joint");
+    /** @type {string[]} */
+    const asked = [];
+    page.on("request", (request) => { if (request.url().includes("plotly")) asked.push(request.url()); });
+    await page.getByText("mean pressure 0 to 1 bar").waitFor({ timeout: 60_000 });
+    await page.waitForSelector(".numbers dl");
+    // Pulley of 25 mm and scale of 50 mm in the same units.
+    const scale = await page.evaluate(() => {
+      const joint = /** @type {SVGElement} */ (document.querySelector("svg.joint"));
+      return { radius: Number(joint.querySelector(".pulley")?.getAttribute("r")), bar: /** @type {SVGPathElement} */ (joint.querySelector(".line")).getBBox().width };
+    });
+    assert.deepEqual(scale, { radius: 25, bar: 50 });
+    assert.equal(await page.locator("svg.joint .range").count(), 1);
+    assert.equal(await page.locator('section[aria-label="joint torque"] svg.curves svg path[opacity]').count(), 1);
+    assert.deepEqual([asked, errors], [[], []]);
+    await context.close();
+  });
+});

@@ -1,0 +1,712 @@
+// The frame of the workbench: one muscle in a bar, pages that keep what was typed and found, files that open wherever
+// they are dropped,
+// a newcomer who is led, and a page that prints and works offline.
+import assert from "node:assert/strict";
+import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { test } from "node:test";
+import axe from "axe-core";
+import { files, listed } from "../offline.mjs";
+import { nameIn, named } from "../page/js/name.js";
+import { PAGES } from "../page/js/pages.js";
+import { thinned } from "../page/js/thin.js";
+import { alive, launch, pull, served } from "./browser.mjs";
+import { ask, inBrowser, program, root, shots } from "./sites.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+const example = (/** @type {string} */ name) => readFileSync(`${root}examples/${name}`, "utf8");
+/** A pull as the page writes it. @param {any} said */
+const asShown = (said) => {
+  const decimals = Math.max(0, 1 - Math.floor(Math.log10(said.uncertainty_n)));
+  return `${said.force_n.toFixed(decimals)} ± ${said.uncertainty_n.toFixed(decimals)} N`;
+};
+/** Until a text stands in an element. @param {Page} page @param {string} of @param {string} text */
+const reads = (page, of, text, timeout = 30_000) =>
+  page.waitForFunction(([of, text]) => document.querySelector(of)?.textContent?.includes(text), [of, text], { timeout })
+    .catch(async () =>
+      assert.fail(`"${text}" does not stand in ${of}: ${(await page.locator(of).allTextContents())[0]}`)
+    );
+const PULL = ".stage .say b", NAME = "Name of the muscle";
+/** Until a page is there. @param {Page} page @param {string} where */
+const there = (page, where) => page.waitForSelector(`main[data-shown=${where.toLowerCase()}]`, { timeout: 20_000 });
+const go = async (/** @type {Page} */ page, /** @type {string} */ where) => {
+  await page.getByRole("navigation").getByRole("link", { name: where, exact: true }).click();
+  await there(page, where);
+};
+const type = async (/** @type {Page} */ page, /** @type {string} */ label, /** @type {string} */ text) => {
+  const field = page.getByRole("textbox", { name: label, exact: true });
+  await field.fill(text);
+  await field.press("Enter");
+};
+/** Files dropped on the middle of the page. @param {Page} page @param {Record<string, string>} dropped */
+const drop = (page, dropped) =>
+  page.evaluate((all) => {
+    const data = new DataTransfer();
+    for (const [name, text] of Object.entries(all)) data.items.add(new File([text], name));
+    for (const kind of ["dragover", "drop"])
+      document.querySelector("main")?.dispatchEvent(
+        new DragEvent(kind, { dataTransfer: data, bubbles: true, cancelable: true }),
+      );
+  }, dropped);
+/** What a click downloads. @param {Page} page @param {import("playwright-core").Locator} button */
+async function downloaded(page, button) {
+  const [download] = await Promise.all([page.waitForEvent("download"), button.click()]);
+  return { name: download.suggestedFilename(),
+    text: readFileSync(/** @type {string} */ (await download.path()), "utf8") };
+}
+
+test("the name of a muscle file is found and changed, and nothing else of it", () => {
+  const file = '# a remark\n\n[tube]\nname = "no"\n';
+  assert.equal(nameIn(file), "");
+  assert.equal(nameIn(named(file, 'A "b" \\ c')), 'A "b" \\ c');
+  assert.equal(named(example("tondu2012.toml"), "x"), example("tondu2012.toml").replace('"Tondu 2012, 20 deg"', '"x"'));
+  assert.equal(nameIn("name = 'it is'\n[tube]\n"), "it is");
+  assert.equal(named('name = "a" # b\n', "$&"), 'name = "$&"\n');
+});
+
+test("a table of more than 20,000 rows is thinned to at most so many, with its heading", () => {
+  const table = (/** @type {number} */ n) =>
+    "# by hand\npressure_bar,contraction,force_n\n" + Array.from({ length: n }, (_, i) => `${i},0.1,-3`).join("\n") +
+    "\n";
+  assert.deepEqual(thinned(table(20_000)), { text: table(20_000), rows: 20_000, kept: 20_000, step: 1 });
+  const { text, rows, kept, step } = thinned(table(50_001));
+  assert.deepEqual([rows, kept, step], [50_001, 16_667, 3]);
+  assert.ok(text.startsWith("# by hand\npressure_bar,contraction,force_n\n0,0.1,-3\n3,0.1,-3\n"));
+  assert.equal(text.match(/0\.1/g)?.length, kept);
+});
+
+test("help leads to a page and a place that the book has", () => {
+  for (const { name, help } of PAGES) {
+    const [file, anchor] = help.split("#"), text = readFileSync(`${root}docs/${file}.md`, "utf8");
+    const places = [...text.matchAll(/^#+ (.*)$/gm)].map(([, heading]) =>
+      heading.toLowerCase().replace(/[^\w\s-]/g, "").trim().replace(/\s/g, "-")
+    );
+    assert.ok(!anchor || places.includes(anchor), `${name}: ${help} is none of ${places.join(" ")}`);
+  }
+});
+
+test("the list of files for use without a network is that of the folder (node web/offline.mjs renews it)", () =>
+  assert.deepEqual(listed(), files()));
+
+inBrowser(({ name, url, open, blank }) => {
+  test("the bar has name, picture, undo, redo, save and open of the one muscle, on every page", async () => {
+    const { page, errors, context } = await open("#muscle");
+    await alive(page);
+    const undo = page.getByRole("button", { name: "Undo", exact: true }),
+      redo = page.getByRole("button", { name: "Redo", exact: true });
+    assert.ok(await undo.isDisabled() && await redo.isDisabled());
+    const picture = () => page.locator(".muscle-bar svg").innerHTML();
+    const before = await picture();
+    await type(page, "Outer diameter D0", "45");
+    await reads(page, ".muscle-bar", "D0 45 mm");
+    assert.notEqual(await picture(), before);
+    await type(page, "Length L0", "200");
+    await reads(page, ".muscle-bar", "L0 200 mm");
+    await undo.click();
+    await reads(page, ".muscle-bar", "L0 285 mm");
+    await undo.click();
+    await reads(page, ".muscle-bar", "D0 30 mm");
+    assert.ok(await undo.isDisabled(), "one entry a gesture: all are taken back");
+    await redo.click();
+    await reads(page, ".muscle-bar", "D0 45 mm");
+    await redo.click();
+    await reads(page, ".muscle-bar", "L0 200 mm");
+    assert.ok(await redo.isDisabled());
+    const field = page.getByRole("textbox", { name: NAME });
+    await field.fill('Left "calf"');
+    await field.press("Enter");
+    await page.waitForFunction(() => /name=Left/.test(location.hash));
+    for (const where of ["Design", "Joint", "Motion", "Data", "Formula", "Compare", "Parts", "About"]) {
+      await go(page, where);
+      assert.equal(await field.inputValue(), 'Left "calf"', where);
+      await reads(page, ".muscle-bar", "D0 45 mm, s 3 mm, L0 200 mm");
+    }
+    const saved = await downloaded(page, page.getByRole("button", { name: "Save", exact: true }));
+    assert.equal(saved.name, "left-calf.toml");
+    assert.equal(nameIn(saved.text), 'Left "calf"');
+    const path = join(mkdtempSync(join(tmpdir(), "bar-")), saved.name);
+    writeFileSync(path, saved.text);
+    assert.equal(ask("muscle", "show", path).outer_diameter_mm, 45);
+    // A reload on any page has it again.
+    await page.reload();
+    await reads(page, ".muscle-bar", "D0 45 mm, s 3 mm, L0 200 mm");
+    assert.equal(await field.inputValue(), 'Left "calf"');
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("navigation is links that carry the muscle: they can be opened elsewhere", async () => {
+    const { page, context } = await open("#muscle?D=45&L=200");
+    await alive(page);
+    await type(page, "Wall s", "2.5");
+    const links = page.getByRole("navigation").getByRole("link");
+    for (let i = 0; i < await links.count(); i++) {
+      await links.nth(i).focus();
+      const href = String(await links.nth(i).getAttribute("href")), other = await context.newPage();
+      await other.goto(url() + href);
+      await other.reload();
+      await reads(other, ".muscle-bar", "D0 45 mm, s 2.5 mm, L0 200 mm").catch((error) =>
+        assert.fail(`${href}: ${error.message}`)
+      );
+      await other.close();
+    }
+    await context.close();
+  });
+
+  test("a long file is compressed in its link, old links open, and a damaged one is said", async () => {
+    const file = example("tondu2012.toml"),
+      said = asShown(ask("force", "examples/tondu2012.toml", "-p", "3bar", "-e", "10%"));
+    const { page, context } = await open(`#muscle?p=3bar&e=10%25&file=${encodeURIComponent(file)}`);
+    await reads(page, PULL, said);
+    await page.getByRole("slider", { name: "Pressure" }).focus();
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("ArrowLeft");
+    await page.waitForFunction(() => /file=z:/.test(location.hash));
+    const { hash } = new URL(page.url());
+    assert.ok(hash.length < 0.6 * encodeURIComponent(file).length, `${hash.length} characters`);
+    const other = await context.newPage();
+    await other.goto(url() + hash);
+    await reads(other, PULL, said);
+    assert.equal(await other.getByRole("textbox", { name: NAME }).inputValue(), "Tondu 2012, 20 deg");
+    await other.goto(`${url()}#about`);
+    await other.goto(url() + hash.replace(/file=z:.{20}/, "file=z:AAAA"));
+    await reads(other, "#notice", "The link is damaged");
+    await context.close();
+  });
+
+  test("pages keep input and results while others are shown, and on reload", async () => {
+    const { page, errors, context } = await open("#muscle");
+    await alive(page);
+    await go(page, "Design");
+    await page.waitForSelector("tr.pick", { timeout: 60_000 });
+    await type(page, "Pull", "300 N");
+    const [best] = ask("design", "-F", "300N", "-e", "15%", "-p", "2.5bar").candidates;
+    const heading = `Outer diameter ${Number(best.outer_diameter_mm.toPrecision(4))} mm, wall ${
+      Number(best.wall_mm.toPrecision(4))
+    } mm`;
+    await reads(page, ".middle h2", heading);
+    await go(page, "Motion");
+    await page.waitForSelector(".controls table", { timeout: 60_000 });
+    await page.getByRole("combobox", { name: "Model" }).selectOption("universal");
+    await type(page, "Until", "1 s");
+    await page.waitForFunction(() => /until=1/.test(location.hash));
+    await go(page, "Data");
+    await page.locator(".controls input[type=file]").setInputFiles(`${root}examples/bench.csv`);
+    await reads(page, ".middle", "bench.csv: 10 points");
+    await go(page, "Formula");
+    await page.getByRole("textbox", { name: "Plan (TOML)" }).fill("# mine\n");
+    await go(page, "Design");
+    // What was found is there at once, without a question.
+    /** @type {string[]} */ const asked = [];
+    page.on("request", (request) => {
+      if (/jobs\//.test(request.url())) asked.push(request.url());
+    });
+    await reads(page, ".middle h2", heading);
+    assert.equal(await page.getByRole("textbox", { name: "Pull", exact: true }).inputValue(), "300 N");
+    assert.deepEqual(asked, []);
+    for (const reload of [false, true]) {
+      await go(page, "Motion");
+      if (reload) await page.reload();
+      await page.waitForSelector(".controls table", { timeout: 60_000 });
+      assert.equal(await page.getByRole("textbox", { name: "Until" }).inputValue(), "1 s");
+      assert.equal(await page.getByRole("combobox", { name: "Model" }).inputValue(), "universal");
+      await go(page, "Data");
+      if (reload) await page.reload();
+      await reads(page, ".middle", "bench.csv: 10 points");
+      await go(page, "Formula");
+      if (reload) await page.reload();
+      await page.waitForFunction(() => document.querySelector("textarea")?.value === "# mine\n");
+      await go(page, "Design");
+      if (reload) await page.reload();
+      await reads(page, ".middle h2", heading, 60_000);
+    }
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("going back from a page never ends in a loop: an entry of the history is a gesture", async () => {
+    const { page, context } = await open("#about");
+    await page.waitForSelector("h2");
+    for (const where of ["joint", "motion", "compare", "data", "design"]) {
+      await page.evaluate((to) => {
+        location.hash = to;
+      }, `#${where}`);
+      await there(page, where);
+      await page.waitForLoadState("networkidle");
+      const { length } = await page.evaluate(() => ({ length: history.length }));
+      await page.goBack();
+      await there(page, "about");
+      assert.ok(length <= 3, `${where}: ${length} entries`);
+    }
+    await context.close();
+  });
+
+  test("36 changes of page leave elements and listeners as they were", async () => {
+    const { page, context } = await open("#muscle");
+    await alive(page);
+    const session = await context.newCDPSession(page);
+    await session.send("Performance.enable");
+    const count = async () => {
+      await session.send("HeapProfiler.collectGarbage");
+      const { metrics } = await session.send("Performance.getMetrics");
+      return Object.fromEntries(
+        metrics.filter(({ name }) => ["Nodes", "JSEventListeners"].includes(name)).map((
+          { name, value },
+        ) => [name, value]),
+      );
+    };
+    const round = async () => {
+      for (const where of ["Design", "Joint", "Motion", "Data", "Formula", "Compare", "Parts", "About", "Muscle"]) {
+        await go(page, where);
+        await page.waitForLoadState("networkidle");
+      }
+      await alive(page);
+    };
+    // What is loaded once, and what a library keeps of the last page that it drew on.
+    await round();
+    await round();
+    const before = await count();
+    for (let i = 0; i < 4; i++) await round();
+    const after = await count();
+    for (const key of Object.keys(before))
+      assert.ok(after[key] <= 1.1 * before[key], `${key}: ${before[key]}, and ${after[key]} after 36 changes of page`);
+    await context.close();
+  });
+
+  test("a project with several muscles, data and what was typed is saved and opened in one file", async () => {
+    const { page, errors, context } = await open("#muscle?D=45&name=Calf");
+    await alive(page);
+    const project = page.getByRole("button", { name: "Project", exact: true });
+    await project.click();
+    await page.getByRole("button", { name: "Add this muscle" }).click();
+    await page.getByRole("listitem").filter({ hasText: "Calf" }).waitFor();
+    await page.getByRole("button", { name: "Close", exact: true }).click();
+    await drop(page, { "tondu2012.toml": example("tondu2012.toml"), "bench.csv": example("bench.csv") });
+    await reads(page, ".middle", "bench.csv: 10 points");
+    await go(page, "Joint");
+    await page.waitForSelector(".numbers dl");
+    await type(page, "Radius of the pulley r", "30");
+    await project.click();
+    const saved = await downloaded(page, page.getByRole("button", { name: "Save the project" }));
+    assert.equal(saved.name, "tondu-2012-20-deg.mckibben.json");
+    assert.deepEqual(JSON.parse(saved.text).muscles.map((/** @type {any} */ m) => m.name), ["Calf",
+      "Tondu 2012, 20 deg"]);
+    await context.close();
+    const again = await open("#about");
+    await again.page.waitForSelector("h2");
+    await drop(again.page, { [saved.name]: saved.text });
+    await reads(again.page, "#notice", "a project with 2 muscles");
+    await reads(again.page, ".muscle-bar", "D0 14 mm");
+    await go(again.page, "Joint");
+    await again.page.waitForFunction(() => /r=30/.test(location.hash));
+    await go(again.page, "Data");
+    await reads(again.page, ".middle", "bench.csv: 10 points");
+    await again.page.getByRole("button", { name: "Project", exact: true }).click();
+    await again.page.getByRole("button", { name: "Show Calf" }).click();
+    await reads(again.page, ".muscle-bar", "D0 45 mm");
+    assert.deepEqual([...errors, ...again.errors], []);
+    await drop(again.page, { "x.json": '{"format":"mckibben-project","version":9,"muscles":[]}' });
+    await reads(again.page, "#notice", "version 9");
+    await again.context.close();
+  });
+
+  test("a file that is dropped anywhere goes where it belongs, with the command line's numbers", async () => {
+    const { page, errors, context } = await open("#about");
+    await page.waitForSelector("h2");
+    await drop(page, { "elbow.toml": example("elbow.toml"), "biceps.toml": example("biceps.toml") });
+    await there(page, "joint");
+    const said =
+      ask("joint", "examples/elbow.toml", "--angle", "20deg", "--stiffness", "5", "--max-pressure", "5bar").points[0];
+    await reads(page, ".numbers", "by fe;", 90_000);
+    await reads(page, ".numbers", `pressure of muscle 1${Number((10 * said.pressure_1_mpa).toPrecision(3))} bar`);
+    await page.reload();
+    await reads(page, ".numbers", "by fe;", 90_000);
+    await reads(page, ".numbers", `pressure of muscle 1${Number((10 * said.pressure_1_mpa).toPrecision(3))} bar`);
+    await drop(page, { "drive.toml": example("drive.toml"), "prototype.toml": example("prototype.toml") });
+    await there(page, "motion");
+    const run = ask("motion", "examples/drive.toml");
+    await reads(page, ".controls table", `largest speed${Number(run.largest_velocity_mm_per_s.toPrecision(3))} mm/s`,
+      90_000);
+    await drop(page, { "elbow-drive.toml": example("elbow-drive.toml"), "biceps.toml": example("biceps.toml") });
+    const turned = ask("motion", "examples/elbow-drive.toml", "--model", "fe");
+    const speed = Number(turned.largest_velocity_deg_per_s.toPrecision(3));
+    await reads(page, ".controls table", `largest speed${speed} °/s`, 90_000);
+    await drop(page, { "festo-dmsp-20.toml": example("festo-dmsp-20.toml") });
+    await reads(page, ".muscle-bar", "D0 23 mm");
+    await drop(page, { "bench.csv": example("bench.csv") });
+    await reads(page, ".middle", "bench.csv: 10 points");
+    await drop(page, { "a.toml": '[tube]\nouter_diametre = "3 mm"\n' });
+    await reads(page, "#notice", "outer_diametre");
+    await reads(page, ".muscle-bar", "D0 23 mm");
+    await drop(page, { "photo.png": "PNG" });
+    await reads(page, "#notice", "photo.png is no file of this program");
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("a newcomer meets eight muscles with pictures, each of which opens, and a tour that can be left", async () => {
+    const { page, errors, context } = await blank();
+    await page.goto(url());
+    await alive(page);
+    const cards = page.locator("#welcome .card");
+    assert.equal(await cards.count(), 8);
+    await page.waitForFunction(() => document.querySelectorAll("#welcome .card svg rect").length >= 8 * 4);
+    await page.screenshot({ path: `${shots}/welcome-${name}.png` });
+    const titles = await cards.locator("b").allTextContents();
+    for (const [i, title] of titles.entries()) {
+      await page.goto(`${url()}#about`);
+      await page.goto(`${url()}#muscle`);
+      await cards.nth(i).click();
+      await page.waitForFunction(() => /file=/.test(location.hash));
+      const where = /bench/i.test(title) ? "data" : /elbow/i.test(title) ? "joint" : "muscle";
+      await there(page, where);
+      await page.waitForSelector(
+        /bench/i.test(title) ? ".middle table" : /elbow/i.test(title) ? ".numbers dl" : ".stage .say b",
+        { timeout: 30_000 },
+      );
+      assert.equal(await page.locator(".problem").count(), 0, title);
+      if (where === "data") await page.getByRole("heading", { name: "Identified" }).waitFor({ timeout: 60_000 });
+    }
+    await page.goto(`${url()}#about`);
+    await page.goto(`${url()}#muscle`);
+    await page.getByRole("button", { name: "Take the tour (30 s)" }).click();
+    const tour = page.getByRole("dialog", { name: "Tour" });
+    await tour.getByText("This is your muscle.").waitFor();
+    await tour.getByRole("button", { name: "Next" }).click();
+    await tour.getByText("2 of 6").waitFor();
+    await page.screenshot({ path: `${shots}/tour-${name}.png` });
+    await tour.getByRole("button", { name: "Skip" }).click();
+    assert.equal(await tour.count(), 0);
+    // It has been seen: the next visit begins with the muscle.
+    await page.reload();
+    await alive(page);
+    assert.ok(await page.locator("#welcome").isHidden());
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("fields have a drawing of their symbol, on focus and under the pointer, and Escape hides it", async () => {
+    for (const [where, waits] of [["muscle", ".numbers dl"], ["joint", ".numbers dl"], ["design", "tr.pick"]]) {
+      const { page, context } = await open(`#${where}`);
+      await page.waitForSelector(waits, { timeout: 60_000 });
+      const fields = page.locator(".controls [data-sketch] input[type=text]:visible"), count = await fields.count();
+      assert.ok(count >= 5, `${where}: ${count}`);
+      if (where === "muscle") {
+        for (const label of ["Pressure", "Contraction", "Outer diameter", "Wall", "Length", "Braid angle"])
+          assert.equal(await page.locator(".quantity[data-sketch]", { hasText: label }).count() > 0, true, label);
+      }
+      await fields.first().focus();
+      await page.locator(".sketch svg path").first().waitFor({ state: "visible" });
+      await page.screenshot({ path: `${shots}/sketch-${where}-${name}.png` });
+      await page.keyboard.press("Escape");
+      await page.locator(".sketch").waitFor({ state: "hidden" });
+      await page.locator(".controls [data-sketch]:visible").nth(3).hover();
+      await page.locator(".sketch svg path").first().waitFor({ state: "visible" });
+      await context.close();
+    }
+  });
+
+  test("every page says in a sentence what it is for, and axe finds nothing in windows, light and dark", async () => {
+    const { page, context } = await open("#muscle");
+    await alive(page);
+    await page.evaluate(axe.source);
+    const sentences = new Set();
+    for (const where of ["Muscle", "Design", "Joint", "Motion", "Data", "Formula", "Compare", "Parts", "About"]) {
+      await go(page, where);
+      sentences.add(await page.locator("#claim").innerText());
+    }
+    assert.equal(sentences.size, 9);
+    for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
+      await page.emulateMedia({ colorScheme });
+      for (const button of ["Help", "Open", "Project"]) {
+        await page.getByRole("button", { name: button, exact: true }).click();
+        await page.locator("dialog[open]").waitFor();
+        if (button === "Open")
+          await page.waitForFunction(() => document.querySelectorAll("dialog .card svg rect").length >= 8 * 4);
+        const { violations } = await page.evaluate(() =>
+          /** @type {any} */ (window).axe.run(document, {
+            runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"],
+          })
+        );
+        assert.deepEqual(violations.map((/** @type {any} */ v) => `${v.id}: ${v.nodes[0].html}`), [],
+          `${button}, ${colorScheme}`);
+        await page.screenshot({ path: `${shots}/window-${button}-${colorScheme}-${name}.png` });
+        await page.keyboard.press("Escape");
+        await page.locator("dialog").waitFor({ state: "detached" });
+      }
+    }
+    await context.close();
+  });
+
+  test("axe finds nothing on any page, best practices among it", async () => {
+    for (const where of ["muscle", "design", "joint", "motion", "data", "formula", "compare", "parts", "about"]) {
+      const { page, errors, context } = await open(`#${where}`);
+      await there(page, where);
+      await page.waitForLoadState("networkidle");
+      await page.evaluate(axe.source);
+      const { violations } = await page.evaluate(() =>
+        /** @type {any} */ (window).axe.run(document, {
+          runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"],
+        })
+      );
+      assert.deepEqual(violations.map((/** @type {any} */ v) => `${v.id}: ${v.nodes[0].html}`), [], where);
+      assert.deepEqual(errors, [], where);
+      await context.close();
+    }
+  });
+
+  test("a part is found by a filter and put into the muscle, which has the command line's pull", async () => {
+    const { page, errors, context } = await open("#parts");
+    const { tubes } = ask("parts", "list", "tubes");
+    await reads(page, "main", `${tubes.length} of ${tubes.length} tubes`);
+    await page.getByRole("textbox", { name: "Filter" }).fill("latex 9.525");
+    await page.waitForFunction(() => document.querySelectorAll("tbody tr").length < 6);
+    await page.getByRole("button", { name: "Put into the muscle: latex-1/4x3/8in" }).click();
+    await reads(page, ".muscle-bar", "D0 9.525 mm");
+    await page.getByRole("combobox", { name: "Show" }).selectOption("sleeves");
+    await page.getByRole("textbox", { name: "Filter" }).fill("");
+    await page.getByText("only what fits the muscle's diameter").click();
+    assert.ok(await page.locator(".estimated").count() > 0, "estimates are marked");
+    await page.screenshot({ path: `${shots}/parts-${name}.png` });
+    await page.getByRole("button", { name: "Put into the muscle: flexo-overexpanded-0.38in" }).click();
+    await page.getByRole("link", { name: "See it move" }).click();
+    await alive(page);
+    const said = ask("force", "-D", "9.525", "-s", "1.5875", "--rubber", "latex", "--braid",
+      "flexo-overexpanded-0.38in", "-p", "2.5bar", "-e", "15%");
+    await reads(page, PULL, said.slack ? "Slack" : asShown(said));
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("the table of a design shows ±, whether one can be sure, mass and price, and is saved as CSV", async () => {
+    const { page, context } = await open("#design");
+    await page.waitForSelector("tr.pick", { timeout: 60_000 });
+    const said = ask("design", "-F", "700N", "-e", "15%", "-p", "2.5bar"), [best] = said.candidates;
+    const table = page.getByRole("region", { name: "Muscles that fit, best first" });
+    for (const head of ["± of the pull", "sure", "mass", "price"])
+      assert.equal(await table.getByRole("columnheader", { name: head, exact: true }).count(), 1, head);
+    assert.match(await table.locator("tbody tr").first().innerText(),
+      new RegExp(`± ${Math.round(best.uncertainty_n)}`.slice(0, 4)));
+    const { name: file, text } = await downloaded(page, page.getByRole("button", { name: "CSV of the table" }));
+    assert.equal(file, "design.csv");
+    const [head, first] = text.split("\n").map((line) => line.split(","));
+    for (
+      const [column, value]
+        of /** @type {[string, number]} */ ([["D0 [mm]", best.outer_diameter_mm], ["mass [g]", best.mass_g], [
+          "± of the pull [N]",
+          best.uncertainty_n,
+        ], ["needs [bar]", 10 * best.pressure_mpa]])
+    ) {
+      assert.ok(Math.abs(Number(first[head.indexOf(column)]) / value - 1) < 1e-6,
+        `${column}: ${first[head.indexOf(column)]}`);
+    }
+    // The command line says what to ask for to be sure; a number alone is in the unit of the page.
+    const { to_be_sure: sure } = ask("design", "-F", "300N", "-e", "10%", "-p", "4bar");
+    for (const [label, text] of [["Pull", "300"], ["at a contraction of", "10 %"], ["Pressure of the supply", "4"]])
+      await page.getByRole("textbox", { name: label, exact: true }).fill(text);
+    await page.getByRole("textbox", { name: "Pull", exact: true }).press("Enter");
+    await page.getByText("4 without a unit was read as 4 bar.").waitFor();
+    await reads(page, ".doubt", `To be sure, design for ${Number(sure.points[0].force_n.toPrecision(4))} N`);
+    await page.getByRole("button", { name: "Design for a guaranteed pull (95 %)" }).click();
+    await page.waitForFunction(() =>
+      /sure=95/.test(location.hash) && document.querySelector("tr.pick") && !document.querySelector(".doubt")
+    );
+    await context.close();
+  });
+
+  test("an error, a tooltip and a warning have the units of the page", async () => {
+    const { page, context } = await open("#muscle?u=psi,in,lbf&D=30");
+    await alive(page);
+    assert.match(String(await page.getByRole("textbox", { name: "Pressure p" }).getAttribute("title")),
+      /a number alone is in psi/);
+    await type(page, "Wall s", "2");
+    await page.waitForSelector(".problem");
+    const words = await page.locator(".problem").innerText();
+    assert.match(words, /wall is 2 in/i);
+    assert.doesNotMatch(words, /\bmm\b|MPa/);
+    await context.close();
+    const design = await open("#design?u=psi");
+    await design.page.waitForSelector("form");
+    const supply = design.page.getByRole("textbox", { name: "Pressure of the supply" });
+    await supply.focus();
+    assert.doesNotMatch(String(await supply.getAttribute("title")), /bare number is MPa/);
+    await design.context.close();
+  });
+
+  test("all that the command line warns stands on the pages", async () => {
+    const { page, context } = await open(
+      "#muscle?D=9.525&s=1.5875&L=200&rubber=latex&braid=flexo-overexpanded-0.38in&p=5bar&e=10%25",
+    );
+    await alive(page);
+    const list = ["force", "-D", "9.525", "-s", "1.5875", "-L", "200", "--rubber", "latex", "--braid",
+      "flexo-overexpanded-0.38in", "-p", "5bar", "-e", "10%"];
+    const { warnings } = ask(...list),
+      plain = (/** @type {string} */ text) =>
+        text.replace(/[\d.]+ \w+|`[^`]*`|[^a-z ]/gi, "").slice(0, 24).trim().toLowerCase();
+    assert.ok(warnings.length > 0);
+    for (const where of ["Muscle", "Compare"]) {
+      await go(page, where);
+      for (const warning of warnings)
+        await page.waitForFunction(
+          (text) =>
+            [...document.querySelectorAll("main .warnings li")].some((li) =>
+              li.textContent?.replace(/[\d.]+ \w+|`[^`]*`|[^a-z ]/gi, "").toLowerCase().startsWith(text)
+            ),
+          plain(warning),
+          { timeout: 30_000 },
+        );
+    }
+    await context.close();
+  });
+
+  test("all units switch by a click, and a click changes no value", async () => {
+    const { page, context } = await open("#muscle?k=467");
+    await alive(page);
+    const before = await pull(page), units = page.locator(".controls .quantity > button.bare:visible");
+    for (let i = 0; i < await units.count(); i++) {
+      const unit = units.nth(i), first = await unit.innerText();
+      const field = unit.locator("xpath=..").locator("input[type=text]");
+      do {
+        await unit.click();
+        await field.focus();
+        await field.press("Enter");
+      } while (await unit.innerText() !== first);
+    }
+    assert.ok(await units.count() >= 6);
+    await page.waitForFunction((text) => document.querySelector(".stage .say b")?.textContent === text, before);
+    assert.equal(await page.getByRole("textbox", { name: "Outer diameter D0" }).inputValue(), "30");
+    assert.doesNotMatch(page.url(), /D=|29\.99/);
+    await context.close();
+  });
+
+  test("a decimal comma is read, and said; one that may separate thousands is asked about", async () => {
+    const { page, context } = await open("#muscle");
+    await alive(page);
+    await type(page, "Pressure p", "2,3 bar");
+    await page.getByText("2,3 bar was read as 2.3 bar.").waitFor();
+    await reads(page, PULL, asShown(ask("force", "-p", "2.3bar", "-e", "15%")));
+    await type(page, "Length L0", "1,200");
+    await page.waitForSelector("[aria-invalid=true]");
+    await page.goto(`${url()}#design?F=300N&e=12,5%25`);
+    await page.getByText("12,5% was read as 12.5%.").waitFor();
+    await context.close();
+  });
+
+  test("data above 20,000 points are thinned, and the page says so", async () => {
+    const { page, errors, context } = await open("#data?models=universal");
+    await page.waitForSelector("form");
+    const rows = Array.from({ length: 30_000 },
+      (_, i) => `${1 + (i % 5) * 0.5},${(i % 200) / 1000},${900 - 4 * (i % 200)}`);
+    await page.locator(".controls input[type=file]").setInputFiles({ name: "long.csv", mimeType: "text/csv",
+      buffer: Buffer.from(`pressure_bar,contraction,force_n\n${rows.join("\n")}\n`) });
+    await page.getByText("The table has 30,000 rows, more than 20,000: every second one is used, 15,000 points.")
+      .waitFor({ timeout: 60_000 });
+    await reads(page, ".middle", "15000 points");
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("beside an error the old answer is dimmed, on every page that computes", async () => {
+    const { page, context } = await open("#muscle");
+    await alive(page);
+    for (
+      const [where, waits, label, wrong] of [["Motion", ".controls table", "Valve", "nonsense"], ["Joint",
+        ".numbers dl", "Radius of the pulley r", "900"], ["Compare", "[aria-label='both in numbers'] td:nth-child(2)",
+        "Wall", "40"], ["Design", "tr.pick", "Sleeves as sold", "no-such-sleeve"]]
+    ) {
+      await go(page, where);
+      await page.waitForSelector(waits, { timeout: 60_000, state: "attached" });
+      if (where === "Design") await page.getByText("Search space").click();
+      const field = page.getByLabel(label, { exact: true }).first();
+      await field.fill(wrong);
+      await field.press("Enter");
+      await page.waitForSelector("main .stale", { timeout: 30_000 });
+      assert.ok(await page.locator(".problem, .wrong:visible").count() > 0, where);
+      await field.fill("");
+    }
+    await context.close();
+  });
+
+  test("the chosen page can be seen in forced colours", async () => {
+    const { page, context } = await open("#muscle", { forcedColors: "active" });
+    await alive(page);
+    const border = (/** @type {string} */ of) =>
+      page.locator(of).first().evaluate((a) => getComputedStyle(a).borderBottomColor);
+    assert.notEqual(await border("nav [aria-current]"), await border("nav a:not([aria-current])"));
+    await context.close();
+  });
+
+  test("printing makes one sheet of paper with muscle, inputs and numbers", async () => {
+    const { page, context } = await open("#muscle?D=38&name=Calf");
+    await alive(page);
+    await page.waitForFunction(() => /starts at\s*[\d.]/.test(document.querySelector(".numbers")?.textContent ?? ""));
+    const shown = await pull(page);
+    await page.emulateMedia({ media: "print" });
+    const pdf = await page.pdf({ format: "A4", path: `${shots}/sheet-${name}.pdf` });
+    assert.equal(pdf.toString("latin1").match(/\/Type\s*\/Page\b/g)?.length, 1, "one page");
+    await page.emulateMedia({ media: "print" });
+    await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+    const sheet = await page.locator("#sheet").innerText();
+    for (const text of ["Calf", "Outer diameter", "38 mm", "2.5 bar", shown])
+      assert.ok(sheet.includes(text), `${text} stands in ${sheet}`);
+    await page.setViewportSize({ width: 794, height: 1123 });
+    await page.screenshot({ path: `${shots}/sheet-${name}.png` });
+    assert.ok(
+      await page.locator("#sheet").isVisible() && !await page.locator(".controls").isVisible() &&
+        !await page.locator("#bar").isVisible(),
+    );
+    await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+    assert.equal(await page.locator("#sheet").innerText(), "");
+    await context.close();
+  });
+
+  test("the page is an app that is installed, and opens without a network", async () => {
+    const { page, context } = await open("#muscle?D=38", { serviceWorkers: "allow" });
+    await alive(page);
+    const session = await context.newCDPSession(page);
+    const { errors: faults } = await session.send("Page.getAppManifest");
+    assert.deepEqual(faults, []);
+    await page.evaluate(async () => {
+      await navigator.serviceWorker.ready;
+    });
+    await page.waitForFunction(async (own) => {
+      const cache = await caches.open((await caches.keys())[0] ?? "");
+      return (await cache.keys()).length > 40 && (!own || await cache.match("live.wasm"));
+    }, name === "static", { timeout: 60_000 });
+    const { installabilityErrors } = await session.send("Page.getInstallabilityErrors");
+    assert.deepEqual(installabilityErrors.filter((/** @type {any} */ { errorId }) => !/in-incognito/.test(errorId)),
+      []);
+    await context.setOffline(true);
+    await page.reload();
+    if (name === "static") {
+      await alive(page);
+      await go(page, "Design");
+      await page.waitForSelector("tr.pick", { timeout: 90_000 });
+    } else {
+      // Its engine is the server: the page opens, says so, and goes on when the server is there again.
+      await page.getByText("The computation engine stopped: the server cannot be reached").first().waitFor();
+      await context.setOffline(false);
+      await page.getByRole("button", { name: "Try again" }).click();
+      await alive(page);
+    }
+    assert.match(page.url(), /D=38/);
+    await context.close();
+  });
+
+  test("400 px: the frame fits, and the bar is reached by the keyboard", async () => {
+    const { page, context } = await blank();
+    await page.setViewportSize({ width: 400, height: 800 });
+    await page.goto(url());
+    await alive(page);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth));
+    await page.screenshot({ path: `${shots}/welcome-400-${name}.png` });
+    await page.getByRole("textbox", { name: NAME }).focus();
+    for (const button of ["Save", "Open", "Share", "Project", "Print"]) {
+      await page.keyboard.press("Tab");
+      if (await page.evaluate(() => document.activeElement?.textContent) !== button) await page.keyboard.press("Tab");
+      assert.equal(await page.evaluate(() => document.activeElement?.textContent), button);
+    }
+    await context.close();
+  });
+});
