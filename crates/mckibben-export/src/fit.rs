@@ -38,13 +38,13 @@ pub struct FormErrors {
     /// Root mean square of the pull's error, share of the blocked force at the supply.
     pub force_rms: f64,
     /// 95 % of the points err by less, share of the blocked force.
-    pub force_95: f64,
+    pub force_95_ratio: f64,
     /// Largest, share of the blocked force.
-    pub force_worst: f64,
+    pub force_worst_ratio: f64,
     /// Root mean square of the volume's error, share of the largest volume.
     pub volume_rms: f64,
     /// Largest of the volume, share of the largest volume.
-    pub volume_worst: f64,
+    pub volume_worst_ratio: f64,
     /// Number of points.
     pub points: usize,
 }
@@ -311,10 +311,10 @@ fn errors(form: &Form, held_out: &[Sample], blocked_n: f64) -> FormErrors {
     let top = |of: &[f64]| of.iter().copied().fold(0.0, f64::max);
     FormErrors {
         force_rms: rms(&force),
-        force_95: force.get((0.95 * force.len() as f64) as usize).copied().unwrap_or(0.0),
-        force_worst: top(&force),
+        force_95_ratio: force.get((0.95 * force.len() as f64) as usize).copied().unwrap_or(0.0),
+        force_worst_ratio: top(&force),
         volume_rms: rms(&volume),
-        volume_worst: top(&volume),
+        volume_worst_ratio: top(&volume),
         points: force.len(),
     }
 }

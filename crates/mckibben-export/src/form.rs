@@ -40,18 +40,23 @@ pub const NO_ANSWER: u32 = 8;
 #[cfg_attr(feature = "schema", schemars(rename = "ExportForm"))]
 pub struct Form {
     /// Length at rest L0, m.
+    #[cfg_attr(feature = "schema", schemars(extend("x-unit" = "m")))]
     pub length_m: f64,
     /// Supply pressure, the upper end of the box, Pa.
+    #[cfg_attr(feature = "schema", schemars(extend("x-unit" = "Pa")))]
     pub supply_pa: f64,
     /// Lower end of the box in ε, negative.
     pub contraction_low: f64,
     /// Upper end of the box in ε: the free contraction at the supply.
     pub contraction_high: f64,
     /// a_ij, N.
+    #[cfg_attr(feature = "schema", schemars(extend("x-unit" = "N")))]
     pub a: [[f64; POWERS]; 3],
     /// b_i0 and b_i1, N.
+    #[cfg_attr(feature = "schema", schemars(extend("x-unit" = "N")))]
     pub b: [[f64; 2]; 3],
     /// v0, v1 and v2, m³.
+    #[cfg_attr(feature = "schema", schemars(extend("x-unit" = "m³")))]
     pub v: [f64; 3],
     /// Half-width of the hysteresis, N: h0 √q + h1 q; zeros where the muscle does not state its friction.
     pub friction_n: [f64; 2],

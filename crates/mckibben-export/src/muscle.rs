@@ -71,8 +71,8 @@ impl ExportedMuscle {
             return Err(ExportError::Box { low, high: high.unwrap_or(0.0) });
         }
         let Fitted { form, errors, blocked_n, held_out } = fit(model, wanted, budget)?;
-        if errors.force_worst > LIMIT {
-            let percent = 100.0 * errors.force_worst;
+        if errors.force_worst_ratio > LIMIT {
+            let percent = 100.0 * errors.force_worst_ratio;
             return Err(ExportError::Misses { percent, limit: 100.0 * LIMIT });
         }
         let w = &mut Workspace::within(budget.clone());
@@ -115,14 +115,14 @@ impl ExportedMuscle {
             format!(
                 "Pull against the model: {} rms, {} at 95 % of points, {} worst, of the blocked force of {:.1} N.",
                 percent(e.force_rms),
-                percent(e.force_95),
-                percent(e.force_worst),
+                percent(e.force_95_ratio),
+                percent(e.force_worst_ratio),
                 self.blocked_force_n
             ),
             format!(
                 "Volume against the model: {} rms, {} worst, of the largest volume.",
                 percent(e.volume_rms),
-                percent(e.volume_worst)
+                percent(e.volume_worst_ratio)
             ),
             match self.uncertainty_n {
                 Some(n) => format!(
@@ -137,13 +137,13 @@ impl ExportedMuscle {
     /// What a user must know of the fit, in sentences.
     pub fn warnings(&self) -> Vec<String> {
         let e = &self.errors;
-        if e.force_95 <= GOAL[0] && e.force_worst <= GOAL[1] {
+        if e.force_95_ratio <= GOAL[0] && e.force_worst_ratio <= GOAL[1] {
             return vec![];
         }
         vec![format!(
             "the form misses the model by {:.2} % of the blocked force at 95 % of points and {:.2} % at worst; a smaller box, such as a lower end of the contraction nearer to 0, lowers this",
-            100.0 * e.force_95,
-            100.0 * e.force_worst
+            100.0 * e.force_95_ratio,
+            100.0 * e.force_worst_ratio
         )]
     }
 

@@ -119,8 +119,8 @@ fn text(answer: &ExportAnswer, folder: Option<&Path>) -> String {
             format!(
                 "{} rms, {} at 95 % of points, {} worst, of the blocked force",
                 percent(answer.errors.force_rms),
-                percent(answer.errors.force_95),
-                percent(answer.errors.force_worst)
+                percent(answer.errors.force_95_ratio),
+                percent(answer.errors.force_worst_ratio)
             ),
         ),
         (
@@ -128,7 +128,7 @@ fn text(answer: &ExportAnswer, folder: Option<&Path>) -> String {
             format!(
                 "{} rms, {} worst, of the largest volume",
                 percent(answer.errors.volume_rms),
-                percent(answer.errors.volume_worst)
+                percent(answer.errors.volume_worst_ratio)
             ),
         ),
         (

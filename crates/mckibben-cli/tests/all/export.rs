@@ -12,7 +12,7 @@ fn the_answer_states_the_error_of_its_form() {
     let exact = number(&json("force examples/prototype.toml --model thick-wall -p 0.25"), "force_n");
     let form = &answer["form"];
     let blocked: f64 = (0..3).map(|i| form["a"][i][0].as_f64().unwrap()).sum();
-    let worst = number(&answer, "force_worst");
+    let worst = number(&answer, "force_worst_ratio");
     assert!((blocked - exact).abs() <= worst.max(1e-3) * exact, "{blocked} {exact} {worst}");
     assert_eq!(number(&answer, "supply_pressure_mpa"), 0.25);
     assert_eq!(answer["name"], "prototype");

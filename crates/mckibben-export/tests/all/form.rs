@@ -161,13 +161,13 @@ fn random_muscles_are_exported_and_no_pull_returns() {
             Err(error) => panic!("{index}: {error}"),
         };
         let e = fitted.errors;
-        within += if e.force_95 <= 0.003 { 1.0 } else { 0.0 };
+        within += if e.force_95_ratio <= 0.003 { 1.0 } else { 0.0 };
         all += 1.0;
-        volume = volume.max(e.volume_worst);
-        if e.force_worst > worst.0 {
-            worst = (e.force_worst, index);
+        volume = volume.max(e.volume_worst_ratio);
+        if e.force_worst_ratio > worst.0 {
+            worst = (e.force_worst_ratio, index);
         }
-        if e.force_worst > 0.01 {
+        if e.force_worst_ratio > 0.01 {
             above.push(index);
         }
         assert_eq!(returns(&fitted.form), None, "{index}");
