@@ -102,6 +102,8 @@ _UNLIKELY = {
 
 def likely(name: str, value: float) -> None:
     """Warns of a bare number that was likely meant in another unit."""
+    if not math.isfinite(value):
+        return
     bounds = _UNLIKELY.get(name)
     if bounds is None or value <= 0 or bounds[0] <= value <= bounds[1]:
         return

@@ -26,6 +26,8 @@ class Quantity {
   /** @type {number | undefined} */ #now;
   /** What the page wrote into the field. */
   #painted = "";
+  /** Counts what was typed or dragged. */
+  #turn = 0;
   /** @type {number} */ #low;
   /** @type {number} */ #high;
 
@@ -127,6 +129,7 @@ class Quantity {
 
   /** A new value. @param {number | undefined} value @param {boolean} settled @param {string} [note] */
   #take(value, settled, note) {
+    this.#turn++;
     this.#now = value;
     this.#good(note);
     this.#paint();
@@ -139,8 +142,10 @@ class Quantity {
     // What stands there is not read again: it may have fewer digits than the value.
     if (text === this.#painted && (this.#now === undefined || !field.hasAttribute("aria-invalid"))) return;
     if (!text && clears) return this.#take(undefined, true);
-    const { text: asked, value, note } = meant(kind, text);
+    const { text: asked, value, note } = meant(kind, text), turn = ++this.#turn;
     const reading = value === undefined ? (await understood([{ text: asked, kind }]))[0] : { value };
+    // A later text or a drag counts, whichever is read first.
+    if (turn !== this.#turn) return;
     if (reading.problem) return this.#wrongly(reading.problem.message);
     this.#take(reading.value, true, note);
   }
