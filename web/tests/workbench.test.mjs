@@ -247,14 +247,22 @@ inBrowser(({ name, url, open, blank }) => {
     await alive(page);
     const session = await context.newCDPSession(page);
     await session.send("Performance.enable");
-    const count = async () => {
+    const now = async () => {
       await session.send("HeapProfiler.collectGarbage");
       const { metrics } = await session.send("Performance.getMetrics");
-      return Object.fromEntries(
-        metrics.filter(({ name }) => ["Nodes", "JSEventListeners"].includes(name)).map((
-          { name, value },
-        ) => [name, value]),
-      );
+      const counted = metrics.filter(({ name }) => ["Nodes", "JSEventListeners"].includes(name));
+      return Object.fromEntries(counted.map(({ name, value }) => [name, value]));
+    };
+    // The page is complete when nothing comes any more: curves and numbers arrive one after the other.
+    const count = async () => {
+      await page.waitForSelector("svg.curves path");
+      for (let before = await now(), same = 0; ; ) {
+        await page.waitForTimeout(300);
+        const next = await now();
+        same = next.Nodes === before.Nodes ? same + 1 : 0;
+        before = next;
+        if (same === 3) return next;
+      }
     };
     const round = async () => {
       for (const where of ["Design", "Joint", "Motion", "Data", "Formula", "Compare", "Parts", "About", "Muscle"]) {
