@@ -255,7 +255,7 @@ inBrowser(({ name, url, open, blank }) => {
     };
     // The page is complete when nothing comes any more: curves and numbers arrive one after the other.
     const count = async () => {
-      await page.waitForSelector("svg.curves path");
+      await page.waitForSelector("svg.curves");
       for (let before = await now(), same = 0; ; ) {
         await page.waitForTimeout(300);
         const next = await now();
