@@ -128,10 +128,10 @@ class Form {
     }
     const { asked, notes, values } = reading;
     const readings = await understood(asked.map(({ text, kind, list }) => ({ text, kind, list })));
-    asked.forEach(({ key, text, list, take }, i) => {
+    asked.forEach(({ key, list, take }, i) => {
       const { problem, value, values } = readings[i];
       if (problem) this.mark(key, problem.message);
-      else take(list ? (intervals && ends(text, readings[i])) || values : value);
+      else take(list ? (intervals && ends(readings[i])) || values : value);
     });
     for (const [key, note] of notes) {
       const wrong = this.rows.get(key)?.wrong;
@@ -193,14 +193,11 @@ export const form = (fields, submit) => new Form(fields, submit);
 
 /**
  * The ends of an interval without a step, which a search takes as a whole.
- * @param {string} text
  * @param {any} reading
  * @returns {{ low: number, high: number } | undefined}
  */
-function ends(text, { values, interval }) {
-  // Programs of before do not say it.
-  const [low, high] = interval ?? (/^[^:,]+\.\.[^:,]+$/.test(text) ? [values[0], values[values.length - 1]] : []);
-  return high === undefined ? undefined : { low, high };
+function ends({ interval }) {
+  return interval ? { low: interval[0], high: interval[1] } : undefined;
 }
 
 /**

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::flags::{MuscleFlags, OverwriteFlag, UnitsFlag};
 use crate::format::Format;
 use crate::output::text::{number, pairs, place, table};
-use crate::output::{Content, FLAT, Target, burst_first, check, save, show};
+use crate::output::{Content, FLAT, Target, burst_first, save_all, show};
 use crate::progress::Bar;
 use crate::quantities::quantity;
 use crate::shown;
@@ -58,28 +58,19 @@ pub fn run(args: &BuildArgs, format: Format) -> Result<u8, Failure> {
     };
     let answer = build(&request, &Bar::new("parts"))?;
     if let Some(folder) = &args.output {
-        write(&answer, folder, args.replace.overwrite)?;
+        save_all(&answer.files, folder, args.replace.overwrite, content)?;
     }
     show(&answer, format, FLAT, || text(&answer, args.output.as_deref()), Target::STDOUT)?;
     Ok(0)
 }
 
-/// Writes all files, or none if one of them would be lost for it.
-fn write(answer: &BuildAnswer, folder: &Path, overwrite: bool) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder).map_err(|e| Failure::unwritable(folder, &e))?;
-    let kind = |name: &str| match name {
+/// What a file of the folder is, by its name.
+fn content(name: &str) -> Content {
+    match name {
         "muscle.toml" => Content::Muscle,
         "test.csv" => Content::EmptySheet,
         _ => Content::Built,
-    };
-    let paths: Vec<PathBuf> = answer.files.iter().map(|file| folder.join(&file.name)).collect();
-    for (file, path) in answer.files.iter().zip(&paths) {
-        check(Target::file(path, overwrite), &kind(&file.name))?;
     }
-    for (file, path) in answer.files.iter().zip(&paths) {
-        save(Target::file(path, overwrite), kind(&file.name), &file.content)?;
-    }
-    Ok(())
 }
 
 fn text(answer: &BuildAnswer, folder: Option<&Path>) -> String {

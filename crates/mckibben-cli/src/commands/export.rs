@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::flags::{ModelFlags, MuscleFlags, OverwriteFlag, UnitsFlag};
 use crate::format::Format;
 use crate::output::text::{pairs, place, table};
-use crate::output::{Content, FLAT, Target, check, save, show};
+use crate::output::{Content, FLAT, Target, save_all, show};
 use crate::progress::Bar;
 use crate::quantities::quantity;
 use crate::shown;
@@ -74,23 +74,10 @@ pub fn run(args: &ExportArgs, format: Format) -> Result<u8, Failure> {
     };
     let answer = export(&request, &Bar::new("points"))?;
     if let Some(folder) = &args.output {
-        write(&answer, folder, args.replace.overwrite)?;
+        save_all(&answer.files, folder, args.replace.overwrite, |_| Content::Exported)?;
     }
     show(&answer, format, FLAT, || text(&answer, args.output.as_deref()), Target::STDOUT)?;
     Ok(0)
-}
-
-/// Writes all files, or none if one of them would be lost for it.
-fn write(answer: &ExportAnswer, folder: &Path, overwrite: bool) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder).map_err(|e| Failure::unwritable(folder, &e))?;
-    let paths: Vec<PathBuf> = answer.files.iter().map(|file| folder.join(&file.name)).collect();
-    for path in &paths {
-        check(Target::file(path, overwrite), &Content::Exported)?;
-    }
-    for (file, path) in answer.files.iter().zip(&paths) {
-        save(Target::file(path, overwrite), Content::Exported, &file.content)?;
-    }
-    Ok(())
 }
 
 fn list_text(answer: &ExportListAnswer) -> String {

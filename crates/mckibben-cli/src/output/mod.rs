@@ -14,7 +14,7 @@ mod write;
 pub use guard::{Content, check, ending, of_input};
 use mckibben::warning::is_of_burst;
 pub use stream::streamed;
-pub use write::{Target, burst_first, colour, complain, emit, save, warn, warn_behind};
+pub use write::{Target, burst_first, colour, complain, emit, save, save_all, warn, warn_behind};
 
 use crate::clean;
 use crate::failure::Failure;

@@ -8,8 +8,9 @@ use crate::shown;
 use anstyle::{AnsiColor, Style};
 use mckibben::units::short_numbers;
 use mckibben::warning::is_of_burst;
+use mckibben_app::BuiltFile;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 /// Where a result goes.
@@ -29,6 +30,24 @@ impl<'a> Target<'a> {
     pub fn file(path: &'a Path, overwrite: bool) -> Self {
         Self { path: Some(path), overwrite }
     }
+}
+
+/// Writes all files of an answer into a folder, or none if one of them would be lost for it. `content` says by the name of a file what it is.
+pub fn save_all(
+    files: &[BuiltFile],
+    folder: &Path,
+    overwrite: bool,
+    content: impl Fn(&str) -> Content,
+) -> Result<(), Failure> {
+    std::fs::create_dir_all(folder).map_err(|e| Failure::unwritable(folder, &e))?;
+    let paths: Vec<PathBuf> = files.iter().map(|file| folder.join(&file.name)).collect();
+    for (file, path) in files.iter().zip(&paths) {
+        check(Target::file(path, overwrite), &content(&file.name))?;
+    }
+    for (file, path) in files.iter().zip(&paths) {
+        save(Target::file(path, overwrite), content(&file.name), &file.content)?;
+    }
+    Ok(())
 }
 
 /// Writes to `path`, or to standard output.
