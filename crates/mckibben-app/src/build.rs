@@ -1,6 +1,6 @@
 //! `build`: from a muscle to drawing, plugs, cut list, bill of materials, steps and test sheet.
 
-use crate::burst::{PressureLimits, burst_of, said_of};
+use crate::burst::{PressureLimits, burst_of, said_of, usual_mpa};
 use crate::fields::{ModelFields, MuscleFields};
 use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
@@ -13,7 +13,7 @@ use mckibben::analysis::{Burst, blocked_force_n, free_contraction};
 use mckibben::answer::{Options, check_range};
 use mckibben::model::Workspace;
 use mckibben::progress::Progress;
-use mckibben_build::{BuildError, BuildPart, Content, Cut, Operating, Plan, Safety, TestPoint, Wishes};
+use mckibben_build::{BuildError, BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, Wishes};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -96,19 +96,15 @@ pub struct BuiltFile {
     pub content: Vec<u8>,
 }
 
-impl BuiltFile {
-    /// Of text, or of bytes.
-    pub(crate) fn new(name: &str, about: &str, content: Result<String, Vec<u8>>) -> Self {
-        let (text, base64, content) = match content {
-            Ok(text) => (Some(text.clone()), None, text.into_bytes()),
-            Err(bytes) => (None, Some(STANDARD.encode(&bytes)), bytes),
+impl From<File> for BuiltFile {
+    fn from(file: File) -> Self {
+        let (text, base64, content) = match file.content {
+            Content::Text(text) => (Some(text.clone()), None, text.into_bytes()),
+            Content::Bytes(bytes) => (None, Some(STANDARD.encode(&bytes)), bytes),
         };
-        Self { name: name.into(), about: about.into(), text, base64, content }
+        Self { name: file.name.into(), about: file.about.into(), text, base64, content }
     }
 }
-
-/// Working pressure in MPa where none is given, and nothing forbids it: that of the paper.
-const USUAL_MPA: f64 = 0.25;
 
 /// All that is needed to build a muscle.
 ///
@@ -119,13 +115,6 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
     let said = said_of(&burst, plan.operating.pressure_mpa, 0.0);
     let files = mckibben_build::files(&plan)
         .map_err(|e| Problem::new(ProblemKind::Internal, format!("the drawing cannot be drawn: {e}"), ""))?;
-    let files = files.into_iter().map(|file| {
-        let content = match file.content {
-            Content::Text(text) => Ok(text),
-            Content::Bytes(bytes) => Err(bytes),
-        };
-        BuiltFile::new(file.name, file.about, content)
-    });
     let warnings = said.iter().map(ToString::to_string);
     Ok(BuildAnswer {
         muscle: (&plan.muscle).into(),
@@ -141,7 +130,7 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
         mass_g: plan.mass_g(),
         limits: (&burst).into(),
         warnings: warnings.chain(plan.muscle.warnings()).chain(plan.warnings()).collect(),
-        files: files.collect(),
+        files: files.into_iter().map(BuiltFile::from).collect(),
         cut: plan.cut,
         parts: plan.parts,
         test: plan.test,
@@ -196,10 +185,7 @@ fn operating(
     let w = &mut Workspace::within(budget.clone());
     let burst = burst_of(&choice, model, &budget)?;
     let allowed_mpa = burst.allowed().map(|a| a.0);
-    // Down to a hundredth, which a regulator shows.
-    let lower = |p: f64| if p >= 0.01 { (100.0 * p).floor() / 100.0 } else { p };
-    let usual_mpa = allowed_mpa.map_or(USUAL_MPA, |allowed| lower(allowed).min(USUAL_MPA));
-    let pressure_mpa = finite("pressure_mpa", asked_mpa.unwrap_or(usual_mpa))?;
+    let pressure_mpa = finite("pressure_mpa", asked_mpa.unwrap_or(usual_mpa(&burst)))?;
     check_range(model, pressure_mpa, 0.0, options)?;
     let free = free_contraction(model, w, pressure_mpa, options)?;
     let mut free_contractions = vec![];

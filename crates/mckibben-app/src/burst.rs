@@ -45,6 +45,16 @@ pub(crate) fn burst_of(choice: &Model, model: &dyn ForceModel, budget: &Budget) 
     Ok(found)
 }
 
+/// Working pressure in MPa where none is given, and nothing forbids it: that of the paper.
+const USUAL_MPA: f64 = 0.25;
+
+/// The working pressure in MPa where none is given: that of the paper, or the allowed one where that is lower.
+pub(crate) fn usual_mpa(found: &Burst) -> f64 {
+    // Down to a hundredth, which a regulator shows.
+    let lower = |p: f64| if p >= 0.01 { (100.0 * p).floor() / 100.0 } else { p };
+    found.allowed().map_or(USUAL_MPA, |(allowed_mpa, _)| lower(allowed_mpa).min(USUAL_MPA))
+}
+
 /// What is said of a burst pressure where the largest pressure is `highest_mpa`; of one that is not known only above `quiet_mpa`.
 pub(crate) fn said_of(found: &Burst, highest_mpa: f64, quiet_mpa: f64) -> Vec<Warning> {
     let pressure_mpa = highest_mpa;

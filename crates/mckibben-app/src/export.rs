@@ -1,7 +1,7 @@
 //! `export`: a muscle for a controller or a simulator.
 
 use crate::build::BuiltFile;
-use crate::burst::burst_of;
+use crate::burst::{QUIET_MPA, burst_of, said_of, usual_mpa};
 use crate::fields::{ModelFields, MuscleFields};
 use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
@@ -9,9 +9,7 @@ use crate::point::finite;
 use crate::problem::{Problem, ProblemKind};
 use mckibben::answer::{Options, check_range};
 use mckibben::progress::Progress;
-use mckibben_export::{
-    Content, ExportBox, ExportError, ExportedMuscle, Form, FormErrors, MARK, Target, Wanted,
-};
+use mckibben_export::{ExportBox, ExportError, ExportedMuscle, Form, FormErrors, MARK, Target, Wanted};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -113,9 +111,6 @@ pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer, Pro
     Ok(ExportListAnswer { targets: Target::ALL.map(target).into() })
 }
 
-/// Supply pressure in MPa where none is given, and nothing forbids it.
-const USUAL_MPA: f64 = 0.25;
-
 /// A muscle as files.
 ///
 /// # Errors
@@ -134,9 +129,7 @@ pub fn export(request: &ExportRequest, progress: &dyn Progress) -> Result<Export
     let model = choice.build(&muscle)?;
     let model = &*model;
     let burst = burst_of(&choice, model, &budget)?;
-    let allowed_mpa = burst.allowed().map_or(USUAL_MPA, |allowed| allowed.0);
-    let usual_mpa = allowed_mpa.min(USUAL_MPA);
-    let supply_mpa = finite("pressure_mpa", request.pressure_mpa.unwrap_or(usual_mpa))?;
+    let supply_mpa = finite("pressure_mpa", request.pressure_mpa.unwrap_or(usual_mpa(&burst)))?;
     if supply_mpa <= 0.0 {
         let message = format!("`pressure_mpa` is {supply_mpa}; it must be above zero");
         return Err(Problem::new(ProblemKind::OutOfRange, message, "").in_field("pressure_mpa"));
@@ -155,11 +148,7 @@ pub fn export(request: &ExportRequest, progress: &dyn Progress) -> Result<Export
     let exported = ExportedMuscle::fit(model, &name, wanted, &budget)?;
     let artefact = exported.to(target)?;
     let mut warnings = exported.warnings();
-    if let Some((allowed, _)) = burst.allowed().filter(|allowed| supply_mpa > allowed.0) {
-        warnings.push(format!(
-            "the supply pressure of {supply_mpa} MPa is above the allowed pressure of {allowed:.3} MPa"
-        ));
-    }
+    warnings.extend(said_of(&burst, supply_mpa, QUIET_MPA).iter().map(ToString::to_string));
     warnings.extend(artefact.notes);
     warnings.extend(muscle.warnings());
     let entry = target.entry();
@@ -168,20 +157,7 @@ pub fn export(request: &ExportRequest, progress: &dyn Progress) -> Result<Export
         muscle: (&muscle).into(),
         needs: entry.needs.into(),
         loses: entry.loses.into(),
-        files: artefact
-            .files
-            .into_iter()
-            .map(|file| {
-                BuiltFile::new(
-                    file.name,
-                    file.about,
-                    match file.content {
-                        Content::Text(text) => Ok(text),
-                        Content::Bytes(bytes) => Err(bytes),
-                    },
-                )
-            })
-            .collect(),
+        files: artefact.files.into_iter().map(BuiltFile::from).collect(),
         name: exported.name,
         model: exported.model,
         bounds: exported.bounds,

@@ -34,40 +34,11 @@ pub use plug::{AirPlug, EyePlug, Stem};
 pub use safety::Safety;
 pub use test_sheet::TestPoint;
 
+pub use mckibben_files::{Content, File};
 use mckibben_report::FigureError;
 
 /// What every file of this crate has in it, so that a later run knows it.
 pub const MARK: &str = "mckibben build";
-
-/// A file for the workshop.
-#[derive(Debug, Clone, PartialEq)]
-pub struct File {
-    /// Its name.
-    pub name: &'static str,
-    /// What it is, in a few words.
-    pub about: &'static str,
-    /// What is in it.
-    pub content: Content,
-}
-
-/// What is in a file.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Content {
-    /// Text.
-    Text(String),
-    /// Bytes.
-    Bytes(Vec<u8>),
-}
-
-impl Content {
-    /// The bytes of the file.
-    pub fn bytes(&self) -> &[u8] {
-        match self {
-            Self::Text(text) => text.as_bytes(),
-            Self::Bytes(bytes) => bytes,
-        }
-    }
-}
 
 /// The drawing of the muscle as SVG.
 ///
@@ -83,8 +54,7 @@ pub fn drawing_svg(plan: &Plan) -> Result<String, FigureError> {
 /// [`FigureError`] where the drawing cannot be drawn.
 pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
     let (drawing, plugs) = (drawing::on_paper(plan), plug_drawing::on_paper(plan));
-    let text = |name, about, text| File { name, about, content: Content::Text(text) };
-    let bytes = |name, about, bytes| File { name, about, content: Content::Bytes(bytes) };
+    let (text, bytes) = (File::text, File::bytes);
     let (air, eye) = (plan.air_plug.mesh(), plan.eye_plug.mesh());
     let mut out = vec![
         text("drawing.svg", "drawing of the muscle", drawing.sheet.to_svg()?),

@@ -1,11 +1,11 @@
 //! The form fitted to a force model.
 //!
-//! Linear least squares at Chebyshev nodes of the box where the muscle pulls. Where it would have to push only the sign counts: rows that hold
-//! the form below zero are added where it would pull there, and at the end of the box where its slope would let a pull return. The errors are
-//! those at other points, with slack as 0 N.
+//! Linear least squares at the points of the box at which the muscle pulls, and at no other: behind its free contraction a model carries nearly
+//! nothing, with a kink that a smooth form must not follow. There only the sign counts: rows that hold the form below zero are added where it
+//! would pull, and at the end of the box where its slope would let a pull return. The errors are those at other points, with slack as 0 N.
 
 use crate::error::ExportError;
-use crate::form::{Form, POWERS};
+use crate::form::{FUNCTIONS, Form, functions};
 use mckibben::analysis::{Options, blocked_force_n, force_on, free_contraction};
 use mckibben::budget::Budget;
 use mckibben::model::{ForceModel, Workspace};
@@ -13,7 +13,6 @@ use mckibben::muscle::Direction;
 use mckibben::threads;
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
-use std::f64::consts::PI;
 
 /// The box over which a muscle is exported; what is `None` is chosen.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,6 +66,21 @@ pub(crate) struct Fitted {
     pub held_out: Vec<Sample>,
 }
 
+/// Pressures at which the form is fitted, shares of the supply: more of them where the pull bends.
+const PRESSURES: [f64; 15] = [0.0, 0.02, 0.05, 0.075, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
+/// Contractions at which it is fitted, shares of the upper end.
+const SHARES: [f64; 15] = [
+    0.0, 0.03125, 0.0625, 0.09375, 0.125, 0.1875, 0.25, 0.3125, 0.40625, 0.5, 0.59375, 0.6875, 0.8125,
+    0.9375, 1.0,
+];
+
+/// The nodes of the form in ε.
+fn nodes(low: f64, high: f64) -> Vec<f64> {
+    let stretched = if low < 0.0 { vec![low, 0.7 * low, 0.4 * low, 0.15 * low] } else { vec![] };
+    let shortened = [0.0, 1.0 / 24.0, 0.125, 0.285, 0.55, 1.0].map(|share| share * high);
+    stretched.into_iter().chain(shortened).collect()
+}
+
 /// Fits a form.
 pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted, budget: &Budget) -> Result<Fitted, ExportError> {
     let (low, supply) = (wanted.contraction_low, wanted.supply_mpa);
@@ -80,17 +94,13 @@ pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted, budget: &Budget) -> Re
     if !(blocked_n > 0.0 && high > low.max(0.0)) {
         return Err(ExportError::NoPull { supply_mpa: supply });
     }
-    let nodes = |n: usize, a: f64, b: f64| {
-        let at = move |i: usize| 0.5 * (1.0 - (PI * (i as f64 + 0.5) / n as f64).cos());
-        (0..n).map(move |i| a + (b - a) * at(i))
-    };
     let even = |n: usize, a: f64, b: f64| (0..n).map(move |i| a + (b - a) * i as f64 / (n - 1) as f64);
-    let pressures: Vec<f64> = [0.0].into_iter().chain(nodes(8, 0.0, 1.0)).chain([1.0]).collect();
-    let mut contractions: Vec<f64> = even(7, low.min(0.0), 0.0).collect();
-    contractions.extend(nodes(12, 0.0, high).chain([high]).filter(|e| *e > low));
-    let at = sample(model, (&pressures, &contractions), supply, blocked_n, budget)?;
-    let held: Vec<f64> = even(12, low, high).collect();
-    let held_out = sample(model, (&even(8, 0.0, 1.0).collect::<Vec<_>>(), &held), supply, blocked_n, budget)?;
+    let mut contractions: Vec<f64> = even(11, low, 0.0).take(if low < 0.0 { 10 } else { 0 }).collect();
+    contractions.extend(SHARES.map(|share| share * high));
+    let at = sample(model, (&PRESSURES, &contractions), supply, blocked_n, budget)?;
+    let held: Vec<f64> = even(14, low, high).collect();
+    let held_out =
+        sample(model, (&even(10, 0.0, 1.0).collect::<Vec<_>>(), &held), supply, blocked_n, budget)?;
     // A muscle without pressure at its length at rest pulls nothing, unless its tube is stretched: exactly.
     let at_rest = force_on(model, w, 0.0, 0.0, Direction::Mean).is_ok_and(|f| f.abs() < 1e-6 * blocked_n);
     let mut form = Form {
@@ -98,18 +108,14 @@ pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted, budget: &Budget) -> Re
         supply_pa: 1e6 * supply,
         contraction_low: low,
         contraction_high: high,
-        a: [[0.0; POWERS]; 3],
-        b: [[0.0; 2]; 3],
-        v: [0.0; 3],
+        contractions: nodes(low, high),
+        a: Default::default(),
+        b: Default::default(),
+        v: [0.0; FUNCTIONS],
         friction_n: friction(model, w, supply, high),
     };
     pulls(&mut form, &at, at_rest)?;
-    for row in form.a.iter_mut() {
-        row.iter_mut().for_each(|a| *a *= blocked_n);
-    }
-    for row in form.b.iter_mut() {
-        row.iter_mut().for_each(|b| *b *= blocked_n);
-    }
+    form.a.iter_mut().chain(&mut form.b).flatten().for_each(|value| *value *= blocked_n);
     volumes(&mut form, &at, &model.info().name)?;
     let errors = errors(&form, &held_out, blocked_n);
     Ok(Fitted { form, errors, blocked_n, held_out })
@@ -152,86 +158,105 @@ fn sample(
     Ok(all)
 }
 
-/// The row of a point: what each coefficient adds to the pull; `slope`: to its slope in ε.
-fn row(q: f64, e: f64, slope: bool) -> Vec<f64> {
-    let s = (-e).max(0.0);
-    let mut out = vec![];
-    for power in [1.0, q, q * q] {
-        for j in 0..POWERS as i32 {
-            let value = match (slope, j) {
-                (false, _) => e.powi(j),
-                (true, 0) => 0.0,
-                (true, _) => f64::from(j) * e.powi(j - 1),
-            };
-            out.push(power * value);
-        }
-        for k in [2, 3] {
-            out.push(power * if slope { -f64::from(k) * s.powi(k - 1) } else { s.powi(k) });
-        }
+/// A cubic spline between the nodes, as a sum: powers of ε, and cubes that begin at each inner node and leave what lies between it and zero as
+/// it is. All but the first are zero at the length at rest.
+struct Spline {
+    low: f64,
+    high: f64,
+    inner: Vec<f64>,
+}
+
+impl Spline {
+    fn len(&self) -> usize {
+        4 + self.inner.len()
     }
-    out
+
+    /// What each summand is at ε, and its slope.
+    fn at(&self, e: f64) -> Vec<(f64, f64)> {
+        let x = e / self.high;
+        let mut out: Vec<(f64, f64)> = (0..4)
+            .map(|j| (x.powi(j), if j > 0 { f64::from(j) * x.powi(j - 1) / self.high } else { 0.0 }))
+            .collect();
+        out.extend(self.inner.iter().map(|&node| {
+            let span = if node >= 0.0 { self.high - node } else { self.low - node };
+            let t = ((e - node) / span).max(0.0);
+            (t * t * t, 3.0 * t * t / span)
+        }));
+        out
+    }
+}
+
+/// The row of a point: what each coefficient adds to the pull, and to its slope in ε.
+fn row(spline: &Spline, q: f64, e: f64) -> (Vec<f64>, Vec<f64>) {
+    let at = spline.at(e);
+    functions(q)
+        .0
+        .iter()
+        .flat_map(|phi| at.iter().map(move |(value, slope)| (phi * value, phi * slope)))
+        .unzip()
 }
 
 /// How often rows are added where the form pulls and the muscle does not.
 const ROUNDS: usize = 40;
-/// The form stays this share of the blocked force below zero where rows hold it there.
-const BELOW: f64 = 2e-3;
+/// Share of the blocked force by which the form has to lie below zero where the muscle is slack.
+const BELOW: f64 = 5e-4;
+/// Weight of coefficients that the points do not determine: of those of inner nodes, and of the later functions of the pressure.
+const RIDGE: f64 = 3e-5;
 
 fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<(), ExportError> {
+    let (high, n) = (form.contraction_high, form.contractions.len());
+    let spline = Spline { low: form.contraction_low, high, inner: form.contractions[1..n - 1].to_vec() };
     let mut rows: Vec<(Vec<f64>, f64, f64)> = vec![];
     for p in at {
-        let Some(pull) = p.pull.filter(|pull| *pull >= -BELOW) else { continue };
-        rows.push((row(p.q, p.contraction, false), pull, 1.0));
+        let Some(pull) = p.pull.filter(|pull| *pull >= 0.0) else { continue };
+        rows.push((row(&spline, p.q, p.contraction).0, pull, 1.0));
     }
-    let (low, high) = (form.contraction_low, form.contraction_high);
-    let stretched = low < 0.0;
-    // Columns that the data determine: s only where the box is stretched, a_00 = 0 where the muscle at rest pulls nothing.
-    let used: Vec<usize> = (0..3 * (POWERS + 2))
-        .filter(|c| (stretched || c % (POWERS + 2) < POWERS) && (*c != 0 || !at_rest))
-        .collect();
-    // Scales of the columns: ε over its range.
-    let scale: Vec<f64> = used
-        .iter()
-        .map(|c| match c % (POWERS + 2) {
-            j if j < POWERS => high.max(-low).powi(j as i32),
-            j => (-low).powi((j - POWERS) as i32 + 2),
-        })
-        .collect();
+    let points = rows.len();
+    // c0 is 0 where the muscle at rest pulls nothing.
+    let used: Vec<usize> = (usize::from(at_rest)..FUNCTIONS * spline.len()).collect();
+    if points < used.len() {
+        return Err(ExportError::Points { points });
+    }
+    for &index in &used {
+        if index % spline.len() >= 4 || index / spline.len() > 2 {
+            let mut one = vec![0.0; FUNCTIONS * spline.len()];
+            one[index] = 1.0;
+            rows.push((one, 0.0, RIDGE));
+        }
+    }
     let free: Vec<f64> = free_by_pressure(at, high);
     for _ in 0..ROUNDS {
-        let matrix =
-            DMatrix::from_fn(rows.len(), used.len(), |r, c| rows[r].2 * rows[r].0[used[c]] / scale[c]);
+        let matrix = DMatrix::from_fn(rows.len(), used.len(), |r, c| rows[r].2 * rows[r].0[used[c]]);
         let values = DVector::from_iterator(rows.len(), rows.iter().map(|r| r.2 * r.1));
         let qr = matrix.qr();
-        let solved = (rows.len() >= used.len())
-            .then(|| qr.r().solve_upper_triangular(&(qr.q().transpose() * values)))
-            .flatten()
+        let solved = qr
+            .r()
+            .solve_upper_triangular(&(qr.q().transpose() * values))
             .filter(|s| s.iter().all(|v| v.is_finite()))
-            .ok_or(ExportError::Points { points: rows.len() })?;
-        for (c, index) in used.iter().enumerate() {
-            let (i, j) = (index / (POWERS + 2), index % (POWERS + 2));
-            let value = solved[c] / scale[c];
-            if j < POWERS {
-                form.a[i][j] = value;
-            } else {
-                form.b[i][j - POWERS] = value;
-            }
+            .ok_or(ExportError::Points { points })?;
+        let mut all = vec![0.0; FUNCTIONS * spline.len()];
+        for (index, value) in used.iter().zip(solved.iter()) {
+            all[*index] = *value;
+        }
+        for (i, coefficients) in all.chunks(spline.len()).enumerate() {
+            let at_nodes = |e: &f64| {
+                let sums = spline.at(*e).into_iter().zip(coefficients);
+                sums.fold((0.0, 0.0), |(value, slope), ((v, s), c)| (value + c * v, slope + c * s))
+            };
+            (form.a[i], form.b[i]) = form.contractions.iter().map(at_nodes).unzip();
         }
         // A fine grid of the slack part.
         let before = rows.len();
-        for (k, &from) in free.iter().enumerate().take(41) {
+        for (k, &from) in free.iter().enumerate() {
             let q = k as f64 / 40.0;
             for m in 1..=24 {
                 let e = from + (high - from) * f64::from(m) / 24.0;
-                if e <= from + 0.01 {
-                    continue;
-                }
-                if form.two_sided_n(q * form.supply_pa, e).0 > -0.5 * BELOW {
-                    rows.push((row(q, e, false), -2.0 * BELOW, 0.5));
+                if e > from + 0.01 && form.two_sided_n(q * form.supply_pa, e).0 > -BELOW {
+                    rows.push((row(&spline, q, e).0, -0.01 - 0.3 * (e - from), 0.3));
                 }
             }
             if form.two_sided_n(q * form.supply_pa, high).1 > -0.05 {
-                rows.push((row(q, high, true), -0.2, 0.03));
+                rows.push((row(&spline, q, high).1, -0.2, 0.03));
             }
         }
         if rows.len() == before {
@@ -272,7 +297,7 @@ fn free_by_pressure(at: &[Sample], high: f64) -> Vec<f64> {
     (0..=40).map(|k| at(f64::from(k) / 40.0)).collect()
 }
 
-/// v0, v1, v2 by what the potential leaves of the volumes.
+/// v0 to v4 by what the potential leaves of the volumes.
 fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<(), ExportError> {
     let known: Vec<(f64, f64)> = at
         .iter()
@@ -283,7 +308,7 @@ fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<(), ExportErro
         return Err(ExportError::NoVolume { model: model.to_owned() });
     }
     let scale = known.iter().map(|k| k.1.abs()).fold(0.0, f64::max);
-    let matrix = DMatrix::from_fn(known.len(), 3, |r, c| known[r].0.powi(c as i32));
+    let matrix = DMatrix::from_fn(known.len(), FUNCTIONS, |r, c| functions(known[r].0).0[c]);
     let values = DVector::from_iterator(known.len(), known.iter().map(|k| k.1 / scale));
     let qr = matrix.qr();
     let solved = qr
@@ -291,7 +316,7 @@ fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<(), ExportErro
         .solve_upper_triangular(&(qr.q().transpose() * values))
         .filter(|s| s.iter().all(|v| v.is_finite()))
         .ok_or(ExportError::Points { points: known.len() })?;
-    form.v = [solved[0] * scale, solved[1] * scale, solved[2] * scale];
+    form.v = std::array::from_fn(|i| solved[i] * scale);
     Ok(())
 }
 
@@ -319,7 +344,7 @@ fn errors(form: &Form, held_out: &[Sample], blocked_n: f64) -> FormErrors {
     }
 }
 
-/// h0 √q + h1 q of the friction that the muscle states, halfway to the free contraction.
+/// h0 √q + h1 q of the friction that the muscle states, at a quarter of the free contraction.
 fn friction(model: &dyn ForceModel, w: &mut Workspace, supply: f64, high: f64) -> [f64; 2] {
     if model.muscle().friction().is_none() {
         return [0.0; 2];

@@ -3,26 +3,29 @@
 //! With q = P/P_supply and ε = 1 − L/L0,
 //!
 //! ```text
-//! F = c0(ε) + c1(ε) q + c2(ε) φ(q)
-//! ci = Σ_{j=0..5} a_ij ε^j + s² (b_i0 + b_i1 s),     s = max(−ε, 0)
+//! F = c0(ε) + c1(ε) q + c2(ε) φ0(q) + c3(ε) φ1(q) + c4(ε) φ2(q),     φk = max(q − κk, 0)²,  κ = 0, 0.15, 0.45
 //! ```
 //!
-//! φ = q². A polynomial of degree 5 in ε is one in x = 1 − ε; in ε it loses no digits in single precision. The strands of a muscle that is
-//! stretched beyond its length at rest are taut, and the pull rises faster: s² and s³ are for that. Volume and pull have one potential,
+//! Each c is a cubic spline in ε, given by its values a and its slopes b at a few nodes. Strands that are taut without pressure make the pull a
+//! convex function of the length beyond that at rest, and of the pressure: the nodes lie closer there. Volume and pull have one potential,
 //! ∂F/∂P = −∂V/∂L, so that a closed cycle in P and L does no net work:
 //!
 //! ```text
-//! V = v0 + v1 q + v2 φ(q) + (L0/P_supply) (C1 + C2 φ'(q)),     Ci = ∫0^ε ci dε
+//! V = v0 + v1 q + v2 φ0 + v3 φ1 + v4 φ2 + (L0/P_supply) (C1 + C2 φ0' + C3 φ1' + C4 φ2'),     Ci = ∫ ci dε from the lower end of the box
 //! ```
 //!
-//! Outside of the box each function of q and each function of ε continues along its tangent: φ = 2q − 1 above the supply, 0 below zero.
-//! Value, slope and potential are continuous there. Where F would be negative the muscle is slack: F = 0, and V is that at its free
-//! contraction.
+//! Between two of 0, 0.15, 0.45 and 1 the pull is of second degree in q, so that the pressure of a pull is a root of a quadratic equation.
+//! Outside of the box each function of q and each function of ε continues along its tangent. Value, slope and potential are continuous there.
+//! Where F would be negative the muscle is slack: F = 0, and V is that at its free contraction.
 
 use serde::Serialize;
 
-/// Powers of ε: 0 to 5.
-pub const POWERS: usize = 6;
+/// Functions of the pressure: 1, q, φ0, φ1 and φ2.
+pub const FUNCTIONS: usize = 5;
+/// κ: where the functions of second degree begin, shares of the supply.
+pub const PRESSURE_KNOTS: [f64; 3] = [0.0, 0.15, 0.45];
+/// Largest number of nodes in ε.
+pub const NODES: usize = 10;
 /// The point lies inside of the box, and the muscle pulls.
 pub const OK: u32 = 0;
 /// The muscle would have to push, and is slack.
@@ -49,15 +52,17 @@ pub struct Form {
     pub contraction_low: f64,
     /// Upper end of the box in ε: the free contraction at the supply.
     pub contraction_high: f64,
-    /// a_ij, N.
+    /// Nodes in ε, from the lower end of the box to the upper one.
+    pub contractions: Vec<f64>,
+    /// Values of c0 to c4 at the nodes, N.
     #[cfg_attr(feature = "schema", schemars(extend("x-unit" = "N")))]
-    pub a: [[f64; POWERS]; 3],
-    /// b_i0 and b_i1, N.
+    pub a: [Vec<f64>; FUNCTIONS],
+    /// Slopes of c0 to c4 in ε at the nodes, N.
     #[cfg_attr(feature = "schema", schemars(extend("x-unit" = "N")))]
-    pub b: [[f64; 2]; 3],
-    /// v0, v1 and v2, m³.
+    pub b: [Vec<f64>; FUNCTIONS],
+    /// v0 to v4, m³.
     #[cfg_attr(feature = "schema", schemars(extend("x-unit" = "m³")))]
-    pub v: [f64; 3],
+    pub v: [f64; FUNCTIONS],
     /// Half-width of the hysteresis, N: h0 √q + h1 q; zeros where the muscle does not state its friction.
     pub friction_n: [f64; 2],
 }
@@ -77,22 +82,26 @@ pub struct Point {
     pub status: u32,
 }
 
-/// c, dc/dε and C at a contraction, for each power of the pressure.
+/// c, dc/dε and C at a contraction, for each function of the pressure.
 struct Coefficients {
-    c: [f64; 3],
-    slope: [f64; 3],
-    integral: [f64; 3],
+    c: [f64; FUNCTIONS],
+    slope: [f64; FUNCTIONS],
+    integral: [f64; FUNCTIONS],
 }
 
-/// φ and φ' at q.
-fn square(q: f64) -> (f64, f64) {
-    if q <= 0.0 {
-        (0.0, 0.0)
-    } else if q <= 1.0 {
-        (q * q, 2.0 * q)
-    } else {
-        (2.0 * q - 1.0, 2.0)
+/// The functions of the pressure at q, and their slopes.
+pub(crate) fn functions(q: f64) -> ([f64; FUNCTIONS], [f64; FUNCTIONS]) {
+    let (mut value, mut slope) = ([1.0, q, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0, 0.0]);
+    for (k, knot) in PRESSURE_KNOTS.into_iter().enumerate() {
+        let t = (q - knot).clamp(0.0, 1.0 - knot);
+        value[k + 2] = t * (t + 2.0 * (q - 1.0).max(0.0));
+        slope[k + 2] = 2.0 * t;
     }
+    (value, slope)
+}
+
+fn sum(c: &[f64; FUNCTIONS], of: &[f64; FUNCTIONS]) -> f64 {
+    c.iter().zip(of).map(|(c, f)| c * f).sum()
 }
 
 impl Form {
@@ -102,40 +111,51 @@ impl Form {
     }
 
     fn coefficients(&self, contraction: f64) -> Coefficients {
+        let nodes = &self.contractions;
         let inside = contraction.max(self.contraction_low).min(self.contraction_high);
-        let (beyond, s) = (contraction - inside, (-inside).max(0.0));
-        let mut out = Coefficients { c: [0.0; 3], slope: [0.0; 3], integral: [0.0; 3] };
-        for i in 0..3 {
-            let (mut c, mut slope, mut integral) = (0.0, 0.0, 0.0);
-            for j in (0..POWERS).rev() {
-                slope = slope * inside + c;
-                c = c * inside + self.a[i][j];
-                integral = integral * inside + self.a[i][j] / (j + 1) as f64;
-            }
-            let [b0, b1] = self.b[i];
-            c += s * s * (b0 + b1 * s);
-            slope -= s * (2.0 * b0 + 3.0 * b1 * s);
-            integral = integral * inside - s * s * s * (b0 / 3.0 + b1 * s / 4.0);
-            out.integral[i] = integral + beyond * (c + 0.5 * slope * beyond);
-            out.c[i] = c + slope * beyond;
-            out.slope[i] = slope;
+        let beyond = contraction - inside;
+        let n = nodes.partition_point(|node| *node <= inside).clamp(1, nodes.len() - 1) - 1;
+        let h = nodes[n + 1] - nodes[n];
+        let t = (inside - nodes[n]) / h;
+        let s = 1.0 - t;
+        // Hermite's cubic polynomials, their slopes and their integrals: value and slope at the one end, value and slope at the other.
+        let value = [(1.0 + 2.0 * t) * s * s, h * t * s * s, t * t * (3.0 - 2.0 * t), -h * t * t * s];
+        let slope = [-6.0 * t * s / h, s * (1.0 - 3.0 * t), 6.0 * t * s / h, t * (3.0 * t - 2.0)];
+        let (cube, fourth) = (t * t * t, t * t * t * t);
+        let integral = [
+            h * (t - cube + 0.5 * fourth),
+            h * h * (0.5 * t * t - 2.0 / 3.0 * cube + 0.25 * fourth),
+            h * (cube - 0.5 * fourth),
+            h * h * (0.25 * fourth - cube / 3.0),
+        ];
+        let mut out =
+            Coefficients { c: [0.0; FUNCTIONS], slope: [0.0; FUNCTIONS], integral: [0.0; FUNCTIONS] };
+        for i in 0..FUNCTIONS {
+            let (a, b) = (&self.a[i], &self.b[i]);
+            let here = |w: &[f64; 4]| w[0] * a[n] + w[1] * b[n] + w[2] * a[n + 1] + w[3] * b[n + 1];
+            let (c, by_contraction) = (here(&value), here(&slope));
+            let before: f64 = (0..n)
+                .map(|k| {
+                    let g = nodes[k + 1] - nodes[k];
+                    0.5 * g * (a[k] + a[k + 1] + g / 6.0 * (b[k] - b[k + 1]))
+                })
+                .sum();
+            out.integral[i] = before + here(&integral) + beyond * (c + 0.5 * by_contraction * beyond);
+            out.c[i] = c + by_contraction * beyond;
+            out.slope[i] = by_contraction;
         }
         out
     }
 
     /// The pull that the form gives, negative where the muscle would have to push, and its slope in ε; pressure in Pa.
     pub fn two_sided_n(&self, pressure_pa: f64, contraction: f64) -> (f64, f64) {
-        let q = pressure_pa / self.supply_pa;
-        let (k, (square, _)) = (self.coefficients(contraction), square(q));
-        let at = |c: &[f64; 3]| c[0] + c[1] * q + c[2] * square;
-        (at(&k.c), at(&k.slope))
+        let (k, (phi, _)) = (self.coefficients(contraction), functions(pressure_pa / self.supply_pa));
+        (sum(&k.c, &phi), sum(&k.slope, &phi))
     }
 
     fn two_sided_volume_m3(&self, pressure_pa: f64, contraction: f64) -> f64 {
-        let q = pressure_pa / self.supply_pa;
-        let (k, (square, slope)) = (self.coefficients(contraction), square(q));
-        let rest = self.v[0] + self.v[1] * q + self.v[2] * square;
-        rest + self.length_m / self.supply_pa * (k.integral[1] + k.integral[2] * slope)
+        let (k, (phi, slope)) = (self.coefficients(contraction), functions(pressure_pa / self.supply_pa));
+        sum(&self.v, &phi) + self.length_m / self.supply_pa * sum(&k.integral, &slope)
     }
 
     fn outside(&self, pressure_pa: f64, contraction: f64) -> u32 {
@@ -158,35 +178,41 @@ impl Form {
                 status: status | SLACK,
             };
         }
-        let q = pressure_pa / self.supply_pa;
-        let k = self.coefficients(contraction);
+        let (k, (_, slope)) = (self.coefficients(contraction), functions(pressure_pa / self.supply_pa));
         Point {
             force_n,
             stiffness_n_per_m: -by_contraction / self.length_m,
-            force_per_pressure_m2: (k.c[1] + k.c[2] * square(q).1) / self.supply_pa,
+            force_per_pressure_m2: sum(&k.c, &slope) / self.supply_pa,
             volume_m3: self.two_sided_volume_m3(pressure_pa, contraction),
             status,
         }
     }
 
-    /// The pressure in Pa at which the pull is `force_n` at a contraction, and the status. Closed: a root of a quadratic equation.
+    /// The pressure in Pa at which the pull is `force_n` at a contraction, and the status: the lowest where there are several. Closed: the root of
+    /// a quadratic equation in the first part of the pressures that has one.
     pub fn pressure(&self, force_n: f64, contraction: f64) -> (f64, u32) {
-        let k = self.coefficients(contraction);
-        let [c0, c1, c2] = k.c;
-        let missing = force_n - c0;
+        let c = self.coefficients(contraction).c;
         let status = self.outside(0.0, contraction);
-        if missing <= 0.0 {
+        if force_n <= c[0] {
             // It pulls as much without pressure.
-            return (0.0, status | if missing < 0.0 { NO_ANSWER } else { OK });
+            return (0.0, status | if force_n < c[0] { NO_ANSWER } else { OK });
         }
-        let root = c1 * c1 + 4.0 * c2 * missing;
-        let below = if root > 0.0 { c1 + root.sqrt() } else { 0.0 };
-        if below > 0.0 && 2.0 * missing <= below {
-            return (2.0 * missing / below * self.supply_pa, status);
+        // Pull, slope and half the curvature at the beginning of a part.
+        let (mut pull, mut slope, mut curve) = (c[0], c[1], 0.0);
+        for (k, begin) in PRESSURE_KNOTS.into_iter().enumerate() {
+            let width = PRESSURE_KNOTS.get(k + 1).unwrap_or(&1.0) - begin;
+            curve += c[k + 2];
+            let missing = (force_n - pull).max(0.0);
+            let root = slope * slope + 4.0 * curve * missing;
+            let below = if root > 0.0 { slope + root.sqrt() } else { 0.0 };
+            if below > 0.0 && 2.0 * missing <= below * width {
+                return ((begin + 2.0 * missing / below) * self.supply_pa, status);
+            }
+            pull += width * (slope + curve * width);
+            slope += 2.0 * curve * width;
         }
-        let slope = c1 + 2.0 * c2;
-        if slope > 0.0 && missing + c2 >= slope {
-            return ((missing + c2) / slope * self.supply_pa, status | PRESSURE_OUTSIDE);
+        if slope > 0.0 && force_n >= pull {
+            return ((1.0 + (force_n - pull) / slope) * self.supply_pa, status | PRESSURE_OUTSIDE);
         }
         (self.supply_pa, status | NO_ANSWER)
     }
@@ -232,7 +258,6 @@ impl Form {
 impl Form {
     /// What the potential of the pull adds to the volume of the muscle at rest length, m³.
     pub(crate) fn potential_volume_m3(&self, q: f64, contraction: f64) -> f64 {
-        let k = self.coefficients(contraction);
-        self.length_m / self.supply_pa * (k.integral[1] + k.integral[2] * square(q).1)
+        self.length_m / self.supply_pa * sum(&self.coefficients(contraction).integral, &functions(q).1)
     }
 }

@@ -15,42 +15,16 @@ mod template;
 
 pub use error::ExportError;
 pub use fit::{FormErrors, Wanted};
-pub use form::{CONTRACTION_OUTSIDE, Form, NO_ANSWER, OK, POWERS, PRESSURE_OUTSIDE, Point, SLACK};
+pub use form::{
+    CONTRACTION_OUTSIDE, FUNCTIONS, Form, NO_ANSWER, NODES, OK, PRESSURE_KNOTS, PRESSURE_OUTSIDE, Point,
+    SLACK,
+};
+pub use mckibben_files::{Content, File};
 pub use muscle::{ExportBox, ExportedMuscle};
 pub use targets::{Target, TargetEntry};
 
 /// What every text of this crate has in it, so that a later run knows it.
 pub const MARK: &str = "exported by mckibben";
-
-/// A file for a host.
-#[derive(Debug, Clone, PartialEq)]
-pub struct File {
-    /// Its name.
-    pub name: &'static str,
-    /// What it is, in a few words.
-    pub about: &'static str,
-    /// What is in it.
-    pub content: Content,
-}
-
-/// What is in a file.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Content {
-    /// Text.
-    Text(String),
-    /// Bytes.
-    Bytes(Vec<u8>),
-}
-
-impl Content {
-    /// The bytes of the file.
-    pub fn bytes(&self) -> &[u8] {
-        match self {
-            Self::Text(text) => text.as_bytes(),
-            Self::Bytes(bytes) => bytes,
-        }
-    }
-}
 
 /// What a target makes of a muscle.
 #[derive(Debug, Clone, PartialEq)]

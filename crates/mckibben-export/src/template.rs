@@ -35,8 +35,8 @@ pub(crate) fn list(values: &[f64], [open, close]: [&str; 2], one: impl Fn(f64) -
 }
 
 /// A list of lists.
-pub(crate) fn lists<const N: usize>(
-    values: &[[f64; N]],
+pub(crate) fn lists(
+    values: &[Vec<f64>],
     brackets: [&str; 2],
     between: &str,
     one: impl Fn(f64) -> String + Copy,

@@ -50,11 +50,11 @@ static void begin(instance *c)
 static mckibben_muscle scaled(const instance *c)
 {
     mckibben_muscle m = @{id};
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 6; j++)
+    for (int i = 0; i < MCKIBBEN_FUNCTIONS; i++) {
+        for (int j = 0; j < m.nodes; j++) {
             m.a[i][j] *= c->value[FACTOR];
-        for (int j = 0; j < 2; j++)
             m.b[i][j] *= c->value[FACTOR];
+        }
     }
     return m;
 }

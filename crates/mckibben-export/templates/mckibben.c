@@ -1,7 +1,7 @@
 /* Pull and volume of a McKibben muscle in closed form; see mckibben.h.
  * @{facts}
  *
- * F = c0 + c1 q + c2 phi(q), q = P/supply, phi = q^2; ci polynomials of the contraction.
+ * F = c0 + c1 q + c2 phi0(q) + c3 phi1(q) + c4 phi2(q), q = P/supply, phik = max(q - knot, 0)^2; c: cubic splines in the contraction.
  * V has the same potential: dF/dP = -dV/dL. Outside of the box everything continues along its tangent.
  */
 #include "mckibben.h"
@@ -17,50 +17,88 @@ typedef mckibben_real real;
 #define STEP R(1e-14)
 #endif
 
-/* c, dc/de and the integral of c at a contraction e. */
+#define N MCKIBBEN_FUNCTIONS
+
+/* Where the functions of the pressure of second degree begin; the last part ends at the supply. */
+static const real knots[4] = {R(0), R(0.15), R(0.45), R(1)};
+
+/* c and dc/de at a contraction; n, t and h: its part between two nodes, its place in that, and how long that is. */
 typedef struct {
-    real c[3], slope[3], integral[3];
+    real c[N], slope[N];
+    real t, h, beyond;
+    int n;
 } coefficients;
 
 static void at_contraction(const mckibben_muscle *m, real e, coefficients *k)
 {
-    const real inside = e < m->low ? m->low : (e > m->high ? m->high : e);
-    const real beyond = e - inside, s = inside < R(0) ? -inside : R(0);
-    for (int i = 0; i < 3; i++) {
-        real c = R(0), slope = R(0), integral = R(0);
-        const real b0 = m->b[i][0], b1 = m->b[i][1];
-        for (int j = 5; j >= 0; j--) {
-            slope = slope * inside + c;
-            c = c * inside + m->a[i][j];
-            integral = integral * inside + m->a[i][j] / (real)(j + 1);
-        }
-        c += s * s * (b0 + b1 * s);
-        slope -= s * (R(2) * b0 + R(3) * b1 * s);
-        integral = integral * inside - s * s * s * (b0 / R(3) + b1 * s / R(4));
-        k->integral[i] = integral + beyond * (c + R(0.5) * slope * beyond);
-        k->c[i] = c + slope * beyond;
-        k->slope[i] = slope;
+    const real low = m->node[0], high = m->node[m->nodes - 1];
+    const real inside = e < low ? low : (e > high ? high : e);
+    int n = 0;
+    while (n < m->nodes - 2 && inside >= m->node[n + 1])
+        n++;
+    const real h = m->node[n + 1] - m->node[n], t = (inside - m->node[n]) / h, s = R(1) - t;
+    const real v[4] = {(R(1) + R(2) * t) * s * s, h * t * s * s, t * t * (R(3) - R(2) * t), -h * t * t * s};
+    const real d[4] = {R(-6) * t * s / h, s * (R(1) - R(3) * t), R(6) * t * s / h, t * (R(3) * t - R(2))};
+    k->n = n;
+    k->t = t;
+    k->h = h;
+    k->beyond = e - inside;
+    for (int i = 0; i < N; i++) {
+        const real *a = &m->a[i][n], *b = &m->b[i][n];
+        k->slope[i] = d[0] * a[0] + d[1] * b[0] + d[2] * a[1] + d[3] * b[1];
+        k->c[i] = v[0] * a[0] + v[1] * b[0] + v[2] * a[1] + v[3] * b[1] + k->slope[i] * k->beyond;
     }
 }
 
-/* phi and dphi/dq. */
-static real squared(real q, real *slope)
+/* The integral of a c from the lower end of the box. */
+static real integral(const mckibben_muscle *m, const coefficients *k, int i)
 {
-    *slope = q <= R(0) ? R(0) : (q <= R(1) ? R(2) * q : R(2));
-    return q <= R(0) ? R(0) : (q <= R(1) ? q * q : R(2) * q - R(1));
+    const real *a = m->a[i], *b = m->b[i];
+    const real t = k->t, h = k->h, s3 = t * t * t, s4 = s3 * t;
+    real sum = k->beyond * (k->c[i] - R(0.5) * k->slope[i] * k->beyond);
+    for (int n = 0; n < k->n; n++) {
+        const real g = m->node[n + 1] - m->node[n];
+        sum += R(0.5) * g * (a[n] + a[n + 1] + g / R(6) * (b[n] - b[n + 1]));
+    }
+    a += k->n;
+    b += k->n;
+    return sum + h * ((t - s3 + R(0.5) * s4) * a[0] + (s3 - R(0.5) * s4) * a[1]
+        + h * ((R(0.5) * t * t - R(2) / R(3) * s3 + R(0.25) * s4) * b[0] + (R(0.25) * s4 - s3 / R(3)) * b[1]));
 }
 
-static real two_sided(const mckibben_muscle *m, const real c[3], real pressure)
+/* The functions of the pressure, and their slopes. */
+static void functions(real q, real phi[N], real slope[N])
 {
-    real slope;
-    const real q = pressure / m->supply, phi = squared(q, &slope);
-    return c[0] + c[1] * q + c[2] * phi;
+    phi[0] = slope[1] = R(1);
+    phi[1] = q;
+    slope[0] = R(0);
+    for (int i = 2; i < N; i++) {
+        const real knot = knots[i - 2], width = R(1) - knot;
+        const real t = q <= knot ? R(0) : (q <= R(1) ? q - knot : width);
+        phi[i] = t * (t + (q > R(1) ? R(2) * (q - R(1)) : R(0)));
+        slope[i] = R(2) * t;
+    }
+}
+
+static real sum_of(const real c[N], const real phi[N])
+{
+    real sum = R(0);
+    for (int i = 0; i < N; i++)
+        sum += c[i] * phi[i];
+    return sum;
+}
+
+static real two_sided(const mckibben_muscle *m, const real c[N], real pressure)
+{
+    real phi[N], slope[N];
+    functions(pressure / m->supply, phi, slope);
+    return sum_of(c, phi);
 }
 
 static unsigned outside(const mckibben_muscle *m, real pressure, real e)
 {
     return (pressure >= R(0) && pressure <= m->supply ? 0u : MCKIBBEN_PRESSURE_OUTSIDE)
-         | (e >= m->low && e <= m->high ? 0u : MCKIBBEN_CONTRACTION_OUTSIDE);
+         | (e >= m->node[0] && e <= m->node[m->nodes - 1] ? 0u : MCKIBBEN_CONTRACTION_OUTSIDE);
 }
 
 real mckibben_force(const mckibben_muscle *m, real pressure, real length, unsigned *status)
@@ -84,16 +122,16 @@ real mckibben_stiffness(const mckibben_muscle *m, real pressure, real length)
 real mckibben_force_per_pressure(const mckibben_muscle *m, real pressure, real length)
 {
     coefficients k;
-    real slope;
+    real phi[N], slope[N];
     at_contraction(m, R(1) - length / m->length, &k);
-    (void)squared(pressure / m->supply, &slope);
-    return two_sided(m, k.c, pressure) <= R(0) ? R(0) : (k.c[1] + k.c[2] * slope) / m->supply;
+    functions(pressure / m->supply, phi, slope);
+    return sum_of(k.c, phi) <= R(0) ? R(0) : sum_of(k.c, slope) / m->supply;
 }
 
 real mckibben_contraction(const mckibben_muscle *m, real force, real pressure)
 {
     coefficients k;
-    real low = m->low, high = m->high, pull, slope, at;
+    real low = m->node[0], high = m->node[m->nodes - 1], pull, slope, at;
     at_contraction(m, low, &k);
     pull = two_sided(m, k.c, pressure);
     slope = two_sided(m, k.slope, pressure);
@@ -128,12 +166,14 @@ real mckibben_contraction(const mckibben_muscle *m, real force, real pressure)
 real mckibben_volume(const mckibben_muscle *m, real pressure, real length)
 {
     coefficients k;
-    real slope;
-    const real q = pressure / m->supply, phi = squared(q, &slope);
+    real phi[N], slope[N], sum = R(0);
+    functions(pressure / m->supply, phi, slope);
     at_contraction(m, R(1) - length / m->length, &k);
-    if (two_sided(m, k.c, pressure) <= R(0)) /* slack: it hangs at its free contraction */
+    if (sum_of(k.c, phi) <= R(0)) /* slack: it hangs at its free contraction */
         at_contraction(m, mckibben_contraction(m, R(0), pressure), &k);
-    return m->v[0] + m->v[1] * q + m->v[2] * phi + m->length / m->supply * (k.integral[1] + k.integral[2] * slope);
+    for (int i = 1; i < N; i++)
+        sum += integral(m, &k, i) * slope[i];
+    return sum_of(m->v, phi) + m->length / m->supply * sum;
 }
 
 real mckibben_pressure(const mckibben_muscle *m, real force, real length, unsigned *status)
@@ -141,25 +181,32 @@ real mckibben_pressure(const mckibben_muscle *m, real force, real length, unsign
     coefficients k;
     unsigned ignored;
     const real e = R(1) - length / m->length;
-    real missing, root, below, slope;
+    real pull, slope, curve = R(0);
     if (!status)
         status = &ignored;
     at_contraction(m, e, &k);
     *status = outside(m, R(0), e);
-    missing = force - k.c[0];
-    if (missing <= R(0)) { /* it pulls as much without pressure */
-        if (missing < R(0))
+    pull = k.c[0];
+    slope = k.c[1];
+    if (force <= pull) { /* it pulls as much without pressure */
+        if (force < pull)
             *status |= MCKIBBEN_NO_ANSWER;
         return R(0);
     }
-    root = k.c[1] * k.c[1] + R(4) * k.c[2] * missing;
-    below = root > R(0) ? k.c[1] + ROOT(root) : R(0);
-    if (below > R(0) && R(2) * missing <= below)
-        return R(2) * missing / below * m->supply;
-    slope = k.c[1] + R(2) * k.c[2];
-    if (slope > R(0) && missing + k.c[2] >= slope) {
+    for (int i = 0; i < 3; i++) { /* between two knots the pull is of second degree in the pressure */
+        const real width = knots[i + 1] - knots[i], missing = force > pull ? force - pull : R(0);
+        real root, below;
+        curve += k.c[i + 2];
+        root = slope * slope + R(4) * curve * missing;
+        below = root > R(0) ? slope + ROOT(root) : R(0);
+        if (below > R(0) && R(2) * missing <= below * width)
+            return (knots[i] + R(2) * missing / below) * m->supply;
+        pull += width * (slope + curve * width);
+        slope += R(2) * curve * width;
+    }
+    if (slope > R(0) && force >= pull) {
         *status |= MCKIBBEN_PRESSURE_OUTSIDE;
-        return (missing + k.c[2]) / slope * m->supply;
+        return (R(1) + (force - pull) / slope) * m->supply;
     }
     *status |= MCKIBBEN_NO_ANSWER;
     return m->supply;

@@ -25,13 +25,18 @@ typedef double mckibben_real;
 #define MCKIBBEN_CONTRACTION_OUTSIDE 4u
 #define MCKIBBEN_NO_ANSWER 8u           /* no pressure gives this pull */
 
+/* Functions of the pressure, and the largest number of nodes. */
+#define MCKIBBEN_FUNCTIONS 5
+#define MCKIBBEN_NODES 10
+
 typedef struct {
-    mckibben_real length;    /* L0, at rest, m */
-    mckibben_real supply;    /* upper end of the box, Pa */
-    mckibben_real low, high; /* ends of the box in the contraction 1 - L/L0 */
-    mckibben_real a[3][6];   /* N; powers of P/supply, powers of the contraction */
-    mckibben_real b[3][2];   /* N; of the stretched muscle */
-    mckibben_real v[3];      /* m3 */
+    mckibben_real length; /* L0, at rest, m */
+    mckibben_real supply; /* upper end of the box, Pa */
+    int nodes;            /* how many there are; the first and the last are the ends of the box */
+    mckibben_real node[MCKIBBEN_NODES];                  /* contractions 1 - L/L0 */
+    mckibben_real a[MCKIBBEN_FUNCTIONS][MCKIBBEN_NODES]; /* N; functions of the contraction, at the nodes */
+    mckibben_real b[MCKIBBEN_FUNCTIONS][MCKIBBEN_NODES]; /* N; their slopes */
+    mckibben_real v[MCKIBBEN_FUNCTIONS];                 /* m3 */
     mckibben_real friction[2]; /* N; zeros where the muscle does not state its friction */
 } mckibben_muscle;
 

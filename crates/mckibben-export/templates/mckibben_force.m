@@ -10,12 +10,12 @@ length = length + 0 * pressure;
 e = 1 - length / muscle.length;
 [c, slope, integral] = mckibben_coefficients(e);
 q = pressure / muscle.supply;
-[phi, dphi] = square(q);
-pull = c{1} + c{2} .* q + c{3} .* phi;
+[phi, dphi] = functions(q);
+pull = total(c, phi);
 slack = pull <= 0;
 force = max(pull, 0);
-stiffness = -(slope{1} + slope{2} .* q + slope{3} .* phi) / muscle.length .* ~slack;
-by_pressure = (c{2} + c{3} .* dphi) / muscle.supply .* ~slack;
+stiffness = -total(slope, phi) / muscle.length .* ~slack;
+by_pressure = total(c, dphi) / muscle.supply .* ~slack;
 status = slack + 2 * (pressure < 0 | pressure > muscle.supply) + 4 * (e < muscle.low | e > muscle.high);
 if nargout > 3
     if any(slack(:)) % it hangs at its free contraction: bisection, or the tangent outside of the box
@@ -23,14 +23,14 @@ if nargout > 3
         for k = 1:50
             middle = 0.5 * (low + high);
             cm = mckibben_coefficients(middle);
-            over = cm{1} + cm{2} .* q + cm{3} .* phi > 0;
+            over = total(cm, phi) > 0;
             low(over) = middle(over); high(~over) = middle(~over);
         end
         free = 0.5 * (low + high);
         for edge = [muscle.low, muscle.high]
             [ce, se] = mckibben_coefficients(edge + 0 * q);
-            pull = ce{1} + ce{2} .* q + ce{3} .* phi;
-            by_e = se{1} + se{2} .* q + se{3} .* phi;
+            pull = total(ce, phi);
+            by_e = total(se, phi);
             beyond = (edge == muscle.low & pull <= 0) | (edge == muscle.high & pull >= 0);
             falls = beyond & by_e < 0;
             free(beyond) = edge;
@@ -39,11 +39,23 @@ if nargout > 3
         e(slack) = free(slack);
         [~, ~, integral] = mckibben_coefficients(e);
     end
-    volume = muscle.v(1) + muscle.v(2) * q + muscle.v(3) * phi + muscle.length / muscle.supply * (integral{2} + integral{3} .* dphi);
+    volume = total(num2cell(muscle.v), phi) + muscle.length / muscle.supply * total(integral, dphi);
 end
 end
 
-function [phi, dphi] = square(q)
-phi = (q > 0 & q <= 1) .* q .^ 2 + (q > 1) .* (2 * q - 1);
-dphi = (q > 0 & q <= 1) .* 2 .* q + 2 * (q > 1);
+function [phi, dphi] = functions(q)
+knots = [0, 0.15, 0.45];
+phi = {1 + 0 * q, q}; dphi = {0 * q, 1 + 0 * q};
+for knot = knots
+    t = min(max(q - knot, 0), 1 - knot);
+    phi{end + 1} = t .* (t + 2 * max(q - 1, 0));
+    dphi{end + 1} = 2 * t;
+end
+end
+
+function out = total(c, phi)
+out = 0 * phi{1};
+for i = 1:numel(phi)
+    out = out + c{i} .* phi{i};
+end
 end

@@ -9,9 +9,11 @@ import sys
 
 LENGTH = @{length}  # m, at rest
 SUPPLY = @{supply}  # Pa, upper end of the box
-LOW, HIGH = @{low}, @{high}  # ends of the box in the contraction 1 - L/LENGTH
-A = @{py_a}  # N; powers of P/SUPPLY, powers of the contraction
-B = @{py_b}  # N; of the stretched muscle
+NODES = @{py_nodes}  # contractions 1 - L/LENGTH
+LOW, HIGH = NODES[0], NODES[-1]  # ends of the box
+KNOTS = (0.0, 0.15, 0.45, 1.0)  # where the functions of P/SUPPLY of second degree begin
+A = @{py_a}  # N; functions of the contraction, at the nodes
+B = @{py_b}  # N; their slopes
 V = @{py_v}  # m3
 FRICTION = @{py_friction}  # N; zeros where the muscle does not state its friction
 # What a status says: a sum of these.
@@ -54,39 +56,62 @@ def _repeated(xp, times, step, state):
     return state
 
 
+def _integrals(a, b):
+    """The integral from the first node to each node."""
+    sums = [0.0]
+    for k in range(len(NODES) - 1):
+        g = NODES[k + 1] - NODES[k]
+        sums.append(sums[-1] + 0.5 * g * (a[k] + a[k + 1] + g / 6 * (b[k] - b[k + 1])))
+    return sums
+
+
+_TABLES = [(a, b, _integrals(a, b)) for a, b in zip(A, B)]
+
+
 def _coefficients(xp, e):
-    """c, dc/de and the integral of c at a contraction, for each power of the pressure."""
+    """c, dc/de and the integral of c at a contraction, for each function of the pressure."""
     inside = xp.where(e < LOW, LOW + 0 * e, xp.where(e > HIGH, HIGH + 0 * e, e))
-    beyond, s = e - inside, xp.where(inside < 0, -inside, 0 * e)
+    beyond, n = e - inside, sum((inside >= node) * 1 for node in NODES[1:-1])
+    like = {"dtype": e.dtype, "device": e.device} if xp.__name__ == "torch" else {"dtype": e.dtype}
+
+    def pick(values):
+        values = xp.asarray(values, **like)
+        return values[n], values[n + 1]
+
+    left, right = pick(NODES)
+    h = right - left
+    t = (inside - left) / h
+    s, t3, t4 = 1 - t, t * t * t, t * t * t * t
+    value = (1 + 2 * t) * s * s, h * t * s * s, t * t * (3 - 2 * t), -h * t * t * s
+    by_e = -6 * t * s / h, s * (1 - 3 * t), 6 * t * s / h, t * (3 * t - 2)
+    area = h * (t - t3 + t4 / 2), h * h * (t * t / 2 - 2 / 3 * t3 + t4 / 4), h * (t3 - t4 / 2), h * h * (t4 / 4 - t3 / 3)
     out = []
-    for a, (b0, b1) in zip(A, B):
-        c = slope = integral = 0 * e
-        for j in reversed(range(len(a))):
-            slope = slope * inside + c
-            c = c * inside + a[j]
-            integral = integral * inside + a[j] / (j + 1)
-        c = c + s * s * (b0 + b1 * s)
-        slope = slope - s * (2 * b0 + 3 * b1 * s)
-        integral = integral * inside - s * s * s * (b0 / 3 + b1 * s / 4)
-        out.append((c + slope * beyond, slope, integral + beyond * (c + 0.5 * slope * beyond)))
+    for a, b, sums in _TABLES:
+        (a0, a1), (b0, b1) = pick(a), pick(b)
+        c, slope, integral = (w[0] * a0 + w[1] * b0 + w[2] * a1 + w[3] * b1 for w in (value, by_e, area))
+        out.append((c + slope * beyond, slope, pick(sums)[0] + integral + beyond * (c + 0.5 * slope * beyond)))
     return list(zip(*out))
 
 
-def _square(xp, q):
-    """phi and dphi/dq: q^2, and its tangents outside of the box."""
-    phi = xp.where(q <= 0, 0 * q, xp.where(q <= 1, q * q, 2 * q - 1))
-    return phi, xp.where(q <= 0, 0 * q, xp.where(q <= 1, 2 * q, 2 + 0 * q))
+def _functions(xp, q):
+    """The functions of the pressure, and their slopes; tangents outside of the box."""
+    value, slope = [1 + 0 * q, q], [0 * q, 1 + 0 * q]
+    over = xp.where(q > 1, q - 1, 0 * q)
+    for knot in KNOTS[:-1]:
+        t = xp.where(q <= knot, 0 * q, xp.where(q <= 1, q - knot, 1 - knot + 0 * q))
+        value.append(t * (t + 2 * over))
+        slope.append(2 * t)
+    return value, slope
 
 
-def _two_sided(c, q, phi):
-    return c[0] + c[1] * q + c[2] * phi
+def _sum(c, functions):
+    return sum(one * function for one, function in zip(c, functions))
 
 
 def force(pressure, length):
     """Pull F in N; 0 where the muscle would have to push."""
     xp, (pressure, length) = _arrays(pressure, length)
-    q = pressure / SUPPLY
-    pull = _two_sided(_coefficients(xp, 1 - length / LENGTH)[0], q, _square(xp, q)[0])
+    pull = _sum(_coefficients(xp, 1 - length / LENGTH)[0], _functions(xp, pressure / SUPPLY)[0])
     return xp.where(pull > 0, pull, 0 * pull)
 
 
@@ -94,61 +119,65 @@ def status(pressure, length):
     """0 inside of the box where the muscle pulls, or a sum of SLACK, PRESSURE_OUTSIDE, CONTRACTION_OUTSIDE."""
     xp, (pressure, length) = _arrays(pressure, length)
     q, e = pressure / SUPPLY, 1 - length / LENGTH
-    slack = _two_sided(_coefficients(xp, e)[0], q, _square(xp, q)[0]) <= 0
+    slack = _sum(_coefficients(xp, e)[0], _functions(xp, q)[0]) <= 0
     return SLACK * slack + PRESSURE_OUTSIDE * ((pressure < 0) | (pressure > SUPPLY)) + CONTRACTION_OUTSIDE * ((e < LOW) | (e > HIGH))
 
 
 def stiffness(pressure, length):
     """dF/dL at constant pressure, N/m."""
     xp, (pressure, length) = _arrays(pressure, length)
-    q, (c, slope, _) = pressure / SUPPLY, _coefficients(xp, 1 - length / LENGTH)
-    phi = _square(xp, q)[0]
-    by_length = -_two_sided(slope, q, phi) / LENGTH
-    return xp.where(_two_sided(c, q, phi) > 0, by_length, 0 * by_length)
+    phi, (c, slope, _) = _functions(xp, pressure / SUPPLY)[0], _coefficients(xp, 1 - length / LENGTH)
+    by_length = -_sum(slope, phi) / LENGTH
+    return xp.where(_sum(c, phi) > 0, by_length, 0 * by_length)
 
 
 def force_per_pressure(pressure, length):
     """dF/dP at constant length, m2."""
     xp, (pressure, length) = _arrays(pressure, length)
-    q, (c, _, _) = pressure / SUPPLY, _coefficients(xp, 1 - length / LENGTH)
-    phi, slope = _square(xp, q)
-    by_pressure = (c[1] + c[2] * slope) / SUPPLY
-    return xp.where(_two_sided(c, q, phi) > 0, by_pressure, 0 * by_pressure)
+    (phi, slope), c = _functions(xp, pressure / SUPPLY), _coefficients(xp, 1 - length / LENGTH)[0]
+    by_pressure = _sum(c, slope) / SUPPLY
+    return xp.where(_sum(c, phi) > 0, by_pressure, 0 * by_pressure)
 
 
 def pressure(force, length):
     """Pressure in Pa at which the muscle pulls with a force; 0 where it pulls more without pressure, NaN where no pressure does it."""
     xp, (force, length) = _arrays(force, length)
-    c0, c1, c2 = _coefficients(xp, 1 - length / LENGTH)[0]
-    missing, one = force - c0, 1 + 0 * c0
-    root = c1 * c1 + 4 * c2 * missing
-    below = xp.where(root > 0, c1 + xp.sqrt(xp.where(root > 0, root, one)), 0 * c1)
-    closed = 2 * missing / xp.where(below > 0, below, one)
-    slope = c1 + 2 * c2
-    above = xp.where((slope > 0) & (missing + c2 >= slope), (missing + c2) / xp.where(slope > 0, slope, one), float("nan") * one)
-    q = xp.where((below > 0) & (2 * missing <= below), closed, above)
-    return SUPPLY * xp.where(missing <= 0, 0 * q, q)
+    c = _coefficients(xp, 1 - length / LENGTH)[0]
+    pull, slope, curve, one = c[0], c[1], 0 * c[0], 1 + 0 * c[0] + 0 * force
+    q = float("nan") * one
+    # Between two knots the pull is of second degree in the pressure.
+    for begin, end, more in zip(KNOTS, KNOTS[1:], c[2:]):
+        width, curve = end - begin, curve + more
+        missing = xp.where(force > pull, force - pull, 0 * one)
+        root = slope * slope + 4 * curve * missing
+        below = xp.where(root > 0, slope + xp.sqrt(xp.where(root > 0, root, one)), 0 * one)
+        here = (q != q) & (below > 0) & (2 * missing <= below * width)
+        q = xp.where(here, begin + 2 * missing / xp.where(below > 0, below, one), q)
+        pull, slope = pull + width * (slope + curve * width), slope + 2 * curve * width
+    above = (q != q) & (slope > 0) & (force >= pull)
+    q = xp.where(above, 1 + (force - pull) / xp.where(slope > 0, slope, one), q)
+    return SUPPLY * xp.where(force <= c[0], 0 * one, q)
 
 
 def contraction(force, pressure):
     """Contraction 1 - L/LENGTH at which the muscle pulls with a force at a pressure."""
     xp, (force, pressure) = _arrays(force, pressure)
     q = pressure / SUPPLY
-    phi = _square(xp, q)[0]
+    phi = _functions(xp, q)[0]
 
     def pull(e):
         c, slope, _ = _coefficients(xp, e)
-        return _two_sided(c, q, phi), _two_sided(slope, q, phi)
+        return _sum(c, phi), _sum(slope, phi)
 
     low, high = LOW + 0 * q + 0 * force, HIGH + 0 * q + 0 * force
     (pull_low, slope_low), (pull_high, slope_high) = pull(low), pull(high)
     beyond_low, beyond_high = force >= pull_low, force <= pull_high
     a, b = _stopped(xp, low), _stopped(xp, high)
-    wanted, fixed_q, fixed_phi = _stopped(xp, force), _stopped(xp, q), _stopped(xp, phi)
+    wanted, fixed = _stopped(xp, force), [_stopped(xp, value) for value in phi]
 
     def halved(a, b):
         middle = 0.5 * (a + b)
-        over = _two_sided(_coefficients(xp, middle)[0], fixed_q, fixed_phi) > wanted
+        over = _sum(_coefficients(xp, middle)[0], fixed) > wanted
         return xp.where(over, middle, a), xp.where(over, b, middle)
 
     a, b = _repeated(xp, 50, halved, (a, b))
@@ -167,10 +196,10 @@ def volume(pressure, length):
     """Volume of the cavity, m3; dF/dP = -dV/dL. A slack muscle hangs at its free contraction."""
     xp, (pressure, length) = _arrays(pressure, length)
     q, e = pressure / SUPPLY, 1 - length / LENGTH
-    phi, slope = _square(xp, q)
-    slack = _two_sided(_coefficients(xp, e)[0], q, phi) <= 0
+    phi, slope = _functions(xp, q)
+    slack = _sum(_coefficients(xp, e)[0], phi) <= 0
     integral = _coefficients(xp, xp.where(slack, contraction(0 * q, pressure), e))[2]
-    return V[0] + V[1] * q + V[2] * phi + LENGTH / SUPPLY * (integral[1] + integral[2] * slope)
+    return _sum(V, phi) + LENGTH / SUPPLY * _sum(integral, slope)
 
 
 def friction(pressure, velocity, smoothing=1e-3):

@@ -7,7 +7,8 @@
 #include "mckibben.h"
 
 static const mckibben_muscle @{id} = {
-    MCKIBBEN_R(@{length}), MCKIBBEN_R(@{supply}), MCKIBBEN_R(@{low}), MCKIBBEN_R(@{high}),
+    MCKIBBEN_R(@{length}), MCKIBBEN_R(@{supply}), @{count},
+    @{c_nodes},
     @{c_a},
     @{c_b},
     @{c_v},

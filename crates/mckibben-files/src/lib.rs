@@ -1,14 +1,16 @@
 //! Files that users name: one door in, one door out.
 //!
 //! In: [`open`] and [`read`] take regular files alone, up to the length that the caller allows for a file of its kind. Out:
-//! [`replace`] and [`Unfinished`] write beside the place and rename, so that a file appears whole or not at all.
+//! [`replace`] and [`Unfinished`] write beside the place and rename, so that a file appears whole or not at all. [`File`] is one that a crate made.
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
+mod made;
 mod read;
 #[cfg(feature = "write")]
 mod write;
 
+pub use made::{Content, File};
 pub use read::{ReadError, is_same, open, read};
 #[cfg(feature = "write")]
 pub use write::{Unfinished, check_writable, replace, sync};

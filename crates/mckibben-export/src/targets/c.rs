@@ -1,6 +1,6 @@
 //! C99: generic functions and the numbers of a muscle. A compiler for a microcontroller needs nothing else.
 
-use super::{TargetEntry, text};
+use super::{TargetEntry, common};
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
 use crate::template::{list, lists, number, render};
@@ -17,7 +17,7 @@ pub(super) const ENTRY: TargetEntry = TargetEntry {
 fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
     let mut files = sources(muscle);
     let example = include_str!("../../templates/example.c");
-    files.push(text(
+    files.push(File::text(
         "example.c",
         "an example that compiles as its first line says",
         rendered(example, muscle),
@@ -28,9 +28,17 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
 /// Header, source and the numbers.
 pub(super) fn sources(muscle: &ExportedMuscle) -> Vec<File> {
     vec![
-        text("mckibben.h", "the functions", rendered(include_str!("../../templates/mckibben.h"), muscle)),
-        text("mckibben.c", "their source", rendered(include_str!("../../templates/mckibben.c"), muscle)),
-        text(
+        File::text(
+            "mckibben.h",
+            "the functions",
+            rendered(include_str!("../../templates/mckibben.h"), muscle),
+        ),
+        File::text(
+            "mckibben.c",
+            "their source",
+            rendered(include_str!("../../templates/mckibben.c"), muscle),
+        ),
+        File::text(
             "muscle.h",
             "the numbers of the muscle",
             rendered(include_str!("../../templates/muscle.h"), muscle),
@@ -42,18 +50,16 @@ pub(super) fn rendered(template: &str, muscle: &ExportedMuscle) -> String {
     let (f, id) = (&muscle.form, muscle.identifier());
     let braces = ["{", "}"];
     let one = |v: f64| format!("MCKIBBEN_R({})", number(v));
-    let values = [
-        ("name", muscle.plain_name()),
+    let mut values = common(muscle);
+    values.extend([
         ("ID", id.to_ascii_uppercase()),
         ("id", id),
-        ("length", number(f.length_m)),
-        ("supply", number(f.supply_pa)),
-        ("low", number(f.contraction_low)),
-        ("high", number(f.contraction_high)),
+        ("count", f.contractions.len().to_string()),
+        ("c_nodes", list(&f.contractions, braces, one)),
         ("c_a", lists(&f.a, braces, ",\n     ", one)),
-        ("c_b", lists(&f.b, braces, ", ", one)),
+        ("c_b", lists(&f.b, braces, ",\n     ", one)),
         ("c_v", list(&f.v, braces, one)),
         ("c_friction", list(&f.friction_n, braces, one)),
-    ];
+    ]);
     render(template, &muscle.facts(), &values)
 }

@@ -1,10 +1,10 @@
 //! CSV: tables of F(P, L) and P(F, L).
 
+use super::TargetEntry;
 use super::tables::tables;
-use super::{TargetEntry, text};
-use crate::Artefact;
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
+use crate::{Artefact, File};
 use std::fmt::Write as _;
 
 pub(super) const ENTRY: TargetEntry = TargetEntry {
@@ -36,8 +36,8 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
         }
     }
     let files = vec![
-        text("force.csv", "pull, volume and stiffness by pressure and length", force),
-        text("pressure.csv", "pressure by pull and length", pressure),
+        File::text("force.csv", "pull, volume and stiffness by pressure and length", force),
+        File::text("pressure.csv", "pressure by pull and length", pressure),
     ];
     let notes = vec!["status is 0, or a sum: 1 slack, 2 pressure outside, 4 contraction outside, 8 no pressure in the box gives this pull (the row has the nearest)".into()];
     Ok(Artefact { files, notes })

@@ -6,7 +6,7 @@ use super::zip::zip;
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
 use crate::template::{number, render};
-use crate::{Artefact, Content, File};
+use crate::{Artefact, File};
 
 pub(super) const ENTRY: TargetEntry = TargetEntry {
     name: "fmu",
@@ -39,8 +39,7 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
     }
     let mut all: Vec<(&str, &[u8])> = vec![("modelDescription.xml", description.as_bytes())];
     all.extend(files.iter().map(|(name, bytes)| (name.as_str(), bytes.as_slice())));
-    let file = File { name: "muscle.fmu", about: "the unit", content: Content::Bytes(zip(&all)) };
-    Ok(Artefact { files: vec![file], notes })
+    Ok(Artefact { files: vec![File::bytes("muscle.fmu", "the unit", zip(&all))], notes })
 }
 
 /// The library of this system.

@@ -2,11 +2,11 @@
 
 use super::mat_file::{Variable, mat_file};
 use super::tables::tables;
-use super::{TargetEntry, text};
+use super::{TargetEntry, common};
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
 use crate::template::{list, number, render};
-use crate::{Artefact, Content, File};
+use crate::{Artefact, File};
 
 pub(super) const ENTRY: TargetEntry = TargetEntry {
     name: "matlab",
@@ -45,19 +45,16 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
     );
     let matrix = |rows: Vec<String>| format!("[{}]", rows.join("; "));
     let row = |values: &[f64]| list(values, ["", ""], number);
-    let values = [
-        ("name", muscle.plain_name()),
-        ("length", number(f.length_m)),
-        ("supply", number(f.supply_pa)),
-        ("low", number(f.contraction_low)),
-        ("high", number(f.contraction_high)),
+    let mut values = common(muscle);
+    values.extend([
+        ("m_nodes", matrix(vec![row(&f.contractions)])),
         ("m_a", matrix(f.a.iter().map(|a| row(a)).collect())),
         ("m_b", matrix(f.b.iter().map(|b| row(b)).collect())),
         ("m_v", matrix(vec![row(&f.v)])),
-    ];
-    let m = |name, about, template| text(name, about, render(template, &facts, &values));
+    ]);
+    let m = |name, about, template| File::text(name, about, render(template, &facts, &values));
     let files = vec![
-        File { name: "muscle.mat", about: "the tables", content: Content::Bytes(file) },
+        File::bytes("muscle.mat", "the tables", file),
         m(
             "mckibben_force.m",
             "pull, its slopes, volume and status",

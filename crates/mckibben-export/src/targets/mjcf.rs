@@ -12,11 +12,11 @@
 //! is −force · fpmax (L − 1)²/2 for 1 ≤ L ≤ 2 with `lmax` 3, and L − 1 = length/span with `range` 1 2. (MuJoCo, "Computation",
 //! section "Muscle actuators"; engine_util_misc.c.) A limit of the force of all actuators at the tendon makes it slack.
 
-use super::{TargetEntry, text};
+use super::TargetEntry;
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
 use crate::template::{number, render};
-use crate::{Artefact, HostError};
+use crate::{Artefact, File, HostError};
 use nalgebra::{DMatrix, DVector};
 
 pub(super) const ENTRY: TargetEntry = TargetEntry {
@@ -123,5 +123,5 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
     let scene = render(include_str!("../../templates/muscle.xml"), &facts, &values);
     let notes =
         vec![reach, "both actuators of a muscle take the same control: its gauge pressure in Pa".into()];
-    Ok(Artefact { files: vec![text("muscle.xml", "a mass that hangs from the muscle", scene)], notes })
+    Ok(Artefact { files: vec![File::text("muscle.xml", "a mass that hangs from the muscle", scene)], notes })
 }

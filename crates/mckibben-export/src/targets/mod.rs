@@ -10,9 +10,10 @@ mod python;
 mod tables;
 mod zip;
 
+use crate::Artefact;
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
-use crate::{Artefact, Content, File};
+use crate::template::number;
 use std::str::FromStr;
 
 /// What is known of a target.
@@ -83,7 +84,8 @@ impl FromStr for Target {
     }
 }
 
-/// A text as a file.
-fn text(name: &'static str, about: &'static str, text: String) -> File {
-    File { name, about, content: Content::Text(text) }
+/// The values that templates of all languages have places for.
+fn common(muscle: &ExportedMuscle) -> Vec<(&'static str, String)> {
+    let form = &muscle.form;
+    vec![("name", muscle.plain_name()), ("length", number(form.length_m)), ("supply", number(form.supply_pa))]
 }

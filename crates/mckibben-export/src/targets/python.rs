@@ -1,10 +1,10 @@
 //! Python: one file of functions for numbers and arrays of NumPy, JAX and PyTorch.
 
-use super::{TargetEntry, text};
-use crate::Artefact;
+use super::{TargetEntry, common};
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
 use crate::template::{list, lists, number, render};
+use crate::{Artefact, File};
 
 pub(super) const ENTRY: TargetEntry = TargetEntry {
     name: "python",
@@ -16,17 +16,14 @@ pub(super) const ENTRY: TargetEntry = TargetEntry {
 
 fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
     let (f, round) = (&muscle.form, ["(", ")"]);
-    let values = [
-        ("name", muscle.plain_name()),
-        ("length", number(f.length_m)),
-        ("supply", number(f.supply_pa)),
-        ("low", number(f.contraction_low)),
-        ("high", number(f.contraction_high)),
+    let mut values = common(muscle);
+    values.extend([
+        ("py_nodes", list(&f.contractions, round, number)),
         ("py_a", lists(&f.a, round, ",\n     ", number)),
-        ("py_b", lists(&f.b, round, ", ", number)),
+        ("py_b", lists(&f.b, round, ",\n     ", number)),
         ("py_v", list(&f.v, round, number)),
         ("py_friction", list(&f.friction_n, round, number)),
-    ];
+    ]);
     let file = render(include_str!("../../templates/mckibben_muscle.py"), &muscle.facts(), &values);
-    Ok(Artefact { files: vec![text("mckibben_muscle.py", "the functions", file)], notes: vec![] })
+    Ok(Artefact { files: vec![File::text("mckibben_muscle.py", "the functions", file)], notes: vec![] })
 }

@@ -1,10 +1,12 @@
 //! The form: its potential, its inverse, its continuation, its error.
 
-use super::exported;
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
+use super::{exported, fe};
+use mckibben::analysis::force_on;
+use mckibben::model::Workspace;
+use mckibben::muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube};
 use mckibben::random::Random;
 use mckibben::rubber::{Law, NeoHookean};
-use mckibben_export::{CONTRACTION_OUTSIDE, ExportError, Form, NO_ANSWER, OK, PRESSURE_OUTSIDE, SLACK};
+use mckibben_export::{CONTRACTION_OUTSIDE, Form, NO_ANSWER, OK, PRESSURE_OUTSIDE, SLACK};
 use std::f64::consts::TAU;
 use std::sync::LazyLock;
 
@@ -105,17 +107,15 @@ fn the_status_says_where_a_point_lies() {
     assert_eq!(status(-0.1, 0.05), SLACK | PRESSURE_OUTSIDE);
 }
 
-/// A pull that comes back behind a slack part, at any pressure up to one and a half times the supply. Less than 0.2 % of the blocked force is
-/// none: so far from zero the fit holds the form where the muscle is slack.
+/// A pull that comes back behind a slack part, at any pressure up to one and a half times the supply.
 fn returns(form: &Form) -> Option<(f64, f64, f64)> {
-    let least = 2e-3 * form.at(form.supply_pa, 0.0).force_n;
     for i in 0..=60 {
         let q = f64::from(i) / 40.0;
         let mut slack = false;
         for k in 0..=400 {
             let e = -0.1 + 0.7 * f64::from(k) / 400.0;
             let force = form.at(q * form.supply_pa, e).force_n;
-            if slack && force > least {
+            if slack && force > 0.0 {
                 return Some((q, e, force));
             }
             slack |= force == 0.0;
@@ -143,37 +143,55 @@ fn random(index: u64) -> (Muscle, f64) {
     (Muscle::new(tube, braid, Terminals::default(), None).unwrap(), r.between(0.25, 0.6))
 }
 
-/// A regression of what was measured, over the box from −5 %: most muscles are within the goal of 0.3 % of the blocked force at 95 % of
-/// held-out points; all are exported, with a warning where the goal is missed. `MCKIBBEN_ROUNDS=200` for the whole set.
+/// The goal, over the box from −5 %: at most 0.3 % of the blocked force at 95 % of the points that the form was not fitted to, 1 % at worst.
+/// `MCKIBBEN_ROUNDS=200` for the whole set.
 #[test]
-fn random_muscles_are_exported_and_no_pull_returns() {
-    let rounds = std::env::var("MCKIBBEN_ROUNDS").ok().and_then(|r| r.parse().ok()).unwrap_or(20).min(200);
-    let (mut within, mut all, mut worst, mut volume) = (0.0, 0.0, (0.0, 0), 0.0_f64);
-    let (mut refused, mut above) = (0, vec![]);
+fn random_muscles_are_within_three_thousandths_at_95_percent_of_points_and_one_percent_at_worst() {
+    let rounds = std::env::var("MCKIBBEN_ROUNDS").ok().and_then(|r| r.parse().ok()).unwrap_or(12).min(200);
+    let mut shares: [Vec<f64>; 3] = Default::default();
     for index in 0..rounds {
         let (muscle, supply_mpa) = random(index);
-        let fitted = match exported(&muscle, supply_mpa) {
-            Ok(fitted) => fitted,
-            Err(ExportError::NoPull { .. } | ExportError::Points { .. } | ExportError::Analysis(_)) => {
-                refused += 1;
-                continue;
-            }
-            Err(error) => panic!("{index}: {error}"),
-        };
+        let fitted = exported(&muscle, supply_mpa).unwrap();
         let e = fitted.errors;
-        within += if e.force_95_ratio <= 0.003 { 1.0 } else { 0.0 };
-        all += 1.0;
-        volume = volume.max(e.volume_worst_ratio);
-        if e.force_worst_ratio > worst.0 {
-            worst = (e.force_worst_ratio, index);
-        }
-        if e.force_worst_ratio > 0.01 {
-            above.push(index);
-        }
+        assert!(e.force_95_ratio <= 0.003 && e.force_worst_ratio <= 0.01, "{index}: {e:?}");
+        assert_eq!(fitted.warnings(), Vec::<String>::new());
         assert_eq!(returns(&fitted.form), None, "{index}");
+        for (all, one) in shares.iter_mut().zip([e.force_95_ratio, e.force_worst_ratio, e.volume_worst_ratio])
+        {
+            all.push(one);
+        }
     }
-    eprintln!(
-        "{within} of {all} muscles within 0.3 % at 95 %, worst {worst:?}, above 1 %: {above:?}, volume {volume}, refused {refused}"
-    );
-    assert!(refused <= rounds / 20 && within > 0.4 * all);
+    for (of, mut all) in ["95 % of points", "worst", "volume, worst"].iter().zip(shares) {
+        all.sort_by(f64::total_cmp);
+        let at = |share: f64| 100.0 * all[(share * (all.len() - 1) as f64).round() as usize];
+        eprintln!("{of}: median {:.3} %, 95 % {:.3} %, worst {:.3} %", at(0.5), at(0.95), at(1.0));
+    }
+}
+
+/// Half the width of the hysteresis along both branches of a muscle that states C P^β. With s = √q and a = 2β from 1 to 2, the form has
+/// λ s + (1 − λ) s² for s^a and meets it at s = 1/2 and 1, so that λ = 4 · 2^(−a) − 1: what it misses between follows.
+#[test]
+fn friction_is_that_of_the_muscle_within_the_error_of_its_two_terms() {
+    for exponent in [0.5, 0.57, 0.82, 1.0] {
+        let muscle = Muscle::prototype().with_friction(Some(Friction::power_law(30.0, exponent))).unwrap();
+        let supply_mpa = 0.25;
+        let form = exported(&muscle, supply_mpa).unwrap().form;
+        let model = fe(&muscle);
+        let full_n = 30.0 * f64::powf(supply_mpa, exponent);
+        let share = 4.0 * f64::powf(2.0, -2.0 * exponent) - 1.0;
+        let missed = |q: f64| full_n * (q.powf(exponent) - share * q.sqrt() - (1.0 - share) * q).abs();
+        let largest = (1..1000).map(|k| missed(f64::from(k) / 1000.0)).fold(0.0, f64::max);
+        // 1.8043 % at worst, at an exponent of 0.7.
+        assert!(largest < 0.01805 * full_n, "{exponent}: {largest} of {full_n}");
+        let w = &mut Workspace::default();
+        for q in [0.04, 0.25, 0.36, 0.7, 1.0] {
+            let mut branch = |direction| force_on(&*model, w, q * supply_mpa, 0.1, direction).unwrap();
+            let half_n = 0.5 * (branch(Direction::Elongation) - branch(Direction::Contraction));
+            let ours_n = form.friction_half_width_n(1e6 * q * supply_mpa);
+            assert!(
+                (ours_n - half_n).abs() <= missed(q) + 1e-9 * full_n,
+                "{exponent} {q}: {ours_n} {half_n}"
+            );
+        }
+    }
 }

@@ -6,14 +6,20 @@ mod files;
 mod form;
 
 use mckibben::budget::Budget;
+use mckibben::model::ForceModel;
 use mckibben::muscle::Muscle;
 use mckibben_export::{ExportError, ExportedMuscle, Wanted};
 use mckibben_fem::axisymmetric::MeshSpec;
 use mckibben_fem::elements::section;
 
+/// A muscle by finite elements.
+pub fn fe(muscle: &Muscle) -> Box<dyn ForceModel> {
+    section(muscle, &MeshSpec { through: None, along: None, grading: None }).unwrap()
+}
+
 /// A muscle by finite elements, exported over the box that is usual.
 pub fn exported(muscle: &Muscle, supply_mpa: f64) -> Result<ExportedMuscle, ExportError> {
-    let model = section(muscle, &MeshSpec { through: None, along: None, grading: None }).unwrap();
+    let model = fe(muscle);
     let wanted = Wanted { supply_mpa, contraction_low: Wanted::LOW, contraction_high: None };
     ExportedMuscle::fit(&*model, "prototype", wanted, &Budget::default())
 }
