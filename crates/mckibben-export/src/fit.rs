@@ -98,7 +98,8 @@ pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted, budget: &Budget) -> Re
     let mut contractions: Vec<f64> = even(11, low, 0.0).take(if low < 0.0 { 10 } else { 0 }).collect();
     contractions.extend(SHARES.map(|share| share * high));
     let at = sample(model, (&PRESSURES, &contractions), supply, blocked_n, budget)?;
-    let held: Vec<f64> = even(14, low, high).collect();
+    let mut held: Vec<f64> = even(13, low, high).chain((low < 0.0).then_some(0.0)).collect();
+    held.sort_by(f64::total_cmp);
     let held_out =
         sample(model, (&even(10, 0.0, 1.0).collect::<Vec<_>>(), &held), supply, blocked_n, budget)?;
     // A muscle without pressure at its length at rest pulls nothing, unless its tube is stretched: exactly.

@@ -22,9 +22,10 @@ typedef mckibben_real real;
 /* Where the functions of the pressure of second degree begin; the last part ends at the supply. */
 static const real knots[4] = {R(0), R(0.15), R(0.45), R(1)};
 
-/* c and dc/de at a contraction; n, t and h: its part between two nodes, its place in that, and how long that is. */
+/* c and dc/de at a contraction, the functions of the pressure and their slopes; n, t and h: the part between two nodes, the place in it, and how
+ * long it is. */
 typedef struct {
-    real c[N], slope[N];
+    real c[N], slope[N], phi[N], by_q[N];
     real t, h, beyond;
     int n;
 } coefficients;
@@ -88,12 +89,15 @@ static real sum_of(const real c[N], const real phi[N])
     return sum;
 }
 
-static real two_sided(const mckibben_muscle *m, const real c[N], real pressure)
+/* The pull, negative where the muscle would have to push. */
+static real two_sided(const mckibben_muscle *m, real pressure, real e, coefficients *k)
 {
-    real phi[N], slope[N];
-    functions(pressure / m->supply, phi, slope);
-    return sum_of(c, phi);
+    functions(pressure / m->supply, k->phi, k->by_q);
+    at_contraction(m, e, k);
+    return sum_of(k->c, k->phi);
 }
+
+static real contraction_of(const mckibben_muscle *m, real length) { return R(1) - length / m->length; }
 
 static unsigned outside(const mckibben_muscle *m, real pressure, real e)
 {
@@ -104,9 +108,7 @@ static unsigned outside(const mckibben_muscle *m, real pressure, real e)
 real mckibben_force(const mckibben_muscle *m, real pressure, real length, unsigned *status)
 {
     coefficients k;
-    const real e = R(1) - length / m->length;
-    at_contraction(m, e, &k);
-    const real force = two_sided(m, k.c, pressure);
+    const real e = contraction_of(m, length), force = two_sided(m, pressure, e, &k);
     if (status)
         *status = outside(m, pressure, e) | (force <= R(0) ? MCKIBBEN_SLACK : 0u);
     return force <= R(0) ? R(0) : force;
@@ -115,39 +117,29 @@ real mckibben_force(const mckibben_muscle *m, real pressure, real length, unsign
 real mckibben_stiffness(const mckibben_muscle *m, real pressure, real length)
 {
     coefficients k;
-    at_contraction(m, R(1) - length / m->length, &k);
-    return two_sided(m, k.c, pressure) <= R(0) ? R(0) : -two_sided(m, k.slope, pressure) / m->length;
+    return two_sided(m, pressure, contraction_of(m, length), &k) <= R(0) ? R(0) : -sum_of(k.slope, k.phi) / m->length;
 }
 
 real mckibben_force_per_pressure(const mckibben_muscle *m, real pressure, real length)
 {
     coefficients k;
-    real phi[N], slope[N];
-    at_contraction(m, R(1) - length / m->length, &k);
-    functions(pressure / m->supply, phi, slope);
-    return sum_of(k.c, phi) <= R(0) ? R(0) : sum_of(k.c, slope) / m->supply;
+    return two_sided(m, pressure, contraction_of(m, length), &k) <= R(0) ? R(0) : sum_of(k.c, k.by_q) / m->supply;
 }
 
 real mckibben_contraction(const mckibben_muscle *m, real force, real pressure)
 {
     coefficients k;
-    real low = m->node[0], high = m->node[m->nodes - 1], pull, slope, at;
-    at_contraction(m, low, &k);
-    pull = two_sided(m, k.c, pressure);
-    slope = two_sided(m, k.slope, pressure);
-    if (force >= pull)
-        return slope < R(0) ? low + (force - pull) / slope : low;
-    at_contraction(m, high, &k);
-    pull = two_sided(m, k.c, pressure);
-    slope = two_sided(m, k.slope, pressure);
-    if (force <= pull)
-        return slope < R(0) ? high + (force - pull) / slope : high;
+    real low = m->node[0], high = m->node[m->nodes - 1], at = low;
+    for (int end = 0; end < 2; end++, at = high) { /* the tangent outside of the box */
+        const real missing = force - two_sided(m, pressure, at, &k), slope = sum_of(k.slope, k.phi);
+        if (end ? missing <= R(0) : missing >= R(0))
+            return slope < R(0) ? at + missing / slope : at;
+    }
     at = R(0.5) * (low + high);
     for (int i = 0; i < 60; i++) {
-        real miss, next, step;
-        at_contraction(m, at, &k);
-        miss = two_sided(m, k.c, pressure) - force;
-        slope = two_sided(m, k.slope, pressure);
+        real miss, slope, next, step;
+        miss = two_sided(m, pressure, at, &k) - force;
+        slope = sum_of(k.slope, k.phi);
         if (miss > R(0))
             low = at;
         else
@@ -166,21 +158,19 @@ real mckibben_contraction(const mckibben_muscle *m, real force, real pressure)
 real mckibben_volume(const mckibben_muscle *m, real pressure, real length)
 {
     coefficients k;
-    real phi[N], slope[N], sum = R(0);
-    functions(pressure / m->supply, phi, slope);
-    at_contraction(m, R(1) - length / m->length, &k);
-    if (sum_of(k.c, phi) <= R(0)) /* slack: it hangs at its free contraction */
+    real sum = R(0);
+    if (two_sided(m, pressure, contraction_of(m, length), &k) <= R(0)) /* slack: it hangs at its free contraction */
         at_contraction(m, mckibben_contraction(m, R(0), pressure), &k);
     for (int i = 1; i < N; i++)
-        sum += integral(m, &k, i) * slope[i];
-    return sum_of(m->v, phi) + m->length / m->supply * sum;
+        sum += integral(m, &k, i) * k.by_q[i];
+    return sum_of(m->v, k.phi) + m->length / m->supply * sum;
 }
 
 real mckibben_pressure(const mckibben_muscle *m, real force, real length, unsigned *status)
 {
     coefficients k;
     unsigned ignored;
-    const real e = R(1) - length / m->length;
+    const real e = contraction_of(m, length);
     real pull, slope, curve = R(0);
     if (!status)
         status = &ignored;

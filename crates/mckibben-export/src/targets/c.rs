@@ -22,6 +22,11 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
         "an example that compiles as its first line says",
         rendered(example, muscle),
     ));
+    files.push(File::text(
+        "pressure_loop.ino",
+        "a sketch for Arduino: a closed loop that holds a pull",
+        rendered(include_str!("../../templates/pressure_loop.ino"), muscle),
+    ));
     Ok(Artefact { files, notes: vec![] })
 }
 
@@ -54,6 +59,7 @@ pub(super) fn rendered(template: &str, muscle: &ExportedMuscle) -> String {
     values.extend([
         ("ID", id.to_ascii_uppercase()),
         ("id", id),
+        ("wanted", number(0.3 * muscle.blocked_force_n)),
         ("count", f.contractions.len().to_string()),
         ("c_nodes", list(&f.contractions, braces, one)),
         ("c_a", lists(&f.a, braces, ",\n     ", one)),
