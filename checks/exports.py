@@ -195,7 +195,7 @@ def sketch():
     """The sketch of a closed loop on an ATmega2560 in simavr: a board whose pressure follows the valve in 0.1 s, the muscle 5 % contracted."""
     folder, _, _ = export("c")
     begun = time.monotonic()
-    (folder / "Arduino.h").write_text("""#include <stdint.h>
+    (folder / "Arduino.h").write_text("""#pragma once
 enum { A0, A1, OUTPUT };
 extern "C" { void pinMode(int, int); int analogRead(int); void analogWrite(int, int); void delay(unsigned long); }
 """)
