@@ -354,6 +354,17 @@ print(u.serializeFMUState(s).hex(), repr(u.getReal([3])[0]))
     second = run(sys.executable, "-c", script, path, first[0], 0).stdout.split()
     assert first == second and abs(float(first[1]) - float(exported.force(1.5e5, 0.9 * L0))) < 1e-9, (first, second)
     assert max(errors) < 1e-12, errors
+    third = str(folder / "muscle_fmi3.fmu")
+    problems = validate_fmu(third)
+    assert not problems, problems
+    thirds = []
+    for kind in ("ModelExchange", "CoSimulation"):
+        result = fmpy.simulate_fmu(third, fmi_type=kind, input=signals, output=["pressure", "length", "force", "volume", "status"], stop_time=0.59, output_interval=0.01, step_size=0.01)
+        f, v = exported.force(result["pressure"], result["length"]), exported.volume(result["pressure"], result["length"])
+        thirds += [np.abs(result["force"] - f).max() / blocked, np.abs(result["volume"] - v).max() / V.max()]
+        assert result["force"].max() > 0.5 * blocked and (result["status"] == exported.status(result["pressure"], result["length"])).all()
+    assert max(thirds) < 1e-12, thirds
+    noted("fmu", f"FMPy {fmpy.__version__}: FMI 3.0, Model Exchange and Co-Simulation", f"{max(thirds):.1e}", f"{pathlib.Path(third).stat().st_size} B", seconds + time.monotonic() - begun)
     size = (folder / "muscle.fmu").stat().st_size
     noted("fmu", f"FMPy {fmpy.__version__}: FMI 2.0, Model Exchange and Co-Simulation", f"{max(errors):.1e}", f"{size} B", seconds + time.monotonic() - begun)
 

@@ -36,7 +36,7 @@ enum { PRESSURE, LENGTH, FACTOR, FORCE, STIFFNESS, VOLUME, FORCE_PER_PRESSURE };
 
 /* All that an instance has: plain numbers, which are its state. */
 typedef struct {
-    double value[3];
+    double value[3], time;
 } instance;
 
 static void begin(instance *c)
@@ -44,6 +44,7 @@ static void begin(instance *c)
     c->value[PRESSURE] = 0.0;
     c->value[LENGTH] = @{id}.length;
     c->value[FACTOR] = 1.0;
+    c->time = 0.0;
 }
 
 /* The muscle with its pull multiplied: all coefficients are, so that pull and volume keep one potential. */

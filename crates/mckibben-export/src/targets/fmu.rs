@@ -1,4 +1,4 @@
-//! FMI 2.0: a Functional Mock-up Unit around the C target, for Model Exchange and Co-Simulation, with its sources.
+//! FMI 2.0 and 3.0: Functional Mock-up Units around the C target, for Model Exchange and Co-Simulation, with their sources.
 
 use super::TargetEntry;
 use super::c::{rendered, sources};
@@ -10,8 +10,8 @@ use crate::{Artefact, File};
 
 pub(super) const ENTRY: TargetEntry = TargetEntry {
     name: "fmu",
-    about: "a Functional Mock-up Unit of FMI 2.0, Model Exchange and Co-Simulation, with its sources",
-    needs: "a tool that reads FMI 2.0; a C compiler (cc) where this program runs, or a tool that compiles sources",
+    about: "Functional Mock-up Units of FMI 2.0 and of FMI 3.0, Model Exchange and Co-Simulation, with their sources",
+    needs: "a tool that reads FMI 2.0 or 3.0; a C compiler (cc) where this program runs, or a tool that compiles sources",
     loses: "friction; the binary in it is for this system and processor alone",
     make,
 };
@@ -26,20 +26,46 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
         ("version", muscle.version.into()),
         ("length", number(muscle.form.length_m)),
     ];
-    let description = render(include_str!("../../templates/fmu2.xml"), &facts, &values);
-    let source = rendered(include_str!("../../templates/fmu2.c"), muscle).replace("@{guid}", &guid.1);
-    let mut files = vec![("sources/fmu2.c".to_owned(), source.into_bytes())];
+    let described = |template: &str| render(template, &facts, &values).into_bytes();
+    let source = |template: &str| rendered(template, muscle).replace("@{guid}", &guid.1).into_bytes();
+    let mut files = vec![
+        ("sources/fmu2.c".to_owned(), source(include_str!("../../templates/fmu2.c"))),
+        ("sources/fmu3.c".to_owned(), source(include_str!("../../templates/fmu3.c"))),
+    ];
     for file in sources(muscle) {
         files.push((format!("sources/{}", file.name), file.content.bytes().to_vec()));
     }
+    // One library has the functions of both.
+    let library = binary::compiled(&files);
     let mut notes = vec![];
-    match binary::compiled(&files) {
-        Some(bytes) => files.push((format!("binaries/{}/{id}.{}", binary::PLATFORM, binary::ENDING), bytes)),
-        None => notes.push("no C compiler (cc) was found: the FMU has sources alone, which the tool that reads it must compile".into()),
+    if library.is_none() {
+        notes.push("no C compiler (cc) was found: the FMU has sources alone, which the tool that reads it must compile".into());
     }
-    let mut all: Vec<(&str, &[u8])> = vec![("modelDescription.xml", description.as_bytes())];
-    all.extend(files.iter().map(|(name, bytes)| (name.as_str(), bytes.as_slice())));
-    Ok(Artefact { files: vec![File::bytes("muscle.fmu", "the unit", zip(&all))], notes })
+    let unit = |platform: &str, mut own: Vec<(String, Vec<u8>)>| {
+        own.extend(files.iter().cloned());
+        own.extend(
+            library
+                .iter()
+                .map(|bytes| (format!("binaries/{platform}/{id}.{}", binary::ENDING), bytes.clone())),
+        );
+        let all: Vec<(&str, &[u8])> =
+            own.iter().map(|(name, bytes)| (name.as_str(), bytes.as_slice())).collect();
+        zip(&all)
+    };
+    let description = "modelDescription.xml".to_owned();
+    let second = vec![(description.clone(), described(include_str!("../../templates/fmu2.xml")))];
+    let third = vec![
+        (description, described(include_str!("../../templates/fmu3.xml"))),
+        (
+            "sources/buildDescription.xml".to_owned(),
+            described(include_str!("../../templates/fmu3_build.xml")),
+        ),
+    ];
+    let files = vec![
+        File::bytes("muscle.fmu", "the unit, FMI 2.0", unit(binary::PLATFORM, second)),
+        File::bytes("muscle_fmi3.fmu", "the same, FMI 3.0", unit(binary::PLATFORM_3, third)),
+    ];
+    Ok(Artefact { files, notes })
 }
 
 /// The library of this system.
@@ -54,6 +80,7 @@ mod binary {
         use std::process::{Command, Stdio};
 
         pub const PLATFORM: &str = "linux64";
+        pub const PLATFORM_3: &str = "x86_64-linux";
         pub const ENDING: &str = "so";
 
         /// What `cc` makes of the sources, in a folder that is removed again.
@@ -72,7 +99,7 @@ mod binary {
                     ["-std=c99", "-O2", "-ffp-contract=off", "-fPIC", "-shared", "-s", "-fvisibility=hidden"];
                 let done = Command::new("cc")
                     .args(flags)
-                    .args(["fmu2.c", "-o", "muscle.so", "-lm"])
+                    .args(["fmu3.c", "-o", "muscle.so", "-lm"])
                     .current_dir(&folder)
                     .stdin(Stdio::null())
                     .stdout(Stdio::null())
@@ -91,6 +118,7 @@ mod binary {
     #[cfg(not(all(target_os = "linux", target_arch = "x86_64")))]
     mod other {
         pub const PLATFORM: &str = "none";
+        pub const PLATFORM_3: &str = "none";
         pub const ENDING: &str = "none";
 
         pub fn compiled(_files: &[(String, Vec<u8>)]) -> Option<Vec<u8>> {
