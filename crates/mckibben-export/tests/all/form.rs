@@ -114,7 +114,7 @@ fn returns(form: &Form) -> Option<(f64, f64, f64)> {
         let mut slack = false;
         for k in 0..=400 {
             let e = -0.1 + 0.7 * f64::from(k) / 400.0;
-            let force = form.at(q * form.supply_pa, e).force_n;
+            let force = form.two_sided_n(q * form.supply_pa, e).0.max(0.0);
             if slack && force > 0.0 {
                 return Some((q, e, force));
             }
@@ -147,7 +147,7 @@ fn random(index: u64) -> (Muscle, f64) {
 /// `MCKIBBEN_ROUNDS=200` for the whole set.
 #[test]
 fn random_muscles_are_within_three_thousandths_at_95_percent_of_points_and_one_percent_at_worst() {
-    let rounds = std::env::var("MCKIBBEN_ROUNDS").ok().and_then(|r| r.parse().ok()).unwrap_or(12).min(200);
+    let rounds = std::env::var("MCKIBBEN_ROUNDS").ok().and_then(|r| r.parse().ok()).unwrap_or(4).min(200);
     let mut shares: [Vec<f64>; 3] = Default::default();
     for index in 0..rounds {
         let (muscle, supply_mpa) = random(index);
