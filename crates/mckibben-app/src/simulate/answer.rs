@@ -1,8 +1,8 @@
 //! What a finite-element test answers with.
 
-use super::Simulated;
+use super::point::Simulated;
 use crate::burst::PressureLimits;
-use crate::curve::FailedPoint;
+use crate::curve::answer::FailedPoint;
 use crate::muscle::MuscleSummary;
 use crate::problem::Problem;
 use mckibben::curve::Test;
