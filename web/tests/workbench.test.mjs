@@ -676,6 +676,8 @@ inBrowser(({ name, url, open, blank }) => {
   test("the page is an app that is installed, and opens without a network", async () => {
     const { page, context } = await open("#muscle?D=38", { serviceWorkers: "allow" });
     await alive(page);
+    /** @type {string[]} */ const fetched = [];
+    context.on("request", (request) => fetched.push(new URL(request.url()).pathname.split("/").pop() ?? ""));
     const session = await context.newCDPSession(page);
     const { errors: faults } = await session.send("Page.getAppManifest");
     assert.deepEqual(faults, []);
@@ -689,6 +691,14 @@ inBrowser(({ name, url, open, blank }) => {
     const { installabilityErrors } = await session.send("Page.getInstallabilityErrors");
     assert.deepEqual(installabilityErrors.filter((/** @type {any} */ { errorId }) => !/in-incognito/.test(errorId)),
       []);
+    // The first visit does not pay for what it does not use; a button fetches it.
+    assert.deepEqual(fetched.filter((file) => /whole|plotly/.test(file)), []);
+    await go(page, "About");
+    await page.getByRole("button", { name: "Make all pages available offline" }).click();
+    await page.getByText(name === "static" ? "Every page works." : "The page opens; only its server computes.").waitFor();
+    assert.deepEqual(fetched.filter((file) => /whole|plotly/.test(file)).length >= (name === "static" ? 2 : 1), true);
+    await go(page, "Muscle");
+    await alive(page);
     await context.setOffline(true);
     await page.reload();
     if (name === "static") {

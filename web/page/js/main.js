@@ -10,6 +10,7 @@ import { keepWords, onKept, wordsOf } from "./kept.js";
 import { endAll } from "./life.js";
 import { loadMeasures, muscle } from "./muscle.js";
 import { notice } from "./notice.js";
+import { offline } from "./offline.js";
 import { PAGES, pageOf } from "./pages.js";
 import { printing } from "./print.js";
 import { sketches } from "./sketch.js";
@@ -150,8 +151,4 @@ window.addEventListener("popstate", () => {
 sketches();
 printing();
 dropAnywhere();
-start();
-if ("serviceWorker" in navigator && window.isSecureContext)
-  window.addEventListener("load", () => {
-    navigator.serviceWorker.register("sw.js").catch(() => {});
-  });
+start().then(offline);

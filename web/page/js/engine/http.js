@@ -44,6 +44,10 @@ export class Engine {
   get about() {
     return "mckibben serve";
   }
+  /** It has no files: without its server there is no answer. */
+  get files() {
+    return /** @type {string[]} */ ([]);
+  }
 
   /**
    * @template {keyof Commands} K

@@ -131,6 +131,10 @@ export class Engine {
   get about() {
     return "WebAssembly in this browser";
   }
+  /** What it needs without a network. */
+  get files() {
+    return ["live.wasm", "whole.wasm"];
+  }
 
   /**
    * Answers a request. `lane`: what waits for what; `state` comes first, and `read` is for what takes no time.
