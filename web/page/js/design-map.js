@@ -11,6 +11,7 @@ import { outside, show, unitName } from "./units.js";
 /** @typedef {import("../../types/commands").Commands["design"]} Design */
 /** @typedef {Design["answer"]["candidates"][number]} Candidate */
 /**
+ * @typedef {Candidate | NonNullable<Design["answer"]["closest"]>} Best
  * @typedef {{ D: number[], S: number[], fits: Map<string, Candidate>, nodes: import("./border.js").Node[][],
  *   limits: string[] }} Found
  */
@@ -18,10 +19,13 @@ import { outside, show, unitName } from "./units.js";
 const ACROSS = 29, UP = 25, FINER = 8;
 const RAMP = [[0, "rgb(33,144,141)"], [0.5, "rgb(92,200,99)"], [1, "rgb(253,231,37)"]];
 
-/** @param {(candidate: any, at: { p: number, e: number }) => string} linked the address of a muscle */
+/**
+ * @param {(candidate: import("./state.js").Chosen, at: { p: number, e: number }) => string} linked the address of a
+ *   muscle
+ */
 export function designMap(linked) {
   /** @type {Design["answer"] | undefined} */ let answer;
-  /** @type {any} */ let of;
+  /** @type {Design["request"]} */ let of = {};
   /** @type {Found | undefined} */ let found;
   let mapping = new AbortController();
   const title = el("h2", {}, "Feasible region over diameter and wall");
@@ -62,7 +66,7 @@ export function designMap(linked) {
       p: Number(answer.max_pressure_mpa),
       e: "points" in middle ? Number(middle.points[0]?.contraction ?? 0.1) : 0.1,
     };
-    const link = linked({ ...middle, outer_diameter_mm: d, wall_mm: s }, at);
+    const link = linked({ ...middle, rubber: middle.rubber ?? "", outer_diameter_mm: d, wall_mm: s }, at);
     picked.replaceChildren(
       `D0 ${show("length", d)}, s ${show("length", s)}: `,
       el("a", { href: link }, "see this muscle"),
@@ -71,7 +75,7 @@ export function designMap(linked) {
 
   return {
     elements: [picked, feasible.element], draw,
-    /** @param {any} next answer of the search @param {any} request that it was asked by */
+    /** @param {Design["answer"]} next answer of the search @param {Design["request"]} request that it was asked by */
     show(next, request) {
       [answer, of] = [next, request];
       map().catch((problem) => { if (problem.name !== "AbortError") feasible.element.hidden = true; });
@@ -113,7 +117,8 @@ function hovering(chart, of) {
 
 /**
  * The muscles of the map.
- * @param {any} of the request of the search @param {any} best its winner, or what came closest
+ * @param {Design["request"]} of the request of the search
+ * @param {Best} best its winner, or what came closest
  * @returns {Design["request"] & { outer_diameter_mm: number[], wall_mm: number[] }}
  */
 function asked(of, best) {

@@ -4,7 +4,7 @@ import { niceUp } from "./bench/round.js";
 import { KINDS, isDark, viridis } from "./chart.js";
 import { number, outside, show, unitName } from "./units.js";
 
-/** @typedef {Record<string, any>} Point a point of the answer */
+/** @typedef {import("./joint-view.js").Point} Point */
 /** Radius, range and contraction at the neutral angle of the joint; length, diameter and braid angle of its muscle. */
 /** @typedef {{ r: number, range: number, e0: number, length: number, diameter: number, angle: number }} Measures */
 

@@ -98,7 +98,8 @@ async function route() {
       shown = { name, page: mount(main) };
       main.dataset.shown = name;
     }
-    await whileLoading(() => /** @type {any} */ (shown).page.load(params));
+    const { page } = /** @type {NonNullable<typeof shown>} */ (shown);
+    await whileLoading(() => page.load(params));
     if (mine !== routes) return;
     await keep();
     link();
@@ -114,7 +115,7 @@ function leave() {
   endAll();
 }
 
-/** @param {any} problem */
+/** @param {unknown} problem */
 function fail(problem) {
   leave();
   main.replaceChildren(problemBox(problem),

@@ -34,7 +34,7 @@ async function reach(path, init) {
   return answer;
 }
 
-/** @param {any} request @param {AbortSignal} [signal] */
+/** @param {unknown} request @param {AbortSignal} [signal] */
 const post = (request, signal) => ({ method: "POST", signal, body: JSON.stringify(request),
   headers: { "content-type": "application/json", accept: "application/octet-stream" } });
 

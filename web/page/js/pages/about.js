@@ -42,9 +42,8 @@ export function mount(main) {
   const check = job("Compute them here", "validate", async () => ({}), (answer) => {
     keepFile(CHECKED, true);
     const rows = (/** @type {string} */ kind) =>
-      answer.cases.filter((/** @type {any} */ c) => c.kind === kind).map((
-        /** @type {any} */ c,
-      ) => [c.name, c.source ?? "", number(c.reference, 5), number(c.ours, 5),
+      answer.cases.filter((c) => c.kind === kind).map((c) =>
+        [c.name, c.source ?? "", number(c.reference, 5), number(c.ours, 5),
         c.error === undefined ? "–" : number(c.error, 2), c.ok ? "holds" : "fails"]
       );
     const head = ["case", "source", "reference", "here", "error", ""];
@@ -85,7 +84,7 @@ export function mount(main) {
   engine().ask("models", {}).then(
     (answer) =>
       models.replaceChildren(
-        table(["model", "what it is"], answer.models.map((/** @type {any} */ m) => [m.name, m.description]), {
+        table(["model", "what it is"], answer.models.map((m) => [m.name, m.description]), {
           text: [0, 1],
           label: "models",
         }),

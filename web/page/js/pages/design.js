@@ -20,6 +20,9 @@ const OBJECTIVES = /** @type {[string, string][]} */ ([
   ["length", "shortest"],
 ]);
 /** @typedef {import("../form.js").Field} Field */
+/** @typedef {import("../../../types/commands").Commands["design"]} Design */
+/** @typedef {Design["request"]} Asked */
+/** @typedef {Design["answer"]["candidates"][number]} Candidate */
 /** @type {Field[]} */
 const WANTED = [
   { key: "F", field: "force_n", label: "Pull", kind: "force", value: "700 N" },
@@ -89,7 +92,7 @@ function specification(submit) {
     set: (/** @type {URLSearchParams} */ params) => forms.forEach((f) => f.set(params)),
     /**
      * Fields of the request, or nothing where a text cannot be read.
-     * @returns {Promise<Record<string, any> | undefined>}
+     * @returns {Promise<Asked | undefined>}
      */
     async read() {
       const [want, space, tolerance] = await Promise.all([wanted.read(), choice.read({ intervals: true }),
@@ -101,7 +104,7 @@ function specification(submit) {
       return { ...want, ...space, figure: unitName("pressure"),
         ...(Object.keys(tolerance).length ? { tolerance } : {}) };
     },
-    /** @param {any} problem */
+    /** @param {import("../engine/problem.js").Problem} problem */
     at(problem) {
       forms.some((f) => f.at(problem));
       for (const key of lacking())
@@ -123,17 +126,17 @@ const priced = () => (prices ??= engine().ask("parts-list", {}).then(
 
 /**
  * The address of a muscle of the search: that muscle, and nothing of the one of the other pages.
- * @param {any} c
- * @param {any} of the request
+ * @param {import("../state.js").Chosen} c
+ * @param {Asked} of the request
  * @param {{ p: number, e: number }} at
  */
 const linked = (c, of, at) => address("muscle", muscle.paramsOf(candidate(c, of, at)));
 
 /** @param {HTMLElement} main */
 export function mount(main) {
-  /** @type {any} */ let found;
-  /** What the answer that is shown was asked by, and the newest question. @type {any} */
-  let of, /** @type {any} */ asked;
+  /** @type {Design["answer"] | undefined} */ let found;
+  /** What the answer that is shown was asked by, and the newest question. @type {Asked} */
+  let of = {}, /** @type {Asked | undefined} */ asked;
   const spec = specification(() => search.run());
   const results = el("div", {},
     el("p", { class: "soft" },
@@ -145,7 +148,7 @@ export function mount(main) {
     if (asked) place();
     return asked;
   }, (answer) => {
-    [found, of] = [answer, asked];
+    [found, of] = [answer, asked ?? {}];
     stale(false);
     paint();
     figures.show(answer.figure);
@@ -165,7 +168,7 @@ export function mount(main) {
   async function paint() {
     if (!found) return;
     const answer = found;
-    const act = { open: (/** @type {any} */ c) => {
+    const act = { open: (/** @type {Candidate} */ c) => {
       location.hash = linked(c, of, { p: c.pressure_mpa, e: c.points[0].contraction });
     }, ask(/** @type {Record<string, string>} */ words) {
       Object.entries(words).forEach(([key, text]) => spec.put(key, text));
@@ -175,7 +178,7 @@ export function mount(main) {
       results.replaceChildren(...(answer.candidates[0] ? foundView(answer, known, act) : closestView(answer)),
         ...rejectedView(answer));
     show(new Map());
-    if (!answer.candidates.some((/** @type {any} */ c) => c.tube || c.sleeve)) return;
+    if (!answer.candidates.some((c) => c.tube || c.sleeve)) return;
     const known = await priced();
     if (answer === found && known.size) show(known);
   }

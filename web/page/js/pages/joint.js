@@ -14,6 +14,10 @@ import { muscle } from "../muscle.js";
 import { joint } from "../state.js";
 import { onUnits, typed } from "../units.js";
 
+/** @typedef {import("../joint-view.js").Answer} Answer */
+/** @typedef {import("../joint-view.js").Family} Family */
+/** @typedef {import("../engine/problem.js").Problem} Problem */
+/** @typedef {import("../../../types/commands").Commands["joint"]["request"]} Request */
 /** Words of the address, and what kind of quantity each is; `k` is that of the muscle's strands. */
 const KINDS_OF =
   /** @type {const} */ ({ r: "length", range: "angle", e0: "ratio", phi: "angle", K: "angular-stiffness",
@@ -104,13 +108,13 @@ function turning(arm, turned) {
 /**
  * Questions about a joint: a point, by formulas while one drags and by finite elements at rest, and its family of
  * torques.
- * @param {{ take: (answer: any) => void, fail: (problem: any) => void, family: (family: any) => void }} act
+ * @param {{ take: (answer: Answer) => void, fail: (problem: Problem) => void, family: (family: Family) => void }} act
  */
 function questions({ take, fail, family }) {
   let settling = 0, asking = 0, decided = 0;
   const point = new Slot(), elements = new Slot(), curves = new Slot();
   return {
-    /** @param {any} request @param {typeof USUAL} v @param {boolean} settled */
+    /** @param {Request} request @param {typeof USUAL} v @param {boolean} settled */
     ask(request, v, settled) {
       const mine = ++asking,
         wanted = { angles_deg: [v.phi], max_pressure_mpa: v.pmax, ...(v.K > 0 ? { stiffness_nm_per_rad: v.K } : {}) };
@@ -147,9 +151,9 @@ class JointPage {
   files = { joint: "", file2: "" };
   v = { ...USUAL };
   /** What was typed over the joint file. @type {Set<string>} */ over = new Set();
-  /** @type {any} */ #point;
-  /** @type {any} */ #family;
-  /** @type {any} */ #reached;
+  /** @type {import("../joint-view.js").Point | undefined} */ #point;
+  /** @type {Family | undefined} */ #family;
+  /** @type {Answer["map"]} */ #reached;
   /** The file that says what the muscle of the page Muscle is. */
   #first = "";
 
@@ -236,20 +240,20 @@ class JointPage {
     write(address("joint", { ...muscle.params(), ...own, ...files }), replace);
   }
 
-  /** @param {any} answer */
+  /** @param {Answer} answer */
   #take(answer) {
     this.#stale(false);
     this.said.replaceChildren(warnings(answer.warnings));
     this.#point = { ...answer.points[0], model: answer.model, words: answer.uncertainty_text };
     this.#paint();
   }
-  /** @param {any} problem */
+  /** @param {Problem} problem */
   #fail(problem) {
     this.said.replaceChildren(problemBox(problem));
     if (this.#point) this.#stale(true);
     else this.#drawArm();
   }
-  /** @param {any} map */
+  /** @param {Answer["map"]} map */
   #mapped(map) {
     this.#reached = map;
     if (map) this.reach.show(reachChart(map));
@@ -283,7 +287,8 @@ class JointPage {
     const readings = await understood(list);
     texts.forEach(([key], i) => {
       const { problem, value, values } = readings[i];
-      if (!problem) this.v[key] = values ? Math.max(...values.map(Math.abs)) : value;
+      const read = values ? Math.max(...values.map(Math.abs)) : value;
+      if (!problem && read !== undefined) this.v[key] = read;
     });
     for (const key of KEYS) this.bench.controls[key].set(this.v[key]);
   }
