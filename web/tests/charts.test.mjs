@@ -156,8 +156,10 @@ inBrowser(({ name, open, blank, url }) => {
     await page.getByText(/Residuals: [\d.]+ N rms/).waitFor({ timeout: 30_000 });
     const rms = async () => Number(/Residuals: ([\d.]+) N/.exec(await page.locator(".points").innerText())?.[1]);
     const before = await rms();
-    const rows = (await saved(page)).filter(([curve]) => curve.startsWith("measured at"));
-    assert.equal(rows.length, 10);
+    const points = async () => (await saved(page)).filter(([curve]) => curve.startsWith("measured at"));
+    // They come by themselves, before or after their residuals.
+    while (!(await points()).length) await page.waitForTimeout(200);
+    assert.equal((await points()).length, 10);
     await page.screenshot({ path: `${shots}/points-${name}.png` });
     const wall = page.getByRole("textbox", { name: "Wall" });
     await wall.fill("2.5");

@@ -3,9 +3,10 @@
 
 const NAME = "mckibben:kept";
 /**
- * Muscles of the project; measured points, and what to say of them; a plan, and the one that was computed; whether
- * constants were identified, and the verification computed.
+ * Muscles of the project; measured points, and what to say of them; a test of a rubber; a plan, and the one that was
+ * computed; whether constants were identified, and the verification computed.
  * @typedef {{ muscles?: import("./project.js").Kept[], data?: { name: string, text: string }, "data-said"?: string,
+ *   rubber?: { name: string, text: string },
  *   plan?: string, campaign?: string, constants?: boolean, checked?: boolean }} Files
  * @typedef {{ words: Record<string, Record<string, string>>, files: Files }} Kept
  */

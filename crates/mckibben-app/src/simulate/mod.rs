@@ -2,9 +2,11 @@
 
 mod answer;
 mod request;
+mod vtu;
 
 pub use answer::*;
 pub use request::{PictureFields, SimulateRequest};
+pub(crate) use vtu::with_files;
 
 use crate::burst::{QUIET_MPA, burst_of, put_first, said_of};
 use crate::curve::{check_count, check_test, contractions, forces, list, reach, steps};
@@ -224,6 +226,7 @@ pub fn simulate(
         limits: (&found).into(),
         figure,
         deck,
+        files: vec![],
         picture,
         problem,
         strands: muscle.braid().strands.is_some(),
