@@ -158,7 +158,9 @@ inBrowser(({ name, open, blank, url }) => {
     const before = await rms();
     const points = async () => (await saved(page)).filter(([curve]) => curve.startsWith("measured at"));
     // They come by themselves, before or after their residuals.
-    while (!(await points()).length) await page.waitForTimeout(200);
+    const rings = () => [...document.querySelectorAll(".plot svg.curves path")]
+      .reduce((sum, path) => sum + (path.getAttribute("d")?.split("m-3.2").length ?? 1) - 1, 0);
+    await page.waitForFunction(`(${rings})() === 10`);
     assert.equal((await points()).length, 10);
     await page.screenshot({ path: `${shots}/points-${name}.png` });
     const wall = page.getByRole("textbox", { name: "Wall" });

@@ -242,7 +242,7 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
   });
 
-  test("36 changes of page leave elements and listeners as they were", async () => {
+  test("48 changes of page leave elements and listeners as they were", async () => {
     const { page, context } = await open("#muscle");
     await alive(page);
     const session = await context.newCDPSession(page);
@@ -267,7 +267,8 @@ inBrowser(({ name, url, open, blank }) => {
       }
     };
     const round = async () => {
-      for (const where of ["Design", "Joint", "Motion", "Data", "Formula", "Compare", "Parts", "About", "Muscle"]) {
+      for (const where of ["Design", "Joint", "Motion", "Sweep", "Data", "Rubber", "Formula", "Compare", "Parts", "Files",
+        "About", "Muscle"]) {
         await go(page, where);
         await page.waitForLoadState("networkidle");
       }
@@ -282,7 +283,7 @@ inBrowser(({ name, url, open, blank }) => {
     let after = await complete();
     const grown = () => Object.keys(before).filter((key) => after[key] > 1.02 * before[key]);
     for (let i = 0; i < 20 && grown().length; i++) after = await complete();
-    assert.deepEqual(grown(), [], `before ${JSON.stringify(before)}, after 36 changes of page ${JSON.stringify(after)}`);
+    assert.deepEqual(grown(), [], `before ${JSON.stringify(before)}, after 48 changes of page ${JSON.stringify(after)}`);
     await context.close();
   });
 

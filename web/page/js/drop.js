@@ -13,7 +13,10 @@ import { openProject } from "./project.js";
 /** @typedef {{ name: string, text: string, kind: Kind }} Read */
 const MOST = 60_000_000;
 
-/** Whether a table is a test of a rubber: stretches or strains with stresses, and no contraction. @param {string} text */
+/**
+ * Whether a table is a test of a rubber: stretches or strains with stresses, and no contraction.
+ * @param {string} text
+ */
 function isRubberTest(text) {
   const head = headings(text).join(" ").toLowerCase();
   return /stretch|strain|dehnung|lambda/.test(head) && /stress|spannung|mpa/.test(head) &&

@@ -14,30 +14,30 @@ const saves = () =>
 /** Files of the engine's own, and the library of maps. */
 const large = () => [...engine().files, "js/plotly.js"];
 
+/** What the worker keeps its files in, once it is installed. */
 async function shelf() {
-  await navigator.serviceWorker.ready;
   const name = (await caches.keys()).find((key) => key.startsWith(PREFIX));
-  if (!name) throw new Error("This browser keeps no files for this page.");
-  return caches.open(name);
+  return name === undefined ? undefined : caches.open(name);
 }
 
 /** What is not kept yet. */
 async function lacking() {
-  const cache = await shelf(), there = await Promise.all(large().map((file) => cache.match(file)));
+  const cache = await shelf(), there = await Promise.all(large().map((file) => cache?.match(file)));
   return large().filter((_, i) => !there[i]);
 }
 
 const canKeep = () => "serviceWorker" in navigator && window.isSecureContext && "caches" in window;
 /** Whether every page is kept; there is no answer where the browser keeps nothing. */
 export async function isKept() {
-  if (!canKeep()) throw new Error("This browser keeps no files.");
+  if (!canKeep() || !(await navigator.serviceWorker.getRegistration())) throw new Error("This browser keeps no files.");
   return !(await lacking()).length;
 }
 
 /** Fetches and keeps what is not there yet. */
 export async function keepAll() {
+  await navigator.serviceWorker.ready;
   const cache = await shelf();
-  for (const file of await lacking()) await cache.add(file);
+  for (const file of await lacking()) await cache?.add(file);
 }
 
 /** Begins when the first page is there. */

@@ -14,8 +14,8 @@ export const PAGES = [
   { name: "motion", text: "Motion", help: "motion",
     about: "Open a valve and see how fast the muscle fills, and how it moves its load." },
   { name: "sweep", text: "Sweep", help: "workbench",
-    about: "Vary one measure of the muscle, the pressure or the contraction, and see what it does to the pull and to the "
-      + "rest." },
+    about: "Vary one measure of the muscle, the pressure or the contraction, and see what it does to the pull and "
+      + "to the rest." },
   { name: "data", text: "Data", help: "identify",
     about: "Compare points that you measured with the models, and identify the constants of your own muscle." },
   { name: "rubber", text: "Rubber", help: "rubber",
@@ -27,8 +27,8 @@ export const PAGES = [
   { name: "parts", text: "Parts", help: "parts",
     about: "Look for tubes, sleeves and rubbers that you can buy or cast, and put them into the muscle." },
   { name: "files", text: "Files", help: "workbench",
-    about: "Take the muscle with you: a report, the build sheet, code for controllers and simulators, and files of finite "
-      + "elements." },
+    about: "Take the muscle with you: a report, the build sheet, code for controllers and simulators, and files of "
+      + "finite elements." },
   { name: "about", text: "About", help: "validation",
     about: "How accurate the results are, how they were verified, and where the data come from." },
 ];

@@ -2,6 +2,7 @@
 import { engine } from "../ask.js";
 import { address, write } from "../address.js";
 import { designMap } from "../design-map.js";
+import { designTarget } from "../design-target.js";
 import { closestView, foundView, rejectedView } from "../design-view.js";
 import { el, problemBox } from "../dom.js";
 import { Figures } from "../figure.js";
@@ -9,7 +10,7 @@ import { form, job } from "../form.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { STIFFNESS_NAMES, candidate, missing } from "../state.js";
-import { onUnits, unitName } from "../units.js";
+import { onUnits, typed, unitName } from "../units.js";
 
 const OBJECTIVES = /** @type {[string, string][]} */ ([
   ["diameter", "smallest diameter"],
@@ -143,6 +144,11 @@ export function mount(main) {
       "State the requirement. The search ranks tubes and sleeves that you can buy or cast, or free diameters and "
         + "walls where you give them; finite elements compute the final values."));
   const figures = new Figures("design"), map = designMap((c, at) => linked(c, of, at));
+  const target = designTarget({ moved: (to) => map.preview(to), settled(to) {
+    spec.put("F", typed("force", to.force_n));
+    spec.put("e", typed("ratio", to.contraction));
+    search.run();
+  } });
   const search = job("Design", "design", async () => {
     asked = await spec.read();
     if (asked) place();
@@ -152,6 +158,7 @@ export function mount(main) {
     stale(false);
     paint();
     figures.show(answer.figure);
+    target.show(found, of);
     map.show(found, of);
   }, (problem) => {
     spec.at(problem);
@@ -160,7 +167,8 @@ export function mount(main) {
   });
   /** What is shown belongs to the last specification that had an answer. @param {boolean} on */
   const stale = (on) =>
-    [results, ...map.elements, figures.element].forEach((part) => part.classList.toggle("stale", on && Boolean(found)));
+    [results, target.element, ...map.elements, figures.element].forEach((part) =>
+      part.classList.toggle("stale", on && Boolean(found)));
   const place = () => {
     if (main.contains(results)) write(address("design", { ...spec.texts(), m: muscle.word() }));
   };
@@ -186,10 +194,12 @@ export function mount(main) {
   main.replaceChildren(
     el("div", { class: "bench two" },
       el("section", { class: "controls", "aria-label": "Specification" }, el("h2", {}, "Specification"),
-        ...spec.elements, search.element), el("div", { class: "middle" }, results, ...map.elements, figures.element)),
+        ...spec.elements, search.element), el("div", { class: "middle" },
+        results, target.element, ...map.elements, figures.element)),
   );
   atEnd(onUnits(() => {
     paint();
+    target.draw();
     map.draw();
   }));
   return {
@@ -207,6 +217,7 @@ export function mount(main) {
     unmount() {
       search.end();
       map.end();
+      target.end();
     },
   };
 }

@@ -42,7 +42,6 @@ const card = (title, about, ...parts) =>
 /** The report. @param {() => void} place */
 function reportCard(place) {
   const title = form(TITLE, () => go.run()), done = el("div", {});
-  const name = fileName(muscle.name, "-report.html");
   const go = job("Make the report", "report", async () => {
     place();
     const read = await title.read();
@@ -52,7 +51,7 @@ function reportCard(place) {
       ...read, html: true };
   }, async (answer) => {
     const html = await withViewer(answer.html ?? "");
-    const save = () => download(name, html, "text/html");
+    const name = fileName(muscle.name, "-report.html"), save = () => download(name, html, "text/html");
     done.replaceChildren(warnings(answer.warnings), el("p", {},
       el("button", { type: "button", class: "main", onclick: save }, `Save ${name}`), " ",
       el("span", { class: "soft" }, `${number(html.length / 1e3, 3)} kB; open it in a browser, and print it there.`)));

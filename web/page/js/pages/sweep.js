@@ -173,7 +173,8 @@ class SweepPage {
   /** The present muscle on the curve. @param {Result} y */
   #now({ of, kind: k }) {
     const { kind } = this.#measure, now = muscle.value(this.state.x);
-    const near = this.#rows.findLastIndex(({ value }) => value <= (now ?? NaN)), [a, b] = this.#rows.slice(near, near + 2);
+    const near = this.#rows.findLastIndex(({ value }) => value <= (now ?? NaN));
+    const [a, b] = this.#rows.slice(near, near + 2);
     const [u, v] = [a, b].map((row) => row?.answer && of(row.answer));
     if (now === undefined || near < 0 || typeof u !== "number") return [];
     const share = b && typeof v === "number" ? (now - a.value) / (b.value - a.value) : 0;
