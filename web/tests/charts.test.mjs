@@ -288,6 +288,26 @@ inBrowser(({ name, open, blank, url }) => {
     await context.close();
   });
 
+  test("the range of a joint file that is not symmetric is the page's: its limits, its curves, its angle", async () => {
+    const file = `[joint]\nradius = "25 mm"\nrange = "-10..110 deg"\n[muscle_1]\nfile = "muscle.toml"\ncontraction_at_neutral = "12%"\n[muscle_2]\nfile = "muscle.toml"\ncontraction_at_neutral = "12%"\n`;
+    const { page, errors, context } = await open(`#joint?joint=${encodeURIComponent(file)}`);
+    await page.waitForSelector(".numbers dl", { timeout: 60_000 });
+    const text = (/** @type {string} */ of) => page.getByRole("textbox", { name: of, exact: true }).inputValue();
+    assert.deepEqual([await text("Range from"), await text("to")], ["-10", "110"]);
+    await page.locator("[aria-label='joint torque'] svg.curves").waitFor();
+    const angles = (await saved(page)).slice(1).filter(([curve]) => / \| /.test(curve)).map(([, x]) => Number(x));
+    assert.deepEqual([Math.min(...angles), Math.max(...angles)], [-10, 110]);
+    const arm = page.getByRole("slider", { name: "Angle" });
+    await arm.focus();
+    for (let i = 0; i < 30; i++) await page.keyboard.press("PageDown");
+    await page.waitForFunction(() => /phi=-10/.test(location.hash));
+    // A link of before has one number for both sides.
+    await page.goto(url() + "#joint?range=45deg");
+    await page.waitForFunction(() => /** @type {HTMLInputElement[]} */ ([...document.querySelectorAll("input")]).some((f) => f.value === "-45"));
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
   test("the joint is drawn to scale, with its range, and what it reaches needs no plotly", async () => {
     const { page, errors, context } = await open("#joint");
     /** @type {string[]} */

@@ -247,11 +247,11 @@ export const keys = () => [...MEASURES, ...POINT].map(({ key }) => key).concat(N
  * A joint with this muscle against itself or another one.
  * @param {string} file the muscle's
  * @param {string} second file of the other one; empty where it is the same
- * @param {{ r: number, range: number, e0: number }} of mm, degrees, ratio
+ * @param {{ r: number, low: number, high: number, e0: number }} of mm, degrees, ratio
  */
-export function joint(file, second, { r, range, e0 }) {
+export function joint(file, second, { r, low, high, e0 }) {
   const other = second ? "muscle-2.toml" : "muscle.toml";
-  const text = `[joint]\nradius = "${r} mm"\nrange = "-${range}..${range} deg"\n[muscle_1]\nfile = "muscle.toml"\n`
+  const text = `[joint]\nradius = "${r} mm"\nrange = "${low}..${high} deg"\n[muscle_1]\nfile = "muscle.toml"\n`
     + `contraction_at_neutral = "${e0}"\n[muscle_2]\nfile = "${other}"\ncontraction_at_neutral = "${e0}"\n`;
   return { joint: { name: "joint.toml", text },
     muscles: [{ name: "muscle.toml", text: file }, ...(second ? [{ name: other, text: second }] : [])] };

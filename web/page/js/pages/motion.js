@@ -42,8 +42,8 @@ function driven(text, file, model) {
     return { drive, muscle: { name, text: file }, model };
   }
   const { joint: own, file2 = "" } = wordsOf("joint");
-  return { drive, ...(own ? jointOfFile(own, file, file2, {}) : joint(file, file2, { r: 25, range: 60, e0: 0.12 })),
-    model };
+  const usual = { r: 25, low: -60, high: 60, e0: 0.12 };
+  return { drive, ...(own ? jointOfFile(own, file, file2, {}) : joint(file, file2, usual)), model };
 }
 
 /** The muscle in space at every time of a run, and the time that is shown. */
