@@ -293,11 +293,11 @@ inBrowser(({ name, open, blank, url }) => {
     const { page, errors, context } = await open(`#joint?joint=${encodeURIComponent(file)}`);
     await page.waitForSelector(".numbers dl", { timeout: 60_000 });
     const text = (/** @type {string} */ of) => page.getByRole("textbox", { name: of, exact: true }).inputValue();
-    assert.deepEqual([await text("Range from"), await text("to")], ["-10", "110"]);
+    assert.deepEqual([await text("Range from"), await text("Range to")], ["-10", "110"]);
     await page.locator("[aria-label='joint torque'] svg.curves").waitFor();
     const angles = (await saved(page)).slice(1).filter(([curve]) => / \| /.test(curve)).map(([, x]) => Number(x));
     assert.deepEqual([Math.min(...angles), Math.max(...angles)], [-10, 110]);
-    const arm = page.getByRole("slider", { name: "Angle" });
+    const arm = page.getByRole("slider", { name: "Angle", exact: true });
     await arm.focus();
     for (let i = 0; i < 30; i++) await page.keyboard.press("PageDown");
     await page.waitForFunction(() => /phi=-10/.test(location.hash));

@@ -62,7 +62,7 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
       el("p", { class: "small soft" }, "A stiffness of 0 selects the lowest pressures.")),
     el("fieldset", {}, el("legend", {}, "Joint"), make("r", "Radius of the pulley", 5, 80, "r"),
       make("low", "Range from", -150, 0),
-      make("high", "to", 0, 150), make("e0", "Contraction at the neutral angle", 0, 0.25),
+      make("high", "Range to", 0, 150), make("e0", "Contraction at the neutral angle", 0, 0.25),
       make("pmax", "Pressure of the supply", 0.05, 1)), which,
     el("details", {}, el("summary", {}, "Another muscle 2"),
       el("p", { class: "small soft" }, "Both muscles are that of the page Muscle, unless you open a file."),
