@@ -2,10 +2,12 @@
 
 mod answer;
 mod request;
+#[cfg(feature = "whole")]
 mod vtu;
 
 pub use answer::*;
 pub use request::{PictureFields, SimulateRequest};
+#[cfg(feature = "whole")]
 pub(crate) use vtu::with_files;
 
 use crate::burst::{QUIET_MPA, burst_of, put_first, said_of};
