@@ -62,7 +62,7 @@ const errorTable = (models) => {
 };
 
 /** What is asked of the table. @type {import("../form.js").Field[]} */
-const FIELDS = [
+export const FIELDS = [
   { key: "free", field: "free", label: "Free constants", words: true, hint: "modulus; or mu, braid.angle" },
   { key: "models", field: "models", label: "Models", words: true, value: "fe, thick-wall, ideal" },
 ];

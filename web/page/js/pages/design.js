@@ -25,7 +25,7 @@ const OBJECTIVES = /** @type {[string, string][]} */ ([
 /** @typedef {Design["request"]} Asked */
 /** @typedef {Design["answer"]["candidates"][number]} Candidate */
 /** @type {Field[]} */
-const WANTED = [
+export const WANTED = [
   { key: "F", field: "force_n", label: "Pull", kind: "force", value: "700 N" },
   { key: "e", field: "contraction", label: "at a contraction of", kind: "ratio", value: "15 %" },
   { key: "at", field: "points", label: "or several pulls", pair: [["force", "force_n"], ["ratio", "contraction"]],
@@ -40,7 +40,7 @@ const WANTED = [
   { key: "for", field: "objective", label: "Rank by", options: OBJECTIVES, value: "diameter" },
 ];
 /** @type {() => Field[]} */
-const choices = () => [
+export const choices = () => [
   { key: "D", field: "outer_diameter_mm", label: "Outer diameters", kind: "length", list: true, hint: "10..60 mm" },
   { key: "s", field: "wall_mm", label: "Walls", kind: "length", list: true, hint: "1..4:0.5 mm" },
   { key: "L", field: "length_mm", label: "Length", kind: "length", list: true, hint: "285 mm" },
@@ -58,7 +58,7 @@ const choices = () => [
     hint: "4" },
 ];
 /** @type {Field[]} */
-const SPREADS = [
+export const SPREADS = [
   { key: "ts", field: "wall_mm", label: "Wall ±", kind: "length", hint: "0.1 mm" },
   { key: "tD", field: "outer_diameter_mm", label: "Outer diameter ±", kind: "length", hint: "0.3 mm" },
   { key: "tL", field: "length_mm", label: "Length ±", kind: "length", hint: "2 mm" },

@@ -17,14 +17,14 @@ import { number, onUnits, show, unitName } from "../units.js";
 /** @typedef {Commands["export-list"]["answer"]["targets"][number]} Target */
 /** @typedef {import("../form.js").Field} Field */
 /** What a report states of itself; the name is that of the muscle. @type {Field[]} */
-const TITLE = [
+export const TITLE = [
   { key: "project", field: "project", label: "Project" },
   { key: "number", field: "number", label: "Number" },
   { key: "revision", field: "revision", label: "Revision" },
   { key: "date", field: "date", label: "Date" },
 ];
 /** Where a form for controllers is fitted. @type {Field[]} */
-const BOX = [
+export const BOX = [
   { key: "supply", field: "pressure_mpa", label: "Pressure of the supply", kind: "pressure" },
   { key: "elow", field: "contraction_low", label: "Contraction from", kind: "ratio", hint: "-5 %" },
   { key: "ehigh", field: "contraction_high", label: "Contraction to", kind: "ratio", hint: "free contraction" },

@@ -33,7 +33,7 @@ pressures = "0..0.25:0.01 MPa"
 const COMPUTED = /** @type {const} */ ("campaign");
 
 /** How a formula is fitted. @type {import("../form.js").Field[]} */
-const HOW = [
+export const HOW = [
   { key: "method", field: "method", label: "Method",
     options: [["paper", "the paper's seven steps"], ["global", "one least-squares problem"]], value: "paper" },
   { key: "hold", field: "hold_out_mm", label: "Diameters kept out", kind: "length", list: true, hint: "45 mm" },

@@ -13,7 +13,7 @@ import { number, onUnits, show } from "../units.js";
 /** @typedef {import("../../../types/commands").Commands["rubber-fit"]["answer"]} Answer */
 /** @typedef {Answer["laws"][number]} Law */
 /** @type {import("../form.js").Field[]} */
-const FIELDS = [
+export const FIELDS = [
   { key: "laws", field: "laws", label: "Laws", words: true, hint: "all that the points determine" },
   { key: "mode", field: "mode", label: "Stretched", value: "",
     options: [["", "as the table says"], ["uniaxial", "in one direction"], ["planar", "in pure shear"],
