@@ -64,7 +64,7 @@ export function muscleBar() {
     button("Open", openDialog, "Open a file, or a muscle of the gallery"), shareButton(),
     button("Project", projectDialog, "Several muscles with their data in one file"),
     button("Print", () => print(), "Print one sheet with muscle, inputs and numbers"));
-  let drawn = "";
+  /** @type {string | undefined} */ let drawn = "";
   return {
     element,
     /** Undo and redo are what the history has. */
@@ -75,7 +75,7 @@ export function muscleBar() {
     /** The muscle as it is now. */
     paint() {
       if (document.activeElement !== field) field.value = muscle.name;
-      const s = /** @type {any} */ (muscle.shown);
+      const s = muscle.shown;
       line.textContent = s
         ? `D0 ${show("length", s.outer_diameter_mm)}, s ${show("length", s.wall_mm)}, L0 ${show("length", s.length_mm)}`
         : "";

@@ -3,10 +3,14 @@
 mod answer;
 pub(crate) mod point;
 pub(crate) mod request;
+#[cfg(feature = "whole")]
+mod vtu;
 
 pub use answer::*;
 pub use point::{Held, Simulated};
 pub use request::{PictureFields, SimulateRequest};
+#[cfg(feature = "whole")]
+pub(crate) use vtu::with_files;
 
 use crate::burst::{QUIET_MPA, burst_of, put_first, said_of};
 use crate::curve::{check_count, check_test, contractions, forces, list, reach, steps};
@@ -182,6 +186,7 @@ pub fn simulate(
         limits: (&found).into(),
         figure,
         deck,
+        files: vec![],
         picture,
         problem,
         strands: muscle.braid().strands.is_some(),
