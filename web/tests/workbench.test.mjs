@@ -271,6 +271,8 @@ inBrowser(({ name, url, open, blank }) => {
         "About", "Muscle"]) {
         await go(page, where);
         await page.waitForLoadState("networkidle");
+        // Of surfaces the library keeps something, once: they are drawn in every round, however slow.
+        if (where === "Formula") await page.locator(".chart canvas").first().waitFor({ timeout: 60_000 });
       }
       await alive(page);
     };
