@@ -271,8 +271,10 @@ inBrowser(({ name, url, open, blank }) => {
         "About", "Muscle"]) {
         await go(page, where);
         await page.waitForLoadState("networkidle");
-        // Of surfaces the library keeps something, once: they are drawn in every round, however slow.
-        if (where === "Formula") await page.locator(".chart canvas").first().waitFor({ timeout: 60_000 });
+        // Of surfaces the library keeps something, once: both are drawn in every round, however slow.
+        if (where === "Formula")
+          for (const chart of ["surface wall", "surface diameter"])
+            await page.locator(`[aria-label="${chart}"] canvas`).first().waitFor({ timeout: 60_000 });
       }
       await alive(page);
     };
