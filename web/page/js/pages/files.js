@@ -169,11 +169,12 @@ export function mount(main) {
   return {
     /** @param {URLSearchParams} params */
     async load(params) {
-      await muscle.read(params, [...forms.flatMap((f) => f.keys), "target", "elements"]);
+      // At once: what is chosen while the muscle is read counts.
       forms.forEach((f) => f.set(params));
       out.state.target = params.get("target") ?? "c";
       elements.state.model = params.get("elements") === "fe3d" ? "fe3d" : "fe";
       elements.pick.set(elements.state.model);
+      await muscle.read(params, [...forms.flatMap((f) => f.keys), "target", "elements"]);
       paint();
     },
     unmount() {
