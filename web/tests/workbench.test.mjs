@@ -277,12 +277,17 @@ inBrowser(({ name, url, open, blank }) => {
     // What is loaded once, and what a library keeps of the last page that it drew on.
     await round();
     await round();
-    const before = await complete();
-    for (let i = 0; i < 4; i++) await round();
-    // What an answer on its way still holds goes with it; what leaks stays.
-    let after = await complete();
+    let before = await complete(), after = before;
     const grown = () => Object.keys(before).filter((key) => after[key] > 1.02 * before[key]);
-    for (let i = 0; i < 20 && grown().length; i++) after = await complete();
+    // A library may keep its last surface or not, as it was left while it drew; what leaks grows every time.
+    for (let tries = 0; tries < 3; tries++) {
+      before = after;
+      for (let i = 0; i < 4; i++) await round();
+      // What an answer on its way still holds goes with it; what leaks stays.
+      after = await complete();
+      for (let i = 0; i < 20 && grown().length; i++) after = await complete();
+      if (!grown().length) break;
+    }
     assert.deepEqual(grown(), [], `before ${JSON.stringify(before)}, after 48 changes of page ${JSON.stringify(after)}`);
     await context.close();
   });

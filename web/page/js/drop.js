@@ -7,7 +7,6 @@ import { pack } from "./deflate.js";
 import { measured } from "./measured.js";
 import { muscle } from "./muscle.js";
 import { notice, noticeProblem } from "./notice.js";
-import { openProject } from "./project.js";
 
 /** @typedef {"muscle" | "joint" | "drive" | "plan" | "data" | "rubber" | "project" | "other"} Kind */
 /** @typedef {{ name: string, text: string, kind: Kind }} Read */
@@ -55,7 +54,7 @@ async function go(page, words) {
 async function take(files) {
   const first = (/** @type {Kind} */ kind) => files.find((file) => file.kind === kind);
   const project = first("project");
-  if (project) return openProject(project.text);
+  if (project) return (await import("./project.js")).openProject(project.text);
   const [joint, drive, data, plan, rubber] =
     /** @type {const} */ (["joint", "drive", "data", "plan", "rubber"]).map(first);
   const muscles = files.filter((file) => file.kind === "muscle"), wanted = namedIn(joint?.text ?? drive?.text ?? "");

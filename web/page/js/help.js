@@ -3,7 +3,6 @@ import { dialog } from "./dialog.js";
 import { el } from "./dom.js";
 import { DOCUMENTATION } from "./kind.js";
 import { pageOf } from "./pages.js";
-import { startTour } from "./tour.js";
 
 /** How a page is used, in a few sentences. @type {Record<string, string[]>} */
 const HOW = {
@@ -52,9 +51,9 @@ export function helpLink() {
         : el("p", { class: "small soft" }, "The book comes with the program: ",
           el("code", {}, `docs/${pageOf(page).help.split("#")[0]}.md`), ". On the command line: ",
           el("code", {}, "mckibben help"), "."),
-      el("p", { class: "row" }, el("button", { type: "button", onclick: () => {
+      el("p", { class: "row" }, el("button", { type: "button", onclick: async () => {
         close();
-        startTour();
+        (await import("./tour.js")).startTour();
       } }, "Take the tour (30 s)")),
     ]);
   const element = el("button", { type: "button", onclick: open }, "Help");

@@ -10,7 +10,7 @@ import { form, job, warnings } from "../form.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { fileName } from "../name.js";
-import { withViewer } from "../report.js";
+import { withPixels, withViewer } from "../report.js";
 import { number, onUnits, show, unitName } from "../units.js";
 
 /** @typedef {import("../../../types/commands").Commands} Commands */
@@ -50,7 +50,7 @@ function reportCard(place) {
     return { ...muscle.fields(), pressure_mpa: muscle.p, contraction: muscle.e, units: units(), name: muscle.name,
       ...read, html: true };
   }, async (answer) => {
-    const html = await withViewer(answer.html ?? "");
+    const html = await withViewer(withPixels(answer.html ?? ""));
     const name = fileName(muscle.name, "-report.html"), save = () => download(name, html, "text/html");
     done.replaceChildren(warnings(answer.warnings), el("p", {},
       el("button", { type: "button", class: "main", onclick: save }, `Save ${name}`), " ",
@@ -169,11 +169,12 @@ export function mount(main) {
   return {
     /** @param {URLSearchParams} params */
     async load(params) {
-      await muscle.read(params, [...forms.flatMap((f) => f.keys), "target", "elements"]);
+      // At once: what is chosen while the muscle is read counts.
       forms.forEach((f) => f.set(params));
       out.state.target = params.get("target") ?? "c";
       elements.state.model = params.get("elements") === "fe3d" ? "fe3d" : "fe";
       elements.pick.set(elements.state.model);
+      await muscle.read(params, [...forms.flatMap((f) => f.keys), "target", "elements"]);
       paint();
     },
     unmount() {

@@ -137,7 +137,7 @@ export function mount(main) {
     } });
   const fits = check("parts-fits", "only what fits the muscle's diameter", () => changed());
   const cast = check("parts-sold", "only as sold", () => changed());
-  const list = el("div", {}), count = el("p", { class: "small soft", role: "status" }),
+  const list = el("div", { class: "parts-list" }), count = el("p", { class: "small soft", role: "status" }),
     which = el("p", { class: "small soft" });
   const filter = el("label", { for: "parts-find" }, "Filter");
   const line = el("div", { class: "parts-filter" }, kind.element, filter, find, fits.row, cast.row);

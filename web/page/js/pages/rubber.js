@@ -21,6 +21,8 @@ export const FIELDS = [
   { key: "area", field: "area_mm2", label: "Cross-section, for forces", kind: "area", hint: "of the specimen" },
   { key: "gauge", field: "gauge_length_mm", label: "Length, for extensions", kind: "length", hint: "of the specimen" },
   { key: "upto", field: "up_to_stretch", label: "Up to a stretch of", kind: "number", hint: "all points" },
+  { key: "stable", field: "stable", label: "In a muscle", value: "",
+    options: [["", "fit as the points are"], ["yes", "only what stays stable"]] },
   { key: "called", field: "name", label: "Name of the rubber", hint: "that of the table" },
 ];
 const BEGIN = "Drop a table of a rubber test: stretches or strains, and stresses; or extensions and forces of a "
@@ -32,7 +34,9 @@ function row(law, answer) {
     const half = p.standard_error ? ` ± ${number(1.96 * p.standard_error, 2)}` : "";
     return `${p.name} ${number(p.value, 4)}${half} ${p.unit}`.trim();
   };
-  const taken = answer.recommended === law.name ? "recommended" : law.stable ? "" : "unstable in a muscle";
+  const best = answer.laws.find(({ name, stable }) => name === answer.recommended && stable);
+  const fitted = law.constrained ? "kept stable" : law.stable ? "" : "unstable in a muscle";
+  const taken = law === best ? "recommended" : fitted;
   return [law.name, law.parameters.map(constant).join(", "), show("modulus", law.shear_modulus_mpa, 3),
     show("modulus", law.rms_mpa, 2), number(law.r_squared, 5), taken];
 }
@@ -51,8 +55,8 @@ export function mount(main) {
       understood.textContent = BEGIN;
       return undefined;
     }
-    if (!read.mode) delete read.mode;
-    return { ...read, data, muscle: { name: "muscle.toml", text: await muscle.file() }, figure: true };
+    const { mode, stable, ...rest } = read, file = { name: "muscle.toml", text: await muscle.file() };
+    return { ...rest, ...(mode ? { mode } : {}), stable: stable === "yes", data, muscle: file, figure: true };
   }, (answer) => {
     found = answer;
     stale(false);
