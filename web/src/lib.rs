@@ -45,11 +45,12 @@ pub const fn charts() -> &'static [u8] {
 
 /// The script that turns the muscle in a report: the page's own view, in one piece.
 pub fn viewer() -> String {
-    let modules = ["js/dom.js", "js/shaders.js", "js/view3d.js"].into_iter().filter_map(file);
+    let modules =
+        ["js/dom.js", "js/shaders.js", "js/view3d.js", "js/report-viewer.js"].into_iter().filter_map(file);
     let mut out = String::new();
     for module in modules {
         let text = String::from_utf8_lossy(&module).replace("\nexport ", "\n");
         out.extend(text.lines().filter(|line| !line.starts_with("import ")).flat_map(|line| [line, "\n"]));
     }
-    out + include_str!("report.js")
+    out
 }

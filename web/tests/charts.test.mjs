@@ -156,8 +156,12 @@ inBrowser(({ name, open, blank, url }) => {
     await page.getByText(/Residuals: [\d.]+ N rms/).waitFor({ timeout: 30_000 });
     const rms = async () => Number(/Residuals: ([\d.]+) N/.exec(await page.locator(".points").innerText())?.[1]);
     const before = await rms();
-    const rows = (await saved(page)).filter(([curve]) => curve.startsWith("measured at"));
-    assert.equal(rows.length, 10);
+    const points = async () => (await saved(page)).filter(([curve]) => curve.startsWith("measured at"));
+    // They come by themselves, before or after their residuals.
+    const rings = () => [...document.querySelectorAll(".plot svg.curves path")]
+      .reduce((sum, path) => sum + (path.getAttribute("d")?.split("m-3.2").length ?? 1) - 1, 0);
+    await page.waitForFunction(`(${rings})() === 10`);
+    assert.equal((await points()).length, 10);
     await page.screenshot({ path: `${shots}/points-${name}.png` });
     const wall = page.getByRole("textbox", { name: "Wall" });
     await wall.fill("2.5");
@@ -281,6 +285,26 @@ inBrowser(({ name, open, blank, url }) => {
       .filter((e) => { const b = e.getBoundingClientRect(); return b.width > 0 && (b.height < 43.5 || (e.tagName === "BUTTON" && b.width < 43.5)); }).map((e) => `${e.tagName} ${e.textContent} ${e.getBoundingClientRect().height}`));
     assert.deepEqual(small, []);
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth));
+    await context.close();
+  });
+
+  test("the range of a joint file that is not symmetric is the page's: its limits, its curves, its angle", async () => {
+    const file = `[joint]\nradius = "25 mm"\nrange = "-10..110 deg"\n[muscle_1]\nfile = "muscle.toml"\ncontraction_at_neutral = "12%"\n[muscle_2]\nfile = "muscle.toml"\ncontraction_at_neutral = "12%"\n`;
+    const { page, errors, context } = await open(`#joint?joint=${encodeURIComponent(file)}`);
+    await page.waitForSelector(".numbers dl", { timeout: 60_000 });
+    const text = (/** @type {string} */ of) => page.getByRole("textbox", { name: of, exact: true }).inputValue();
+    assert.deepEqual([await text("Range from"), await text("Range to")], ["-10", "110"]);
+    await page.locator("[aria-label='joint torque'] svg.curves").waitFor();
+    const angles = (await saved(page)).slice(1).filter(([curve]) => / \| /.test(curve)).map(([, x]) => Number(x));
+    assert.deepEqual([Math.min(...angles), Math.max(...angles)], [-10, 110]);
+    const arm = page.getByRole("slider", { name: "Angle", exact: true });
+    await arm.focus();
+    for (let i = 0; i < 30; i++) await page.keyboard.press("PageDown");
+    await page.waitForFunction(() => /phi=-10/.test(location.hash));
+    // A link of before has one number for both sides.
+    await page.goto(url() + "#joint?range=45deg");
+    await page.waitForFunction(() => /** @type {HTMLInputElement[]} */ ([...document.querySelectorAll("input")]).some((f) => f.value === "-45"));
+    assert.deepEqual(errors, []);
     await context.close();
   });
 

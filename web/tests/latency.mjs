@@ -32,15 +32,39 @@ await page.evaluate(() => {
     requestAnimationFrame(() => { const { port1, port2 } = new MessageChannel(); port1.onmessage = () => mine.forEach((t) => w.delays.push(performance.now() - t)); port2.postMessage(0); });
   }).observe(/** @type {any} */ (document.querySelector(".stage .say")), { childList: true });
 });
-for (const name of ["Pressure", "Contraction", "Outer diameter", "Wall"]) {
-  const box = /** @type {any} */ (await page.getByRole("slider", { name }).boundingBox());
-  await page.mouse.move(box.x + 0.4 * box.width, box.y + box.height / 2);
+/** To and fro on a slider. @param {import("playwright-core").Locator} slider */
+async function delays(slider) {
+  await slider.scrollIntoViewIfNeeded();
+  const box = /** @type {any} */ (await slider.boundingBox()), at = Number(await slider.inputValue()) / 1000;
+  const middle = Math.min(0.9, Math.max(0.1, at)), y = box.y + box.height / 2;
+  await page.mouse.move(box.x + middle * box.width, y);
   await page.mouse.down();
-  for (let i = 0; i < 60; i++) { await page.mouse.move(box.x + (0.4 + 0.2 * Math.sin(i / 6)) * box.width, box.y + box.height / 2); await page.waitForTimeout(16); }
+  for (let i = 0; i < 60; i++) {
+    await page.mouse.move(box.x + (middle + 0.08 * Math.sin(i / 6)) * box.width, y);
+    await page.waitForTimeout(16);
+  }
+  await page.mouse.move(box.x + middle * box.width, y);
   await page.mouse.up();
   await page.waitForTimeout(800);
-  const list = await page.evaluate(() => /** @type {any} */ (window).delays.splice(0));
-  console.log(`${name}: ${list.length} inputs, median ${quantile(list, 0.5).toFixed(1)} ms, 95 % ${quantile(list, 0.95).toFixed(1)} ms, worst ${quantile(list, 1).toFixed(1)} ms`);
+  return page.evaluate(() => /** @type {any} */ (window).delays.splice(0));
+}
+// What an input costs that asks for nothing: the frame alone, in the same run.
+await page.evaluate(() => {
+  const slider = Object.assign(document.createElement("input"), { type: "range", max: 1000, value: 500, ariaLabel: "Nothing" });
+  slider.addEventListener("input", () => document.querySelector(".stage .say")?.append(document.createComment("")));
+  document.querySelector(".controls")?.prepend(slider);
+  for (const box of document.querySelectorAll(".controls details")) /** @type {HTMLDetailsElement} */ (box).open = true;
+});
+const nothingAsked = await delays(page.getByRole("slider", { name: "Nothing", exact: true }));
+const empty = quantile(nothingAsked, 0.95);
+console.log(`an input that asks for nothing: median ${quantile(nothingAsked, 0.5).toFixed(1)} ms, 95 % ${empty.toFixed(1)} ms`);
+const names = await page.locator(".controls input[type=range]:enabled:visible").evaluateAll((all) => all.map((one) => one.getAttribute("aria-label") ?? ""));
+for (const name of names) {
+  if (name === "Nothing") continue;
+  const list = await delays(page.getByRole("slider", { name, exact: true }));
+  if (!list.length) { console.log(`${name}: no answer`); continue; }
+  const [half, most, worst] = [0.5, 0.95, 1].map((q) => quantile(list, q));
+  console.log(`${name}: ${list.length} inputs, median ${half.toFixed(1)} ms, 95 % ${most.toFixed(1)} ms (${(most / empty).toFixed(1)} null frames), worst ${worst.toFixed(1)} ms`);
 }
 /** How long 90 frames take while something is done in each, in milliseconds a frame. @param {(i: number) => Promise<void>} act */
 async function frames(act) {

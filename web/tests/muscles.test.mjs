@@ -118,7 +118,7 @@ for (const [name, { start, point: within, motion }] of engines({
       if (pull) same(shape.force_n, pull.force_n, within, `shape ${seed}`);
 
       // Joint: the page's own file with its muscle, and one that was written by hand.
-      const v = { r: Number((d.between(0.05, 0.1) * shown.length_mm).toPrecision(3)), range: 40, e0: d.between(0.05, 0.08) };
+      const v = { r: Number((d.between(0.05, 0.1) * shown.length_mm).toPrecision(3)), low: -40, high: 40, e0: d.between(0.05, 0.08) };
       const angle = d.between(-20, 20), pressures = [d.between(0.5, 3), d.between(0.5, 3)];
       const joint = page.joint(text, "", v);
       await writeFile(jointFile, joint.joint.text.replaceAll("muscle.toml", `${seed}-merged.toml`));

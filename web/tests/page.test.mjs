@@ -6,9 +6,9 @@ import axe from "axe-core";
 import { alive, pull, trapping } from "./browser.mjs";
 import { ask, inBrowser, root, shots } from "./sites.mjs";
 
-const PAGES = ["muscle", "design", "joint", "motion", "data", "formula", "compare", "about"];
+const PAGES = ["muscle", "design", "joint", "motion", "data", "formula", "compare", "parts", "sweep", "rubber", "files", "about"];
 /** Something that says that a page has done its first work. */
-const DONE = { muscle: ".numbers dl", design: "table", joint: ".numbers dl", motion: "table", data: "form", formula: ".chart canvas", compare: "table", about: "table" };
+const DONE = { muscle: ".numbers dl", design: "table", joint: ".numbers dl", motion: "table", data: "form", formula: ".chart canvas", compare: "table", parts: "table", sweep: ".plot svg.curves", rubber: "form", files: ".card-of-files", about: "table" };
 
 inBrowser(({ name, url, open, blank }) => {
   test("every page opens, does its first work and says nothing wrong, light and dark, and axe finds nothing", async () => {
@@ -211,6 +211,38 @@ inBrowser(({ name, url, open, blank }) => {
     await page.waitForSelector("table");
     await page.locator("tr.pick").first().click();
     await alive(page);
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("the target is dragged: the border of the map follows, and the search when it is released", async () => {
+    const { page, errors, context } = await open("#design");
+    await page.waitForSelector("table", { timeout: 60_000 });
+    const map = page.getByRole("region", { name: "design map" }), target = page.getByRole("region", { name: "design target" });
+    await map.getByRole("button", { name: "Table" }).click();
+    await map.locator("tbody tr").nth(28).waitFor({ timeout: 30_000 });
+    const fitting = () => map.locator("tbody tr").filter({ hasNotText: "misses" }).count();
+    const whole = await map.locator("tbody tr").count();
+    await target.locator(".plot").scrollIntoViewIfNeeded();
+    await target.getByText("best muscle", { exact: true }).waitFor();
+    const ring = /** @type {any} */ (await target.locator(".ring").boundingBox()), [x, y] = [ring.x + ring.width / 2, ring.y + ring.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x, y + 30, { steps: 4 });
+    // While it is dragged the map is coarser, and another one.
+    await page.waitForFunction((before) => {
+      const rows = document.querySelectorAll("[aria-label='design map'] tbody tr").length;
+      return rows > 0 && rows < before;
+    }, whole, { timeout: 30_000 });
+    assert.equal(await page.getByRole("textbox", { name: "Pull", exact: true }).inputValue(), "700 N");
+    assert.ok(await fitting() > 0);
+    await page.mouse.up();
+    const pull = page.getByRole("textbox", { name: "Pull", exact: true });
+    await page.waitForFunction(() => !/F=700N?(&|$)/.test(location.hash) && /[?&]F=/.test(location.hash));
+    const [force, contraction] = [await pull.inputValue(), await page.getByRole("textbox", { name: "at a contraction of" }).inputValue()];
+    assert.ok(Number.parseFloat(force) < 690, force);
+    const [best] = ask("design", "--force", /[a-z]/i.test(force) ? force : `${force} N`, "--contraction", contraction, "--max-pressure", "2.5bar").candidates;
+    await page.getByRole("heading", { name: `Outer diameter ${Number(best.outer_diameter_mm.toPrecision(4))} mm, wall ${Number(best.wall_mm.toPrecision(4))} mm` }).waitFor({ timeout: 60_000 });
     assert.deepEqual(errors, []);
     await context.close();
   });

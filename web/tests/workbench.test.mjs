@@ -242,7 +242,7 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
   });
 
-  test("36 changes of page leave elements and listeners as they were", async () => {
+  test("48 changes of page leave elements and listeners as they were", async () => {
     const { page, context } = await open("#muscle");
     await alive(page);
     const session = await context.newCDPSession(page);
@@ -267,7 +267,8 @@ inBrowser(({ name, url, open, blank }) => {
       }
     };
     const round = async () => {
-      for (const where of ["Design", "Joint", "Motion", "Data", "Formula", "Compare", "Parts", "About", "Muscle"]) {
+      for (const where of ["Design", "Joint", "Motion", "Sweep", "Data", "Rubber", "Formula", "Compare", "Parts", "Files",
+        "About", "Muscle"]) {
         await go(page, where);
         await page.waitForLoadState("networkidle");
       }
@@ -276,13 +277,18 @@ inBrowser(({ name, url, open, blank }) => {
     // What is loaded once, and what a library keeps of the last page that it drew on.
     await round();
     await round();
-    const before = await complete();
-    for (let i = 0; i < 4; i++) await round();
-    // What an answer on its way still holds goes with it; what leaks stays.
-    let after = await complete();
+    let before = await complete(), after = before;
     const grown = () => Object.keys(before).filter((key) => after[key] > 1.02 * before[key]);
-    for (let i = 0; i < 20 && grown().length; i++) after = await complete();
-    assert.deepEqual(grown(), [], `before ${JSON.stringify(before)}, after 36 changes of page ${JSON.stringify(after)}`);
+    // A library may keep its last surface or not, as it was left while it drew; what leaks grows every time.
+    for (let tries = 0; tries < 3; tries++) {
+      before = after;
+      for (let i = 0; i < 4; i++) await round();
+      // What an answer on its way still holds goes with it; what leaks stays.
+      after = await complete();
+      for (let i = 0; i < 20 && grown().length; i++) after = await complete();
+      if (!grown().length) break;
+    }
+    assert.deepEqual(grown(), [], `before ${JSON.stringify(before)}, after 48 changes of page ${JSON.stringify(after)}`);
     await context.close();
   });
 
@@ -676,6 +682,8 @@ inBrowser(({ name, url, open, blank }) => {
   test("the page is an app that is installed, and opens without a network", async () => {
     const { page, context } = await open("#muscle?D=38", { serviceWorkers: "allow" });
     await alive(page);
+    /** @type {string[]} */ const fetched = [];
+    context.on("request", (request) => fetched.push(new URL(request.url()).pathname.split("/").pop() ?? ""));
     const session = await context.newCDPSession(page);
     const { errors: faults } = await session.send("Page.getAppManifest");
     assert.deepEqual(faults, []);
@@ -689,6 +697,14 @@ inBrowser(({ name, url, open, blank }) => {
     const { installabilityErrors } = await session.send("Page.getInstallabilityErrors");
     assert.deepEqual(installabilityErrors.filter((/** @type {any} */ { errorId }) => !/in-incognito/.test(errorId)),
       []);
+    // The first visit does not pay for what it does not use; a button fetches it.
+    assert.deepEqual(fetched.filter((file) => /whole|plotly/.test(file)), []);
+    await go(page, "About");
+    await page.getByRole("button", { name: "Make all pages available offline" }).click();
+    await page.getByText(name === "static" ? "Every page works." : "The page opens; only its server computes.").waitFor();
+    assert.deepEqual(fetched.filter((file) => /whole|plotly/.test(file)).length >= (name === "static" ? 2 : 1), true);
+    await go(page, "Muscle");
+    await alive(page);
     await context.setOffline(true);
     await page.reload();
     if (name === "static") {

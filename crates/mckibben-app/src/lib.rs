@@ -63,7 +63,6 @@ mod point;
 mod problem;
 mod quantities;
 mod question;
-#[cfg(feature = "files")]
 mod report;
 pub mod rows;
 mod rubber;
@@ -118,7 +117,6 @@ pub use plan::*;
 pub use point::*;
 pub use problem::*;
 pub use quantities::*;
-#[cfg(feature = "files")]
 pub use report::*;
 pub use rubber::*;
 pub use rubber_fit::*;

@@ -33,6 +33,9 @@ impl LoadFields {
             let bad = |error: &dyn fmt::Display| {
                 Problem::new(ProblemKind::Data, format!("{}: {error}", file.name), "").in_field("load_tables")
             };
+            if !cfg!(feature = "whole") {
+                return Err(bad(&"tables need the full engine; this is a reduced one"));
+            }
             let points = read_load(file.text.as_bytes(), rest_length_mm).map_err(|e| bad(&e))?;
             Ok((file.name.clone(), LoadTable::new(points).map_err(|e| bad(&e))?))
         };

@@ -10,7 +10,8 @@ use mckibben::budget::Resource;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
 use mckibben_fit::identify::Identified;
-use mckibben_fit::validation::case::{CaseError, CaseFiles, Facts, Measurement, MuscleCase, measurements};
+pub use mckibben_fit::validation::case::Facts as MeasuredFacts;
+use mckibben_fit::validation::case::{CaseError, CaseFiles, Measurement, MuscleCase, measurements};
 use mckibben_fit::validation::report::{FitResult, Group, ReportError, report};
 use mckibben_fit::validation::rubber::RubberCase;
 use mckibben_report::Figure;
@@ -70,30 +71,6 @@ pub struct MeasuredCase {
     pub points: usize,
     /// What was fitted.
     pub fits: Vec<MeasuredFit>,
-}
-
-/// What is known of something that was measured.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct MeasuredFacts {
-    /// Name of its folder.
-    pub name: String,
-    /// Which muscle or rubber.
-    pub title: String,
-    /// Who measured it.
-    pub source: String,
-    /// Terms of use of the points.
-    pub terms: String,
-    /// What is known of it.
-    pub known: String,
-    /// What is not.
-    pub unknown: String,
-}
-
-impl From<&Facts> for MeasuredFacts {
-    fn from(facts: &Facts) -> Self {
-        let Facts { name, title, source, terms, known, unknown } = facts.clone();
-        Self { name, title, source, terms, known, unknown }
-    }
 }
 
 /// What was fitted to which points, and what was found.
@@ -222,7 +199,7 @@ fn facts(number: usize, case: &MuscleCase, found: &[FitResult]) -> MeasuredCase 
         fitted_to: r.fitted_to.clone(),
         parameters: r.parameters.clone(),
     });
-    MeasuredCase { facts: (&case.facts).into(), points: case.points.len(), fits: fits.collect() }
+    MeasuredCase { facts: case.facts.clone(), points: case.points.len(), fits: fits.collect() }
 }
 
 fn result(cases: &[&MuscleCase], r: &FitResult, group: &Group) -> MeasuredResult {

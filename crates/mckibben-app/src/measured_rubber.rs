@@ -1,9 +1,9 @@
 //! The part of `validate --measured` about rubbers: what a law leaves of measured stresses.
 
-use crate::measured::MeasuredFacts;
 use crate::problem::Problem;
 use mckibben::progress::Progress;
 use mckibben_fit::rubber::Parameter;
+use mckibben_fit::validation::case::Facts;
 use mckibben_fit::validation::rubber::{RubberCase, RubberFitResult, report};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -13,7 +13,7 @@ use serde::Serialize;
 pub struct MeasuredRubber {
     /// What is known of it.
     #[serde(flatten)]
-    pub facts: MeasuredFacts,
+    pub facts: Facts,
     /// Points.
     pub points: usize,
     /// What was fitted.
@@ -73,7 +73,7 @@ pub(crate) fn rubbers(
             let fit = &case.fits[fit];
             MeasuredRubberFit { fit: fit.name.clone(), law: fit.form.name(), parameters, prony, stable }
         });
-        MeasuredRubber { facts: (&case.facts).into(), points: case.len(), fits: fits.collect() }
+        MeasuredRubber { facts: case.facts.clone(), points: case.len(), fits: fits.collect() }
     };
     let stresses = found.iter().flat_map(|r| {
         let case = cases[r.case];

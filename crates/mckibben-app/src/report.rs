@@ -10,7 +10,7 @@ use crate::figure;
 use crate::many::PointQuantity;
 use crate::muscle::MuscleSummary;
 use crate::point::{ForceRequest, PointAnswer, force, given, ratio};
-use crate::problem::Problem;
+use crate::problem::{Problem, ProblemKind};
 use crate::rows::{Row, characteristic_rows, muscle_sheets, point_rows};
 use crate::shape::{ShapeAnswer, ShapeRequest, shaped};
 use crate::show::{MuscleShowAnswer, MuscleShowRequest, muscle_show};
@@ -43,6 +43,8 @@ pub struct ReportRequest {
     /// Title block.
     #[serde(flatten)]
     pub title_block: TitleBlock,
+    /// Add the report as one HTML page to the answer; its view of the muscle is a picture.
+    pub html: bool,
 }
 
 /// What a report states of itself; what is empty is a field to fill in by hand.
@@ -90,6 +92,9 @@ pub struct ReportAnswer {
     pub warnings: Vec<String>,
     /// The report.
     pub document: Document,
+    /// The report as one HTML page, where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub html: Option<String>,
 }
 
 /// Models that are compared.
@@ -167,7 +172,9 @@ pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<Report
         footer: format!("mckibben {version}. Muscle file: SHA-256 {hash}."),
     };
     let limits = shown.characteristics.as_ref().map(|c| c.limits).unwrap_or_default();
-    Ok(ReportAnswer { muscle: shown.summary, limits, warnings: shown.warnings, document })
+    let html = request.html.then(|| document.to_html("")).transpose();
+    let html = html.map_err(|e| Problem::new(ProblemKind::Plot, e.to_string(), ""))?;
+    Ok(ReportAnswer { muscle: shown.summary, limits, warnings: shown.warnings, document, html })
 }
 
 /// Rows as a table.

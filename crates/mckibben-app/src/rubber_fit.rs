@@ -97,6 +97,9 @@ pub struct RubberFitAnswer {
     pub failed: Vec<String>,
     /// Warnings.
     pub warnings: Vec<String>,
+    /// Muscle file with that law, where the request has the muscle that receives it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub muscle_file: Option<String>,
     /// Relaxation, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub relaxation: Option<PronyFit>,
@@ -236,7 +239,7 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
     if relaxation.is_some() && softening.is_some() {
         warnings.push(APART.into());
     }
-    Ok(RubberFitAnswer {
+    let mut answer = RubberFitAnswer {
         data: file.name.clone(),
         understood: vec![UnderstoodTable { data: file.name.clone(), table }],
         points: fit.points.len(),
@@ -251,9 +254,14 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         warnings,
         relaxation,
         softening,
+        muscle_file: None,
         figure: request.figure.then(|| figure::tension(&fit, &file.name)),
         laws: fit.laws,
-    })
+    };
+    if request.muscle.is_some() && answer.taken().is_some() {
+        answer.muscle_file = Some(answer.muscle_file(request)?);
+    }
+    Ok(answer)
 }
 
 fn positive(field: &str, value: Option<f64>) -> Result<Option<f64>, Problem> {

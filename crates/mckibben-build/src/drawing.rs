@@ -1,8 +1,9 @@
 //! The drawing: the muscle at rest, half in section; the same at the working pressure; a cross-section; parts and title block on A4.
 
+use crate::clamps::Clamps;
 use crate::fitting::Fitting;
 use crate::frame::{self, Drawing, FRAME_MM, TITLE_MM, largest, ratio};
-use crate::plan::{Clamps, Plan};
+use crate::plan::Plan;
 use crate::text::{fixed, mm, percent, pressure, significant};
 use crate::view::{View, diameter};
 use mckibben_report::{Anchor, Pen, Sheet};

@@ -9,30 +9,35 @@
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+mod clamps;
 mod cut;
 mod drawing;
 mod fitting;
 mod frame;
 mod material;
 mod mesh;
+mod operating;
 mod plan;
 mod plug;
 mod plug_drawing;
 mod safety;
 mod scad;
 mod steps;
+mod test_points;
 mod test_sheet;
 mod text;
 mod view;
 
+pub use clamps::Clamps;
 pub use cut::{Cut, SleeveCut, SleeveLength};
 pub use fitting::{Fitting, UnknownFitting};
 pub use material::BuildPart;
 pub use mesh::Mesh;
-pub use plan::{BuildError, Clamps, Operating, Plan, Wishes};
+pub use operating::Operating;
+pub use plan::{BuildError, Plan, Wishes};
 pub use plug::{AirPlug, EyePlug, Stem};
 pub use safety::Safety;
-pub use test_sheet::TestPoint;
+pub use test_points::TestPoint;
 
 pub use mckibben_files::{Content, File};
 use mckibben_report::FigureError;

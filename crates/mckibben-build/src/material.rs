@@ -1,8 +1,9 @@
 //! The bill of materials.
 
-use crate::cut::Cut;
+use crate::clamps::Clamps;
+use crate::cut::{Cut, SleeveCut};
 use crate::fitting::Fitting;
-use crate::plan::{Clamps, Plan};
+use crate::plug::{AirPlug, EyePlug};
 use crate::text::{fixed, mm};
 use mckibben::muscle::Muscle;
 use mckibben::rubber::library as rubbers;
@@ -50,8 +51,13 @@ fn tube_of(muscle: &Muscle, cut: &Cut) -> Option<&'static TubePart> {
 }
 
 /// All lines.
-pub(crate) fn bill(plan: &Plan) -> Vec<BuildPart> {
-    let (muscle, cut) = (&plan.muscle, &plan.cut);
+pub(crate) fn bill(
+    muscle: &Muscle,
+    cut: &Cut,
+    clamps: Clamps,
+    air_plug: &AirPlug,
+    eye_plug: &EyePlug,
+) -> Vec<BuildPart> {
     let tube = tube_of(muscle, cut);
     let rubber = muscle.tube().rubber.name.as_deref();
     let of_rubber = || rubber.and_then(|n| rubbers::entry(n).ok()).and_then(|e| e.density_kg_per_m3);
@@ -81,7 +87,7 @@ pub(crate) fn bill(plan: &Plan) -> Vec<BuildPart> {
         price: None,
         source: None,
     };
-    let clamps = match plan.clamps {
+    let clamped_by = match clamps {
         Clamps::Ties { width_mm, .. } => format!("cable tie, {} mm wide", mm(width_mm)),
         Clamps::Crimped => "crimped ferrule or hose clamp".into(),
     };
@@ -94,28 +100,28 @@ pub(crate) fn bill(plan: &Plan) -> Vec<BuildPart> {
         price: None,
         source: None,
     };
-    let fitting = match plan.air_plug.fitting {
+    let fitting = match air_plug.fitting {
         Fitting::Barb { bore_mm } => format!("hose with a bore of {} mm, and a clamp for it", mm(bore_mm)),
         thread => format!("push-in fitting with thread {thread}, with its seal"),
     };
     vec![
         first,
-        sleeve(plan),
-        plug(3, "air plug (air-plug.stl)", plan.air_plug.mesh().volume_mm3()),
-        plug(4, "eye plug (eye-plug.stl)", plan.eye_plug.mesh().volume_mm3()),
-        bought(5, clamps, &plan.clamps.amount()),
+        sleeve(muscle, &cut.sleeve),
+        plug(3, "air plug (air-plug.stl)", air_plug.mesh().volume_mm3()),
+        plug(4, "eye plug (eye-plug.stl)", eye_plug.mesh().volume_mm3()),
+        bought(5, clamped_by, &clamps.amount()),
         bought(6, fitting, "1"),
-        bought(7, format!("bolt M{}", mm(plan.eye_plug.bolt_mm)), "1"),
+        bought(7, format!("bolt M{}", mm(eye_plug.bolt_mm)), "1"),
     ]
 }
 
-fn sleeve(plan: &Plan) -> BuildPart {
-    let (cut, shape) = (&plan.cut.sleeve, plan.muscle.braid().sleeve.as_ref());
+fn sleeve(muscle: &Muscle, cut: &SleeveCut) -> BuildPart {
+    let shape = muscle.braid().sleeve.as_ref();
     let entry = shape.and_then(|s| sleeves::entry(&s.name).ok());
     let density = entry.and_then(|e| e.modulus_of).and_then(|material| material.density_kg_per_m3);
     let rubber_free = cut.strands.zip(cut.strand_area_mm2);
     let volume = rubber_free.map(|(n, area)| f64::from(n) * area * cut.strand_mm);
-    let angle = mm(plan.muscle.braid().angle_deg);
+    let angle = mm(muscle.braid().angle_deg);
     let amount = match (cut.relaxed_mm, cut.relaxed_diameter_mm) {
         (Some(length), Some(diameter)) => format!("{} mm at ⌀ {} mm", fixed(length, 1), mm(diameter)),
         _ => format!("{} mm on the tube", mm(cut.mounted_mm)),
@@ -126,7 +132,7 @@ fn sleeve(plan: &Plan) -> BuildPart {
         part: match entry {
             Some(entry) => format!("{}{strands}", entry.title),
             None => {
-                format!("braided sleeve, {angle}° on {} mm{strands}", mm(plan.muscle.outer_diameter_mm()))
+                format!("braided sleeve, {angle}° on {} mm{strands}", mm(muscle.outer_diameter_mm()))
             }
         },
         amount,

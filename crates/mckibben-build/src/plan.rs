@@ -1,41 +1,17 @@
 //! All numbers of a build.
 
+use crate::clamps::{Clamps, Tie};
 use crate::cut::Cut;
 use crate::fitting::Fitting;
 use crate::material::{self, BuildPart};
+use crate::operating::Operating;
 use crate::plug::{self, AirPlug, EyePlug, Stem};
 use crate::safety::Safety;
-use crate::test_sheet::{self, TestPoint};
-use mckibben::analysis::FailureMode;
+use crate::test_points::{self, TestPoint};
 use mckibben::analysis::burst::ends::clamp_load_n;
 use mckibben::muscle::Muscle;
 use std::f64::consts::PI;
 use thiserror::Error;
-
-/// What a model found of the muscle.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Operating {
-    /// The model.
-    pub model: String,
-    /// Working pressure in MPa.
-    pub pressure_mpa: f64,
-    /// Blocked force there in N.
-    pub blocked_force_n: f64,
-    /// Free contraction there.
-    pub free_contraction: f64,
-    /// Largest outer diameter in mm of the muscle that contracts freely.
-    pub bulged_diameter_mm: f64,
-    /// Cavity in mm³ there.
-    pub volume_mm3: f64,
-    /// Its outer contour from the middle (z = 0) to a clamp: z and radius in mm.
-    pub contour_mm: Vec<[f64; 2]>,
-    /// Burst pressure in MPa, where it is known, and how the muscle fails there.
-    pub burst: Option<(f64, FailureMode)>,
-    /// Largest allowed pressure in MPa, where it is known.
-    pub allowed_mpa: Option<f64>,
-    /// Free contractions at the pressures of the test sheet: pressure in MPa, contraction.
-    pub free_contractions: Vec<(f64, f64)>,
-}
 
 /// What the builder may choose.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -47,39 +23,6 @@ pub struct Wishes {
     /// Diameter in mm of the sleeve as it comes off the roll.
     pub sleeve_diameter_mm: Option<f64>,
 }
-
-/// What holds tube and sleeve on a plug.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Clamps {
-    /// Cable ties.
-    Ties {
-        /// Width in mm.
-        width_mm: f64,
-        /// At each end.
-        at_each_end: usize,
-    },
-    /// Ties would not hold.
-    Crimped,
-}
-
-impl Clamps {
-    /// How many in all.
-    pub(crate) fn amount(&self) -> String {
-        match self {
-            Self::Ties { at_each_end, .. } => (2 * at_each_end).to_string(),
-            Self::Crimped => "2".into(),
-        }
-    }
-}
-
-/// Widths of ties in mm and their least loop strength in N (QB/T 4494-2013), and the stem in mm up to which one is chosen (a choice: a narrow tie bends to
-/// a small circle more evenly).
-const TIES: [(f64, f64, f64); 4] =
-    [(2.5, 80.0, 6.0), (3.6, 130.0, 15.0), (4.8, 180.0, 40.0), (7.6, 450.0, f64::INFINITY)];
-/// A tie that is tightened by hand has this share of its strength (a choice).
-const TIGHTENED: f64 = 1.0 / 3.0;
-/// Friction of a sleeve on a tube under a tie (an estimate).
-const FRICTION: f64 = 0.3;
 
 /// What cannot be built.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -177,36 +120,30 @@ impl Plan {
         let bore_mm = cut.tube_outer_diameter_mm - 2.0 * cut.tube_wall_mm;
         let end_load_n = clamp_load_n(&muscle, operating.blocked_force_n.max(0.0), operating.pressure_mpa);
         let bolt_mm = wishes.bolt_mm.unwrap_or_else(|| plug::bolt_mm(end_load_n));
-        let (width_mm, strength_n, _) =
-            TIES.into_iter().find(|tie| bore_mm <= tie.2).unwrap_or(TIES[TIES.len() - 1]);
-        let stem = Stem::new(bore_mm, length_mm, over_sleeve_mm, width_mm, plug::foot_mm(bolt_mm));
-        let tie_holds_n = 2.0 * PI * FRICTION * TIGHTENED * strength_n;
-        // One in each groove.
-        let clamps = match stem.grooves {
-            n @ 1.. if n as f64 * tie_holds_n >= end_load_n => Clamps::Ties { width_mm, at_each_end: n },
-            _ => Clamps::Crimped,
-        };
+        let tie = Tie::around(bore_mm);
+        let stem = Stem::new(bore_mm, length_mm, over_sleeve_mm, tie.width_mm, plug::foot_mm(bolt_mm));
+        let clamps = Clamps::of(tie, stem.grooves, end_load_n);
         let fitting = wishes.fitting.unwrap_or_else(|| Fitting::usual(muscle.outer_diameter_mm()));
         let safety = Safety::new(operating.pressure_mpa, operating.burst.map(|b| b.0), operating.volume_mm3);
-        let test = test_sheet::points(&operating);
-        let mut plan = Self {
+        let test = test_points::points(&operating);
+        let (air_plug, eye_plug) = (AirPlug::new(stem, fitting), EyePlug::new(stem, bolt_mm));
+        let parts = material::bill(&muscle, &cut, clamps, &air_plug, &eye_plug);
+        Ok(Self {
             clamped_diameter_mm: stem.diameter_mm + 2.0 * (cut.tube_wall_mm + sleeve_mm),
             crimp_diameter_mm: stem.diameter_mm + 2.0 * (0.75 * cut.tube_wall_mm + sleeve_mm),
             over_sleeve_mm,
             cut,
             end_load_n,
-            tie_holds_n,
+            tie_holds_n: tie.holds_n(),
             clamps,
-            air_plug: AirPlug::new(stem, fitting),
-            eye_plug: EyePlug::new(stem, bolt_mm),
+            air_plug,
+            eye_plug,
             safety,
-            parts: vec![],
+            parts,
             test,
             muscle,
             operating,
-        };
-        plan.parts = material::bill(&plan);
-        Ok(plan)
+        })
     }
 
     /// Mass in g of the parts whose mass is known.

@@ -1,8 +1,9 @@
 //! Cut list, bill of materials and steps, in Markdown.
 
+use crate::clamps::Clamps;
 use crate::cut::SleeveLength;
 use crate::fitting::Fitting;
-use crate::plan::{Clamps, Plan};
+use crate::plan::Plan;
 use crate::text::{fixed, mm, percent, pressure, significant};
 use crate::{File, MARK};
 use std::fmt::Write as _;

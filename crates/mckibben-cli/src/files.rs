@@ -23,14 +23,19 @@ pub fn was_read(path: &Path) -> bool {
 /// The name of the paper's muscle in place of a file's.
 const PAPER: &str = "paper";
 
-/// A file written by hand: a muscle, a plan. `paper` is the paper's muscle, where no file has that name.
+/// A file written by hand: a joint, a plan.
 pub fn text(path: &Path) -> Result<TextFile, Failure> {
-    if path == Path::new(PAPER) && !path.exists() {
-        return Ok(TextFile { name: PAPER.into(), text: String::new() });
-    }
     let text = file::read_text(path).map_err(|e| Problem::from(e.of(path)))?;
     note(path);
     Ok(TextFile { name: path.display().to_string(), text })
+}
+
+/// A muscle file. `paper` is the paper's muscle, where no file has that name.
+pub fn muscle(path: &Path) -> Result<TextFile, Failure> {
+    if path == Path::new(PAPER) && !path.exists() {
+        return Ok(TextFile { name: PAPER.into(), text: String::new() });
+    }
+    text(path)
 }
 
 /// A table, whatever program wrote it. Such files may be long.

@@ -149,7 +149,7 @@ impl MuscleFlags {
         let modulus = self.named.strands.modulus_mpa()?;
         modulus.into_iter().for_each(|value| measures.set(&STRAND_MODULUS, value));
         let named = NamedFields {
-            muscle: self.file().map(|file| files::text(file)).transpose()?,
+            muscle: self.file().map(|file| files::muscle(file)).transpose()?,
             rubber: self.named.rubber.clone().filter(|_| rubber_file.is_none()),
             rubber_file,
             braid: self.named.braid.clone(),

@@ -3,13 +3,13 @@
 //! A tube has an inner and an outer diameter and a rubber of the library. Those that are cast have a bore as rods are sold, and a wall of at least
 //! [`LEAST_CAST_WALL_MM`] between a share of [`CAST_WALL_OF_BORE`] of it. `data/tubes.toml` states source and use of each.
 
+use mckibben::catalogue::{Catalogue, CatalogueError, Row};
 use mckibben::rubber::library;
 use mckibben::rubber::{LibraryError, Rubber};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 use thiserror::Error;
-use toml_edit::{Array, Document, Item, Table, Value};
 
 /// Least wall in mm of a tube that is cast by hand.
 pub const LEAST_CAST_WALL_MM: f64 = 1.0;
@@ -111,10 +111,13 @@ pub fn find(tubes: &[TubePart], name: &str) -> Result<TubePart, TubeError> {
     })
 }
 
-fn source_of(document: &Document<&str>, table: &Table) -> String {
-    let key = table.get("source").and_then(Item::as_str).unwrap_or("not stated");
-    let sources = document.get("sources").and_then(Item::as_table);
-    sources.and_then(|s| s.get(key)?.as_str()).unwrap_or(key).to_owned()
+impl From<CatalogueError> for TubeError {
+    fn from(error: CatalogueError) -> Self {
+        match error {
+            CatalogueError::Syntax(what) => Self::Table(what),
+            CatalogueError::Row { name, problem } => Self::Tube { name, problem },
+        }
+    }
 }
 
 /// The tubes of a table.
@@ -122,31 +125,28 @@ fn source_of(document: &Document<&str>, table: &Table) -> String {
 /// # Errors
 /// [`TubeError`].
 pub fn read(text: &str) -> Result<Vec<TubePart>, TubeError> {
-    let document = Document::parse(text).map_err(|e| TubeError::Table(e.to_string()))?;
-    let source = |table: &Table| source_of(&document, table);
-    let of = |key: &str| document.get(key).and_then(Item::as_array_of_tables);
-    let mut out = vec![];
-    for table in of("tube").into_iter().flatten() {
-        let name = text_of(table, "name", "a tube")?.to_owned();
-        let number = |key: &str| number_of(table, key, &name);
-        let (inner, outer) = (number("inner")?, number("outer")?);
-        let (Some(inner_mm), Some(outer_mm)) = (inner, outer) else {
-            return Err(wrong(&name, "give `inner` and `outer` in mm"));
-        };
-        let rubber = text_of(table, "rubber", &name)?;
-        let optional = |key: &str| table.get(key).and_then(Item::as_str).map(str::to_owned);
-        let pressure_mpa = number("pressure_mpa")?;
-        let more = (optional("price"), pressure_mpa, optional("note"));
-        let is_cast = table.get("cast").and_then(Item::as_bool).unwrap_or(false);
-        out.push(part((name, inner_mm, outer_mm, is_cast), rubber, source(table), more)?);
-    }
-    for table in of("cast").into_iter().flatten() {
-        let names = table.get("rubbers").and_then(Item::as_array).map(Array::iter).into_iter().flatten();
-        for rubber in names.filter_map(Value::as_str) {
-            out.extend(cast(table, rubber, &source(table))?);
+    let file = Catalogue::parse(text)?;
+    let mut out = file.rows("tube").iter().map(listed).collect::<Result<Vec<_>, _>>()?;
+    for row in file.rows("cast") {
+        for rubber in row.texts("rubbers") {
+            out.extend(cast(&row, &rubber)?);
         }
     }
     Ok(out)
+}
+
+fn listed(row: &Row<'_>) -> Result<TubePart, TubeError> {
+    let inner = row.number("inner")?.zip(row.number("outer")?);
+    let (inner_mm, outer_mm) = inner.ok_or_else(|| row.wrong("give `inner` and `outer` in mm"))?;
+    let name = row.text("name")?.to_owned();
+    let part = part((name, inner_mm, outer_mm), row.text("rubber")?, row.source_text())?;
+    Ok(TubePart {
+        is_cast: row.flag("cast"),
+        price: row.owned("price"),
+        pressure_mpa: row.number("pressure_mpa")?,
+        note: row.owned("note"),
+        ..part
+    })
 }
 
 /// The tubes of the catalogue's sizes, cast of a rubber.
@@ -154,19 +154,17 @@ pub fn read(text: &str) -> Result<Vec<TubePart>, TubeError> {
 /// # Errors
 /// [`TubeError`] where there is no such rubber.
 pub fn cast_of(rubber: &str) -> Result<Vec<TubePart>, TubeError> {
-    let document = Document::parse(TEXT).map_err(|e| TubeError::Table(e.to_string()))?;
-    let tables = document.get("cast").and_then(Item::as_array_of_tables);
-    let lists = tables.into_iter().flatten().map(|table| cast(table, rubber, &source_of(&document, table)));
-    Ok(lists.collect::<Result<Vec<_>, _>>()?.concat())
+    let file = Catalogue::parse(TEXT)?;
+    Ok(file.rows("cast").iter().map(|row| cast(row, rubber)).collect::<Result<Vec<_>, _>>()?.concat())
 }
 
-fn cast(table: &Table, rubber: &str, source: &str) -> Result<Vec<TubePart>, TubeError> {
-    let (bores, walls) = (numbers_of(table, "bores")?, numbers_of(table, "walls")?);
+fn cast(row: &Row<'_>, rubber: &str) -> Result<Vec<TubePart>, TubeError> {
+    let (bores, walls) = (row.numbers("bores")?, row.numbers("walls")?);
     let pairs = bores.iter().flat_map(|&bore| walls.iter().map(move |&wall| (bore, wall)));
     let one = |(bore, wall): (f64, f64)| {
         let outer = bore + 2.0 * wall;
         let name = format!("cast-{bore}x{outer}-{rubber}");
-        part((name, bore, outer, true), rubber, source.to_owned(), (None, None, None))
+        Ok(TubePart { is_cast: true, ..part((name, bore, outer), rubber, row.source_text())? })
     };
     pairs.filter(|(bore, wall)| can_be_cast(*bore, *wall)).map(one).collect()
 }
@@ -177,64 +175,31 @@ pub fn can_be_cast(bore_mm: f64, wall_mm: f64) -> bool {
     wall_mm >= LEAST_CAST_WALL_MM.max(least * bore_mm) && wall_mm <= most * bore_mm
 }
 
-type More = (Option<String>, Option<f64>, Option<String>);
-
+/// A tube of which no more is known.
 fn part(
-    (name, inner_diameter_mm, outer_diameter_mm, is_cast): (String, f64, f64, bool),
+    (name, inner_diameter_mm, outer_diameter_mm): (String, f64, f64),
     rubber: &str,
-    source: String,
-    (price, pressure_mpa, note): More,
+    source: &str,
 ) -> Result<TubePart, TubeError> {
+    let wrong = |problem: String| TubeError::Tube { name: name.clone(), problem };
     let wall_mm = 0.5 * (outer_diameter_mm - inner_diameter_mm);
     if !(inner_diameter_mm > 0.0 && wall_mm > 0.0 && wall_mm.is_finite()) {
-        return Err(wrong(&name, "the inner diameter must be above zero and below the outer one"));
+        return Err(wrong("the inner diameter must be above zero and below the outer one".into()));
     }
-    let found = library::find(rubber).map_err(|e: LibraryError| wrong(&name, &e.to_string()))?;
-    let density_kg_per_m3 = library::entry(rubber).ok().and_then(|e| e.density_kg_per_m3);
+    let found = library::find(rubber).map_err(|e: LibraryError| wrong(e.to_string()))?;
     Ok(TubePart {
-        name,
         inner_diameter_mm,
         outer_diameter_mm,
         wall_mm,
         rubber: found,
-        density_kg_per_m3,
-        is_cast,
-        source,
-        price,
-        pressure_mpa,
-        note,
+        density_kg_per_m3: library::entry(rubber).ok().and_then(|e| e.density_kg_per_m3),
+        is_cast: false,
+        source: source.to_owned(),
+        price: None,
+        pressure_mpa: None,
+        note: None,
+        name,
     })
-}
-
-fn wrong(name: &str, problem: &str) -> TubeError {
-    TubeError::Tube { name: name.to_owned(), problem: problem.to_owned() }
-}
-
-fn text_of<'t>(table: &'t Table, key: &str, name: &str) -> Result<&'t str, TubeError> {
-    table
-        .get(key)
-        .and_then(Item::as_str)
-        .ok_or_else(|| wrong(name, &format!("`{key}` is missing or not a text")))
-}
-
-fn number_of(table: &Table, key: &str, name: &str) -> Result<Option<f64>, TubeError> {
-    let Some(item) = table.get(key) else { return Ok(None) };
-    let value = item.as_float().or_else(|| item.as_integer().map(|i| i as f64));
-    match value.filter(|v| v.is_finite() && *v > 0.0) {
-        Some(value) => Ok(Some(value)),
-        None => Err(wrong(name, &format!("`{key}` must be a number above zero, in mm or MPa"))),
-    }
-}
-
-fn numbers_of(table: &Table, key: &str) -> Result<Vec<f64>, TubeError> {
-    let list = table.get(key).and_then(Item::as_array).map(Array::iter).into_iter().flatten();
-    let number = |v: &Value| v.as_float().or_else(|| v.as_integer().map(|i| i as f64));
-    let read = |v: &Value| {
-        number(v)
-            .filter(|v| v.is_finite() && *v > 0.0)
-            .ok_or_else(|| wrong("[[cast]]", &format!("`{key}` must be numbers above zero, in mm")))
-    };
-    list.map(read).collect()
 }
 
 #[cfg(test)]

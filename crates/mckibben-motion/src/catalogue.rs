@@ -2,6 +2,7 @@
 
 use crate::error::MotionError;
 use crate::valve::{Orifice, Valve};
+use mckibben::catalogue::{Catalogue, CatalogueError, Row};
 use mckibben::nearest::nearest;
 use mckibben::units::{Dimension, QuantityError, parse_quantity};
 use std::sync::LazyLock;
@@ -91,32 +92,22 @@ impl std::str::FromStr for Valve {
     }
 }
 
-/// The file's rows; those that state a rated flow have C by [`conductance_of_rated_flow`].
-fn read(text: &str) -> Option<Vec<NamedValve>> {
-    let document: toml_edit::DocumentMut = text.parse().ok()?;
-    let number =
-        |item: Option<&toml_edit::Item>| item.and_then(|i| i.as_float().or(i.as_integer().map(|v| v as f64)));
-    let rows = document.get("valve")?.as_array_of_tables()?;
-    rows.iter()
-        .map(|row| {
-            let word = |key: &str| row.get(key).and_then(|i| i.as_str()).map(str::to_owned);
-            let b = number(row.get("critical_ratio"))?;
-            let c = match number(row.get("sonic_conductance_l_per_s_bar")) {
-                Some(c) => c,
-                None => conductance_of_rated_flow(number(row.get("rated_flow_l_per_min"))?, b).ok()?,
-            };
-            let supply = Orifice::new(c, b).ok()?;
-            let exhaust = match number(row.get("exhaust_conductance_l_per_s_bar")) {
-                Some(c) => Orifice::new(c, number(row.get("exhaust_critical_ratio"))?).ok()?,
-                None => supply,
-            };
-            Some(NamedValve {
-                name: word("name")?,
-                what: word("what")?,
-                supply,
-                exhaust,
-                source: word("source")?,
-            })
-        })
-        .collect()
+/// The table's rows; those that state a rated flow have C by [`conductance_of_rated_flow`].
+fn read(text: &str) -> Result<Vec<NamedValve>, CatalogueError> {
+    let one = |row: &Row<'_>| {
+        let wrong = |e: MotionError| row.wrong(e.to_string());
+        let b = row.needed("critical_ratio")?;
+        let c = match row.number("sonic_conductance_l_per_s_bar")? {
+            Some(c) => c,
+            None => conductance_of_rated_flow(row.needed("rated_flow_l_per_min")?, b).map_err(wrong)?,
+        };
+        let supply = Orifice::new(c, b).map_err(wrong)?;
+        let exhaust = match row.number("exhaust_conductance_l_per_s_bar")? {
+            Some(c) => Orifice::new(c, row.needed("exhaust_critical_ratio")?).map_err(wrong)?,
+            None => supply,
+        };
+        let text = |key| row.text(key).map(str::to_owned);
+        Ok(NamedValve { name: text("name")?, what: text("what")?, supply, exhaust, source: text("source")? })
+    };
+    Catalogue::parse(text)?.rows("valve").iter().map(one).collect()
 }

@@ -50,7 +50,8 @@ pub(crate) fn stepper(
 ) -> Result<Box<dyn Stepper>, String> {
     Ok(match equations.len() {
         0..=16 => radau::<16>(equations, (t, end), y, relative, first)?,
-        17..=32 => radau::<32>(equations, (t, end), y, relative, first)?,
+        17..=20 => radau::<20>(equations, (t, end), y, relative, first)?,
+        21..=32 => radau::<32>(equations, (t, end), y, relative, first)?,
         33..=64 => radau::<64>(equations, (t, end), y, relative, first)?,
         n => return Err(format!("{n} equations; the integrator has room for 64")),
     })

@@ -35,6 +35,7 @@
 pub mod analysis;
 pub mod answer;
 pub mod budget;
+pub mod catalogue;
 pub mod curve;
 pub mod differences;
 pub mod formula;

@@ -1,14 +1,21 @@
 // The one engine of the page, and questions of which only the newest counts.
 import { Engine } from "./kind.js";
+import { problemOf } from "./engine/problem.js";
 import { kindOf } from "./units.js";
 
+/** @typedef {import("../../types/commands").Commands["quantities"]["answer"]["readings"][number]} Reading */
+/**
+ * What was understood: of each text its number, its numbers, or what is wrong with it.
+ * @typedef {{ value?: number, values?: number[], interval?: [number, number] | null,
+ *   problem?: { message: string } }[]} Readings
+ */
 /** @type {Engine | undefined} */ let one;
 /** The engine; throws where there can be none. */
 export const engine = () => (one ??= new Engine());
 
 /**
  * What was typed, as numbers: each with `value`, `values` of a list, or `problem`.
- * @param {{ text: string, kind: import("./units.js").Kind, list?: boolean }[]} texts @returns {Promise<any[]>}
+ * @param {{ text: string, kind: import("./units.js").Kind, list?: boolean }[]} texts @returns {Promise<Readings>}
  */
 export async function understood(texts) {
   if (!texts.length) return [];
@@ -18,7 +25,7 @@ export async function understood(texts) {
 
 /**
  * Answers of long work, the newest last: who comes back to a page has them at once. The engine is deterministic.
- * @type {Map<string, any>}
+ * @type {Map<string, unknown>}
  */
 const answers = new Map();
 const MOST_ANSWERS = 16;
@@ -30,7 +37,8 @@ const MOST_ANSWERS = 16;
  * @returns {Promise<import("../../types/commands").Commands[K]["answer"]>}
  */
 export async function longWork(command, request, options) {
-  const key = `${command} ${JSON.stringify(request)}`, known = answers.get(key);
+  const key = `${command} ${JSON.stringify(request)}`;
+  const known = /** @type {import("../../types/commands").Commands[K]["answer"] | undefined} */ (answers.get(key));
   const answer = known ?? await engine().job(command, request, options);
   answers.delete(key);
   answers.set(key, answer);
@@ -59,7 +67,7 @@ export class Slot {
    * @template {keyof import("../../types/commands").Commands} K
    * @param {K} command @param {import("../../types/commands").Commands[K]["request"]} request
    * @param {(answer: import("../../types/commands").Commands[K]["answer"]) => void} take
-   * @param {(problem: any) => void} [fail]
+   * @param {(problem: import("./engine/problem.js").Problem) => void} [fail]
    */
   ask(command, request, take, fail) {
     const go = async () => {
@@ -69,7 +77,7 @@ export class Slot {
       try {
         take(await engine().ask(command, request, { lane: this.lane, signal: mine.signal }));
       } catch (problem) {
-        if (!mine.signal.aborted) fail?.(problem);
+        if (!mine.signal.aborted) fail?.(problemOf(problem));
       }
       clearTimeout(this.patience);
       this.flying = undefined;

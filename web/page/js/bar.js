@@ -5,7 +5,6 @@ import { muscle } from "./muscle.js";
 import { fileName } from "./name.js";
 import { noticeProblem } from "./notice.js";
 import { openDialog } from "./open.js";
-import { projectDialog } from "./project.js";
 import { show } from "./units.js";
 import { thumbnail } from "./thumbnail.js";
 import { write, address } from "./address.js";
@@ -62,9 +61,9 @@ export function muscleBar() {
   const element = el("div", { class: "muscle-bar", role: "group", "aria-label": "The muscle" }, picture,
     el("span", { class: "name" }, field, line), undo, redo, button("Save", save, "Save the muscle as a file (TOML)"),
     button("Open", openDialog, "Open a file, or a muscle of the gallery"), shareButton(),
-    button("Project", projectDialog, "Several muscles with their data in one file"),
+    button("Project", async () => (await import("./project.js")).projectDialog(), "Several muscles with their data in one file"),
     button("Print", () => print(), "Print one sheet with muscle, inputs and numbers"));
-  let drawn = "";
+  /** @type {string | undefined} */ let drawn = "";
   return {
     element,
     /** Undo and redo are what the history has. */
@@ -75,7 +74,7 @@ export function muscleBar() {
     /** The muscle as it is now. */
     paint() {
       if (document.activeElement !== field) field.value = muscle.name;
-      const s = /** @type {any} */ (muscle.shown);
+      const s = muscle.shown;
       line.textContent = s
         ? `D0 ${show("length", s.outer_diameter_mm)}, s ${show("length", s.wall_mm)}, L0 ${show("length", s.length_mm)}`
         : "";

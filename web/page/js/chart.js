@@ -11,7 +11,11 @@ export { KINDS };
 /**
  * @typedef {import("./plot.js").Series} Series
  * `data`: traces of a map or surface.
- * @typedef {import("./plot.js").Curves & { data?: any[], z?: string, xaxis?: any, yaxis?: any, layout?: any }} Spec
+ * @typedef {{ x: (number | null)[], y: (number | null)[], z?: (number | null)[][], text?: string[][], name?: string,
+ *   type?: string, picture?: boolean, [more: string]: unknown }} Trace
+ * @typedef {{ range?: number[] | null, rangemode?: string, title?: object }} Axis
+ * @typedef {import("./plot.js").Curves & { data?: Trace[], z?: string, xaxis?: Axis, yaxis?: Axis,
+ *   layout?: Record<string, unknown> }} Spec
  */
 
 const VIRIDIS = [
@@ -199,16 +203,8 @@ export class Chart {
     const line = (/** @type {Series} */ s) => s.x.map((x, i) => [s.name, x, s.y[i], ...more(s, i)]);
     const lines = (this.spec?.series ?? []).flatMap(line);
     // A picture is finer than what was computed.
-    const maps = (this.spec?.data ?? [])
-      .filter((d) => !d.picture)
-      .flatMap((d) =>
-        d.y.flatMap((/** @type {number} */ y, /** @type {number} */ j) =>
-          d.x.flatMap((/** @type {number} */ x, /** @type {number} */ i) =>
-            d.z[j][i] === null ? [] : [[d.name, x, y, d.text ? d.text[j][i] : d.z[j][i]]],
-          ),
-        ),
-      );
-    return [...lines, ...maps];
+    const maps = (this.spec?.data ?? []).filter((d) => !d.picture);
+    return [...lines, ...maps.flatMap(mapRows)];
   }
 
   tabulate() {
@@ -231,7 +227,7 @@ export class Chart {
   async save(kind) {
     if (!this.spec) return;
     if (kind === "csv") {
-      const quoted = (/** @type {any} */ v) =>
+      const quoted = (/** @type {string | number | null} */ v) =>
         typeof v === "string" && /[",\n]/.test(v) ? `"${v.replaceAll('"', '""')}"` : (v ?? "");
       const lines = [this.head(), ...this.rows()].map((row) => row.map(quoted).join(","));
       return download(`${this.name}.csv`, lines.join("\n") + "\n", "text/csv");
@@ -243,20 +239,31 @@ export class Chart {
   }
 }
 
+/** Rows of a map: name, x, y, what is there. @param {Trace} trace */
+function mapRows({ name = "", x, y, z = [], text }) {
+  return y.flatMap((v, j) =>
+    x.flatMap((u, i) => {
+      const there = z[j][i];
+      return there === null ? [] : [[name, u, v, text ? text[j][i] : there]];
+    }),
+  );
+}
+
 /**
  * Points of an isobaric curve as a line of pull over contraction in %; it ends at the free contraction, wherever the
  * points lie.
- * @param {any[]} points
+ * @param {import("../../types/commands").Commands["curve"]["answer"]["points"]} points
  */
 export function isobar(points) {
-  const slack = points.findIndex((q) => q.slack), free = points[slack]?.free_contraction;
-  const taut = slack < 0 ? points : points.slice(0, slack);
-  const ends = slack > 0 && typeof free === "number" && free > taut[slack - 1].contraction ? [100 * free] : [];
+  const slack = points.findIndex((q) => "force_n" in q && q.slack), last = points[slack];
+  const free = last && "force_n" in last ? last.free_contraction : undefined;
+  const taut = slack < 0 ? points : points.slice(0, slack), at = taut.map((q) => 100 * (q.contraction ?? NaN));
+  const ends = slack > 0 && typeof free === "number" && 100 * free > at[slack - 1] ? [100 * free] : [];
   return {
-    x: [...taut.map((q) => 100 * q.contraction), ...ends],
-    y: [...taut.map((q) => (q.status === "ok" ? outside("force", q.force_n) : null)), ...ends.map(() => 0)],
-    half: [...taut, ...(ends.length ? [points[slack]] : [])].map((q) =>
-      q.uncertainty_n ? outside("force", q.uncertainty_n) : null,
+    x: [...at, ...ends],
+    y: [...taut.map((q) => ("force_n" in q ? outside("force", q.force_n) : null)), ...ends.map(() => 0)],
+    half: [...taut, ...(ends.length ? [last] : [])].map((q) =>
+      "force_n" in q && q.uncertainty_n ? outside("force", q.uncertainty_n) : null,
     ),
   };
 }

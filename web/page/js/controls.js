@@ -127,12 +127,15 @@ class Quantity {
     });
   }
 
-  /** A new value. @param {number | undefined} value @param {boolean} settled @param {string} [note] */
-  #take(value, settled, note) {
+  /**
+   * A new value; the field shows it, unless somebody types on.
+   * @param {number | undefined} value @param {boolean} settled @param {string} [note]
+   */
+  #take(value, settled, note, fieldToo = true) {
     this.#turn++;
     this.#now = value;
     this.#good(note);
-    this.#paint();
+    this.#paint(fieldToo);
     this.spec.change(value, settled);
   }
 
@@ -147,7 +150,7 @@ class Quantity {
     // A later text or a drag counts, whichever is read first.
     if (turn !== this.#turn) return;
     if (reading.problem) return this.#wrongly(reading.problem.message);
-    this.#take(reading.value, true, note);
+    this.#take(reading.value, true, note, field.value.trim() === text);
   }
 
   #paint(fieldToo = true) {
@@ -213,6 +216,10 @@ export function choice(label, options, value, change) {
     /** The name of the first one, which is the usual. @param {string} text */
     first(text) {
       if (select.options[0].textContent !== text) select.options[0].textContent = text;
+    },
+    /** All to choose from, by name and text. @param {[string, string][]} list */
+    labels(list) {
+      select.replaceChildren(...list.map(([name, text]) => el("option", { value: name }, text)));
     },
     /** More to choose from, where they are not there yet. @param {string[]} names */
     options(names) {

@@ -14,10 +14,11 @@ const toText = (bytes) =>
 /** @param {string} text */
 const toBytes = (text) => Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));
 
+/** @typedef {ReadableWritablePair<Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>>} Pair */
 /** @param {Uint8Array<ArrayBuffer>} bytes @param {GenericTransformStream} through @returns {Promise<Uint8Array>} */
 async function piped(bytes, through) {
-  const reader = new Blob([bytes]).stream().pipeThrough(/** @type {any} */ (through)).getReader();
-  /** @type {Uint8Array[]} */ const parts = [];
+  const reader = new Blob([bytes]).stream().pipeThrough(/** @type {Pair} */ (through)).getReader();
+  /** @type {Uint8Array<ArrayBuffer>[]} */ const parts = [];
   for (let size = 0;;) {
     const { done, value } = await reader.read();
     if (done) break;
@@ -28,7 +29,7 @@ async function piped(bytes, through) {
     }
     parts.push(value);
   }
-  return new Uint8Array(await new Blob(/** @type {any} */ (parts)).arrayBuffer());
+  return new Uint8Array(await new Blob(parts).arrayBuffer());
 }
 
 /** Makes a text ready for an address; a short one stays as it is. @param {string} text */

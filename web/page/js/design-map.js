@@ -1,6 +1,6 @@
 // The map of a design: what fits over diameter and wall, by `universal`: the pressure that each muscle needs, and the
 // limit that others miss.
-import { engine } from "./ask.js";
+import { Slot, engine } from "./ask.js";
 import { border, levelLine, refined } from "./border.js";
 import { Chart, KINDS, token } from "./chart.js";
 import { el } from "./dom.js";
@@ -11,19 +11,26 @@ import { outside, show, unitName } from "./units.js";
 /** @typedef {import("../../types/commands").Commands["design"]} Design */
 /** @typedef {Design["answer"]["candidates"][number]} Candidate */
 /**
+ * @typedef {Candidate | NonNullable<Design["answer"]["closest"]>} Best
  * @typedef {{ D: number[], S: number[], fits: Map<string, Candidate>, nodes: import("./border.js").Node[][],
  *   limits: string[] }} Found
  */
 /** Diameters and walls; the picture is finer than they are. */
 const ACROSS = 29, UP = 25, FINER = 8;
+/** The same while the target is dragged. */
+const LIVE = { across: 15, up: 13, finer: 6 };
 const RAMP = [[0, "rgb(33,144,141)"], [0.5, "rgb(92,200,99)"], [1, "rgb(253,231,37)"]];
 
-/** @param {(candidate: any, at: { p: number, e: number }) => string} linked the address of a muscle */
+/**
+ * @param {(candidate: import("./state.js").Chosen, at: { p: number, e: number }) => string} linked the address of a
+ *   muscle
+ */
 export function designMap(linked) {
   /** @type {Design["answer"] | undefined} */ let answer;
-  /** @type {any} */ let of;
+  /** @type {Design["request"]} */ let of = {};
   /** @type {Found | undefined} */ let found;
-  let mapping = new AbortController();
+  let mapping = new AbortController(), finer = FINER;
+  const live = new Slot();
   const title = el("h2", {}, "Feasible region over diameter and wall");
   const feasible = new Chart("design-map", {
     tools: title,
@@ -44,6 +51,8 @@ export function designMap(linked) {
     if (!middle || of.torques) { feasible.element.hidden = true; return; }
     const { signal } = (mapping = new AbortController());
     const request = asked(of, middle);
+    live.end();
+    finer = FINER;
     found = read(request, await engine().ask("design", request, { signal }));
     feasible.element.hidden = false;
     draw();
@@ -51,7 +60,7 @@ export function designMap(linked) {
 
   function draw() {
     const middle = best();
-    if (found && middle) feasible.show(spec(found, middle));
+    if (found && middle) feasible.show(spec(found, middle, finer));
   }
 
   /** @param {number} x @param {number} y */
@@ -62,7 +71,7 @@ export function designMap(linked) {
       p: Number(answer.max_pressure_mpa),
       e: "points" in middle ? Number(middle.points[0]?.contraction ?? 0.1) : 0.1,
     };
-    const link = linked({ ...middle, outer_diameter_mm: d, wall_mm: s }, at);
+    const link = linked({ ...middle, rubber: middle.rubber ?? "", outer_diameter_mm: d, wall_mm: s }, at);
     picked.replaceChildren(
       `D0 ${show("length", d)}, s ${show("length", s)}: `,
       el("a", { href: link }, "see this muscle"),
@@ -71,12 +80,23 @@ export function designMap(linked) {
 
   return {
     elements: [picked, feasible.element], draw,
-    /** @param {any} next answer of the search @param {any} request that it was asked by */
+    /** @param {Design["answer"]} next answer of the search @param {Design["request"]} request that it was asked by */
     show(next, request) {
       [answer, of] = [next, request];
       map().catch((problem) => { if (problem.name !== "AbortError") feasible.element.hidden = true; });
     },
-    end() { mapping.abort(); feasible.destroy(); },
+    /** The map of another target, while it is dragged. @param {{ force_n: number, contraction: number }} target */
+    preview(target) {
+      const middle = best();
+      if (!middle || feasible.element.hidden) return;
+      const request = asked({ ...of, ...target }, middle, LIVE.across, LIVE.up);
+      live.ask("design", request, (next) => {
+        finer = LIVE.finer;
+        found = read(request, next);
+        draw();
+      }, () => {});
+    },
+    end() { mapping.abort(); live.end(); feasible.destroy(); },
   };
 }
 
@@ -113,10 +133,12 @@ function hovering(chart, of) {
 
 /**
  * The muscles of the map.
- * @param {any} of the request of the search @param {any} best its winner, or what came closest
+ * @param {Design["request"]} of the request of the search
+ * @param {Best} best its winner, or what came closest
+ * @param {number} [across] diameters @param {number} [up] walls
  * @returns {Design["request"] & { outer_diameter_mm: number[], wall_mm: number[] }}
  */
-function asked(of, best) {
+function asked(of, best, across = ACROSS, up = UP) {
   const { figure, tolerance, ...rest } = of;
   const span = (
     /** @type {number} */ mid,
@@ -129,8 +151,8 @@ function asked(of, best) {
   const [least, most] = [range?.least_diameter_mm ?? 0, range?.largest_diameter_mm ?? Infinity].map(
     (d) => d / best.outer_diameter_mm,
   );
-  const D = span(best.outer_diameter_mm, Math.max(0.5, least), Math.min(1.9, most), ACROSS),
-    S = span(Math.max(best.wall_mm, 1.5), 0.2, 2.6, UP);
+  const D = span(best.outer_diameter_mm, Math.max(0.5, least), Math.min(1.9, most), across),
+    S = span(Math.max(best.wall_mm, 1.5), 0.2, 2.6, up);
   // With a named sleeve the diameter sets the angle; parts are varied as if any size of them were sold.
   const part =
     best.sleeve && !of.braids?.length
@@ -187,12 +209,13 @@ export function read({ outer_diameter_mm: D, wall_mm: S }, answer) {
 
 /**
  * @param {Found} found @param {{ outer_diameter_mm: number, wall_mm: number }} best
+ * @param {number} finer how much finer the picture is than the muscles
  * @returns {import("./chart.js").Spec}
  */
-function spec({ D, S, nodes, limits }, best) {
+function spec({ D, S, nodes, limits }, best, finer) {
   const [x, y] = [D.map((d) => outside("length", d)), S.map((s) => outside("length", s))];
   const shown = nodes.map((row) => row.map((n) => ({ ...n, value: n.fits ? outside("pressure", n.value) : NaN })));
-  const edge = border({ x, y, nodes: shown }), fine = refined({ x, y, nodes: shown }, edge, FINER);
+  const edge = border({ x, y, nodes: shown }), fine = refined({ x, y, nodes: shown }, edge, finer);
   const words = (/** @type {string | null} */ limit) => (limit === null ? "" : limit.replaceAll("_", " "));
   const tints = limits.map((_, i) => [limits.length > 1 ? i / (limits.length - 1) : 0, KINDS[(i + 1) % KINDS.length]]);
   const missed = nodes.map((row) => row.map((n) => (n.fits ? null : limits.indexOf(n.limit))));

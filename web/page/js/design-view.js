@@ -151,7 +151,7 @@ function details(answer) {
         show("pressure", p.pressure_mpa, 3)]
       ), { text: [], label: "the operating points" }),
     );
-  const spread = /** @type {any[] | undefined} */ (/** @type {any} */ (answer).tolerance);
+  const spread = answer.tolerance;
   if (spread?.length)
     out.push(
       table(["within the tolerances, at", "and", "least pull", "largest pull", "likely"], spread.map((
@@ -194,9 +194,9 @@ export function foundView(answer, prices, { open, ask }) {
   ].filter((part) => part !== null);
 }
 
-/** @param {any} r */
+/** @param {NonNullable<Answer["closest"]>["relaxations"][number]} r */
 function relaxation(r) {
-  const points = (r.points ?? []).map((/** @type {any} */ p) =>
+  const points = ("points" in r ? r.points : []).map((p) =>
     `${show("force", p.force_n)} at ${show("ratio", p.contraction, 3)}`
   ).join(", ");
   switch (r.relax) {

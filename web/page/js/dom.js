@@ -1,11 +1,12 @@
 // Elements in one call, and what every page needs of the document.
+import { problemOf } from "./engine/problem.js";
 import { inWords } from "./words.js";
 
 /**
  * An element: attributes by name, listeners as `onclick` functions, children as nodes or texts.
  * @template {keyof HTMLElementTagNameMap} K
  * @param {K} tag
- * @param {Record<string, any>} [attributes]
+ * @param {Record<string, unknown>} [attributes]
  * @param {...(Node | string | null | undefined | false)} children
  * @returns {HTMLElementTagNameMap[K]}
  */
@@ -13,9 +14,9 @@ export function el(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
     if (value === undefined || value === null || value === false) continue;
-    if (typeof value === "function") element.addEventListener(name.slice(2), value);
-    else if (name === "style") element.style.cssText = value;
-    else if (name === "value") /** @type {any} */ (element).value = value;
+    if (typeof value === "function") element.addEventListener(name.slice(2), /** @type {EventListener} */ (value));
+    else if (name === "style") element.style.cssText = String(value);
+    else if (name === "value") /** @type {HTMLInputElement} */ (element).value = String(value);
     else element.setAttribute(name, value === true ? "" : String(value));
   }
   element.append(...children.filter((child) => child !== null && child !== undefined && child !== false));
@@ -34,11 +35,12 @@ export function say(text) {
   }, 700);
 }
 
-/** A problem as people read it. @param {any} problem */
-export function problemBox(problem) {
+/** A problem as people read it. @param {unknown} thrown */
+export function problemBox(thrown) {
+  const problem = problemOf(thrown);
   const hint = problem.hint ? el("p", { class: "small" }, capital(inWords(problem.hint))) : null;
   return el("div", { class: "problem", role: "alert" },
-    el("p", {}, capital(inWords(problem.message ?? String(problem)))), hint);
+    el("p", {}, capital(inWords(problem.message))), hint);
 }
 
 /** @param {string} text */
@@ -82,7 +84,7 @@ export function tabs(label, tabs, chosen, choose) {
   list.addEventListener("keydown", (event) => {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (!step) return;
-    const at = buttons.indexOf(/** @type {any} */ (document.activeElement));
+    const at = buttons.findIndex((button) => button === document.activeElement);
     const next = buttons[(at + step + buttons.length) % buttons.length];
     next.focus();
     next.click();

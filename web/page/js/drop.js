@@ -1,21 +1,31 @@
 // Files that are dropped anywhere, or chosen: what each is follows from what it holds, and each goes to the page that
 // it belongs to.
 import { address } from "./address.js";
+import { headings } from "./columns.js";
 import { keepFile, wordsOf } from "./kept.js";
 import { pack } from "./deflate.js";
 import { measured } from "./measured.js";
 import { muscle } from "./muscle.js";
 import { notice, noticeProblem } from "./notice.js";
-import { openProject } from "./project.js";
 
-/** @typedef {"muscle" | "joint" | "drive" | "plan" | "data" | "project" | "other"} Kind */
+/** @typedef {"muscle" | "joint" | "drive" | "plan" | "data" | "rubber" | "project" | "other"} Kind */
 /** @typedef {{ name: string, text: string, kind: Kind }} Read */
 const MOST = 60_000_000;
+
+/**
+ * Whether a table is a test of a rubber: stretches or strains with stresses, and no contraction.
+ * @param {string} text
+ */
+function isRubberTest(text) {
+  const head = headings(text).join(" ").toLowerCase();
+  return /stretch|strain|dehnung|lambda/.test(head) && /stress|spannung|mpa/.test(head) &&
+    !/contraction|pressure|druck/.test(head);
+}
 
 /** What a file is. @param {string} name @param {string} text @returns {Kind} */
 export function kindOfFile(name, text) {
   if (/\.json$/i.test(name)) return /"mckibben-project"/.test(text.slice(0, 2000)) ? "project" : "other";
-  if (/\.(csv|tsv|txt|dat)$/i.test(name)) return "data";
+  if (/\.(csv|tsv|txt|dat)$/i.test(name)) return isRubberTest(text) ? "rubber" : "data";
   const tables = new Set([...text.matchAll(/^[ \t]*\[\[?[ \t]*([\w-]+)/gm)].map((m) => m[1]));
   if (tables.has("joint")) return "joint";
   if (tables.has("vary") || tables.has("sampling")) return "plan";
@@ -44,14 +54,16 @@ async function go(page, words) {
 async function take(files) {
   const first = (/** @type {Kind} */ kind) => files.find((file) => file.kind === kind);
   const project = first("project");
-  if (project) return openProject(project.text);
-  const [joint, drive, data, plan] = [first("joint"), first("drive"), first("data"), first("plan")];
+  if (project) return (await import("./project.js")).openProject(project.text);
+  const [joint, drive, data, plan, rubber] =
+    /** @type {const} */ (["joint", "drive", "data", "plan", "rubber"]).map(first);
   const muscles = files.filter((file) => file.kind === "muscle"), wanted = namedIn(joint?.text ?? drive?.text ?? "");
   const own = muscles.find((file) => file.name === wanted[0]) ?? muscles[0];
   const second = muscles.find((file) => file.name === wanted[1] && file !== own);
   if (own) await muscle.take(own.text);
   if (data) measured.set({ name: data.name, text: data.text });
   if (plan) keepFile("plan", plan.text);
+  if (rubber) keepFile("rubber", { name: rubber.name, text: rubber.text });
   const lacks = (joint || drive) && !own && wanted[0];
   const what = files.map((file) => file.name).join(", ");
   notice(
@@ -65,6 +77,7 @@ async function take(files) {
   // Over the curves of the page Muscle they are at their place too.
   if (data && document.body.dataset.page !== "muscle") return go("data", {});
   if (plan) return go("formula", {});
+  if (rubber) return go("rubber", {});
   return go("muscle", {});
 }
 

@@ -2,6 +2,8 @@
 import { Chart, KINDS, isDark, token, viridis } from "./chart.js";
 import { el } from "./dom.js";
 
+/** @typedef {NonNullable<import("../../types/commands").Commands["curve"]["answer"]["figure"]>} Figure */
+/** @typedef {Figure["panels"][number]} Panel */
 const DASHES = /** @type {const} */ (["solid", "dash", "dot", "dash"]);
 
 /** Charts for the panels of a figure; those made before are used again. */
@@ -16,7 +18,7 @@ export class Figures {
     this.element.hidden = true;
   }
 
-  /** @param {any} figure */
+  /** @param {Figure | null | undefined} figure */
   show(figure) {
     this.element.hidden = !figure;
     if (!figure) return;
@@ -26,7 +28,7 @@ export class Figures {
       this.charts.push(chart);
     }
     this.grid.replaceChildren(...this.charts.slice(0, figure.panels.length).map((c) => c.element));
-    figure.panels.forEach((/** @type {any} */ panel, /** @type {number} */ i) => {
+    figure.panels.forEach((panel, i) => {
       const heading = this.charts[i].element.querySelector("h3");
       if (heading) heading.textContent = panel.title || panel.y.label;
       this.charts[i].show(spec(panel, figure));
@@ -35,19 +37,23 @@ export class Figures {
   }
 }
 
-/** @param {any} panel @param {any} figure */
+/**
+ * @param {Panel} panel @param {Figure} figure
+ * @returns {import("./chart.js").Spec}
+ */
 function spec(panel, figure) {
-  const numbers = figure.panels.flatMap((/** @type {any} */ p) =>
-    p.series.map((/** @type {any} */ s, /** @type {number} */ i) => s.colour ?? i),
+  const numbers = figure.panels.flatMap((p) =>
+    p.series.map((s, i) => s.colour ?? i),
   );
   const most = Math.max(1, ...numbers);
-  const colour = (/** @type {any} */ s, /** @type {number} */ i) => {
+  const colour = (/** @type {Panel["series"][number]} */ s, /** @type {number} */ i) => {
     const n = s.colour ?? i;
     if (s.neutral && figure.palette !== "sequential") return token("--ink");
     if (figure.palette !== "sequential") return KINDS[n % KINDS.length];
     return isDark() ? viridis(0.42 + (0.58 * n) / most, 1) : viridis(n / most);
   };
-  const series = panel.series.map((/** @type {any} */ s, /** @type {number} */ i) => {
+  /** @returns {import("./chart.js").Series} */
+  const one = (/** @type {Panel["series"][number]} */ s, /** @type {number} */ i) => {
     const points = s.style === "points" || s.style === "line-and-points";
     const dash =
       s.style === "dashed"
@@ -57,33 +63,19 @@ function spec(panel, figure) {
           : s.style === "auto" && figure.palette !== "sequential"
             ? DASHES[(s.colour ?? i) % DASHES.length]
             : "solid";
-    if (s.style === "band")
-      return {
-        name: "±",
-        colour: colour(s, i),
-        band: true,
-        x: s.points.map((/** @type {any} */ p) => p[0]),
-        y: s.points.map((/** @type {any} */ p) => p[1]),
-        legend: "",
-      };
-    return {
-      name: s.label || s.end_label || panel.y.label,
-      end: s.end_label || undefined,
-      colour: colour(s, i),
-      dash,
-      mode: s.style === "points" ? "markers" : points ? "lines+markers" : "lines",
-      x: s.points.map((/** @type {any} */ p) => p[0]),
-      y: s.points.map((/** @type {any} */ p) => p[1]),
-      legend: s.label,
-    };
-  });
-  const range = (/** @type {any} */ axis) =>
+    const line = { colour: colour(s, i), x: s.points.map((p) => p[0]), y: s.points.map((p) => p[1]) };
+    if (s.style === "band") return { ...line, name: "±", band: true, legend: "" };
+    const name = s.label || s.end_label || panel.y.label, mode = points ? "lines+markers" : "lines";
+    return { ...line, name, end: s.end_label || undefined, dash, mode: s.style === "points" ? "markers" : mode,
+      legend: s.label };
+  };
+  const range = (/** @type {Panel["x"]} */ axis) =>
     axis.range ? { range: axis.range } : { rangemode: axis.from_zero ? "tozero" : "normal" };
   return {
     x: panel.x.label,
     y: panel.y.label,
-    series,
-    marks: panel.marks.map((/** @type {any} */ m) => ({ x: m.x, y: m.y, text: m.label })),
+    series: panel.series.map(one),
+    marks: panel.marks.map((m) => ({ x: m.x, y: m.y, text: m.label })),
     xaxis: range(panel.x),
     yaxis: range(panel.y),
   };

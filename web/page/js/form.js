@@ -2,6 +2,7 @@
 // to end it.
 import { longWork, understood } from "./ask.js";
 import { capital, el, problemBox } from "./dom.js";
+import { isAbort, problemOf } from "./engine/problem.js";
 import { expectation, meant, withUnit } from "./units.js";
 import { sketched } from "./sketch.js";
 import { inWords } from "./words.js";
@@ -11,11 +12,14 @@ import { inWords } from "./words.js";
  * of words. `or`: words that may stand in place of a quantity. `factor`: a ratio that nobody writes in %. `hidden`:
  * until it is shown.
  * @typedef {import("./units.js").Kind} Kind
+ * @typedef {number | number[] | { low: number, high: number } | undefined} Value
+ * What a form reads; which fields with which values there are its list of fields decides, and the engine checks.
+ * @typedef {Record<string, any>} Read
  * @typedef {{ key: string, field: string, label: string, kind?: Kind, list?: boolean, pair?: [Kind, string][],
  *   words?: boolean, or?: string[], factor?: boolean, hidden?: boolean, options?: [string, string][], value?: string,
  *   hint?: string }} Field
  * @typedef {{ input: HTMLInputElement | HTMLSelectElement, wrong: HTMLElement, row: HTMLElement }} Row
- * @typedef {{ key: string, text: string, kind: Kind, list: boolean, take: (value: any) => void }} Asked
+ * @typedef {{ key: string, text: string, kind: Kind, list: boolean, take: (value: Value) => void }} Asked
  */
 
 let count = 0;
@@ -48,7 +52,7 @@ function fieldRow(f, submit) {
 
 /** What a form asks the engine of its texts, and what it says of bare numbers. */
 class Reading {
-  /** @type {Record<string, any>} */ values = {};
+  /** @type {Read} */ values = {};
   /** @type {Asked[]} */ asked = [];
   /** @type {Map<string, string>} */ notes = new Map();
 
@@ -62,7 +66,7 @@ class Reading {
     return whole;
   }
 
-  /** @param {Field} f @param {Kind} kind @param {string} text @param {(value: any) => void} take */
+  /** @param {Field} f @param {Kind} kind @param {string} text @param {(value: Value) => void} take */
   #ask(f, kind, text, take) {
     this.asked.push({ key: f.key, text: this.#clear(f, kind, text), kind, list: f.list ?? false, take });
   }
@@ -82,7 +86,7 @@ class Reading {
     const item = /** @type {Record<string, number>} */ ({});
     f.pair?.forEach(([kind, field], i) =>
       this.#ask(f, kind, (parts[i] ?? "").trim(), (v) => {
-        item[field] = v;
+        item[field] = Number(v);
       })
     );
     return item;
@@ -117,7 +121,7 @@ class Form {
    * Fields of a request, or nothing where a text cannot be understood: it is marked. An interval without a step is its
    * two ends where those are wanted, else a list.
    * @param {{ intervals?: boolean }} [options]
-   * @returns {Promise<Record<string, any> | undefined>}
+   * @returns {Promise<Read | undefined>}
    */
   async read({ intervals = false } = {}) {
     const reading = new Reading();
@@ -180,7 +184,7 @@ class Form {
       input.after(list);
     }
   }
-  /** Shows a problem at its field, or says that it has none. @param {any} problem */
+  /** Shows a problem at its field, or says that it has none. @param {import("./engine/problem.js").Problem} problem */
   at(problem) {
     const f = this.fields.find((x) => x.field === problem.field);
     if (f) this.mark(f.key, problem.message);
@@ -193,7 +197,7 @@ export const form = (fields, submit) => new Form(fields, submit);
 
 /**
  * The ends of an interval without a step, which a search takes as a whole.
- * @param {any} reading
+ * @param {import("./ask.js").Readings[number]} reading
  * @returns {{ low: number, high: number } | undefined}
  */
 function ends({ interval }) {
@@ -207,7 +211,7 @@ function ends({ interval }) {
  * @param {() => Promise<import("../../types/commands").Commands[K]["request"] | undefined>} request nothing where
  *   there is none to ask
  * @param {(answer: import("../../types/commands").Commands[K]["answer"]) => void} take
- * @param {(problem: any) => void} [fail]
+ * @param {(problem: import("./engine/problem.js").Problem) => void} [fail]
  */
 export function job(label, command, request, take, fail) {
   const start = el("button", { type: "button", class: "main", onclick: () => run() }, label);
@@ -238,11 +242,11 @@ export function job(label, command, request, take, fail) {
       } }));
       words.textContent = "";
     } catch (problem) {
-      if (/** @type {any} */ (problem).name === "AbortError") words.textContent = ends === mine ? "Cancelled." : "";
+      if (isAbort(problem)) words.textContent = ends === mine ? "Cancelled." : "";
       else {
         said.replaceChildren(problemBox(problem));
         words.textContent = "";
-        fail?.(problem);
+        fail?.(problemOf(problem));
       }
     }
     clearTimeout(late);
@@ -263,7 +267,7 @@ export function job(label, command, request, take, fail) {
  *   left
  */
 export function table(head, rows, { text = [0], pick, label } = {}) {
-  const cell = (/** @type {"td" | "th"} */ tag, /** @type {any} */ value, /** @type {number} */ i) =>
+  const cell = (/** @type {"td" | "th"} */ tag, /** @type {string | Node} */ value, /** @type {number} */ i) =>
     el(tag, { class: text.includes(i) ? "text" : undefined, scope: tag === "th" ? "col" : undefined }, value);
   const body = rows.map((row, i) =>
     el("tr", {

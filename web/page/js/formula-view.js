@@ -9,15 +9,21 @@ import { number, outside, show, unitName } from "./units.js";
 
 /** The paper's formula, with the box that it was fitted in. */
 export const PUBLISHED = { name: "The formula of the paper",
-  range: { outer_diameter_mm: [30, 50], wall_mm: [1, 5], contraction: [0, 0.2] } };
+  range: /** @type {Record<"outer_diameter_mm" | "wall_mm" | "contraction", [number, number]>} */ ({
+    outer_diameter_mm: [30, 50], wall_mm: [1, 5], contraction: [0, 0.2] }) };
 
-/** @param {any} file a formula */
+/**
+ * A formula as a fit gives it.
+ * @typedef {import("../../types/commands").Commands["fit"]["answer"]} Fitted
+ * @typedef {Omit<Fitted, "figures" | "tables">} File
+ */
+/** @param {File} file a formula */
 export function errorsView(file) {
   const e = file.errors, share = (/** @type {number} */ x) => `${number(100 * x, 3)} %`;
-  const row = (/** @type {string} */ name,
-    /** @type {any} */ x) => [name, String(x.points), share(x.rms_of_blocked), share(x.p95_of_blocked),
-    share(x.max_of_blocked)];
-  const rows = [row("fitted to", e.fit), ...(e.held_out ? [row("kept out", e.held_out)] : [])];
+  const row = (/** @type {string} */ name, /** @type {File["errors"]["fit"]} */ x) =>
+    [name, String(x.points), share(x.rms_of_blocked), share(x.p95_of_blocked), share(x.max_of_blocked)];
+  const kept = "held_out" in e ? e.held_out : undefined;
+  const rows = [row("fitted to", e.fit), ...(kept ? [row("kept out", kept)] : [])];
   const save = () => download(`${file.name}.json`, JSON.stringify(file, null, 2) + "\n", "application/json");
   return [
     el("h2", {}, file.name),
@@ -30,7 +36,7 @@ export function errorsView(file) {
   ];
 }
 
-/** Figures that are drawn when they are opened. @param {any[] | undefined} drawn */
+/** Figures that are drawn when they are opened. @param {Fitted["figures"]} drawn */
 export const figuresView = (drawn) =>
   (drawn ?? []).map((f) => {
     const box = el("details", {}, el("summary", {}, f.figure.title || f.name));
@@ -73,11 +79,12 @@ export function surfaces() {
   }
   return {
     element,
-    /** @param {any} formula @param {number | undefined} at the pressure in MPa */
+    /** @param {File | typeof PUBLISHED} formula @param {number | undefined} at the pressure in MPa */
     async show(formula, at) {
       const { range } = formula;
-      element.hidden = !range?.outer_diameter_mm || !at;
-      if (element.hidden || !at) return;
+      element.hidden = true;
+      if (!("outer_diameter_mm" in range) || !at) return;
+      element.hidden = false;
       const [D, S, E] = [steps(range.outer_diameter_mm), steps(range.wall_mm), steps(range.contraction, 21)],
         middle = { outer_diameter_mm: D[5], wall_mm: S[5] };
       wallTitle.textContent = `Pull over contraction and wall, D0 ${show("length", D[5])}`;
@@ -88,9 +95,7 @@ export function surfaces() {
       const line = (/** @type {string} */ field) => async (/** @type {number} */ value) => {
         const answer = await engine().ask("curve", { ...model, ...middle, [field]: value, test: "isobaric",
           pressures_mpa: [at], contractions: E, extrapolate: true }, { signal: ends.signal });
-        return answer.points.map((
-          /** @type {any} */ q,
-        ) => (q.force_n === undefined ? null : outside("force", q.force_n)));
+        return answer.points.map((q) => ("force_n" in q ? outside("force", q.force_n) : null));
       };
       await draw(overWall, `s [${unitName("length")}]`, S, E, line("wall_mm"));
       await draw(overDiameter, `D0 [${unitName("length")}]`, D, E, line("outer_diameter_mm"));

@@ -53,7 +53,8 @@ export async function openEntry({ file, page = "muscle", words = {}, joint, data
   location.hash = address(page, { ...words, file: text, joint: jointText });
 }
 
-/** What the engine says of the files, once. @type {Map<string, Promise<any>>} */ const asked = new Map();
+/** @typedef {import("../../types/commands").Commands["muscle-show"]["answer"]} Shown */
+/** What the engine says of the files, once. @type {Map<string, Promise<Shown>>} */ const asked = new Map();
 /** @param {string} file */
 function measures(file) {
   const known = asked.get(file);
@@ -68,7 +69,7 @@ function measures(file) {
 
 /**
  * Cards of all muscles; pictures are drawn after some milliseconds.
- * @param {(problem: any) => void} fail
+ * @param {(problem: unknown) => void} fail
  * @param {() => void} [opened]
  */
 export function gallery(fail, opened, wait = 0) {

@@ -12,7 +12,8 @@ const point = (/** @type {number} */ share, /** @type {number} */ r) => {
 /** @param {HTMLElement} stage @param {(pressure: number, settled: boolean) => void} turn */
 export function gauge(stage, turn) {
   const [[x0, y0], [x1, y1]] = [point(0, 40), point(1, 40)];
-  const tick = (/** @type {number} */ i) => `M${point(i / 10, i % 5 ? 36 : 33).join(" ")}L${point(i / 10, 40).join(" ")}`;
+  const tick = (/** @type {number} */ i) =>
+    `M${point(i / 10, i % 5 ? 36 : 33).join(" ")}L${point(i / 10, 40).join(" ")}`;
   const ticks = Array.from({ length: 11 }, (_, i) => tick(i)).join("");
   stage.insertAdjacentHTML("beforeend", `<svg class="gauge" viewBox="-50 -50 100 100" aria-hidden="true">`
     + `<circle r="48" class="face"/><path d="M${x0} ${y0}A40 40 0 1 1 ${x1} ${y1}${ticks}" class="dial"/>`

@@ -3,7 +3,6 @@ import { dialog } from "./dialog.js";
 import { el } from "./dom.js";
 import { DOCUMENTATION } from "./kind.js";
 import { pageOf } from "./pages.js";
-import { startTour } from "./tour.js";
 
 /** How a page is used, in a few sentences. @type {Record<string, string[]>} */
 const HOW = {
@@ -16,6 +15,12 @@ const HOW = {
     "Both muscles are the one above; open another file for muscle 2, or a joint file for pulley and link."],
   motion: ["Select the step, the valve and the load, and press Run. Then drag the time.",
     "Open a drive file for other commands than a step."],
+  sweep: ["Select a measure, its range and a result, and press Compute. The ring marks the muscle as it is.",
+    "The chart has its table, and saves CSV."],
+  rubber: ["Drop a table of stretches and stresses. Fit lists the laws with their constants.",
+    "A button puts the recommended law into the muscle."],
+  files: ["Each card makes files of the muscle above. The report is one HTML file.",
+    "The others come one by one, or all in one archive (ZIP)."],
   data: ["Drop a table of pressures, contractions and pulls. The headings say what the columns are.",
     "Compare shows the models over the points. Identify finds the constants that you list."],
   formula: ["Change the plan, compute it, and fit a formula. Then download the formula as a file."],
@@ -46,9 +51,9 @@ export function helpLink() {
         : el("p", { class: "small soft" }, "The book comes with the program: ",
           el("code", {}, `docs/${pageOf(page).help.split("#")[0]}.md`), ". On the command line: ",
           el("code", {}, "mckibben help"), "."),
-      el("p", { class: "row" }, el("button", { type: "button", onclick: () => {
+      el("p", { class: "row" }, el("button", { type: "button", onclick: async () => {
         close();
-        startTour();
+        (await import("./tour.js")).startTour();
       } }, "Take the tour (30 s)")),
     ]);
   const element = el("button", { type: "button", onclick: open }, "Help");

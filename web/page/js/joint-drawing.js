@@ -4,9 +4,12 @@ import { niceUp } from "./bench/round.js";
 import { KINDS, isDark, viridis } from "./chart.js";
 import { number, outside, show, unitName } from "./units.js";
 
-/** @typedef {Record<string, any>} Point a point of the answer */
-/** Radius, range and contraction at the neutral angle of the joint; length, diameter and braid angle of its muscle. */
-/** @typedef {{ r: number, range: number, e0: number, length: number, diameter: number, angle: number }} Measures */
+/** @typedef {import("./joint-view.js").Point} Point */
+/**
+ * Radius, limits and contraction at the neutral angle of the joint; length, diameter and braid angle of its muscle.
+ * @typedef {{ r: number, low: number, high: number, e0: number, length: number, diameter: number,
+ *   angle: number }} Measures
+ */
 
 const at = (/** @type {number} */ radius, /** @type {number} */ degrees) =>
   `${(radius * Math.cos((degrees * Math.PI) / 180)).toFixed(1)} ` +
@@ -54,14 +57,15 @@ function tube(m, which, point, supply, left) {
  */
 export function jointDrawing(point, angle, supply, m) {
   const arm = 0.45 * m.length,
-    spare = m.r * ((m.range * Math.PI) / 180) + m.diameter;
+    most = Math.max(Math.abs(m.low), Math.abs(m.high)),
+    spare = m.r * ((most * Math.PI) / 180) + m.diameter;
   const left = -(m.length * (1 - m.e0) + spare),
     size = m.length / 26,
     width = arm * 1.25 - left + 0.1 * m.length;
   const tall =
-    2 * Math.max(arm * Math.sin((Math.min(90, m.range) * Math.PI) / 180) + 0.1 * m.length, m.r + 1.6 * m.diameter);
-  const large = m.range > 90 ? 1 : 0;
-  const range = `<path d="M0 0L${at(arm, -m.range)}A${arm} ${arm} 0 ${large} 0 ${at(arm, m.range)}Z" class="range"/>`;
+    2 * Math.max(arm * Math.sin((Math.min(90, most) * Math.PI) / 180) + 0.1 * m.length, m.r + 1.6 * m.diameter);
+  const large = m.high - m.low > 180 ? 1 : 0;
+  const range = `<path d="M0 0L${at(arm, m.low)}A${arm} ${arm} 0 ${large} 0 ${at(arm, m.high)}Z" class="range"/>`;
   const muscles =
     tube(m, 1, point, supply, left) +
     (point && point.pressure_2_mpa === undefined ? "" : tube(m, 2, point, supply, left));

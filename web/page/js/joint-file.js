@@ -48,16 +48,16 @@ export const isOpposed = (text) => /^\s*\[\s*muscle_2\s*\]/m.test(text);
  * @param {string} text the joint file
  * @param {string} file the muscle's
  * @param {string} second the other's; empty where it is the same
- * @param {{ r?: number, range?: number, e0?: number }} over in mm, degrees, ratio
+ * @param {{ r?: number, low?: number, high?: number, e0?: number }} over in mm, degrees, ratio
  */
-export function jointOfFile(text, file, second, { r, range, e0 }) {
+export function jointOfFile(text, file, second, { r, low, high, e0 }) {
   const other = second ? "muscle-2.toml" : "muscle.toml";
   /** @type {Record<string, string | undefined>} */
   const put = {
     "muscle_1.file": "muscle.toml",
     "muscle_2.file": other,
     "joint.radius": r === undefined ? undefined : `${r} mm`,
-    "joint.range": range === undefined ? undefined : `-${range}..${range} deg`,
+    "joint.range": low === undefined || high === undefined ? undefined : `${low}..${high} deg`,
     "muscle_1.contraction_at_neutral": e0 === undefined ? undefined : String(e0),
     "muscle_2.contraction_at_neutral": e0 === undefined ? undefined : String(e0),
   };

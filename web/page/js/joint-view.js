@@ -6,7 +6,13 @@ import { reachable } from "./joint-drawing.js";
 import { number, outside, show, unitName } from "./units.js";
 
 /** @typedef {import("../../types/commands").Commands["joint"]["answer"]} Answer */
-/** A point as the page shows it. @typedef {any} Point */
+/**
+ * A point as the page shows it.
+ * @typedef {Answer["points"][number] & { model: string, words?: string | null }} Point
+ */
+/** @typedef {NonNullable<Answer["map"]>} Reached */
+/** @typedef {NonNullable<Reached["points"][number]>} Reach */
+/** @typedef {{ answer: Answer, angles: number[], pairs: number[][] }} Family */
 
 /** The angle under the pointer in degrees. @param {HTMLElement} stage @param {PointerEvent} event */
 export function angleAt(stage, event) {
@@ -18,7 +24,7 @@ export function angleAt(stage, event) {
 
 /** @param {Point} point @param {string} which muscles these are */
 export function numbersView(point, which) {
-  const half = (/** @type {number | undefined} */ u) => (u ? ` ± ${number(u, 2)}` : "");
+  const half = (/** @type {number | null | undefined} */ u) => (u ? ` ± ${number(u, 2)}` : "");
   const stiffness = (/** @type {Point} */ { stiffness_nm_per_rad: k, stiffness_uncertainty_nm_per_rad: u }) =>
     `${number(outside("angular-stiffness", k), 3)}${half(u && outside("angular-stiffness", u))} ${
       unitName("angular-stiffness")
@@ -41,7 +47,7 @@ export function numbersView(point, which) {
 
 /**
  * Torques over the angle at pairs of pressures.
- * @param {{ answer: any, angles: number[], pairs: number[][] }} family
+ * @param {Family} family
  * @param {Point | undefined} point
  * @returns {import("./chart.js").Spec}
  */
@@ -50,25 +56,25 @@ export function torqueChart({ answer, angles, pairs }, point) {
     const rows = answer.points.slice(i * angles.length, (i + 1) * angles.length);
     const name = pair.map((p) => number(outside("pressure", p), 3)).join(" | ") + " " + unitName("pressure");
     return { name, end: name, colour: KINDS[i], x: angles,
-      y: rows.map((/** @type {any} */ q) => outside("torque", q.torque_nm)) };
+      y: rows.map((q) => outside("torque", q.torque_nm)) };
   });
   const marks = point ? [{ x: point.angle_deg, y: outside("torque", point.torque_nm ?? 0), text: "required" }] : [];
   return { x: "angle φ [°]", y: `torque [${unitName("torque")}]`, yaxis: {},
     series: [...reachable(angles, series.map((s) => s.y)), ...series], marks };
 }
 
-/** Rest angles and stiffnesses that it reaches. @param {any} map @returns {import("./chart.js").Spec} */
+/** Rest angles and stiffnesses that it reaches. @param {Reached} map @returns {import("./chart.js").Spec} */
 export function reachChart(map) {
-  const points = map.points.filter(Boolean), unit = unitName("pressure"), stiffness = "angular-stiffness";
-  const mean = (/** @type {any} */ { pressures_mpa: list }) =>
-    outside("pressure", list.reduce((/** @type {number} */ a, /** @type {number} */ b) => a + b, 0) / list.length);
+  const points = map.points.filter((q) => q !== null), unit = unitName("pressure"), stiffness = "angular-stiffness";
+  const mean = (/** @type {Reach} */ { pressures_mpa: list }) =>
+    outside("pressure", list.reduce((a, b) => a + b, 0) / list.length);
   const most = Math.max(1e-9, ...points.map(mean)), step = niceUp(most / 6);
   const count = Math.max(1, Math.ceil(most / step - 1e-9));
   const series = Array.from({ length: count }, (_, i) => {
-    const of = points.filter((/** @type {any} */ q) => Math.min(count - 1, Math.floor(mean(q) / step)) === i);
+    const of = points.filter((q) => Math.min(count - 1, Math.floor(mean(q) / step)) === i);
     const name = `${number(i * step, 3)} to ${number((i + 1) * step, 3)} ${unit}`;
-    const y = of.map((/** @type {any} */ q) => outside(stiffness, q.stiffness_nm_per_rad));
-    const x = of.map((/** @type {any} */ q) => q.angle_deg), colour = pressureColour(i + 0.5, count);
+    const y = of.map((q) => outside(stiffness, q.stiffness_nm_per_rad));
+    const x = of.map((q) => q.angle_deg), colour = pressureColour(i + 0.5, count);
     const legend = i ? name : `mean pressure ${name}`, z = of.map(mean);
     return { name, legend, mode: /** @type {const} */ ("markers"), colour, x, y, z };
   });

@@ -2,7 +2,14 @@
 // ends with the tab.
 
 const NAME = "mckibben:kept";
-/** @typedef {{ words: Record<string, Record<string, string>>, files: Record<string, any> }} Kept */
+/**
+ * Muscles of the project; measured points, and what to say of them; a test of a rubber; a plan, and the one that was
+ * computed; whether constants were identified, and the verification computed.
+ * @typedef {{ muscles?: import("./project.js").Kept[], data?: { name: string, text: string }, "data-said"?: string,
+ *   rubber?: { name: string, text: string },
+ *   plan?: string, campaign?: string, constants?: boolean, checked?: boolean }} Files
+ * @typedef {{ words: Record<string, Record<string, string>>, files: Files }} Kept
+ */
 /** @returns {Kept} */
 function before() {
   try {
@@ -35,9 +42,9 @@ export function keepWords(page, words) {
   kept.words[page] = /** @type {Record<string, string>} */ (said);
   save();
 }
-/** A file or a list that a page works with. @param {string} name @returns {any} */
+/** A file or a list that a page works with. @template {keyof Files} K @param {K} name @returns {Files[K]} */
 export const fileOf = (name) => kept.files[name];
-/** @param {string} name @param {any} what nothing ends it */
+/** @template {keyof Files} K @param {K} name @param {Files[K]} what nothing ends it */
 export function keepFile(name, what) {
   if (what === undefined) delete kept.files[name];
   else kept.files[name] = what;

@@ -131,8 +131,8 @@ export class Lines {
   listen() {
     const { host } = this,
       { signal } = this.ends;
-    const on = (/** @type {string} */ event, /** @type {(event: any) => void} */ act, options = {}) =>
-      host.addEventListener(event, act, { signal, ...options });
+    const on = (/** @type {string} */ event, /** @type {(event: never) => void} */ act, options = {}) =>
+      host.addEventListener(event, /** @type {EventListener} */ (act), { signal, ...options });
     /** @type {{ px: number, py: number, what: "drag" | "x" | "y" | "box" } | undefined} */ let from;
     const where = (/** @type {PointerEvent | MouseEvent} */ event) => {
       const box = host.getBoundingClientRect();

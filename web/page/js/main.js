@@ -10,6 +10,7 @@ import { keepWords, onKept, wordsOf } from "./kept.js";
 import { endAll } from "./life.js";
 import { loadMeasures, muscle } from "./muscle.js";
 import { notice } from "./notice.js";
+import { offline } from "./offline.js";
 import { PAGES, pageOf } from "./pages.js";
 import { printing } from "./print.js";
 import { sketches } from "./sketch.js";
@@ -97,7 +98,8 @@ async function route() {
       shown = { name, page: mount(main) };
       main.dataset.shown = name;
     }
-    await whileLoading(() => /** @type {any} */ (shown).page.load(params));
+    const { page } = /** @type {NonNullable<typeof shown>} */ (shown);
+    await whileLoading(() => page.load(params));
     if (mine !== routes) return;
     await keep();
     link();
@@ -113,7 +115,7 @@ function leave() {
   endAll();
 }
 
-/** @param {any} problem */
+/** @param {unknown} problem */
 function fail(problem) {
   leave();
   main.replaceChildren(problemBox(problem),
@@ -150,8 +152,4 @@ window.addEventListener("popstate", () => {
 sketches();
 printing();
 dropAnywhere();
-start();
-if ("serviceWorker" in navigator && window.isSecureContext)
-  window.addEventListener("load", () => {
-    navigator.serviceWorker.register("sw.js").catch(() => {});
-  });
+start().then(offline);

@@ -3,17 +3,19 @@ import { KINDS } from "./chart.js";
 import { table } from "./form.js";
 import { number, outside, show, unitName } from "./units.js";
 
-/** @typedef {any} Run an answer of `motion` */
+/** @typedef {import("../../types/commands").Commands["motion"]["answer"]} Run */
 /** Whether it is a joint's. @param {Run} run */
 export const isJoint = (run) => Boolean(run.series.angle_deg);
+/** Series of pressures. */
+/** @typedef {"pressure_1_mpa" | "pressure_2_mpa" | "command_1" | "command_2" | "pressure_mpa" | "command"} Key */
 const pressures = (/** @type {number[]} */ list) => list.map((p) => outside("pressure", p));
 
 /** @param {Run} run @returns {import("./chart.js").Spec} */
 export function pressureChart({ series: s, ...run }) {
   const t = s.time_s,
-    line = (/** @type {string} */ key, /** @type {string} */ name, /** @type {number} */ colour,
+    line = (/** @type {Key} */ key, /** @type {string} */ name, /** @type {number} */ colour,
       /** @type {"dot" | undefined} */ dash) => (s[key]
-        ? [{ name, x: t, y: pressures(s[key]), colour: KINDS[colour], end: name, dash }]
+        ? [{ name, x: t, y: pressures(s[key] ?? []), colour: KINDS[colour], end: name, dash }]
         : []);
   const series = isJoint({ series: s, ...run })
     ? [...line("pressure_1_mpa", "muscle 1", 0, undefined), ...line("command_1", "command 1", 6, "dot"),
@@ -27,9 +29,9 @@ export function wayChart(run) {
   const { series: s } = run;
   if (isJoint(run))
     return { x: "time [s]", y: "angle φ [°]", yaxis: {},
-      series: [{ name: "angle", x: s.time_s, y: s.angle_deg, colour: KINDS[1] }] };
+      series: [{ name: "angle", x: s.time_s, y: s.angle_deg ?? [], colour: KINDS[1] }] };
   return { x: "time [s]", y: "contraction ε [%]",
-    series: [{ name: "contraction", x: s.time_s, y: s.contraction.map((/** @type {number} */ e) => 100 * e),
+    series: [{ name: "contraction", x: s.time_s, y: (s.contraction ?? []).map((e) => 100 * e),
       colour: KINDS[1] }] };
 }
 
@@ -60,12 +62,14 @@ export function figures(run) {
 export function stateLine(run, i) {
   const { series: s } = run;
   if (isJoint(run))
-    return `${number(s.angle_deg[i], 3)}°, ${
-      [s.pressure_1_mpa, s.pressure_2_mpa].filter(Boolean).map((p) => show("pressure", p[i], 3)).join(" and ")
+    return `${number(s.angle_deg?.[i], 3)}°, ${
+      [s.pressure_1_mpa, s.pressure_2_mpa].flatMap((p) => (p ? [show("pressure", p[i], 3)] : [])).join(" and ")
     }`;
-  return `${show("pressure", s.pressure_mpa[i], 3)}, ${number(100 * s.contraction[i], 3)} %`;
+  return `${show("pressure", s.pressure_mpa?.[i], 3)}, ${number(100 * (s.contraction?.[i] ?? NaN), 3)} %`;
 }
 
 /** The muscle at a place of the record: that of the page, or muscle 1 of a joint. @param {Run} run @param {number} i */
-export const stateAt = ({ series: s }, i) => ({ pressure_mpa: Math.max(0, (s.pressure_mpa ?? s.pressure_1_mpa)[i]),
-  contraction: (s.contraction ?? s.contraction_1)[i] });
+export function stateAt({ series: s }, i) {
+  const [p, e] = [s.pressure_mpa ?? s.pressure_1_mpa ?? [], s.contraction ?? s.contraction_1 ?? []];
+  return { pressure_mpa: Math.max(0, p[i]), contraction: e[i] };
+}

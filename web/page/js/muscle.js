@@ -17,9 +17,14 @@ export async function loadMeasures() {
   learn(MEASURES);
 }
 
+/**
+ * What the engine read: all of `muscle-show`, or the measures of another answer.
+ * @typedef {import("../../types/commands").Commands} Commands
+ * @typedef {Commands["force"]["answer"]["muscle"] & Partial<Commands["muscle-show"]["answer"]>} Shown
+ */
 export class MuscleState {
   /** @type {import("./state.js").State} */ #state = prototype();
-  /** @type {Record<string, any> | undefined} */ #shown = undefined;
+  /** @type {Shown | undefined} */ #shown = undefined;
   /** @type {Set<() => void>} */ #listeners = new Set();
   #telling = 0;
 
@@ -100,14 +105,15 @@ export class MuscleState {
     this.state = say(this.state, key, value);
     // What is taken back is read again.
     const field = value === undefined && measure(key)?.field;
-    if (field) this.shown = { ...this.shown, [field]: undefined };
+    if (field && this.shown) this.shown = { ...this.shown, [field]: undefined };
     this.wrong.delete(key);
   }
 
   /** A measure as a control shows it. @param {string} key @returns {number | undefined} */
   value(key) {
     const of = measure(key);
-    return of ? shownValue(this.state, this.shown, of) : /** @type {any} */ (this.state)[key];
+    if (of) return shownValue(this.state, this.shown, of);
+    return key === "p" || key === "e" || key === "F" ? this.state[key] : undefined;
   }
 
   /** The muscle file that says the same; what engines without a file are asked by. */

@@ -1,5 +1,6 @@
 // One line above the page: what was done with a file, and what a link has lost.
 import { byId, el } from "./dom.js";
+import { problemOf } from "./engine/problem.js";
 
 /** @param {string} text @param {(Node | string)[]} more */
 export function notice(text, ...more) {
@@ -11,6 +12,8 @@ export function notice(text, ...more) {
   box.hidden = false;
 }
 
-/** A problem in the same place. @param {any} problem @param {string} [what] */
-export const noticeProblem = (problem, what = "") =>
-  notice([what, problem.message ?? String(problem), problem.hint].filter(Boolean).join(" "));
+/** A problem in the same place. @param {unknown} thrown @param {string} [what] */
+export function noticeProblem(thrown, what = "") {
+  const { message, hint } = problemOf(thrown);
+  notice([what, message, hint].filter(Boolean).join(" "));
+}

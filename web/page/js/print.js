@@ -34,7 +34,7 @@ function sheet() {
   ].map((part) => part.cloneNode(true));
   const notes = document.querySelector("main .warnings")?.cloneNode(true);
   return el("section", { class: "sheet", "aria-label": "Sheet" },
-    el("div", { class: "row" }, thumbnail(/** @type {any} */ (muscle.shown), "The muscle"),
+    el("div", { class: "row" }, muscle.shown && thumbnail(muscle.shown, "The muscle"),
       el("div", { class: "grow" }, el("h1", {}, muscle.name), el("p", {}, muscle.line())),
       el("p", { class: "small" },
         `${pageOf(document.body.dataset.page ?? "").text}, ${new Date().toISOString().slice(0, 10)}`, el("br"),

@@ -15,7 +15,7 @@ const FORMAT = "mckibben-project";
  */
 /**
  * @typedef {{ format: string, version: number, muscles: Kept[], shown: string, words: Record<string, Record<string,
- *   string>>, files: Record<string, any> }} Project
+ *   string>>, files: Omit<import("./kept.js").Files, "muscles"> }} Project
  */
 
 /** @returns {Kept[]} */
@@ -43,18 +43,19 @@ async function show({ file, point }) {
 /** The project as a file. */
 async function saved() {
   await add();
-  const { words, files: { muscles, ...files } } = everything();
+  const { words, files: { muscles = [], ...files } } = everything();
   /** @type {Project} */
   const project = { format: FORMAT, version: 1, muscles, shown: muscle.name, words, files };
   return JSON.stringify(project, null, 2) + "\n";
 }
 
-/** @param {any} project @returns {project is Project} */
-function isProject(project) {
-  const texts = (/** @type {any} */ of) =>
-    Boolean(of) && typeof of === "object" && Object.values(of).every((text) => typeof text === "string");
+/** @param {unknown} read @returns {read is Project} */
+function isProject(read) {
+  const project = /** @type {Partial<Project> | null} */ (read);
+  const texts = (/** @type {unknown} */ of) =>
+    typeof of === "object" && of !== null && Object.values(of).every((text) => typeof text === "string");
   return project?.format === FORMAT && Array.isArray(project.muscles) &&
-    project.muscles.every((/** @type {any} */ m) =>
+    project.muscles.every((m) =>
       typeof m?.name === "string" && typeof m.file === "string" && texts(m.point ?? {})
     )
     && Object.values(project.words ?? {}).every(texts) && typeof (project.files ?? {}) === "object";

@@ -29,6 +29,11 @@ const OWN = {
 const STRAND_DIAMETER = { key: "sd", field: "strand_diameter_mm", group: "braid", kind: "length",
   label: "Diameter of a strand", low: 0.05, high: 1 };
 
+/** @typedef {import("../../types/commands").Commands} Commands */
+/**
+ * The muscle in a request: fields of measures, rubber, sleeve, file.
+ * @typedef {Omit<Commands["muscle-show"]["request"], "pressure_mpa" | "model" | "muscle_file">} Fields
+ */
 /** Measures of the muscle, as the program lists them. */
 export let MEASURES = /** @type {Measure[]} */ ([]);
 /**
@@ -121,9 +126,9 @@ export function say(state, key, value) {
   return { ...state, said };
 }
 
-/** The muscle as fields of a request. @param {State} state @returns {Record<string, any>} */
+/** The muscle as fields of a request. @param {State} state @returns {Fields} */
 export function fields({ file, said }) {
-  /** @type {Record<string, any>} */
+  /** @type {Record<string, unknown>} */
   const out = file ? { muscle: { name: "muscle.toml", text: file } } : {};
   for (const { key, field } of MEASURES) if (said[key] !== undefined) out[field] = said[key];
   for (const key of NAMES) if (said[key] !== undefined) out[key] = said[key];
@@ -150,7 +155,8 @@ export const point = ({ p, e, F }) => ({ pressure_mpa: p, ...(F === undefined ? 
 
 /**
  * The muscle file that says the same: the file itself where nothing is said over it.
- * @param {State} state @param {(command: "muscle-show", request: any) => Promise<any>} ask
+ * @param {State} state @param {(command: "muscle-show", request: Fields & { muscle_file: true }) =>
+ *   Promise<Commands["muscle-show"]["answer"]>} ask
  */
 export async function canonical(state, ask) {
   if (state.file && !Object.keys(state.said).length) return state.file;
@@ -160,13 +166,14 @@ export async function canonical(state, ask) {
 /**
  * A measure as a control shows it: what is said, or what the engine read.
  * @param {State} state
- * @param {Record<string, any> | undefined} shown an answer's muscle
+ * @param {object | undefined} shown an answer's muscle
  * @param {Measure} measure
  */
 export function shownValue(state, shown, { key, field, usual }) {
   const said = state.said[key];
   if (typeof said === "number") return said;
-  const read = key === "k" ? shown?.stiffness_n_per_mm : shown?.[field];
+  const of = /** @type {Record<string, unknown>} */ (shown ?? {});
+  const read = key === "k" ? of.stiffness_n_per_mm : of[field];
   return typeof read === "number" ? read : QUANTITIES.some((m) => m.key === key) ? usual : undefined;
 }
 
@@ -211,7 +218,8 @@ export function texts(params) {
 
 /**
  * The state of an address, with what was read of its texts.
- * @param {URLSearchParams} params @param {{ value?: number, problem?: any }[]} readings of `texts`, in their order
+ * @param {URLSearchParams} params
+ * @param {{ value?: number, problem?: { message: string } }[]} readings of `texts`, in their order
  * @returns {{ state: State, wrong: Map<string, string> }}
  */
 export function fromWords(params, readings) {
@@ -223,7 +231,7 @@ export function fromWords(params, readings) {
   texts(params).forEach(({ key }, i) => {
     const { value, problem } = readings[i];
     if (problem || value === undefined) return wrong.set(key, problem?.message ?? "");
-    if (key in at) /** @type {any} */ (at)[key] = value;
+    if (key === "p" || key === "e" || key === "F") at[key] = value;
     else said[key] = value;
   });
   const stiffness = params.get("k") ?? "";
@@ -239,11 +247,11 @@ export const keys = () => [...MEASURES, ...POINT].map(({ key }) => key).concat(N
  * A joint with this muscle against itself or another one.
  * @param {string} file the muscle's
  * @param {string} second file of the other one; empty where it is the same
- * @param {{ r: number, range: number, e0: number }} of mm, degrees, ratio
+ * @param {{ r: number, low: number, high: number, e0: number }} of mm, degrees, ratio
  */
-export function joint(file, second, { r, range, e0 }) {
+export function joint(file, second, { r, low, high, e0 }) {
   const other = second ? "muscle-2.toml" : "muscle.toml";
-  const text = `[joint]\nradius = "${r} mm"\nrange = "-${range}..${range} deg"\n[muscle_1]\nfile = "muscle.toml"\n`
+  const text = `[joint]\nradius = "${r} mm"\nrange = "${low}..${high} deg"\n[muscle_1]\nfile = "muscle.toml"\n`
     + `contraction_at_neutral = "${e0}"\n[muscle_2]\nfile = "${other}"\ncontraction_at_neutral = "${e0}"\n`;
   return { joint: { name: "joint.toml", text },
     muscles: [{ name: "muscle.toml", text: file }, ...(second ? [{ name: other, text: second }] : [])] };
@@ -252,7 +260,7 @@ export function joint(file, second, { r, range, e0 }) {
 /**
  * A step of this muscle's pressure.
  * @param {string} file the muscle's
- * @param {Record<string, any>} read fields of the form
+ * @param {import("./form.js").Read} read fields of the form
  */
 export function motion(file, { model, ...step }) {
   return { step, muscle: { name: "muscle", text: file }, model };
@@ -261,7 +269,8 @@ export function motion(file, { model, ...step }) {
 /**
  * One side of a comparison: this muscle, or that of a file of its own, with what the side says over it, at the side's
  * point or this one's.
- * @param {State} state @param {string} own a muscle file @param {Record<string, any>} read fields of the side's form
+ * @param {State} state @param {string} own a muscle file
+ * @param {import("./form.js").Read} read fields of the side's form
  */
 export function side(state, own, { model, pressure_mpa, contraction, ...over }) {
   // What a side says ousts what excludes it, as on the page Muscle.
@@ -274,9 +283,14 @@ export function side(state, own, { model, pressure_mpa, contraction, ...over }) 
 }
 
 /**
+ * What of a candidate makes a muscle.
+ * @typedef {{ outer_diameter_mm: number, wall_mm: number, length_mm: number, angle_deg: number, rubber: string,
+ *   tube?: string | null, sleeve?: string | null }} Chosen
+ */
+/**
  * The muscle of a candidate of a design: what the search chose, with what it was given of the strands.
- * @param {Record<string, any>} candidate
- * @param {Record<string, any>} asked the request
+ * @param {Chosen} candidate
+ * @param {Commands["design"]["request"]} asked the request
  * @param {{ p: number, e: number }} at
  * @returns {State}
  */
@@ -286,6 +300,9 @@ export function candidate(candidate, asked, { p, e }) {
   if (candidate.tube || asked.rubbers?.length) said.rubber = candidate.rubber;
   if (candidate.sleeve) said.braid = candidate.sleeve;
   else said.angle = candidate.angle_deg;
-  for (const { key, field } of [...STRANDS, STIFFNESS]) if (asked[field] !== undefined) said[key] = asked[field];
+  for (const { key, field } of [...STRANDS, STIFFNESS]) {
+    const value = /** @type {Record<string, unknown>} */ (asked)[field];
+    if (typeof value === "number" || typeof value === "string") said[key] = value;
+  }
   return { ...prototype(), said, p, e };
 }

@@ -40,7 +40,7 @@ const listeners = new Set(), /** @type {Set<() => void>} */ readers = new Set();
 export async function loadUnits() {
   takeUnits(await engine().ask("units", {}, { lane: "state" }));
 }
-/** @param {{ kinds: readonly any[] }} answer of `units` */
+/** @param {Pick<import("../../types/commands").Commands["units"]["answer"], "kinds">} answer of `units` */
 export function takeUnits(answer) {
   for (const { kind, expectation, units } of answer.kinds) kinds.set(kind, { expectation, units });
   const pressure = kinds.get("pressure");

@@ -66,6 +66,11 @@ export function reach(list) {
 /**
  * What colours the muscle and between which values; its length and radius at rest.
  * @typedef {{ field: string, low: number, high: number, restLength: number, restRadius: number }} Show
+ * What is drawn of an answer of `shape`.
+ * @typedef {{ stations: number, across: number, arrays: Record<string, number[] | Float32Array>, length_mm: number,
+ *   strands?: number | null }} Shape
+ * @typedef {{ array: WebGLVertexArrayObject, count: number }} Piece
+ * @typedef {{ outer: Piece, inner: Piece, walls: Piece[] }} Mesh
  */
 
 export class View {
@@ -81,14 +86,14 @@ export class View {
     this.contract = contract;
     this.drawn = drawn;
     this.cut = false;
-    /** @type {any} */ this.shape = undefined;
+    /** @type {Shape | undefined} */ this.shape = undefined;
     /** @type {Show} */
     this.show = { field: "", low: 0, high: 1, restLength: 1, restRadius: 1 };
     /** @type {WebGLTexture | null} */ this.plugTexture = null;
     /** @type {{ array: WebGLVertexArrayObject, count: number }[] | undefined} */ this.plug = undefined;
     /**
      * Meshes by their stations and nodes: with the measures of the muscle their number changes to and fro.
-     * @type {Map<string, any>}
+     * @type {Map<string, Mesh>}
      */
     this.meshes = new Map();
     this.canvas = el("canvas", { role: "img", "aria-label": "The deformed muscle" });
@@ -164,9 +169,12 @@ export class View {
     this.meshes.set(key, this.parts);
   }
 
-  /** @param {any} of @param {number[]} data @param {number[]} index @param {[string, number][]} parts */
+  /**
+   * @param {WebGLProgram | undefined} of @param {number[]} data @param {number[]} index
+   * @param {[string, number][]} parts
+   */
   buffers(of, data, index, parts) {
-    const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
+    const gl = /** @type {WebGL2RenderingContext} */ (this.gl), program = /** @type {WebGLProgram} */ (of);
     const array = gl.createVertexArray();
     gl.bindVertexArray(array);
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
@@ -176,7 +184,7 @@ export class View {
     const stride = 4 * parts.reduce((sum, [, size]) => sum + size, 0);
     let offset = 0;
     for (const [name, size] of parts) {
-      const at = gl.getAttribLocation(of, name);
+      const at = gl.getAttribLocation(program, name);
       if (at >= 0) {
         gl.enableVertexAttribArray(at);
         gl.vertexAttribPointer(at, size, gl.FLOAT, false, stride, offset);
@@ -188,7 +196,7 @@ export class View {
 
   /**
    * A new shape: the answer of `shape`; `rest` is the length at rest; what colours it and between which values.
-   * @param {any} shape @param {Show} show
+   * @param {Shape} shape @param {Show} show
    */
   set(shape, show) {
     this.shape = shape;
@@ -244,8 +252,8 @@ export class View {
     gl.uniform1f(at("outer"), shape.across - 1);
     gl.uniform1f(at("cut"), this.cut ? 1 : 0);
     gl.uniform2f(at("reach"), this.show.low, this.show.high);
-    const parts = /** @type {any} */ (this.parts);
-    const draw = (/** @type {any} */ part) => {
+    const parts = /** @type {Mesh} */ (this.parts);
+    const draw = (/** @type {Piece} */ part) => {
       gl.bindVertexArray(part.array);
       gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 0);
     };
@@ -276,7 +284,7 @@ export class View {
   /** The fittings at both ends, each with its port. @param {(name: string) => WebGLUniformLocation | null} at */
   plugs(at) {
     const { gl, shape } = this;
-    if (!gl) return;
+    if (!gl || !shape) return;
     const last = shape.arrays.z_mm.length - 1, end = shape.arrays.z_mm[last], r = shape.arrays.r_mm[last];
     const profile = FITTING.map(([a, z]) => [a * r, end + z * r]);
     // The first and the last texel only give the others neighbours.
@@ -315,7 +323,7 @@ export class View {
   /** The left end stays where it is; the picture is as wide as the muscle at rest. @param {number} aspect */
   camera(aspect) {
     const { restLength, restRadius } = this.show;
-    const now = this.shape.length_mm;
+    const now = this.shape?.length_mm ?? this.show.restLength;
     const wide = 0.5 * restLength + 2 * restRadius;
     const half = Math.max(wide, Math.max(2.4 * restRadius, 1.15 * this.largest()) * aspect) / this.zoom;
     this.half = half;
@@ -363,7 +371,7 @@ export class View {
 
   largest() {
     let most = 0;
-    for (const r of this.shape.arrays.r_mm) most = Math.max(most, r);
+    for (const r of this.shape?.arrays.r_mm ?? []) most = Math.max(most, r);
     return most;
   }
 
@@ -406,7 +414,8 @@ export class View {
    */
   atEnd(share) {
     const { restLength } = this.show;
-    const place = 0.5 + ((this.shape.length_mm - 0.5 * restLength) * Math.cos(this.turn[1])) / (2 * (this.half ?? 1));
+    const now = this.shape?.length_mm ?? restLength;
+    const place = 0.5 + ((now - 0.5 * restLength) * Math.cos(this.turn[1])) / (2 * (this.half ?? 1));
     return Boolean(this.contract) && share > place - 0.06 && share < place + 0.08;
   }
 
@@ -457,6 +466,7 @@ export class View {
 
   /** Without WebGL: outer and inner line of the section. */
   section() {
+    if (!this.shape) return;
     const { stations, across, arrays, length_mm } = this.shape;
     const { restLength } = this.show;
     const line = (/** @type {number} */ i, /** @type {number} */ sign) => {

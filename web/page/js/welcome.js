@@ -2,7 +2,6 @@
 import { byId, el } from "./dom.js";
 import { gallery } from "./gallery.js";
 import { noticeProblem } from "./notice.js";
-import { startTour } from "./tour.js";
 
 const HIDDEN = "mckibben:welcomed";
 const seen = () => {
@@ -29,9 +28,9 @@ export function welcome(on) {
   if (!box.childElementCount) {
     box.append(
       el("div", { class: "row" }, el("h2", { class: "grow" }, "Begin with a muscle"),
-        el("button", { type: "button", class: "main", onclick: () => {
+        el("button", { type: "button", class: "main", onclick: async () => {
           hide();
-          startTour();
+          (await import("./tour.js")).startTour();
         } }, "Take the tour (30 s)"), el("button", { type: "button", onclick: hide }, "Hide this")),
       gallery(noticeProblem, () => {
         box.hidden = true;

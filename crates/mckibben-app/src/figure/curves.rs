@@ -1,7 +1,7 @@
 //! A family of curves of one test.
 
 use super::{BAND, caption};
-use crate::curve::CurveAnswer;
+use crate::curve::answer::CurveAnswer;
 use crate::load::LoadAnswer;
 use crate::units::Units;
 use crate::words::percent;

@@ -2,7 +2,7 @@
 
 use super::curves::MOST_BANDS;
 use super::{BAND, caption};
-use crate::joint::{JointAnswer, JointRow};
+use crate::joint::answer::{JointAnswer, JointRow};
 use crate::units::Units;
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 

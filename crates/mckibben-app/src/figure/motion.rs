@@ -1,7 +1,7 @@
 //! A motion: position and pressure over time.
 
 use super::{BAND, caption};
-use crate::motion::{MotionAnswer, MotionRun};
+use crate::motion::answer::{MotionAnswer, MotionRun};
 use crate::units::Units;
 use mckibben_motion::Coordinate;
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};

@@ -3,7 +3,7 @@
 use super::caption;
 use crate::muscle::MuscleSummary;
 use crate::problem::{Problem, ProblemKind};
-use crate::simulate::PictureFields;
+use crate::simulate::request::PictureFields;
 use crate::words::percent;
 use mckibben::model::Response;
 use mckibben_fem::output::Shape;

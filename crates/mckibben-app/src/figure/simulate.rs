@@ -3,7 +3,7 @@
 use super::caption;
 use super::curves::axes;
 use crate::muscle::MuscleSummary;
-use crate::simulate::Simulated;
+use crate::simulate::point::Simulated;
 use crate::units::Units;
 use crate::words::percent;
 use mckibben::curve::Test;

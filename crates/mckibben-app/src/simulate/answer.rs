@@ -1,8 +1,9 @@
 //! What a finite-element test answers with.
 
-use super::Simulated;
+use super::point::Simulated;
+use crate::build::BuiltFile;
 use crate::burst::PressureLimits;
-use crate::curve::FailedPoint;
+use crate::curve::answer::FailedPoint;
 use crate::muscle::MuscleSummary;
 use crate::problem::Problem;
 use mckibben::curve::Test;
@@ -40,6 +41,9 @@ pub struct SimulateAnswer {
     /// The input deck, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub deck: Option<String>,
+    /// Files for ParaView, where they were asked for: `muscle.pvd`, which lists the others, comes first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub files: Vec<BuiltFile>,
     /// The picture, where it was asked for.
     #[serde(skip)]
     pub picture: Option<Scene>,

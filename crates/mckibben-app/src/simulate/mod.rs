@@ -1,10 +1,16 @@
 //! `simulate`: one finite-element test with everything it knows.
 
 mod answer;
-mod request;
+pub(crate) mod point;
+pub(crate) mod request;
+#[cfg(feature = "whole")]
+mod vtu;
 
 pub use answer::*;
+pub use point::{Held, Simulated};
 pub use request::{PictureFields, SimulateRequest};
+#[cfg(feature = "whole")]
+pub(crate) use vtu::with_files;
 
 use crate::burst::{QUIET_MPA, burst_of, put_first, said_of};
 use crate::curve::{check_count, check_test, contractions, forces, list, reach, steps};
@@ -28,50 +34,6 @@ use mckibben_fem::results::Solution;
 use mckibben_fem::simulation::{Given, Simulation, free_contraction};
 use mckibben_fem::three_dimensional::ThreeDimensional;
 use mckibben_fem::with_ends;
-
-/// What a point of a test holds: ε or F.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Held {
-    /// A contraction ratio.
-    Contraction(f64),
-    /// A pull in N.
-    Force(f64),
-}
-
-/// One point of the test: what was asked, and what came out.
-#[derive(Debug, Clone)]
-pub struct Simulated {
-    /// Pressure in MPa.
-    pub pressure_mpa: f64,
-    /// What was held.
-    pub held: Held,
-    /// The equilibrium.
-    pub solution: Result<Solution, FemError>,
-    /// Whether the muscle would have to push, and lies slack instead.
-    pub slack: bool,
-    /// Where it is slack: the free contraction at this pressure.
-    pub free_contraction: Option<f64>,
-    /// How it ended.
-    pub status: Status,
-}
-
-impl Simulated {
-    /// The contraction that was asked for.
-    pub fn contraction(&self) -> Option<f64> {
-        match self.held {
-            Held::Contraction(e) => Some(e),
-            Held::Force(_) => None,
-        }
-    }
-
-    /// The pull that was asked for, N.
-    pub fn force_n(&self) -> Option<f64> {
-        match self.held {
-            Held::Contraction(_) => None,
-            Held::Force(f) => Some(f),
-        }
-    }
-}
 
 /// Takes the shapes of a test, point by point: files for ParaView, a page.
 pub trait Shapes {
@@ -224,6 +186,7 @@ pub fn simulate(
         limits: (&found).into(),
         figure,
         deck,
+        files: vec![],
         picture,
         problem,
         strands: muscle.braid().strands.is_some(),

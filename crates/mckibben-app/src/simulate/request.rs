@@ -39,6 +39,9 @@ pub struct SimulateRequest {
     /// Add the input deck of the test for other programs to the answer; only with `fe3d`.
     #[serde(default)]
     pub deck: bool,
+    /// Add the deformed muscle of every point to the answer, as files that ParaView opens.
+    #[serde(default)]
+    pub vtu: bool,
     /// Add a picture of the last converged point to the answer.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub picture: Option<PictureFields>,

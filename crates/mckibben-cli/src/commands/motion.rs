@@ -102,7 +102,7 @@ impl StepFlags {
 fn files_of(args: &MotionArgs) -> Result<MotionRequest, Failure> {
     let named = |path: &Path, name: String| files::text(path).map(|file| TextFile { name, ..file });
     let Some(path) = &args.file else {
-        let muscle = args.step.muscle.as_deref().map(files::text).transpose()?;
+        let muscle = args.step.muscle.as_deref().map(files::muscle).transpose()?;
         let names = args.step.load.iter().flat_map(|load| Load::tables(load));
         let tables = names.map(|name| named(Path::new(name), name.into())).collect::<Result<_, _>>()?;
         return Ok(MotionRequest {
@@ -119,7 +119,10 @@ fn files_of(args: &MotionArgs) -> Result<MotionRequest, Failure> {
     let tables = tables.collect::<Result<_, _>>()?;
     let (mut muscle, mut fields) = (None, Default::default());
     match names.subject {
-        Subject::Muscle(name) => muscle = Some(named(&beside.join(&name), name)?),
+        Subject::Muscle(name) => {
+            let file = files::muscle(&beside.join(&name))?;
+            muscle = Some(TextFile { name, ..file });
+        }
         Subject::Joint(name) => fields = joint::fields(&beside.join(name))?,
     }
     Ok(MotionRequest { drive: Some(drive), muscle, tables, joint: fields, ..MotionRequest::default() })

@@ -88,6 +88,7 @@ pub fn run(args: &ReportArgs, format: Format) -> Result<u8, Failure> {
             revision: args.revision.clone(),
             date: args.date.clone(),
         },
+        html: false,
     };
     let answer = report(&request, &Bar::new("parts"))?;
     answer.warnings.iter().filter(|w| is_of_burst(w)).for_each(warn);

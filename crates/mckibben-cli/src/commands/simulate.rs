@@ -119,6 +119,8 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
         forces_n: forces(args.force.as_deref())?,
         two_sided: args.two_sided,
         deck: args.export_inp.is_some(),
+        // Written into a folder, point by point.
+        vtu: false,
         picture: args.picture.as_ref().map(|_| PictureFields {
             show: args.show.clone(),
             cut: args.cut,

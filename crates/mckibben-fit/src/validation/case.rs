@@ -25,8 +25,10 @@ pub struct CaseFiles {
     pub points: String,
 }
 
-/// What is known of a measurement.
-#[derive(Debug, Clone, PartialEq)]
+/// What is known of something that was measured.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(rename = "MeasuredFacts"))]
 pub struct Facts {
     /// Name of its folder.
     pub name: String,

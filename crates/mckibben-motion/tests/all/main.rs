@@ -10,4 +10,5 @@ mod measured;
 mod mechanics;
 mod random;
 mod refusals;
+mod stepped;
 mod support;

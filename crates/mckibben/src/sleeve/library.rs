@@ -1,10 +1,10 @@
 //! Named sleeves, from `data/braids.toml`, which states source and terms of each.
 
 use super::{Helix, Sleeve, SleeveError, SleeveShape};
+use crate::catalogue::{Catalogue, CatalogueError, Row};
 use crate::nearest::nearest;
 use std::fmt;
 use std::sync::OnceLock;
-use toml_edit::{Document, Item, TableLike, Value};
 
 /// From what a sleeve's helix was found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -128,87 +128,52 @@ pub fn find(name: &str) -> Result<Sleeve, SleeveError> {
     entry(name).map(|e| e.sleeve.clone())
 }
 
-fn damaged(what: impl Into<String>) -> SleeveError {
-    SleeveError::Damaged { what: what.into() }
-}
-
-fn parse(text: &str) -> Result<Document<&str>, SleeveError> {
-    Document::parse(text).map_err(|e| damaged(e.to_string()))
-}
-
-fn text(table: &dyn TableLike, key: &str) -> Result<String, SleeveError> {
-    let found = table.get(key).and_then(Item::as_str).map(str::to_string);
-    found.ok_or_else(|| damaged(format!("an entry without {key}")))
-}
-
-/// A number above zero, where the key is there.
-fn number(table: &dyn TableLike, key: &str) -> Result<Option<f64>, SleeveError> {
-    let Some(item) = table.get(key) else { return Ok(None) };
-    let value = item.as_float().or_else(|| item.as_integer().map(|i| i as f64));
-    match value {
-        Some(v) if v.is_finite() && v > 0.0 => Ok(Some(v)),
-        _ => Err(damaged(format!("{key} is not a number above zero"))),
+impl From<CatalogueError> for SleeveError {
+    fn from(error: CatalogueError) -> Self {
+        Self::Damaged { what: error.to_string() }
     }
 }
 
-fn count(table: &dyn TableLike, key: &str) -> Result<Option<u32>, SleeveError> {
-    let Some(item) = table.get(key) else { return Ok(None) };
-    let value = item.as_integer().and_then(|i| u32::try_from(i).ok()).filter(|n| *n > 0);
-    value.map(Some).ok_or_else(|| damaged(format!("{key} is not a count")))
-}
-
-/// The table of sources, by key.
-fn source<'a>(document: &'a Document<&str>, key: &str) -> Result<&'a dyn TableLike, SleeveError> {
-    let sources = document.get("sources").and_then(Item::as_table_like);
-    let found = sources.and_then(|s| s.get(key)).and_then(Item::as_table_like);
-    found.ok_or_else(|| damaged(format!("unknown source {key}")))
+/// The rows of a kind, of which a table has some.
+fn rows<'a>(file: &'a Catalogue<'_>, kind: &str) -> Result<Vec<Row<'a>>, SleeveError> {
+    let rows = file.rows(kind);
+    if rows.is_empty() { Err(SleeveError::Damaged { what: format!("no [[{kind}]]") }) } else { Ok(rows) }
 }
 
 fn read_materials(file: &str) -> Result<Vec<Material>, SleeveError> {
-    let document = parse(file)?;
-    let tables = document.get("material").and_then(Item::as_array_of_tables);
-    let one = |table: &toml_edit::Table| {
+    let one = |row: &Row<'_>| {
         Ok(Material {
-            name: text(table, "name")?,
-            title: text(table, "title")?,
-            modulus_mpa: number(table, "modulus")?.ok_or_else(|| damaged("a material without modulus"))?,
-            filament_diameter_mm: number(table, "filament_diameter")?,
-            strength_mpa: number(table, "strength")?,
-            strands_per_carrier: number(table, "strands_per_carrier")?,
-            density_kg_per_m3: number(table, "density")?,
-            factor: number(table, "factor")?.unwrap_or(1.0),
-            estimate: table.get("estimate").and_then(Item::as_str).map(str::to_string),
-            source: text(source(&document, &text(table, "source")?)?, "citation")?,
-            note: table.get("note").and_then(Item::as_str).map(str::to_string),
+            name: row.text("name")?.to_owned(),
+            title: row.text("title")?.to_owned(),
+            modulus_mpa: row.needed("modulus")?,
+            filament_diameter_mm: row.number("filament_diameter")?,
+            strength_mpa: row.number("strength")?,
+            strands_per_carrier: row.number("strands_per_carrier")?,
+            density_kg_per_m3: row.number("density")?,
+            factor: row.number("factor")?.unwrap_or(1.0),
+            estimate: row.owned("estimate"),
+            source: row.source()?.text("citation")?.to_owned(),
+            note: row.owned("note"),
         })
     };
-    tables.ok_or_else(|| damaged("no materials"))?.iter().map(one).collect()
+    rows(&Catalogue::parse(file)?, "material")?.iter().map(one).collect()
 }
 
 fn read_entries(file: &str, materials: &'static [Material]) -> Result<Vec<SleeveEntry>, SleeveError> {
-    let document = parse(file)?;
-    let tables = document.get("sleeve").and_then(Item::as_array_of_tables);
-    let tables = tables.ok_or_else(|| damaged("no sleeves"))?;
-    tables.iter().map(|t| read_entry(t, &document, materials)).collect()
+    rows(&Catalogue::parse(file)?, "sleeve")?.iter().map(|row| Ok(read_entry(row, materials)?)).collect()
 }
 
-fn read_entry(
-    table: &dyn TableLike,
-    document: &Document<&str>,
-    materials: &'static [Material],
-) -> Result<SleeveEntry, SleeveError> {
-    let name = text(table, "name")?;
-    let material = text(table, "material")?;
-    let origin = source(document, &text(table, "source")?)?;
+fn read_entry(row: &Row<'_>, materials: &'static [Material]) -> Result<SleeveEntry, CatalogueError> {
+    let (name, material) = (row.text("name")?.to_owned(), row.text("material")?.to_owned());
+    let origin = row.source()?;
     // What its strands are taken to be, where their material is not stated or not one of the table.
-    let like = table.get("like").and_then(Item::as_str).unwrap_or(&material);
+    let like = row.optional("like").unwrap_or(&material);
     let modulus_of = materials.iter().find(|m| m.name == like);
-    let (nominal_mm, angle) = (number(table, "nominal_diameter")?, number(table, "angle")?);
-    let (least, largest) = (number(table, "least_diameter")?, number(table, "largest_diameter")?);
-    let (strands, filaments) = (count(table, "strands")?, count(table, "filaments")?.unwrap_or(1));
-    let strand_diameter_mm = number(table, "strand_diameter")?;
+    let (nominal_mm, angle) = (row.number("nominal_diameter")?, row.number("angle")?);
+    let (least, largest) = (row.number("least_diameter")?, row.number("largest_diameter")?);
+    let (strands, filaments) = (row.count("strands")?, row.count("filaments")?.unwrap_or(1));
+    let strand_diameter_mm = row.number("strand_diameter")?;
     let width = strands.zip(strand_diameter_mm).map(|(n, d)| f64::from(n * filaments) * d);
-    let wrong = |what: &str| damaged(format!("{name}: {what}"));
     let (helix, helix_from) = match (nominal_mm.zip(angle), least.zip(largest), least.zip(width)) {
         (Some((diameter, angle)), _, _) => (Helix::at(diameter, angle), HelixFrom::Angle),
         (None, Some((least, largest)), _) => (Helix::jammed_at(least, largest), HelixFrom::Range),
@@ -217,39 +182,38 @@ fn read_entry(
         }
         (None, None, None) => (None, HelixFrom::Angle),
     };
-    let helix = helix.ok_or_else(|| wrong("nothing that gives a helix"))?;
+    let helix = helix.ok_or_else(|| row.wrong("nothing that gives a helix"))?;
     // What is not stated of the range is where the strands jam.
     let jams = width.and_then(|w| helix.jams_at(w));
     let bounds = least.or(jams.map(|j| j.0)).zip(largest.or(jams.map(|j| j.1)));
-    let (least_mm, largest_mm) = bounds.ok_or_else(|| wrong("no range"))?;
-    let aliases = table.get("aliases").and_then(Item::as_array);
+    let (least_mm, largest_mm) = bounds.ok_or_else(|| row.wrong("no range"))?;
     let stated = Sleeve {
         shape: SleeveShape { name, helix, least_mm, largest_mm },
         strands,
         filaments,
         strand_diameter_mm,
-        strand_modulus_mpa: number(table, "strand_modulus")?,
-        strand_strength_n: number(table, "strand_strength")?,
-        strands_per_carrier: number(table, "strands_per_carrier")?,
+        strand_modulus_mpa: row.number("strand_modulus")?,
+        strand_strength_n: row.number("strand_strength")?,
+        strands_per_carrier: row.number("strands_per_carrier")?,
         estimated: vec![],
         factor: 1.0,
     };
-    let factor = number(table, "factor")?;
+    let factor = row.number("factor")?;
     Ok(SleeveEntry {
         modulus_of: modulus_of.filter(|_| stated.strand_modulus_mpa.is_none()),
         sleeve: match modulus_of {
             Some(material) => estimated(stated, material, factor),
             None => stated,
         },
-        aliases: aliases.into_iter().flatten().filter_map(Value::as_str).map(str::to_string).collect(),
-        title: text(table, "title")?,
+        aliases: row.texts("aliases"),
+        title: row.text("title")?.to_owned(),
         material,
         nominal_mm,
         helix_from,
-        source: text(origin, "citation")?,
-        terms: text(origin, "terms")?,
-        price: table.get("price").and_then(Item::as_str).map(str::to_string),
-        note: table.get("note").and_then(Item::as_str).map(str::to_string),
+        source: origin.text("citation")?.to_owned(),
+        terms: origin.text("terms")?.to_owned(),
+        price: row.owned("price"),
+        note: row.owned("note"),
     })
 }
 
@@ -301,6 +265,6 @@ mod tests {
         assert!(damage("nominal_diameter = 3\nangle = 20").contains("n: no range"));
         assert!(damage("least_diameter = 4\nlargest_diameter = 3").contains("helix"));
         assert!(damage("least_diameter = -4\nlargest_diameter = 3").contains("least_diameter"));
-        assert!(damage("strands = 0").contains("strands is not a count"));
+        assert!(damage("strands = 0").contains("`strands` must be a count"));
     }
 }

@@ -5,7 +5,6 @@ import { capital, download, el, problemBox } from "../dom.js";
 import { muscle } from "../muscle.js";
 import { CONTRACTION, ENDS, LOAD, MORE, PRESSURE, QUANTITIES, STIFFNESS, STRANDS, about } from "../state.js";
 import { show } from "../units.js";
-import { inWords } from "../words.js";
 import { niceUp } from "./round.js";
 
 /** @typedef {import("./store.js").Store} Store */
@@ -204,39 +203,10 @@ async function save(fail) {
   }
 }
 
-/**
- * Drawing, plugs, steps and test sheet of this muscle at this pressure, as a list of downloads.
- * @param {HTMLElement} built
- */
+/** What the workshop needs, below the button. @param {HTMLElement} built */
 async function build(built) {
-  built.replaceChildren(el("p", { class: "soft" }, "…"));
   try {
-    const request = { ...muscle.fields(), ...(muscle.p > 0 ? { pressure_mpa: muscle.p } : {}) };
-    const answer = await engine().ask("build", request, { lane: "side" });
-    const items = answer.files.map((file) => {
-      const content = file.text ?? Uint8Array.from(atob(file.base64 ?? ""), (c) => c.charCodeAt(0));
-      return el(
-        "li",
-        {},
-        el(
-          "button",
-          { type: "button", onclick: () => download(file.name, content, "application/octet-stream") },
-          file.name,
-        ),
-        ` ${file.about}`,
-      );
-    });
-    const notes = answer.warnings.map((w) => el("li", {}, capital(inWords(/** @type {string} */ (w)))));
-    built.replaceChildren(
-      el(
-        "p",
-        {},
-        `At ${show("pressure", answer.pressure_mpa, 3)}: cut ${show("length", answer.cut.tube_mm)} of tube. Proof ` +
-          `test with water at ${show("pressure", answer.proof_pressure_mpa, 3)}.`,
-      ),
-      el("ul", { class: "warnings" }, ...notes),
-      el("ul", { style: "list-style:none;padding:0" }, ...items),
-    );
+    await (await import("../build-view.js")).build(built);
   } catch (problem) {
     built.replaceChildren(problemBox(problem));
   }

@@ -6,7 +6,7 @@ import { niceUp, twoDigits } from "./round.js";
 
 /** @typedef {import("./store.js").Store} Store */
 /** @typedef {import("../../../types/commands").Commands["curve"]["answer"]} Answer */
-/** @typedef {Answer["points"][number] & Record<string, any>} Point */
+/** @typedef {Answer["points"][number]} Point */
 /** Other models that can be laid over. */
 export const OVERLAYS = ["universal", "thick-wall", "ideal", "paper"];
 /** Points of a curve of the family, and of that of the state. */
@@ -72,13 +72,14 @@ function line(list, test) {
   const ok = (/** @type {Point} */ q) => q.status === "ok";
   const x = list.map((q) => outside("pressure", q.pressure_mpa));
   if (test === "isotonic") {
-    const half = list.map((q) => (q.contraction_uncertainty ? 100 * q.contraction_uncertainty : null));
+    const of = (/** @type {Point} */ q) => ("force_n" in q ? q.contraction_uncertainty : undefined);
+    const half = list.map((q) => (of(q) ? 100 * Number(of(q)) : null));
     return { x, y: list.map((q) => (ok(q) ? 100 * Number(q.contraction) : null)), half };
   }
   return {
     x,
-    y: list.map((q) => (ok(q) ? outside("force", q.force_n) : null)),
-    half: list.map((q) => (q.uncertainty_n ? outside("force", q.uncertainty_n) : null)),
+    y: list.map((q) => ("force_n" in q ? outside("force", q.force_n) : null)),
+    half: list.map((q) => ("force_n" in q && q.uncertainty_n ? outside("force", q.uncertainty_n) : null)),
   };
 }
 
@@ -113,9 +114,10 @@ export function familySeries(answer, test, top, own) {
 export function ownSeries(answer, test, top) {
   const name = named(answer.fixed[0], test),
     colour = test === "isobaric" ? pressureColour(answer.fixed[0], top) : "#0072B2";
-  const branches = [...new Set(answer.points.map((/** @type {Point} */ q) => q.direction))];
+  const of = (/** @type {Point} */ q) => ("force_n" in q ? q.direction : undefined);
+  const branches = [...new Set(answer.points.map(of))];
   return branches.map((branch, i) => {
-    const list = answer.points.filter((/** @type {Point} */ q) => q.direction === branch);
+    const list = answer.points.filter((q) => of(q) === branch);
     const words =
       branch === "contraction" ? " while it shortens" : branch === "elongation" ? " while it lengthens" : "";
     const label = i ? {} : { end: name, at: /** @type {"start" | "end"} */ (test === "isobaric" ? "start" : "end") };

@@ -11,7 +11,13 @@ import { niceUp } from "./round.js";
 export const OWN = ["test", "show", "cut", "over"];
 /** @typedef {import("../../../types/commands").Commands} Commands */
 /** @typedef {Commands["shape"]["answer"] & { arrays: Record<string, Float32Array> }} Shape */
-/** @typedef {"answer" | "problem" | "facts" | "sync" | "changed" | "look" | "ranges"} Event */
+/** @typedef {import("../engine/problem.js").Problem} Problem */
+/**
+ * What views are told: of an answer whether it belongs to the pump, of a problem the state that it is about.
+ * @typedef {{ answer: boolean, problem: { problem: Problem, state: import("../state.js").State }, facts: undefined,
+ *   sync: undefined, changed: undefined, look: undefined, ranges: undefined }} Told
+ * @typedef {keyof Told} Event
+ */
 /**
  * `start`: P′; `said`: what `force` has to say of a state.
  * @typedef {Partial<Commands["muscle-show"]["answer"]> & { start?: number | null,
@@ -31,16 +37,16 @@ export class Store {
      */
     this.ranges = undefined;
     this.rangesKey = "";
-    /** The last problem, until there is an answer. @type {any} */ this.problem = undefined;
-    /** @type {Map<Event, ((more?: any) => void)[]>} */ this.listeners = new Map();
+    /** The last problem, until there is an answer. @type {Problem | undefined} */ this.problem = undefined;
+    /** @type {Map<Event, ((more: never) => void)[]>} */ this.listeners = new Map();
     this.slots = { state: new Slot({ lane: "state", busy }), fact: new Slot(), start: new Slot(), range: new Slot() };
     this.timers = { follow: 0, start: 0 };
   }
 
-  /** @param {Event} what @param {(more?: any) => void} tell */
+  /** @template {Event} E @param {E} what @param {(more: Told[E]) => void} tell */
   on(what, tell) { this.listeners.set(what, [...(this.listeners.get(what) ?? []), tell]); }
-  /** @param {Event} what @param {any} [more] */
-  tell(what, more) { this.listeners.get(what)?.forEach((tell) => tell(more)); }
+  /** @template {Event} E @param {E} what @param {Told[E]} [more] */
+  tell(what, more) { this.listeners.get(what)?.forEach((tell) => tell(/** @type {never} */ (more))); }
 
   /** @param {string} key @param {number | string | undefined} value @param {boolean} settled */
   changed(key, value, settled) {

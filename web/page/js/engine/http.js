@@ -34,7 +34,7 @@ async function reach(path, init) {
   return answer;
 }
 
-/** @param {any} request @param {AbortSignal} [signal] */
+/** @param {unknown} request @param {AbortSignal} [signal] */
 const post = (request, signal) => ({ method: "POST", signal, body: JSON.stringify(request),
   headers: { "content-type": "application/json", accept: "application/octet-stream" } });
 
@@ -43,6 +43,10 @@ const post = (request, signal) => ({ method: "POST", signal, body: JSON.stringif
 export class Engine {
   get about() {
     return "mckibben serve";
+  }
+  /** It has no files: without its server there is no answer. */
+  get files() {
+    return /** @type {string[]} */ ([]);
   }
 
   /**

@@ -5,11 +5,21 @@ import { Problem, gone } from "./problem.js";
 
 /** @typedef {import("../../../types/commands").Commands} Commands */
 
-/** Commands of the small module; it has no `fe3d`. */
+/** Commands of the small module; it has no `fe3d`, and reads no files of formulas and loads. */
 const LIVE = ["force", "pressure", "contraction", "curve", "shape", "muscle-show", "muscle-measures", "braid-list",
-  "braid-show", "rubber-list", "rubber-show", "models", "quantities", "units"];
+  "rubber-list", "models", "quantities", "units"];
 
 /** @typedef {"state" | "read" | "side" | "curves"} LaneName */
+
+/** @typedef {ConstructorParameters<typeof Problem>[0]} Said */
+/** What a worker answers: how far it is, an answer, a problem, or its end. */
+/** @typedef {{ id: number, done: number, total?: number, answer?: unknown, problem?: Said, dead?: string }} Told */
+/**
+ * A question, with who waits for it.
+ * @typedef {{ id: number, command: string, request: string, posted: boolean, signal?: AbortSignal, stop: () => void,
+ *   resolve: (answer: never) => void, reject: (problem: unknown) => void,
+ *   progress?: (done: number, total: number) => void }} Asked
+ */
 
 /** A worker, asked one question after the other: one that is given up costs those behind it nothing. */
 class Lane {
@@ -17,7 +27,7 @@ class Lane {
   constructor(module) {
     this.module = module;
     /** @type {Worker | undefined} */ this.worker = undefined;
-    /** Questions; the first is the one that the worker has. @type {any[]} */ this.open = [];
+    /** Questions; the first is the one that the worker has. @type {Asked[]} */ this.open = [];
     this.next = 1;
   }
 
@@ -47,13 +57,13 @@ class Lane {
     }
   }
 
-  /** @param {any} asked @param {() => void} act */
+  /** @param {Asked} asked @param {() => void} act */
   close(asked, act) {
     asked.signal?.removeEventListener("abort", asked.stop);
     act();
   }
 
-  /** @param {any} data */
+  /** @param {Told} data */
   take(data) {
     if (data.dead) return this.end(data.dead);
     const [asked] = this.open;
@@ -62,7 +72,9 @@ class Lane {
       return asked.progress?.(data.done, data.total);
     this.open.shift();
     this.go();
-    this.close(asked, () => (data.problem ? asked.reject(new Problem(data.problem)) : asked.resolve(data.answer)));
+    const { problem, answer } = data;
+    this.close(asked,
+      () => (problem ? asked.reject(new Problem(problem)) : asked.resolve(/** @type {never} */ (answer))));
   }
 
   /** The worker is given up; the next question starts another. @param {string} why */
@@ -74,12 +86,13 @@ class Lane {
 
   /**
    * @param {string} command
-   * @param {any} request
+   * @param {object} request
    * @param {{ signal?: AbortSignal, progress?: (done: number, total: number) => void }} options
    */
   ask(command, request, { signal, progress } = {}) {
     signal?.throwIfAborted();
     return new Promise((resolve, reject) => {
+      /** @type {Asked} */
       const asked = { id: this.next++, command, request: JSON.stringify(request), resolve, reject, signal, progress,
         posted: false, stop: () => {} };
       asked.stop = () => {
@@ -131,6 +144,10 @@ export class Engine {
   get about() {
     return "WebAssembly in this browser";
   }
+  /** What it needs without a network. */
+  get files() {
+    return ["live.wasm", "whole.wasm"];
+  }
 
   /**
    * Answers a request. `lane`: what waits for what; `state` comes first, and `read` is for what takes no time.
@@ -140,8 +157,9 @@ export class Engine {
    * @returns {Promise<Commands[K]["answer"]>}
    */
   async ask(command, request, { lane = "side", signal } = {}) {
-    const { model, formulas } = /** @type {any} */ (request);
-    const small = LIVE.includes(command) && model !== "fe3d" && !formulas?.length;
+    const of = /** @type {{ model?: string, formulas?: object[], load_tables?: object[] }} */ (request);
+    const files = of.formulas?.length || of.load_tables?.length;
+    const small = LIVE.includes(command) && of.model !== "fe3d" && !files;
     return this.lanes[small ? lane : "whole"].ask(command, request, { signal });
   }
 

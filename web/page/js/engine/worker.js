@@ -1,7 +1,12 @@
 // One engine in a worker of its own: requests in, answers out, one after the other.
 import { unpack } from "./packed.js";
 
-/** @type {any} */ let engine;
+/**
+ * What the module exports.
+ * @type {{ memory: WebAssembly.Memory, reserve: (bytes: number) => number, ask: (command: number) => number,
+ *   answer: () => number, answer_length: () => number, start: () => void }}
+ */
+let engine;
 /** @type {Promise<void> | undefined} */ let ready;
 let current = 0;
 const encoder = new TextEncoder(), decoder = new TextDecoder();
@@ -9,7 +14,7 @@ const encoder = new TextEncoder(), decoder = new TextDecoder();
 /**
  * @param {string} command
  * @param {string} request
- * @returns {{ problem?: any, answer?: any, buffers?: ArrayBuffer[] }}
+ * @returns {{ problem?: object, answer?: unknown, buffers?: ArrayBuffer[] }}
  */
 function ask(command, request) {
   const [a, b] = [encoder.encode(command), encoder.encode(request)];
@@ -28,7 +33,7 @@ async function begin(module) {
     progress: (/** @type {number} */ done, /** @type {number} */ total) =>
       self.postMessage({ id: current, done, total }),
   };
-  engine = (await WebAssembly.instantiate(module, { host })).exports;
+  engine = /** @type {typeof engine} */ ((await WebAssembly.instantiate(module, { host })).exports);
   engine.start();
 }
 

@@ -5,10 +5,35 @@ import { el } from "../dom.js";
 import { job, table } from "../form.js";
 import { fileOf, keepFile } from "../kept.js";
 import { muscle } from "../muscle.js";
+import { isKept, keepAll } from "../offline.js";
 import { number } from "../units.js";
 
 /** The verification was computed here: it is there again when one comes back. */
 const CHECKED = "checked";
+
+/** What works without a network, and a button for the rest. */
+function withoutNetwork() {
+  const text = el("span", {}), own = engine().files.length > 0;
+  const keep = el("button", { type: "button", onclick: async () => {
+    keep.disabled = true;
+    text.textContent = "Fetching …";
+    const wrong = await keepAll().then(() => "", (problem) => `That failed: ${problem.message}`);
+    await say();
+    if (wrong) text.textContent = wrong;
+    keep.disabled = false;
+  } }, "Make all pages available offline");
+  const element = el("div", { hidden: true }, el("h2", {}, "Without a network"), el("p", { class: "row" }, text, keep));
+  const say = async () => {
+    const all = await isKept();
+    keep.hidden = all;
+    if (own) text.textContent = all ? "Every page works." : "The page Muscle works; the other pages need more.";
+    else text.textContent = `The page opens${all ? "" : ", without its maps"}; only its server computes.`;
+    element.hidden = false;
+  };
+  // Where the browser keeps nothing there is nothing to say.
+  say().catch(() => {});
+  return element;
+}
 
 /** @param {HTMLElement} main */
 export function mount(main) {
@@ -17,9 +42,8 @@ export function mount(main) {
   const check = job("Compute them here", "validate", async () => ({}), (answer) => {
     keepFile(CHECKED, true);
     const rows = (/** @type {string} */ kind) =>
-      answer.cases.filter((/** @type {any} */ c) => c.kind === kind).map((
-        /** @type {any} */ c,
-      ) => [c.name, c.source ?? "", number(c.reference, 5), number(c.ours, 5),
+      answer.cases.filter((c) => c.kind === kind).map((c) =>
+        [c.name, c.source ?? "", number(c.reference, 5), number(c.ours, 5),
         c.error === undefined ? "–" : number(c.error, 2), c.ok ? "holds" : "fails"]
       );
     const head = ["case", "source", "reference", "here", "error", ""];
@@ -42,6 +66,7 @@ export function mount(main) {
           + "batch and few are known; it becomes smaller when you identify your own rubber on the page Data. The "
           + "model includes the thickness of the braid, the gap before first contact, the slip of the ends, the "
           + "history of the rubber and the friction between strands only if the muscle file states them."),
+      withoutNetwork(),
       el("h2", {}, "Verification and validation"), check.element),
     cases,
     el("div", { class: "prose" }, el("h2", {}, "Models")),
@@ -59,7 +84,7 @@ export function mount(main) {
   engine().ask("models", {}).then(
     (answer) =>
       models.replaceChildren(
-        table(["model", "what it is"], answer.models.map((/** @type {any} */ m) => [m.name, m.description]), {
+        table(["model", "what it is"], answer.models.map((m) => [m.name, m.description]), {
           text: [0, 1],
           label: "models",
         }),

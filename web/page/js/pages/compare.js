@@ -54,7 +54,7 @@ function muscleLine(m) {
  * @param {ReturnType<typeof form>} fields @param {string} name of the side @param {string} file of its own
  */
 function usualTexts(fields, name, file) {
-  const put = (/** @type {string} */ key, /** @type {string | undefined} */ text) =>
+  const put = (/** @type {string} */ key, /** @type {string | null | undefined} */ text) =>
     fields.usual(name + key, file ? "as in its file" : text ?? "");
   for (const m of QUANTITIES) {
     const value = shownValue(muscle.state, muscle.shown, m), shown = value === undefined ? "" : show(m.kind, value);
@@ -101,7 +101,7 @@ function sideOf(name, second, { ask, paint }) {
       const read = await fields.read();
       if (!read) return stale(true);
       const { muscle: of, model, pressure_mpa, contraction } = asked(muscle.state, side.file, read);
-      const fail = (/** @type {any} */ problem) => {
+      const fail = (/** @type {import("../engine/problem.js").Problem} */ problem) => {
         side.answer = undefined;
         stale(true);
         fields.at(problem);
@@ -115,7 +115,7 @@ function sideOf(name, second, { ask, paint }) {
         paint();
       }, fail);
       shape.ask("shape", { ...of, contraction, pressure_mpa }, (answer) => {
-        const { max_stretch: stretch } = /** @type {any} */ (answer.arrays);
+        const { max_stretch: stretch } = answer.arrays;
         view.set(answer, { field: "max_stretch", low: 1, high: Math.max(1.2, reach(stretch)[1]),
           restLength: answer.muscle.length_mm, restRadius: answer.muscle.outer_diameter_mm / 2 });
       }, () => {});
@@ -142,7 +142,7 @@ function sideOf(name, second, { ask, paint }) {
   return side;
 }
 
-/** Rows of the numbers. @type {[string, (x: any) => string][]} */
+/** Rows of the numbers. @type {[string, (x: Commands["force"]["answer"]) => string][]} */
 const ROWS = [
   ["model", (x) => x.model],
   ["pull", (x) => (x.slack ? "slack" : withUncertainty("force", x.force_n, x.uncertainty_n))],

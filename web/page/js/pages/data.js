@@ -1,6 +1,7 @@
 // Measured points: seen over the models, and constants identified from them.
 import { engine } from "../ask.js";
 import { address, write } from "../address.js";
+import { problemOf } from "../engine/problem.js";
 import { columnChoice, headings } from "../columns.js";
 import { fileField } from "../controls.js";
 import { download, el, problemBox } from "../dom.js";
@@ -13,6 +14,8 @@ import { measured } from "../measured.js";
 import { muscle } from "../muscle.js";
 import { number, onUnits, show, unitName } from "../units.js";
 
+/** @typedef {import("../../../types/commands").Commands} Commands */
+/** @typedef {Commands["compare"]["answer"]["understood"][number]["columns"][number]} Column */
 const HEADING = "pressure_bar,contraction,force_n\n", CONSTANTS = "constants";
 
 /** Points of this muscle with errors of 3 %, always the same. */
@@ -20,25 +23,21 @@ async function madeUp() {
   const p = [0.1, 0.2, 0.3], e = [0, 0.05, 0.1, 0.15, 0.2];
   const answer = await engine().ask("curve", { ...muscle.fields(), test: "isobaric", pressures_mpa: p,
     contractions: e });
-  const rows = answer.points.flatMap((/** @type {any} */ q,
-    /** @type {number} */ i) => (q.status === "ok" && (q.force_n ?? 0) > 0
-      ? [
-        `${10 * q.pressure_mpa},${q.contraction},${
-          ((q.force_n ?? 0) * (1 + 0.03 * Math.sin(12.9898 * (i + 1)))).toFixed(1)
-        }`,
-      ]
-      : [])
-  );
+  const rows = answer.points.flatMap((q, i) => {
+    if (q.status !== "ok" || !("force_n" in q) || q.force_n <= 0) return [];
+    const force = q.force_n * (1 + 0.03 * Math.sin(12.9898 * (i + 1)));
+    return [`${10 * q.pressure_mpa},${q.contraction},${force.toFixed(1)}`];
+  });
   return HEADING + rows.join("\n") + "\n";
 }
 
-/** Constants with their ±, and what to do with them. @param {any} answer */
+/** Constants with their ±, and what to do with them. @param {Commands["identify"]["answer"]} answer */
 function identifiedView(answer) {
-  const rows = answer.parameters.map((
-    /** @type {any} */ p,
-  ) => [p.name, `${number(p.value, 5)} ${p.unit ?? ""}`, p.half_width_95 ? `± ${number(p.half_width_95, 2)}` : "–",
-    p.identifiable ? "" : "not identifiable from these data"]
-  );
+  const rows = answer.parameters.map((p) => {
+    const half = p.half_width_95 ? `± ${number(p.half_width_95, 2)}` : "–";
+    return [p.name, `${number(p.value, 5)} ${p.unit ?? ""}`, half,
+      p.identifiable ? "" : "not identifiable from these data"];
+  });
   const see = async () => {
     await muscle.take(answer.muscle_file);
     location.hash = address("muscle", muscle.params());
@@ -55,15 +54,15 @@ function identifiedView(answer) {
   ];
 }
 
-/** Errors of the models. @param {any[]} models */
+/** Errors of the models. @param {Commands["compare"]["answer"]["models"]} models */
 const errorTable = (models) => {
-  const force = (/** @type {number} */ f) => show("force", f, 3);
+  const force = (/** @type {number | null | undefined} */ f) => show("force", f, 3);
   const rows = models.map((m) => [m.model, force(m.rms_n), force(m.max_n), force(m.mean_n), String(m.points)]);
   return table(["model", "rms", "largest", "mean", "points"], rows, { label: "errors of the models" });
 };
 
 /** What is asked of the table. @type {import("../form.js").Field[]} */
-const FIELDS = [
+export const FIELDS = [
   { key: "free", field: "free", label: "Free constants", words: true, hint: "modulus; or mu, braid.angle" },
   { key: "models", field: "models", label: "Models", words: true, value: "fe, thick-wall, ideal" },
 ];
@@ -72,8 +71,8 @@ const BEGIN = "Drop a table of measured points. The figure compares it with the 
   + "Muscle. Then you can identify its constants.";
 
 class DataPage {
-  /** @type {any} */ #compared;
-  /** @type {any} */ #known;
+  /** @type {Commands["compare"]["answer"] | undefined} */ #compared;
+  /** @type {Commands["identify"]["answer"] | undefined} */ #known;
   #looking = new AbortController();
 
   /** @param {HTMLElement} main */
@@ -103,7 +102,7 @@ class DataPage {
   #controls() {
     const button = (/** @type {string} */ text, /** @type {() => void} */ act) =>
       el("button", { type: "button", onclick: act }, text);
-    const fail = (/** @type {any} */ why) => this.#fail(why);
+    const fail = (/** @type {unknown} */ why) => this.#fail(why);
     const samples = el("p", { class: "row small" }, "Examples:",
       button("points of this muscle", () => madeUp().then((text) => this.#take("example.csv", text)).catch(fail)),
       button("a bench with its muscle", () => this.#bench().catch(fail)));
@@ -129,7 +128,7 @@ class DataPage {
       figure: unitName("pressure") };
   }
 
-  /** @param {any} answer */
+  /** @param {Commands["identify"]["answer"]} answer */
   #identified(answer) {
     this.#known = answer;
     keepFile(CONSTANTS, true);
@@ -142,7 +141,7 @@ class DataPage {
     this.which.textContent = `Compared with ${muscle.line()}.`;
     return muscle.fields();
   }
-  /** @param {any} why */
+  /** @param {unknown} why */
   #fail(why) { this.understood.replaceChildren(problemBox(why)); }
   /** @param {HTMLElement[]} parts @param {boolean} on */
   #dim(parts, on) { parts.forEach((part) => part.classList.toggle("stale", on)); }
@@ -181,7 +180,7 @@ class DataPage {
     } catch (why) {
       if (signal.aborted) return;
       this.#fail(why);
-      if (/** @type {any} */ (why).kind === "data") this.columns.open();
+      if (problemOf(why).kind === "data") this.columns.open();
       this.#dim([this.errors, this.figures.element], true);
     }
   }
@@ -190,7 +189,7 @@ class DataPage {
     const compared = this.#compared, known = this.#known;
     if (compared && this.data) {
       const u = compared.understood?.[0] ?? compared.understood;
-      const column = (/** @type {any} */ c) => `${c.column} → ${c.quantity}${c.unit ? ` (${c.unit})` : ""}`;
+      const column = (/** @type {Column} */ c) => `${c.column} → ${c.quantity}${c.unit ? ` (${c.unit})` : ""}`;
       const said = [...(measured.said ? [measured.said] : []), ...(compared.warnings ?? [])];
       const line = `${this.data.name}: ${compared.points} points. ${u?.columns?.map(column).join(", ") ?? ""}`;
       this.understood.replaceChildren(el("p", {}, line), warnings(said));

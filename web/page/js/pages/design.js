@@ -2,6 +2,7 @@
 import { engine } from "../ask.js";
 import { address, write } from "../address.js";
 import { designMap } from "../design-map.js";
+import { designTarget } from "../design-target.js";
 import { closestView, foundView, rejectedView } from "../design-view.js";
 import { el, problemBox } from "../dom.js";
 import { Figures } from "../figure.js";
@@ -9,7 +10,7 @@ import { form, job } from "../form.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { STIFFNESS_NAMES, candidate, missing } from "../state.js";
-import { onUnits, unitName } from "../units.js";
+import { onUnits, typed, unitName } from "../units.js";
 
 const OBJECTIVES = /** @type {[string, string][]} */ ([
   ["diameter", "smallest diameter"],
@@ -20,8 +21,11 @@ const OBJECTIVES = /** @type {[string, string][]} */ ([
   ["length", "shortest"],
 ]);
 /** @typedef {import("../form.js").Field} Field */
+/** @typedef {import("../../../types/commands").Commands["design"]} Design */
+/** @typedef {Design["request"]} Asked */
+/** @typedef {Design["answer"]["candidates"][number]} Candidate */
 /** @type {Field[]} */
-const WANTED = [
+export const WANTED = [
   { key: "F", field: "force_n", label: "Pull", kind: "force", value: "700 N" },
   { key: "e", field: "contraction", label: "at a contraction of", kind: "ratio", value: "15 %" },
   { key: "at", field: "points", label: "or several pulls", pair: [["force", "force_n"], ["ratio", "contraction"]],
@@ -36,7 +40,7 @@ const WANTED = [
   { key: "for", field: "objective", label: "Rank by", options: OBJECTIVES, value: "diameter" },
 ];
 /** @type {() => Field[]} */
-const choices = () => [
+export const choices = () => [
   { key: "D", field: "outer_diameter_mm", label: "Outer diameters", kind: "length", list: true, hint: "10..60 mm" },
   { key: "s", field: "wall_mm", label: "Walls", kind: "length", list: true, hint: "1..4:0.5 mm" },
   { key: "L", field: "length_mm", label: "Length", kind: "length", list: true, hint: "285 mm" },
@@ -54,7 +58,7 @@ const choices = () => [
     hint: "4" },
 ];
 /** @type {Field[]} */
-const SPREADS = [
+export const SPREADS = [
   { key: "ts", field: "wall_mm", label: "Wall ±", kind: "length", hint: "0.1 mm" },
   { key: "tD", field: "outer_diameter_mm", label: "Outer diameter ±", kind: "length", hint: "0.3 mm" },
   { key: "tL", field: "length_mm", label: "Length ±", kind: "length", hint: "2 mm" },
@@ -89,7 +93,7 @@ function specification(submit) {
     set: (/** @type {URLSearchParams} */ params) => forms.forEach((f) => f.set(params)),
     /**
      * Fields of the request, or nothing where a text cannot be read.
-     * @returns {Promise<Record<string, any> | undefined>}
+     * @returns {Promise<Asked | undefined>}
      */
     async read() {
       const [want, space, tolerance] = await Promise.all([wanted.read(), choice.read({ intervals: true }),
@@ -101,7 +105,7 @@ function specification(submit) {
       return { ...want, ...space, figure: unitName("pressure"),
         ...(Object.keys(tolerance).length ? { tolerance } : {}) };
     },
-    /** @param {any} problem */
+    /** @param {import("../engine/problem.js").Problem} problem */
     at(problem) {
       forms.some((f) => f.at(problem));
       for (const key of lacking())
@@ -123,32 +127,38 @@ const priced = () => (prices ??= engine().ask("parts-list", {}).then(
 
 /**
  * The address of a muscle of the search: that muscle, and nothing of the one of the other pages.
- * @param {any} c
- * @param {any} of the request
+ * @param {import("../state.js").Chosen} c
+ * @param {Asked} of the request
  * @param {{ p: number, e: number }} at
  */
 const linked = (c, of, at) => address("muscle", muscle.paramsOf(candidate(c, of, at)));
 
 /** @param {HTMLElement} main */
 export function mount(main) {
-  /** @type {any} */ let found;
-  /** What the answer that is shown was asked by, and the newest question. @type {any} */
-  let of, /** @type {any} */ asked;
+  /** @type {Design["answer"] | undefined} */ let found;
+  /** What the answer that is shown was asked by, and the newest question. @type {Asked} */
+  let of = {}, /** @type {Asked | undefined} */ asked;
   const spec = specification(() => search.run());
   const results = el("div", {},
     el("p", { class: "soft" },
       "State the requirement. The search ranks tubes and sleeves that you can buy or cast, or free diameters and "
         + "walls where you give them; finite elements compute the final values."));
   const figures = new Figures("design"), map = designMap((c, at) => linked(c, of, at));
+  const target = designTarget({ moved: (to) => map.preview(to), settled(to) {
+    spec.put("F", typed("force", to.force_n));
+    spec.put("e", typed("ratio", to.contraction));
+    search.run();
+  } });
   const search = job("Design", "design", async () => {
     asked = await spec.read();
     if (asked) place();
     return asked;
   }, (answer) => {
-    [found, of] = [answer, asked];
+    [found, of] = [answer, asked ?? {}];
     stale(false);
     paint();
     figures.show(answer.figure);
+    target.show(found, of);
     map.show(found, of);
   }, (problem) => {
     spec.at(problem);
@@ -157,7 +167,8 @@ export function mount(main) {
   });
   /** What is shown belongs to the last specification that had an answer. @param {boolean} on */
   const stale = (on) =>
-    [results, ...map.elements, figures.element].forEach((part) => part.classList.toggle("stale", on && Boolean(found)));
+    [results, target.element, ...map.elements, figures.element].forEach((part) =>
+      part.classList.toggle("stale", on && Boolean(found)));
   const place = () => {
     if (main.contains(results)) write(address("design", { ...spec.texts(), m: muscle.word() }));
   };
@@ -165,7 +176,7 @@ export function mount(main) {
   async function paint() {
     if (!found) return;
     const answer = found;
-    const act = { open: (/** @type {any} */ c) => {
+    const act = { open: (/** @type {Candidate} */ c) => {
       location.hash = linked(c, of, { p: c.pressure_mpa, e: c.points[0].contraction });
     }, ask(/** @type {Record<string, string>} */ words) {
       Object.entries(words).forEach(([key, text]) => spec.put(key, text));
@@ -175,7 +186,7 @@ export function mount(main) {
       results.replaceChildren(...(answer.candidates[0] ? foundView(answer, known, act) : closestView(answer)),
         ...rejectedView(answer));
     show(new Map());
-    if (!answer.candidates.some((/** @type {any} */ c) => c.tube || c.sleeve)) return;
+    if (!answer.candidates.some((c) => c.tube || c.sleeve)) return;
     const known = await priced();
     if (answer === found && known.size) show(known);
   }
@@ -183,10 +194,12 @@ export function mount(main) {
   main.replaceChildren(
     el("div", { class: "bench two" },
       el("section", { class: "controls", "aria-label": "Specification" }, el("h2", {}, "Specification"),
-        ...spec.elements, search.element), el("div", { class: "middle" }, results, ...map.elements, figures.element)),
+        ...spec.elements, search.element), el("div", { class: "middle" },
+        results, target.element, ...map.elements, figures.element)),
   );
   atEnd(onUnits(() => {
     paint();
+    target.draw();
     map.draw();
   }));
   return {
@@ -204,6 +217,7 @@ export function mount(main) {
     unmount() {
       search.end();
       map.end();
+      target.end();
     },
   };
 }

@@ -30,10 +30,10 @@ contractions = "0..0.20:0.05"
 pressures = "0..0.25:0.01 MPa"
 `;
 /** The plan that was computed before: it is computed again when one comes back. */
-const COMPUTED = "campaign";
+const COMPUTED = /** @type {const} */ ("campaign");
 
 /** How a formula is fitted. @type {import("../form.js").Field[]} */
-const HOW = [
+export const HOW = [
   { key: "method", field: "method", label: "Method",
     options: [["paper", "the paper's seven steps"], ["global", "one least-squares problem"]], value: "paper" },
   { key: "hold", field: "hold_out_mm", label: "Diameters kept out", kind: "length", list: true, hint: "45 mm" },
@@ -42,7 +42,8 @@ const HOW = [
 
 /** @param {HTMLElement} main */
 export function mount(main) {
-  /** @type {any} */ let made, /** @type {any} */ formula = PUBLISHED;
+  /** @type {import("../../../types/commands").Commands["plan"]["answer"] | undefined} */ let made;
+  /** @type {import("../formula-view.js").File | typeof PUBLISHED} */ let formula = PUBLISHED;
   const plan = el("textarea", { rows: 20, style: "width:100%;font:13px ui-monospace,monospace",
     "aria-label": "Plan (TOML)", spellcheck: "false" });
   plan.value = fileOf("plan") ?? PLAN;

@@ -14,17 +14,23 @@ import { muscle } from "../muscle.js";
 import { joint } from "../state.js";
 import { onUnits, typed } from "../units.js";
 
+/** @typedef {import("../joint-view.js").Answer} Answer */
+/** @typedef {import("../joint-view.js").Family} Family */
+/** @typedef {import("../engine/problem.js").Problem} Problem */
+/** @typedef {import("../../../types/commands").Commands["joint"]["request"]} Request */
 /** Words of the address, and what kind of quantity each is; `k` is that of the muscle's strands. */
 const KINDS_OF =
-  /** @type {const} */ ({ r: "length", range: "angle", e0: "ratio", phi: "angle", K: "angular-stiffness",
+  /** @type {const} */ ({ r: "length", low: "angle", high: "angle", e0: "ratio", phi: "angle", K: "angular-stiffness",
     pmax: "pressure" });
-const USUAL = { r: 25, range: 60, e0: 0.12, phi: 20, K: 5, pmax: 0.5 };
+const USUAL = { r: 25, low: -60, high: 60, e0: 0.12, phi: 20, K: 5, pmax: 0.5 };
 /** @typedef {keyof typeof KINDS_OF} Key */
 const KEYS = /** @type {Key[]} */ (Object.keys(KINDS_OF));
 /** Files of the address: of the joint, and of muscle 2 where it is another one. */
 const FILES = /** @type {const} */ (["joint", "file2"]);
 /** What a joint file states too. */
-const IN_FILE = /** @type {const} */ (["r", "range", "e0"]);
+const IN_FILE = /** @type {const} */ (["r", "low", "high", "e0"]);
+/** Both limits in one word, as joint files and links of before have them. */
+const RANGE = "range";
 
 /**
  * The controls.
@@ -55,7 +61,8 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
       make("K", "Stiffness", 0, 30),
       el("p", { class: "small soft" }, "A stiffness of 0 selects the lowest pressures.")),
     el("fieldset", {}, el("legend", {}, "Joint"), make("r", "Radius of the pulley", 5, 80, "r"),
-      make("range", "Range to either side", 10, 120), make("e0", "Contraction at the neutral angle", 0, 0.25),
+      make("low", "Range from", -150, 0),
+      make("high", "Range to", 0, 150), make("e0", "Contraction at the neutral angle", 0, 0.25),
       make("pmax", "Pressure of the supply", 0.05, 1)), which,
     el("details", {}, el("summary", {}, "Another muscle 2"),
       el("p", { class: "small soft" }, "Both muscles are that of the page Muscle, unless you open a file."),
@@ -104,13 +111,13 @@ function turning(arm, turned) {
 /**
  * Questions about a joint: a point, by formulas while one drags and by finite elements at rest, and its family of
  * torques.
- * @param {{ take: (answer: any) => void, fail: (problem: any) => void, family: (family: any) => void }} act
+ * @param {{ take: (answer: Answer) => void, fail: (problem: Problem) => void, family: (family: Family) => void }} act
  */
 function questions({ take, fail, family }) {
   let settling = 0, asking = 0, decided = 0;
   const point = new Slot(), elements = new Slot(), curves = new Slot();
   return {
-    /** @param {any} request @param {typeof USUAL} v @param {boolean} settled */
+    /** @param {Request} request @param {typeof USUAL} v @param {boolean} settled */
     ask(request, v, settled) {
       const mine = ++asking,
         wanted = { angles_deg: [v.phi], max_pressure_mpa: v.pmax, ...(v.K > 0 ? { stiffness_nm_per_rad: v.K } : {}) };
@@ -131,7 +138,7 @@ function questions({ take, fail, family }) {
           fail(problem);
         });
       if (settled) settling = window.setTimeout(last, 50);
-      const angles = Array.from({ length: 25 }, (_, i) => -v.range + (2 * v.range * i) / 24);
+      const angles = Array.from({ length: 25 }, (_, i) => v.low + ((v.high - v.low) * i) / 24);
       const pairs = [[1, 0], [0.75, 0.25], [0.5, 0.5], [0.25, 0.75], [0, 1]].map((pair) => pair.map((x) => x * v.pmax));
       curves.ask("joint", { ...request, pressures_mpa: pairs, angles_deg: angles },
         (answer) => family({ answer, angles, pairs }), () => {});
@@ -147,9 +154,9 @@ class JointPage {
   files = { joint: "", file2: "" };
   v = { ...USUAL };
   /** What was typed over the joint file. @type {Set<string>} */ over = new Set();
-  /** @type {any} */ #point;
-  /** @type {any} */ #family;
-  /** @type {any} */ #reached;
+  /** @type {import("../joint-view.js").Point | undefined} */ #point;
+  /** @type {Family | undefined} */ #family;
+  /** @type {Answer["map"]} */ #reached;
   /** The file that says what the muscle of the page Muscle is. */
   #first = "";
 
@@ -211,20 +218,23 @@ class JointPage {
   /** @param {number} angle @param {boolean} settled */
   #turned(angle, settled) {
     const { v } = this;
-    v.phi = Math.max(-v.range, Math.min(v.range, Math.round(angle)));
+    v.phi = Math.max(v.low, Math.min(v.high, Math.round(angle)));
     this.bench.controls.phi.set(v.phi);
     this.#ask(settled);
   }
 
   #request() {
     const { files, over, v } = this, first = this.#first;
-    const put = Object.fromEntries(IN_FILE.filter((key) => over.has(key)).map((key) => [key, v[key]]));
+    // One limit alone is no range.
+    const ends = over.has("low") || over.has("high") ? [v.low, v.high] : [undefined, undefined];
+    const own = (/** @type {"r" | "e0"} */ key) => (over.has(key) ? v[key] : undefined);
+    const put = { r: own("r"), low: ends[0], high: ends[1], e0: own("e0") };
     const of = files.joint ? jointOfFile(files.joint, first, files.file2, put) : joint(first, files.file2, v);
     return { ...of, model: "universal", extrapolate: true };
   }
   /** @param {boolean} settled */
   #ask(settled) {
-    this.bench.controls.phi.reach(-this.v.range, this.v.range);
+    this.bench.controls.phi.reach(this.v.low, this.v.high);
     this.asks.ask(this.#request(), this.v, settled);
     if (settled) this.#place();
   }
@@ -236,20 +246,20 @@ class JointPage {
     write(address("joint", { ...muscle.params(), ...own, ...files }), replace);
   }
 
-  /** @param {any} answer */
+  /** @param {Answer} answer */
   #take(answer) {
     this.#stale(false);
     this.said.replaceChildren(warnings(answer.warnings));
     this.#point = { ...answer.points[0], model: answer.model, words: answer.uncertainty_text };
     this.#paint();
   }
-  /** @param {any} problem */
+  /** @param {Problem} problem */
   #fail(problem) {
     this.said.replaceChildren(problemBox(problem));
     if (this.#point) this.#stale(true);
     else this.#drawArm();
   }
-  /** @param {any} map */
+  /** @param {Answer["map"]} map */
   #mapped(map) {
     this.#reached = map;
     if (map) this.reach.show(reachChart(map));
@@ -275,15 +285,24 @@ class JointPage {
     const own = IN_FILE.filter((key) => !this.over.has(key));
     Object.assign(this.v, Object.fromEntries(own.map((key) => [key, USUAL[key]])));
     const of = this.files.joint ? stated(this.files.joint) : {};
-    await this.#readInto(own.filter((key) => of[key]).map((key) => [key, of[key] ?? ""]));
+    const texts = /** @type {[Key, string | undefined][]} */ ([["r", of.r], ["e0", of.e0]]);
+    await this.#limits(of.range);
+    await this.#readInto(texts.flatMap(([key, text]) => (text && !this.over.has(key) ? [[key, text]] : [])));
+  }
+  /** Both limits, where neither is typed. @param {string | null | undefined} text */
+  async #limits(text) {
+    if (!text || this.over.has("low") || this.over.has("high")) return;
+    const [{ values = [], value }] = await understood([{ text, kind: "angle", list: text.includes("..") }]);
+    const ends = value === undefined ? values : [-value, value];
+    if (ends.length) [this.v.low, this.v.high] = [Math.min(...ends), Math.max(...ends)];
   }
   /** @param {[Key, string][]} texts */
   async #readInto(texts) {
-    const list = texts.map(([key, text]) => ({ text, kind: KINDS_OF[key], list: text.includes("..") }));
+    const list = texts.map(([key, text]) => ({ text, kind: KINDS_OF[key] }));
     const readings = await understood(list);
     texts.forEach(([key], i) => {
-      const { problem, value, values } = readings[i];
-      if (!problem) this.v[key] = values ? Math.max(...values.map(Math.abs)) : value;
+      const { value } = readings[i];
+      if (value !== undefined) this.v[key] = value;
     });
     for (const key of KEYS) this.bench.controls[key].set(this.v[key]);
   }
@@ -295,11 +314,15 @@ class JointPage {
       params.set("K", params.get("k") ?? "");
       params.delete("k");
     }
-    await muscle.read(params, [...KEYS, ...FILES]);
+    await muscle.read(params, [...KEYS, ...FILES, RANGE]);
     for (const key of FILES) this.files[key] = params.get(key) ?? "";
     this.over = new Set(KEYS.filter((key) => params.has(key)));
     Object.assign(this.v, USUAL);
     await this.#fromFile();
+    if (params.has(RANGE)) {
+      await this.#limits(params.get(RANGE));
+      for (const key of /** @type {const} */ (["low", "high"])) this.over.add(key);
+    }
     await this.#readInto(KEYS.filter((key) => params.has(key)).map((key) => [key, params.get(key) ?? ""]));
     this.bench.show(this.files);
     try {

@@ -18,7 +18,7 @@ import { View, reach } from "../view3d.js";
 
 const DRIVE = "drive";
 /** @type {import("../form.js").Field[]} */
-const STEP = [
+export const STEP = [
   { key: "to", field: "pressure_mpa", label: "Step to", kind: "pressure", value: "3 bar" },
   { key: "supply", field: "supply_mpa", label: "Supply", kind: "pressure", value: "6 bar" },
   { key: "valve", field: "valve", label: "Valve", value: "0.5 L/(s bar)" },
@@ -42,8 +42,8 @@ function driven(text, file, model) {
     return { drive, muscle: { name, text: file }, model };
   }
   const { joint: own, file2 = "" } = wordsOf("joint");
-  return { drive, ...(own ? jointOfFile(own, file, file2, {}) : joint(file, file2, { r: 25, range: 60, e0: 0.12 })),
-    model };
+  const usual = { r: 25, low: -60, high: 60, e0: 0.12 };
+  return { drive, ...(own ? jointOfFile(own, file, file2, {}) : joint(file, file2, usual)), model };
 }
 
 /** The muscle in space at every time of a run, and the time that is shown. */
@@ -52,7 +52,7 @@ function player() {
   stage.append(clock);
   const view = held(/** @type {View & { destroy?: () => void }} */ (new View(stage))),
     slot = new Slot({ lane: "state" });
-  /** @type {any} */ let run;
+  /** @type {import("../motion-view.js").Run | undefined} */ let run;
   let frame = 0;
   const slider = el("input", { type: "range", min: 0, max: 1000, value: 0, "aria-label": "Time", oninput: () => {
     stop();
@@ -92,7 +92,7 @@ function player() {
     play.textContent = "Play";
   }
   return { stage, row: el("div", { class: "row" }, play, el("span", { style: "flex:1" }, slider)),
-    show(/** @type {any} */ found) {
+    show(/** @type {import("../motion-view.js").Run} */ found) {
       run = found;
       start();
     }, again: () => at(Number(slider.value) / 1000), end() {
@@ -109,7 +109,7 @@ const EXAMPLES = [["lift 10 kg and lower it", "drive.toml"], ["turn the joint", 
 /** Drive files: one that is opened, and examples. @param {(text: string) => void} take */
 function driveBox(take) {
   const words = el("p", { class: "small soft" }), said = el("div", {});
-  const fail = (/** @type {any} */ problem) => said.replaceChildren(problemBox(problem));
+  const fail = (/** @type {unknown} */ problem) => said.replaceChildren(problemBox(problem));
   const leave = el("button", { type: "button", hidden: true, onclick: () => take("") }, "Close the drive file");
   const samples = EXAMPLES.map(([text, name]) =>
     el("button", { type: "button", onclick: () => example(name).then(take).catch(fail) }, text)
@@ -133,7 +133,7 @@ function chartsOf() {
   const way = new Chart("motion-contraction", { tools: el("h2", {}, "Contraction") });
   return {
     element: el("div", { class: "charts" }, pressure.element, way.element),
-    /** @param {any} run */
+    /** @param {import("../motion-view.js").Run} run */
     show(run) {
       pressure.show(pressureChart(run));
       way.show(wayChart(run));
@@ -143,7 +143,7 @@ function chartsOf() {
 
 /** @param {HTMLElement} main */
 export function mount(main) {
-  /** @type {any} */ let run;
+  /** @type {import("../motion-view.js").Run | undefined} */ let run;
   let drive = "";
   const fields = form(STEP, () => go.run()), shown = player();
   const charts = chartsOf();

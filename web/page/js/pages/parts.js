@@ -2,6 +2,7 @@
 import { engine } from "../ask.js";
 import { address, write } from "../address.js";
 import { choice } from "../controls.js";
+import { problemOf } from "../engine/problem.js";
 import { capital, el, problemBox } from "../dom.js";
 import { table } from "../form.js";
 import { atEnd } from "../life.js";
@@ -105,7 +106,7 @@ async function putInto(row) {
   } catch (problem) {
     muscle.state = before;
     await muscle.look().catch(() => {});
-    const { message, hint } = /** @type {any} */ (problem), why = hint ? capital(inWords(hint)) : "";
+    const { message, hint } = problemOf(problem), why = hint ? capital(inWords(hint)) : "";
     notice(`${row.name} does not go into this muscle: ${inWords(message)}. ${why}`);
     return false;
   }
@@ -136,7 +137,7 @@ export function mount(main) {
     } });
   const fits = check("parts-fits", "only what fits the muscle's diameter", () => changed());
   const cast = check("parts-sold", "only as sold", () => changed());
-  const list = el("div", {}), count = el("p", { class: "small soft", role: "status" }),
+  const list = el("div", { class: "parts-list" }), count = el("p", { class: "small soft", role: "status" }),
     which = el("p", { class: "small soft" });
   const filter = el("label", { for: "parts-find" }, "Filter");
   const line = el("div", { class: "parts-filter" }, kind.element, filter, find, fits.row, cast.row);
@@ -164,7 +165,8 @@ export function mount(main) {
     which.textContent = `The muscle: ${muscle.line()}.`;
     count.textContent = `${shown.length} of ${all.length} ${state.kind}. What no source states is marked as estimated.`;
     const put = (/** @type {Row} */ row) => putButton(row, () => take(row));
-    list.replaceChildren(table(head, shown.map((row) => [row.cells[0], put(row), ...row.cells.slice(1)]), { text, label: state.kind }));
+    const cells = shown.map((row) => [row.cells[0], put(row), ...row.cells.slice(1)]);
+    list.replaceChildren(table(head, cells, { text, label: state.kind }));
   }
 
   /** @param {Row} row */

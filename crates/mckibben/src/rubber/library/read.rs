@@ -1,58 +1,54 @@
 //! The table of rubbers, from TOML.
 
 use super::{LibraryError, RubberEntry, RubberFit};
+use crate::catalogue::{Catalogue, CatalogueError, Row};
 use crate::rubber::{Constant, Law, NEEDS_ALL, foreign};
-use toml_edit::{Document, Item, TableLike, Value};
+use toml_edit::Value;
 
-fn damaged(what: impl Into<String>) -> LibraryError {
-    LibraryError::Damaged { what: what.into() }
+impl From<CatalogueError> for LibraryError {
+    fn from(error: CatalogueError) -> Self {
+        Self::Damaged { what: error.to_string() }
+    }
 }
 
 pub(super) fn table(text: &str) -> Result<Vec<RubberEntry>, LibraryError> {
-    let document = Document::parse(text).map_err(|e| damaged(e.to_string()))?;
-    let sources =
-        document.get("sources").and_then(Item::as_table_like).ok_or_else(|| damaged("no sources"))?;
-    let rubbers =
-        document.get("rubber").and_then(Item::as_array_of_tables).ok_or_else(|| damaged("no rubbers"))?;
-    rubbers.iter().map(|table| entry(table, sources)).collect()
+    let file = Catalogue::parse(text)?;
+    let rows = file.rows("rubber");
+    if rows.is_empty() {
+        return Err(LibraryError::Damaged { what: "no [[rubber]]".into() });
+    }
+    rows.iter().map(|row| Ok(entry(row)?)).collect()
 }
 
-fn entry(table: &dyn TableLike, sources: &dyn TableLike) -> Result<RubberEntry, LibraryError> {
-    let name = text(table, "name")?;
-    let source = text(table, "source")?;
-    let origin = sources.get(&source).and_then(Item::as_table_like);
-    let origin = origin.ok_or_else(|| damaged(format!("{name}: unknown source {source}")))?;
-    let aliases = table.get("aliases").and_then(Item::as_array);
-    let fits = table.get("fits").and_then(Item::as_array);
-    let fits = fits.ok_or_else(|| damaged(format!("{name}: no fits")))?;
+fn entry(row: &Row<'_>) -> Result<RubberEntry, CatalogueError> {
+    let origin = row.source()?;
+    let fits = row.list("fits").map(|value| fit(row, value)).collect::<Result<Vec<_>, _>>()?;
+    if fits.is_empty() {
+        return Err(row.wrong("no fits"));
+    }
     Ok(RubberEntry {
-        aliases: aliases.into_iter().flatten().filter_map(Value::as_str).map(str::to_string).collect(),
-        title: text(table, "title")?,
-        source: text(origin, "citation")?,
-        terms: text(origin, "terms")?,
-        data: table.get("data").and_then(Item::as_str).map(str::to_string),
+        name: row.text("name")?.to_owned(),
+        aliases: row.texts("aliases"),
+        title: row.text("title")?.to_owned(),
+        source: origin.text("citation")?.to_owned(),
+        terms: origin.text("terms")?.to_owned(),
+        data: row.owned("data"),
         windows: vec![],
-        one_axis: origin.get("one_axis").and_then(Item::as_bool).unwrap_or(false),
-        note: table.get("note").and_then(Item::as_str).map(str::to_string),
-        factor: table.get("factor").and_then(Item::as_float).unwrap_or(1.0),
-        density_kg_per_m3: table.get("density").and_then(Item::as_integer).map(|v| v as f64),
-        max_strain: table.get("max_strain").and_then(Item::as_float),
-        max_stress_mpa: table.get("max_stress").and_then(Item::as_float),
-        fits: fits.iter().map(|f| fit(f, &name)).collect::<Result<_, _>>()?,
-        name,
+        one_axis: origin.flag("one_axis"),
+        note: row.owned("note"),
+        factor: row.number("factor")?.unwrap_or(1.0),
+        density_kg_per_m3: row.number("density")?,
+        max_strain: row.number("max_strain")?,
+        max_stress_mpa: row.number("max_stress")?,
+        fits,
     })
-}
-
-fn text(table: &dyn TableLike, key: &str) -> Result<String, LibraryError> {
-    let found = table.get(key).and_then(Item::as_str).map(str::to_string);
-    found.ok_or_else(|| damaged(format!("an entry without {key}")))
 }
 
 /// Keys of a fit beside the constants.
 const BESIDE: [&str; 3] = ["law", "up_to_strain", "r_squared"];
 
-fn fit(value: &Value, rubber: &str) -> Result<RubberFit, LibraryError> {
-    let wrong = |what: String| damaged(format!("{rubber}: {what}"));
+fn fit(row: &Row<'_>, value: &Value) -> Result<RubberFit, CatalogueError> {
+    let wrong = |what: String| row.wrong(what);
     let table = value.as_inline_table().ok_or_else(|| wrong("a fit is a table".into()))?;
     let name = table.get("law").and_then(Value::as_str);
     let name = name.ok_or_else(|| wrong("a fit without its law".into()))?;

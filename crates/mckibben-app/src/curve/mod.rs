@@ -1,9 +1,13 @@
 //! `curve isometric|isotonic|isobaric`: a family of curves.
 
-use crate::burst::{PressureLimits, QUIET_MPA, put_first, said_of};
+pub(crate) mod answer;
+
+pub use answer::{CurveAnswer, FailedPoint, PointRow};
+
+use crate::burst::{QUIET_MPA, put_first, said_of};
 use crate::fields::{AskFields, ModelFields, MuscleFields};
 use crate::figure;
-use crate::load::{LoadAnswer, LoadFields, loaded};
+use crate::load::{LoadFields, loaded};
 use crate::model::check_both;
 use crate::muscle::MuscleSummary;
 use crate::point::{finite, no_ratio, pull};
@@ -14,16 +18,14 @@ use crate::warnings;
 use mckibben::analysis::free_contraction;
 use mckibben::answer::{Answer, Options};
 use mckibben::budget::Resource;
-use mckibben::curve::{Curve, CurvePoint, Test, curves};
+use mckibben::curve::{Curve, Test, curves};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Direction;
 use mckibben::progress::Progress;
-use mckibben::status::Status;
-use mckibben::units::{Values, short_numbers};
+use mckibben::units::Values;
 use mckibben::warning::Warning;
-use mckibben_report::Figure;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
 /// A family of curves of one test. Isometric: ε fixed, F over P; isotonic: F fixed, ε over P; isobaric: P fixed, F over ε.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -58,93 +60,6 @@ pub struct CurveRequest {
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub figure: Option<Units>,
-}
-
-/// A family of curves.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
-pub struct CurveAnswer {
-    /// The model's name.
-    pub model: String,
-    /// Which test.
-    pub test: Test,
-    /// The muscle.
-    pub muscle: MuscleSummary,
-    /// What is fixed along each curve: ε, F in N, or P in MPa; of two curves, where both branches were asked for.
-    pub fixed: Vec<f64>,
-    /// Warnings; of each kind the most serious.
-    #[schemars(with = "Vec<String>")]
-    pub warnings: Vec<Warning>,
-    /// The pressures that the muscle bears.
-    #[serde(flatten)]
-    pub limits: PressureLimits,
-    /// The points, curve after curve; all curves have the same number of points.
-    #[serde(rename = "points", serialize_with = "points")]
-    #[schemars(with = "Vec<PointRow>")]
-    pub curves: Vec<Curve>,
-    /// The equilibria with the load, where there is one.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub loaded: Option<LoadAnswer>,
-    /// The figure, where it was asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub figure: Option<Figure>,
-    /// Whether every two curves are the branches of one: shortening, then lengthening.
-    #[serde(skip)]
-    pub both: bool,
-    /// Where no point has an answer: the reason.
-    #[serde(skip)]
-    pub problem: Option<Problem>,
-}
-
-/// A point of a curve: an answer, or why there is none.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[serde(untagged)]
-pub enum PointRow {
-    /// There is an answer.
-    Answered {
-        /// The answer.
-        #[serde(flatten)]
-        answer: Box<Answer>,
-        /// `ok`.
-        status: Status,
-    },
-    /// There is none.
-    Failed(FailedPoint),
-}
-
-/// A point without an answer.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct FailedPoint {
-    /// Pressure asked for, MPa.
-    pub pressure_mpa: f64,
-    /// Contraction asked for.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub contraction: Option<f64>,
-    /// Pull asked for, N.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub wanted_force_n: Option<f64>,
-    /// How it ended.
-    pub status: Status,
-    /// Why.
-    pub cause: String,
-}
-
-fn points<S: Serializer>(curves: &[Curve], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(curves.iter().flat_map(|curve| &curve.points).map(PointRow::from))
-}
-
-impl From<&CurvePoint> for PointRow {
-    fn from(point: &CurvePoint) -> Self {
-        match &point.answer {
-            Ok(answer) => Self::Answered { answer: Box::new(answer.clone()), status: Status::Ok },
-            Err(error) => Self::Failed(FailedPoint {
-                pressure_mpa: point.pressure_mpa,
-                contraction: point.contraction,
-                wanted_force_n: point.force_n,
-                status: error.into(),
-                cause: short_numbers(&error.to_string()).into_owned(),
-            }),
-        }
-    }
 }
 
 /// A family of curves.

@@ -1,0 +1,69 @@
+//! What holds tube and sleeve on a plug.
+
+use std::f64::consts::PI;
+
+/// Ties, their least loop strength (QB/T 4494-2013), and the stem up to which one is chosen (a choice: a narrow tie bends to a small circle
+/// more evenly).
+const TIES: [(f64, f64, f64); 4] =
+    [(2.5, 80.0, 6.0), (3.6, 130.0, 15.0), (4.8, 180.0, 40.0), (7.6, 450.0, f64::INFINITY)];
+/// A tie that is tightened by hand has this share of its strength (a choice).
+const TIGHTENED: f64 = 1.0 / 3.0;
+/// Friction of a sleeve on a tube under a tie (an estimate).
+const FRICTION: f64 = 0.3;
+
+/// A cable tie.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Tie {
+    /// Width in mm.
+    pub width_mm: f64,
+    /// Least loop strength in N.
+    strength_n: f64,
+}
+
+impl Tie {
+    /// The tie for a stem of this diameter in mm.
+    pub fn around(stem_mm: f64) -> Self {
+        let (width_mm, strength_n, _) =
+            TIES.into_iter().find(|tie| stem_mm <= tie.2).unwrap_or(TIES[TIES.len() - 1]);
+        Self { width_mm, strength_n }
+    }
+
+    /// What it holds in N by friction, by estimate.
+    pub fn holds_n(self) -> f64 {
+        2.0 * PI * FRICTION * TIGHTENED * self.strength_n
+    }
+}
+
+/// What holds tube and sleeve on a plug.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Clamps {
+    /// Cable ties.
+    Ties {
+        /// Width in mm.
+        width_mm: f64,
+        /// At each end.
+        at_each_end: usize,
+    },
+    /// Ties would not hold.
+    Crimped,
+}
+
+impl Clamps {
+    /// One tie in each groove, where that holds the load in N; else a crimp.
+    pub(crate) fn of(tie: Tie, grooves: usize, load_n: f64) -> Self {
+        match grooves {
+            n @ 1.. if n as f64 * tie.holds_n() >= load_n => {
+                Self::Ties { width_mm: tie.width_mm, at_each_end: n }
+            }
+            _ => Self::Crimped,
+        }
+    }
+
+    /// How many in all.
+    pub(crate) fn amount(&self) -> String {
+        match self {
+            Self::Ties { at_each_end, .. } => (2 * at_each_end).to_string(),
+            Self::Crimped => "2".into(),
+        }
+    }
+}

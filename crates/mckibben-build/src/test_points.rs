@@ -1,0 +1,43 @@
+//! The points of the first test.
+
+use crate::operating::Operating;
+use mckibben::muscle::Direction;
+
+/// A point of the test.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct TestPoint {
+    /// Pressure in MPa.
+    pub pressure_mpa: f64,
+    /// Contraction.
+    pub contraction: f64,
+    /// Whether the pressure rises to it or falls to it.
+    pub branch: Direction,
+}
+
+/// Contractions of the test, as shares of the free contraction at the working pressure.
+const SHARES: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
+/// Points are kept up to this share of the free contraction at their own pressure: beyond it the muscle hardly pulls.
+const PULLS: f64 = 0.85;
+
+/// The points in the order of the test: at each length the pressure rises, then falls.
+pub(crate) fn points(operating: &Operating) -> Vec<TestPoint> {
+    let mut out = vec![];
+    for share in SHARES {
+        // To half a percent, which one can set.
+        let contraction = (200.0 * share * operating.free_contraction).round() / 200.0;
+        let pulls = |at: &&(f64, f64)| contraction <= PULLS * at.1;
+        let all: Vec<f64> = operating.free_contractions.iter().filter(pulls).map(|at| at.0).collect();
+        // The lowest, the middle and the highest pressure.
+        let mut up = match all[..] {
+            [first, .., last] => vec![first, all[all.len() / 2], last],
+            _ => all,
+        };
+        up.dedup();
+        let point = |branch| move |pressure_mpa| TestPoint { pressure_mpa, contraction, branch };
+        out.extend(up.iter().copied().map(point(Direction::Contraction)));
+        // Where it turns there is one point.
+        out.extend(up.iter().rev().skip(1).copied().map(point(Direction::Elongation)));
+    }
+    out
+}

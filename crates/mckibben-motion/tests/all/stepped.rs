@@ -1,0 +1,63 @@
+//! A drive in a control loop.
+
+use crate::support::{note_muscle, ran, regulator, steps, valve};
+use mckibben::model::{ForceModel, ModelKind};
+use mckibben::progress::Silent;
+use mckibben_motion::*;
+
+const STEP_S: f64 = 0.01;
+/// In MPa: up, down to where the muscle is slack and its load lies on the stop, and up again.
+const COMMANDS: [f64; 8] = [0.05, 0.1, 0.2, 0.2, 0.05, 0.0, 0.0, 0.15];
+
+fn drive<'a>(load: &'a SingleMuscle, model: &'a dyn ForceModel, actuator: Actuator) -> Drive<'a> {
+    let points: Vec<(f64, f64)> = COMMANDS.iter().enumerate().map(|(i, p)| (STEP_S * i as f64, *p)).collect();
+    let until_s = STEP_S * COMMANDS.len() as f64;
+    let muscle = Actuated::new(model, actuator);
+    Drive { output_step_s: STEP_S, ..Drive::new(load, vec![muscle], steps(&points), until_s) }
+}
+
+fn stepped(simulation: &mut Simulation, drive: &Drive<'_>, commands: &[f64]) {
+    for command in commands {
+        let target = drive.target.constant(&[*command]).unwrap();
+        simulation.step(&Drive { target, ..drive.clone() }, &Silent).unwrap();
+    }
+}
+
+#[test]
+fn identity_steps_are_the_run_to_the_last_bit_and_so_are_those_of_a_copy() {
+    let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
+    let load = SingleMuscle {
+        stops_mm: (0.0, 90.0),
+        damping_n_s_per_m: 400.0,
+        ..SingleMuscle::hanging(&*model, 5.0)
+    };
+    for actuator in [regulator(0.01), valve()] {
+        let drive = drive(&load, &*model, actuator);
+        let motion = ran(&drive);
+        let mut simulation = Simulation::new(&drive, &Silent).unwrap();
+        stepped(&mut simulation, &drive, &COMMANDS[..4]);
+        let mut copy = simulation.duplicate();
+        for other in [&mut simulation, &mut copy] {
+            stepped(other, &drive, &COMMANDS[4..]);
+            assert_eq!(other.motion().series, motion.series);
+            let events = |m: &Motion| m.events.iter().map(|e| (e.time_s, e.kind)).collect::<Vec<_>>();
+            assert_eq!(events(other.motion()), events(&motion));
+        }
+        assert!(motion.events.len() > 1, "nothing happened within a step");
+    }
+}
+
+#[test]
+fn a_step_that_fails_leaves_all_as_it_was() {
+    let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
+    let load = SingleMuscle { stops_mm: (0.0, 90.0), ..SingleMuscle::hanging(&*model, 5.0) };
+    let drive = drive(&load, &*model, regulator(0.01));
+    let mut simulation = Simulation::new(&drive, &Silent).unwrap();
+    stepped(&mut simulation, &drive, &COMMANDS[..3]);
+    let before = (simulation.motion().series.clone(), simulation.time_s(&drive));
+    let pushed = Pushed { mechanism: &load, force: f64::NAN };
+    assert!(simulation.step(&Drive { mechanism: &pushed, ..drive.clone() }, &Silent).is_err());
+    assert_eq!((simulation.motion().series.clone(), simulation.time_s(&drive)), before);
+    stepped(&mut simulation, &drive, &COMMANDS[3..]);
+    assert_eq!(simulation.motion().series, ran(&drive).series);
+}

@@ -1,0 +1,150 @@
+//! Tables of parts in TOML: `[[rubber]]`, `[[sleeve]]`, `[[tube]]`, `[[valve]]`, and the `[sources]` that their rows name.
+
+use thiserror::Error;
+use toml_edit::{Array, Document, Item, Table, TableLike, Value};
+
+/// Why a table of parts cannot be read.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum CatalogueError {
+    /// It is not TOML.
+    #[error("{0}")]
+    Syntax(String),
+    /// A row lacks a key, or its value is none that the key may have.
+    #[error("{name}: {problem}")]
+    Row {
+        /// Name of the row.
+        name: String,
+        /// What is wrong, and what would be right.
+        problem: String,
+    },
+}
+
+/// A table of parts.
+pub struct Catalogue<'t>(Document<&'t str>);
+
+impl<'t> Catalogue<'t> {
+    /// A table from its text.
+    ///
+    /// # Errors
+    /// [`CatalogueError::Syntax`].
+    pub fn parse(text: &'t str) -> Result<Self, CatalogueError> {
+        Document::parse(text).map(Self).map_err(|e| CatalogueError::Syntax(e.to_string()))
+    }
+
+    /// The rows of a kind, `[[kind]]`; none where there is no such key.
+    pub fn rows(&self, kind: &str) -> Vec<Row<'_>> {
+        let tables = self.0.get(kind).and_then(Item::as_array_of_tables).into_iter().flatten();
+        tables.map(|table| self.row(table)).collect()
+    }
+
+    fn row<'a>(&'a self, table: &'a dyn TableLike) -> Row<'a> {
+        Row { table, sources: self.0.get("sources").and_then(Item::as_table) }
+    }
+}
+
+/// A row of a table of parts.
+#[derive(Clone, Copy)]
+pub struct Row<'a> {
+    table: &'a dyn TableLike,
+    sources: Option<&'a Table>,
+}
+
+impl<'a> Row<'a> {
+    /// What is wrong with this row.
+    pub fn wrong(&self, problem: impl Into<String>) -> CatalogueError {
+        let name = self.optional("name").unwrap_or("a row without a name");
+        CatalogueError::Row { name: name.to_owned(), problem: problem.into() }
+    }
+
+    /// A text that must be there.
+    ///
+    /// # Errors
+    /// [`CatalogueError::Row`].
+    pub fn text(&self, key: &str) -> Result<&'a str, CatalogueError> {
+        self.optional(key).ok_or_else(|| self.wrong(format!("`{key}` is missing or not a text")))
+    }
+
+    /// A text, where the key is there.
+    pub fn optional(&self, key: &str) -> Option<&'a str> {
+        self.table.get(key).and_then(Item::as_str)
+    }
+
+    /// The same, for a record that keeps it.
+    pub fn owned(&self, key: &str) -> Option<String> {
+        self.optional(key).map(str::to_owned)
+    }
+
+    /// Whether a key says `true`.
+    pub fn flag(&self, key: &str) -> bool {
+        self.table.get(key).and_then(Item::as_bool).unwrap_or(false)
+    }
+
+    /// A number above zero, where the key is there.
+    ///
+    /// # Errors
+    /// [`CatalogueError::Row`].
+    pub fn number(&self, key: &str) -> Result<Option<f64>, CatalogueError> {
+        let Some(item) = self.table.get(key) else { return Ok(None) };
+        let value = item.as_value().and_then(above_zero);
+        value.map(Some).ok_or_else(|| self.wrong(format!("`{key}` must be a number above zero")))
+    }
+
+    /// A number above zero that must be there.
+    ///
+    /// # Errors
+    /// [`CatalogueError::Row`].
+    pub fn needed(&self, key: &str) -> Result<f64, CatalogueError> {
+        self.number(key)?.ok_or_else(|| self.wrong(format!("`{key}` is missing")))
+    }
+
+    /// A count above zero, where the key is there.
+    ///
+    /// # Errors
+    /// [`CatalogueError::Row`].
+    pub fn count(&self, key: &str) -> Result<Option<u32>, CatalogueError> {
+        let Some(item) = self.table.get(key) else { return Ok(None) };
+        let value = item.as_integer().and_then(|i| u32::try_from(i).ok()).filter(|n| *n > 0);
+        value.map(Some).ok_or_else(|| self.wrong(format!("`{key}` must be a count above zero")))
+    }
+
+    /// A list; empty where there is none.
+    pub fn list(&self, key: &str) -> impl Iterator<Item = &'a Value> + use<'a> {
+        self.table.get(key).and_then(Item::as_array).map(Array::iter).into_iter().flatten()
+    }
+
+    /// The texts of a list.
+    pub fn texts(&self, key: &str) -> Vec<String> {
+        self.list(key).filter_map(Value::as_str).map(str::to_owned).collect()
+    }
+
+    /// The numbers above zero of a list.
+    ///
+    /// # Errors
+    /// [`CatalogueError::Row`].
+    pub fn numbers(&self, key: &str) -> Result<Vec<f64>, CatalogueError> {
+        let one = |v| above_zero(v).ok_or_else(|| self.wrong(format!("`{key}` must be numbers above zero")));
+        self.list(key).map(one).collect()
+    }
+
+    /// The row of `[sources]` that this row names.
+    ///
+    /// # Errors
+    /// [`CatalogueError::Row`].
+    pub fn source(&self) -> Result<Row<'a>, CatalogueError> {
+        let key = self.text("source")?;
+        let table = self.sources.and_then(|s| s.get(key)).and_then(Item::as_table_like);
+        let table = table.ok_or_else(|| self.wrong(format!("unknown source {key}")))?;
+        Ok(Row { table, sources: self.sources })
+    }
+
+    /// Where `[sources]` are texts: that which this row names, or what the row itself says.
+    pub fn source_text(&self) -> &'a str {
+        let key = self.optional("source").unwrap_or("not stated");
+        self.sources.and_then(|s| s.get(key)?.as_str()).unwrap_or(key)
+    }
+}
+
+fn above_zero(value: &Value) -> Option<f64> {
+    let number = value.as_float().or_else(|| value.as_integer().map(|i| i as f64));
+    number.filter(|v| v.is_finite() && *v > 0.0)
+}

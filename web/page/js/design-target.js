@@ -1,0 +1,76 @@
+// The target of a design, to drag: a pull at a contraction, over what the best muscle gives at the supply.
+import { Slot } from "./ask.js";
+import { Chart, KINDS, isobar } from "./chart.js";
+import { el } from "./dom.js";
+import { outside, show, unitName } from "./units.js";
+
+/** @typedef {import("../../types/commands").Commands["design"]} Design */
+/** @typedef {{ force_n: number, contraction: number }} Target */
+const digits = (/** @type {number} */ v, /** @type {number} */ n) => Number(v.toPrecision(n));
+
+/**
+ * @param {{ moved: (target: Target) => void, settled: (target: Target) => void }} act while it is dragged, and when it
+ *   is released
+ */
+export function designTarget(act) {
+  const words = el("span", { class: "small soft" });
+  const chart = new Chart("design-target", { tools: el("h2", {}, "Target"),
+    drag: (x, y, settled) => drag(x, y, settled) });
+  const slot = new Slot({ lane: "curves" });
+  const element = el("div", { hidden: true }, chart.element,
+    el("p", { class: "small soft" }, "Drag the ring: the border of the map below follows (universal); when you release "
+      + "it, finite elements decide. ", words));
+  /** @type {Target | undefined} */ let target;
+  /** @type {import("./chart.js").Series[]} */ let series = [];
+
+  function draw() {
+    if (!target) return;
+    chart.show({ x: "contraction ε [%]", y: `pull F [${unitName("force")}]`, series,
+      marks: [{ x: 0, y: 1.15 * outside("force", target.force_n), text: "" }].slice(series.length ? 1 : 0) });
+    mark();
+  }
+  function mark() {
+    if (!target) return;
+    chart.mark(100 * target.contraction, outside("force", target.force_n));
+    words.textContent = `${show("force", target.force_n)} at ${show("ratio", target.contraction, 3)}.`;
+  }
+  /** @param {number} x @param {number} y @param {boolean} settled */
+  function drag(x, y, settled) {
+    if (!target) return;
+    // In the shown unit to three digits: a value that one would type.
+    const force = digits(Math.max(y, 1e-3), 3) / outside("force", 1);
+    target = { force_n: digits(force, 12), contraction: Math.max(0, Math.round(2 * x) / 200) };
+    mark();
+    if (settled) act.settled(target);
+    else act.moved(target);
+  }
+
+  return {
+    element,
+    draw,
+    /** @param {Design["answer"]} answer @param {Design["request"]} of what it was asked by */
+    show(answer, of) {
+      const one = typeof of.force_n === "number" && typeof of.contraction === "number" &&
+        !of.points?.length && !of.torques?.length && !of.load;
+      element.hidden = !one;
+      if (!one) return;
+      target = { force_n: Number(of.force_n), contraction: Number(of.contraction) };
+      const [best] = answer.candidates, file = answer.muscle_files?.[0];
+      series = [];
+      draw();
+      if (!best) return;
+      const muscle = file ? { muscle: file } : { outer_diameter_mm: best.outer_diameter_mm, wall_mm: best.wall_mm,
+        length_mm: best.length_mm, rubber: best.rubber,
+        ...(best.sleeve ? { braid: best.sleeve, strand_diameter_mm: of.strand_diameter_mm,
+          strand_modulus_mpa: of.strand_modulus_mpa } : { angle_deg: best.angle_deg }) };
+      const stiffness = of.stiffness === undefined || of.stiffness === null ? {} : { stiffness: of.stiffness };
+      slot.ask("curve", { ...muscle, ...stiffness, test: "isobaric", pressures_mpa: [answer.max_pressure_mpa],
+        model: "universal", extrapolate: true }, ({ points }) => {
+        const name = `best muscle at ${show("pressure", answer.max_pressure_mpa, 3)}`;
+        series = [{ name, end: "best muscle", colour: KINDS[0], strong: true, ...isobar(points) }];
+        draw();
+      }, () => {});
+    },
+    end() { slot.end(); },
+  };
+}

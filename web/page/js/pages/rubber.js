@@ -1,0 +1,125 @@
+// Laws of rubber from a test of it: constants, curves with the points, and the muscle with that rubber.
+import { address, write } from "../address.js";
+import { fileField } from "../controls.js";
+import { download, el } from "../dom.js";
+import { Figures } from "../figure.js";
+import { form, job, table, warnings } from "../form.js";
+import { fileOf, keepFile } from "../kept.js";
+import { atEnd } from "../life.js";
+import { muscle } from "../muscle.js";
+import { fileName } from "../name.js";
+import { number, onUnits, show } from "../units.js";
+
+/** @typedef {import("../../../types/commands").Commands["rubber-fit"]["answer"]} Answer */
+/** @typedef {Answer["laws"][number]} Law */
+/** @type {import("../form.js").Field[]} */
+export const FIELDS = [
+  { key: "laws", field: "laws", label: "Laws", words: true, hint: "all that the points determine" },
+  { key: "mode", field: "mode", label: "Stretched", value: "",
+    options: [["", "as the table says"], ["uniaxial", "in one direction"], ["planar", "in pure shear"],
+      ["equibiaxial", "in two directions"]] },
+  { key: "area", field: "area_mm2", label: "Cross-section, for forces", kind: "area", hint: "of the specimen" },
+  { key: "gauge", field: "gauge_length_mm", label: "Length, for extensions", kind: "length", hint: "of the specimen" },
+  { key: "upto", field: "up_to_stretch", label: "Up to a stretch of", kind: "number", hint: "all points" },
+  { key: "stable", field: "stable", label: "In a muscle", value: "",
+    options: [["", "fit as the points are"], ["yes", "only what stays stable"]] },
+  { key: "called", field: "name", label: "Name of the rubber", hint: "that of the table" },
+];
+const BEGIN = "Drop a table of a rubber test: stretches or strains, and stresses; or extensions and forces of a "
+  + "specimen. The page fits the laws that the points determine and recommends one that is stable in a muscle.";
+
+/** A law in a row. @param {Law} law @param {Answer} answer */
+function row(law, answer) {
+  const constant = (/** @type {Law["parameters"][number]} */ p) => {
+    const half = p.standard_error ? ` ± ${number(1.96 * p.standard_error, 2)}` : "";
+    return `${p.name} ${number(p.value, 4)}${half} ${p.unit}`.trim();
+  };
+  const best = answer.laws.find(({ name, stable }) => name === answer.recommended && stable);
+  const fitted = law.constrained ? "kept stable" : law.stable ? "" : "unstable in a muscle";
+  const taken = law === best ? "recommended" : fitted;
+  return [law.name, law.parameters.map(constant).join(", "), show("modulus", law.shear_modulus_mpa, 3),
+    show("modulus", law.rms_mpa, 2), number(law.r_squared, 5), taken];
+}
+
+/** @param {HTMLElement} main */
+export function mount(main) {
+  /** @type {Answer | undefined} */ let found;
+  let data = fileOf("rubber");
+  const fields = form(FIELDS, () => fit.run()), figures = new Figures("rubber");
+  const understood = el("p", { class: "soft" }, BEGIN), laws = el("div", {});
+  const fit = job("Fit", "rubber-fit", async () => {
+    const read = await fields.read();
+    if (!read) return undefined;
+    place();
+    if (!data) {
+      understood.textContent = BEGIN;
+      return undefined;
+    }
+    const { mode, stable, ...rest } = read, file = { name: "muscle.toml", text: await muscle.file() };
+    return { ...rest, ...(mode ? { mode } : {}), stable: stable === "yes", data, muscle: file, figure: true };
+  }, (answer) => {
+    found = answer;
+    stale(false);
+    paint();
+    figures.show(answer.figure);
+  }, (problem) => {
+    fields.at(problem);
+    stale(true);
+  });
+  main.replaceChildren(
+    el("div", { class: "bench two" },
+      el("section", { class: "controls", "aria-label": "Rubber test" }, el("h2", {}, "Rubber test"),
+        fileField("Open a table (CSV)", ".csv,.txt,.tsv", (name, text) => take(name, text)), fields.element,
+        fit.element),
+      el("div", { class: "middle" }, understood, laws, figures.element)),
+  );
+  const stale = (/** @type {boolean} */ on) =>
+    [laws, figures.element].forEach((part) => part.classList.toggle("stale", on));
+  const place = (replace = false) => {
+    if (main.contains(laws)) write(address("rubber", { ...muscle.params(), ...fields.texts() }), replace);
+  };
+
+  /** @param {string} name @param {string} text */
+  function take(name, text) {
+    data = { name, text };
+    keepFile("rubber", data);
+    return fit.run();
+  }
+  async function put() {
+    await muscle.take(found?.muscle_file ?? "");
+    location.hash = address("muscle", muscle.params());
+  }
+  function paint() {
+    if (!found) return;
+    const answer = found, { columns } = answer.understood[0];
+    const read = columns.map((c) => `${c.column} → ${c.quantity}${c.unit ? ` (${c.unit})` : ""}`).join(", ");
+    understood.textContent = `${answer.data}: ${answer.points} points up to a stretch of `
+      + `${number(answer.fitted_to_stretch, 3)}. ${read}`;
+    const file = answer.muscle_file;
+    const head = ["law", "constants (± 95 %)", "shear modulus", "rms", "R²", ""];
+    laws.replaceChildren(el("h2", {}, answer.recommended ? `Recommended: ${answer.recommended}` : "No law is stable"),
+      table(head, answer.laws.map((law) => row(law, answer)), { text: [0, 1, 5], label: "laws of the rubber" }),
+      warnings([...answer.warnings, ...answer.failed]),
+      file
+        ? el("p", { class: "row" }, el("button", { type: "button", class: "main", onclick: put },
+          "Put the rubber into the muscle"), el("button", { type: "button", onclick: () =>
+          download(fileName(muscle.name, ".toml"), file, "application/toml") }, "Save the muscle with it"))
+        : "");
+  }
+  atEnd(onUnits(() => {
+    paint();
+    place(true);
+  }));
+  return {
+    /** @param {URLSearchParams} params */
+    async load(params) {
+      await muscle.read(params, fields.keys);
+      fields.set(params);
+      data = fileOf("rubber");
+      if (data) await fit.run();
+    },
+    unmount() {
+      fit.end();
+    },
+  };
+}

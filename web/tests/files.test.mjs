@@ -1,0 +1,147 @@
+// The muscle as files, one measure over a range, and a rubber from its test: with the numbers of the command line.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { test } from "node:test";
+import { zip } from "../page/js/zip.js";
+import { alive, pull } from "./browser.mjs";
+import { ask, inBrowser, program, root } from "./sites.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+const card = (/** @type {Page} */ page, /** @type {string} */ name) => page.getByRole("region", { name, exact: true });
+/** What a click downloads. @param {Page} page @param {import("playwright-core").Locator} button */
+async function downloaded(page, button) {
+  const [download] = await Promise.all([page.waitForEvent("download"), button.click({ timeout: 120_000 })]);
+  return { name: download.suggestedFilename(), bytes: readFileSync(/** @type {string} */ (await download.path())) };
+}
+/** Entries of an archive as Python's zipfile reads them, which checks their sums. @param {Buffer} bytes */
+function entries(bytes) {
+  const file = join(mkdtempSync(join(tmpdir(), "zip-")), "all.zip");
+  writeFileSync(file, bytes);
+  const script = "import sys, zipfile, json; z = zipfile.ZipFile(sys.argv[1]); assert z.testzip() is None; "
+    + "print(json.dumps({n: z.read(n).decode('latin1') for n in z.namelist()}))";
+  const said = execFileSync("python3", ["-c", script, file], { encoding: "utf8", maxBuffer: 1e8 });
+  return /** @type {Record<string, string>} */ (JSON.parse(said));
+}
+/** Rows of a chart's CSV. @param {Page} page */
+async function saved(page) {
+  const { bytes } = await downloaded(page, page.getByRole("button", { name: "CSV", exact: true }).first());
+  return bytes.toString().trim().split("\n").map((line) => line.split(","));
+}
+
+test("an archive has its files as they were, for a reader that is not ours", async () => {
+  const texts = { "a.txt": "one\n", "folder/b.bin": "\u0000\u00ff\n", "empty": "" };
+  const made = zip(Object.entries(texts).map(([name, text]) => ({ name, bytes: new Uint8Array(Buffer.from(text, "latin1")) })));
+  assert.deepEqual(entries(Buffer.from(await made.arrayBuffer())), texts);
+});
+
+inBrowser(({ name, open, blank }) => {
+  test("an export has the command line's error, and its files one by one and as an archive", async () => {
+    const { page, errors, context } = await open("#files?D=38&p=2.2bar");
+    const out = card(page, "Controllers and simulators");
+    await out.getByRole("combobox", { name: "Target" }).selectOption("python");
+    await out.getByText("Needs NumPy").waitFor();
+    await out.getByRole("combobox", { name: "Target" }).selectOption("c");
+    await out.getByRole("button", { name: "Export", exact: true }).click();
+    const said = ask("export", "-D", "38", "-p", "2.2bar", "--as", "c", "-o", mkdtempSync(join(tmpdir(), "c-")));
+    const worst = `${Number((100 * said.force_worst_ratio).toPrecision(2))} % at worst`;
+    await out.getByText(worst).waitFor({ timeout: 120_000 });
+    const header = await downloaded(page, out.getByRole("button", { name: "muscle.h", exact: true }));
+    const archive = entries((await downloaded(page, out.getByRole("button", { name: /^All files/ }))).bytes);
+    assert.equal(archive["muscle.h"], header.bytes.toString("latin1"));
+    assert.deepEqual(Object.keys(archive).sort(), ["example.c", "mckibben.c", "mckibben.h", "muscle.h"]);
+    assert.match(page.url(), /D=38/);
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("the report has its title block, the muscle's pull, and a view that turns, in one file", async () => {
+    const { page, errors, context } = await open("#files?D=38&p=2.2bar&e=10%25&name=Calf");
+    const report = card(page, "Report");
+    for (const [label, text] of [["Project", "Leg"], ["Number", "M-17"], ["Revision", "B"], ["Date", "2026-11-23"]])
+      await report.getByRole("textbox", { name: label, exact: true }).fill(text);
+    await report.getByRole("button", { name: "Make the report" }).click();
+    const { name: file, bytes } = await downloaded(page, report.getByRole("button", { name: /^Save / }));
+    assert.equal(file, "calf-report.html");
+    const html = bytes.toString(), { force_n: force } = ask("force", "-D", "38", "-p", "2.2bar", "-e", "10%");
+    for (const text of ["Calf", "Leg", "M-17", "2026-11-23", "bar"]) assert.ok(html.includes(text), text);
+    assert.ok(html.includes(String(Math.round(force))), `${force} N stands in the report`);
+    // The file stands alone.
+    const { page: alone, errors: wrong, context: other } = await blank();
+    await alone.setContent(html);
+    await alone.waitForSelector(".body canvas");
+    assert.deepEqual(wrong, []);
+    await other.close();
+    assert.match(page.url(), /project=Leg/);
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("the deformed muscle is saved for ParaView, as the command line writes it", async () => {
+    const { page, errors, context } = await open("#files?D=38&p=2.2bar&e=10%25");
+    const box = card(page, "Finite elements");
+    await box.getByRole("button", { name: "Compute", exact: true }).click();
+    const archive = entries((await downloaded(page, box.getByRole("button", { name: /^All files/ }))).bytes);
+    const folder = mkdtempSync(join(tmpdir(), "vtu-"));
+    execFileSync(program, ["simulate", "-D", "38", "-p", "2.2bar", "-e", "10%", "--vtu", folder], { stdio: "ignore" });
+    assert.deepEqual(Object.keys(archive).sort(), readdirSync(folder).sort());
+    const numbers = (/** @type {string} */ text) => (text.match(/-?\d+\.\d+(e-?\d+)?/g) ?? []).map(Number);
+    for (const file of readdirSync(folder)) {
+      const [ours, theirs] = [numbers(archive[file]), numbers(readFileSync(join(folder, file), "latin1"))];
+      assert.equal(ours.length, theirs.length);
+      const far = ours.findIndex((v, i) => Math.abs(v - theirs[i]) > 1e-4 * (1 + Math.abs(theirs[i])));
+      assert.equal(far, -1, `${file}: ${ours[far]} for ${theirs[far]}`);
+    }
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("a sweep over a measure has the command line's pull and its ±, and keeps its question in the link", async () => {
+    const { page, errors, context } = await open("#sweep?D=38&p=2.2bar&e=10%25");
+    await page.getByRole("combobox", { name: "Over" }).selectOption("s");
+    for (const [label, text] of [["From", "1 mm"], ["To", "3 mm"], ["Points", "5"]])
+      await page.getByRole("textbox", { name: label, exact: true }).fill(text);
+    await page.getByRole("button", { name: "Compute", exact: true }).click();
+    await page.waitForFunction(() => /to=3/.test(location.hash));
+    await page.getByText("Pull over wall").waitFor();
+    await page.waitForFunction(() => document.querySelector("progress")?.hidden);
+    const rows = await saved(page), at = rows.filter(([, x]) => Number(x) === 2.5);
+    assert.equal(rows.length, 6);
+    const { force_n: force } = ask("force", "-D", "38", "-s", "2.5", "-p", "2.2bar", "-e", "10%");
+    assert.ok(Math.abs(Number(at[0][2]) / force - 1) < 1e-6, `${at[0]} for ${force}`);
+    await page.reload();
+    await page.getByText("Pull over wall").waitFor();
+    await page.waitForFunction(() => document.querySelector("progress")?.hidden);
+    assert.equal((await saved(page)).length, 6);
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("a rubber test that is dropped gives the command line's law, which goes into the muscle", async () => {
+    const { page, errors, context } = await open("#muscle?D=38");
+    await alive(page);
+    const before = await pull(page);
+    await page.evaluate((text) => {
+      const data = new DataTransfer();
+      data.items.add(new File([text], "tension.csv"));
+      for (const kind of ["dragover", "drop"])
+        document.querySelector("#bar")?.dispatchEvent(new DragEvent(kind, { dataTransfer: data, bubbles: true, cancelable: true }));
+    }, readFileSync(`${root}data/treloar/tension.csv`, "utf8"));
+    const said = ask("rubber", "fit", `${root}data/treloar/tension.csv`);
+    await page.getByRole("heading", { name: `Recommended: ${said.recommended}` }).waitFor({ timeout: 120_000 });
+    const line = await page.getByRole("row", { name: said.recommended }).first().innerText();
+    for (const { name: constant, value } of said.parameters)
+      assert.ok(line.includes(`${constant} ${Number(value.toPrecision(4))}`), `${constant} ${value} in ${line}`);
+    await page.getByRole("button", { name: "Put the rubber into the muscle" }).click();
+    await page.locator("main[data-shown=muscle]").waitFor();
+    await page.waitForFunction((old) => {
+      const text = document.querySelector(".stage .say b")?.textContent ?? "";
+      return /±/.test(text) && text !== old;
+    }, before);
+    assert.match(page.url(), /file=/);
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+});
