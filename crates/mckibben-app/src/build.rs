@@ -96,13 +96,24 @@ pub struct BuiltFile {
     pub content: Vec<u8>,
 }
 
+impl BuiltFile {
+    /// Of text, or of bytes.
+    pub(crate) fn new(name: &str, about: &str, content: Result<String, Vec<u8>>) -> Self {
+        let (text, base64, content) = match content {
+            Ok(text) => (Some(text.clone()), None, text.into_bytes()),
+            Err(bytes) => (None, Some(STANDARD.encode(&bytes)), bytes),
+        };
+        Self { name: name.into(), about: about.into(), text, base64, content }
+    }
+}
+
 impl From<File> for BuiltFile {
     fn from(file: File) -> Self {
-        let (text, base64, content) = match file.content {
-            Content::Text(text) => (Some(text.clone()), None, text.into_bytes()),
-            Content::Bytes(bytes) => (None, Some(STANDARD.encode(&bytes)), bytes),
+        let content = match file.content {
+            Content::Text(text) => Ok(text),
+            Content::Bytes(bytes) => Err(bytes),
         };
-        Self { name: file.name.into(), about: file.about.into(), text, base64, content }
+        Self::new(file.name, file.about, content)
     }
 }
 
