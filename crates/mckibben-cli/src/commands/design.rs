@@ -274,7 +274,7 @@ fn request(args: &DesignArgs, figure: Option<Units>) -> Result<DesignRequest, Fa
         max_strand_strain: ratio("--max-strand-strain", args.max_strand_strain.as_deref())?,
         guaranteed: ratio("--guaranteed", args.guaranteed.as_deref())?,
         objective: args.objective,
-        muscle: args.file.as_deref().or(args.muscle.as_deref()).map(files::text).transpose()?,
+        muscle: args.file.as_deref().or(args.muscle.as_deref()).map(files::muscle).transpose()?,
         outer_diameter_mm: choice("--outer-diameter", &args.outer_diameter, Dimension::Length)?,
         wall_mm: choice("--wall", &args.wall, Dimension::Length)?,
         angle_deg: choice("--angle", &args.angle, Dimension::Angle)?,

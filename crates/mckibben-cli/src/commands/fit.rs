@@ -116,7 +116,7 @@ fn request(args: &FitArgs, path: &Path) -> Result<FitRequest, Failure> {
         name: args.name.clone(),
         rubber: args.rubber.clone(),
         stiffness: args.stiffness.as_deref().map(stiffness).transpose()?,
-        muscle: args.muscle.as_deref().map(files::text).transpose()?,
+        muscle: args.muscle.as_deref().map(files::muscle).transpose()?,
         tables: args.tables.is_some(),
         figures: args.plots.is_some(),
     })

@@ -159,7 +159,7 @@ fn request(args: &RubberFitArgs) -> Result<RubberFitRequest, Failure> {
         relaxation: args.relaxation.map(usize::from),
         softening: args.softening,
         name: args.name.clone(),
-        muscle: args.muscle.as_deref().map(files::text).transpose()?,
+        muscle: args.muscle.as_deref().map(files::muscle).transpose()?,
         data: Some(files::table(&args.file)?),
         columns: args.columns.fields()?,
         figure: args.plot.plot.is_some(),
