@@ -144,12 +144,12 @@ fn random(index: u64) -> (Muscle, f64) {
 }
 
 /// The goal, over the box from −5 %: at most 0.3 % of the blocked force at 95 % of the points that the form was not fitted to, 1 % at worst.
-/// `MCKIBBEN_ROUNDS=200` for the whole set.
+/// `MCKIBBEN_ROUNDS=200` for the whole set. The form's nodes were chosen on muscles 0 to 199; these are others.
 #[test]
 fn random_muscles_are_within_three_thousandths_at_95_percent_of_points_and_one_percent_at_worst() {
     let rounds = std::env::var("MCKIBBEN_ROUNDS").ok().and_then(|r| r.parse().ok()).unwrap_or(4).min(200);
     let mut shares: [Vec<f64>; 3] = Default::default();
-    for index in 0..rounds {
+    for index in 1000..1000 + rounds {
         let (muscle, supply_mpa) = random(index);
         let fitted = exported(&muscle, supply_mpa).unwrap();
         let e = fitted.errors;

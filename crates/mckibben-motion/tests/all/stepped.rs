@@ -6,8 +6,8 @@ use mckibben::progress::Silent;
 use mckibben_motion::*;
 
 const STEP_S: f64 = 0.05;
-/// In MPa: up, down to where the muscle is slack and its load lies on the stop, and up again.
-const COMMANDS: [f64; 8] = [0.05, 0.1, 0.2, 0.2, 0.05, 0.0, 0.0, 0.15];
+/// In MPa: the load lies on the stop, is lifted, comes back to it, and is lifted again.
+const COMMANDS: [f64; 8] = [0.0, 0.1, 0.2, 0.2, 0.0, 0.0, 0.0, 0.15];
 
 fn drive<'a>(load: &'a SingleMuscle, model: &'a dyn ForceModel, actuator: Actuator) -> Drive<'a> {
     let points: Vec<(f64, f64)> = COMMANDS.iter().enumerate().map(|(i, p)| (STEP_S * i as f64, *p)).collect();
@@ -28,7 +28,7 @@ fn identity_steps_are_the_run_to_the_last_bit_and_so_are_those_of_a_copy() {
     let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
     let load = SingleMuscle {
         stops_mm: (0.0, 90.0),
-        damping_n_s_per_m: 400.0,
+        damping_n_s_per_m: 100.0,
         ..SingleMuscle::hanging(&*model, 5.0)
     };
     for actuator in [regulator(0.01), valve()] {
@@ -43,7 +43,7 @@ fn identity_steps_are_the_run_to_the_last_bit_and_so_are_those_of_a_copy() {
             let events = |m: &Motion| m.events.iter().map(|e| (e.time_s, e.kind)).collect::<Vec<_>>();
             assert_eq!(events(other.motion()), events(&motion));
         }
-        assert!(motion.events.len() > 1, "{:?} {:?}", motion.events, motion.series.coordinate);
+        assert!(motion.events.len() > 2, "{:?} {:?}", motion.events, motion.series.coordinate);
     }
 }
 
