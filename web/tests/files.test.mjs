@@ -51,7 +51,7 @@ inBrowser(({ name, open, blank }) => {
     const header = await downloaded(page, out.getByRole("button", { name: "muscle.h", exact: true }));
     const archive = entries((await downloaded(page, out.getByRole("button", { name: /^All files/ }))).bytes);
     assert.equal(archive["muscle.h"], header.bytes.toString("latin1"));
-    assert.deepEqual(Object.keys(archive).sort(), ["example.c", "mckibben.c", "mckibben.h", "muscle.h"]);
+    assert.deepEqual(Object.keys(archive).sort(), ["example.c", "mckibben.c", "mckibben.h", "muscle.h", "pressure_loop.ino"]);
     assert.match(page.url(), /D=38/);
     assert.deepEqual(errors, []);
     await context.close();

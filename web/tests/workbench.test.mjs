@@ -578,6 +578,24 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
   });
 
+  test("a field that is selected as a whole is typed over, also where the page writes into it meanwhile", async () => {
+    const { page, context } = await open("#muscle");
+    await alive(page);
+    const row = page.locator(".controls .quantity").filter({ has: page.getByRole("textbox", { name: "Pressure" }) }).first();
+    const field = row.locator("input[type=text]"), unit = row.locator("button.bare");
+    await field.selectText();
+    const [before, written] = [await unit.innerText(), await field.inputValue()];
+    // A click by a script leaves the focus; the value stands in another unit then.
+    await unit.evaluate((button) => /** @type {HTMLElement} */ (button).click());
+    assert.notEqual(await field.inputValue(), written);
+    await page.keyboard.insertText("1 bar");
+    assert.equal(await field.inputValue(), "1 bar");
+    await field.press("Enter");
+    await page.waitForFunction(() => /p=1bar|p=0\.1MPa|p=100kPa|p=14\.5/.test(location.hash));
+    assert.notEqual(before, await unit.innerText());
+    await context.close();
+  });
+
   test("all units switch by a click, and a click changes no value", async () => {
     const { page, context } = await open("#muscle?k=467");
     await alive(page);

@@ -156,11 +156,22 @@ class Quantity {
   #paint(fieldToo = true) {
     const { slider, field, unit, spec: { kind, unit: own } } = this, now = this.#now;
     slider.value = now === undefined ? "0" : String((1000 * (now - this.#low)) / (this.#high - this.#low));
-    if (fieldToo) field.value = this.#painted = now === undefined ? "" : this.#asText(now);
+    if (fieldToo) this.#write(now === undefined ? "" : this.#asText(now));
     unit.textContent = kind === "ratio" ? "" : own ?? unitName(kind);
     slider.setAttribute("aria-valuetext",
       now === undefined ? "not given" : `${number(outside(kind, now))} ${unitName(kind)}`);
     this.#hint();
+  }
+
+  /** Writes into the field; a selection of all of it stays, so that typing replaces it. @param {string} text */
+  #write(text) {
+    const { field } = this, { selectionStart, selectionEnd, value } = field;
+    const whole = document.activeElement === field && selectionStart === 0 && selectionEnd === value.length;
+    if (value !== text) {
+      field.value = text;
+      if (whole) field.select();
+    }
+    this.#painted = text;
   }
 
   /** What may be typed. */
