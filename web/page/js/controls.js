@@ -154,7 +154,7 @@ class Quantity {
   }
 
   #paint(fieldToo = true) {
-    const { slider, field, unit, spec: { kind, unit: own } } = this, now = this.#now;
+    const { slider, unit, spec: { kind, unit: own } } = this, now = this.#now;
     slider.value = now === undefined ? "0" : String((1000 * (now - this.#low)) / (this.#high - this.#low));
     if (fieldToo) this.#write(now === undefined ? "" : this.#asText(now));
     unit.textContent = kind === "ratio" ? "" : own ?? unitName(kind);
