@@ -154,8 +154,13 @@ impl Form {
     }
 
     fn two_sided_volume_m3(&self, pressure_pa: f64, contraction: f64) -> f64 {
-        let (k, (phi, slope)) = (self.coefficients(contraction), functions(pressure_pa / self.supply_pa));
-        sum(&self.v, &phi) + self.length_m / self.supply_pa * sum(&k.integral, &slope)
+        let q = pressure_pa / self.supply_pa;
+        sum(&self.v, &functions(q).0) + self.potential_volume_m3(q, contraction)
+    }
+
+    /// What the potential of the pull adds to the volume of the muscle at rest length, m³.
+    pub(crate) fn potential_volume_m3(&self, q: f64, contraction: f64) -> f64 {
+        self.length_m / self.supply_pa * sum(&self.coefficients(contraction).integral, &functions(q).1)
     }
 
     fn outside(&self, pressure_pa: f64, contraction: f64) -> u32 {
@@ -166,7 +171,8 @@ impl Form {
 
     /// Everything at a pressure in Pa and a contraction.
     pub fn at(&self, pressure_pa: f64, contraction: f64) -> Point {
-        let (force_n, by_contraction) = self.two_sided_n(pressure_pa, contraction);
+        let (k, (phi, slope)) = (self.coefficients(contraction), functions(pressure_pa / self.supply_pa));
+        let force_n = sum(&k.c, &phi);
         let status = self.outside(pressure_pa, contraction);
         if force_n <= 0.0 {
             let free = self.contraction(0.0, pressure_pa);
@@ -178,12 +184,11 @@ impl Form {
                 status: status | SLACK,
             };
         }
-        let (k, (_, slope)) = (self.coefficients(contraction), functions(pressure_pa / self.supply_pa));
         Point {
             force_n,
-            stiffness_n_per_m: -by_contraction / self.length_m,
+            stiffness_n_per_m: -sum(&k.slope, &phi) / self.length_m,
             force_per_pressure_m2: sum(&k.c, &slope) / self.supply_pa,
-            volume_m3: self.two_sided_volume_m3(pressure_pa, contraction),
+            volume_m3: sum(&self.v, &phi) + self.length_m / self.supply_pa * sum(&k.integral, &slope),
             status,
         }
     }
@@ -252,12 +257,5 @@ impl Form {
     pub fn friction_half_width_n(&self, pressure_pa: f64) -> f64 {
         let q = (pressure_pa / self.supply_pa).max(0.0);
         self.friction_n[0] * q.sqrt() + self.friction_n[1] * q
-    }
-}
-
-impl Form {
-    /// What the potential of the pull adds to the volume of the muscle at rest length, m³.
-    pub(crate) fn potential_volume_m3(&self, q: f64, contraction: f64) -> f64 {
-        self.length_m / self.supply_pa * sum(&self.coefficients(contraction).integral, &functions(q).1)
     }
 }
