@@ -78,3 +78,27 @@ export function trapping(words) {
 export const alive = (page) => page.waitForFunction(() => /±|Slack/.test(document.querySelector(".stage .say b")?.textContent ?? ""), undefined, { timeout: 20_000 });
 /** @param {import("playwright-core").Page} page */
 export const pull = (page) => page.locator(".stage .say b").innerText();
+
+/** What a page holds, when nothing comes any more. @param {import("playwright-core").Page} page */
+export async function meter(page) {
+  const session = await page.context().newCDPSession(page);
+  await session.send("Performance.enable");
+  const now = async () => {
+    await session.send("HeapProfiler.collectGarbage");
+    const { metrics } = await session.send("Performance.getMetrics");
+    const of = (/** @type {string} */ key) => metrics.find(({ name }) => name === key)?.value ?? NaN;
+    return { nodes: of("Nodes"), listeners: of("JSEventListeners"), heap: of("JSHeapUsedSize") / 1e6 };
+  };
+  return async () => {
+    // A locator: a handle, as waitForSelector gives it, would keep the drawing.
+    await page.locator("svg.curves").first().waitFor();
+    // Curves and numbers arrive one after the other.
+    for (let before = await now(), same = 0; ; ) {
+      await page.waitForTimeout(300);
+      const next = await now();
+      same = next.nodes === before.nodes ? same + 1 : 0;
+      before = next;
+      if (same === 5) return next;
+    }
+  };
+}

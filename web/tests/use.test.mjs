@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
+import { meter } from "./browser.mjs";
 import { inBrowser, root } from "./sites.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -41,25 +42,7 @@ inBrowser(({ open }) => {
   test(`${MINUTES ? `${MINUTES} minutes` : `${ROUNDS} rounds`} of use leave elements, listeners and memory as they were`, async () => {
     const { page, errors, context } = await open("#muscle");
     await alive(page);
-    const session = await context.newCDPSession(page);
-    await session.send("Performance.enable");
-    const now = async () => {
-      await session.send("HeapProfiler.collectGarbage");
-      const { metrics } = await session.send("Performance.getMetrics");
-      const of = (/** @type {string} */ key) => metrics.find(({ name }) => name === key)?.value ?? NaN;
-      return { nodes: of("Nodes"), listeners: of("JSEventListeners"), heap: of("JSHeapUsedSize") / 1e6 };
-    };
-    /** Until nothing comes any more. */
-    const complete = async () => {
-      await page.locator("svg.curves").first().waitFor();
-      for (let before = await now(), same = 0; ; ) {
-        await page.waitForTimeout(300);
-        const next = await now();
-        same = next.nodes === before.nodes ? same + 1 : 0;
-        before = next;
-        if (same === 5) return next;
-      }
-    };
+    const complete = await meter(page);
     let rounds = 0;
     const round = async () => {
       await drop(page, FILES[rounds++ % FILES.length]);

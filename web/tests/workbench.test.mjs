@@ -11,7 +11,7 @@ import { files, listed } from "../offline.mjs";
 import { nameIn, named } from "../page/js/name.js";
 import { PAGES } from "../page/js/pages.js";
 import { thinned } from "../page/js/thin.js";
-import { alive, launch, pull, served } from "./browser.mjs";
+import { alive, launch, meter, pull, served } from "./browser.mjs";
 import { ask, inBrowser, program, root, shots } from "./sites.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -245,27 +245,7 @@ inBrowser(({ name, url, open, blank }) => {
   test("48 changes of page leave elements and listeners as they were", async () => {
     const { page, context } = await open("#muscle");
     await alive(page);
-    const session = await context.newCDPSession(page);
-    await session.send("Performance.enable");
-    const now = async () => {
-      await session.send("HeapProfiler.collectGarbage");
-      const { metrics } = await session.send("Performance.getMetrics");
-      const counted = metrics.filter(({ name }) => ["Nodes", "JSEventListeners"].includes(name));
-      return Object.fromEntries(counted.map(({ name, value }) => [name, value]));
-    };
-    // A locator: a handle, as waitForSelector gives it, would keep the drawing of that round.
-    const drawn = () => page.locator("svg.curves").first().waitFor();
-    // The page is complete when nothing comes any more: curves and numbers arrive one after the other.
-    const complete = async () => {
-      await drawn();
-      for (let before = await now(), same = 0; ; ) {
-        await page.waitForTimeout(300);
-        const next = await now();
-        same = next.Nodes === before.Nodes ? same + 1 : 0;
-        before = next;
-        if (same === 5) return next;
-      }
-    };
+    const complete = await meter(page);
     const round = async () => {
       for (const where of ["Design", "Joint", "Motion", "Sweep", "Data", "Rubber", "Formula", "Compare", "Parts", "Files",
         "About", "Muscle"]) {
@@ -278,7 +258,7 @@ inBrowser(({ name, url, open, blank }) => {
     await round();
     await round();
     let before = await complete(), after = before;
-    const grown = () => Object.keys(before).filter((key) => after[key] > 1.02 * before[key]);
+    const grown = () => /** @type {const} */ (["nodes", "listeners"]).filter((key) => after[key] > 1.02 * before[key]);
     // A library may keep its last surface or not, as it was left while it drew; what leaks grows every time.
     for (let tries = 0; tries < 3; tries++) {
       before = after;
