@@ -36,7 +36,7 @@ from ._ask import Progress
 from ._formula import Formula
 from ._inputs import Choice, FileLike, FormulaLike, Measured, MuscleLike, Number, Numbers, TableLike
 from ._muscle import Muscle
-from ._parts import Braid, Rubber
+from ._parts import Braid, Friction, Rubber, Terminals, Tube
 """
 
 
@@ -74,7 +74,8 @@ def commands() -> Iterator[str]:
     yield f"__all__ = {_commands.__all__}"
     for name in _commands.__all__:
         yield function(name, getattr(_commands, name))
-    for name in ("MuscleFields", "MuscleCommands"):
+    yield "CLASSES: dict[str, Any]"
+    for name in _commands.CLASSES:
         made = getattr(_commands, name)
         yield f"class {name}:\n{documented(made.__doc__, '    ')}"
         for member, value in vars(made).items():
@@ -116,7 +117,7 @@ def classes(module: Any) -> Iterator[tuple[str, Any]]:
 
 def members(made: type) -> Iterator[tuple[str, Any]]:
     """What a class has itself, and what a muscle has of its fields."""
-    for part in (made, *(base for base in made.__mro__ if base.__name__ == "MuscleFields")):
+    for part in (made, *(base for base in made.__mro__ if base.__name__.endswith("Fields"))):
         for name, value in vars(part).items():
             value = value.__func__ if isinstance(value, (classmethod, staticmethod)) else value
             if not name.startswith("_") and (inspect.isfunction(value) or isinstance(value, property)) and value.__doc__:
@@ -131,7 +132,7 @@ def reference() -> str:
 
     fields = inspect.getdoc(mckibben._muscle.Muscle.__init__) or ""
     out = ["# Python reference\n", "Made from the docstrings of the package. [The Python package](python.md) tells how they go together.\n"]
-    parts = {"Objects": "_muscle _parts _model _points _simulation _formula _campaign _table", "Commands": "_commands", "Figures": "plot", "Answers": "_columns _results _record", "Exceptions": "_problem"}
+    parts = {"Objects": "_muscle _parts _model _points _drives _simulation _formula _campaign _table", "Commands": "_commands", "Figures": "plot", "Answers": "_columns _results _record", "Exceptions": "_problem"}
     bridges = [name for name in BRIDGES if name in sys.modules or find_spec(name)]
     for title, modules in [*parts.items(), ("For JAX and PyTorch", " ".join(bridges))]:
         out.append(f"## {title}\n")

@@ -28,13 +28,21 @@ if TYPE_CHECKING:
     from ._formula import Formula as Formula
     from ._model import Model as Model
     from ._muscle import Muscle as Muscle
+    from ._drives import Drive as Drive
+    from ._drives import Joint as Joint
+    from ._drives import Valve as Valve
     from ._parts import Braid as Braid
+    from ._parts import Friction as Friction
     from ._parts import Rubber as Rubber
+    from ._parts import Terminals as Terminals
+    from ._parts import Tube as Tube
     from ._points import Solution as Solution
     from ._points import errstate as errstate
     from ._quantity import units as units
     from ._record import Record as Record
     from ._record import load as load
+    from ._results import Design as Design
+    from ._results import Fit as Fit
     from ._simulation import Simulation as Simulation
     from ._table import Table as Table
 
@@ -48,12 +56,20 @@ _PLACES = {
     "Formula": "_formula",
     "Model": "_model",
     "Braid": "_parts",
+    "Design": "_results",
+    "Drive": "_drives",
+    "Fit": "_results",
+    "Friction": "_parts",
+    "Joint": "_drives",
     "Muscle": "_muscle",
     "Rubber": "_parts",
     "Record": "_record",
     "Simulation": "_simulation",
     "Solution": "_points",
     "Table": "_table",
+    "Terminals": "_parts",
+    "Tube": "_parts",
+    "Valve": "_drives",
     "errstate": "_points",
     "load": "_record",
     "units": "_quantity",

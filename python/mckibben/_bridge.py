@@ -19,7 +19,14 @@ if TYPE_CHECKING:
 
     Array: TypeAlias = NDArray[np.float64]
 
-NO_SECOND = "a model has first derivatives only: for second ones take differences of jax.grad, or the outer product of residuals' gradients (Gauss-Newton)"
+NO_SECOND = "finite elements have first derivatives only: take the model universal for second ones, or the outer product of residuals' gradients (Gauss-Newton)"
+NO_THIRD = "a model has first and second derivatives only"
+# Places and weights of differences of fourth order about a point, and from a point on.
+_ABOUT = np.array([-2.0, -1.0, 0.0, 1.0, 2.0]), np.array([1.0, -8.0, 0.0, 8.0, -1.0]) / 12
+_FROM = np.array([0.0, 1.0, 2.0, 3.0, 4.0]), np.array([-25.0, 48.0, -36.0, 16.0, -3.0]) / 12
+# Steps of differences are this share of a value, or of what is usual where that is less.
+_STEP = 1e-3
+_USUAL = {"force": (0.1, 0.2), "pressure": (100.0, 0.2), "contraction": (100.0, 0.1)}
 
 
 class Asked:
@@ -44,10 +51,46 @@ class Asked:
         rows = [{n: v for n, v in muscle._follows(name).items() if n not in own} if name in measures else {name: 1.0} for name in self.names]
         return self.model.of(muscle.with_parameters(own) if own else muscle), rows
 
-    def one(self, a: Array, b: Array, theta: Array, slopes: bool) -> Array:
-        """The values, or with an axis more at the end values and slopes, at one θ."""
-        shape = np.broadcast_shapes(a.shape, b.shape)
+    @property
+    def has_second(self) -> bool:
+        """Whether there are second derivatives."""
+        return not self.model._native.is_elements
+
+    def widths(self, order: int) -> tuple[int, ...]:
+        """The axis that the derivatives of an order need: none, values and slopes, or second derivatives row by row."""
+        count = len(self.names)
+        return ((), (3 + count,), ((2 + count) ** 2,))[order]
+
+    def second(self, a: Array, b: Array, theta: Array) -> Array:
+        """Second derivatives at one θ: differences of slopes, which closed forms have to their last digits. Slack muscles have none."""
+        a, b = np.broadcast_arrays(a, b)
+        smooth = Asked(self.model._with({"extrapolate": True, "two_sided": True}), self.wanted, self.names, self.errors)
+        rows: list[Array] = []
+        for i, (value, usual) in enumerate(zip((a, b), _USUAL[self.wanted])):
+            h = _STEP * np.maximum(abs(value), usual)
+            # Not below zero: no gauge pressure is, and no pull.
+            at, by = (np.where((value >= 2 * h) | (i == 1 and self.wanted != "contraction"), *(v.reshape(5, *[1] * value.ndim) for v in pair)) for pair in zip(_ABOUT, _FROM))
+            moved = value + at * h
+            found = smooth.one(*((moved, b[None]) if i == 0 else (a[None], moved)), theta, 1)
+            rows.append((by[..., None] * found).sum(axis=0)[..., 1:] / h[..., None])
+        for i, value in enumerate(theta):
+            h = _STEP * (abs(value) or 1.0)
+            found = [by * smooth.one(a, b, theta + at * h * np.eye(len(theta))[i], 1) for at, by in zip(*_ABOUT) if by]
+            rows.append(np.sum(found, axis=0)[..., 1:] / h)
+        out = np.stack(rows, axis=-1)
+        # What is equal differs by rounding alone.
+        out = 0.5 * (out + out.swapaxes(-1, -2))
+        if self.wanted == "force" and not self.model._request.get("two_sided"):
+            value = self.one(a, b, theta, 0)
+            out = np.where((value == 0)[..., None, None], 0.0, out)
+        return out.reshape(*a.shape, -1)
+
+    def one(self, a: Array, b: Array, theta: Array, order: int) -> Array:
+        """The values, or with an axis more at the end derivatives of an order, at one θ."""
+        shape, slopes = np.broadcast_shapes(a.shape, b.shape), order == 1
         try:
+            if order == 2:
+                return self.second(a, b, theta)
             model, rows = self.at(theta)
             own = list(dict.fromkeys(parameter for row in rows for parameter in row))
             found = getattr(model, self.wanted)(a, b, jac=(own or True) if slopes else False, errors=self.errors)
@@ -55,20 +98,20 @@ class Asked:
             # A muscle that cannot be.
             if self.errors == "raise":
                 raise
-            return np.full((*shape, 3 + len(self.names)) if slopes else shape, np.nan)
+            return np.full((*shape, *self.widths(order)), np.nan)
         if not slopes:
             return np.asarray(found)
         by = np.array([[row.get(parameter, 0.0) for parameter in own] for row in rows]).reshape(len(rows), len(own))
         return np.concatenate([np.asarray(found[0])[..., None], found[1][..., :2], found[1][..., 2:] @ by.T], axis=-1)
 
-    def many(self, a: Any, b: Any, theta: Any, slopes: bool) -> Array:
+    def many(self, a: Any, b: Any, theta: Any, order: int) -> Array:
         """The same where all three may have axes of a batch in front, as many as θ has more than one."""
         a, b, theta = (np.asarray(v, dtype=np.float64) for v in (a, b, theta))
         batch = theta.shape[:-1]
         if not theta.size or theta.size == theta.shape[-1]:
-            return self.one(a, b, theta.reshape(-1), slopes)
+            return self.one(a, b, theta.reshape(-1), order)
         axes = np.broadcast_shapes(batch, a.shape[: len(batch)], b.shape[: len(batch)])
         a, b = (np.broadcast_to(v, axes + v.shape[len(batch):]) for v in (a, b))
         theta = np.broadcast_to(theta, axes + theta.shape[-1:])
-        parts = [self.one(a[i], b[i], theta[i], slopes) for i in np.ndindex(axes)]
+        parts = [self.one(a[i], b[i], theta[i], order) for i in np.ndindex(axes)]
         return np.stack(parts).reshape(axes + parts[0].shape)

@@ -5,13 +5,14 @@ from __future__ import annotations
 import keyword
 import re
 from collections.abc import Callable, Iterable
+from functools import partial
 from inspect import Parameter, Signature
 from typing import Any
 
 from . import _quantity, _schema
 from ._ask import answered
 from ._docs import entry, section, wrapped
-from ._files import FORMULAS, TABLES
+from ._files import FORMULAS, TABLES, without_gaps
 from ._problem import warned
 
 # Commands that are no function of the package: they serve pages and the command line.
@@ -49,6 +50,9 @@ NO_METHOD = {"design", "fit", "motion", "rubber-fit"}
 METHODS = {"muscle-show": "show", "force": "state"}
 # What a muscle must be given.
 GEOMETRY = ("outer_diameter_mm", "wall_mm", "length_mm")
+# Commands that fit measured tables, with the argument of these; tests of a rubber have columns of their own.
+MEASURED = {"identify": "data", "compare": "data", "rubber-fit": "data"}
+NAN = "Rows that lack a number which is needed (empty, NaN, masked): ``raise``, or ``omit`` to leave these out."
 PROGRESS = "True for a progress bar (tqdm, where it is installed), or a function that is called with (done, total)."
 # Types of what may be given for fields, by their names.
 GIVEN = {
@@ -61,7 +65,6 @@ GIVEN = {
     "models": "Sequence[str | Formula] | None",
     "figure": "str | None",
 }
-_UNIT = r"_(mm[23]?|mpa|nm|n|deg|kg|s|j|w|g|degc|kpa|cm3|hz)(_per_[a-z0-9_]+)?$"
 # Files that are tables or formulas, by the names of their fields.
 LIKE = {name: "TableLike" for name in TABLES} | {name: "FormulaLike" for name in FORMULAS}
 
@@ -104,7 +107,7 @@ def _parameter(command: str, name: str, schema: _schema.Schema, is_keyword: bool
 def unit_free(names: Iterable[str]) -> dict[str, str]:
     """The fields of quantities by their names without the unit: `outer_diameter` is `outer_diameter_mm`."""
     names = list(names)
-    short = {name: re.sub(_UNIT, "", name) for name in names if _quantity.kind_of(name) is not None}
+    short = {name: _quantity.bare(name) for name in names}
     return {bare: name for name, bare in short.items() if bare != name and bare not in names}
 
 
@@ -128,13 +131,14 @@ def _called(signature: Signature, name: str, about: str, owner: str, ask: Callab
     """A function, or a method of an owner, of a signature, name and documentation; `ask` has its arguments by their names."""
 
     known, first = signature.parameters.keys(), [p.name for p in signature.parameters.values() if p.kind is p.POSITIONAL_OR_KEYWORD]
+    needed = {p.name for p in signature.parameters.values() if p.default is p.empty and p.name != "self"}
 
     def called(*args: Any, **values: Any) -> Any:
         given = {**dict(zip(first, args)), **values}
         if not given.keys() <= known:
-            given = values = spelled(name, given, known)
-            args = ()
-        if len(given) != len(args) + len(values) or not given.keys() <= known or owner and not args:
+            given = spelled(name, given, known)
+            args, values = args[:1] if owner else (), {name: value for name, value in given.items() if name != "self"} if owner else given
+        if len(given) != len(args) + len(values) or not needed <= given.keys() <= known or owner and not args:
             # Slower, and it has the words for what is wrong.
             try:
                 signature.bind(*args, **values)
@@ -160,6 +164,9 @@ def _function(command: str, owner: str = "") -> Callable[..., Any]:
     names = {_argument(name): name for name in fields}
     parameters = [_parameter(command, name, field, name not in first) for name, field in fields.items()]
     listed = [entry(argument, _schema.doc(fields[name]), _schema.unit(fields[name])) for argument, name in names.items()]
+    if command in MEASURED:
+        parameters.append(Parameter("nan", Parameter.KEYWORD_ONLY, default="raise", annotation="Literal['raise', 'omit']"))
+        listed.append(entry("nan", NAN))
     if _is_long(command):
         parameters.append(Parameter("progress", Parameter.KEYWORD_ONLY, default=None, annotation="Progress"))
         listed.append(entry("progress", PROGRESS))
@@ -174,7 +181,11 @@ def _function(command: str, owner: str = "") -> Callable[..., Any]:
 
     def ask(given: dict[str, Any]) -> Any:
         values = {**defaults, **given}
-        progress = values.pop("progress", None)
+        progress, nan = values.pop("progress", None), values.pop("nan", "raise")
+        if nan not in ("raise", "omit"):
+            raise ValueError(f'nan: "raise" or "omit", not {nan!r}')
+        if nan == "omit" and (table := values.get(MEASURED[command])) is not None:
+            values[MEASURED[command]] = without_gaps(table, values.get("columns") or {}, command == "rubber-fit")
         muscle = {"muscle": values.pop("self")} if owner else {}
         return answered(command, {**muscle, **{names[name]: value for name, value in values.items()}}, answer, progress)
 
@@ -190,49 +201,102 @@ def _muscle_commands() -> type:
     return type("MuscleCommands", (), {"__slots__": (), "__module__": __name__, "__doc__": "What a muscle is asked: every command that takes one.", **methods})
 
 
-# What a muscle has under names of its own: rubber and braid in words.
-IN_WORDS = {"rubber": " Or a :class:`Rubber`.", "braid": " Or a :class:`Braid`."}
+# What may be given as an object too; a muscle has these under names of its own.
+OBJECTS = {"rubber": " Or a :class:`Rubber`.", "braid": " Or a :class:`Braid`."}
+# The parts of a muscle: what is given for them.
+WHOLE = {"tube": "Tube", "terminals": "Terminals", "friction": "Friction"}
+COMPRESSION = "Whether strands carry compression."
 
 
-def _muscle_fields() -> type:
-    """What makes a muscle of its fields, and the fields as attributes."""
-    fields = _schema.muscle()
+def _attributes(names: dict[str, str]) -> dict[str, property]:
+    """Fields of a muscle as attributes by their names."""
     # What every answer says of its muscle is never missing.
     always = _schema.required({"$ref": "#/$defs/MuscleSummary"})
 
-    def attribute(name: str, field: _schema.Schema) -> property:
+    def attribute(name: str, of: str) -> property:
+        field = _schema.muscle()[of]
+
         def get(self: Any) -> Any:
             return self._field(name)
 
-        kind = "float | str" if _schema.reference(field) or _schema.options(field) else "float"
-        get.__annotations__ = {"return": kind if name in always else f"{kind} | None"}
+        kind = "str | Rubber" if name == "rubber" else "str" if _schema.request_type(field).startswith("str") else "float | str" if _schema.reference(field) or _schema.options(field) else "float"
+        get.__annotations__ = {"return": kind if of in always and of != "braid" else f"{kind} | None"}
         return property(get, doc=" ".join(_schema.doc(field).split()))
+
+    return {name: attribute(name, of) for name, of in names.items() if of != "rubber_file"}
+
+
+def _of_fields(owner: str, own: list[Parameter], listed: list[str], make: Callable[[dict[str, Any]], None], returns: str, attributes: dict[str, property]) -> type:
+    """A class that is made of fields: `own` are its arguments behind self, those with a default are values that `replace` has too."""
+    me = Parameter("self", Parameter.POSITIONAL_OR_KEYWORD)
+
+    def other(given: dict[str, Any]) -> Any:
+        return given.pop("self")._with(given)
+
+    changes = [Parameter(p.name, Parameter.KEYWORD_ONLY, default=None, annotation=p.annotation if str(p.annotation).endswith("None") else f"{p.annotation} | None") for p in own if p.name != "base"]
+    init = _called(Signature([me, *own], return_annotation="None"), "__init__", *section("Parameters", listed), f"{owner}.", make)
+    about = "\n\n".join(["The same with other values.", *section("Parameters", [line for line in listed if not line.startswith("base\n")])])
+    replace = _called(Signature([me, *changes], return_annotation=returns), "replace", about, f"{owner}.", other)
+    return type(owner, (), {"__slots__": (), "__module__": __name__, "__doc__": "By its fields.", "__init__": init, "replace": replace, **attributes})
+
+
+def _muscle_fields() -> type:
+    """What makes a muscle of its fields and parts, and the fields as attributes."""
+    fields = _schema.muscle()
 
     def make(given: dict[str, Any]) -> None:
         from ._plain import muscle_text
 
         muscle, base = given.pop("self"), given.pop("base", None)
-        if base is None and (missing := [name for name in GEOMETRY if given.get(name) is None]):
+        if base is None and given.get("tube") is None and (missing := [name for name in GEOMETRY if given.get(name) is None]):
             text = f"{', '.join(missing)} of the paper's prototype (D0 30 mm, s 3 mm, L0 285 mm) {'is' if len(missing) == 1 else 'are'} used; give every measure, or say Muscle.prototype(…)"
             warned(text, DeprecationWarning)
         muscle._hold(muscle_text({"muscle": base, **given}))
 
-    def other(given: dict[str, Any]) -> Any:
-        muscle = given.pop("self")
-        return type(muscle)(muscle, **given)
-
-    own = [Parameter("self", Parameter.POSITIONAL_OR_KEYWORD), Parameter("base", Parameter.POSITIONAL_OR_KEYWORD, default=None, annotation=GIVEN["muscle"])]
-    listed = [entry(name, _schema.doc(field) + IN_WORDS.get(name, ""), _schema.unit(field)) for name, field in fields.items()]
-    values = [Parameter(name, Parameter.KEYWORD_ONLY, default=None, annotation=_given(name, field)) for name, field in fields.items()]
-    base = entry("base", "A muscle, or the path of a muscle file (TOML), whose values the other arguments replace.")
-    init = _called(Signature([*own, *values], return_annotation="None"), "__init__", *section("Parameters", [base, *listed]), "MuscleFields.", make)
-    about = "\n\n".join(["The same muscle with other values.", *section("Parameters", listed)])
-    replace = _called(Signature([own[0], *values], return_annotation="Muscle"), "replace", about, "MuscleFields.", other)
-    attributes = {name: attribute(name, field) for name, field in fields.items() if name not in IN_WORDS}
-    return type("MuscleFields", (), {"__slots__": (), "__module__": __name__, "__doc__": "A muscle by its fields.", "__init__": init, "replace": replace, **attributes})
+    own = [Parameter("base", Parameter.POSITIONAL_OR_KEYWORD, default=None, annotation=GIVEN["muscle"])]
+    own += [Parameter(name, Parameter.KEYWORD_ONLY, default=None, annotation=_given(name, field)) for name, field in fields.items()]
+    own += [Parameter(name, Parameter.KEYWORD_ONLY, default=None, annotation=f"{kind} | None") for name, kind in WHOLE.items()]
+    listed = [entry("base", "A muscle, or the path of a muscle file (TOML), whose values the other arguments replace.")]
+    listed += [entry(name, _schema.doc(field) + OBJECTS.get(name, ""), _schema.unit(field)) for name, field in fields.items()]
+    listed += [entry(name, f"All of the {name} as a :class:`{kind}`, in place of its values.") for name, kind in WHOLE.items()]
+    return _of_fields("MuscleFields", own, listed, make, "Muscle", _attributes({name: name for name in fields if name not in OBJECTS}))
 
 
-CLASSES = {"MuscleCommands": _muscle_commands, "MuscleFields": _muscle_fields}
+def _part_fields(table: str) -> type:
+    """What makes a part of a muscle of its fields, and these as attributes."""
+    names, fields = _schema.part(table), _schema.muscle()
+    kind = table.capitalize()
+
+    def make(given: dict[str, Any]) -> None:
+        from ._parts import Rubber, tube_for
+        from ._plain import muscle_text
+
+        part, compression = given.pop("self"), given.pop("compression", None)
+        values = {names[name]: value for name, value in given.items() if value is not None}
+        if isinstance(values.get("rubber"), dict):
+            values["rubber"] = Rubber(**values["rubber"])
+        text = tube_for(given) if table == "braid" else ""
+        if compression is not None:
+            text += f"[braid]\ncompression = {'true' if compression else 'false'}\n"
+        base = {"name": table, "text": text} if text else None
+        part._read(muscle_text({"muscle": base, **values}), alone=True)
+
+    first = [name for name in ("angle_deg",) if name in names]
+    own = [_parameter("", name, fields[names[name]], name not in first) for name in [*first, *(n for n in names if n not in first)]]
+    own = [p.replace(default=p.empty, annotation=str(p.annotation).removesuffix(" | None")) if p.name in GEOMETRY else p.replace(annotation=GIVEN["rubber"] if p.name == "rubber" else "str | None" if p.name == "name" else p.annotation) for p in own]
+    listed = [entry(p.name, _schema.doc(fields[names[p.name]]) + (OBJECTS["rubber"] if p.name == "rubber" else ""), _schema.unit(fields[names[p.name]])) for p in own]
+    attributes = _attributes(names)
+    if table == "braid":
+        own.append(Parameter("compression", Parameter.KEYWORD_ONLY, default=None, annotation="bool | None"))
+        listed.append(entry("compression", COMPRESSION))
+        attributes["compression"] = property(lambda self: bool(self._field("compression")), doc=COMPRESSION)
+    return _of_fields(f"{kind}Fields", own, listed, make, kind, attributes)
+
+
+CLASSES: dict[str, Callable[[], type]] = {
+    "MuscleCommands": _muscle_commands, "MuscleFields": _muscle_fields,
+    **{f"{table.capitalize()}Fields": partial(_part_fields, table) for table in ("tube", "braid", "terminals", "friction")},
+}
 
 
 def __getattr__(name: str) -> Any:

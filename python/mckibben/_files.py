@@ -16,7 +16,7 @@ FORMULAS = ("formulas", "file")
 def text(value: Any) -> dict[str, str]:
     """A file that was written by hand."""
     if hasattr(value, "to_toml"):
-        return {"name": "muscle", "text": value.to_toml()}
+        return {"name": type(value).__name__.lower(), "text": value.to_toml()}
     if isinstance(value, Mapping):
         return {"name": str(value["name"]), "text": str(value["text"])}
     path = os.fspath(value)
@@ -46,6 +46,14 @@ def table(value: Any) -> dict[str, str]:
     return {"name": "data", "text": Table.of(value).to_csv()}
 
 
+def without_gaps(value: Any, columns: Mapping[str, str], tests: bool) -> Any:
+    """Tables without the rows that lack a number which a fit needs."""
+    if isinstance(value, (list, tuple)):
+        return [without_gaps(one, columns, tests) for one in value]
+    file = table(value)
+    return {"name": file["name"], "text": _native.without_gaps(file["name"], file["text"], dict(columns), tests)}
+
+
 def measured(value: Any) -> dict[str, str]:
     """A measured muscle or rubber: the path of its folder, or its files as texts. A rubber has no ``muscle.toml``."""
     if isinstance(value, Mapping):
@@ -60,6 +68,9 @@ def measured(value: Any) -> dict[str, str]:
 def beside(values: dict[str, Any]) -> None:
     """The files that a joint or drive file names: those that are given by name, the others from beside it."""
     drive = values.get("drive")
+    if hasattr(drive, "_files"):
+        # An object has its own; others take their place.
+        values.update({**drive._files(), **{name: value for name, value in values.items() if value is not None}})
     if drive is not None:
         file, folder = text(drive), _folder(drive)
         subject, name, tables = _native.drive_files(file["name"], file["text"])
@@ -73,6 +84,8 @@ def beside(values: dict[str, Any]) -> None:
         elif isinstance(values.get("tables"), Mapping):
             values["tables"] = [{**table(of), "name": str(t)} for t, of in values["tables"].items()]
     joint, muscles = values.get("joint"), values.get("muscles")
+    if hasattr(joint, "muscles"):
+        muscles = {**joint.muscles, **(muscles or {})}
     if joint is not None and (muscles is None or isinstance(muscles, Mapping)):
         file, folder, given = text(joint), _folder(joint), muscles or {}
         values["joint"] = file

@@ -3,18 +3,31 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, Any
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any, overload
+
+import numpy as np
+
+from . import _native
 
 if TYPE_CHECKING:
     from os import PathLike
 
+    from numpy.typing import NDArray
+
     from . import _answers
-    from ._inputs import MuscleLike
+    from ._inputs import Floats, MuscleLike
     from ._model import Model
+    from ._points import Outside
+
+# What it is a function of.
+POINT = ("pressure_mpa", "contraction", "wall_mm", "outer_diameter_mm")
+compiled = lru_cache(64)(_native.Formula)
 
 
 class Formula:
-    """A fitted formula, as :func:`fit` makes it and its file (JSON) holds it. It is a model: ``muscle.model(formula)``.
+    """A fitted formula, as :func:`fit` makes it and its file (JSON) holds it. It is a model: ``muscle.model(formula)``; and a function of pressures,
+    contractions, walls and diameters: ``formula(pressure_mpa, contraction, wall_mm, outer_diameter_mm)``.
 
     Parameters
     ----------
@@ -29,8 +42,6 @@ class Formula:
     _text: str
 
     def __init__(self, text: str, name: str | None = None) -> None:
-        from . import _native
-
         shown = _native.ask("formula-show", {"file": {"name": name or "the formula", "text": text}})
         object.__setattr__(self, "_text", text)
         object.__setattr__(self, "_name", name or str(shown["name"]))
@@ -40,9 +51,58 @@ class Formula:
         """The formula of a file."""
         import os
 
-        from . import _native
-
         return cls(_native.read_formula(os.fspath(path)))
+
+    @classmethod
+    def load(cls, path: str | PathLike[str]) -> Formula:
+        """The formula that :meth:`save` wrote."""
+        return cls.from_file(path)
+
+    @overload
+    def __call__(self, pressure_mpa: float, contraction: float, wall_mm: float, outer_diameter_mm: float, *, two_sided: bool = ..., extrapolate: bool = ..., errors: Outside | None = ...) -> float: ...  # type: ignore[overload-overlap]
+    @overload
+    def __call__(self, pressure_mpa: Floats, contraction: Floats, wall_mm: Floats, outer_diameter_mm: Floats, *, two_sided: bool = ..., extrapolate: bool = ..., errors: Outside | None = ...) -> NDArray[np.float64]: ...
+
+    def __call__(self, pressure_mpa: Any, contraction: Any, wall_mm: Any, outer_diameter_mm: Any, *, two_sided: bool = False, extrapolate: bool = False, errors: Outside | None = None) -> Any:
+        """The pull of many muscles at once, in N; 0 where a muscle is slack. The rubber, the braid and the length are those for which it was made.
+
+        Parameters
+        ----------
+        pressure_mpa : MPa
+            Gauge pressures: numbers, a text with its unit, or quantities of pint; broadcast as NumPy does it.
+        contraction : ratio
+            Contraction ratios.
+        wall_mm, outer_diameter_mm : mm
+            Of the tubes.
+        two_sided
+            Negative pulls instead of slack.
+        extrapolate
+            Answer outside of its range.
+        errors
+            Outside of its range: ``warn`` (where it is left out: NaN and one warning), ``nan`` or ``raise``.
+
+        Returns
+        -------
+        float or numpy.ndarray
+            The pull, of the broadcast shape.
+        """
+        from ._arrays import array
+        from ._points import outside
+        from ._problem import OutOfRangeError, OutsideWarning, warned
+        from ._quantity import dressed
+
+        given = np.broadcast_arrays(*(array(name, value) for name, value in zip(POINT, (pressure_mpa, contraction, wall_mm, outer_diameter_mm))))
+        points, formula = np.stack([values.ravel() for values in given]), compiled(self._name, self._text)
+        out = np.empty(points.shape[1])
+        first, does = formula.fill(points, out, extrapolate, two_sided), outside(errors, "warn")
+        if first is not None and does != "nan":
+            where = [(name, value, ends) for name, value, ends in zip(POINT, points[:, first].tolist(), formula.range) if not ends[0] <= value <= ends[1]]
+            name, value, (low, high) = where[0]
+            text = f"{value:g} is outside of the formula's range, {low:g} to {high:g}"
+            if does == "raise":
+                raise OutOfRangeError(text, kind="out_of_range", field=name, index=first, hint="extrapolate=True computes it all the same")
+            warned(f"{np.isnan(out).sum()} of {out.size} points have no answer; point {first}: {name}: {text}", OutsideWarning)
+        return dressed("force_n", out.reshape(given[0].shape) if given[0].shape else float(out[0]))
 
     @property
     def name(self) -> str:

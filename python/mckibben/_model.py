@@ -122,9 +122,11 @@ class Model:
 
     def of(self, muscle: Muscle) -> Model:
         """The same model of another muscle."""
-        other = object.__new__(Model)
-        other._hold(muscle, self._request)
-        return other
+        return _restored(muscle, self._request)
+
+    def _with(self, options: dict[str, Any]) -> Model:
+        """The same asked in another way."""
+        return _restored(self._muscle, {**self._request, **options})
 
     @overload
     def force(self, pressure_mpa: float, contraction: float = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., progress: Progress = ...) -> float: ...  # type: ignore[overload-overlap]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal, overload
 
+from . import _parts
 from ._commands import MuscleCommands, MuscleFields
 
 if TYPE_CHECKING:
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
 
     from ._inputs import Floats, MuscleLike, Number
     from ._model import Model
+    from ._parts import Braid, Friction, Terminals, Tube
     from ._points import Found, Outside, Solution
 
 
@@ -239,9 +241,27 @@ class Muscle(MuscleFields, MuscleCommands):
         return str(self._measures()["rubber"])
 
     @property
-    def braid(self) -> str:
-        """The braid: ``paper``, ``inextensible``, its stiffness, or its strands."""
-        return str(self._measures()["braid"])
+    def tube(self) -> Tube:
+        """The tube: diameter, wall, length and rubber."""
+        return _parts.Tube._of(self._text)
+
+    @property
+    def braid(self) -> Braid:
+        """The braid; as a text ``paper``, ``inextensible``, its stiffness, or its strands."""
+        return _parts.Braid._of(self._text)
+
+    @property
+    def terminals(self) -> Terminals:
+        """The ends."""
+        return _parts.Terminals._of(self._text)
+
+    @property
+    def friction(self) -> Friction:
+        """Friction of the braid."""
+        return _parts.Friction._of(self._text)
+
+    def _with(self, changes: dict[str, Any]) -> Muscle:
+        return Muscle(self, **changes)
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"a muscle does not change: {name}; replace({name}=…) gives another one")

@@ -1,9 +1,14 @@
-"""What a muscle is made of: its rubber and its braid, as tables of a muscle file."""
+"""What a muscle is made of: tube, rubber, braid, terminals and friction, each the tables of a muscle file that describe it."""
 
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, Any, Literal
+import re
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
+
+from . import _native
+from ._commands import BraidFields, FrictionFields, TerminalsFields, TubeFields
 
 if TYPE_CHECKING:
     import os
@@ -15,49 +20,51 @@ if TYPE_CHECKING:
     from ._inputs import Number, TableLike
 
 
-def _toml(value: Any) -> str:
-    """A value of a muscle file: texts of TOML are written as those of JSON."""
+def toml(value: Any) -> str:
+    """A value of a file: texts of TOML are written as those of JSON."""
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False)
+    if isinstance(value, Mapping):
+        return "{ " + ", ".join(f"{name} = {toml(v)}" for name, v in value.items()) + " }"
     if isinstance(value, (list, tuple)):
-        return "[" + ", ".join(_toml(v) for v in value) + "]"
+        return "[" + ", ".join(map(toml, value)) + "]"
     return repr(int(value)) if hasattr(value, "__index__") else repr(float(value))
 
 
-class _Part:
-    """A table of a muscle file."""
+def tables(text: str) -> dict[str, str]:
+    """The tables of a muscle file that the program wrote, each with its heading."""
+    found = re.split(r"^\[([\w.-]+)\]\n", text, flags=re.MULTILINE)
+    return {name: f"[{name}]\n{lines}" for name, lines in zip(found[1::2], found[2::2])}
 
-    __slots__ = ("_values",)
-    _table = ""
+
+class _Part:
+    """Tables of a muscle file, with their values by the names of arguments."""
+
+    __slots__ = ("_text", "_values")
+    _table: ClassVar[str] = ""
+    _text: str
     _values: dict[str, Any]
+
+    def _hold(self, text: str, values: dict[str, Any]) -> Self:
+        object.__setattr__(self, "_text", text)
+        object.__setattr__(self, "_values", values)
+        return self
 
     def to_toml(self) -> str:
         """The table as in a muscle file."""
-        return "\n".join([f"[{self._table}]", *(f"{name} = {_toml(value)}" for name, value in self._values.items()), ""])
+        return self._text
 
     @classmethod
     def from_toml(cls, text: str) -> Self:
-        """The part of its table, or of a muscle file that has it."""
-        try:
-            import tomllib
-        except ImportError:
-            # Python 3.10: the lines of our own tables are those of JSON.
-            lines = text.split(f"[{cls._table}]\n", 1)[1].split("\n[", 1)[0].splitlines()
-            values: Any = {name.strip(): json.loads(value) for name, _, value in (line.partition("=") for line in lines) if value}
-        else:
-            values = tomllib.loads(text)
-            for name in cls._table.split("."):
-                values = values[name]
-        part = object.__new__(cls)
-        part._set({name: tuple(v) if isinstance(v, list) else v for name, v in values.items()})
-        return part
+        """The part of its table, or of a muscle file."""
+        raise NotImplementedError
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes its table (TOML)."""
         with open(path, "w", encoding="utf-8") as file:
-            file.write(self.to_toml())
+            file.write(self._text)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Self:
@@ -66,36 +73,175 @@ class _Part:
             return cls.from_toml(file.read())
 
     def to_dict(self) -> dict[str, Any]:
-        """Its values by name."""
+        """Its values by name, of which the same part can be made."""
         return dict(self._values)
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"a {type(self).__name__} does not change: {name}")
 
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_") or name not in self._values:
-            raise AttributeError(f"{type(self).__name__} has no {name!r}")
-        return self._values[name]
-
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({', '.join(f'{n}={v!r}' for n, v in self._values.items())})"
+        return f"{type(self).__name__}({', '.join(f'{n}={v!r}' for n, v in self._plain().items())})"
+
+    def _plain(self) -> dict[str, Any]:
+        return self._values
 
     def __eq__(self, other: object) -> bool:
-        return type(self) is type(other) and isinstance(other, _Part) and self._values == other._values
+        return type(self) is type(other) and isinstance(other, _Part) and self._text == other._text
 
     def __hash__(self) -> int:
-        return hash((type(self).__name__, tuple(sorted(self._values.items()))))
+        return hash((type(self).__name__, self._text))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _part, (type(self), dict(self._values))
+        return _part, (type(self), self._text, self._values)
 
-    def _set(self, values: dict[str, Any]) -> None:
-        # A muscle of nothing else tells what is wrong with it.
-        object.__setattr__(self, "_values", {n: v for n, v in values.items() if v is not None})
-        from . import _native
 
-        text = self.to_toml()
-        _native.muscle_text({}, text if self._table != "braid" else None, text if self._table == "braid" else None)
+def _part(kind: type[_Part], text: str, values: dict[str, Any]) -> _Part:
+    return object.__new__(kind)._hold(text, values)
+
+
+class _Measured(_Part):
+    """A part whose values are measures of the muscle."""
+
+    __slots__ = ()
+    # The first words of its tables' names.
+    _own: ClassVar[tuple[str, ...]] = ()
+
+    @classmethod
+    def from_toml(cls, text: str) -> Self:
+        alone = "[tube]" not in text
+        tube = tube_for(_native.toml(cls.__name__, text).get("braid", {})) if alone else ""
+        return cls._of(_native.muscle_text({"muscle": {"name": cls.__name__, "text": tube + text}}), alone)
+
+    @classmethod
+    def _of(cls, text: str, alone: bool = False) -> Self:
+        """That of a muscle, by its text; alone it has what is stated."""
+        return object.__new__(cls)._read(text, alone)
+
+    def _field(self, name: str) -> Any:
+        return self._values.get(name)
+
+    def _with(self, changes: dict[str, Any]) -> Self:
+        return type(self)(**{**self.to_dict(), **changes})
+
+    def _read(self, text: str, alone: bool = False) -> Self:
+        from . import _schema
+
+        parts = tables(text)
+        own = "".join(table.rstrip("\n") + "\n" for name, table in parts.items() if name.split(".")[0] in self._own) or f"[{self._table}]\n"
+        found = _native.muscle_fields(text)
+        if "tube.material" in parts and self._table == "tube":
+            found["rubber"] = Rubber.from_toml(parts["tube.material"])
+        names = _schema.part(self._table)
+        values = {name: found[field] for name, field in names.items() if field in found}
+        if "\ncompression = true" in own:
+            values["compression"] = True
+        self._hold(own, values)
+        return self._hold(own, self._plain()) if alone else self
+
+    def _plain(self) -> dict[str, Any]:
+        """What its tables state; the others follow from it."""
+        from . import _schema
+
+        keys = {*re.findall(r"^(\w+) = ", self._text, flags=re.MULTILINE), *(["rubber"] if "[tube.material]" in self._text else [])}
+        key = _schema.keys(self._table)
+        return {name: value for name, value in self._values.items() if key.get(name, name) in keys}
+
+    def to_dict(self) -> dict[str, Any]:
+        """What is stated of it by name: the same part can be made of it."""
+        return {name: value.to_dict() if isinstance(value, Rubber) else value for name, value in self._plain().items()}
+
+
+def tube_for(braid: Mapping[str, Any]) -> str:
+    """A tube that a braid fits, as a table: on which it is read by itself."""
+    from . import _quantity
+
+    def size(name: str) -> float | None:
+        value = braid.get(name, braid.get(f"{name}_mm"))
+        return None if value is None else _quantity.number(f"{name}_mm", value)
+
+    diameter, strand = size("diameter"), size("strand_length")
+    if braid.get("name") is not None and diameter is None:
+        points = _native.ask("braid-show", {"name": braid["name"]})["points"]
+        diameter = points[len(points) // 2]["outer_diameter_mm"] if points else None
+    elif diameter is not None:
+        diameter *= 0.9
+    diameter = 30.0 if diameter is None else diameter
+    return f"[tube]\nouter_diameter = {diameter!r}\nwall_thickness = {0.05 * diameter!r}\nlength = {285.0 if strand is None else 0.8 * strand!r}\n"
+
+
+class Tube(TubeFields, _Measured):
+    """The rubber tube: its diameter, wall, length and rubber. What is not stated has its default value.
+
+    Examples
+    --------
+    >>> tube = Tube(outer_diameter_mm=50, wall="1 mm", length_mm=285, rubber="dragon-skin-30")
+    >>> tube.replace(wall_mm=2).wall_mm
+    2.0
+    """
+
+    __slots__ = ()
+    _table = "tube"
+    _own = ("tube",)
+
+
+class Braid(BraidFields, _Measured):
+    """The braid: its angle and its stiffness, or its strands; or a sleeve of the library by its ``name``, which other values complete. As a text it
+    is ``paper``, ``inextensible``, its stiffness, or its strands.
+
+    Examples
+    --------
+    >>> Braid("25 deg", stiffness="900 N/mm")
+    Braid(angle_deg=25.0, stiffness=900.0)
+    """
+
+    __slots__ = ()
+    _table = "braid"
+    _own = ("braid",)
+
+    def __str__(self) -> str:
+        return str(_native.ask("muscle-show", {"muscle": {"name": "braid", "text": tube_for(self._values) + self._text}})["braid"])
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, str):
+            from ._problem import warned
+
+            warned("a muscle's braid is a Braid now; compare str(muscle.braid)", DeprecationWarning)
+            return str(self) == other
+        return super().__eq__(other)
+
+    def __hash__(self) -> int:
+        return super().__hash__()
+
+
+class Terminals(TerminalsFields, _Measured):
+    """The ends of a muscle: how far they reach, seat and slip, what they hold, and the factors of the models with shaped ends.
+
+    Examples
+    --------
+    >>> Terminals(seating_mm=1.6, slip="4 mm/kN").slip_mm_per_n
+    0.004
+    """
+
+    __slots__ = ()
+    _table = "terminals"
+    _own = ("terminals", "model")
+
+
+class Friction(FrictionFields, _Measured):
+    """Friction of the braid: the pull differs by C P^β between contraction and elongation.
+
+    Examples
+    --------
+    >>> Friction(coefficient=30, exponent=0.7)
+    Friction(coefficient=30.0, exponent=0.7)
+    """
+
+    __slots__ = ()
+    _table = "friction"
+    _own = ("friction",)
+
+
+PARTS: dict[str, type[_Measured]] = {kind._table: kind for kind in (Tube, Braid, Terminals, Friction)}
 
 
 def _constant(value: Any) -> Any:
@@ -104,19 +250,9 @@ def _constant(value: Any) -> Any:
         value = value.to("dimensionless" if value.dimensionless else "MPa").magnitude
     if isinstance(value, (str, bool)) or value is None:
         return value
+    if isinstance(value, Mapping):
+        return {name: _constant(v) for name, v in value.items()}
     return tuple(map(_constant, value)) if hasattr(value, "__iter__") and getattr(value, "shape", None) != () else float(value)
-
-
-def _part(kind: type[_Part], values: dict[str, Any]) -> _Part:
-    part = object.__new__(kind)
-    object.__setattr__(part, "_values", values)
-    return part
-
-
-def _number(name: str, value: Any) -> Any:
-    from . import _quantity
-
-    return None if value is None else _quantity.number(name, value)
 
 
 class Rubber(_Part):
@@ -141,21 +277,47 @@ class Rubber(_Part):
     _table = "tube.material"
 
     def __init__(self, law: str, *, bulk_modulus_mpa: Number | None = None, **constants: Any) -> None:
+        from . import _quantity
+
         bulk = bulk_modulus_mpa
         if bulk is not None and not (isinstance(bulk, str) and bulk.strip().lower() == "incompressible"):
-            bulk = f"{_number('bulk_modulus_mpa', bulk)!r} MPa"
-        self._set({"law": law, **{name: _constant(value) for name, value in constants.items()}, "bulk_modulus": bulk})
+            bulk = f"{_quantity.number('bulk_modulus_mpa', bulk)!r} MPa"
+        self._set({"law": law, **{name: _constant(value) for name, value in constants.items()}, "bulk_modulus": constants.get("bulk_modulus") if bulk is None else bulk})
+
+    def _set(self, values: dict[str, Any]) -> Self:
+        values = {n: v for n, v in values.items() if v is not None}
+        self._hold("\n".join([f"[{self._table}]", *(f"{name} = {toml(value)}" for name, value in values.items()), ""]), values)
+        # A muscle of nothing else says what is wrong with it.
+        _native.muscle_text({}, [(self._table, self._text)])
+        return self
+
+    @classmethod
+    def from_toml(cls, text: str) -> Self:
+        held = _native.toml("rubber", text).get("tube", {})
+        if "material" not in held:
+            # A muscle file names it, or leaves it to the default.
+            held = _native.toml("rubber", _native.muscle_text({"muscle": {"name": "rubber", "text": text}}))["tube"]
+            if "material" not in held:
+                raise KeyError(f"the rubber is {held['rubber']!r} of the library")
+        return object.__new__(cls)._set({name: _constant(value) for name, value in held["material"].items()})
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or name not in self._values:
+            raise AttributeError(f"Rubber has no {name!r}")
+        return self._values[name]
+
+    def replace(self, **constants: Any) -> Rubber:
+        """The same with other constants."""
+        return Rubber(**{**self._values, **constants})
 
     def stress(self, mode: Literal["uniaxial", "planar", "equibiaxial"], stretch: ArrayLike) -> NDArray[Any]:
         """Nominal stress (force over the area at rest) of the incompressible rubber in MPa, at stretches (length over that at rest)."""
         import numpy as np
 
-        from . import _native
-
         if mode not in ("uniaxial", "planar", "equibiaxial"):
             raise ValueError(f'mode: "uniaxial", "planar" or "equibiaxial", not {mode!r}')
         stretches = np.asarray(stretch, dtype=np.float64)
-        text = _native.muscle_text({}, self.to_toml(), None)
+        text = _native.muscle_text({}, [(self._table, self._text)])
         return np.array(_native.rubber_stress(text, mode, stretches.ravel().tolist())).reshape(stretches.shape)
 
     def plot(self, ax: Axes | None = None, *, to_stretch: float = 3.0) -> Axes:
@@ -178,58 +340,3 @@ class Rubber(_Part):
         from . import _commands
 
         return _commands.rubber_fit(data, **options).rubber()
-
-
-class Braid(_Part):
-    """A braid by its strands. A sleeve of the library is named by its name alone, as in ``Muscle(braid="…")``.
-
-    Parameters
-    ----------
-    angle_deg : degrees
-        Angle θ0 of the strands to the axis at rest.
-    stiffness : N/mm
-        k of one strand family: a number, ``inextensible`` or ``paper``; or else the strands below.
-    strands
-        Their number, of both families together.
-    strand_area_mm2, strand_modulus_mpa, strand_strength_n : mm2, MPa, N
-        Cross-section, Young's modulus and strength of one strand.
-    thickness_mm, diameter_mm, strand_diameter_mm : mm
-        Of the braid; of a sleeve wider than the tube; of a strand.
-    name
-        A sleeve of the library that the other values complete.
-    compression
-        Whether strands carry compression.
-    """
-
-    __slots__ = ()
-    _table = "braid"
-
-    def __init__(
-        self,
-        angle_deg: Number | None = None,
-        *,
-        stiffness: Number | None = None,
-        strands: int | None = None,
-        strand_area_mm2: Number | None = None,
-        strand_modulus_mpa: Number | None = None,
-        strand_strength_n: Number | None = None,
-        thickness_mm: Number | None = None,
-        diameter_mm: Number | None = None,
-        strand_diameter_mm: Number | None = None,
-        name: str | None = None,
-        compression: bool | None = None,
-    ) -> None:
-        from . import _plain, _quantity, _schema
-
-        given = {
-            "angle_deg": angle_deg, "strand_area_mm2": strand_area_mm2, "strand_modulus_mpa": strand_modulus_mpa, "strand_strength_n": strand_strength_n,
-            "thickness_mm": thickness_mm, "diameter_mm": diameter_mm, "strand_diameter_mm": strand_diameter_mm,
-        }
-        values: dict[str, Any] = {"name": name}
-        for key, value in given.items():
-            unit = (_quantity.kind_of(key) or ("", ""))[1]
-            values[key.rsplit("_", 1)[0]] = None if value is None else f"{_number(key, value)!r} {unit}"
-        if stiffness is not None:
-            k = _plain.field("stiffness", stiffness, _schema.muscle()["stiffness"])
-            values["stiffness"] = k if isinstance(k, str) else f"{k!r} N/mm"
-        self._set({**values, "strands": strands, "compression": compression})

@@ -10,6 +10,9 @@ from . import _native, _schema
 from ._files import FORMULAS, TABLES, beside, formula, measured, table, text
 from ._quantity import number, numbers
 
+# What a muscle is made of, in the order in which one part depends on another.
+PARTS = ("tube", "rubber", "braid", "terminals", "friction")
+
 
 def field(name: str, value: Any, schema: _schema.Schema) -> Any:
     """A field of a request, by its schema."""
@@ -89,12 +92,18 @@ def request(command: str, values: dict[str, Any]) -> dict[str, Any]:
 def muscle_text(values: dict[str, Any]) -> str:
     """The text of the muscle file that says all of this."""
     values = {name: value for name, value in values.items() if value is not None}
-    parts = {}
-    for name in ("rubber", "braid"):
-        if not isinstance(values.get(name, ""), str):
-            part = values.pop(name)
-            if not hasattr(part, "to_toml"):
-                raise TypeError(f"{name}: a name or a {name.capitalize()}, not {type(part).__name__}")
-            parts[name] = part.to_toml()
+    parts = []
+    for name in PARTS:
+        if name not in values or isinstance(values[name], str) and name in _schema.muscle():
+            continue
+        part, table = values.pop(name), "tube.material" if name == "rubber" else name
+        if getattr(part, "_table", "") != table:
+            raise TypeError(f"{name}: a {name.capitalize()}{' or a name' if name in _schema.muscle() else ''}, not {type(part).__name__}")
+        twice = [field for field in ("rubber_file" if name == "rubber" else "", *_schema.part(name).values()) if field in values]
+        if twice:
+            from ._problem import InputError
+
+            raise InputError(f"`{twice[0]}` is given, and so is a whole `{name}`", kind="usage", field=twice[0], hint=f"give it to the {name}, or all of its values by themselves")
+        parts.append((table, part.to_toml()))
     fields = _schema.request("muscle-show")
-    return _native.muscle_text({name: field(name, value, fields[name]) for name, value in values.items()}, parts.get("rubber"), parts.get("braid"))
+    return _native.muscle_text({name: field(name, value, fields[name]) for name, value in values.items()}, parts)

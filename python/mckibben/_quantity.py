@@ -20,6 +20,14 @@ def kind_of(name: str) -> Kind | None:
     return _native.unit_of(name)
 
 
+@lru_cache(1000)
+def bare(name: str) -> str:
+    """A name without the unit that it carries: ``outer_diameter`` of ``outer_diameter_mm``."""
+    kind, words = kind_of(name), name.split("_")
+    ends = range(len(words) - 1, 0, -1) if kind and kind[1] else ()
+    return next(("_".join(words[:i]) for i in ends if kind_of("_".join(["x", *words[i:]])) == kind), name)
+
+
 def typed(name: str, text: str, kind: Kind | None) -> str:
     """The kind of quantity of a field that accepts a text with a unit."""
     kind = kind or kind_of(name)

@@ -190,14 +190,22 @@ class Record:
 
 
 def load(path: str | os.PathLike[str]) -> Any:
-    """What ``save()`` wrote: an answer (JSON), a muscle or a rubber (TOML), a formula (JSON)."""
+    """What ``save()`` wrote: an answer (JSON), a muscle or a part of one, a joint or a drive (TOML), a formula (JSON)."""
     with open(path, encoding="utf-8") as file:
         text = file.read()
     if not text.lstrip().startswith("{"):
+        from . import _native
+        from ._drives import Drive, Joint
         from ._muscle import Muscle
-        from ._parts import Braid, Rubber
+        from ._parts import PARTS, Rubber
 
-        part = next((kind for kind in (Rubber, Braid) if text.lstrip().startswith(f"[{kind._table}]")), None)
+        held = _native.toml(os.fspath(path), text)
+        if "command" in held or "joint" in held:
+            return (Drive if "command" in held else Joint).load(path)
+        # A part that was saved begins with its table, a muscle with a comment.
+        if text.startswith("[tube.material]"):
+            return Rubber.from_toml(text)
+        part = next((kind for name, kind in PARTS.items() if text.startswith("[") and {*held} <= {*kind._own}), None)
         return Muscle.from_toml(text) if part is None else part.from_toml(text)
     held = json.loads(text)
     if "mckibben" not in held:

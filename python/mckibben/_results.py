@@ -21,8 +21,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ._formula import Formula
+    from ._inputs import Floats
     from ._muscle import Muscle
     from ._parts import Rubber
+    from ._points import Outside
 
 Heard = Callable[[int, int], object] | None
 
@@ -106,6 +108,10 @@ class Fitted(_Plain, _answers.FitAnswer):
 
         text = json.dumps({n: v for n, v in self._data.items() if n not in ("tables", "figures")}, ensure_ascii=False, indent=2)
         return Formula(text + "\n", str(self._data["name"]))
+
+    def __call__(self, pressure_mpa: Floats, contraction: Floats, wall_mm: Floats, outer_diameter_mm: Floats, *, two_sided: bool = False, extrapolate: bool = False, errors: Outside | None = None) -> NDArray[np.float64]:
+        """The pull of many muscles at once, in N: :meth:`Formula.__call__` of the formula."""
+        return self.formula(pressure_mpa, contraction, wall_mm, outer_diameter_mm, two_sided=two_sided, extrapolate=extrapolate, errors=errors)
 
     def table(self, name: str) -> Table:
         """One of the intermediate tables that ``fit(…, tables=True)`` asks for, by its name."""

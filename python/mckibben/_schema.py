@@ -82,6 +82,23 @@ def muscle() -> dict[str, Schema]:
     return {name: field for name, field in request("muscle-show").items() if field.get("x-group") == "muscle" and name != "muscle"}
 
 
+# Fields of a muscle that are no measures, by the part to which they belong.
+_NAMED = {"rubber": "tube", "rubber_file": "tube", "braid": "braid", "strand_diameter_mm": "braid"}
+
+
+@cache
+def part(table: str) -> dict[str, str]:
+    """The fields of a part of a muscle by the names of its arguments: of the braid, ``diameter_mm`` is ``braid_diameter_mm``."""
+    own = [name for name, field in muscle().items() if (field.get("x-key", "").split(".")[0] or _NAMED[name]) == table]
+    return {"name" if name == table else name.removeprefix(f"{table}_"): name for name in own}
+
+
+@cache
+def keys(table: str) -> dict[str, str]:
+    """The keys of a part in a muscle file by the names of its arguments."""
+    return {name: key.split(".")[1] for name, field in part(table).items() if (key := muscle()[field].get("x-key"))}
+
+
 def is_record(schema: Schema) -> bool:
     """Whether a schema is that of an object with fields."""
     return bool(properties(schema)) and not words(schema)

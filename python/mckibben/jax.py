@@ -9,14 +9,15 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from ._bridge import NO_SECOND, Asked
+from ._bridge import NO_SECOND, NO_THIRD, Asked
 
 if TYPE_CHECKING:
     from ._model import Model
 
 
 def force(model: Model, parameters: Sequence[str] = (), *, wrt: Sequence[str] = (), errors: str = "raise") -> Callable[..., jax.Array]:
-    """F(P, ε; θ) of a model as a function of JAX with its first derivatives (``jax.custom_jvp``).
+    """F(P, ε; θ) of a model as a function of JAX with its first and second derivatives (``jax.custom_jvp``). Finite elements have first ones only,
+    and say so.
 
     ``jax.vmap`` of it asks the model once for all points, unless θ differs from point to point. A value alone costs no derivatives. JAX computes
     with 32 bits unless ``jax.config.update("jax_enable_x64", True)`` says otherwise.
@@ -55,36 +56,52 @@ def contraction(model: Model, parameters: Sequence[str] = (), *, wrt: Sequence[s
 def _function(asked: Asked) -> Callable[..., jax.Array]:
     count = len(asked.names)
 
-    def call(a: Any, b: Any, theta: Any, slopes: bool) -> Any:
+    def call(a: Any, b: Any, theta: Any, order: int) -> Any:
         shape = jnp.broadcast_shapes(jnp.shape(a), jnp.shape(b))
         # As many axes each, so that those of a batch come in front of all.
         a, b = (jnp.reshape(v, (1,) * (len(shape) - jnp.ndim(v)) + jnp.shape(v)) for v in (a, b))
         kind = jnp.result_type(float)
 
         def ask(a: Any, b: Any, theta: Any) -> Any:
-            return np.asarray(asked.many(a, b, theta, slopes), dtype=kind)
+            return np.asarray(asked.many(a, b, theta, order), dtype=kind)
 
         struct: Any = jax.ShapeDtypeStruct
-        return jax.pure_callback(ask, struct((*shape, 3 + count) if slopes else shape, kind), a, b, theta, vmap_method="expand_dims")
+        return jax.pure_callback(ask, struct((*shape, *asked.widths(order)), kind), a, b, theta, vmap_method="expand_dims")
 
     @jax.custom_jvp
     def value(a: Any, b: Any, theta: Any) -> Any:
-        return call(a, b, theta, False)
+        return call(a, b, theta, 0)
 
     @jax.custom_jvp
-    def all_of(a: Any, b: Any, theta: Any) -> Any:
-        return call(a, b, theta, True)
+    def slopes(a: Any, b: Any, theta: Any) -> Any:
+        return call(a, b, theta, 1)
 
-    @all_of.defjvp
+    @jax.custom_jvp
+    def curvatures(a: Any, b: Any, theta: Any) -> Any:
+        return call(a, b, theta, 2)
+
+    def along(rates: Any, by: Any) -> Any:
+        """How what has these rates changes along a direction."""
+        a, b, theta = by
+        change = rates[..., 0] * a + rates[..., 1] * b
+        return change + rates[..., 2:] @ theta if count else change
+
+    @curvatures.defjvp
+    def third(at: Any, by: Any) -> Any:
+        raise NotImplementedError(NO_THIRD)
+
+    @slopes.defjvp
     def second(at: Any, by: Any) -> Any:
-        raise NotImplementedError(NO_SECOND)
+        if not asked.has_second:
+            raise NotImplementedError(NO_SECOND)
+        found, rates = slopes(*at), curvatures(*at)
+        rows = [along(found[..., 1:], by), *(along(rates[..., i * (2 + count) : (i + 1) * (2 + count)], by) for i in range(2 + count))]
+        return found, jnp.stack(rows, axis=-1)
 
     @value.defjvp
     def moved(at: Any, by: Any) -> Any:
-        found = all_of(*at)
-        a, b, theta = by
-        change = found[..., 1] * a + found[..., 2] * b
-        return found[..., 0], change + found[..., 3:] @ theta if count else change
+        found = slopes(*at)
+        return found[..., 0], along(found[..., 1:], by)
 
     def outer(first: Any, second: Any = 0.0, theta: Any = ()) -> jax.Array:
         kind = jnp.result_type(float)

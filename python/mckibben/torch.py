@@ -56,7 +56,7 @@ def _function(asked: Asked) -> Callable[..., torch.Tensor]:
         def forward(ctx: Any, a: Any, b: Any, theta: Any) -> Any:
             arrays = [t.detach().cpu().numpy().astype(np.float64) for t in (a, b, theta)]
             slopes = any(ctx.needs_input_grad)
-            found = asked.many(arrays[0], arrays[1], arrays[2], slopes)
+            found = asked.many(arrays[0], arrays[1], arrays[2], int(slopes))
             if slopes:
                 ctx.save_for_backward(torch.as_tensor(np.ascontiguousarray(found[..., 1:]), dtype=a.dtype))
                 ctx.shapes = a.shape, b.shape

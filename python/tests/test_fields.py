@@ -56,7 +56,7 @@ def each(schema: Any, path: str = "") -> Iterator[tuple[str, str, Any]]:
 
 def test_every_field_of_a_muscle_is_an_argument_of_it() -> None:
     names = {"rubber", "braid", *FIELDS}
-    assert names <= set(_schema.muscle()) and set(inspect.signature(mk.Muscle).parameters) == {"base", *_schema.muscle()}
+    assert names <= set(_schema.muscle()) and set(inspect.signature(mk.Muscle).parameters) == {"base", "tube", "terminals", "friction", *_schema.muscle()}
 
 
 @pytest.mark.parametrize("name", [name for name in _schema.muscle() if name not in ("rubber", "rubber_file", "braid")])
@@ -188,5 +188,5 @@ def test_stubs_are_python_and_have_every_name(root: Path, tmp_path: Path, monkey
     monkeypatch.syspath_prepend(str(root / "python"))
     __import__("write").stubs(tmp_path)
     there = {node.name for file in tmp_path.glob("*.pyi") for node in ast.parse(file.read_text("utf-8")).body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
-    assert there >= {*_answers.__all__, *_commands.__all__, "MuscleFields", "MuscleCommands"}
+    assert there >= {*_answers.__all__, *_commands.__all__, *_commands.CLASSES}
     assert "slip_mm_per_n: 'Number | None' = None" in (tmp_path / "_commands.pyi").read_text("utf-8")

@@ -74,7 +74,7 @@ def test_a_muscle_is_its_file(things: dict[str, Any], tmp_path: Path) -> None:
     assert mk.Muscle(tmp_path / "m.toml") == mk.Muscle.from_file(str(tmp_path / "m.toml")) == muscle
     assert muscle.parameters["tube.material.c10"] == 0.12
     assert (muscle.force(0.2, 0.1).strand_tension_n or 0) > 0
-    assert "48" in muscle.braid
+    assert "48" in str(muscle.braid) and muscle.braid == things["braid"]
     assert mk.Muscle(muscle, rubber="dragon-skin-30").rubber == "dragon-skin-30"
 
 

@@ -99,13 +99,59 @@ def test_jax_inverses_measures_and_samplers() -> None:
         h = np.eye(2)[i] * 1e-4 * theta
         assert slope[i] == pytest.approx(float((of_d(0.2, 0.1, theta + h) - of_d(0.2, 0.1, theta - h)) / (2 * h[i])), rel=1e-5)
     assert slope[0] == pytest.approx(model.force(0.2, 0.1, jac=["outer_diameter_mm"])[1][2])
-    with pytest.raises(NotImplementedError, match="first derivatives only"):
-        jax.hessian(pull)(0.2, 0.1)
     with pytest.raises(ValueError, match="wall_mm"):
         mk.jax.force(model, wrt=["wal_mm"])
     safe = mk.jax.force(model, wrt=["wall_mm"], errors="nan")
     value, change = jax.value_and_grad(lambda t: safe(0.2, 0.1, t))(np.array([30.0]))
     assert np.isnan(value) and np.isnan(change).all() and np.isnan(mk.jax.force(model, errors="nan")(90.0, 0.1))
+
+
+def test_jax_second_derivatives() -> None:
+    """The ideal muscle by hand (Tondu & Lopez 2000): F = π r² P (a (1 − ε)² − b), so that F_PP = 0, F_Pε = −2 π r² a (1 − ε), F_εε = 2 π r² P a."""
+    jax = pytest.importorskip("jax")
+    jax.config.update("jax_enable_x64", True)
+    muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
+    ideal, angle = mk.jax.force(muscle.model("ideal")), np.radians(muscle.angle_deg)
+    area, a = np.pi * 25.0**2, 3 / np.tan(angle) ** 2
+
+    def second(p: float, e: float) -> Any:
+        return np.array([[0.0, -2 * area * a * (1 - e)], [-2 * area * a * (1 - e), 2 * area * p * a]])
+
+    both = jax.hessian(lambda x: ideal(x[0], x[1]))
+    for p, e in ((0.2, 0.1), (0.0, 0.0), (1e-4, 0.05)):
+        assert np.allclose(both(np.array([p, e])), second(p, e), rtol=1e-6, atol=1e-5 * area), (p, e)
+    points = np.array([[0.1, 0.0], [0.2, 0.1], [0.3, 0.2]])
+    assert np.allclose(jax.jit(jax.vmap(both))(points), [second(*x) for x in points], rtol=1e-6, atol=1e-5 * area)
+    assert not np.any(both(np.array([0.2, 0.9]))), "a slack muscle"
+
+
+def test_jax_second_derivatives_of_models_measures_and_inverses() -> None:
+    """Against differences of first derivatives, and an identity: P(F(P, ε), ε) = P twice differentiated."""
+    jax = pytest.importorskip("jax")
+    jax.config.update("jax_enable_x64", True)
+    muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=2, length_mm=285)
+    model = muscle.model("universal")
+    pull = mk.jax.force(model, wrt=["outer_diameter_mm", "tube.material.c10"])
+
+    def of(x: Any) -> Any:
+        return pull(x[0], x[1], x[2:])
+
+    at = np.array([0.2, 0.1, 50.0, 0.112])
+    found, slope = np.asarray(jax.hessian(of)(at)), jax.grad(of)
+    assert np.array_equal(found, found.T)
+    for i in range(4):
+        h = np.eye(4)[i] * 1e-3 * at
+        assert np.allclose(found[i], (slope(at + h) - slope(at - h)) / (2 * h[i]), rtol=1e-3, atol=1e-3 * abs(found[i]).max()), i
+    f, p = mk.jax.force(model), mk.jax.pressure(model)
+    # p' = 1/f', p'' = −f''/f'³.
+    first, curvature = jax.grad(f)(0.2, 0.1), jax.grad(jax.grad(f))(0.2, 0.1)
+    assert float(jax.grad(jax.grad(p))(f(0.2, 0.1), 0.1)) == pytest.approx(float(-curvature / first**3), rel=1e-4)
+    with pytest.raises(NotImplementedError, match="finite elements have first derivatives only"):
+        jax.hessian(mk.jax.force(muscle.model()))(0.2, 0.1)
+    with pytest.raises(NotImplementedError, match="first and second"):
+        jax.grad(jax.grad(jax.grad(f)))(0.2, 0.1)
+    safe = mk.jax.force(model, wrt=["wall_mm"], errors="nan")
+    assert np.isnan(jax.hessian(lambda t: safe(0.2, 0.1, t))(np.array([30.0]))).all()
 
 
 def posterior(made: Any, found: Any, points: list[Any]) -> tuple[Any, Any]:

@@ -142,3 +142,54 @@ def test_records_and_frames_with_an_index_are_tables() -> None:
     for same in (frame.set_index("pressure_mpa"), frame.set_index(["pressure_mpa", "contraction"]), records, np.ma.asarray(records), frame.set_axis([7, 3, 5])):
         table = mk.Table.of(same)
         assert sorted(table.columns) == sorted(columns) and all(table[name].tolist() == values for name, values in columns.items())
+
+
+BENCH: dict[str, Any] = {"pressure_mpa": [0.2, 0.2, 0.2, 0.2, 0.3], "contraction": [0.0, 0.08, 0.15, 0.22, 0.1], "force_n": [483.0, 242.0, 133.0, 42.0, 400.0]}
+# The same with a row that lacks its pull, and a column that no fit needs.
+GAPS: dict[str, Any] = {name: [*values[:2], 0.1, *values[2:]] for name, values in BENCH.items()} | {"temperature": [np.nan] * 5 + [20.0]}
+GAPS["force_n"][2] = np.nan
+
+
+def identified(root: Path, data: Any, **options: Any) -> Any:
+    return mk.identify(root / "examples/bench.toml", data, model="universal", free=["mu"], **options)
+
+
+@pytest.mark.parametrize("form", ["columns", "pandas", "polars", "index", "recarray", "masked", "file", "several"])
+def test_rows_with_gaps_are_left_out_where_that_is_said(root: Path, tmp_path: Path, form: str) -> None:
+    """Bit by bit the fit of the rows that are whole; else the error names line and column."""
+    frame = pd.DataFrame(GAPS)
+    (tmp_path / "gaps.csv").write_text("# measured\npressure_mpa;contraction;force_n;note\n" + "".join(f"{p!r};{e!r};{'NaN' if f != f else repr(f)};x\n".replace(".", ",") for p, e, f in zip(*list(GAPS.values())[:3])))
+    made: dict[str, Any] = {
+        "columns": GAPS, "pandas": frame, "polars": pl.DataFrame(GAPS), "index": frame.set_index(["pressure_mpa", "contraction"]), "recarray": frame.to_records(index=False),
+        "masked": {**GAPS, "force_n": np.ma.masked_invalid(GAPS["force_n"])}, "file": tmp_path / "gaps.csv", "several": [frame, BENCH],
+    }
+    found = identified(root, made[form], nan="omit")
+    assert np.array_equal(found.x, identified(root, BENCH if form != "several" else [BENCH, BENCH]).x) and found.understood[0].rows == 5
+    with pytest.raises(mk.InputError, match="force_n"):
+        identified(root, made[form])
+    compared = mk.compare(root / "examples/bench.toml", models=["universal"], data=made[form] if form != "several" else frame, nan="omit")
+    assert compared.models[0].rms_n == mk.compare(root / "examples/bench.toml", models=["universal"], data=BENCH).models[0].rms_n
+
+
+def test_tests_of_a_rubber_may_have_gaps(root: Path) -> None:
+    columns = numbers(read(root / "data/treloar/tension.csv"))
+    gaps = {name: np.concatenate([values[:3], [np.nan], values[3:]]) if isinstance(values, np.ndarray) else [*values[:3], values[0], *values[3:]] for name, values in columns.items()}
+    assert mk.rubber_fit(gaps, nan="omit").laws == mk.rubber_fit(columns).laws
+    with pytest.raises(mk.InputError):
+        mk.rubber_fit(gaps)
+    with pytest.raises(ValueError, match="omit"):
+        mk.rubber_fit(columns, nan="drop")  # type: ignore[arg-type]
+
+
+def test_decimal_commas_and_headings_by_keyword(root: Path) -> None:
+    """The same numbers, written as in a German file, and under headings that say nothing."""
+    expected = identified(root, BENCH).x
+    commas = {name: [repr(v).replace(".", ",") for v in values] for name, values in BENCH.items()}
+    assert np.array_equal(identified(root, commas).x, expected) and np.array_equal(identified(root, pd.DataFrame(commas)).x, expected)
+    other = pd.DataFrame({"P1": [10 * p for p in BENCH["pressure_mpa"]], "x": [100 * e for e in BENCH["contraction"]], "F": BENCH["force_n"]})
+    found = identified(root, other, columns={"pressure": "P1:bar", "contraction": "x:%", "force": "F:N"})
+    assert np.allclose(found.x, expected, rtol=1e-12) and [c.column for c in found.understood[0].columns] == ["P1", "x", "F"]
+    other.loc[len(other)] = [2.0, 10.0, np.nan]
+    assert np.array_equal(identified(root, other, columns={"pressure": "P1:bar", "contraction": "x:%", "force": "F:N"}, nan="omit").x, found.x)
+    with pytest.raises(mk.InputError, match="P2"):
+        identified(root, other, columns={"pressure": "P2:bar"})

@@ -1,11 +1,15 @@
 //! Files that users name, read through the workspace's one door.
 
 use crate::error::Wrong;
+use crate::value;
 use mckibben::{formula, muscle};
 use mckibben_app::{JointFields, MotionRequest, Problem, ProblemKind, Subject, TextFile};
 use mckibben_table as table;
 use pyo3::prelude::*;
+use serde_json::Value;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
+use toml_edit::Item;
 
 /// A file written by hand: a muscle, a plan, a joint.
 #[pyfunction]
@@ -44,4 +48,69 @@ pub fn drive_files(name: String, text: String) -> PyResult<(&'static str, String
         Subject::Joint(file) => ("joint", file),
     };
     Ok((subject, file, names.tables))
+}
+
+/// Texts in the place of a number that is missing.
+const MISSING: [&str; 6] = ["", "nan", "na", "n/a", "null", "none"];
+
+/// A table of measured points, or of tests of a rubber, without the rows that lack a number which a fit needs.
+#[pyfunction]
+pub fn without_gaps(
+    name: &str,
+    text: &str,
+    columns: BTreeMap<String, String>,
+    tests: bool,
+) -> PyResult<String> {
+    let wrong = |e: &table::TableError| Wrong::from(Problem::of_table(name, e));
+    let (vocabulary, groups) = if tests { (&table::TESTS, 2) } else { (&table::POINTS, 3) };
+    let read = table::Table::read(text, vocabulary, &table::Columns(columns)).map_err(|e| wrong(&e))?;
+    let needed = (0..groups).map(|group| Ok(read.needed(group)?.meaning));
+    let needed = needed.collect::<Result<Vec<_>, _>>().map_err(|e| wrong(&e))?;
+    let lines = read.lines();
+    let missing = |field: &str| MISSING.contains(&field.to_ascii_lowercase().as_str());
+    let gap = |row: usize| needed.iter().any(|m| read.text(row, *m).is_none_or(|(_, field)| missing(field)));
+    let gaps: Vec<bool> = (0..lines.len()).map(gap).collect();
+    // A line belongs to the row that begins there, or before it.
+    let kept = |line: u64| match lines.partition_point(|first| *first <= line).checked_sub(1) {
+        Some(row) => !gaps.get(row).is_some_and(|gap| *gap),
+        None => true,
+    };
+    Ok(text.lines().zip(1..).filter(|(_, line)| kept(*line)).flat_map(|(line, _)| [line, "\n"]).collect())
+}
+
+/// A text in TOML as maps and lists.
+#[pyfunction]
+#[pyo3(signature = (name, text) -> "dict[str, typing.Any]")]
+pub fn toml<'py>(py: Python<'py>, name: &str, text: &str) -> PyResult<Bound<'py, PyAny>> {
+    let wrong =
+        |e: toml_edit::TomlError| Problem::new(ProblemKind::File, format!("{name}: {}", e.message()), "");
+    let document: toml_edit::DocumentMut = text.parse().map_err(|e| Wrong::from(wrong(e)))?;
+    value::answer(py, &of_item(document.as_item()))
+}
+
+fn of_item(item: &Item) -> Value {
+    match item {
+        Item::None => Value::Null,
+        Item::Value(value) => of_value(value),
+        Item::Table(table) => table.iter().map(|(key, item)| (key.to_owned(), of_item(item))).collect(),
+        Item::ArrayOfTables(tables) => {
+            let table = |table: &toml_edit::Table| of_item(&Item::Table(table.clone()));
+            tables.iter().map(table).collect()
+        }
+    }
+}
+
+fn of_value(value: &toml_edit::Value) -> Value {
+    use toml_edit::Value as Toml;
+    match value {
+        Toml::String(text) => text.value().as_str().into(),
+        Toml::Integer(number) => (*number.value()).into(),
+        Toml::Float(number) => (*number.value()).into(),
+        Toml::Boolean(yes) => (*yes.value()).into(),
+        Toml::Datetime(time) => time.value().to_string().into(),
+        Toml::Array(list) => list.iter().map(of_value).collect(),
+        Toml::InlineTable(table) => {
+            table.iter().map(|(key, value)| (key.to_owned(), of_value(value))).collect()
+        }
+    }
 }

@@ -10,6 +10,7 @@ mod ask;
 mod columns;
 mod error;
 mod files;
+mod formula;
 mod model;
 mod muscle;
 mod pairs;
@@ -30,7 +31,9 @@ mod _native {
     #[pymodule_export]
     use crate::columns::{curve, plan};
     #[pymodule_export]
-    use crate::files::{drive_files, joint_files, read_formula, read_table, read_text};
+    use crate::files::{drive_files, joint_files, read_formula, read_table, read_text, toml, without_gaps};
+    #[pymodule_export]
+    use crate::formula::Formula;
     #[pymodule_export]
     use crate::model::Model;
     #[pymodule_export]

@@ -1,0 +1,112 @@
+//! A fitted formula as a function of arrays, over muscles of any diameter and wall.
+
+use crate::error::Wrong;
+use crate::run;
+use mckibben::formula::{Body, Document, Formula as Fitted, GlobalSection, Section};
+use mckibben_app::{Problem, ProblemKind};
+use numpy::{PyReadonlyArray2, PyReadwriteArray1};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use std::f64::consts::PI;
+use std::path::Path;
+
+/// How far a point may be outside of the range by rounding.
+const EDGE: f64 = 1e-12;
+/// What rounding leaves of no pull, as a share of the pressure on the outer section.
+const ROUNDING: f64 = 1e-9;
+
+/// A fitted formula.
+#[pyclass(frozen, module = "mckibben._native")]
+pub struct Formula {
+    formula: Fitted,
+}
+
+/// The formula with a diameter and a wall put in.
+enum OfMuscle {
+    Paper(Section),
+    Global(GlobalSection),
+}
+
+#[pymethods]
+impl Formula {
+    /// The formula of a file's text.
+    #[new]
+    fn new(name: String, text: &str) -> PyResult<Self> {
+        let read = Document::parse(text).map_err(|e| Wrong::from(Problem::from(e.in_file(Path::new(&name)))));
+        match read? {
+            Document::Section(formula) => Ok(Self { formula }),
+            Document::Universal(_) => {
+                let message =
+                    "a universal formula depends on the whole muscle, not only on its diameter and wall";
+                let problem = Problem::new(ProblemKind::Usage, message, "ask its model of a muscle");
+                Err(Wrong::from(problem).into())
+            }
+        }
+    }
+
+    /// Pulls in N at points: rows of pressures, contractions, walls and diameters. NaN outside of the range, unless this is not looked at;
+    /// returns the place of the first such point.
+    fn fill(
+        &self,
+        py: Python<'_>,
+        points: PyReadonlyArray2<'_, f64>,
+        mut out: PyReadwriteArray1<'_, f64>,
+        extrapolate: bool,
+        two_sided: bool,
+    ) -> PyResult<Option<usize>> {
+        let wrong = |e: numpy::AsSliceError| PyValueError::new_err(e.to_string());
+        let (numbers, places) = (points.as_slice().map_err(wrong)?, out.as_slice_mut().map_err(wrong)?);
+        let count = places.len();
+        let mut rows = numbers.chunks_exact(count.max(1));
+        let [Some(p), Some(e), Some(s), Some(d)] = [rows.next(), rows.next(), rows.next(), rows.next()]
+        else {
+            return if count == 0 { Ok(None) } else { Err(PyValueError::new_err("four rows of points")) };
+        };
+        Ok(run::quick(py, |_| {
+            let range = &self.formula.range;
+            let holds = |(low, high): (f64, f64), v: f64| (low - EDGE..=high + EDGE).contains(&v);
+            let (mut first, mut last) = (None, None);
+            let points = p.iter().zip(e).zip(s).zip(d).zip(places);
+            for (index, ((((&p, &e), &s), &d), place)) in points.enumerate() {
+                let inside = holds(range.pressure_mpa, p)
+                    && holds(range.contraction, e)
+                    && holds(range.wall_mm, s)
+                    && holds(range.outer_diameter_mm, d);
+                if !inside && !extrapolate {
+                    *place = f64::NAN;
+                    first = first.or(Some(index));
+                    continue;
+                }
+                // Points of one muscle mostly follow one another.
+                let section = match last.take() {
+                    Some((at, section)) if at == (s, d) => section,
+                    _ => self.section(s, d),
+                };
+                let force = match &section {
+                    OfMuscle::Paper(section) => section.force_n(p, e),
+                    OfMuscle::Global(section) => section.at(p, e)[0],
+                };
+                last = Some(((s, d), section));
+                let nothing = force.abs() <= ROUNDING * p * PI * 0.25 * d * d;
+                *place = if nothing || (force < 0.0 && !two_sided) { 0.0 } else { force };
+            }
+            Ok(first)
+        })?)
+    }
+
+    /// Where it was fitted: pressures in MPa, contractions, walls and diameters in mm, both ends in.
+    #[getter]
+    fn range(&self) -> [(f64, f64); 4] {
+        let range = &self.formula.range;
+        [range.pressure_mpa, range.contraction, range.wall_mm, range.outer_diameter_mm]
+    }
+}
+
+impl Formula {
+    fn section(&self, wall_mm: f64, outer_diameter_mm: f64) -> OfMuscle {
+        match &self.formula.body {
+            Body::Paper(body) => OfMuscle::Paper(body.section(outer_diameter_mm, wall_mm)),
+            Body::Global(body) => OfMuscle::Global(body.section(outer_diameter_mm, wall_mm)),
+        }
+    }
+}

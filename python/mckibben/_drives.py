@@ -1,0 +1,282 @@
+"""Joints, valves and drives: the files that ``joint``, ``motion`` and :class:`Simulation` take, as objects.
+
+Keys are those of the files (docs/joints.md, docs/motion.md). A number carries its unit in the keyword (``radius_mm=25``), a text or a quantity of pint by
+the same word without it (``radius="25 mm"``); a tuple of two is bounds, a list is values.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Union
+
+from . import _files, _native, _quantity
+from ._parts import toml
+
+if TYPE_CHECKING:
+    from typing import TypeAlias
+
+    from typing_extensions import Self
+
+    from ._inputs import Number, Numbers, TableLike
+    from ._muscle import Muscle
+
+    Key: TypeAlias = Union[Number, Numbers, bool, Sequence[Sequence[Number]]]
+    Keys: TypeAlias = Mapping[str, "Key"]
+
+
+def _key(name: str, value: Any) -> tuple[str, Any]:
+    """A key of a file and its value, of an argument."""
+    kind = _quantity.kind_of(name)
+    unit = kind[1] if kind else ""
+
+    def written(value: Any) -> Any:
+        if hasattr(value, "magnitude"):
+            value = f"{value.magnitude!r} {value.units:~}"
+        if hasattr(value, "tolist"):
+            value = value.tolist()
+        if isinstance(value, (str, bool)):
+            return value
+        if isinstance(value, tuple) and len(value) == 2 and unit:
+            return f"{float(value[0])!r}..{float(value[1])!r} {unit}"
+        if isinstance(value, (list, tuple)):
+            if value and all(isinstance(v, (list, tuple)) and len(v) == 2 for v in value):
+                # Pairs of times and values.
+                return [[f"{float(t)!r} s" if isinstance(t, (int, float)) else t, written(v)] for t, v in value]
+            return [written(v) for v in value]
+        return f"{float(value)!r} {unit}" if unit else value
+
+    return _quantity.bare(name), written(value)
+
+
+def _table(given: Mapping[str, Any]) -> dict[str, Any]:
+    return dict(_key(name, value) for name, value in given.items() if value is not None)
+
+
+class _File:
+    """A file of tables, and the files that it names."""
+
+    __slots__ = ("_beside", "_tables")
+    _tables: dict[str, Any]
+    _beside: dict[str, Any]
+
+    def _hold(self, tables: Mapping[str, Any], beside: Mapping[str, Any]) -> Self:
+        object.__setattr__(self, "_tables", {name: value for name, value in tables.items() if value not in (None, {})})
+        object.__setattr__(self, "_beside", dict(beside))
+        return self
+
+    def to_toml(self) -> str:
+        """The text of its file."""
+        top = [f"{name} = {toml(value)}" for name, value in self._tables.items() if not isinstance(value, dict)]
+        tables = ["\n".join([f"[{name}]", *(f"{key} = {toml(v)}" for key, v in value.items()), ""]) for name, value in self._tables.items() if isinstance(value, dict)]
+        return "\n".join([*top, "", *tables] if top else tables)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Its tables as plain dicts; under ``files`` the texts of the files that it names."""
+        files = {name: of.to_csv() if hasattr(of, "to_csv") else of.to_toml() for name, of in self._beside.items()}
+        return {**self._tables, **({"files": files} if files else {})}
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes its file, and beside it the files that it names. A file of that name is replaced only where it is the same."""
+        place = Path(path)
+        files = {name: text.encode() for name, text in self.to_dict().get("files", {}).items()}
+        for name, of in self._beside.items():
+            if isinstance(of, _File):
+                files |= {other: text.encode() for other, text in of.to_dict().get("files", {}).items()}
+        for name, content in files.items():
+            if (place.parent / name).exists() and (place.parent / name).read_bytes() != content:
+                raise FileExistsError(f"{place.parent / name} is another file; save into a new folder")
+        for name, content in {**files, place.name: self.to_toml().encode()}.items():
+            (place.parent / name).write_bytes(content)
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"a {type(self).__name__} does not change: {name}")
+
+    def __eq__(self, other: object) -> bool:
+        return type(self) is type(other) and isinstance(other, _File) and (self._tables, self._beside) == (other._tables, other._beside)
+
+    def __hash__(self) -> int:
+        return hash((type(self).__name__, self.to_toml()))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (type(self), self._tables, self._beside)
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in self._tables.items())})"
+
+
+def _restored(kind: type[_File], tables: dict[str, Any], beside: dict[str, Any]) -> _File:
+    return object.__new__(kind)._hold(tables, beside)
+
+
+class Valve(_File):
+    """A valve: one of the library by its name, or by its sonic conductance.
+
+    Parameters
+    ----------
+    name
+        Such as ``festo-mh2``.
+    keys
+        Those of ``[valve]``: ``sonic_conductance``, ``critical_ratio``, ``exhaust_conductance``, ``kind``, ``lag_s``, ``hysteresis_mpa``, ``hose_length_mm``, …
+
+    Examples
+    --------
+    >>> Valve(sonic_conductance="0.5 L/(s bar)", critical_ratio=0.3)
+    Valve(sonic_conductance='0.5 L/(s bar)', critical_ratio=0.3)
+    """
+
+    __slots__ = ()
+
+    def __init__(self, name: str | None = None, **keys: Key | None) -> None:
+        self._hold({"name": name, **_table(keys)}, {})
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Valve:
+        """The valve that :meth:`save` wrote, or that a drive file has."""
+        held = _native.toml(os.fspath(path), _native.read_text(os.fspath(path)))
+        return cls(**held.get("valve", held))
+
+
+class Joint(_File):
+    """A joint with one or two muscles: what :func:`joint` takes. The muscles are objects; the others turn against the first.
+
+    Parameters
+    ----------
+    muscle_1
+        The muscle that turns the joint to +.
+    muscle_2
+        The one that turns it to -, where there is one.
+    contraction_at_neutral : ratio
+        Of both muscles, at the neutral angle.
+    geometry_1, geometry_2
+        Keys of ``[muscle_1]`` and ``[muscle_2]``: ``contraction_at_neutral``, ``radius_mm``, ``origin_mm``, ``insertion_mm``.
+    link, spring
+        Keys of the weight of the moving parts and of a spring.
+    name
+        The joint's name.
+    keys
+        Those of ``[joint]``: ``radius_mm``, ``range_deg``, ``inertia``, ``damping``.
+
+    Examples
+    --------
+    >>> biceps = Muscle(outer_diameter_mm=20, wall_mm=1.5, length_mm=220, angle_deg=24, stiffness=900)
+    >>> elbow = Joint(biceps, biceps, contraction_at_neutral=0.12, radius_mm=25, range_deg=(-60, 60))
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        muscle_1: Muscle,
+        muscle_2: Muscle | None = None,
+        *,
+        contraction_at_neutral: Number | None = None,
+        geometry_1: Keys | None = None,
+        geometry_2: Keys | None = None,
+        link: Keys | None = None,
+        spring: Keys | None = None,
+        name: str | None = None,
+        **keys: Key | None,
+    ) -> None:
+        muscles, tables, files = {1: (muscle_1, geometry_1), 2: (muscle_2, geometry_2)}, {}, {}
+        for i, (muscle, geometry) in muscles.items():
+            if muscle is not None:
+                file = f"muscle_{i}.toml" if muscle != files.get("muscle_1.toml") else "muscle_1.toml"
+                files[file] = muscle
+                tables[f"muscle_{i}"] = {"file": file, **_table({"contraction_at_neutral": contraction_at_neutral, **(geometry or {})})}
+        self._hold({"name": name, "joint": _table(keys), "link": _table(link or {}), **tables, "spring": _table(spring or {})}, files)
+        # It says what is wrong with it.
+        _native.joint_files("the joint", self.to_toml())
+
+    @property
+    def muscles(self) -> dict[str, Muscle]:
+        """Its muscles by the names of their files."""
+        return dict(self._beside)
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Joint:
+        """The joint of a joint file, with the muscles from beside it."""
+        from ._muscle import Muscle
+
+        file, folder = _files.text(path), os.path.dirname(os.fspath(path))
+        names = dict.fromkeys(_native.joint_files(file["name"], file["text"]))
+        return object.__new__(cls)._hold(_native.toml(file["name"], file["text"]), {name: Muscle(os.path.join(folder, name)) for name in names})
+
+
+class Drive(_File):
+    """A muscle with a load, or a joint, with its air, its valve and its commands: what :func:`motion` and :class:`Simulation` take.
+
+    Parameters
+    ----------
+    of
+        A muscle or a :class:`Joint`.
+    valve
+        A :class:`Valve`, or the name of one.
+    command
+        Keys of ``[command]``: ``pressure_mpa``, ``pressure_1_mpa``, ``valve``, ``position_deg``, …: a value, pairs of times in s and values, or a text
+        such as ``"ramp 0..3 bar in 2 s"``; and ``until_s``, ``output_step_s``.
+    supply, air, load, friction, rubber, controller, regulator
+        Keys of these tables.
+    tables
+        Tables that the commands or the load name, by their names.
+
+    Examples
+    --------
+    >>> muscle = Muscle.prototype()
+    >>> lift = Drive(muscle, valve="festo-mh2", load={"mass_kg": 10, "damping": "200 N s/m"}, command={"pressure_mpa": [[0, 0], [0.1, 0.3]], "until_s": 2})
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        of: Muscle | Joint,
+        *,
+        valve: Valve | str | None = None,
+        command: Keys,
+        supply: Keys | None = None,
+        air: Keys | None = None,
+        load: Keys | None = None,
+        friction: Keys | None = None,
+        rubber: Keys | None = None,
+        controller: Keys | None = None,
+        regulator: Keys | None = None,
+        tables: Mapping[str, TableLike] | None = None,
+    ) -> None:
+        subject = "joint" if isinstance(of, Joint) else "muscle"
+        valve = Valve(valve) if isinstance(valve, str) else valve
+        given = {"supply": supply, "air": air, "load": load, "friction": friction, "rubber": rubber, "controller": controller, "regulator": regulator, "command": command}
+        held = {subject: f"{subject}.toml", "valve": None if valve is None else valve._tables, **{name: _table(keys or {}) for name, keys in given.items()}}
+        from ._table import Table
+
+        self._hold(held, {f"{subject}.toml": of, **{name: Table.of(data) for name, data in (tables or {}).items()}})
+
+    @property
+    def of(self) -> Muscle | Joint:
+        """The muscle or joint that it moves."""
+        held: Muscle | Joint = self._beside[str(self._tables.get("joint") or self._tables["muscle"])]
+        return held
+
+    @property
+    def valve(self) -> Valve | None:
+        """Its valve."""
+        return Valve(**self._tables["valve"]) if "valve" in self._tables else None
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Drive:
+        """The drive of a drive file, with the files that it names from beside it."""
+        from ._muscle import Muscle
+        from ._table import Table
+
+        file, folder = _files.text(path), os.path.dirname(os.fspath(path))
+        subject, name, names = _native.drive_files(file["name"], file["text"])
+        place = os.path.join(folder, name)
+        beside = {name: Joint.load(place) if subject == "joint" else Muscle(place)}
+        texts = {table: _native.read_table(os.path.join(folder, table)) for table in names}
+        return object.__new__(cls)._hold(_native.toml(file["name"], file["text"]), {**beside, **{table: Table.from_csv(text) for table, text in texts.items()}})
+
+    def _files(self) -> dict[str, Any]:
+        """The arguments of a command that takes it."""
+        own = {name: of for name, of in self._beside.items() if hasattr(of, "to_csv")}
+        return {"joint" if isinstance(self.of, Joint) else "muscle": self.of, **({"tables": own} if own else {})}
