@@ -33,6 +33,7 @@ from typing import Any, Literal
 
 from . import _answers, _results
 from ._ask import Progress
+from ._drives import Drive, Joint
 from ._formula import Formula
 from ._inputs import Choice, FileLike, FormulaLike, Measured, MuscleLike, Number, Numbers, TableLike
 from ._muscle import Muscle

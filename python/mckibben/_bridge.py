@@ -73,10 +73,10 @@ class Asked:
             moved = value + at * h
             found = smooth.one(*((moved, b[None]) if i == 0 else (a[None], moved)), theta, 1)
             rows.append((by[..., None] * found).sum(axis=0)[..., 1:] / h[..., None])
-        for i, value in enumerate(theta):
-            h = _STEP * (abs(value) or 1.0)
-            found = [by * smooth.one(a, b, theta + at * h * np.eye(len(theta))[i], 1) for at, by in zip(*_ABOUT) if by]
-            rows.append(np.sum(found, axis=0)[..., 1:] / h)
+        for i, number in enumerate(theta.tolist()):
+            step = _STEP * (abs(number) or 1.0)
+            beside = [by * smooth.one(a, b, theta + at * step * np.eye(len(theta))[i], 1) for at, by in zip(*_ABOUT) if by]
+            rows.append(np.sum(beside, axis=0)[..., 1:] / step)
         out = np.stack(rows, axis=-1)
         # What is equal differs by rounding alone.
         out = 0.5 * (out + out.swapaxes(-1, -2))

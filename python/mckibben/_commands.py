@@ -64,6 +64,8 @@ GIVEN = {
     "model": "str | Formula | None",
     "models": "Sequence[str | Formula] | None",
     "figure": "str | None",
+    "joint": "FileLike | Joint | None",
+    "drive": "FileLike | Drive | None",
 }
 # Files that are tables or formulas, by the names of their fields.
 LIKE = {name: "TableLike" for name in TABLES} | {name: "FormulaLike" for name in FORMULAS}
@@ -271,16 +273,20 @@ def _part_fields(table: str) -> type:
         from ._parts import Rubber, tube_for
         from ._plain import muscle_text
 
-        part, compression = given.pop("self"), given.pop("compression", None)
+        part, carries = given.pop("self"), given.pop("compression", None)
         values = {names[name]: value for name, value in given.items() if value is not None}
         if isinstance(values.get("rubber"), dict):
             values["rubber"] = Rubber(**values["rubber"])
         text = tube_for(given) if table == "braid" else ""
-        if compression is not None:
-            text += f"[braid]\ncompression = {'true' if compression else 'false'}\n"
+        if carries is not None:
+            text += f"[braid]\ncompression = {'true' if carries else 'false'}\n"
         base = {"name": table, "text": text} if text else None
         part._read(muscle_text({"muscle": base, **values}), alone=True)
 
+    def compression(self: Any) -> bool:
+        return bool(self._field("compression"))
+
+    compression.__annotations__ = {"return": "bool"}
     first = [name for name in ("angle_deg",) if name in names]
     own = [_parameter("", name, fields[names[name]], name not in first) for name in [*first, *(n for n in names if n not in first)]]
     own = [p.replace(default=p.empty, annotation=str(p.annotation).removesuffix(" | None")) if p.name in GEOMETRY else p.replace(annotation=GIVEN["rubber"] if p.name == "rubber" else "str | None" if p.name == "name" else p.annotation) for p in own]
@@ -289,7 +295,7 @@ def _part_fields(table: str) -> type:
     if table == "braid":
         own.append(Parameter("compression", Parameter.KEYWORD_ONLY, default=None, annotation="bool | None"))
         listed.append(entry("compression", COMPRESSION))
-        attributes["compression"] = property(lambda self: bool(self._field("compression")), doc=COMPRESSION)
+        attributes["compression"] = property(compression, doc=COMPRESSION)
     return _of_fields(f"{kind}Fields", own, listed, make, kind, attributes)
 
 

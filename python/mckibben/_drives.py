@@ -179,8 +179,9 @@ class Joint(_File):
         name: str | None = None,
         **keys: Key | None,
     ) -> None:
-        muscles, tables, files = {1: (muscle_1, geometry_1), 2: (muscle_2, geometry_2)}, {}, {}
-        for i, (muscle, geometry) in muscles.items():
+        tables: dict[str, Any] = {}
+        files: dict[str, Muscle] = {}
+        for i, (muscle, geometry) in {1: (muscle_1, geometry_1), 2: (muscle_2, geometry_2)}.items():
             if muscle is not None:
                 file = f"muscle_{i}.toml" if muscle != files.get("muscle_1.toml") else "muscle_1.toml"
                 files[file] = muscle

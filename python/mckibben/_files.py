@@ -68,7 +68,7 @@ def measured(value: Any) -> dict[str, str]:
 def beside(values: dict[str, Any]) -> None:
     """The files that a joint or drive file names: those that are given by name, the others from beside it."""
     drive = values.get("drive")
-    if hasattr(drive, "_files"):
+    if drive is not None and hasattr(drive, "_files"):
         # An object has its own; others take their place.
         values.update({**drive._files(), **{name: value for name, value in values.items() if value is not None}})
     if drive is not None:
@@ -84,7 +84,7 @@ def beside(values: dict[str, Any]) -> None:
         elif isinstance(values.get("tables"), Mapping):
             values["tables"] = [{**table(of), "name": str(t)} for t, of in values["tables"].items()]
     joint, muscles = values.get("joint"), values.get("muscles")
-    if hasattr(joint, "muscles"):
+    if joint is not None and hasattr(joint, "muscles"):
         muscles = {**joint.muscles, **(muscles or {})}
     if joint is not None and (muscles is None or isinstance(muscles, Mapping)):
         file, folder, given = text(joint), _folder(joint), muscles or {}

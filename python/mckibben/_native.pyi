@@ -11,12 +11,32 @@ from _typeshed import SupportsGetItem
 from os import PathLike
 from typing import Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Model", "Simulation", "arrow_stream", "ask", "body_html", "choice", "curve", "design", "drive_files", "joint_files", "muscle_fields", "muscle_text", "muscle_with", "parameters", "plan", "quantity", "read_formula", "read_table", "read_text", "report_html", "rubber_stress", "schema", "unit_of", "values"]
+__all__ = ["VERSION", "Formula", "Model", "Simulation", "arrow_stream", "ask", "body_html", "choice", "curve", "design", "drive_files", "joint_files", "muscle_fields", "muscle_text", "muscle_with", "parameters", "plan", "quantity", "read_formula", "read_table", "read_text", "report_html", "rubber_stress", "schema", "toml", "unit_of", "values", "without_gaps"]
 
 VERSION: Final[str]
 """
 The version of the crates, and of the package.
 """
+
+@final
+class Formula:
+    """
+    A fitted formula.
+    """
+    def __new__(cls, /, name: str, text: str) -> Formula:
+        """
+        The formula of a file's text.
+        """
+    def fill(self, /, points: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", extrapolate: bool, two_sided: bool) -> int | None:
+        """
+        Pulls in N at points: rows of pressures, contractions, walls and diameters. NaN outside of the range, unless this is not looked at;
+        returns the place of the first such point.
+        """
+    @property
+    def range(self, /) -> list[tuple[float, float]]:
+        """
+        Where it was fitted: pressures in MPa, contractions, walls and diameters in mm, both ends in.
+        """
 
 @final
 class Model:
@@ -148,10 +168,10 @@ def muscle_fields(text: "str") -> "dict[str, typing.Any]":
     The fields by which a muscle is given, of this one; those that it does not have are left out.
     """
 
-def muscle_text(request: "dict[str, typing.Any]", rubber: str | None = None, braid: str | None = None) -> str:
+def muscle_text(request: "dict[str, typing.Any]", parts: "list[tuple[str, str]]" = ...) -> str:
     """
-    The muscle that a muscle file, a rubber, a braid and fields describe, as the text of a muscle file. Rubber and braid are the tables
-    `[tube.material]` and `[braid]` of one.
+    The muscle that a muscle file, parts and fields describe, as the text of a muscle file. Parts are tables of one by their names, in the order
+    `tube`, `tube.material`, `braid`, `terminals`, `friction`; each takes the place of the whole part.
     """
 
 def muscle_with(text: "str", values: "dict[str, float]") -> str:
@@ -204,6 +224,11 @@ def schema() -> "dict[str, typing.Any]":
     Request, answer and error of every command as JSON Schema, and in `$defs` what they refer to.
     """
 
+def toml(name: str, text: str) -> "dict[str, typing.Any]":
+    """
+    A text in TOML as maps and lists.
+    """
+
 def unit_of(name: "str") -> "tuple[str | None, str] | None":
     """
     What a field of a name measures, where a text with a unit may stand in its place, and the unit of its numbers; none for plain numbers.
@@ -212,4 +237,9 @@ def unit_of(name: "str") -> "tuple[str | None, str] | None":
 def values(text: str, kind: str, field: str | None = None) -> list[float]:
     """
     A text such as `0..2.5:0.5bar` or `1,2,3 bar` as numbers; an interval without a step is cut into 20 parts.
+    """
+
+def without_gaps(name: str, text: str, columns: dict[str, str], tests: bool) -> str:
+    """
+    A table of measured points, or of tests of a rubber, without the rows that lack a number which a fit needs.
     """

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     import pandas
     import polars
 
+    from ._drives import Drive, Joint
     from ._formula import Formula
     from ._inputs import FileLike, MuscleLike, TableLike
 
@@ -67,7 +68,7 @@ class Simulation:
     Parameters
     ----------
     drive
-        Drive file (TOML): a path, or ``{"name": …, "text": …}``. Its first commands say where it begins, at rest; its others are not used.
+        A :class:`Drive`, or a drive file (TOML): a path, or ``{"name": …, "text": …}``. Its first commands say where it begins, at rest; its others are not used.
     dt : s
         Length of a step.
     muscle
@@ -91,11 +92,11 @@ class Simulation:
 
     def __init__(
         self,
-        drive: FileLike,
+        drive: FileLike | Drive,
         dt: float = 1e-3,
         *,
         muscle: MuscleLike | None = None,
-        joint: FileLike | None = None,
+        joint: FileLike | Joint | None = None,
         muscles: Mapping[str, MuscleLike] | None = None,
         tables: Mapping[str, TableLike] | None = None,
         model: str | Formula | None = None,

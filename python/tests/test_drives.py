@@ -48,7 +48,7 @@ def test_two_muscles_by_points_and_a_spring(root: Path) -> None:
     with pytest.raises(mk.FileError, match="radus"):
         mk.Joint(biceps, radus_mm=25)
     with pytest.raises(AttributeError):
-        joint.name = "other"  # type: ignore[attr-defined]
+        joint.name = "other"
 
 
 def test_a_drive_is_its_file_and_its_simulation_the_motion(elbow: mk.Joint, root: Path, tmp_path: Path) -> None:

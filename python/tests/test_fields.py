@@ -125,7 +125,7 @@ def test_what_a_field_holds_is_said_where_something_else_is_given() -> None:
         assert said in str(caught.value) and caught.value.field == "end_factor"
     for name in ("cone_factor", "turns"):
         with pytest.raises(mk.InputError, match=f"`{name}` is a number without a unit"):
-            mk.Muscle(**{name: "1 mm"})
+            mk.Muscle(None, **{name: "1 mm"})  # type: ignore[arg-type]
     with pytest.raises(mk.InputError, match="`model` is a text, not 5"):
         mk.Muscle().model(5)
 

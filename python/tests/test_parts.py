@@ -23,8 +23,8 @@ def test_the_arguments_of_the_parts_are_the_measures_of_the_table() -> None:
     seen = []
     for row in mk.muscle_measures().measures:
         names = {field: name for name, field in _schema.part(row.group).items()}
-        assert names[row.field] in inspect.signature(KINDS[row.group]).parameters
-        assert isinstance(getattr(KINDS[row.group], names[row.field]), property)
+        name = names[str(row.field)]
+        assert name in inspect.signature(KINDS[row.group]).parameters and isinstance(getattr(KINDS[row.group], name), property)
         seen.append(row.field)
     assert {*seen, "rubber", "rubber_file", "braid", "strand_diameter_mm"} == set(_schema.muscle())
 
@@ -66,7 +66,8 @@ def test_a_part_is_whole_and_a_field_is_given_once() -> None:
         with pytest.raises(mk.InputError) as caught:
             call()
         assert caught.value.field == field and field in str(caught.value)
-    wrong: list[Any] = [lambda: mk.Tube(outer_diameter_mm=50, wall_mm=1), lambda: mk.Muscle(tube="paper"), lambda: mk.Muscle(**GEOMETRY, terminals=base.tube), lambda: mk.Tube(**GEOMETRY, wal_mm=1)]
+    any_of: Any = mk
+    wrong: list[Any] = [lambda: any_of.Tube(outer_diameter_mm=50, wall_mm=1), lambda: any_of.Muscle(tube="paper"), lambda: any_of.Muscle(**GEOMETRY, terminals=base.tube), lambda: any_of.Tube(**GEOMETRY, wal_mm=1)]
     for call in wrong:
         with pytest.raises(TypeError):
             call()

@@ -46,6 +46,7 @@ impl Formula {
 
     /// Pulls in N at points: rows of pressures, contractions, walls and diameters. NaN outside of the range, unless this is not looked at;
     /// returns the place of the first such point.
+    #[pyo3(signature = (points: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", extrapolate, two_sided))]
     fn fill(
         &self,
         py: Python<'_>,
