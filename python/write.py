@@ -2,6 +2,7 @@
 
     python python/write.py stubs [FOLDER]       types of what the package makes from the schema, beside its modules
     python python/write.py reference FILE       the reference page, from the docstrings
+    python python/write.py pages FOLDER         the same as pages for Sphinx (python/docs.sh makes HTML of them)
 
 The compiled half is the library of the workspace's build (``cargo build --workspace --profile test``), or ``--native FILE``.
 """
@@ -125,28 +126,52 @@ def members(made: type) -> Iterator[tuple[str, Any]]:
                 yield name, value
 
 
-def reference() -> str:
-    """The reference page."""
+PARTS = {"Objects": "_muscle _parts _model _points _drives _simulation _formula _campaign _table", "Commands": "_commands", "Figures": "plot", "Answers": "_columns _results _record", "Exceptions": "_problem"}
+
+
+def parts() -> Iterator[tuple[str, str, str, Any]]:
+    """What is documented: the page, the module, the name, and what it is."""
     from importlib import import_module
 
+    bridges = " ".join(name for name in BRIDGES if name in sys.modules or find_spec(name))
+    for title, modules in [*PARTS.items(), ("For JAX and PyTorch", bridges)]:
+        for module in modules.split():
+            yield from ((title, module, name, made) for name, made in classes(import_module(f"mckibben.{module}")))
+
+
+def reference() -> str:
+    """The reference page."""
     import mckibben._muscle
 
     fields = inspect.getdoc(mckibben._muscle.Muscle.__init__) or ""
-    out = ["# Python reference\n", "Made from the docstrings of the package. [The Python package](python.md) tells how they go together.\n"]
-    parts = {"Objects": "_muscle _parts _model _points _drives _simulation _formula _campaign _table", "Commands": "_commands", "Figures": "plot", "Answers": "_columns _results _record", "Exceptions": "_problem"}
-    bridges = [name for name in BRIDGES if name in sys.modules or find_spec(name)]
-    for title, modules in [*parts.items(), ("For JAX and PyTorch", " ".join(bridges))]:
-        out.append(f"## {title}\n")
-        for module in modules.split():
-            for name, made in classes(import_module(f"mckibben.{module}")):
-                text = inspect.getdoc(made) or ""
-                if name == "Muscle":
-                    text = text.replace("Examples\n", f"{fields}\n\nExamples\n")
-                out += entry(f"{module}.{name}" if module in bridges else name, made, text, "###")
-                if inspect.isclass(made):
-                    for member, value in members(made):
-                        out += entry(f"{name}.{member}", value, inspect.getdoc(value) or "", "####")
+    out, last = ["# Python reference\n", "Made from the docstrings of the package. [The Python package](python.md) tells how they go together.\n"], ""
+    for title, module, name, made in parts():
+        if title != last:
+            out.append(f"## {title}\n")
+        last, text = title, inspect.getdoc(made) or ""
+        if name == "Muscle":
+            text = text.replace("Examples\n", f"{fields}\n\nExamples\n")
+        out += entry(f"{module}.{name}" if module in BRIDGES else name, made, text, "###")
+        if inspect.isclass(made):
+            for member, value in members(made):
+                out += entry(f"{name}.{member}", value, inspect.getdoc(value) or "", "####")
     return "\n".join(out).rstrip() + "\n"
+
+
+def pages(folder: Path) -> None:
+    """The pages for Sphinx, with their settings."""
+    texts: dict[str, list[str]] = {}
+    for title, module, name, made in parts():
+        kind = "exception" if title == "Exceptions" else "class" if inspect.isclass(made) else "function"
+        options = ["   :members:", "   :inherited-members: object, Exception, str, float", "   :class-doc-from: both"] if kind == "class" else []
+        texts.setdefault(title, []).append("\n".join([f".. auto{kind}:: mckibben.{module}.{name}", *options, ""]))
+    names = {title: title.lower().replace(" ", "-") for title in texts}
+    for title, directives in texts.items():
+        (folder / f"{names[title]}.rst").write_text("\n".join([title, "=" * len(title), "", *directives]), "utf-8")
+    tree = [".. toctree::", "   :maxdepth: 2", "", *(f"   {name}" for name in names.values()), ""]
+    (folder / "index.rst").write_text("\n".join(["mckibben for Python", "===================", "", *tree]), "utf-8")
+    settings = [f"import sys; sys.path.insert(0, {str(ROOT / 'python')!r})", "import write; write.ready(None)", 'project = "mckibben"', 'extensions = ["sphinx.ext.autodoc", "sphinx.ext.napoleon"]', "add_module_names = False", 'autodoc_typehints = "none"', 'html_theme = "alabaster"', ""]
+    (folder / "conf.py").write_text("\n".join(settings), "utf-8")
 
 
 def entry(heading: str, made: Any, text: str, level: str) -> list[str]:
@@ -186,21 +211,27 @@ def entry(heading: str, made: Any, text: str, level: str) -> list[str]:
     return [f"{level} `{heading}`\n", "\n".join(body).strip().replace("<module", "&lt;module"), ""]
 
 
+def ready(native: Path | None) -> None:
+    """Loads the package with its compiled half."""
+    built = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug"
+    load(native or next((path for name in ("lib_native.so", "lib_native.dylib", "_native.dll") if (path := built / name).exists()), built))
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=["stubs", "reference"])
+    parser.add_argument("what", choices=["stubs", "reference", "pages"])
     parser.add_argument("place", type=Path, nargs="?", default=PACKAGE)
     parser.add_argument("--native", type=Path)
     args = parser.parse_args()
-    built = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug"
-    load(args.native or next((path for name in ("lib_native.so", "lib_native.dylib", "_native.dll") if (path := built / name).exists()), built))
+    ready(args.native)
     if args.what == "stubs":
-        stubs(args.place)
-    else:
-        for name in (name for name in BRIDGES if not find_spec(name)):
-            # What it would be called with is described where it is not installed, too.
-            sys.modules.update({name: MagicMock(), f"{name}.numpy": MagicMock()})
-        args.place.write_text(reference(), "utf-8")
+        return stubs(args.place)
+    if args.what == "pages":
+        return pages(args.place)
+    for name in (name for name in BRIDGES if not find_spec(name)):
+        # What it would be called with is described where it is not installed, too.
+        sys.modules.update({name: MagicMock(), f"{name}.numpy": MagicMock()})
+    args.place.write_text(reference(), "utf-8")
 
 
 if __name__ == "__main__":
