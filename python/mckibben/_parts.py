@@ -135,6 +135,9 @@ class _Measured(_Part):
         values = {name: found[field] for name, field in names.items() if field in found}
         if "\ncompression = true" in own:
             values["compression"] = True
+        if self._table == "braid":
+            # Its words are those of it on this tube.
+            values["outer_diameter_mm"] = found["outer_diameter_mm"]
         self._hold(own, values)
         return self._hold(own, self._plain()) if alone else self
 
@@ -159,8 +162,10 @@ def tube_for(braid: Mapping[str, Any]) -> str:
         value = braid.get(name, braid.get(f"{name}_mm"))
         return None if value is None else _quantity.number(f"{name}_mm", value)
 
-    diameter, strand = size("diameter"), size("strand_length")
-    if braid.get("name") is not None and diameter is None:
+    own, diameter, strand = size("outer_diameter"), size("diameter"), size("strand_length")
+    if own is not None:
+        diameter = own
+    elif braid.get("name") is not None and diameter is None:
         points = _native.ask("braid-show", {"name": braid["name"]})["points"]
         diameter = points[len(points) // 2]["outer_diameter_mm"] if points else None
     elif diameter is not None:

@@ -108,6 +108,9 @@ def test_parts_are_saved_and_loaded(tmp_path: Path) -> None:
 
 def test_a_braid_is_still_a_text() -> None:
     muscle = mk.Muscle.prototype()
+    strands = muscle.replace(outer_diameter_mm=50, braid=mk.Braid(25, **STRANDS))
+    # By the words of the answers, for the stiffness on this very tube.
+    assert str(strands.braid) == strands.show().braid != str(strands.replace(outer_diameter_mm=30).braid)
     assert str(muscle.braid) == "paper" and str(mk.Braid(stiffness="inextensible")) == "inextensible"
     with pytest.warns(DeprecationWarning, match="str"):
         assert muscle.braid == "paper"
