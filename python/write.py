@@ -112,14 +112,18 @@ def classes(module: Any) -> Iterator[tuple[str, Any]]:
         names = [node.name for node in ast.parse(inspect.getsource(module)).body if isinstance(node, (ast.FunctionDef, ast.ClassDef))]
     if made == "_points":
         names = ["Found", "Solution", "errstate"]
+    import mckibben
+
     for name in names:
-        if not name.startswith("_") and getattr(module, name).__doc__:
+        # Functions that the modules have for each other are not described.
+        own = inspect.isfunction(getattr(module, name)) and made.startswith("_") and name not in mckibben.__all__
+        if not name.startswith("_") and not own and getattr(module, name).__doc__:
             yield name, getattr(module, name)
 
 
 def members(made: type) -> Iterator[tuple[str, Any]]:
     """What a class has itself, and what a muscle has of its fields."""
-    for part in (made, *(base for base in made.__mro__ if base.__name__.endswith("Fields"))):
+    for part in (made, *(base for base in made.__mro__ if base.__name__.endswith(("Fields", "Tabled")))):
         for name, value in vars(part).items():
             value = value.__func__ if isinstance(value, (classmethod, staticmethod)) else value
             if not name.startswith("_") and (inspect.isfunction(value) or isinstance(value, property)) and value.__doc__:

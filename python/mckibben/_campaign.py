@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _answers, _files, _native
 from ._ask import Progress, listening
+from ._base import Fixed
 
 if TYPE_CHECKING:
     import pandas
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from ._results import Fitted
 
 
-class Campaign:
+class Campaign(Fixed):
     """Many finite-element tests from a plan: a table (Parquet) that grows, and that a run resumes where it was ended.
 
     Parameters
@@ -118,9 +119,6 @@ class Campaign:
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
         return self.to_arrow().__arrow_c_stream__(requested_schema)
-
-    def __setattr__(self, name: str, value: object) -> None:
-        raise AttributeError(f"a campaign does not change: {name}")
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Campaign) and (self._output, self._plan) == (other._output, other._plan)

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Union
 
 from . import _files, _native, _quantity
+from ._base import Fixed
 from ._parts import toml
 
 if TYPE_CHECKING:
@@ -54,7 +55,7 @@ def _table(given: Mapping[str, Any]) -> dict[str, Any]:
     return dict(_key(name, value) for name, value in given.items() if value is not None)
 
 
-class _File:
+class _File(Fixed):
     """A file of tables, and the files that it names."""
 
     __slots__ = ("_beside", "_tables")
@@ -89,9 +90,6 @@ class _File:
                 raise FileExistsError(f"{place.parent / name} is another file; save into a new folder")
         for name, content in {**files, place.name: self.to_toml().encode()}.items():
             (place.parent / name).write_bytes(content)
-
-    def __setattr__(self, name: str, value: object) -> None:
-        raise AttributeError(f"a {type(self).__name__} does not change: {name}")
 
     def __eq__(self, other: object) -> bool:
         return type(self) is type(other) and isinstance(other, _File) and (self._tables, self._beside) == (other._tables, other._beside)

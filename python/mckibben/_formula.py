@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 
 from . import _native
+from ._base import Fixed
 
 if TYPE_CHECKING:
     from os import PathLike
@@ -25,7 +26,7 @@ POINT = ("pressure_mpa", "contraction", "wall_mm", "outer_diameter_mm")
 compiled = lru_cache(64)(_native.Formula)
 
 
-class Formula:
+class Formula(Fixed):
     """A fitted formula, as :func:`fit` makes it and its file (JSON) holds it. It is a model: ``muscle.model(formula)``; and a function of pressures,
     contractions, walls and diameters: ``formula(pressure_mpa, contraction, wall_mm, outer_diameter_mm)``.
 
@@ -133,9 +134,6 @@ class Formula:
         from ._model import Model
 
         return Model(muscle, self, **options)
-
-    def __setattr__(self, name: str, value: object) -> None:
-        raise AttributeError(f"a formula does not change: {name}")
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Formula) and self._name == other._name and self.to_dict() == other.to_dict()

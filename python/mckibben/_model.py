@@ -12,6 +12,7 @@ import numpy as np
 from . import _native, _plain, _quantity
 from ._arrays import any_masked, array
 from ._ask import Progress, listening
+from ._base import Fixed
 from ._points import Outside, outside
 from ._problem import MckibbenError, OutsideWarning, warned
 
@@ -30,7 +31,7 @@ MEASURES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "stiffness
 _MOST = 2**47
 
 
-class Model:
+class Model(Fixed):
     """A model of one muscle: F(P, ε) and its inverses over arrays of any shape, with derivatives.
 
     Arrays are broadcast as NumPy does it, are read where they lie, and the interpreter is free while the model works.
@@ -320,9 +321,6 @@ class Model:
 
         own = {name: value for name, value in self._request.items() if name in ("model", "formulas", "mesh", "match", "terminal", "extrapolate", "two_sided", "direction")}
         return curve(self._muscle, test, **{**own, **options})
-
-    def __setattr__(self, name: str, value: object) -> None:
-        raise AttributeError(f"a model does not change: {name}")
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Model) and self._muscle == other._muscle and self._request == other._request

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 from . import _native
+from ._base import Fixed
 from ._commands import BraidFields, FrictionFields, TerminalsFields, TubeFields
 
 if TYPE_CHECKING:
@@ -39,7 +40,7 @@ def tables(text: str) -> dict[str, str]:
     return {name: f"[{name}]\n{lines}" for name, lines in zip(found[1::2], found[2::2])}
 
 
-class _Part:
+class _Part(Fixed):
     """Tables of a muscle file, with their values by the names of arguments."""
 
     __slots__ = ("_text", "_values")
@@ -75,9 +76,6 @@ class _Part:
     def to_dict(self) -> dict[str, Any]:
         """Its values by name, of which the same part can be made."""
         return dict(self._values)
-
-    def __setattr__(self, name: str, value: object) -> None:
-        raise AttributeError(f"a {type(self).__name__} does not change: {name}")
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({', '.join(f'{n}={v!r}' for n, v in self._plain().items())})"

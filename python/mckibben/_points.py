@@ -12,12 +12,11 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from . import _quantity
+from ._base import Tabled
 from ._record import Record
 from ._table import Table
 
 if TYPE_CHECKING:
-    import pandas
-    import polars
     import xarray
     from numpy.typing import NDArray
 
@@ -144,7 +143,7 @@ def model_of(muscle: Muscle, options: dict[str, Any]) -> Model:
         return muscle.model(**options)
 
 
-class Solution:
+class Solution(Tabled):
     """Points of a muscle as arrays of the shape that pressures and contractions have together: ``force_n``, ``uncertainty_n`` (its ±),
     ``volume_mm3``, ``stiffness_n_per_mm``, ``braid_tension_n``, ``slack``, ``status``, … are attributes.
     """
@@ -196,17 +195,6 @@ class Solution:
     def to_table(self) -> Table:
         """A row for each point, in the order of the last index."""
         return Table({name: values.ravel() if values.dtype != object else values.ravel().tolist() for name, values in self._columns.items()})
-
-    def to_pandas(self) -> pandas.DataFrame:
-        """A row for each point."""
-        return self.to_table().to_pandas()
-
-    def to_polars(self) -> polars.DataFrame:
-        """A row for each point."""
-        return self.to_table().to_polars()
-
-    def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
-        return self.to_table().__arrow_c_stream__(requested_schema)
 
     def to_xarray(self) -> xarray.Dataset:
         """A Dataset with the units as attributes. Where pressures and contractions span a grid, these are its dimensions."""

@@ -11,12 +11,9 @@ from html import escape
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from . import _quantity
+from ._base import Fixed, Tabled
 
 if TYPE_CHECKING:
-    import pandas
-    import polars
-    import pyarrow
-
     from ._table import Table
 
 
@@ -25,7 +22,7 @@ def restored(kind: type[Record], data: dict[str, Any], asked: tuple[str, dict[st
     return kind(data, asked)
 
 
-class Record:
+class Record(Fixed, Tabled):
     """An answer: its fields are attributes; what an answer does not have is None.
 
     Two records are equal where their fields are. ``to_dict()`` gives plain dicts and lists, the same as the JSON of the command line.
@@ -62,9 +59,6 @@ class Record:
         from . import _answers
 
         return _wrapped(getattr(_answers, kind), value)
-
-    def __setattr__(self, name: str, value: object) -> None:
-        raise AttributeError(f"an answer does not change: {name}")
 
     def __getitem__(self, name: str) -> Any:
         if name not in self._data and name not in self._fields_:
@@ -136,21 +130,6 @@ class Record:
             raise AttributeError(f"{type(self).__name__} holds no table")
         held = self._data.get(self._rows_)
         return Table.from_columns(held) if isinstance(held, dict) else Table.from_rows(held or [])
-
-    def to_pandas(self) -> pandas.DataFrame:
-        """The table as a ``pandas.DataFrame``."""
-        return self.to_table().to_pandas()
-
-    def to_polars(self) -> polars.DataFrame:
-        """The table as a ``polars.DataFrame``."""
-        return self.to_table().to_polars()
-
-    def to_arrow(self) -> pyarrow.Table:
-        """The table as a ``pyarrow.Table``."""
-        return self.to_table().to_arrow()
-
-    def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
-        return self.to_table().__arrow_c_stream__(requested_schema)
 
     def plot(self, *, units: str | None = None, ax: Any = None, engine: str = "matplotlib") -> Any:
         """Draws the figure of this answer, the same as ``--plot`` of the command line.

@@ -6,12 +6,10 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from . import _native, _plain
+from ._base import Tabled
 from ._table import Table
 
 if TYPE_CHECKING:
-    import pandas
-    import polars
-
     from ._drives import Drive, Joint
     from ._formula import Formula
     from ._inputs import FileLike, MuscleLike, TableLike
@@ -61,7 +59,7 @@ class State:
         return f"State({', '.join(f'{name}={value:.6g}' for name, value in self.to_dict().items())})"
 
 
-class Simulation:
+class Simulation(Tabled):
     """A drive in a control loop: each step holds its commands for ``dt`` seconds. Stops, slack, switching valves and reversals within a step
     are found and passed exactly, as in :func:`motion`, whose numbers these are to the last bit where the commands are the same.
 
@@ -179,17 +177,6 @@ class Simulation:
         """What was recorded: the start, and the end of each step."""
         rows = self._native.rows()
         return Table({name: rows[:, i] for name, i in self._names.items()})
-
-    def to_pandas(self) -> pandas.DataFrame:
-        """The same as a ``pandas.DataFrame``."""
-        return self.to_table().to_pandas()
-
-    def to_polars(self) -> polars.DataFrame:
-        """The same as a ``polars.DataFrame``."""
-        return self.to_table().to_polars()
-
-    def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
-        return self.to_table().__arrow_c_stream__(requested_schema)
 
     def __repr__(self) -> str:
         return f"Simulation({'joint' if self._joint else 'muscle'}, {self._count} {self._kind} commands, dt={self._dt:g} s, at {self.state.time_s:g} s)"

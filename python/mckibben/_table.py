@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ._base import Fixed
+
 if TYPE_CHECKING:
     import pandas
     import polars
@@ -40,7 +42,7 @@ def _column(values: Any) -> Any:
     return [None if v is None else str(v) for v in values]
 
 
-class Table:
+class Table(Fixed):
     """Columns with names, all of one length: NumPy arrays of numbers, lists of texts.
 
     pandas, Polars and Arrow take it over by the Arrow interface of Python (``__arrow_c_stream__``): numbers are not copied, NaN is null.
@@ -165,9 +167,6 @@ class Table:
         from . import _native
 
         return _native.arrow_stream(self._columns)
-
-    def __setattr__(self, name: str, value: object) -> None:
-        raise AttributeError(f"a table does not change: {name}")
 
     def _key(self) -> Any:
         # Zeros without a sign.
