@@ -330,6 +330,19 @@ inBrowser(({ name, url, open, blank }) => {
     const turned = ask("motion", "examples/elbow-drive.toml", "--model", "fe");
     const speed = Number(turned.largest_velocity_deg_per_s.toPrecision(3));
     await reads(page, ".controls table", `largest speed${speed} °/s`, 90_000);
+    // Motion has the joint of the page Joint, with what is typed there.
+    await go(page, "Joint");
+    await page.waitForSelector(".numbers dl");
+    await type(page, "Radius of the pulley r", "30 mm");
+    await page.waitForFunction(() => /r=30/.test(location.hash));
+    const wider = mkdtempSync(join(tmpdir(), "joint-"));
+    for (const file of ["elbow.toml", "elbow-drive.toml", "biceps.toml"])
+      writeFileSync(join(wider, file), example(file).replace(/^radius = .*/m, 'radius = "30 mm"'));
+    const slower = ask("motion", join(wider, "elbow-drive.toml"), "--model", "fe");
+    assert.notEqual(slower.largest_velocity_deg_per_s, turned.largest_velocity_deg_per_s);
+    await go(page, "Motion");
+    await reads(page, ".controls table", `largest speed${Number(slower.largest_velocity_deg_per_s.toPrecision(3))} °/s`,
+      90_000);
     await drop(page, { "festo-dmsp-20.toml": example("festo-dmsp-20.toml") });
     await reads(page, ".muscle-bar", "D0 23 mm");
     await drop(page, { "bench.csv": example("bench.csv") });
