@@ -68,6 +68,9 @@ inBrowser(({ name, open, blank }) => {
     const html = bytes.toString(), { force_n: force } = ask("force", "-D", "38", "-p", "2.2bar", "-e", "10%");
     for (const text of ["Calf", "Leg", "M-17", "2026-11-23", "bar"]) assert.ok(html.includes(text), text);
     assert.ok(html.includes(String(Math.round(force))), `${force} N stands in the report`);
+    // Scripts are the model that turns, and the shape that it draws.
+    const still = html.replace(/<script[\s\S]*?<\/script>/g, "").length;
+    assert.ok(still < 300_000, `${still} bytes without the model`);
     // The file stands alone.
     const { page: alone, errors: wrong, context: other } = await blank();
     await alone.setContent(html);
@@ -94,6 +97,20 @@ inBrowser(({ name, open, blank }) => {
       const far = ours.findIndex((v, i) => Math.abs(v - theirs[i]) > 1e-4 * (1 + Math.abs(theirs[i])));
       assert.equal(far, -1, `${file}: ${ours[far]} for ${theirs[far]}`);
     }
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("the deck of fe3d is the command line's", async () => {
+    const { page, errors, context } = await open("#files?D=38&s=1&L=100&p=2.2bar&e=5%25");
+    const box = card(page, "Finite elements");
+    await box.getByRole("combobox", { name: "Model" }).selectOption("fe3d");
+    await box.getByRole("button", { name: "Compute", exact: true }).click();
+    const save = box.getByRole("button", { name: "muscle.inp", exact: true });
+    await save.waitFor({ timeout: 120_000 });
+    const { bytes } = await downloaded(page, save), deck = join(mkdtempSync(join(tmpdir(), "deck-")), "muscle.inp");
+    execFileSync(program, ["simulate", "-D", "38", "-s", "1", "-L", "100", "--model", "fe3d", "-p", "2.2bar", "-e", "5%", "--export-inp", deck], { stdio: "ignore" });
+    assert.equal(bytes.toString(), readFileSync(deck, "utf8"));
     assert.deepEqual(errors, []);
     await context.close();
   });

@@ -51,7 +51,7 @@ export function withPixels(html) {
       restRadius: shape.muscle.outer_diameter_mm / 2 });
     view.draw(true);
     // What was drawn is there until this task ends.
-    const picture = `<img alt="The deformed muscle" style="width:100%" src="${view.canvas.toDataURL("image/png")}">`;
+    const picture = `<img alt="The deformed muscle" style="width:100%" src="${view.canvas.toDataURL("image/webp", 0.8)}">`;
     return html.replace(still, () => picture);
   } finally {
     view.destroy();
