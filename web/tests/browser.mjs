@@ -100,7 +100,7 @@ export function trapping(words) {
 }
 
 /** Until the muscle page has a state. @param {import("playwright-core").Page} page */
-export const alive = (page) => page.waitForFunction(() => /±|Slack/.test(document.querySelector(".stage .say b")?.textContent ?? ""), undefined, { timeout: 20_000 });
+export const alive = (page, timeout = 20_000) => page.waitForFunction(() => /±|Slack/.test(document.querySelector(".stage .say b")?.textContent ?? ""), undefined, { timeout });
 /** @param {import("playwright-core").Page} page */
 export const pull = (page) => page.locator(".stage .say b").innerText();
 
