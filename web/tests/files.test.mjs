@@ -37,7 +37,7 @@ test("an archive has its files as they were, for a reader that is not ours", asy
   assert.deepEqual(entries(Buffer.from(await made.arrayBuffer())), texts);
 });
 
-inBrowser(({ name, open, blank }) => {
+inBrowser(({ name, url, open, blank }) => {
   test("an export has the command line's error, and its files one by one and as an archive", async () => {
     const { page, errors, context } = await open("#files?D=38&p=2.2bar");
     const out = card(page, "Controllers and simulators");
@@ -98,6 +98,20 @@ inBrowser(({ name, open, blank }) => {
       assert.equal(far, -1, `${file}: ${ours[far]} for ${theirs[far]}`);
     }
     assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("a button that is pressed before the link is read computes the muscle of the link", async () => {
+    const { page, context } = await blank();
+    await page.route(/api\/v1\/(quantities|muscle-show)/, async (route) => {
+      await new Promise((resolve) => setTimeout(resolve, 700));
+      await route.continue();
+    });
+    await page.goto(`${url()}#files?D=38&p=2.2bar&e=10%25`);
+    const box = card(page, "Finite elements");
+    await box.getByRole("button", { name: "Compute", exact: true }).click();
+    const state = await downloaded(page, box.getByRole("button", { name: "muscle.pvd", exact: true }));
+    assert.match(state.bytes.toString(), /D0 38 mm/);
     await context.close();
   });
 
