@@ -323,6 +323,27 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
   });
 
+  test("a move of the arm is played on Motion, and ends where finite elements hold the arm", async () => {
+    const { page, errors, context } = await open("#joint?phi=20deg&K=5&mass=0.8kg");
+    await page.waitForSelector(".numbers dl", { timeout: 30_000 });
+    await page.getByText("Move the arm").click();
+    await page.getByRole("textbox", { name: "Move to", exact: true }).fill("-10");
+    await page.getByRole("textbox", { name: "Move to", exact: true }).press("Enter");
+    await page.getByRole("button", { name: "Play in Motion" }).click();
+    await page.locator("main[data-shown=motion]").waitFor({ timeout: 60_000 });
+    const way = page.locator("[aria-label='motion contraction']");
+    await way.locator("svg.curves").waitFor({ timeout: 120_000 });
+    await soon(async () => {
+      const [download] = await Promise.all([page.waitForEvent("download"), way.getByRole("button", { name: "CSV", exact: true }).click()]);
+      const rows = readFileSync(/** @type {string} */ (await download.path()), "utf8").trim().split("\n").map((line) => line.split(","));
+      assert.match(rows[0][2], /angle|φ/);
+      const [first, last] = [Number(rows[1][2]), Number(rows.at(-1)?.[2])];
+      assert.ok(Math.abs(first - 20) < 1 && Math.abs(last + 10) < 1, `${first}° to ${last}°`);
+    });
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
   test("narrow and very wide, larger text, less motion", async () => {
     for (const [width, height] of [[400, 800], [3840, 2160]]) {
       const { page, context } = await open("#muscle", { viewport: { width, height }, reducedMotion: "reduce" });

@@ -7,15 +7,17 @@ import { typed } from "./units.js";
 /** Words of the address, and what kind of quantity each is; `k` is that of the muscle's strands. */
 export const KINDS_OF =
   /** @type {const} */ ({ r: "length", low: "angle", high: "angle", e0: "ratio", phi: "angle", K: "angular-stiffness",
-    pmax: "pressure" });
-const USUAL = { r: 25, low: -60, high: 60, e0: 0.12, phi: 20, K: 5, pmax: 0.5 };
+    pmax: "pressure", mass: "mass", centre: "length", inertia: "inertia" });
+const USUAL = { r: 25, low: -60, high: 60, e0: 0.12, phi: 20, K: 5, pmax: 0.5, mass: 0, centre: 150, inertia: 0.03 };
 /** @typedef {keyof typeof KINDS_OF} Key */
-/** @typedef {typeof USUAL} Values in mm, degrees, ratio, N m/rad, MPa */
+/** @typedef {typeof USUAL} Values in mm, degrees, ratio, N m/rad, MPa, kg, kg m² */
 export const KEYS = /** @type {Key[]} */ (Object.keys(KINDS_OF));
 /** Files of the address: of the joint, and of muscle 2 where it is another one. */
 export const FILES = /** @type {const} */ (["joint", "file2"]);
 /** What a joint file states too. */
-const IN_FILE = /** @type {const} */ (["r", "low", "high", "e0"]);
+const IN_FILE = /** @type {const} */ (["r", "low", "high", "e0", "mass", "centre", "inertia"]);
+/** No words beside a joint file: it states them. */
+export const ofFile = Object.fromEntries([...IN_FILE, "range"].map((key) => [key, undefined]));
 /** Both limits in one word, as joint files and links of before have them. */
 export const RANGE = "range";
 
@@ -47,8 +49,8 @@ export class JointWords {
     const own = IN_FILE.filter((key) => !this.over.has(key));
     Object.assign(this.v, Object.fromEntries(own.map((key) => [key, USUAL[key]])));
     const of = this.files.joint ? stated(this.files.joint) : {};
-    const texts = /** @type {[Key, string | undefined][]} */ ([["r", of.r], ["e0", of.e0]]);
-    await this.#limits(of.range);
+    const { range, ...others } = of, texts = /** @type {[Key, string | undefined][]} */ (Object.entries(others));
+    await this.#limits(range);
     await this.#take(texts.flatMap(([key, text]) => (text && !this.over.has(key) ? [[key, text]] : [])));
   }
 
@@ -74,8 +76,9 @@ export class JointWords {
     const { files, over, v } = this;
     // One limit alone is no range.
     const ends = over.has("low") || over.has("high") ? [v.low, v.high] : [undefined, undefined];
-    const own = (/** @type {"r" | "e0"} */ key) => (over.has(key) ? v[key] : undefined);
-    const put = { r: own("r"), low: ends[0], high: ends[1], e0: own("e0") };
+    const own = (/** @type {Key} */ key) => (over.has(key) ? v[key] : undefined);
+    const put = { r: own("r"), low: ends[0], high: ends[1], e0: own("e0"), mass: own("mass"), centre: own("centre"),
+      inertia: own("inertia") };
     return files.joint ? jointOfFile(files.joint, first, files.file2, put) : joint(first, files.file2, v);
   }
 

@@ -11,7 +11,9 @@ import { angleAt, numbersView, reachChart, torqueChart } from "../joint-view.js"
 import { FILES, JointWords, KEYS, KINDS_OF, RANGE } from "../joint-words.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
+import { angles, drive } from "../trajectory.js";
 import { onUnits } from "../units.js";
+import { visit } from "../visit.js";
 
 /** @typedef {import("../joint-view.js").Answer} Answer */
 /** @typedef {import("../joint-view.js").Family} Family */
@@ -51,7 +53,9 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
     el("fieldset", {}, el("legend", {}, "Joint"), make("r", "Radius of the pulley", 5, 80, "r"),
       make("low", "Range from", -150, 0),
       make("high", "Range to", 0, 150), make("e0", "Contraction at the neutral angle", 0, 0.25),
-      make("pmax", "Pressure of the supply", 0.05, 1)), which,
+      make("pmax", "Pressure of the supply", 0.05, 1)),
+    el("fieldset", {}, el("legend", {}, "Arm"), make("mass", "Mass of the arm", 0, 5),
+      make("centre", "Centre of mass from the axis", 10, 400), make("inertia", "Moment of inertia", 0.001, 0.2)), which,
     el("details", {}, el("summary", {}, "Another muscle 2"),
       el("p", { class: "small soft" }, "Both muscles are that of the page Muscle, unless you open a file."),
       fileField("Open muscle 2 (TOML)", ".toml", (_, text) => takeSecond(text)), back),
@@ -71,6 +75,25 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
       which.textContent = `The muscle: ${muscle.line()}. Change it on the page Muscle.`;
     },
   };
+}
+
+/**
+ * A move from the angle of the page to another one, played on the page Motion.
+ * @param {Values} v @param {(angles: number[]) => Request | undefined} question
+ */
+function moveBox(v, question) {
+  const to = { angle: -20, seconds: 1 };
+  const field = (/** @type {"angle" | "seconds"} */ key, /** @type {string} */ label,
+    /** @type {import("../units.js").Kind} */ kind, /** @type {number} */ low, /** @type {number} */ high) =>
+    quantity({ label, kind, low, high, value: to[key], change(value) {
+      if (value !== undefined) to[key] = value;
+    } }).element;
+  const play = job("Play in Motion", "joint", async () => question(angles(v.phi, to.angle)), ({ points }) => {
+    visit("motion", { drive: drive(points, to.seconds, v.pmax) });
+  });
+  const about = "From the angle above at the required stiffness. Motion shows how valves and arm follow.";
+  return { job: play, element: el("details", {}, el("summary", {}, "Move the arm"),
+    el("p", { class: "small soft" }, about), field("angle", "Move to", "angle", -60, 60), field("seconds", "Within", "time", 0.1, 5), play.element) };
 }
 
 /**
@@ -96,6 +119,10 @@ function turning(arm, turned) {
   });
 }
 
+/** Pressures at angles, with the stiffness that the page asks for. @param {Values} v @param {number[]} list */
+const wanted = (v, list) => ({ angles_deg: list, max_pressure_mpa: v.pmax,
+  ...(v.K > 0 ? { stiffness_nm_per_rad: v.K } : {}) });
+
 /**
  * Questions about a joint: a point, by formulas while one drags and by finite elements at rest, and its family of
  * torques.
@@ -107,9 +134,8 @@ function questions({ take, fail, family }) {
   return {
     /** @param {Request} request @param {Values} v @param {boolean} settled */
     ask(request, v, settled) {
-      const mine = ++asking,
-        wanted = { angles_deg: [v.phi], max_pressure_mpa: v.pmax, ...(v.K > 0 ? { stiffness_nm_per_rad: v.K } : {}) };
-      point.ask("joint", { ...request, ...wanted }, (answer) => {
+      const mine = ++asking, at = wanted(v, [v.phi]);
+      point.ask("joint", { ...request, ...at }, (answer) => {
         if (decided !== mine) take(answer);
       }, (problem) => {
         if (decided !== mine) fail(problem);
@@ -118,7 +144,7 @@ function questions({ take, fail, family }) {
       clearTimeout(settling);
       elements.end();
       const last = () =>
-        elements.ask("joint", { ...request, model: "fe", extrapolate: false, ...wanted }, (answer) => {
+        elements.ask("joint", { ...request, model: "fe", extrapolate: false, ...at }, (answer) => {
           decided = mine;
           take(answer);
         }, (problem) => {
@@ -172,6 +198,9 @@ class JointPage {
         this.torque.show(torqueChart(family, this.#point));
       },
     });
+    const { v } = this.joint;
+    this.move = moveBox(v, (list) => ({ ...this.joint.request(this.#first), ...wanted(v, list) }));
+    this.bench.element.append(this.move.element);
     const charts = el("div", { class: "charts" }, this.torque.element, this.reach.element);
     main.replaceChildren(el("div", { class: "bench" }, this.bench.element,
       el("div", { class: "middle" }, this.arm, charts, this.map.element),
@@ -276,6 +305,7 @@ class JointPage {
   unmount() {
     this.asks.end();
     this.map.end();
+    this.move.job.end();
   }
 }
 
