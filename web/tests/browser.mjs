@@ -44,10 +44,35 @@ export const launch = () => chromium.launch({
   args: (process.env.CHROMIUM_FLAGS ?? "--no-sandbox --enable-unsafe-swiftshader").split(" "),
 });
 
+/** A busy machine: SLOW=2 holds every answer of the engine back by 0 to 2 s, and slows the page's own work eight times. */
+const SLOW = Number(process.env.SLOW ?? 0);
+/** @param {import("playwright-core").Page} page */
+async function slowed(page) {
+  await page.route(/\/api\//, async (route) => {
+    await new Promise((resolve) => setTimeout(resolve, 1000 * SLOW * Math.random() ** 2));
+    await route.continue().catch(() => {});
+  });
+  const session = await page.context().newCDPSession(page);
+  await session.send("Emulation.setCPUThrottlingRate", { rate: 8 });
+}
+
+/** The check, again until it holds; what it says after ten seconds otherwise. @param {() => Promise<unknown>} check */
+export async function soon(check, timeout = 10_000 * (1 + SLOW)) {
+  for (const end = Date.now() + timeout; ;) {
+    try {
+      return await check();
+    } catch (error) {
+      if (Date.now() > end) throw error;
+      await new Promise((resolve) => setTimeout(resolve, 50));
+    }
+  }
+}
+
 /** A page that fails the test on any error of its own; answers that say what is wrong with a request (422) are none. @param {import("playwright-core").Browser} browser @param {import("playwright-core").BrowserContextOptions} [options] */
 export async function tab(browser, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, acceptDownloads: true, serviceWorkers: "block", ...options });
   const page = await context.newPage();
+  if (SLOW) await slowed(page);
   /** @type {string[]} */
   const errors = [];
   page.on("console", (message) => { if (message.type() === "error" && !/status of 422/.test(message.text())) errors.push(message.text()); });
@@ -75,7 +100,7 @@ export function trapping(words) {
 }
 
 /** Until the muscle page has a state. @param {import("playwright-core").Page} page */
-export const alive = (page) => page.waitForFunction(() => /±|Slack/.test(document.querySelector(".stage .say b")?.textContent ?? ""), undefined, { timeout: 20_000 });
+export const alive = (page, timeout = 20_000) => page.waitForFunction(() => /±|Slack/.test(document.querySelector(".stage .say b")?.textContent ?? ""), undefined, { timeout });
 /** @param {import("playwright-core").Page} page */
 export const pull = (page) => page.locator(".stage .say b").innerText();
 

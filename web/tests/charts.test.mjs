@@ -3,7 +3,7 @@ import { test } from "node:test";
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
-import { alive, pull } from "./browser.mjs";
+import { alive, pull, soon } from "./browser.mjs";
 import { ask, inBrowser, root, shots } from "./sites.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -45,7 +45,7 @@ inBrowser(({ name, open, blank, url }) => {
     const rows = (await saved(page)).filter(([curve]) => curve === "2.2 bar");
     const { force_n: force } = ask("force", "-p", "2.2bar", "-e", "0");
     assert.ok(Math.abs(Number(rows[0][2]) / force - 1) < 1e-6, `${rows[0]} for ${force}`);
-    assert.equal(await page.locator(".plot svg.curves svg path[opacity]").count(), 6);
+    await soon(async () => assert.equal(await page.locator(".plot svg.curves svg path[opacity]").count(), 6));
     assert.deepEqual(errors, []);
     await context.close();
   });
@@ -61,31 +61,30 @@ inBrowser(({ name, open, blank, url }) => {
     const ring = /** @type {{ x: number, y: number }} */ (await page.locator(".ring").boundingBox());
     await page.mouse.move(ring.x + 8, ring.y + 8);
     await page.waitForSelector(".tip:not([hidden])");
-    assert.match(await page.locator(".tip").innerText(), /^2.5 bar: 1[45](\.\d+)? %, 3[23]\d.* ± 118 N$/);
+    await soon(async () => assert.match(await page.locator(".tip").innerText(), /^2.5 bar: 1[45](\.\d+)? %, 3[23]\d.* ± 118 N$/));
     const all = await lower(page), box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await plot.boundingBox());
     await page.mouse.move(box.x + 0.4 * box.width, box.y + box.height - 20);
     await page.mouse.down();
     await page.mouse.move(box.x + 0.6 * box.width, box.y + box.height - 20, { steps: 3 });
     await page.mouse.up();
-    const part = await lower(page);
-    assert.notDeepEqual(part, all);
-    assert.equal(await page.getByRole("textbox", { name: "Contraction" }).inputValue(), "15 %");
+    await soon(async () => assert.notDeepEqual(await lower(page), all));
+    await soon(async () => assert.equal(await page.getByRole("textbox", { name: "Contraction" }).inputValue(), "15 %"));
     await page.getByRole("button", { name: "Show all" }).click();
-    assert.deepEqual(await lower(page), all);
+    await soon(async () => assert.deepEqual(await lower(page), all));
     await plot.focus();
     for (let i = 0; i < 3; i++) await page.keyboard.press("+");
-    assert.notDeepEqual(await lower(page), all);
+    await soon(async () => assert.notDeepEqual(await lower(page), all));
     await page.keyboard.press("0");
-    assert.deepEqual(await lower(page), all);
+    await soon(async () => assert.deepEqual(await lower(page), all));
     await page.keyboard.press("ArrowRight");
-    assert.match(await page.locator(".tip").innerText(), /^0.5 bar: 0 %, 189.* N$/);
+    await soon(async () => assert.match(await page.locator(".tip").innerText(), /^0.5 bar: 0 %, 189.* N$/));
     await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
     await page.keyboard.down("Control");
     await page.mouse.wheel(0, -300);
     await page.keyboard.up("Control");
     await page.waitForSelector(".all:not([hidden])");
     await page.mouse.dblclick(box.x + 20, box.y + 0.5 * box.height);
-    assert.deepEqual(await lower(page), all);
+    await soon(async () => assert.deepEqual(await lower(page), all));
     await context.close();
   });
 
@@ -97,12 +96,14 @@ inBrowser(({ name, open, blank, url }) => {
     const parts = page.getByRole("region", { name: "Parts of the ±" });
     await page.getByText("would leave about ± 55 N").waitFor();
     const { uncertainty_n: total, uncertainty_parts_n: said } = ask("force", "-p", "2.5bar", "-e", "15%");
-    const shown = (await parts.locator("dd:not(.wide)").allInnerTexts()).map((text) => Number(text.replace(/[^\d.]/g, "")));
-    assert.equal(shown.length, Object.values(said).filter((v) => v !== null).length);
-    assert.ok(Math.abs(Math.hypot(...shown) / total - 1) < 0.02, `${shown} for ${total}`);
-    assert.match(await parts.innerText(), /friction, not measured[\s\S]*both directions/);
+    await soon(async () => {
+      const shown = (await parts.locator("dd:not(.wide)").allInnerTexts()).map((text) => Number(text.replace(/[^\d.]/g, "")));
+      assert.equal(shown.length, Object.values(said).filter((v) => v !== null).length);
+      assert.ok(Math.abs(Math.hypot(...shown) / total - 1) < 0.02, `${shown} for ${total}`);
+    });
+    await soon(async () => assert.match(await parts.innerText(), /friction, not measured[\s\S]*both directions/));
     await half.click();
-    assert.equal(await parts.isVisible(), false);
+    await soon(async () => assert.equal(await parts.isVisible(), false));
     await context.close();
   });
 
@@ -115,7 +116,7 @@ inBrowser(({ name, open, blank, url }) => {
     const at = (/** @type {string} */ D) => ask("force", "-p", "2.5bar", "-e", "15%", "-D", D).force_n;
     const [less, same, more] = ["29mm", "30mm", "31mm"].map(at);
     const signed = (/** @type {number} */ v) => `${v < 0 ? "−" : "+"}${Number(Math.abs(v).toPrecision(2))} N`;
-    assert.ok((await bar.innerText()).includes(`${signed(less - same)}, ${signed(more - same)}`), await bar.innerText());
+    await soon(async () => assert.ok((await bar.innerText()).includes(`${signed(less - same)}, ${signed(more - same)}`), await bar.innerText()));
     await context.close();
   });
 
@@ -158,10 +159,10 @@ inBrowser(({ name, open, blank, url }) => {
     const before = await rms();
     const points = async () => (await saved(page)).filter(([curve]) => curve.startsWith("measured at"));
     // They come by themselves, before or after their residuals.
-    const rings = () => [...document.querySelectorAll(".plot svg.curves path")]
-      .reduce((sum, path) => sum + (path.getAttribute("d")?.split("m-3.2").length ?? 1) - 1, 0);
-    await page.waitForFunction(`(${rings})() === 10`);
-    assert.equal((await points()).length, 10);
+    const rings = () => page.evaluate(() => [...document.querySelectorAll(".plot svg.curves path")]
+      .reduce((sum, path) => sum + (path.getAttribute("d")?.split("m-3.2").length ?? 1) - 1, 0));
+    await soon(async () => assert.equal(await rings(), 10));
+    await soon(async () => assert.equal((await points()).length, 10));
     await page.screenshot({ path: `${shots}/points-${name}.png` });
     const wall = page.getByRole("textbox", { name: "Wall" });
     await wall.fill("2.5");
@@ -171,7 +172,7 @@ inBrowser(({ name, open, blank, url }) => {
     await page.getByRole("button", { name: "Fit the rubber" }).click();
     await page.waitForFunction((was) => Number(/Residuals: ([\d.]+) N/.exec(document.querySelector(".points")?.textContent ?? "")?.[1]) < 0.9 * was, moved, { timeout: 30_000 });
     await page.getByRole("button", { name: "Remove the points" }).click();
-    assert.equal(await page.locator(".points .row").isVisible(), false);
+    await soon(async () => assert.equal(await page.locator(".points .row").isVisible(), false));
     assert.deepEqual(errors, []);
     await context.close();
   });
@@ -187,7 +188,7 @@ inBrowser(({ name, open, blank, url }) => {
     await field.fill("5");
     await field.press("Enter");
     await page.waitForFunction((was) => document.querySelector(".stage .say b")?.textContent !== was, was);
-    assert.equal(await legend(), before);
+    await soon(async () => assert.equal(await legend(), before));
     await context.close();
   });
 
@@ -246,13 +247,15 @@ inBrowser(({ name, open, blank, url }) => {
     await page.mouse.down();
     await page.mouse.move(x + 2, y - 12, { steps: 4 });
     await page.mouse.up();
-    const D = Number(await page.getByRole("textbox", { name: "Outer diameter" }).inputValue());
-    assert.ok(D > 32 && D < 50, String(D));
+    await soon(async () => {
+      const D = Number(await page.getByRole("textbox", { name: "Outer diameter" }).inputValue());
+      assert.ok(D > 32 && D < 50, String(D));
+    });
     await page.waitForFunction(() => location.hash.includes("D="));
     const before = await page.locator(".stage .bar").innerText();
     await page.locator(".stage canvas").focus();
     for (let i = 0; i < 5; i++) await page.keyboard.press("+");
-    assert.notEqual(await page.locator(".stage .bar").innerText(), before);
+    await soon(async () => assert.notEqual(await page.locator(".stage .bar").innerText(), before));
     assert.deepEqual(errors, []);
     await context.close();
   });
@@ -272,7 +275,7 @@ inBrowser(({ name, open, blank, url }) => {
       send("pointerup", 2, 150);
       send("pointerup", 1, -50);
     });
-    assert.ok(Math.abs((await bar()) / before / 2 - 1) < 0.02, `${(await bar()) / before}`);
+    await soon(async () => assert.ok(Math.abs((await bar()) / before / 2 - 1) < 0.02, `${(await bar()) / before}`));
     await context.close();
   });
 
@@ -281,10 +284,10 @@ inBrowser(({ name, open, blank, url }) => {
     await alive(page);
     const header = /** @type {{ height: number }} */ (await page.locator("header").boundingBox());
     assert.ok(header.height <= 64, `${header.height}`);
-    const small = await page.evaluate(() => [...document.querySelectorAll("main button, main select, main summary, main input[type=range], header a, header button")]
+    const small = () => page.evaluate(() => [...document.querySelectorAll("main button, main select, main summary, main input[type=range], header a, header button")]
       .filter((e) => { const b = e.getBoundingClientRect(); return b.width > 0 && (b.height < 43.5 || (e.tagName === "BUTTON" && b.width < 43.5)); }).map((e) => `${e.tagName} ${e.textContent} ${e.getBoundingClientRect().height}`));
-    assert.deepEqual(small, []);
-    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth));
+    await soon(async () => assert.deepEqual(await small(), []));
+    await soon(async () => assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth)));
     await context.close();
   });
 
@@ -293,10 +296,12 @@ inBrowser(({ name, open, blank, url }) => {
     const { page, errors, context } = await open(`#joint?joint=${encodeURIComponent(file)}`);
     await page.waitForSelector(".numbers dl", { timeout: 60_000 });
     const text = (/** @type {string} */ of) => page.getByRole("textbox", { name: of, exact: true }).inputValue();
-    assert.deepEqual([await text("Range from"), await text("Range to")], ["-10", "110"]);
+    await soon(async () => assert.deepEqual([await text("Range from"), await text("Range to")], ["-10", "110"]));
     await page.locator("[aria-label='joint torque'] svg.curves").waitFor();
-    const angles = (await saved(page)).slice(1).filter(([curve]) => / \| /.test(curve)).map(([, x]) => Number(x));
-    assert.deepEqual([Math.min(...angles), Math.max(...angles)], [-10, 110]);
+    await soon(async () => {
+      const angles = (await saved(page)).slice(1).filter(([curve]) => / \| /.test(curve)).map(([, x]) => Number(x));
+      assert.deepEqual([Math.min(...angles), Math.max(...angles)], [-10, 110]);
+    });
     const arm = page.getByRole("slider", { name: "Angle", exact: true });
     await arm.focus();
     for (let i = 0; i < 30; i++) await page.keyboard.press("PageDown");
@@ -316,13 +321,13 @@ inBrowser(({ name, open, blank, url }) => {
     await page.getByText("mean pressure 0 to 1 bar").waitFor({ timeout: 60_000 });
     await page.waitForSelector(".numbers dl");
     // Pulley of 25 mm and scale of 50 mm in the same units.
-    const scale = await page.evaluate(() => {
+    const scale = () => page.evaluate(() => {
       const joint = /** @type {SVGElement} */ (document.querySelector("svg.joint"));
       return { radius: Number(joint.querySelector(".pulley")?.getAttribute("r")), bar: /** @type {SVGPathElement} */ (joint.querySelector(".line")).getBBox().width };
     });
-    assert.deepEqual(scale, { radius: 25, bar: 50 });
-    assert.equal(await page.locator("svg.joint .range").count(), 1);
-    assert.equal(await page.locator('section[aria-label="joint torque"] svg.curves svg path[opacity]').count(), 1);
+    await soon(async () => assert.deepEqual(await scale(), { radius: 25, bar: 50 }));
+    await soon(async () => assert.equal(await page.locator("svg.joint .range").count(), 1));
+    await soon(async () => assert.equal(await page.locator('section[aria-label="joint torque"] svg.curves svg path[opacity]').count(), 1));
     assert.deepEqual([asked, errors], [[], []]);
     await context.close();
   });

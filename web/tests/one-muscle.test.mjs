@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
-import { alive, pull, served } from "./browser.mjs";
+import { alive, pull, served, soon } from "./browser.mjs";
 import { SLEEVES } from "./random.mjs";
 import { ask, inBrowser, program, root, shots } from "./sites.mjs";
 
@@ -58,7 +58,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.getByText("Muscle file", { exact: true }).click();
     await page.locator("input[type=file]").setInputFiles(mine);
     await reads(page, PULL, asShown(ask("force", mine, "-p", "2.5bar", "-e", "15%")));
-    assert.equal(await field(page, "Outer diameter D0").inputValue(), "24");
+    await soon(async () => assert.equal(await field(page, "Outer diameter D0").inputValue(), "24"));
     await type(page, "Length L0", "9in");
     await type(page, "Contraction ε", "10 %");
     const said = asShown(ask("force", mine, "-L", "9in", "-p", "2.5bar", "-e", "10%"));
@@ -70,9 +70,9 @@ inBrowser(({ name, url, open, blank }) => {
     assert.equal(asShown(ask("force", copy, "-p", "2.5bar", "-e", "10%")), said);
     await page.reload();
     await reads(page, PULL, said);
-    assert.equal(await field(page, "Length L0").inputValue(), "228.6");
-    assert.equal(await field(page, "Outer diameter D0").inputValue(), "24");
-    assert.equal(await field(page, "Braid angle θ0").inputValue(), "24");
+    await soon(async () => assert.equal(await field(page, "Length L0").inputValue(), "228.6"));
+    await soon(async () => assert.equal(await field(page, "Outer diameter D0").inputValue(), "24"));
+    await soon(async () => assert.equal(await field(page, "Braid angle θ0").inputValue(), "24"));
     // Joint: the torques of its curves, and of the pressures that finite elements find.
     writeFileSync(join(folder, "joint.toml"), `[joint]\nradius = "25 mm"\nrange = "-60..60 deg"\n[muscle_1]\nfile = "saved-${name}.toml"\ncontraction_at_neutral = "12%"\n[muscle_2]\nfile = "saved-${name}.toml"\ncontraction_at_neutral = "12%"\n`);
     const asked = ["joint", join(folder, "joint.toml"), "--angle", "20deg", "--stiffness", "5", "--max-pressure", "5bar"];
@@ -108,16 +108,19 @@ inBrowser(({ name, url, open, blank }) => {
     const { page, errors, context } = await open("#muscle");
     await alive(page);
     const box = page.locator("details", { hasText: "More measures" }), is = (/** @type {string} */ name, /** @type {string} */ value) => page.waitForFunction(([name, value]) => [...document.querySelectorAll(".quantity")].some((q) => q.querySelector("label")?.textContent === name && q.querySelector("input")?.value === value), [name, value], { timeout: 20_000 });
-    assert.equal(await box.getAttribute("open"), null);
+    await soon(async () => assert.equal(await box.getAttribute("open"), null));
     await page.getByText("Ends", { exact: true }).first().click();
     await page.getByText("More measures", { exact: true }).click();
     await page.screenshot({ path: `${shots}/more-${name}.png`, fullPage: true });
-    const { measures } = ask("muscle", "measures"), labels = await page.locator(".quantity label").allTextContents();
+    const { measures } = ask("muscle", "measures"), labels = () => page.locator(".quantity label").allTextContents();
     const of = (/** @type {string} */ key) => {
       const { label, symbol } = measures.find((/** @type {any} */ m) => m.key === key);
       return `${label.charAt(0).toUpperCase()}${label.slice(1)}${symbol ? ` ${symbol}` : ""}`;
     };
-    for (const { key } of measures) assert.equal(labels.filter((label) => label === of(key)).length, 1, key);
+    await soon(async () => {
+      const shown = await labels();
+      for (const { key } of measures) assert.equal(shown.filter((label) => label === of(key)).length, 1, key);
+    });
     /** @type {[string, string, string][]} */
     const typed = [
       ["tube.density", "0.95 g/cm3", "950"], ["tube.prestretch", "1.1", "1.1"], ["braid.strands", "96", "96"], ["braid.strand_modulus", "8.5 GPa", "8500"], ["braid.strand_area", "0.05 mm2", "0.05"],
@@ -143,7 +146,7 @@ inBrowser(({ name, url, open, blank }) => {
     // Reloaded, and sent to somebody: it is open by itself, with all values.
     await page.reload();
     await reads(page, PULL, said);
-    assert.equal(await box.getAttribute("open"), "");
+    await soon(async () => assert.equal(await box.getAttribute("open"), ""));
     for (const [key, , shown] of typed) await is(of(key), shown);
     await page.getByRole("link", { name: "Compare" }).click();
     await reads(page, "[aria-label='both in numbers']", `Pull${said}`);
@@ -152,12 +155,12 @@ inBrowser(({ name, url, open, blank }) => {
     // An emptied field has the usual value again.
     await type(page, of("tube.prestretch"), "");
     await reads(page, PULL, file(""));
-    assert.doesNotMatch(page.url(), /prestretch/);
+    await soon(async () => assert.doesNotMatch(page.url(), /prestretch/));
     await is(of("tube.prestretch"), "");
     await type(page, of("braid.strands"), "37");
     await page.waitForSelector(".problem");
-    assert.equal(await field(page, of("braid.strands")).getAttribute("aria-invalid"), "true");
-    assert.match(await page.locator(".problem").innerText(), /number of strands is 37; it must be an even whole number/i);
+    await soon(async () => assert.equal(await field(page, of("braid.strands")).getAttribute("aria-invalid"), "true"));
+    await soon(async () => assert.match(await page.locator(".problem").innerText(), /number of strands is 37; it must be an even whole number/i));
     assert.deepEqual(errors, []);
     await context.close();
     // The measures of a file.
@@ -166,8 +169,8 @@ inBrowser(({ name, url, open, blank }) => {
     await opened.page.getByText("Muscle file", { exact: true }).click();
     await opened.page.locator("input[type=file]").setInputFiles(copy);
     await reads(opened.page, PULL, said);
-    assert.equal(await opened.page.locator("details", { hasText: "More measures" }).getAttribute("open"), "");
-    for (const [key, , shown] of typed) assert.equal(await field(opened.page, of(key)).inputValue(), shown, key);
+    await soon(async () => assert.equal(await opened.page.locator("details", { hasText: "More measures" }).getAttribute("open"), ""));
+    for (const [key, , shown] of typed) await soon(async () => assert.equal(await field(opened.page, of(key)).inputValue(), shown, key));
     await opened.context.close();
   });
 
@@ -191,7 +194,7 @@ inBrowser(({ name, url, open, blank }) => {
       }
       const said = ask("force", "-D", `${D}`, "-s", `${s}`, "-L", `${L}`, "--braid", sleeve, ...flags, "-p", "2bar", "-e", "5%");
       await reads(page, PULL, said.slack ? "Slack" : asShown(said));
-      assert.ok(await page.getByRole("slider", { name: "Braid angle" }).isDisabled());
+      await soon(async () => assert.ok(await page.getByRole("slider", { name: "Braid angle" }).isDisabled()));
     }
     // Strands that keep their length need neither.
     await page.getByRole("combobox", { name: "Strands" }).selectOption("inextensible");
@@ -224,15 +227,15 @@ inBrowser(({ name, url, open, blank }) => {
     await type(page, "Load F", "300 N");
     const said = ask("contraction", "-F", "300N", "-p", "2.5bar");
     await reads(page, ".stage .say", `and ${Number((100 * said.contraction).toPrecision(3))} %`);
-    assert.match(page.url(), /F=300/);
+    await soon(async () => assert.match(page.url(), /F=300/));
     // P′ is that of the contraction that was found.
     await reads(page, ".numbers", `starts at${bar(said.start_pressure_mpa)}`);
     await page.screenshot({ path: `${shots}/load-held-${name}.png` });
     await page.reload();
     await reads(page, ".stage .say", `and ${Number((100 * said.contraction).toPrecision(3))} %`);
-    assert.equal(await field(page, "Load F").inputValue(), "300");
+    await soon(async () => assert.equal(await field(page, "Load F").inputValue(), "300"));
     await page.getByRole("combobox", { name: "Held" }).selectOption("e");
-    assert.ok(await field(page, "Contraction ε").isVisible());
+    await soon(async () => assert.ok(await field(page, "Contraction ε").isVisible()));
     await context.close();
   });
 
@@ -247,7 +250,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.locator("tr.pick").first().click();
     await alive(page);
     await reads(page, PULL, "300");
-    assert.doesNotMatch(page.url(), /k=/);
+    await soon(async () => assert.doesNotMatch(page.url(), /k=/));
     await context.close();
   });
 
@@ -272,14 +275,14 @@ inBrowser(({ name, url, open, blank }) => {
       await type(page, "Contraction ε", "5 %");
       await type(page, "Contraction ε", text);
       await reads(page, PULL, asShown(ask("force", "-p", "2.5bar", "-e", "12%")));
-      assert.equal(await field(page, "Contraction ε").inputValue(), "12 %");
+      await soon(async () => assert.equal(await field(page, "Contraction ε").inputValue(), "12 %"));
       await page.waitForFunction((note) => document.querySelector(".state .note:not([hidden])")?.textContent === note || (!note && !document.querySelector(".state .note:not([hidden])")), note);
     }
-    assert.match(page.url(), /e=12%25/);
+    await soon(async () => assert.match(page.url(), /e=12%25/));
     // What stands in the field is not read again as something else.
     await type(page, "Contraction ε", "0.5 %");
     await field(page, "Contraction ε").press("Enter");
-    assert.match(page.url(), /e=0.5%25/);
+    await soon(async () => assert.match(page.url(), /e=0.5%25/));
     await page.goto(url() + "#design?F=700N&e=15");
     await page.getByText("15 without a unit was read as 15 %.").waitFor();
     await context.close();
@@ -303,17 +306,17 @@ inBrowser(({ name, url, open, blank }) => {
     await alive(page);
     await type(page, "Wall s", "40");
     await page.waitForSelector(".problem");
-    assert.ok(await page.locator(".stage.stale").count() && await page.locator(".numbers.stale").count() && await page.locator(".chart.stale").count());
-    const words = await page.locator(".problem").innerText();
-    assert.match(words, /wall is 40 mm, but the radius is 15 mm/i);
-    assert.equal(await field(page, "Wall s").getAttribute("aria-invalid"), "true");
-    assert.doesNotMatch(words, /tube\.|_mm|MPa/);
+    await soon(async () => assert.ok(await page.locator(".stage.stale").count() && await page.locator(".numbers.stale").count() && await page.locator(".chart.stale").count()));
+    const words = () => page.locator(".problem").innerText();
+    await soon(async () => assert.match(await words(), /wall is 40 mm, but the radius is 15 mm/i));
+    await soon(async () => assert.equal(await field(page, "Wall s").getAttribute("aria-invalid"), "true"));
+    assert.doesNotMatch(await words(), /tube\.|_mm|MPa/);
     await page.screenshot({ path: `${shots}/error-${name}.png` });
     await type(page, "Wall s", "3");
     await page.waitForFunction(() => !document.querySelector(".problem") && !document.querySelector(".stale"));
     await type(page, "Pressure p", "900");
     await page.waitForSelector(".problem", { timeout: 30_000 });
-    assert.doesNotMatch(await page.locator(".problem").innerText(), /MPa/);
+    await soon(async () => assert.doesNotMatch(await page.locator(".problem").innerText(), /MPa/));
     await context.close();
   });
 
@@ -369,7 +372,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.getByRole("progressbar").first().waitFor({ timeout: 20_000 });
     own.kill();
     await page.getByText("The computation engine stopped: the connection to the server was lost").waitFor({ timeout: 20_000 });
-    assert.equal(await page.getByRole("progressbar").count(), 0);
+    await soon(async () => assert.equal(await page.getByRole("progressbar").count(), 0));
     await context.close();
   });
 });

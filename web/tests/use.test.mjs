@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { meter } from "./browser.mjs";
+import { alive, meter } from "./browser.mjs";
 import { inBrowser, root } from "./sites.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -11,13 +11,12 @@ const MINUTES = Number(process.env.MINUTES ?? 0), ROUNDS = 2;
 const FILES = ["tondu2012.toml", "shop.toml"].map((name) => ({ name, text: readFileSync(`${root}examples/${name}`, "utf8") }));
 const VISITED = ["Design", "Joint", "Motion", "Sweep", "Data", "Compare", "Parts", "Files", "Muscle"];
 
-/** Until the page Muscle has a state: a server that is left in the middle of work may have to end it first. @param {Page} page */
-const alive = (page) => page.waitForFunction(() => /±|Slack/.test(document.querySelector(".stage .say b")?.textContent ?? ""),
-  undefined, { timeout: 120_000 });
+/** A server that is left in the middle of work may have to end it first. */
+const LONG = 120_000;
 /** @param {Page} page @param {string} where */
 async function go(page, where) {
   await page.getByRole("navigation").getByRole("link", { name: where, exact: true }).click();
-  await page.locator(`main[data-shown=${where.toLowerCase()}]`).waitFor({ timeout: 120_000 });
+  await page.locator(`main[data-shown=${where.toLowerCase()}]`).waitFor({ timeout: LONG });
 }
 /** A slider to and fro, and back to where it was. @param {Page} page @param {string} name */
 async function drag(page, name) {
@@ -41,13 +40,13 @@ const drop = (page, file) => page.evaluate(({ name, text }) => {
 inBrowser(({ open }) => {
   test(`${MINUTES ? `${MINUTES} minutes` : `${ROUNDS} rounds`} of use leave elements, listeners and memory as they were`, async () => {
     const { page, errors, context } = await open("#muscle");
-    await alive(page);
+    await alive(page, LONG);
     const complete = await meter(page);
     let rounds = 0;
     const round = async () => {
       await drop(page, FILES[rounds++ % FILES.length]);
       await page.waitForFunction(() => /file=/.test(location.hash));
-      await alive(page);
+      await alive(page, LONG);
       for (const name of ["Pressure", "Contraction", "Length"]) await drag(page, name);
       for (const where of VISITED) {
         await go(page, where);
@@ -55,7 +54,7 @@ inBrowser(({ open }) => {
       }
       await page.getByRole("button", { name: "Help" }).click();
       await page.keyboard.press("Escape");
-      await alive(page);
+      await alive(page, LONG);
     };
     // What is loaded and kept once: libraries, meshes, the last answers of long work.
     for (let i = 0; i < (MINUTES ? 4 : 2); i++) await round();

@@ -10,6 +10,7 @@ import { inWords } from "./words.js";
 /** Of the muscle of the page, at its pressure. @param {HTMLElement} box */
 export async function build(box) {
   box.replaceChildren(el("p", { class: "soft" }, "…"));
+  await muscle.ready;
   const request = { ...muscle.fields(), ...(muscle.p > 0 ? { pressure_mpa: muscle.p } : {}) };
   const answer = await engine().ask("build", request, { lane: "side" });
   const [at, proof] = [show("pressure", answer.pressure_mpa, 3), show("pressure", answer.proof_pressure_mpa, 3)];

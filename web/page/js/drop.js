@@ -1,12 +1,12 @@
 // Files that are dropped anywhere, or chosen: what each is follows from what it holds, and each goes to the page that
 // it belongs to.
-import { address } from "./address.js";
 import { headings } from "./columns.js";
-import { keepFile, wordsOf } from "./kept.js";
-import { pack } from "./deflate.js";
+import { ofFile } from "./joint-words.js";
+import { keepFile } from "./kept.js";
 import { measured } from "./measured.js";
 import { muscle } from "./muscle.js";
 import { notice, noticeProblem } from "./notice.js";
+import { visit } from "./visit.js";
 
 /** @typedef {"muscle" | "joint" | "drive" | "plan" | "data" | "rubber" | "project" | "other"} Kind */
 /** @typedef {{ name: string, text: string, kind: Kind }} Read */
@@ -38,18 +38,6 @@ export function kindOfFile(name, text) {
 const namedIn = (text) =>
   [...text.matchAll(/^[ \t]*(?:file|muscle)[ \t]*=[ \t]*"([^"]+)"/gm)].map((m) => m[1].split("/").pop() ?? "");
 
-/**
- * Goes to a page with words over the kept ones; the muscle goes along.
- * @param {string} page
- * @param {Record<string, string | undefined>} words
- */
-async function go(page, words) {
-  await Promise.all(Object.values(words).map((word) => pack(word ?? "")));
-  const to = address(page, { ...wordsOf(page), ...words, ...muscle.params() });
-  if (to === location.hash) window.dispatchEvent(new PopStateEvent("popstate", { state: history.state }));
-  else location.hash = to;
-}
-
 /** @param {Read[]} files */
 async function take(files) {
   const first = (/** @type {Kind} */ kind) => files.find((file) => file.kind === kind);
@@ -71,14 +59,14 @@ async function take(files) {
       lacks ? ` It names ${wanted[0]}, which was not among the files: the muscle of this page takes its place.` : ""
     }`,
   );
-  if (drive) return go("motion", { drive: drive.text });
+  if (drive) return visit("motion", { drive: drive.text });
   if (joint)
-    return go("joint", { joint: joint.text, r: undefined, range: undefined, e0: undefined, file2: second?.text });
+    return visit("joint", { ...ofFile, joint: joint.text, file2: second?.text });
   // Over the curves of the page Muscle they are at their place too.
-  if (data && document.body.dataset.page !== "muscle") return go("data", {});
-  if (plan) return go("formula", {});
-  if (rubber) return go("rubber", {});
-  return go("muscle", {});
+  if (data && document.body.dataset.page !== "muscle") return visit("data", {});
+  if (plan) return visit("formula", {});
+  if (rubber) return visit("rubber", {});
+  return visit("muscle", {});
 }
 
 /** @param {readonly File[]} files */

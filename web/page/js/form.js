@@ -3,6 +3,7 @@
 import { longWork, understood } from "./ask.js";
 import { capital, el, problemBox } from "./dom.js";
 import { isAbort, problemOf } from "./engine/problem.js";
+import { muscle } from "./muscle.js";
 import { expectation, meant, withUnit } from "./units.js";
 import { sketched } from "./sketch.js";
 import { inWords } from "./words.js";
@@ -220,12 +221,15 @@ export function job(label, command, request, take, fail) {
   const words = el("span", { class: "small soft" });
   const said = el("div", {});
   /** @type {AbortController | undefined} */ let ends;
+  let runs = 0;
   async function run() {
+    const newest = ++runs;
     ends?.abort();
+    await muscle.ready;
     const asked = await request().catch((problem) => {
       said.replaceChildren(problemBox(problem));
     });
-    if (!asked) return;
+    if (!asked || newest !== runs) return;
     const mine = (ends = new AbortController());
     said.replaceChildren();
     words.textContent = "";

@@ -33,11 +33,12 @@ function walk(text, each) {
 /**
  * Texts of what a joint file states, by the page's keys.
  * @param {string} text
- * @returns {{ r?: string, range?: string, e0?: string }}
+ * @returns {{ r?: string, range?: string, e0?: string, mass?: string, centre?: string, inertia?: string }}
  */
 export function stated(text) {
   const of = lines(text);
-  return { r: of.get("joint.radius"), range: of.get("joint.range"), e0: of.get("muscle_1.contraction_at_neutral") };
+  return { r: of.get("joint.radius"), range: of.get("joint.range"), e0: of.get("muscle_1.contraction_at_neutral"),
+    mass: of.get("link.mass"), centre: of.get("link.centre"), inertia: of.get("joint.inertia") };
 }
 
 /** Whether it has a second muscle. @param {string} text */
@@ -48,15 +49,21 @@ export const isOpposed = (text) => /^\s*\[\s*muscle_2\s*\]/m.test(text);
  * @param {string} text the joint file
  * @param {string} file the muscle's
  * @param {string} second the other's; empty where it is the same
- * @param {{ r?: number, low?: number, high?: number, e0?: number }} over in mm, degrees, ratio
+ * @param {{ r?: number, low?: number, high?: number, e0?: number, mass?: number, centre?: number,
+ *   inertia?: number }} over in mm, degrees, ratio, kg, kg m²; of what the file states
  */
-export function jointOfFile(text, file, second, { r, low, high, e0 }) {
+export function jointOfFile(text, file, second, { r, low, high, e0, mass, centre, inertia }) {
   const other = second ? "muscle-2.toml" : "muscle.toml";
+  const said = (/** @type {number | undefined} */ value, /** @type {string} */ unit) =>
+    value === undefined ? undefined : `${value} ${unit}`;
   /** @type {Record<string, string | undefined>} */
   const put = {
     "muscle_1.file": "muscle.toml",
     "muscle_2.file": other,
-    "joint.radius": r === undefined ? undefined : `${r} mm`,
+    "joint.radius": said(r, "mm"),
+    "joint.inertia": said(inertia, "kg m2"),
+    "link.mass": said(mass, "kg"),
+    "link.centre": said(centre, "mm"),
     "joint.range": low === undefined || high === undefined ? undefined : `${low}..${high} deg`,
     "muscle_1.contraction_at_neutral": e0 === undefined ? undefined : String(e0),
     "muscle_2.contraction_at_neutral": e0 === undefined ? undefined : String(e0),

@@ -42,6 +42,8 @@ export class MuscleState {
     this.wrong = new Map();
     /** @type {{ of: string, file: Promise<string> } | undefined} */
     this.written = undefined;
+    /** Until the address is read: a question before that would be about another muscle. @type {Promise<unknown>} */
+    this.ready = Promise.resolve();
   }
 
   get state() {
@@ -136,6 +138,7 @@ export class MuscleState {
 
   /** The muscle file with its name, for people to keep. */
   async toml() {
+    await this.ready;
     return named(await this.file(), this.name);
   }
 
@@ -173,7 +176,13 @@ export class MuscleState {
   /**
    * From an address; keys that the page `own`s are not unknown. @param {URLSearchParams} params @param {string[]} own
    */
-  async read(params, own = []) {
+  read(params, own = []) {
+    const read = this.#read(params, own);
+    this.ready = read.catch(() => {});
+    return read;
+  }
+  /** @param {URLSearchParams} params @param {string[]} own */
+  async #read(params, own) {
     unitsFromAddress(params.get("u") ?? "");
     const [readings] = await Promise.all([understood(texts(params).map(({ text, kind }) => ({ text, kind }))),
       this.known()]);

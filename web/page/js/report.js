@@ -51,7 +51,8 @@ export function withPixels(html) {
       restRadius: shape.muscle.outer_diameter_mm / 2 });
     view.draw(true);
     // What was drawn is there until this task ends.
-    const picture = `<img alt="The deformed muscle" style="width:100%" src="${view.canvas.toDataURL("image/png")}">`;
+    const pixels = view.canvas.toDataURL("image/webp", 0.8);
+    const picture = `<img alt="The deformed muscle" style="width:100%" src="${pixels}">`;
     return html.replace(still, () => picture);
   } finally {
     view.destroy();

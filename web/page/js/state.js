@@ -247,11 +247,14 @@ export const keys = () => [...MEASURES, ...POINT].map(({ key }) => key).concat(N
  * A joint with this muscle against itself or another one.
  * @param {string} file the muscle's
  * @param {string} second file of the other one; empty where it is the same
- * @param {{ r: number, low: number, high: number, e0: number }} of mm, degrees, ratio
+ * @param {{ r: number, low: number, high: number, e0: number, mass?: number, centre?: number,
+ *   inertia?: number }} of mm, degrees, ratio, kg, kg m²; the arm hangs at the neutral angle
  */
-export function joint(file, second, { r, low, high, e0 }) {
+export function joint(file, second, { r, low, high, e0, mass = 0, centre = 0, inertia = 0 }) {
   const other = second ? "muscle-2.toml" : "muscle.toml";
-  const text = `[joint]\nradius = "${r} mm"\nrange = "${low}..${high} deg"\n[muscle_1]\nfile = "muscle.toml"\n`
+  const arm = mass > 0 ? `[link]\nmass = "${mass} kg"\ncentre = "${centre} mm"\ninclination = "-90 deg"\n` : "";
+  const text = `[joint]\nradius = "${r} mm"\nrange = "${low}..${high} deg"\n`
+    + `${inertia > 0 ? `inertia = "${inertia} kg m2"\n` : ""}${arm}[muscle_1]\nfile = "muscle.toml"\n`
     + `contraction_at_neutral = "${e0}"\n[muscle_2]\nfile = "${other}"\ncontraction_at_neutral = "${e0}"\n`;
   return { joint: { name: "joint.toml", text },
     muscles: [{ name: "muscle.toml", text: file }, ...(second ? [{ name: other, text: second }] : [])] };

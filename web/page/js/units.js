@@ -28,6 +28,7 @@ const CHOICES = {
   time: ["s", "ms"],
   compliance: ["mm/N", "mm/kN", "in/lbf"],
   damping: ["N s/m", "N s/mm"],
+  inertia: ["kg m2"],
 };
 /** @type {Record<string, string>} */
 const chosen = Object.fromEntries(Object.entries(CHOICES).map(([kind, list]) => [kind, list[0]]));

@@ -2,7 +2,7 @@
 
 use crate::burst::PressureLimits;
 use crate::muscle::MuscleSummary;
-use mckibben::joint::JointMap;
+use mckibben::joint::{JointMap, ShutStiffness};
 use mckibben::uncertainty::UncertaintyParts;
 use mckibben::warning::Warning;
 use mckibben_report::Figure;
@@ -35,6 +35,9 @@ pub struct JointRow {
     pub torque_turning_minus_nm: Option<f64>,
     /// −dτ/dφ at these pressures, N m/rad.
     pub stiffness_nm_per_rad: f64,
+    /// −dτ/dφ with the valves shut.
+    #[serde(flatten)]
+    pub shut: ShutStiffness,
     /// 95 % half-width of the stiffness, N m/rad.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stiffness_uncertainty_nm_per_rad: Option<f64>,

@@ -294,6 +294,7 @@ impl Asked<'_> {
             torque_turning_plus_nm: plus,
             torque_turning_minus_nm: minus,
             stiffness_nm_per_rad: point.stiffness_nm_per_rad,
+            shut: point.shut,
             stiffness_uncertainty_nm_per_rad: point.stiffness_uncertainty_nm_per_rad,
             rest,
             force_1_n: first.map_or(0.0, |m| response(m).force_n),

@@ -1,7 +1,7 @@
 //! Which angles and stiffnesses a joint reaches.
 
 use super::model::Fixed;
-use super::{JointError, JointModel, Rest, Turning};
+use super::{JointError, JointModel, Rest, ShutStiffness, Turning};
 use crate::model::{Interval, ModelError, Quantity, Workspace};
 use crate::progress::Progress;
 use crate::threads::Threads;
@@ -27,6 +27,9 @@ pub struct MapPoint {
     pub angle_deg: f64,
     /// −dτ/dφ there in N m/rad.
     pub stiffness_nm_per_rad: f64,
+    /// −dτ/dφ there with the valves shut.
+    #[serde(flatten)]
+    pub shut: ShutStiffness,
     /// Whether the joint leans on a limit of its range.
     pub at_limit: bool,
 }
@@ -151,26 +154,27 @@ impl JointModel<'_> {
         let (low, high) = (low.to_radians(), high.to_radians());
         let mut angle = near_deg.unwrap_or(0.0).to_radians().clamp(low, high);
         let pressures_mpa = fixed.pressures_mpa.clone();
-        let point = |angle: f64, slope: f64, at_limit: bool| MapPoint {
+        let point = |angle: f64, slope: f64, shut: ShutStiffness, at_limit: bool| MapPoint {
             pressures_mpa: pressures_mpa.clone(),
             angle_deg: angle.to_degrees(),
             stiffness_nm_per_rad: -slope,
+            shut: shut.over(-slope),
             at_limit,
         };
         let mut before: Option<(f64, f64)> = None;
         for _ in 0..STEPS {
-            let (torque, slope) = self.torque(fixed, angle)?;
+            let (torque, slope, shut) = self.torque(fixed, angle)?;
             if slope >= 0.0 {
                 break;
             }
             let next = angle - torque / slope;
             if (next >= high && angle == high) || (next <= low && angle == low) {
-                return Ok(Some(point(angle, slope, true)));
+                return Ok(Some(point(angle, slope, shut, true)));
             }
             let curvature = before.map(|(at, was)| (slope - was) / (angle - at));
             if (next - angle).abs() < if curvature.is_some() { SMALL } else { SMALL_FIRST } {
                 let slope = slope + curvature.unwrap_or(0.0) * (next - angle);
-                return Ok(Some(point(next, slope, false)));
+                return Ok(Some(point(next, slope, shut, false)));
             }
             before = Some((angle, slope));
             angle = next.clamp(low, high);
@@ -186,8 +190,8 @@ impl JointModel<'_> {
             return Ok(None);
         }
         let angle = rest.angle_deg().to_radians();
-        let slope = self.torque(fixed, angle)?.1;
-        Ok(Some(point(angle, slope, matches!(rest, Rest::Limit { .. }))))
+        let (_, slope, shut) = self.torque(fixed, angle)?;
+        Ok(Some(point(angle, slope, shut, matches!(rest, Rest::Limit { .. }))))
     }
 
     fn torques(&self, max_mpa: f64, progress: &dyn Progress) -> Result<Vec<(f64, f64, f64)>, JointError> {

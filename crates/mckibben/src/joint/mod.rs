@@ -14,6 +14,7 @@ mod map;
 mod model;
 mod path;
 mod rest;
+mod shut;
 mod sought;
 #[cfg(test)]
 mod tests;
@@ -27,6 +28,7 @@ pub use map::{JointMap, MapPoint};
 pub use model::{JointModel, JointPoint, MuscleState, Turning};
 pub use path::{Path, Shortening};
 pub use rest::Rest;
+pub use shut::ShutStiffness;
 
 use crate::load::GRAVITY_M_PER_S2;
 use crate::muscle::Muscle;

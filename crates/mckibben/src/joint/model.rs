@@ -1,6 +1,6 @@
 //! Torque and stiffness at pressures and an angle.
 
-use super::{Joint, JointError};
+use super::{Joint, JointError, ShutStiffness};
 use crate::analysis::{
     AnalysisError, Options, free_contraction, response_on, start_pressure_mpa, stiffness_of,
 };
@@ -57,6 +57,8 @@ pub struct JointPoint {
     pub torque_nm: f64,
     /// −dτ/dφ in N m/rad at these pressures.
     pub stiffness_nm_per_rad: f64,
+    /// −dτ/dφ with the valves shut.
+    pub shut: ShutStiffness,
     /// 95 % half-width of the torque in N m.
     pub uncertainty_nm: Option<f64>,
     /// Its parts in N m.
@@ -191,6 +193,7 @@ impl<'m> JointModel<'m> {
         let angle = angle_deg.to_radians();
         let (mut torque, slope) = self.joint.passive_nm(angle);
         let mut stiffness = -slope;
+        let mut shut = ShutStiffness::NONE;
         let mut muscles = vec![];
         for (i, workspace) in workspaces.iter_mut().enumerate().take(self.models.len()) {
             let Some((contraction, s)) = self.joint.contraction(i, angle) else { break };
@@ -202,6 +205,7 @@ impl<'m> JointModel<'m> {
             let k = if answer.slack {
                 0.0
             } else {
+                shut.add(&answer.response, model.muscle().length_mm(), s.arm_mm);
                 stiffness_of(model, workspace, &answer.response, options.direction)
                     .map_err(JointError::model(i))?
             };
@@ -215,6 +219,7 @@ impl<'m> JointModel<'m> {
             pressures_mpa: pressures_mpa.to_vec(),
             torque_nm: torque,
             stiffness_nm_per_rad: stiffness,
+            shut: shut.over(stiffness),
             uncertainty_nm: parts.map(|p| p.total()),
             uncertainty_parts_nm: parts,
             stiffness_uncertainty_nm_per_rad: self.stiffness_uncertainty(&muscles),
@@ -258,9 +263,14 @@ impl<'m> JointModel<'m> {
         }
     }
 
-    /// (τ in N m, dτ/dφ) at fixed pressures.
-    pub(super) fn torque(&self, fixed: &mut Fixed<'_>, angle: f64) -> Result<(f64, f64), JointError> {
+    /// (τ in N m, dτ/dφ, what shut valves add to −dτ/dφ) at fixed pressures.
+    pub(super) fn torque(
+        &self,
+        fixed: &mut Fixed<'_>,
+        angle: f64,
+    ) -> Result<(f64, f64, ShutStiffness), JointError> {
         let (mut torque, mut slope) = self.joint.passive_nm(angle);
+        let mut shut = ShutStiffness::NONE;
         for i in 0..self.models.len() {
             let Some((contraction, s)) = self.joint.contraction(i, angle) else { break };
             let direction = fixed.turning.branch(s.arm_mm);
@@ -276,7 +286,8 @@ impl<'m> JointModel<'m> {
             let k = stiffness_of(self.models[i], workspace, &r, direction).map_err(JointError::model(i))?;
             torque += 1e-3 * r.force_n * s.arm_mm;
             slope += 1e-3 * (r.force_n * s.arm_by_angle_mm - k * s.arm_mm * s.arm_mm);
+            shut.add(&r, self.models[i].muscle().length_mm(), s.arm_mm);
         }
-        Ok((torque, slope))
+        Ok((torque, slope, shut))
     }
 }

@@ -303,3 +303,39 @@ fn files_say_where_they_are_wrong() {
         assert!(error.contains(said), "{text}: {error}");
     }
 }
+
+/// By central differences of the torque along p Vⁿ = const, each pressure found from the model's own volume by bisection.
+#[test]
+fn shut_valves_have_the_slope_of_the_torque_at_constant_mass_of_air() {
+    let joint = antagonists();
+    for kind in [ModelKind::ThickWall, ModelKind::Universal] {
+        let models = models(&joint, kind);
+        let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
+        let (pressures, angle) = ([0.22, 0.13], 7.0);
+        let point = model.at(w, &pressures, angle, Turning::Mean).unwrap();
+        for (n, said) in [(1.0, point.shut.isothermal_nm_per_rad), (1.4, point.shut.adiabatic_nm_per_rad)] {
+            let mut torque = |step: f64| {
+                let mut shut = pressures;
+                for (i, p) in shut.iter_mut().enumerate() {
+                    let e = |deg: f64| joint.contraction(i, deg.to_radians()).unwrap().0;
+                    let mut content = |p: f64, deg: f64| {
+                        let v = models[i].response(&mut w[i], p, e(deg)).unwrap().volume_mm3.unwrap();
+                        (p + crate::analysis::ATMOSPHERE_MPA) * v.powf(n)
+                    };
+                    let (wanted, mut low, mut high) = (content(*p, angle), *p - 0.02, *p + 0.02);
+                    for _ in 0..60 {
+                        let middle = 0.5 * (low + high);
+                        if content(middle, angle + step) < wanted { low = middle } else { high = middle }
+                    }
+                    *p = low;
+                }
+                model.at(w, &shut, angle + step, Turning::Mean).unwrap().torque_nm
+            };
+            let slope = -(torque(0.01) - torque(-0.01)) / 0.02_f64.to_radians();
+            let said = said.unwrap();
+            // Halves of the step differ by less than 1e-8; the torques are found to 1e-10.
+            assert!((said / slope - 1.0).abs() < 1e-5, "{kind:?}, n = {n}: {said} for {slope}");
+            assert!(said > point.stiffness_nm_per_rad + 1.0);
+        }
+    }
+}

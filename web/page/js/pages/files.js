@@ -129,7 +129,7 @@ function elementsCard(place) {
       filesView([...(answer.files ?? []), ...deck], fileName(muscle.name, `-${state.model}`)));
   });
   const about = "The deformed muscle at the present pressure and contraction for ParaView (VTU). fe3d also writes the "
-    + "input deck of the test for CalculiX and Abaqus; it takes about a minute.";
+    + "input deck of the test for CalculiX and Abaqus.";
   return { job: go, state, pick, element: card("Finite elements", about, pick.element, go.element, done) };
 }
 

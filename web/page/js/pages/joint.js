@@ -1,40 +1,30 @@
 // A joint with two of this muscle against each other: pressures by dragging the arm, torques, and what it reaches.
-import { Slot, understood } from "../ask.js";
+import { Slot } from "../ask.js";
 import { address, write } from "../address.js";
 import { Chart } from "../chart.js";
 import { fileField, quantity } from "../controls.js";
 import { pack } from "../deflate.js";
 import { el, problemBox } from "../dom.js";
 import { job, warnings } from "../form.js";
-import { jointOfFile, stated } from "../joint-file.js";
 import { jointDrawing } from "../joint-drawing.js";
 import { angleAt, numbersView, reachChart, torqueChart } from "../joint-view.js";
+import { FILES, JointWords, KEYS, KINDS_OF, RANGE } from "../joint-words.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
-import { joint } from "../state.js";
-import { onUnits, typed } from "../units.js";
+import { angles, drive } from "../trajectory.js";
+import { onUnits } from "../units.js";
+import { visit } from "../visit.js";
 
 /** @typedef {import("../joint-view.js").Answer} Answer */
 /** @typedef {import("../joint-view.js").Family} Family */
 /** @typedef {import("../engine/problem.js").Problem} Problem */
 /** @typedef {import("../../../types/commands").Commands["joint"]["request"]} Request */
-/** Words of the address, and what kind of quantity each is; `k` is that of the muscle's strands. */
-const KINDS_OF =
-  /** @type {const} */ ({ r: "length", low: "angle", high: "angle", e0: "ratio", phi: "angle", K: "angular-stiffness",
-    pmax: "pressure" });
-const USUAL = { r: 25, low: -60, high: 60, e0: 0.12, phi: 20, K: 5, pmax: 0.5 };
-/** @typedef {keyof typeof KINDS_OF} Key */
-const KEYS = /** @type {Key[]} */ (Object.keys(KINDS_OF));
-/** Files of the address: of the joint, and of muscle 2 where it is another one. */
-const FILES = /** @type {const} */ (["joint", "file2"]);
-/** What a joint file states too. */
-const IN_FILE = /** @type {const} */ (["r", "low", "high", "e0"]);
-/** Both limits in one word, as joint files and links of before have them. */
-const RANGE = "range";
+/** @typedef {import("../joint-words.js").Key} Key */
+/** @typedef {import("../joint-words.js").Values} Values */
 
 /**
  * The controls.
- * @param {typeof USUAL} v
+ * @param {Values} v
  * @param {{ changed: (key: Key, settled: boolean) => void, takeSecond: (text: string) => void, takeJoint: (text:
  *   string) => void }} act
  */
@@ -63,7 +53,9 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
     el("fieldset", {}, el("legend", {}, "Joint"), make("r", "Radius of the pulley", 5, 80, "r"),
       make("low", "Range from", -150, 0),
       make("high", "Range to", 0, 150), make("e0", "Contraction at the neutral angle", 0, 0.25),
-      make("pmax", "Pressure of the supply", 0.05, 1)), which,
+      make("pmax", "Pressure of the supply", 0.05, 1)),
+    el("fieldset", {}, el("legend", {}, "Arm"), make("mass", "Mass of the arm", 0, 5),
+      make("centre", "Centre of mass from the axis", 10, 400), make("inertia", "Moment of inertia", 0.001, 0.2)), which,
     el("details", {}, el("summary", {}, "Another muscle 2"),
       el("p", { class: "small soft" }, "Both muscles are that of the page Muscle, unless you open a file."),
       fileField("Open muscle 2 (TOML)", ".toml", (_, text) => takeSecond(text)), back),
@@ -83,6 +75,25 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
       which.textContent = `The muscle: ${muscle.line()}. Change it on the page Muscle.`;
     },
   };
+}
+
+/**
+ * A move from the angle of the page to another one, played on the page Motion.
+ * @param {Values} v @param {(angles: number[]) => Request | undefined} question
+ */
+function moveBox(v, question) {
+  const to = { angle: -20, seconds: 1 };
+  const field = (/** @type {"angle" | "seconds"} */ key, /** @type {string} */ label,
+    /** @type {import("../units.js").Kind} */ kind, /** @type {number} */ low, /** @type {number} */ high) =>
+    quantity({ label, kind, low, high, value: to[key], change(value) {
+      if (value !== undefined) to[key] = value;
+    } }).element;
+  const play = job("Play in Motion", "joint", async () => question(angles(v.phi, to.angle)), ({ points }) => {
+    visit("motion", { drive: drive(points, to.seconds, v.pmax) });
+  });
+  const about = "From the angle above at the required stiffness. Motion shows how valves and arm follow.";
+  return { job: play, element: el("details", {}, el("summary", {}, "Move the arm"),
+    el("p", { class: "small soft" }, about), field("angle", "Move to", "angle", -60, 60), field("seconds", "Within", "time", 0.1, 5), play.element) };
 }
 
 /**
@@ -108,6 +119,10 @@ function turning(arm, turned) {
   });
 }
 
+/** Pressures at angles, with the stiffness that the page asks for. @param {Values} v @param {number[]} list */
+const wanted = (v, list) => ({ angles_deg: list, max_pressure_mpa: v.pmax,
+  ...(v.K > 0 ? { stiffness_nm_per_rad: v.K } : {}) });
+
 /**
  * Questions about a joint: a point, by formulas while one drags and by finite elements at rest, and its family of
  * torques.
@@ -117,11 +132,10 @@ function questions({ take, fail, family }) {
   let settling = 0, asking = 0, decided = 0;
   const point = new Slot(), elements = new Slot(), curves = new Slot();
   return {
-    /** @param {Request} request @param {typeof USUAL} v @param {boolean} settled */
+    /** @param {Request} request @param {Values} v @param {boolean} settled */
     ask(request, v, settled) {
-      const mine = ++asking,
-        wanted = { angles_deg: [v.phi], max_pressure_mpa: v.pmax, ...(v.K > 0 ? { stiffness_nm_per_rad: v.K } : {}) };
-      point.ask("joint", { ...request, ...wanted }, (answer) => {
+      const mine = ++asking, at = wanted(v, [v.phi]);
+      point.ask("joint", { ...request, ...at }, (answer) => {
         if (decided !== mine) take(answer);
       }, (problem) => {
         if (decided !== mine) fail(problem);
@@ -130,7 +144,7 @@ function questions({ take, fail, family }) {
       clearTimeout(settling);
       elements.end();
       const last = () =>
-        elements.ask("joint", { ...request, model: "fe", extrapolate: false, ...wanted }, (answer) => {
+        elements.ask("joint", { ...request, model: "fe", extrapolate: false, ...at }, (answer) => {
           decided = mine;
           take(answer);
         }, (problem) => {
@@ -151,9 +165,7 @@ function questions({ take, fail, family }) {
 }
 
 class JointPage {
-  files = { joint: "", file2: "" };
-  v = { ...USUAL };
-  /** What was typed over the joint file. @type {Set<string>} */ over = new Set();
+  joint = new JointWords();
   /** @type {import("../joint-view.js").Point | undefined} */ #point;
   /** @type {Family | undefined} */ #family;
   /** @type {Answer["map"]} */ #reached;
@@ -165,9 +177,9 @@ class JointPage {
     this.arm = el("div", { class: "stage", role: "img", "aria-label": "The joint" });
     this.numbers = el("section", { class: "numbers", "aria-label": "Numbers" });
     this.said = el("div", {});
-    this.bench = controlsOf(this.v, {
+    this.bench = controlsOf(this.joint.v, {
       changed: (key, settled) => {
-        this.over.add(key);
+        this.joint.over.add(key);
         this.#ask(settled);
       },
       takeSecond: (text) => this.#takeSecond(text),
@@ -176,7 +188,7 @@ class JointPage {
     this.torque = new Chart("joint-torque", { tools: el("h2", {}, "Torque over the angle"),
       drag: (x, _, settled) => this.#turned(x, settled) });
     this.reach = new Chart("joint-map", { tools: el("h2", {}, "Reachable stiffness") });
-    const question = async () => ({ ...this.#request(), map: 25, max_pressure_mpa: this.v.pmax });
+    const question = async () => ({ ...this.#request(), map: 25, max_pressure_mpa: this.joint.v.pmax });
     this.map = job("Map of the reachable states", "joint", question, ({ map }) => this.#mapped(map));
     this.asks = questions({
       take: (answer) => this.#take(answer),
@@ -186,6 +198,9 @@ class JointPage {
         this.torque.show(torqueChart(family, this.#point));
       },
     });
+    const { v } = this.joint;
+    this.move = moveBox(v, (list) => ({ ...this.joint.request(this.#first), ...wanted(v, list) }));
+    this.bench.element.append(this.move.element);
     const charts = el("div", { class: "charts" }, this.torque.element, this.reach.element);
     main.replaceChildren(el("div", { class: "bench" }, this.bench.element,
       el("div", { class: "middle" }, this.arm, charts, this.map.element),
@@ -201,49 +216,39 @@ class JointPage {
   /** @param {string} text a muscle file */
   async #takeSecond(text) {
     await pack(text);
-    this.files.file2 = text;
-    this.bench.show(this.files);
+    this.joint.files.file2 = text;
+    this.bench.show(this.joint.files);
     this.#ask(true);
   }
   /** @param {string} text a joint file */
   async #takeJoint(text) {
     await pack(text);
-    this.files.joint = text;
-    this.over = new Set();
-    await this.#fromFile();
-    this.bench.show(this.files);
+    this.joint.files.joint = text;
+    this.joint.over = new Set();
+    await this.joint.fromFile();
+    this.#set();
+    this.bench.show(this.joint.files);
     this.#ask(true);
     this.map.run();
   }
   /** @param {number} angle @param {boolean} settled */
   #turned(angle, settled) {
-    const { v } = this;
+    const { v } = this.joint;
     v.phi = Math.max(v.low, Math.min(v.high, Math.round(angle)));
     this.bench.controls.phi.set(v.phi);
     this.#ask(settled);
   }
 
-  #request() {
-    const { files, over, v } = this, first = this.#first;
-    // One limit alone is no range.
-    const ends = over.has("low") || over.has("high") ? [v.low, v.high] : [undefined, undefined];
-    const own = (/** @type {"r" | "e0"} */ key) => (over.has(key) ? v[key] : undefined);
-    const put = { r: own("r"), low: ends[0], high: ends[1], e0: own("e0") };
-    const of = files.joint ? jointOfFile(files.joint, first, files.file2, put) : joint(first, files.file2, v);
-    return { ...of, model: "universal", extrapolate: true };
-  }
+  #request() { return { ...this.joint.request(this.#first), model: "universal", extrapolate: true }; }
   /** @param {boolean} settled */
   #ask(settled) {
-    this.bench.controls.phi.reach(this.v.low, this.v.high);
-    this.asks.ask(this.#request(), this.v, settled);
+    const { v } = this.joint;
+    this.bench.controls.phi.reach(v.low, v.high);
+    this.asks.ask(this.#request(), v, settled);
     if (settled) this.#place();
   }
-  /** What a joint file states is not in the address twice. */
   #place(replace = false) {
-    const { files, over, v } = this, inFile = /** @type {readonly string[]} */ (IN_FILE);
-    const said = KEYS.filter((key) => !files.joint || !inFile.includes(key) || over.has(key));
-    const own = Object.fromEntries(said.map((key) => [key, typed(KINDS_OF[key], v[key])]));
-    write(address("joint", { ...muscle.params(), ...own, ...files }), replace);
+    write(address("joint", { ...muscle.params(), ...this.joint.words() }), replace);
   }
 
   /** @param {Answer} answer */
@@ -268,63 +273,26 @@ class JointPage {
   #stale(on) { [this.arm, this.numbers].forEach((part) => part.classList.toggle("stale", on)); }
   #drawArm() {
     const { length_mm: length = 285, outer_diameter_mm: diameter = 30, angle_deg: angle = 28 } = muscle.shown ?? {};
-    const { v } = this, point = this.#point;
+    const { v } = this.joint, point = this.#point;
     const drawing = jointDrawing(point, point?.angle_deg ?? v.phi, v.pmax, { ...v, length, diameter, angle });
     this.arm.innerHTML = drawing;
   }
   #paint() {
     const point = this.#point;
-    const which = this.files.file2 ? "Muscle 2 is that of its file." : "Both muscles are those of the page Muscle.";
+    const which = this.joint.files.file2 ? "Muscle 2 is that of its file." : "Both muscles are those of the page Muscle.";
     this.#drawArm();
     if (this.#family) this.torque.show(torqueChart(this.#family, point));
     this.numbers.replaceChildren(...(point ? numbersView(point, which) : []));
   }
 
-  /** Values that the joint file states. */
-  async #fromFile() {
-    const own = IN_FILE.filter((key) => !this.over.has(key));
-    Object.assign(this.v, Object.fromEntries(own.map((key) => [key, USUAL[key]])));
-    const of = this.files.joint ? stated(this.files.joint) : {};
-    const texts = /** @type {[Key, string | undefined][]} */ ([["r", of.r], ["e0", of.e0]]);
-    await this.#limits(of.range);
-    await this.#readInto(texts.flatMap(([key, text]) => (text && !this.over.has(key) ? [[key, text]] : [])));
-  }
-  /** Both limits, where neither is typed. @param {string | null | undefined} text */
-  async #limits(text) {
-    if (!text || this.over.has("low") || this.over.has("high")) return;
-    const [{ values = [], value }] = await understood([{ text, kind: "angle", list: text.includes("..") }]);
-    const ends = value === undefined ? values : [-value, value];
-    if (ends.length) [this.v.low, this.v.high] = [Math.min(...ends), Math.max(...ends)];
-  }
-  /** @param {[Key, string][]} texts */
-  async #readInto(texts) {
-    const list = texts.map(([key, text]) => ({ text, kind: KINDS_OF[key] }));
-    const readings = await understood(list);
-    texts.forEach(([key], i) => {
-      const { value } = readings[i];
-      if (value !== undefined) this.v[key] = value;
-    });
-    for (const key of KEYS) this.bench.controls[key].set(this.v[key]);
-  }
+  #set() { for (const key of KEYS) this.bench.controls[key].set(this.joint.v[key]); }
 
   /** @param {URLSearchParams} params */
   async load(params) {
-    // Links of before have the stiffness of the joint under the name of that of the strands.
-    if (/rad/.test(params.get("k") ?? "")) {
-      params.set("K", params.get("k") ?? "");
-      params.delete("k");
-    }
+    await this.joint.read(params);
     await muscle.read(params, [...KEYS, ...FILES, RANGE]);
-    for (const key of FILES) this.files[key] = params.get(key) ?? "";
-    this.over = new Set(KEYS.filter((key) => params.has(key)));
-    Object.assign(this.v, USUAL);
-    await this.#fromFile();
-    if (params.has(RANGE)) {
-      await this.#limits(params.get(RANGE));
-      for (const key of /** @type {const} */ (["low", "high"])) this.over.add(key);
-    }
-    await this.#readInto(KEYS.filter((key) => params.has(key)).map((key) => [key, params.get(key) ?? ""]));
-    this.bench.show(this.files);
+    this.#set();
+    this.bench.show(this.joint.files);
     try {
       this.#first = await muscle.file();
     } catch (problem) {
@@ -337,6 +305,7 @@ class JointPage {
   unmount() {
     this.asks.end();
     this.map.end();
+    this.move.job.end();
   }
 }
 

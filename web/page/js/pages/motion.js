@@ -7,12 +7,12 @@ import { pack } from "../deflate.js";
 import { el, problemBox } from "../dom.js";
 import { form, job, warnings } from "../form.js";
 import { example } from "../gallery.js";
-import { jointOfFile } from "../joint-file.js";
+import { JointWords } from "../joint-words.js";
 import { wordsOf } from "../kept.js";
 import { atEnd, held } from "../life.js";
 import { figures, pressureChart, stateAt, stateLine, wayChart } from "../motion-view.js";
 import { muscle } from "../muscle.js";
-import { joint, motion } from "../state.js";
+import { motion } from "../state.js";
 import { onUnits } from "../units.js";
 import { View, reach } from "../view3d.js";
 
@@ -35,15 +35,15 @@ const STEP_KEYS = STEP.map(({ key }) => key).filter((key) => key !== "model");
  * @param {string} file
  * @param {string | undefined} model
  */
-function driven(text, file, model) {
+async function driven(text, file, model) {
   const drive = { name: "drive.toml", text }, ofJoint = /^\s*joint\s*=/m.test(text);
   if (!ofJoint) {
     const [, name = "muscle.toml"] = /^\s*muscle\s*=\s*"([^"]+)"/m.exec(text) ?? [];
     return { drive, muscle: { name, text: file }, model };
   }
-  const { joint: own, file2 = "" } = wordsOf("joint");
-  const usual = { r: 25, low: -60, high: 60, e0: 0.12 };
-  return { drive, ...(own ? jointOfFile(own, file, file2, {}) : joint(file, file2, usual)), model };
+  const joint = new JointWords();
+  await joint.read(new URLSearchParams(wordsOf("joint")));
+  return { drive, ...joint.request(file), model };
 }
 
 /** The muscle in space at every time of a run, and the time that is shown. */

@@ -1,0 +1,91 @@
+// The joint of an address: its values, its files and what was typed over them. The pages Joint and Motion ask about it.
+import { understood } from "./ask.js";
+import { jointOfFile, stated } from "./joint-file.js";
+import { joint } from "./state.js";
+import { typed } from "./units.js";
+
+/** Words of the address, and what kind of quantity each is; `k` is that of the muscle's strands. */
+export const KINDS_OF =
+  /** @type {const} */ ({ r: "length", low: "angle", high: "angle", e0: "ratio", phi: "angle", K: "angular-stiffness",
+    pmax: "pressure", mass: "mass", centre: "length", inertia: "inertia" });
+const USUAL = { r: 25, low: -60, high: 60, e0: 0.12, phi: 20, K: 5, pmax: 0.5, mass: 0, centre: 150, inertia: 0.03 };
+/** @typedef {keyof typeof KINDS_OF} Key */
+/** @typedef {typeof USUAL} Values in mm, degrees, ratio, N m/rad, MPa, kg, kg m² */
+export const KEYS = /** @type {Key[]} */ (Object.keys(KINDS_OF));
+/** Files of the address: of the joint, and of muscle 2 where it is another one. */
+export const FILES = /** @type {const} */ (["joint", "file2"]);
+/** What a joint file states too. */
+const IN_FILE = /** @type {const} */ (["r", "low", "high", "e0", "mass", "centre", "inertia"]);
+/** No words beside a joint file: it states them. */
+export const ofFile = Object.fromEntries([...IN_FILE, "range"].map((key) => [key, undefined]));
+/** Both limits in one word, as joint files and links of before have them. */
+export const RANGE = "range";
+
+export class JointWords {
+  files = { joint: "", file2: "" };
+  v = { ...USUAL };
+  /** What was typed over the joint file. @type {Set<string>} */ over = new Set();
+
+  /** @param {URLSearchParams} params */
+  async read(params) {
+    // Links of before have the stiffness of the joint under the name of that of the strands.
+    if (/rad/.test(params.get("k") ?? "")) {
+      params.set("K", params.get("k") ?? "");
+      params.delete("k");
+    }
+    for (const key of FILES) this.files[key] = params.get(key) ?? "";
+    this.over = new Set(KEYS.filter((key) => params.has(key)));
+    Object.assign(this.v, USUAL);
+    await this.fromFile();
+    if (params.has(RANGE)) {
+      await this.#limits(params.get(RANGE));
+      for (const key of /** @type {const} */ (["low", "high"])) this.over.add(key);
+    }
+    await this.#take(KEYS.filter((key) => params.has(key)).map((key) => [key, params.get(key) ?? ""]));
+  }
+
+  /** Values that the joint file states. */
+  async fromFile() {
+    const own = IN_FILE.filter((key) => !this.over.has(key));
+    Object.assign(this.v, Object.fromEntries(own.map((key) => [key, USUAL[key]])));
+    const of = this.files.joint ? stated(this.files.joint) : {};
+    const { range, ...others } = of, texts = /** @type {[Key, string | undefined][]} */ (Object.entries(others));
+    await this.#limits(range);
+    await this.#take(texts.flatMap(([key, text]) => (text && !this.over.has(key) ? [[key, text]] : [])));
+  }
+
+  /** Both limits, where neither is typed. @param {string | null | undefined} text */
+  async #limits(text) {
+    if (!text || this.over.has("low") || this.over.has("high")) return;
+    const [{ values = [], value }] = await understood([{ text, kind: "angle", list: text.includes("..") }]);
+    const ends = value === undefined ? values : [-value, value];
+    if (ends.length) [this.v.low, this.v.high] = [Math.min(...ends), Math.max(...ends)];
+  }
+
+  /** @param {[Key, string][]} texts */
+  async #take(texts) {
+    const readings = await understood(texts.map(([key, text]) => ({ text, kind: KINDS_OF[key] })));
+    texts.forEach(([key], i) => {
+      const { value } = readings[i];
+      if (value !== undefined) this.v[key] = value;
+    });
+  }
+
+  /** A request for the joint with this muscle. @param {string} first file of muscle 1 */
+  request(first) {
+    const { files, over, v } = this;
+    // One limit alone is no range.
+    const ends = over.has("low") || over.has("high") ? [v.low, v.high] : [undefined, undefined];
+    const own = (/** @type {Key} */ key) => (over.has(key) ? v[key] : undefined);
+    const put = { r: own("r"), low: ends[0], high: ends[1], e0: own("e0"), mass: own("mass"), centre: own("centre"),
+      inertia: own("inertia") };
+    return files.joint ? jointOfFile(files.joint, first, files.file2, put) : joint(first, files.file2, v);
+  }
+
+  /** Its words of the address; what a joint file states is not there twice. @returns {Record<string, string>} */
+  words() {
+    const { files, over, v } = this, inFile = /** @type {readonly string[]} */ (IN_FILE);
+    const said = KEYS.filter((key) => !files.joint || !inFile.includes(key) || over.has(key));
+    return { ...Object.fromEntries(said.map((key) => [key, typed(KINDS_OF[key], v[key])])), ...files };
+  }
+}
