@@ -51,7 +51,7 @@ METHODS = {"muscle-show": "show", "force": "state"}
 # What a muscle must be given.
 GEOMETRY = ("outer_diameter_mm", "wall_mm", "length_mm")
 # Commands that fit measured tables, with the argument of these; tests of a rubber have columns of their own.
-MEASURED = {"identify": "data", "compare": "data", "rubber-fit": "data"}
+MEASURED = {"identify": "data", "compare": "data", "fit": "table", "rubber-fit": "data"}
 NAN = "Rows that lack a number which is needed (empty, NaN, masked): ``raise``, or ``omit`` to leave these out."
 PROGRESS = "True for a progress bar (tqdm, where it is installed), or a function that is called with (done, total)."
 # Types of what may be given for fields, by their names.

@@ -181,6 +181,15 @@ def test_tests_of_a_rubber_may_have_gaps(root: Path) -> None:
         mk.rubber_fit(columns, nan="drop")  # type: ignore[arg-type]
 
 
+def test_a_formula_of_a_table_with_gaps(root: Path) -> None:
+    whole = pd.DataFrame(numbers(read(root / "data/campaign/paper.csv")))
+    gaps = pd.concat([whole[:5], whole[5:6].assign(force_n=np.nan), whole[5:]])
+    point: dict[str, Any] = {"pressure_mpa": 0.2, "contraction": 0.1, "wall_mm": 2.0, "outer_diameter_mm": np.linspace(30, 50, 5)}
+    assert np.array_equal(mk.fit(gaps, nan="omit")(**point), mk.fit(whole)(**point))
+    with pytest.raises(mk.InputError, match="force_n"):
+        mk.fit(gaps)
+
+
 def test_decimal_commas_and_headings_by_keyword(root: Path) -> None:
     """The same numbers, written as in a German file, and under headings that say nothing."""
     expected = identified(root, BENCH).x
