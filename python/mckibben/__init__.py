@@ -18,31 +18,20 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from . import jax as jax
-    from . import plot as plot
-    from . import torch as torch
+    from . import jax as jax, plot as plot, torch as torch
     from ._ask import ask as ask
     from ._campaign import Campaign as Campaign
     from ._commands import *
+    from ._drives import Drive as Drive, Joint as Joint, Valve as Valve
     from ._errors import *
     from ._formula import Formula as Formula
     from ._model import Model as Model
     from ._muscle import Muscle as Muscle
-    from ._drives import Drive as Drive
-    from ._drives import Joint as Joint
-    from ._drives import Valve as Valve
-    from ._parts import Braid as Braid
-    from ._parts import Friction as Friction
-    from ._parts import Rubber as Rubber
-    from ._parts import Terminals as Terminals
-    from ._parts import Tube as Tube
-    from ._points import Solution as Solution
-    from ._points import errstate as errstate
+    from ._parts import Braid as Braid, Friction as Friction, Rubber as Rubber, Terminals as Terminals, Tube as Tube
+    from ._points import Solution as Solution, errstate as errstate
     from ._quantity import units as units
-    from ._record import Record as Record
-    from ._record import load as load
-    from ._results import Design as Design
-    from ._results import Fit as Fit
+    from ._record import Record as Record, load as load
+    from ._results import Design as Design, Fit as Fit
     from ._simulation import Simulation as Simulation
     from ._table import Table as Table
 
@@ -51,28 +40,23 @@ if TYPE_CHECKING:
 
 # Nothing is loaded before it is asked for: the import takes some milliseconds.
 _PLACES = {
-    "ask": "_ask",
-    "Campaign": "_campaign",
-    "Formula": "_formula",
-    "Model": "_model",
-    "Braid": "_parts",
-    "Design": "_results",
-    "Drive": "_drives",
-    "Fit": "_results",
-    "Friction": "_parts",
-    "Joint": "_drives",
-    "Muscle": "_muscle",
-    "Rubber": "_parts",
-    "Record": "_record",
-    "Simulation": "_simulation",
-    "Solution": "_points",
-    "Table": "_table",
-    "Terminals": "_parts",
-    "Tube": "_parts",
-    "Valve": "_drives",
-    "errstate": "_points",
-    "load": "_record",
-    "units": "_quantity",
+    name: place
+    for place, names in {
+        "_ask": "ask",
+        "_campaign": "Campaign",
+        "_drives": "Drive Joint Valve",
+        "_formula": "Formula",
+        "_model": "Model",
+        "_muscle": "Muscle",
+        "_parts": "Braid Friction Rubber Terminals Tube",
+        "_points": "Solution errstate",
+        "_quantity": "units",
+        "_record": "Record load",
+        "_results": "Design Fit",
+        "_simulation": "Simulation",
+        "_table": "Table",
+    }.items()
+    for name in names.split()
 }
 # Modules for other libraries, listed where these are installed.
 _BRIDGES = ("jax", "torch")

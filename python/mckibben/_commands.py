@@ -205,8 +205,8 @@ def _muscle_commands() -> type:
 
 # What may be given as an object too; a muscle has these under names of its own.
 OBJECTS = {"rubber": " Or a :class:`Rubber`.", "braid": " Or a :class:`Braid`."}
-# The parts of a muscle: what is given for them.
-WHOLE = {"tube": "Tube", "terminals": "Terminals", "friction": "Friction"}
+# The parts of a muscle, with their classes.
+WHOLE = {"tube": "Tube", "braid": "Braid", "terminals": "Terminals", "friction": "Friction"}
 COMPRESSION = "Whether strands carry compression."
 
 
@@ -257,11 +257,20 @@ def _muscle_fields() -> type:
 
     own = [Parameter("base", Parameter.POSITIONAL_OR_KEYWORD, default=None, annotation=GIVEN["muscle"])]
     own += [Parameter(name, Parameter.KEYWORD_ONLY, default=None, annotation=_given(name, field)) for name, field in fields.items()]
-    own += [Parameter(name, Parameter.KEYWORD_ONLY, default=None, annotation=f"{kind} | None") for name, kind in WHOLE.items()]
+    own += [Parameter(name, Parameter.KEYWORD_ONLY, default=None, annotation=f"{kind} | None") for name, kind in WHOLE.items() if name not in fields]
     listed = [entry("base", "A muscle, or the path of a muscle file (TOML), whose values the other arguments replace.")]
     listed += [entry(name, _schema.doc(field) + OBJECTS.get(name, ""), _schema.unit(field)) for name, field in fields.items()]
-    listed += [entry(name, f"All of the {name} as a :class:`{kind}`, in place of its values.") for name, kind in WHOLE.items()]
-    return _of_fields("MuscleFields", own, listed, make, "Muscle", _attributes({name: name for name in fields if name not in OBJECTS}))
+    listed += [entry(name, f"All of the {name} as a :class:`{kind}`, in place of its values.") for name, kind in WHOLE.items() if name not in fields]
+
+    def part(table: str, kind: str) -> property:
+        def get(self: Any) -> Any:
+            return self._part(table)
+
+        get.__annotations__ = {"return": kind}
+        return property(get, doc=f"Its {table}, all of it.")
+
+    attributes = {**_attributes({name: name for name in fields if name not in OBJECTS}), **{table: part(table, kind) for table, kind in WHOLE.items()}}
+    return _of_fields("MuscleFields", own, listed, make, "Muscle", attributes)
 
 
 def _part_fields(table: str) -> type:
@@ -301,7 +310,7 @@ def _part_fields(table: str) -> type:
 
 CLASSES: dict[str, Callable[[], type]] = {
     "MuscleCommands": _muscle_commands, "MuscleFields": _muscle_fields,
-    **{f"{table.capitalize()}Fields": partial(_part_fields, table) for table in ("tube", "braid", "terminals", "friction")},
+    **{f"{table.capitalize()}Fields": partial(_part_fields, table) for table in WHOLE},
 }
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal, overload
 
-from . import _parts
 from ._commands import MuscleCommands, MuscleFields
 
 if TYPE_CHECKING:
@@ -16,7 +15,6 @@ if TYPE_CHECKING:
 
     from ._inputs import Floats, MuscleLike, Number
     from ._model import Model
-    from ._parts import Braid, Friction, Terminals, Tube
     from ._points import Found, Outside, Solution
 
 
@@ -240,25 +238,10 @@ class Muscle(MuscleFields, MuscleCommands):
         """The rubber, by name or law."""
         return str(self._measures()["rubber"])
 
-    @property
-    def tube(self) -> Tube:
-        """The tube: diameter, wall, length and rubber."""
-        return _parts.Tube._of(self._text)
+    def _part(self, table: str) -> Any:
+        from ._parts import PARTS
 
-    @property
-    def braid(self) -> Braid:
-        """The braid; as a text ``paper``, ``inextensible``, its stiffness, or its strands."""
-        return _parts.Braid._of(self._text)
-
-    @property
-    def terminals(self) -> Terminals:
-        """The ends."""
-        return _parts.Terminals._of(self._text)
-
-    @property
-    def friction(self) -> Friction:
-        """Friction of the braid."""
-        return _parts.Friction._of(self._text)
+        return PARTS[table]._of(self._text)
 
     def _with(self, changes: dict[str, Any]) -> Muscle:
         return Muscle(self, **changes)

@@ -206,24 +206,26 @@ def _saved(files: Any, folder: str | os.PathLike[str]) -> Path:
     return place / first
 
 
-class Build(_Plain, _answers.BuildAnswer):
-    """What is needed to build a muscle. Its table has one row for each part."""
-
-    __slots__ = ()
-
-    def save(self, folder: str | os.PathLike[str]) -> Path:  # type: ignore[override]
-        """Writes the files into a folder, and gives the page to begin with. A file of that name is replaced only where it is the same."""
-        return _saved(self.files, folder)
-
-
-class Export(_Plain, _answers.ExportAnswer):
-    """A muscle for a controller or a simulator. Its table has one row for each file."""
+class _Files(_Plain):
+    """An answer of files."""
 
     __slots__ = ()
 
     def save(self, folder: str | os.PathLike[str]) -> Path:  # type: ignore[override]
         """Writes the files into a folder, and gives the one to begin with. A file of that name is replaced only where it is the same."""
         return _saved(self.files, folder)
+
+
+class Build(_Files, _answers.BuildAnswer):
+    """What is needed to build a muscle. Its table has one row for each part."""
+
+    __slots__ = ()
+
+
+class Export(_Files, _answers.ExportAnswer):
+    """A muscle for a controller or a simulator. Its table has one row for each file."""
+
+    __slots__ = ()
 
 
 class RubberFit(Fit, _answers.RubberFitAnswer):
