@@ -36,7 +36,7 @@ from . import _answers, _results
 from ._ask import Progress
 from ._drives import Drive, Joint
 from ._formula import Formula
-from ._inputs import Choice, FileLike, FormulaLike, Measured, MuscleLike, Number, Numbers, TableLike
+from ._inputs import Choice, FileLike, FormulaLike, Measured, MuscleLike, Number, Numbers, Plain, TableLike
 from ._muscle import Muscle
 from ._parts import Braid, Friction, Rubber, Terminals, Tube
 """

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -10,6 +11,11 @@ if TYPE_CHECKING:
     import pyarrow
 
     from ._table import Table
+
+
+def _any(options: Mapping[str, object]) -> dict[str, Any]:
+    """Options that are handed on: what takes them says which they are."""
+    return dict(options)
 
 
 class Fixed:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _answers, _files, _native
 from ._ask import Progress, listening
-from ._base import Fixed
+from ._base import Fixed, _any
 
 if TYPE_CHECKING:
     import pandas
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from os import PathLike
 
-    from ._inputs import FileLike
+    from ._inputs import FileLike, Option
     from ._results import Fitted
 
 
@@ -92,11 +92,11 @@ class Campaign(Fixed):
         _native.ask("campaign-merge", {"folders": [os.fspath(f) for f in folders], "output": os.fspath(output), "overwrite": overwrite})
         return Campaign(output)
 
-    def fit(self, method: Any = None, *, progress: Progress = None, **options: Any) -> Fitted:
+    def fit(self, method: str | None = None, *, progress: Progress = None, **options: Option) -> Fitted:
         """The formula that a method makes of the table; the other arguments are those of :func:`fit`."""
         from ._commands import fit
 
-        return fit(campaign=self._table, method=method, progress=progress, **options)
+        return fit(campaign=self._table, progress=progress, **_any({**options, "method": method}))
 
     def to_arrow(self) -> pyarrow.Table:
         """The table as a ``pyarrow.Table``."""

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 
 from . import _native
-from ._base import Fixed
+from ._base import Fixed, _any
 
 if TYPE_CHECKING:
     from os import PathLike
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from . import _answers
-    from ._inputs import Floats, MuscleLike
+    from ._inputs import Floats, MuscleLike, Option
     from ._model import Model
     from ._points import Outside
 
@@ -129,11 +129,11 @@ class Formula(Fixed):
 
         return formula_show(self, latex=True)
 
-    def model(self, muscle: MuscleLike | None = None, **options: Any) -> Model:
+    def model(self, muscle: MuscleLike | None = None, **options: Option) -> Model:
         """The formula of a muscle; the arguments are those of :class:`Model`."""
         from ._model import Model
 
-        return Model(muscle, self, **options)
+        return Model(muscle, self, **_any(options))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Formula) and self._name == other._name and self.to_dict() == other.to_dict()

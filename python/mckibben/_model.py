@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any, Literal, overload
 
@@ -12,15 +12,17 @@ import numpy as np
 from . import _native, _plain, _quantity
 from ._arrays import any_masked, array
 from ._ask import Progress, listening
-from ._base import Fixed
+from ._base import Fixed, _any
 from ._points import Outside, outside
 from ._problem import MckibbenError, OutsideWarning, warned
 
 if TYPE_CHECKING:
+    from os import PathLike
+
     from numpy.typing import NDArray
 
     from ._formula import Formula
-    from ._inputs import Floats, FormulaLike, MuscleLike
+    from ._inputs import Floats, FormulaLike, MuscleLike, Option, Plain
     from ._muscle import Muscle
     from ._results import Curve
 
@@ -72,12 +74,12 @@ class Model(Fixed):
     def __init__(
         self,
         muscle: MuscleLike | None = None,
-        model: str | Formula | None = None,
+        model: str | Formula | PathLike[str] | None = None,
         *,
         formulas: Sequence[FormulaLike] | None = None,
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
-        terminal: dict[str, Any] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
         extrapolate: bool = False,
         two_sided: bool = False,
         direction: Literal["mean", "contraction", "elongation"] | None = None,
@@ -315,12 +317,12 @@ class Model(Fixed):
 
         return tuple(map(whole, found)) if isinstance(found, tuple) else whole(found)
 
-    def curve(self, test: Literal["isometric", "isotonic", "isobaric"] = "isobaric", **options: Any) -> Curve:
+    def curve(self, test: Literal["isometric", "isotonic", "isobaric"] = "isobaric", **options: Option) -> Curve:
         """A family of curves by this model; the arguments are those of :func:`curve`."""
         from ._commands import curve
 
         own = {name: value for name, value in self._request.items() if name in ("model", "formulas", "mesh", "match", "terminal", "extrapolate", "two_sided", "direction")}
-        return curve(self._muscle, test, **{**own, **options})
+        return curve(self._muscle, test, **{**own, **_any(options)})
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Model) and self._muscle == other._muscle and self._request == other._request

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal, overload
 
+from ._base import _any
 from ._commands import MuscleCommands, MuscleFields
 
 if TYPE_CHECKING:
@@ -13,8 +14,11 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from ._inputs import Floats, MuscleLike, Number
+    from ._ask import Progress
+    from ._formula import Formula
+    from ._inputs import Floats, MuscleLike, Number, Option
     from ._model import Model
+    from ._parts import Friction, Terminals, Tube
     from ._points import Found, Outside, Solution
 
 
@@ -55,11 +59,11 @@ class Muscle(MuscleFields, MuscleCommands):
         return (self._own or {}).get(name)
 
     @classmethod
-    def prototype(cls, **changes: Any) -> Muscle:
+    def prototype(cls, **changes: Option | Tube | Terminals | Friction) -> Muscle:
         """The paper's prototype (D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid ``paper``), with changes by the names of :meth:`replace`."""
         from . import _native
 
-        return cls({"name": "prototype", "text": _native.muscle_text({})}, **changes)
+        return cls({"name": "prototype", "text": _native.muscle_text({})}, **_any(changes))
 
     @classmethod
     def from_file(cls, path: str | PathLike[str]) -> Muscle:
@@ -90,20 +94,20 @@ class Muscle(MuscleFields, MuscleCommands):
         with open(path, "w", encoding="utf-8") as file:
             file.write(self._text)
 
-    def model(self, model: Any = None, **options: Any) -> Model:
+    def model(self, model: str | Formula | PathLike[str] | None = None, **options: Option) -> Model:
         """A model of this muscle, to be asked for arrays; the arguments are those of :class:`Model`."""
         from ._model import Model
 
-        return Model(self, model, **options)
+        return Model(self, model, **_any(options))
 
     @overload
-    def force(self, pressure_mpa: Number | None = ..., contraction: Number = ..., *, errors: Outside | None = ..., **options: Any) -> Found: ...
+    def force(self, pressure_mpa: Number | None = ..., contraction: Number = ..., *, errors: Outside | None = ..., **options: Option) -> Found: ...  # type: ignore[overload-overlap]
     @overload
-    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Any) -> NDArray[np.float64]: ...
+    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Option) -> NDArray[np.float64]: ...  # type: ignore[overload-overlap]
     @overload
-    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Option) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
 
-    def force(self, pressure_mpa: Any = None, contraction: Any = None, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, **options: Any) -> Any:
+    def force(self, pressure_mpa: Any = None, contraction: Any = None, *, jac: Any = False, errors: Outside | None = None, **options: Any) -> Any:
         """F(P, ε): the pull, in N; 0 where the muscle is slack.
 
         Parameters
@@ -127,24 +131,24 @@ class Muscle(MuscleFields, MuscleCommands):
         return self._asked("force", ("pressure_mpa", pressure_mpa), ("contraction", contraction), jac, errors, options)
 
     @overload
-    def pressure(self, force_n: Number | None = ..., contraction: Number = ..., *, errors: Outside | None = ..., **options: Any) -> Found: ...
+    def pressure(self, force_n: Number | None = ..., contraction: Number = ..., *, errors: Outside | None = ..., **options: Option) -> Found: ...  # type: ignore[overload-overlap]
     @overload
-    def pressure(self, force_n: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Any) -> NDArray[np.float64]: ...
+    def pressure(self, force_n: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Option) -> NDArray[np.float64]: ...  # type: ignore[overload-overlap]
     @overload
-    def pressure(self, force_n: Floats, contraction: Floats = ..., *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+    def pressure(self, force_n: Floats, contraction: Floats = ..., *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Option) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
 
-    def pressure(self, force_n: Any = None, contraction: Any = None, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, **options: Any) -> Any:
+    def pressure(self, force_n: Any = None, contraction: Any = None, *, jac: Any = False, errors: Outside | None = None, **options: Any) -> Any:
         """P(F, ε): the gauge pressure that gives a pull, in MPa. Arguments as in :meth:`force`, the pull in N first."""
         return self._asked("pressure", ("force_n", force_n), ("contraction", contraction), jac, errors, options)
 
     @overload
-    def contraction(self, force_n: Number | None = ..., pressure_mpa: Number | None = ..., *, errors: Outside | None = ..., **options: Any) -> Found: ...
+    def contraction(self, force_n: Number | None = ..., pressure_mpa: Number | None = ..., *, errors: Outside | None = ..., **options: Option) -> Found: ...  # type: ignore[overload-overlap]
     @overload
-    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Any) -> NDArray[np.float64]: ...
+    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Option) -> NDArray[np.float64]: ...  # type: ignore[overload-overlap]
     @overload
-    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Option) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
 
-    def contraction(self, force_n: Any = None, pressure_mpa: Any = None, *, jac: bool | Sequence[str] = False, errors: Outside | None = None, **options: Any) -> Any:
+    def contraction(self, force_n: Any = None, pressure_mpa: Any = None, *, jac: Any = False, errors: Outside | None = None, **options: Any) -> Any:
         """ε(F, P): the contraction ratio at which a pressure gives a pull. Arguments as in :meth:`force`, the pull in N first."""
         return self._asked("contraction", ("force_n", force_n), ("pressure_mpa", pressure_mpa), jac, errors, options)
 
@@ -169,7 +173,7 @@ class Muscle(MuscleFields, MuscleCommands):
         # Against a load the answer is more than a number.
         return state if value is None else Found(value, state)
 
-    def solve(self, pressure_mpa: Floats, contraction: Floats = 0.0, **options: Any) -> Solution:
+    def solve(self, pressure_mpa: Floats, contraction: Floats = 0.0, **options: Option) -> Solution:
         """All that is known of many points: pulls, their ±, volumes, stiffness, strand tension, … as arrays.
 
         Parameters
@@ -213,7 +217,7 @@ class Muscle(MuscleFields, MuscleCommands):
         muscle._hold(_native.muscle_with(self._text, {str(n): float(v) for n, v in values.items()}))
         return muscle
 
-    def report(self, path: str | PathLike[str] | None = None, *, pressure_mpa: Number | None = None, contraction: Number | None = None, units: str = "MPa", progress: Any = None) -> str:
+    def report(self, path: str | PathLike[str] | None = None, *, pressure_mpa: Number | None = None, contraction: Number | None = None, units: str = "MPa", progress: Progress = None) -> str:
         """A report of the muscle as one HTML page for reading offline; written to ``path`` if one is given."""
         from . import _native, _plain
         from ._ask import listening
@@ -244,7 +248,7 @@ class Muscle(MuscleFields, MuscleCommands):
         return PARTS[table]._of(self._text)
 
     def _with(self, changes: dict[str, Any]) -> Muscle:
-        return Muscle(self, **changes)
+        return Muscle(self, **_any(changes))
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"a muscle does not change: {name}; replace({name}=…) gives another one")

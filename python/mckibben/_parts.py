@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 from . import _native
-from ._base import Fixed
+from ._base import Fixed, _any
 from ._commands import BraidFields, FrictionFields, TerminalsFields, TubeFields
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
     from typing_extensions import Self
 
-    from ._inputs import Number, TableLike
+    from ._inputs import Number, Option, Plain, TableLike
 
 
 def toml(value: Any) -> str:
@@ -279,7 +279,7 @@ class Rubber(_Part):
     __slots__ = ()
     _table = "tube.material"
 
-    def __init__(self, law: str, *, bulk_modulus_mpa: Number | None = None, **constants: Any) -> None:
+    def __init__(self, law: str, *, bulk_modulus_mpa: Number | None = None, **constants: Plain) -> None:
         from . import _quantity
 
         bulk = bulk_modulus_mpa
@@ -309,7 +309,7 @@ class Rubber(_Part):
             raise AttributeError(f"Rubber has no {name!r}")
         return self._values[name]
 
-    def replace(self, **constants: Any) -> Rubber:
+    def replace(self, **constants: Plain) -> Rubber:
         """The same with other constants."""
         return Rubber(**{**self._values, **constants})
 
@@ -330,7 +330,7 @@ class Rubber(_Part):
         return rubber(self, ax=ax, to_stretch=to_stretch)
 
     @staticmethod
-    def fit(data: TableLike, **options: Any) -> Rubber:
+    def fit(data: TableLike, **options: Option) -> Rubber:
         """The law that :func:`rubber_fit` recommends for tests of a rubber, with its constants.
 
         Parameters
@@ -342,4 +342,4 @@ class Rubber(_Part):
         """
         from . import _commands
 
-        return _commands.rubber_fit(data, **options).rubber()
+        return _commands.rubber_fit(data, **_any(options)).rubber()

@@ -189,6 +189,6 @@ def request_type(schema: Schema) -> str:
 
     def named(name: str, target: Schema) -> str:
         known = {"TextFile": "FileLike", "Choice": "Choice", "Stiffness": "Number | str"}.get(name)
-        return known or ("dict[str, Any]" if target.get("type") == "object" and not words(target) else request_type(target))
+        return known or ("Mapping[str, Plain]" if target.get("type") == "object" and not words(target) else request_type(target))
 
     return type_of(schema, named)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Union
 import numpy as np
 
 from . import _native
+from ._base import _any
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from ._answers import JointAnswer, MotionAnswer
-    from ._inputs import Numbers
+    from ._inputs import Numbers, Option
     from ._muscle import Muscle
     from ._parts import Rubber
     from ._results import Curve, Design, Identification
@@ -61,19 +62,19 @@ def curve(curve: Curve, ax: Axes | None = None, *, units: str | None = None, ban
     return out
 
 
-def isobars(muscle: Muscle, pressures_mpa: Numbers | None = None, *, ax: Axes | None = None, units: str | None = None, band: bool = True, **options: Any) -> Axes:
+def isobars(muscle: Muscle, pressures_mpa: Numbers | None = None, *, ax: Axes | None = None, units: str | None = None, band: bool = True, **options: Option) -> Axes:
     """Pull over contraction at constant pressures; options as in :meth:`Muscle.curve`."""
-    return curve(muscle.curve("isobaric", pressures_mpa=pressures_mpa, **options), ax, units=units, band=band)
+    return curve(muscle.curve("isobaric", pressures_mpa=pressures_mpa, **_any(options)), ax, units=units, band=band)
 
 
-def isometric(muscle: Muscle, contractions: Numbers | None = None, *, ax: Axes | None = None, units: str | None = None, band: bool = True, **options: Any) -> Axes:
+def isometric(muscle: Muscle, contractions: Numbers | None = None, *, ax: Axes | None = None, units: str | None = None, band: bool = True, **options: Option) -> Axes:
     """Pull over pressure at constant contractions; options as in :meth:`Muscle.curve`."""
-    return curve(muscle.curve("isometric", contractions=contractions, **options), ax, units=units, band=band)
+    return curve(muscle.curve("isometric", contractions=contractions, **_any(options)), ax, units=units, band=band)
 
 
-def isotonic(muscle: Muscle, forces_n: Numbers | None = None, *, ax: Axes | None = None, units: str | None = None, band: bool = True, **options: Any) -> Axes:
+def isotonic(muscle: Muscle, forces_n: Numbers | None = None, *, ax: Axes | None = None, units: str | None = None, band: bool = True, **options: Option) -> Axes:
     """Contraction over pressure at constant pulls; options as in :meth:`Muscle.curve`."""
-    return curve(muscle.curve("isotonic", forces_n=forces_n, **options), ax, units=units, band=band)
+    return curve(muscle.curve("isotonic", forces_n=forces_n, **_any(options)), ax, units=units, band=band)
 
 
 def design(design: Design, ax: Axes | None = None, *, units: str | None = None) -> Axes:

@@ -127,7 +127,7 @@ def test_what_a_field_holds_is_said_where_something_else_is_given() -> None:
         with pytest.raises(mk.InputError, match=f"`{name}` is a number without a unit"):
             mk.Muscle(None, **{name: "1 mm"})  # type: ignore[arg-type]
     with pytest.raises(mk.InputError, match="`model` is a text, not 5"):
-        mk.Muscle().model(5)
+        mk.Muscle().model(5)  # type: ignore[arg-type]
 
 
 def test_kinds_by_name_are_those_of_the_schemas() -> None:

@@ -94,3 +94,14 @@ def test_a_name_that_is_none_is_an_attribute_error() -> None:
     with pytest.raises(AttributeError, match="did you mean 'Muscle'"):
         mk.Muscl
     assert not hasattr(mk, "__path_of__")
+
+
+def test_what_is_given_has_a_type() -> None:
+    """Arguments of every command, of what makes objects and of their methods; what a user hands over as JSON or as a data frame is of any type."""
+    for name in mk.__all__:
+        made = getattr(mk, name)
+        for function in [made] if inspect.isfunction(made) else [f for f in vars(made).values() if inspect.isfunction(f)] if inspect.isclass(made) else []:
+            if function.__name__.startswith("_") and function.__name__ != "__init__":
+                continue
+            loose = {p.name for p in inspect.signature(function).parameters.values() if "Any" in str(p.annotation)}
+            assert not loose - {"data", "request", "rows", "columns", "force_n", "pressure_mpa", "contraction", "jac", "options", "ax"}, (name, function.__name__, loose)

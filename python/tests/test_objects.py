@@ -80,7 +80,8 @@ def test_a_muscle_is_its_file(things: dict[str, Any], tmp_path: Path) -> None:
 
 def test_constants_are_numbers_of_any_kind() -> None:
     """Equal rubbers have one hash, however their constants were written."""
-    rubbers = [mk.Rubber("mooney-rivlin", c10=value, c01=0) for value in (1, 1.0, np.float32(1), np.int64(1), np.array(1.0))]
+    ones: list[Any] = [1, 1.0, np.float32(1), np.int64(1), np.array(1.0)]
+    rubbers = [mk.Rubber("mooney-rivlin", c10=value, c01=0) for value in ones]
     assert len(set(rubbers)) == 1 and rubbers[0].c10 == 1.0
     ogden = mk.Rubber("ogden", mu=np.array([0.4, 0.01]), alpha=[2, 5])
     assert ogden.mu == (0.4, 0.01) and hash(ogden) == hash(copy.deepcopy(ogden)) and mk.Muscle(rubber=ogden).force(0.2, 0.1, model="thick-wall").force_n > 0
