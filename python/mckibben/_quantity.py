@@ -53,7 +53,7 @@ def wrong(field: str, message: str, hint: str = "") -> Exception:
 REGISTRY: Any = None
 
 
-def units(system: Any = None) -> Any:
+def units(system: object = None) -> Any:
     """How numbers are returned: ``"pint"`` as quantities of pint in the unit of their name, ``"plain"`` as numbers. A registry of pint may be
     given instead, so that its quantities go together with yours. With nothing: the answer of the command ``units``, all units that texts
     may have.

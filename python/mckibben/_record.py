@@ -6,7 +6,7 @@ import copy
 import json
 import math
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from html import escape
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -14,6 +14,8 @@ from . import _quantity
 from ._base import Fixed, Tabled
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from ._table import Table
 
 
@@ -131,7 +133,7 @@ class Record(Fixed, Tabled):
         held = self._data.get(self._rows_)
         return Table.from_columns(held) if isinstance(held, dict) else Table.from_rows(held or [])
 
-    def plot(self, *, units: str | None = None, ax: Any = None, engine: str = "matplotlib") -> Any:
+    def plot(self, *, units: str | None = None, ax: Axes | Sequence[Axes] | None = None, engine: str = "matplotlib") -> Any:
         """Draws the figure of this answer, the same as ``--plot`` of the command line.
 
         Parameters

@@ -12,7 +12,7 @@ from ._table import Table
 if TYPE_CHECKING:
     from ._drives import Drive, Joint
     from ._formula import Formula
-    from ._inputs import FileLike, MuscleLike, TableLike
+    from ._inputs import FileLike, FormulaLike, MuscleLike, TableLike
 
 # Units in which commands may be texts, by what is commanded.
 _COMMANDS = {"pressure": "pressure_mpa", "opening": None, "position": "contraction"}
@@ -98,7 +98,7 @@ class Simulation(Tabled):
         muscles: Mapping[str, MuscleLike] | None = None,
         tables: Mapping[str, TableLike] | None = None,
         model: str | Formula | None = None,
-        formulas: Sequence[Any] | None = None,
+        formulas: Sequence[FormulaLike] | None = None,
         mesh: str | None = None,
     ) -> None:
         given = {"drive": drive, "muscle": muscle, "joint": joint, "muscles": muscles, "tables": tables, "model": model, "formulas": formulas, "mesh": mesh}

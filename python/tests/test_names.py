@@ -97,11 +97,13 @@ def test_a_name_that_is_none_is_an_attribute_error() -> None:
 
 
 def test_what_is_given_has_a_type() -> None:
-    """Arguments of every command, of what makes objects and of their methods; what a user hands over as JSON or as a data frame is of any type."""
+    """Arguments of every command, of what makes objects and of their methods. Those of JSON and of tables are of any type; pulls have overloads."""
+    anything = {("Record", "__init__"), ("Solution", "__init__"), ("Table", "__init__"), ("ask", "ask")}
     for name in mk.__all__:
         made = getattr(mk, name)
-        for function in [made] if inspect.isfunction(made) else [f for f in vars(made).values() if inspect.isfunction(f)] if inspect.isclass(made) else []:
-            if function.__name__.startswith("_") and function.__name__ != "__init__":
-                continue
-            loose = {p.name for p in inspect.signature(function).parameters.values() if "Any" in str(p.annotation)}
-            assert not loose - {"data", "request", "rows", "columns", "force_n", "pressure_mpa", "contraction", "jac", "options", "ax"}, (name, function.__name__, loose)
+        own = [made] if inspect.isfunction(made) else [f for f in vars(made).values() if inspect.isfunction(f)] if inspect.isclass(made) else []
+        for function in own:
+            hidden = function.__name__.startswith("_") and function.__name__ != "__init__"
+            if not hidden and function.__name__ not in ("force", "pressure", "contraction") and (name, function.__name__) not in anything:
+                loose = [p for p in inspect.signature(function).parameters.values() if "Any" in str(p.annotation)]
+                assert not loose, (name, function.__name__, loose)
