@@ -75,7 +75,7 @@ class _File(Fixed):
 
     def to_dict(self) -> dict[str, Any]:
         """Its tables as plain dicts; under ``files`` the texts of the files that it names."""
-        files = {name: of.to_csv() if hasattr(of, "to_csv") else of.to_toml() for name, of in self._beside.items()}
+        files = {name: of["text"] if isinstance(of, Mapping) else of.to_toml() for name, of in self._beside.items()}
         return {**self._tables, **({"files": files} if files else {})}
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -247,9 +247,7 @@ class Drive(_File):
         valve = Valve(valve) if isinstance(valve, str) else valve
         given = {"supply": supply, "air": air, "load": load, "friction": friction, "rubber": rubber, "controller": controller, "regulator": regulator, "command": command}
         held = {subject: f"{subject}.toml", "valve": None if valve is None else valve._tables, **{name: _table(keys or {}) for name, keys in given.items()}}
-        from ._table import Table
-
-        self._hold(held, {f"{subject}.toml": of, **{name: Table.of(data) for name, data in (tables or {}).items()}})
+        self._hold(held, {f"{subject}.toml": of, **{name: {**_files.table(data), "name": name} for name, data in (tables or {}).items()}})
 
     @property
     def of(self) -> Muscle | Joint:
@@ -266,16 +264,15 @@ class Drive(_File):
     def load(cls, path: str | os.PathLike[str]) -> Drive:
         """The drive of a drive file, with the files that it names from beside it."""
         from ._muscle import Muscle
-        from ._table import Table
 
         file, folder = _files.text(path), os.path.dirname(os.fspath(path))
         subject, name, names = _native.drive_files(file["name"], file["text"])
         place = os.path.join(folder, name)
         beside = {name: Joint.load(place) if subject == "joint" else Muscle(place)}
-        texts = {table: _native.read_table(os.path.join(folder, table)) for table in names}
-        return object.__new__(cls)._hold(_native.toml(file["name"], file["text"]), {**beside, **{table: Table.from_csv(text) for table, text in texts.items()}})
+        texts = {table: {**_files.table(os.path.join(folder, table)), "name": table} for table in names}
+        return object.__new__(cls)._hold(_native.toml(file["name"], file["text"]), {**beside, **texts})
 
     def _files(self) -> dict[str, Any]:
         """The arguments of a command that takes it."""
-        own = {name: of for name, of in self._beside.items() if hasattr(of, "to_csv")}
+        own = {name: of for name, of in self._beside.items() if isinstance(of, Mapping)}
         return {"joint" if isinstance(self.of, Joint) else "muscle": self.of, **({"tables": own} if own else {})}

@@ -65,7 +65,7 @@ def test_a_drive_is_its_file_and_its_simulation_the_motion(elbow: mk.Joint, root
     assert first.step([0.2, 0.1]) == second.step([0.2, 0.1])
 
 
-def test_a_drive_of_one_muscle_with_a_table(root: Path) -> None:
+def test_a_drive_of_one_muscle_with_a_table(root: Path, tmp_path: Path) -> None:
     muscle = mk.Muscle(root / "examples/prototype.toml")
     valve = mk.Valve(sonic_conductance="0.5 L/(s bar)", critical_ratio=0.3)
     given: dict[str, Any] = {"supply": {"pressure_mpa": 0.6, "temperature": "20 degC"}, "air": {"dead_volume": "10 cm3", "heat": "isothermal"}, "load": {"mass_kg": 10, "damping": "200 N s/m", "stops_mm": (0, 100)}}
@@ -76,6 +76,11 @@ def test_a_drive_of_one_muscle_with_a_table(root: Path) -> None:
     same = mk.Drive(muscle, valve=valve, command={"pressure": "ramp 0..3 bar in 1 s", "until_s": 2}, **given)
     found, expected = (np.asarray(mk.motion(d, model="universal").to_table()["contraction"]) for d in (ramp, same))
     assert found[-1] == pytest.approx(expected[-1], rel=1e-4)
+    # A table as people write it, from beside the file.
+    ramp.save(tmp_path / "ramp.toml")
+    (tmp_path / "ramp.csv").write_text("t [ms];pressure [bar]\n0;0,0\n1000;3,0\n2000;3,0\n")
+    assert mk.motion(mk.Drive.load(tmp_path / "ramp.toml"), model="universal").series == mk.motion(tmp_path / "ramp.toml", model="universal").series
+    assert np.asarray(mk.motion(mk.load(tmp_path / "ramp.toml"), model="universal").to_table()["contraction"])[-1] == pytest.approx(found[-1], rel=1e-6)
     assert mk.motion(drive, muscle=muscle.replace(wall_mm=2), model="universal").series != mk.motion(drive, model="universal").series
     for wrong in (mk.Drive(muscle, valve=mk.Valve(sonic_conductanc="1 L/(s bar)"), command={"pressure_mpa": 0.3, "until_s": 1}, load={"mass_kg": 10}), mk.Drive(muscle, valve=valve, command={"presure_mpa": 0.3, "until_s": 1}, load={"mass_kg": 10})):
         with pytest.raises(mk.FileError, match="sonic_conductance|pressure"):
