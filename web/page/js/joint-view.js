@@ -29,12 +29,15 @@ export function numbersView(point, which) {
     `${number(outside("angular-stiffness", k), 3)}${half(u && outside("angular-stiffness", u))} ${
       unitName("angular-stiffness")
     }`;
+  const closed = [point.stiffness_shut_isothermal_nm_per_rad, point.stiffness_shut_adiabatic_nm_per_rad]
+    .flatMap((k) => (typeof k === "number" ? [number(outside("angular-stiffness", k), 3)] : []));
   // Less than a milligram's weight is what the solution leaves of a slack muscle.
   const pull = (/** @type {number | null | undefined} */ n) => show("force", Math.abs(Number(n)) < 1e-5 ? 0 : n, 3);
   const rows = /** @type {[string, string][]} */ ([
     ["pressure of muscle 1", show("pressure", point.pressure_1_mpa, 3)],
     ["pressure of muscle 2", show("pressure", point.pressure_2_mpa, 3)],
     ["stiffness", stiffness(point)],
+    ...(closed.length ? [["with the valves shut", `${closed.join(" to ")} ${unitName("angular-stiffness")}`]] : []),
     ["pulls", `${pull(point.force_1_n)}, ${pull(point.force_2_n)}`],
     ["contractions", `${show("ratio", point.contraction_1, 3)}, ${show("ratio", point.contraction_2, 3)}`],
   ]);

@@ -182,8 +182,7 @@ fn rows(points: &[JointRow], u: &Units) -> String {
     header.push("−dτ/dφ [N m/rad]".to_owned());
     header.extend(stiffness_half.then(|| "±".to_owned()));
     let shut = points.iter().any(|q| q.shut.isothermal_nm_per_rad.is_some());
-    header.extend(shut.then(|| "valves shut, isothermal".to_owned()));
-    header.extend(shut.then(|| "adiabatic".to_owned()));
+    header.extend(shut.then(|| "valves shut".to_owned()));
     header.push(force(1));
     if two {
         header.push(force(2));
@@ -229,8 +228,8 @@ fn rows(points: &[JointRow], u: &Units) -> String {
         let half = q.stiffness_uncertainty_nm_per_rad;
         row.push(half.map_or_else(|| torque(q.stiffness_nm_per_rad), |h| within(q.stiffness_nm_per_rad, h)));
         row.extend(stiffness_half.then(|| half.map_or_else(unknown, half_width)));
-        row.extend(shut.then(|| some(q.shut.isothermal_nm_per_rad)));
-        row.extend(shut.then(|| some(q.shut.adiabatic_nm_per_rad)));
+        let [slow, quick] = [q.shut.isothermal_nm_per_rad, q.shut.adiabatic_nm_per_rad].map(some);
+        row.extend(shut.then(|| if slow == quick { slow } else { format!("{slow} to {quick}") }));
         row.push(first[i].clone());
         row.extend(q.force_2_n.map(|_| second[i].clone()));
         if resting {
