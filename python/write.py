@@ -18,6 +18,7 @@ import re
 import sys
 import textwrap
 from collections.abc import Iterator
+from functools import cache
 from importlib.machinery import ExtensionFileLoader
 from importlib.util import find_spec, module_from_spec, spec_from_file_location
 from pathlib import Path
@@ -51,6 +52,14 @@ def load(native: Path) -> None:
     assert spec is not None and spec.loader is not None
     sys.modules["mckibben._native"] = module_from_spec(spec)
     spec.loader.exec_module(sys.modules["mckibben._native"])
+
+
+@cache
+def listed() -> list[str]:
+    """The names that the package lists; before others stand in for libraries that are not installed."""
+    import mckibben
+
+    return mckibben.__all__
 
 
 def documented(text: str | None, indent: str) -> str:
@@ -112,11 +121,9 @@ def classes(module: Any) -> Iterator[tuple[str, Any]]:
         names = [node.name for node in ast.parse(inspect.getsource(module)).body if isinstance(node, (ast.FunctionDef, ast.ClassDef))]
     if made == "_points":
         names = ["Found", "Solution", "errstate"]
-    import mckibben
-
     for name in names:
         # Functions that the modules have for each other are not described.
-        own = inspect.isfunction(getattr(module, name)) and made.startswith("_") and name not in mckibben.__all__
+        own = inspect.isfunction(getattr(module, name)) and made.startswith("_") and name not in listed()
         if not name.startswith("_") and not own and getattr(module, name).__doc__:
             yield name, getattr(module, name)
 
@@ -219,6 +226,7 @@ def ready(native: Path | None) -> None:
     """Loads the package with its compiled half."""
     built = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug"
     load(native or next((path for name in ("lib_native.so", "lib_native.dylib", "_native.dll") if (path := built / name).exists()), built))
+    listed()
 
 
 def main() -> None:
