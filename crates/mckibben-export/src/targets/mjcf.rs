@@ -75,6 +75,26 @@ fn fitted(muscle: &ExportedMuscle) -> Option<([f64; 6], HostError)> {
     best
 }
 
+/// Of dF/dL where both pull, over the blocked force over the stroke at the supply.
+fn stiffness_error(muscle: &ExportedMuscle, k: &[f64; 6]) -> HostError {
+    let (form, blocked_n) = (&muscle.form, muscle.blocked_force_n);
+    let errors: Vec<f64> = muscle
+        .held_out
+        .iter()
+        .filter(|p| p.contraction >= 0.0 && p.pull.is_some_and(|pull| pull > 0.0))
+        .filter_map(|p| {
+            let (q, x) = (p.q, 1.0 - p.contraction);
+            let pulls = (k[0] + (k[1] + k[2] * x) * x) * q + k[3] + (k[4] + k[5] * x) * x > 0.0;
+            let slope = (k[1] + 2.0 * k[2] * x) * q + k[4] + 2.0 * k[5] * x;
+            let of_form =
+                form.at(q * form.supply_pa, p.contraction).stiffness_n_per_m * form.length_m / blocked_n;
+            pulls.then_some((slope - of_form) * form.contraction_high)
+        })
+        .collect();
+    let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len().max(1) as f64).sqrt();
+    HostError { rms, worst: errors.iter().map(|e| e.abs()).fold(0.0, f64::max) }
+}
+
 fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
     let (f, blocked_n) = (&muscle.form, muscle.blocked_force_n);
     let refused = || {
@@ -97,8 +117,15 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
         100.0 * error.rms,
         100.0 * error.worst
     );
+    let slope = stiffness_error(muscle, &k);
+    let slope = format!(
+        "Stiffness of the actuators against the form, there: {:.1} % rms, {:.1} % worst, of the mean stiffness at the supply of {:.0} N/m.",
+        100.0 * slope.rms,
+        100.0 * slope.worst,
+        blocked_n / (f.contraction_high * f.length_m)
+    );
     let mut facts = muscle.facts();
-    facts.push(reach.clone());
+    facts.extend([reach.clone(), slope.clone()]);
     let stiffness = 6.0 * blocked_n / length;
     let values = [
         ("id", muscle.identifier()),
@@ -121,7 +148,10 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
         ("damping", number(0.5 * 2.0 * (stiffness * mass_kg).sqrt())),
     ];
     let scene = render(include_str!("../../templates/muscle.xml"), &facts, &values);
-    let notes =
-        vec![reach, "both actuators of a muscle take the same control: its gauge pressure in Pa".into()];
+    let notes = vec![
+        reach,
+        slope,
+        "both actuators of a muscle take the same control: its gauge pressure in Pa".into(),
+    ];
     Ok(Artefact { files: vec![File::text("muscle.xml", "a mass that hangs from the muscle", scene)], notes })
 }
