@@ -12,12 +12,15 @@ typedef int (*set3)(void *, const unsigned *, size_t, const double *, size_t);
 static HMODULE library;
 #define OF(type, name) ((type)(void *)GetProcAddress(library, name))
 
-int main(int count, char **words)
+int wmain(int count, wchar_t **wide)
 {
+    char words[5][1024];
     const unsigned in[2] = {0, 1}, out[2] = {3, 5};
     double point[2], second[2], third[2];
     void *a, *b;
-    if (count != 5 || !(library = LoadLibraryA(words[1])))
+    for (int i = 0; i < count && i < 5; i++)
+        (void)WideCharToMultiByte(CP_UTF8, 0, wide[i], -1, words[i], sizeof(words[i]), 0, 0);
+    if (count != 5 || !(library = LoadLibraryW(wide[1])))
         return 2;
     a = OF(instantiate2, "fmi2Instantiate")("unit", 1, words[4], words[2], 0, 0, 0);
     b = OF(instantiate3, "fmi3InstantiateModelExchange")("unit", words[4], words[3], 0, 0, 0, 0);

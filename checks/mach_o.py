@@ -3,7 +3,9 @@
 Library(bytes, files).call(name, *words): words are whole numbers and addresses (`text`, `room`), and the result is one.
 """
 import struct
+import zipfile
 
+import numpy as np
 import unicorn
 from unicorn import arm64_const as arm
 from unicorn import x86_const as x86
@@ -108,3 +110,26 @@ class Library:
             self.uc.reg_write(x86.UC_X86_REG_RSP, top)
         self.uc.emu_start(IMAGE + self.symbols["_" + name], stop)
         return self.uc.reg_read(self.result)
+
+
+def outputs(path, token, points):
+    """Pull and volume of a unit of FMI 2.0 at pressures and lengths, on each processor of its library for macOS, and the size of that library."""
+    with zipfile.ZipFile(path) as archive:
+        (name,) = (n for n in archive.namelist() if n.startswith("binaries/darwin64/"))
+        data, resource = archive.read(name), archive.read("resources/muscle.bin")
+    mark, count = struct.unpack_from(">II", data)
+    assert mark == 0xCAFEBABE
+    points, out = list(points), []
+    for k in range(count):
+        _, _, offset, size, align = struct.unpack_from(">IIIII", data, 8 + 20 * k)
+        assert offset % (1 << align) == 0
+        library = Library(data[offset : offset + size], {"/a unit/resources/muscle.bin": resource})
+        made = lambda token: library.call("fmi2Instantiate", library.text("unit"), 0, library.text(token), library.text("file:///a%20unit/resources"), 0, 0, 0)
+        unit = made(token)
+        assert unit and not made("{another}")
+        inputs, wanted, found = library.room(struct.pack("<II", 0, 1)), library.room(struct.pack("<II", 3, 5)), library.room(bytes(16))
+        for point in points:
+            assert library.call("fmi2SetReal", unit, inputs, 2, library.room(struct.pack("<dd", *point))) == 0
+            assert library.call("fmi2GetReal", unit, wanted, 2, found) == 0
+            out.append(struct.unpack("<dd", library.uc.mem_read(found, 16)))
+    return np.array(out).reshape(count, len(points), 2), len(data)

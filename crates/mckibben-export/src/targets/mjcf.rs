@@ -13,11 +13,11 @@
 //! section "Muscle actuators"; engine_util_misc.c.) A limit of the force of all actuators at the tendon makes it slack.
 
 use super::TargetEntry;
+use super::host_fit::fit;
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
 use crate::template::{number, render};
 use crate::{Artefact, File, HostError};
-use nalgebra::{DMatrix, DVector};
 
 pub(super) const ENTRY: TargetEntry = TargetEntry {
     name: "mjcf",
@@ -32,47 +32,9 @@ const REACH: f64 = 1.25;
 /// Largest share of the pull beyond the blocked force at the supply.
 const STRONGEST: f64 = 3.0;
 
-/// k0, k1, k2, m0, m1, m2 over the blocked force, and their error.
+/// k0, k1, k2, m0, m1, m2 over the blocked force, and their error; the tendon's limit makes the muscle slack.
 fn fitted(muscle: &ExportedMuscle) -> Option<([f64; 6], HostError)> {
-    let row = |q: f64, x: f64| [q, q * x, q * x * x, 1.0, x, x * x];
-    let pulling: Vec<(f64, f64, f64)> = muscle
-        .held_out
-        .iter()
-        .filter_map(|p| Some((p.q, 1.0 - p.contraction, p.pull?)).filter(|p| p.2 >= 0.0 && p.1 <= 1.0))
-        .collect();
-    if pulling.len() < 12 {
-        return None;
-    }
-    // Again with less weight on points that are met: the largest error falls.
-    let mut weight = vec![1.0; pulling.len()];
-    let mut best: Option<([f64; 6], HostError)> = None;
-    for _ in 0..30 {
-        let matrix =
-            DMatrix::from_fn(pulling.len(), 6, |r, c| weight[r] * row(pulling[r].0, pulling[r].1)[c]);
-        let values = DVector::from_iterator(pulling.len(), pulling.iter().zip(&weight).map(|(p, w)| w * p.2));
-        let qr = matrix.qr();
-        let found = qr.r().solve_upper_triangular(&(qr.q().transpose() * values))?;
-        let k: [f64; 6] = std::array::from_fn(|i| found[i]);
-        if k.iter().any(|v| !v.is_finite()) {
-            return None;
-        }
-        let at = |q: f64, x: f64| row(q, x).iter().zip(&k).map(|(a, b)| a * b).sum::<f64>();
-        let errors: Vec<f64> = muscle
-            .held_out
-            .iter()
-            .filter(|p| p.contraction >= 0.0)
-            .map(|p| at(p.q, 1.0 - p.contraction).max(0.0) - p.pull.unwrap_or(0.0).max(0.0))
-            .collect();
-        let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
-        let worst = errors.iter().map(|e| e.abs()).fold(0.0, f64::max);
-        if best.is_none_or(|(_, b)| worst < b.worst) {
-            best = Some((k, HostError { rms, worst }));
-        }
-        for (w, p) in weight.iter_mut().zip(&pulling) {
-            *w *= (0.3 + (at(p.0, p.1) - p.2).abs() / worst).sqrt();
-        }
-    }
-    best
+    fit(muscle, |q, x| [q, q * x, q * x * x, 1.0, x, x * x], true)
 }
 
 /// Of dF/dL where both pull, over the blocked force over the stroke at the supply.
@@ -91,8 +53,7 @@ fn stiffness_error(muscle: &ExportedMuscle, k: &[f64; 6]) -> HostError {
             pulls.then_some((slope - of_form) * form.contraction_high)
         })
         .collect();
-    let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len().max(1) as f64).sqrt();
-    HostError { rms, worst: errors.iter().map(|e| e.abs()).fold(0.0, f64::max) }
+    HostError::of(&errors)
 }
 
 fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {

@@ -3,9 +3,11 @@
 mod c;
 mod csv;
 mod fmu;
+mod host_fit;
 mod mat_file;
 mod matlab;
 mod mjcf;
+mod opensim;
 mod python;
 mod tables;
 mod zip;
@@ -51,11 +53,14 @@ pub enum Target {
     Mjcf,
     /// Functional Mock-up Unit.
     Fmu,
+    /// OpenSim.
+    Opensim,
 }
 
 impl Target {
     /// All of them.
-    pub const ALL: [Self; 6] = [Self::C, Self::Python, Self::Csv, Self::Matlab, Self::Mjcf, Self::Fmu];
+    pub const ALL: [Self; 7] =
+        [Self::C, Self::Python, Self::Csv, Self::Matlab, Self::Mjcf, Self::Fmu, Self::Opensim];
 
     /// What is known of it.
     pub fn entry(self) -> &'static TargetEntry {
@@ -66,6 +71,7 @@ impl Target {
             Self::Matlab => &matlab::ENTRY,
             Self::Mjcf => &mjcf::ENTRY,
             Self::Fmu => &fmu::ENTRY,
+            Self::Opensim => &opensim::ENTRY,
         }
     }
 
