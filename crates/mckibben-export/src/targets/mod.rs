@@ -10,6 +10,7 @@ mod mjcf;
 mod opensim;
 mod python;
 mod tables;
+mod xlsx;
 mod zip;
 
 use crate::Artefact;
@@ -55,12 +56,14 @@ pub enum Target {
     Fmu,
     /// OpenSim.
     Opensim,
+    /// Workbook.
+    Xlsx,
 }
 
 impl Target {
     /// All of them.
-    pub const ALL: [Self; 7] =
-        [Self::C, Self::Python, Self::Csv, Self::Matlab, Self::Mjcf, Self::Fmu, Self::Opensim];
+    pub const ALL: [Self; 8] =
+        [Self::C, Self::Python, Self::Csv, Self::Matlab, Self::Mjcf, Self::Fmu, Self::Opensim, Self::Xlsx];
 
     /// What is known of it.
     pub fn entry(self) -> &'static TargetEntry {
@@ -72,6 +75,7 @@ impl Target {
             Self::Mjcf => &mjcf::ENTRY,
             Self::Fmu => &fmu::ENTRY,
             Self::Opensim => &opensim::ENTRY,
+            Self::Xlsx => &xlsx::ENTRY,
         }
     }
 
