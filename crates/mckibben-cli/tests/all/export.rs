@@ -54,5 +54,5 @@ fn an_error_says_what_to_do() {
     assert_eq!(weak.code, 2);
     assert!(weak.err.contains("no box"), "{}", weak.err);
     let listed = json("export --list");
-    assert_eq!(listed["targets"].as_array().unwrap().len(), 6);
+    assert_eq!(listed["targets"].as_array().unwrap().len(), 8);
 }
