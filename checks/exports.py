@@ -12,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import urllib.parse
 
 os.environ["JAX_ENABLE_X64"] = "1"
 import numpy as np
@@ -29,10 +30,10 @@ def run(*words, cwd=None, ok=True, timeout=300):
     return done
 
 
-def export(target):
+def export(target, *words):
     """The folder of a target, its answer, and the seconds that the export took."""
-    folder, begun = work / target, time.monotonic()
-    done = run(program, "export", MUSCLE, "--as", target, "-o", folder, "--format", "json")
+    folder, begun = work / "".join([target, *words]), time.monotonic()
+    done = run(program, "export", MUSCLE, "--as", target, *words, "-o", folder, "--format", "json")
     return folder, json.loads(done.stdout), time.monotonic() - begun
 
 
@@ -191,6 +192,58 @@ int main(void) {
     noted("c", f"ATmega2560 float, simavr: {cycles[0]} cycles a pull, {cycles[1]} an inverse", f"{error:.1e}", f"{text} B flash, all functions", time.monotonic() - begun)
 
 
+def small():
+    """The form in whole numbers on an ATmega328P in simavr: all flash that it adds to a program without it, with its numbers and what it needs of
+    the compiler's library."""
+    folder, _, _ = export("c")
+    begun = time.monotonic()
+    inside = (grid[:, 0] >= 0) & (grid[:, 0] <= 1) & (grid[:, 1] >= LOW) & (grid[:, 1] <= HIGH)
+    p, l = np.round(P[inside]).astype(int), np.round(1e6 * L[inside]).astype(int)
+    (folder / "whole.c").write_text("""#include <avr/io.h>
+#include <avr/interrupt.h>
+#include <avr/sleep.h>
+#include <stdlib.h>
+#include "muscle_int.h"
+static const int32_t points[][2] PROGMEM = {""" + ",".join(f"{{{a}, {b}}}" for a, b in zip(p, l)) + """};
+static void say(const char *t) { while (*t) { while (!(UCSR0A & (1 << UDRE0))) {} UDR0 = (unsigned char)*t++; } }
+static char text[16];
+static void put(char name, long value) { const char word[2] = {name, 0}; say(word); say(ltoa(value, text, 10)); say("\\n"); }
+int main(void) {
+    UCSR0B = 1 << TXEN0;
+    TCCR1B = 1; /* counts cycles */
+    for (unsigned i = 0; i < sizeof(points) / sizeof(points[0]); i++) {
+        volatile int32_t p = (int32_t)pgm_read_dword(&points[i][0]), l = (int32_t)pgm_read_dword(&points[i][1]), f = p, q = l;
+        unsigned taken, inverse;
+        TCNT1 = 0;
+#ifdef WHOLE
+        f = mckibben_int_force(&prototype_int, p, l);
+#endif
+        taken = TCNT1; TCNT1 = 0;
+#ifdef WHOLE
+        q = mckibben_int_pressure(&prototype_int, f, l);
+#endif
+        inverse = TCNT1;
+        put('F', f); put('P', q); put('C', taken); put('D', inverse);
+    }
+    cli(); sleep_mode();
+    return 0;
+}
+""")
+    flags, sizes = ["-mmcu=atmega328p", "-std=c99", "-Os", "-Wall", "-Wextra", "-ffunction-sections", "-fdata-sections", "-Wl,--gc-sections"], []
+    for name, words in (("without", []), ("with", ["-DWHOLE", "mckibben_int.c"])):
+        run("avr-gcc", *flags, *words, "whole.c", "-o", f"{name}.elf", cwd=folder)
+        sizes.append(sum(map(int, re.findall(r"^\.(?:text|data)\s+(\d+)", run("avr-size", "-A", f"{name}.elf", cwd=folder).stdout, re.M))))
+    done = run("timeout", "120", "simavr", "-m", "atmega328p", "-f", "16000000", "with.elf", cwd=folder, ok=False, timeout=150)
+    said = re.sub(r"\x1b\[[0-9;]*m", "", done.stdout + done.stderr)
+    force, back, cycles, inverse = (np.array([int(v) for v in re.findall(rf"{name}(-?\d+)", said)]) for name in "FPCD")
+    assert len(force) == len(p), (len(force), len(p), said[:500])
+    error = np.abs(1e-3 * force - exported.force(p, 1e-6 * l)).max() / blocked
+    again = np.abs(exported.force(back, 1e-6 * l) - 1e-3 * force)[force > 0].max() / blocked
+    flash = sizes[1] - sizes[0]
+    assert error < 1e-4 and again < 1e-4 and flash <= 2048, (error, again, sizes)
+    noted("c", f"ATmega328P whole numbers, simavr: at most {cycles.max()} cycles a pull, {inverse.max()} an inverse", f"{error:.1e}, inverse {again:.1e}", f"{flash} B flash, all that it adds", time.monotonic() - begun)
+
+
 def sketch():
     """The sketch of a closed loop on an ATmega2560 in simavr: a board whose pressure follows the valve in 0.1 s, the muscle 5 % contracted."""
     folder, _, _ = export("c")
@@ -233,6 +286,28 @@ int main() {
     assert error <= bound, (pull, 0.3 * blocked, bound)
     text = sum(map(int, re.findall(r"^\.(?:text|data)\s+(\d+)", run("avr-size", "-A", "loop.elf", cwd=folder).stdout, re.M)))
     noted("c", "Arduino sketch of a closed loop, ATmega2560 in simavr", f"pull {100 * error:.2f} % of at most {100 * bound:.2f} % (steps of valve and sensor)", f"{text} B flash, all", time.monotonic() - begun)
+
+
+def observer():
+    """The Kalman filter of the C target against a simulated drive, with noise at the sensors."""
+    folder, answer, _ = export("c", "-p", "3bar")
+    begun, blocked = time.monotonic(), answer["blocked_force_n"]
+    run("gcc", "-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", "-O2", "observer.c", "mckibben.c", "-lm", "-o", "observer", cwd=folder)
+    series = json.loads(run(program, "motion", "examples/drive.toml", "--format", "json").stdout)["series"]
+    t, pressure, length, mass, force = (np.array(series[name]) for name in ("time_s", "pressure_mpa", "contraction", "air_mass_g", "force_n"))
+    length, random, said = L0 * (1 - length), np.random.default_rng(1), []
+    stroke = length.max() - length.min()
+    # Sensors: 500 Pa and 5 mg/s; the same and a flow sensor that shows 1 % too much.
+    for gain, allowed in ((1.0, 0.01), (1.01, 0.06)):
+        flow = gain * np.diff(1e-3 * mass, prepend=1e-3 * mass[0]) / np.diff(t, prepend=-1)
+        lines = np.column_stack([t, 1e6 * pressure + 500 * random.standard_normal(len(t)), flow + 5e-6 * random.standard_normal(len(t))])
+        done = subprocess.run([folder / "observer"], input="".join(f"{a!r} {b!r} {c!r}\n" for a, b, c in lines.tolist()), capture_output=True, text=True, timeout=60)
+        found = np.array([[float(v) for v in line.split()] for line in done.stdout.splitlines()])
+        rms = lambda e: float(np.sqrt(np.mean(np.square(e))))
+        off, pull = rms(found[:, 1] - length), rms(found[:, 2] - force)
+        assert off < allowed * stroke, (gain, off, stroke)
+        said.append(f"{1e3 * off:.2f} mm of {1e3 * stroke:.0f} mm, {pull:.1f} N of {blocked:.0f} N")
+    noted("c", "observer against motion, rms: noise; and flow 1 % too high", "; ".join(said), f"{(folder / 'observer.c').stat().st_size} B of source", time.monotonic() - begun)
 
 
 def csv():
@@ -295,6 +370,17 @@ def mjcf():
         errors.append((data.qfrc_actuator[0] - force) / blocked)
     rms, worst = float(np.sqrt(np.mean(np.square(errors)))), float(np.abs(errors).max())
     assert rms <= 0.01 and worst <= 0.02, (rms, worst)
+    # The stiffness by central differences, at the points for which the file states its error.
+    tension = lambda e: (data.qpos.__setitem__(0, e * L0), mujoco.mj_forward(model, data), float(data.qfrc_actuator[0]))[-1]
+    slopes, near = [], 1e-5
+    for p in np.linspace(0, 1, 10) * SUPPLY:
+        data.ctrl[:] = p
+        for e in [e for e in (0.0, *np.linspace(LOW, HIGH, 13)) if e >= 0 and exported.force(p, (1 - e) * L0) > 0 and tension(e) > 0]:
+            slope = (tension(e - near) - tension(e + near)) / (2 * near * L0)
+            slopes.append((slope - float(exported.stiffness(p, (1 - e) * L0))) * HIGH * L0 / blocked)
+    said = [float(v) / 100 for v in re.search(r"Stiffness .*: ([\d.]+) % rms, ([\d.]+) % worst", (folder / "muscle.xml").read_text()).groups()]
+    slope_rms, slope_worst = float(np.sqrt(np.mean(np.square(slopes)))), float(np.abs(slopes).max())
+    assert abs(slope_rms - said[0]) < 0.01 and abs(slope_worst - said[1]) < 0.01, (slope_rms, slope_worst, said)
     # A hung mass at four pressures: it settles where the actuators carry it.
     mass, settled = model.body_mass.sum(), []
     for q in (0.55, 0.7, 0.85, 1.0):
@@ -308,7 +394,7 @@ def mjcf():
         exact = json.loads(run(program, "contraction", MUSCLE, "-F", f"{9.81 * mass}", "-p", f"{q * SUPPLY / 1e6}", "--format", "json").stdout)["contraction"]
         settled.append(contraction - exact)
     size = (folder / "muscle.xml").stat().st_size
-    noted("mjcf", f"MuJoCo {mujoco.__version__}", f"{100 * rms:.2f} % rms, {100 * worst:.2f} % worst against fe; a hung mass within {100 * max(map(abs, settled)):.2f} % contraction", f"{size} B", seconds + time.monotonic() - begun)
+    noted("mjcf", f"MuJoCo {mujoco.__version__}", f"{100 * rms:.2f} % rms, {100 * worst:.2f} % worst against fe; stiffness {100 * slope_rms:.0f} % rms of the mean; a hung mass within {100 * max(map(abs, settled)):.2f} % contraction", f"{size} B", seconds + time.monotonic() - begun)
     warp((folder / "muscle.xml").read_text(), pair(folder, worst))
 
 
@@ -317,7 +403,11 @@ def fmu():
     from fmpy.fmi2 import FMU2Slave
     from fmpy.validation import validate_fmu
 
-    folder, _, seconds = export("fmu")
+    path = os.environ.pop("PATH")  # no compiler is found while the unit is made
+    try:
+        folder, _, seconds = export("fmu")
+    finally:
+        os.environ["PATH"] = path
     begun = time.monotonic()
     path = str(folder / "muscle.fmu")
     problems = validate_fmu(path)
@@ -367,6 +457,48 @@ print(u.serializeFMUState(s).hex(), repr(u.getReal([3])[0]))
     noted("fmu", f"FMPy {fmpy.__version__}: FMI 3.0, Model Exchange and Co-Simulation", f"{max(thirds):.1e}", f"{pathlib.Path(third).stat().st_size} B", seconds + time.monotonic() - begun)
     size = (folder / "muscle.fmu").stat().st_size
     noted("fmu", f"FMPy {fmpy.__version__}: FMI 2.0, Model Exchange and Co-Simulation", f"{max(errors):.1e}", f"{size} B", seconds + time.monotonic() - begun)
+    windows(path)
+    macos(path)
+
+
+def macos(path):
+    """Both libraries for macOS on emulated processors."""
+    import fmpy
+    import mach_o
+
+    begun, points = time.monotonic(), slice(None, None, 3)
+    found, size = mach_o.outputs(path, fmpy.read_model_description(path).guid, zip(P[points], L[points]))
+    error = max(np.abs(found[..., 0] - F[points]).max() / blocked, np.abs(found[..., 1] - V[points]).max() / V.max())
+    assert found.shape == (2, len(F[points]), 2) and error < 1e-12, error
+    noted("fmu", "macOS libraries, code on emulated x86-64 and arm64 (Unicorn)", f"{error:.1e}", f"{size} B both", time.monotonic() - begun)
+
+
+def windows(path):
+    """The library for Windows, in Wine: its resources in a folder whose name has a space and a letter beyond ASCII."""
+    if not (shutil.which("wine") and shutil.which("x86_64-w64-mingw32-gcc")):
+        print("fmu | Windows in Wine | not installed")
+        return
+    import zipfile
+    import fmpy
+
+    begun, unit = time.monotonic(), work / "the unit \u00fc"
+    with zipfile.ZipFile(path) as archive:
+        archive.extractall(unit)
+        sizes = {i.filename.split("/")[1]: i.file_size for i in archive.infolist() if i.filename.startswith("binaries/")}
+    (library,) = (unit / "binaries/win64").iterdir()
+    run("x86_64-w64-mingw32-gcc", "-municode", "-O1", "-Wall", "-Werror", ROOT / "checks/fmu_host.c", "-o", work / "host.exe")
+    shutil.copy(library, work / "unit.dll")
+    resources = "Z:" + str(unit / "resources")
+    location = "file:///" + urllib.parse.quote(resources, safe="/:")
+    words = ["wine", work / "host.exe", "Z:" + str(work / "unit.dll"), location, resources + "/", fmpy.read_model_description(path).guid]
+    points = "".join(f"{p!r} {l!r}\n" for p, l in zip(P.tolist(), L.tolist()))
+    settings = {**os.environ, "WINEPREFIX": str(work / "wine"), "WINEDEBUG": "-all", "LC_ALL": "C.UTF-8", "DISPLAY": ""}
+    done = subprocess.run([str(w) for w in words], input=points, capture_output=True, text=True, timeout=300, env=settings)
+    assert done.returncode == 0, (done.returncode, done.stderr[-1000:])
+    found = np.array([[float(v) for v in line.split()] for line in done.stdout.splitlines()])
+    error = max(np.abs(found[:, [0, 2]] - F[:, None]).max() / blocked, np.abs(found[:, [1, 3]] - V[:, None]).max() / V.max())
+    assert len(found) == len(P) and error < 1e-12, error
+    noted("fmu", f"Windows library in {run('wine', '--version').stdout.strip()}: FMI 2.0 and FMI 3.0", f"{error:.1e}", f"libraries {sizes} B", time.monotonic() - begun)
 
 
 def pair(folder, worst):
@@ -457,7 +589,7 @@ def warp(*scenes):
     noted("mjcf", "mujoco-warp, CPU", f"{worst:.1e} against MuJoCo", "", time.monotonic() - begun)
 
 
-PARTS = {f.__name__: f for f in (python, c, sketch, csv, matlab, mjcf, fmu)}
+PARTS = {f.__name__: f for f in (python, c, small, sketch, observer, csv, matlab, mjcf, fmu)}
 for part in sys.argv[2:] or PARTS:
     PARTS[part]()
 print("\n| target | host | error | size | time |\n|---|---|---|---|---|")

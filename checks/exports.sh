@@ -11,13 +11,20 @@ need arm-none-eabi-gcc gcc-arm-none-eabi libnewlib-arm-none-eabi
 need qemu-system-arm qemu-system-arm
 need avr-gcc gcc-avr avr-libc
 need simavr simavr
+need x86_64-w64-mingw32-gcc gcc-mingw-w64-x86-64
+need wine wine64 wine
+need soffice libreoffice-calc
 if [ ${#packages[@]} -gt 0 ]; then
     (apt-get update -qq && apt-get install -y -qq --no-install-recommends "${packages[@]}") >/dev/null
 fi
 venv=${CARGO_TARGET_DIR:-target}/venv-exports
 test -x "$venv/bin/python" || python3 -m venv "$venv"
-"$venv/bin/python" -m pip install --quiet numpy jax mujoco fmpy
+"$venv/bin/python" -m pip install --quiet numpy jax mujoco fmpy unicorn
 "$venv/bin/python" -c "import mujoco_warp" 2>/dev/null || "$venv/bin/python" -m pip install --quiet mujoco-warp || echo "mujoco-warp could not be installed: its part is left out"
 # PyTorch without the libraries of graphics cards, where its own index can be reached.
 "$venv/bin/python" -c "import torch" 2>/dev/null || "$venv/bin/python" -m pip install --quiet torch --index-url https://download.pytorch.org/whl/cpu || echo "PyTorch could not be installed: its part is left out"
+bash checks/fmu-binaries.sh --check
 "$venv/bin/python" checks/exports.py "$1"
+"$venv/bin/python" checks/exports_xlsx.py "$1"
+"$venv/bin/python" -c "import opensim" 2>/dev/null || "$venv/bin/python" -m pip install --quiet opensim || echo "OpenSim could not be installed: its part is left out"
+if "$venv/bin/python" -c "import opensim" 2>/dev/null; then "$venv/bin/python" checks/exports_opensim.py "$1"; fi

@@ -44,8 +44,8 @@ PARTS = {
     "build": ("plugs and drawings in OpenSCAD and a reader of DXF", [
         r"crates/mckibben-build/src/.*", r"crates/mckibben-report/src/sheet/.*", r"checks/build\..*",
     ], None, ["bash checks/build.sh \"$MCKIBBEN\""]),
-    "exports": ("exported muscles in their hosts: compilers, emulated microcontrollers, MuJoCo, FMPy, Octave, JAX, PyTorch", [
-        r"crates/mckibben-export/.*", r"crates/mckibben-app/src/export\.rs", r"checks/exports\..*",
+    "exports": ("exported muscles in their hosts: compilers, emulated microcontrollers, MuJoCo, OpenSim, FMPy, Wine, Octave, LibreOffice, JAX, PyTorch", [
+        r"crates/mckibben-export/.*", r"crates/mckibben-app/src/export\.rs", r"checks/exports.*", r"checks/fmu.*", r"checks/mach_o\.py",
     ], None, ["bash checks/exports.sh \"$MCKIBBEN\""]),
     "release": ("the release build and README's first command", MANIFESTS, None, [
         "cargo build --release --locked",

@@ -24,7 +24,7 @@ pub struct ExportRequest {
     /// The model.
     #[serde(flatten)]
     pub model: ModelFields,
-    /// The target: `c`, `python`, `csv`, `matlab`, `mjcf`, `fmu`; `export-list` describes them.
+    /// The target: `c`, `python`, `csv`, `matlab`, `mjcf`, `fmu`, `opensim`, `xlsx`; `export-list` describes them.
     pub target: Option<String>,
     /// Supply pressure, the upper end of the box, MPa; default 0.25, or the allowed pressure where that is lower.
     pub pressure_mpa: Option<f64>,

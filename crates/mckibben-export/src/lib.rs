@@ -41,3 +41,10 @@ pub(crate) struct HostError {
     pub rms: f64,
     pub worst: f64,
 }
+
+impl HostError {
+    fn of(errors: &[f64]) -> Self {
+        let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len().max(1) as f64).sqrt();
+        Self { rms, worst: errors.iter().map(|e| e.abs()).fold(0.0, f64::max) }
+    }
+}

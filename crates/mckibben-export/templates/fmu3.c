@@ -16,18 +16,21 @@ enum { STATUS = FORCE_PER_PRESSURE + 1, TIME };
 FMI3(const char *) fmi3GetVersion(void) { return "3.0"; }
 FMI3(fmi3Status) fmi3SetDebugLogging(void *c, bool on, size_t n, const char *const names[]) { (void)c; (void)on; (void)n; (void)names; return fmi3OK; }
 
-static void *made(const char *token)
+typedef void (*fmi3Log)(void *environment, fmi3Status status, const char *category, const char *message);
+
+static void *instantiated(const char *resources, const char *token, void *environment, fmi3Log log)
 {
-    instance *c = token && strcmp(token, "@{guid}") == 0 ? (instance *)malloc(sizeof(instance)) : 0;
-    if (c)
-        begin(c);
+    const char *why;
+    instance *c = made(resources, token, &why);
+    if (!c && log)
+        log(environment, fmi3Error, "logStatusError", why);
     return c;
 }
-FMI3(void *) fmi3InstantiateModelExchange(const char *name, const char *token, const char *resources, bool visible, bool logging, void *environment, void *log) { (void)name; (void)resources; (void)visible; (void)logging; (void)environment; (void)log; return made(token); }
-FMI3(void *) fmi3InstantiateCoSimulation(const char *name, const char *token, const char *resources, bool visible, bool logging, bool events, bool early, REFERENCES, void *environment, void *log, void *update) { (void)name; (void)resources; (void)visible; (void)logging; (void)events; (void)early; (void)vr; (void)n; (void)environment; (void)log; (void)update; return made(token); }
+FMI3(void *) fmi3InstantiateModelExchange(const char *name, const char *token, const char *resources, bool visible, bool logging, void *environment, fmi3Log log) { (void)name; (void)visible; (void)logging; return instantiated(resources, token, environment, log); }
+FMI3(void *) fmi3InstantiateCoSimulation(const char *name, const char *token, const char *resources, bool visible, bool logging, bool events, bool early, REFERENCES, void *environment, fmi3Log log, void *update) { (void)name; (void)visible; (void)logging; (void)events; (void)early; (void)vr; (void)n; (void)update; return instantiated(resources, token, environment, log); }
 FMI3(void *) fmi3InstantiateScheduledExecution(const char *name, const char *token, const char *resources, bool visible, bool logging, void *environment, void *log, void *update, void *lock, void *unlock) { (void)name; (void)token; (void)resources; (void)visible; (void)logging; (void)environment; (void)log; (void)update; (void)lock; (void)unlock; return 0; }
 FMI3(void) fmi3FreeInstance(void *c) { free(c); }
-FMI3(fmi3Status) fmi3EnterInitializationMode(void *c, bool tolerant, double tolerance, double start, bool stops, double stop) { (void)tolerant; (void)tolerance; (void)stops; (void)stop; ((instance *)c)->time = start; return fmi3OK; }
+FMI3(fmi3Status) fmi3EnterInitializationMode(void *c, bool tolerant, double tolerance, double start, bool stops, double stop) { (void)tolerant; (void)tolerance; (void)stops; (void)stop; ((instance *)c)->now.time = start; return fmi3OK; }
 FMI3(fmi3Status) fmi3Reset(void *c) { begin((instance *)c); return fmi3OK; }
 
 /* Changes of the mode have nothing to do. */
@@ -47,7 +50,7 @@ FMI3(fmi3Status) fmi3GetFloat64(void *c, REFERENCES, double value[], size_t valu
         return fmi3Error;
     for (size_t i = 0; i < n; i++) {
         if (vr[i] == TIME)
-            value[i] = ((instance *)c)->time;
+            value[i] = ((instance *)c)->now.time;
         else if (!get((const instance *)c, vr[i], &value[i]))
             return fmi3Error;
     }
@@ -127,7 +130,7 @@ FMI3(fmi3Status) fmi3GetAdjointDerivative(void *c, const uint32_t of[], size_t n
 /* Model Exchange. */
 FMI3(fmi3Status) fmi3UpdateDiscreteStates(void *c, bool *again, bool *stop, bool *nominals, bool *values, bool *timed, double *time) { (void)c; *again = *stop = *nominals = *values = *timed = false; *time = 0.0; return fmi3OK; }
 FMI3(fmi3Status) fmi3CompletedIntegratorStep(void *c, bool final, bool *event, bool *stop) { (void)c; (void)final; *event = *stop = false; return fmi3OK; }
-FMI3(fmi3Status) fmi3SetTime(void *c, double time) { ((instance *)c)->time = time; return fmi3OK; }
+FMI3(fmi3Status) fmi3SetTime(void *c, double time) { ((instance *)c)->now.time = time; return fmi3OK; }
 FMI3(fmi3Status) fmi3SetContinuousStates(void *c, const double x[], size_t n) { (void)c; (void)x; return n ? fmi3Error : fmi3OK; }
 FMI3(fmi3Status) fmi3GetContinuousStates(void *c, double x[], size_t n) { (void)c; (void)x; return n ? fmi3Error : fmi3OK; }
 FMI3(fmi3Status) fmi3GetContinuousStateDerivatives(void *c, double x[], size_t n) { (void)c; (void)x; return n ? fmi3Error : fmi3OK; }
@@ -138,5 +141,5 @@ FMI3(fmi3Status) fmi3GetNumberOfContinuousStates(void *c, size_t *n) { (void)c; 
 
 /* Co-Simulation. */
 FMI3(fmi3Status) fmi3GetOutputDerivatives(void *c, REFERENCES, const int32_t order[], double value[], size_t values) { (void)c; (void)vr; (void)order; (void)value; (void)values; return n ? fmi3Error : fmi3OK; }
-FMI3(fmi3Status) fmi3DoStep(void *c, double at, double step, bool final, bool *event, bool *stop, bool *early, double *last) { (void)final; *event = *stop = *early = false; *last = ((instance *)c)->time = at + step; return fmi3OK; }
+FMI3(fmi3Status) fmi3DoStep(void *c, double at, double step, bool final, bool *event, bool *stop, bool *early, double *last) { (void)final; *event = *stop = *early = false; *last = ((instance *)c)->now.time = at + step; return fmi3OK; }
 FMI3(fmi3Status) fmi3ActivateModelPartition(void *c, uint32_t clock, double time) { (void)c; (void)clock; (void)time; return fmi3Error; }

@@ -24,7 +24,7 @@ pub const EXAMPLES: &str = "Examples:
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Question")]
 pub struct ExportArgs {
-    /// Target: c, python, csv, matlab, mjcf, fmu
+    /// Target: c, python, csv, matlab, mjcf, fmu, opensim, xlsx
     #[arg(long = "as", value_name = "TARGET", required_unless_present = "list")]
     pub target: Option<String>,
     /// List the targets: what each is, needs and loses

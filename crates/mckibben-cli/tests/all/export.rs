@@ -47,12 +47,12 @@ fn a_folder_is_written_again_and_what_is_not_ours_stays() {
 fn an_error_says_what_to_do() {
     let unknown = mckibben(&format!("{MUSCLE} simscape"));
     assert_eq!(unknown.code, 2);
-    assert!(unknown.err.contains("c, python, csv, matlab, mjcf, fmu"), "{}", unknown.err);
+    assert!(unknown.err.contains("c, python, csv, matlab, mjcf, fmu, opensim, xlsx"), "{}", unknown.err);
     let none = mckibben("export examples/prototype.toml");
     assert_eq!(none.code, 2);
     let weak = mckibben(&format!("{MUSCLE} c --contraction-low 10%"));
     assert_eq!(weak.code, 2);
     assert!(weak.err.contains("no box"), "{}", weak.err);
     let listed = json("export --list");
-    assert_eq!(listed["targets"].as_array().unwrap().len(), 6);
+    assert_eq!(listed["targets"].as_array().unwrap().len(), 8);
 }

@@ -1,128 +1,134 @@
 //! FMI 2.0 and 3.0: Functional Mock-up Units around the C target, for Model Exchange and Co-Simulation, with their sources.
+//!
+//! The library of a unit is the same for all muscles: it reads the numbers of its muscle from `resources/muscle.bin`. `checks/fmu-binaries.sh`
+//! makes it for each system, from the templates alone; a unit has all of them, so that its user needs no compiler.
 
 use super::TargetEntry;
 use super::c::{rendered, sources};
 use super::zip::zip;
 use crate::error::ExportError;
+use crate::form::NODES;
 use crate::muscle::ExportedMuscle;
 use crate::template::{number, render};
 use crate::{Artefact, File};
 
 pub(super) const ENTRY: TargetEntry = TargetEntry {
     name: "fmu",
-    about: "Functional Mock-up Units of FMI 2.0 and of FMI 3.0, Model Exchange and Co-Simulation, with their sources",
-    needs: "a tool that reads FMI 2.0 or 3.0; a C compiler (cc) where this program runs, or a tool that compiles sources",
-    loses: "friction; the binary in it is for this system and processor alone",
+    about: "Functional Mock-up Units of FMI 2.0 and of FMI 3.0, Model Exchange and Co-Simulation, with libraries and their sources",
+    needs: "a tool that reads FMI 2.0 or 3.0, on Linux or Windows (x86-64) or macOS (x86-64, arm64); no compiler",
+    loses: "friction",
     make,
 };
 
+/// A system: its folder in FMI 2.0 and in FMI 3.0, the ending of a library, and the library.
+struct System {
+    second: Option<&'static str>,
+    third: &'static str,
+    ending: &'static str,
+    library: &'static [u8],
+}
+
+const SYSTEMS: [System; 4] = [
+    System {
+        second: Some("linux64"),
+        third: "x86_64-linux",
+        ending: "so",
+        library: include_bytes!("../../binaries/x86_64-linux"),
+    },
+    System {
+        second: Some("win64"),
+        third: "x86_64-windows",
+        ending: "dll",
+        library: include_bytes!("../../binaries/x86_64-windows"),
+    },
+    System { second: None, third: "x86_64-darwin", ending: "dylib", library: MACOS[0] },
+    System { second: None, third: "aarch64-darwin", ending: "dylib", library: MACOS[1] },
+];
+/// FMI 2.0 has one folder for both processors.
+const MACOS: [&[u8]; 2] =
+    [include_bytes!("../../binaries/x86_64-darwin"), include_bytes!("../../binaries/aarch64-darwin")];
+
 fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
     let (id, facts) = (muscle.identifier(), muscle.facts());
-    let guid = ("guid", format!("{{mckibben-{}}}", muscle.hash));
+    let token = format!("{{mckibben-{}}}", muscle.hash);
     let values = [
         ("id", id.clone()),
-        guid.clone(),
+        ("guid", token.clone()),
         ("said", format!("{} {}", facts[0], facts[2]).replace('"', "'")),
         ("version", muscle.version.into()),
         ("length", number(muscle.form.length_m)),
     ];
     let described = |template: &str| render(template, &facts, &values).into_bytes();
-    let source = |template: &str| rendered(template, muscle).replace("@{guid}", &guid.1).into_bytes();
-    let mut files = vec![
+    let source = |template: &str| rendered(template, muscle).into_bytes();
+    let mut common = vec![
+        ("resources/muscle.bin".to_owned(), resource(muscle, &token)),
         ("sources/fmu2.c".to_owned(), source(include_str!("../../templates/fmu2.c"))),
         ("sources/fmu3.c".to_owned(), source(include_str!("../../templates/fmu3.c"))),
     ];
-    for file in sources(muscle) {
-        files.push((format!("sources/{}", file.name), file.content.bytes().to_vec()));
+    for file in sources(muscle).into_iter().filter(|file| file.name != "muscle.h") {
+        common.push((format!("sources/{}", file.name), file.content.bytes().to_vec()));
     }
-    // One library has the functions of both.
-    let library = binary::compiled(&files);
-    let mut notes = vec![];
-    if library.is_none() {
-        notes.push("no C compiler (cc) was found: the FMU has sources alone, which the tool that reads it must compile".into());
-    }
-    let unit = |platform: &str, mut own: Vec<(String, Vec<u8>)>| {
-        own.extend(files.iter().cloned());
-        own.extend(
-            library
-                .iter()
-                .map(|bytes| (format!("binaries/{platform}/{id}.{}", binary::ENDING), bytes.clone())),
-        );
+    let unit = |own: Vec<(String, Vec<u8>)>| {
         let all: Vec<(&str, &[u8])> =
-            own.iter().map(|(name, bytes)| (name.as_str(), bytes.as_slice())).collect();
+            own.iter().chain(&common).map(|(name, bytes)| (name.as_str(), bytes.as_slice())).collect();
         zip(&all)
     };
+    let library = |folder: &str, ending: &str| format!("binaries/{folder}/{id}.{ending}");
     let description = "modelDescription.xml".to_owned();
-    let second = vec![(description.clone(), described(include_str!("../../templates/fmu2.xml")))];
-    let third = vec![
+    let mut second = vec![(description.clone(), described(include_str!("../../templates/fmu2.xml")))];
+    let mut third = vec![
         (description, described(include_str!("../../templates/fmu3.xml"))),
         (
             "sources/buildDescription.xml".to_owned(),
             described(include_str!("../../templates/fmu3_build.xml")),
         ),
     ];
+    for system in SYSTEMS {
+        third.push((library(system.third, system.ending), system.library.to_vec()));
+        if let Some(folder) = system.second {
+            second.push((library(folder, system.ending), system.library.to_vec()));
+        }
+    }
+    second.push((library("darwin64", "dylib"), universal(&MACOS)));
     let files = vec![
-        File::bytes("muscle.fmu", "the unit, FMI 2.0", unit(binary::PLATFORM, second)),
-        File::bytes("muscle_fmi3.fmu", "the same, FMI 3.0", unit(binary::PLATFORM_3, third)),
+        File::bytes("muscle.fmu", "the unit, FMI 2.0", unit(second)),
+        File::bytes("muscle_fmi3.fmu", "the same, FMI 3.0", unit(third)),
     ];
-    Ok(Artefact { files, notes })
+    Ok(Artefact { files, notes: vec![] })
 }
 
-/// The library of this system.
-mod binary {
-    #[cfg(all(target_os = "linux", target_arch = "x86_64"))]
-    pub use linux::*;
-    #[cfg(not(all(target_os = "linux", target_arch = "x86_64")))]
-    pub use other::*;
-
-    #[cfg(all(target_os = "linux", target_arch = "x86_64"))]
-    mod linux {
-        use std::process::{Command, Stdio};
-
-        pub const PLATFORM: &str = "linux64";
-        pub const PLATFORM_3: &str = "x86_64-linux";
-        pub const ENDING: &str = "so";
-
-        /// What `cc` makes of the sources, in a folder that is removed again.
-        pub fn compiled(files: &[(String, Vec<u8>)]) -> Option<Vec<u8>> {
-            use std::sync::atomic::{AtomicU32, Ordering};
-            static NEXT: AtomicU32 = AtomicU32::new(0);
-            let (process, next) = (std::process::id(), NEXT.fetch_add(1, Ordering::Relaxed));
-            let folder = std::env::temp_dir().join(format!("mckibben-fmu-{process}-{next}"));
-            // A folder that exists already is not ours.
-            std::fs::create_dir(&folder).ok()?;
-            let made = || {
-                for (name, bytes) in files {
-                    std::fs::write(folder.join(name.strip_prefix("sources/")?), bytes).ok()?;
-                }
-                let flags =
-                    ["-std=c99", "-O2", "-ffp-contract=off", "-fPIC", "-shared", "-s", "-fvisibility=hidden"];
-                let done = Command::new("cc")
-                    .args(flags)
-                    .args(["fmu3.c", "-o", "muscle.so", "-lm"])
-                    .current_dir(&folder)
-                    .stdin(Stdio::null())
-                    .stdout(Stdio::null())
-                    .stderr(Stdio::null())
-                    .status();
-                done.ok().filter(|status| status.success())?;
-                std::fs::read(folder.join("muscle.so")).ok()
-            };
-            let bytes = made();
-            // What remains in the folder for temporary files does no harm.
-            let _ = std::fs::remove_dir_all(&folder);
-            bytes
-        }
+/// `muscle.bin`, as fmu2.c reads it.
+fn resource(muscle: &ExportedMuscle, token: &str) -> Vec<u8> {
+    let form = &muscle.form;
+    let mut out = b"mckibben".to_vec();
+    out.extend(token.bytes().chain(std::iter::repeat(0)).take(32));
+    let padded = |values: &[f64]| values.iter().copied().chain(std::iter::repeat(0.0)).take(NODES).collect();
+    let mut numbers = vec![1.0, form.length_m, form.supply_pa, form.contractions.len() as f64];
+    for row in std::iter::once(&form.contractions).chain(&form.a).chain(&form.b) {
+        numbers.extend::<Vec<f64>>(padded(row));
     }
+    numbers.extend(form.v);
+    out.extend(numbers.into_iter().flat_map(f64::to_le_bytes));
+    out
+}
 
-    #[cfg(not(all(target_os = "linux", target_arch = "x86_64")))]
-    mod other {
-        pub const PLATFORM: &str = "none";
-        pub const PLATFORM_3: &str = "none";
-        pub const ENDING: &str = "none";
-
-        pub fn compiled(_files: &[(String, Vec<u8>)]) -> Option<Vec<u8>> {
-            None
+/// A file of macOS with a library for each of several processors (mach-o/fat.h): big-endian header, then each at a page of 16 KiB.
+fn universal(libraries: &[&[u8]]) -> Vec<u8> {
+    const ALIGN: u32 = 14;
+    let page = 1_usize << ALIGN;
+    let mut header: Vec<u8> =
+        [0xcafe_babe_u32, libraries.len() as u32].into_iter().flat_map(u32::to_be_bytes).collect();
+    let mut body = vec![];
+    for library in libraries {
+        body.resize(usize::next_multiple_of(body.len(), page), 0);
+        // The processor and its kind: the second and the third word of a library, little-endian.
+        header.extend(library[4..8].iter().rev().chain(library[8..12].iter().rev()));
+        for word in [(page + body.len()) as u32, library.len() as u32, ALIGN] {
+            header.extend(word.to_be_bytes());
         }
+        body.extend(*library);
     }
+    header.resize(page, 0);
+    header.extend(body);
+    header
 }

@@ -13,11 +13,11 @@
 //! section "Muscle actuators"; engine_util_misc.c.) A limit of the force of all actuators at the tendon makes it slack.
 
 use super::TargetEntry;
+use super::host_fit::fit;
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
 use crate::template::{number, render};
 use crate::{Artefact, File, HostError};
-use nalgebra::{DMatrix, DVector};
 
 pub(super) const ENTRY: TargetEntry = TargetEntry {
     name: "mjcf",
@@ -32,47 +32,28 @@ const REACH: f64 = 1.25;
 /// Largest share of the pull beyond the blocked force at the supply.
 const STRONGEST: f64 = 3.0;
 
-/// k0, k1, k2, m0, m1, m2 over the blocked force, and their error.
+/// k0, k1, k2, m0, m1, m2 over the blocked force, and their error; the tendon's limit makes the muscle slack.
 fn fitted(muscle: &ExportedMuscle) -> Option<([f64; 6], HostError)> {
-    let row = |q: f64, x: f64| [q, q * x, q * x * x, 1.0, x, x * x];
-    let pulling: Vec<(f64, f64, f64)> = muscle
+    fit(muscle, |q, x| [q, q * x, q * x * x, 1.0, x, x * x], true)
+}
+
+/// Of dF/dL where both pull, over the blocked force over the stroke at the supply.
+fn stiffness_error(muscle: &ExportedMuscle, k: &[f64; 6]) -> HostError {
+    let (form, blocked_n) = (&muscle.form, muscle.blocked_force_n);
+    let errors: Vec<f64> = muscle
         .held_out
         .iter()
-        .filter_map(|p| Some((p.q, 1.0 - p.contraction, p.pull?)).filter(|p| p.2 >= 0.0 && p.1 <= 1.0))
+        .filter(|p| p.contraction >= 0.0 && p.pull.is_some_and(|pull| pull > 0.0))
+        .filter_map(|p| {
+            let (q, x) = (p.q, 1.0 - p.contraction);
+            let pulls = (k[0] + (k[1] + k[2] * x) * x) * q + k[3] + (k[4] + k[5] * x) * x > 0.0;
+            let slope = (k[1] + 2.0 * k[2] * x) * q + k[4] + 2.0 * k[5] * x;
+            let of_form =
+                form.at(q * form.supply_pa, p.contraction).stiffness_n_per_m * form.length_m / blocked_n;
+            pulls.then_some((slope - of_form) * form.contraction_high)
+        })
         .collect();
-    if pulling.len() < 12 {
-        return None;
-    }
-    // Again with less weight on points that are met: the largest error falls.
-    let mut weight = vec![1.0; pulling.len()];
-    let mut best: Option<([f64; 6], HostError)> = None;
-    for _ in 0..30 {
-        let matrix =
-            DMatrix::from_fn(pulling.len(), 6, |r, c| weight[r] * row(pulling[r].0, pulling[r].1)[c]);
-        let values = DVector::from_iterator(pulling.len(), pulling.iter().zip(&weight).map(|(p, w)| w * p.2));
-        let qr = matrix.qr();
-        let found = qr.r().solve_upper_triangular(&(qr.q().transpose() * values))?;
-        let k: [f64; 6] = std::array::from_fn(|i| found[i]);
-        if k.iter().any(|v| !v.is_finite()) {
-            return None;
-        }
-        let at = |q: f64, x: f64| row(q, x).iter().zip(&k).map(|(a, b)| a * b).sum::<f64>();
-        let errors: Vec<f64> = muscle
-            .held_out
-            .iter()
-            .filter(|p| p.contraction >= 0.0)
-            .map(|p| at(p.q, 1.0 - p.contraction).max(0.0) - p.pull.unwrap_or(0.0).max(0.0))
-            .collect();
-        let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
-        let worst = errors.iter().map(|e| e.abs()).fold(0.0, f64::max);
-        if best.is_none_or(|(_, b)| worst < b.worst) {
-            best = Some((k, HostError { rms, worst }));
-        }
-        for (w, p) in weight.iter_mut().zip(&pulling) {
-            *w *= (0.3 + (at(p.0, p.1) - p.2).abs() / worst).sqrt();
-        }
-    }
-    best
+    HostError::of(&errors)
 }
 
 fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
@@ -97,8 +78,15 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
         100.0 * error.rms,
         100.0 * error.worst
     );
+    let slope = stiffness_error(muscle, &k);
+    let slope = format!(
+        "Stiffness of the actuators against the form, there: {:.1} % rms, {:.1} % worst, of the mean stiffness at the supply of {:.0} N/m.",
+        100.0 * slope.rms,
+        100.0 * slope.worst,
+        blocked_n / (f.contraction_high * f.length_m)
+    );
     let mut facts = muscle.facts();
-    facts.push(reach.clone());
+    facts.extend([reach.clone(), slope.clone()]);
     let stiffness = 6.0 * blocked_n / length;
     let values = [
         ("id", muscle.identifier()),
@@ -121,7 +109,10 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
         ("damping", number(0.5 * 2.0 * (stiffness * mass_kg).sqrt())),
     ];
     let scene = render(include_str!("../../templates/muscle.xml"), &facts, &values);
-    let notes =
-        vec![reach, "both actuators of a muscle take the same control: its gauge pressure in Pa".into()];
+    let notes = vec![
+        reach,
+        slope,
+        "both actuators of a muscle take the same control: its gauge pressure in Pa".into(),
+    ];
     Ok(Artefact { files: vec![File::text("muscle.xml", "a mass that hangs from the muscle", scene)], notes })
 }

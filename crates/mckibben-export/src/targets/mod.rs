@@ -3,11 +3,14 @@
 mod c;
 mod csv;
 mod fmu;
+mod host_fit;
 mod mat_file;
 mod matlab;
 mod mjcf;
+mod opensim;
 mod python;
 mod tables;
+mod xlsx;
 mod zip;
 
 use crate::Artefact;
@@ -51,11 +54,16 @@ pub enum Target {
     Mjcf,
     /// Functional Mock-up Unit.
     Fmu,
+    /// OpenSim.
+    Opensim,
+    /// Workbook.
+    Xlsx,
 }
 
 impl Target {
     /// All of them.
-    pub const ALL: [Self; 6] = [Self::C, Self::Python, Self::Csv, Self::Matlab, Self::Mjcf, Self::Fmu];
+    pub const ALL: [Self; 8] =
+        [Self::C, Self::Python, Self::Csv, Self::Matlab, Self::Mjcf, Self::Fmu, Self::Opensim, Self::Xlsx];
 
     /// What is known of it.
     pub fn entry(self) -> &'static TargetEntry {
@@ -66,6 +74,8 @@ impl Target {
             Self::Matlab => &matlab::ENTRY,
             Self::Mjcf => &mjcf::ENTRY,
             Self::Fmu => &fmu::ENTRY,
+            Self::Opensim => &opensim::ENTRY,
+            Self::Xlsx => &xlsx::ENTRY,
         }
     }
 

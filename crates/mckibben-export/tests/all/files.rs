@@ -3,6 +3,7 @@
 use super::exported;
 use mckibben::muscle::Muscle;
 use mckibben_export::{Content, ExportError, ExportedMuscle, Target};
+use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
 use std::path::Path;
 use std::process::Command;
@@ -63,6 +64,26 @@ fn an_unknown_target_is_named_with_those_that_there_are() {
     let error = "simscape".parse::<Target>().unwrap_err();
     assert!(matches!(error, ExportError::Target { .. }));
     assert!(error.to_string().contains("c, python, csv"), "{error}");
+}
+
+/// `checks/fmu-binaries.sh` writes the hashes: a source that was changed needs it again.
+#[test]
+fn libraries_of_the_fmu_have_the_hashes_recorded_with_those_of_their_sources() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut names = vec![];
+    for line in std::fs::read_to_string(folder.join("binaries/hashes.txt")).unwrap().lines() {
+        let (recorded, name) = line.split_once("  ").unwrap();
+        let digest = Sha256::digest(std::fs::read(folder.join(name)).unwrap());
+        let found: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
+        assert_eq!(found, recorded, "{name}: run checks/fmu-binaries.sh");
+        names.push(name.to_owned());
+    }
+    let templates = ["fmu2.c", "fmu3.c", "mckibben.c", "mckibben.h"].map(|name| format!("templates/{name}"));
+    let libraries = ["aarch64-darwin", "x86_64-darwin", "x86_64-linux", "x86_64-windows"];
+    assert_eq!(names, [templates, libraries.map(|name| format!("binaries/{name}"))].concat());
+    let size: u64 =
+        libraries.iter().map(|name| folder.join("binaries").join(name).metadata().unwrap().len()).sum();
+    assert!(size <= 200_000, "{size} bytes");
 }
 
 /// Columns: pressure, length, pull, stiffness, dF/dP, volume, pressure of the pull.
@@ -138,6 +159,70 @@ fn c_in_double_precision_is_the_form_to_1e_12() {
 #[test]
 fn c_in_single_precision_errs_by_less_than_1e_4() {
     compare_with_c(&["-DMCKIBBEN_FLOAT"], 1e-4);
+}
+
+/// In the box, at whole pressures and lengths; each pressure is returned as closely as a millinewton of its pull determines it.
+#[test]
+fn c_in_whole_numbers_errs_by_less_than_1e_4() {
+    if !runs("cc") {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    write(Target::C, folder.path());
+    let form = &PROTOTYPE.form;
+    let mut main =
+        String::from("#include \"muscle_int.h\"\n#include <stdio.h>\nint main(void) {\nint32_t f;\n");
+    let mut points = vec![];
+    for i in 0..=40 {
+        for k in 0..=60 {
+            let e =
+                form.contraction_low + (form.contraction_high - form.contraction_low) * f64::from(k) / 60.0;
+            let (p, l) =
+                ((form.supply_pa * f64::from(i) / 40.0).round(), (1e6 * form.length_m * (1.0 - e)).round());
+            points.push((p, 1e-6 * l));
+            let _ = writeln!(
+                main,
+                "f = mckibben_int_force(&prototype_int, {p}, {l}); printf(\"%ld %ld\\n\", (long)f, (long)mckibben_int_pressure(&prototype_int, f, {l}));"
+            );
+        }
+    }
+    main += "return 0; }\n";
+    std::fs::write(folder.path().join("main.c"), main).unwrap();
+    let strict = [
+        "-std=c99",
+        "-Wall",
+        "-Wextra",
+        "-Wconversion",
+        "-pedantic",
+        "-Werror",
+        "-O0",
+        "-fsanitize=undefined",
+    ];
+    let done = Command::new("cc")
+        .args(strict)
+        .args(["-fno-sanitize-recover=undefined", "main.c", "mckibben_int.c", "-o", "main"])
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let out = Command::new(folder.path().join("main")).output().unwrap();
+    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+    let text = String::from_utf8(out.stdout).unwrap();
+    let full_n = form.at(form.supply_pa, 0.0).force_n;
+    assert_eq!(text.lines().count(), points.len());
+    let mut largest = 0.0_f64;
+    for (line, (p, l)) in text.lines().zip(points) {
+        let (f, back) = line
+            .split_once(' ')
+            .map(|(f, p)| (1e-3 * f.parse::<f64>().unwrap(), p.parse::<f64>().unwrap()))
+            .unwrap();
+        let e = form.contraction_of(l);
+        largest = largest.max((f - form.at(p, e).force_n).abs() / full_n);
+        let again = form.at(back, e).force_n;
+        assert!(f == 0.0 || (again - f).abs() < 1e-4 * full_n, "{p} {l}: {f} {back} {again}");
+    }
+    eprintln!("whole numbers: {largest:e}");
+    assert!(largest < 1e-4, "{largest}");
 }
 
 #[test]
