@@ -45,13 +45,14 @@ inBrowser(({ name, url, open, blank }) => {
     await out.getByText("Needs NumPy").waitFor();
     await out.getByRole("combobox", { name: "Target" }).selectOption("c");
     await out.getByRole("button", { name: "Export", exact: true }).click();
-    const said = ask("export", "-D", "38", "-p", "2.2bar", "--as", "c", "-o", mkdtempSync(join(tmpdir(), "c-")));
+    const folder = mkdtempSync(join(tmpdir(), "c-"));
+    const said = ask("export", "-D", "38", "-p", "2.2bar", "--as", "c", "-o", folder);
     const worst = `${Number((100 * said.force_worst_ratio).toPrecision(2))} % at worst`;
     await out.getByText(worst).waitFor({ timeout: 120_000 });
     const header = await downloaded(page, out.getByRole("button", { name: "muscle.h", exact: true }));
     const archive = entries((await downloaded(page, out.getByRole("button", { name: /^All files/ }))).bytes);
     assert.equal(archive["muscle.h"], header.bytes.toString("latin1"));
-    assert.deepEqual(Object.keys(archive).sort(), ["example.c", "mckibben.c", "mckibben.h", "muscle.h", "pressure_loop.ino"]);
+    assert.deepEqual(Object.keys(archive).sort(), readdirSync(folder).sort());
     await soon(async () => assert.match(page.url(), /D=38/));
     assert.deepEqual(errors, []);
     await context.close();

@@ -288,6 +288,23 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
   });
 
+  test("a value that is typed again while another is being read counts", async () => {
+    const { page, context } = await open("#muscle?p=2.5bar&e=12%25");
+    await alive(page);
+    const said = asShown(ask("force", "-p", "2.5bar", "-e", "12%"));
+    await reads(page, PULL, said);
+    await page.route(/api\/v1\/quantities/, async (route) => {
+      await new Promise((resolve) => setTimeout(resolve, 400));
+      await route.continue();
+    });
+    await type(page, "Contraction ε", "5 %");
+    await type(page, "Contraction ε", "12 %");
+    await page.waitForTimeout(1500);
+    assert.equal(await pull(page), said);
+    assert.equal(await field(page, "Contraction ε").inputValue(), "12 %");
+    await context.close();
+  });
+
   test("the scale bar is as long as it says at every zoom", async () => {
     const { page, context } = await open("#muscle");
     await alive(page);

@@ -142,8 +142,11 @@ class Quantity {
   /** What was typed. */
   async #read() {
     const { field, spec: { kind, clears } } = this, text = field.value.trim();
-    // What stands there is not read again: it may have fewer digits than the value.
-    if (text === this.#painted && (this.#now === undefined || !field.hasAttribute("aria-invalid"))) return;
+    // What the page wrote is not read again: it may have fewer digits than the value. What is being read is given up.
+    if (text === this.#painted && (this.#now === undefined || !field.hasAttribute("aria-invalid"))) {
+      this.#turn++;
+      return;
+    }
     if (!text && clears) return this.#take(undefined, true);
     const { text: asked, value, note } = meant(kind, text), turn = ++this.#turn;
     const reading = value === undefined ? (await understood([{ text: asked, kind }]))[0] : { value };
