@@ -91,8 +91,8 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
     }
     second.push((library("darwin64", "dylib"), universal(&MACOS)));
     let files = vec![
-        File::bytes("muscle.fmu", "the unit, FMI 2.0", unit(second)),
-        File::bytes("muscle_fmi3.fmu", "the same, FMI 3.0", unit(third)),
+        File::bytes("muscle.fmu", "the unit, FMI 2.0", unit(second)?),
+        File::bytes("muscle_fmi3.fmu", "the same, FMI 3.0", unit(third)?),
     ];
     Ok(Artefact { files, notes: vec![] })
 }

@@ -34,7 +34,7 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
         ("xl/worksheets/sheet2.xml", sheet(&coefficients(muscle))),
     ];
     let all: Vec<(&str, &[u8])> = files.iter().map(|(name, text)| (*name, text.as_bytes())).collect();
-    Ok(Artefact { files: vec![File::bytes("muscle.xlsx", "the workbook", zip(&all))], notes: vec![] })
+    Ok(Artefact { files: vec![File::bytes("muscle.xlsx", "the workbook", zip(&all)?)], notes: vec![] })
 }
 
 /// A, B, …, Z, AA, …
