@@ -5,6 +5,7 @@ use mckibben::muscle::Muscle;
 use mckibben_export::{Content, ExportError, ExportedMuscle, Target};
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
+use std::io::Read as _;
 use std::path::Path;
 use std::process::Command;
 use std::sync::LazyLock;
@@ -35,13 +36,25 @@ fn points() -> Vec<(f64, f64)> {
     out
 }
 
+/// The text of a file; of an archive that of all its files.
+fn text_of(bytes: &[u8]) -> String {
+    let Ok(mut archive) = zip::ZipArchive::new(std::io::Cursor::new(bytes)) else {
+        return String::from_utf8_lossy(bytes).into_owned();
+    };
+    let mut all = vec![];
+    for i in 0..archive.len() {
+        archive.by_index(i).unwrap().read_to_end(&mut all).unwrap();
+    }
+    String::from_utf8_lossy(&all).into_owned()
+}
+
 #[test]
 fn every_file_names_muscle_version_hash_and_error() {
     for target in Target::ALL {
         let made = PROTOTYPE.to(target).unwrap();
         assert!(!made.files.is_empty());
         for file in made.files {
-            let text = String::from_utf8_lossy(file.content.bytes()).into_owned();
+            let text = text_of(file.content.bytes());
             for word in [&PROTOTYPE.hash, "exported by mckibben", env!("CARGO_PKG_VERSION")] {
                 assert!(text.contains(word), "{target:?} {}: {word}", file.name);
             }
