@@ -450,23 +450,6 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
   });
 
-  test("axe finds nothing on any page, best practices among it", async () => {
-    for (const where of ["muscle", "design", "joint", "motion", "data", "formula", "compare", "parts", "about"]) {
-      const { page, errors, context } = await open(`#${where}`);
-      await there(page, where);
-      await page.waitForLoadState("networkidle");
-      await page.evaluate(axe.source);
-      const { violations } = await page.evaluate(() =>
-        /** @type {any} */ (window).axe.run(document, {
-          runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"],
-        })
-      );
-      assert.deepEqual(violations.map((/** @type {any} */ v) => `${v.id}: ${v.nodes[0].html}`), [], where);
-      assert.deepEqual(errors, [], where);
-      await context.close();
-    }
-  });
-
   test("a part is found by a filter and put into the muscle, which has the command line's pull", async () => {
     const { page, errors, context } = await open("#parts");
     const { tubes } = ask("parts", "list", "tubes");
