@@ -125,7 +125,12 @@ inBrowser(({ name, url, open, blank }) => {
     await save.waitFor({ timeout: 120_000 });
     const { bytes } = await downloaded(page, save), deck = join(mkdtempSync(join(tmpdir(), "deck-")), "muscle.inp");
     execFileSync(program, ["simulate", "-D", "38", "-s", "1", "-L", "100", "--model", "fe3d", "-p", "2.2bar", "-e", "5%", "--export-inp", deck], { stdio: "ignore" });
-    assert.equal(bytes.toString(), readFileSync(deck, "utf8"));
+    // WebAssembly has its own sines, which differ in the last bits.
+    const [ours, theirs] = [bytes.toString(), readFileSync(deck, "utf8")].map((text) => text.split(/[\s,=]+/));
+    const far = ours.findIndex((word, i) => word !== theirs[i] && !(Math.abs(Number(word) - Number(theirs[i])) < 1e-12 * (1 + Math.abs(Number(theirs[i])))));
+    assert.equal(far, -1, `${ours[far]} for ${theirs[far]}`);
+    assert.equal(ours.length, theirs.length);
+    if (name === "serve") assert.equal(bytes.toString(), readFileSync(deck, "utf8"));
     assert.deepEqual(errors, []);
     await context.close();
   });
