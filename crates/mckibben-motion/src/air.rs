@@ -2,9 +2,7 @@
 
 /// R of dry air in J/(kg K), which is mJ/(g K).
 pub const GAS_CONSTANT_J_PER_KG_K: f64 = 287.05;
-/// γ = cp/cv of air.
-pub const HEAT_RATIO: f64 = 1.4;
-pub use mckibben::analysis::ATMOSPHERE_MPA;
+pub use mckibben::analysis::{ATMOSPHERE_MPA, HEAT_RATIO};
 /// Density of ISO 8778's reference atmosphere (20 °C, 1 bar, 65 % humidity), ρ0 of \[iso2013\].
 pub const REFERENCE_DENSITY_G_PER_L: f64 = 1.185;
 

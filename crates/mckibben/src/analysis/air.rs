@@ -6,6 +6,8 @@ use serde::Serialize;
 
 /// Atmospheric pressure in MPa (ISO 2533).
 pub const ATMOSPHERE_MPA: f64 = 0.101_325;
+/// γ = cp/cv of air.
+pub const HEAT_RATIO: f64 = 1.4;
 /// Normal litres are counted at 0 °C and 101.325 kPa (DIN 1343); the air in the muscle is at 20 °C.
 const NORMAL_PER_ACTUAL: f64 = 273.15 / 293.15;
 

@@ -11,7 +11,7 @@ mod root;
 mod sought;
 mod sweep;
 
-pub use air::{ATMOSPHERE_MPA, Air, air_per_stroke, litres_anr, normal_litres};
+pub use air::{ATMOSPHERE_MPA, Air, HEAT_RATIO, air_per_stroke, litres_anr, normal_litres};
 pub(crate) use ask::friction_half_width_n;
 pub use ask::{Options, force_on, response_on, slope_by_pressure, source_of, stiffness_of};
 pub use burst::{Burst, FailureMode, FailurePressure, NoBurst, SAFETY, burst};

@@ -1,11 +1,8 @@
 //! The stiffness of a joint whose valves are shut: the air in each muscle stays, and pushes back.
 
-use crate::analysis::ATMOSPHERE_MPA;
+use crate::analysis::{ATMOSPHERE_MPA, HEAT_RATIO};
 use crate::model::Response;
 use serde::{Deserialize, Serialize};
-
-/// Ratio of the specific heats of air, γ.
-const HEAT_RATIO: f64 = 1.4;
 
 /// −dτ/dφ with the valves shut, in N m/rad: at constant temperature for slow turns, without heat exchange for quick ones.
 ///
