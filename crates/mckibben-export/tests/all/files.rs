@@ -18,6 +18,16 @@ fn write(target: Target, folder: &Path) {
     }
 }
 
+/// What `main.c` of a folder prints, compiled as C99 without a warning.
+fn compiled_and_run(folder: &Path, arguments: &[&str]) -> String {
+    let strict = ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", "-o", "main"];
+    let done = Command::new("cc").args(strict).args(arguments).current_dir(folder).output().unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let out = Command::new(folder.join("main")).output().unwrap();
+    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+    String::from_utf8(out.stdout).unwrap()
+}
+
 fn runs(program: &str) -> bool {
     Command::new(program).arg("--version").output().is_ok_and(|o| o.status.success())
 }
@@ -117,18 +127,9 @@ fn of_c(flags: &[&str]) -> Option<Vec<Vec<f64>>> {
     }
     main += "return 0; }\n";
     std::fs::write(folder.path().join("main.c"), main).unwrap();
-    let strict =
-        ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", "-ffp-contract=off", "-O1"];
-    let done = Command::new("cc")
-        .args(strict)
-        .args(flags)
-        .args(["main.c", "mckibben.c", "-lm", "-o", "main"])
-        .current_dir(folder.path())
-        .output()
-        .unwrap();
-    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
-    let out = Command::new(folder.path().join("main")).output().unwrap();
-    let text = String::from_utf8(out.stdout).unwrap();
+    let mut all = vec!["-ffp-contract=off", "-O1", "main.c", "mckibben.c", "-lm"];
+    all.extend(flags);
+    let text = compiled_and_run(folder.path(), &all);
     Some(text.lines().map(|line| line.split(' ').map(|v| v.parse().unwrap()).collect()).collect())
 }
 
@@ -201,26 +202,8 @@ fn c_in_whole_numbers_errs_by_less_than_1e_4() {
     }
     main += "return 0; }\n";
     std::fs::write(folder.path().join("main.c"), main).unwrap();
-    let strict = [
-        "-std=c99",
-        "-Wall",
-        "-Wextra",
-        "-Wconversion",
-        "-pedantic",
-        "-Werror",
-        "-O0",
-        "-fsanitize=undefined",
-    ];
-    let done = Command::new("cc")
-        .args(strict)
-        .args(["-fno-sanitize-recover=undefined", "main.c", "mckibben_int.c", "-o", "main"])
-        .current_dir(folder.path())
-        .output()
-        .unwrap();
-    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
-    let out = Command::new(folder.path().join("main")).output().unwrap();
-    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
-    let text = String::from_utf8(out.stdout).unwrap();
+    let undefined = ["-O0", "-fsanitize=undefined", "-fno-sanitize-recover=undefined"];
+    let text = compiled_and_run(folder.path(), &[&undefined[..], &["main.c", "mckibben_int.c"]].concat());
     let full_n = form.at(form.supply_pa, 0.0).force_n;
     assert_eq!(text.lines().count(), points.len());
     let mut largest = 0.0_f64;
