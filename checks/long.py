@@ -24,8 +24,8 @@ ROOT = Path(__file__).resolve().parent.parent
 RECORD = ROOT / "checks/long.json"
 MANIFESTS = [r"(.*/)?Cargo\.toml", r"Cargo\.lock"]
 
-# Parts of a minute or two, which need the build of the tests alone.
-SHORT = ("golds", "figures", "programs", "server")
+# Parts of a minute or two (the page: five), which need the build of the tests alone.
+SHORT = ("golds", "figures", "programs", "server", "page")
 
 # Name: what it checks, files that it guards (patterns of whole paths), text that a file must hold as well, commands.
 PARTS = {
@@ -41,6 +41,9 @@ PARTS = {
     "server": ("the server: made-up requests, two hundred clients", [
         r"crates/mckibben-(server|app)/src/.*", r"checks/server.*",
     ], None, ["bash checks/server_schema.sh \"$MCKIBBEN\" 3 coverage", "python3 checks/server_load.py \"$MCKIBBEN\" --sessions 200 --seconds 5"]),
+    "page": ("the workbench in a browser: every page and form, axe, five minutes of use, speed", [
+        r"web/(page|src|tests|vendor)/.*", r"web/.*\.(json|mjs|sh)", r"docs/contract\.txt", r"crates/mckibben-(server|wasm)/src/.*",
+    ], None, ["bash web/test.sh serve"]),
     "build": ("plugs and drawings in OpenSCAD and a reader of DXF", [
         r"crates/mckibben-build/src/.*", r"crates/mckibben-report/src/sheet/.*", r"checks/build\..*",
     ], None, ["bash checks/build.sh \"$MCKIBBEN\""]),

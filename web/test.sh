@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The workbench as its users have it: scripts against the types of the schemas, and every page in Chromium.
-# web/test.sh [serve|static|all]: behind `mckibben serve` (MCKIBBEN, target/release/mckibben), as web/build.sh makes it (made where it
-# is not there), or both.
+# web/test.sh [serve|static|all] [core]: behind `mckibben serve` (MCKIBBEN, target/release/mckibben), as web/build.sh makes it (made where it
+# is not there), or both. `core` is what changes of any crate can break: the digits of one muscle on every page.
 set -euo pipefail
 cd "$(dirname "$0")"
 export ENGINES=${1:-all}
@@ -10,4 +10,8 @@ npm run --silent types
 if [ "$ENGINES" != serve ] && [ ! -e dist/live.wasm ]; then
     ./build.sh
 fi
-npm test --silent
+if [ "${2:-}" = core ]; then
+    npm run --silent core
+else
+    npm test --silent
+fi
