@@ -76,18 +76,6 @@ def python():
     assert error < 1e-12, error
     assert near(slope, K, np.abs(K).max()) < 1e-10 and float(jnp.abs(volume_slope + by_pressure).max()) < 1e-10 * float(jnp.abs(by_pressure).max())
     noted("python", f"JAX {jax.__version__} (jit, vmap, grad)", f"{error:.1e}", "", time.monotonic() - begun)
-    try:
-        import torch
-    except ImportError:
-        print("python | PyTorch | not installed")
-        return
-    begun = time.monotonic()
-    p, l = torch.tensor(P), torch.tensor(L, requires_grad=True)
-    force = exported.force(p, l)
-    error = max(near(force.detach(), F, blocked), near(exported.volume(p, l).detach(), V, V.max()))
-    (slope,) = torch.autograd.grad(force.sum(), l)
-    assert error < 1e-12 and near(slope, K, np.abs(K).max()) < 1e-10, error
-    noted("python", f"PyTorch {torch.__version__}", f"{error:.1e}", "", time.monotonic() - begun)
 
 
 def main_c(points, count):

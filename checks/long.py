@@ -47,9 +47,13 @@ PARTS = {
     "build": ("plugs and drawings in OpenSCAD and a reader of DXF", [
         r"crates/mckibben-build/src/.*", r"crates/mckibben-report/src/sheet/.*", r"checks/build\..*",
     ], None, ["bash checks/build.sh \"$MCKIBBEN\""]),
-    "exports": ("exported muscles in their hosts: compilers, emulated microcontrollers, MuJoCo, OpenSim, FMPy, Wine, Octave, LibreOffice, JAX, PyTorch", [
+    "exports": ("exported muscles in their hosts: compilers, emulated microcontrollers, MuJoCo, OpenSim, FMPy, Wine, Octave, LibreOffice, JAX", [
         r"crates/mckibben-export/.*", r"crates/mckibben-app/src/export\.rs", r"checks/exports.*", r"checks/fmu.*", r"checks/mach_o\.py",
     ], None, ["bash checks/exports.sh \"$MCKIBBEN\""]),
+    "torch": ("muscles in PyTorch: the package's functions and the exported module", [
+        r"python/mckibben/(torch|_bridge|_model)\.py", r"python/tests/test_optimisers\.py", r"python/examples/identify_(torch|scipy)\.py",
+        r"crates/mckibben-export/templates/mckibben_muscle\.py", r"checks/(exports_)?torch\..*",
+    ], None, ["bash checks/torch.sh"]),
     "release": ("the release build and README's first command", MANIFESTS, None, [
         "cargo build --release --locked",
         "cargo run --release --locked -- design --force 700N --contraction 15% --max-pressure 2.5bar",

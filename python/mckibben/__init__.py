@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from ._formula import Formula as Formula
     from ._model import Model as Model
     from ._muscle import Muscle as Muscle
+    from ._notebook import widget as widget
     from ._parts import Braid as Braid, Friction as Friction, Rubber as Rubber, Terminals as Terminals, Tube as Tube
     from ._points import Solution as Solution, errstate as errstate
     from ._quantity import units as units
@@ -48,6 +49,7 @@ _PLACES = {
         "_formula": "Formula",
         "_model": "Model",
         "_muscle": "Muscle",
+        "_notebook": "widget",
         "_parts": "Braid Friction Rubber Terminals Tube",
         "_points": "Solution errstate",
         "_quantity": "units",

@@ -59,8 +59,8 @@ GIVEN = {
     "muscle": "MuscleLike | None",
     "muscles": "Mapping[str, MuscleLike] | Sequence[FileLike] | None",
     "cases": "FileLike | Sequence[FileLike] | None",
-    "rubber": "str | Rubber | None",
-    "braid": "str | Braid | None",
+    "rubber": "str | Rubber | Mapping[str, Plain] | None",
+    "braid": "str | Braid | Mapping[str, Plain] | None",
     "model": "str | Formula | None",
     "models": "Sequence[str | Formula] | None",
     "figure": "str | None",
@@ -279,17 +279,14 @@ def _part_fields(table: str) -> type:
     kind = table.capitalize()
 
     def make(given: dict[str, Any]) -> None:
-        from ._parts import Rubber, tube_for
+        from . import _native
+        from ._parts import tube_for
         from ._plain import muscle_text
 
         part, carries = given.pop("self"), given.pop("compression", None)
         values = {names[name]: value for name, value in given.items() if value is not None}
-        if isinstance(values.get("rubber"), dict):
-            values["rubber"] = Rubber(**values["rubber"])
-        text = tube_for(given) if table == "braid" else ""
-        if carries is not None:
-            text += f"[braid]\ncompression = {'true' if carries else 'false'}\n"
-        base = {"name": table, "text": text} if text else None
+        own = {**(tube_for(given) if table == "braid" else {}), **({} if carries is None else {"braid": {"compression": bool(carries)}})}
+        base = {"name": table, "text": _native.toml_text(own)} if own else None
         part._read(muscle_text({"muscle": base, **values}), alone=True)
 
     def compression(self: Any) -> bool:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Union
 
 from . import _files, _native, _quantity
 from ._base import Fixed
-from ._parts import toml
+from ._record import load
 
 if TYPE_CHECKING:
     from typing import TypeAlias
@@ -69,27 +69,24 @@ class _File(Fixed):
 
     def to_toml(self) -> str:
         """The text of its file."""
-        top = [f"{name} = {toml(value)}" for name, value in self._tables.items() if not isinstance(value, dict)]
-        tables = ["\n".join([f"[{name}]", *(f"{key} = {toml(v)}" for key, v in value.items()), ""]) for name, value in self._tables.items() if isinstance(value, dict)]
-        return "\n".join([*top, "", *tables] if top else tables)
+        return _native.toml_text(self._tables)
 
     def to_dict(self) -> dict[str, Any]:
         """Its tables as plain dicts; under ``files`` the texts of the files that it names."""
         files = {name: of["text"] if isinstance(of, Mapping) else of.to_toml() for name, of in self._beside.items()}
         return {**self._tables, **({"files": files} if files else {})}
 
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes its file, and beside it the files that it names. A file of that name is replaced only where it is the same."""
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
+        """Writes its file, and beside it the files that it names. A file that is there is replaced where it is such a one, those that it names only where they
+        are the same; others with ``overwrite``.
+        """
         place = Path(path)
-        files = {name: text.encode() for name, text in self.to_dict().get("files", {}).items()}
-        for name, of in self._beside.items():
+        files = dict(self.to_dict().get("files", {}))
+        for of in self._beside.values():
             if isinstance(of, _File):
-                files |= {other: text.encode() for other, text in of.to_dict().get("files", {}).items()}
-        for name, content in files.items():
-            if (place.parent / name).exists() and (place.parent / name).read_bytes() != content:
-                raise FileExistsError(f"{place.parent / name} is another file; save into a new folder")
-        for name, content in {**files, place.name: self.to_toml().encode()}.items():
-            (place.parent / name).write_bytes(content)
+                files |= of.to_dict().get("files", {})
+        beside = {place.parent / name: text for name, text in files.items()}
+        _files.put({**beside, place: self.to_toml()}, lambda there: Path(there) == place and type(load(there)) is type(self), overwrite)
 
     def __eq__(self, other: object) -> bool:
         return type(self) is type(other) and isinstance(other, _File) and (self._tables, self._beside) == (other._tables, other._beside)

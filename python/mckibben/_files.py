@@ -1,9 +1,9 @@
-"""Files and tables of a request: read where they are paths, else as they are given."""
+"""Files: those of a request, read where they are paths, else as they are given; and those that are saved."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from . import _native
@@ -11,6 +11,38 @@ from . import _native
 # Fields of requests whose files are tables, and those whose files are formulas.
 TABLES = ("data", "table", "tables", "load_tables")
 FORMULAS = ("formulas", "file")
+
+
+def put(files: Mapping[str | os.PathLike[str], str | bytes], ours: Callable[[Any], object], overwrite: bool = False) -> None:
+    """Puts files at their places, each whole or not at all, and none where a file would be lost: one that is there is replaced where it is empty, the
+    same, or `ours` says so of its path.
+    """
+    contents = {os.fspath(path): content.encode() if isinstance(content, str) else content for path, content in files.items()}
+    for path, content in contents.items():
+        if overwrite or not os.path.isfile(path) or os.path.getsize(path) == 0 or _is(path, content):
+            continue
+        try:
+            replaced = bool(ours(path))
+        except Exception:  # What cannot be read is none of ours.
+            replaced = False
+        if not replaced:
+            from ._problem import ExistingFileError
+
+            raise ExistingFileError(f"{path} is another file and would be overwritten", kind="output", field="path", hint="name another place, or replace it with overwrite=True")
+    for path, content in contents.items():
+        _native.write_file(path, content)
+
+
+def head(path: str) -> bytes:
+    """The first bytes of a file, as many as tell what it is."""
+    with open(path, "rb") as file:
+        return file.read(4096)
+
+
+def _is(path: str, content: bytes) -> bool:
+    """Whether a file has this content."""
+    with open(path, "rb") as file:
+        return os.path.getsize(path) == len(content) and file.read() == content
 
 
 def text(value: Any) -> dict[str, str]:

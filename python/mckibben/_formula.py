@@ -10,6 +10,7 @@ import numpy as np
 
 from . import _native
 from ._base import Fixed, _any
+from ._files import put
 
 if TYPE_CHECKING:
     from os import PathLike
@@ -118,10 +119,9 @@ class Formula(Fixed):
         """The same as plain dicts and lists."""
         return dict(json.loads(self._text))
 
-    def save(self, path: str | PathLike[str]) -> None:
-        """Writes its file."""
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self._text)
+    def save(self, path: str | PathLike[str], *, overwrite: bool = False) -> None:
+        """Writes its file. One that is there is replaced where it is a formula, any other only with ``overwrite``."""
+        put({path: self._text}, Formula.load, overwrite)
 
     def show(self) -> _answers.FormulaShowAnswer:
         """The formula with its equation in LaTeX, its range and its errors."""

@@ -85,14 +85,23 @@ class Muscle(MuscleFields, MuscleCommands):
         return cls(path)
 
     def to_dict(self) -> dict[str, Any]:
-        """Its fields by name, those that it has: ``Muscle(**muscle.to_dict())`` is a muscle of the same measures."""
-        self._field("wall_mm")
-        return dict(self._own or {})
+        """What is stated of it by the names of fields: ``Muscle(**muscle.to_dict())`` is the same muscle. A rubber that is none of the library is a dict of
+        its law and constants, and a braid whose strands carry compression one of its fields.
+        """
+        from . import _schema
 
-    def save(self, path: str | PathLike[str]) -> None:
-        """Writes its muscle file."""
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self._text)
+        out: dict[str, Any] = {}
+        for table in ("tube", "braid", "terminals", "friction"):
+            own, names = self._part(table).to_dict(), _schema.part(table)
+            out.update({table: own} if "compression" in own else {names[name]: value for name, value in own.items()})
+        return out
+
+    def save(self, path: str | PathLike[str], *, overwrite: bool = False) -> None:
+        """Writes its muscle file. One that is there is replaced where it is a muscle file, any other only with ``overwrite``."""
+        from ._files import put
+        from ._record import load
+
+        put({path: self._text}, lambda there: type(load(there)) is Muscle, overwrite)
 
     def model(self, model: str | Formula | PathLike[str] | None = None, **options: Option) -> Model:
         """A model of this muscle, to be asked for arrays; the arguments are those of :class:`Model`."""
@@ -217,8 +226,10 @@ class Muscle(MuscleFields, MuscleCommands):
         muscle._hold(_native.muscle_with(self._text, {str(n): float(v) for n, v in values.items()}))
         return muscle
 
-    def report(self, path: str | PathLike[str] | None = None, *, pressure_mpa: Number | None = None, contraction: Number | None = None, units: str = "MPa", progress: Progress = None) -> str:
-        """A report of the muscle as one HTML page for reading offline; written to ``path`` if one is given."""
+    def report(self, path: str | PathLike[str] | None = None, *, pressure_mpa: Number | None = None, contraction: Number | None = None, units: str = "MPa", overwrite: bool = False, progress: Progress = None) -> str:
+        """A report of the muscle as one HTML page for reading offline; written to ``path`` if one is given. A file that is there is replaced where it
+        is such a page, any other only with ``overwrite``.
+        """
         from . import _native, _plain
         from ._ask import listening
 
@@ -226,8 +237,9 @@ class Muscle(MuscleFields, MuscleCommands):
         with listening(progress, "report") as heard:
             page = _native.report_html(request, heard)
         if path is not None:
-            with open(path, "w", encoding="utf-8") as file:
-                file.write(page)
+            from ._files import head, put
+
+            put({path: page}, lambda there: _native.is_page(head(there)), overwrite)
         return page
 
     def _measures(self) -> dict[str, Any]:

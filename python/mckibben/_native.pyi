@@ -11,7 +11,7 @@ from _typeshed import SupportsGetItem
 from os import PathLike
 from typing import Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Formula", "Model", "Simulation", "arrow_stream", "ask", "body_html", "choice", "curve", "design", "drive_files", "joint_files", "muscle_fields", "muscle_text", "muscle_with", "parameters", "plan", "quantity", "read_formula", "read_table", "read_text", "report_html", "rubber_stress", "schema", "toml", "unit_of", "values", "without_gaps"]
+__all__ = ["VERSION", "Formula", "Model", "Simulation", "arrow_stream", "ask", "body_html", "choice", "curve", "design", "drive_files", "is_page", "joint_files", "muscle_fields", "muscle_text", "muscle_with", "parameters", "plan", "quantity", "read_formula", "read_table", "read_text", "report_html", "rubber_stress", "schema", "toml", "toml_text", "unit_of", "values", "widget_script", "without_gaps", "write_file"]
 
 VERSION: Final[str]
 """
@@ -158,6 +158,11 @@ def drive_files(name: str, text: str) -> tuple[str, str, list[str]]:
     What a drive file names: `muscle` or `joint`, the name of its file, and its tables.
     """
 
+def is_page(head: "bytes") -> bool:
+    """
+    Whether a file with these first bytes is a page that this module makes.
+    """
+
 def joint_files(name: str, text: str) -> list[str]:
     """
     The muscle files that a joint file names.
@@ -229,6 +234,11 @@ def toml(name: str, text: str) -> "dict[str, typing.Any]":
     A text in TOML as maps and lists.
     """
 
+def toml_text(tables: "dict[str, typing.Any]") -> str:
+    """
+    Maps and lists as a text in TOML. Tables, and those in them, have a heading each; maps in these are inline.
+    """
+
 def unit_of(name: "str") -> "tuple[str | None, str] | None":
     """
     What a field of a name measures, where a text with a unit may stand in its place, and the unit of its numbers; none for plain numbers.
@@ -239,7 +249,17 @@ def values(text: str, kind: str, field: str | None = None) -> list[float]:
     A text such as `0..2.5:0.5bar` or `1,2,3 bar` as numbers; an interval without a step is cut into 20 parts.
     """
 
+def widget_script() -> str:
+    """
+    The script of the muscle in a notebook.
+    """
+
 def without_gaps(name: str, text: str, columns: dict[str, str], tests: bool) -> str:
     """
     A table of measured points, or of tests of a rubber, without the rows that lack a number which a fit needs.
+    """
+
+def write_file(path: str | PathLike[str], content: "bytes") -> None:
+    """
+    Puts a file at its place, whole or not at all.
     """

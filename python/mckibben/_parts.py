@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
-import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 from . import _native
 from ._base import Fixed, _any
 from ._commands import BraidFields, FrictionFields, TerminalsFields, TubeFields
+from ._files import put, text as file_text
 
 if TYPE_CHECKING:
     import os
@@ -21,23 +20,15 @@ if TYPE_CHECKING:
     from ._inputs import Number, Option, Plain, TableLike
 
 
-def toml(value: Any) -> str:
-    """A value of a file: texts of TOML are written as those of JSON."""
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, str):
-        return json.dumps(value, ensure_ascii=False)
-    if isinstance(value, Mapping):
-        return "{ " + ", ".join(f"{name} = {toml(v)}" for name, v in value.items()) + " }"
-    if isinstance(value, (list, tuple)):
-        return "[" + ", ".join(map(toml, value)) + "]"
-    return repr(int(value)) if hasattr(value, "__index__") else repr(float(value))
-
-
-def tables(text: str) -> dict[str, str]:
-    """The tables of a muscle file that the program wrote, each with its heading."""
-    found = re.split(r"^\[([\w.-]+)\]\n", text, flags=re.MULTILINE)
-    return {name: f"[{name}]\n{lines}" for name, lines in zip(found[1::2], found[2::2])}
+def keys(tables: Mapping[str, Any]) -> Iterator[str]:
+    """The keys in tables of a muscle file; that of a whole rubber is ``rubber``."""
+    for name, value in tables.items():
+        if name == "material":
+            yield "rubber"
+        elif isinstance(value, dict):
+            yield from keys(value)
+        else:
+            yield name
 
 
 class _Part(Fixed):
@@ -62,16 +53,16 @@ class _Part(Fixed):
         """The part of its table, or of a muscle file."""
         raise NotImplementedError
 
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes its table (TOML)."""
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self._text)
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
+        """Writes its table (TOML). A file that is there is replaced where it holds such a part alone, any other only with ``overwrite``."""
+        from ._record import load
+
+        put({path: self._text}, lambda there: type(load(there)) is type(self), overwrite)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Self:
         """The part that :meth:`save` wrote, or that a muscle file has."""
-        with open(path, encoding="utf-8") as file:
-            return cls.from_toml(file.read())
+        return cls.from_toml(file_text(path)["text"])
 
     def to_dict(self) -> dict[str, Any]:
         """Its values by name, of which the same part can be made."""
@@ -106,9 +97,10 @@ class _Measured(_Part):
 
     @classmethod
     def from_toml(cls, text: str) -> Self:
-        alone = "[tube]" not in text
-        tube = tube_for(_native.toml(cls.__name__, text).get("braid", {})) if alone else ""
-        return cls._of(_native.muscle_text({"muscle": {"name": cls.__name__, "text": tube + text}}), alone)
+        held = _native.toml(cls.__name__, text)
+        if alone := "tube" not in held:
+            text = _native.toml_text({**held, **tube_for(held.get("braid", {}))})
+        return cls._of(_native.muscle_text({"muscle": {"name": cls.__name__, "text": text}}), alone)
 
     @classmethod
     def _of(cls, text: str, alone: bool = False) -> Self:
@@ -124,35 +116,33 @@ class _Measured(_Part):
     def _read(self, text: str, alone: bool = False) -> Self:
         from . import _schema
 
-        parts = tables(text)
-        own = "".join(table.rstrip("\n") + "\n" for name, table in parts.items() if name.split(".")[0] in self._own) or f"[{self._table}]\n"
-        found = _native.muscle_fields(text)
-        if "tube.material" in parts and self._table == "tube":
-            found["rubber"] = Rubber.from_toml(parts["tube.material"])
+        held, found = _native.toml(self._table, text), _native.muscle_fields(text)
+        own = {name: table for name, table in held.items() if name in self._own} or {self._table: {}}
+        if "material" in own.get("tube", {}):
+            found["rubber"] = Rubber.from_toml(text)
         names = _schema.part(self._table)
         values = {name: found[field] for name, field in names.items() if field in found}
-        if "\ncompression = true" in own:
+        if own.get("braid", {}).get("compression"):
             values["compression"] = True
         if self._table == "braid":
             # Its words are those of it on this tube.
             values["outer_diameter_mm"] = found["outer_diameter_mm"]
-        self._hold(own, values)
-        return self._hold(own, self._plain()) if alone else self
+        self._hold(_native.toml_text(own), values)
+        return self._hold(self._text, self._plain()) if alone else self
 
     def _plain(self) -> dict[str, Any]:
         """What its tables state; the others follow from it."""
         from . import _schema
 
-        keys = {*re.findall(r"^(\w+) = ", self._text, flags=re.MULTILINE), *(["rubber"] if "[tube.material]" in self._text else [])}
-        key = _schema.keys(self._table)
-        return {name: value for name, value in self._values.items() if key.get(name, name) in keys}
+        stated, key = set(keys(_native.toml(self._table, self._text))), _schema.keys(self._table)
+        return {name: value for name, value in self._values.items() if key.get(name, name) in stated}
 
     def to_dict(self) -> dict[str, Any]:
         """What is stated of it by name: the same part can be made of it."""
         return {name: value.to_dict() if isinstance(value, Rubber) else value for name, value in self._plain().items()}
 
 
-def tube_for(braid: Mapping[str, Any]) -> str:
+def tube_for(braid: Mapping[str, Any]) -> dict[str, Any]:
     """A tube that a braid fits, as a table: on which it is read by itself."""
     from . import _quantity
 
@@ -169,7 +159,7 @@ def tube_for(braid: Mapping[str, Any]) -> str:
     elif diameter is not None:
         diameter *= 0.9
     diameter = 30.0 if diameter is None else diameter
-    return f"[tube]\nouter_diameter = {diameter!r}\nwall_thickness = {0.05 * diameter!r}\nlength = {285.0 if strand is None else 0.8 * strand!r}\n"
+    return {"tube": {"outer_diameter": diameter, "wall_thickness": 0.05 * diameter, "length": 285.0 if strand is None else 0.8 * strand}}
 
 
 class Tube(TubeFields, _Measured):
@@ -202,7 +192,7 @@ class Braid(BraidFields, _Measured):
     _own = ("braid",)
 
     def __str__(self) -> str:
-        return str(_native.ask("muscle-show", {"muscle": {"name": "braid", "text": tube_for(self._values) + self._text}})["braid"])
+        return str(_native.ask("muscle-show", {"muscle": {"name": "braid", "text": self._text + _native.toml_text(tube_for(self._values))}})["braid"])
 
     def __eq__(self, other: object) -> bool:
         if isinstance(other, str):
@@ -289,7 +279,7 @@ class Rubber(_Part):
 
     def _set(self, values: dict[str, Any]) -> Self:
         values = {n: v for n, v in values.items() if v is not None}
-        self._hold("\n".join([f"[{self._table}]", *(f"{name} = {toml(value)}" for name, value in values.items()), ""]), values)
+        self._hold(_native.toml_text({"tube": {"material": values}}), values)
         # A muscle of nothing else says what is wrong with it.
         _native.muscle_text({}, [(self._table, self._text)])
         return self

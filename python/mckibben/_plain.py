@@ -91,12 +91,16 @@ def request(command: str, values: dict[str, Any]) -> dict[str, Any]:
 
 def muscle_text(values: dict[str, Any]) -> str:
     """The text of the muscle file that says all of this."""
+    from . import _parts
+
     values = {name: value for name, value in values.items() if value is not None}
     parts = []
     for name in PARTS:
         if name not in values or isinstance(values[name], str) and name in _schema.muscle():
             continue
         part, table = values.pop(name), "tube.material" if name == "rubber" else name
+        if isinstance(part, Mapping):
+            part = (_parts.Rubber if name == "rubber" else _parts.PARTS[name])(**part)
         if getattr(part, "_table", "") != table:
             raise TypeError(f"{name}: a {name.capitalize()}{' or a name' if name in _schema.muscle() else ''}, not {type(part).__name__}")
         twice = [field for field in ("rubber_file" if name == "rubber" else "", *_schema.part(name).values()) if field in values]

@@ -187,10 +187,12 @@ class Solution(Tabled):
         """Plain lists by name."""
         return {name: values.tolist() for name, values in self._columns.items()}
 
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes its points as CSV."""
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self.to_table().to_csv())
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
+        """Writes its points as CSV. A file that is there is replaced where it has the same columns, any other only with ``overwrite``."""
+        from ._files import head, put
+
+        text = self.to_table().to_csv()
+        put({path: text}, lambda there: head(there).splitlines()[0] == text.encode()[:4096].splitlines()[0], overwrite)
 
     def to_table(self) -> Table:
         """A row for each point, in the order of the last index."""

@@ -101,6 +101,10 @@ class MissingFileError(FileError, FileNotFoundError):
     """A file that does not exist."""
 
 
+class ExistingFileError(FileError, FileExistsError):
+    """A file that would be lost."""
+
+
 class NoAnswerError(MckibbenError, ValueError):
     """No answer exists; ``nearest`` is the nearest one there is."""
 
@@ -123,6 +127,6 @@ KINDS = {
 def of(values: dict[str, Any]) -> MckibbenError:
     """The exception of a problem, as the compiled half hands it over."""
     kind = KINDS.get(str(values["kind"]), InputError)
-    if kind is FileError and "(os error 2)" in str(values["message"]):
+    if kind is FileError and any(words in str(values["message"]) for words in ("(os error 2)", "does not exist")):
         kind = MissingFileError
     return kind(**values)

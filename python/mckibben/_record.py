@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from . import _quantity
 from ._base import Fixed, Tabled
+from ._files import put
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -81,10 +82,12 @@ class Record(Fixed, Tabled):
         """Plain dicts and lists."""
         return copy.deepcopy(self._data)
 
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes it as JSON, from which :func:`load` reads the same again."""
-        with open(path, "w", encoding="utf-8") as file:
-            json.dump({"mckibben": type(self).__name__, **self._state()}, file, ensure_ascii=False)
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
+        """Writes it as JSON, from which :func:`load` reads the same again. A file that is there is replaced where it holds such an answer, any other
+        only with ``overwrite``.
+        """
+        text = json.dumps({"mckibben": type(self).__name__, **self._state()}, ensure_ascii=False)
+        put({path: text}, lambda there: type(load(there)) is type(self), overwrite)
 
     def _state(self) -> dict[str, Any]:
         return {"data": self._data, "asked": self._asked}
@@ -171,18 +174,20 @@ class Record(Fixed, Tabled):
 
 
 def load(path: str | os.PathLike[str]) -> Any:
-    """What ``save()`` wrote: an answer (JSON), a muscle or a part of one, a joint or a drive (TOML), a formula (JSON)."""
+    """What ``save()`` wrote: an answer (JSON), a muscle or a part of one, a joint, a valve or a drive (TOML), a formula (JSON)."""
     with open(path, encoding="utf-8") as file:
         text = file.read()
     if not text.lstrip().startswith("{"):
         from . import _native
-        from ._drives import Drive, Joint
+        from ._drives import Drive, Joint, Valve
         from ._muscle import Muscle
         from ._parts import PARTS, Rubber
 
         held = _native.toml(os.fspath(path), text)
         if "command" in held or "joint" in held:
             return (Drive if "command" in held else Joint).load(path)
+        if {"name", "sonic_conductance"} & {*held} and not any(isinstance(value, dict) for value in held.values()):
+            return Valve(**held)
         # A part that was saved begins with its table, a muscle with a comment.
         if text.startswith("[tube.material]"):
             return Rubber.from_toml(text)

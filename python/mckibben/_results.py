@@ -14,6 +14,7 @@ import numpy as np
 from . import _answers, _native
 from ._columns import Curve as Curve
 from ._columns import Plan as Plan
+from ._files import put
 from ._record import Record
 from ._table import Table
 
@@ -192,28 +193,20 @@ class Identification(Fit, _answers.IdentifyAnswer):
         return Muscle.from_toml(str(self.muscle_file))
 
 
-def _saved(files: Any, folder: str | os.PathLike[str]) -> Path:
-    """Writes files into a folder, and gives the first one. A file of that name is replaced only where it is the same."""
-    place = Path(folder)
-    contents = {file.name: base64.b64decode(file.base64) if file.base64 is not None else str(file.text).encode() for file in files}
-    for name, content in contents.items():
-        if (place / name).exists() and (place / name).read_bytes() != content:
-            raise FileExistsError(f"{place / name} is another file; name a new folder")
-    place.mkdir(parents=True, exist_ok=True)
-    for name, content in contents.items():
-        (place / name).write_bytes(content)
-    first: str = next(iter(contents))
-    return place / first
-
-
 class _Files(_Plain):
     """An answer of files."""
 
     __slots__ = ()
 
-    def save(self, folder: str | os.PathLike[str]) -> Path:  # type: ignore[override]
-        """Writes the files into a folder, and gives the one to begin with. A file of that name is replaced only where it is the same."""
-        return _saved(self.files, folder)
+    def save(self, folder: str | os.PathLike[str], *, overwrite: bool = False) -> Path:  # type: ignore[override]
+        """Writes the files into a folder, and gives the one to begin with. A file that is there is replaced where it is the same, any other only with
+        ``overwrite``.
+        """
+        place = Path(folder)
+        contents: dict[str | os.PathLike[str], str | bytes] = {place / file.name: base64.b64decode(file.base64) if file.base64 is not None else str(file.text) for file in self.files}
+        place.mkdir(parents=True, exist_ok=True)
+        put(contents, lambda there: False, overwrite)
+        return Path(next(iter(contents)))
 
 
 class Build(_Files, _answers.BuildAnswer):
@@ -283,6 +276,15 @@ class Shape(_Plain, _answers.ShapeAnswer):
         if self._asked is None:
             raise AttributeError("a shape that was not asked for has no page")
         return _native.body_html(self._asked[1])
+
+    def to_svg(self) -> str:
+        """The section through the axis as a picture (SVG)."""
+        r, z = (self.array(name) for name in ("r_mm", "z_mm"))
+        at = np.concatenate([-z[:0:-1], z]), np.concatenate([r[:0:-1], r])
+        wall = [*zip(at[0][:, -1], at[1][:, -1]), *zip(at[0][::-1, 0], at[1][::-1, 0])]
+        drawn = "".join(f'<polygon points="{" ".join(f"{x:.2f},{sign * y:.2f}" for x, y in wall)}"/>' for sign in (1, -1))
+        x, y = 1.05 * abs(z).max(), 1.3 * r.max()
+        return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{-x:.2f} {-y:.2f} {2 * x:.2f} {2 * y:.2f}" width="720" role="img" aria-label="Section of the deformed muscle"><g fill="#9a8f86" stroke="#333" stroke-width="0.3">{drawn}</g></svg>'
 
     def _frame(self) -> str:
         page = escape(self.to_html(), quote=True)

@@ -1,4 +1,4 @@
-"""A muscle in a loss of PyTorch: pulls, pressures and contractions as functions that ``backward()`` goes through."""
+"""A muscle in a loss of PyTorch: pulls, pressures and contractions as functions that ``backward()``, ``torch.func.grad`` and ``torch.func.vmap`` take."""
 
 from __future__ import annotations
 
@@ -8,14 +8,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import torch
 
-from ._bridge import Asked
+from ._bridge import NO_SECOND, NO_THIRD, Asked
 
 if TYPE_CHECKING:
     from ._model import Model
 
 
 def force(model: Model, parameters: Sequence[str] = (), *, wrt: Sequence[str] = (), errors: str = "raise") -> Callable[..., torch.Tensor]:
-    """F(P, ε; θ) of a model as a function of PyTorch with its first derivatives. A value alone costs no derivatives.
+    """F(P, ε; θ) of a model as a function of PyTorch with its first and second derivatives. Finite elements have first ones only, and say so.
+
+    A call asks the model once for all points, unless θ differs from point to point; so does ``torch.func.vmap`` of it. A value alone costs no derivatives.
 
     Parameters
     ----------
@@ -32,8 +34,8 @@ def force(model: Model, parameters: Sequence[str] = (), *, wrt: Sequence[str] = 
     Returns
     -------
     function
-        ``f(pressure_mpa, contraction)``, or ``f(pressure_mpa, contraction, theta)`` with the values of the names in their order, in
-        MPa, N/mm, mm, degrees; of tensors on the processor. The result has the broadcast shape of pressures and contractions.
+        ``f(pressure_mpa, contraction)``, or ``f(pressure_mpa, contraction, theta)`` with the values of the names in their order on the last axis, in
+        MPa, N/mm, mm, degrees; of tensors on the processor. The result has the broadcast shape of pressures, contractions and the other axes of θ.
     """
     return _function(Asked(model, "force", [*parameters, *wrt], errors))
 
@@ -50,44 +52,94 @@ def contraction(model: Model, parameters: Sequence[str] = (), *, wrt: Sequence[s
 
 def _function(asked: Asked) -> Callable[..., torch.Tensor]:
     count = len(asked.names)
+    kinds: list[Any] = []
 
-    class Found(torch.autograd.Function):
-        @staticmethod
-        def forward(ctx: Any, a: Any, b: Any, theta: Any) -> Any:
-            arrays = [t.detach().cpu().numpy().astype(np.float64) for t in (a, b, theta)]
-            slopes = any(ctx.needs_input_grad)
-            found = asked.many(arrays[0], arrays[1], arrays[2], int(slopes))
-            if slopes:
-                ctx.save_for_backward(torch.as_tensor(np.ascontiguousarray(found[..., 1:]), dtype=a.dtype))
-                ctx.shapes = a.shape, b.shape
-                found = found[..., 0]
-            return torch.as_tensor(np.array(found), dtype=a.dtype)
+    def found(a: Any, b: Any, theta: Any, order: int) -> Any:
+        arrays = [t.detach().cpu().numpy() for t in (a, b, theta)]
+        axes = max(a.ndim, b.ndim, theta.ndim - 1)
+        first, second = (v.reshape((1,) * (axes - v.ndim) + v.shape) for v in arrays[:2])
+        batch = (1,) * (axes + 1 - theta.ndim) + theta.shape[:-1]
+        # Of axes of points along which θ is one, the model is asked at once.
+        while batch and batch[-1] == 1:
+            batch = batch[:-1]
+        return torch.as_tensor(np.array(asked.many(first, second, arrays[2].reshape(*batch, count), order)), dtype=a.dtype)
 
-        @staticmethod
-        @torch.autograd.function.once_differentiable  # type: ignore[untyped-decorator,unused-ignore]
-        def backward(ctx: Any, change: Any) -> Any:
-            (slopes,) = ctx.saved_tensors
-            by_a, by_b = (_summed(change * slopes[..., i], shape) for i, shape in enumerate(ctx.shapes))
-            by_theta = (change[..., None] * slopes[..., 2:]).reshape(-1, count).sum(0) if count else None
-            return by_a, by_b, by_theta
+    def made(order: int) -> Any:
+        def rates(a: Any, b: Any, theta: Any) -> Any:
+            """How what has this order changes with the two and with θ, which are the last axis."""
+            if order == 2 or order == 1 and not asked.has_second:
+                raise NotImplementedError(NO_THIRD if order == 2 else NO_SECOND)
+            out = kinds[order + 1].apply(a, b, theta, False)[0]
+            return out.unflatten(-1, (2 + count, 2 + count)) if order == 1 else out
+
+        class Derivatives(_Function):
+            """Those of an order; their own are those of the next."""
+
+            @staticmethod
+            def forward(a: Any, b: Any, theta: Any, is_followed: bool) -> Any:
+                out = found(a, b, theta, 1 if is_followed else order)
+                # Slopes, which come with a value, are kept for its backward().
+                return (out[..., 0].clone(), out[..., 1:].clone()) if is_followed else (out[..., 1:].clone() if order == 1 else out, out.new_empty(0))
+
+            @staticmethod
+            def setup_context(ctx: Any, inputs: Any, output: Any) -> None:
+                ctx.mark_non_differentiable(output[1])
+                ctx.save_for_backward(*inputs[:3], output[1])
+                ctx.save_for_forward(*inputs[:3], output[1])
+
+            @staticmethod
+            def backward(ctx: Any, change: Any, _: Any) -> Any:
+                a, b, theta, slopes = ctx.saved_tensors
+                has = slopes.numel() and not torch.is_grad_enabled()
+                by = change[..., None] * (slopes if has else rates(a, b, theta))
+                by = by.sum(-2) if order == 1 else by
+                return by[..., 0].sum_to_size(a.shape), by[..., 1].sum_to_size(b.shape), by[..., 2:].sum_to_size(theta.shape), None
+
+            @staticmethod
+            def jvp(ctx: Any, *moved: Any) -> Any:
+                a, b, theta, _ = ctx.saved_tensors
+                by = rates(a, b, theta)
+                changes = [by[..., i] * (t[..., None] if order == 1 else t) for i, t in enumerate(moved[:2]) if t is not None]
+                if moved[2] is not None:
+                    changes.append((by[..., 2:] * (moved[2][..., None, :] if order == 1 else moved[2])).sum(-1))
+                return sum(changes), None
+
+            @staticmethod
+            def vmap(info: Any, places: Any, a: Any, b: Any, theta: Any, is_followed: bool) -> Any:
+                tensors = (a, b, theta)
+                axes = max(t.ndim - (place is not None) - (t is theta) for t, place in zip(tensors, places))
+                moved = [t[None] if place is None else t.movedim(place, 0) for t, place in zip(tensors, places)]
+                # As many axes each, so that the batch comes in front of all.
+                spread = [t.reshape(t.shape[:1] + (1,) * (axes + 1 + (t is moved[2]) - t.ndim) + t.shape[1:]) for t in moved]
+                return kinds[order].apply(*spread, is_followed), (0, 0 if is_followed else None)
+
+        return Derivatives
+
+    kinds.extend(map(made, range(3)))
 
     def outer(first: Any, second: Any = 0.0, theta: Any = ()) -> torch.Tensor:
-        a = torch.as_tensor(first, dtype=None if torch.is_tensor(first) else torch.float64)
-        b = torch.as_tensor(second, dtype=None if torch.is_tensor(second) else a.dtype)
-        values = torch.as_tensor(theta, dtype=None if torch.is_tensor(theta) else a.dtype)
-        if tuple(values.shape) != (count,):
-            raise ValueError(f"theta holds the values of {list(asked.names)}, not {tuple(values.shape)}")
-        found: torch.Tensor = Found.apply(a, b, values)
-        return found
+        kind = first.dtype if torch.is_tensor(first) and first.is_floating_point() else torch.float64
+        a, b, values = (v if torch.is_tensor(v) and v.is_floating_point() else torch.as_tensor(v, dtype=kind) for v in (first, second, theta))
+        if values.shape[-1:] != (count,):
+            raise ValueError(f"theta holds the values of {list(asked.names)} on its last axis, not {tuple(values.shape)}")
+        is_followed = torch.is_grad_enabled() and any(t.requires_grad for t in (a, b, values))
+        answer: torch.Tensor = kinds[0].apply(a, b, values, is_followed)[0]
+        return answer
 
     return outer
 
 
-def _summed(change: Any, shape: Any) -> Any:
-    """Over the axes that were broadcast."""
-    while change.dim() > len(shape):
-        change = change.sum(0)
-    for axis, length in enumerate(shape):
-        if length == 1 and change.shape[axis] > 1:
-            change = change.sum(axis, keepdim=True)
-    return change
+class _Function(torch.autograd.Function):
+    """A function in two steps, also for versions of PyTorch before 2, which have one."""
+
+    if not hasattr(torch.autograd.Function, "setup_context"):
+
+        def __init_subclass__(cls) -> None:
+            forward, setup = cls.forward, cls.setup_context
+
+            def both(ctx: Any, *inputs: Any) -> Any:
+                output = forward(*inputs)
+                setup(ctx, inputs, output)
+                return output
+
+            cls.forward = staticmethod(both)

@@ -99,8 +99,8 @@ def test_parts_are_saved_and_loaded(tmp_path: Path) -> None:
     muscle = mk.Muscle(**GEOMETRY, seating_mm=1.6, end_factor=1.1, friction_coefficient=30, friction_exponent=0.7, rubber=mk.Rubber("gent", mu=0.2, jm=30))
     for name, kind in KINDS.items():
         part = getattr(muscle, name)
-        part.save(tmp_path / "part.toml")
-        assert mk.load(tmp_path / "part.toml") == kind.load(tmp_path / "part.toml") == part, name
+        part.save(tmp_path / name)
+        assert mk.load(tmp_path / name) == kind.load(tmp_path / name) == part, name
     muscle.save(tmp_path / "muscle.toml")
     assert mk.load(tmp_path / "muscle.toml") == muscle and mk.Terminals.load(tmp_path / "muscle.toml") == muscle.terminals
     assert muscle.terminals.to_dict() == {"seating_mm": 1.6, "end_factor": 1.1}

@@ -1,4 +1,4 @@
-//! Files that users name, read through the workspace's one door.
+//! Files that users name, through the workspace's doors in and out, and TOML as maps and lists.
 
 use crate::error::Wrong;
 use crate::value;
@@ -6,10 +6,10 @@ use mckibben::{formula, muscle};
 use mckibben_app::{JointFields, MotionRequest, Problem, ProblemKind, Subject, TextFile};
 use mckibben_table as table;
 use pyo3::prelude::*;
-use serde_json::Value;
+use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use toml_edit::Item;
+use toml_edit::{DocumentMut, Item, Table};
 
 /// A file written by hand: a muscle, a plan, a joint.
 #[pyfunction]
@@ -31,6 +31,15 @@ pub fn read_table(path: PathBuf) -> PyResult<String> {
 #[pyfunction]
 pub fn read_formula(path: PathBuf) -> PyResult<String> {
     Ok(formula::read_text(&path).map_err(|e| Wrong::from(Problem::from(e.in_file(&path))))?)
+}
+
+/// Puts a file at its place, whole or not at all.
+#[pyfunction]
+#[pyo3(signature = (path, content: "bytes"))]
+pub fn write_file(path: PathBuf, content: &[u8]) -> PyResult<()> {
+    let hint = "nothing was written; an existing file is as it was";
+    let wrong = |e| Problem::new(ProblemKind::Output, format!("cannot write {}: {e}", path.display()), hint);
+    Ok(mckibben_files::replace(&path, content).map_err(|e| Wrong::from(wrong(e)))?)
 }
 
 /// The muscle files that a joint file names.
@@ -84,7 +93,7 @@ pub fn without_gaps(
 pub fn toml<'py>(py: Python<'py>, name: &str, text: &str) -> PyResult<Bound<'py, PyAny>> {
     let wrong =
         |e: toml_edit::TomlError| Problem::new(ProblemKind::File, format!("{name}: {}", e.message()), "");
-    let document: toml_edit::DocumentMut = text.parse().map_err(|e| Wrong::from(wrong(e)))?;
+    let document: DocumentMut = text.parse().map_err(|e| Wrong::from(wrong(e)))?;
     value::answer(py, &of_item(document.as_item()))
 }
 
@@ -113,4 +122,46 @@ fn of_value(value: &toml_edit::Value) -> Value {
             table.iter().map(|(key, value)| (key.to_owned(), of_value(value))).collect()
         }
     }
+}
+
+/// Maps and lists as a text in TOML. Tables, and those in them, have a heading each; maps in these are inline.
+#[pyfunction]
+#[pyo3(signature = (tables: "dict[str, typing.Any]"))]
+pub fn toml_text(tables: &Bound<'_, PyAny>) -> PyResult<String> {
+    let mut document = DocumentMut::new();
+    if let Value::Object(map) = value::request(tables)? {
+        *document.as_table_mut() = table_of(&map, 2);
+    }
+    Ok(document.to_string())
+}
+
+fn table_of(map: &Map<String, Value>, deeper: u8) -> Table {
+    let mut out = Table::new();
+    // What holds nothing but tables needs no heading of its own.
+    out.set_implicit(!map.is_empty() && map.values().all(Value::is_object));
+    for (key, value) in map {
+        match (value, deeper.checked_sub(1)) {
+            (Value::Object(map), Some(deeper)) => drop(out.insert(key, Item::Table(table_of(map, deeper)))),
+            _ => drop(inline(value).map(|value| out.insert(key, Item::Value(value)))),
+        }
+    }
+    out
+}
+
+/// A value; none of null, which TOML does not have.
+fn inline(value: &Value) -> Option<toml_edit::Value> {
+    Some(match value {
+        Value::Null => return None,
+        Value::Bool(yes) => (*yes).into(),
+        Value::Number(number) => match number.as_i64() {
+            Some(whole) => whole.into(),
+            None => number.as_f64()?.into(),
+        },
+        Value::String(text) => text.as_str().into(),
+        Value::Array(list) => toml_edit::Value::Array(list.iter().filter_map(inline).collect()),
+        Value::Object(map) => {
+            let pairs = map.iter().filter_map(|(key, value)| Some((key, inline(value)?)));
+            toml_edit::Value::InlineTable(pairs.collect())
+        }
+    })
 }

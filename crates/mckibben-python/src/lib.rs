@@ -31,7 +31,10 @@ mod _native {
     #[pymodule_export]
     use crate::columns::{curve, plan};
     #[pymodule_export]
-    use crate::files::{drive_files, joint_files, read_formula, read_table, read_text, toml, without_gaps};
+    use crate::files::{
+        drive_files, joint_files, read_formula, read_table, read_text, toml, toml_text, without_gaps,
+        write_file,
+    };
     #[pymodule_export]
     use crate::formula::Formula;
     #[pymodule_export]
@@ -41,7 +44,7 @@ mod _native {
     #[pymodule_export]
     use crate::simulation::Simulation;
     #[pymodule_export]
-    use crate::view::{body_html, report_html};
+    use crate::view::{body_html, is_page, report_html, widget_script};
 
     /// The version of the crates, and of the package.
     #[pymodule_export]
