@@ -19,7 +19,7 @@ if [ ${#packages[@]} -gt 0 ]; then
 fi
 venv=${CARGO_TARGET_DIR:-target}/venv-exports
 test -x "$venv/bin/python" || python3 -m venv "$venv"
-"$venv/bin/python" -m pip install --quiet numpy jax mujoco fmpy unicorn
+"$venv/bin/python" -m pip install --quiet numpy scipy jax mujoco fmpy unicorn
 "$venv/bin/python" -c "import mujoco_warp" 2>/dev/null || "$venv/bin/python" -m pip install --quiet mujoco-warp || echo "mujoco-warp could not be installed: its part is left out"
 # PyTorch without the libraries of graphics cards, where its own index can be reached.
 "$venv/bin/python" -c "import torch" 2>/dev/null || "$venv/bin/python" -m pip install --quiet torch --index-url https://download.pytorch.org/whl/cpu || echo "PyTorch could not be installed: its part is left out"

@@ -108,7 +108,7 @@ fn libraries_of_the_fmu_have_the_hashes_recorded_with_those_of_their_sources() {
     let templates =
         ["air.c", "fmu2.c", "fmu3.c", "mckibben.c", "mckibben.h"].map(|name| format!("templates/{name}"));
     let libraries = ["aarch64-darwin", "x86_64-darwin", "x86_64-linux", "x86_64-windows"];
-    assert_eq!(names, [templates, libraries.map(|name| format!("binaries/{name}"))].concat());
+    assert_eq!(names, [&templates[..], &libraries.map(|name| format!("binaries/{name}"))[..]].concat());
     let size: u64 =
         libraries.iter().map(|name| folder.join("binaries").join(name).metadata().unwrap().len()).sum();
     assert!(size <= 200_000, "{size} bytes");
