@@ -12,7 +12,6 @@ import subprocess
 import sys
 import tempfile
 import time
-import urllib.parse
 
 os.environ["JAX_ENABLE_X64"] = "1"
 import numpy as np
@@ -369,8 +368,17 @@ def mjcf():
     said = [float(v) / 100 for v in re.search(r"Stiffness .*: ([\d.]+) % rms, ([\d.]+) % worst", (folder / "muscle.xml").read_text()).groups()]
     slope_rms, slope_worst = float(np.sqrt(np.mean(np.square(slopes)))), float(np.abs(slopes).max())
     assert abs(slope_rms - said[0]) < 0.01 and abs(slope_worst - said[1]) < 0.01, (slope_rms, slope_worst, said)
-    # A hung mass at four pressures: it settles where the actuators carry it.
-    mass, settled = model.body_mass.sum(), []
+    settled = hung_mass(model)
+    size = (folder / "muscle.xml").stat().st_size
+    noted("mjcf", f"MuJoCo {mujoco.__version__}", f"{100 * rms:.2f} % rms, {100 * worst:.2f} % worst against fe; stiffness {100 * slope_rms:.0f} % rms of the mean; a hung mass within {100 * settled:.2f} % contraction", f"{size} B", seconds + time.monotonic() - begun)
+    warp((folder / "muscle.xml").read_text(), pair("mjcf", folder, worst))
+
+
+def hung_mass(model):
+    """A hung mass at four pressures settles where the actuators carry it: how far from the contraction by fe at most."""
+    import mujoco
+
+    data, mass, off = mujoco.MjData(model), model.body_mass.sum(), 0.0
     for q in (0.55, 0.7, 0.85, 1.0):
         mujoco.mj_resetData(model, data)
         data.ctrl[:] = q * SUPPLY
@@ -378,126 +386,46 @@ def mjcf():
             mujoco.mj_step(model, data)
         residual = abs(data.qfrc_actuator[0] - 9.81 * mass) / blocked
         assert residual < 1e-9 and abs(data.qvel[0]) < 1e-9, (q, residual, data.qvel[0])
-        contraction = data.qpos[0] / L0
         exact = json.loads(run(program, "contraction", MUSCLE, "-F", f"{9.81 * mass}", "-p", f"{q * SUPPLY / 1e6}", "--format", "json").stdout)["contraction"]
-        settled.append(contraction - exact)
-    size = (folder / "muscle.xml").stat().st_size
-    noted("mjcf", f"MuJoCo {mujoco.__version__}", f"{100 * rms:.2f} % rms, {100 * worst:.2f} % worst against fe; stiffness {100 * slope_rms:.0f} % rms of the mean; a hung mass within {100 * max(map(abs, settled)):.2f} % contraction", f"{size} B", seconds + time.monotonic() - begun)
-    warp((folder / "muscle.xml").read_text(), pair(folder, worst))
+        off = max(off, abs(data.qpos[0] / L0 - exact))
+    return off
 
 
-def fmu():
-    import fmpy
-    from fmpy.fmi2 import FMU2Slave
-    from fmpy.validation import validate_fmu
+def mjcf_plugin():
+    """The plugin is the form itself; a hung mass and an antagonist pair with one control for each muscle."""
+    import mujoco
 
-    path = os.environ.pop("PATH")  # no compiler is found while the unit is made
-    try:
-        folder, _, seconds = export("fmu")
-    finally:
-        os.environ["PATH"] = path
-    begun = time.monotonic()
-    path = str(folder / "muscle.fmu")
-    problems = validate_fmu(path)
-    assert not problems, problems
-    n = 60
-    signals = np.zeros(n, dtype=[("time", float), ("pressure", float), ("length", float)])
-    signals["time"] = np.arange(n) * 0.01
-    signals["pressure"], signals["length"] = SUPPLY * np.linspace(0, 1.1, n), L0 * (0.97 - 0.1 * np.sin(np.arange(n)))
-    errors = []
-    # In Co-Simulation an input holds from its instant on; Model Exchange gives outputs of the same instant.
-    for kind in ("ModelExchange", "CoSimulation"):
-        result = fmpy.simulate_fmu(path, fmi_type=kind, input=signals, output=["pressure", "length", "force", "volume", "stiffness"], stop_time=0.59, output_interval=0.01, step_size=0.01)
-        f, v = exported.force(result["pressure"], result["length"]), exported.volume(result["pressure"], result["length"])
-        errors += [np.abs(result["force"] - f).max() / blocked, np.abs(result["volume"] - v).max() / V.max()]
-        assert result["force"].max() > 0.5 * blocked
-    result = fmpy.simulate_fmu(path, start_values={"pressure": SUPPLY, "force_factor": 1.1}, output=["force"], stop_time=0.1)
-    assert abs(result["force"][0] / float(exported.force(SUPPLY, L0)) - 1.1) < 1e-12
-    # The state as bytes, restored in another process.
-    script = """
-import sys, fmpy
-from fmpy.fmi2 import FMU2Slave
-path, saved, length = sys.argv[1], bytes.fromhex(sys.argv[2]), float(sys.argv[3])
-d = fmpy.read_model_description(path)
-u = FMU2Slave(guid=d.guid, unzipDirectory=fmpy.extract(path), modelIdentifier=d.coSimulation.modelIdentifier, instanceName='i')
-u.instantiate(); u.setupExperiment(); u.enterInitializationMode(); u.exitInitializationMode()
-if saved:
-    u.setFMUState(u.deSerializeFMUstate(saved))
-else:
-    u.setReal([0, 1], [1.5e5, length])
-s = u.getFMUState()
-print(u.serializeFMUState(s).hex(), repr(u.getReal([3])[0]))
-"""
-    first = run(sys.executable, "-c", script, path, "", 0.9 * L0).stdout.split()
-    second = run(sys.executable, "-c", script, path, first[0], 0).stdout.split()
-    assert first == second and abs(float(first[1]) - float(exported.force(1.5e5, 0.9 * L0))) < 1e-9, (first, second)
-    assert max(errors) < 1e-12, errors
-    third = str(folder / "muscle_fmi3.fmu")
-    problems = validate_fmu(third)
-    assert not problems, problems
-    thirds = []
-    for kind in ("ModelExchange", "CoSimulation"):
-        result = fmpy.simulate_fmu(third, fmi_type=kind, input=signals, output=["pressure", "length", "force", "volume", "status"], stop_time=0.59, output_interval=0.01, step_size=0.01)
-        f, v = exported.force(result["pressure"], result["length"]), exported.volume(result["pressure"], result["length"])
-        thirds += [np.abs(result["force"] - f).max() / blocked, np.abs(result["volume"] - v).max() / V.max()]
-        assert result["force"].max() > 0.5 * blocked and (result["status"] == exported.status(result["pressure"], result["length"])).all()
-    assert max(thirds) < 1e-12, thirds
-    noted("fmu", f"FMPy {fmpy.__version__}: FMI 3.0, Model Exchange and Co-Simulation", f"{max(thirds):.1e}", f"{pathlib.Path(third).stat().st_size} B", seconds + time.monotonic() - begun)
-    size = (folder / "muscle.fmu").stat().st_size
-    noted("fmu", f"FMPy {fmpy.__version__}: FMI 2.0, Model Exchange and Co-Simulation", f"{max(errors):.1e}", f"{size} B", seconds + time.monotonic() - begun)
-    windows(path)
-    macos(path)
+    folder, answer, seconds = export("mjcf-plugin")
+    begun, place = time.monotonic(), pathlib.Path(mujoco.__file__).parent
+    (library,) = place.glob("libmujoco.so*")
+    strict = ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", "-O2", "-shared", "-fPIC"]
+    run("gcc", *strict, "-isystem", place / "include", "muscle_plugin.c", "mckibben.c", library, "-lm", "-o", "muscle_plugin.so", cwd=folder)
+    mujoco.mj_loadPluginLibrary(str(folder / "muscle_plugin.so"))
+    model = mujoco.MjModel.from_xml_path(str(folder / "muscle.xml"))
+    data, errors = mujoco.MjData(model), []
+    assert model.nu == 1
+    for p, l, force in zip(P, L, exported.force(np.clip(P, 0, SUPPLY), L)):  # the scene limits the control
+        data.qpos[0], data.ctrl[0] = L0 - l, p
+        mujoco.mj_forward(model, data)
+        errors.append(abs(data.qfrc_actuator[0] - force) / blocked)
+    assert max(errors) < 1e-12, max(errors)
+    settled, worst = hung_mass(model), answer["force_worst_ratio"]
+    assert settled < worst, (settled, worst)  # steeper than the blocked force over L0 everywhere
+    size = (folder / "muscle_plugin.so").stat().st_size
+    noted("mjcf-plugin", f"MuJoCo {mujoco.__version__}, plugin", f"{max(errors):.1e} of the form; a hung mass within {100 * settled:.3f} % contraction", f"{size} B", seconds + time.monotonic() - begun)
+    pair("mjcf-plugin", folder, worst)
 
 
-def macos(path):
-    """Both libraries for macOS on emulated processors."""
-    import fmpy
-    import mach_o
-
-    begun, points = time.monotonic(), slice(None, None, 3)
-    found, size = mach_o.outputs(path, fmpy.read_model_description(path).guid, zip(P[points], L[points]))
-    error = max(np.abs(found[..., 0] - F[points]).max() / blocked, np.abs(found[..., 1] - V[points]).max() / V.max())
-    assert found.shape == (2, len(F[points]), 2) and error < 1e-12, error
-    noted("fmu", "macOS libraries, code on emulated x86-64 and arm64 (Unicorn)", f"{error:.1e}", f"{size} B both", time.monotonic() - begun)
-
-
-def windows(path):
-    """The library for Windows, in Wine: its resources in a folder whose name has a space and a letter beyond ASCII."""
-    if not (shutil.which("wine") and shutil.which("x86_64-w64-mingw32-gcc")):
-        print("fmu | Windows in Wine | not installed")
-        return
-    import zipfile
-    import fmpy
-
-    begun, unit = time.monotonic(), work / "the unit \u00fc"
-    with zipfile.ZipFile(path) as archive:
-        archive.extractall(unit)
-        sizes = {i.filename.split("/")[1]: i.file_size for i in archive.infolist() if i.filename.startswith("binaries/")}
-    (library,) = (unit / "binaries/win64").iterdir()
-    run("x86_64-w64-mingw32-gcc", "-municode", "-O1", "-Wall", "-Werror", ROOT / "checks/fmu_host.c", "-o", work / "host.exe")
-    shutil.copy(library, work / "unit.dll")
-    resources = "Z:" + str(unit / "resources")
-    location = "file:///" + urllib.parse.quote(resources, safe="/:")
-    words = ["wine", work / "host.exe", "Z:" + str(work / "unit.dll"), location, resources + "/", fmpy.read_model_description(path).guid]
-    points = "".join(f"{p!r} {l!r}\n" for p, l in zip(P.tolist(), L.tolist()))
-    settings = {**os.environ, "WINEPREFIX": str(work / "wine"), "WINEDEBUG": "-all", "LC_ALL": "C.UTF-8", "DISPLAY": ""}
-    done = subprocess.run([str(w) for w in words], input=points, capture_output=True, text=True, timeout=300, env=settings)
-    assert done.returncode == 0, (done.returncode, done.stderr[-1000:])
-    found = np.array([[float(v) for v in line.split()] for line in done.stdout.splitlines()])
-    error = max(np.abs(found[:, [0, 2]] - F[:, None]).max() / blocked, np.abs(found[:, [1, 3]] - V[:, None]).max() / V.max())
-    assert len(found) == len(P) and error < 1e-12, error
-    noted("fmu", f"Windows library in {run('wine', '--version').stdout.strip()}: FMI 2.0 and FMI 3.0", f"{error:.1e}", f"libraries {sizes} B", time.monotonic() - begun)
-
-
-def pair(folder, worst):
+def pair(target, folder, worst):
     """An antagonist pair at a hinge, with copies of the tendon and the actuators: angle, torque and stiffness of `mckibben joint`."""
     import mujoco
     import xml.etree.ElementTree as ET
 
     arm, rest, begun = 0.04, 0.9 * L0, time.monotonic()
     scene = ET.parse(folder / "muscle.xml").getroot()
-    tendon, actuators = scene.find("tendon/spatial"), scene.findall("actuator/general")
+    tendon, actuators = scene.find("tendon/spatial"), list(scene.find("actuator"))
     out = ET.Element("mujoco")
+    out.extend(scene.findall("extension"))
     ET.SubElement(out, "option", timestep="0.0005", integrator="implicitfast", gravity="0 0 0")
     world = ET.SubElement(out, "worldbody")
     body = ET.SubElement(world, "body", name="link")
@@ -511,7 +439,7 @@ def pair(folder, worst):
         for end in ("top", "bottom"):
             ET.SubElement(one, "site", site=f"{end}_{k}")
         for actuator in actuators:
-            ET.SubElement(acting, "general", {**actuator.attrib, "name": f"{actuator.get('name')}_{k}", "tendon": f"muscle_{k}"})
+            ET.SubElement(acting, actuator.tag, {**actuator.attrib, "name": f"{actuator.get('name')}_{k}", "tendon": f"muscle_{k}"})
     text = ET.tostring(out, encoding="unicode")
     (folder / "pair.xml").write_text(text)
     shutil.copy(ROOT / MUSCLE, folder / "muscle.toml")
@@ -523,7 +451,7 @@ def pair(folder, worst):
 
     model = mujoco.MjModel.from_xml_string(text)
     data = mujoco.MjData(model)
-    controls = [2.2e5, 2.2e5, 1.6e5, 1.6e5]
+    controls = np.repeat([2.2e5, 1.6e5], len(actuators))
 
     def torque(angle):
         data.qpos[0], data.qvel[0], data.ctrl[:] = angle, 0, controls
@@ -547,7 +475,7 @@ def pair(folder, worst):
     by_joint = (points[0]["torque_nm"] - points[-1]["torque_nm"]) / span
     assert abs(angle - exact_angle) <= bound / min(p["stiffness_nm_per_rad"] for p in points), (angle, exact_angle)
     assert abs(secant - by_joint) <= 2 * bound / span, (secant, by_joint)
-    noted("mjcf", "MuJoCo: an antagonist pair at a joint", f"angle {np.rad2deg(abs(angle - exact_angle)):.2f} deg, stiffness {100 * abs(secant / by_joint - 1):.2f} %, torque {np.abs(errors).max():.2f} of at most {bound:.2f} N m", f"{len(text)} B", time.monotonic() - begun)
+    noted(target, "MuJoCo: an antagonist pair at a joint", f"angle {np.rad2deg(abs(angle - exact_angle)):.2f} deg, stiffness {100 * abs(secant / by_joint - 1):.2f} %, torque {np.abs(errors).max():.2f} of at most {bound:.2f} N m", f"{len(text)} B", time.monotonic() - begun)
     return text
 
 
@@ -577,10 +505,16 @@ def warp(*scenes):
     noted("mjcf", "mujoco-warp, CPU", f"{worst:.1e} against MuJoCo", "", time.monotonic() - begun)
 
 
-PARTS = {f.__name__: f for f in (python, c, small, sketch, observer, csv, matlab, mjcf, fmu)}
-for part in sys.argv[2:] or PARTS:
-    PARTS[part]()
-print("\n| target | host | error | size | time |\n|---|---|---|---|---|")
-for row in rows:
-    print("| " + " | ".join(row) + " |")
-shutil.rmtree(work)
+def run_parts(*parts):
+    """Those that are named after the program, or all; then the table."""
+    named = {f.__name__: f for f in parts}
+    for name in sys.argv[2:] or named:
+        named[name]()
+    print("\n| target | host | error | size | time |\n|---|---|---|---|---|")
+    for row in rows:
+        print("| " + " | ".join(row) + " |")
+    shutil.rmtree(work)
+
+
+if __name__ == "__main__":
+    run_parts(python, c, small, sketch, observer, csv, matlab, mjcf, mjcf_plugin)

@@ -19,10 +19,11 @@ if [ ${#packages[@]} -gt 0 ]; then
 fi
 venv=${CARGO_TARGET_DIR:-target}/venv-exports
 test -x "$venv/bin/python" || python3 -m venv "$venv"
-"$venv/bin/python" -m pip install --quiet numpy jax mujoco fmpy unicorn
+"$venv/bin/python" -m pip install --quiet numpy scipy jax mujoco fmpy unicorn
 "$venv/bin/python" -c "import mujoco_warp" 2>/dev/null || "$venv/bin/python" -m pip install --quiet mujoco-warp || echo "mujoco-warp could not be installed: its part is left out"
 bash checks/fmu-binaries.sh --check
 "$venv/bin/python" checks/exports.py "$1"
+"$venv/bin/python" checks/exports_fmu.py "$1"
 "$venv/bin/python" checks/exports_xlsx.py "$1"
 "$venv/bin/python" -c "import opensim" 2>/dev/null || "$venv/bin/python" -m pip install --quiet opensim || echo "OpenSim could not be installed: its part is left out"
 if "$venv/bin/python" -c "import opensim" 2>/dev/null; then "$venv/bin/python" checks/exports_opensim.py "$1"; fi

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Libraries of the FMU for Linux, Windows and macOS, in crates/mckibben-export/binaries: made again, or compared with those there (--check).
 # One compiler of a stated version makes all of them, on any system, so that the bytes are the same. Startup code and libraries of a compiler
-# are not linked: each library is the sources of this repository alone, and finds malloc, fopen and five more functions in its system.
+# are not linked: each library is the sources of this repository alone, and finds malloc, fopen, pow and five more functions in its system.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 ZIG=0.13.0
@@ -14,7 +14,8 @@ zig() { "$python" -m ziglang "$@"; }
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-cp $crate/templates/{fmu2.c,fmu3.c,mckibben.c,mckibben.h} "$work"
+sources=({air.c,fmu2.c,fmu3.c,mckibben.c,mckibben.h})
+cp "${sources[@]/#/$crate/templates/}" "$work"
 out=$(realpath $crate/binaries)
 if [ "${1:-}" = --check ]; then out=$work/binaries && mkdir "$out"; fi
 cd "$work"
@@ -29,12 +30,16 @@ cat >libc.c <<'C'
 void fclose(void) {} void fopen(void) {} void fread(void) {} void free(void) {} void malloc(void) {} void strncmp(void) {} void memcpy(void) {}
 C
 echo "GLIBC_2.2.5 { fclose; fopen; fread; free; malloc; strncmp; }; GLIBC_2.14 { memcpy; };" >libc.map
-zig cc -target x86_64-linux-gnu.2.17 -w -O1 -fno-builtin -c libc.c -o libc.o
-zig ld.lld -shared -soname libc.so.6 --version-script libc.map libc.o -o libc.so
-zig ld.lld -shared -s -Bsymbolic --no-undefined --hash-style=gnu -z noseparate-code linux.o libc.so -o "$out/x86_64-linux"
+echo "void pow(void) {}" >libm.c
+echo "GLIBC_2.2.5 { pow; };" >libm.map
+for library in libc libm; do
+    zig cc -target x86_64-linux-gnu.2.17 -w -O1 -fno-builtin -c $library.c -o $library.o
+    zig ld.lld -shared -soname $library.so.6 --version-script $library.map $library.o -o $library.so
+done
+zig ld.lld -shared -s -Bsymbolic --no-undefined --hash-style=gnu -z noseparate-code linux.o libc.so libm.so -o "$out/x86_64-linux"
 
 object x86_64-windows-gnu windows.o
-printf '%s\n' "LIBRARY msvcrt.dll" EXPORTS malloc free memcpy strncmp _wfopen fread fclose >msvcrt.def
+printf '%s\n' "LIBRARY msvcrt.dll" EXPORTS malloc free memcpy strncmp _wfopen fread fclose pow >msvcrt.def
 printf '%s\n' "LIBRARY kernel32.dll" EXPORTS MultiByteToWideChar >kernel32.def
 for library in msvcrt kernel32; do zig dlltool -m i386:x86-64 -d $library.def -l $library.lib; done
 zig lld-link -dll -entry:DllMain -Brepro -nologo windows.o msvcrt.lib kernel32.lib -out:muscle.dll
@@ -50,6 +55,6 @@ if [ "${1:-}" = --check ]; then
     echo "the libraries of the FMU are those of their sources"
 else
     cd $crate
-    sha256sum templates/{fmu2.c,fmu3.c,mckibben.c,mckibben.h} binaries/*-* >binaries/hashes.txt
+    sha256sum "${sources[@]/#/templates/}" binaries/*-* >binaries/hashes.txt
     ls -l binaries
 fi

@@ -1,35 +1,47 @@
-/* The library of a unit on Windows: pull and volume at the points of its input, in both versions of FMI. HOST LIBRARY LOCATION PATH TOKEN */
+/* The library of a unit on Windows, in both versions of FMI: for each pair of inputs a step of 0.05 s, then pull and volume.
+ * HOST LIBRARY LOCATION PATH TOKEN INPUT INPUT FORCE VOLUME; the last four are value references. */
 #include <stdio.h>
+#include <stdlib.h>
 #include <windows.h>
 
 typedef void *(*instantiate2)(const char *, int, const char *, const char *, const void *, int, int);
-typedef void *(*instantiate3)(const char *, const char *, const char *, char, char, void *, void *);
+typedef void *(*instantiate3)(const char *, const char *, const char *, char, char, char, char, const unsigned *, size_t, void *, void *, void *);
+typedef int (*mode)(void *);
 typedef int (*set2)(void *, const unsigned *, size_t, const double *);
 typedef int (*get2)(void *, const unsigned *, size_t, double *);
+typedef int (*step2)(void *, double, double, int);
 typedef int (*get3)(void *, const unsigned *, size_t, double *, size_t);
 typedef int (*set3)(void *, const unsigned *, size_t, const double *, size_t);
+typedef int (*step3)(void *, double, double, char, char *, char *, char *, double *);
 
 static HMODULE library;
 #define OF(type, name) ((type)(void *)GetProcAddress(library, name))
 
 int wmain(int count, wchar_t **wide)
 {
-    char words[5][1024];
-    const unsigned in[2] = {0, 1}, out[2] = {3, 5};
-    double point[2], second[2], third[2];
+    char words[9][1024], said[3];
+    unsigned in[2], out[2];
+    double point[2], second[2], third[2], last;
     void *a, *b;
-    for (int i = 0; i < count && i < 5; i++)
+    for (int i = 0; i < count && i < 9; i++)
         (void)WideCharToMultiByte(CP_UTF8, 0, wide[i], -1, words[i], sizeof(words[i]), 0, 0);
-    if (count != 5 || !(library = LoadLibraryW(wide[1])))
+    if (count != 9 || !(library = LoadLibraryW(wide[1])))
         return 2;
+    for (int i = 0; i < 2; i++) {
+        in[i] = (unsigned)atoi(words[5 + i]);
+        out[i] = (unsigned)atoi(words[7 + i]);
+    }
     a = OF(instantiate2, "fmi2Instantiate")("unit", 1, words[4], words[2], 0, 0, 0);
-    b = OF(instantiate3, "fmi3InstantiateModelExchange")("unit", words[4], words[3], 0, 0, 0, 0);
+    b = OF(instantiate3, "fmi3InstantiateCoSimulation")("unit", words[4], words[3], 0, 0, 0, 0, 0, 0, 0, 0, 0);
     if (!a || !b || OF(instantiate2, "fmi2Instantiate")("unit", 1, "{another}", words[2], 0, 0, 0))
         return 3;
+    if (OF(mode, "fmi2ExitInitializationMode")(a) || OF(mode, "fmi3ExitInitializationMode")(b))
+        return 4;
     while (scanf("%lf %lf", &point[0], &point[1]) == 2) {
-        if (OF(set2, "fmi2SetReal")(a, in, 2, point) || OF(get2, "fmi2GetReal")(a, out, 2, second)
-            || OF(set3, "fmi3SetFloat64")(b, in, 2, point, 2) || OF(get3, "fmi3GetFloat64")(b, out, 2, third, 2))
-            return 4;
+        if (OF(set2, "fmi2SetReal")(a, in, 2, point) || OF(step2, "fmi2DoStep")(a, 0.0, 0.05, 1) || OF(get2, "fmi2GetReal")(a, out, 2, second)
+            || OF(set3, "fmi3SetFloat64")(b, in, 2, point, 2) || OF(step3, "fmi3DoStep")(b, 0.0, 0.05, 1, said, said + 1, said + 2, &last)
+            || OF(get3, "fmi3GetFloat64")(b, out, 2, third, 2))
+            return 5;
         printf("%.17g %.17g %.17g %.17g\n", second[0], second[1], third[0], third[1]);
     }
     return 0;

@@ -2,6 +2,7 @@
 
 Library(bytes, files).call(name, *words): words are whole numbers and addresses (`text`, `room`), and the result is one.
 """
+import math
 import struct
 import zipfile
 
@@ -53,6 +54,7 @@ class Library:
         self.uc.mem_write(SYSTEM, (struct.pack("<I", 0xD65F03C0) + b"\0" * 12 if self.is_arm else b"\xc3" + b"\0" * 15) * len(self.imported))
         self.uc.hook_add(unicorn.UC_HOOK_CODE, self._system, begin=SYSTEM, end=SYSTEM + 16 * len(self.imported))
         self.words = [getattr(arm, f"UC_ARM64_REG_X{k}") for k in range(8)] if self.is_arm else [getattr(x86, f"UC_X86_REG_{r}") for r in ("RDI", "RSI", "RDX", "RCX", "R8", "R9")]
+        self.floats = [getattr(arm, f"UC_ARM64_REG_D{k}") for k in range(2)] if self.is_arm else [getattr(x86, f"UC_X86_REG_XMM{k}") for k in range(2)]
         self.result = arm.UC_ARM64_REG_X0 if self.is_arm else x86.UC_X86_REG_RAX
 
     def room(self, data):
@@ -90,12 +92,20 @@ class Library:
             if name == "_strncmp":
                 a, b = a.split(b"\0")[0], b.split(b"\0")[0]
             answer = (a > b) - (a < b) & 0xFFFFFFFF
+        elif name == "_pow":
+            self.write_floats(math.pow(*(struct.unpack("<d", (uc.reg_read(r) & (1 << 64) - 1).to_bytes(8, "little"))[0] for r in self.floats)))
+            return
         else:
             assert name in ("_free", "_fclose"), name
             answer = 0
         uc.reg_write(self.result, answer)
 
-    def call(self, name, *words):
+    def write_floats(self, *values):
+        for register, value in zip(self.floats, values):
+            self.uc.reg_write(register, int.from_bytes(struct.pack("<d", value), "little"))
+
+    def call(self, name, *words, floats=()):
+        self.write_floats(*floats)
         stop, top = SYSTEM + SIZE - 16, STACK + SIZE - 4096
         for register, word in zip(self.words, words):
             self.uc.reg_write(register, word)
@@ -112,8 +122,9 @@ class Library:
         return self.uc.reg_read(self.result)
 
 
-def outputs(path, token, points):
-    """Pull and volume of a unit of FMI 2.0 at pressures and lengths, on each processor of its library for macOS, and the size of that library."""
+def outputs(path, token, references, points):
+    """Pull and volume of a unit of FMI 2.0 after a step of 0.05 s with each pair of inputs, on each processor of its library for macOS, and the size
+    of that library. The value references are those of both inputs, of the pull and of the volume."""
     with zipfile.ZipFile(path) as archive:
         (name,) = (n for n in archive.namelist() if n.startswith("binaries/darwin64/"))
         data, resource = archive.read(name), archive.read("resources/muscle.bin")
@@ -124,12 +135,13 @@ def outputs(path, token, points):
         _, _, offset, size, align = struct.unpack_from(">IIIII", data, 8 + 20 * k)
         assert offset % (1 << align) == 0
         library = Library(data[offset : offset + size], {"/a unit/resources/muscle.bin": resource})
-        made = lambda token: library.call("fmi2Instantiate", library.text("unit"), 0, library.text(token), library.text("file:///a%20unit/resources"), 0, 0, 0)
+        made = lambda token: library.call("fmi2Instantiate", library.text("unit"), 1, library.text(token), library.text("file:///a%20unit/resources"), 0, 0, 0)
         unit = made(token)
-        assert unit and not made("{another}")
-        inputs, wanted, found = library.room(struct.pack("<II", 0, 1)), library.room(struct.pack("<II", 3, 5)), library.room(bytes(16))
+        assert unit and not made("{another}") and library.call("fmi2ExitInitializationMode", unit) == 0
+        inputs, wanted, found = library.room(struct.pack("<II", *references[:2])), library.room(struct.pack("<II", *references[2:])), library.room(bytes(16))
         for point in points:
             assert library.call("fmi2SetReal", unit, inputs, 2, library.room(struct.pack("<dd", *point))) == 0
+            assert library.call("fmi2DoStep", unit, 1, floats=(0.0, 0.05)) == 0
             assert library.call("fmi2GetReal", unit, wanted, 2, found) == 0
             out.append(struct.unpack("<dd", library.uc.mem_read(found, 16)))
     return np.array(out).reshape(count, len(points), 2), len(data)

@@ -24,7 +24,7 @@ pub struct ExportRequest {
     /// The model.
     #[serde(flatten)]
     pub model: ModelFields,
-    /// The target: `c`, `python`, `csv`, `matlab`, `mjcf`, `fmu`, `opensim`, `xlsx`; `export-list` describes them.
+    /// The target, such as `c`; `export-list` lists and describes them.
     pub target: Option<String>,
     /// Supply pressure, the upper end of the box, MPa; default 0.25, or the allowed pressure where that is lower.
     pub pressure_mpa: Option<f64>,
@@ -102,13 +102,13 @@ pub struct ExportTarget {
 /// # Errors
 /// None.
 pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer, Problem> {
-    let target = |target: Target| {
+    let target = |target: &Target| {
         let entry = target.entry();
         let [name, about, needs, loses] =
             [entry.name, entry.about, entry.needs, entry.loses].map(String::from);
         ExportTarget { name, about, needs, loses }
     };
-    Ok(ExportListAnswer { targets: Target::ALL.map(target).into() })
+    Ok(ExportListAnswer { targets: Target::ALL.iter().map(target).collect() })
 }
 
 /// A muscle as files.
@@ -118,8 +118,8 @@ pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer, Pro
 pub fn export(request: &ExportRequest, progress: &dyn Progress) -> Result<ExportAnswer, Problem> {
     let Some(target) = request.target.as_deref() else {
         let message = "`target` is missing: what the muscle is exported for";
-        let names = Target::ALL.map(|t| t.entry().name).join(", ");
-        return Err(Problem::new(ProblemKind::Usage, message, format!("one of {names}")).in_field("target"));
+        let hint = format!("one of {}", Target::names());
+        return Err(Problem::new(ProblemKind::Usage, message, hint).in_field("target"));
     };
     let target: Target = target.parse().map_err(|e| Problem::from(e).in_field("target"))?;
     let muscle = request.muscle.resolve()?;

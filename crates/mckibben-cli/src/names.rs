@@ -5,7 +5,7 @@ use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
 use clap::error::Error;
 use clap::{Arg, Command};
 use mckibben::{rubber, sleeve};
-use mckibben_app::Model;
+use mckibben_app::{ExportListRequest, Model, export_list};
 use std::ffi::OsStr;
 
 /// A text, for which there are names.
@@ -14,6 +14,12 @@ pub struct Names(fn() -> Vec<String>);
 
 /// Force models.
 pub const MODELS: Names = Names(|| Model::all().into_iter().map(|m| m.name.to_string()).collect());
+/// Targets of `export`.
+pub const TARGETS: Names = Names(|| {
+    export_list(&ExportListRequest {})
+        .map(|all| all.targets.into_iter().map(|t| t.name).collect())
+        .unwrap_or_default()
+});
 /// Rubbers of the library.
 pub const RUBBERS: Names =
     Names(|| rubber::library::entries().unwrap_or_default().iter().map(|e| e.name.clone()).collect());
@@ -40,7 +46,12 @@ mod tests {
 
     #[test]
     fn completion_knows_the_names_and_parsing_takes_more() {
-        for (names, one) in [(MODELS, "thick-wall"), (RUBBERS, "dragon-skin-30"), (SLEEVES, "s-muscle-20")] {
+        for (names, one) in [
+            (MODELS, "thick-wall"),
+            (TARGETS, "opensim"),
+            (RUBBERS, "dragon-skin-30"),
+            (SLEEVES, "s-muscle-20"),
+        ] {
             assert!(names.possible_values().unwrap().any(|v| v.get_name() == one), "{one}");
             let parsed = names.parse_ref(&Command::new("mckibben"), None, OsStr::new("formula.json"));
             assert_eq!(parsed.unwrap(), "formula.json");

@@ -1,5 +1,5 @@
-/* FMI 2.0, Model Exchange and Co-Simulation, around mckibben.c. The muscle has no states: outputs follow from inputs at once. Its numbers are
- * read from resources/muscle.bin, so that one library serves all muscles.
+/* FMI 2.0, Model Exchange and Co-Simulation, around mckibben.c: a muscle whose pressure is an input, without states; or a muscle on a valve, with
+ * the air of air.c as states. Which one, and its numbers, are read from resources/muscle.bin, so that one library serves all muscles.
  * @{facts}
  */
 #ifdef _WIN32
@@ -41,35 +41,71 @@ typedef struct {
     fmi2ComponentEnvironment environment;
 } fmi2CallbackFunctions;
 
-/* Value references of Real variables. */
-enum { PRESSURE, LENGTH, FACTOR, FORCE, STIFFNESS, VOLUME, FORCE_PER_PRESSURE };
+/* Where errors go, in FMI 2.0 or in FMI 3.0. */
+typedef struct {
+    const fmi2CallbackFunctions *second;
+    void (*third)(void *environment, fmi2Status status, const char *category, const char *message);
+    void *environment;
+} logger;
+
+/* Value references; modelDescription.xml has these names in small letters. First what is set or integrated. */
+enum {
+    PRESSURE, LENGTH, FORCE_FACTOR, COMMAND, SUPPLY_PRESSURE, SONIC_CONDUCTANCE, CRITICAL_RATIO, EXHAUST_CONDUCTANCE, EXHAUST_CRITICAL_RATIO,
+    TEMPERATURE, DEAD_VOLUME, POLYTROPIC_EXPONENT, HEAT_CONDUCTANCE, INITIAL_PRESSURE, AIR, AIR_MASS,
+    FORCE, STIFFNESS, VOLUME, FORCE_PER_PRESSURE, STATUS, TIME, AIR_TEMPERATURE, AIR_RATE, AIR_FLOW, COMMAND_SIGN, COMMAND_LIMIT, TAUT
+};
+#define KNOWN FORCE
+#define EVENTS 3 /* indicators, from COMMAND_SIGN on */
+
+#include "air.c"
 
 /* What changes: plain numbers. */
 typedef struct {
-    double value[3], time;
+    double value[KNOWN], time, begun;
 } state;
+
+/* Of a variable that can be set: value at the start, range, size. Not a number where it cannot be. */
+typedef struct {
+    double start, low, high, nominal;
+} variable;
 
 typedef struct {
     state now;
+    int states;                   /* how many: 0, or 2 on a valve */
+    variable variables[KNOWN];
     mckibben_muscle read, muscle; /* as it was read; with its pull multiplied */
+    logger log;
 } instance;
 
-/* All coefficients are multiplied, so that pull and volume keep one potential. */
+static void failed(logger to, const char *why)
+{
+    if (to.third)
+        to.third(to.environment, fmi2Error, "logStatusError", why);
+    else if (to.second && to.second->logger)
+        to.second->logger(to.second->environment, "muscle", fmi2Error, "logStatusError", "%s", why);
+}
+
+/* All coefficients are multiplied, so that pull and volume keep one potential. Until the simulation begins, the air follows from the pressure. */
 static void set_state(instance *c, const state *s)
 {
     c->now = *s;
     c->muscle = c->read;
     for (int i = 0; i < MCKIBBEN_FUNCTIONS; i++) {
         for (int j = 0; j < MCKIBBEN_NODES; j++) {
-            c->muscle.a[i][j] *= s->value[FACTOR];
-            c->muscle.b[i][j] *= s->value[FACTOR];
+            c->muscle.a[i][j] *= s->value[FORCE_FACTOR];
+            c->muscle.b[i][j] *= s->value[FORCE_FACTOR];
         }
     }
+    if (c->states && !(s->begun > 0.0))
+        fill(&c->muscle, c->now.value, s->value[INITIAL_PRESSURE]);
 }
 
 static void begin(instance *c)
 {
-    const state s = {{0.0, c->read.length, 1.0}, 0.0};
+    state s;
+    s.time = s.begun = 0.0;
+    for (int i = 0; i < KNOWN; i++)
+        s.value[i] = c->variables[i].start;
     set_state(c, &s);
 }
 
@@ -129,13 +165,15 @@ static FILE *opened(const char *path)
 /* muscle.bin: a mark, the token, and numbers of 64 bits in little-endian order, of which the first is 1. */
 typedef struct {
     char mark[8], token[32];
-    double one, length, supply, nodes, node[MCKIBBEN_NODES];
+    double one, states, length, supply, nodes, node[MCKIBBEN_NODES];
     double a[MCKIBBEN_FUNCTIONS][MCKIBBEN_NODES], b[MCKIBBEN_FUNCTIONS][MCKIBBEN_NODES], v[MCKIBBEN_FUNCTIONS];
+    variable variables[KNOWN];
 } resource;
 
 /* Why the muscle cannot be read; 0 where it is. */
-static const char *read_muscle(mckibben_muscle *m, const char *location, const char *token)
+static const char *read_muscle(instance *c, const char *location, const char *token)
 {
+    mckibben_muscle *m = &c->read;
     char path[PATH];
     resource r;
     FILE *file;
@@ -151,7 +189,7 @@ static const char *read_muscle(mckibben_muscle *m, const char *location, const c
         return "resources/muscle.bin of the unit is damaged: export the muscle again";
     if (!token || strncmp(token, r.token, sizeof(r.token)) != 0)
         return "resources/muscle.bin is of another muscle than modelDescription.xml: export the muscle again";
-    memset(m, 0, sizeof(*m));
+    m->friction[0] = m->friction[1] = 0.0;
     m->length = r.length;
     m->supply = r.supply;
     m->nodes = (int)r.nodes;
@@ -159,36 +197,52 @@ static const char *read_muscle(mckibben_muscle *m, const char *location, const c
     memcpy(m->a, r.a, sizeof(r.a));
     memcpy(m->b, r.b, sizeof(r.b));
     memcpy(m->v, r.v, sizeof(r.v));
+    memcpy(c->variables, r.variables, sizeof(r.variables));
+    c->states = (int)r.states;
     return 0;
 }
 
-/* An instance, or why there is none. */
-static instance *made(const char *location, const char *token, const char **why)
+/* An instance; 0 where there is none, with the reason in the log. */
+static instance *made(const char *location, const char *token, logger log)
 {
-    mckibben_muscle read;
-    instance *c = 0;
-    *why = read_muscle(&read, location, token);
-    if (!*why) {
-        c = (instance *)malloc(sizeof(*c));
-        *why = "memory is short";
+    instance *c = (instance *)malloc(sizeof(*c));
+    const char *why = c ? read_muscle(c, location, token) : "memory is short";
+    if (why) {
+        failed(log, why);
+        free(c);
+        return 0;
     }
-    if (c) {
-        c->read = read;
-        begin(c);
-    }
+    c->log = log;
+    begin(c);
     return c;
 }
 
-static int get(const instance *c, fmi2ValueReference vr, double *out)
+static double pressure_of(const instance *c) { return c->states ? air_pressure(&c->muscle, c->now.value) : c->now.value[PRESSURE]; }
+
+/* A variable at the pressure in the muscle; 0 where there is none. */
+static int get(const instance *c, double p, fmi2ValueReference vr, double *out)
 {
-    const double p = c->now.value[PRESSURE], l = c->now.value[LENGTH];
+    const double *x = c->now.value, l = x[LENGTH], command = x[COMMAND];
+    double rates[2];
+    coefficients k;
+    if (vr > FORCE_PER_PRESSURE && vr != TIME && !c->states)
+        return 0;
     switch (vr) {
-    case PRESSURE: case LENGTH: case FACTOR: *out = c->now.value[vr]; return 1;
+    case PRESSURE: *out = p; return 1;
     case FORCE: *out = mckibben_force(&c->muscle, p, l, 0); return 1;
     case STIFFNESS: *out = mckibben_stiffness(&c->muscle, p, l); return 1;
     case VOLUME: *out = mckibben_volume(&c->muscle, p, l); return 1;
     case FORCE_PER_PRESSURE: *out = mckibben_force_per_pressure(&c->muscle, p, l); return 1;
-    default: return 0;
+    case TIME: *out = c->now.time; return 1;
+    case AIR_TEMPERATURE: *out = air_temperature(&c->muscle, x, p); return 1;
+    case AIR_RATE: case AIR_FLOW:
+        air_rates(&c->muscle, x, p, rates);
+        *out = rates[vr == AIR_FLOW];
+        return 1;
+    case COMMAND_SIGN: *out = command; return 1;
+    case COMMAND_LIMIT: *out = 1.0 - fabs(command); return 1;
+    case TAUT: *out = two_sided(&c->muscle, p, contraction_of(&c->muscle, l), &k); return 1;
+    default: *out = vr < KNOWN ? x[vr] : 0.0; return vr < KNOWN;
     }
 }
 
@@ -198,47 +252,49 @@ FMI2_EXPORT fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean on, size
 
 FMI2_EXPORT fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources, const fmi2CallbackFunctions *callbacks, fmi2Boolean visible, fmi2Boolean logging)
 {
-    const char *why;
-    instance *c = made(resources, guid, &why);
-    (void)type; (void)visible; (void)logging;
-    if (!c && callbacks && callbacks->logger)
-        callbacks->logger(callbacks->environment, name, fmi2Error, "logStatusError", why);
-    return c;
+    const logger log = {callbacks, 0, 0};
+    (void)name; (void)type; (void)visible; (void)logging;
+    return made(resources, guid, log);
 }
 FMI2_EXPORT void fmi2FreeInstance(fmi2Component c) { free(c); }
-FMI2_EXPORT fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean tolerant, fmi2Real tolerance, fmi2Real start, fmi2Boolean stops, fmi2Real stop) { (void)c; (void)tolerant; (void)tolerance; (void)start; (void)stops; (void)stop; return fmi2OK; }
+FMI2_EXPORT fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean tolerant, fmi2Real tolerance, fmi2Real start, fmi2Boolean stops, fmi2Real stop) { (void)tolerant; (void)tolerance; (void)stops; (void)stop; ((instance *)c)->now.time = start; return fmi2OK; }
 FMI2_EXPORT fmi2Status fmi2EnterInitializationMode(fmi2Component c) { (void)c; return fmi2OK; }
-FMI2_EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component c) { (void)c; return fmi2OK; }
+FMI2_EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component c) { ((instance *)c)->now.begun = 1.0; return fmi2OK; }
 FMI2_EXPORT fmi2Status fmi2Terminate(fmi2Component c) { (void)c; return fmi2OK; }
 FMI2_EXPORT fmi2Status fmi2Reset(fmi2Component c) { begin((instance *)c); return fmi2OK; }
 
 FMI2_EXPORT fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference vr[], size_t n, fmi2Real value[])
 {
+    const instance *of = (const instance *)c;
+    const double p = pressure_of(of);
     for (size_t i = 0; i < n; i++)
-        if (!get((const instance *)c, vr[i], &value[i]))
+        if (!get(of, p, vr[i], &value[i]))
             return fmi2Error;
     return fmi2OK;
 }
 FMI2_EXPORT fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference vr[], size_t n, const fmi2Real value[])
 {
-    state s = ((instance *)c)->now;
+    instance *of = (instance *)c;
+    state s = of->now;
     for (size_t i = 0; i < n; i++) {
-        if (vr[i] > FACTOR || !(value[i] - value[i] == 0.0))
+        if (vr[i] >= KNOWN || !(value[i] >= of->variables[vr[i]].low && value[i] <= of->variables[vr[i]].high)) {
+            failed(of->log, "a value is outside of its range: see min and max of the variable in modelDescription.xml");
             return fmi2Error;
+        }
         s.value[vr[i]] = value[i];
     }
-    set_state((instance *)c, &s);
+    set_state(of, &s);
     return fmi2OK;
 }
-/* The only integer: the status, value reference 0. */
+/* The only integer is the status. */
 FMI2_EXPORT fmi2Status fmi2GetInteger(fmi2Component c, const fmi2ValueReference vr[], size_t n, fmi2Integer value[])
 {
     const instance *of = (const instance *)c;
+    unsigned status;
+    (void)mckibben_force(&of->muscle, pressure_of(of), of->now.value[LENGTH], &status);
     for (size_t i = 0; i < n; i++) {
-        unsigned status;
-        if (vr[i] != 0)
+        if (vr[i] != STATUS)
             return fmi2Error;
-        (void)mckibben_force(&of->muscle, of->now.value[PRESSURE], of->now.value[LENGTH], &status);
         value[i] = (fmi2Integer)status;
     }
     return fmi2OK;
@@ -282,32 +338,33 @@ FMI2_EXPORT fmi2Status fmi2DeSerializeFMUstate(fmi2Component c, const fmi2Byte b
     return fmi2OK;
 }
 
-/* Of the pull by pressure and length, and of the volume by length. */
+/* Central differences, but of the pull by pressure and length. */
 FMI2_EXPORT fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2ValueReference of[], size_t n, const fmi2ValueReference by[], size_t m, const fmi2Real direction[], fmi2Real out[])
 {
     const instance *at = (const instance *)c;
+    const double p = pressure_of(at);
     for (size_t i = 0; i < n; i++) {
         out[i] = 0.0;
         for (size_t j = 0; j < m; j++) {
             double slope;
-            if (of[i] == FORCE && by[j] == LENGTH) {
-                (void)get(at, STIFFNESS, &slope);
-            } else if (of[i] == FORCE && by[j] == PRESSURE) {
-                (void)get(at, FORCE_PER_PRESSURE, &slope);
-            } else { /* central differences */
+            if (by[j] >= KNOWN)
+                return fmi2Error;
+            if (!at->states && of[i] == FORCE && by[j] == LENGTH) {
+                (void)get(at, p, STIFFNESS, &slope);
+            } else if (!at->states && of[i] == FORCE && by[j] == PRESSURE) {
+                (void)get(at, p, FORCE_PER_PRESSURE, &slope);
+            } else {
                 instance moved = *at;
                 state to = at->now;
-                const double step = by[j] == PRESSURE ? 1e-5 * at->read.supply : (by[j] == LENGTH ? 1e-6 * at->read.length : 1e-6);
+                const double step = 1e-6 * at->variables[by[j]].nominal;
                 double up, down;
-                if (by[j] > FACTOR)
-                    return fmi2Error;
                 to.value[by[j]] += step;
                 set_state(&moved, &to);
-                if (!get(&moved, of[i], &up))
+                if (!get(&moved, pressure_of(&moved), of[i], &up))
                     return fmi2Error;
                 to.value[by[j]] -= 2.0 * step;
                 set_state(&moved, &to);
-                (void)get(&moved, of[i], &down);
+                (void)get(&moved, pressure_of(&moved), of[i], &down);
                 slope = (up - down) / (2.0 * step);
             }
             out[i] += slope * direction[j];
@@ -316,22 +373,56 @@ FMI2_EXPORT fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2V
     return fmi2OK;
 }
 
-/* Model Exchange. */
+/* Model Exchange. A kink of the equations is an event: the integrator begins anew, and nothing jumps. */
 FMI2_EXPORT fmi2Status fmi2EnterEventMode(fmi2Component c) { (void)c; return fmi2OK; }
 FMI2_EXPORT fmi2Status fmi2NewDiscreteStates(fmi2Component c, fmi2EventInfo *info) { (void)c; memset(info, 0, sizeof(*info)); return fmi2OK; }
 FMI2_EXPORT fmi2Status fmi2EnterContinuousTimeMode(fmi2Component c) { (void)c; return fmi2OK; }
 FMI2_EXPORT fmi2Status fmi2CompletedIntegratorStep(fmi2Component c, fmi2Boolean final, fmi2Boolean *event, fmi2Boolean *stop) { (void)c; (void)final; *event = 0; *stop = 0; return fmi2OK; }
-FMI2_EXPORT fmi2Status fmi2SetTime(fmi2Component c, fmi2Real time) { (void)c; (void)time; return fmi2OK; }
-FMI2_EXPORT fmi2Status fmi2SetContinuousStates(fmi2Component c, const fmi2Real x[], size_t n) { (void)c; (void)x; return n ? fmi2Error : fmi2OK; }
-FMI2_EXPORT fmi2Status fmi2GetDerivatives(fmi2Component c, fmi2Real x[], size_t n) { (void)c; (void)x; return n ? fmi2Error : fmi2OK; }
-FMI2_EXPORT fmi2Status fmi2GetEventIndicators(fmi2Component c, fmi2Real x[], size_t n) { (void)c; (void)x; return n ? fmi2Error : fmi2OK; }
-FMI2_EXPORT fmi2Status fmi2GetContinuousStates(fmi2Component c, fmi2Real x[], size_t n) { (void)c; (void)x; return n ? fmi2Error : fmi2OK; }
-FMI2_EXPORT fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component c, fmi2Real x[], size_t n) { (void)c; (void)x; return n ? fmi2Error : fmi2OK; }
+FMI2_EXPORT fmi2Status fmi2SetTime(fmi2Component c, fmi2Real time) { ((instance *)c)->now.time = time; return fmi2OK; }
+FMI2_EXPORT fmi2Status fmi2SetContinuousStates(fmi2Component c, const fmi2Real x[], size_t n)
+{
+    instance *of = (instance *)c;
+    if (n != (size_t)of->states)
+        return fmi2Error;
+    for (size_t i = 0; i < n; i++)
+        of->now.value[AIR + i] = x[i];
+    return fmi2OK;
+}
+/* Variables one after the other. */
+static fmi2Status in_order(fmi2Component c, fmi2ValueReference first, double x[], size_t n, size_t wanted)
+{
+    fmi2Status status = n == wanted ? fmi2OK : fmi2Error;
+    for (size_t i = 0; i < n && status == fmi2OK; i++, first++)
+        status = fmi2GetReal(c, &first, 1, &x[i]);
+    return status;
+}
+static size_t states_of(fmi2Component c) { return (size_t)((instance *)c)->states; }
+static size_t events_of(fmi2Component c) { return states_of(c) ? EVENTS : 0; }
+FMI2_EXPORT fmi2Status fmi2GetDerivatives(fmi2Component c, fmi2Real x[], size_t n) { return in_order(c, AIR_RATE, x, n, states_of(c)); }
+FMI2_EXPORT fmi2Status fmi2GetEventIndicators(fmi2Component c, fmi2Real x[], size_t n) { return in_order(c, COMMAND_SIGN, x, n, events_of(c)); }
+FMI2_EXPORT fmi2Status fmi2GetContinuousStates(fmi2Component c, fmi2Real x[], size_t n) { return in_order(c, AIR, x, n, states_of(c)); }
+FMI2_EXPORT fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component c, fmi2Real x[], size_t n)
+{
+    if (n != states_of(c))
+        return fmi2Error;
+    for (size_t i = 0; i < n; i++)
+        x[i] = ((instance *)c)->variables[AIR + i].nominal;
+    return fmi2OK;
+}
 
 /* Co-Simulation. */
 FMI2_EXPORT fmi2Status fmi2SetRealInputDerivatives(fmi2Component c, const fmi2ValueReference vr[], size_t n, const fmi2Integer order[], const fmi2Real value[]) { (void)c; (void)vr; (void)order; (void)value; return n ? fmi2Error : fmi2OK; }
 FMI2_EXPORT fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, const fmi2ValueReference vr[], size_t n, const fmi2Integer order[], fmi2Real value[]) { (void)c; (void)vr; (void)order; (void)value; return n ? fmi2Error : fmi2OK; }
-FMI2_EXPORT fmi2Status fmi2DoStep(fmi2Component c, fmi2Real at, fmi2Real step, fmi2Boolean final) { (void)c; (void)at; (void)step; (void)final; return fmi2OK; }
+FMI2_EXPORT fmi2Status fmi2DoStep(fmi2Component c, fmi2Real at, fmi2Real step, fmi2Boolean final)
+{
+    instance *of = (instance *)c;
+    (void)final;
+    of->now.time = at + step;
+    if (!of->states || air_step(&of->muscle, of->now.value, step))
+        return fmi2OK;
+    failed(of->log, "the air changes too fast for the step: a smaller sonic conductance or step, or a larger dead volume");
+    return fmi2Error;
+}
 FMI2_EXPORT fmi2Status fmi2CancelStep(fmi2Component c) { (void)c; return fmi2Error; }
 FMI2_EXPORT fmi2Status fmi2GetStatus(fmi2Component c, const fmi2StatusKind s, fmi2Status *value) { (void)c; (void)s; *value = fmi2OK; return fmi2Discard; }
 FMI2_EXPORT fmi2Status fmi2GetRealStatus(fmi2Component c, const fmi2StatusKind s, fmi2Real *value) { (void)c; (void)s; *value = 0.0; return fmi2Discard; }

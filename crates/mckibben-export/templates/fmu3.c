@@ -10,32 +10,25 @@
 
 typedef enum { fmi3OK, fmi3Warning, fmi3Discard, fmi3Error, fmi3Fatal } fmi3Status;
 
-/* Value references beyond those of the Real variables. */
-enum { STATUS = FORCE_PER_PRESSURE + 1, TIME };
-
 FMI3(const char *) fmi3GetVersion(void) { return "3.0"; }
 FMI3(fmi3Status) fmi3SetDebugLogging(void *c, bool on, size_t n, const char *const names[]) { (void)c; (void)on; (void)n; (void)names; return fmi3OK; }
 
-typedef void (*fmi3Log)(void *environment, fmi3Status status, const char *category, const char *message);
-
-static void *instantiated(const char *resources, const char *token, void *environment, fmi3Log log)
+static void *instantiated(const char *resources, const char *token, void *environment, void (*third)(void *, fmi2Status, const char *, const char *))
 {
-    const char *why;
-    instance *c = made(resources, token, &why);
-    if (!c && log)
-        log(environment, fmi3Error, "logStatusError", why);
-    return c;
+    const logger log = {0, third, environment};
+    return made(resources, token, log);
 }
-FMI3(void *) fmi3InstantiateModelExchange(const char *name, const char *token, const char *resources, bool visible, bool logging, void *environment, fmi3Log log) { (void)name; (void)visible; (void)logging; return instantiated(resources, token, environment, log); }
-FMI3(void *) fmi3InstantiateCoSimulation(const char *name, const char *token, const char *resources, bool visible, bool logging, bool events, bool early, REFERENCES, void *environment, fmi3Log log, void *update) { (void)name; (void)visible; (void)logging; (void)events; (void)early; (void)vr; (void)n; (void)update; return instantiated(resources, token, environment, log); }
+FMI3(void *) fmi3InstantiateModelExchange(const char *name, const char *token, const char *resources, bool visible, bool logging, void *environment, void (*log)(void *, fmi2Status, const char *, const char *)) { (void)name; (void)visible; (void)logging; return instantiated(resources, token, environment, log); }
+FMI3(void *) fmi3InstantiateCoSimulation(const char *name, const char *token, const char *resources, bool visible, bool logging, bool events, bool early, REFERENCES, void *environment, void (*log)(void *, fmi2Status, const char *, const char *), void *update) { (void)name; (void)visible; (void)logging; (void)events; (void)early; (void)vr; (void)n; (void)update; return instantiated(resources, token, environment, log); }
 FMI3(void *) fmi3InstantiateScheduledExecution(const char *name, const char *token, const char *resources, bool visible, bool logging, void *environment, void *log, void *update, void *lock, void *unlock) { (void)name; (void)token; (void)resources; (void)visible; (void)logging; (void)environment; (void)log; (void)update; (void)lock; (void)unlock; return 0; }
 FMI3(void) fmi3FreeInstance(void *c) { free(c); }
-FMI3(fmi3Status) fmi3EnterInitializationMode(void *c, bool tolerant, double tolerance, double start, bool stops, double stop) { (void)tolerant; (void)tolerance; (void)stops; (void)stop; ((instance *)c)->now.time = start; return fmi3OK; }
+FMI3(fmi3Status) fmi3EnterInitializationMode(void *c, bool tolerant, double tolerance, double start, bool stops, double stop) { return fmi2SetupExperiment(c, tolerant, tolerance, start, stops, stop) == fmi2OK ? fmi3OK : fmi3Error; }
 FMI3(fmi3Status) fmi3Reset(void *c) { begin((instance *)c); return fmi3OK; }
 
-/* Changes of the mode have nothing to do. */
+FMI3(fmi3Status) fmi3ExitInitializationMode(void *c) { return fmi2ExitInitializationMode(c) == fmi2OK ? fmi3OK : fmi3Error; }
+
+/* Other changes of the mode have nothing to do. */
 #define NOTHING(name) FMI3(fmi3Status) name(void *c) { (void)c; return fmi3OK; }
-NOTHING(fmi3ExitInitializationMode)
 NOTHING(fmi3EnterEventMode)
 NOTHING(fmi3Terminate)
 NOTHING(fmi3EnterConfigurationMode)
@@ -44,32 +37,9 @@ NOTHING(fmi3EvaluateDiscreteStates)
 NOTHING(fmi3EnterContinuousTimeMode)
 NOTHING(fmi3EnterStepMode)
 
-FMI3(fmi3Status) fmi3GetFloat64(void *c, REFERENCES, double value[], size_t values)
-{
-    if (values != n)
-        return fmi3Error;
-    for (size_t i = 0; i < n; i++) {
-        if (vr[i] == TIME)
-            value[i] = ((instance *)c)->now.time;
-        else if (!get((const instance *)c, vr[i], &value[i]))
-            return fmi3Error;
-    }
-    return fmi3OK;
-}
+FMI3(fmi3Status) fmi3GetFloat64(void *c, REFERENCES, double value[], size_t values) { return values == n && fmi2GetReal(c, vr, n, value) == fmi2OK ? fmi3OK : fmi3Error; }
 FMI3(fmi3Status) fmi3SetFloat64(void *c, REFERENCES, const double value[], size_t values) { return values == n && fmi2SetReal(c, vr, n, value) == fmi2OK ? fmi3OK : fmi3Error; }
-FMI3(fmi3Status) fmi3GetInt32(void *c, REFERENCES, int32_t value[], size_t values)
-{
-    const fmi2ValueReference status = 0;
-    if (values != n)
-        return fmi3Error;
-    for (size_t i = 0; i < n; i++) {
-        int found;
-        if (vr[i] != STATUS || fmi2GetInteger(c, &status, 1, &found) != fmi2OK)
-            return fmi3Error;
-        value[i] = found;
-    }
-    return fmi3OK;
-}
+FMI3(fmi3Status) fmi3GetInt32(void *c, REFERENCES, int32_t value[], size_t values) { return values == n && fmi2GetInteger(c, vr, n, value) == fmi2OK ? fmi3OK : fmi3Error; }
 FMI3(fmi3Status) fmi3SetInt32(void *c, REFERENCES, const int32_t value[], size_t values) { (void)c; (void)vr; (void)value; (void)values; return n ? fmi3Error : fmi3OK; }
 
 /* There are no variables of other types. */
@@ -130,16 +100,16 @@ FMI3(fmi3Status) fmi3GetAdjointDerivative(void *c, const uint32_t of[], size_t n
 /* Model Exchange. */
 FMI3(fmi3Status) fmi3UpdateDiscreteStates(void *c, bool *again, bool *stop, bool *nominals, bool *values, bool *timed, double *time) { (void)c; *again = *stop = *nominals = *values = *timed = false; *time = 0.0; return fmi3OK; }
 FMI3(fmi3Status) fmi3CompletedIntegratorStep(void *c, bool final, bool *event, bool *stop) { (void)c; (void)final; *event = *stop = false; return fmi3OK; }
-FMI3(fmi3Status) fmi3SetTime(void *c, double time) { ((instance *)c)->now.time = time; return fmi3OK; }
-FMI3(fmi3Status) fmi3SetContinuousStates(void *c, const double x[], size_t n) { (void)c; (void)x; return n ? fmi3Error : fmi3OK; }
-FMI3(fmi3Status) fmi3GetContinuousStates(void *c, double x[], size_t n) { (void)c; (void)x; return n ? fmi3Error : fmi3OK; }
-FMI3(fmi3Status) fmi3GetContinuousStateDerivatives(void *c, double x[], size_t n) { (void)c; (void)x; return n ? fmi3Error : fmi3OK; }
-FMI3(fmi3Status) fmi3GetNominalsOfContinuousStates(void *c, double x[], size_t n) { (void)c; (void)x; return n ? fmi3Error : fmi3OK; }
-FMI3(fmi3Status) fmi3GetEventIndicators(void *c, double x[], size_t n) { (void)c; (void)x; return n ? fmi3Error : fmi3OK; }
-FMI3(fmi3Status) fmi3GetNumberOfEventIndicators(void *c, size_t *n) { (void)c; *n = 0; return fmi3OK; }
-FMI3(fmi3Status) fmi3GetNumberOfContinuousStates(void *c, size_t *n) { (void)c; *n = 0; return fmi3OK; }
+FMI3(fmi3Status) fmi3SetTime(void *c, double time) { return fmi2SetTime(c, time) == fmi2OK ? fmi3OK : fmi3Error; }
+FMI3(fmi3Status) fmi3SetContinuousStates(void *c, const double x[], size_t n) { return fmi2SetContinuousStates(c, x, n) == fmi2OK ? fmi3OK : fmi3Error; }
+FMI3(fmi3Status) fmi3GetContinuousStates(void *c, double x[], size_t n) { return fmi2GetContinuousStates(c, x, n) == fmi2OK ? fmi3OK : fmi3Error; }
+FMI3(fmi3Status) fmi3GetContinuousStateDerivatives(void *c, double x[], size_t n) { return fmi2GetDerivatives(c, x, n) == fmi2OK ? fmi3OK : fmi3Error; }
+FMI3(fmi3Status) fmi3GetNominalsOfContinuousStates(void *c, double x[], size_t n) { return fmi2GetNominalsOfContinuousStates(c, x, n) == fmi2OK ? fmi3OK : fmi3Error; }
+FMI3(fmi3Status) fmi3GetEventIndicators(void *c, double x[], size_t n) { return fmi2GetEventIndicators(c, x, n) == fmi2OK ? fmi3OK : fmi3Error; }
+FMI3(fmi3Status) fmi3GetNumberOfEventIndicators(void *c, size_t *n) { *n = events_of(c); return fmi3OK; }
+FMI3(fmi3Status) fmi3GetNumberOfContinuousStates(void *c, size_t *n) { *n = states_of(c); return fmi3OK; }
 
 /* Co-Simulation. */
 FMI3(fmi3Status) fmi3GetOutputDerivatives(void *c, REFERENCES, const int32_t order[], double value[], size_t values) { (void)c; (void)vr; (void)order; (void)value; (void)values; return n ? fmi3Error : fmi3OK; }
-FMI3(fmi3Status) fmi3DoStep(void *c, double at, double step, bool final, bool *event, bool *stop, bool *early, double *last) { (void)final; *event = *stop = *early = false; *last = ((instance *)c)->now.time = at + step; return fmi3OK; }
+FMI3(fmi3Status) fmi3DoStep(void *c, double at, double step, bool final, bool *event, bool *stop, bool *early, double *last) { *event = *stop = *early = false; *last = at + step; return fmi2DoStep(c, at, step, final) == fmi2OK ? fmi3OK : fmi3Error; }
 FMI3(fmi3Status) fmi3ActivateModelPartition(void *c, uint32_t clock, double time) { (void)c; (void)clock; (void)time; return fmi3Error; }

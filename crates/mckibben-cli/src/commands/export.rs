@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::flags::{ModelFlags, MuscleFlags, OverwriteFlag, UnitsFlag};
 use crate::format::Format;
+use crate::names::TARGETS;
 use crate::output::text::{pairs, place, table};
 use crate::output::{Content, FLAT, Target, save_all, show};
 use crate::progress::Bar;
@@ -24,8 +25,8 @@ pub const EXAMPLES: &str = "Examples:
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Question")]
 pub struct ExportArgs {
-    /// Target: c, python, csv, matlab, mjcf, fmu, opensim, xlsx
-    #[arg(long = "as", value_name = "TARGET", required_unless_present = "list")]
+    /// Target
+    #[arg(long = "as", value_name = "TARGET", value_parser = TARGETS, required_unless_present = "list")]
     pub target: Option<String>,
     /// List the targets: what each is, needs and loses
     #[arg(long)]

@@ -9,6 +9,7 @@ use anstyle::{AnsiColor, Style};
 use mckibben::units::short_numbers;
 use mckibben::warning::is_of_burst;
 use mckibben_app::BuiltFile;
+use mckibben_files::Unfinished;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -44,10 +45,17 @@ pub fn save_all(
     for (file, path) in files.iter().zip(&paths) {
         check(Target::file(path, overwrite), &content(&file.name))?;
     }
+    let mut whole = vec![];
     for (file, path) in files.iter().zip(&paths) {
-        save(Target::file(path, overwrite), content(&file.name), &file.content)?;
+        let written = Unfinished::beside(path).and_then(|mut beside| {
+            beside.file().write_all(&file.content)?;
+            Ok(beside)
+        });
+        whole.push(written.map_err(|e| Failure::unwritable(path, &e))?);
     }
-    Ok(())
+    let put =
+        |(file, path): (Unfinished, &PathBuf)| file.put(true).map_err(|e| Failure::unwritable(path, &e));
+    whole.into_iter().zip(&paths).try_for_each(put)
 }
 
 /// Writes to `path`, or to standard output.

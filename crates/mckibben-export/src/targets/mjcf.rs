@@ -72,7 +72,6 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
         let square = -2.0 * k[2] * per_pa * of_square;
         ("1 2", "0.5 3", square, square)
     };
-    let mass_kg = 0.4 * blocked_n / 9.81;
     let reach = format!(
         "Pull of the actuators against the model, from the length at rest to the free contraction: {:.2} % rms, {:.2} % worst, of the blocked force.",
         100.0 * error.rms,
@@ -87,14 +86,9 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
     );
     let mut facts = muscle.facts();
     facts.extend([reach.clone(), slope.clone()]);
-    let stiffness = 6.0 * blocked_n / length;
     let values = [
         ("id", muscle.identifier()),
-        ("name", muscle.plain_name()),
         ("supply", number(f.supply_pa)),
-        ("half_supply", number(0.5 * f.supply_pa)),
-        ("length", number(length)),
-        ("below", number(-length)),
         ("span", number(span)),
         ("gain_square", number(gain_square)),
         ("gain_range", gain_range.into()),
@@ -104,15 +98,39 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
         ("gain_1", number(-k[1] * per_pa / length)),
         ("bias_0", number(-k[3] * blocked_n)),
         ("bias_1", number(-k[4] * blocked_n / length)),
-        ("strongest", number(-STRONGEST * blocked_n)),
-        ("mass", number(mass_kg)),
-        ("damping", number(0.5 * 2.0 * (stiffness * mass_kg).sqrt())),
     ];
-    let scene = render(include_str!("../../templates/muscle.xml"), &facts, &values);
+    let half = number(0.5 * f.supply_pa);
+    let own = [
+        ("also", String::new()),
+        (
+            "extension",
+            "  <!-- The limit of the tendon's force makes the muscle slack where it would push. -->".into(),
+        ),
+        (
+            "limit",
+            format!(" actuatorfrclimited=\"true\" actuatorfrcrange=\"{} 0\"", number(-STRONGEST * blocked_n)),
+        ),
+        ("actuators", render(include_str!("../../templates/muscle_native.xml"), &[], &values)),
+        ("half", format!("{half} {half}")),
+    ];
     let notes = vec![
         reach,
         slope,
         "both actuators of a muscle take the same control: its gauge pressure in Pa".into(),
     ];
-    Ok(Artefact { files: vec![File::text("muscle.xml", "a mass that hangs from the muscle", scene)], notes })
+    Ok(Artefact { files: vec![scene(muscle, &facts, &own)], notes })
+}
+
+/// A scene in which a mass hangs from the muscle, with the actuators of a target.
+pub(super) fn scene(muscle: &ExportedMuscle, facts: &[String], own: &[(&'static str, String)]) -> File {
+    let (length, blocked_n) = (muscle.form.length_m, muscle.blocked_force_n);
+    let (mass_kg, stiffness) = (0.4 * blocked_n / 9.81, 6.0 * blocked_n / length);
+    let common = [
+        ("id", muscle.identifier()),
+        ("below", number(-length)),
+        ("mass", number(mass_kg)),
+        ("damping", number(0.5 * 2.0 * (stiffness * mass_kg).sqrt())),
+    ];
+    let text = render(include_str!("../../templates/muscle.xml"), facts, &[&common[..], own].concat());
+    File::text("muscle.xml", "a mass that hangs from the muscle", text)
 }

@@ -7,6 +7,7 @@ mod host_fit;
 mod mat_file;
 mod matlab;
 mod mjcf;
+mod mjcf_plugin;
 mod opensim;
 mod python;
 mod tables;
@@ -39,49 +40,55 @@ impl std::fmt::Debug for TargetEntry {
     }
 }
 
-/// A host.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Target {
+macro_rules! targets {
+    ($($(#[$about:meta])* $name:ident => $entry:path,)*) => {
+        /// A host.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        pub enum Target {
+            $($(#[$about])* $name,)*
+        }
+
+        impl Target {
+            /// All of them.
+            pub const ALL: &[Self] = &[$(Self::$name),*];
+
+            /// What is known of it.
+            pub fn entry(self) -> &'static TargetEntry {
+                match self {
+                    $(Self::$name => &$entry,)*
+                }
+            }
+        }
+    };
+}
+
+targets! {
     /// C99.
-    C,
+    C => c::ENTRY,
     /// Python.
-    Python,
+    Python => python::ENTRY,
     /// Tables.
-    Csv,
+    Csv => csv::ENTRY,
     /// MATLAB, Simulink and GNU Octave.
-    Matlab,
+    Matlab => matlab::ENTRY,
     /// MuJoCo.
-    Mjcf,
+    Mjcf => mjcf::ENTRY,
+    /// MuJoCo with a plugin.
+    MjcfPlugin => mjcf_plugin::ENTRY,
     /// Functional Mock-up Unit.
-    Fmu,
+    Fmu => fmu::ENTRY,
+    /// Functional Mock-up Unit of a muscle on a valve.
+    FmuValve => fmu::VALVE,
     /// OpenSim.
-    Opensim,
+    Opensim => opensim::ENTRY,
     /// Workbook.
-    Xlsx,
+    Xlsx => xlsx::ENTRY,
 }
 
 impl Target {
-    /// All of them.
-    pub const ALL: [Self; 8] =
-        [Self::C, Self::Python, Self::Csv, Self::Matlab, Self::Mjcf, Self::Fmu, Self::Opensim, Self::Xlsx];
-
-    /// What is known of it.
-    pub fn entry(self) -> &'static TargetEntry {
-        match self {
-            Self::C => &c::ENTRY,
-            Self::Python => &python::ENTRY,
-            Self::Csv => &csv::ENTRY,
-            Self::Matlab => &matlab::ENTRY,
-            Self::Mjcf => &mjcf::ENTRY,
-            Self::Fmu => &fmu::ENTRY,
-            Self::Opensim => &opensim::ENTRY,
-            Self::Xlsx => &xlsx::ENTRY,
-        }
-    }
-
-    /// Their words.
-    pub(crate) fn names() -> String {
-        Self::ALL.map(|t| t.entry().name).join(", ")
+    /// Their words, in one line.
+    pub fn names() -> String {
+        Self::ALL.iter().map(|t| t.entry().name).collect::<Vec<_>>().join(", ")
     }
 }
 
@@ -89,7 +96,7 @@ impl FromStr for Target {
     type Err = ExportError;
 
     fn from_str(name: &str) -> Result<Self, ExportError> {
-        let found = Self::ALL.into_iter().find(|t| t.entry().name == name.trim());
+        let found = Self::ALL.iter().copied().find(|t| t.entry().name == name.trim());
         found.ok_or_else(|| ExportError::Target { name: name.to_owned() })
     }
 }

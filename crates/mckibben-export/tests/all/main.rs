@@ -4,6 +4,7 @@
 
 mod files;
 mod form;
+mod refused;
 
 use mckibben::budget::Budget;
 use mckibben::model::ForceModel;

@@ -1,7 +1,10 @@
 //! FMI 2.0 and 3.0: Functional Mock-up Units around the C target, for Model Exchange and Co-Simulation, with their sources.
 //!
-//! The library of a unit is the same for all muscles: it reads the numbers of its muscle from `resources/muscle.bin`. `checks/fmu-binaries.sh`
-//! makes it for each system, from the templates alone; a unit has all of them, so that its user needs no compiler.
+//! The library of a unit is the same for all muscles, with a pressure as input or with a valve and air as states: it reads the numbers of its
+//! muscle from `resources/muscle.bin`. `checks/fmu-binaries.sh` makes it for each system, from the templates alone; a unit has all of them, so
+//! that its user needs no compiler.
+
+mod variables;
 
 use super::TargetEntry;
 use super::c::{rendered, sources};
@@ -9,16 +12,37 @@ use super::zip::zip;
 use crate::error::ExportError;
 use crate::form::NODES;
 use crate::muscle::ExportedMuscle;
-use crate::template::{number, render};
+use crate::template::render;
 use crate::{Artefact, File};
+use variables::{Variable, settings};
 
 pub(super) const ENTRY: TargetEntry = TargetEntry {
     name: "fmu",
     about: "Functional Mock-up Units of FMI 2.0 and of FMI 3.0, Model Exchange and Co-Simulation, with libraries and their sources",
-    needs: "a tool that reads FMI 2.0 or 3.0, on Linux or Windows (x86-64) or macOS (x86-64, arm64); no compiler",
+    needs: NEEDS,
     loses: "friction",
-    make,
+    make: |muscle| make(muscle, Kind::Pressure),
 };
+
+pub(super) const VALVE: TargetEntry = TargetEntry {
+    name: "fmu-valve",
+    about: "the same units for a muscle on a valve: the command of the valve is the input, and the air is a state",
+    needs: NEEDS,
+    loses: "friction, the lag of the valve, hoses",
+    make: |muscle| make(muscle, Kind::Valve),
+};
+
+const NEEDS: &str =
+    "a tool that reads FMI 2.0 or 3.0, on Linux or Windows (x86-64) or macOS (x86-64, arm64); no compiler";
+
+/// What drives a unit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// The pressure.
+    Pressure,
+    /// The command of a valve.
+    Valve,
+}
 
 /// A system: its folder in FMI 2.0 and in FMI 3.0, the ending of a library, and the library.
 struct System {
@@ -33,37 +57,47 @@ const SYSTEMS: [System; 4] = [
         second: Some("linux64"),
         third: "x86_64-linux",
         ending: "so",
-        library: include_bytes!("../../binaries/x86_64-linux"),
+        library: include_bytes!("../../../binaries/x86_64-linux"),
     },
     System {
         second: Some("win64"),
         third: "x86_64-windows",
         ending: "dll",
-        library: include_bytes!("../../binaries/x86_64-windows"),
+        library: include_bytes!("../../../binaries/x86_64-windows"),
     },
     System { second: None, third: "x86_64-darwin", ending: "dylib", library: MACOS[0] },
     System { second: None, third: "aarch64-darwin", ending: "dylib", library: MACOS[1] },
 ];
 /// FMI 2.0 has one folder for both processors.
 const MACOS: [&[u8]; 2] =
-    [include_bytes!("../../binaries/x86_64-darwin"), include_bytes!("../../binaries/aarch64-darwin")];
+    [include_bytes!("../../../binaries/x86_64-darwin"), include_bytes!("../../../binaries/aarch64-darwin")];
 
-fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
+fn make(muscle: &ExportedMuscle, kind: Kind) -> Result<Artefact, ExportError> {
     let (id, facts) = (muscle.identifier(), muscle.facts());
-    let token = format!("{{mckibben-{}}}", muscle.hash);
+    let (about, [second_name, third_name]) = match kind {
+        Kind::Pressure => ("", ["muscle.fmu", "muscle_fmi3.fmu"]),
+        Kind::Valve => ("air-", ["muscle_valve.fmu", "muscle_valve_fmi3.fmu"]),
+    };
+    let token = format!("{{mckibben-{about}{}}}", muscle.hash);
+    let variables = variables::variables(muscle, kind);
     let values = [
         ("id", id.clone()),
         ("guid", token.clone()),
         ("said", format!("{} {}", facts[0], facts[2]).replace('"', "'")),
         ("version", muscle.version.into()),
-        ("length", number(muscle.form.length_m)),
+        ("units", include_str!("../../../templates/fmu_units.xml").trim_end().into()),
+        ("events", variables::events(kind).to_string()),
     ];
-    let described = |template: &str| render(template, &facts, &values).into_bytes();
+    let described = |template: &str, (list, structure): (String, String)| {
+        let own = [("variables", list), ("structure", structure)];
+        render(template, &facts, &[&values[..], &own].concat()).into_bytes()
+    };
     let source = |template: &str| rendered(template, muscle).into_bytes();
     let mut common = vec![
-        ("resources/muscle.bin".to_owned(), resource(muscle, &token)),
-        ("sources/fmu2.c".to_owned(), source(include_str!("../../templates/fmu2.c"))),
-        ("sources/fmu3.c".to_owned(), source(include_str!("../../templates/fmu3.c"))),
+        ("resources/muscle.bin".to_owned(), resource(muscle, &token, &variables)),
+        ("sources/air.c".to_owned(), source(include_str!("../../../templates/air.c"))),
+        ("sources/fmu2.c".to_owned(), source(include_str!("../../../templates/fmu2.c"))),
+        ("sources/fmu3.c".to_owned(), source(include_str!("../../../templates/fmu3.c"))),
     ];
     for file in sources(muscle).into_iter().filter(|file| file.name != "muscle.h") {
         common.push((format!("sources/{}", file.name), file.content.bytes().to_vec()));
@@ -75,12 +109,15 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
     };
     let library = |folder: &str, ending: &str| format!("binaries/{folder}/{id}.{ending}");
     let description = "modelDescription.xml".to_owned();
-    let mut second = vec![(description.clone(), described(include_str!("../../templates/fmu2.xml")))];
+    let mut second = vec![(
+        description.clone(),
+        described(include_str!("../../../templates/fmu2.xml"), variables::second(&variables)),
+    )];
     let mut third = vec![
-        (description, described(include_str!("../../templates/fmu3.xml"))),
+        (description, described(include_str!("../../../templates/fmu3.xml"), variables::third(&variables))),
         (
             "sources/buildDescription.xml".to_owned(),
-            described(include_str!("../../templates/fmu3_build.xml")),
+            render(include_str!("../../../templates/fmu3_build.xml"), &facts, &values).into_bytes(),
         ),
     ];
     for system in SYSTEMS {
@@ -91,23 +128,25 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
     }
     second.push((library("darwin64", "dylib"), universal(&MACOS)));
     let files = vec![
-        File::bytes("muscle.fmu", "the unit, FMI 2.0", unit(second)?),
-        File::bytes("muscle_fmi3.fmu", "the same, FMI 3.0", unit(third)?),
+        File::bytes(second_name, "the unit, FMI 2.0", unit(second)?),
+        File::bytes(third_name, "the same, FMI 3.0", unit(third)?),
     ];
     Ok(Artefact { files, notes: vec![] })
 }
 
 /// `muscle.bin`, as fmu2.c reads it.
-fn resource(muscle: &ExportedMuscle, token: &str) -> Vec<u8> {
+fn resource(muscle: &ExportedMuscle, token: &str, variables: &[Variable]) -> Vec<u8> {
     let form = &muscle.form;
     let mut out = b"mckibben".to_vec();
     out.extend(token.bytes().chain(std::iter::repeat(0)).take(32));
     let padded = |values: &[f64]| values.iter().copied().chain(std::iter::repeat(0.0)).take(NODES).collect();
-    let mut numbers = vec![1.0, form.length_m, form.supply_pa, form.contractions.len() as f64];
+    let states = variables.iter().filter(|v| v.is_state()).count() as f64;
+    let mut numbers = vec![1.0, states, form.length_m, form.supply_pa, form.contractions.len() as f64];
     for row in std::iter::once(&form.contractions).chain(&form.a).chain(&form.b) {
         numbers.extend::<Vec<f64>>(padded(row));
     }
     numbers.extend(form.v);
+    numbers.extend(settings(variables));
     out.extend(numbers.into_iter().flat_map(f64::to_le_bytes));
     out
 }
