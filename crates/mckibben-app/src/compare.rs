@@ -11,17 +11,19 @@ use crate::warnings;
 use crate::words::number;
 use mckibben::answer::{Options, point};
 use mckibben::budget::{Budget, Resource};
-use mckibben::model::{ForceModel, Workspace};
+use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::muscle::measures::END_FACTOR;
 use mckibben::progress::Progress;
 use mckibben::warning::Warning;
-use mckibben_fit::compare::{Comparison, MeasuredPoint, compare as errors_of, mean_of_branches};
+use mckibben_fit::compare::{
+    Comparison, MeasuredPoint, VolumeComparison, compare as errors_of, compare_volumes, mean_of_branches,
+};
 use mckibben_fit::identify::{
     DataPoint, IdentifyError, Parameter, Request, Target, identify, matters, own_value,
 };
 use mckibben_fit::least_squares::Loss;
-use mckibben_fit::measured::{PointOptions, read_points};
+use mckibben_fit::measured::{PointOptions, Quantity, read_points};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -128,6 +130,15 @@ pub struct ComparedModel {
     /// The mean, N: above zero if the model predicts too much pull.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mean_n: Option<f64>,
+    /// Measured volumes of the cavity that it answered; 0 without.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub volume_points: usize,
+    /// Root mean square of its volumes less the measured ones, mm³.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rms_volume_mm3: Option<f64>,
+    /// The mean, mm³: above zero if the model holds too much air.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mean_volume_mm3: Option<f64>,
     /// Points that it answered.
     pub points: usize,
     /// Points that it did not answer.
@@ -145,14 +156,24 @@ pub struct ComparedModel {
     pub fitted_stiffness_n_per_mm: Option<f64>,
 }
 
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over references")]
+fn is_zero(count: &usize) -> bool {
+    *count == 0
+}
+
 impl ComparedModel {
-    fn of(comparison: Comparison, fitted: &[(FitConstant, f64)]) -> Self {
+    fn of(comparison: Comparison, volumes: Option<VolumeComparison>, fitted: &[(FitConstant, f64)]) -> Self {
+        // Without measured pulls there is no error of them.
+        let pulls = comparison.points > 0;
         let value = |constant| fitted.iter().find(|f| f.0 == constant).map(|f| f.1);
         Self {
             model: comparison.model,
-            rms_n: Some(comparison.rms_n),
-            max_n: Some(comparison.max_n),
-            mean_n: Some(comparison.mean_n),
+            rms_n: pulls.then_some(comparison.rms_n),
+            max_n: pulls.then_some(comparison.max_n),
+            mean_n: pulls.then_some(comparison.mean_n),
+            volume_points: volumes.map_or(0, |v| v.points),
+            rms_volume_mm3: volumes.map(|v| v.rms_mm3),
+            mean_volume_mm3: volumes.map(|v| v.mean_mm3),
             points: comparison.points,
             unanswered: comparison.unanswered.as_ref().map_or(0, |u| u.0),
             cause: comparison.unanswered.map(|u| u.1),
@@ -170,6 +191,9 @@ impl ComparedModel {
         [modulus, end, stiffness].into_iter().flatten().collect::<Vec<_>>().join(", ")
     }
 }
+
+/// Pulls and volumes of a table.
+type Read = (Vec<MeasuredPoint>, Vec<DataPoint>);
 
 /// A model that was compared, with its row.
 struct Compared {
@@ -197,6 +221,8 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
     let models = request.chosen()?;
     let read = request.data.as_ref().map(|file| request.on_branch(file, &muscle)).transpose()?;
     let (measured, understood) = read.unzip();
+    let (measured, volumes) = measured.unzip();
+    let volumes = volumes.unwrap_or_default();
     if measured.is_none() && !request.fit.is_empty() {
         return Err(Problem::missing("data", "measured points to fit to"));
     }
@@ -222,7 +248,12 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
                 None => answers(&*bound, &mut workspace, &pressures, &contractions, options)?,
             };
             let comparison = errors_of(&*bound, &mut workspace, &points, options)?;
-            Ok((Compared { row: ComparedModel::of(comparison, &fitted), model: bound, workspace }, points))
+            let cavity = compare_volumes(&*bound, &mut workspace, &volumes, options);
+            if points.is_empty() && cavity.is_none() {
+                return Err(ModelError::NoVolume { model: bound.info().name.to_string() }.into());
+            }
+            let row = ComparedModel::of(comparison, cavity, &fitted);
+            Ok((Compared { row, model: bound, workspace }, points))
         };
         match one() {
             Ok((row, points)) => {
@@ -291,27 +322,25 @@ impl CompareRequest {
     }
 
     /// The measured points of a file, on the branch that was asked for.
-    fn on_branch(
-        &self,
-        file: &TextFile,
-        muscle: &Muscle,
-    ) -> Result<(Vec<MeasuredPoint>, UnderstoodTable), Problem> {
+    fn on_branch(&self, file: &TextFile, muscle: &Muscle) -> Result<(Read, UnderstoodTable), Problem> {
         let options =
             PointOptions { columns: self.columns.clone(), rest_length_mm: Some(muscle.tube().length_mm) };
         let (points, table) = read_points(file.text.as_bytes(), &options)
             .map_err(|error| Problem::of_table(&file.name, &error))?;
         let understood = UnderstoodTable { data: file.name.clone(), table };
+        let (volumes, points): (Vec<DataPoint>, Vec<DataPoint>) =
+            points.into_iter().partition(|p| p.measured == Quantity::Volume);
         let points: Vec<MeasuredPoint> = points.into_iter().map(|p| p.at).collect();
         if self.branch.is_mean() {
-            return Ok((mean_of_branches(&points), understood));
+            return Ok(((mean_of_branches(&points), volumes), understood));
         }
         let points: Vec<MeasuredPoint> = points.into_iter().filter(|p| p.branch == self.branch).collect();
-        if points.is_empty() {
+        if points.is_empty() && volumes.is_empty() {
             let message = format!("{}: there are no points of that branch", file.name);
             let hint = "its column `branch` must say contraction or elongation";
             return Err(Problem::new(ProblemKind::Data, message, hint));
         }
-        Ok((points, understood))
+        Ok(((points, volumes), understood))
     }
 }
 

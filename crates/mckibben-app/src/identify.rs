@@ -173,8 +173,11 @@ pub struct IdentifiedPoint {
     /// Pressure, contraction, pull and branch.
     #[serde(flatten)]
     pub at: MeasuredPoint,
-    /// The measured quantity; the two others were set.
+    /// The measured quantity; the others were set. In a row of a volume the pull is 0 where none was read.
     pub measured: Quantity,
+    /// Volume of the cavity, hose and fittings with it, where that was read, mm³.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub volume_mm3: Option<f64>,
     /// The model's pull where that was read, N.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model_force_n: Option<f64>,
@@ -184,6 +187,9 @@ pub struct IdentifiedPoint {
     /// The model's pressure where that was read, MPa.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model_pressure_mpa: Option<f64>,
+    /// The model's volume with `dead_volume` where that was read, mm³.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model_volume_mm3: Option<f64>,
     /// Model − measured, N.
     pub residual_n: f64,
     /// Its final weight.
@@ -202,15 +208,17 @@ fn points<S: Serializer>(points: &[PointFit], serializer: S) -> Result<S::Ok, S:
 
 impl From<&PointFit> for IdentifiedPoint {
     fn from(f: &PointFit) -> Self {
-        let DataPoint { at, measured, section, line, set, .. } = f.point;
+        let DataPoint { at, measured, volume_mm3, section, line, set, .. } = f.point;
         let of = |quantity, read: f64| (measured == quantity).then_some(read + f.residual);
         Self {
             section,
             at,
             measured,
+            volume_mm3,
             model_force_n: of(Quantity::Force, at.force_n),
             model_contraction: of(Quantity::Contraction, at.contraction),
             model_pressure_mpa: of(Quantity::Pressure, at.pressure_mpa),
+            model_volume_mm3: volume_mm3.map(|read| read + f.residual),
             residual_n: f.residual_n,
             weight: f.weight,
             outlier: f.outlier,

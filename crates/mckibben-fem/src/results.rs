@@ -76,6 +76,8 @@ pub struct Energies {
     pub rubber_n_mm: f64,
     /// Elastic energy of the strands in N·mm (mJ).
     pub braid_n_mm: f64,
+    /// Energy of the ends that slip, ½ c N², in N·mm (mJ); c the slip, N the load of a clamp.
+    pub ends_n_mm: f64,
     /// P (V − V0) in N·mm (mJ): the work the pressure source can give at this pressure.
     pub pressure_n_mm: f64,
 }

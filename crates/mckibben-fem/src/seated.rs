@@ -164,6 +164,11 @@ impl Simulation for Whole {
         let found = self.inner().solve(workspace, given);
         let mut found = found.map_err(|error| for_whole_muscle(self, displacement, error))?;
         found.response = whole(self, asked, found.response, &mut found.sensitivities);
+        let ends = self.ends();
+        let load_n = ends.load_n(found.response.pressure_mpa, found.response.force_n);
+        let slip_mm = ends.slip_mm_per_n * load_n;
+        found.energies.ends_n_mm = 0.5 * slip_mm * load_n;
+        found.energies.pressure_n_mm += found.response.pressure_mpa * ends.bore_mm2() * slip_mm;
         Ok(found)
     }
 

@@ -59,7 +59,10 @@ pub fn muscle_text(
 pub fn parameters(text: String) -> PyResult<Vec<(String, f64, &'static str)>> {
     let muscle = muscle_of(&TextFile { name: "muscle".into(), text }).map_err(Wrong::from)?;
     let known = |target: &Target| {
-        !matches!(target, Target::ContractionOffset | Target::StiffnessExponent | Target::Modulus)
+        !matches!(
+            target,
+            Target::ContractionOffset | Target::DeadVolume | Target::StiffnessExponent | Target::Modulus
+        )
     };
     let all = Target::all(&muscle).into_iter().filter(known);
     let row = |t: Target| Some((t.name(&muscle), own_value(&muscle, t)?, t.unit(&muscle)));

@@ -34,6 +34,11 @@ impl Table {
         self.left_out += before - self.rows.len();
     }
 
+    /// Leaves out a column.
+    pub fn forget(&mut self, meaning: Meaning) {
+        self.columns.retain(|c| c.meaning != meaning);
+    }
+
     /// Gives a column another meaning.
     pub fn rename(&mut self, from: Meaning, to: Meaning) {
         self.columns.iter_mut().filter(|c| c.meaning == from).for_each(|c| c.meaning = to);

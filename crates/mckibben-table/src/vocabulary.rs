@@ -23,6 +23,8 @@ pub enum Meaning {
     RestLength,
     /// Pull.
     Force,
+    /// Volume of the cavity.
+    Volume,
     /// Branch of the hysteresis loop.
     Branch,
     /// Quantity whose error a row counts.
@@ -35,6 +37,8 @@ pub enum Meaning {
     ContractionError,
     /// Standard error of the pressure.
     PressureError,
+    /// Standard error of the volume.
+    VolumeError,
     /// Weight of a row.
     Weight,
     /// D0.
@@ -81,6 +85,7 @@ impl Meaning {
             // Far above muscles on oil and water; what lies below is compared with the muscle (`identify::advice`).
             Meaning::Pressure | Meaning::PressureError => 100.0,
             Meaning::Force | Meaning::ForceError | Meaning::Weight => 1e6,
+            Meaning::Volume | Meaning::VolumeError => 1e10,
             Meaning::Angle => 90.0,
             Meaning::OuterDiameter | Meaning::Wall | Meaning::Length | Meaning::RestLength => 1e5,
             _ => f64::INFINITY,
@@ -295,7 +300,11 @@ pub const POINTS: Vocabulary = Vocabulary {
             any_of: &[Meaning::Contraction, Meaning::Shortening, Meaning::Length],
             names: "contraction, contraction_percent, Shortening [mm] or Length [mm]",
         },
-        Need { wanted: "forces", any_of: &[Meaning::Force], names: "force_n, Force [kN] or Force [lbf]" },
+        Need {
+            wanted: "forces",
+            any_of: &[Meaning::Force, Meaning::Volume],
+            names: "force_n, Force [kN] or Force [lbf] (or volumes: Volume [mL])",
+        },
     ],
     entries: &[
         PRESSURE,
@@ -304,6 +313,14 @@ pub const POINTS: Vocabulary = Vocabulary {
         of(Meaning::Length, "length", Some(Dimension::Length), NO, "length"),
         of(Meaning::RestLength, "rest_length", Some(Dimension::Length), NO, "rest_length"),
         of(Meaning::Force, "force", Some(Dimension::Force), &["force_n"], "force"),
+        of(Meaning::Volume, "volume", Some(Dimension::Volume), &["volume_mm3", "volume_ml"], "volume"),
+        of(
+            Meaning::VolumeError,
+            "volume_error",
+            Some(Dimension::Volume),
+            &["volume_error_mm3"],
+            "volume_error",
+        ),
         of(Meaning::Branch, "branch", None, &["branch"], ""),
         of(Meaning::Measured, "measured", None, &["measured"], ""),
         of(Meaning::Status, "status", None, &["status"], ""),

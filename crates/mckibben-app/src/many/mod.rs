@@ -187,7 +187,7 @@ fn parameter(muscle: &Muscle, name: &str) -> Result<Target, Problem> {
     let wrong = |e: String| Problem::new(ProblemKind::Parameter, e, "");
     let target = Target::parse(name, muscle).map_err(|e| wrong(e.to_string()))?;
     match target {
-        Target::ContractionOffset | Target::StiffnessExponent => Err(wrong(format!(
+        Target::ContractionOffset | Target::DeadVolume | Target::StiffnessExponent => Err(wrong(format!(
             "`{name}` is a property of measured data, not of the muscle: it has no derivative"
         ))),
         target => Ok(target),

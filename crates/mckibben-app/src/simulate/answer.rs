@@ -101,6 +101,8 @@ pub struct SimulatedPoint {
     pub rubber_energy_j: f64,
     /// Elastic energy of the strands, J.
     pub braid_energy_j: f64,
+    /// Energy of the ends that slip, J.
+    pub ends_energy_j: f64,
     /// P (V − V0), J.
     pub pressure_work_j: f64,
     /// Directions in which the equilibrium is unstable with the terminals held.
@@ -230,6 +232,7 @@ impl From<&Simulated> for SimulatedRow {
             status: q.status,
             rubber_energy_j: 1e-3 * s.energies.rubber_n_mm,
             braid_energy_j: 1e-3 * s.energies.braid_n_mm,
+            ends_energy_j: 1e-3 * s.energies.ends_n_mm,
             pressure_work_j: 1e-3 * s.energies.pressure_n_mm,
             unstable_directions: s.unstable_directions,
             smallest_volume_ratio: s.smallest_j,

@@ -119,7 +119,8 @@ fn as_text(args: &CompareArgs, answer: &CompareAnswer, u: &Units) -> String {
         }
         None => out.push_str(&format!("against the model {}\n\n", answer.reference)),
     }
-    let answered: Vec<&ComparedModel> = answer.models.iter().filter(|m| m.rms_n.is_some()).collect();
+    let compared = |m: &&ComparedModel| m.rms_n.is_some() || m.volume_points > 0;
+    let answered: Vec<&ComparedModel> = answer.models.iter().filter(compared).collect();
     let largest = answer.largest_force_n;
     // What is left of rounding is nothing.
     let error = |of: fn(&ComparedModel) -> Option<f64>| {
@@ -135,14 +136,25 @@ fn as_text(args: &CompareArgs, answer: &CompareAnswer, u: &Units) -> String {
         ("points".into(), answered.iter().map(|m| m.points.to_string()).collect()),
     ]));
     out.push_str("\nmean: above zero if the model predicts too much pull\n");
-    for m in answer.models.iter().filter(|m| m.rms_n.is_none()) {
+    if answered.iter().any(|m| m.volume_points > 0) {
+        let volume =
+            |of: fn(&ComparedModel) -> Option<f64>| u.volume.column(answered.iter().map(move |m| of(m)), 3);
+        out.push_str("\nvolume of the cavity:\n");
+        out.push_str(&columns([
+            ("model".into(), answered.iter().map(|m| m.model.clone()).collect()),
+            (u.volume.heading("rms"), volume(|m| m.rms_volume_mm3)),
+            (u.volume.heading("mean"), volume(|m| m.mean_volume_mm3)),
+            ("points".into(), answered.iter().map(|m| m.volume_points.to_string()).collect()),
+        ]));
+    }
+    for m in answer.models.iter().filter(|m| !compared(m)) {
         out.push_str(&format!(
             "{}: not compared: {}\n",
             m.model,
             u.sentence(m.cause.as_deref().unwrap_or_default())
         ));
     }
-    for m in answer.models.iter().filter(|m| m.rms_n.is_some()) {
+    for m in &answered {
         if !m.fitted().is_empty() {
             out.push_str(&format!("{}: fitted {}\n", m.model, m.fitted()));
         } else if !args.fit.is_empty() {

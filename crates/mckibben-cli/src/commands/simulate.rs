@@ -266,9 +266,14 @@ fn last_text(s: &Solution, u: &Units) -> String {
     let mut out = format!("\nAt {} and {}\n", u.pressure.show(r.pressure_mpa), percent(r.contraction));
     let joules = |v: f64| format!("{} J", number(1e-3 * v, 4));
     out.push_str(&format!(
-        "  energy: rubber {}, strands {}, P·(V − V0) {}\n",
+        "  energy: rubber {}, strands {}{}, P·(V − V0) {}\n",
         joules(s.energies.rubber_n_mm),
         joules(s.energies.braid_n_mm),
+        if s.energies.ends_n_mm > 0.0 {
+            format!(", ends {}", joules(s.energies.ends_n_mm))
+        } else {
+            String::new()
+        },
         joules(s.energies.pressure_n_mm)
     ));
     let at = s.max_stretch.rest_mm;

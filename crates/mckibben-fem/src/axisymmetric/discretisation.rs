@@ -1,5 +1,6 @@
 //! A tube under a braid, divided into elements: everything that does not change while it deforms.
 
+use super::guess::LAYER;
 use super::layout::Layout;
 use super::memory::Memory;
 use super::mesh::Mesh;
@@ -47,6 +48,8 @@ pub struct Problem {
     pub ends: Ends,
     /// λp: by how much the rubber is stretched along where nothing is displaced.
     pub prestretch: f64,
+    /// rp² − Ri² in mm² of plugs of the radius rp in a bore of the radius Ri: the wall on them keeps its volume, r² = R² + rp² − Ri².
+    pub plug_mm2: f64,
 }
 
 impl Problem {
@@ -56,7 +59,12 @@ impl Problem {
     }
 
     /// The same of its parts.
-    pub fn of_parts(Parts { tube, braid, .. }: &Parts) -> Self {
+    pub fn of_parts(parts: &Parts) -> Self {
+        let Parts { tube, braid, .. } = parts;
+        let plug_mm2 = match parts.terminals.plug_diameter_mm {
+            Some(_) => parts.plug_radius_mm().powi(2) - tube.inner_radius_mm().powi(2),
+            None => 0.0,
+        };
         let rubber = &tube.rubber;
         let braid = BraidSpec {
             lay: braid.lay(tube),
@@ -65,12 +73,13 @@ impl Problem {
             compression: braid.compression,
         };
         let prestretch = tube.prestretch;
-        Self { prestretch, ..Self::new(rubber.law.clone(), rubber.bulk, Some(braid), Ends::Bonded) }
+        let whole = Self::new(rubber.law.clone(), rubber.bulk, Some(braid), Ends::Bonded);
+        Self { prestretch, plug_mm2, ..whole }
     }
 
     /// Of its parts.
     pub fn new(law: Law, bulk: Bulk, braid: Option<BraidSpec>, ends: Ends) -> Self {
-        Self { law, bulk, braid, ends, prestretch: 1.0 }
+        Self { law, bulk, braid, ends, prestretch: 1.0, plug_mm2: 0.0 }
     }
 }
 
@@ -174,13 +183,41 @@ impl Discretisation {
         Some(point(nodes, xi, eta, 1.0)?.prestretched(self.problem.prestretch))
     }
 
+    /// Whether ∂F by the muscle's constants are those of the tangent: what conditioned rubber has seen and the shape on a plug
+    /// change with them as well.
+    pub fn has_slopes(&self) -> bool {
+        self.memory.is_none() && self.problem.plug_mm2 == 0.0
+    }
+
     /// Half length at rest in mm.
     pub fn half_length(&self) -> f64 {
         self.mesh.node(0, 2 * self.mesh.along)[1]
     }
 
-    /// The body at rest.
+    /// The body at rest, drawn on its plugs.
     pub fn rest(&self) -> State {
-        State::rest(self.layout.unknowns(), 0, STRAND_POINTS * self.strands.len())
+        let mut state = State::rest(self.layout.unknowns(), 0, STRAND_POINTS * self.strands.len());
+        self.draw_on_plugs(&mut state);
+        state
+    }
+
+    /// Radius in mm to which plugs draw the wall at R (mm) of a station of which a share takes part.
+    pub fn drawn_mm(&self, radius_mm: f64, share: f64) -> f64 {
+        (radius_mm * radius_mm + share * self.problem.plug_mm2).sqrt()
+    }
+
+    /// Puts the last station on its plug, and the wall beside it in a layer of the length ℓ.
+    pub fn draw_on_plugs(&self, state: &mut State) {
+        if self.problem.plug_mm2 == 0.0 {
+            return;
+        }
+        let half = self.half_length();
+        for j in 0..=2 * self.layout.along {
+            for i in 0..self.layout.nodes() {
+                let [r, z] = self.mesh.node(i, j);
+                let share = ((z - half) / (LAYER * self.radius)).exp();
+                state.u[self.layout.at(j) + 2 * i] = self.drawn_mm(r, share) - r;
+            }
+        }
     }
 }

@@ -3,9 +3,9 @@
 //! Tensions and pressures of the ideal muscle, q = P Ro λ/(2 sin²θ0) and p = −P: without them the first tangent would
 //! lack the very stiffness that holds the tube. And a shape: the outer line keeps the length of its strands,
 //!
-//!   λm² = (λf² − sin²θ0 λθ²)/cos²θ0,   r = Ro [1 + b (1 − e^(−(L0/2 − Z)/ℓ))],   z' = √(λm² − r'²),
+//!   λm² = (λf² − sin²θ0 λθ²)/cos²θ0,   r = Ro (1 + b) + [Re − Ro (1 + b)] e^(−(L0/2 − Z)/ℓ),   z' = √(λm² − r'²),
 //!
-//! with the bulge b that brings the terminal to its place; the wall behind it keeps its volume. Where the strands of the
+//! Re the outer radius on the plug, with the bulge b that brings the terminal to its place; the wall behind it keeps its volume. Where the strands of the
 //! infinitely long muscle are slack there is no tension, and the bulge is the infinitely long muscle's.
 //!
 //! Strands at a small angle let the tube become several times as wide, and its end zone as long as that makes it ([`Outline::Net`]): there
@@ -20,7 +20,7 @@ use crate::solver::body::State;
 use mckibben::muscle::StrandLay;
 
 /// ℓ over the outer radius.
-const LAYER: f64 = 1.4;
+pub(crate) const LAYER: f64 = 1.4;
 /// Steps of integration per station.
 const STEPS: usize = 4;
 /// Steps of the line of strands alone.
@@ -63,6 +63,8 @@ struct Line {
     cos2: f64,
     strand2: f64,
     radius: f64,
+    /// Re in mm.
+    end: f64,
     half: f64,
     layer: f64,
     bulge: f64,
@@ -76,10 +78,10 @@ impl Line {
         self.bulge = bulge;
         self.net.clear();
         // A neck has no end zone of this kind.
-        if outline == Outline::Layer || bulge <= 0.0 {
+        let middle = self.radius * (1.0 + bulge);
+        if outline == Outline::Layer || middle <= self.end {
             return;
         }
-        let middle = self.radius * (1.0 + bulge);
         let square = |r: f64| {
             let hoop = self.lay.hoop_stretch(r);
             (self.sin2 * hoop * hoop / self.strand2).min(1.0)
@@ -90,14 +92,14 @@ impl Line {
         for i in 0..=NET {
             // Finer towards the middle, where dZ/dr is infinite.
             let t = 1.0 - i as f64 / NET as f64;
-            let r = middle - (middle - self.radius) * t * t;
+            let r = middle - (middle - self.end) * t * t;
             let cos_alpha = (1.0 - square(r)).max(1e-6).sqrt();
             let cos_middle = (1.0 - sin2).max(1e-6).sqrt();
             let cos = (lowest + r * r) * sin2 / (2.0 * middle * middle * cos_middle * cos_alpha);
             let slope =
                 (self.strand2 / self.cos2).sqrt() * cos_alpha * (1.0 - cos.clamp(0.0, 1.0).powi(2)).sqrt();
             // dr = 2 (rm − Ro) t dt: at the middle both dr and r' vanish, and their ratio does not.
-            let rate = if slope > 0.0 && t > 0.0 { 2.0 * (middle - self.radius) * t / slope } else { before };
+            let rate = if slope > 0.0 && t > 0.0 { 2.0 * (middle - self.end) * t / slope } else { before };
             if i > 0 {
                 place += 0.5 * (before + rate) / NET as f64;
             }
@@ -122,11 +124,12 @@ impl Line {
                     (a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]))
                 }
                 (Some(end), None) => (end[1], 0.0),
-                (None, _) => (self.radius, 0.0),
+                (None, _) => (self.end, 0.0),
             };
         }
         let fall = (-(self.half - z) / self.layer).exp();
-        (self.radius * (1.0 + self.bulge * (1.0 - fall)), -self.radius * self.bulge * fall / self.layer)
+        let (middle, end) = (self.radius * (1.0 + self.bulge), self.end);
+        (middle + (end - middle) * fall, (end - middle) * fall / self.layer)
     }
 
     /// z' and λm at Z.
@@ -171,6 +174,7 @@ pub(super) fn shape(
         cos2: 1.0 - sin2,
         strand2,
         radius: d.radius,
+        end: d.drawn_mm(d.radius, 1.0),
         half,
         layer: LAYER * d.radius,
         bulge: 0.0,
@@ -212,7 +216,7 @@ pub(super) fn shape(
             let rest = d.mesh.node(i, j);
             let k = l.at(j) + 2 * i;
             if j == 2 * l.along {
-                (state.u[k], state.u[k + 1]) = (0.0, terminal);
+                (state.u[k], state.u[k + 1]) = (d.drawn_mm(rest[0], 1.0) - rest[0], terminal);
                 continue;
             }
             // r h − h²/2 = (Ro² − R²)/(2 λm): what lies outside of R keeps its volume.

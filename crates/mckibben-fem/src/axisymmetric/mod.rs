@@ -19,6 +19,7 @@ pub mod sweep;
 pub use body::Body;
 pub use contact::{Contact, ContactPlace};
 pub use discretisation::{BraidSpec, Discretisation, Ends, Problem};
+pub(crate) use guess::LAYER;
 pub use memory::Memory;
 pub use mesh::{Mesh, MeshSpec};
 pub use model::Axisymmetric;

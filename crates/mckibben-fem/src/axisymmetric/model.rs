@@ -146,7 +146,7 @@ impl MuscleBody for Body {
     }
 
     fn sensitivities(&mut self, muscle: &Muscle) -> Result<Vec<Sensitivity>, FemError> {
-        if self.discretisation.memory.is_some() { Ok(vec![]) } else { sensitivity::all(self, muscle) }
+        if self.discretisation.has_slopes() { sensitivity::all(self, muscle) } else { Ok(vec![]) }
     }
 }
 
@@ -174,8 +174,7 @@ impl ForceModel for Axisymmetric {
     }
 
     fn extensions(&self) -> Extensions<'_> {
-        // What the rubber has seen goes by the constants as well.
-        let slopes = self.discretisation.memory.is_none().then_some(self as &dyn Slopes);
+        let slopes = self.discretisation.has_slopes().then_some(self as &dyn Slopes);
         let inverse = Some(self as &dyn Inverse);
         Extensions { inverse, slopes, mesh: Some(self), contact: Some(self), ..Extensions::default() }
     }

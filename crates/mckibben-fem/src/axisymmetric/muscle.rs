@@ -41,6 +41,11 @@ impl body::Body for Body {
         self.control = control;
     }
 
+    fn rest(&mut self) {
+        self.state.clear();
+        self.discretisation.draw_on_plugs(&mut self.state);
+    }
+
     fn half_length(&self) -> f64 {
         self.discretisation.half_length()
     }
@@ -160,7 +165,7 @@ impl body::Body for Body {
 impl Body {
     /// The body at rest with the tensions and pressures of the ideal muscle.
     fn guess_ideal(&mut self, pressure: f64, terminal: f64) {
-        self.state.clear();
+        body::Body::rest(self);
         self.state.pressure = pressure;
         let stretch = 1.0 + terminal / self.discretisation.half_length();
         guess::loads(&self.discretisation, &mut self.state, stretch);

@@ -18,15 +18,15 @@ use mckibben::muscle::Muscle;
 /// [`FemError::Force`] where the tangent is singular.
 pub fn solution(body: &mut Body, muscle: &Muscle) -> Result<Solution, FemError> {
     let response = response(body, muscle)?;
-    // What the rubber has seen goes by the constants as well: of a conditioned muscle none are known.
-    let conditioned = body.discretisation.memory.is_some();
-    let sensitivities = if conditioned { vec![] } else { sensitivity::all(body, muscle)? };
+    let has_slopes = body.discretisation.has_slopes();
+    let sensitivities = if has_slopes { sensitivity::all(body, muscle)? } else { vec![] };
     let (d, s) = (&body.discretisation, &body.state);
     let rest_volume = muscle.rest_volume_mm3();
     let totals = body.totals;
     let energies = Energies {
         rubber_n_mm: 2.0 * totals.rubber,
         braid_n_mm: 2.0 * totals.braid,
+        ends_n_mm: 0.0,
         pressure_n_mm: s.pressure * (2.0 * totals.volume - rest_volume),
     };
     Ok(Solution {

@@ -41,6 +41,9 @@ pub enum DeckError {
     /// A tube that is stressed at rest.
     #[error("an input deck starts from unstressed rubber: leave out tube.prestretch")]
     Prestretch,
+    /// A tube that is drawn on wider or narrower plugs.
+    #[error("an input deck has plugs with the diameter of the bore: leave out terminals.plug_diameter")]
+    PlugDiameter,
     /// No pressures, or pressures that fall or are not above zero.
     #[error("an input deck needs rising pressures above zero, the first of them {first_mpa} MPa here")]
     Pressures {
@@ -91,6 +94,9 @@ pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -
     }
     if model.muscle().tube().prestretch != 1.0 {
         return Err(DeckError::Prestretch);
+    }
+    if model.muscle().terminals().plug_diameter_mm.is_some() {
+        return Err(DeckError::PlugDiameter);
     }
     let steps = steps(contraction, pressures_mpa)?;
     let muscle = model.muscle();

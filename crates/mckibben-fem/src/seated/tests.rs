@@ -138,3 +138,29 @@ fn slopes_of_slipping_ends_are_those_of_differences() {
         assert!((found - difference).abs() < 2e-3 * difference.abs(), "{name} {found} {difference}");
     }
 }
+
+/// Held at its rest length, a muscle stores what the air does: the energies of rubber, strands and ends that slip rise by ∫ P dV.
+#[test]
+fn the_energy_of_ends_that_slip_is_part_of_the_balance() {
+    let terminals = Terminals { slip_mm_per_n: Some(5e-3), ..Terminals::default() };
+    let muscle = Muscle::prototype().with_terminals(terminals).unwrap();
+    let model = "fe".parse::<Elements>().unwrap().build(&muscle).unwrap();
+    let w = &mut Workspace::new();
+    let mut at = |p: f64| model.solve(w, Given::at(p, 0.0)).unwrap();
+    const STEPS: usize = 40;
+    let (low, high) = (0.05, 0.25);
+    let places: Vec<_> = (0..=STEPS).map(|i| at(low + (high - low) * i as f64 / STEPS as f64)).collect();
+    // ∫ P dV = [P V] − ∫ V dP, by Simpson's rule.
+    let volume = |i: usize| places[i].response.volume_mm3.unwrap();
+    let weight = |i: usize| if i == 0 || i == STEPS { 1.0 } else { [2.0, 4.0][i % 2] };
+    let integral: f64 =
+        (0..=STEPS).map(|i| weight(i) * volume(i)).sum::<f64>() * (high - low) / STEPS as f64 / 3.0;
+    let work = high * volume(STEPS) - low * volume(0) - integral;
+    let stored = |i: usize| {
+        let e = places[i].energies;
+        e.rubber_n_mm + e.braid_n_mm + e.ends_n_mm
+    };
+    let gained = stored(STEPS) - stored(0);
+    let of_ends = places[STEPS].energies.ends_n_mm - places[0].energies.ends_n_mm;
+    assert!((gained / work - 1.0).abs() < 1e-5 && of_ends > 0.05 * work, "{gained} {work} {of_ends}");
+}

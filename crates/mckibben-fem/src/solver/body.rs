@@ -182,6 +182,11 @@ pub trait Body: NewtonSystem {
     /// Smallest step of pressure in MPa in a search for one.
     fn smallest_pressure(&self) -> f64;
 
+    /// Sets the state to that of the body at rest.
+    fn rest(&mut self) {
+        self.state_mut().clear();
+    }
+
     /// First iterate number `attempt` at a pressure in MPa and a displacement of the terminal in mm; `None` after the last one, and
     /// `Some(false)` where this one does not apply.
     fn guess(&mut self, attempt: usize, pressure: f64, terminal: f64) -> Option<bool>;

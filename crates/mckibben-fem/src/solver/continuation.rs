@@ -135,7 +135,7 @@ impl<B: Body> Continuation<B> {
 
     /// Back to the body at rest.
     pub fn reset(&mut self) {
-        self.body.state_mut().clear();
+        self.body.rest();
     }
 
     /// Equilibria that were met and are not stable, the first ones.

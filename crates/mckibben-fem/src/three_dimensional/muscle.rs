@@ -41,11 +41,13 @@ impl MuscleMesh {
     /// [`FemError`] where the numbers give no valid mesh.
     pub fn new(muscle: &Muscle, spec: &BrickSpec) -> Result<Self, FemError> {
         let (tube, braid) = (muscle.tube(), muscle.braid());
+        let plug_stated = muscle.terminals().plug_diameter_mm.is_some();
         let missing = [
             ("braid.thickness", braid.thickness_mm > 0.0),
             ("braid.diameter", !braid.lay(tube).is_on(tube)),
             ("braid.crimp", braid.crimp.is_some()),
             ("tube.material.conditioned", tube.rubber.is_conditioned()),
+            ("terminals.plug_diameter with meshed plugs", plug_stated && spec.plug.is_some()),
         ];
         if let Some((key, _)) = missing.into_iter().find(|(_, stated)| *stated) {
             return Err(FemError::NotInBricks { key });
@@ -180,6 +182,10 @@ impl body::Body for MuscleInBricks {
         if let Some((_, section)) = &mut self.section {
             section.budget = budget.clone();
         }
+    }
+
+    fn rest(&mut self) {
+        self.bricks.state.copy_from(&self.bricks.discretisation.rest());
     }
 
     fn half_length(&self) -> f64 {

@@ -37,6 +37,7 @@ pub fn solution(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<So
         energies: Energies {
             rubber_n_mm: 8.0 * totals.rubber,
             braid_n_mm: 8.0 * totals.braid,
+            ends_n_mm: 0.0,
             pressure_n_mm: body.state.pressure * (8.0 * totals.volume - rest),
         },
         unstable_directions: body.unstable_directions(),

@@ -1,8 +1,9 @@
-//! Models against measured points: rms and largest error of each.
+//! Models against measured points: rms and largest error of each, of pulls and of volumes.
 
 pub use crate::measured::{MeasuredPoint, mean_of_branches, read_measured};
 
-use mckibben::analysis::{Options, force_on};
+use crate::measured::DataPoint;
+use mckibben::analysis::{Options, force_on, response_on};
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use serde::Serialize;
 
@@ -68,5 +69,37 @@ pub fn compare<M: ForceModel + ?Sized>(
         mean_n: sum / n,
         points: count,
         unanswered: failed.map(|(n, error)| (n, error.to_string())),
+    })
+}
+
+/// How far the volumes of a model are from measured ones.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct VolumeComparison {
+    /// How many volumes were compared.
+    pub points: usize,
+    /// Root mean square of V_model − V_measured in mm³.
+    pub rms_mm3: f64,
+    /// Mean of V_model − V_measured in mm³: above zero if the model holds too much air.
+    pub mean_mm3: f64,
+}
+
+/// Compares the cavity of a model with measured volumes; `None` of a model without one, and without volumes.
+pub fn compare_volumes<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    points: &[DataPoint],
+    options: Options,
+) -> Option<VolumeComparison> {
+    let mut differences = vec![];
+    for point in points {
+        let (p, e) = (point.at.pressure_mpa, point.at.contraction);
+        let here = response_on(model, workspace, p, e, options.direction).ok();
+        differences.extend(here.and_then(|r| Some(r.volume_mm3? - point.volume_mm3?)));
+    }
+    let n = differences.len() as f64;
+    (!differences.is_empty()).then(|| VolumeComparison {
+        points: differences.len(),
+        rms_mm3: (differences.iter().map(|d| d * d).sum::<f64>() / n).sqrt(),
+        mean_mm3: differences.iter().sum::<f64>() / n,
     })
 }

@@ -218,6 +218,9 @@ pub(super) fn after<B: Build>(found: &Identification, loss: Loss, build: &B) -> 
     if has(Target::ContractionOffset) {
         notes.push("a muscle file cannot hold contraction_offset: add it to your contractions".into());
     }
+    if has(Target::DeadVolume) {
+        notes.push("a muscle file cannot hold dead_volume: subtract it from your volumes".into());
+    }
     if has(Target::StiffnessExponent) {
         notes.push(
             "a muscle file cannot hold braid.stiffness_exponent: it states k at its own diameter".into(),

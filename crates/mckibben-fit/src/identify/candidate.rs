@@ -23,6 +23,8 @@ pub struct Candidate {
     family: Option<Family>,
     /// What is added to the contractions of the data.
     pub contraction_offset: f64,
+    /// What the measured volumes hold beside the muscle, in mm³.
+    pub dead_volume_mm3: f64,
 }
 
 /// The muscle's own value of a parameter; `None` where it has none.
@@ -43,7 +45,7 @@ pub fn own_value(muscle: &Muscle, target: Target) -> Option<f64> {
             muscle.measure(m).or(target.identify().and_then(|i| (i.start)(muscle)))?
         }
         Target::Measure(m) => muscle.measure(m)?,
-        Target::ContractionOffset => 0.0,
+        Target::ContractionOffset | Target::DeadVolume => 0.0,
     })
 }
 
@@ -59,7 +61,8 @@ impl Candidate {
             reference_mm: base.outer_diameter_mm(),
             exponent: own_value(base, Target::StiffnessExponent).unwrap_or(0.0),
         };
-        let (mut has_family, mut contraction_offset, mut factor) = (false, 0.0, 1.0);
+        let (mut has_family, mut contraction_offset, mut dead_volume_mm3, mut factor) =
+            (false, 0.0, 0.0, 1.0);
         for &(target, v) in values {
             match target {
                 Target::Law(i) => {
@@ -78,6 +81,7 @@ impl Candidate {
                     (m.set)(&mut parts, v);
                 }
                 Target::ContractionOffset => contraction_offset = v,
+                Target::DeadVolume => dead_volume_mm3 = v,
             }
         }
         let rubber = &mut parts.tube.rubber;
@@ -93,7 +97,7 @@ impl Candidate {
         if let Some(family) = &family {
             parts.braid.stiffness = BraidStiffness::NewtonPerMm(family.at(parts.tube.outer_diameter_mm));
         }
-        Ok(Self { muscle: Muscle::from_parts(parts)?, family, contraction_offset })
+        Ok(Self { muscle: Muscle::from_parts(parts)?, family, contraction_offset, dead_volume_mm3 })
     }
 
     /// The muscle.

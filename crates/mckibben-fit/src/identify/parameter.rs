@@ -22,18 +22,21 @@ pub enum Target {
     Measure(&'static Measure),
     /// What must be added to the contractions of the data: their zero is not the length at rest.
     ContractionOffset,
+    /// What the measured volumes hold beside the muscle: hose and fittings, in mm³.
+    DeadVolume,
 }
 
-use Target::{ContractionOffset, Law, Modulus, Stiffness, StiffnessExponent};
+use Target::{ContractionOffset, DeadVolume, Law, Modulus, Stiffness, StiffnessExponent};
 
 /// Names that are neither of the law nor of a measure; some have a second spelling.
-const NAMES: [(&str, Target); 6] = [
+const NAMES: [(&str, Target); 7] = [
     ("tube.material.modulus", Modulus),
     ("modulus", Modulus),
     ("braid.stiffness", Stiffness),
     ("stiffness", Stiffness),
     ("braid.stiffness_exponent", StiffnessExponent),
     ("contraction_offset", ContractionOffset),
+    ("dead_volume", DeadVolume),
 ];
 
 /// The measures that can be identified, by the tables of the muscle file: the braid's are what a ruler does not tell.
@@ -97,7 +100,7 @@ impl Target {
         let laws = (0..muscle.tube().rubber.law.values().len()).map(Law);
         let first = [Modulus, Stiffness, StiffnessExponent];
         let measures = measures().map(|(m, _)| Target::Measure(m));
-        laws.chain(first).chain(measures).chain([ContractionOffset]).collect()
+        laws.chain(first).chain(measures).chain([ContractionOffset, DeadVolume]).collect()
     }
 
     /// The name, as in the muscle file.
@@ -141,6 +144,7 @@ impl Target {
         match self {
             Law(i) => constant(muscle, i).map_or("", |c| c.constant.unit()),
             Stiffness => "N/mm",
+            DeadVolume => "mm³",
             Target::Measure(m) => m.unit(),
             _ => "",
         }
@@ -150,6 +154,7 @@ impl Target {
         match self {
             Law(i) => constant(muscle, i).map_or(Dimension::Ratio, |c| c.constant.dimension),
             Stiffness => Dimension::Stiffness,
+            DeadVolume => Dimension::Volume,
             Target::Measure(m) => m.dimension,
             _ => Dimension::Ratio,
         }
@@ -169,6 +174,7 @@ impl Target {
             Law(i) => constant(muscle, i).map_or((f64::NEG_INFINITY, f64::INFINITY), |c| c.constant.bounds),
             StiffnessExponent => (-5.0, 5.0),
             ContractionOffset => (-0.3, 0.3),
+            DeadVolume => (0.0, f64::INFINITY),
             other => other.identify().map_or((0.0, f64::INFINITY), |i| (i.bounds)(muscle)),
         }
     }
@@ -184,6 +190,7 @@ impl Target {
             }
             StiffnessExponent => 1.0,
             ContractionOffset => 0.02,
+            DeadVolume => 0.2 * muscle.rest_volume_mm3(),
             other => other.identify().map_or(0.5 * v.abs(), |i| (i.limit)(v)),
         }
     }

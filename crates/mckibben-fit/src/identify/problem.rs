@@ -5,9 +5,11 @@
 //!   force        r = F(P, ε; θ) − F,           ∂r/∂θ = ∂F/∂θ
 //!   contraction  r = g (ε(P, F; θ) − ε),       ∂r/∂θ = −g ∂F/∂θ / (∂F/∂ε)
 //!   pressure     r = g (P(F, ε; θ) − P),       ∂r/∂θ = −g ∂F/∂θ / (∂F/∂P)
+//!   volume       r = g (V(P, ε; θ) + Vd − V),  by differences
 //!
-//! g: N per unit of what was read, the mean slope at the start, so that all residuals are in N. ∂F/∂θ is the model's own
-//! ([`Slopes`](mckibben::model::Slopes)) where it has one.
+//! g: N per unit of what was read, the mean slope at the start, so that all residuals are in N; of a volume |∂F/∂ε| / |∂V/∂ε| with
+//! ∂V/∂ε = L0 ∂F/∂P. Vd: volume of hose and fittings (`dead_volume`). ∂F/∂θ is the model's own
+//! ([`Slopes`](mckibben::model::Slopes)) where it has one and no volumes were read.
 
 use super::candidate::Candidate;
 use super::parameter::Target;
@@ -43,10 +45,21 @@ pub struct Problem<'a, B> {
     build: &'a B,
     progress: &'a dyn Progress,
     chunks: Vec<Chunk>,
-    /// N per unit of contraction and per MPa.
-    scales: (f64, f64),
+    scales: Scales,
     /// Whether the model knows all derivatives.
     analytic: bool,
+}
+
+/// N per unit of what was read.
+#[derive(Debug, Clone, Copy)]
+struct Scales {
+    contraction: f64,
+    pressure: f64,
+    volume: f64,
+}
+
+impl Scales {
+    const ONE: Self = Self { contraction: 1.0, pressure: 1.0, volume: 1.0 };
 }
 
 /// F, ∂F/∂ε and ∂F/∂P.
@@ -67,6 +80,18 @@ fn local(
     let by_contraction = -stiffness_of(m, w, &r, branch)? * m.muscle().length_mm();
     let by_pressure = slope_by_pressure(m, w, &r, branch)?;
     Ok(Local { force: r.force_n, by_contraction, by_pressure })
+}
+
+/// V in mm³.
+fn volume(
+    m: &dyn ForceModel,
+    w: &mut Workspace,
+    p: f64,
+    e: f64,
+    branch: Direction,
+) -> Result<f64, ModelError> {
+    let volume = response_on(m, w, p, e, branch)?.volume_mm3;
+    volume.ok_or_else(|| ModelError::NoVolume { model: m.info().name.to_string() })
 }
 
 /// Newton's method for what was read, from where it was read.
@@ -121,10 +146,10 @@ impl<'a, B: Build> Problem<'a, B> {
             build,
             progress,
             chunks: chunks(points),
-            scales: (1.0, 1.0),
+            scales: Scales::ONE,
             analytic: false,
         };
-        out.scales = out.mean_slopes(start).unwrap_or((1.0, 1.0));
+        out.scales = out.mean_slopes(start).unwrap_or(Scales::ONE);
         out.analytic = out.knows_derivatives(start);
         out
     }
@@ -133,8 +158,9 @@ impl<'a, B: Build> Problem<'a, B> {
     pub fn scale(&self, quantity: Quantity) -> f64 {
         match quantity {
             Quantity::Force => 1.0,
-            Quantity::Contraction => self.scales.0,
-            Quantity::Pressure => self.scales.1,
+            Quantity::Contraction => self.scales.contraction,
+            Quantity::Pressure => self.scales.pressure,
+            Quantity::Volume => self.scales.volume,
         }
     }
 
@@ -156,11 +182,17 @@ impl<'a, B: Build> Problem<'a, B> {
                 }
                 Quantity::Contraction => {
                     let (_, e, _) = found(m, w, point, candidate.contraction_offset)?;
-                    Ok(self.scales.0 * (e - candidate.contraction_offset - at.contraction))
+                    Ok(self.scales.contraction * (e - candidate.contraction_offset - at.contraction))
                 }
                 Quantity::Pressure => {
                     let (p, _, _) = found(m, w, point, candidate.contraction_offset)?;
-                    Ok(self.scales.1 * (p - at.pressure_mpa))
+                    Ok(self.scales.pressure * (p - at.pressure_mpa))
+                }
+                Quantity::Volume => {
+                    let e = at.contraction + candidate.contraction_offset;
+                    let inside = volume(m, w, at.pressure_mpa, e, at.branch)?;
+                    let read = point.volume_mm3.unwrap_or_default();
+                    Ok(self.scales.volume * (inside + candidate.dead_volume_mm3 - read))
                 }
             }
         })
@@ -191,7 +223,7 @@ impl<'a, B: Build> Problem<'a, B> {
         out.into_iter().collect()
     }
 
-    fn mean_slopes(&self, start: &[f64]) -> Option<(f64, f64)> {
+    fn mean_slopes(&self, start: &[f64]) -> Option<Scales> {
         if self.points.iter().all(|p| p.measured == Quantity::Force) {
             return None;
         }
@@ -200,18 +232,27 @@ impl<'a, B: Build> Problem<'a, B> {
             let at = &point.at;
             local(m, w, at.pressure_mpa, at.contraction + candidate.contraction_offset, at.branch)
         })?;
-        let mean = |quantity: Quantity, of: fn(&Local) -> f64| {
+        let mean = |quantity: Quantity, of: &dyn Fn(&Local) -> f64| {
             let rows = list.iter().zip(self.points).filter(|r| r.1.measured == quantity);
-            let slopes: Vec<f64> = rows.filter_map(|r| r.0.as_ref().ok().map(of)).map(f64::abs).collect();
+            let slopes: Vec<f64> = rows.filter_map(|r| Some(of(r.0.as_ref().ok()?).abs())).collect();
             let mean = slopes.iter().sum::<f64>() / slopes.len().max(1) as f64;
             if mean > 0.0 { mean } else { 1.0 }
         };
-        Some((mean(Quantity::Contraction, |l| l.by_contraction), mean(Quantity::Pressure, |l| l.by_pressure)))
+        let length = candidate.muscle().length_mm();
+        let by_volume = |l: &Local| l.by_contraction / (length * l.by_pressure);
+        Some(Scales {
+            contraction: mean(Quantity::Contraction, &|l| l.by_contraction),
+            pressure: mean(Quantity::Pressure, &|l| l.by_pressure),
+            volume: mean(Quantity::Volume, &by_volume),
+        })
     }
 
     /// Whether the model has all of ∂F/∂θ.
     fn knows_derivatives(&self, start: &[f64]) -> bool {
         let Some(candidate) = self.candidate(start) else { return false };
+        if self.points.iter().any(|p| p.measured == Quantity::Volume) {
+            return false;
+        }
         // A braid that follows from the measures of the muscle has another derivative by these.
         let follows =
             matches!(candidate.muscle().braid().stiffness, BraidStiffness::Paper | BraidStiffness::OfStrands);
@@ -259,7 +300,7 @@ impl<'a, B: Build> Problem<'a, B> {
                     }
                 }
                 Target::Measure(m) if m.section() == "friction" => {}
-                Target::ContractionOffset => {}
+                Target::ContractionOffset | Target::DeadVolume => {}
                 other => add(other.name(muscle)),
             }
         }
@@ -315,6 +356,7 @@ impl<'a, B: Build> Problem<'a, B> {
             }
             // Held against ε + offset: where ε is what is sought, only the pull's slope by it remains.
             Target::ContractionOffset => here.by_contraction,
+            Target::DeadVolume => 0.0,
             Target::Law(_) | Target::Measure(_) => of(&target.name(muscle)),
         };
         Ok(self.free.iter().zip(x).map(one).collect())
@@ -336,7 +378,7 @@ impl<B: Build> Residuals for Problem<'_, B> {
         let rows = self.over_rows(&candidate, |m, w, point| {
             let at = &point.at;
             let (p, e, here) = match point.measured {
-                Quantity::Force => {
+                Quantity::Force | Quantity::Volume => {
                     let e = at.contraction + offset;
                     (at.pressure_mpa, e, local(m, w, at.pressure_mpa, e, at.branch)?)
                 }
@@ -345,8 +387,9 @@ impl<B: Build> Residuals for Problem<'_, B> {
             let slopes = self.slopes((m, w), point, &candidate, x, &names, (p, e, &here))?;
             let factor = match point.measured {
                 Quantity::Force => 1.0,
-                Quantity::Contraction => -self.scales.0 / here.by_contraction,
-                Quantity::Pressure => -self.scales.1 / here.by_pressure,
+                Quantity::Volume => self.scales.volume,
+                Quantity::Contraction => -self.scales.contraction / here.by_contraction,
+                Quantity::Pressure => -self.scales.pressure / here.by_pressure,
             };
             Ok(slopes.into_iter().map(|s| factor * s).collect::<Vec<f64>>())
         })?;

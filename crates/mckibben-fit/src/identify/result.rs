@@ -45,7 +45,7 @@ pub struct Identified {
 pub struct PointFit {
     /// The point.
     pub point: DataPoint,
-    /// Model less measured, in the unit of what was read: N, –, MPa.
+    /// Model less measured, in the unit of what was read: N, –, MPa, mm³.
     pub residual: f64,
     /// The same in N.
     pub residual_n: f64,
@@ -154,6 +154,7 @@ pub(super) fn spreads(points: &[PointFit]) -> Vec<Spread> {
         of("read: force".into(), &read(Quantity::Force)),
         of("read: contraction".into(), &read(Quantity::Contraction)),
         of("read: pressure".into(), &read(Quantity::Pressure)),
+        of("read: volume".into(), &read(Quantity::Volume)),
     ]
     .into_iter()
     .flatten()

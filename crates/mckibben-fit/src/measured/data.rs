@@ -5,7 +5,7 @@ use mckibben::muscle::measures::{ANGLE, LENGTH, OUTER_DIAMETER, WALL};
 use mckibben::muscle::{Direction, Measure, Muscle, MuscleError};
 use serde::{Deserialize, Serialize};
 
-/// The measured quantity; the two others were set.
+/// The measured quantity; the others were set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -17,6 +17,8 @@ pub enum Quantity {
     Contraction,
     /// The pressure, at a set pull and length.
     Pressure,
+    /// The volume of the cavity, at a set pressure and length.
+    Volume,
 }
 
 /// Measures of the muscle that a row states; the others are the muscle file's.
@@ -73,6 +75,9 @@ pub struct DataPoint {
     pub at: MeasuredPoint,
     /// Which of them was read.
     pub measured: Quantity,
+    /// Volume of the cavity in mm³, where it was read.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub volume_mm3: Option<f64>,
     /// Standard error of what was read, in its unit, where it is stated.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub error: Option<f64>,
@@ -93,6 +98,7 @@ impl DataPoint {
         Self {
             at,
             measured: Quantity::Force,
+            volume_mm3: None,
             error: None,
             weight: 1.0,
             section: Section::default(),
@@ -117,6 +123,11 @@ pub fn mean_of_data(points: &[DataPoint]) -> Vec<DataPoint> {
     }
     let mut out = vec![];
     for group in groups {
+        // A volume has no branches whose mean could be taken.
+        if group[0].measured == Quantity::Volume {
+            out.extend(group);
+            continue;
+        }
         let rows: Vec<MeasuredPoint> = group.iter().map(|p| p.at).collect();
         for mean in mean_of_branches(&rows) {
             let same = |p: &&DataPoint| {

@@ -42,8 +42,8 @@ pub fn read_measured(input: impl Read) -> Result<Vec<MeasuredPoint>, TableError>
 ///
 /// Needed are pressures, contractions (or shortenings, or lengths that vary, with L0) and pulls, each with its unit:
 /// `pressure_mpa`, `Druck in bar`, `p (psi)`; `contraction` is a ratio. Understood are also `branch`, `measured` (force,
-/// contraction, pressure), `force_error_n`, `contraction_error`, `pressure_error_mpa`, `weight`, `outer_diameter_mm`,
-/// `wall_mm`, `angle_deg`, L0 as `rest_length_mm` or, beside a contraction, `length_mm`; rows whose `status` is not `ok`
+/// contraction, pressure, volume), `force_error_n`, `contraction_error`, `pressure_error_mpa`, `weight`, `outer_diameter_mm`,
+/// `volume` (read in rows that say so in `measured`, and where there are no pulls), `wall_mm`, `angle_deg`, L0 as `rest_length_mm` or, beside a contraction, `length_mm`; rows whose `status` is not `ok`
 /// (points without answer, as `curve` writes them) are left out.
 ///
 /// # Errors
@@ -54,6 +54,11 @@ pub fn read_points(
 ) -> Result<(Vec<DataPoint>, Understood), TableError> {
     let mut table = Table::read(&read_text(input)?, &POINTS, &options.columns)?;
     table.keep(Meaning::Status, &["", "ok"]);
+    let says_volume =
+        |row: usize| table.text(row, Meaning::Measured).is_some_and(|(_, word)| word == "volume");
+    if table.column(Meaning::Force).is_some() && !(0..table.lines().len()).any(says_volume) {
+        table.forget(Meaning::Volume);
+    }
     let beside = table.needed(CONTRACTION)?.meaning != Meaning::Length;
     let ours = table.column(Meaning::Length).is_some_and(|c| c.heading.eq_ignore_ascii_case("length_mm"));
     let length_is_l0 = beside && ours && table.column(Meaning::RestLength).is_none();
@@ -66,8 +71,8 @@ pub fn read_points(
     if length_is_l0 {
         check_rest(&table, &rest, &contractions)?;
     }
-    let forces = table.numbers(table.needed(FORCE)?)?;
     let mut points = rows(&table)?;
+    let forces = forces(&table, &points)?;
     for (i, point) in points.iter_mut().enumerate() {
         point.at.pressure_mpa = pressures[i];
         point.at.contraction = contractions[i];
@@ -93,6 +98,25 @@ fn above_zero(
         (Some(row), Some(column)) => Err(table.impossible(row, column, expected)),
         _ => Ok(values),
     }
+}
+
+/// Pulls; 0 in rows of volumes that state none.
+fn forces(table: &Table, points: &[DataPoint]) -> Result<Vec<f64>, TableError> {
+    let column = table.needed(FORCE)?;
+    if column.meaning == Meaning::Volume {
+        return Ok(vec![0.0; points.len()]);
+    }
+    if points.iter().all(|p| p.measured != Quantity::Volume) {
+        return table.numbers(column);
+    }
+    let stated = table.some_numbers(Meaning::Force)?;
+    let one = |(row, (force, point)): (usize, (Option<f64>, &DataPoint))| match force {
+        None if point.measured != Quantity::Volume => {
+            Err(table.impossible(row, column, "is empty, and the row is none of a volume"))
+        }
+        force => Ok(force.unwrap_or(0.0)),
+    };
+    stated.into_iter().zip(points).enumerate().map(one).collect()
 }
 
 fn pressures(table: &Table) -> Result<Vec<f64>, TableError> {
@@ -202,9 +226,15 @@ fn check_rest(table: &Table, rest: &[Option<f64>], contractions: &[f64]) -> Resu
 /// What is in the other columns.
 fn rows(table: &Table) -> Result<Vec<DataPoint>, TableError> {
     let weights = table.some_numbers(Meaning::Weight)?;
-    let errors = [Meaning::ForceError, Meaning::ContractionError, Meaning::PressureError];
-    let stated =
-        [table.some_numbers(errors[0])?, table.some_numbers(errors[1])?, table.some_numbers(errors[2])?];
+    let errors =
+        [Meaning::ForceError, Meaning::ContractionError, Meaning::PressureError, Meaning::VolumeError];
+    let stated = errors.map(|meaning| table.some_numbers(meaning));
+    let [force, contraction, pressure, volume] = stated;
+    let stated = [force?, contraction?, pressure?, volume?];
+    let volumes = above_zero(table, Meaning::Volume, "is not a volume of a muscle; it must be above zero")?;
+    // Where nothing else was read, the volumes were.
+    let alone = table.column(Meaning::Force).is_none() && table.column(Meaning::Volume).is_some();
+    let otherwise = if alone { Quantity::Volume } else { Quantity::Force };
     let diameters = above_zero(table, Meaning::OuterDiameter, MEASURE)?;
     let walls = above_zero(table, Meaning::Wall, MEASURE)?;
     let angles = above_zero(table, Meaning::Angle, MEASURE)?;
@@ -213,6 +243,7 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>, TableError> {
         ("force", Quantity::Force),
         ("contraction", Quantity::Contraction),
         ("pressure", Quantity::Pressure),
+        ("volume", Quantity::Volume),
     ];
     let refused = |row: usize, meaning: Meaning, expected| match table.column(meaning) {
         Some(column) => table.impossible(row, column, expected),
@@ -221,8 +252,18 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>, TableError> {
     let one = |(row, line): (usize, u64)| {
         let known = "neither \"contraction\" nor \"elongation\"";
         let branch = table.word(row, Meaning::Branch, &branches, known)?.unwrap_or_default();
-        let known = "neither \"force\", \"contraction\" nor \"pressure\"";
-        let measured = table.word(row, Meaning::Measured, &quantities, known)?.unwrap_or_default();
+        let known = "neither \"force\", \"contraction\", \"pressure\" nor \"volume\"";
+        let measured = table.word(row, Meaning::Measured, &quantities, known)?.unwrap_or(otherwise);
+        if measured == Quantity::Volume && volumes[row].is_none() {
+            return Err(refused(
+                row,
+                Meaning::Measured,
+                "needs a volume in this row: add a column volume_mm3 or Volume [mL]",
+            ));
+        }
+        if alone && measured != Quantity::Volume {
+            return Err(refused(row, Meaning::Measured, "needs a pull in this row: add a column force_n"));
+        }
         let error = stated[measured as usize][row];
         if error.is_some_and(|e| e <= 0.0) {
             let expected = "is not a valid standard error; it must be above zero";
@@ -238,7 +279,9 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>, TableError> {
             length_mm: None,
             angle_deg: angles[row],
         };
-        Ok(DataPoint { at, measured, error, weight: weights[row].unwrap_or(1.0), section, line, set: 0 })
+        let volume_mm3 = volumes[row].filter(|_| measured == Quantity::Volume);
+        let weight = weights[row].unwrap_or(1.0);
+        Ok(DataPoint { at, measured, volume_mm3, error, weight, section, line, set: 0 })
     };
     table.lines().into_iter().enumerate().map(one).collect()
 }
@@ -254,9 +297,11 @@ fn understood(table: &Table, note: Option<String>) -> Result<Understood, TableEr
         Meaning::Branch,
         Meaning::Measured,
         Meaning::Status,
+        Meaning::Volume,
         Meaning::ForceError,
         Meaning::ContractionError,
         Meaning::PressureError,
+        Meaning::VolumeError,
         Meaning::Weight,
         Meaning::OuterDiameter,
         Meaning::Wall,

@@ -11,6 +11,7 @@
 pub mod case;
 pub mod coverage;
 pub mod held_out;
+pub mod pulses;
 mod read;
 pub mod report;
 pub mod residual;
@@ -70,6 +71,7 @@ pub fn cases<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<Veri
     }
     rows.extend(coverage::cases(elements, progress)?);
     rows.extend(held_out::cases(elements, progress)?);
+    rows.extend(pulses::cases(&case::muscles().unwrap_or_default(), elements, progress));
     progress.report(cases.len(), cases.len());
     Ok(rows)
 }

@@ -3,8 +3,8 @@
 use super::case::CaseFit;
 use crate::identify::{Build, Identified, IdentifyError, Request, identify_with};
 use crate::least_squares::Loss;
-use crate::measured::{DataPoint, Section};
-use mckibben::analysis::force_on;
+use crate::measured::{DataPoint, Quantity, Section};
+use mckibben::analysis::{response_on, slope_by_pressure, stiffness_of};
 use mckibben::model::{BlockedAt, ForceModel, Reference, Workspace, blocked_scale_n};
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
@@ -17,7 +17,7 @@ pub struct Residual {
     pub contraction: f64,
     /// ε over the ideal muscle's largest contraction.
     pub contraction_share: f64,
-    /// Measured less computed, in N.
+    /// Measured less computed, in N; of a volume what would change it as much, |∂F/∂ε| / |∂V/∂ε| times what is left of it.
     pub left_n: f64,
     /// The branch it was measured on.
     pub branch: Direction,
@@ -64,11 +64,21 @@ fn half_width_n(model: &dyn ForceModel, w: &mut Workspace, point: &DataPoint, bl
 fn residual(model: &dyn ForceModel, w: &mut Workspace, point: &DataPoint) -> Option<Residual> {
     let pressure_mpa = point.at.pressure_mpa;
     let blocked_n = model.force_n(w, pressure_mpa, 0.0).ok()?;
-    let force_n = force_on(model, w, pressure_mpa, point.at.contraction, point.at.branch).ok()?;
+    let here = response_on(model, w, pressure_mpa, point.at.contraction, point.at.branch).ok()?;
+    let left_n = match point.measured {
+        // A muscle that hangs slack pulls with nothing.
+        Quantity::Force => point.at.force_n - here.force_n.max(0.0),
+        Quantity::Contraction | Quantity::Pressure => point.at.force_n - here.force_n,
+        Quantity::Volume => {
+            let per_contraction = stiffness_of(model, w, &here, point.at.branch).ok()?;
+            let volume_per_contraction = slope_by_pressure(model, w, &here, point.at.branch).ok()?;
+            (point.volume_mm3? - here.volume_mm3?) * per_contraction / volume_per_contraction
+        }
+    };
     Some(Residual {
         contraction: point.at.contraction,
         contraction_share: point.at.contraction / model.muscle().max_ideal_contraction(),
-        left_n: point.at.force_n - force_n.max(0.0),
+        left_n,
         branch: point.at.branch,
         pressure_mpa,
         blocked_n,

@@ -117,6 +117,12 @@ pub enum ModelError {
         /// Why.
         reason: String,
     },
+    /// A model without a volume.
+    #[error("the model {model} has no volume of the cavity: take fe or thick-wall for measured volumes")]
+    NoVolume {
+        /// The model's name.
+        model: String,
+    },
     /// A formula that is not finite here.
     #[error("the {model} formula has no finite value at {pressure_mpa} MPa and contraction {contraction}")]
     NotFinite {

@@ -20,8 +20,16 @@ fn strands_on_the_tube(model: &str, muscle: &Muscle) -> Option<String> {
         .then(|| format!("{model} assumes straight strands on the tube: {} not used", stated.join(", ")));
     let tube = (muscle.tube().prestretch != 1.0)
         .then(|| format!("{model} assumes a tube mounted without stretch: tube.prestretch not used"));
-    let both: Vec<String> = strands.into_iter().chain(tube).collect();
+    let both: Vec<String> = strands.into_iter().chain(tube).chain(plugs(model, muscle)).collect();
     (!both.is_empty()).then(|| both.join("; "))
+}
+
+/// Of a model whose plugs have the diameter of the bore.
+pub(super) fn plugs(model: &str, muscle: &Muscle) -> Option<String> {
+    let stated = muscle.terminals().plug_diameter_mm;
+    stated.map(|_| {
+        format!("{model} assumes plugs with the diameter of the bore: terminals.plug_diameter not used")
+    })
 }
 
 /// Of a model that takes the rubber as on its first inflation.

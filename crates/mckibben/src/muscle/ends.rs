@@ -31,7 +31,7 @@ pub struct Ends {
     pub seating_mm: f64,
     /// c in mm/N.
     pub slip_mm_per_n: f64,
-    /// Ri at rest in mm.
+    /// Ri at rest in mm, or the radius of the plugs where it is stated.
     pub bore_radius_mm: f64,
     stated: bool,
 }
@@ -60,7 +60,7 @@ impl Muscle {
             grip_mm: t.grip_mm.unwrap_or(0.0),
             seating_mm: t.seating_mm.unwrap_or(0.0),
             slip_mm_per_n: t.slip_mm_per_n.unwrap_or(0.0),
-            bore_radius_mm: self.parts.tube.inner_radius_mm(),
+            bore_radius_mm: self.parts.plug_radius_mm(),
             stated: t.grip_mm.is_some() || t.seating_mm.is_some() || t.slip_mm_per_n.is_some(),
         }
     }

@@ -53,6 +53,16 @@ pub enum MuscleError {
         /// Outer radius in mm.
         radius_mm: f64,
     },
+    /// A plug on which the tube cannot be clamped.
+    #[error(
+        "terminals.plug_diameter is {plug_mm} mm, and the bore of the tube {bore_mm} mm: a plug has between half of the bore and twice the bore"
+    )]
+    PlugDiameter {
+        /// Diameter of the plug in mm.
+        plug_mm: f64,
+        /// Bore at rest in mm.
+        bore_mm: f64,
+    },
     /// A braid angle outside 0 < θ0 < 54.7356°.
     #[error(
         "braid.angle is {angle_deg} deg; a muscle that contracts needs an angle between 0 and 54.7356 deg to its axis (measured to the axis, not around it)"
@@ -216,6 +226,7 @@ impl MuscleError {
                 }
             }
             MuscleError::WallTooThick { .. } => vec!["tube.wall_thickness", "tube.outer_diameter"],
+            MuscleError::PlugDiameter { .. } => vec!["terminals.plug_diameter", "tube.outer_diameter"],
             MuscleError::Angle { .. } => vec!["braid.angle"],
             MuscleError::Rubber(error) => {
                 let constant = error.constant().map(|name| Cow::from(format!("tube.material.{name}")));

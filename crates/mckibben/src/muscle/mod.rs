@@ -91,6 +91,11 @@ impl Muscle {
         if seating_mm + 2.0 * grip_mm >= length_mm {
             return Err(MuscleError::GripTooLong { grip_mm, seating_mm, length_mm });
         }
+        let (plug_mm, bore_mm) = (2.0 * parts.plug_radius_mm(), 2.0 * tube.inner_radius_mm());
+        let (least, largest) = Terminals::PLUG_OF_BORE;
+        if !(least * bore_mm..=largest * bore_mm).contains(&plug_mm) {
+            return Err(MuscleError::PlugDiameter { plug_mm, bore_mm });
+        }
         let reach = largest_stretch(tube, braid);
         parts.tube.rubber = library::following(parts.tube.rubber, reach);
         let muscle = Self { parts, bench: None };

@@ -46,6 +46,8 @@ pub struct Terminals {
     pub slip_mm_per_n: Option<f64>,
     /// Length at each end, within L0, in which tube and braid are held, in mm ([`Ends`](super::Ends)).
     pub grip_mm: Option<f64>,
+    /// Outer diameter in mm of the plugs on which tube and braid are clamped, where it is not the bore of the tube.
+    pub plug_diameter_mm: Option<f64>,
     /// Axial load in N at which a clamp lets go of tube and braid, where it is known.
     pub pull_off_n: Option<f64>,
     /// Pressure in MPa for which plugs and fittings are rated, where it is known.
@@ -59,6 +61,9 @@ pub struct Terminals {
 impl Terminals {
     /// What is assumed where no insertion is stated, in mm.
     pub const ASSUMED_INSERTION_MM: f64 = 20.0;
+
+    /// A plug over the bore of its tube: below no clamp closes, above no tube is drawn on.
+    pub const PLUG_OF_BORE: (f64, f64) = (0.5, 2.0);
 
     /// Length of tube and braid clamped on each plug, in mm; only lengthens the cut.
     pub fn insertion_mm(&self) -> f64 {

@@ -172,6 +172,25 @@ fn isotonic_and_pressure_readings_tell_the_same() {
     }
 }
 
+/// Volumes alone, read with hose and fittings, give the angle of a braid and what they hold.
+#[test]
+fn volumes_without_pulls_give_the_angle_and_the_dead_volume() {
+    let m = soft();
+    let volume = |p: &DataPoint| {
+        let (at, dead_mm3) = (&p.at, 5000.0);
+        let inside = ThickWall::new(&m).response(&mut Workspace::new(), at.pressure_mpa, at.contraction);
+        DataPoint {
+            measured: Quantity::Volume,
+            volume_mm3: Some(inside.unwrap().volume_mm3.unwrap() + dead_mm3),
+            at: MeasuredPoint { force_n: 0.0, ..*at },
+            ..*p
+        }
+    };
+    let points: Vec<DataPoint> = bench(&m, 0.0).iter().map(volume).collect();
+    let v = values(&m, &["braid.angle=29", "dead_volume"], &points);
+    assert!((v[0] - 25.0).abs() < 1e-6 && (v[1] - 5000.0).abs() < 1e-2, "{v:?}");
+}
+
 #[test]
 fn muscles_of_several_diameters_tell_how_the_stiffness_grows() {
     let m = soft();

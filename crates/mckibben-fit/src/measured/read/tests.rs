@@ -216,3 +216,23 @@ fn our_own_tables_are_read_as_ever() {
     let quantities: Vec<&str> = understood.columns.iter().map(|c| c.quantity.as_str()).collect();
     assert_eq!(quantities[..4], ["outer_diameter", "wall", "rest_length", "angle"]);
 }
+
+/// Volumes count where there are no pulls, and in rows that say so; a volume beside pulls is none of the reading.
+#[test]
+fn volumes_are_read_where_they_were_measured() {
+    let (points, _) = read("pressure_bar,contraction_percent,Volume [mL]\n2.5,10,40\n").unwrap();
+    assert_eq!((points[0].measured, points[0].volume_mm3), (Quantity::Volume, Some(4e4)));
+    let text =
+        "pressure_mpa,contraction,force_n,volume_mm3,measured\n0.1,0,30,,force\n0.1,0.1,,5000,volume\n";
+    let (points, _) = read(text).unwrap();
+    assert_eq!(points.iter().map(|p| p.volume_mm3).collect::<Vec<_>>(), [None, Some(5000.0)]);
+    let (points, understood) = read("pressure_mpa,contraction,force_n,volume\n0.1,0,30,nothing\n").unwrap();
+    assert_eq!(
+        (points[0].measured, understood.not_used.as_slice()),
+        (Quantity::Force, &["volume".to_owned()][..])
+    );
+    let text = "pressure_mpa,contraction,force_n,volume_mm3,measured\n0.1,0,30,,volume\n";
+    assert!(refused(text, "").contains("needs a volume in this row"));
+    assert!(refused("pressure_mpa,contraction,volume_mm3\n0.1,0,-1\n", "").contains("is not a volume"));
+    assert!(refused("pressure_mpa,contraction,force_n\n0.1,0,\n", "").contains("the field is empty"));
+}

@@ -79,7 +79,11 @@ impl ThickWall {
                 range: ModelRange::open(),
                 accuracy: Accuracy::share(per_slenderness * share, reference),
                 costly: false,
-                notes: bulk.into_iter().chain(notes::first_inflation(ENTRY.name, muscle)).collect(),
+                notes: bulk
+                    .into_iter()
+                    .chain(notes::first_inflation(ENTRY.name, muscle))
+                    .chain(notes::plugs(ENTRY.name, muscle))
+                    .collect(),
             },
             rs: lay.radius_mm,
             offset: lay.offset_mm,

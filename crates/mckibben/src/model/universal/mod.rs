@@ -199,6 +199,7 @@ fn info(formula: &UniversalFormula, muscle: &Arc<Muscle>, angle: f64) -> ModelIn
         notes::incompressible(name, muscle),
         end_factor.then(|| format!("{name} computes the ends; the end factor is not used")),
         notes::first_inflation(name, muscle),
+        notes::plugs(name, muscle),
     ];
     ModelInfo {
         name: name.clone().into(),

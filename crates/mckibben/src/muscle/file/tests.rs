@@ -128,12 +128,14 @@ prop_compose! {
     ) -> Muscle {
         let tube = Tube::new(outer_diameter_mm, share * outer_diameter_mm / 2.0, length_mm, rubber);
         let grip_mm = grip_share.map(|share| share * 0.5 * (length_mm - seating_mm.unwrap_or(0.0)));
+        let plug_diameter_mm = grip_mm.map(|_| 1.1 * 2.0 * tube.inner_radius_mm());
         let (pull_off_n, rated_pressure_mpa) = (seating_mm.map(|v| 100.0 + v), grip_mm.map(|_| 0.8));
         let terminals = Terminals {
             insertion_mm,
             seating_mm,
             slip_mm_per_n,
             grip_mm,
+            plug_diameter_mm,
             pull_off_n,
             rated_pressure_mpa,
             end_factor,
@@ -244,6 +246,7 @@ fn every_key_is_understood() {
         seating_mm: Some(1.6),
         slip_mm_per_n: Some(0.003),
         grip_mm: Some(4.0),
+        plug_diameter_mm: None,
         pull_off_n: None,
         rated_pressure_mpa: None,
         end_factor: Some(EndFactor::OfPressure { a: 0.2, b: 1.0 }),

@@ -29,6 +29,13 @@ pub struct Parts {
     pub friction: Option<Friction>,
 }
 
+impl Parts {
+    /// Radius in mm of the plugs: half of the bore where no diameter is stated.
+    pub fn plug_radius_mm(&self) -> f64 {
+        self.terminals.plug_diameter_mm.map_or(self.tube.inner_radius_mm(), |diameter_mm| 0.5 * diameter_mm)
+    }
+}
+
 /// The values that a measure may have by itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Bounds {

@@ -28,6 +28,7 @@ pub static MEASURES: &[&Measure] = &[
     &SEATING,
     &SLIP,
     &GRIP,
+    &PLUG_DIAMETER,
     &PULL_OFF,
     &RATED_PRESSURE,
     &END_FACTOR,

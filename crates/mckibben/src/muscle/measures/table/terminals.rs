@@ -1,8 +1,8 @@
 //! Measures of the ends.
 
 use super::{IDENTIFY, usual_pull_n};
-use crate::muscle::EndFactor;
 use crate::muscle::measures::{Bounds, Identify, Measure, Written};
+use crate::muscle::{EndFactor, Terminals};
 use crate::units::Dimension;
 
 /// Tube and braid on each plug
@@ -83,6 +83,34 @@ pub static GRIP: Measure = Measure {
     }),
     get: |p| p.terminals.grip_mm,
     set: |p, v| p.terminals.grip_mm = Some(v),
+    ..Measure::BASE
+};
+
+/// Diameter of the plugs
+pub static PLUG_DIAMETER: Measure = Measure {
+    key: "terminals.plug_diameter",
+    field: Some("plug_diameter_mm"),
+    has_flag: false,
+    bounds: Bounds::Positive,
+    symbol: "Dp",
+    about: "Outer diameter of the plugs on which tube and braid are clamped; the bore of the tube where none is stated",
+    label: "diameter of the plugs",
+    is_shown: true,
+    comment: "on which the tube is drawn; its bore where none is stated",
+    models: &["fe", "fe3d"],
+    digested: true,
+    identify: Some(Identify {
+        also: &["plug-diameter"],
+        start: |m| Some(m.outer_diameter_mm() - 2.0 * m.wall_mm()),
+        bounds: |m| {
+            let bore = 2.0 * m.tube().inner_radius_mm();
+            (Terminals::PLUG_OF_BORE.0 * bore, Terminals::PLUG_OF_BORE.1 * bore)
+        },
+        limit: |v| 0.1 * v,
+        ..IDENTIFY
+    }),
+    get: |p| p.terminals.plug_diameter_mm,
+    set: |p, v| p.terminals.plug_diameter_mm = Some(v),
     ..Measure::BASE
 };
 
