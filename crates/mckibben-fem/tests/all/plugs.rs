@@ -64,8 +64,8 @@ fn slopes_are_those_of_differences_and_maxwell_holds() {
     }
 }
 
-/// Within a quarter, because the modulus and the shape of the wall on its plug are not stated: an independent prototype on a hose of 13.6 x 1.8 mm at 5 bar: ends whose outer radius is 10 % smaller and larger change the blocked force by −6 and +11 % of
-/// a length of 83 mm, −2.7 and +4.4 % of 182 mm, −1.3 and +2.0 % of 382 mm.
+/// Within a quarter, because the modulus and the shape of the wall on its plug are not stated. An independent prototype on a hose of
+/// 13.6 x 1.8 mm at 5 bar: ends whose outer radius is 10 % smaller and larger change the blocked force by −6 and +11 % of a length of 83 mm, −2.7 and +4.4 % of 182 mm, −1.3 and +2.0 % of 382 mm.
 #[test]
 fn plugs_change_the_blocked_force_of_a_hose_by_about_as_much_as_in_an_independent_calculation() {
     let braid = Braid { angle_deg: 28.6, stiffness: BraidStiffness::Inextensible, ..Braid::paper() };
