@@ -364,6 +364,7 @@ mod tests {
             let other = match m.key {
                 "braid.diameter" => 31.0,
                 "braid.strand_length" => 400.0,
+                "terminals.plug_diameter" => 25.0,
                 _ => 0.75,
             };
             let value = (m.get)(&parts).filter(|v| *v > 0.0).unwrap_or(other);
