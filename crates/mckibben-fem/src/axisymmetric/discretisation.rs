@@ -203,6 +203,9 @@ impl Discretisation {
 
     /// Radius in mm to which plugs draw the wall at R (mm) of a station of which a share takes part.
     pub fn drawn_mm(&self, radius_mm: f64, share: f64) -> f64 {
+        if self.problem.plug_mm2 == 0.0 {
+            return radius_mm;
+        }
         (radius_mm * radius_mm + share * self.problem.plug_mm2).sqrt()
     }
 

@@ -128,8 +128,12 @@ impl Line {
             };
         }
         let fall = (-(self.half - z) / self.layer).exp();
-        let (middle, end) = (self.radius * (1.0 + self.bulge), self.end);
-        (middle + (end - middle) * fall, (end - middle) * fall / self.layer)
+        // What a plug adds is nothing without one, to the last bit.
+        let more = (self.end - self.radius) * fall;
+        (
+            self.radius * (1.0 + self.bulge * (1.0 - fall)) + more,
+            -self.radius * self.bulge * fall / self.layer + more / self.layer,
+        )
     }
 
     /// z' and λm at Z.
