@@ -8,7 +8,8 @@
 //!
 //! pulses. This is linear in 1/k and Vd/k, which the muscles at their rest lengths give by least squares; the contracted muscles are predicted.
 //!
-//! Source: valve pulses of a Festo DMSP-10 hose in three lengths [bolen2026]. Range: above 0.1 MPa, where the outflow is choked, and muscles that pull.
+//! Source: valve pulses of a Festo DMSP-10 hose in three lengths (data/volume). Range: above 0.1 MPa, where the
+//! outflow is choked, and muscles that pull.
 
 use super::case::{CaseFit, MuscleCase};
 use super::residual::fitted;
@@ -71,7 +72,7 @@ fn vented(line: &str) -> Option<Row> {
     (cells.get(5) == Some(&"vent")).then_some((number(1)?, number(3)?, number(4)?, number(7)?))
 }
 
-/// The pulses between [`BETWEEN`] of every length and contraction whose muscle pulls.
+/// The pulses between 0.3 and 0.5 MPa of every length and contraction whose muscle pulls.
 pub fn counted() -> Vec<Counted> {
     let rows: Vec<Row> = TABLE.lines().filter_map(vented).collect();
     let mut out: Vec<Counted> = vec![];
