@@ -181,6 +181,7 @@ impl From<ExportError> for Problem {
             ExportError::Analysis(error) => error.into(),
             ExportError::Exceeded(exceeded) => exceeded.into(),
             ExportError::Target { .. } => Self::new(ProblemKind::Usage, message, ""),
+            ExportError::Muscle(error) => error.into(),
             ExportError::Box { .. } => Self::new(ProblemKind::OutOfRange, message, ""),
             ExportError::NoVolume { .. } => Self::new(ProblemKind::Model, message, ""),
             ExportError::NoPull { .. } => {

@@ -135,7 +135,7 @@ pub fn force(request: &ForceRequest, progress: &dyn Progress) -> Result<PointAns
 pub fn pressure(request: &PressureRequest, progress: &dyn Progress) -> Result<PointAnswer, Problem> {
     let question = Question::new(&request.muscle, &request.model, request.asking, &progress.budget())?;
     let force_n = given("force_n", request.force_n, "a force, such as 300 N")?;
-    pull(force_n, request.asking)?;
+    pull(force_n, question.options)?;
     let contraction = ratio(request.contraction.unwrap_or(0.0))?;
     answered(question, request.both, |model, workspace, options| {
         Ok(answer::pressure(model, workspace, force_n, contraction, options)?)
@@ -150,7 +150,7 @@ pub fn contraction(request: &ContractionRequest, progress: &dyn Progress) -> Res
     let question = Question::new(&request.muscle, &request.model, request.asking, &progress.budget())?;
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
     let force_n = finite("force_n", request.force_n.unwrap_or(0.0))?;
-    pull(force_n, request.asking)?;
+    pull(force_n, question.options)?;
     if request.load.load.is_none() {
         return answered(question, request.both, |model, workspace, options| {
             Ok(answer::contraction(model, workspace, force_n, pressure_mpa, options)?)
@@ -235,7 +235,13 @@ pub(crate) fn finite(field: &str, value: f64) -> Result<f64, Problem> {
 /// A contraction ratio. No muscle shortens by its whole length, so that 15 was meant as 15 %.
 pub(crate) fn ratio(contraction: f64) -> Result<f64, Problem> {
     let e = finite("contraction", contraction)?;
-    if e.abs() < 1.0 { Ok(e) } else { Err(no_ratio("contraction", e)) }
+    if is_ratio(e) { Ok(e) } else { Err(no_ratio("contraction", e)) }
+}
+
+/// Whether a number may be a contraction ratio: muscles that extend may become more than twice as long.
+pub(crate) fn is_ratio(e: f64) -> bool {
+    const LONGEST: f64 = -1.5;
+    e > LONGEST && e < 1.0
 }
 
 /// A number that is no contraction ratio.
@@ -250,11 +256,11 @@ pub(crate) fn no_ratio(field: &str, e: f64) -> Problem {
 }
 
 /// Refuses a push where the muscle is allowed to lie slack instead.
-pub(crate) fn pull(force_n: f64, asking: AskFields) -> Result<(), Problem> {
-    if force_n >= 0.0 || asking.two_sided {
+pub(crate) fn pull(force_n: f64, options: Options) -> Result<(), Problem> {
+    if force_n >= 0.0 || options.two_sided {
         return Ok(());
     }
-    let message = format!("{force_n} N is a push, and a muscle only pulls");
+    let message = format!("{force_n} N is a push, and a muscle that contracts only pulls");
     let hint = "`two_sided` gives the negative forces of the formula";
     Err(Problem::new(ProblemKind::Quantity, message, hint).in_field("force_n"))
 }

@@ -50,6 +50,8 @@ impl AskFields {
     /// How a model of this muscle is asked.
     pub(crate) fn options(self, muscle: &Muscle) -> Result<Options, Problem> {
         check_direction(self.direction, muscle)?;
-        Ok(Options { extrapolate: self.extrapolate, two_sided: self.two_sided, direction: self.direction })
+        let options =
+            Options { extrapolate: self.extrapolate, two_sided: self.two_sided, direction: self.direction };
+        Ok(options.of(muscle))
     }
 }

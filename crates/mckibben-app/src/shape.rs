@@ -117,13 +117,13 @@ fn at(
     pressure_mpa: f64,
     request: &ShapeRequest,
 ) -> Result<(Answer, f64, Section), Problem> {
-    let options = Options::default();
+    let options = Options::default().of(muscle);
     // The same equilibria, of the whole muscle, whose ends may give way.
     let whole = with_ends(muscle, Box::new(fe.clone()));
     let contraction = match request.force_n {
         Some(force_n) => {
             let force_n = finite("force_n", force_n)?;
-            pull(force_n, Default::default())?;
+            pull(force_n, options)?;
             contraction_or_stretch_at(&*whole, workspace, force_n, pressure_mpa, options)?
         }
         None => ratio(request.contraction.unwrap_or(0.0))?,

@@ -11,7 +11,7 @@ use mckibben::analysis::{Burst, air_per_stroke, blocked_force_n, free_contractio
 use mckibben::answer::check_range;
 use mckibben::model::Workspace;
 use mckibben::muscle::file::to_toml;
-use mckibben::muscle::{BuildSheet, Bulk, Muscle};
+use mckibben::muscle::{BuildSheet, Bulk, Muscle, MuscleKind};
 use mckibben::rubber::{RubberLaw, library};
 use mckibben::uncertainty::uncertainty;
 use schemars::JsonSchema;
@@ -79,6 +79,8 @@ pub struct MuscleShowAnswer {
 /// Quantities derived from the dimensions of a muscle.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Derived {
+    /// Which way the muscle moves under pressure.
+    pub kind: MuscleKind,
     /// Inner diameter at rest, mm.
     pub inner_diameter_mm: f64,
     /// Length of a strand, mm.
@@ -164,6 +166,7 @@ pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Prob
         stiffness_n_per_mm: muscle.family_stiffness_n_per_mm(),
         stated: (&muscle).into(),
         derived: Derived {
+            kind: muscle.kind(),
             inner_diameter_mm: muscle.inner_diameter_mm(),
             strand_length_mm: muscle.strand_length_mm(),
             turns: muscle.turns(),

@@ -168,7 +168,9 @@ impl<'a> Search<'a> {
             },
             ..base.tube().clone()
         };
-        Muscle::from_parts(Parts { tube, braid, ..base.parts().clone() })
+        let muscle = Muscle::from_parts(Parts { tube, braid, ..base.parts().clone() })?;
+        muscle.check_contracts()?;
+        Ok(muscle)
     }
 
     /// The tube as sold that a muscle has, where tubes are searched.

@@ -3,6 +3,7 @@
 use mckibben::analysis::AnalysisError;
 use mckibben::budget::Exceeded;
 use mckibben::model::ModelError;
+use mckibben::muscle::MuscleError;
 use thiserror::Error;
 
 /// Why a muscle cannot be exported.
@@ -57,6 +58,9 @@ pub enum ExportError {
     /// A host-specific file that cannot be made.
     #[error("{0}")]
     Host(String),
+    /// A muscle that the form is not for.
+    #[error(transparent)]
+    Muscle(#[from] MuscleError),
     /// The model has no answer.
     #[error(transparent)]
     Model(#[from] ModelError),

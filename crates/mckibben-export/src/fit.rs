@@ -86,6 +86,7 @@ pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted, budget: &Budget) -> Re
     let (low, supply) = (wanted.contraction_low, wanted.supply_mpa);
     let w = &mut Workspace::within(budget.clone());
     let options = Options::extrapolating();
+    model.muscle().check_contracts()?;
     let blocked_n = blocked_force_n(model, w, supply, options)?;
     let high = match wanted.contraction_high {
         Some(high) => high,

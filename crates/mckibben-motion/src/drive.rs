@@ -175,6 +175,7 @@ impl<'a> Drive<'a> {
         };
         count(self.muscles.len(), "muscles with an actuator")?;
         self.mechanism.check()?;
+        self.muscles.iter().try_for_each(|m| m.model.muscle().check_contracts())?;
         MotionError::within("the supply's temperature in K", self.supply.temperature_k, 50.0, 2000.0)?;
         MotionError::within("the supply's gauge pressure in MPa", self.supply.pressure_mpa, 0.0, 100.0)?;
         MotionError::within("the end of the run in s", self.until_s, 1e-9, 1e9)?;

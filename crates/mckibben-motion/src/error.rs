@@ -3,6 +3,7 @@
 use crate::command::CommandError;
 use mckibben::budget::Exceeded;
 use mckibben::model::ModelError;
+use mckibben::muscle::MuscleError;
 use thiserror::Error;
 
 /// Why a motion was refused, or ended early.
@@ -18,6 +19,9 @@ pub enum MotionError {
         /// What it is.
         value: f64,
     },
+    /// A muscle that no drive moves.
+    #[error(transparent)]
+    Muscle(#[from] MuscleError),
     /// Lists of different lengths.
     #[error("there are {muscles} muscles in the mechanism, and {given} {what}; give one for each")]
     Count {

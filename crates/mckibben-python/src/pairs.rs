@@ -44,6 +44,9 @@ impl<'a> Spread<'a> {
     }
 }
 
+/// Rows of fewer numbers than this are short.
+const SHORT: usize = 16;
+
 /// An axis of an array, with the places in its list between neighbours.
 #[derive(Clone, Copy)]
 struct Along {
@@ -119,23 +122,49 @@ impl<'a> Strided<'a> {
             row += *i as isize * axis.stride;
         }
         loop {
-            let count = out.len().min(length - at);
+            // Short rows are written many at a time.
+            let together = match (outer.last(), index.last()) {
+                (Some(axis), Some(i)) if at == 0 && length < SHORT => {
+                    (axis.length - i).min(out.len() / length)
+                }
+                _ => 0,
+            };
+            let rows = together.max(1);
+            let count = if together > 0 { together * length } else { out.len().min(length - at) };
             let (now, later) = out.split_at_mut(count);
-            self.row(row + at as isize * stride, stride, now);
+            match outer.last() {
+                Some(axis) if together > 0 => self.rows(row, (axis.stride, stride), length, now),
+                _ => self.row(row + at as isize * stride, stride, now),
+            }
             (out, at) = (later, 0);
             if out.is_empty() {
                 return;
             }
             // The next row: the innermost of the outer axes that is not at its end goes on, those inside of it begin again.
+            let mut by = rows;
             for (i, axis) in index.iter_mut().zip(outer).rev() {
-                *i += 1;
-                row += axis.stride;
+                *i += by;
+                row += by as isize * axis.stride;
                 if *i < axis.length {
                     break;
                 }
                 row -= *i as isize * axis.stride;
-                *i = 0;
+                (*i, by) = (0, 1);
             }
+        }
+    }
+
+    /// Whole rows of a length, one after the other.
+    fn rows(&self, place: isize, (outer, inner): (isize, isize), length: usize, out: &mut [f64]) {
+        let mut begin = place;
+        for row in out.chunks_exact_mut(length) {
+            let mut at = begin;
+            for number in row {
+                // A place below zero is none.
+                *number = self.numbers.get(at as usize).copied().unwrap_or(f64::NAN);
+                at += inner;
+            }
+            begin += outer;
         }
     }
 

@@ -9,7 +9,7 @@ use crate::analysis::{
 use crate::model::{ForceModel, ModelError, Response, Workspace, notes_of};
 use crate::muscle::Direction;
 use crate::uncertainty::{UncertaintyParts, uncertainty};
-use crate::warning::{Warning, of_response};
+use crate::warning::{Warning, buckling_load_n, of_response};
 use serde::{Deserialize, Serialize};
 
 /// One answered point.
@@ -50,6 +50,9 @@ pub struct Answer {
     /// Its parts, each a 95 % half-width in N; they add as squares.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uncertainty_parts_n: Option<UncertaintyParts>,
+    /// Of a muscle that extends: the push in N at which it buckles between two joints, by the bending stiffness of its wall alone.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub buckling_load_n: Option<f64>,
     /// Warnings, in sentences.
     #[cfg_attr(feature = "schema", schemars(with = "Vec<String>"))]
     pub warnings: Vec<Warning>,
@@ -153,6 +156,7 @@ pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
     options: Options,
     hanging: &mut Option<SlackState>,
 ) -> Result<Answer, ModelError> {
+    let options = options.of(model.muscle());
     let said = check_range(model, pressure_mpa, contraction, options)?;
     let mut warnings: Vec<Warning> = said.into_iter().map(Warning::from).collect();
     warnings.extend(model.muscle().warnings().into_iter().map(Warning::from));
@@ -219,6 +223,7 @@ pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
         two_sided_force_n,
         free_contraction: hanging.filter(|_| slack).map(|h| h.free_contraction),
         start_pressure_mpa: None,
+        buckling_load_n: buckling_load_n(model.muscle(), &response),
         warnings,
     })
 }
@@ -294,7 +299,7 @@ pub fn contraction<M: ForceModel + ?Sized>(
     check_range(model, pressure_mpa, model.info().range.contraction.0.max(0.0), options)?;
     let contraction = contraction_or_stretch_at(model, workspace, force_n, pressure_mpa, options)?;
     let mut answer = exactly(force(model, workspace, pressure_mpa, contraction, options)?, force_n);
-    if contraction < 0.0 && force_n > 0.0 {
+    if contraction < 0.0 && force_n > 0.0 && !model.muscle().is_extensile() {
         answer.warnings.push(Warning::from(STRETCHED.to_owned()));
     }
     let stiffness = stiffness_of(model, workspace, &answer.response, options.direction).ok();

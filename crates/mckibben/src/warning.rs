@@ -1,7 +1,7 @@
 //! What the user should know of an answer.
 
 use crate::analysis::{FailureMode, NoBurst, SAFETY};
-use crate::model::Response;
+use crate::model::{Response, ThickWall};
 use crate::muscle::{Muscle, Rubber};
 use crate::units::short_numbers;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -70,6 +70,13 @@ pub enum Warning {
         /// ∂F/∂P in N/MPa.
         slope_n_per_mpa: f64,
     },
+    /// The muscle pushes more than a column of its wall bears.
+    Buckles {
+        /// Its push in N.
+        push_n: f64,
+        /// The push in N at which it buckles between two joints.
+        bears_n: f64,
+    },
     /// The rubber is stretched further than its law has data.
     RubberStretch {
         /// The stretch.
@@ -104,6 +111,7 @@ impl Warning {
             Self::StrandStrain { strain } => Some(*strain),
             Self::BeyondBraid { contraction, .. } => Some(*contraction),
             Self::FallsWithPressure { slope_n_per_mpa } => Some(-slope_n_per_mpa),
+            Self::Buckles { push_n, bears_n } => Some(push_n / bears_n),
             Self::RubberStretch { stretch, limit, .. } => Some(stretch / limit),
         }
     }
@@ -164,6 +172,10 @@ impl fmt::Display for Warning {
                 f,
                 "the pull falls when the pressure rises ({slope_n_per_mpa:.0} N/MPa): the strands are so soft that the muscle widens instead of pulling"
             ),
+            Self::Buckles { push_n, bears_n } => write!(
+                f,
+                "the muscle buckles between two joints: it pushes with {push_n:.1} N, and its wall alone bears {bears_n:.1} N; guide it in a tube or on a rod, or make it shorter"
+            ),
             Self::RubberStretch { stretch, limit, rubber } => write!(
                 f,
                 "the rubber is stretched to {stretch:.2}; the constants of {rubber} were fitted up to {limit:.2}"
@@ -209,17 +221,30 @@ pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
         && slope_n_per_mpa < 0.0
         && response.force_n > 0.0
         && response.contraction >= 0.0
+        && !muscle.is_extensile()
     {
         out.push(Warning::FallsWithPressure { slope_n_per_mpa });
+    }
+    if let Some(bears_n) = buckling_load_n(muscle, response)
+        && response.force_n < -bears_n
+    {
+        out.push(Warning::Buckles { push_n: -response.force_n, bears_n });
     }
     out.extend(response.rubber_stretch().and_then(|stretch| Warning::of_stretch(rubber, stretch)));
     out
 }
 
+/// The push in N at which a muscle that extends buckles between two joints, by its wall alone; `None` of a muscle that contracts, and where the
+/// infinitely long muscle has no answer.
+pub fn buckling_load_n(muscle: &Muscle, response: &Response) -> Option<f64> {
+    let model = muscle.is_extensile().then(|| ThickWall::new(muscle))?;
+    model.buckling_n(response.pressure_mpa, response.contraction).ok().map(|(sliding, _)| sliding)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{ForceModel, ThickWall, Workspace};
+    use crate::model::{ForceModel, Workspace};
     use crate::muscle::{Braid, BraidStiffness, Strands};
 
     #[test]

@@ -10,7 +10,7 @@ use crate::figure;
 use crate::load::{LoadFields, loaded};
 use crate::model::check_both;
 use crate::muscle::MuscleSummary;
-use crate::point::{finite, no_ratio, pull};
+use crate::point::{finite, is_ratio, no_ratio, pull};
 use crate::problem::{Problem, ProblemKind};
 use crate::question::Question;
 use crate::units::Units;
@@ -20,7 +20,7 @@ use mckibben::answer::{Answer, Options};
 use mckibben::budget::Resource;
 use mckibben::curve::{Curve, Test, curves};
 use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::Direction;
+use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
 use mckibben::units::Values;
 use mckibben::warning::Warning;
@@ -118,7 +118,7 @@ fn each(
             contractions(&request.contractions, reach)?
         }
     };
-    let forces = forces(&request.forces_n, request.asking)?;
+    let forces = forces(&request.forces_n, &question.muscle, question.options)?;
     let (fixed, along) = match request.test {
         Test::Isometric => (contractions, pressures),
         Test::Isotonic => (forces, pressures),
@@ -182,8 +182,8 @@ fn each(
     })
 }
 
-/// Contractions from 0 by a round step to the free contraction at the highest pressure, which is the last one of a closed list, or to
-/// the end of the model's range.
+/// Contractions from 0 by a round step to the free contraction (or extension) at the highest pressure, which is the last one of a closed
+/// list, or to the end of the model's range.
 pub(crate) fn reach(
     model: &dyn ForceModel,
     workspace: &mut Workspace,
@@ -194,14 +194,20 @@ pub(crate) fn reach(
 ) -> Vec<f64> {
     const UNKNOWN: f64 = 0.2;
     let highest = pressures.iter().copied().fold(0.0, f64::max);
-    let free = free_contraction(model, workspace, highest, options).ok().filter(|e| *e > 0.0);
-    let end = free.unwrap_or(UNKNOWN).min(model.info().range.contraction.1);
+    let (sign, range) = match (model.muscle().is_extensile(), model.info().range.contraction) {
+        (true, range) => (-1.0, -range.0),
+        (false, range) => (1.0, range.1),
+    };
+    let free =
+        free_contraction(model, workspace, highest, options).ok().map(|e| sign * e).filter(|e| *e > 0.0);
+    let end = free.unwrap_or(UNKNOWN).min(if range > 0.0 { range } else { f64::INFINITY });
     let round = (0..).map(|i| f64::from(i) * step).map(|e| (e * 1e6).round() / 1e6);
     let mut list: Vec<f64> = round.take_while(|e| *e < end - 1e-9).collect();
     if closed || free.is_none() {
         list.push(end);
     }
-    list
+    // No −0.
+    list.into_iter().map(|e| if e == 0.0 { e } else { sign * e }).collect()
 }
 
 /// Refuses what a test does not take.
@@ -245,16 +251,21 @@ pub(crate) fn contractions(
     default: impl FnOnce() -> Vec<f64>,
 ) -> Result<Vec<f64>, Problem> {
     let values = list("contractions", values, default)?;
-    match values.iter().find(|e| e.abs() >= 1.0) {
+    match values.iter().find(|e| !is_ratio(**e)) {
         Some(&e) => Err(no_ratio("contractions", e)),
         None => Ok(values),
     }
 }
 
-/// Pulls of an isotonic test.
-pub(crate) fn forces(values: &Option<Vec<f64>>, asking: AskFields) -> Result<Vec<f64>, Problem> {
-    let values = list("forces_n", values, || vec![20.0, 80.0, 150.0])?;
-    values.iter().try_for_each(|&f| pull(f, asking).map_err(|p| p.in_field("forces_n")))?;
+/// Pulls of an isotonic test, or pushes of a muscle that extends.
+pub(crate) fn forces(
+    values: &Option<Vec<f64>>,
+    muscle: &Muscle,
+    options: Options,
+) -> Result<Vec<f64>, Problem> {
+    let usual = if muscle.is_extensile() { [0.0, -10.0, -20.0] } else { [20.0, 80.0, 150.0] };
+    let values = list("forces_n", values, || usual.to_vec())?;
+    values.iter().try_for_each(|&f| pull(f, options).map_err(|p| p.in_field("forces_n")))?;
     Ok(values)
 }
 

@@ -117,8 +117,7 @@ impl BoundModel {
 
     fn pull(&self, force_n: f64) -> Result<f64, Problem> {
         let force_n = finite("force_n", force_n)?;
-        let asking = crate::AskFields { two_sided: self.options.two_sided, ..Default::default() };
-        crate::point::pull(force_n, asking)?;
+        crate::point::pull(force_n, self.options)?;
         Ok(force_n)
     }
 

@@ -254,6 +254,7 @@ impl From<MotionError> for Problem {
     fn from(error: MotionError) -> Self {
         let kind = match &error {
             MotionError::Exceeded(exceeded) => return (*exceeded).into(),
+            MotionError::Muscle(error) => return error.clone().into(),
             MotionError::Model { error: model, .. } => Self::from((**model).clone()).kind,
             MotionError::Diverged { .. } | MotionError::Steps { .. } | MotionError::Chatter { .. } => {
                 ProblemKind::NotConverged

@@ -81,6 +81,7 @@ pub fn point_rows(answer: &PointAnswer, asked: PointQuantity, u: &Units) -> Vec<
     add("pull per pressure", r.force_per_pressure_mm2, &|v| slope.show(v));
     add("starts to pull at", a.start_pressure_mpa, &|v| u.pressure.show(v));
     add("free contraction", a.free_contraction, &percent);
+    add("buckles at a push of", a.buckling_load_n, &|v| u.force.show(v));
     add("bulged diameter", r.bulged_diameter_mm, &|v| format!("{} {}", u.length.to(v, 4), u.length.name));
     add("volume", r.volume_mm3, &|v| u.volume.show(v));
     let tension = |v| format!("{} {}", u.force.to(v, 4), u.force.name);

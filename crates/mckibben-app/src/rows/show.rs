@@ -128,6 +128,7 @@ fn derived(answer: &MuscleShowAnswer, u: &Units) -> Vec<Row> {
     let m = &answer.muscle;
     let mm = |v: f64| u.length.show(v);
     let mut rows = vec![
+        ("kind", m.kind().to_string()),
         ("inner diameter", mm(m.inner_diameter_mm())),
         ("strand length", mm(m.strand_length_mm())),
         ("turns of a strand", number(m.turns(), 4)),

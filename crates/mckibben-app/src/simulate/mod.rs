@@ -14,7 +14,6 @@ pub(crate) use vtu::with_files;
 
 use crate::burst::{QUIET_MPA, burst_of, put_first, said_of};
 use crate::curve::{check_count, check_test, contractions, forces, list, reach, steps};
-use crate::fields::AskFields;
 use crate::figure;
 use crate::model::Model;
 use crate::muscle::MuscleSummary;
@@ -209,8 +208,8 @@ impl SimulateRequest {
                 steps(3, 0.0, 0.2)
             }
         })?;
-        let asking = AskFields { two_sided: true, ..AskFields::default() };
-        let forces = forces(&self.forces_n, asking)?;
+        let asked = Options { two_sided: true, ..Options::default() };
+        let forces = forces(&self.forces_n, model.muscle(), asked)?;
         if self.of_largest {
             let highest = pressures.iter().copied().fold(0.0, f64::max);
             let largest = free_contraction(model, workspace, highest).map_err(Problem::from)?;
@@ -247,7 +246,7 @@ fn judged(
         Held::Contraction(e) => Some(e),
         Held::Force(_) => None,
     };
-    let asked = contraction.filter(|e| *e > 0.0 && !two_sided);
+    let asked = contraction.filter(|e| *e > 0.0 && !two_sided && !model.muscle().is_extensile());
     let (free_contraction, slack) = match (asked, &solution) {
         (Some(_), Ok(s)) if s.response.force_n < 0.0 => {
             (free_contraction(model, workspace, pressure_mpa).ok(), true)

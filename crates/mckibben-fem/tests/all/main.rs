@@ -7,6 +7,7 @@ mod axisymmetric;
 mod branches;
 mod conditioned;
 mod contact;
+mod extensile;
 mod plugs;
 mod prestretch;
 mod shared;

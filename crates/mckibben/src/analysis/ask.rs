@@ -1,7 +1,7 @@
 //! How a model is asked, and what it says on a branch of the hysteresis loop.
 
 use crate::model::{ForceModel, ModelError, Response, Workspace, pivoting_n_per_mm};
-use crate::muscle::{Direction, Friction};
+use crate::muscle::{Direction, Friction, Muscle};
 use serde::{Deserialize, Serialize};
 
 /// How questions are answered.
@@ -17,6 +17,11 @@ pub struct Options {
 }
 
 impl Options {
+    /// The same for a muscle: one that extends pushes, and is not slack where it does.
+    pub fn of(self, muscle: &Muscle) -> Self {
+        Self { two_sided: self.two_sided || muscle.is_extensile(), ..self }
+    }
+
     /// Also outside of the model's range.
     pub fn extrapolating() -> Self {
         Self { extrapolate: true, ..Self::default() }
@@ -173,7 +178,6 @@ pub fn source_of<M: ForceModel + ?Sized>(model: &M, direction: Direction) -> Str
 mod tests {
     use super::*;
     use crate::model::Ideal;
-    use crate::muscle::Muscle;
 
     #[test]
     fn the_branches_lie_on_both_sides_of_the_mean() {

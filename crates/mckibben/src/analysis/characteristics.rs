@@ -48,9 +48,9 @@ pub fn start_pressure_mpa<M: ForceModel + ?Sized>(
 ) -> Result<f64, AnalysisError> {
     let lowest = model.info().range.pressure_mpa.0;
     // Without pressure a shortened muscle may have no equilibrium at all: then it does not pull either.
-    if lowest <= 0.0
-        && force_on(model, workspace, lowest, contraction, options.direction).is_ok_and(|force| force >= 0.0)
-    {
+    let extends = model.muscle().is_extensile();
+    let acts = |force: f64| if extends { force <= 0.0 } else { force >= 0.0 };
+    if lowest <= 0.0 && force_on(model, workspace, lowest, contraction, options.direction).is_ok_and(acts) {
         return Ok(lowest);
     }
     pressure_at(model, workspace, 0.0, contraction, options)

@@ -21,6 +21,8 @@ const HIGHEST_PRESSURE_MPA: f64 = 20.0;
 const FIRST_STEP: f64 = 0.02;
 /// Where the search for a contraction ends if the model sets no limit.
 const LARGEST_CONTRACTION: f64 = 0.999;
+/// The same for the extension of a muscle that extends.
+const LARGEST_EXTENSION: f64 = 1.5;
 /// A model and its companion differ by less than this share of the pull.
 const NEARLY: f64 = 0.05;
 /// A pull this near to what is wanted, as a share of it (or of 1 N), is that.
@@ -63,7 +65,7 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
     contraction: f64,
     options: Options,
 ) -> Result<f64, AnalysisError> {
-    let (info, can) = (model.info(), model.extensions());
+    let (info, can, options) = (model.info(), model.extensions(), options.of(model.muscle()));
     let (lowest, limit) = info.range.pressure_mpa;
     let highest = if options.extrapolate { HIGHEST_PRESSURE_MPA } else { limit.min(HIGHEST_PRESSURE_MPA) };
     let direction = options.direction;
@@ -77,7 +79,8 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
             contraction,
             nearest_force_n: pulled(v),
             nearest_pressure_mpa,
-            braid_stops_at: (pulled(v) <= 0.0 && force_n >= 0.0 && contraction >= ideal).then_some(ideal),
+            braid_stops_at: (ideal > 0.0 && pulled(v) <= 0.0 && force_n >= 0.0 && contraction >= ideal)
+                .then_some(ideal),
         }
     };
     if let Some(companion) = can.companion {
@@ -303,6 +306,7 @@ pub fn contraction_at<M: ForceModel + ?Sized>(
     pressure_mpa: f64,
     options: Options,
 ) -> Result<f64, AnalysisError> {
+    let options = options.of(model.muscle());
     let stretch = if options.two_sided { Stretch::Whole } else { Stretch::None };
     contraction_down_to(model, workspace, force_n, pressure_mpa, options, stretch)
 }
@@ -319,6 +323,7 @@ pub fn contraction_or_stretch_at<M: ForceModel + ?Sized>(
     pressure_mpa: f64,
     options: Options,
 ) -> Result<f64, AnalysisError> {
+    let options = options.of(model.muscle());
     let stretch = if options.two_sided { Stretch::Whole } else { Stretch::Straight };
     contraction_down_to(model, workspace, force_n, pressure_mpa, options, stretch)
 }
@@ -332,9 +337,10 @@ fn contraction_down_to<M: ForceModel + ?Sized>(
     stretch: Stretch,
 ) -> Result<f64, AnalysisError> {
     let (info, can) = (model.info(), model.extensions());
+    let longest = if model.muscle().is_extensile() { -LARGEST_EXTENSION } else { -LARGEST_CONTRACTION };
     let range = match (info.range.contraction, options.extrapolate) {
-        (range, false) => (range.0.max(-LARGEST_CONTRACTION), range.1.min(LARGEST_CONTRACTION)),
-        (_, true) => (-LARGEST_CONTRACTION, LARGEST_CONTRACTION),
+        (range, false) => (range.0.max(longest), range.1.min(LARGEST_CONTRACTION)),
+        (_, true) => (longest, LARGEST_CONTRACTION),
     };
     let start = info.range.contraction.0.max(0.0);
     // Past the ideal maximum nothing pulls, and strands that are straight hold; those that stretch reach a little further.

@@ -2,6 +2,7 @@
 
 use crate::analysis::AnalysisError;
 use crate::model::ModelError;
+use crate::muscle::MuscleError;
 use thiserror::Error;
 
 /// Why a joint has no answer.
@@ -73,6 +74,14 @@ pub enum JointError {
         muscles: usize,
         /// Pressures that were given.
         given: usize,
+    },
+    /// A muscle that extends, which no tendon takes.
+    #[error("muscle {muscle} of the joint: {error}")]
+    Extends {
+        /// Which muscle, from 1.
+        muscle: usize,
+        /// Why.
+        error: MuscleError,
     },
     /// An angle outside of the joint's limits.
     #[error("{angle_deg} deg lies outside of the joint's range of {low_deg}..{high_deg} deg")]

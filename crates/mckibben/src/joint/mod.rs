@@ -149,6 +149,7 @@ impl Joint {
             return Err(JointError::Negative { what, value });
         }
         for (i, m) in self.muscles.iter().enumerate() {
+            m.muscle.check_contracts().map_err(|error| JointError::Extends { muscle: i + 1, error })?;
             let e = m.contraction_at_neutral;
             if !(e.is_finite() && e.abs() < 1.0) {
                 return Err(JointError::Contraction { muscle: i + 1, contraction: e });

@@ -88,13 +88,14 @@ pub fn balances<M: ForceModel + ?Sized>(
     options: Options,
 ) -> Result<Vec<Balance>, LoadError> {
     let length = model.muscle().length_mm();
+    let (options, extends) = (options.of(model.muscle()), model.muscle().is_extensile());
     let one_sided = Options { two_sided: false, ..options };
     let (reach, range) = (load.reach_mm(), model.info().range.contraction);
     let start = if options.two_sided { straight_strands(model.muscle()) } else { 0.0 };
     let start = start.max(reach.0 / length);
     let start = if options.extrapolate { start } else { start.max(range.0) };
     // Beyond it nothing pulls.
-    let free = free_contraction(model, workspace, pressure_mpa, one_sided).ok();
+    let free = if extends { None } else { free_contraction(model, workspace, pressure_mpa, one_sided).ok() };
     let ends = [
         (free.unwrap_or(f64::INFINITY), ""),
         (if options.extrapolate && free.is_some() { f64::INFINITY } else { range.1 }, "the model's range"),
@@ -108,7 +109,8 @@ pub fn balances<M: ForceModel + ?Sized>(
         } else {
             force_on(model, workspace, pressure_mpa, e, options.direction)?
         };
-        Ok(pull.max(0.0) - load.force_n(e * length))
+        let pull = if extends { pull } else { pull.max(0.0) };
+        Ok(pull - load.force_n(e * length))
     };
     // Past straight strands there may be no answer.
     let at_start = if options.two_sided { left_n(start).unwrap_or(f64::NAN) } else { left_n(start)? };

@@ -1,7 +1,7 @@
 //! The braided sleeve: two families of helical strands at ±θ0 on the tube's outer surface.
 
 use super::Crimp;
-use super::NEUTRAL_ANGLE_DEG;
+use super::LARGEST_ANGLE_DEG;
 use super::error::{MuscleError, positive};
 use super::tube::Tube;
 use crate::sleeve::{SleeveError, SleeveShape};
@@ -126,7 +126,7 @@ impl Braid {
     }
 
     pub(super) fn check(&self) -> Result<(), MuscleError> {
-        if !(self.angle_deg > 0.0 && self.angle_deg < NEUTRAL_ANGLE_DEG) {
+        if !(self.angle_deg > 0.0 && self.angle_deg <= LARGEST_ANGLE_DEG) {
             return Err(MuscleError::Angle { angle_deg: self.angle_deg });
         }
         if let BraidStiffness::NewtonPerMm(k) = self.stiffness {

@@ -63,11 +63,19 @@ pub enum MuscleError {
         /// Bore at rest in mm.
         bore_mm: f64,
     },
-    /// A braid angle outside 0 < θ0 < 54.7356°.
+    /// A braid angle outside 0 < θ0 ≤ 75°.
     #[error(
-        "braid.angle is {angle_deg} deg; a muscle that contracts needs an angle between 0 and 54.7356 deg to its axis (measured to the axis, not around it)"
+        "braid.angle is {angle_deg} deg; the angle of the strands to the axis must be between 0 and 75 deg: a muscle contracts below 54.7356 deg and extends above"
     )]
     Angle {
+        /// Angle in degrees.
+        angle_deg: f64,
+    },
+    /// A muscle that extends, where only one that contracts will do.
+    #[error(
+        "braid.angle is {angle_deg} deg; this muscle extends, and the calculation is for muscles that contract: take an angle below 54.7356 deg"
+    )]
+    Extends {
         /// Angle in degrees.
         angle_deg: f64,
     },
@@ -227,7 +235,7 @@ impl MuscleError {
             }
             MuscleError::WallTooThick { .. } => vec!["tube.wall_thickness", "tube.outer_diameter"],
             MuscleError::PlugDiameter { .. } => vec!["terminals.plug_diameter", "tube.outer_diameter"],
-            MuscleError::Angle { .. } => vec!["braid.angle"],
+            MuscleError::Angle { .. } | MuscleError::Extends { .. } => vec!["braid.angle"],
             MuscleError::Rubber(error) => {
                 let constant = error.constant().map(|name| Cow::from(format!("tube.material.{name}")));
                 return constant.into_iter().chain(["tube.material".into()]).collect();

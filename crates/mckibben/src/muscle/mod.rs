@@ -11,6 +11,7 @@ mod ends;
 mod error;
 pub mod file;
 mod friction;
+mod kind;
 mod lay;
 pub mod measures;
 mod reach;
@@ -29,6 +30,7 @@ pub use direction::{Direction, UnknownDirection};
 pub use ends::{EndState, Ends};
 pub use error::MuscleError;
 pub use friction::Friction;
+pub use kind::{LARGEST_ANGLE_DEG, MuscleKind};
 pub use lay::StrandLay;
 pub use measures::{Measure, Parts};
 pub use reach::largest_stretch;
@@ -52,7 +54,7 @@ impl Muscle {
     ///
     /// # Errors
     /// [`MuscleError`] names the part, its value and what it must be: lengths above zero, wall below the radius,
-    /// 0 < θ0 < 54.7356°, a rubber and a braid with stiffness.
+    /// 0 < θ0 ≤ 75°, a rubber and a braid with stiffness.
     pub fn new(
         tube: Tube,
         braid: Braid,
@@ -102,7 +104,7 @@ impl Muscle {
         if let Some(value) = muscle.parts.terminals.cone_factor {
             let end = muscle.max_ideal_contraction();
             let largest = (1.0 - end) / (2.0 * end);
-            if value > largest {
+            if value > largest && end > 0.0 {
                 return Err(MuscleError::ConeFactor { value, largest });
             }
         }
@@ -156,7 +158,14 @@ impl Muscle {
     pub fn warnings(&self) -> Vec<String> {
         let own =
             self.parts.braid.warning(&self.parts.tube).into_iter().chain(self.measured_strand_warning());
-        own.chain(self.bench_warning()).collect()
+        own.chain(self.bench_warning()).chain(self.extensile_warning()).collect()
+    }
+
+    /// A muscle that extends.
+    fn extensile_warning(&self) -> Option<String> {
+        self.is_extensile().then(|| {
+            "this muscle extends: its pushes and extensions are below zero; no measured muscle of this kind is known here, and the ± is that of muscles that contract".to_owned()
+        })
     }
 
     /// A bench that saw another muscle.

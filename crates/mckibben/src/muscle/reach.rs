@@ -17,8 +17,8 @@ pub fn largest_stretch(tube: &Tube, braid: &Braid) -> f64 {
     let (outer, inner, lay) = (tube.outer_radius_mm(), tube.inner_radius_mm(), braid.lay(tube));
     let (axial, hoop) = (cos_neutral / cos, sin_neutral / sin);
     let bore = lay.outer_radius_mm(hoop).powi(2) - (outer * outer - inner * inner) / axial;
-    // Before it was mounted the bore was wider by √λp, and at rest the tube is as long as λp.
-    (bore.max(0.0).sqrt() / (inner * tube.prestretch.sqrt())).max(tube.prestretch)
+    // Before it was mounted the bore was wider by √λp, and at rest the tube is as long as λp. A muscle that extends is longest at 54.7°.
+    (bore.max(0.0).sqrt() / (inner * tube.prestretch.sqrt())).max(tube.prestretch * axial.max(1.0))
 }
 
 impl Muscle {

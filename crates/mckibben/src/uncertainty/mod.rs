@@ -131,7 +131,7 @@ impl UncertaintyParts {
 
 /// 95 % half-width of the stiffness of a muscle in N/mm, for the parts of the ± of its pull.
 pub fn stiffness_uncertainty_n_per_mm(muscle: &Muscle, parts: &UncertaintyParts) -> f64 {
-    let way_mm = STIFFNESS_WAY * muscle.max_ideal_contraction() * muscle.length_mm();
+    let way_mm = STIFFNESS_WAY * muscle.max_ideal_contraction().abs() * muscle.length_mm();
     let without_friction = UncertaintyParts { friction: None, ..*parts };
     SQRT_2 * without_friction.total() / way_mm
 }

@@ -43,7 +43,7 @@ pub fn tearing(
         return Ok(FailurePressure::Unknown(NoBurst::NoElongation));
     };
     // At the neutral angle, with strands that give way.
-    if Radii::of(muscle).hoop_stretch(NEUTRAL_ANGLE_DEG.to_radians(), 1.0 + STRAND_STRAIN) < breaks {
+    if Radii::of(muscle).largest_stretch(NEUTRAL_ANGLE_DEG.to_radians(), 1.0 + STRAND_STRAIN) < breaks {
         return Ok(FailurePressure::None);
     }
     let (model, mut workspace) = (ThickWall::new(muscle), Workspace::within(budget.clone()));

@@ -30,9 +30,10 @@ impl Radii {
         (outer, (outer * outer - area).max(0.0).sqrt())
     }
 
-    /// The largest stretch of the rubber around the tube.
-    pub(super) fn hoop_stretch(&self, angle_rad: f64, stretch: f64) -> f64 {
+    /// The largest stretch of the rubber, around the tube or along it.
+    pub(super) fn largest_stretch(&self, angle_rad: f64, stretch: f64) -> f64 {
         let (outer, inner) = self.tube_mm(angle_rad, stretch);
-        (inner / self.rest_mm.1).max(outer / self.rest_mm.0)
+        let axial = stretch * angle_rad.cos() / self.lay.angle_rad.cos();
+        (inner / self.rest_mm.1).max(outer / self.rest_mm.0).max(axial)
     }
 }

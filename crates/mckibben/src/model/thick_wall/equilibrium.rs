@@ -38,18 +38,18 @@ pub(in crate::model) struct State {
 }
 
 /// Energy of both strand families per unit length at rest, and its derivatives in (λ, r).
-struct BraidEnergy {
-    w: f64,
-    l: f64,
-    r: f64,
-    ll: f64,
-    lr: f64,
-    rr: f64,
+pub(super) struct BraidEnergy {
+    pub(super) w: f64,
+    pub(super) l: f64,
+    pub(super) r: f64,
+    pub(super) ll: f64,
+    pub(super) lr: f64,
+    pub(super) rr: f64,
     strain: f64,
 }
 
 impl ThickWall {
-    fn braid(&self, k: f64, l: f64, r: f64) -> BraidEnergy {
+    pub(super) fn braid(&self, k: f64, l: f64, r: f64) -> BraidEnergy {
         let (a, b) = (self.cos2, self.sin2 / (self.rs * self.rs));
         let rb = r + self.offset;
         let stretch = (a * l * l + b * rb * rb).sqrt();

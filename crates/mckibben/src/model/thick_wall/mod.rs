@@ -15,11 +15,13 @@
 //! out. Sources: Liu & Rahn (2003) \[liu2003\]; Soleymani & Khajehsaeid (2020) \[soleymani2020\] for inextensible strands; derived here for strands
 //! that stretch.
 
+mod bending;
 mod equilibrium;
 mod square;
 #[cfg(test)]
 mod tests;
 
+pub use bending::BendingStiffness;
 pub(super) use equilibrium::State;
 
 use super::{

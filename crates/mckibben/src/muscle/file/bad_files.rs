@@ -27,8 +27,8 @@ const BAD: &[(&str, usize, &str)] = &[
         2,
         "(half of tube.outer_diameter); tube.outer_diameter is not written, so this is its default",
     ),
-    ("[braid]\nangle = \"60 deg\"", 2, "braid.angle = \"60 deg\": is 60 deg; a muscle that contracts needs"),
-    ("[braid]\nangle = 0", 2, "between 0 and 54.7356 deg"),
+    ("[braid]\nangle = \"80 deg\"", 2, "braid.angle = \"80 deg\": is 80 deg; the angle of the strands"),
+    ("[braid]\nangle = 0", 2, "between 0 and 75 deg"),
     (
         "[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nsoftening = { r = 0.8, m = 0.05 }",
         4,

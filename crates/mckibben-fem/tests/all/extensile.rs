@@ -1,0 +1,72 @@
+//! Muscles that extend: strands at more than 54.7° to the axis.
+
+use super::prestretch::slopes_are_those_of_differences;
+use mckibben::analysis::{Options, contraction_at, free_contraction, pressure_at};
+use mckibben::model::{ForceModel, ThickWall, Workspace};
+use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
+use mckibben::rubber::{Law, NeoHookean};
+use mckibben_fem::axisymmetric::Axisymmetric;
+use mckibben_fem::three_dimensional::ThreeDimensional;
+
+fn muscle(angle_deg: f64, length_mm: f64) -> Muscle {
+    let stiffness = BraidStiffness::NewtonPerMm(300.0);
+    let braid = Braid { angle_deg, stiffness, ..Braid::paper() };
+    let tube = Tube::new(20.0, 2.0, length_mm, Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 })));
+    Muscle::new(tube, braid, Terminals::default(), None).unwrap()
+}
+
+/// Without its ends a muscle is the infinitely long one: what 100 mm more of length change, at equal strokes, is a slice of that.
+#[test]
+fn a_slice_of_a_long_muscle_is_the_thick_wall() {
+    for (angle, e) in [(57.0, -0.01), (60.0, -0.05), (65.0, -0.15), (65.0, 0.0)] {
+        let (long, longer) = (muscle(angle, 200.0), muscle(angle, 300.0));
+        let (w, p) = (&mut Workspace::new(), 0.2);
+        // ΔΠ per mm of length is that of the infinitely long muscle at the same pull.
+        let slice = ThickWall::new(&long);
+        let at = slice.force_n(w, p, e).unwrap();
+        let shortened = |m: &Muscle| {
+            let model = Axisymmetric::new(m).unwrap();
+            contraction_at(&model, &mut Workspace::new(), at, p, Options::default()).unwrap() * m.length_mm()
+        };
+        let own = (shortened(&longer) - shortened(&long)) / 100.0;
+        assert!((own - e).abs() < 1e-6, "{angle} {e}: {own}");
+    }
+}
+
+/// Slopes against central differences, and ∂F/∂P at fixed L = −∂V/∂L at fixed P.
+#[test]
+fn slopes_are_those_of_differences_and_maxwell_holds() {
+    for (angle, e) in [(60.0, -0.06), (65.0, -0.1)] {
+        slopes_are_those_of_differences(&muscle(angle, 120.0), (0.2, e));
+    }
+}
+
+#[test]
+fn bricks_agree() {
+    let m = muscle(62.0, 60.0);
+    for e in [0.0, -0.08] {
+        let plane = Axisymmetric::new(&m).unwrap().force_n(&mut Workspace::new(), 0.2, e).unwrap();
+        let bricks = ThreeDimensional::new(&m).unwrap().force_n(&mut Workspace::new(), 0.2, e).unwrap();
+        assert!((bricks - plane).abs() < 0.01 * plane.abs().max(5.0), "{e}: {bricks} {plane}");
+    }
+}
+
+/// Inverses give back what was asked, and an unloaded muscle extends.
+#[test]
+fn inverses_come_back_and_free_muscles_are_longer_than_at_rest() {
+    for angle in [57.0, 60.0, 70.0] {
+        let m = muscle(angle, 150.0);
+        let fe = Axisymmetric::new(&m).unwrap();
+        for model in [&ThickWall::new(&m) as &dyn ForceModel, &fe] {
+            let (w, options) = (&mut Workspace::new(), Options::default());
+            let free = free_contraction(model, w, 0.2, options).unwrap();
+            assert!(free < 0.0 && free > m.max_ideal_contraction(), "{angle} {free}");
+            assert!(model.force_n(w, 0.2, free).unwrap().abs() < 1e-4);
+            let e = 0.5 * free;
+            let push = model.force_n(w, 0.2, e).unwrap();
+            assert!(push < 0.0, "{angle} {push}");
+            assert!((contraction_at(model, w, push, 0.2, options).unwrap() - e).abs() < 1e-7, "{angle}");
+            assert!((pressure_at(model, w, push, e, options).unwrap() - 0.2).abs() < 1e-7, "{angle}");
+        }
+    }
+}

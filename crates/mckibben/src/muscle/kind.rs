@@ -1,0 +1,50 @@
+//! Which way a muscle moves under pressure.
+
+use super::{Muscle, MuscleError, NEUTRAL_ANGLE_DEG};
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// Largest braid angle θ0 at rest in degrees. The ideal muscle extends by 1/(√3 cosθ0) − 1 there, 1.23 times its length.
+pub const LARGEST_ANGLE_DEG: f64 = 75.0;
+
+/// Which way a muscle moves under pressure: strands at θ0 to the axis turn towards the neutral angle 54.7°, at which the ideal muscle
+/// has its largest volume.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum MuscleKind {
+    /// θ0 below 54.7°: it shortens, and pulls.
+    Contractile,
+    /// θ0 from 54.7° on: it lengthens, and pushes. Its forces and contractions are below zero.
+    Extensile,
+}
+
+impl fmt::Display for MuscleKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Contractile => "contractile",
+            Self::Extensile => "extensile",
+        })
+    }
+}
+
+impl Muscle {
+    /// Which way it moves under pressure.
+    pub fn kind(&self) -> MuscleKind {
+        if self.is_extensile() { MuscleKind::Extensile } else { MuscleKind::Contractile }
+    }
+
+    /// Whether it lengthens and pushes under pressure.
+    pub fn is_extensile(&self) -> bool {
+        self.braid().angle_deg >= NEUTRAL_ANGLE_DEG
+    }
+
+    /// For calculations of muscles that pull.
+    ///
+    /// # Errors
+    /// [`MuscleError::Extends`] of one that extends.
+    pub fn check_contracts(&self) -> Result<(), MuscleError> {
+        let angle_deg = self.braid().angle_deg;
+        if self.is_extensile() { Err(MuscleError::Extends { angle_deg }) } else { Ok(()) }
+    }
+}
