@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import sys
-import threading
 import time
 from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
@@ -109,31 +108,16 @@ def test_dask_gives_the_same_bytes_while_its_workers_are_killed(tmp_path: Path, 
     assert out.read_bytes() == expected
 
 
-class HyperQueue(Executor):
-    """The executor of docs/campaigns-engines.md."""
-
-    def __init__(self, client: Any) -> None:
-        self.client = client
-
-    def submit(self, function: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
-        from hyperqueue import Job
-
-        job, future = Job(), Future[Any]()
-        job.function(function, args=args, kwargs=kwargs)
-        submitted = self.client.submit(job)
-
-        def wait() -> None:
-            try:
-                self.client.wait_for_jobs([submitted])
-                future.set_result(None)
-            except Exception as error:
-                future.set_exception(error)
-
-        threading.Thread(target=wait, daemon=True).start()
-        return future
+def hyperqueue_of(root: Path) -> Any:
+    """The executor that docs/campaigns-engines.md shows."""
+    page = (root / "docs/campaigns-engines.md").read_text()
+    code = next(block.split("```")[0] for block in page.split("```python\n") if "class HyperQueue" in block)
+    found: dict[str, Any] = {}
+    exec(code, found)
+    return found["HyperQueue"]
 
 
-def test_hyperqueue_gives_the_same_bytes(tmp_path: Path, expected: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_hyperqueue_gives_the_same_bytes(tmp_path: Path, root: Path, expected: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("hyperqueue")
     from hyperqueue.cluster import LocalCluster, WorkerConfig
     from hyperqueue.task.function import PythonEnv
@@ -141,6 +125,6 @@ def test_hyperqueue_gives_the_same_bytes(tmp_path: Path, expected: bytes, monkey
     monkeypatch.chdir(tmp_path)
     out = tmp_path / "hq.parquet"
     with LocalCluster(worker_config=WorkerConfig(cores=2)) as cluster:
-        client = cluster.client(python_env=PythonEnv(python_bin=sys.executable))
-        mk.campaign(PLAN, out, executor=HyperQueue(client), shards=6)
+        executor = hyperqueue_of(root)(cluster.client(python_env=PythonEnv(python_bin=sys.executable)))
+        mk.campaign(PLAN, out, executor=executor, shards=6)
     assert out.read_bytes() == expected

@@ -367,7 +367,6 @@ impl From<CampaignError> for Problem {
             | CampaignError::Appeared { .. } => ProblemKind::Output,
             CampaignError::ShardOfFile { .. } | CampaignError::OtherFormat { .. } => ProblemKind::Usage,
             CampaignError::Engine { .. } => ProblemKind::Engine,
-            CampaignError::NotSubmitted { .. } => ProblemKind::File,
             #[cfg(feature = "files")]
             CampaignError::Shard(_) => {
                 return Self::new(ProblemKind::Usage, error.to_string(), error.hint()).in_field("shard");

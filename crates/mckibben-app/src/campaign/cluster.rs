@@ -89,7 +89,7 @@ pub struct CampaignCancelRequest {
 /// Cancels the jobs of a campaign. What was computed stays.
 ///
 /// # Errors
-/// [`Problem`] where nothing was submitted, or the engine refuses.
+/// [`Problem`] where there is no campaign, or the engine refuses.
 pub fn campaign_cancel(request: &CampaignCancelRequest) -> Result<CancelledJobs, Problem> {
     Ok(campaign::cancel(&request.output)?)
 }

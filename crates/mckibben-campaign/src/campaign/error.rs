@@ -156,12 +156,6 @@ pub enum CampaignError {
         /// What it says.
         why: String,
     },
-    /// Nothing was submitted for a folder.
-    #[error("no job was submitted for {}", .path.display())]
-    NotSubmitted {
-        /// The folder.
-        path: PathBuf,
-    },
     /// No threads to be had.
     #[error(transparent)]
     Threads(#[from] ThreadsError),
@@ -217,7 +211,6 @@ impl CampaignError {
             Self::Engine { .. } => {
                 "the engine's programs must be on this machine; a dry run shows the script and the commands"
             }
-            Self::NotSubmitted { .. } => "give the folder of parts of a campaign that was submitted",
             Self::Threads(_) => "take fewer threads; the table does not depend on them",
             _ => "",
         }

@@ -3,7 +3,7 @@
 //! None of it is data: a folder without these files is the same campaign. A shard that cannot write its state goes on.
 
 use super::resume::belongs;
-use super::store::{Folder, Provenance};
+use super::store::{Folder, MARKER, Opened, Provenance, STATE};
 use super::{CampaignError, Outcome, Shard};
 use mckibben_files::{Unfinished, read, replace};
 use serde::{Deserialize, Serialize};
@@ -17,10 +17,6 @@ use std::time::Duration;
 const BEAT: Duration = Duration::from_secs(15);
 /// The longest file of this kind in bytes.
 const LONGEST: u64 = 1 << 16;
-/// The file that names the plan.
-const MARKER: &str = ".campaign.json";
-/// What names of states begin with.
-const STATE: &str = ".shard-";
 
 /// Of which plan and version a folder is: the first process writes it, every other one must agree.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -67,6 +63,13 @@ impl Marker {
                     return belongs(&theirs, provenance, folder);
                 }
                 there => {
+                    // A folder of an earlier version has parts alone.
+                    if let (None, false, Some(part)) =
+                        (&there, overwrite, Folder::parts(folder)?.into_values().next())
+                        && let Ok(opened) = Opened::file(&part)
+                    {
+                        belongs(&opened.provenance, provenance, &part)?;
+                    }
                     let text =
                         serde_json::to_string(&ours).map_err(|e| CampaignError::Encode(e.to_string()))?;
                     let put = || {

@@ -25,6 +25,9 @@ pub const EXAMPLES: &str = "Examples:
   mckibben campaign plans/paper.toml -o parts/ --shard 1/2
   mckibben campaign plans/paper.toml -o parts/ --shard 2/2 --threads 1";
 
+const RUN_EXAMPLES: &str = "Example:
+  mckibben campaign run plans/paper.toml -o campaign.parquet";
+
 const SHOW_EXAMPLES: &str = "Example:
   mckibben campaign plans/paper.toml -o campaign.parquet
   mckibben campaign show campaign.parquet";
@@ -74,6 +77,7 @@ pub struct CampaignRunArgs {
 #[derive(Debug, Subcommand)]
 pub enum CampaignCommand {
     /// The same as `campaign` without a word: run a plan, or what is missing of it
+    #[command(after_help = RUN_EXAMPLES)]
     Run(CampaignRunArgs),
     /// Summary of a campaign: muscles, points, failures by cause, ranges, origin
     #[command(after_help = SHOW_EXAMPLES)]
@@ -88,6 +92,7 @@ pub enum CampaignCommand {
     #[command(after_help = cluster::SUBMIT_EXAMPLES)]
     Submit(SubmitArgs),
     /// Cancel the jobs that were submitted for a folder; what was computed stays
+    #[command(after_help = cluster::CANCEL_EXAMPLES)]
     Cancel(CancelArgs),
 }
 

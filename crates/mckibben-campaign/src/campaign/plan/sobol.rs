@@ -1,7 +1,7 @@
 //! Sobol's sequence beyond 65,536 points, scrambled by Owen's method.
 //!
-//! Point n is the sum modulo 2 of the direction numbers v_j of the digits j of n that are one (Sobol 1967). The library that gives shorter
-//! sequences has the first 16 direction numbers of Joe and Kuo (2008, file new-joe-kuo-6) in 32 bits. The others follow from their recurrence
+//! Point n is the sum modulo 2 of the direction numbers v_j of the digits j of n that are one. The library that gives shorter
+//! sequences has the first 16 direction numbers of Joe and Kuo (2008, file new-joe-kuo-6) \[joe2008\] in 32 bits. The others follow from their recurrence
 //!
 //!   v_j = v_{j−s} ⊕ (v_{j−s} ≫ s) ⊕ Σ_{k=1}^{s−1} a_k v_{j−k}
 //!
@@ -140,7 +140,31 @@ mod tests {
     }
 
     const SCIPY: [(u32, usize, u32); 24] = [
-(65536, 0, 98304), (65536, 1, 2147450880), (65536, 4, 1648132096), (65536, 17, 2411692032), (65536, 36, 518815744), (65536, 52, 3298918400), (70001, 0, 2476310528), (70001, 1, 2718400512), (70001, 4, 3313795072), (70001, 17, 1915191296), (70001, 36, 2289336320), (70001, 52, 3843653632), (1000003, 0, 1187450880), (1000003, 1, 2413424640), (1000003, 4, 3773812736), (1000003, 17, 2179633152), (1000003, 36, 796602368), (1000003, 52, 2365394944), (9999999, 0, 45820672), (9999999, 1, 3658317056), (9999999, 4, 2657412352), (9999999, 17, 2859214080), (9999999, 36, 2999917312), (9999999, 52, 362660608)];
+        (65536, 0, 98304),
+        (65536, 1, 2147450880),
+        (65536, 4, 1648132096),
+        (65536, 17, 2411692032),
+        (65536, 36, 518815744),
+        (65536, 52, 3298918400),
+        (70001, 0, 2476310528),
+        (70001, 1, 2718400512),
+        (70001, 4, 3313795072),
+        (70001, 17, 1915191296),
+        (70001, 36, 2289336320),
+        (70001, 52, 3843653632),
+        (1000003, 0, 1187450880),
+        (1000003, 1, 2413424640),
+        (1000003, 4, 3773812736),
+        (1000003, 17, 2179633152),
+        (1000003, 36, 796602368),
+        (1000003, 52, 2365394944),
+        (9999999, 0, 45820672),
+        (9999999, 1, 3658317056),
+        (9999999, 4, 2657412352),
+        (9999999, 17, 2859214080),
+        (9999999, 36, 2999917312),
+        (9999999, 52, 362660608),
+    ];
 
     /// A (0, m, 2)-net for the first two dimensions, scrambled, where the library ends: of 2^m points that begin at a multiple of 2^m one
     /// lies in each rectangle of area 2^−m.

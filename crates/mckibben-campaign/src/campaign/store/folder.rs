@@ -11,6 +11,10 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 const LOCK: &str = ".lock";
+/// The file that names the plan.
+pub(crate) const MARKER: &str = ".campaign.json";
+/// What names of states of shards begin with.
+pub(crate) const STATE: &str = ".shard-";
 
 /// The file name of a part.
 pub(crate) fn part_name(number: u64) -> String {
@@ -189,7 +193,8 @@ impl Folder {
         let names = self.names()?;
         // Some systems do not remove what is open.
         self.locks.clear();
-        for name in names.iter().filter(|n| n.starts_with(LOCK) || n.starts_with(Unfinished::PREFIX)) {
+        let ours = [LOCK, Unfinished::PREFIX, MARKER, STATE];
+        for name in names.iter().filter(|n| ours.iter().any(|prefix| n.starts_with(prefix))) {
             remove(self.path.join(name))?;
         }
         // Something foreign in it keeps it.

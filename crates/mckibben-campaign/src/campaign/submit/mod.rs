@@ -23,7 +23,7 @@ const SECONDS_OF_A_SHARD: f64 = 900.0;
 /// The most shards: each has a few files beside its parts.
 const MOST_SHARDS: u64 = 1000;
 /// A few muscles are timed for so long.
-const TIMED: Duration = Duration::from_secs(10);
+const TIMED: Duration = Duration::from_secs(5);
 /// Time limit of a job over the estimate: other processors, and shards that are longer than the mean.
 const RESERVE: f64 = 4.0;
 /// The shortest time limit in minutes.
@@ -306,12 +306,15 @@ impl Record {
     }
 }
 
-/// Cancels all jobs that were submitted for a folder. What was computed stays.
+/// Cancels all jobs that were submitted for a folder and have not ended. What was computed stays.
 ///
 /// # Errors
-/// [`CampaignError::NotSubmitted`], [`CampaignError::Engine`].
+/// [`CampaignError::NoCampaign`], [`CampaignError::Engine`].
 pub fn cancel(folder: &Path) -> Result<CancelledJobs, CampaignError> {
-    let record = Record::read(folder).ok_or_else(|| CampaignError::NotSubmitted { path: folder.into() })?;
+    let Some(record) = Record::read(folder) else {
+        status(folder)?;
+        return Ok(CancelledJobs { output: folder.into(), jobs: vec![] });
+    };
     let all: Vec<String> = record.arrays.iter().chain(&record.merges).cloned().collect();
     let jobs = slurm::alive(&all);
     if !jobs.is_empty() {

@@ -24,6 +24,10 @@ pub const STATUS_EXAMPLES: &str = "Example:
 pub const SUBMIT_EXAMPLES: &str = "Example:
   mckibben campaign submit plans/paper.toml -o parts/ --dry-run";
 
+pub const CANCEL_EXAMPLES: &str = "Example:
+  mckibben campaign plans/paper.toml -o parts/ --shard 1/1
+  mckibben campaign cancel parts/";
+
 /// No answer exists: something is missing.
 const GAP: u8 = 1;
 /// The wish to stop is looked for this often.
