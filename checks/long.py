@@ -54,6 +54,10 @@ PARTS = {
         r"python/mckibben/(torch|_bridge|_model)\.py", r"python/tests/test_optimisers\.py", r"python/examples/identify_(torch|scipy)\.py",
         r"crates/mckibben-export/templates/mckibben_muscle\.py", r"checks/(exports_)?torch\..*",
     ], None, ["bash checks/torch.sh"]),
+    "campaigns": ("campaigns on Slurm, GNU parallel, Snakemake, HyperQueue, Dask and process pools; a full disk", [
+        r"crates/mckibben-campaign/(src/campaign|data)/.*", r"crates/mckibben-(files|parquet)/src/.*", r"crates/mckibben-cli/src/commands/campaign.*",
+        r"python/mckibben/_campaign\.py", r"python/tests/test_executors\.py", r"checks/(slurm|campaigns)\.sh",
+    ], None, ["bash checks/campaigns.sh \"$MCKIBBEN\""]),
     "release": ("the release build and README's first command", MANIFESTS, None, [
         "cargo build --release --locked",
         "cargo run --release --locked -- design --force 700N --contraction 15% --max-pressure 2.5bar",

@@ -16,7 +16,7 @@ from ._files import FORMULAS, TABLES, without_gaps
 from ._problem import warned
 
 # Commands that are no function of the package: they serve pages and the command line.
-LEFT_OUT = {"quantities", "report", "campaign-show", "campaign-merge", "campaign", "units"}
+LEFT_OUT = {"quantities", "report", "campaign-show", "campaign-merge", "campaign-status", "campaign-submit", "campaign-cancel", "campaign", "units"}
 # What may be given without its keyword, in this order.
 POSITIONAL = {
     "build": ["muscle", "pressure_mpa"],

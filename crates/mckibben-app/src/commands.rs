@@ -12,7 +12,7 @@ use mckibben::budget::Resource;
 use mckibben::nearest::nearest;
 use mckibben::progress::Progress;
 #[cfg(feature = "files")]
-use mckibben_campaign::campaign::{Merged, Outcome, Summary};
+use mckibben_campaign::campaign::{CampaignStatus, CancelledJobs, Merged, Outcome, Submitted, Summary};
 #[cfg(feature = "schema")]
 use schemars::{JsonSchema, generate::SchemaSettings};
 use serde::Serialize;
@@ -182,6 +182,12 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         command!("campaign-show", CampaignShowRequest => Summary, |r, _progress| campaign_show(&r)),
         #[cfg(feature = "files")]
         command!("campaign-merge", CampaignMergeRequest => Merged, |r, _progress| campaign_merge(&r)),
+        #[cfg(feature = "files")]
+        command!("campaign-status", CampaignStatusRequest => CampaignStatus, |r, _progress| campaign_status(&r)),
+        #[cfg(feature = "files")]
+        command!(long "campaign-submit", CampaignSubmitRequest => Submitted, |r, progress| campaign_submit(&r, progress)),
+        #[cfg(feature = "files")]
+        command!("campaign-cancel", CampaignCancelRequest => CancelledJobs, |r, _progress| campaign_cancel(&r)),
         command!("muscle-show", MuscleShowRequest => MuscleShowAnswer, |r, _progress| muscle_show(&r)),
         #[cfg(feature = "whole")]
         command!("build", BuildRequest => BuildAnswer, |r, progress| build(&r, progress)),

@@ -24,7 +24,7 @@ mod write;
 
 pub use column::{Column, Field, Packing, Text};
 pub use read::{OpenError, Reader};
-pub use seal::{Broken, seal_of};
+pub use seal::{Broken, has_ends, seal_of};
 pub use write::{GROUP, Sealed, Sink, Writer};
 
 use parquet::errors::ParquetError;

@@ -107,6 +107,16 @@ pub(crate) fn check_ends(file: &mut File, length: u64) -> std::io::Result<Result
     Ok(if tail == MAGIC { Ok(()) } else { Err(Broken::Cut) })
 }
 
+/// Whether a file begins and ends as one that was written to its end; what is between is not looked at.
+///
+/// # Errors
+/// Those of the system.
+pub fn has_ends(path: &Path) -> std::io::Result<bool> {
+    let mut file = File::open(path)?;
+    let length = file.metadata()?.len();
+    Ok(check_ends(&mut file, length)?.is_ok())
+}
+
 /// Whether a file that ends as it should holds what was sealed.
 pub(crate) fn check(file: &mut File) -> std::io::Result<Result<(), Broken>> {
     let (mut hash, mut seal, mut at) = (Sha256::new(), [0; SEAL], 0);

@@ -7,10 +7,14 @@ use mckibben_fem::elements::Elements;
 use mckibben_fem::three_dimensional::BrickMesh;
 use serde::Serialize;
 
-/// Bytes of a number in a compressed table: 6 to 8 were measured.
-const BYTES_OF_A_NUMBER: f64 = 8.0;
-/// Columns that are numbers, without those of constants and sensitivities.
-const NUMBERS: usize = 16;
+/// Bytes of an answer in a compressed table: 6.8 to 7.1 were measured.
+const BYTES_OF_AN_ANSWER: f64 = 7.0;
+/// Answers of a point, without the tension of one strand and the sensitivities.
+const ANSWERS: usize = 7;
+/// Bytes of what varies, which a muscle has once.
+const BYTES_OF_AN_INPUT: f64 = 8.0;
+/// Bytes of an empty table: its columns' descriptions; the plan comes on top.
+const BYTES_OF_A_FILE: f64 = 4000.0;
 
 /// Muscles of a plan whose meshes are looked at.
 const LOOKED_AT: u64 = 64;
@@ -116,14 +120,18 @@ impl Plan {
     /// About what so many of its muscles cost on a number of threads.
     pub fn cost(&self, muscles: u64, threads: usize) -> Cost {
         let points = muscles.saturating_mul(self.points_per_muscle() as u64);
-        let numbers = NUMBERS + self.constants().len() + self.sensitivities().len();
+        let strands = usize::from(self.base().braid().strands.is_some());
+        let answers = (ANSWERS + strands + self.sensitivities().len()) as f64;
         let rates: Vec<f64> = self.some().filter_map(|number| self.points_per_second_of(number)).collect();
         let seconds: f64 = rates.iter().map(|rate| 1.0 / rate.max(1e-3)).sum();
         let rate = threads.max(1) as f64
             * if rates.is_empty() { f64::INFINITY } else { rates.len() as f64 / seconds };
         Cost {
             points,
-            bytes: points as f64 * BYTES_OF_A_NUMBER * numbers as f64,
+            bytes: points as f64 * BYTES_OF_AN_ANSWER * answers
+                + muscles as f64 * BYTES_OF_AN_INPUT * self.axes().len() as f64
+                + BYTES_OF_A_FILE
+                + self.text().len() as f64,
             seconds: points as f64 / rate,
         }
     }

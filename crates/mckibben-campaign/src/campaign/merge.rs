@@ -47,27 +47,27 @@ pub struct Merged {
     pub plan_sha256: String,
 }
 
-/// The tables of parts in the order of the plan, each checked against the plan it must belong to.
+/// The tables of parts in the order of the plan, each checked against the plan it must belong to; one group of rows is held at a time.
 pub(super) fn tables<'a>(
     provenance: &'a Provenance,
     places: impl Iterator<Item = (u64, PartSource)> + 'a,
 ) -> impl Iterator<Item = Result<Table, CampaignError>> + 'a {
-    places.flat_map(move |(number, place)| {
+    places.flat_map(move |(number, place)| -> Box<dyn Iterator<Item = Result<Table, CampaignError>>> {
         let name = match &place {
             PartSource::File(path) => path.clone(),
             PartSource::Memory(_) => part_name(number).into(),
         };
-        let read = || {
+        let open = || {
             let opened = place.open(number)?;
             belongs(&opened.provenance, provenance, &name)?;
             if opened.which != Which::Part(number) {
                 return Err(CampaignError::damaged(&name, "it contains a different part from its name"));
             }
-            (0..opened.groups()).map(|g| opened.group(g)).collect::<Result<Vec<_>, _>>()
+            Ok(opened)
         };
-        match read() {
-            Ok(tables) => tables.into_iter().map(Ok).collect::<Vec<_>>(),
-            Err(error) => vec![Err(error)],
+        match open() {
+            Ok(opened) => Box::new((0..opened.groups()).map(move |group| opened.group(group))),
+            Err(error) => Box::new(std::iter::once(Err(error))),
         }
     })
 }

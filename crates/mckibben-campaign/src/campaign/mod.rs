@@ -21,9 +21,17 @@ mod run;
 mod shard;
 mod solve;
 #[cfg(feature = "store")]
+mod state;
+#[cfg(feature = "store")]
+mod status;
+#[cfg(feature = "store")]
 mod store;
 #[cfg(feature = "store")]
+mod submit;
+#[cfg(feature = "store")]
 mod summary;
+#[cfg(feature = "store")]
+mod timing;
 
 #[cfg(all(test, feature = "store"))]
 mod tests;
@@ -38,9 +46,15 @@ pub use read::{Rows, read, rows};
 #[cfg(feature = "store")]
 pub use run::{Counts, Outcome, Recomputed, RunOptions, run};
 #[cfg(feature = "store")]
-pub use shard::Shard;
+pub use shard::{ENGINES, Engine, Shard, ShardChoice, ShardError};
 pub use solve::compute;
+#[cfg(feature = "store")]
+pub use status::{CampaignStatus, ShardState, ShardStatus, status};
 #[cfg(feature = "store")]
 pub use store::Provenance;
 #[cfg(feature = "store")]
+pub use submit::{CancelledJobs, SubmitEngine, SubmitOptions, Submitted, cancel, submit};
+#[cfg(feature = "store")]
 pub use summary::{Extent, Failed, Summary, summary};
+#[cfg(feature = "store")]
+pub use timing::Timing;

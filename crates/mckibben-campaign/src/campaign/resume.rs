@@ -52,8 +52,8 @@ fn foreign(error: CampaignError) -> CampaignError {
 /// The parts that are there and whole, and those that are damaged, with what is wrong with them.
 pub(super) type There = (BTreeMap<u64, PartSource>, Vec<Recomputed>);
 
-/// Looks through the parts in a folder, all of them with their bytes. With `overwrite` those that are not of this plan are
-/// taken for damaged.
+/// Looks through the parts of a share in a folder with their bytes, and through one of the others: a thousand shards that read one another's
+/// parts would read the table a thousand times. With `overwrite` those that are not of this plan are taken for damaged.
 pub(super) fn there(
     folder: &Folder,
     provenance: &Provenance,
@@ -61,7 +61,13 @@ pub(super) fn there(
     overwrite: bool,
     threads: &Threads,
 ) -> Result<There, CampaignError> {
-    let parts: Vec<(u64, PathBuf)> = Folder::parts(&folder.path)?.into_iter().collect();
+    let mut others = 0;
+    let mut looked_at = |part: &(u64, PathBuf)| {
+        others += u64::from(!mine(&part.0));
+        mine(&part.0) || others == 1
+    };
+    let parts: Vec<(u64, PathBuf)> =
+        Folder::parts(&folder.path)?.into_iter().filter(&mut looked_at).collect();
     let cause = |(number, path): &(u64, PathBuf)| match of_this_plan(provenance, path) {
         Ok(opened) => {
             let right = opened.which == Which::Part(*number);

@@ -3,6 +3,7 @@
 use super::merge::{PartSource, write_whole};
 use super::plan::Plan;
 use super::resume::{finished, there};
+use super::state::{Alive, Marker};
 use super::store::{Folder, Provenance, Table, check_name, is_file_name, part, part_name};
 use super::{CampaignError, Shard, solve};
 use mckibben::progress::Progress;
@@ -65,6 +66,8 @@ pub struct Recomputed {
 pub struct Outcome {
     /// What was to be written.
     pub output: PathBuf,
+    /// The share of the plan, i/n; nothing where it was all of it.
+    pub shard: Option<String>,
     /// Whether all of the plan, or of the share of it, is there.
     pub complete: bool,
     /// How far it came.
@@ -85,6 +88,7 @@ impl Outcome {
     pub(super) fn new(provenance: &Provenance, output: &Path, store: &Path, counts: Counts) -> Self {
         Self {
             output: output.into(),
+            shard: None,
             complete: counts.muscles == counts.of,
             counts,
             points: counts.muscles * provenance.points_per_muscle,
@@ -146,11 +150,32 @@ pub fn run(
         drop(folder);
         return finished(&provenance, out, &store);
     }
+    if one_file {
+        return in_folder(plan, &provenance, out, folder, options, progress);
+    }
+    Marker::claim(&store, &provenance, options.overwrite)?;
+    let alive = Alive::begin(&folder, options.shard.unwrap_or(Shard::WHOLE));
+    let done = in_folder(plan, &provenance, out, folder, options, progress);
+    alive.end(&done);
+    done
+}
+
+/// Computes what is missing in a folder; of a campaign that is to be one file it writes the file at the end.
+fn in_folder(
+    plan: &Plan,
+    provenance: &Provenance,
+    out: &Path,
+    folder: Folder,
+    options: &RunOptions,
+    progress: &dyn Progress,
+) -> Result<Outcome, CampaignError> {
+    let one_file = is_file_name(out);
+    let store = folder.path.clone();
     let own = options.threads.map(Threads::new).transpose()?;
     let threads = own.as_ref().unwrap_or_else(|| Threads::shared());
 
     let mine = |part: &u64| options.shard.is_none_or(|s| s.holds(*part));
-    let (mut places, recomputed) = there(&folder, &provenance, &mine, options.overwrite, threads)?;
+    let (mut places, recomputed) = there(&folder, provenance, &mine, options.overwrite, threads)?;
     let muscles = |part: u64| provenance.muscles_of(part).count() as u64;
     let wanted: Vec<u64> = (0..provenance.parts()).filter(mine).collect();
     let missing: Vec<u64> = wanted.iter().copied().filter(|p| !places.contains_key(p)).collect();
@@ -171,7 +196,7 @@ pub fn run(
     // Its own flag, so that an error here does not look like the user's wish.
     let failed = AtomicBool::new(false);
     let halted = || progress.cancelled() || failed.load(Ordering::Relaxed);
-    let work = |&number: &u64| compute(plan, &provenance, number, &halted);
+    let work = |&number: &u64| compute(plan, provenance, number, &halted);
     threads.for_each(&missing, work, |done| {
         match done.flatten() {
             Some(Ok(done)) if error.is_none() => {
@@ -202,14 +227,15 @@ pub fn run(
     if let Some(error) = error {
         return Err(error);
     }
-    let outcome = Outcome { recomputed, ..Outcome::new(&provenance, out, &store, counts) };
+    let shard = options.shard.map(|shard| shard.to_string());
+    let outcome = Outcome { recomputed, shard, ..Outcome::new(provenance, out, &store, counts) };
     if one_file && outcome.complete {
         if out.exists() && !options.overwrite {
             folder.write(&mut pending)?;
             return Err(CampaignError::Appeared { path: out.into() });
         }
         places.extend(pending.into_iter().map(|(n, bytes)| (n, PartSource::Memory(bytes))));
-        write_whole(&provenance, places, out, options.overwrite)?;
+        write_whole(provenance, places, out, options.overwrite)?;
         folder.remove(0..provenance.parts())?;
     } else {
         folder.write(&mut pending)?;

@@ -1,5 +1,6 @@
-//! `campaign`, `campaign show|merge`.
+//! `campaign`, `campaign run|show|merge|status|submit|cancel`.
 
+mod cluster;
 mod show;
 
 use crate::clean;
@@ -11,9 +12,10 @@ use crate::output::text::{number, place};
 use crate::output::{Target, emit, json, show as print, warn};
 use crate::progress::{self, Bar, INTERRUPTED, stopped};
 use clap::{Args, Subcommand};
+use cluster::{CancelArgs, StatusArgs, SubmitArgs};
 use mckibben::progress::Progress;
 use mckibben_app::{CampaignMergeRequest, CampaignRequest, ProblemKind, campaign_merge};
-use mckibben_campaign::campaign::{Outcome, Shard};
+use mckibben_campaign::campaign::{Outcome, ShardChoice};
 use std::io::Write;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -22,6 +24,9 @@ pub const EXAMPLES: &str = "Examples:
   mckibben campaign plans/paper.toml -o campaign.parquet
   mckibben campaign plans/paper.toml -o parts/ --shard 1/2
   mckibben campaign plans/paper.toml -o parts/ --shard 2/2 --threads 1";
+
+const RUN_EXAMPLES: &str = "Example:
+  mckibben campaign run plans/paper.toml -o campaign.parquet";
 
 const SHOW_EXAMPLES: &str = "Example:
   mckibben campaign plans/paper.toml -o campaign.parquet
@@ -51,9 +56,10 @@ pub struct CampaignRunArgs {
     /// Output table: one file, FILE.parquet, or a folder of parts, DIR/. The same command continues an interrupted run
     #[arg(short, long, value_name = "FILE.parquet or DIR", required = true)]
     pub output: Option<PathBuf>,
-    /// Compute only share i of n of the plan, as parts in a folder; `campaign merge` joins them
-    #[arg(long, value_name = "i/n")]
-    pub shard: Option<Shard>,
+    /// Compute only share i of n of the plan, as parts in a folder; `campaign merge` joins them. `auto` takes the share from the environment
+    /// variables of a cluster's engine, `auto/N` where it gives no number of shares
+    #[arg(long, value_name = "i/n|auto|auto/N")]
+    pub shard: Option<ShardChoice>,
     /// Number of threads [one per core]; the table does not depend on it
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
@@ -70,12 +76,24 @@ pub struct CampaignRunArgs {
 /// `campaign …`.
 #[derive(Debug, Subcommand)]
 pub enum CampaignCommand {
+    /// The same as `campaign` without a word: run a plan, or what is missing of it
+    #[command(after_help = RUN_EXAMPLES)]
+    Run(CampaignRunArgs),
     /// Summary of a campaign: muscles, points, failures by cause, ranges, origin
     #[command(after_help = SHOW_EXAMPLES)]
     Show(CampaignShowArgs),
     /// Join folders of parts into one file, identical to that of a single run
     #[command(after_help = MERGE_EXAMPLES)]
     Merge(CampaignMergeArgs),
+    /// How far a folder of parts is, shard by shard: done, running, waiting, failed, missing; exit code 1 where a shard failed or is missing
+    #[command(after_help = cluster::STATUS_EXAMPLES)]
+    Status(StatusArgs),
+    /// Submit what is missing of a plan to a cluster's engine, and a merge after it
+    #[command(after_help = cluster::SUBMIT_EXAMPLES)]
+    Submit(SubmitArgs),
+    /// Cancel the jobs that were submitted for a folder; what was computed stays
+    #[command(after_help = cluster::CANCEL_EXAMPLES)]
+    Cancel(CancelArgs),
 }
 
 /// `campaign show`.
@@ -105,6 +123,10 @@ pub struct CampaignMergeArgs {
 pub fn run(args: &CampaignArgs, format: Format) -> Result<u8, Failure> {
     match &args.command {
         None => plan(&args.run, format),
+        Some(CampaignCommand::Run(args)) => plan(args, format),
+        Some(CampaignCommand::Status(args)) => cluster::status(args, format),
+        Some(CampaignCommand::Submit(args)) => cluster::submit(args, format),
+        Some(CampaignCommand::Cancel(args)) => cluster::cancel(args, format),
         Some(CampaignCommand::Show(args)) => show::run(args, format),
         Some(CampaignCommand::Merge(args)) => merge(args, format),
     }

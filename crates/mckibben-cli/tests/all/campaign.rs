@@ -192,3 +192,157 @@ fn damaged_parts_are_named_and_other_plans_refused() {
         assert_eq!(campaign(dir.path(), wrong).code, 2, "{wrong}");
     }
 }
+
+fn shard(dir: &Path, plan: &str, out: &str, share: &str) -> Child {
+    let mut command = command(dir);
+    command.args(["campaign", plan, "-o", out, "--shard", share, "--threads", "1", "--quiet"]);
+    command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
+}
+
+/// Four shards, two at once; a random one is killed twenty times, and started again.
+#[test]
+fn shards_killed_twenty_times_give_the_same_bytes() {
+    let dir = with_plan();
+    let expected = reference(dir.path());
+    let mut random = Random(11);
+    let mut killed = 0;
+    for round in 0..20 {
+        let shares = [1 + round % 4, 1 + (round + 1) % 4];
+        let [mut one, mut other] = shares.map(|i| shard(dir.path(), "plan.toml", "parts", &format!("{i}/4")));
+        std::thread::sleep(Duration::from_millis(random.bits() % 150));
+        one.kill().unwrap();
+        killed += i32::from(!one.wait().unwrap().success());
+        other.kill().unwrap();
+        other.wait().unwrap();
+    }
+    assert!(killed > 5, "they were too fast to be killed");
+    for i in 1..=4 {
+        assert!(shard(dir.path(), "plan.toml", "parts", &format!("{i}/4")).wait().unwrap().success());
+    }
+    campaign(dir.path(), "merge parts -o merged.parquet").ok();
+    assert!(std::fs::read(dir.path().join("merged.parquet")).unwrap() == expected);
+    let left: Vec<String> = std::fs::read_dir(dir.path().join("parts"))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned())
+        .filter(|name| name.starts_with(".unfinished-part"))
+        .collect();
+    assert!(left.is_empty(), "what killed shards left is removed: {left:?}");
+}
+
+fn state(status: &Value, share: usize) -> (&str, u64) {
+    let shard = &status["shards"][share - 1];
+    (shard["state"].as_str().unwrap(), shard["parts"].as_u64().unwrap())
+}
+
+#[test]
+fn the_status_names_a_shard_that_died_and_the_same_shard_fills_the_gap() {
+    let dir = with_plan();
+    let status = |code| {
+        let ran = campaign(dir.path(), "status parts --format json");
+        assert_eq!(ran.code, code, "{ran:?}");
+        ran.json()
+    };
+    assert_eq!(campaign(dir.path(), "status parts").code, 2, "there is nothing yet");
+    assert!(shard(dir.path(), "plan.toml", "parts", "1/3").wait().unwrap().success());
+    let first = status(1);
+    assert_eq!(
+        (state(&first, 1).0, state(&first, 2), state(&first, 3).0),
+        ("done", ("missing", 0), "missing")
+    );
+    assert_eq!((&first["parts_wanted"], &first["complete"]), (&120.into(), &false.into()));
+
+    let mut child = shard(dir.path(), "plan.toml", "parts", "2/3");
+    let from = Instant::now();
+    while !dir.path().join("parts/part-000001.parquet").exists() && from.elapsed() < Duration::from_secs(30) {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    let running = campaign(dir.path(), "status parts --format json").json();
+    assert_eq!((state(&running, 2).0, &running["shards_running"]), ("running", &1.into()), "{running}");
+    // The same shard once more is refused, and the first is not disturbed.
+    let second = campaign(dir.path(), "plan.toml -o parts --shard 2/3 --format json");
+    assert_eq!((second.code, &second.error()["kind"]), (2, &"locked".into()));
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let died = status(1);
+    assert_eq!((state(&died, 2).0, &died["shards_failed"]), ("failed", &1.into()), "{died}");
+
+    // A part that was cut on its way is missing, and is named.
+    let part = dir.path().join("parts/part-000000.parquet");
+    let whole = std::fs::read(&part).unwrap();
+    std::fs::write(&part, &whole[..whole.len() / 2]).unwrap();
+    let cut = status(1);
+    assert_eq!((state(&cut, 1), cut["damaged"].as_array().unwrap().len()), (("missing", 39), 1));
+    for i in 1..=3 {
+        assert!(shard(dir.path(), "plan.toml", "parts", &format!("{i}/3")).wait().unwrap().success());
+    }
+    let last = status(0);
+    assert_eq!(
+        (&last["complete"], &last["shards_done"], &last["parts"]),
+        (&true.into(), &3.into(), &120.into())
+    );
+    assert_eq!(std::fs::read(&part).unwrap(), whole);
+    campaign(dir.path(), "status parts --watch=1").ok();
+}
+
+#[test]
+fn a_worker_with_another_plan_or_version_is_refused_before_it_computes() {
+    let dir = with_plan();
+    std::fs::write(dir.path().join("other.toml"), PLAN.replace("seed = 5", "seed = 6")).unwrap();
+    assert!(shard(dir.path(), "plan.toml", "parts", "1/60").wait().unwrap().success());
+    let other = campaign(dir.path(), "other.toml -o parts --shard 2/60 --format json");
+    assert_eq!((other.code, &other.error()["kind"]), (2, &"other_plan".into()));
+    let marker = dir.path().join("parts/.campaign.json");
+    let text = std::fs::read_to_string(&marker).unwrap();
+    let version = concat!("\"version\":\"", env!("CARGO_PKG_VERSION"));
+    assert!(text.contains(version), "{text}");
+    std::fs::write(&marker, text.replace(version, "\"version\":\"9.9.9")).unwrap();
+    let older = campaign(dir.path(), "plan.toml -o parts --shard 2/60 --format json");
+    assert!(older.err.contains("was written by mckibben 9.9.9"), "{}", older.err);
+    assert_eq!(
+        std::fs::read_dir(dir.path().join("parts"))
+            .unwrap()
+            .filter(|e| e.as_ref().unwrap().file_name().to_string_lossy().starts_with("part-"))
+            .count(),
+        2
+    );
+}
+
+#[test]
+fn the_share_is_that_of_the_environment() {
+    let dir = with_plan();
+    let with = |variables: &[(&str, &str)], choice: &str| {
+        let mut command = command(dir.path());
+        command.args(["campaign", "plan.toml", "-o", "parts", "--shard", choice, "--format", "json"]);
+        ran(command.envs(variables.iter().copied()).output().unwrap())
+    };
+    let third =
+        with(&[("SGE_TASK_ID", "30"), ("SGE_TASK_FIRST", "1"), ("SGE_TASK_LAST", "40")], "auto").ok().json();
+    assert_eq!((&third["shard"], &third["muscles"]), (&"30/40".into(), &3.into()));
+    let two = with(&[("JOB_COMPLETION_INDEX", "3"), ("PMI_RANK", "1"), ("PMI_SIZE", "4")], "auto");
+    assert_eq!((two.code, &two.error()["field"]), (2, &"shard".into()));
+    assert!(two.err.contains("PMI_RANK") && two.err.contains("JOB_COMPLETION_INDEX"), "{}", two.err);
+    assert!(with(&[], "auto").err.contains("no engine has set its variables"));
+}
+
+/// Without Slurm's programs: what would be submitted, and an error that names the command.
+#[test]
+fn a_dry_run_shows_the_script_and_the_commands() {
+    let dir = with_plan();
+    let shown =
+        campaign(dir.path(), "submit plan.toml -o parts --shards 4 --dry-run --format json").ok().json();
+    let commands = shown["commands"].as_array().unwrap();
+    assert!(
+        commands[0].as_str().unwrap().contains("--array=1-4")
+            && commands[1].as_str().unwrap().contains("--dependency=afterany:JOB")
+    );
+    let script = shown["script"].as_str().unwrap();
+    assert!(script.contains("--shard \"$SLURM_ARRAY_TASK_ID/4\"") && !script.contains('@'), "{script}");
+    assert!(!dir.path().join("parts").exists());
+    let mut command = command(dir.path());
+    let command =
+        command.args(["campaign", "submit", "plan.toml", "-o", "parts", "--shards", "4"]).env("PATH", "");
+    let refused = ran(command.args(["--format", "json"]).output().unwrap());
+    assert_eq!((refused.code, &refused.error()["kind"]), (2, &"engine".into()));
+    assert!(campaign(dir.path(), "cancel parts").ok().text().contains("No job is left"));
+    assert_eq!(campaign(dir.path(), "cancel nothing").code, 2);
+}

@@ -13,6 +13,7 @@
 mod axis;
 mod read;
 mod sampling;
+mod sobol;
 mod vary;
 
 #[cfg(test)]
@@ -29,6 +30,9 @@ use mckibben::rubber::Law;
 use mckibben_fem::elements::Elements;
 use sampling::Design;
 use std::path::Path;
+
+/// The most parts of a store. With the lock, state and log of a thousand shards a campaign has at most 10,000 files.
+const MOST_PARTS: u64 = 6000;
 
 /// What every muscle is asked.
 #[derive(Debug, Clone, PartialEq)]
@@ -126,10 +130,10 @@ impl Plan {
     }
 
     /// Muscles of one part of the store. It follows from the plan alone: about a hundredth of the plan, and not more
-    /// points than are computed in a good second.
+    /// points than are computed in a good second, save where the parts would be too many files.
     pub fn block(&self) -> u64 {
         let heavy = (self.points_per_second() / self.points_per_muscle().max(1) as u64).max(1);
-        (self.muscles() / 100).clamp(1, heavy)
+        (self.muscles() / 100).clamp(1, heavy).max(self.muscles().div_ceil(MOST_PARTS))
     }
 
     /// The measures of a muscle of the plan.

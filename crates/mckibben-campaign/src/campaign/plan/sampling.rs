@@ -1,13 +1,16 @@
 //! How the axes of a plan are sampled.
 
 use super::axis::Axis;
+use super::sobol;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
 /// The most muscles of a plan.
-pub(super) const MOST_MUSCLES: u64 = 1_000_000;
-/// The most that a Sobol sequence of this kind has.
-pub(super) const MOST_SOBOL: u64 = 1 << 16;
+pub(super) const MOST_MUSCLES: u64 = 20_000_000;
+/// The most of a Latin hypercube, whose order is held in memory: 8 MB for each quantity.
+pub(super) const MOST_STRATA: u64 = 1_000_000;
+/// Up to so many samples the sequence is that of the library, to which the numbers of existing plans belong.
+const LIBRARY: u64 = 1 << 16;
 
 /// A way of sampling.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -91,6 +94,9 @@ impl Design {
                 axes[axis].level(number / faster % levels[axis])
             }
             Self::Points { shares, .. } => axes[axis].at(shares[axis][number as usize]),
+            Self::Sobol { muscles, seed } if *muscles > LIBRARY => {
+                axes[axis].at(sobol::sample(number as u32, axis, *seed))
+            }
             Self::Sobol { seed, .. } => {
                 axes[axis].at(f64::from(sobol_burley::sample(number as u32, axis as u32, *seed)))
             }

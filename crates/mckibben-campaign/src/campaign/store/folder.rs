@@ -8,8 +8,13 @@ use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 const LOCK: &str = ".lock";
+/// The file that names the plan.
+pub(crate) const MARKER: &str = ".campaign.json";
+/// What names of states of shards begin with.
+pub(crate) const STATE: &str = ".shard-";
 
 /// The file name of a part.
 pub(crate) fn part_name(number: u64) -> String {
@@ -59,7 +64,10 @@ impl Folder {
         let mut folder = Self { path: path.into(), locks: vec![] };
         folder.lock(LOCK, shard.is_some())?;
         match shard {
-            Some(shard) => folder.lock(&format!("{LOCK}-{}", shard.file_name()), false)?,
+            Some(shard) => {
+                folder.lock(&format!("{LOCK}-{}", shard.file_name()), false)?;
+                folder.sweep_shard(shard)?;
+            }
             // Nobody else is writing: what is unfinished stays so.
             None => folder.sweep()?,
         }
@@ -70,7 +78,15 @@ impl Folder {
         let path = self.path.join(name);
         let open = OpenOptions::new().create(true).truncate(false).read(true).write(true).open(&path);
         let file = open.map_err(CampaignError::write(&path))?;
-        let locked = if shared { file.try_lock_shared() } else { file.try_lock() };
+        let lock = || if shared { file.try_lock_shared() } else { file.try_lock() };
+        let mut locked = lock();
+        // Whoever looks whether a shard is alive holds its lock for a moment.
+        for _ in 0..5 {
+            if matches!(locked, Err(TryLockError::WouldBlock)) {
+                std::thread::sleep(Duration::from_millis(20));
+                locked = lock();
+            }
+        }
         match locked {
             Ok(()) => {
                 self.locks.push(file);
@@ -81,6 +97,36 @@ impl Folder {
             Err(TryLockError::Error(e)) if e.kind() == std::io::ErrorKind::Unsupported => Ok(()),
             Err(TryLockError::Error(e)) => Err(CampaignError::write(&path)(e)),
         }
+    }
+
+    /// Whether a process of this machine holds the lock of a shard; `None` where there is none, or the file system has no locks.
+    pub(crate) fn is_locked(path: &Path, shard: Shard) -> Option<bool> {
+        let own = path.join(format!("{LOCK}-{}", shard.file_name()));
+        // A run of the whole plan holds the lock of the folder.
+        let whole = || (shard.count() == 1).then(|| File::open(path.join(LOCK)).ok()).flatten();
+        let file = File::open(own).ok().or_else(whole)?;
+        match file.try_lock_shared() {
+            Ok(()) => Some(false),
+            Err(TryLockError::WouldBlock) => Some(true),
+            Err(TryLockError::Error(_)) => None,
+        }
+    }
+
+    /// Removes what killed processes left of the parts of a shard, whose lock is held.
+    ///
+    /// # Errors
+    /// [`CampaignError::Read`], [`CampaignError::Write`].
+    pub(crate) fn sweep_shard(&self, shard: Shard) -> Result<(), CampaignError> {
+        let unfinished = |name: &str| {
+            let rest = name.strip_prefix(Unfinished::PREFIX)?;
+            part_number(&rest[..rest.find(".parquet")? + ".parquet".len()])
+        };
+        for name in self.names()?.iter().filter(|name| unfinished(name).is_some_and(|part| shard.holds(part)))
+        {
+            let path = self.path.join(name);
+            std::fs::remove_file(&path).map_err(CampaignError::write(&path))?;
+        }
+        Ok(())
     }
 
     fn names(&self) -> Result<Vec<String>, CampaignError> {
@@ -147,7 +193,8 @@ impl Folder {
         let names = self.names()?;
         // Some systems do not remove what is open.
         self.locks.clear();
-        for name in names.iter().filter(|n| n.starts_with(LOCK) || n.starts_with(Unfinished::PREFIX)) {
+        let ours = [LOCK, Unfinished::PREFIX, MARKER, STATE];
+        for name in names.iter().filter(|n| ours.iter().any(|prefix| n.starts_with(prefix))) {
             remove(self.path.join(name))?;
         }
         // Something foreign in it keeps it.

@@ -1,13 +1,26 @@
 //! `campaign`, `campaign show` and `campaign merge`: many finite-element tests from a plan, on disk.
 
+mod cluster;
+
+pub use cluster::*;
+
 use crate::fields::TextFile;
 use crate::problem::{Problem, ProblemKind};
-use mckibben::progress::Progress;
+use mckibben::progress::{Progress, Silent};
 use mckibben::threads::Threads;
-use mckibben_campaign::campaign::{self, Cost, Merged, Outcome, Plan, RunOptions, Shard, Summary};
+use mckibben_campaign::campaign::{
+    self, CampaignError, Cost, Merged, Outcome, Plan, RunOptions, Shard, ShardChoice, Summary,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// Above this many seconds a few muscles are timed before the cost is stated, for so small a share of it.
+const TIMED_FROM: f64 = 60.0;
+const SHARE: f64 = 0.01;
+/// They are timed for so long at most, in seconds.
+const TIMED_FOR: f64 = 5.0;
 
 /// A plan, and where its table goes.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
@@ -17,7 +30,7 @@ pub struct CampaignRequest {
     pub plan: Option<TextFile>,
     /// Output table: one file that ends in .parquet, or a folder of parts. The same request continues an interrupted run.
     pub output: Option<PathBuf>,
-    /// Compute only share i of n of the plan, as i/n, as parts in a folder.
+    /// Compute only share i of n of the plan, as i/n, as parts in a folder; auto takes the share from the environment variables of a cluster's engine, auto/N where it gives no count.
     pub shard: Option<String>,
     /// Number of threads; default: one per core. The table does not depend on it.
     pub threads: Option<usize>,
@@ -52,7 +65,16 @@ pub fn campaign_cost(request: &CampaignRequest) -> Result<Cost, Problem> {
         Some(shard) => plan.muscles().div_ceil(shard.count()),
         None => plan.muscles(),
     };
-    Ok(plan.cost(muscles, threads))
+    let rough = plan.cost(muscles, threads);
+    if rough.seconds < TIMED_FROM {
+        return Ok(rough);
+    }
+    let timing = plan.timed(Duration::from_secs_f64((SHARE * rough.seconds).min(TIMED_FOR)), &Silent)?;
+    Ok(Cost {
+        bytes: timing.bytes_per_muscle * muscles as f64,
+        seconds: timing.seconds_per_muscle * muscles as f64 / threads.max(1) as f64,
+        ..rough
+    })
 }
 
 impl CampaignRequest {
@@ -63,7 +85,9 @@ impl CampaignRequest {
 
     fn shard(&self) -> Result<Option<Shard>, Problem> {
         let wrong = |e| Problem::new(ProblemKind::Usage, e, "").in_field("shard");
-        self.shard.as_deref().map(str::parse::<Shard>).transpose().map_err(wrong)
+        let Some(text) = &self.shard else { return Ok(None) };
+        let choice: ShardChoice = text.parse().map_err(wrong)?;
+        Ok(Some(choice.shard(|name| std::env::var(name).ok()).map_err(CampaignError::from)?))
     }
 }
 

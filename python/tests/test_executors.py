@@ -1,0 +1,130 @@
+"""Campaigns on executors: pools, Dask, HyperQueue; workers killed in the middle; cancel and rejoin. All give the bytes of one run."""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+from concurrent.futures import Executor, Future, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import mckibben as mk
+
+# A hundred parts, some seconds of one core.
+PLAN = {"name": "plan.toml", "text": """
+[sampling]
+method = "sobol"
+samples = 200
+seed = 5
+[vary]
+tube.outer_diameter = "20..50 mm"
+tube.wall_ratio = "4..12%"
+[test]
+contractions = "0,5,10%"
+pressures = "0.05..0.3:0.05"
+"""}
+
+
+@pytest.fixture(scope="module")
+def expected(tmp_path_factory: pytest.TempPathFactory) -> bytes:
+    """The bytes of one uninterrupted run."""
+    return Path(mk.campaign(PLAN, tmp_path_factory.mktemp("one") / "one.parquet").output).read_bytes()
+
+
+def test_a_process_pool_gives_the_same_bytes(tmp_path: Path, expected: bytes) -> None:
+    heard: list[tuple[int, int]] = []
+    out = tmp_path / "pool.parquet"
+    with ProcessPoolExecutor(2) as pool:
+        table = mk.campaign(PLAN, out, executor=pool, shards=8, progress=lambda done, total: heard.append((done, total)))
+    assert out.read_bytes() == expected and heard[-1] == (8, 8)
+    assert os.listdir(tmp_path) == ["pool.parquet"], "the parts are in the file"
+    assert len(table.to_pandas()) == 200 * 18
+    # What is there is not computed again, and no executor is asked.
+    assert mk.campaign(PLAN, out, executor=Broken()).summary().complete
+
+
+class Broken(Executor):
+    """One that takes nothing."""
+
+    def submit(self, *_: Any, **__: Any) -> Future[Any]:
+        raise AssertionError("nothing is to be computed")
+
+
+def test_a_killed_pool_is_joined_again(tmp_path: Path, expected: bytes) -> None:
+    out = tmp_path / "parts"
+    with ProcessPoolExecutor(2) as pool:
+        shards = mk.Campaign(out, PLAN).submit(pool, shards=10)
+        while not any(out.glob("part-*")):
+            time.sleep(0.01)
+        for process in list(pool._processes.values()):
+            process.kill()
+        with pytest.raises(BrokenProcessPool):
+            shards.result()
+    before = mk.Campaign(out).status()
+    assert 0 < before.parts < before.parts_wanted and not before.complete
+    with ProcessPoolExecutor(2) as pool:
+        campaign = mk.campaign(PLAN, out, executor=pool, shards=10)
+    assert campaign.status().complete and campaign.status().shards_done == 10
+    mk.Campaign.merge([out], tmp_path / "merged.parquet")
+    assert (tmp_path / "merged.parquet").read_bytes() == expected
+
+
+def test_a_cancelled_campaign_is_joined_again(tmp_path: Path, expected: bytes) -> None:
+    out = tmp_path / "c.parquet"
+    with ProcessPoolExecutor(2) as pool:
+        shards = mk.Campaign(out, PLAN).submit(pool, shards=4)
+        while not list(tmp_path.glob("c.parquet.parts/part-*")):
+            time.sleep(0.01)
+        shards.cancel()
+        with pytest.raises(mk.MckibbenError, match="cancelled"):
+            shards.result()
+        assert not out.exists() and not list(tmp_path.glob("c.parquet.parts/.stop*"))
+        assert mk.Campaign(out).status().parts < 100
+        mk.campaign(PLAN, out, executor=pool, shards=4)
+    assert out.read_bytes() == expected
+
+
+def test_an_error_of_a_worker_is_that_of_the_campaign(tmp_path: Path) -> None:
+    mk.campaign(PLAN, tmp_path / "parts")
+    other = {"name": "other.toml", "text": PLAN["text"].replace("seed = 5", "seed = 6")}
+    with ProcessPoolExecutor(1) as pool, pytest.raises(mk.MckibbenError, match="another plan"):
+        mk.campaign(other, tmp_path / "parts", executor=pool, shards=2)
+
+
+def test_dask_gives_the_same_bytes_while_its_workers_are_killed(tmp_path: Path, expected: bytes) -> None:
+    distributed = pytest.importorskip("distributed")
+    out = tmp_path / "dask.parquet"
+    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, distributed.Client(cluster) as client:
+        shards = mk.Campaign(out, PLAN).submit(client.get_executor(), shards=20)
+        while not list(tmp_path.glob("dask.parquet.parts/part-*")):
+            time.sleep(0.01)
+        # The cluster starts another one in its place.
+        next(iter(cluster.workers.values())).process.process._process.kill()
+        shards.result()
+    assert out.read_bytes() == expected
+
+
+def hyperqueue_of(root: Path) -> Any:
+    """The executor that docs/campaigns-engines.md shows."""
+    page = (root / "docs/campaigns-engines.md").read_text()
+    code = next(block.split("```")[0] for block in page.split("```python\n") if "class HyperQueue" in block)
+    found: dict[str, Any] = {}
+    exec(code, found)
+    return found["HyperQueue"]
+
+
+def test_hyperqueue_gives_the_same_bytes(tmp_path: Path, root: Path, expected: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("hyperqueue")
+    from hyperqueue.cluster import LocalCluster, WorkerConfig
+    from hyperqueue.task.function import PythonEnv
+
+    monkeypatch.chdir(tmp_path)
+    out = tmp_path / "hq.parquet"
+    with LocalCluster(worker_config=WorkerConfig(cores=2)) as cluster:
+        executor = hyperqueue_of(root)(cluster.client(python_env=PythonEnv(python_bin=sys.executable)))
+        mk.campaign(PLAN, out, executor=executor, shards=6)
+    assert out.read_bytes() == expected
