@@ -36,6 +36,8 @@ POSITIONAL = {
     "braid-show": ["name"],
     "parts-list": ["kind"],
     "parts-show": ["name"],
+    "library-show": ["name"],
+    "library-check": ["cases"],
     "models": ["model"],
     "formula-show": ["file"],
     "identify": ["muscle", "data"],

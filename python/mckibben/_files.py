@@ -46,13 +46,23 @@ def _is(path: str, content: bytes) -> bool:
 
 
 def text(value: Any) -> dict[str, str]:
-    """A file that was written by hand."""
+    """A file that was written by hand, or a muscle of the library by its name (``lib:NAME``)."""
     if hasattr(value, "to_toml"):
         return {"name": type(value).__name__.lower(), "text": value.to_toml()}
     if isinstance(value, Mapping):
         return {"name": str(value["name"]), "text": str(value["text"])}
     path = os.fspath(value)
-    return {"name": path, "text": _native.read_text(path)}
+    return {"name": path, "text": "" if _is_of_library(path) else _native.read_text(path)}
+
+
+def _is_of_library(name: str) -> bool:
+    """Whether a muscle of the library is named in the place of a file."""
+    return name.strip().lower().startswith("lib:") and not os.path.exists(name)
+
+
+def _place(folder: str | None, name: str) -> str:
+    """The place of a file that another file names, which lies in a folder."""
+    return name if _is_of_library(name) else os.path.join(folder or "", name)
 
 
 def formula(value: Any) -> dict[str, str]:
@@ -87,14 +97,16 @@ def without_gaps(value: Any, columns: Mapping[str, str], tests: bool) -> Any:
 
 
 def measured(value: Any) -> dict[str, str]:
-    """A measured muscle or rubber: the path of its folder, or its files as texts. A rubber has no ``muscle.toml``."""
+    """A measured muscle or rubber: the path of its folder, or its files as texts. A rubber has no ``muscle.toml``, and a folder of no library no
+    ``identified.toml``.
+    """
     if isinstance(value, Mapping):
         return {str(name): str(text) for name, text in value.items()}
     path = os.fspath(value)
-    case, muscle = os.path.join(path, "case.toml"), os.path.join(path, "muscle.toml")
-    case, muscle = _native.read_text(case), _native.read_text(muscle) if os.path.exists(muscle) else ""
+    files = {name: os.path.join(path, f"{name}.toml") for name in ("case", "muscle", "identified")}
+    texts = {name: _native.read_text(file) for name, file in files.items() if name == "case" or os.path.exists(file)}
     points = _native.read_table(os.path.join(path, "points.csv"))
-    return {"name": os.path.basename(os.path.abspath(path)), "case": case, "muscle": muscle, "points": points}
+    return {"name": os.path.basename(os.path.abspath(path)), "muscle": "", **texts, "points": points}
 
 
 def beside(values: dict[str, Any]) -> None:
@@ -110,7 +122,7 @@ def beside(values: dict[str, Any]) -> None:
         if subject == "joint" and values.get("joint") is None and folder is not None:
             values["joint"] = os.path.join(folder, name)
         elif subject == "muscle" and (values.get("muscle") is not None or folder is not None):
-            values["muscle"] = {**text(values.get("muscle") or os.path.join(folder or "", name)), "name": name}
+            values["muscle"] = {**text(values.get("muscle") or _place(folder, name)), "name": name}
         if values.get("tables") is None and tables and folder is not None:
             values["tables"] = [{**table(os.path.join(folder, t)), "name": t} for t in tables]
         elif isinstance(values.get("tables"), Mapping):
@@ -127,7 +139,7 @@ def beside(values: dict[str, Any]) -> None:
 
             raise InputError(f"{file['name']} names {', '.join(names)}, not {unknown[0]}", kind="usage", field="muscles")
         there = [name for name in names if name in given or folder is not None]
-        values["muscles"] = [{**text(given[name] if name in given else os.path.join(folder or "", name)), "name": name} for name in there]
+        values["muscles"] = [{**text(given[name] if name in given else _place(folder, name)), "name": name} for name in there]
 
 
 def _folder(value: Any) -> str | None:

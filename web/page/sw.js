@@ -14,14 +14,14 @@ const FILES = [
   "js/drop.js", "js/engine/http.js", "js/engine/packed.js", "js/engine/problem.js", "js/engine/wasm.js",
   "js/engine/worker.js", "js/figure.js", "js/files-view.js", "js/form.js", "js/formula-view.js", "js/gallery.js",
   "js/gauge.js", "js/help.js", "js/joint-drawing.js", "js/joint-file.js", "js/joint-view.js", "js/joint-words.js",
-  "js/kept.js", "js/kind.js", "js/life.js", "js/lines.js", "js/main.js", "js/map.js", "js/measured.js",
-  "js/motion-view.js", "js/muscle.js", "js/name.js", "js/notice.js", "js/offline.js", "js/open.js", "js/pages.js",
-  "js/pages/about.js", "js/pages/compare.js", "js/pages/data.js", "js/pages/design.js", "js/pages/files.js",
-  "js/pages/formula.js", "js/pages/joint.js", "js/pages/motion.js", "js/pages/muscle.js", "js/pages/parts.js",
-  "js/pages/rubber.js", "js/pages/sweep.js", "js/plot.js", "js/print.js", "js/project.js", "js/report-viewer.js",
-  "js/report.js", "js/shaders.js", "js/sketch.js", "js/state.js", "js/thin.js", "js/thumbnail.js", "js/tour.js",
-  "js/trajectory.js", "js/units.js", "js/view3d.js", "js/visit.js", "js/welcome.js", "js/words.js", "js/zip.js",
-  "manifest.webmanifest", "style.css",
+  "js/kept.js", "js/kind.js", "js/library.js", "js/life.js", "js/lines.js", "js/main.js", "js/map.js",
+  "js/measured.js", "js/motion-view.js", "js/muscle.js", "js/name.js", "js/notice.js", "js/offline.js",
+  "js/open.js", "js/pages.js", "js/pages/about.js", "js/pages/compare.js", "js/pages/data.js", "js/pages/design.js",
+  "js/pages/files.js", "js/pages/formula.js", "js/pages/joint.js", "js/pages/motion.js", "js/pages/muscle.js",
+  "js/pages/parts.js", "js/pages/rubber.js", "js/pages/sweep.js", "js/plot.js", "js/print.js", "js/project.js",
+  "js/report-viewer.js", "js/report.js", "js/shaders.js", "js/sketch.js", "js/state.js", "js/thin.js",
+  "js/thumbnail.js", "js/tour.js", "js/trajectory.js", "js/units.js", "js/view3d.js", "js/visit.js",
+  "js/welcome.js", "js/words.js", "js/zip.js", "manifest.webmanifest", "style.css",
 ];
 /** The engine of the first view, which only the page with its own engine has; js/offline.js fetches what is larger. */
 const ENGINE = "live.wasm";

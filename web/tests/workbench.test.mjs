@@ -433,8 +433,10 @@ inBrowser(({ name, url, open, blank }) => {
       for (const button of ["Help", "Open", "Project"]) {
         await page.getByRole("button", { name: button, exact: true }).click();
         await page.locator("dialog[open]").waitFor();
-        if (button === "Open")
+        if (button === "Open") {
           await page.waitForFunction(() => document.querySelectorAll("dialog .card svg rect").length >= 8 * 4);
+          await page.getByRole("button", { name: /lib:dmsp-20-300/ }).waitFor();
+        }
         const { violations } = await page.evaluate(() =>
           /** @type {any} */ (window).axe.run(document, {
             runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"],

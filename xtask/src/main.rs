@@ -41,7 +41,7 @@ const TASKS: [Task; 13] = [
 ];
 
 /// File in `docs/figures` and the command line that draws it.
-const FIGURES: [(&str, &str); 16] = [
+const FIGURES: [(&str, &str); 17] = [
     (
         "build.svg",
         "build --rubber latex --braid flexo-overexpanded-0.38in -D 0.375in -s 0.0625in -L 285mm -p 2.5bar",
@@ -63,6 +63,7 @@ const FIGURES: [(&str, &str); 16] = [
     ("rubber-treloar.svg", "rubber fit data/treloar/tension.csv --up-to 3"),
     ("rubber-silicone.svg", "rubber fit data/silicones/dragon_skin_30.csv --up-to 200%"),
     ("measured.svg", "validate --measured"),
+    ("library.svg", "library list"),
     ("identify_bench.svg", "identify examples/bench.toml --data examples/bench.csv"),
     (
         "identify_tondu2012.svg",

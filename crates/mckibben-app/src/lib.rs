@@ -47,6 +47,8 @@ mod fit;
 mod identify;
 mod joint;
 mod json_size;
+mod library;
+mod library_folder;
 mod load;
 mod many;
 mod measured;
@@ -97,6 +99,7 @@ pub use fit::*;
 pub use identify::*;
 pub use joint::*;
 pub use json_size::JsonSize;
+pub use library::*;
 pub use load::{LoadAnswer, LoadFields, LoadedAt};
 pub use many::{
     AnswerColumns, ArrayError, BoundModel, Column, Many, Pairs, PointQuantity, Unanswered, curve_columns,

@@ -41,6 +41,9 @@ pub struct MeasuredFolder {
     pub muscle: String,
     /// `points.csv`: the measured points.
     pub points: String,
+    /// `identified.toml`: the muscle that was identified from them, of a folder of the library.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub identified: String,
 }
 
 /// The validation reports of measured muscles and rubbers.
@@ -188,9 +191,9 @@ pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<Me
     })
 }
 
-fn read(folder: &MeasuredFolder) -> Result<Measurement, Problem> {
-    let MeasuredFolder { name, case, muscle, points } = folder.clone();
-    Measurement::read(&CaseFiles { name, case, muscle, points }).map_err(|error| (&error).into())
+pub(crate) fn read(folder: &MeasuredFolder) -> Result<Measurement, Problem> {
+    let MeasuredFolder { name, case, muscle, points, identified } = folder.clone();
+    Measurement::read(&CaseFiles { name, case, muscle, points, identified }).map_err(|error| (&error).into())
 }
 
 fn facts(number: usize, case: &MuscleCase, found: &[FitResult]) -> MeasuredCase {

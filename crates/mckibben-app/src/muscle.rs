@@ -1,6 +1,7 @@
 //! From fields to a muscle, and a muscle in a few words.
 
 use crate::fields::{MuscleFields, NamedFields, NamedStiffness, Stiffness, TextFile};
+use crate::library::text_of as library_text;
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
 use crate::words;
@@ -220,12 +221,12 @@ fn together(one: &Measure, other: &Measure) -> Problem {
     Problem::new(ProblemKind::Usage, message, "").in_field(name(other))
 }
 
-/// The muscle of a muscle file.
+/// The muscle of a muscle file, or that of the library whose name stands in the place of one: `lib:dmsp-20-300`.
 ///
 /// # Errors
 /// [`Problem`] of kind `file`, with line, column and key.
 pub fn muscle_of(file: &TextFile) -> Result<Muscle, Problem> {
-    Ok(parse_muscle(&file.text).map_err(|e| e.of(Path::new(&file.name)))?)
+    Ok(parse_muscle(&library_text(file)?).map_err(|e| e.of(Path::new(&file.name)))?)
 }
 
 /// A rubber of the library.

@@ -28,7 +28,7 @@ pub struct MuscleFields {
 #[serde(default)]
 #[schemars(transform = InGroup(mckibben::muscle::measures::GROUP))]
 pub struct NamedFields {
-    /// Muscle file (TOML); the other fields override what it says.
+    /// Muscle file (TOML), or a muscle of the library by its name without a text (`lib:dmsp-20-300`); the other fields override what it says.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub muscle: Option<TextFile>,
     /// A rubber: NAME or NAME:LAW of the library, a hardness such as `shore:30A`, or a stress at 100 % such as `s100:0.6MPa`.

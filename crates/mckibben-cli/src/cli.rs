@@ -13,6 +13,7 @@ use crate::commands::formula::FormulaShowArgs;
 use crate::commands::help::{HelpArgs, ManArgs};
 use crate::commands::identify::IdentifyArgs;
 use crate::commands::joint::JointArgs;
+use crate::commands::library::{LibraryCheckArgs, LibraryListArgs, LibraryShowArgs};
 use crate::commands::models::ModelsArgs;
 use crate::commands::motion::MotionArgs;
 use crate::commands::muscle::{MuscleMeasuresArgs, MuscleShowArgs};
@@ -157,6 +158,9 @@ pub enum Command {
     /// Muscle data, derived quantities and build sheet
     #[command(subcommand)]
     Muscle(MuscleCommand),
+    /// Muscles that were identified from measured points: a library that you can add to
+    #[command(subcommand)]
+    Library(LibraryCommand),
     /// Parts that one can buy or cast: tubes, sleeves, rubbers
     #[command(subcommand)]
     Parts(PartsCommand),
@@ -211,6 +215,20 @@ pub enum FormulaCommand {
     #[command(after_help = commands::formula::EXAMPLES)]
     Show(FormulaShowArgs),
 }
+/// `library …`.
+#[derive(Debug, Subcommand)]
+pub enum LibraryCommand {
+    /// All muscles: size, force with its ±, source
+    #[command(after_help = commands::library::LIST)]
+    List(LibraryListArgs),
+    /// One muscle: what is known of it, its errors, terms, and its muscle file
+    #[command(after_help = commands::library::SHOW)]
+    Show(LibraryShowArgs),
+    /// Fit the points of folders again: are their muscles those that the points give?
+    #[command(after_help = commands::library::CHECK)]
+    Check(LibraryCheckArgs),
+}
+
 /// `parts …`.
 #[derive(Debug, Subcommand)]
 pub enum PartsCommand {

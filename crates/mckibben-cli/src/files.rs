@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use mckibben::muscle::file;
 use mckibben_app::{Model, Problem, TextFile};
+use mckibben_fit::validation::library;
 use mckibben_table::{MAX_BYTES, read_text};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
@@ -30,12 +31,18 @@ pub fn text(path: &Path) -> Result<TextFile, Failure> {
     Ok(TextFile { name: path.display().to_string(), text })
 }
 
-/// A muscle file. `paper` is the paper's muscle, where no file has that name.
+/// A muscle file. `paper` is the paper's muscle, and `lib:NAME` one of the library, where no file has that name.
 pub fn muscle(path: &Path) -> Result<TextFile, Failure> {
-    if path == Path::new(PAPER) && !path.exists() {
-        return Ok(TextFile { name: PAPER.into(), text: String::new() });
+    let named = path == Path::new(PAPER) || path.to_str().and_then(library::named).is_some();
+    if named && !path.exists() {
+        return Ok(TextFile { name: path.display().to_string(), text: String::new() });
     }
     text(path)
+}
+
+/// A muscle file that another file names: relative to that file, or of the library.
+pub fn muscle_beside(folder: &Path, name: &str) -> Result<TextFile, Failure> {
+    if library::named(name).is_some() { muscle(Path::new(name)) } else { muscle(&folder.join(name)) }
 }
 
 /// A table, whatever program wrote it. Such files may be long.

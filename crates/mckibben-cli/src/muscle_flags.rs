@@ -25,6 +25,8 @@ pub struct MuscleFlags {
 #[command(next_help_heading = "Muscle")]
 struct FileFlags {
     /// Muscle file; flags override its values
+    ///
+    /// lib:NAME is a muscle of the library (`mckibben library list`), `paper` that of the paper.
     #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle", display_order = 0)]
     file: Option<PathBuf>,
     /// Muscle file, same as [MUSCLE.toml]

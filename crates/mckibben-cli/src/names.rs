@@ -6,6 +6,7 @@ use clap::error::Error;
 use clap::{Arg, Command};
 use mckibben::{rubber, sleeve};
 use mckibben_app::{ExportListRequest, Model, export_list};
+use mckibben_fit::validation::library;
 use std::ffi::OsStr;
 
 /// A text, for which there are names.
@@ -27,6 +28,8 @@ pub const RUBBERS: Names =
 pub const SLEEVES: Names = Names(|| {
     sleeve::library::entries().unwrap_or_default().iter().map(|e| e.sleeve.shape.name.clone()).collect()
 });
+/// Muscles of the library.
+pub const MUSCLES: Names = Names(library::names);
 
 impl TypedValueParser for Names {
     type Value = String;
@@ -51,6 +54,7 @@ mod tests {
             (TARGETS, "opensim"),
             (RUBBERS, "dragon-skin-30"),
             (SLEEVES, "s-muscle-20"),
+            (MUSCLES, "dmsp-20-300"),
         ] {
             assert!(names.possible_values().unwrap().any(|v| v.get_name() == one), "{one}");
             let parsed = names.parse_ref(&Command::new("mckibben"), None, OsStr::new("formula.json"));

@@ -93,6 +93,22 @@ impl Demand {
         }
     }
 
+    /// So many times what is wanted, over the same way.
+    pub fn times(&self, factor: f64) -> Self {
+        match self {
+            Self::Points(points) => {
+                let one = |q: &OperatingPoint| OperatingPoint { force_n: factor * q.force_n, ..*q };
+                Self::Points(points.iter().map(one).collect())
+            }
+            Self::Load { load, way } => Self::Load { load: load.times(factor), way: *way },
+            Self::Joint(joint) => {
+                let one = |t: &TorqueWanted| TorqueWanted { torque_nm: factor * t.torque_nm, ..*t };
+                let torques = joint.torques.iter().map(one).collect();
+                Self::Joint(JointDemand { torques, ..joint.clone() })
+            }
+        }
+    }
+
     /// Checks what is wanted of a muscle of a length in mm.
     pub(super) fn check(&self, length_mm: f64) -> Result<(), SpecError> {
         match self {
@@ -176,6 +192,19 @@ mod tests {
         let points = Demand::Load { load: falling, way }.points(285.0).into_owned();
         let forces: Vec<f64> = points.iter().map(|q| q.force_n).collect();
         assert_eq!(forces, [100.0, 80.0, 60.0, 40.0, 20.0]);
+    }
+
+    /// By hand: a seventh of 700 N, of 7 kg, and of 14 N m.
+    #[test]
+    fn a_share_of_a_demand_is_that_share_of_its_pulls() {
+        let seventh = |demand: Demand| demand.times(1.0 / 7.0).points(250.0)[0].force_n;
+        let points = vec![OperatingPoint { force_n: 700.0, contraction: 0.1 }];
+        assert!((seventh(points.into()) - 100.0).abs() < 1e-12);
+        let load = Load::Mass { mass_kg: 7.0, level: false };
+        assert!((seventh(Demand::Load { load, way: Lift::Stroke(20.0) }) - 9.80665).abs() < 1e-9);
+        let torques = vec![TorqueWanted { torque_nm: 14.0, angle_deg: 30.0 }];
+        let joint = JointDemand { torques, largest_angle_deg: 30.0, radius_mm: 20.0 };
+        assert!((seventh(Demand::Joint(joint)) - 100.0).abs() < 1e-12);
     }
 
     #[test]

@@ -60,7 +60,7 @@ export function muscleBar() {
     redo = button("Redo", () => history.forward(), "Do it again");
   const element = el("div", { class: "muscle-bar", role: "group", "aria-label": "The muscle" }, picture,
     el("span", { class: "name" }, field, line), undo, redo, button("Save", save, "Save the muscle as a file (TOML)"),
-    button("Open", openDialog, "Open a file, or a muscle of the gallery"), shareButton(),
+    button("Open", openDialog, "Open a file, or a muscle of the gallery or the library"), shareButton(),
     button("Project", async () => (await import("./project.js")).projectDialog(), "Several muscles with their data in one file"),
     button("Print", () => print(), "Print one sheet with muscle, inputs and numbers"));
   /** @type {string | undefined} */ let drawn = "";

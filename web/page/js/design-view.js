@@ -190,8 +190,18 @@ export function foundView(answer, prices, { open, ask }) {
           + `${answer.model}. Click one to show it. Sure: the pull to spare covers the ±.`),
       el("button", { type: "button", onclick: save, title: "The table of the muscles as a file" }, "CSV of the table")),
     ...details(answer),
+    boughtView(answer),
     assumed,
   ].filter((part) => part !== null);
+}
+
+/** Muscles as sold that would do. @param {Answer} answer */
+function boughtView({ bought }) {
+  const one = (/** @type {NonNullable<Answer["bought"]>[number]} */ b) =>
+    `${b.product} (${b.name}, L0 ${show("length", b.length_mm)}): ${show("force", b.force_n, 3)} ± ${
+      show("force", b.uncertainty_n, 2)
+    } at ${show("ratio", b.wanted.contraction, 3)} and ${show("pressure", b.pressure_mpa, 3)}`;
+  return bought?.length ? el("p", { class: "small" }, `As sold would do: ${bought.map(one).join("; ")}.`) : null;
 }
 
 /** @param {NonNullable<Answer["closest"]>["relaxations"][number]} r */
@@ -234,6 +244,7 @@ export function closestView(answer) {
         + `${answer.excluded_by_burst_alone} of them meet every other limit.`)
       : null,
     c.hint ? el("p", {}, capital(inWords(c.hint))) : null,
+    boughtView(answer),
     el("ul", {}, ...c.relaxations.map((r) => el("li", {}, relaxation(r)))),
   ].filter((part) => part !== null);
 }

@@ -1,12 +1,14 @@
-// Open: a file of any kind, or a muscle of the gallery.
+// Open: a file of any kind, a muscle of the gallery, or one of the library.
 import { dialog } from "./dialog.js";
 import { el, problemBox } from "./dom.js";
 import { takeFiles } from "./drop.js";
 import { gallery } from "./gallery.js";
+import { library } from "./library.js";
 
 export function openDialog() {
   dialog("Open a muscle", (close) => {
     const said = el("div", {});
+    const fail = (/** @type {unknown} */ problem) => said.replaceChildren(problemBox(problem));
     const input = el("input", { type: "file", multiple: true, accept: ".toml,.csv,.txt,.tsv,.json", class: "unseen",
       "aria-label": "Files", tabindex: -1 });
     input.addEventListener("change", () => {
@@ -21,7 +23,8 @@ export function openDialog() {
           "A muscle, a joint or a drive (TOML), measured points (CSV), or a project (JSON). You can also drop files "
             + "anywhere on the page.")),
       said,
-      gallery((problem) => said.replaceChildren(problemBox(problem)), close),
+      gallery(fail, close),
+      library(fail, close),
     ];
   });
 }

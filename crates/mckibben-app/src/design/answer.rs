@@ -1,5 +1,7 @@
 //! What a design answers with.
 
+use super::bought::BoughtAnswer;
+use super::bundle::BundleAnswer;
 use super::policy::ModelPolicy;
 use super::request::{OperatingPoint, TorqueWanted};
 use crate::burst::{PressureLimits, put_first, said_of};
@@ -71,6 +73,12 @@ pub struct DesignAnswer {
     /// If nothing fits: the muscle that comes closest.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub closest: Option<ClosestAnswer>,
+    /// Of a bundle: what its muscles do together, by the best muscle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bundle: Option<BundleAnswer>,
+    /// Muscles as sold, of the library, that would do: their pull less its ± meets the requirement. Of a bundle: so many of them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub bought: Vec<BoughtAnswer>,
     /// The figure, where it was asked for and something fits.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
@@ -120,6 +128,9 @@ pub struct SearchedAnswer {
     /// Least ratio of burst pressure to maximum pressure, where there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub min_burst_margin: Option<f64>,
+    /// Of a bundle: how many muscles share the requirement. What is wanted, and all numbers of the candidates, are those of one of them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bundle: Option<u32>,
     /// Whether it was checked: the strength of the strands is known.
     pub burst_checked: bool,
     /// Largest strain of the strands, where there is one.
@@ -311,6 +322,8 @@ impl DesignAnswer {
                 .collect(),
             tolerance,
             to_be_sure: None,
+            bundle: None,
+            bought: vec![],
             closest: outcome.closest.as_ref().map(|c| ClosestAnswer::new(c, spec)),
             figure,
             wanted: DemandAnswer::of(&spec.wanted),
@@ -351,6 +364,7 @@ impl SearchedAnswer {
                 _ => has_strength(spec.base.braid()),
             },
             max_strand_strain: spec.limits.strand_strain,
+            bundle: None,
             guaranteed: spec.guaranteed,
         }
     }

@@ -2,6 +2,8 @@
 
 mod answer;
 mod assumed;
+mod bought;
+mod bundle;
 mod other_sleeve;
 mod policy;
 mod request;
@@ -10,6 +12,8 @@ pub use answer::{
     CandidateAnswer, CandidateJoint, ClosestAnswer, DemandAnswer, DesignAnswer, RejectedAnswer,
     SearchedAnswer, SureAnswer, Verified, VerifiedPoint,
 };
+pub use bought::BoughtAnswer;
+pub use bundle::{BundleAnswer, BundlePoint};
 pub use request::{Choice, DesignRequest, ObjectiveWord, OperatingPoint, TorqueWanted, Verify};
 
 use crate::figure;
@@ -87,7 +91,12 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
             .push(Warning::from(format!("the specification that covers the ± was not computed: {spent}"))),
     }
     let uncertainty_words = words(&spec, &decide, winner);
-    Ok(DesignAnswer { load: request.load.load.clone(), assumptions, uncertainty_words, ..answer })
+    let bundle = bundle::of(request, &spec, &decide, winner);
+    let bought = bought::bought(request, &spec);
+    let load = request.load.load.clone();
+    answer.searched.bundle = request.bundle;
+    answer.warnings.extend(bundle.as_ref().and_then(BundleAnswer::warning));
+    Ok(DesignAnswer { load, assumptions, uncertainty_words, bundle, bought, ..answer })
 }
 
 /// What to ask for to be sure of what is wanted, where the winner has less to spare than its ±.

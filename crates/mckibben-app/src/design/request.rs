@@ -46,8 +46,17 @@ pub struct DesignRequest {
     pub max_pressure_mpa: Option<f64>,
     /// Stroke in mm: with contractions it sets the length, with a length the contraction.
     pub stroke_mm: Option<f64>,
-    /// Largest outer diameter at the operating points, mm.
+    /// Largest outer diameter at the operating points, mm; of a bundle that of each of its muscles.
     pub max_bulged_diameter_mm: Option<f64>,
+    /// Equal muscles side by side that share what is required, 1 to 1000; default 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bundle: Option<u32>,
+    /// Largest diameter of the circle around all muscles at the operating points, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max_envelope_mm: Option<f64>,
+    /// Distance between the axes of neighbours of a bundle, mm; default: that of the largest envelope, or the bulged diameter.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pitch_mm: Option<f64>,
     /// Smallest ratio of burst pressure to maximum pressure; default 4 if the strength of the strands is known; 0 for none.
     pub min_burst_margin: Option<f64>,
     /// Largest stretch of the rubber at the operating points (2 means twice its length); default: the largest stretch of the data
@@ -155,6 +164,7 @@ const SECTIONS: ((f64, f64), (f64, f64)) = ((5.0, 80.0), (0.5, 10.0));
 impl DesignRequest {
     pub(super) fn search(&self) -> Result<Search, Problem> {
         let (base, wanted, radius_mm) = self.demand()?;
+        let wanted = self.share(&wanted)?;
         let max_pressure_mpa =
             given("max_pressure_mpa", self.max_pressure_mpa, "a pressure, such as 0.25 MPa")?;
         let model = Model::choose(&self.model, Purpose::Search)?;
@@ -217,7 +227,7 @@ impl DesignRequest {
             braid,
             rubbers: self.rubbers.iter().map(|name| rubber(name)).collect::<Result<_, _>>()?,
             limits: Limits {
-                bulged_diameter_mm: self.max_bulged_diameter_mm,
+                bulged_diameter_mm: self.bulged_diameter_mm()?,
                 burst_margin: Some(self.min_burst_margin.unwrap_or(SAFETY)).filter(|m| *m != 0.0),
                 stretch: self.max_stretch,
                 fitted_stretch: true,

@@ -4,6 +4,7 @@ use super::caption;
 use super::curves::pull;
 use crate::units::Units;
 use mckibben::model::Workspace;
+use mckibben::muscle::Muscle;
 use mckibben_fit::identify::Build;
 use mckibben_fit::measured::{DataPoint, Section, mean_of_data};
 use mckibben_fit::validation::case::MuscleCase;
@@ -31,28 +32,40 @@ pub(crate) fn measured<B: Build>(
         .palette(Palette::Sequential);
     for (number, case) in cases.iter().enumerate() {
         let Some(first) = found.iter().find(|r| r.case == number && r.fit == 0) else { continue };
-        let means = mean_of_data(&case.points);
-        let mut sections: Vec<Section> = vec![];
-        for p in &means {
-            if !sections.contains(&p.section) {
-                sections.push(p.section);
-            }
-        }
-        for section in &sections {
-            let own: Vec<&DataPoint> = means.iter().filter(|p| p.section == *section).collect();
-            let title = match section.length_mm {
-                Some(length) if sections.len() > 1 => {
-                    format!("{}: {}", case.facts.name, u.length.show(length))
-                }
-                _ => case.facts.title.clone(),
-            };
-            figure = figure.panel(panel(title, &own, first, model.1, u));
-        }
+        figure = panels(figure, case, &first.muscle, model.1, u);
     }
     figure.columns(2)
 }
 
-fn panel<B: Build>(title: String, points: &[&DataPoint], found: &FitResult, build: &B, u: &Units) -> Panel {
+/// Measured points of muscles of the library, and lines of `fe` with what was identified from them.
+pub(crate) fn library<B: Build>(muscles: &[(&MuscleCase, &Muscle)], build: &B, u: &Units) -> Figure {
+    let about = "Dots: measured, means of the branches; lines: fe with the identified muscle, over ε at constant pressure";
+    let figure = Figure::new("Muscles of the library").caption(caption(about)).palette(Palette::Sequential);
+    let all = muscles.iter().fold(figure, |figure, (case, muscle)| panels(figure, case, muscle, build, u));
+    all.columns(2)
+}
+
+/// A panel for each length of a muscle.
+fn panels<B: Build>(mut figure: Figure, case: &MuscleCase, muscle: &Muscle, build: &B, u: &Units) -> Figure {
+    let means = mean_of_data(&case.points);
+    let mut sections: Vec<Section> = vec![];
+    for p in &means {
+        if !sections.contains(&p.section) {
+            sections.push(p.section);
+        }
+    }
+    for section in &sections {
+        let own: Vec<&DataPoint> = means.iter().filter(|p| p.section == *section).collect();
+        let title = match section.length_mm {
+            Some(length) if sections.len() > 1 => format!("{}: {}", case.facts.name, u.length.show(length)),
+            _ => case.facts.title.clone(),
+        };
+        figure = figure.panel(panel(title, &own, muscle, build, u));
+    }
+    figure
+}
+
+fn panel<B: Build>(title: String, points: &[&DataPoint], found: &Muscle, build: &B, u: &Units) -> Panel {
     let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), pull(u)).title(title);
     let mut pressures: Vec<f64> = points.iter().map(|p| p.at.pressure_mpa).collect();
     pressures.sort_by(f64::total_cmp);
@@ -62,7 +75,7 @@ fn panel<B: Build>(title: String, points: &[&DataPoint], found: &FitResult, buil
         n if n <= CURVES => pressures,
         _ => (1..=CURVES).map(|i| pressures[i * last / CURVES]).collect(),
     };
-    let muscle = points.first().and_then(|p| p.section.apply(&found.muscle).ok());
+    let muscle = points.first().and_then(|p| p.section.apply(found).ok());
     let model = muscle.and_then(|m| build(&m).ok());
     let mut workspace = Workspace::new();
     for (n, &pressure) in shown.iter().enumerate() {

@@ -37,6 +37,8 @@ pub const EXAMPLES: &str = "Examples:
     --tolerance wall=0.1mm,pressure=0.1bar -o winner.toml
   mckibben design --load mass:20kg --stroke 40mm --length 285 \\
     --max-pressure 3bar
+  mckibben design --force 700N --contraction 15% --max-pressure 2.5bar \\
+    --bundle 7 --max-envelope 80mm
   mckibben design --joint 8Nm@45deg,3Nm@60deg --max-pressure 6bar \\
     --length 250 --max-bulged-diameter 40mm --rubber dragon-skin-30";
 
@@ -76,12 +78,30 @@ pub struct DesignArgs {
     /// The muscle whose pull less its ± meets the requirement; another share, such as --guaranteed=99%, widens the ± accordingly.
     #[arg(long, value_name = "SHARE", num_args = 0..=1, default_missing_value = "95%", require_equals = true)]
     pub guaranteed: Option<String>,
+    /// Equal muscles side by side that share the requirement [1]
+    ///
+    /// The candidates are one of them; the bundle of the best one is shown below.
+    #[arg(long, value_name = "N")]
+    pub bundle: Option<u32>,
     /// Quantity to rank by
     #[arg(long, value_parser = word::<ObjectiveWord>(), default_value = "diameter")]
     pub objective: ObjectiveWord,
     /// Largest outer diameter at the operating points
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Limits")]
     pub max_bulged_diameter: Option<String>,
+    /// Largest diameter of the circle around all muscles at the operating points
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Limits")]
+    pub max_envelope: Option<String>,
+    /// Distance between the axes of neighbours of a bundle [by the envelope]
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        requires = "bundle",
+        allow_hyphen_values = true,
+        hide_short_help = true,
+        help_heading = "Limits"
+    )]
+    pub pitch: Option<String>,
     /// Least burst pressure over supply pressure [4]
     ///
     /// 0 for none. The strength of the strands must be known.
@@ -113,7 +133,7 @@ pub struct DesignArgs {
     pub max_strand_strain: Option<String>,
     /// Muscle file, for what is not searched
     ///
-    /// Flags override it. `paper` is the muscle of the paper.
+    /// Flags override it. `paper` is the muscle of the paper, lib:NAME one of the library.
     #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle", display_order = 0, help_heading = "Muscle")]
     pub file: Option<PathBuf>,
     /// Muscle file, same as [MUSCLE.toml]
@@ -269,6 +289,9 @@ fn request(args: &DesignArgs, figure: Option<Units>) -> Result<DesignRequest, Fa
         max_pressure_mpa: quantity("--max-pressure", args.max_pressure.as_deref(), Dimension::Pressure)?,
         stroke_mm: length("--stroke", &args.stroke)?,
         max_bulged_diameter_mm: length("--max-bulged-diameter", &args.max_bulged_diameter)?,
+        bundle: args.bundle,
+        max_envelope_mm: length("--max-envelope", &args.max_envelope)?,
+        pitch_mm: length("--pitch", &args.pitch)?,
         min_burst_margin: ratio("--safety", args.safety.as_deref())?,
         max_stretch: ratio("--max-stretch", args.max_stretch.as_deref())?,
         max_strand_strain: ratio("--max-strand-strain", args.max_strand_strain.as_deref())?,

@@ -62,7 +62,7 @@ pub fn fields(path: &Path) -> Result<JointFields, Failure> {
     let beside = path.parent().unwrap_or(Path::new(""));
     let mut muscles: Vec<TextFile> = vec![];
     for name in JointFields::files_of(&joint)? {
-        let file = files::muscle(&beside.join(&name))?;
+        let file = files::muscle_beside(beside, &name)?;
         if !muscles.iter().any(|m| m.name == name) {
             muscles.push(TextFile { name, ..file });
         }

@@ -12,6 +12,7 @@ pub mod formula;
 pub mod help;
 pub mod identify;
 pub mod joint;
+pub mod library;
 pub mod models;
 pub mod motion;
 pub mod muscle;
@@ -27,7 +28,8 @@ mod study;
 pub mod validate;
 
 use crate::cli::{
-    BraidCommand, Command, FormulaCommand, MuscleCommand, PartsCommand, RubberCommand, command,
+    BraidCommand, Command, FormulaCommand, LibraryCommand, MuscleCommand, PartsCommand, RubberCommand,
+    command,
 };
 use crate::failure::Failure;
 use crate::format::Format;
@@ -55,6 +57,9 @@ pub fn run(asked: Command, format: Format, limits: &[(Resource, f64)]) -> Result
         Command::Muscle(MuscleCommand::Show(args)) => muscle::show(&args, format),
         Command::Parts(PartsCommand::List(args)) => parts::list(&args, format),
         Command::Parts(PartsCommand::Show(args)) => parts::show(&args, format),
+        Command::Library(LibraryCommand::List(args)) => library::list(&args, format),
+        Command::Library(LibraryCommand::Show(args)) => library::show(&args, format),
+        Command::Library(LibraryCommand::Check(args)) => library::check(&args, format),
         Command::Muscle(MuscleCommand::Measures(args)) => muscle::measures(&args, format),
         Command::Braid(BraidCommand::List(args)) => braid::list(&args, format),
         Command::Braid(BraidCommand::Show(args)) => braid::show(&args, format),

@@ -120,7 +120,7 @@ fn files_of(args: &MotionArgs) -> Result<MotionRequest, Failure> {
     let (mut muscle, mut fields) = (None, Default::default());
     match names.subject {
         Subject::Muscle(name) => {
-            let file = files::muscle(&beside.join(&name))?;
+            let file = files::muscle_beside(beside, &name)?;
             muscle = Some(TextFile { name, ..file });
         }
         Subject::Joint(name) => fields = joint::fields(&beside.join(name))?,

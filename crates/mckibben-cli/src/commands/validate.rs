@@ -1,6 +1,6 @@
 //! `validate`: verification and validation, each with its table.
 
-mod measured;
+pub mod measured;
 
 use crate::failure::{Failure, NO_ANSWER};
 use crate::flags::{OutputFlags, PlotFlag};

@@ -83,10 +83,11 @@ fn schema_name(words: &[&str]) -> Option<String> {
         "curve" if words.contains(&"--study") => "study".into(),
         "validate" if words.contains(&"--sweep") => "sweep".into(),
         "validate" if words.contains(&"--measured") => "measured".into(),
-        "muscle" | "rubber" | "braid" | "parts" | "formula" => format!("{first}-{second}"),
-        "campaign" if ["show", "merge"].contains(second) => format!("campaign-{second}"),
         "fit" if words.contains(&"--report") => "fit-report".into(),
-        other => other.into(),
+        other => {
+            let two = format!("{first}-{second}");
+            if mckibben_app::find(&two).is_ok() { two } else { other.into() }
+        }
     })
 }
 

@@ -19,6 +19,7 @@ mod fuzz_cli;
 mod help;
 mod identify;
 mod joint;
+mod library;
 mod measured;
 mod motion;
 mod parts;

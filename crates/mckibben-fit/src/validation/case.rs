@@ -1,4 +1,5 @@
-//! What was measured as a folder: `case.toml`, `points.csv`, and of a muscle `muscle.toml`.
+//! What was measured as a folder: `case.toml`, `points.csv`, and of a muscle `muscle.toml`; of a muscle of the library ([`library`](super::library))
+//! `identified.toml` too.
 //!
 //! The same reader serves the folders that are built in (`data/measured`) and those of users.
 
@@ -23,6 +24,8 @@ pub struct CaseFiles {
     pub muscle: String,
     /// `points.csv`.
     pub points: String,
+    /// `identified.toml`: the muscle that was identified from the points; empty where it is none of a library.
+    pub identified: String,
 }
 
 /// What is known of something that was measured.
@@ -42,6 +45,9 @@ pub struct Facts {
     pub known: String,
     /// What is not.
     pub unknown: String,
+    /// The product, where one can buy it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub product: Option<String>,
 }
 
 /// What was measured.
@@ -64,6 +70,10 @@ pub struct MuscleCase {
     pub points: Vec<DataPoint>,
     /// What is fitted; the ± is calibrated on the first.
     pub fits: Vec<CaseFit>,
+    /// The number of the fit that identifies the muscle of the library.
+    pub library_fit: usize,
+    /// The muscle of the library, with its bench; `None` where the folder holds none.
+    pub identified: Option<Box<Muscle>>,
 }
 
 /// What is fitted to which points.
@@ -153,6 +163,14 @@ pub enum CaseError {
         /// Why.
         error: Box<FileError>,
     },
+    /// An identified muscle that cannot be read.
+    #[error("{case}/identified.toml: {error}")]
+    Identified {
+        /// Folder.
+        case: String,
+        /// Why.
+        error: Box<FileError>,
+    },
     /// A parameter that the muscle does not have.
     #[error("{case}/case.toml, fit \"{fit}\": {error}")]
     Parameter {
@@ -191,20 +209,33 @@ struct Folders;
 
 /// The texts of the folders that are built in.
 pub fn built_in() -> Vec<CaseFiles> {
-    let mut names: Vec<String> =
-        Folders::iter().filter_map(|path| path.strip_suffix("/case.toml").map(str::to_owned)).collect();
-    names.sort();
-    let text = |name: &str, file: &str| {
-        let data = Folders::get(&format!("{name}/{file}")).map(|f| f.data).unwrap_or_default();
-        String::from_utf8_lossy(&data).into_owned()
-    };
+    let names = with_file("case.toml");
+    let text = |name: &str, file: &str| text_of(name, file).unwrap_or_default();
     let files = |name: String| CaseFiles {
         case: text(&name, "case.toml"),
         muscle: text(&name, "muscle.toml"),
         points: text(&name, "points.csv"),
+        identified: text(&name, IDENTIFIED),
         name,
     };
     names.into_iter().map(files).collect()
+}
+
+/// The file of the identified muscle.
+pub const IDENTIFIED: &str = "identified.toml";
+
+/// A file of a folder that is built in.
+pub(super) fn text_of(name: &str, file: &str) -> Option<String> {
+    let found = Folders::get(&format!("{name}/{file}"))?;
+    Some(String::from_utf8_lossy(&found.data).into_owned())
+}
+
+/// The folders that are built in and hold a file.
+pub(super) fn with_file(file: &str) -> Vec<String> {
+    let folder = |path: &str| Some(path.strip_suffix(file)?.strip_suffix('/')?.to_owned());
+    let mut names: Vec<String> = Folders::iter().filter_map(|path| folder(&path)).collect();
+    names.sort();
+    names
 }
 
 /// What is built in.

@@ -11,6 +11,7 @@
 pub mod case;
 pub mod coverage;
 pub mod held_out;
+pub mod library;
 pub mod pulses;
 mod read;
 pub mod report;

@@ -2,12 +2,14 @@
 
 use super::case::{By, CaseError, CaseFiles, CaseFit, Facts, FittedSubset, Measurement, MuscleCase, Split};
 use super::rubber::{self, RubberCase};
-use crate::identify::Parameter;
+use crate::identify::{Parameter, Target};
 use crate::measured::{Quantity, read_data};
+use mckibben::muscle::Muscle;
 use mckibben::muscle::file::parse_muscle;
 use toml_edit::{Document, DocumentMut, Item, TableLike};
 
-const TOP: &[&str] = &["title", "source", "terms", "known", "unknown", "rms_of_blocked", "fit"];
+const TOP: &[&str] =
+    &["title", "source", "terms", "known", "unknown", "product", "rms_of_blocked", "library_fit", "fit"];
 const FIT: &[&str] = &["name", "free", "branches", "split", "muscle"];
 const SPLIT: &[&str] = &["by", "fit_on", "from", "to"];
 const SPLIT_FORM: &str = "a table such as { by = \"length_mm\", fit_on = \"one\" } (or \"others\"), or { by = \"pressure_mpa\", from = 0.1, to = 0.3 } (also \
@@ -36,6 +38,7 @@ impl Measurement {
             terms: table.text("terms")?,
             known: table.text("known")?,
             unknown: table.text("unknown")?,
+            product: table.optional_text("product")?,
         };
         if files.muscle.trim().is_empty() {
             let fits = fits.map(|t| rubber::fit(&t)).collect::<Result<_, _>>()?;
@@ -43,10 +46,13 @@ impl Measurement {
         }
         let points = read_data(files.points.as_bytes());
         let points = points.map_err(|error| CaseError::Points { case: case(), error })?;
+        let fits: Vec<CaseFit> = fits.map(|t| fit(files, &t)).collect::<Result<_, _>>()?;
         Ok(Self::Muscle(MuscleCase {
             facts,
             rms_of_blocked: table.number("rms_of_blocked")?,
-            fits: fits.map(|t| fit(files, &t)).collect::<Result<_, _>>()?,
+            library_fit: library_fit(files, &table, &fits)?,
+            identified: identified(files)?,
+            fits,
             // A muscle whose pull was read as zero was slack.
             points: points
                 .into_iter()
@@ -54,6 +60,35 @@ impl Measurement {
                 .collect(),
         }))
     }
+}
+
+/// The fit of the library: the one that is named, else the first. Its constants are those of a muscle file, and it has all points.
+fn library_fit(files: &CaseFiles, table: &Keys<'_>, fits: &[CaseFit]) -> Result<usize, CaseError> {
+    const FORM: &str = "the name of a fit that has no `split` and frees numbers of the muscle file alone";
+    let of_file = |p: &Parameter| {
+        !matches!(p.target, Target::ContractionOffset | Target::DeadVolume | Target::StiffnessExponent)
+    };
+    let named = table.optional_text("library_fit")?;
+    let place = named.as_ref().map_or(Some(0), |name| fits.iter().position(|fit| fit.name == *name));
+    let serves = |i: &usize| {
+        fits.get(*i)
+            .is_some_and(|fit| fit.split.is_none() && !fit.free.is_empty() && fit.free.iter().all(of_file))
+    };
+    match place.filter(serves) {
+        Some(i) => Ok(i),
+        // Only a folder of the library needs one.
+        None if named.is_none() && files.identified.trim().is_empty() => Ok(0),
+        None => Err(table.wrong("library_fit", FORM)),
+    }
+}
+
+fn identified(files: &CaseFiles) -> Result<Option<Box<Muscle>>, CaseError> {
+    if files.identified.trim().is_empty() {
+        return Ok(None);
+    }
+    parse_muscle(&files.identified)
+        .map(|muscle| Some(Box::new(muscle)))
+        .map_err(|error| CaseError::Identified { case: files.name.clone(), error: Box::new(error) })
 }
 
 fn fit(files: &CaseFiles, table: &Keys<'_>) -> Result<CaseFit, CaseError> {
@@ -208,6 +243,8 @@ mod tests {
         assert!(said("free = [\"mu\"]", "free = 3").contains("`fit.free` must be a list"));
         assert!(said("\"pressure_mpa\"", "\"colour\"").contains("`fit.split` must be a table such as"));
         assert!(said("law = \"gent\"", "law = \"gant\"").contains("tondu2012/muscle.toml"));
+        let other = said("library_fit = \"Gent, friction", "library_fit = \"Gont, friction");
+        assert!(other.contains("`library_fit` must be the name of a fit"), "{other}");
         assert!(said("title", "[").contains("not valid TOML"));
     }
 }

@@ -92,7 +92,7 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
         ],
         "validate" => vec![json!({ "all": true })],
         "sweep" => vec![json!({ "muscles": 19_000 })],
-        "measured" => vec![json!({})],
+        "measured" | "library-check" => vec![json!({})],
         "compare" => vec![
             json!({ "models": ["fe", "thick-wall"], "pressures_mpa": pressures, "contractions": contractions }),
             json!({ "models": ["fe"], "data": bench, "fit": ["modulus", "stiffness"] }),
@@ -135,8 +135,8 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
         }
         "export" => vec![json!({ "length_mm": 30000, "target": "csv", "model": "fe", "mesh": "8x400" })],
         "build" | "export-list" | "formula-show" | "campaign-show" | "campaign-merge" | "muscle-show"
-        | "muscle-measures" | "parts-list" | "parts-show" | "braid-list" | "braid-show" | "rubber-list"
-        | "rubber-show" | "quantities" | "units" | "models" => {
+        | "muscle-measures" | "parts-list" | "parts-show" | "library-list" | "library-show"
+        | "braid-list" | "braid-show" | "rubber-list" | "rubber-show" | "quantities" | "units" | "models" => {
             vec![]
         }
         other => panic!("say what a dear request of {other} is, or that there is none"),

@@ -5,7 +5,7 @@ use crate::output::text::{Units, aligned, columns, half_width, number, or_dash, 
 use mckibben::analysis::FailureMode;
 use mckibben::analysis::litres_anr;
 use mckibben_app::{
-    CandidateAnswer, ClosestAnswer, DemandAnswer, DesignAnswer, OperatingPoint, RejectedAnswer,
+    BoughtAnswer, CandidateAnswer, ClosestAnswer, DemandAnswer, DesignAnswer, OperatingPoint, RejectedAnswer,
     SearchedAnswer, SureAnswer, TorqueWanted,
 };
 use mckibben_design::{CandidatePoint, Limit, Relaxation, Spread};
@@ -19,7 +19,9 @@ pub fn of(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
         format!(", guaranteed: the lower end of the ± ({}) meets it", percent(level))
     });
     let supply = u.pressure.show(answer.max_pressure_mpa);
-    let mut out = format!("Required: {wanted} with at most {supply}{level}\n");
+    let each = searched.bundle.filter(|n| *n > 1);
+    let each = each.map_or_else(String::new, |n| format!(" of each of {n} muscles"));
+    let mut out = format!("Required{each}: {wanted} with at most {supply}{level}\n");
     let with = if answer.searched_with == answer.model {
         String::new()
     } else {
@@ -51,10 +53,12 @@ pub fn of(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
         out.push_str(&doubt(answer, u));
         let bench = words.and_then(|words| words.bench_in(u));
         out.push_str(&bench.map_or_else(String::new, |text| format!("{text}.\n")));
+        out.push_str(&bundle(answer, u));
         out.push_str(&joint(answer, file, u));
         out.push_str(&verified(answer, u));
         out.push_str(&spread_text(&answer.tolerance, u));
     }
+    out.push_str(&bought(answer, u));
     if !answer.rejected.is_empty() && answer.closest.is_none() {
         out.push_str("\nNear misses\n");
     } else if answer.rejected.len() > 1 {
@@ -67,6 +71,68 @@ pub fn of(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
         out.push_str(&format!("  {}: {}{by}\n", measures(r, u), u.sentence(&r.reason)));
     }
     out
+}
+
+/// What the muscles of a bundle do together.
+fn bundle(answer: &DesignAnswer, u: &Units) -> String {
+    let Some(b) = &answer.bundle else { return String::new() };
+    let length = |mm: f64| format!("{} {}", u.length.to(mm, 3), u.length.name);
+    let mut out = format!(
+        "\nBundle of {} of the first muscle: a circle of {} around them at rest",
+        b.muscles,
+        length(b.rest_envelope_mm)
+    );
+    if let (Some(envelope), Some(row)) = (b.envelope_mm, b.row_mm) {
+        out.push_str(&format!(", {} at the bulge; {} wide in one flat row", length(envelope), length(row)));
+    }
+    out.push('\n');
+    for q in &b.points {
+        let half = or_dash(q.uncertainty_n, |v| u.force.half_width(v));
+        let air = or_dash(q.air_normal_litres, |v| number(litres_anr(v), 3));
+        out.push_str(&format!(
+            "  {} at {}: {} ± {half} {} at the maximum pressure, {air} L of air\n",
+            u.force.show(q.force_n),
+            percent(q.contraction),
+            u.force.to(q.force_at_max_pressure_n, 4),
+            u.force.name
+        ));
+    }
+    if let Some(pitch) = b.pitch_mm.filter(|_| b.muscles > 1) {
+        let apart = length(pitch);
+        out.push_str(&match b.touch_contraction {
+            Some(e) => {
+                format!(
+                    "  with axes {apart} apart neighbours touch at {} at the maximum pressure\n",
+                    percent(e)
+                )
+            }
+            None => format!("  with axes {apart} apart neighbours do not touch\n"),
+        });
+    }
+    out
+}
+
+/// The muscles as sold that would do.
+fn bought(answer: &DesignAnswer, u: &Units) -> String {
+    let count = answer.searched.bundle.filter(|n| *n > 1);
+    let count = count.map_or_else(String::new, |n| format!("{n} × "));
+    let one = |b: &BoughtAnswer| {
+        format!(
+            "As sold, {count}{} would do ({}: D0 {}, L0 {}): {} ± {} {} at {} and {}, required {}.\n",
+            b.product,
+            b.name,
+            u.length.show(b.outer_diameter_mm),
+            u.length.show(b.length_mm),
+            u.force.to(b.force_n, 4),
+            u.force.half_width(b.uncertainty_n),
+            u.force.name,
+            percent(b.wanted.contraction),
+            u.pressure.show(b.pressure_mpa),
+            u.force.show(b.wanted.force_n)
+        )
+    };
+    let lines: String = answer.bought.iter().map(one).collect();
+    if lines.is_empty() { lines } else { format!("\n{lines}") }
 }
 
 /// What the muscle must do.

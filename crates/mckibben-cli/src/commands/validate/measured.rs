@@ -33,28 +33,32 @@ fn cases(folder: Option<&Path>) -> Result<Vec<MeasuredFolder>, Failure> {
     let Some(folder) = folder else {
         let built_in = built_in().into_iter();
         return Ok(built_in
-            .map(|f| MeasuredFolder { name: f.name, case: f.case, muscle: f.muscle, points: f.points })
+            .map(|f| MeasuredFolder {
+                name: f.name,
+                case: f.case,
+                muscle: f.muscle,
+                points: f.points,
+                identified: String::new(),
+            })
             .collect());
     };
+    folders(folder)
+}
+
+/// The measured muscle or rubber of a folder, or those of the folders in it.
+pub fn folders(folder: &Path) -> Result<Vec<MeasuredFolder>, Failure> {
     let unread = |e: &dyn std::fmt::Display| {
         Failure::input(ProblemKind::File, format!("{}: {e}", folder.display()), "")
     };
+    if folder.join("case.toml").is_file() {
+        return Ok(vec![one(folder)?]);
+    }
     let mut list = vec![];
     let entries = std::fs::read_dir(folder).map_err(|e| unread(&e))?;
     for entry in entries {
         let path = entry.map_err(|e| unread(&e))?.path();
         if path.join("case.toml").is_file() {
-            let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-            list.push(MeasuredFolder {
-                name,
-                case: files::text(&path.join("case.toml"))?.text,
-                muscle: match path.join("muscle.toml") {
-                    muscle if muscle.is_file() => files::text(&muscle)?.text,
-                    // A rubber was measured.
-                    _ => String::new(),
-                },
-                points: files::table(&path.join("points.csv"))?.text,
-            });
+            list.push(one(&path)?);
         }
     }
     list.sort_by(|a, b| a.name.cmp(&b.name));
@@ -64,6 +68,23 @@ fn cases(folder: Option<&Path>) -> Result<Vec<MeasuredFolder>, Failure> {
         return Err(Failure::input(ProblemKind::MissingInput, message, hint));
     }
     Ok(list)
+}
+
+/// The files of a folder. A measured rubber has no muscle, and a folder of no library no identified one.
+fn one(folder: &Path) -> Result<MeasuredFolder, Failure> {
+    let if_there = |name: &str| match folder.join(name) {
+        path if path.is_file() => files::text(&path).map(|file| file.text),
+        _ => Ok(String::new()),
+    };
+    let name = std::fs::canonicalize(folder).ok();
+    let name = name.as_deref().unwrap_or(folder).file_name();
+    Ok(MeasuredFolder {
+        name: name.map(|n| n.to_string_lossy().into_owned()).unwrap_or_default(),
+        case: files::text(&folder.join("case.toml"))?.text,
+        muscle: if_there("muscle.toml")?,
+        points: files::table(&folder.join("points.csv"))?.text,
+        identified: if_there("identified.toml")?,
+    })
 }
 
 fn chosen(all: Vec<MeasuredFolder>, only: &[String]) -> Result<Vec<MeasuredFolder>, Failure> {

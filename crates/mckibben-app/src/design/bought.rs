@@ -1,0 +1,110 @@
+//! Would a muscle as sold do? Those of the library that have a product, held against the specification.
+//!
+//! Such a muscle does where its pull less its ± (95 %, or the share that is guaranteed) meets every operating point by finite elements, at the
+//! supply's pressure or the highest of its bench where that is lower, and where its bulged diameter meets the limit of the specification. Its
+//! length is the one that the specification states, since such muscles are cut to length; else that of the bench. Burst, strands and rubber are its
+//! seller's matter: they are not checked.
+
+use super::request::{Choice, DesignRequest};
+use crate::model::Model;
+use mckibben::analysis::force_on;
+use mckibben::model::Workspace;
+use mckibben::muscle::{Muscle, Tube};
+use mckibben::uncertainty::uncertainty;
+use mckibben_design::{Limits, OperatingPoint, Spec, fits};
+use mckibben_fit::validation::library::{PREFIX, library};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// The ± that a muscle as sold must leave, where nothing is guaranteed.
+const GUARANTEED: f64 = 0.95;
+/// A specification of more operating points is not held against the library.
+const MOST_POINTS: usize = 50;
+
+/// A muscle of the library, as sold, that would do.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct BoughtAnswer {
+    /// Its name, which may stand where a muscle file may: `lib:dmsp-20-300`.
+    pub name: String,
+    /// The product.
+    pub product: String,
+    /// Outer diameter D0 at rest, mm.
+    pub outer_diameter_mm: f64,
+    /// Length L0, mm: that of the specification, or of its bench.
+    pub length_mm: f64,
+    /// The pressure at which it does: that of the supply, or the highest of its bench, MPa.
+    pub pressure_mpa: f64,
+    /// The operating point at which it has least to spare.
+    pub wanted: OperatingPoint,
+    /// Its pull there, N.
+    pub force_n: f64,
+    /// 95 % half-width of that pull, N.
+    pub uncertainty_n: f64,
+}
+
+/// The muscles as sold that would do, the slimmest first.
+pub(super) fn bought(request: &DesignRequest, spec: &Spec) -> Vec<BoughtAnswer> {
+    let mut found: Vec<BoughtAnswer> = library()
+        .unwrap_or_default()
+        .into_iter()
+        .filter_map(|(case, muscle)| {
+            let product = case.facts.product.clone()?;
+            let name = format!("{PREFIX}{}", case.facts.name);
+            one(request, spec, muscle).map(|answer| BoughtAnswer { name, product, ..answer })
+        })
+        .collect();
+    found.sort_by(|a, b| a.outer_diameter_mm.total_cmp(&b.outer_diameter_mm));
+    found
+}
+
+/// What a muscle does, where it meets the specification.
+fn one(request: &DesignRequest, spec: &Spec, muscle: &Muscle) -> Option<BoughtAnswer> {
+    let max_pressure_mpa = spec.max_pressure_mpa.min(muscle.bench()?.pressure_mpa.1);
+    let muscle = of_length(request, spec, muscle)?;
+    let held = Spec {
+        max_pressure_mpa,
+        base: muscle.clone(),
+        limits: Limits { bulged_diameter_mm: spec.limits.bulged_diameter_mm, ..Limits::default() },
+        guaranteed: Some(spec.guaranteed.unwrap_or(GUARANTEED)),
+        ..spec.clone()
+    };
+    let points = held.wanted.points(muscle.length_mm());
+    if points.len() > MOST_POINTS || !fits(&held, &|m| Model::FE.build(m), &muscle) {
+        return None;
+    }
+    let (model, w) = (Model::FE.build(&muscle).ok()?, &mut Workspace::new());
+    let direction = held.options().direction;
+    let mut at = |q: &OperatingPoint| {
+        let force_n = force_on(&*model, w, max_pressure_mpa, q.contraction, direction).ok()?;
+        let parts = uncertainty(&*model, w, (max_pressure_mpa, q.contraction), force_n, direction)?;
+        Some((*q, force_n, parts.total()))
+    };
+    let all: Vec<(OperatingPoint, f64, f64)> = points.iter().map(&mut at).collect::<Option<_>>()?;
+    let spare = |(q, force_n, half): &(OperatingPoint, f64, f64)| (force_n - half) / q.force_n;
+    let (wanted, force_n, uncertainty_n) = all.into_iter().min_by(|a, b| spare(a).total_cmp(&spare(b)))?;
+    Some(BoughtAnswer {
+        name: String::new(),
+        product: String::new(),
+        outer_diameter_mm: muscle.outer_diameter_mm(),
+        length_mm: muscle.length_mm(),
+        pressure_mpa: max_pressure_mpa,
+        wanted,
+        force_n,
+        uncertainty_n,
+    })
+}
+
+/// The muscle cut to the length that is stated; `None` where its own lies outside of the lengths that are searched.
+fn of_length(request: &DesignRequest, spec: &Spec, muscle: &Muscle) -> Option<Muscle> {
+    if let Some(lengths) = &spec.length_mm {
+        let (low, high) = lengths.bounds();
+        return (low..=high).contains(&muscle.length_mm()).then(|| muscle.clone());
+    }
+    let stated = matches!(request.length_mm, Some(Choice::One(_))) || request.stroke_mm.is_some();
+    if !stated || spec.base.length_mm() == muscle.length_mm() {
+        return Some(muscle.clone());
+    }
+    // The ± of its bench is that of its own length: the other one has the general ±.
+    let tube = Tube { length_mm: spec.base.length_mm(), ..muscle.tube().clone() };
+    muscle.with_tube(tube).ok()
+}

@@ -1,0 +1,136 @@
+//! A bundle: equal muscles that share what is required, side by side in one circle.
+
+use super::request::DesignRequest;
+use crate::problem::{Problem, ProblemKind};
+use crate::words::percent;
+use mckibben::model::Workspace;
+use mckibben::warning::Warning;
+use mckibben_design::bundle::{MOST, envelope_ratio, touches_at};
+use mckibben_design::{Build, Candidate, CandidatePoint, Demand, Spec};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// What the muscles of a bundle do together.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct BundleAnswer {
+    /// How many muscles.
+    pub muscles: u32,
+    /// Diameter of the circle around them over that of one.
+    pub envelope_ratio: f64,
+    /// Diameter of the circle around them at rest, mm.
+    pub rest_envelope_mm: f64,
+    /// The same at the largest bulged diameter, mm.
+    pub envelope_mm: Option<f64>,
+    /// Width of all in one flat row at the largest bulged diameter, mm.
+    pub row_mm: Option<f64>,
+    /// Distance between the axes of neighbours, mm: as given, that of the largest envelope, or the bulged diameter.
+    pub pitch_mm: Option<f64>,
+    /// Contraction at which neighbours touch at that distance and the pressure of the supply; none where they do not.
+    pub touch_contraction: Option<f64>,
+    /// The operating points of all together.
+    pub points: Vec<BundlePoint>,
+    /// Mass of tubes and sleeves between the terminals, g, where both are known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mass_g: Option<f64>,
+}
+
+/// An operating point of all muscles of a bundle together.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct BundlePoint {
+    /// Required pull, N.
+    pub force_n: f64,
+    /// At this contraction.
+    pub contraction: f64,
+    /// Pull at the pressure of the supply, N.
+    pub force_at_max_pressure_n: f64,
+    /// 95 % half-width of that pull, N. What is not known of one muscle is not known of all: so many times that of one.
+    pub uncertainty_n: Option<f64>,
+    /// Air from rest to the point, normal litres.
+    pub air_normal_litres: Option<f64>,
+}
+
+impl DesignRequest {
+    /// How many muscles share what is required.
+    pub(super) fn count(&self) -> Result<u32, Problem> {
+        let count = self.bundle.unwrap_or(1);
+        if !(1..=MOST).contains(&count) {
+            let message = format!("{count} muscles; a bundle has 1 to {MOST}");
+            return Err(Problem::new(ProblemKind::Range, message, "").in_field("bundle"));
+        }
+        if count == 1 && self.pitch_mm.is_some() {
+            let message =
+                "`pitch_mm` is the distance of neighbours: it needs a `bundle` of two muscles or more";
+            return Err(Problem::new(ProblemKind::Usage, message, "").in_field("pitch_mm"));
+        }
+        for (field, value) in [("max_envelope_mm", self.max_envelope_mm), ("pitch_mm", self.pitch_mm)] {
+            if let Some(mm) = value.filter(|mm| !(mm.is_finite() && *mm > 0.0)) {
+                let message = format!("{mm} mm; it must be above zero");
+                return Err(Problem::new(ProblemKind::Specification, message, "").in_field(field));
+            }
+        }
+        Ok(count)
+    }
+
+    /// What one of the muscles takes.
+    pub(super) fn share(&self, wanted: &Demand) -> Result<Demand, Problem> {
+        Ok(wanted.times(1.0 / f64::from(self.count()?)))
+    }
+
+    /// The largest bulged diameter of one muscle in mm: its own limit, and its share of the envelope.
+    pub(super) fn bulged_diameter_mm(&self) -> Result<Option<f64>, Problem> {
+        let share = envelope_ratio(self.count()?);
+        let of_envelope = self.max_envelope_mm.map(|mm| mm / share);
+        let limits = self.max_bulged_diameter_mm.into_iter().chain(of_envelope);
+        Ok(limits.reduce(f64::min))
+    }
+}
+
+impl BundleAnswer {
+    /// That neighbours touch before the largest contraction that is wanted.
+    pub(super) fn warning(&self) -> Option<Warning> {
+        let touch = self.touch_contraction?;
+        let largest = self.points.iter().map(|q| q.contraction).fold(0.0, f64::max);
+        (touch < largest - 1e-6).then(|| {
+            let (touch, largest) = (percent(touch), percent(largest));
+            Warning::from(format!(
+                "neighbours of the bundle touch from a contraction of {touch} at the maximum pressure, and {largest} is required: beyond that they press on each other, which is not computed"
+            ))
+        })
+    }
+}
+
+/// The bundle of the best muscle.
+pub(super) fn of(
+    request: &DesignRequest,
+    spec: &Spec,
+    build: &Build<'_>,
+    winner: Option<&Candidate>,
+) -> Option<BundleAnswer> {
+    let (winner, muscles) = (winner?, request.bundle?);
+    let (ratio, count) = (envelope_ratio(muscles), f64::from(muscles));
+    let bulged = winner.bulged_diameter_mm();
+    let pitch_mm = request.pitch_mm.or(request.max_envelope_mm.map(|mm| mm / ratio)).or(bulged);
+    let model = build(&winner.muscle).ok();
+    let touch = model
+        .zip(pitch_mm)
+        .filter(|_| muscles > 1)
+        .and_then(|(model, pitch)| touches_at(&*model, &mut Workspace::new(), spec.max_pressure_mpa, pitch));
+    let point = |q: &CandidatePoint| BundlePoint {
+        force_n: count * q.wanted().force_n,
+        contraction: q.wanted().contraction,
+        force_at_max_pressure_n: count * q.force_at_max_pressure_n,
+        uncertainty_n: q.uncertainty_n.map(|n| count * n),
+        air_normal_litres: q.air_normal_litres.map(|litres| count * litres),
+    };
+    Some(BundleAnswer {
+        muscles,
+        envelope_ratio: ratio,
+        rest_envelope_mm: ratio * winner.muscle.outer_diameter_mm(),
+        envelope_mm: bulged.map(|mm| ratio * mm),
+        row_mm: bulged.map(|mm| count * mm),
+        pitch_mm,
+        touch_contraction: touch,
+        points: winner.points.iter().map(point).collect(),
+        mass_g: winner.muscle.mass_g().map(|g| count * g),
+    })
+}

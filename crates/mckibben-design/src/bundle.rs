@@ -1,0 +1,154 @@
+//! Equal muscles side by side: the circle around them, and when they touch.
+//!
+//! The smallest circle around n equal circles of radius r has the radius R = ρ(n) r. ρ up to n = 20 is that of the best packings known
+//! (Graham, Lubachevsky, Nurmela & Östergård 1998 \[graham1998\]; proven to be the best up to 13, and of 19). Of more circles it is that of
+//! the n points of a hexagonal lattice which are nearest to one of its centres of symmetry: ρ = 1 + d/r, d the distance of the farthest of them.
+//! Such a bundle is up to 8 % wider than the best one that is known.
+
+use mckibben::analysis::{Options, free_contraction};
+use mckibben::model::{ForceModel, ThickWall, Workspace};
+
+/// ρ(n) of 1 to 20 circles.
+const KNOWN: [f64; 20] = [
+    1.0,
+    2.0,
+    2.154_700_5,
+    2.414_213_6,
+    2.701_301_6,
+    3.0,
+    3.0,
+    3.304_764_9,
+    3.613_125_9,
+    3.813_025_6,
+    3.923_804_4,
+    4.029_601_9,
+    4.236_068_0,
+    4.328_428_6,
+    4.521_357_0,
+    4.615_425_6,
+    4.792_033_7,
+    4.863_703_3,
+    4.863_703_3,
+    5.122_320_7,
+];
+
+/// Muscles of a bundle at most.
+pub const MOST: u32 = 1000;
+
+/// ρ: the radius of the circle around so many equal circles, over theirs.
+pub fn envelope_ratio(count: u32) -> f64 {
+    match KNOWN.get((count.max(1) - 1) as usize) {
+        Some(known) => *known,
+        None => hexagonal(count),
+    }
+}
+
+/// ρ of points of a hexagonal lattice with unit distances 2 around a point, the middle of an edge, or that of a triangle.
+fn hexagonal(count: u32) -> f64 {
+    let height = 3f64.sqrt();
+    // Rings of the lattice that hold them all, and one more for centres beside a point.
+    let rings = (f64::from(count) / 3.0).sqrt().ceil() as i32 + 2;
+    let centres = [(0.0, 0.0), (1.0, 0.0), (1.0, height / 3.0)];
+    let around = |(x, y): (f64, f64)| {
+        let lattice = (-rings..=rings).flat_map(|j| (-rings..=rings).map(move |i| (i, j)));
+        let distance =
+            |(i, j): (i32, i32)| (2.0 * f64::from(i) + f64::from(j) - x).hypot(height * f64::from(j) - y);
+        let mut all: Vec<f64> = lattice.map(distance).collect();
+        all.sort_by(f64::total_cmp);
+        1.0 + all.get(count as usize - 1).copied().unwrap_or(f64::INFINITY)
+    };
+    centres.map(around).into_iter().fold(f64::INFINITY, f64::min)
+}
+
+/// The smallest contraction at which muscles touch whose axes lie `pitch_mm` apart: where the bulged diameter at that pressure reaches the pitch.
+/// `None` where they do not touch up to the free contraction, or where the model has no answer.
+pub fn touches_at(
+    model: &dyn ForceModel,
+    workspace: &mut Workspace,
+    pressure_mpa: f64,
+    pitch_mm: f64,
+) -> Option<f64> {
+    let thick_wall = ThickWall::new(model.muscle());
+    let mut diameter = |contraction: f64| {
+        let own = model.response(workspace, pressure_mpa, contraction).ok()?.bulged_diameter_mm;
+        own.or_else(|| thick_wall.response(workspace, pressure_mpa, contraction).ok()?.bulged_diameter_mm)
+    };
+    if diameter(0.0)? >= pitch_mm {
+        return Some(0.0);
+    }
+    let free = free_contraction(model, &mut Workspace::new(), pressure_mpa, Options::default()).ok()?;
+    let (mut low, mut high) = (0.0, free);
+    if diameter(high)? < pitch_mm {
+        return None;
+    }
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if diameter(middle)? < pitch_mm { low = middle } else { high = middle }
+    }
+    Some(high)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mckibben::muscle::{Braid, BraidStiffness, Muscle};
+    use std::f64::consts::PI;
+
+    /// Closed forms: Kravitz 1967 (Math. Mag. 40, 65–70), as Graham et al. 1998 and others print them.
+    #[test]
+    fn known_packings_are_their_closed_forms() {
+        let csc = |n: f64| 1.0 / (PI / n).sin();
+        let root = f64::sqrt;
+        for (count, exact) in [
+            (1, 1.0),
+            (2, 2.0),
+            (3, 1.0 + 2.0 / root(3.0)),
+            (4, 1.0 + root(2.0)),
+            (5, 1.0 + root(2.0 * (1.0 + 1.0 / root(5.0)))),
+            (6, 3.0),
+            (7, 3.0),
+            (8, 1.0 + csc(7.0)),
+            (9, 1.0 + root(2.0 * (2.0 + root(2.0)))),
+            (11, 1.0 + csc(9.0)),
+            (13, 2.0 + root(5.0)),
+            (15, 1.0 + root(6.0 + 2.0 / root(5.0) + 4.0 * root(1.0 + 2.0 / root(5.0)))),
+            (18, 1.0 + root(2.0) + root(6.0)),
+            (19, 1.0 + root(2.0) + root(6.0)),
+        ] {
+            assert!((envelope_ratio(count) - exact).abs() < 1e-7, "{count}: {exact}");
+        }
+    }
+
+    /// Identities: full hexagons of 7 and 37 have ρ = 3 and 7; no bundle is denser than π/√12, none of the table wider than the lattice.
+    #[test]
+    fn a_lattice_is_no_better_than_the_table_and_no_bundle_denser_than_the_plane() {
+        assert!((hexagonal(7) - 3.0).abs() < 1e-12 && (hexagonal(37) - 7.0).abs() < 1e-12);
+        assert!(
+            (hexagonal(3) - (1.0 + 2.0 / 3f64.sqrt())).abs() < 1e-12 && (hexagonal(2) - 2.0).abs() < 1e-12
+        );
+        let mut last = 0.0;
+        for count in 1..=200 {
+            let ratio = envelope_ratio(count);
+            assert!(f64::from(count) / (ratio * ratio) <= 1.0 && ratio >= last, "{count}: {ratio}");
+            assert!(f64::from(count) <= ratio * ratio * PI / 12f64.sqrt() || count == 1, "{count}: {ratio}");
+            assert!(ratio <= hexagonal(count) + 1e-7, "{count}");
+            last = ratio;
+        }
+        // The best known of 37 and 61 are 6.7588 and 8.6613 (Graham et al. 1998): at most 4 % less.
+        assert!(envelope_ratio(37) / 6.7588 < 1.04 && envelope_ratio(61) / 8.6613 < 1.04);
+    }
+
+    /// By hand: strands that keep their length on the outer diameter, D = D0 √(1 − (1−ε)² cos²θ0)/sin θ0.
+    #[test]
+    fn muscles_touch_where_the_braid_is_as_wide_as_the_pitch() {
+        let braid = Braid { stiffness: BraidStiffness::Inextensible, ..Braid::paper() };
+        let muscle = Muscle::prototype().with_braid(braid).unwrap();
+        let (model, w) = (ThickWall::new(&muscle), &mut Workspace::new());
+        let (sin, cos) = muscle.braid().angle_deg.to_radians().sin_cos();
+        let pitch = 30.0 * (1.0 - (0.9 * cos).powi(2)).sqrt() / sin;
+        let at = touches_at(&model, w, 0.25, pitch).unwrap();
+        assert!((at - 0.1).abs() < 1e-6, "{at}");
+        assert_eq!(touches_at(&model, w, 0.25, 29.0), Some(0.0));
+        assert_eq!(touches_at(&model, w, 0.25, 100.0), None);
+    }
+}

@@ -1,0 +1,41 @@
+// Muscles of the library: identified from measured points, each a button that opens it.
+import { engine } from "./ask.js";
+import { el } from "./dom.js";
+import { muscle } from "./muscle.js";
+import { show } from "./units.js";
+import { visit } from "./visit.js";
+
+/** @typedef {import("../../types/commands").Commands["library-list"]["answer"]["muscles"][number]} Entry */
+
+/** Opens one on the page Muscle. @param {string} name */
+async function open(name) {
+  const { muscle_file: file } = await engine().ask("library-show", { name });
+  await muscle.take(file.text);
+  return visit("muscle", {});
+}
+
+/** @param {Entry} entry @param {() => void} opened @param {(problem: unknown) => void} fail */
+function card(entry, opened, fail) {
+  const { name, blocked_force_n: force, uncertainty_n: half } = entry;
+  const pull = force && half
+    ? `, ${show("force", force, 3)} ± ${show("force", half, 2)} blocked at ${show("pressure", entry.pressure_mpa)}`
+    : "";
+  const size = `D0 ${show("length", entry.outer_diameter_mm, 3)}, L0 ${show("length", entry.length_mm)}`;
+  return el("button", { type: "button", class: "card", title: `${entry.source}; ${entry.terms}`,
+    onclick: () => open(name).then(opened, fail) }, el("b", {}, entry.product ?? entry.title),
+    el("span", { class: "small soft" }, `${name}: ${size}${pull}`));
+}
+
+/**
+ * Buttons of all muscles of the library.
+ * @param {(problem: unknown) => void} fail
+ * @param {() => void} opened
+ */
+export function library(fail, opened) {
+  const box = el("div", { class: "gallery" }, el("span", { class: "small soft" }, "The library is being read."));
+  engine().ask("library-list", {}).then(
+    ({ muscles }) => box.replaceChildren(...muscles.map((entry) => card(entry, opened, fail))),
+    fail,
+  );
+  return el("div", {}, el("h3", {}, "Identified from measured points"), box);
+}
