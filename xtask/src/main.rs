@@ -40,44 +40,8 @@ const TASKS: [Task; 13] = [
     ),
 ];
 
-/// File in `docs/figures` and the command line that draws it.
-const FIGURES: [(&str, &str); 16] = [
-    (
-        "build.svg",
-        "build --rubber latex --braid flexo-overexpanded-0.38in -D 0.375in -s 0.0625in -L 285mm -p 2.5bar",
-    ),
-    ("design.svg", "design --force 700N --contraction 15% --max-pressure 2.5bar"),
-    ("models.svg", "compare --models fe,paper,thick-wall,ideal"),
-    ("simulate.svg", "simulate examples/prototype.toml -e 0,10,20% -p 0.1,0.25"),
-    ("picture.png", "simulate examples/prototype.toml -e 15% -p 0.25 --show stress_hoop_mpa --cut"),
-    (
-        "picture3d.png",
-        "simulate --model fe3d examples/prototype.toml -e 15% -p 0.25 --show stress_hoop_mpa --cut",
-    ),
-    (
-        "elbow-torque.svg",
-        "joint examples/forearm.toml -p 4bar,0bar -p 3bar,1bar -p 2bar,2bar --angle -60..60:5deg",
-    ),
-    ("elbow-map.svg", "joint examples/forearm.toml --map 25 --max-pressure 6bar"),
-    ("elbow-step.svg", "motion examples/forearm-drive.toml"),
-    ("rubber-treloar.svg", "rubber fit data/treloar/tension.csv --up-to 3"),
-    ("rubber-silicone.svg", "rubber fit data/silicones/dragon_skin_30.csv --up-to 200%"),
-    ("measured.svg", "validate --measured"),
-    ("identify_bench.svg", "identify examples/bench.toml --data examples/bench.csv"),
-    (
-        "identify_tondu2012.svg",
-        "identify examples/tondu2012.toml --data data/tondu2012/static_force_20deg.csv",
-    ),
-    (
-        "identify_festo.svg",
-        "identify examples/festo-dmsp-20.toml --data data/martens_boblan_2017/DMSP-20-300.csv --free mu,braid.angle",
-    ),
-    (
-        "identify_paper.svg",
-        "identify -D 50 --data data/paper/table1.csv --data data/paper/formula11.csv \
-         --free c10=0.1,braid.stiffness=600,braid.stiffness_exponent=1",
-    ),
-];
+/// Pages whose commands draw their figures: what they show is declared there, and nowhere else.
+const DRAWN: [&str; 2] = ["docs/gallery.md", "docs/paper.md"];
 
 fn main() -> ExitCode {
     let args: Vec<String> = env::args().skip(1).collect();
@@ -100,20 +64,35 @@ fn main() -> ExitCode {
 }
 
 fn figures(check: bool) -> Done {
-    let (program, made, kept) = (program()?, made("figures")?, Path::new("docs/figures"));
-    for (file, line) in FIGURES {
-        if line.starts_with("build ") {
-            let folder = made.join("build");
-            quiet(Command::new(&program).args(line.split_whitespace()).arg("-o").arg(&folder))?;
-            keep(&folder.join("drawing.svg"), &kept.join(file), check)?;
-            continue;
+    let (program, made) = (program()?, made("figures")?);
+    for page in DRAWN {
+        let text = fs::read_to_string(page).map_err(|e| format!("{page}: {e}"))?;
+        for line in text.lines().filter(|line| line.starts_with("mckibben ") && writes(line)) {
+            quiet(Command::new(&program).args(into_folder(line, &made)))?;
         }
-        let flag = if file.ends_with(".png") { "--picture" } else { "--plot" };
-        let path = made.join(file);
-        quiet(Command::new(&program).args(line.split_whitespace()).arg(flag).arg(&path))?;
-        keep(&path, &kept.join(file), check)?;
+        for figure in text.split("](figures/").skip(1).filter_map(|rest| rest.split(')').next()) {
+            keep(&made.join(figure), &Path::new("docs/figures").join(figure), check)?;
+        }
     }
     Ok(())
+}
+
+/// Flags with the file or folder that a command writes.
+const WRITTEN: [&str; 5] = ["-o", "--plot", "--plots", "--picture", "--tables"];
+
+fn writes(line: &str) -> bool {
+    line.split_whitespace().any(|word| WRITTEN.contains(&word))
+}
+
+/// The words of a command, with what it and those before it write in a folder.
+fn into_folder(line: &str, folder: &Path) -> Vec<PathBuf> {
+    let words: Vec<&str> = line.split_whitespace().skip(1).collect();
+    let before = std::iter::once("").chain(words.iter().copied());
+    let placed = |(before, word): (&str, &&str)| {
+        let there = WRITTEN.contains(&before) || folder.join(word).is_file();
+        if there { folder.join(word) } else { PathBuf::from(word) }
+    };
+    before.zip(&words).map(placed).collect()
 }
 
 /// Figures of the documentation that a study draws: minutes of finite elements.
