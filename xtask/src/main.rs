@@ -12,7 +12,7 @@ type Done = Result<(), String>;
 /// Name, what it does, and how; the flag of the function is `--check`.
 type Task = (&'static str, &'static str, fn(bool) -> Done);
 
-const TASKS: [Task; 13] = [
+const TASKS: [Task; 14] = [
     ("figures", "figures of README and docs, drawn by the program; --check compares", figures),
     ("study-figures", "figures that scripts of studies/ draw; --check compares", study_figures),
     ("golds", "tables and formulas that the program computes itself; --check compares", golds),
@@ -32,6 +32,7 @@ const TASKS: [Task; 13] = [
     ("dependencies", "licences and sources of all crates (python3)", |_| {
         script("python3", "checks/dependencies.py")
     }),
+    ("release", "what a release would publish, and of it what can be made here (python3, a release build)", release),
     ("benches", "speed of the closed forms and of the finite elements", benches),
     (
         "peers",
@@ -157,6 +158,19 @@ fn checks(_: bool) -> Done {
         fs::remove_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
     }
     run(script("checks/outputs.py").arg(&program).arg("chromium"))
+}
+
+/// A dry run: nothing leaves this computer.
+fn release(_: bool) -> Done {
+    let program = env::var_os("MCKIBBEN").map_or_else(
+        || {
+            run(cargo().args(["build", "--quiet", "--locked", "--release"]))?;
+            let name = format!("release/mckibben{}", env::consts::EXE_SUFFIX);
+            fs::canonicalize(target().join(name)).map_err(|e| e.to_string())
+        },
+        |given| Ok(given.into()),
+    )?;
+    run(Command::new("python3").arg("checks/release.py").arg("--binary").arg(program))
 }
 
 fn script(program: &str, path: &str) -> Done {
