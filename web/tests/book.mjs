@@ -34,7 +34,10 @@ for (let address; (address = todo.shift());) {
   }
   for (const [width, theme] of /** @type {[number, string][]} */ ([[1440, "light"], [400, "light"], [400, "navy"]])) {
     await page.setViewportSize({ width, height: 900 });
-    await page.evaluate((t) => { document.documentElement.classList.remove("light", "navy"); document.documentElement.classList.add(t); }, theme);
+    if (theme === "navy" || width > 1000) {
+      await page.evaluate((name) => localStorage.setItem("mdbook-theme", name), theme);
+      await page.reload();
+    }
     const over = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     if (over > 0) wrong.push(`${address}: ${over} pixels broader than ${width}`);
     if (shots) await page.screenshot({ path: `${shots}/${address.replaceAll("/", "-")}-${width}-${theme}.png` });
