@@ -49,7 +49,7 @@ for (let address; (address = todo.shift());) {
     for (const v of violations) wrong.push(`${address} ${width} ${theme}: ${v.id}: ${v.nodes[0].target} (${v.nodes.length})`);
   }
   await page.setViewportSize({ width: 1440, height: 900 });
-  if (process.env.VERBOSE) console.log(address, Math.round(performance.now()), wrong.length);
+  if (process.env.VERBOSE) console.log(address, wrong.filter((line) => line.startsWith(address)).join("\n  "));
 }
 for (const [from, to, anchor] of links) {
   if (!existsSync(`${folder}/${to}`)) { if (!to.startsWith("../")) wrong.push(`${from}: no page ${to}`); }

@@ -32,7 +32,11 @@ const TASKS: [Task; 14] = [
     ("dependencies", "licences and sources of all crates (python3)", |_| {
         script("python3", "checks/dependencies.py")
     }),
-    ("release", "what a release would publish, and of it what can be made here (python3, a release build)", release),
+    (
+        "release",
+        "what a release would publish, and of it what can be made here (python3, a release build)",
+        release,
+    ),
     ("benches", "speed of the closed forms and of the finite elements", benches),
     (
         "peers",
