@@ -58,8 +58,15 @@ PARTS = {
         r"crates/mckibben-campaign/(src/campaign|data)/.*", r"crates/mckibben-(files|parquet)/src/.*", r"crates/mckibben-cli/src/commands/campaign.*",
         r"python/mckibben/_campaign\.py", r"python/tests/test_executors\.py", r"checks/(slurm|campaigns)\.sh",
     ], None, ["bash checks/campaigns.sh \"$MCKIBBEN\""]),
-    "release": ("the release build and README's first command", MANIFESTS, None, [
+    "editors": ("schemas of files in a TOML language server, assistants by the official client", [
+        r"crates/mckibben-app/src/file_schema/.*", r"crates/mckibben-cli/src/commands/mcp/.*", r"crates/mckibben/src/muscle/(file|measures)/.*", r"checks/(editors|mcp).*", r"(examples|plans)/.*\.toml",
+    ], None, ["bash checks/editors.sh \"$MCKIBBEN\""]),
+    "book": ("the book in a browser, at 400 and 1440 pixels", [
+        r"docs/.*", r"web/(book.*|build\.sh|tests/book\.mjs)",
+    ], None, ["bash web/build.sh --site target/site", "cd web && npm install --no-package-lock --no-audit --no-fund --silent && node tests/book.mjs ../target/site/docs"]),
+    "release": ("the release build, README's first command, and a dry run of a release", [*MANIFESTS, r"\.github/workflows/release\.yml", r"packaging/.*", r"checks/release\.py", r"\.zenodo\.json"], None, [
         "cargo build --release --locked",
+        "cargo xtask release",
         "cargo run --release --locked -- design --force 700N --contraction 15% --max-pressure 2.5bar",
     ]),
     "packages": ("every crate as it would be published", [*MANIFESTS, r"checks/package\.sh"], None, ["bash checks/package.sh"]),

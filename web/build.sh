@@ -39,18 +39,21 @@ if [ -n "$site" ]; then
     cp -r docs/. "$book"
     cp benches/README.md "$book/benches.md"
     sed -i 's#\.\./benches/README\.md#benches.md#g' "$book"/*.md
-    mkdir "$book/theme"
-    echo '<p style="margin:0;padding:4px 16px;text-align:right"><a href="{{ path_to_root }}../index.html">Workbench</a> · <a href="{{ path_to_root }}../api/mckibben/index.html">API of the crates</a></p>' >"$book/theme/header.hbs"
+    sed -i 's#(\.\./docs/#(#g' "$book/benches.md"
+    cp -r web/book-theme "$book/theme"
     # Schemas and the Python reference are made by the program and its library.
     cargo build --workspace --all-targets --profile test --locked --quiet
     "$CARGO_TARGET_DIR/debug/mckibben" schema -o "$book/schema"
     test -x "$CARGO_TARGET_DIR/venv/bin/python" || python3 -m venv "$CARGO_TARGET_DIR/venv"
-    "$CARGO_TARGET_DIR/venv/bin/python" -m pip install --quiet numpy
+    "$CARGO_TARGET_DIR/venv/bin/python" -m pip install --quiet numpy latex2mathml
     "$CARGO_TARGET_DIR/venv/bin/python" python/write.py reference "$book/python-reference.md"
     sed -i 's#^- \[The Python package\].*#&\n- [Python reference](python-reference.md)#' "$book/SUMMARY.md"
+    for kind in muscle joint drive plan; do
+        "$CARGO_TARGET_DIR/debug/mckibben" schema --file $kind -o "$book/schema/$kind.schema.json"
+    done
+    "$CARGO_TARGET_DIR/venv/bin/python" web/book.py "$book"
     mdbook build "$book" --dest-dir "$made/docs"
     (cd "$book/schema" && ls *.json | sed 's#.*#<li><a href="&">&</a></li>#' | sed '1i <!DOCTYPE html><html lang="en"><title>JSON Schemas</title><h1>JSON Schemas of the commands</h1><ul>' && echo '</ul></html>') >"$made/docs/schema/index.html"
-    cp literature.bib "$made"
     cargo doc --workspace --no-deps --locked --quiet
     cp -r "$CARGO_TARGET_DIR/doc" "$made/api"
     # Outside of the book there is only the repository.

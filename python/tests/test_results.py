@@ -67,6 +67,7 @@ CALLS: dict[str, Callable[[Path], Any]] = {
     "measured": lambda root: mk.measured(cases=[bench(root)]),
     "models": lambda root: mk.models(),
     "motion": lambda root: mk.motion(root / "examples/drive.toml", model="universal"),
+    "doctor": lambda root: mk.doctor(**MUSCLE, model="ideal", pressure_mpa=0.2),
     "muscle_show": lambda root: mk.muscle_show(**MUSCLE, model="ideal", pressure_mpa=0.2),
     "plan": lambda root: mk.plan({"name": "small.toml", "text": PLAN}),
     "pressure": lambda root: mk.pressure(**MUSCLE, force_n=700, contraction=0.1, model="universal"),

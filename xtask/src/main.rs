@@ -12,7 +12,7 @@ type Done = Result<(), String>;
 /// Name, what it does, and how; the flag of the function is `--check`.
 type Task = (&'static str, &'static str, fn(bool) -> Done);
 
-const TASKS: [Task; 13] = [
+const TASKS: [Task; 14] = [
     ("figures", "figures of README and docs, drawn by the program; --check compares", figures),
     ("study-figures", "figures that scripts of studies/ draw; --check compares", study_figures),
     ("golds", "tables and formulas that the program computes itself; --check compares", golds),
@@ -32,6 +32,11 @@ const TASKS: [Task; 13] = [
     ("dependencies", "licences and sources of all crates (python3)", |_| {
         script("python3", "checks/dependencies.py")
     }),
+    (
+        "release",
+        "what a release would publish, and of it what can be made here (python3, a release build)",
+        release,
+    ),
     ("benches", "speed of the closed forms and of the finite elements", benches),
     (
         "peers",
@@ -40,45 +45,8 @@ const TASKS: [Task; 13] = [
     ),
 ];
 
-/// File in `docs/figures` and the command line that draws it.
-const FIGURES: [(&str, &str); 17] = [
-    (
-        "build.svg",
-        "build --rubber latex --braid flexo-overexpanded-0.38in -D 0.375in -s 0.0625in -L 285mm -p 2.5bar",
-    ),
-    ("design.svg", "design --force 700N --contraction 15% --max-pressure 2.5bar"),
-    ("models.svg", "compare --models fe,paper,thick-wall,ideal"),
-    ("simulate.svg", "simulate examples/prototype.toml -e 0,10,20% -p 0.1,0.25"),
-    ("picture.png", "simulate examples/prototype.toml -e 15% -p 0.25 --show stress_hoop_mpa --cut"),
-    (
-        "picture3d.png",
-        "simulate --model fe3d examples/prototype.toml -e 15% -p 0.25 --show stress_hoop_mpa --cut",
-    ),
-    (
-        "elbow-torque.svg",
-        "joint examples/forearm.toml -p 4bar,0bar -p 3bar,1bar -p 2bar,2bar --angle -60..60:5deg",
-    ),
-    ("elbow-map.svg", "joint examples/forearm.toml --map 25 --max-pressure 6bar"),
-    ("elbow-step.svg", "motion examples/forearm-drive.toml"),
-    ("rubber-treloar.svg", "rubber fit data/treloar/tension.csv --up-to 3"),
-    ("rubber-silicone.svg", "rubber fit data/silicones/dragon_skin_30.csv --up-to 200%"),
-    ("measured.svg", "validate --measured"),
-    ("library.svg", "library list"),
-    ("identify_bench.svg", "identify examples/bench.toml --data examples/bench.csv"),
-    (
-        "identify_tondu2012.svg",
-        "identify examples/tondu2012.toml --data data/tondu2012/static_force_20deg.csv",
-    ),
-    (
-        "identify_festo.svg",
-        "identify examples/festo-dmsp-20.toml --data data/martens_boblan_2017/DMSP-20-300.csv --free mu,braid.angle",
-    ),
-    (
-        "identify_paper.svg",
-        "identify -D 50 --data data/paper/table1.csv --data data/paper/formula11.csv \
-         --free c10=0.1,braid.stiffness=600,braid.stiffness_exponent=1",
-    ),
-];
+/// Pages whose commands draw their figures: what they show is declared there, and nowhere else.
+const DRAWN: [&str; 2] = ["docs/gallery.md", "docs/paper.md"];
 
 fn main() -> ExitCode {
     let args: Vec<String> = env::args().skip(1).collect();
@@ -101,20 +69,35 @@ fn main() -> ExitCode {
 }
 
 fn figures(check: bool) -> Done {
-    let (program, made, kept) = (program()?, made("figures")?, Path::new("docs/figures"));
-    for (file, line) in FIGURES {
-        if line.starts_with("build ") {
-            let folder = made.join("build");
-            quiet(Command::new(&program).args(line.split_whitespace()).arg("-o").arg(&folder))?;
-            keep(&folder.join("drawing.svg"), &kept.join(file), check)?;
-            continue;
+    let (program, made) = (program()?, made("figures")?);
+    for page in DRAWN {
+        let text = fs::read_to_string(page).map_err(|e| format!("{page}: {e}"))?;
+        for line in text.lines().filter(|line| line.starts_with("mckibben ") && writes(line)) {
+            quiet(Command::new(&program).args(into_folder(line, &made)))?;
         }
-        let flag = if file.ends_with(".png") { "--picture" } else { "--plot" };
-        let path = made.join(file);
-        quiet(Command::new(&program).args(line.split_whitespace()).arg(flag).arg(&path))?;
-        keep(&path, &kept.join(file), check)?;
+        for figure in text.split("](figures/").skip(1).filter_map(|rest| rest.split(')').next()) {
+            keep(&made.join(figure), &Path::new("docs/figures").join(figure), check)?;
+        }
     }
     Ok(())
+}
+
+/// Flags with the file or folder that a command writes.
+const WRITTEN: [&str; 5] = ["-o", "--plot", "--plots", "--picture", "--tables"];
+
+fn writes(line: &str) -> bool {
+    line.split_whitespace().any(|word| WRITTEN.contains(&word))
+}
+
+/// The words of a command, with what it and those before it write in a folder.
+fn into_folder(line: &str, folder: &Path) -> Vec<PathBuf> {
+    let words: Vec<&str> = line.split_whitespace().skip(1).collect();
+    let before = std::iter::once("").chain(words.iter().copied());
+    let placed = |(before, word): (&str, &&str)| {
+        let there = WRITTEN.contains(&before) || folder.join(word).is_file();
+        if there { folder.join(word) } else { PathBuf::from(word) }
+    };
+    before.zip(&words).map(placed).collect()
 }
 
 /// Figures of the documentation that a study draws: minutes of finite elements.
@@ -179,6 +162,19 @@ fn checks(_: bool) -> Done {
         fs::remove_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
     }
     run(script("checks/outputs.py").arg(&program).arg("chromium"))
+}
+
+/// A dry run: nothing leaves this computer.
+fn release(_: bool) -> Done {
+    let program = env::var_os("MCKIBBEN").map_or_else(
+        || {
+            run(cargo().args(["build", "--quiet", "--locked", "--release"]))?;
+            let name = format!("release/mckibben{}", env::consts::EXE_SUFFIX);
+            fs::canonicalize(target().join(name)).map_err(|e| e.to_string())
+        },
+        |given| Ok(given.into()),
+    )?;
+    run(Command::new("python3").arg("checks/release.py").arg("--binary").arg(program))
 }
 
 fn script(program: &str, path: &str) -> Done {

@@ -38,11 +38,14 @@ mod commands;
 mod compare;
 mod curve;
 mod design;
+mod doctor;
 #[cfg(feature = "schema")]
 mod expected;
 mod export;
 mod fields;
 mod figure;
+#[cfg(all(feature = "schema", feature = "whole"))]
+mod file_schema;
 mod fit;
 mod identify;
 mod joint;
@@ -93,8 +96,11 @@ pub use commands::{RequestFields, schema, understood};
 pub use compare::*;
 pub use curve::*;
 pub use design::*;
+pub use doctor::*;
 pub use export::*;
 pub use fields::*;
+#[cfg(all(feature = "schema", feature = "whole"))]
+pub use file_schema::{file_kinds, file_schema};
 pub use fit::*;
 pub use identify::*;
 pub use joint::*;

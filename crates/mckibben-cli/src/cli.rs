@@ -7,6 +7,7 @@ use crate::commands::campaign::CampaignArgs;
 use crate::commands::compare::CompareArgs;
 use crate::commands::curve::CurveArgs;
 use crate::commands::design::DesignArgs;
+use crate::commands::doctor::DoctorArgs;
 use crate::commands::export::ExportArgs;
 use crate::commands::fit::FitArgs;
 use crate::commands::formula::FormulaShowArgs;
@@ -14,6 +15,7 @@ use crate::commands::help::{HelpArgs, ManArgs};
 use crate::commands::identify::IdentifyArgs;
 use crate::commands::joint::JointArgs;
 use crate::commands::library::{LibraryCheckArgs, LibraryListArgs, LibraryShowArgs};
+use crate::commands::mcp::McpArgs;
 use crate::commands::models::ModelsArgs;
 use crate::commands::motion::MotionArgs;
 use crate::commands::muscle::{MuscleMeasuresArgs, MuscleShowArgs};
@@ -128,6 +130,9 @@ pub enum Command {
     /// One finite-element test with all results: curves, shape, strands, stretches, sensitivities
     #[command(after_help = commands::simulate::EXAMPLES)]
     Simulate(Box<SimulateArgs>),
+    /// Whether a muscle is plausible, what of it is not known, and what to measure first
+    #[command(after_help = commands::doctor::EXAMPLES)]
+    Doctor(Box<DoctorArgs>),
     /// Build a muscle: drawing, plugs, cut list, bill of materials, steps, test sheet
     #[command(after_help = commands::build::EXAMPLES)]
     Build(Box<BuildArgs>),
@@ -176,8 +181,13 @@ pub enum Command {
     /// Local web server: the workbench in a browser, and every command over HTTP
     #[command(after_help = commands::serve::EXAMPLES)]
     Serve(ServeArgs),
-    /// JSON Schema of requests and answers
-    #[command(after_help = "Examples:\n  mckibben schema force\n  mckibben schema")]
+    /// Commands for assistants over standard input and output (Model Context Protocol)
+    #[command(after_help = commands::mcp::EXAMPLES)]
+    Mcp(McpArgs),
+    /// JSON Schema of requests, answers and files
+    #[command(
+        after_help = "Examples:\n  mckibben schema force\n  mckibben schema --file muscle -o muscle.schema.json"
+    )]
     Schema(SchemaArgs),
     /// Help of a command, as its flag --help prints it
     #[command(after_help = commands::help::EXAMPLES)]

@@ -5,10 +5,11 @@ use crate::failure::Failure;
 use crate::output::{Content, Target, check as check_lost, of_input};
 use clap::ArgMatches;
 use clap::parser::ValueSource;
+use mckibben_report::DATA_HEAD;
 use std::path::Path;
 
 /// Flags that name files that are written; every other flag that names a file reads it.
-const WRITTEN: [&str; 5] = ["output", "plot", "pdf", "picture", "export_inp"];
+const WRITTEN: [&str; 6] = ["output", "plot", "plot_data", "pdf", "picture", "export_inp"];
 /// Those of figures.
 const DRAWN: [&str; 2] = ["plot", "picture"];
 
@@ -34,7 +35,14 @@ pub fn check(matches: &ArgMatches) -> Result<(), Failure> {
         }
     }
     let figures = written.iter().copied().filter(|id| DRAWN.contains(id)).flat_map(paths);
-    figures.into_iter().try_for_each(|path| check_lost(Target::file(path, false), &Content::Figure))
+    let refused = |path, content: &Content| check_lost(Target::file(path, false), content);
+    figures.into_iter().try_for_each(|path| refused(path, &Content::Figure))?;
+    let data = Content::Table { head: DATA_HEAD.into() };
+    written
+        .iter()
+        .filter(|id| **id == "plot_data")
+        .flat_map(|id| paths(id))
+        .try_for_each(|path| refused(path, &data))
 }
 
 #[cfg(test)]

@@ -2,8 +2,8 @@
 
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::PlotFlag;
-use crate::output::{ending, of_input};
+use crate::flags::{PlotFlag, PlotStyle};
+use crate::output::{emit, ending, of_input};
 use crate::quantities::quantity;
 use mckibben::units::Dimension;
 use mckibben_app::ProblemKind;
@@ -13,6 +13,10 @@ use std::path::Path;
 /// Refuses a figure that could not be written, before any work is done for it.
 pub fn check(flag: &PlotFlag) -> Result<(), Failure> {
     width_mm(flag)?;
+    if let Some(path) = flag.plot_data.as_ref().filter(|path| ending(path).as_deref() != Some("csv")) {
+        let message = format!("--plot-data: {} must end in .csv", path.display());
+        return Err(Failure::input(ProblemKind::Output, message, ""));
+    }
     let Some(path) = &flag.plot else { return Ok(()) };
     if ending(path).is_some_and(|e| ["svg", "png", "pdf", "html", "htm"].contains(&e.as_str())) {
         return Ok(());
@@ -22,20 +26,27 @@ pub fn check(flag: &PlotFlag) -> Result<(), Failure> {
 
 /// Writes a figure, where there is one and a file is named for it.
 pub fn save(figure: Option<Figure>, flag: &PlotFlag) -> Result<(), Failure> {
-    match (figure, &flag.plot) {
-        (Some(figure), Some(path)) => {
-            let width = width_mm(flag)?;
-            save_as(
-                match width {
-                    Some(width) => figure.width_mm(width),
-                    None => figure,
-                },
-                path,
-            )
-        }
-        _ => Ok(()),
+    let (Some(mut figure), Some(path)) = (figure, &flag.plot) else { return Ok(()) };
+    if let Some(path) = &flag.plot_data {
+        unread(path)?;
+        emit(figure.to_csv(), Some(path))?;
     }
+    if let Some(style) = flag.plot_style {
+        figure.caption.clear();
+        match style {
+            PlotStyle::Paper => figure.title.clear(),
+            // Letters have a size in millimetres: on a smaller paper they are larger.
+            PlotStyle::Slides => figure = figure.width_mm(SLIDE_MM),
+        }
+    }
+    if let Some(width_mm) = width_mm(flag)? {
+        figure = figure.width_mm(width_mm);
+    }
+    save_as(figure, path)
 }
+
+/// Width of a figure for slides in mm.
+const SLIDE_MM: f64 = 105.0;
 
 /// Writes a figure to a file.
 pub fn save_as(figure: Figure, path: &Path) -> Result<(), Failure> {

@@ -13,6 +13,7 @@
 
 mod axes;
 mod curve;
+mod data;
 mod document;
 mod error;
 mod figure;
@@ -44,6 +45,7 @@ mod text_legend;
 mod ticks;
 mod xml;
 
+pub use data::DATA_HEAD;
 pub use document::{Body, Document, Part};
 pub use error::FigureError;
 pub use figure::{Axis, Figure, Mark, Palette, Panel, Series, Style};

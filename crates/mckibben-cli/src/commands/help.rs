@@ -70,6 +70,34 @@ pub fn man(args: &ManArgs) -> Result<u8, Failure> {
     Ok(0)
 }
 
+/// Every command without commands below it: its words, and what it does.
+pub fn helps() -> Vec<(String, String)> {
+    fn below(command: &Command, path: &str, out: &mut Vec<(String, String)>) {
+        for inner in command.get_subcommands() {
+            let path = format!("{path} {}", inner.get_name());
+            if inner.has_subcommands() {
+                below(inner, &path, out);
+            } else {
+                let about = inner.get_about().map(ToString::to_string).unwrap_or_default();
+                out.push((path.trim().to_owned(), about));
+            }
+        }
+    }
+    let mut out = vec![];
+    below(&command(), "", &mut out);
+    out
+}
+
+/// The help of a command with all flags.
+pub fn long_help(words: &str) -> Option<String> {
+    let mut root = built();
+    let mut found = &mut root;
+    for word in words.split_whitespace() {
+        found = found.find_subcommand_mut(word)?;
+    }
+    Some(found.render_long_help().to_string())
+}
+
 /// The command line with all that it inherits.
 fn built() -> Command {
     let mut root = command();

@@ -6,6 +6,7 @@ pub mod campaign;
 pub mod compare;
 pub mod curve;
 pub mod design;
+pub mod doctor;
 pub mod export;
 pub mod fit;
 pub mod formula;
@@ -13,6 +14,7 @@ pub mod help;
 pub mod identify;
 pub mod joint;
 pub mod library;
+pub mod mcp;
 pub mod models;
 pub mod motion;
 pub mod muscle;
@@ -50,6 +52,7 @@ pub fn run(asked: Command, format: Format, limits: &[(Resource, f64)]) -> Result
         Command::Simulate(args) => simulate::run(&args, format),
         Command::Validate(args) => validate::run(&args, format),
         Command::Compare(args) => compare::run(&args, format),
+        Command::Doctor(args) => doctor::run(&args, format),
         Command::Campaign(args) => campaign::run(&args, format),
         Command::Fit(args) => fit::run(&args, format),
         Command::Formula(FormulaCommand::Show(args)) => formula::show(&args, format),
@@ -72,6 +75,7 @@ pub fn run(asked: Command, format: Format, limits: &[(Resource, f64)]) -> Result
         Command::Models(args) => models::run(&args, format),
         Command::Schema(args) => schema::run(&args),
         Command::Serve(args) => serve::run(args, format, limits),
+        Command::Mcp(args) => mcp::run(&args, limits),
         Command::Help(args) => help::run(&args),
         Command::Man(args) => help::man(&args),
         Command::Completions { shell } => {

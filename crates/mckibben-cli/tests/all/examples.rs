@@ -138,11 +138,14 @@ fn the_commands_in_the_pages_run() {
     } else {
         eprintln!("skipped: there is no README.md");
     }
-    for folder in ["docs", "docs/identify"] {
-        for entry in std::fs::read_dir(root().join(folder)).into_iter().flatten() {
+    let mut folders = vec![root().join("docs")];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
-            if path.extension().is_some_and(|e| e == "md") {
-                pages.push(path);
+            match path.extension() {
+                Some(ending) if ending == "md" => pages.push(path),
+                _ if path.is_dir() => folders.push(path),
+                _ => {}
             }
         }
     }
@@ -186,11 +189,12 @@ fn the_example_muscles_are_muscles() {
         if path.extension().is_some_and(|e| e == "toml") {
             let text = std::fs::read_to_string(&path).unwrap();
             if text.contains("[joint]") {
-                mckibben(&format!("joint {} -p 2bar,1bar --model thick-wall", path.display())).ok();
+                let pressures = if text.contains("[muscle_2]") { "2bar,1bar" } else { "2bar" };
+                mckibben(&format!("joint {} -p {pressures} --model thick-wall", path.display())).ok();
                 continue;
             }
             if text.contains("[command]") {
-                mckibben(&format!("motion {} --model universal", path.display())).ok();
+                mckibben(&format!("motion {} --model thick-wall", path.display())).ok();
                 continue;
             }
             mckibben(&format!("muscle show {}", path.display())).ok();

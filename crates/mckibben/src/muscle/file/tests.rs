@@ -267,6 +267,7 @@ fn the_prototype_is_written_for_people() {
     let text = format!(
         r#"# McKibben muscle, written by mckibben {}.
 # A number without unit is in mm, MPa, N, N/mm, mm2 or degrees.
+#:schema muscle.schema.json
 
 [tube]
 outer_diameter = "30 mm"

@@ -17,6 +17,8 @@ pub fn to_toml(muscle: &Muscle) -> String {
     let mut out = Text::default();
     out.line(concat!("# McKibben muscle, written by mckibben ", env!("CARGO_PKG_VERSION"), "."));
     out.line("# A number without unit is in mm, MPa, N, N/mm, mm2 or degrees.");
+    // Editors complete and check the file with what `mckibben schema --file muscle -o muscle.schema.json` writes beside it.
+    out.line("#:schema muscle.schema.json");
     let tube = muscle.tube();
     out.table("tube");
     out.measures(muscle, "tube");

@@ -1,0 +1,342 @@
+//! `doctor`: whether a muscle is plausible, what of it is not known, how far it is from measured muscles, and what to measure first.
+
+use crate::burst::{PressureLimits, said_of, usual_mpa};
+use crate::fields::{AskFields, ModelFields, MuscleFields};
+use crate::muscle::MuscleSummary;
+use crate::point::finite;
+use crate::problem::Problem;
+use crate::question::Question;
+use crate::uncertainty::UncertaintyWords;
+use crate::units::Units;
+use crate::words::{number, percent};
+use mckibben::analysis::{Burst, FailurePressure};
+use mckibben::answer;
+use mckibben::muscle::Muscle;
+use mckibben::progress::Progress;
+use mckibben::rubber::library;
+use mckibben::uncertainty::UncertaintyParts;
+use mckibben_fit::validation::case::{MuscleCase, muscles};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A muscle to be examined.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct DoctorRequest {
+    /// The muscle.
+    #[serde(flatten)]
+    pub muscle: MuscleFields,
+    /// The model.
+    #[serde(flatten)]
+    pub model: ModelFields,
+    /// How it is asked.
+    #[serde(flatten)]
+    pub asking: AskFields,
+    /// Working pressure, MPa; 0.25 MPa, or the allowed pressure where that is lower.
+    pub pressure_mpa: Option<f64>,
+}
+
+/// What was found on a muscle.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct DoctorAnswer {
+    /// The model.
+    pub model: String,
+    /// The muscle.
+    pub muscle: MuscleSummary,
+    /// Working pressure, MPa.
+    pub pressure_mpa: f64,
+    /// Blocked force there, N.
+    pub blocked_force_n: f64,
+    /// Half-width of its 95 % interval, N.
+    pub blocked_force_uncertainty_n: Option<f64>,
+    /// The same in words.
+    pub uncertainty_words: UncertaintyWords,
+    /// The pressures that the muscle bears.
+    #[serde(flatten)]
+    pub limits: PressureLimits,
+    /// What was found, the gravest kind first; what to measure in the order of its effect.
+    pub findings: Vec<Finding>,
+}
+
+/// Something that was found.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct Finding {
+    /// Its kind.
+    pub kind: FindingKind,
+    /// In a sentence.
+    pub text: String,
+    /// 95 % half-width of the blocked force that a measurement leaves at least, N: the ± without the part that it replaces.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub left_n: Option<f64>,
+}
+
+/// A kind of finding.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum FindingKind {
+    /// The muscle is unusual, or is asked for more than it bears.
+    Implausible,
+    /// A number that is not stated.
+    Unknown,
+    /// A number outside of the muscles that the models were compared with.
+    Outside,
+    /// A measurement that reduces the ±.
+    Measure,
+}
+
+/// Ends take a large part of a muscle that is shorter than so many diameters.
+const SHORT: f64 = 5.0;
+/// Walls over bores of tubes that people cast (the catalogue of parts).
+const WALLS: (f64, f64) = (0.04, 1.0 / 3.0);
+/// A ± above this share of the blocked force is more than a design can do with.
+const WIDE: f64 = 0.3;
+/// A muscle that contracts less than this even without wall and load hardly moves.
+const LITTLE: f64 = 0.1;
+
+/// Examines a muscle.
+///
+/// # Errors
+/// [`Problem`].
+pub fn doctor(request: &DoctorRequest, progress: &dyn Progress) -> Result<DoctorAnswer, Problem> {
+    let mut question = Question::new(&request.muscle, &request.model, request.asking, &progress.budget())?;
+    let burst = question.burst()?;
+    let pressure_mpa = match request.pressure_mpa {
+        Some(pressure_mpa) => finite("pressure_mpa", pressure_mpa)?,
+        None => usual_mpa(&burst),
+    };
+    let (model, workspace) = (&*question.model, &mut question.workspace);
+    let point = answer::force(model, workspace, pressure_mpa, 0.0, question.options)?;
+    let words = UncertaintyWords::of(point.uncertainty_parts_n, model, workspace, pressure_mpa);
+    let (pull, half) = (point.response.force_n, point.uncertainty_n);
+    let mut findings = implausible(&question.muscle, &burst, pressure_mpa, (pull, half));
+    findings.extend(unknown(&burst));
+    findings.extend(outside(&question.muscle, pressure_mpa)?);
+    findings.extend(point.uncertainty_parts_n.iter().flat_map(|parts| measure(parts, &words)));
+    Ok(DoctorAnswer {
+        model: point.model.to_string(),
+        muscle: (&question.muscle).into(),
+        pressure_mpa,
+        blocked_force_n: pull,
+        blocked_force_uncertainty_n: half,
+        uncertainty_words: words,
+        limits: (&burst).into(),
+        findings,
+    })
+}
+
+impl Finding {
+    fn new(kind: FindingKind, text: impl Into<String>) -> Self {
+        Self { kind, text: text.into(), left_n: None }
+    }
+}
+
+fn implausible(
+    muscle: &Muscle,
+    burst: &Burst,
+    pressure_mpa: f64,
+    (pull, half): (f64, Option<f64>),
+) -> Vec<Finding> {
+    let tube = muscle.tube();
+    let (slender, wall) =
+        (muscle.length_mm() / tube.outer_diameter_mm, muscle.wall_mm() / muscle.inner_diameter_mm());
+    // What of a burst is not known is among the unknown.
+    let said = said_of(burst, pressure_mpa, f64::INFINITY);
+    let mut found: Vec<String> = said.iter().map(ToString::to_string).collect();
+    found.extend(muscle.warnings());
+    found.extend(library::warnings(&tube.rubber).iter().map(ToString::to_string));
+    if pull <= 0.0 {
+        found.push("the muscle does not pull at this pressure and its rest length: the pressure is too low for its wall, or its angle is above 54.7°".into());
+    }
+    if muscle.max_ideal_contraction() < LITTLE {
+        let (angle, most) = (number(muscle.braid().angle_deg, 4), percent(muscle.max_ideal_contraction()));
+        found.push(format!(
+            "with an angle of {angle}° even the ideal muscle contracts by no more than {most}"
+        ));
+    }
+    if slender < SHORT {
+        found.push(format!(
+            "the length is {} outer diameters; below {SHORT} the ends take a large part of stroke and pull",
+            number(slender, 3)
+        ));
+    }
+    if wall < WALLS.0 || wall > WALLS.1 {
+        let (low, high) = (percent(WALLS.0), percent(WALLS.1));
+        found.push(format!(
+            "the wall is {} of the bore; tubes on sale and cast ones have {low} to {high}",
+            percent(wall)
+        ));
+    }
+    if let Some(limit) = tube.rubber.fitted_to_stretch.filter(|limit| muscle.reach() > *limit) {
+        found.push(format!(
+            "free to contract, the muscle stretches its rubber to {} at the bore; its constants were fitted up to {}",
+            number(muscle.reach(), 3),
+            number(limit, 3)
+        ));
+    }
+    if let Some(share) = half.map(|half| half / pull).filter(|share| pull > 0.0 && *share > WIDE) {
+        found.push(format!(
+            "the ± is {} of the blocked force: measure before you rely on the pull",
+            percent((100.0 * share).round() / 100.0)
+        ));
+    }
+    found.into_iter().map(|text| Finding::new(FindingKind::Implausible, text)).collect()
+}
+
+/// Failures whose pressure cannot be computed, with what is missing.
+fn unknown(burst: &Burst) -> Vec<Finding> {
+    let mut found: Vec<String> = vec![];
+    for (mode, pressure) in burst.modes() {
+        if let FailurePressure::Unknown(why) = pressure {
+            found.push(format!("the pressure at which {mode}: {why}"));
+        }
+    }
+    if burst.rated_mpa.is_none() {
+        found.push("the pressure for which plugs and fittings are rated; give `rated_pressure` in [terminals] of the muscle file".into());
+    }
+    found.into_iter().map(|text| Finding::new(FindingKind::Unknown, text)).collect()
+}
+
+/// A size: its name, its unit, and how it is taken of a muscle.
+type Sized<'a> = (&'static str, &'static str, &'a dyn Fn(&Muscle) -> f64);
+
+/// Where the muscle lies outside of the measured ones, on which the ± is founded.
+fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<Finding>, Problem> {
+    let cases = muscles().map_err(Problem::from)?;
+    let among = |of: &dyn Fn(&Muscle) -> f64| {
+        let all = cases.iter().flat_map(|case| built(case)).map(|muscle| of(&muscle));
+        all.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), v| (low.min(v), high.max(v)))
+    };
+    let highest_mpa =
+        cases.iter().flat_map(|case| &case.points).map(|p| p.at.pressure_mpa).fold(0.0, f64::max);
+    let measures: [Sized<'_>; 4] = [
+        ("the outer diameter", " mm", &|m| m.tube().outer_diameter_mm),
+        ("the wall over the outer diameter", "", &|m| m.wall_mm() / m.tube().outer_diameter_mm),
+        ("the length over the outer diameter", "", &|m| m.length_mm() / m.tube().outer_diameter_mm),
+        ("the braid angle", "°", &|m| m.braid().angle_deg),
+    ];
+    let mut found = vec![];
+    for (name, unit, of) in measures {
+        let (own, (low, high)) = (of(muscle), among(of));
+        // A last digit is no difference.
+        if own < low * (1.0 - 1e-9) || own > high * (1.0 + 1e-9) {
+            let shown = [own, low, high].map(|v| number(v, 3));
+            found.push(format!(
+                "{name} is {}{unit}; measured muscles have {} to {}{unit}",
+                shown[0], shown[1], shown[2]
+            ));
+        }
+    }
+    if pressure_mpa > highest_mpa {
+        let (own, most) = (number(pressure_mpa, 3), number(highest_mpa, 3));
+        found.push(format!("the pressure is {own} MPa; muscles were measured up to {most} MPa"));
+    }
+    Ok(found.into_iter().map(|text| Finding::new(FindingKind::Outside, text)).collect())
+}
+
+/// The muscles of a case, one for each size that its points state.
+fn built(case: &MuscleCase) -> Vec<Muscle> {
+    let Some(fit) = case.fits.first() else { return vec![] };
+    let mut all: Vec<Muscle> = vec![];
+    for point in &case.points {
+        if let Ok(muscle) = point.section.apply(&fit.muscle)
+            && !all.contains(&muscle)
+        {
+            all.push(muscle);
+        }
+    }
+    all
+}
+
+/// Parts of a ± that a measurement replaces: the name of the part, and what to do.
+const MEASURABLE: [(&str, &str); 4] = [
+    (
+        "friction unknown",
+        "pulls while the muscle shortens and while it lengthens (`identify` finds the friction, and the rubber beside it)",
+    ),
+    ("rubber", "a tension test of the rubber (`rubber fit`), or pulls at several pressures (`identify`)"),
+    (
+        "stiffness of the braid",
+        "number, diameter and modulus of the strands, or the blocked force at a high pressure (`identify`)",
+    ),
+    ("formula", "nothing: the model `fe` does without this part"),
+];
+
+fn measure(parts: &UncertaintyParts, words: &UncertaintyWords) -> Vec<Finding> {
+    let total = parts.total();
+    let mut named: Vec<(&str, f64)> = parts.named().collect();
+    named.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let each = named.into_iter().filter_map(|(name, part)| {
+        let (_, how) = MEASURABLE.iter().find(|known| known.0 == name)?;
+        let left = (total * total - part * part).max(0.0).sqrt();
+        // A part that changes nothing that is shown.
+        (left < 0.98 * total).then(|| Finding {
+            kind: FindingKind::Measure,
+            text: format!("{name}: {how}"),
+            left_n: Some(left),
+        })
+    });
+    let whole = words.bench_uncertainty_n.map(|left| Finding {
+        kind: FindingKind::Measure,
+        text: words.bench.clone().unwrap_or_default(),
+        left_n: Some(left),
+    });
+    whole.into_iter().chain(each).collect()
+}
+
+impl DoctorAnswer {
+    /// The findings of a kind, in sentences with units.
+    pub fn said(&self, kind: FindingKind, u: &Units) -> Vec<String> {
+        let of_kind = self.findings.iter().filter(|finding| finding.kind == kind);
+        of_kind
+            .map(|finding| match finding.left_n {
+                Some(left) if Some(left) == self.uncertainty_words.bench_uncertainty_n => {
+                    self.uncertainty_words.bench_in(u).unwrap_or_default()
+                }
+                Some(left) => {
+                    format!(
+                        "{}; no less than ± {} {} would be left",
+                        finding.text,
+                        u.force.half_width(left),
+                        u.force.name
+                    )
+                }
+                None => finding.text.clone(),
+            })
+            .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mckibben::muscle::measures::LENGTH;
+    use mckibben::progress::Silent;
+
+    fn of(request: DoctorRequest) -> DoctorAnswer {
+        doctor(&request, &Silent).unwrap()
+    }
+
+    /// √(total² − friction²), by hand from the parts of the same muscle.
+    #[test]
+    fn a_measured_friction_takes_its_square_out_of_the_half_width() {
+        let answer = of(DoctorRequest::default());
+        let friction = answer.findings.iter().find(|f| f.text.starts_with("friction unknown")).unwrap();
+        let total = answer.blocked_force_uncertainty_n.unwrap();
+        // 12 % of the blocked force where a muscle does not state its friction (docs/models.md).
+        let part = 0.12 * answer.blocked_force_n;
+        assert!((friction.left_n.unwrap() - (total * total - part * part).sqrt()).abs() < 1e-6 * total);
+    }
+
+    #[test]
+    fn each_kind_of_finding_is_found_on_a_muscle_that_has_it() {
+        let answer = of(DoctorRequest::default());
+        assert_eq!((answer.model.as_str(), answer.pressure_mpa), ("fe", 0.25));
+        let texts = |answer: &DoctorAnswer, kind| answer.said(kind, &Units::default()).join("\n");
+        assert!(texts(&answer, FindingKind::Unknown).contains("`pull_off`"));
+        // The prototype has 30 mm; the widest measured muscle is the DMSP-20.
+        assert!(texts(&answer, FindingKind::Outside).contains("the outer diameter is 30 mm"));
+        assert!(texts(&answer, FindingKind::Measure).contains("would leave about"));
+        let short = of(DoctorRequest { muscle: [(&LENGTH, 100.0)].into(), ..DoctorRequest::default() });
+        assert!(texts(&short, FindingKind::Implausible).contains("3.33 outer diameters"));
+    }
+}
