@@ -256,6 +256,8 @@ fn the_status_names_a_shard_that_died_and_the_same_shard_fills_the_gap() {
     while !dir.path().join("parts/part-000001.parquet").exists() && from.elapsed() < Duration::from_secs(30) {
         std::thread::sleep(Duration::from_millis(5));
     }
+    // It holds its lock and goes no further while it is looked at.
+    signal(&child, "STOP");
     let running = campaign(dir.path(), "status parts --format json").json();
     assert_eq!((state(&running, 2).0, &running["shards_running"]), ("running", &1.into()), "{running}");
     // The same shard once more is refused, and the first is not disturbed.

@@ -1,6 +1,6 @@
 //! `campaign status|submit|cancel`.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, NO_ANSWER};
 use crate::files;
 use crate::flags::OutputFlags;
 use crate::format::Format;
@@ -28,8 +28,6 @@ pub const CANCEL_EXAMPLES: &str = "Example:
   mckibben campaign plans/paper.toml -o parts/ --shard 1/1
   mckibben campaign cancel parts/";
 
-/// No answer exists: something is missing.
-const GAP: u8 = 1;
 /// The wish to stop is looked for this often.
 const TICK: Duration = Duration::from_millis(100);
 
@@ -96,7 +94,7 @@ pub fn status(args: &StatusArgs, format: Format) -> Result<u8, Failure> {
             show(&status, format, "shards", || as_text(&status), args.output.target())?;
         }
         if last {
-            return Ok(if status.has_gap() { GAP } else { 0 });
+            return Ok(if status.has_gap() { NO_ANSWER } else { 0 });
         }
         let from = Instant::now();
         while from.elapsed() < Duration::from_secs(args.watch.unwrap_or_default().into()) {
