@@ -452,6 +452,16 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
   });
 
+  test("a muscle of the library opens with the command line's pull", async () => {
+    const { page, context } = await open("#muscle");
+    await alive(page);
+    await page.getByRole("button", { name: "Open", exact: true }).click();
+    await page.getByRole("button", { name: /lib:dmsp-20-300/ }).click();
+    await reads(page, ".muscle-bar", "D0 23 mm");
+    await reads(page, PULL, asShown(ask("force", "lib:dmsp-20-300", "-p", "2.5bar", "-e", "15%")));
+    await context.close();
+  });
+
   test("a part is found by a filter and put into the muscle, which has the command line's pull", async () => {
     const { page, errors, context } = await open("#parts");
     const { tubes } = ask("parts", "list", "tubes");
