@@ -55,12 +55,12 @@ pub struct DoctorAnswer {
     #[serde(flatten)]
     pub limits: PressureLimits,
     /// What was found, the gravest kind first; what to measure in the order of its effect.
-    pub findings: Vec<Finding>,
+    pub findings: Vec<DoctorFinding>,
 }
 
 /// Something that was found.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct Finding {
+pub struct DoctorFinding {
     /// Its kind.
     pub kind: FindingKind,
     /// In a sentence.
@@ -124,7 +124,7 @@ pub fn doctor(request: &DoctorRequest, progress: &dyn Progress) -> Result<Doctor
     })
 }
 
-impl Finding {
+impl DoctorFinding {
     fn new(kind: FindingKind, text: impl Into<String>) -> Self {
         Self { kind, text: text.into(), left_n: None }
     }
@@ -135,7 +135,7 @@ fn implausible(
     burst: &Burst,
     pressure_mpa: f64,
     (pull, half): (f64, Option<f64>),
-) -> Vec<Finding> {
+) -> Vec<DoctorFinding> {
     let tube = muscle.tube();
     let (slender, wall) =
         (muscle.length_mm() / tube.outer_diameter_mm, muscle.wall_mm() / muscle.inner_diameter_mm());
@@ -179,11 +179,11 @@ fn implausible(
             percent((100.0 * share).round() / 100.0)
         ));
     }
-    found.into_iter().map(|text| Finding::new(FindingKind::Implausible, text)).collect()
+    found.into_iter().map(|text| DoctorFinding::new(FindingKind::Implausible, text)).collect()
 }
 
 /// Failures whose pressure cannot be computed, with what is missing.
-fn unknown(burst: &Burst) -> Vec<Finding> {
+fn unknown(burst: &Burst) -> Vec<DoctorFinding> {
     let mut found: Vec<String> = vec![];
     for (mode, pressure) in burst.modes() {
         if let FailurePressure::Unknown(why) = pressure {
@@ -193,14 +193,14 @@ fn unknown(burst: &Burst) -> Vec<Finding> {
     if burst.rated_mpa.is_none() {
         found.push("the pressure for which plugs and fittings are rated; give `rated_pressure` in [terminals] of the muscle file".into());
     }
-    found.into_iter().map(|text| Finding::new(FindingKind::Unknown, text)).collect()
+    found.into_iter().map(|text| DoctorFinding::new(FindingKind::Unknown, text)).collect()
 }
 
 /// A size: its name, its unit, and how it is taken of a muscle.
 type Sized<'a> = (&'static str, &'static str, &'a dyn Fn(&Muscle) -> f64);
 
 /// Where the muscle lies outside of the measured ones, on which the ± is founded.
-fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<Finding>, Problem> {
+fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<DoctorFinding>, Problem> {
     let cases = muscles().map_err(Problem::from)?;
     let among = |of: &dyn Fn(&Muscle) -> f64| {
         let all = cases.iter().flat_map(|case| built(case)).map(|muscle| of(&muscle));
@@ -230,7 +230,7 @@ fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<Finding>, Problem> 
         let (own, most) = (number(pressure_mpa, 3), number(highest_mpa, 3));
         found.push(format!("the pressure is {own} MPa; muscles were measured up to {most} MPa"));
     }
-    Ok(found.into_iter().map(|text| Finding::new(FindingKind::Outside, text)).collect())
+    Ok(found.into_iter().map(|text| DoctorFinding::new(FindingKind::Outside, text)).collect())
 }
 
 /// The muscles of a case, one for each size that its points state.
@@ -261,7 +261,7 @@ const MEASURABLE: [(&str, &str); 4] = [
     ("formula", "nothing: the model `fe` does without this part"),
 ];
 
-fn measure(parts: &UncertaintyParts, words: &UncertaintyWords) -> Vec<Finding> {
+fn measure(parts: &UncertaintyParts, words: &UncertaintyWords) -> Vec<DoctorFinding> {
     let total = parts.total();
     let mut named: Vec<(&str, f64)> = parts.named().collect();
     named.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -269,13 +269,13 @@ fn measure(parts: &UncertaintyParts, words: &UncertaintyWords) -> Vec<Finding> {
         let (_, how) = MEASURABLE.iter().find(|known| known.0 == name)?;
         let left = (total * total - part * part).max(0.0).sqrt();
         // A part that changes nothing that is shown.
-        (left < 0.98 * total).then(|| Finding {
+        (left < 0.98 * total).then(|| DoctorFinding {
             kind: FindingKind::Measure,
             text: format!("{name}: {how}"),
             left_n: Some(left),
         })
     });
-    let whole = words.bench_uncertainty_n.map(|left| Finding {
+    let whole = words.bench_uncertainty_n.map(|left| DoctorFinding {
         kind: FindingKind::Measure,
         text: words.bench.clone().unwrap_or_default(),
         left_n: Some(left),
