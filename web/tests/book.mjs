@@ -12,6 +12,7 @@ const [folder, shots] = process.argv.slice(2), site = await statically(folder), 
 /** @type {string[]} */ const wrong = [];
 if (shots) mkdirSync(shots, { recursive: true });
 const { page, errors, context } = await tab(browser, { viewport: { width: 1440, height: 900 } });
+page.setDefaultTimeout(120_000);
 await context.route((url) => !url.href.startsWith(site.url), (route) => {
   wrong.push(`loads ${route.request().url()}`);
   return route.abort();
