@@ -49,7 +49,7 @@ pub(super) fn merge(folder: &Path, after: &[String], others: &[String], script: 
 /// What `squeue` lists of a job; nothing of jobs that it no longer has, and where it cannot be asked.
 fn queue(job: &str, format: &str, more: &[String]) -> String {
     let asked = [option("noheader", ""), option("format", format), option("jobs", job)];
-    ask("squeue", &[&asked, more].concat()).unwrap_or_default()
+    ask("squeue", &[&asked[..], more].concat()).unwrap_or_default()
 }
 
 /// Indexes of arrays that wait in the queue.
