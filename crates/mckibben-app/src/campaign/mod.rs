@@ -6,7 +6,7 @@ pub use cluster::*;
 
 use crate::fields::TextFile;
 use crate::problem::{Problem, ProblemKind};
-use mckibben::progress::{Progress, Silent};
+use mckibben::progress::Progress;
 use mckibben::threads::Threads;
 use mckibben_campaign::campaign::{
     self, CampaignError, Cost, Merged, Outcome, Plan, RunOptions, Shard, ShardChoice, Summary,
@@ -19,7 +19,7 @@ use std::time::Duration;
 /// Above this many seconds a few muscles are timed before the cost is stated, for so small a share of it.
 const TIMED_FROM: f64 = 60.0;
 const SHARE: f64 = 0.01;
-/// They are timed for so long at most, in seconds.
+/// They are timed for so long at most, in seconds; muscles that take longer each are not.
 const TIMED_FOR: f64 = 5.0;
 
 /// A plan, and where its table goes.
@@ -58,7 +58,7 @@ pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<Ou
 ///
 /// # Errors
 /// [`Problem`] where it is none.
-pub fn campaign_cost(request: &CampaignRequest) -> Result<Cost, Problem> {
+pub fn campaign_cost(request: &CampaignRequest, progress: &dyn Progress) -> Result<Cost, Problem> {
     let plan = request.read()?;
     let threads = request.threads.unwrap_or_else(|| Threads::shared().count());
     let muscles = match request.shard()? {
@@ -66,10 +66,11 @@ pub fn campaign_cost(request: &CampaignRequest) -> Result<Cost, Problem> {
         None => plan.muscles(),
     };
     let rough = plan.cost(muscles, threads);
-    if rough.seconds < TIMED_FROM {
+    let of_a_muscle = rough.seconds * threads.max(1) as f64 / muscles.max(1) as f64;
+    if rough.seconds < TIMED_FROM || of_a_muscle > TIMED_FOR {
         return Ok(rough);
     }
-    let timing = plan.timed(Duration::from_secs_f64((SHARE * rough.seconds).min(TIMED_FOR)), &Silent)?;
+    let timing = plan.timed(Duration::from_secs_f64((SHARE * rough.seconds).min(TIMED_FOR)), progress)?;
     Ok(Cost {
         bytes: timing.bytes_per_muscle * muscles as f64,
         seconds: timing.seconds_per_muscle * muscles as f64 / threads.max(1) as f64,

@@ -153,7 +153,7 @@ fn plan(args: &CampaignRunArgs, format: Format) -> Result<u8, Failure> {
         yes: args.yes,
     };
     if !args.quiet && format == Format::Text {
-        let cost = mckibben_app::campaign_cost(&request)?;
+        let cost = mckibben_app::campaign_cost(&request, &bar)?;
         let _ = writeln!(
             std::io::stderr(),
             "{} points: about {} and {}",
