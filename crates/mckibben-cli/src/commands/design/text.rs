@@ -336,10 +336,8 @@ fn doubt(answer: &DesignAnswer, u: &Units) -> String {
         }
         None => "no muscle of this search is strong enough".to_owned(),
     };
-    let each = answer.searched.bundle.filter(|n| *n > 1);
-    let each = each.map_or("", |_| " of each muscle");
     format!(
-        "The margin of the first muscle is smaller than its ± of {half}: to cover {wanted}{each} with the ±, {ask}.\n"
+        "The margin of the first muscle is smaller than its ± of {half}: to cover {wanted} with the ±, {ask}.\n"
     )
 }
 
