@@ -245,6 +245,7 @@ pub fn pressure<M: ForceModel + ?Sized>(
     if let Some(half_n) = answer.uncertainty_n {
         let slope = slope_by_pressure(model, workspace, &answer.response, options.direction).ok();
         // Where the ± is wider than the pressure itself, a straight line through the point says nothing.
+        let slope = if model.muscle().is_extensile() { slope.map(f64::abs) } else { slope };
         let half = slope.map(|slope| half_n / slope);
         answer.pressure_uncertainty_mpa = half.filter(|h| (0.0..=pressure_mpa.max(FLAT_MPA)).contains(h));
         if answer.pressure_uncertainty_mpa.is_none() {

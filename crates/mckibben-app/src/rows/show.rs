@@ -63,7 +63,8 @@ pub fn limit_rows(limits: &PressureLimits, estimate: &str, u: &Units) -> Vec<Row
 fn reach(m: &Muscle) -> String {
     let known = m.tube().rubber.fitted_to_stretch;
     let known = known.map_or_else(String::new, |end| format!(", fitted up to {}", number(end, 3)));
-    format!("{} at the bore{known}", number(m.reach(), 3))
+    let place = if m.is_extensile() { "along the tube" } else { "at the bore" };
+    format!("{} {place}{known}", number(m.reach(), 3))
 }
 
 fn understood(answer: &MuscleShowAnswer, u: &Units) -> Vec<Row> {
