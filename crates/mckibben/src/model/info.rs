@@ -46,7 +46,7 @@ impl ModelInfo {
             name: entry.name.into(),
             source: entry.source.into(),
             muscle: Arc::new(muscle.clone()),
-            range: ModelRange::open(),
+            range: ModelRange::of(muscle),
             accuracy: Accuracy::UNKNOWN,
             costly: false,
         }

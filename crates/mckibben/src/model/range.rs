@@ -1,6 +1,7 @@
 //! Where a model may be asked.
 
 use super::ModelError;
+use crate::muscle::Muscle;
 use serde::{Serialize, Serializer};
 use std::fmt;
 
@@ -159,6 +160,12 @@ impl ModelRange {
             muscle: vec![],
             make: vec![],
         }
+    }
+
+    /// The same, of a muscle that extends also below 0.
+    pub fn of(muscle: &Muscle) -> Self {
+        let open = Self::open();
+        if muscle.is_extensile() { open.stretched(muscle.braid().angle_deg) } else { open }
     }
 
     /// The same, also for muscles that a load stretches: until strands at this angle at rest, in degrees, are straight and as long as no

@@ -78,7 +78,7 @@ impl ThickWall {
                 name: ENTRY.name.into(),
                 source: ENTRY.source.into(),
                 muscle: Arc::new(muscle.clone()),
-                range: ModelRange::open(),
+                range: ModelRange::of(muscle),
                 accuracy: Accuracy::share(per_slenderness * share, reference),
                 costly: false,
                 notes: bulk
