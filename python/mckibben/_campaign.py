@@ -173,7 +173,7 @@ class Shards:
         One for each shard. Their results are of no interest: the table is in the folder.
     """
 
-    def __init__(self, campaign: Campaign, executor: Executor, request: dict[str, Any], shards: int) -> None:
+    def __init__(self, campaign: Campaign, executor: Executor, request: dict[str, object], shards: int) -> None:
         self._campaign = campaign
         os.makedirs(campaign._folder, exist_ok=True)
         self._stop = os.path.join(os.path.abspath(campaign._folder), f".stop-{uuid.uuid4().hex}")
