@@ -24,8 +24,8 @@ ROOT = Path(__file__).resolve().parent.parent
 RECORD = ROOT / "checks/long.json"
 MANIFESTS = [r"(.*/)?Cargo\.toml", r"Cargo\.lock"]
 
-# Parts of a minute or two (the page: five), which need the build of the tests alone.
-SHORT = ("golds", "figures", "programs", "server", "page")
+# Parts of a minute or two (the page: five; exports: four with their hosts installed), which need the build of the tests alone.
+SHORT = ("golds", "figures", "programs", "server", "page", "exports")
 
 # Name: what it checks, files that it guards (patterns of whole paths), text that a file must hold as well, commands.
 PARTS = {

@@ -178,6 +178,9 @@ pub struct LibraryCheck {
     pub agreement: LibraryAgreement,
     /// What is wrong, in sentences.
     pub faults: Vec<String>,
+    /// Whether `identified.toml` is not that of the refit.
+    #[serde(skip)]
+    pub is_outdated: bool,
     /// The muscle of the refit as a muscle file, with the bench that states its ±.
     pub muscle_file: TextFile,
 }
@@ -315,12 +318,15 @@ pub(crate) fn check(case: &MuscleCase, progress: &dyn Progress) -> Result<Librar
         .iter()
         .map(|c| LibraryConstant { refit: c.refit.clone(), kept_value: c.kept, agrees: c.agrees() })
         .collect();
-    let faults = faults(case, kept, &constants);
+    let of_muscle = faults_of_muscle(case, kept, &constants);
+    let is_outdated = !of_muscle.is_empty();
+    let faults: Vec<String> = of_muscle.into_iter().chain(left_to_write(case)).collect();
     Ok(LibraryCheck {
         name: case.facts.name.clone(),
         title: case.facts.title.clone(),
         fit: case.fit_of_library().map(|fit| fit.name.clone()).unwrap_or_default(),
         ok: faults.is_empty(),
+        is_outdated,
         constants,
         agreement: agreement(case, kept.unwrap_or(&muscle), &build).into(),
         faults,
@@ -328,8 +334,8 @@ pub(crate) fn check(case: &MuscleCase, progress: &dyn Progress) -> Result<Librar
     })
 }
 
-/// What is wrong with a folder, in sentences.
-fn faults(case: &MuscleCase, kept: Option<&Muscle>, constants: &[LibraryConstant]) -> Vec<String> {
+/// What is wrong with `identified.toml`, in sentences.
+fn faults_of_muscle(case: &MuscleCase, kept: Option<&Muscle>, constants: &[LibraryConstant]) -> Vec<String> {
     let mut out = vec![];
     match kept {
         None => out.push("identified.toml is missing: write it with the muscle of this refit".to_owned()),
@@ -343,8 +349,17 @@ fn faults(case: &MuscleCase, kept: Option<&Muscle>, constants: &[LibraryConstant
                 let message = "identified.toml has no [identified] that is valid for its values, which states the ±: it was changed after it was written";
                 out.push(message.to_owned());
             }
+            if kept.laboratory() != Some(case.facts.source.as_str()) {
+                let message = "`laboratory` in identified.toml is not the `source` of case.toml: identify the muscle again";
+                out.push(message.to_owned());
+            }
         }
     }
+    out
+}
+
+/// What is still to be written in `case.toml`, in sentences.
+fn left_to_write(case: &MuscleCase) -> Vec<String> {
     let facts = &case.facts;
     let written = [
         ("title", &facts.title),
@@ -354,6 +369,5 @@ fn faults(case: &MuscleCase, kept: Option<&Muscle>, constants: &[LibraryConstant
         ("unknown", &facts.unknown),
     ];
     let missing = written.iter().filter(|(_, text)| text.contains(TO_WRITE));
-    out.extend(missing.map(|(key, _)| format!("case.toml: `{key}` is still to be written")));
-    out
+    missing.map(|(key, _)| format!("case.toml: `{key}` is still to be written")).collect()
 }

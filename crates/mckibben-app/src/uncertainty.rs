@@ -64,7 +64,8 @@ pub(crate) fn bench_n(
     workspace: &mut Workspace,
     pressure_mpa: f64,
 ) -> Option<f64> {
-    let left = identified_n(model, workspace, pressure_mpa).filter(|_| parts.fit.is_none())?;
+    let left = identified_n(model, workspace, pressure_mpa)
+        .filter(|_| parts.fit.is_none() || parts.transfer.is_some())?;
     (left > 0.0 && left < WORTH * parts.total()).then_some(left)
 }
 

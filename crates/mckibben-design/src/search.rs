@@ -168,7 +168,8 @@ impl<'a> Search<'a> {
             },
             ..base.tube().clone()
         };
-        let muscle = Muscle::from_parts(Parts { tube, braid, ..base.parts().clone() })?;
+        let parts = Parts { tube, braid, ..base.parts().clone() };
+        let muscle = Muscle::from_parts(parts)?.with_bench_of(base);
         muscle.check_contracts()?;
         Ok(muscle)
     }

@@ -160,6 +160,7 @@ fn models() -> Value {
 fn identified() -> Value {
     let list = |about: &str| json!({ "type": "array", "description": about });
     let keys = [
+        ("laboratory", text("Who measured it; left out of one's own muscle")),
         ("model", text("The model of the fit")),
         ("points", number("Number of points")),
         ("branches", list("Branches of the hysteresis loop")),

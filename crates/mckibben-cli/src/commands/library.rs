@@ -161,7 +161,7 @@ pub fn check(args: &LibraryCheckArgs, format: Format) -> Result<u8, Failure> {
     let answer = library_check(&request, &Bar::new("muscles"))?;
     let mut written = vec![];
     if let Some(folder) = args.folder.as_deref().filter(|_| args.write) {
-        for check in answer.checks.iter().filter(|c| c.constants.iter().any(|k| !k.agrees)) {
+        for check in answer.checks.iter().filter(|c| c.is_outdated) {
             let path = place_of(folder, &check.name).join(&check.muscle_file.name);
             save(Target::file(&path, true), Content::Muscle, check.muscle_file.text.as_bytes())?;
             written.push(path);

@@ -86,6 +86,7 @@ pub(super) fn bench<B: Build>(
         .collect();
     let largest = grid.iter().flatten().flatten().copied().reduce(f64::max)?;
     Some(Bench {
+        laboratory: None,
         model: build(muscle).ok()?.info().name.to_string(),
         points: own.len(),
         branches,

@@ -63,7 +63,8 @@ impl Section {
         tube.length_mm = self.length_mm.unwrap_or(tube.length_mm);
         let mut braid = muscle.braid_on(tube.outer_diameter_mm)?;
         braid.angle_deg = self.angle_deg.unwrap_or(braid.angle_deg);
-        Muscle::new(tube, braid, muscle.terminals().clone(), muscle.friction().copied())
+        let own = Muscle::new(tube, braid, muscle.terminals().clone(), muscle.friction().copied())?;
+        Ok(own.with_bench_of(muscle))
     }
 }
 

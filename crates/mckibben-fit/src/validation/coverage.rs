@@ -6,7 +6,8 @@ use crate::identify::Build;
 use crate::identify::IdentifyError;
 use crate::measured::mean_of_data;
 use mckibben::budget::Exceeded;
-use mckibben::progress::Progress;
+use mckibben::progress::{CancelOnly, Progress};
+use mckibben::threads;
 use mckibben::verification::{CaseKind, Measure, VerificationRow};
 
 /// The share of the points of a set that the ± is to hold.
@@ -22,13 +23,13 @@ pub fn cases<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<Veri
         // Measurements that are built in and cannot be read: a case that fails.
         Err(error) => return Ok(vec![share_row(format!("measured muscles: {error}"), "", None, AT_LEAST)]),
     };
+    let found =
+        threads::map(&sets, |set| of_first_fit(set, elements, &CancelOnly(progress)).unwrap_or_default());
+    if progress.cancelled() {
+        return Err(Exceeded::Cancelled);
+    }
     let mut rows = vec![];
-    for set in sets {
-        let all = of_first_fit(set, elements, progress);
-        if progress.cancelled() {
-            return Err(Exceeded::Cancelled);
-        }
-        let all = all.unwrap_or_default();
+    for (set, all) in sets.into_iter().zip(found) {
         let left = |mean| Left::of(all.iter().filter(|r| r.branch.is_mean() == mean));
         let (means, single) = (left(true), left(false));
         rows.push(rms(set, &means));
@@ -63,7 +64,7 @@ pub(super) struct Off {
 }
 
 /// At least the stated share is to be held.
-const AT_LEAST: Off = Off { error: |share| (COVERAGE - share).max(0.0), tolerance: 0.0 };
+pub(super) const AT_LEAST: Off = Off { error: |share| (COVERAGE - share).max(0.0), tolerance: 0.0 };
 
 fn held(set: &'static MuscleCase, left: &Left, what: &str) -> VerificationRow {
     let name = format!("{}: {} {what} within the ± of fe", set.facts.title, left.points);

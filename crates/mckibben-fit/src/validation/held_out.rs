@@ -2,6 +2,7 @@
 
 use super::case::{CaseFit, MuscleCase, muscles};
 use super::coverage::{COVERAGE, Off, share_row};
+use super::residual::fitted;
 use crate::identify::{Build, IdentifyError, Request, identify_with};
 use crate::least_squares::Loss;
 use crate::measured::{DataPoint, mean_of_data};
@@ -105,6 +106,7 @@ pub fn of_fit<B: Build>(
     progress: &dyn Progress,
 ) -> Result<Vec<HeldOut>, IdentifyError> {
     let points = points_of(set, fit);
+    let fit = &started(fit, &points, build, progress)?;
     let mut all = vec![];
     for part in 0..PARTS {
         let of = |wanted: bool| -> Vec<DataPoint> {
@@ -114,6 +116,21 @@ pub fn of_fit<B: Build>(
         all.extend(judged(fit, &of(false), &of(true), build, progress)?);
     }
     Ok(all)
+}
+
+/// The same fit, begun at the constants that all points give: those of a part are near to them.
+fn started<B: Build>(
+    fit: &CaseFit,
+    points: &[DataPoint],
+    build: &B,
+    progress: &dyn Progress,
+) -> Result<CaseFit, IdentifyError> {
+    let (_, found) = fitted(fit, points, build, progress)?;
+    let mut fit = fit.clone();
+    for free in &mut fit.free {
+        free.start = found.iter().find(|p| p.target == free.target).map(|p| p.value).or(free.start);
+    }
+    Ok(fit)
 }
 
 /// The share of points that are within their ±.

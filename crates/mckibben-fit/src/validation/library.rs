@@ -13,7 +13,7 @@ use crate::identify::{
 };
 use crate::least_squares::Loss;
 use crate::measured::DataPoint;
-use mckibben::muscle::Muscle;
+use mckibben::muscle::{Bench, Muscle};
 use mckibben::nearest::nearest;
 use mckibben::progress::Progress;
 use mckibben::rubber::RubberLaw;
@@ -84,7 +84,7 @@ impl MuscleCase {
     }
 }
 
-/// Identifies the muscle of a folder again; its muscle has the bench that states its ±.
+/// Identifies the muscle of a folder again; its muscle has the bench that states its ±, and the source of the folder as its laboratory.
 ///
 /// # Errors
 /// [`IdentifyError`].
@@ -104,7 +104,10 @@ pub fn refit<B: Build>(
     };
     let found = identify_with(&request, build, progress)?;
     let muscle = match &found.bench {
-        Some(bench) => found.muscle.clone().with_bench(bench.clone()),
+        Some(bench) => {
+            let laboratory = Some(case.facts.source.clone());
+            found.muscle.clone().with_bench(Bench { laboratory, ..bench.clone() })
+        }
         None => found.muscle.clone(),
     };
     Ok((muscle, found))

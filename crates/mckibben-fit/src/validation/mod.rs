@@ -19,6 +19,7 @@ pub mod residual;
 pub mod rubber;
 mod split;
 mod stress;
+pub mod transfer;
 
 use crate::compare::compare;
 use crate::identify::{Build, Parameter, Request, Target, identify};
@@ -72,6 +73,7 @@ pub fn cases<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<Veri
     }
     rows.extend(coverage::cases(elements, progress)?);
     rows.extend(held_out::cases(elements, progress)?);
+    rows.extend(transfer::cases(elements));
     rows.extend(pulses::cases(&case::muscles().unwrap_or_default(), elements, progress));
     progress.report(cases.len(), cases.len());
     Ok(rows)

@@ -20,6 +20,7 @@ use mckibben::model::{ModelError, Workspace};
 use mckibben::muscle::measures::LENGTH;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
+use mckibben::threads;
 use mckibben::verification::{CaseKind, Measure, VerificationRow};
 
 const TABLE: &str = include_str!("../../data/volume/festo-dmsp-10-pulses.csv");
@@ -185,8 +186,9 @@ pub(super) fn cases<B: Build>(
             ok: error.is_some_and(|e| e <= tolerance),
         }
     };
-    let of = |name: &&str| set.fits.iter().find(|fit| fit.name == *name);
-    FITS.iter().filter_map(of).map(row).collect()
+    let fits: Vec<&CaseFit> =
+        FITS.iter().filter_map(|name| set.fits.iter().find(|f| f.name == *name)).collect();
+    threads::map(&fits, |fit| row(fit))
 }
 
 #[cfg(test)]

@@ -10,6 +10,8 @@ use std::fmt::Write;
 /// It belongs to one muscle: [`Bench::of`] is compared with [`Muscle::digest`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bench {
+    /// Who measured it, where that is somebody else than the user: another specimen on another bench pulls differently.
+    pub laboratory: Option<String>,
     /// The model whose constants were fitted.
     pub model: String,
     /// Points of this muscle.
@@ -141,6 +143,7 @@ mod tests {
 
     fn bench() -> Bench {
         Bench {
+            laboratory: None,
             model: "ideal".into(),
             points: 12,
             branches: vec![Direction::Mean],

@@ -142,6 +142,11 @@ impl Muscle {
         self.bench.as_deref().filter(|bench| bench.of == self.digest())
     }
 
+    /// Who measured the muscle that its constants come from, where that is somebody else than the user; also where the muscle was changed since.
+    pub fn laboratory(&self) -> Option<&str> {
+        self.bench.as_deref()?.laboratory.as_deref()
+    }
+
     /// The same muscle with what a bench says of it.
     pub fn with_bench(mut self, bench: Bench) -> Self {
         self.bench = Some(Arc::new(bench));

@@ -20,6 +20,9 @@
 //!   points about the fit, and the fit's own half-width from the covariance of the constants. Outside of the range it turns into the others over a quarter of
 //!   the range's width: squares are weighted by 1 − x and x, x from 0 at the edge to 1.
 //!
+//! - `transfer`, beside the others, of constants that somebody else identified from a specimen of the same product ([`Muscle::laboratory`]): a share of
+//!   the blocked force at the same pressure, which the pulls of the same hose with other fittings, measured in two laboratories, give.
+//!
 //! a, b and c come from four sets of measured muscles (hand-made, 20°; DMSP-20-300; DMSP-10-250; DMSP-10 hose in three lengths), each
 //! with its rubber (and, of the three bought ones, the angle) identified from its own points: they hold at least 95 % of the points of
 //! every set (means of branches). The loop's width is what holds 95 % of the single branches of the two sets that have them; d what holds as many
@@ -60,6 +63,10 @@ const FRICTION_LAW: f64 = 0.81;
 /// muscles.
 pub const STIFFNESS_WAY: f64 = 0.37;
 
+/// What another specimen of a product, with other fittings in another laboratory, differs by over the blocked force: it covers 95 % of the points of
+/// DMSP-10 muscles of one laboratory by the constants from the other one, in both directions.
+const TRANSFER: f64 = 0.24;
+
 /// What identification from 10 points leaves, over the blocked force: 4 to 10 % of the four measured muscles.
 const IDENTIFIED: f64 = 0.06;
 
@@ -67,7 +74,7 @@ const IDENTIFIED: f64 = 0.06;
 const ELEMENTS: &str = "fe";
 
 /// What is known of every ± besides the model's own part, in a sentence.
-const BASIS: &str = "model against tests: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.35 times shear modulus times wall section, which cover 95 % of the points of each of four sets of measured muscles whose rubber was identified from their own pull; rubber: the largest difference that another law with an equally good fit makes, by thick-wall, and, for a named rubber that was measured along one axis alone, what 19 % of its stiffness make; braid: what the factor makes within which the stiffness of the strands is known, by thick-wall; friction: 12 % of the blocked force where the muscle does not state its friction, which covers 95 % of single branches; where it does, 1.81 times the half-width of its law, and 0.81 times on a selected branch; fit: in the place of all of these on the bench that the muscle was identified from; all parts add as squares; no muscle is known whose tube and sleeve are stated as sold and whose pull was published, so that none of the parts covers a prediction from data sheets alone, which may be off by 20 to 30 %";
+const BASIS: &str = "model against tests: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.35 times shear modulus times wall section, which cover 95 % of the points of each of four sets of measured muscles whose rubber was identified from their own pull; rubber: the largest difference that another law with an equally good fit makes, by thick-wall, and, for a named rubber that was measured along one axis alone, what 19 % of its stiffness make; braid: what the factor makes within which the stiffness of the strands is known, by thick-wall; friction: 12 % of the blocked force where the muscle does not state its friction, which covers 95 % of single branches; where it does, 1.81 times the half-width of its law, and 0.81 times on a selected branch; fit: in the place of all of these on the bench that the muscle was identified from; another specimen: 24 % of the blocked force beside them where somebody else identified the muscle (`laboratory`), which covers 95 % of the points that two laboratories measured of one product; all parts add as squares; no muscle is known whose tube and sleeve are stated as sold and whose pull was published, so that none of the parts covers a prediction from data sheets alone, which may be off by 20 to 30 %";
 
 /// How the parts of a ± are known, in a sentence.
 pub fn basis_of(accuracy: &Accuracy) -> String {
@@ -103,6 +110,9 @@ pub struct UncertaintyParts {
     /// The bench that the muscle was identified from, against the fit.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fit: Option<f64>,
+    /// Another specimen of the same product, with other fittings, against the one that was identified.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub transfer: Option<f64>,
     /// Whether the muscle states its friction.
     #[serde(skip)]
     pub friction_is_stated: bool,
@@ -119,6 +129,7 @@ impl UncertaintyParts {
             ("model against tests", self.measured),
             (if self.friction_is_stated { "friction" } else { "friction unknown" }, self.friction),
             ("fit", self.fit),
+            ("another specimen", self.transfer),
         ];
         all.into_iter().filter_map(|(name, part)| Some((name, part?)))
     }
@@ -146,6 +157,25 @@ pub fn uncertainty<M: ForceModel + ?Sized>(
     direction: Direction,
 ) -> Option<UncertaintyParts> {
     let at = (pressure_mpa, contraction);
+    let own = of_specimen(model, workspace, at, force_n, direction)?;
+    // A formula of a bought muscle was held against measured pulls.
+    let of_product = matches!(model.info().accuracy.reference, Reference::ForceMap { .. });
+    if model.muscle().laboratory().is_none() || of_product {
+        return Some(own);
+    }
+    let blocked = blocked_n(model, workspace, pressure_mpa)?;
+    Some(UncertaintyParts { transfer: transfer_n(model.muscle(), blocked), ..own })
+}
+
+/// The parts of the ± of the specimen that was identified, or of any muscle.
+fn of_specimen<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    at: (f64, f64),
+    force_n: f64,
+    direction: Direction,
+) -> Option<UncertaintyParts> {
+    let (pressure_mpa, contraction) = at;
     let Some(bench) = bench_of(model) else { return general(model, workspace, at, force_n, direction) };
     let outside = bench.outside(pressure_mpa, contraction);
     let inside = if outside < 1.0 { Some(of_bench(model, workspace, bench, at, direction)?) } else { None };
@@ -195,6 +225,7 @@ fn general<M: ForceModel + ?Sized>(
         measured: Some(measured_n(muscle, blocked, contraction)),
         friction: Some(friction_n(model, workspace, (pressure_mpa, contraction), direction, blocked)),
         fit: None,
+        transfer: None,
         friction_is_stated: muscle.friction().is_some(),
     })
 }
@@ -287,6 +318,7 @@ fn between(inside: &UncertaintyParts, outside: &UncertaintyParts, x: f64) -> Unc
         measured: part(|p| p.measured),
         friction: part(|p| p.friction),
         fit: part(|p| p.fit),
+        transfer: None,
         friction_is_stated: inside.friction_is_stated,
     }
 }
@@ -315,6 +347,12 @@ pub fn measured_n(muscle: &Muscle, blocked_n: f64, contraction: f64) -> f64 {
     let share = (contraction / muscle.max_ideal_contraction()).clamp(0.0, 1.0);
     let by_pressure = (MEASURED + MEASURED_BY_CONTRACTION * share) * blocked_n;
     by_pressure.hypot(MEASURED_BY_WALL * wall_n(muscle))
+}
+
+/// Half-width in N of the difference between another specimen of a product and the one that somebody else identified, for its blocked force at the same
+/// pressure; `None` of a muscle whose constants do not come from another laboratory.
+pub fn transfer_n(muscle: &Muscle, blocked_n: f64) -> Option<f64> {
+    muscle.laboratory().map(|_| TRANSFER * blocked_n)
 }
 
 /// μ A in N.
@@ -440,6 +478,7 @@ mod tests {
 
     fn with_bench(muscle: &Muscle, model: &str, branches: Vec<Direction>) -> Muscle {
         let bench = Bench {
+            laboratory: None,
             model: model.into(),
             points: 10,
             branches,
@@ -487,6 +526,25 @@ mod tests {
         // Of one branch alone the law is a guess: 1.81 h.
         let one = with_bench(&stated, "thick-wall", vec![Direction::Contraction]);
         assert!((total(&one, Direction::Mean) - (1.81 * half).hypot(5.0)).abs() < 1e-9);
+    }
+
+    /// 0.24 of the blocked force by hand beside the fit; on another diameter beside all other parts.
+    #[test]
+    fn another_specimen_of_a_product_is_a_part() {
+        let (m, w) = (Muscle::prototype(), &mut Workspace::new());
+        let own = with_bench(&m, "thick-wall", vec![Direction::Mean]);
+        let theirs = m
+            .clone()
+            .with_bench(Bench { laboratory: Some("Portland".into()), ..own.bench().unwrap().clone() });
+        let mut parts =
+            |m: &Muscle| uncertainty(&ThickWall::new(m), w, (0.2, 0.1), 100.0, Direction::Mean).unwrap();
+        let share = TRANSFER * ThickWall::new(&m).force_n(&mut Workspace::new(), 0.2, 0.0).unwrap();
+        assert_eq!(parts(&own).transfer, None);
+        assert_eq!(parts(&theirs), UncertaintyParts { transfer: Some(share), ..parts(&own) });
+        let (wider, without) = (theirs.with_section(31.0, 3.0).unwrap(), m.with_section(31.0, 3.0).unwrap());
+        let found = parts(&wider);
+        assert!(found.transfer.is_some() && found.fit.is_none());
+        assert_eq!(UncertaintyParts { transfer: None, ..found }, parts(&without));
     }
 
     #[test]

@@ -7,6 +7,7 @@ use crate::muscle::{Bench, Direction};
 use crate::units::Dimension;
 
 const KEYS: &[&str] = &[
+    "laboratory",
     "model",
     "points",
     "branches",
@@ -100,7 +101,10 @@ pub(super) fn read(section: &Section<'_>) -> Result<Option<Bench>, FileError> {
             "must be symmetric, with a row and a column for each of `parameters`",
         ));
     }
+    let laboratory =
+        section.text("laboratory", "a text in quotes")?.map(|_| name("laboratory")).transpose()?;
     Ok(Some(Bench {
+        laboratory,
         model: name("model")?,
         points: points as usize,
         branches,
@@ -120,6 +124,10 @@ pub(super) fn write(out: &mut Text, bench: &Bench) {
         list(rows.iter().map(|row| list(row.iter().map(|v| number(*v)).collect())).collect())
     };
     out.table("identified");
+    if let Some(laboratory) = &bench.laboratory {
+        let comment = "who measured it; the ± includes that yours is another specimen";
+        out.key("laboratory", &text(laboratory), comment);
+    }
     out.key("model", &text(&bench.model), "the ± inside of these ranges is that of the fit to them");
     out.key("points", &bench.points.to_string(), "");
     let branches = bench.branches.iter().map(|b| text(b.name())).collect();
