@@ -50,9 +50,9 @@ fn the_list_has_every_muscle_with_its_terms_and_uncertainty() {
     assert!(muscles.len() >= 5, "{muscles:#?}");
     for m in muscles {
         assert!(m["name"].as_str().unwrap().starts_with("lib:") && !m["terms"].as_str().unwrap().is_empty());
-        // That of the fit, or the general one where the bench does not reach the blocked force.
+        // 0.24 for another specimen, and beside it that of the fit, or the general one where the bench does not reach the blocked force.
         let share = number(m, "uncertainty_n") / number(m, "blocked_force_n");
-        assert!((0.001..0.2).contains(&share), "{m:#}");
+        assert!((0.24..0.45).contains(&share), "{m:#}");
     }
 }
 
@@ -103,22 +103,25 @@ fn a_folder_of_ones_own_points_is_made_and_checked() {
     );
     run(&["library", "check", &at, "--write"]).ok();
     assert_eq!(check(0)["ok"], true);
+    // For others it is another specimen.
+    let muscle = fs::read_to_string(path.join("identified.toml")).unwrap();
+    assert!(muscle.contains("laboratory = \"known\""), "{muscle}");
     // The same folder is a case of the validation.
     let measured =
         run(&["validate", "--measured", made.path().to_str().unwrap(), "--format", "json"]).ok().json();
     assert_eq!(measured["cases"][0]["title"], "mine");
 }
 
-/// A requirement that a DMSP-20 meets (573 ± 53 N at 5 bar and 10 %, a regression), and one that none meets.
+/// A requirement that a DMSP-20 meets (570 ± 330 N at 5 bar and 10 %, a regression), and one that none meets.
 #[test]
 fn a_design_says_which_muscle_as_sold_would_do() {
-    let found = json("design --force 300N --contraction 10% --max-pressure 5bar --no-chart --verify none");
+    let found = json("design --force 200N --contraction 10% --max-pressure 5bar --no-chart --verify none");
     let bought = found["bought"].as_array().unwrap();
     let names: Vec<&str> = bought.iter().filter_map(|b| b["name"].as_str()).collect();
     assert!(names.contains(&"lib:dmsp-20-300"), "{names:?}");
     for b in bought {
         assert!(
-            number(b, "force_n") - number(b, "uncertainty_n") >= 300.0 && number(b, "pressure_mpa") <= 0.5
+            number(b, "force_n") - number(b, "uncertainty_n") >= 200.0 && number(b, "pressure_mpa") <= 0.5
         );
     }
     let none = json(

@@ -13,7 +13,7 @@ use crate::identify::{
 };
 use crate::least_squares::Loss;
 use crate::measured::DataPoint;
-use mckibben::muscle::{Bench, Muscle};
+use mckibben::muscle::Muscle;
 use mckibben::nearest::nearest;
 use mckibben::progress::Progress;
 use mckibben::rubber::RubberLaw;
@@ -84,7 +84,7 @@ impl MuscleCase {
     }
 }
 
-/// Identifies the muscle of a folder again; its muscle has the bench that states its ±, and the source of the folder as its laboratory.
+/// Identifies the muscle of a folder again; its muscle has the bench that states its ±.
 ///
 /// # Errors
 /// [`IdentifyError`].
@@ -104,10 +104,7 @@ pub fn refit<B: Build>(
     };
     let found = identify_with(&request, build, progress)?;
     let muscle = match &found.bench {
-        Some(bench) => {
-            let laboratory = Some(case.facts.source.clone());
-            found.muscle.clone().with_bench(Bench { laboratory, ..bench.clone() })
-        }
+        Some(bench) => found.muscle.clone().with_bench(bench.clone()),
         None => found.muscle.clone(),
     };
     Ok((muscle, found))
@@ -217,6 +214,7 @@ mod tests {
         for (case, muscle) in all {
             let bench = muscle.bench().unwrap();
             assert!(!case.facts.terms.is_empty() && bench.points > 5);
+            assert_eq!(muscle.laboratory(), Some(case.facts.source.as_str()), "{}", case.facts.name);
         }
     }
 
