@@ -54,12 +54,18 @@ class Broken(Executor):
         raise AssertionError("nothing is to be computed")
 
 
+def begun(pool: Executor, out: Path, shards: int, part: str) -> mk.Shards:
+    """A campaign on a pool that has written its first part."""
+    running = mk.Campaign(out, PLAN).submit(pool, shards=shards)
+    while not any(out.parent.glob(part)):
+        time.sleep(0.01)
+    return running
+
+
 def test_a_killed_pool_is_joined_again(tmp_path: Path, expected: bytes) -> None:
     out = tmp_path / "parts"
     with ProcessPoolExecutor(2) as pool:
-        shards = mk.Campaign(out, PLAN).submit(pool, shards=10)
-        while not any(out.glob("part-*")):
-            time.sleep(0.01)
+        shards = begun(pool, out, 10, "parts/part-*")
         for process in list(pool._processes.values()):
             process.kill()
         with pytest.raises(BrokenProcessPool):
@@ -76,9 +82,7 @@ def test_a_killed_pool_is_joined_again(tmp_path: Path, expected: bytes) -> None:
 def test_a_cancelled_campaign_is_joined_again(tmp_path: Path, expected: bytes) -> None:
     out = tmp_path / "c.parquet"
     with ProcessPoolExecutor(2) as pool:
-        shards = mk.Campaign(out, PLAN).submit(pool, shards=4)
-        while not list(tmp_path.glob("c.parquet.parts/part-*")):
-            time.sleep(0.01)
+        shards = begun(pool, out, 4, "c.parquet.parts/part-*")
         shards.cancel()
         with pytest.raises(mk.MckibbenError, match="cancelled"):
             shards.result()

@@ -6,9 +6,8 @@ use super::split::{Training, same, trainings};
 use crate::identify::{Build, Identified, IdentifyError};
 use crate::measured::{DataPoint, mean_of_data};
 use crate::rubber_over_time::OverTimeFitError;
-use mckibben::budget::Budget;
 use mckibben::muscle::{Direction, Muscle};
-use mckibben::progress::Progress;
+use mckibben::progress::{CancelOnly, Progress};
 use mckibben::threads;
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -106,19 +105,6 @@ pub fn report<B: Build>(
         result
     };
     threads::map(&tasks, one).into_iter().collect()
-}
-
-/// The wish to end and the budget, without the progress of a single fit.
-struct CancelOnly<'a>(&'a dyn Progress);
-
-impl Progress for CancelOnly<'_> {
-    fn cancelled(&self) -> bool {
-        self.0.cancelled()
-    }
-
-    fn budget(&self) -> Budget {
-        self.0.budget()
-    }
 }
 
 fn run<B: Build>(
