@@ -86,15 +86,21 @@ class Muscle(MuscleFields, MuscleCommands):
 
     def to_dict(self) -> dict[str, Any]:
         """What is stated of it by the names of fields: ``Muscle(**muscle.to_dict())`` is the same muscle. A rubber that is none of the library is a dict of
-        its law and constants, and a braid whose strands carry compression one of its fields.
+        its law and constants, and a braid whose strands carry compression one of its fields. Where fields do not state all of it (a muscle with an
+        identification, an end factor that depends on the pressure), it is the text of its muscle file.
         """
         from . import _schema
+        from ._problem import InputError
 
         out: dict[str, Any] = {}
-        for table in ("tube", "braid", "terminals", "friction"):
-            own, names = self._part(table).to_dict(), _schema.part(table)
-            out.update({table: own} if "compression" in own else {names[name]: value for name, value in own.items()})
-        return out
+        try:
+            for table in ("tube", "braid", "terminals", "friction"):
+                own, names = self._part(table).to_dict(), _schema.part(table)
+                out.update({table: own} if "compression" in own else {names[name]: value for name, value in own.items()})
+            whole = Muscle(**_any(out)) == self
+        except InputError:
+            whole = False
+        return out if whole else {"base": {"name": "muscle", "text": self._text}}
 
     def save(self, path: str | PathLike[str], *, overwrite: bool = False) -> None:
         """Writes its muscle file. One that is there is replaced where it is a muscle file, any other only with ``overwrite``."""

@@ -138,7 +138,11 @@ class _Measured(_Part):
         return {name: value for name, value in self._values.items() if key.get(name, name) in stated}
 
     def to_dict(self) -> dict[str, Any]:
-        """What is stated of it by name: the same part can be made of it."""
+        """What is stated of it by name: the same part can be made of it. An end factor that depends on the pressure has no argument, and is an error."""
+        from ._problem import InputError
+
+        if isinstance(_native.toml(self._table, self._text).get("model", {}).get("tondu-lopez", {}).get("end_factor"), dict):
+            raise InputError("this end factor depends on the pressure, which no argument states", kind="usage", field="end_factor", hint="use to_toml() and from_toml(), or give end_factor a number")
         return {name: value.to_dict() if isinstance(value, Rubber) else value for name, value in self._plain().items()}
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import inspect
+import json
 import pickle
 from pathlib import Path
 from typing import Any
@@ -51,6 +52,15 @@ def test_a_part_says_the_same_as_the_fields_of_a_muscle(measure: str) -> None:
     assert mk.Muscle(**{**given, table: own}) == muscle
     for same in (KINDS[table](**part.to_dict()), KINDS[table].from_toml(part.to_toml()), KINDS[table].from_toml(muscle.to_toml()), pickle.loads(pickle.dumps(part)), copy.deepcopy(part), part.replace()):
         assert same == part and hash(same) == hash(part) and repr(same) == repr(part)
+
+
+def test_what_no_argument_states_is_kept_as_the_text_of_the_file() -> None:
+    pressure = mk.Muscle.from_toml("[tube]\nouter_diameter = 14\nwall_thickness = 2\nlength = 200\n[model.tondu-lopez]\nend_factor = { a = 1, b = 1.2 }\n")
+    for muscle in (mk.Muscle("lib:dmsp-20-300"), pressure):
+        assert list(muscle.to_dict()) == ["base"] and mk.Muscle(**json.loads(json.dumps(muscle.to_dict()))) == muscle
+    assert mk.Terminals.from_toml(pressure.to_toml()) == pressure.terminals
+    with pytest.raises(mk.InputError, match="depends on the pressure"):
+        pressure.terminals.replace(seating_mm=1)
 
 
 def test_a_part_is_whole_and_a_field_is_given_once() -> None:

@@ -182,8 +182,12 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
                 low.0 = high;
                 step *= 1.5;
             }
-            // Past the last equilibrium: close in on it.
-            (None, Some(_)) if high - low.0 > fineness.edge_mpa => step = 0.25 * (high - low.0),
+            // Past the last equilibrium: close in on it, unless the pull moves away from what is wanted.
+            (None, Some(value))
+                if high - low.0 > fineness.edge_mpa && !moves_away(before, (low.0, value), high) =>
+            {
+                step = 0.25 * (high - low.0);
+            }
             (None, Some(_)) => break,
         }
     }
@@ -209,6 +213,16 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
         (_, Some(error)) => error.into(),
         (Some(nearest), None) => none(nearest),
         (None, None) => none((lowest, -force_n)),
+    })
+}
+
+/// Whether the pull moves away from what is wanted between the last pressure with an equilibrium and `end`, above which there is none: at the
+/// last two pressures (each with F − wanted) it does so, and the rest of the way is too short for a return. Towards the last equilibrium of a
+/// branch F changes with the root of the distance d, by 2 d dF/dP; twice that is allowed for.
+fn moves_away(before: Option<(f64, f64)>, last: (f64, f64), end: f64) -> bool {
+    before.is_some_and(|before| {
+        let slope = (last.1 - before.1) / (last.0 - before.0);
+        slope * last.1 > 0.0 && last.1.abs() > 4.0 * slope.abs() * (end - last.0)
     })
 }
 
