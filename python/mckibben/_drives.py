@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any, ClassVar, Union
 
 from . import _files, _native, _quantity
 from ._base import Fixed
@@ -61,6 +61,8 @@ class _File(Fixed):
     __slots__ = ("_beside", "_tables")
     _tables: dict[str, Any]
     _beside: dict[str, Any]
+    # Of a file that has one.
+    _schema: ClassVar[str] = ""
 
     def _hold(self, tables: Mapping[str, Any], beside: Mapping[str, Any]) -> Self:
         object.__setattr__(self, "_tables", {name: value for name, value in tables.items() if value not in (None, {})})
@@ -68,8 +70,9 @@ class _File(Fixed):
         return self
 
     def to_toml(self) -> str:
-        """The text of its file."""
-        return _native.toml_text(self._tables)
+        """The text of its file; that of a joint or drive names its schema, for editors."""
+        text = _native.toml_text(self._tables)
+        return f"#:schema {self._schema}.schema.json\n\n{text}" if self._schema else text
 
     def to_dict(self) -> dict[str, Any]:
         """Its tables as plain dicts; under ``files`` the texts of the files that it names."""
@@ -160,6 +163,7 @@ class Joint(_File):
     """
 
     __slots__ = ()
+    _schema = "joint"
 
     def __init__(
         self,
@@ -224,6 +228,7 @@ class Drive(_File):
     """
 
     __slots__ = ()
+    _schema = "drive"
 
     def __init__(
         self,

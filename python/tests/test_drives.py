@@ -32,6 +32,7 @@ def test_a_joint_is_its_file(elbow: mk.Joint, root: Path, tmp_path: Path) -> Non
     for same in (elbow, loaded, saved, tmp_path / "new" / "elbow.toml", pickle.loads(pickle.dumps(elbow)), copy.deepcopy(elbow)):
         assert mk.joint(same, **asked).points == points
     assert saved == elbow and hash(saved) == hash(elbow) and list(loaded.muscles) == ["biceps.toml"] and list(elbow.muscles) == ["muscle_1.toml"]
+    assert elbow.to_toml().startswith("#:schema joint.schema.json\n")
     assert elbow.to_dict()["joint"]["radius"] == "25.0 mm" and elbow.to_dict()["joint"]["range"] == "-60.0..60.0 deg"
     other = mk.Muscle(root / "examples/biceps.toml").replace(wall_mm=1)
     assert mk.joint(elbow, muscles={"muscle_1.toml": other}, **asked).points != points

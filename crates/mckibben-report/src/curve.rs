@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 
+use crate::smooth::smooth;
 use crate::ticks::Scale;
 
 /// A point of the drawing, in its units, y downward.
@@ -81,7 +82,7 @@ impl Frame<'_> {
                 Some(spot) => run.push(spot),
                 None if run.is_empty() => {}
                 None => {
-                    let seen = if run.len() > MANY { thin(&run) } else { std::mem::take(&mut run) };
+                    let seen = if run.len() > MANY { thin(&run) } else { smooth(&run) };
                     clip(&seen, &self.plot.grown(0.01), &mut pieces);
                     run.clear();
                 }

@@ -37,6 +37,7 @@ mod room;
 mod save;
 mod scene;
 mod sheet;
+mod smooth;
 mod strokes;
 mod svg;
 mod text;

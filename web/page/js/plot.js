@@ -17,7 +17,7 @@ import { number } from "./units.js";
  */
 
 /** Okabe and Ito's colours, for what differs in kind; in the order of the figures of the command line. */
-export const KINDS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8a8a8a"];
+export const KINDS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#8a8a8a"];
 const DASHES = { solid: "", dash: ' stroke-dasharray="7 4"', dot: ' stroke-dasharray="2 3"' };
 const FONT = 12.5, GLYPH = 6.8;
 

@@ -253,7 +253,7 @@ export const keys = () => [...MEASURES, ...POINT].map(({ key }) => key).concat(N
 export function joint(file, second, { r, low, high, e0, mass = 0, centre = 0, inertia = 0 }) {
   const other = second ? "muscle-2.toml" : "muscle.toml";
   const arm = mass > 0 ? `[link]\nmass = "${mass} kg"\ncentre = "${centre} mm"\ninclination = "-90 deg"\n` : "";
-  const text = `[joint]\nradius = "${r} mm"\nrange = "${low}..${high} deg"\n`
+  const text = `#:schema joint.schema.json\n\n[joint]\nradius = "${r} mm"\nrange = "${low}..${high} deg"\n`
     + `${inertia > 0 ? `inertia = "${inertia} kg m2"\n` : ""}${arm}[muscle_1]\nfile = "muscle.toml"\n`
     + `contraction_at_neutral = "${e0}"\n[muscle_2]\nfile = "${other}"\ncontraction_at_neutral = "${e0}"\n`;
   return { joint: { name: "joint.toml", text },

@@ -32,7 +32,7 @@ export function drive(points, seconds, supply) {
     return `[${bar.map((p, i) => `["${time(i)}", "${p} bar"]`).join(", ")}]`;
   };
   const opposed = points.every((q) => typeof q.pressure_2_mpa === "number");
-  return `# A move of the joint: pressures along it, each held until the next.\njoint = "joint.toml"\n\n`
+  return `# A move of the joint: pressures along it, each held until the next.\n#:schema drive.schema.json\njoint = "joint.toml"\n\n`
     + `[supply]\npressure = "${supply} MPa"\n\n[valve]\nsonic_conductance = "0.5 L/(s bar)"\n\n[command]\n`
     + `${opposed ? "pressure_1" : "pressure"} = ${steps(points.map((q) => q.pressure_1_mpa))}\n`
     + (opposed ? `pressure_2 = ${steps(points.map((q) => Number(q.pressure_2_mpa)))}\n` : "")

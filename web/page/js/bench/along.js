@@ -17,7 +17,7 @@ export function along({ arrays, stations, across }) {
     y: `radius [${unit}], strand angle [°]`,
     series: [
       { name: "outer radius", end: "outer", x, y: radius(across - 1), colour: KINDS[0] },
-      { name: "inner radius", end: "inner", x, y: radius(0), colour: KINDS[5] },
+      { name: "inner radius", end: "inner", x, y: radius(0), colour: KINDS[4] },
       {
         name: "strand angle",
         end: "angle",
