@@ -16,7 +16,7 @@ export PATH="$work/venv/bin:$PATH"
 # Types of what is made from the schema.
 cargo build --quiet --workspace --all-targets --profile test --locked
 python python/write.py stubs
-maturin build --release --strip --zig --compatibility manylinux2014 -o dist "$@"
+maturin build --profile wheel --zig --compatibility manylinux2014 -o dist "$@"
 maturin sdist -o dist
 
 if [ -n "${TEST_SDIST:-}" ]; then

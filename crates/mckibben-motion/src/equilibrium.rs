@@ -27,8 +27,11 @@ pub struct Equilibrium {
 /// [`MotionError::NoEquilibrium`], or the model's.
 pub fn equilibrium(drive: &Drive<'_>, pressures_mpa: &[f64]) -> Result<Equilibrium, MotionError> {
     drive.check()?;
-    let members: Vec<Member<'_>> =
-        drive.muscles.iter().map(|m| Member::new(m.model, &Budget::current())).collect();
+    let members: Vec<Member<'_>> = drive
+        .muscles
+        .iter()
+        .map(|m| Member::new(m.model, &Budget::current(), drive.tolerance.relative))
+        .collect();
     at_pressures(drive, &members, pressures_mpa)
 }
 
@@ -42,7 +45,7 @@ pub(crate) fn net(
     let mut sum = -drive.mechanism.load(q);
     for (i, (member, p)) in members.iter().zip(pressures).enumerate() {
         let lever = drive.mechanism.lever(i, q);
-        let force = match member.answer(*p, lever.contraction) {
+        let force = match member.at_rest(*p, lever.contraction) {
             Ok(answer) => answer.force_n,
             Err(ModelError::Exceeded(e)) => return Err(e.into()),
             Err(_) if member.slack(*p).is_ok_and(|h| lever.contraction >= h.contraction) => 0.0,

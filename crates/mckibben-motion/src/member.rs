@@ -18,6 +18,17 @@ pub(crate) struct Answer {
     pub volume_p: f64,
 }
 
+impl Answer {
+    /// The first order about the point of this answer.
+    fn moved(self, pressure_mpa: f64, contraction: f64) -> Self {
+        Self {
+            force_n: self.force_n + self.force_p * pressure_mpa + self.force_e * contraction,
+            volume_mm3: self.volume_mm3 + self.volume_p * pressure_mpa + self.volume_e * contraction,
+            ..self
+        }
+    }
+}
+
 /// The slack muscle: where it hangs, and how its volume follows the pressure alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SlackState {
@@ -34,6 +45,8 @@ pub(crate) enum Substitute {
     Moment(SlackState),
     /// About a pressure and contraction: first order.
     Near(f64, f64, SlackState),
+    /// The same about the nearest question that was asked last.
+    Nearest,
 }
 
 impl Substitute {
@@ -60,22 +73,6 @@ impl Substitute {
             contraction_p: line(a.0.contraction_p, b.0.contraction_p),
         })
     }
-
-    fn at(&self, pressure_mpa: f64, contraction: f64) -> SlackState {
-        match *self {
-            Self::Moment(h) => h,
-            Self::Near(p, e, h) => {
-                let (dp, de) = (pressure_mpa - p, contraction - e);
-                let a = h.answer;
-                let answer = Answer {
-                    force_n: a.force_n + a.force_p * dp + a.force_e * de,
-                    volume_mm3: a.volume_mm3 + a.volume_p * dp + a.volume_e * de,
-                    ..a
-                };
-                SlackState { answer, ..h }
-            }
-        }
-    }
 }
 
 /// Steps of central differences where a model does not know the derivatives of its volume.
@@ -86,13 +83,20 @@ const STEP: f64 = 1e-4;
 /// is made.
 const LEAST_MPA: f64 = 1e-6;
 
+/// Closer than this to where it goes slack, as a contraction, a muscle is asked itself.
+const SLACK: f64 = 1e-3;
+
+/// Questions asked last, with their answers: a step asks for its start, three stages and its end, some of them again.
+type Kept = [Option<(f64, f64, Answer)>; 8];
+
 pub(crate) struct Member<'a> {
     pub model: &'a dyn ForceModel,
     pub length_mm: f64,
+    /// So far from an answer that is kept, as a contraction (ten times as far as a share of the pressure), its first order is the model.
+    near: f64,
     ideal: Ideal,
     workspace: RefCell<Workspace>,
-    /// Questions asked last, with their answers: differences for the Jacobian ask the same again.
-    kept: RefCell<[Option<(f64, f64, Answer)>; 4]>,
+    kept: RefCell<Kept>,
     next: Cell<usize>,
     clamp_slack: Cell<Option<f64>>,
     pub asked: Cell<usize>,
@@ -104,7 +108,7 @@ pub(crate) struct Member<'a> {
 #[derive(Default)]
 pub(crate) struct Memory {
     workspace: Workspace,
-    kept: [Option<(f64, f64, Answer)>; 4],
+    kept: Kept,
     next: usize,
     clamp_slack: Option<f64>,
 }
@@ -135,13 +139,15 @@ impl<'a> Member<'a> {
         }
     }
 
-    pub fn new(model: &'a dyn ForceModel, budget: &Budget) -> Self {
+    /// A member with what its model may cost and the relative tolerance of the motion.
+    pub fn new(model: &'a dyn ForceModel, budget: &Budget, tolerance: f64) -> Self {
         Self {
             model,
+            near: tolerance,
             length_mm: model.muscle().length_mm(),
             ideal: Ideal::new(model.muscle()),
             workspace: RefCell::new(Workspace::within(budget.clone())),
-            kept: RefCell::new([None; 4]),
+            kept: RefCell::new([None; 8]),
             next: Cell::new(0),
             clamp_slack: Cell::new(None),
             asked: Cell::new(0),
@@ -156,29 +162,54 @@ impl<'a> Member<'a> {
 
     /// F and V with their derivatives.
     pub fn answer(&self, pressure_mpa: f64, contraction: f64) -> Result<Answer, ModelError> {
-        if let Some(substitute) = self.substitute.get() {
-            return Ok(substitute.at(pressure_mpa, contraction).answer);
+        match self.substitute.get() {
+            Some(Substitute::Moment(h)) => return Ok(h.answer),
+            Some(Substitute::Near(p, e, h)) => return Ok(h.answer.moved(pressure_mpa - p, contraction - e)),
+            Some(Substitute::Nearest) => {
+                let kept = self.kept.borrow();
+                let away = |k: &&(f64, f64, Answer)| (k.0 - pressure_mpa).abs() + (k.1 - contraction).abs();
+                let nearest = kept.iter().flatten().min_by(|a, b| away(a).total_cmp(&away(b)));
+                if let Some((p, e, answer)) = nearest {
+                    return Ok(answer.moved(pressure_mpa - p, contraction - e));
+                }
+            }
+            None => {}
         }
         let p = pressure_mpa.max(LEAST_MPA);
-        let known = self.kept.borrow().iter().flatten().find(|k| k.0 == p && k.1 == contraction).map(|k| k.2);
-        let at = match known {
-            Some(at) => at,
-            None => {
-                let at = self.ask(p, contraction)?;
-                let place = self.next.get();
-                self.next.set((place + 1) % 4);
-                if let Some(slot) = self.kept.borrow_mut().get_mut(place) {
-                    *slot = Some((p, contraction, at));
-                }
-                at
-            }
+        // Not where the muscle goes slack: the pull at which it does is that of the slack muscle, to the last digits.
+        let near = |(at_mpa, at, answer): &&(f64, f64, Answer)| {
+            let pulls = answer.force_n > SLACK * answer.force_e.abs();
+            let near = (at_mpa - p).abs() <= 10.0 * self.near * p && (at - contraction).abs() <= self.near;
+            near && pulls || *at_mpa == p && *at == contraction
         };
-        let below = pressure_mpa - p;
-        Ok(Answer {
-            force_n: at.force_n + below * at.force_p,
-            volume_mm3: at.volume_mm3 + below * at.volume_p,
-            ..at
-        })
+        let known = self.kept.borrow().iter().flatten().find(near).copied();
+        let (from_mpa, from, at) = match known {
+            Some(known) => known,
+            None => (p, contraction, self.exact(p, contraction)?),
+        };
+        Ok(at.moved(pressure_mpa - from_mpa, contraction - from))
+    }
+
+    /// The same to the model's last digits, where it rests.
+    pub fn at_rest(&self, pressure_mpa: f64, contraction: f64) -> Result<Answer, ModelError> {
+        let p = pressure_mpa.max(LEAST_MPA);
+        Ok(self.exact(p, contraction)?.moved(pressure_mpa - p, 0.0))
+    }
+
+    /// The model's own answer at a pressure of at least [`LEAST_MPA`].
+    fn exact(&self, p: f64, contraction: f64) -> Result<Answer, ModelError> {
+        let known = self.kept.borrow().iter().flatten().find(|k| k.0 == p && k.1 == contraction).map(|k| k.2);
+        if let Some(at) = known {
+            return Ok(at);
+        }
+        let at = self.ask(p, contraction)?;
+        let kept = &mut *self.kept.borrow_mut();
+        let place = self.next.get();
+        self.next.set((place + 1) % kept.len());
+        if let Some(slot) = kept.get_mut(place) {
+            *slot = Some((p, contraction, at));
+        }
+        Ok(at)
     }
 
     fn ask(&self, p: f64, e: f64) -> Result<Answer, ModelError> {
@@ -254,7 +285,7 @@ impl<'a> Member<'a> {
     fn polished(&self, p: f64, mut e: f64) -> Option<f64> {
         let mut before = f64::INFINITY;
         for _ in 0..12 {
-            let a = self.answer(p, e).ok().filter(|a| a.force_e < 0.0)?;
+            let a = self.exact(p, e).ok().filter(|a| a.force_e < 0.0)?;
             let step = -a.force_n / a.force_e;
             if step.abs() < 1e-13 || step.abs() < 1e-9 && step.abs() >= 0.5 * before {
                 return Some(e);

@@ -99,7 +99,7 @@ impl Simulation {
         let (from, end) = (self.time_s(drive), drive.output_step_s * (self.done + 1) as f64);
         let drive = Drive { until_s: end, ..drive.clone() };
         let mut system = System::new(&drive, &progress.budget())?;
-        system.layout.write(self.state.clone(), &mut vec![0.0; system.layout.len])?;
+        system.layout.write(&mut self.state.clone(), &mut vec![0.0; system.layout.len])?;
         for (member, memory) in system.members.iter_mut().zip(std::mem::take(&mut self.memories)) {
             member.recall(memory);
         }

@@ -152,21 +152,31 @@ impl Layout {
     /// # Errors
     /// [`MotionError::Length`] where they are not as many as the state has.
     pub fn state(&self, numbers: &[f64]) -> Result<State, MotionError> {
+        let mut state = self.zero.clone();
+        self.read(numbers, &mut state)?;
+        Ok(state)
+    }
+
+    /// The same into a state of this layout.
+    ///
+    /// # Errors
+    /// As [`Layout::state`].
+    pub fn read(&self, numbers: &[f64], state: &mut State) -> Result<(), MotionError> {
         self.check(numbers.len())?;
-        let (mut state, mut numbers) = (self.zero.clone(), numbers.iter());
+        let mut numbers = numbers.iter();
         state.each(|x| {
             if let Some(number) = numbers.next() {
                 *x = *number;
             }
         });
-        Ok(state)
+        Ok(())
     }
 
     /// The numbers of a state, where the integrator wants them.
     ///
     /// # Errors
     /// [`MotionError::Length`] where it has not as much room.
-    pub fn write(&self, mut state: State, numbers: &mut [f64]) -> Result<(), MotionError> {
+    pub fn write(&self, state: &mut State, numbers: &mut [f64]) -> Result<(), MotionError> {
         self.check(numbers.len())?;
         let mut count = 0;
         state.each(|x| {
@@ -221,13 +231,13 @@ mod tests {
         // q, v; p, m, opening, z, three branches; two of the controller; supplied, exhausted; nine totals.
         assert_eq!((layout.core, layout.len), (2 + 7 + 2, 2 + 7 + 2 + 2 + 9));
         let numbers: Vec<f64> = (0..layout.len).map(|i| i as f64 + 0.5).collect();
-        let state = layout.state(&numbers).unwrap();
+        let mut state = layout.state(&numbers).unwrap();
         assert_eq!((state.coordinate, state.velocity), (0.5, 1.5));
         assert_eq!((state.muscles[0].absolute_mpa, state.muscles[0].exhausted_g), (2.5, 12.5));
         assert_eq!(state.totals.positive_work, layout.len as f64 - 0.5);
         assert_eq!(state.to_vec(), numbers);
         let mut written = vec![0.0; layout.len];
-        layout.write(state, &mut written).unwrap();
+        layout.write(&mut state, &mut written).unwrap();
         assert_eq!(written, numbers);
     }
 
@@ -242,7 +252,10 @@ mod tests {
         let error = MotionError::Length { given: layout.len - 1, needed: layout.len };
         assert_eq!(layout.state(&short), Err(error));
         // Rates of another drive.
-        let other = State::default();
-        assert!(matches!(layout.write(other, &mut vec![0.0; layout.len]), Err(MotionError::Length { .. })));
+        let mut other = State::default();
+        assert!(matches!(
+            layout.write(&mut other, &mut vec![0.0; layout.len]),
+            Err(MotionError::Length { .. })
+        ));
     }
 }

@@ -79,6 +79,8 @@ pub(crate) struct System<'a> {
     pub within: Cell<f64>,
     pub failed: RefCell<Option<MotionError>>,
     pub evaluations: Cell<usize>,
+    /// For [`Equations::rates`].
+    room: RefCell<(State, Point)>,
     /// Added to the commands, for the linear system: to those of muscles that turn a joint to −, the negative.
     pub offset: Cell<f64>,
 }
@@ -86,9 +88,11 @@ pub(crate) struct System<'a> {
 impl<'a> System<'a> {
     pub fn new(drive: &'a Drive<'a>, budget: &Budget) -> Result<Self, MotionError> {
         drive.check()?;
-        let members: Vec<Member<'a>> = drive.muscles.iter().map(|m| Member::new(m.model, budget)).collect();
+        let members: Vec<Member<'a>> =
+            drive.muscles.iter().map(|m| Member::new(m.model, budget, drive.tolerance.relative)).collect();
         let layout = Layout::new(drive);
         let scale = sizes(drive, &members, &layout);
+        let room = (layout.filled(0.0), Point::default());
         let mode = Mode { slack: false, sign: 1.0, switch: Switch::Hold };
         let modes = Modes { stop: None, muscles: vec![mode; members.len()] };
         Ok(Self {
@@ -101,24 +105,31 @@ impl<'a> System<'a> {
             within: Cell::new(0.0),
             failed: RefCell::new(None),
             evaluations: Cell::new(0),
+            room: RefCell::new(room),
             offset: Cell::new(0.0),
         })
     }
 
     /// Quantities at a time, and the rates.
     pub fn point(&self, t: f64, state: &State) -> Result<Point, MotionError> {
+        let mut point = Point::default();
+        self.into_point(t, state, &mut point)?;
+        Ok(point)
+    }
+
+    /// The same into the memory of another point.
+    fn into_point(&self, t: f64, state: &State, point: &mut Point) -> Result<(), MotionError> {
         self.evaluations.set(self.evaluations.get() + 1);
         let modes = self.modes.borrow();
         let mechanism = self.drive.mechanism;
         let (q, v) = (state.coordinate, if modes.stop.is_some() { 0.0 } else { state.velocity });
         let control = self.control(t, state);
         let mut net = 0.0;
-        let mut muscles = Vec::with_capacity(self.members.len());
-        let mut rates = State {
-            muscles: Vec::with_capacity(self.members.len()),
-            controller: control.map(|c| c.rates),
-            ..State::default()
-        };
+        let Point { muscles, rates, .. } = point;
+        muscles.clear();
+        rates.muscles.clear();
+        let own = std::mem::take(&mut rates.muscles);
+        *rates = State { muscles: own, controller: control.map(|c| c.rates), ..State::default() };
         let totals = &mut rates.totals;
         let parts = self.drive.muscles.iter().zip(&self.members).zip(&state.muscles).zip(&modes.muscles);
         for (i, (((muscle, member), own), mode)) in parts.enumerate() {
@@ -201,7 +212,8 @@ impl<'a> System<'a> {
         if modes.stop.is_none() {
             (rates.coordinate, rates.velocity) = (v, net / mechanism.inertia());
         }
-        Ok(Point { muscles, net, rates })
+        point.net = net;
+        Ok(())
     }
 
     /// What each muscle answers at a time, with its derivative in time: for everything between two of them.
@@ -302,6 +314,11 @@ impl Equations for System<'_> {
         self.layout.core
     }
 
+    /// With the air from the supply and to the outside: what goes in, comes out and stays.
+    fn implicit(&self) -> usize {
+        self.layout.core + 2 * self.members.len()
+    }
+
     fn scales(&self) -> &[f64] {
         &self.scales
     }
@@ -321,9 +338,14 @@ impl Equations for System<'_> {
         }
     }
 
+    fn near(&self, begin: bool) {
+        self.members.iter().for_each(|member| member.substitute.set(begin.then_some(Substitute::Nearest)));
+    }
+
     fn rates(&self, t: f64, y: &[f64], rates: &mut [f64]) {
-        let state = self.layout.state(y);
-        let result = state.and_then(|state| self.layout.write(self.point(t, &state)?.rates, rates));
+        let (state, point) = &mut *self.room.borrow_mut();
+        let read = self.layout.read(y, state).and_then(|()| self.into_point(t, state, point));
+        let result = read.and_then(|()| self.layout.write(&mut point.rates, rates));
         let error = match result {
             Err(error) => error,
             Ok(()) if rates.iter().all(|r| r.is_finite()) => return,

@@ -114,6 +114,8 @@ pub struct Body {
     step_load: [f64; 2],
     /// For sensitivities and pressure control.
     second: Vec<f64>,
+    /// Whether the tangent is that of the present state.
+    pub(super) linearised: bool,
     /// The infinitely long muscle of the same rubber and braid: where first guesses come from.
     pub(super) endless: Option<Arc<ThickWall>>,
 }
@@ -130,6 +132,7 @@ impl Body {
             step_q: vec![0.0; state.q.len()],
             step_load: [0.0; 2],
             second: vec![0.0; state.u.len()],
+            linearised: false,
             endless: None,
             control: Control::Length(0.0),
             totals: Totals::default(),
@@ -161,12 +164,22 @@ impl Body {
     /// # Errors
     /// [`Stopped`].
     pub fn factorise(&mut self) -> Result<Totals, Stopped> {
+        self.linearised = false;
         self.totals = assemble::<true>(&self.discretisation, &self.state, &mut self.assembled)?;
         let (m, block) = (self.station(), self.discretisation.layout.along);
         self.end
             .factorise(self.assembled.chain.end(), m)
             .map_err(|pivot| Stopped::Singular(Singular { block, pivot }))?;
+        self.linearised = true;
         Ok(self.totals)
+    }
+
+    /// The same; nothing is done where the last tangent is that of the present state.
+    ///
+    /// # Errors
+    /// [`Stopped`].
+    pub fn factorised(&mut self) -> Result<Totals, Stopped> {
+        if self.linearised { Ok(self.totals) } else { self.factorise() }
     }
 
     /// ∂Π/∂x as of the last assembly.
@@ -292,6 +305,7 @@ impl Body {
 
     /// Adds `share` of the last step.
     fn add_step(&mut self, share: f64) {
+        self.linearised = false;
         for (x, dx) in self.state.u.iter_mut().zip(&self.step) {
             *x += share * dx;
         }

@@ -34,7 +34,12 @@ impl body::Body for Body {
     }
 
     fn state_mut(&mut self) -> &mut State {
+        self.linearised = false;
         &mut self.state
+    }
+
+    fn linearised_here(&self) -> bool {
+        self.linearised
     }
 
     fn hold(&mut self, control: Control) {

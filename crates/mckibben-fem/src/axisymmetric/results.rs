@@ -46,7 +46,7 @@ pub fn solution(body: &mut Body, muscle: &Muscle) -> Result<Solution, FemError> 
 /// # Errors
 /// [`FemError::Force`] where the tangent is singular.
 pub fn response(body: &mut Body, muscle: &Muscle) -> Result<Response, FemError> {
-    let totals = body.factorise().map_err(|reason| FemError::at_force(body.totals.pull, reason))?;
+    let totals = body.factorised().map_err(|reason| FemError::at_force(body.totals.pull, reason))?;
     let (half_volume_per_pressure, force_per_pressure) = body.by_pressure();
     let (d, s) = (&body.discretisation, &body.state);
     let l = d.layout;

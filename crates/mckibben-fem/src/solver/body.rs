@@ -158,6 +158,11 @@ pub trait Body: NewtonSystem {
     /// The same, to be changed.
     fn state_mut(&mut self) -> &mut State;
 
+    /// Whether the last tangent is that of the present state.
+    fn linearised_here(&self) -> bool {
+        false
+    }
+
     /// Says what the next solve holds.
     fn hold(&mut self, control: Control);
 

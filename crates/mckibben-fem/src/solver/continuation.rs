@@ -197,9 +197,12 @@ impl<B: Body> Continuation<B> {
 
     /// The same, where no more than this share of the radius may lie between the iterate and the equilibrium.
     pub(super) fn solve_within(&mut self, control: Control, reach: f64) -> Result<(), Stopped> {
+        self.solve_by(control, NewtonOptions { reach, ..self.newton })
+    }
+
+    fn solve_by(&mut self, control: Control, mut options: NewtonOptions) -> Result<(), Stopped> {
         // Of what is to end, not even the first tangent is assembled: a search tries many ways before it gives up.
         self.budget.check()?;
-        let mut options = NewtonOptions { reach, ..self.newton };
         if let Some((start, budget)) = self.allowed {
             let factorisations = self.effort.factorisations - start;
             if factorisations >= budget {
@@ -324,9 +327,11 @@ impl<B: Body> Continuation<B> {
             .filter(|((p, e), _)| *p < 1.0 && *e < 1.0)
             .min_by(|((p, e), _), ((q, f), _)| (p + e).total_cmp(&(q + f)));
         let Some((_, state)) = nearest else { return false };
+        let neighbour = self.body.linearised_here() && self.body.state() == state;
         self.body.state_mut().copy_from(state);
         self.body.state_mut().pressure = pressure;
-        self.solve(Control::Length(terminal)).is_ok() && self.stable() && self.body.certain()
+        let options = NewtonOptions { neighbour, ..self.newton };
+        self.solve_by(Control::Length(terminal), options).is_ok() && self.stable() && self.body.certain()
     }
 
     /// One step from the first guesses to the answer.

@@ -108,6 +108,8 @@ pub struct NewtonOptions {
     pub rounding_residual: f64,
     /// Most factorisations of one solve.
     pub factorisations: usize,
+    /// Whether the last tangent is that of an equilibrium near by: the first correction uses it.
+    pub neighbour: bool,
 }
 
 impl NewtonOptions {
@@ -121,6 +123,7 @@ impl NewtonOptions {
         rounding: 1e-11,
         rounding_residual: 1e-8,
         factorisations: usize::MAX,
+        neighbour: false,
     };
 }
 
@@ -160,6 +163,12 @@ pub fn solve<S: NewtonSystem>(
 ) -> Result<(), Stopped> {
     let before = effort.factorisations;
     effort.moved = 0.0;
+    if options.neighbour {
+        effort.residuals += 1;
+        effort.iterations += 1;
+        watch(system.residual()?)?;
+        effort.moved += system.correct()?;
+    }
     effort.factorisations += 1;
     let mut norm = system.linearise()?;
     watch(norm)?;
