@@ -113,12 +113,12 @@ impl<'a> System<'a> {
     /// Quantities at a time, and the rates.
     pub fn point(&self, t: f64, state: &State) -> Result<Point, MotionError> {
         let mut point = Point::default();
-        self.into_point(t, state, &mut point)?;
+        self.point_within(t, state, &mut point)?;
         Ok(point)
     }
 
     /// The same into the memory of another point.
-    fn into_point(&self, t: f64, state: &State, point: &mut Point) -> Result<(), MotionError> {
+    fn point_within(&self, t: f64, state: &State, point: &mut Point) -> Result<(), MotionError> {
         self.evaluations.set(self.evaluations.get() + 1);
         let modes = self.modes.borrow();
         let mechanism = self.drive.mechanism;
@@ -344,7 +344,7 @@ impl Equations for System<'_> {
 
     fn rates(&self, t: f64, y: &[f64], rates: &mut [f64]) {
         let (state, point) = &mut *self.room.borrow_mut();
-        let read = self.layout.read(y, state).and_then(|()| self.into_point(t, state, point));
+        let read = self.layout.read(y, state).and_then(|()| self.point_within(t, state, point));
         let result = read.and_then(|()| self.layout.write(&mut point.rates, rates));
         let error = match result {
             Err(error) => error,
