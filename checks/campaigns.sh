@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Campaigns on the engines that can be had: Slurm (checks/slurm.sh), GNU parallel, Snakemake, HyperQueue, process pools, Dask; a full disk;
+# Campaigns on the engines that can be had: Slurm (checks/slurm.sh), Grid Engine (checks/grid_engine.sh), GNU parallel, Snakemake, HyperQueue, process pools, Dask; a full disk;
 # tables of ten million rows in DuckDB. All tables have the bytes of one run.
 #
 # Usage: campaigns.sh PROGRAM      (as root: Slurm's daemons, a small tmpfs)
@@ -13,6 +13,7 @@ test -x "$venv/bin/python" || python3 -m venv "$venv"
 command -v parallel >/dev/null || { apt-get update -qq; DEBIAN_FRONTEND=noninteractive apt-get install -yqq --no-install-recommends parallel >/dev/null; }
 
 bash checks/slurm.sh "$program"
+bash checks/grid_engine.sh "$program"
 
 work=$(mktemp -d)
 hq=""
