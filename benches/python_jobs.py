@@ -1,0 +1,148 @@
+"""What a roboticist does with the Python package: each job in as few lines as it takes, with its time.
+
+    python benches/python_jobs.py            in the root of the repository; jobs whose libraries are missing are left out
+
+The table has the lines of a job (without those that all share) and the median time of five runs after a first one, in ms.
+"""
+
+from __future__ import annotations
+
+import inspect
+import os
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+from statistics import median
+
+import numpy as np
+
+import mckibben as mk
+
+os.environ.setdefault("MPLBACKEND", "Agg")
+MUSCLE = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
+PRESSURES = np.linspace(0.05, 0.25, 1_000_000)
+FOLDER = Path(tempfile.mkdtemp())
+
+
+def one_point() -> None:
+    """A pull with its ±"""
+    state = MUSCLE.state("2.5 bar", "10%")
+    print(state.force_n, state.uncertainty_n)
+
+
+def broadcast() -> None:
+    """10⁶ pressures at one contraction, by the paper's formula"""
+    MUSCLE.model("paper").force(PRESSURES, 0.1)
+
+
+def isobars() -> None:
+    """Isobars with ± bands, drawn"""
+    mk.plot.isobars(MUSCLE, [0.1, 0.2, 0.3], units="bar", model="universal").figure.savefig(FOLDER / "isobars.png")
+
+
+def table() -> None:
+    """A map of 50 points with all results, as a data frame"""
+    MUSCLE.solve(np.linspace(0.05, 0.25, 10)[:, None], np.linspace(0, 0.15, 5)).to_pandas()
+
+
+def design() -> None:
+    """A muscle for a specification"""
+    print(mk.design(force_n=700, contraction=0.15, max_pressure_mpa=0.25, model="universal").best)
+
+
+def identify() -> None:
+    """Constants of a measured muscle with error bars"""
+    found = mk.identify("examples/bench.toml", "examples/bench.csv", model="universal")
+    print(found.x, found.stderr)
+
+
+def rubber() -> None:
+    """A rubber from tension data, used in a muscle"""
+    MUSCLE.replace(rubber=mk.Rubber.fit("data/treloar/tension.csv")).force(0.2, 0.1)
+
+
+def formula() -> None:
+    """1,271 muscles by a fitted formula"""
+    fitted = FORMULA.formula if FORMULA else mk.fit("data/campaign/paper.csv").formula
+    fitted(pressure_mpa=0.2, contraction=0.1, outer_diameter_mm=np.linspace(30, 50, 41)[:, None], wall_mm=np.linspace(1, 5, 31))
+
+
+def elbow() -> None:
+    """The torque of an elbow at 25 angles"""
+    mk.joint("examples/elbow.toml", pressures_mpa=[[0.3, 0.1]], angles_deg=np.linspace(-60, 60, 25).tolist(), model="universal")
+
+
+def loop() -> None:
+    """A second of an elbow in a control loop of 1 kHz"""
+    elbow = mk.Simulation("examples/elbow-drive.toml", dt=1e-3, model="universal")
+    angle = 0.0
+    for _ in range(1000):
+        angle = elbow.step([0.15 + 0.004 * (20 - angle), 0.15 - 0.004 * (20 - angle)]).angle_deg
+
+
+def jax_batch() -> None:
+    """Value and slopes of 1,000 points by JAX, traced each time"""
+    import jax
+
+    force = mk.jax.force(MUSCLE.model("universal"))
+    jax.vmap(jax.value_and_grad(force))(np.linspace(0.1, 0.3, 1000), np.full(1000, 0.1))
+
+
+def torch_batch() -> None:
+    """The same by PyTorch"""
+    import torch
+
+    p = torch.linspace(0.1, 0.3, 1000, dtype=torch.float64, requires_grad=True)
+    mk.torch.force(MUSCLE.model("universal"))(p, torch.full((1000,), 0.1, dtype=torch.float64)).sum().backward()
+
+
+def optimise() -> None:
+    """The wall for 1000 N at 2 bar and 10 %, by SciPy"""
+    from scipy.optimize import brentq
+
+    brentq(lambda wall: MUSCLE.replace(wall_mm=wall).force(0.2, 0.1, model="universal") - 1000, 1.1, 5)
+
+
+def saved() -> None:
+    """A muscle saved, and read again"""
+    MUSCLE.save(FOLDER / "muscle.toml")
+    mk.load(FOLDER / "muscle.toml")
+
+
+FORMULA: mk.Fit | None = None
+JOBS: list[Callable[[], None]] = [
+    one_point, broadcast, isobars, table, design, identify, rubber, formula, elbow, loop, jax_batch, torch_batch, optimise, saved,
+]
+
+
+def lines(job: Callable[[], None]) -> int:
+    body = [line for line in inspect.getsource(job).splitlines()[2:] if line.strip()]
+    return len(body)
+
+
+def main() -> None:
+    global FORMULA
+    FORMULA = mk.fit("data/campaign/paper.csv")
+    shown = sys.stdout
+    print("| job | lines | ms |\n|---|---|---|")
+    for job in JOBS:
+        times = []
+        try:
+            with open(os.devnull, "w") as sys.stdout:
+                for _ in range(6):
+                    begun = time.perf_counter()
+                    job()
+                    times.append(1e3 * (time.perf_counter() - begun))
+        except ImportError as error:
+            times = []
+            print(f"{error}", file=sys.stderr)
+        finally:
+            sys.stdout = shown
+        spent = f"{median(times[1:]):.3g}" if times else "(not installed)"
+        print(f"| {job.__doc__} | {lines(job)} | {spent} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
