@@ -41,7 +41,7 @@ export PATH=$work/bin:$PATH
 cat >plan.toml <<'PLAN'
 [sampling]
 method = "sobol"
-samples = 300
+samples = 900
 seed = 5
 [vary]
 tube.outer_diameter = "20..50 mm"
@@ -60,8 +60,10 @@ until ls parts/*.parquet >/dev/null 2>&1; do sleep 0.2; done
 # One of the tasks that run.
 pkill -9 -f -o -- '-o parts --threads 1 --quiet --shard auto' || true
 drained
-mckibben campaign status parts >status.txt || test $? = 1
+status=0
+mckibben campaign status parts >status.txt || status=$?
 tail -n 2 status.txt
+test "$status" = 1
 array
 qsub -N merge -hold_jid shards -cwd -b y -V -o logs -e logs "$program" campaign merge parts -o merged.parquet >/dev/null
 drained

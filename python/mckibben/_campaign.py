@@ -101,7 +101,7 @@ class Campaign(Fixed):
         yes
             A plan of more than 10 GB or a day is begun.
         """
-        request = {"plan": self._plan, "output": self._folder, "threads": threads, "yes": yes}
+        request: dict[str, object] = {"plan": self._plan, "output": self._folder, "threads": threads, "yes": yes}
         return Shards(self, executor, request, shards)
 
     def status(self) -> _answers.CampaignStatus:

@@ -4,7 +4,7 @@ import numpy
 import numpy.typing
 import typing
 """
-The compiled half of mckibben; what users call stands in the package `mckibben`.
+The compiled half of mckibben; what users call is in the package `mckibben`.
 """
 
 from _typeshed import SupportsGetItem
@@ -116,7 +116,7 @@ class Simulation:
         """
         All that was recorded: a row for the start and for each step.
         """
-    def step(self, /, commands: "list[float]", outside: SupportsFloat | SupportsIndex) -> list[float]:
+    def step(self, /, commands: SupportsGetItem[int, SupportsFloat | SupportsIndex], outside: SupportsFloat | SupportsIndex) -> list[float]:
         """
         One step on, with a command for each of the drive's and a force in N or torque in N m from outside; what was recorded at its end.
         """
