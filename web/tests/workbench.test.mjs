@@ -239,6 +239,13 @@ inBrowser(({ name, url, open, blank }) => {
       await there(page, "about");
       assert.ok(length <= 3, `${where}: ${length} entries`);
     }
+    // An answer that comes when its page was left.
+    const hash = await page.evaluate(async () => {
+      const { write } = await import(/** @type {string} */ ("./js/address.js"));
+      write("#joint?radius_mm=20", true);
+      return location.hash;
+    });
+    assert.equal(hash, "#about");
     await context.close();
   });
 

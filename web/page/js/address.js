@@ -1,10 +1,11 @@
 // The address: `#muscle?D=38&p=2.5bar`. All that can be seen stands in it; an entry of the history is a gesture, not a
 // frame.
 import { pack, packed, unpack } from "./deflate.js";
+import { pageOf } from "./pages.js";
 
-/** @returns {{ page: string, params: URLSearchParams }} */
-function parse() {
-  const hash = location.hash.replace(/^#/, ""), cut = hash.indexOf("?");
+/** @param {string} [of] @returns {{ page: string, params: URLSearchParams }} */
+function parse(of = location.hash) {
+  const hash = of.replace(/^#/, ""), cut = hash.indexOf("?");
   const [page, query] = cut < 0 ? [hash, ""] : [hash.slice(0, cut), hash.slice(cut + 1)];
   return { page: page || "muscle", params: new URLSearchParams(query) };
 }
@@ -97,8 +98,13 @@ export function arrived() {
   moved();
 }
 
-/** Puts it into the address: a new entry of the history, or in place of the present one. @param {string} to */
+/**
+ * Puts it into the address: a new entry of the history, or in place of the present one. A page that is left before its answer came
+ * does not write over the address of the next one.
+ * @param {string} to
+ */
 export function write(to, replace = false) {
+  if (pageOf(parse(to).page) !== pageOf(parse().page)) return;
   if (to === location.hash || (to === "#muscle" && !location.hash)) return;
   if (replace || loading) history.replaceState({ at: place.now }, "", to);
   else {
