@@ -48,7 +48,7 @@ pub struct Problem {
     pub ends: Ends,
     /// λp: by how much the rubber is stretched along where nothing is displaced.
     pub prestretch: f64,
-    /// rp² − Ri² in mm² of plugs of the radius rp in a bore of the radius Ri: the wall on them keeps its volume, r² = R² + rp² − Ri².
+    /// [`Parts::plug_mm2`]
     pub plug_mm2: f64,
 }
 
@@ -61,10 +61,6 @@ impl Problem {
     /// The same of its parts.
     pub fn of_parts(parts: &Parts) -> Self {
         let Parts { tube, braid, .. } = parts;
-        let plug_mm2 = match parts.terminals.plug_diameter_mm {
-            Some(_) => parts.plug_radius_mm().powi(2) - tube.inner_radius_mm().powi(2),
-            None => 0.0,
-        };
         let rubber = &tube.rubber;
         let braid = BraidSpec {
             lay: braid.lay(tube),
@@ -74,7 +70,7 @@ impl Problem {
         };
         let prestretch = tube.prestretch;
         let whole = Self::new(rubber.law.clone(), rubber.bulk, Some(braid), Ends::Bonded);
-        Self { prestretch, plug_mm2, ..whole }
+        Self { prestretch, plug_mm2: parts.plug_mm2(), ..whole }
     }
 
     /// Of its parts.

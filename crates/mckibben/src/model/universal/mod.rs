@@ -58,6 +58,13 @@ type Kept = Option<(u64, Zero)>;
 /// range of L0/D0, θ0 and s/D0 as well.
 const ENDS: f64 = 0.4;
 
+/// Plugs over the bore for which the computed ends were compared with finite elements: 4000 random muscles, 95 % of 6701 pulls within 0.14 % of the
+/// blocked force, without the plug 2.1 % rms (`universal_has_the_plugs_of_finite_elements` of the finite elements).
+const PLUGS: (f64, f64) = (0.8, 1.3);
+
+/// Half-width with a stated plug over that with one as wide as the bore.
+const WITH_PLUGS: f64 = 2.0;
+
 /// A universal formula with a muscle put in.
 #[derive(Debug, Clone)]
 pub struct Universal {
@@ -95,6 +102,7 @@ impl Universal {
         let zone = EndZone {
             wall: ThickWall::new(muscle),
             ro,
+            clamped: muscle.parts().clamped_radius_mm(),
             scale: 2.0 * PI * ro * tube.wall_mm * mu,
             half: 0.5 * tube.length_mm,
         };
@@ -178,12 +186,23 @@ fn wall_modulus(ro: f64, section: f64, mu: f64) -> f64 {
 /// cot²θ0. `angle`: 4 sin²θ0.
 fn ends_share(form: Form, muscle: &Muscle, angle: f64) -> f64 {
     match form {
+        Form::Membrane if muscle.terminals().plug_diameter_mm.is_some() => WITH_PLUGS,
         Form::Membrane => 1.0,
         Form::Bulge => {
             let cot2 = (4.0 - angle) / angle;
             cot2 * muscle.outer_diameter_mm() / muscle.length_mm() / ENDS
         }
     }
+}
+
+/// Of plugs outside of [`PLUGS`].
+fn plug_outside(name: &str, muscle: &Muscle) -> Option<String> {
+    let (bore_mm, (low, high)) = (2.0 * muscle.tube().inner_radius_mm(), PLUGS);
+    let plug_mm = muscle.terminals().plug_diameter_mm?;
+    let outside = !(low * bore_mm..=high * bore_mm).contains(&plug_mm);
+    outside.then(|| {
+        format!("the ends of {name} were compared with finite elements for plugs of {low} to {high} times the bore of {bore_mm:.1} mm, not of {plug_mm:.1} mm")
+    })
 }
 
 fn info(formula: &UniversalFormula, muscle: &Arc<Muscle>, angle: f64) -> ModelInfo {
@@ -199,7 +218,10 @@ fn info(formula: &UniversalFormula, muscle: &Arc<Muscle>, angle: f64) -> ModelIn
         notes::incompressible(name, muscle),
         end_factor.then(|| format!("{name} computes the ends; the end factor is not used")),
         notes::first_inflation(name, muscle),
-        notes::plugs(name, muscle),
+        match formula.deficit.form {
+            Form::Membrane => plug_outside(name, muscle),
+            Form::Bulge => notes::plugs(name, muscle),
+        },
     ];
     ModelInfo {
         name: name.clone().into(),

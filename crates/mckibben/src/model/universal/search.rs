@@ -54,8 +54,9 @@ impl Universal {
     /// λ near which that of the middle is sought.
     pub(super) fn guess(&self, contraction: f64) -> f64 {
         let l = 1.0 - contraction;
-        let bulge = self.zone.wall.pantograph(l) / self.zone.ro;
-        l - 0.8 * self.zone.ro / self.length * (1.0 - 1.0 / bulge.max(0.5))
+        let (ro, clamped) = (self.zone.ro, self.zone.clamped);
+        let bulge = self.zone.wall.pantograph(l) / ro;
+        l - 0.8 * ro / self.length * (1.0 - clamped / ro / bulge.max(0.5))
     }
 
     /// The middle in a state, from guesses of λs at the sections of the end.

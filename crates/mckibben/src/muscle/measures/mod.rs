@@ -34,6 +34,22 @@ impl Parts {
     pub fn plug_radius_mm(&self) -> f64 {
         self.terminals.plug_diameter_mm.map_or(self.tube.inner_radius_mm(), |diameter_mm| 0.5 * diameter_mm)
     }
+
+    /// rp² − Ri² in mm² of plugs of the radius rp in a bore of the radius Ri; the wall on them keeps its section, r² = R² + rp² − Ri². Zero
+    /// where no diameter is stated.
+    pub fn plug_mm2(&self) -> f64 {
+        let stated = self.terminals.plug_diameter_mm;
+        stated.map_or(0.0, |_| self.plug_radius_mm().powi(2) - self.tube.inner_radius_mm().powi(2))
+    }
+
+    /// Outer radius in mm of the tube on its plugs.
+    pub fn clamped_radius_mm(&self) -> f64 {
+        let outer_mm = self.tube.outer_radius_mm();
+        match self.plug_mm2() {
+            0.0 => outer_mm,
+            added_mm2 => (outer_mm * outer_mm + added_mm2).sqrt(),
+        }
+    }
 }
 
 /// The values that a measure may have by itself.

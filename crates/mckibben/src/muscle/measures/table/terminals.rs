@@ -97,7 +97,7 @@ pub static PLUG_DIAMETER: Measure = Measure {
     label: "diameter of the plugs",
     is_shown: true,
     comment: "on which the tube is drawn; its bore where none is stated",
-    models: &["fe", "fe3d"],
+    models: &["fe", "fe3d", "universal"],
     digested: true,
     identify: Some(Identify {
         also: &["plug-diameter"],
