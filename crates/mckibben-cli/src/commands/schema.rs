@@ -41,6 +41,7 @@ pub fn run(args: &SchemaArgs) -> Result<u8, Failure> {
     let Some(folder) = &args.output else {
         return emit(format!("{:#}\n", bundle()), None).map(|()| 0);
     };
+    std::fs::create_dir_all(folder).map_err(|e| Failure::unwritable(folder, &e))?;
     for command in COMMANDS.iter() {
         put(&folder.join(format!("{}.json", command.name)), &text(command.name)?)?;
     }

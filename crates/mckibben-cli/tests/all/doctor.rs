@@ -33,6 +33,9 @@ fn the_schema_of_a_file_is_written_and_named() {
     let muscle = std::fs::read_to_string(dir.path().join("m.toml")).unwrap();
     assert_eq!(muscle.lines().nth(2), Some("#:schema muscle.schema.json"));
     assert_eq!(run_in(dir.path(), &["schema", "--file", "mussel"]).code, 2);
+    // Of all commands, into a folder that is made for them.
+    run_in(dir.path(), &["schema", "-o", "new/schemas"]).ok();
+    assert!(dir.path().join("new/schemas/design.json").is_file());
 }
 
 #[test]
