@@ -40,6 +40,7 @@ FIELDS: dict[str, tuple[str, float, dict[str, Any]]] = {
     "crimp_stiffness": ("", 0.2, {"crimp": 0.01}),
     "friction_coefficient": ("", 30.0, {"friction_exponent": 0.7}),
     "friction_exponent": ("", 0.7, {"friction_coefficient": 30}),
+    "friction_presliding_mm": ("0.1 cm", 1.0, {"friction_lever_mm": 1}),
 }
 
 

@@ -419,8 +419,15 @@ fn fitted(
     let start = |c: FitConstant| Some(own_value(muscle, c.target()).unwrap_or(STIFF));
     let parameter = |&c: &FitConstant| Parameter { start: start(c), ..Parameter::free(c.target()) };
     let free: Vec<Parameter> = known.iter().map(parameter).collect();
-    let request =
-        Request { muscle, free: &free, fixed: &[], points: &points, loss: Loss::Squares, two_sided: true };
+    let request = Request {
+        muscle,
+        free: &free,
+        fixed: &[],
+        points: &points,
+        loss: Loss::Squares,
+        two_sided: true,
+        history: false,
+    };
     let found = identify(&request, build).map_err(|error| match error {
         IdentifyError::Start { error, .. } | IdentifyError::Model(error) => error.into(),
         IdentifyError::Estimate(_) => {

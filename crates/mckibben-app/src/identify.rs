@@ -91,6 +91,8 @@ pub enum Branches {
     Both,
     /// Mean of the branches.
     Mean,
+    /// The rows of `data` are in time order: the friction builds up again after each reversal.
+    History,
 }
 
 /// Result of the identification.
@@ -273,6 +275,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         points: &points,
         loss: request.loss,
         two_sided: request.two_sided,
+        history: request.branches == Branches::History,
     };
     model.admit(&muscle, &progress.budget())?;
     let build = |m: &Muscle| model.build(m);

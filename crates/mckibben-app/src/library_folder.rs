@@ -2,7 +2,7 @@
 //! `library check` makes again from the first three.
 
 use crate::build::BuiltFile;
-use crate::identify::IdentifyRequest;
+use crate::identify::{Branches, IdentifyRequest};
 use crate::library::{TO_WRITE, check};
 use crate::measured::{MeasuredFolder, read};
 use crate::model::Model;
@@ -60,6 +60,7 @@ pub(crate) fn refuse(request: &IdentifyRequest, model: &Model) -> Result<(), Pro
         ("formula", request.formula.is_some(), "a library holds measured points"),
         ("loss", request.loss != Loss::Squares, "a library is checked by least squares"),
         ("weights", !request.weights.is_empty(), "in a library every point counts the same"),
+        ("branches", request.branches == Branches::History, "a library is checked point by point"),
         ("two_sided", request.two_sided, "in a library a muscle without a pull is slack"),
     ];
     match reasons.into_iter().find(|reason| reason.1) {

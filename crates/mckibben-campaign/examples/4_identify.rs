@@ -31,6 +31,7 @@ fn modulus_with_half_width() -> Result<(f64, f64), Box<dyn Error>> {
         points: &points,
         loss: Loss::Squares,
         two_sided: false,
+        history: false,
     };
     let build = |m: &Muscle| match Axisymmetric::new(m) {
         Ok(fe) => Ok(Box::new(fe) as Box<dyn ForceModel>),

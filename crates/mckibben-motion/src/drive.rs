@@ -4,7 +4,7 @@ use crate::air::{ATMOSPHERE_MPA, Air, Heat};
 use crate::command::Command;
 use crate::control::{Pid, PidOutput};
 use crate::error::MotionError;
-use crate::friction::Dahl;
+use crate::friction::Hysteresis;
 use crate::mechanism::Mechanism;
 use crate::valve::{Valve, ValveKind};
 use crate::viscoelastic::Prony;
@@ -54,7 +54,7 @@ pub struct Actuated<'a> {
     /// Its air.
     pub air: Air,
     /// Friction of its braid.
-    pub friction: Option<Dahl>,
+    pub friction: Option<Hysteresis>,
     /// Viscoelasticity of its rubber.
     pub rubber: Prony,
     /// Gauge pressure at the start in MPa; without it, what the first command says (0 where that is an opening that is closed).

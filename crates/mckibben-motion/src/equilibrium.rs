@@ -27,11 +27,8 @@ pub struct Equilibrium {
 /// [`MotionError::NoEquilibrium`], or the model's.
 pub fn equilibrium(drive: &Drive<'_>, pressures_mpa: &[f64]) -> Result<Equilibrium, MotionError> {
     drive.check()?;
-    let members: Vec<Member<'_>> = drive
-        .muscles
-        .iter()
-        .map(|m| Member::new(m.model, &Budget::current(), drive.tolerance.relative))
-        .collect();
+    let members: Vec<Member<'_>> =
+        drive.muscles.iter().map(|m| Member::new(m, &Budget::current(), drive.tolerance.relative)).collect();
     at_pressures(drive, &members, pressures_mpa)
 }
 

@@ -1,46 +1,66 @@
 //! Friction of the braid that does not depend on the speed.
 
 use crate::error::MotionError;
+use mckibben::muscle::{Direction, Friction, Presliding};
 
-/// Dahl's element: a bristle that gives way.
+/// Friction of the braid with its history.
 ///
 /// ```text
-/// F_f = F_c(P) z,   ż = (v/x_s)(1 − z sgn v),   F_c = C P^β of the muscle's `[friction]`
+/// F_f = F_c Σ sᵢ zᵢ,   żᵢ = (v/xᵢ)(1 − zᵢ sgn v),   F_c = C P^β + μw G(P, ε)
 /// ```
 ///
-/// F_f opposes shortening at speed v = L0 ε̇; z in −1 … 1; x_s presliding length. After a reversal z follows e^(−x/x_s), whatever the
-/// speed: a stroke S ≫ x_s there and back encloses 2 F_c S. The sign of v is fixed between its zeros, which are events. The element
-/// creeps under small oscillations about a load, as is known of it. Together with the overstress of the rubber it is no larger than the
-/// model's pull, so that the end of a muscle that goes slack is free of force. Source: Dahl (1976) \[dahl1976\]; F_c: Tondu (2012) \[tondu2012\].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Dahl {
-    /// C in N/MPa^β.
-    pub coefficient: f64,
-    /// β.
-    pub exponent: f64,
-    /// x_s in mm.
-    pub presliding_mm: f64,
+/// F_f opposes shortening at speed v = L0 ε̇; zᵢ in −1 … 1; xᵢ presliding lengths with shares sᵢ ([`Presliding`]); G of the strands' contact
+/// ([`pivoting_n_per_mm`](mckibben::model::pivoting_n_per_mm)). The friction follows the way, at any speed: a stroke S ≫ xᵢ there and back encloses
+/// 2 ∫ F_c dx. The sign of v is fixed between its zeros, which are events. The elements
+/// creep under small oscillations about a load, as is known of Dahl's equation. Together with the overstress of the rubber the friction is no larger
+/// than the model's pull, so that the end of a muscle that goes slack is free of force. Source: Dahl (1976) \[dahl1976\]; C P^β: Tondu (2012) \[tondu2012\].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Hysteresis {
+    /// F_c.
+    pub level: Friction,
+    /// How it builds up.
+    pub presliding: Presliding,
 }
 
-impl Dahl {
-    /// The muscle's friction with a presliding length.
-    pub fn of(friction: &mckibben::muscle::Friction, presliding_mm: f64) -> Self {
-        Self { coefficient: friction.coefficient, exponent: friction.exponent, presliding_mm }
+/// Whether lengths are above zero, and shares sum to 1.
+pub(crate) fn check(presliding: &Presliding) -> Result<(), MotionError> {
+    for element in &presliding.0 {
+        MotionError::within("the friction's presliding length in mm", element.length_mm, 1e-6, 1e6)?;
+        MotionError::within("the share of a presliding length", element.share, 0.0, 1.0)?;
+    }
+    let sum = presliding.0.iter().map(|element| element.share).sum();
+    MotionError::within("the sum of the shares of the presliding lengths", sum, 1.0 - 1e-9, 1.0 + 1e-9)
+}
+
+impl Hysteresis {
+    /// The muscle's friction, with the presliding of a drive or else of the muscle.
+    pub fn of(friction: &Friction, presliding: Option<&Presliding>) -> Self {
+        let presliding = presliding.cloned().unwrap_or_else(|| friction.presliding());
+        Self { level: *friction, presliding }
     }
 
     pub(crate) fn check(&self) -> Result<(), MotionError> {
-        MotionError::within("the friction's coefficient in N/MPa^β", self.coefficient, 0.0, 1e9)?;
-        MotionError::within("the friction's exponent", self.exponent, 0.0, 10.0)?;
-        MotionError::within("the friction's presliding length in mm", self.presliding_mm, 1e-6, 1e6)
+        MotionError::within("the friction's coefficient in N/MPa^β", self.level.coefficient, 0.0, 1e9)?;
+        MotionError::within("the friction's exponent", self.level.exponent, 0.0, 10.0)?;
+        MotionError::within("the friction's lever in mm", self.level.lever_mm, 0.0, 1e6)?;
+        check(&self.presliding)
     }
 
-    /// F_c in N.
-    pub fn level_n(&self, pressure_mpa: f64) -> f64 {
-        if pressure_mpa > 0.0 { self.coefficient * pressure_mpa.powf(self.exponent) } else { 0.0 }
+    /// Whether it needs G.
+    pub(crate) fn has_contact(&self) -> bool {
+        self.level.lever_mm > 0.0
     }
 
-    /// ż where the sign of the speed is `sign`.
-    pub(crate) fn rate(&self, z: f64, speed_mm_per_s: f64, sign: f64) -> f64 {
-        speed_mm_per_s / self.presliding_mm * (1.0 - z * sign)
+    /// F_c in N at a pressure, with G in N/mm.
+    pub fn level_n(&self, pressure_mpa: f64, pivoting_n_per_mm: f64) -> f64 {
+        let rule = self.level.force_n(pressure_mpa, Direction::Elongation);
+        let contact = pressure_mpa > 0.0 && self.has_contact();
+        if contact { rule + self.level.lever_mm * pivoting_n_per_mm.max(0.0) } else { rule }
+    }
+
+    /// żᵢ where the sign of the speed is `sign`.
+    pub(crate) fn rates(&self, states: &[f64], speed_mm_per_s: f64, sign: f64) -> Vec<f64> {
+        let each = self.presliding.0.iter().zip(states);
+        each.map(|(element, z)| speed_mm_per_s / element.length_mm * (1.0 - z * sign)).collect()
     }
 }

@@ -69,7 +69,7 @@ pub use equilibrium::{Equilibrium, equilibrium};
 pub use error::MotionError;
 pub use events::{Event, EventKind};
 pub use file::{DriveFile, Names, Subject, Tables, drive_names, parse_drive, with_value};
-pub use friction::Dahl;
+pub use friction::Hysteresis;
 pub use hose::Hose;
 pub use linear::{FrequencyPoint, Linear};
 pub use mechanism::{Coordinate, Lever, Mechanism, SingleMuscle};

@@ -1,9 +1,11 @@
 //! A force model as the equations of motion ask it: both pulls and volumes with their derivatives, and the slack muscle.
 
+use crate::drive::Actuated;
+use crate::friction::Hysteresis;
 use mckibben::analysis::{Options, free_contraction};
 use mckibben::budget::Budget;
-use mckibben::model::{ForceModel, Ideal, ModelError, Workspace};
-use std::cell::{Cell, RefCell};
+use mckibben::model::{ForceModel, Ideal, ModelError, ThickWall, Workspace, pivoting_n_per_mm};
+use std::cell::{Cell, OnceCell, RefCell};
 
 /// F and V at a gauge pressure and contraction, with their derivatives.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -16,6 +18,10 @@ pub(crate) struct Answer {
     pub volume_mm3: f64,
     pub volume_e: f64,
     pub volume_p: f64,
+    /// G of the strands' contact in N/mm; 0 where nobody needs it.
+    pub pivoting_n_per_mm: f64,
+    pub pivoting_e: f64,
+    pub pivoting_p: f64,
 }
 
 impl Answer {
@@ -24,6 +30,9 @@ impl Answer {
         Self {
             force_n: self.force_n + self.force_p * pressure_mpa + self.force_e * contraction,
             volume_mm3: self.volume_mm3 + self.volume_p * pressure_mpa + self.volume_e * contraction,
+            pivoting_n_per_mm: self.pivoting_n_per_mm
+                + self.pivoting_p * pressure_mpa
+                + self.pivoting_e * contraction,
             ..self
         }
     }
@@ -61,10 +70,18 @@ impl Substitute {
         let answer = Answer {
             force_n: cubic(of.force_n, by.force_n, to.force_n, then.force_n),
             volume_mm3: cubic(of.volume_mm3, by.volume_mm3, to.volume_mm3, then.volume_mm3),
+            pivoting_n_per_mm: cubic(
+                of.pivoting_n_per_mm,
+                by.pivoting_n_per_mm,
+                to.pivoting_n_per_mm,
+                then.pivoting_n_per_mm,
+            ),
             force_e: line(of.force_e, to.force_e),
             force_p: line(of.force_p, to.force_p),
             volume_e: line(of.volume_e, to.volume_e),
             volume_p: line(of.volume_p, to.volume_p),
+            pivoting_e: line(of.pivoting_e, to.pivoting_e),
+            pivoting_p: line(of.pivoting_p, to.pivoting_p),
         };
         let contraction = cubic(a.0.contraction, a.1.contraction, b.0.contraction, b.1.contraction);
         Self::Moment(SlackState {
@@ -99,6 +116,9 @@ pub(crate) struct Member<'a> {
     kept: RefCell<Kept>,
     next: Cell<usize>,
     clamp_slack: Cell<Option<f64>>,
+    /// Whether friction needs G, and the infinitely long muscle that has it or its slopes.
+    has_contact: bool,
+    long: OnceCell<ThickWall>,
     pub asked: Cell<usize>,
     /// In place of the model, where there is one.
     pub substitute: Cell<Option<Substitute>>,
@@ -111,12 +131,14 @@ pub(crate) struct Memory {
     kept: Kept,
     next: usize,
     clamp_slack: Option<f64>,
+    long: OnceCell<ThickWall>,
 }
 
 impl Memory {
     /// The same for another simulation; the workspace of its model begins anew.
     pub fn duplicate(&self) -> Self {
-        Self { workspace: Workspace::new(), ..*self }
+        let Self { kept, next, clamp_slack, .. } = *self;
+        Self { kept, next, clamp_slack, ..Self::default() }
     }
 }
 
@@ -127,6 +149,7 @@ impl<'a> Member<'a> {
         self.kept = RefCell::new(memory.kept);
         self.next = Cell::new(memory.next);
         self.clamp_slack = Cell::new(memory.clamp_slack);
+        self.long = memory.long;
     }
 
     /// What it has learnt.
@@ -136,11 +159,13 @@ impl<'a> Member<'a> {
             kept: self.kept.into_inner(),
             next: self.next.get(),
             clamp_slack: self.clamp_slack.get(),
+            long: self.long,
         }
     }
 
     /// A member with what its model may cost and the relative tolerance of the motion.
-    pub fn new(model: &'a dyn ForceModel, budget: &Budget, tolerance: f64) -> Self {
+    pub fn new(muscle: &Actuated<'a>, budget: &Budget, tolerance: f64) -> Self {
+        let model = muscle.model;
         Self {
             model,
             near: tolerance,
@@ -150,6 +175,8 @@ impl<'a> Member<'a> {
             kept: RefCell::new([None; 8]),
             next: Cell::new(0),
             clamp_slack: Cell::new(None),
+            has_contact: muscle.friction.as_ref().is_some_and(Hysteresis::has_contact),
+            long: OnceCell::new(),
             asked: Cell::new(0),
             substitute: Cell::new(None),
         }
@@ -242,7 +269,11 @@ impl<'a> Member<'a> {
             volume_e = volume_e.or(Some((above.1 - below.1) / (2.0 * STEP)));
             force_e = force_e.or(Some((above.0.force_n - below.0.force_n) / (2.0 * STEP)));
         }
+        let [pivoting_n_per_mm, pivoting_e, pivoting_p] = self.pivoting(w, p, e)?;
         let answer = Answer {
+            pivoting_n_per_mm,
+            pivoting_e,
+            pivoting_p,
             force_n: r.force_n,
             force_e: force_e.ok_or_else(not_finite)?,
             force_p: force_p.ok_or_else(not_finite)?,
@@ -251,9 +282,30 @@ impl<'a> Member<'a> {
             volume_p: volume_p.ok_or_else(not_finite)?,
         };
         let Answer { force_n, force_e, force_p, volume_e, volume_p, .. } = answer;
-        let finite =
-            [force_n, force_e, force_p, volume_mm3, volume_e, volume_p].iter().all(|v| v.is_finite());
+        let numbers = [force_n, force_e, force_p, volume_mm3, volume_e, volume_p];
+        let mut numbers = numbers.into_iter().chain([pivoting_n_per_mm, pivoting_e, pivoting_p]);
+        let finite = numbers.all(f64::is_finite);
         if finite { Ok(answer) } else { Err(not_finite()) }
+    }
+
+    /// G, ∂G/∂ε and ∂G/∂P of the strands' contact, where friction needs them: G is the model's own, or else that of the infinitely long
+    /// muscle; its slopes are those of the infinitely long muscle in the same proportion, by one-sided differences.
+    fn pivoting(&self, w: &mut Workspace, p: f64, e: f64) -> Result<[f64; 3], ModelError> {
+        /// Of the pressure (relative) and the contraction.
+        const SHARE: f64 = 1e-4;
+        if !self.has_contact {
+            return Ok([0.0; 3]);
+        }
+        let long = self.long.get_or_init(|| ThickWall::new(self.model.muscle()));
+        let of_long = |w: &mut Workspace, p: f64, e: f64| pivoting_n_per_mm(long, w, p, e);
+        let at = of_long(w, p, e);
+        let own = match self.model.extensions().contact {
+            Some(contact) => contact.pivoting_n_per_mm(w, p, e)?,
+            None => at.clone()?,
+        };
+        let Some(at) = at.ok().filter(|at| *at > 0.0) else { return Ok([own, 0.0, 0.0]) };
+        let mut change = |p: f64, e: f64| own / at * (of_long(w, p, e).unwrap_or(at) - at);
+        Ok([own, change(p, e + SHARE) / SHARE, change(p * (1.0 + SHARE), e) / (SHARE * p)])
     }
 
     /// The slack muscle at a pressure: Newton's method from where it was slack last, else a search.

@@ -13,8 +13,8 @@ pub(crate) struct MuscleState {
     pub mass_g: f64,
     /// Of a valve that lags.
     pub opening: Option<f64>,
-    /// Dahl's z, with friction.
-    pub bristle: Option<f64>,
+    /// zᵢ of the friction's elements.
+    pub bristles: Vec<f64>,
     /// Of each Prony branch.
     pub branches_n: Vec<f64>,
     pub supplied_g: f64,
@@ -79,7 +79,7 @@ impl State {
         visit(&mut self.velocity);
         for m in &mut self.muscles {
             let own = [&mut m.absolute_mpa, &mut m.mass_g].into_iter();
-            own.chain(&mut m.opening).chain(&mut m.bristle).chain(&mut m.branches_n).for_each(&mut visit);
+            own.chain(&mut m.opening).chain(&mut m.bristles).chain(&mut m.branches_n).for_each(&mut visit);
         }
         if let Some(ControllerState { integral, filtered }) = &mut self.controller {
             visit(integral);
@@ -123,7 +123,7 @@ impl Layout {
                 if matches!(v.kind, ValveKind::Proportional { time_constant_s, .. } if time_constant_s > 0.0));
             MuscleState {
                 opening: lags.then_some(0.0),
-                bristle: m.friction.map(|_| 0.0),
+                bristles: vec![0.0; m.friction.as_ref().map_or(0, |f| f.presliding.0.len())],
                 branches_n: vec![0.0; m.rubber.0.len()],
                 ..MuscleState::default()
             }
@@ -199,12 +199,12 @@ mod tests {
     use crate::command::Command;
     use crate::control::{Pid, PidOutput};
     use crate::drive::Actuated;
-    use crate::friction::Dahl;
+    use crate::friction::Hysteresis;
     use crate::mechanism::SingleMuscle;
     use crate::valve::{Orifice, Valve};
     use crate::viscoelastic::{Branch, Prony};
     use mckibben::model::Ideal;
-    use mckibben::muscle::Muscle;
+    use mckibben::muscle::{Friction, Muscle};
 
     #[test]
     fn every_number_of_a_state_has_one_place() {
@@ -213,7 +213,7 @@ mod tests {
         let kind = ValveKind::Proportional { time_constant_s: 0.01, gain_per_mpa: 20.0 };
         let valve = Valve { kind, ..Valve::new(Orifice::new(0.5, 0.3).unwrap()) };
         let muscle = Actuated {
-            friction: Some(Dahl { coefficient: 1.0, exponent: 1.0, presliding_mm: 0.5 }),
+            friction: Some(Hysteresis::of(&Friction::power_law(1.0, 1.0), None)),
             rubber: Prony(vec![Branch { share: 0.1, time_constant_s: 0.1 }; 3]),
             ..Actuated::new(&model, Actuator::Valve(valve))
         };

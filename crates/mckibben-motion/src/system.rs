@@ -29,7 +29,7 @@ pub(crate) struct Modes {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Mode {
     pub slack: bool,
-    /// The sign of the shortening speed in Dahl's equation.
+    /// The sign of the shortening speed in the equations of friction.
     pub sign: f64,
     pub switch: Switch,
 }
@@ -89,7 +89,7 @@ impl<'a> System<'a> {
     pub fn new(drive: &'a Drive<'a>, budget: &Budget) -> Result<Self, MotionError> {
         drive.check()?;
         let members: Vec<Member<'a>> =
-            drive.muscles.iter().map(|m| Member::new(m.model, budget, drive.tolerance.relative)).collect();
+            drive.muscles.iter().map(|m| Member::new(m, budget, drive.tolerance.relative)).collect();
         let layout = Layout::new(drive);
         let scale = sizes(drive, &members, &layout);
         let room = (layout.filled(0.0), Point::default());
@@ -176,7 +176,10 @@ impl<'a> System<'a> {
                 absolute_mpa: air.pressure_rate,
                 mass_g: air.supply.mass_g_per_s + air.exhaust.mass_g_per_s,
                 opening: own.opening.map(|_| air.opening_rate),
-                bristle: own.bristle.zip(muscle.friction).map(|(z, dahl)| dahl.rate(z, speed, mode.sign)),
+                bristles: muscle
+                    .friction
+                    .as_ref()
+                    .map_or_else(Vec::new, |friction| friction.rates(&own.bristles, speed, mode.sign)),
                 branches_n,
                 supplied_g: air.supply.mass_g_per_s,
                 exhausted_g: -air.exhaust.mass_g_per_s,
@@ -243,6 +246,7 @@ impl<'a> System<'a> {
                 let answer = Answer {
                     force_n: a.force_p * p_rate + a.force_e * e_rate,
                     volume_mm3: a.volume_p * p_rate + a.volume_e * e_rate,
+                    pivoting_n_per_mm: a.pivoting_p * p_rate + a.pivoting_e * e_rate,
                     ..Answer::default()
                 };
                 Ok((h, SlackState { contraction: e_rate, answer, contraction_p: 0.0 }))
@@ -268,10 +272,9 @@ fn pull(
     } else {
         muscle.rubber.excess_n(member.wall_n(answer.force_n, pressure, contraction), &own.branches_n)
     };
-    let friction = match (&muscle.friction, own.bristle) {
-        (Some(dahl), Some(z)) => dahl.level_n(pressure) * z,
-        _ => 0.0,
-    };
+    let friction = muscle.friction.as_ref().map_or(0.0, |friction| {
+        friction.level_n(pressure, answer.pivoting_n_per_mm) * friction.presliding.share(&own.bristles)
+    });
     // A rope cannot push, and its end is free of force where it goes slack: friction and overstress are no larger than the pull.
     let most = answer.force_n.max(0.0);
     let pull = answer.force_n + (excess - friction).clamp(-most, most);
@@ -290,7 +293,7 @@ fn sizes(drive: &Drive<'_>, members: &[Member<'_>], layout: &Layout) -> State {
             absolute_mpa: 0.1,
             mass_g,
             opening: own.opening.map(|_| 1.0),
-            bristle: own.bristle.map(|_| 1.0),
+            bristles: vec![1.0; own.bristles.len()],
             branches_n: vec![10.0; own.branches_n.len()],
             supplied_g: mass_g,
             exhausted_g: mass_g,

@@ -43,7 +43,11 @@ pub(super) fn schema() -> Value {
     ];
     let regulator =
         [("time_constant", positive(Dimension::Time, "Time constant with which it follows its command"))];
-    let friction = [("presliding", positive(Dimension::Length, "Presliding length of Dahl's equation"))];
+    let length = positive(Dimension::Length, "Presliding length of the friction");
+    let several =
+        pairs("Shares of the friction, each with a presliding length: [[0.6, \"0.5 mm\"], [0.4, \"3 mm\"]]");
+    let about = "Over which length the friction builds up after a reversal";
+    let friction = [("presliding", json!({ "description": about, "anyOf": [length, several] }))];
     let rubber =
         [("prony", pairs("Shares of the wall's pull, each with a time constant: [[0.1, \"50 ms\"]]"))];
     let mut file = root([

@@ -22,8 +22,8 @@ use mckibben::model::ForceModel;
 use mckibben::progress::Progress;
 use mckibben::warning::Warning;
 use mckibben_motion::{
-    Actuated, Command, Dahl, Drive, DriveFile, Linear, Mechanism, Motion, MotionError, Names, SingleMuscle,
-    Subject, Tables, Target, Tolerance, drive_names, parse_drive, run_as_far, size, with_value,
+    Actuated, Command, Drive, DriveFile, Hysteresis, Linear, Mechanism, Motion, MotionError, Names,
+    SingleMuscle, Subject, Tables, Target, Tolerance, drive_names, parse_drive, run_as_far, size, with_value,
 };
 use std::path::Path;
 
@@ -202,7 +202,7 @@ impl Moved {
     ) -> Drive<'a> {
         let muscles = self.models.iter().map(|model| Actuated {
             air: file.air,
-            friction: model.muscle().friction().map(|f| Dahl::of(f, file.presliding_mm)),
+            friction: model.muscle().friction().map(|f| Hysteresis::of(f, file.presliding.as_ref())),
             rubber: file.rubber.clone(),
             ..Actuated::new(&**model, file.actuator)
         });

@@ -7,11 +7,7 @@ use mckibben_motion::{Coordinate, DriveFile, Motion, Moves};
 impl Moved {
     /// Of its muscles.
     pub(super) fn warnings_of_muscles(&self) -> impl Iterator<Item = String> {
-        let muscles = || self.models.iter().map(|model| model.muscle());
-        let lever = muscles().any(|m| m.friction().is_some_and(|f| f.lever_mm > 0.0));
-        let left_out =
-            lever.then(|| "a drive uses only the friction C·P^β: friction.lever is not used".to_owned());
-        muscles().flat_map(|m| m.warnings()).chain(left_out)
+        self.models.iter().flat_map(|model| model.muscle().warnings())
     }
 
     /// Of a motion.

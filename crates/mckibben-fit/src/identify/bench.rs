@@ -68,7 +68,8 @@ pub(super) fn bench<B: Build>(
             branch: branches.last().copied().unwrap_or_default(),
         };
         let point = [DataPoint::of(at)];
-        let problem = Problem::new(request.muscle, &free, request.fixed, &point, build, found.x, progress);
+        let problem =
+            Problem::new(request.muscle, &free, request.fixed, (&point, None), build, found.x, progress);
         let columns = slopes(&problem, found.unknowns, found.x)?;
         let g: Vec<f64> = columns.iter().map(|c| c.first().copied().unwrap_or(0.0)).collect();
         let row = |row: &Vec<f64>| row.iter().zip(&g).map(|(c, g)| c * g).sum::<f64>();

@@ -10,15 +10,17 @@ use crate::measured::DataPoint;
 use mckibben::model::Workspace;
 use mckibben::muscle::Direction;
 use mckibben::muscle::Muscle;
-use mckibben::muscle::measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT};
+use mckibben::muscle::measures::{
+    FRICTION_COEFFICIENT, FRICTION_EXPONENT, FRICTION_LEVER, FRICTION_PRESLIDING,
+};
 use mckibben::progress::Progress;
 
 /// A stiffness in N/mm of strands that do not stretch.
 const STIFF: f64 = 1e5;
 
 /// The law's modulus (its one constant, or a factor on all of them), the stiffness of strands that stretch, and the friction
-/// where both branches were measured.
-pub fn default_targets(muscle: &Muscle, points: &[DataPoint]) -> Vec<Target> {
+/// where both branches were measured; of rows in time order the friction with its presliding length.
+pub fn default_targets(muscle: &Muscle, points: &[DataPoint], history: bool) -> Vec<Target> {
     let constants = muscle.tube().rubber.law.constants();
     let moduli: Vec<usize> = (0..constants.len())
         .filter(|&i| constants[i].constant.is_modulus() && constants[i].value != 0.0)
@@ -29,6 +31,12 @@ pub fn default_targets(muscle: &Muscle, points: &[DataPoint]) -> Vec<Target> {
     }];
     if muscle.family_stiffness_n_per_mm().is_some() {
         out.push(Target::Stiffness);
+    }
+    if history {
+        let law = muscle.friction().is_some_and(|f| f.coefficient > 0.0);
+        let level = if law { &FRICTION_COEFFICIENT } else { &FRICTION_LEVER };
+        out.extend([Target::Measure(level), Target::Measure(&FRICTION_PRESLIDING)]);
+        return out;
     }
     let has = |branch| points.iter().any(|p| p.at.branch == branch);
     if has(Direction::Contraction) && has(Direction::Elongation) {
@@ -51,8 +59,10 @@ pub fn identify_default<B: Build>(
     progress: &dyn Progress,
 ) -> Result<Identification, IdentifyError> {
     let fixed = |t: &Target| request.fixed.iter().any(|f| f.0 == *t);
-    let targets: Vec<Target> =
-        default_targets(request.muscle, request.points).into_iter().filter(|t| !fixed(t)).collect();
+    let targets: Vec<Target> = default_targets(request.muscle, request.points, request.history)
+        .into_iter()
+        .filter(|t| !fixed(t))
+        .collect();
     let run = |targets: &[Target]| {
         let free: Vec<Parameter> = targets.iter().map(|t| Parameter::free(*t)).collect();
         identify_with(&Request { free: &free, ..*request }, &build, progress)

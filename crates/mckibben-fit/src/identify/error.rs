@@ -56,6 +56,12 @@ pub enum IdentifyError {
     /// Data that no muscle of this size gives.
     #[error("{0}")]
     Implausible(String),
+    /// Rows with a history in which something else than the pull was read.
+    #[error("line {line}: rows in time order state a measured force, at a set pressure and length")]
+    HistoryOfForces {
+        /// A row with another quantity.
+        line: u64,
+    },
     /// A column with the wrong sign.
     #[error("{0}")]
     Flipped(String),

@@ -11,6 +11,7 @@ mod bench;
 mod candidate;
 mod default_parameters;
 mod error;
+mod history;
 mod laws;
 mod parameter;
 mod problem;

@@ -12,10 +12,11 @@
 //! ([`Slopes`](mckibben::model::Slopes)) where it has one and no volumes were read.
 
 use super::candidate::Candidate;
+use super::history::shares;
 use super::parameter::Target;
 use crate::least_squares::Residuals;
 use crate::measured::{DataPoint, Quantity, Section};
-use mckibben::analysis::{force_on, response_on, slope_by_pressure, stiffness_of};
+use mckibben::analysis::{force_on, friction_half_width_n, response_on, slope_by_pressure, stiffness_of};
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, OUTER_DIAMETER};
 use mckibben::muscle::{BraidStiffness, Direction, Friction, Muscle};
@@ -42,6 +43,8 @@ pub struct Problem<'a, B> {
     free: &'a [Target],
     fixed: &'a [(Target, f64)],
     points: &'a [DataPoint],
+    /// All rows in time order, where the friction has their history.
+    history: Option<&'a [DataPoint]>,
     build: &'a B,
     progress: &'a dyn Progress,
     chunks: Vec<Chunk>,
@@ -128,12 +131,12 @@ fn found(
 }
 
 impl<'a, B: Build> Problem<'a, B> {
-    /// A problem; `start`: values of the free targets.
+    /// A problem of points, and of all rows in time order where the friction has their history; `start`: values of the free targets.
     pub fn new(
         base: &'a Muscle,
         free: &'a [Target],
         fixed: &'a [(Target, f64)],
-        points: &'a [DataPoint],
+        (points, history): (&'a [DataPoint], Option<&'a [DataPoint]>),
         build: &'a B,
         start: &[f64],
         progress: &'a dyn Progress,
@@ -143,6 +146,7 @@ impl<'a, B: Build> Problem<'a, B> {
             free,
             fixed,
             points,
+            history,
             build,
             progress,
             chunks: chunks(points),
@@ -173,11 +177,17 @@ impl<'a, B: Build> Problem<'a, B> {
     /// Residual of every point in N, or why it has none.
     pub fn rows(&self, x: &[f64]) -> Option<Vec<Result<f64, ModelError>>> {
         let candidate = self.candidate(x)?;
-        self.over_rows(&candidate, |m, w, point| {
+        let shares = self.shares(&candidate);
+        self.over_rows(&candidate, |m, w, i| {
+            let point = &self.points[i];
             let at = &point.at;
             match point.measured {
                 Quantity::Force => {
                     let e = at.contraction + candidate.contraction_offset;
+                    if let Some(share) = shares.as_ref().and_then(|list| list.get(i)) {
+                        let half = friction_half_width_n(m, w, at.pressure_mpa, e)?;
+                        return Ok(m.force_n(w, at.pressure_mpa, e)? - share * half - at.force_n);
+                    }
                     Ok(force_on(m, w, at.pressure_mpa, e, at.branch)? - at.force_n)
                 }
                 Quantity::Contraction => {
@@ -198,11 +208,18 @@ impl<'a, B: Build> Problem<'a, B> {
         })
     }
 
+    /// Σ sᵢ zᵢ of every point, where the friction has a history.
+    fn shares(&self, candidate: &Candidate) -> Option<Vec<f64>> {
+        let (muscle, rows) = (candidate.muscle(), self.history?);
+        let presliding = muscle.friction()?.presliding();
+        Some(shares(rows, self.points, &presliding, muscle.length_mm()))
+    }
+
     /// Something of every row, by the model of its muscle.
     fn over_rows<T: Send>(
         &self,
         candidate: &Candidate,
-        one: impl Fn(&dyn ForceModel, &mut Workspace, &DataPoint) -> Result<T, ModelError> + Sync,
+        one: impl Fn(&dyn ForceModel, &mut Workspace, usize) -> Result<T, ModelError> + Sync,
     ) -> Option<Vec<Result<T, ModelError>>> {
         let of_chunk = |chunk: &Chunk| -> Option<Vec<Result<T, ModelError>>> {
             if self.progress.cancelled() {
@@ -211,7 +228,7 @@ impl<'a, B: Build> Problem<'a, B> {
             let muscle = candidate.of_section(&chunk.section).ok()?;
             let model = (self.build)(&muscle).ok()?;
             let mut w = Workspace::within(self.progress.budget());
-            Some(chunk.rows.iter().map(|&i| one(model.as_ref(), &mut w, &self.points[i])).collect())
+            Some(chunk.rows.iter().map(|&i| one(model.as_ref(), &mut w, i)).collect())
         };
         let lists = threads::map(&self.chunks, of_chunk);
         let mut out: Vec<Option<Result<T, ModelError>>> = self.points.iter().map(|_| None).collect();
@@ -228,8 +245,8 @@ impl<'a, B: Build> Problem<'a, B> {
             return None;
         }
         let candidate = self.candidate(start)?;
-        let list = self.over_rows(&candidate, |m, w, point| {
-            let at = &point.at;
+        let list = self.over_rows(&candidate, |m, w, i| {
+            let at = &self.points[i].at;
             local(m, w, at.pressure_mpa, at.contraction + candidate.contraction_offset, at.branch)
         })?;
         let mean = |quantity: Quantity, of: &dyn Fn(&Local) -> f64| {
@@ -250,7 +267,7 @@ impl<'a, B: Build> Problem<'a, B> {
     /// Whether the model has all of ∂F/∂θ.
     fn knows_derivatives(&self, start: &[f64]) -> bool {
         let Some(candidate) = self.candidate(start) else { return false };
-        if self.points.iter().any(|p| p.measured == Quantity::Volume) {
+        if self.history.is_some() || self.points.iter().any(|p| p.measured == Quantity::Volume) {
             return false;
         }
         // A braid that follows from the measures of the muscle has another derivative by these.
@@ -375,7 +392,8 @@ impl<B: Build> Residuals for Problem<'_, B> {
         let candidate = self.candidate(x)?;
         let names = self.names(&candidate);
         let offset = candidate.contraction_offset;
-        let rows = self.over_rows(&candidate, |m, w, point| {
+        let rows = self.over_rows(&candidate, |m, w, i| {
+            let point = &self.points[i];
             let at = &point.at;
             let (p, e, here) = match point.measured {
                 Quantity::Force | Quantity::Volume => {

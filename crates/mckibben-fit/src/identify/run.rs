@@ -4,6 +4,7 @@ use super::advice;
 use super::bench::{self, Found};
 use super::candidate::own_value;
 use super::error::IdentifyError;
+use super::history;
 use super::parameter::{Parameter, Target};
 use super::problem::{Build, Problem};
 use super::result::{Identification, Identified, PointFit, spread, spreads};
@@ -32,6 +33,8 @@ pub struct Request<'a> {
     pub loss: Loss,
     /// Whether forces of zero and below are measurements: by default the muscle was slack there.
     pub two_sided: bool,
+    /// Whether the points are in time order, so that the friction has their history; `branch` then counts in the first row of a table.
+    pub history: bool,
 }
 
 /// How many different values there are.
@@ -121,6 +124,8 @@ pub fn identify_with<B: Build>(
     build: B,
     progress: &dyn Progress,
 ) -> Result<Identification, IdentifyError> {
+    let directed = if request.history { history::directed(request.points)? } else { vec![] };
+    let request = if request.history { &Request { points: &directed, ..*request } } else { request };
     let flipped = signs::check(request)?;
     let found = search(request, &flipped, build, progress);
     match found {
@@ -153,18 +158,19 @@ fn search<B: Build>(
         let (points, dropped) = (points.len(), slack.len());
         return Err(IdentifyError::TooFew { points, dropped, parameters: free.len() });
     }
-    let mut notes = advice::before(muscle, &free, &points)?;
+    let mut notes = advice::before(muscle, &free, &points, request.history)?;
     notes.extend(flipped.iter().cloned());
     let values = request.fixed.iter().copied().chain(free.iter().copied().zip(start.iter().copied()));
     let first = super::Candidate::new(muscle, &values.collect::<Vec<_>>())?;
     build(first.muscle()).map_err(IdentifyError::Model)?;
 
-    let problem = Problem::new(muscle, &free, request.fixed, &points, &build, &start, progress);
+    let history = request.history.then_some(request.points);
+    let problem = Problem::new(muscle, &free, request.fixed, (&points, history), &build, &start, progress);
     // Residuals at the start, point by point.
     let rows = problem.rows(&start).ok_or(IdentifyError::Estimate(EstimateError::Start))?;
 
     notes.extend(leave_out(&mut points, rows)?);
-    let problem = Problem::new(muscle, &free, request.fixed, &points, &build, &start, progress);
+    let problem = Problem::new(muscle, &free, request.fixed, (&points, history), &build, &start, progress);
     let (weights, errors_stated) = weights(&points, |q| problem.scale(q))?;
     let before = rms(&crate::least_squares::Residuals::at(&problem, &start).unwrap_or_default());
     let found = estimate(&problem, &unknowns, &weights, request.loss).map_err(|e| match e {

@@ -68,6 +68,7 @@ pub fn judged<B: Build>(
         points: fitted,
         loss: Loss::Squares,
         two_sided: false,
+        history: false,
     };
     let found = identify_with(&request, build, progress)?;
     let Some(bench) = found.bench else { return Ok(vec![]) };

@@ -101,6 +101,7 @@ pub fn refit<B: Build>(
         points: &points_of(case, fit),
         loss: Loss::Squares,
         two_sided: false,
+        history: false,
     };
     let found = identify_with(&request, build, progress)?;
     let muscle = match &found.bench {

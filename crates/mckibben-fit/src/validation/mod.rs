@@ -97,6 +97,7 @@ fn row(
             points: &data,
             loss: Loss::Squares,
             two_sided: true,
+            history: false,
         };
         let m = if free.is_empty() { m } else { identify(&request, build).ok()?.muscle };
         compare(build(&m).ok()?.as_ref(), &mut Workspace::new(), points, Options::default())

@@ -128,6 +128,7 @@ pub(super) fn fitted<B: Build>(
         points,
         loss: Loss::Squares,
         two_sided: false,
+        history: false,
     };
     let found = identify_with(&request, build, progress)?;
     Ok((found.muscle, found.parameters))

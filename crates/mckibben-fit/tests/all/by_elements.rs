@@ -68,8 +68,15 @@ fn points() -> Vec<DataPoint> {
 fn run(names: &[&str], points: &[DataPoint], with_own: bool) -> Identification {
     let m = muscle(30.0, 400.0);
     let free: Vec<Parameter> = names.iter().map(|n| Parameter::parse(n, &m).unwrap()).collect();
-    let request =
-        Request { muscle: &m, free: &free, fixed: &[], points, loss: Loss::Squares, two_sided: false };
+    let request = Request {
+        muscle: &m,
+        free: &free,
+        fixed: &[],
+        points,
+        loss: Loss::Squares,
+        two_sided: false,
+        history: false,
+    };
     if with_own { identify(&request, fe) } else { identify(&request, bare) }.unwrap()
 }
 

@@ -63,6 +63,7 @@ fn the_uncertainty_holds_single_branches_of_muscles_that_state_their_friction() 
             points: &points,
             loss: Loss::Squares,
             two_sided: false,
+            history: false,
         };
         let found = identify(&request, elements).unwrap();
         assert!(found.muscle.friction().is_some());

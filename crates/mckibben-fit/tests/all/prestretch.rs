@@ -36,6 +36,7 @@ fn a_prestretch_is_identified_from_pulls_and_a_wrong_one_refused() {
         points: &points,
         loss: Loss::Squares,
         two_sided: false,
+        history: false,
     };
     let found = identify(&request, |m| Ok(Box::new(ThickWall::new(m)))).unwrap();
     let value = found.muscle.tube().prestretch;

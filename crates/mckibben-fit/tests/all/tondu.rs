@@ -46,6 +46,7 @@ fn thick_wall_with_a_fitted_modulus_and_end_factor_misses_by_about_6_n_rms() {
         points: &points,
         loss: Loss::Squares,
         two_sided: true,
+        history: false,
     };
     let best = identify(&request, build).unwrap();
     println!("{:?} {}", best.parameters, best.rms_n);

@@ -6,9 +6,11 @@ mod valve;
 use crate::air::Air;
 use crate::drive::{Actuator, Supply, Target};
 use crate::error::MotionError;
+use crate::friction;
 use crate::viscoelastic::{Branch, Prony};
 use mckibben::load::{Load, LoadTable};
 use mckibben::muscle::file::{FileError, Problem, Section, Source};
+use mckibben::muscle::{Presliding, PreslidingElement};
 use mckibben::units::{Dimension, Values};
 use mckibben_table::read_load;
 use std::collections::BTreeMap;
@@ -60,8 +62,8 @@ pub struct DriveFile {
     pub damping_n_s_per_m: f64,
     /// Stops of a muscle's load: shortenings in mm.
     pub stops_mm: (f64, f64),
-    /// Presliding length of the braid's friction in mm.
-    pub presliding_mm: f64,
+    /// How the friction of the braid builds up; as the muscle states it, where there is none.
+    pub presliding: Option<Presliding>,
     /// Viscoelasticity of the rubber.
     pub rubber: Prony,
     /// What is commanded.
@@ -91,8 +93,6 @@ const SUPPLY: &[&str] = &["pressure", "temperature"];
 const LOAD: &[&str] = &["mass", "level", "line", "damping", "stops", "held"];
 /// The stops of a load that has none.
 const FREE_MM: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
-/// Presliding length in mm where none is said.
-const PRESLIDING_MM: f64 = 0.5;
 
 /// Reads the text of a drive file.
 ///
@@ -127,7 +127,7 @@ impl DriveFile {
             held: None,
             damping_n_s_per_m: 0.0,
             stops_mm: FREE_MM,
-            presliding_mm: PRESLIDING_MM,
+            presliding: None,
             rubber: Prony::default(),
             target,
             until_s,
@@ -190,8 +190,7 @@ fn read(text: &str, base: Option<&DriveFile>, tables: &Tables) -> Result<DriveFi
             .quantity("damping", Dimension::Damping)?
             .unwrap_or(base.map_or(0.0, |base| base.damping_n_s_per_m)),
         stops_mm: stops(&load)?.or(base.map(|base| base.stops_mm)).unwrap_or(FREE_MM),
-        presliding_mm: above(&friction, "presliding", Dimension::Length)?
-            .unwrap_or(base.map_or(PRESLIDING_MM, |base| base.presliding_mm)),
+        presliding: presliding(&friction)?.or_else(|| base.and_then(|base| base.presliding.clone())),
         rubber: prony.unwrap_or_else(|| base.map_or_else(Prony::default, |base| base.rubber.clone())),
         target,
         until_s,
@@ -262,6 +261,20 @@ fn above(section: &Section<'_>, key: &str, dimension: Dimension) -> Result<Optio
         Some(value) if value <= 0.0 => Err(said(section, key, "must be above zero")),
         value => Ok(value),
     }
+}
+
+/// A length, or pairs of a share and a length.
+fn presliding(section: &Section<'_>) -> Result<Option<Presliding>, FileError> {
+    const KEY: &str = "presliding";
+    if !section.is_list(KEY) {
+        return Ok(above(section, KEY, Dimension::Length)?.map(Presliding::of));
+    }
+    let expected = "a length, or pairs of a share and a length, as in [[0.6, \"0.5 mm\"], [0.4, \"3 mm\"]]";
+    let Some(pairs) = section.pairs(KEY, (None, Some(Dimension::Length)), expected)? else { return Ok(None) };
+    let elements = pairs.into_iter().map(|(share, length_mm)| PreslidingElement { share, length_mm });
+    let presliding = Presliding(elements.collect());
+    at(section, KEY, friction::check(&presliding))?;
+    Ok(Some(presliding))
 }
 
 /// What the crate itself says of a number, at its key.
@@ -359,6 +372,7 @@ mod tests {
         let Actuator::Valve(valve) = drive.actuator else { panic!() };
         assert_eq!(valve.supply, Orifice::new(0.5, 0.3).unwrap());
         assert_eq!((drive.air.heat, drive.air.dead_volume_mm3), (Heat::Transfer(25.0), 1e4));
+        assert_eq!(drive.presliding, None);
         assert_eq!((drive.damping_n_s_per_m, drive.stops_mm), (400.0, (-5.0, 80.0)));
         assert_eq!(drive.target, Target::Pressure(vec![Command::Steps(vec![(0.0, 0.0), (0.1, 0.3)])]));
         assert_eq!((drive.until_s, drive.output_step_s), (5.0, 0.005));
@@ -401,6 +415,12 @@ mod tests {
             (format!("muscle = 'm.toml'\n[valve]\nsonic_conductance = '0 L/(s bar)'\n{TAIL}"), "above zero"),
             (format!("muscle = 'm.toml'\n[valve]\nname = 'festo-mh3'\n{TAIL}"), "festo-mh2"),
             (format!("{HEAD}critical_ratio = 1.5\n{TAIL}"), "critical"),
+            (
+                format!("{HEAD}[friction]\npresliding = [[0.6, '0.5 mm'], [0.3, '3 mm']]\n{TAIL}"),
+                "sum of the shares",
+            ),
+            (format!("{HEAD}[friction]\npresliding = [[1, '0 mm']]\n{TAIL}"), "presliding length"),
+            (format!("{HEAD}[friction]\npresliding = [1, 2]\n{TAIL}"), "pairs of a share and a length"),
             (format!("{HEAD}[air]\nheat = 'warm'\n{TAIL}"), "isothermal"),
             (format!("{HEAD}[command]\npressure = '3 bar'\n"), "until"),
             (format!("{HEAD}[command]\nuntil = '1 s'\n"), "what is commanded"),

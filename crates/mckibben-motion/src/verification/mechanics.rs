@@ -5,14 +5,14 @@ use crate::air::{ATMOSPHERE_MPA, Air, Heat};
 use crate::command::Command;
 use crate::drive::{Actuated, Actuator, Drive, Target};
 use crate::equilibrium::equilibrium;
-use crate::friction::Dahl;
+use crate::friction::Hysteresis;
 use crate::linear::Linear;
 use crate::mechanism::SingleMuscle;
 use crate::valve::{Orifice, Valve};
 use crate::viscoelastic::{Branch, Prony};
 use mckibben::load::Load;
 use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace};
-use mckibben::muscle::Muscle;
+use mckibben::muscle::{Friction, Muscle, Presliding};
 use mckibben::verification::VerificationRow;
 use std::f64::consts::TAU;
 
@@ -51,7 +51,7 @@ fn balances() -> Option<Vec<VerificationRow>> {
     {
         let mut muscle = Actuated::new(&*model, Actuator::Valve(valve()?));
         muscle.air = Air { heat, dead_volume_mm3: 10e3, ..Air::default() };
-        muscle.friction = Some(Dahl { coefficient: 20.0, exponent: 0.7, presliding_mm: 0.5 });
+        muscle.friction = Some(Hysteresis::of(&Friction::power_law(20.0, 0.7), None));
         muscle.rubber = Prony(vec![Branch { share: 0.2, time_constant_s: 0.05 }]);
         let steps = Command::Steps(vec![(0.0, 0.0), (0.1, 0.2), (0.8, 0.05)]);
         let mut drive = Drive::new(&load, vec![muscle], Target::Pressure(vec![steps]), 1.5);
@@ -160,8 +160,10 @@ fn loops() -> Vec<VerificationRow> {
         };
         let until = |periods: f64| {
             let mut muscle = Actuated::new(&model, Actuator::Regulator { time_constant_s: 0.02 });
-            muscle.friction =
-                Some(Dahl { coefficient: LEVEL_N, exponent: 0.0, presliding_mm: PRESLIDING_MM });
+            muscle.friction = Some(Hysteresis::of(
+                &Friction::power_law(LEVEL_N, 0.0),
+                Some(&Presliding::of(PRESLIDING_MM)),
+            ));
             let sine = Command::Sine { mean: 0.15, amplitude: 0.08, frequency_hz: hz, phase_rad: 0.0 };
             let mut drive = Drive::new(&spring, vec![muscle], Target::Pressure(vec![sine]), periods / hz);
             drive.tolerance.relative = 1e-8;

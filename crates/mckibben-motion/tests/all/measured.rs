@@ -4,7 +4,7 @@
 use crate::support::ran;
 use mckibben::analysis::{Options, contraction_at};
 use mckibben::model::{ThickWall, Workspace};
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
+use mckibben::muscle::{Braid, BraidStiffness, Friction, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Law, NeoHookean};
 use mckibben_motion::*;
 
@@ -20,7 +20,8 @@ fn muscle(outer_diameter_mm: f64, mu_mpa: f64, length_mm: f64) -> Muscle {
 }
 
 /// Half the width of the static muscle's loops, 19.6 N at 1 bar and 49.2 N at 5 bar.
-const FRICTION: Dahl = Dahl { coefficient: 73.1, exponent: 0.572, presliding_mm: 0.5 };
+const FRICTION: Friction =
+    Friction { coefficient: 73.1, exponent: 0.572, lever_mm: 0.0, presliding_mm: Some(0.5) };
 
 /// Rows of the rayon muscle: load in kg and the rest.
 fn rayon(text: &str) -> Vec<Vec<f64>> {
@@ -106,7 +107,7 @@ fn release_speeds_fall_with_the_load_as_measured() {
         let mut muscle = Actuated::new(&model, Actuator::Valve(Valve::new(Orifice::new(0.5, 0.3).unwrap())));
         muscle.air.heat = Heat::Adiabatic;
         muscle.initial_pressure_mpa = Some(0.5);
-        muscle.friction = Some(FRICTION);
+        muscle.friction = Some(Hysteresis::of(&FRICTION, None));
         let mut drive = Drive::new(&load, vec![muscle], Target::Opening(vec![Command::Constant(0.0)]), 0.5);
         drive.initial_coordinate = Some(0.0);
         let motion = ran(&drive);

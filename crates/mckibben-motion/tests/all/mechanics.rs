@@ -3,7 +3,7 @@
 use crate::support::{close, elbow, last, note_muscle, ran, regulator, steps, valve};
 use mckibben::load::Load;
 use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall};
-use mckibben::muscle::Muscle;
+use mckibben::muscle::{Friction, Muscle, Presliding, PreslidingElement};
 use mckibben_motion::*;
 
 #[test]
@@ -34,7 +34,7 @@ fn identity_a_slow_loop_has_the_static_pull_plus_and_minus_friction() {
         ..SingleMuscle::new(&model, Load::Spring { rate_n_per_mm: 5.0, preload_n: 0.0 })
     };
     let mut driven = Actuated::new(&model, regulator(0.02));
-    driven.friction = Some(Dahl { coefficient: 30.0, exponent: 0.7, presliding_mm: 0.05 });
+    driven.friction = Some(Hysteresis::of(&Friction::power_law(30.0, 0.7), Some(&Presliding::of(0.05))));
     let ramps = Command::Ramps(vec![(0.0, 0.1), (20.0, 0.4), (40.0, 0.1)]);
     let drive = Drive::new(&spring, vec![driven], Target::Pressure(vec![ramps]), 40.0);
     let motion = ran(&drive);
@@ -44,6 +44,120 @@ fn identity_a_slow_loop_has_the_static_pull_plus_and_minus_friction() {
         let expected = model.pull(p, e) + sign * 30.0 * p.powf(0.7);
         close(motion.series.muscles[0].force_n[i], expected, 1e-6);
     }
+}
+
+/// Half the width C P^β + μw G of the static branches, by models with and without a contact of their own; ends that slip.
+#[test]
+fn identity_a_slow_loop_lies_on_the_static_branches() {
+    use mckibben::analysis::force_on;
+    use mckibben::muscle::{Direction, Terminals};
+    let friction = Friction { lever_mm: 0.8, presliding_mm: Some(0.05), ..Friction::power_law(10.0, 0.7) };
+    let muscle = note_muscle().with_friction(Some(friction)).unwrap();
+    let ends = Terminals { slip_mm_per_n: Some(0.002), ..Terminals::default() };
+    let slipping = muscle.with_terminals(ends).unwrap();
+    let cases =
+        [(ModelKind::ThickWall, &muscle), (ModelKind::Universal, &muscle), (ModelKind::Universal, &slipping)];
+    let models = cases.map(|(kind, muscle)| kind.build(muscle).unwrap());
+    let elements = mckibben_fem::axisymmetric::Axisymmetric::new(&muscle).unwrap();
+    // Ends that slip and elements iterate for their equilibrium.
+    let models = models.iter().map(|model| &**model).chain([&elements as &dyn ForceModel]);
+    for (model, relative) in models.zip([1e-8, 1e-8, 5e-6, 5e-6]) {
+        let spring = SingleMuscle {
+            damping_n_s_per_m: 100.0,
+            added_mass_kg: 1.0,
+            ..SingleMuscle::new(model, Load::Spring { rate_n_per_mm: 5.0, preload_n: 0.0 })
+        };
+        let mut driven = Actuated::new(model, regulator(0.02));
+        driven.friction = Some(Hysteresis::of(&friction, None));
+        let ramps = Command::Ramps(vec![(0.0, 0.1), (20.0, 0.4), (40.0, 0.1)]);
+        let mut drive = Drive::new(&spring, vec![driven], Target::Pressure(vec![ramps]), 40.0);
+        drive.tolerance.relative = 1e-8;
+        let motion = ran(&drive);
+        for (t, direction) in [(10.0, Direction::Contraction), (30.0, Direction::Elongation)] {
+            let i = motion.series.time_s.iter().position(|x| *x >= t).unwrap();
+            let (p, e) = (motion.series.muscles[0].pressure_mpa[i], motion.series.muscles[0].contraction[i]);
+            let w = &mut mckibben::model::Workspace::new();
+            let expected = force_on(model, w, p, e, direction).unwrap();
+            assert!((model.force_n(w, p, e).unwrap() / expected - 1.0).abs() > 0.02);
+            close(motion.series.muscles[0].force_n[i], expected, relative);
+        }
+        let e = motion.energies;
+        let (pulled, used) = (e.static_work_j - e.friction_j, e.load_j + e.kinetic_j + e.damper_j);
+        assert!(e.friction_j > 0.0 && (pulled - used).abs() < 1e-5 * e.work_j, "{e:?}");
+    }
+}
+
+/// A closed minor loop of two elements: 2 F_c Σ sᵢ (S − 2 xᵢ tanh(S/2xᵢ)), of a stroke of their lengths.
+#[test]
+fn closed_form_work_of_a_minor_loop_of_two_elements() {
+    const LEVEL_N: f64 = 10.0;
+    let elements = [(0.6, 0.5), (0.4, 3.0)];
+    let presliding = Presliding(
+        elements.iter().map(|&(share, length_mm)| PreslidingElement { share, length_mm }).collect(),
+    );
+    let muscle = Muscle::prototype();
+    let model = Ideal::new(&muscle);
+    let spring = SingleMuscle {
+        damping_n_s_per_m: 1e3,
+        added_mass_kg: 1.0,
+        ..SingleMuscle::new(&model, Load::Spring { rate_n_per_mm: 5.0, preload_n: 0.0 })
+    };
+    let until = |periods: f64| {
+        let mut driven = Actuated::new(&model, regulator(0.02));
+        driven.friction = Some(Hysteresis::of(&Friction::power_law(LEVEL_N, 0.0), Some(&presliding)));
+        let sine = Command::Sine { mean: 0.15, amplitude: 0.006, frequency_hz: 1.0, phase_rad: 0.0 };
+        let mut drive = Drive::new(&spring, vec![driven], Target::Pressure(vec![sine]), periods);
+        drive.tolerance.relative = 1e-8;
+        drive.output_step_s = 1e-3;
+        ran(&drive)
+    };
+    let (before, after) = (until(14.0), until(15.0));
+    let x = &after.series.coordinate[before.series.coordinate.len()..];
+    let most = x.iter().copied().fold(f64::MIN, f64::max);
+    let stroke = most - x.iter().copied().fold(f64::MAX, f64::min);
+    assert!(stroke > 0.5 && stroke < 6.0, "{stroke}");
+    let one =
+        |(share, length): &(f64, f64)| share * (stroke - 2.0 * length * (stroke / (2.0 * length)).tanh());
+    let exact = 2.0 * LEVEL_N * elements.iter().map(one).sum::<f64>();
+    close(1e3 * (after.energies.friction_j - before.energies.friction_j), exact, 1e-4);
+}
+
+/// An identity: elements of one length are one element, in every digit of the motion but the last ones.
+#[test]
+fn identity_shares_of_one_length_are_one_element() {
+    let muscle = note_muscle();
+    let model = ThickWall::new(&muscle);
+    let load = SingleMuscle::new(&model, crate::support::sprung(3.0, 1.0));
+    let end = |presliding: Presliding| {
+        let mut driven = Actuated::new(&model, valve());
+        driven.friction = Some(Hysteresis::of(&Friction::power_law(20.0, 0.7), Some(&presliding)));
+        let drive = Drive::new(&load, vec![driven], steps(&[(0.0, 0.1), (0.1, 0.3), (0.5, 0.2)]), 1.0);
+        last(&ran(&drive).series.coordinate)
+    };
+    let half = PreslidingElement { share: 0.5, length_mm: 0.7 };
+    close(end(Presliding(vec![half; 2])), end(Presliding::of(0.7)), 1e-7);
+}
+
+/// Small oscillations: the springs of presliding add F_c Σ sᵢ/xᵢ to the stiffness, F_c with the strands' contact.
+#[test]
+fn closed_form_presliding_stiffens_the_linear_system() {
+    use mckibben::model::{Workspace, pivoting_n_per_mm};
+    let muscle = note_muscle();
+    let model = ThickWall::new(&muscle);
+    let load = SingleMuscle::hanging(&model, 10.0);
+    let mut driven = Actuated::new(&model, regulator(0.02));
+    let level = Friction { lever_mm: 0.8, ..Friction::power_law(10.0, 0.7) };
+    let (fine, coarse) =
+        (PreslidingElement { share: 0.6, length_mm: 0.5 }, PreslidingElement { share: 0.4, length_mm: 3.0 });
+    driven.friction = Some(Hysteresis::of(&level, Some(&Presliding(vec![fine, coarse]))));
+    let drive = Drive::new(&load, vec![driven], steps(&[(0.0, 0.3)]), 1.0);
+    let e = equilibrium(&drive, &[0.3]).unwrap().coordinate / 220.0;
+    let w = &mut Workspace::new();
+    let k = model.response(w, 0.3, e).unwrap().stiffness_n_per_mm.unwrap();
+    let level_n = 10.0 * 0.3_f64.powf(0.7) + 0.8 * pivoting_n_per_mm(&model, w, 0.3, e).unwrap();
+    let stiffness = k + level_n * (0.6 / 0.5 + 0.4 / 3.0);
+    let (f, _) = Linear::new(&drive).unwrap().oscillation().unwrap();
+    close(f, (1e3 * stiffness / 10.0).sqrt() / std::f64::consts::TAU, 1e-6);
 }
 
 #[test]

@@ -53,7 +53,7 @@ fn friction_n<M: ForceModel + ?Sized>(
 ///
 /// # Errors
 /// The model's.
-pub(crate) fn friction_half_width_n<M: ForceModel + ?Sized>(
+pub fn friction_half_width_n<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
     pressure_mpa: f64,
@@ -208,7 +208,7 @@ mod tests {
         let m = Muscle::prototype();
         let m = m.with_tube(Tube { rubber, ..m.tube().clone() }).unwrap();
         let braid = Braid { stiffness: BraidStiffness::Inextensible, ..m.braid().clone() };
-        let friction = Friction { coefficient: 0.0, exponent: 0.0, lever_mm: 0.7 };
+        let friction = Friction { coefficient: 0.0, exponent: 0.0, lever_mm: 0.7, presliding_mm: None };
         let m = m.with_braid(braid).unwrap().with_friction(Some(friction)).unwrap();
         let (model, w) = (ThickWall::new(&m), &mut Workspace::new());
         for (p, e) in [(0.2, 0.0), (0.3, 0.2)] {

@@ -164,7 +164,8 @@ fn friction_lies_on_both_sides_of_the_mean() {
 /// −dτ/dφ against differences of the torque, while the joint turns either way: the contact of the strands has its part, ∂G/∂ε.
 #[test]
 fn the_stiffness_is_the_slope_of_the_torque_on_every_branch() {
-    let friction = crate::muscle::Friction { coefficient: 20.0, exponent: 0.7, lever_mm: 0.5 };
+    let friction =
+        crate::muscle::Friction { coefficient: 20.0, exponent: 0.7, lever_mm: 0.5, presliding_mm: None };
     let path = |x: f64| Path::Points { origin_mm: [0.0, 320.0], insertion_mm: [x, 0.0] };
     let muscles = [30.0, -30.0].map(|x| JointMuscle {
         muscle: Muscle::prototype().with_friction(Some(friction)).unwrap(),

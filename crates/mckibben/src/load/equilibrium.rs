@@ -225,7 +225,7 @@ mod tests {
     fn the_stiffness_is_the_slope_of_load_less_pull_on_every_branch() {
         use crate::model::ThickWall;
         use crate::muscle::{Direction, Friction};
-        let friction = Friction { coefficient: 10.0, exponent: 0.7, lever_mm: 0.5 };
+        let friction = Friction { coefficient: 10.0, exponent: 0.7, lever_mm: 0.5, presliding_mm: None };
         let m = Muscle::prototype().with_friction(Some(friction)).unwrap();
         let (model, w) = (ThickWall::new(&m), &mut Workspace::new());
         let lever = |from| Load::Lever(Lever::new(5.0, 300.0, 40.0, from).unwrap());

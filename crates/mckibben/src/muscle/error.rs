@@ -63,6 +63,11 @@ pub enum MuscleError {
         /// Bore at rest in mm.
         bore_mm: f64,
     },
+    /// A presliding length without a friction.
+    #[error(
+        "friction.presliding needs the friction itself: friction.lever, or friction.coefficient and friction.exponent"
+    )]
+    PreslidingAlone,
     /// A braid angle outside 0 < θ0 ≤ 75°.
     #[error(
         "braid.angle is {angle_deg} deg; the angle of the strands to the axis must be between 0 and 75 deg: a muscle contracts below 54.7356 deg and extends above"
@@ -234,6 +239,7 @@ impl MuscleError {
                 }
             }
             MuscleError::WallTooThick { .. } => vec!["tube.wall_thickness", "tube.outer_diameter"],
+            MuscleError::PreslidingAlone => vec!["friction.presliding"],
             MuscleError::PlugDiameter { .. } => vec!["terminals.plug_diameter", "tube.outer_diameter"],
             MuscleError::Angle { .. } | MuscleError::Extends { .. } => vec!["braid.angle"],
             MuscleError::Rubber(error) => {

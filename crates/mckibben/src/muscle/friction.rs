@@ -1,6 +1,6 @@
 //! Friction between the strands of the braid: hysteresis of the pull.
 
-use super::Direction;
+use super::{Direction, Presliding};
 
 /// Friction of the braid, half the width of the hysteresis loop.
 ///
@@ -29,12 +29,24 @@ pub struct Friction {
     pub exponent: f64,
     /// μw in mm: coefficient of friction times lever of the strands' crossings. 0 where it is not stated.
     pub lever_mm: f64,
+    /// Presliding length in mm, for motions and loops with history ([`Presliding`]). `None` where it is not stated.
+    pub presliding_mm: Option<f64>,
 }
 
 impl Friction {
     /// C P^β alone.
     pub fn power_law(coefficient: f64, exponent: f64) -> Self {
-        Self { coefficient, exponent, lever_mm: 0.0 }
+        Self { coefficient, exponent, lever_mm: 0.0, presliding_mm: None }
+    }
+
+    /// Whether none of its numbers makes a force.
+    pub(super) fn is_zero(&self) -> bool {
+        self.coefficient == 0.0 && self.exponent == 0.0 && self.lever_mm == 0.0
+    }
+
+    /// How it builds up after a reversal: over the stated length, or 0.5 mm.
+    pub fn presliding(&self) -> Presliding {
+        self.presliding_mm.map_or_else(Presliding::default, Presliding::of)
     }
 
     /// The signed part C P^β in N at a pressure (zero without pressure).

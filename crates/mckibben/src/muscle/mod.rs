@@ -14,6 +14,7 @@ mod friction;
 mod kind;
 mod lay;
 pub mod measures;
+mod presliding;
 mod reach;
 mod rubber;
 mod sleeve;
@@ -33,6 +34,7 @@ pub use friction::Friction;
 pub use kind::{LARGEST_ANGLE_DEG, MuscleKind};
 pub use lay::StrandLay;
 pub use measures::{Measure, Parts};
+pub use presliding::{Presliding, PreslidingElement};
 pub use reach::largest_stretch;
 pub use terminals::{EndFactor, Terminals};
 pub use tube::Tube;
@@ -84,6 +86,9 @@ impl Muscle {
             return Err(MuscleError::StrandTooShort { strand_length_mm, length_mm });
         }
         parts.check("friction")?;
+        if parts.friction.is_some_and(|f| f.presliding_mm.is_some() && f.is_zero()) {
+            return Err(MuscleError::PreslidingAlone);
+        }
         braid.check_on(tube)?;
         let (seating_mm, length_mm) = (terminals.seating_mm.unwrap_or(0.0), tube.length_mm);
         if seating_mm >= length_mm {

@@ -48,6 +48,7 @@ fn the_default_does_not_free_an_unidentifiable_stiffness() {
         points: &points,
         loss: Loss::Squares,
         two_sided: false,
+        history: false,
     };
     let f = identify_default(&request, thick, &Silent).unwrap();
     assert_eq!(f.parameters.len(), 1);
@@ -148,6 +149,7 @@ fn starts_bounds_and_doubles_are_checked() {
         points: &points,
         loss: Loss::Squares,
         two_sided: false,
+        history: false,
     };
     assert!(matches!(identify(&request, thick).unwrap_err(), IdentifyError::OutOfBounds { .. }));
     // A bound that holds the truth away is reported.
@@ -238,6 +240,7 @@ fn ends_that_give_way_by_too_much_are_not_determined() {
         points: &points,
         loss: Loss::Squares,
         two_sided: true,
+        history: false,
     };
     let f = identify(&request, |m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
     let seating_found = &f.parameters[1];
@@ -261,6 +264,7 @@ fn a_constant_on_its_bound_is_the_bound() {
         points: &points,
         loss: Loss::Squares,
         two_sided: false,
+        history: false,
     };
     let f = identify(&request, |m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
     assert!(f.parameters[1].at_bound && f.parameters[1].value == 0.0, "{:#?}", f.parameters);

@@ -1,4 +1,5 @@
 mod doubts;
+mod history;
 
 use super::*;
 use crate::least_squares::Loss;
@@ -93,7 +94,10 @@ fn found(
     loss: Loss,
 ) -> Result<Identification, IdentifyError> {
     let free = free(m, names);
-    identify(&Request { muscle: m, free: &free, fixed: &[], points, loss, two_sided: false }, thick)
+    identify(
+        &Request { muscle: m, free: &free, fixed: &[], points, loss, two_sided: false, history: false },
+        thick,
+    )
 }
 
 #[test]
@@ -113,6 +117,7 @@ fn whoever_no_longer_wants_the_answer_gets_none() {
         points: &points,
         loss: Loss::Squares,
         two_sided: false,
+        history: false,
     };
     assert_eq!(identify_with(&request, thick, &Gone).unwrap_err(), IdentifyError::Cancelled);
 }
@@ -292,6 +297,7 @@ fn muscles_of_several_lengths_tell_how_far_their_ends_give_way() {
         points: &points,
         loss: Loss::Squares,
         two_sided: false,
+        history: false,
     };
     let found = identify(&request, |m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
     for (p, truth) in found.parameters.iter().zip([0.3, seating, 0.0]) {
@@ -331,6 +337,7 @@ fn muscles_of_several_lengths_tell_slip_and_grip() {
         points: &points,
         loss: Loss::Squares,
         two_sided: true,
+        history: false,
     };
     let found = identify(&request, |m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
     for (p, (truth, scale)) in found.parameters.iter().zip([(0.3, 0.3), (slip, slip), (grip, grip)]) {
@@ -362,7 +369,8 @@ fn of_all_laws_the_points_prefer_the_one_that_made_them() {
     }
     let free = [Parameter::free(Target::Modulus)];
     let (muscle, loss) = (&m, Loss::Squares);
-    let request = Request { muscle, free: &free, fixed: &[], points: &points, loss, two_sided: false };
+    let request =
+        Request { muscle, free: &free, fixed: &[], points: &points, loss, two_sided: false, history: false };
     let build = |m: &Muscle| Ok(Box::new(ThickWall::new(m)) as Box<dyn ForceModel>);
     let trials = try_laws(&request, build, &mckibben::progress::Silent).unwrap();
     assert_eq!(trials.len(), Law::KINDS.iter().filter(|k| !k.is_sum).count());

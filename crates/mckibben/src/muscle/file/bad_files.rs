@@ -313,6 +313,7 @@ const BAD: &[(&str, usize, &str)] = &[
     ("[terminals.end_factor]\na = 1\nc = 2", 3, "terminals.end_factor.c: unknown key"),
     ("[terminals]\nend_factor = \"1.2\"", 2, "is a text; expected a number without unit"),
     ("[friction]\ncoefficient = 61", 2, "friction.exponent is missing; friction is C·P^β"),
+    ("[friction]\npresliding = 1", 2, "friction.presliding needs the friction itself"),
     // TOML itself.
     ("[tube]\nlength = 3\nlength = 4", 3, "not valid TOML: duplicate key in `length = 4`"),
     ("[tube]\n[braid]\n[tube]", 3, "not valid TOML: duplicate key"),

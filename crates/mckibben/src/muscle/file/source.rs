@@ -305,6 +305,11 @@ impl<'s> Section<'s> {
         list.iter().map(|v| v.as_str().ok_or_else(wrong)).collect::<Result<_, _>>().map(Some)
     }
 
+    /// Whether a list is at a key.
+    pub fn is_list(&self, key: &str) -> bool {
+        self.table.and_then(|t| t.get(key)).is_some_and(Item::is_array)
+    }
+
     /// Whether a text is at a key.
     pub fn is_text(&self, key: &str) -> bool {
         self.table.and_then(|t| t.get(key)).is_some_and(Item::is_str)

@@ -124,7 +124,7 @@ prop_compose! {
             (-0.4..2.0, 0.5..2.0).prop_map(|(a, b)| EndFactor::OfPressure { a, b }),
         ]),
         cone_factor in prop::option::of(0.0..0.3),
-        friction in prop::option::of((number(0.0, 200.0), number(0.0, 2.0), prop_oneof![Just(0.0), number(0.01, 5.0)])),
+        friction in prop::option::of((number(0.0, 200.0), number(0.0, 2.0), prop_oneof![Just(0.0), number(0.01, 5.0)], prop::option::of(number(0.01, 5.0)))),
     ) -> Muscle {
         let tube = Tube::new(outer_diameter_mm, share * outer_diameter_mm / 2.0, length_mm, rubber);
         let grip_mm = grip_share.map(|share| share * 0.5 * (length_mm - seating_mm.unwrap_or(0.0)));
@@ -141,7 +141,10 @@ prop_compose! {
             end_factor,
             cone_factor,
         };
-        let friction = friction.map(|(coefficient, exponent, lever_mm)| Friction { coefficient, exponent, lever_mm });
+        let friction = friction.map(|(coefficient, exponent, lever_mm, length_mm)| {
+            let presliding_mm = length_mm.filter(|_| coefficient > 0.0 || lever_mm > 0.0);
+            Friction { coefficient, exponent, lever_mm, presliding_mm }
+        });
         Muscle::new(tube, braid, terminals, friction).unwrap()
     }
 }

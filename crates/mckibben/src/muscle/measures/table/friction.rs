@@ -71,6 +71,24 @@ pub static FRICTION_LEVER: Measure = Measure {
     ..Measure::BASE
 };
 
+/// xs
+pub static FRICTION_PRESLIDING: Measure = Measure {
+    key: "friction.presliding",
+    field: Some("friction_presliding_mm"),
+    has_flag: false,
+    bounds: Bounds::Positive,
+    default: Some(0.5),
+    symbol: "xs",
+    about: "Presliding length xs, over which the friction builds up after a reversal",
+    label: "presliding length",
+    is_shown: true,
+    comment: "length over which the friction builds up after a reversal",
+    identify: Some(Identify { start: |_| Some(0.5), bounds: |_| (1e-3, 100.0), ..IDENTIFY }),
+    get: |p| p.friction?.presliding_mm,
+    set: |p, v| friction(p).presliding_mm = Some(v),
+    ..Measure::BASE
+};
+
 fn friction(p: &mut Parts) -> &mut Friction {
     p.friction.get_or_insert(Friction::power_law(0.0, 0.0))
 }

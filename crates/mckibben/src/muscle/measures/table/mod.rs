@@ -49,6 +49,7 @@ pub static MEASURES: &[&Measure] = &[
     &FRICTION_COEFFICIENT,
     &FRICTION_EXPONENT,
     &FRICTION_LEVER,
+    &FRICTION_PRESLIDING,
 ];
 
 /// An entry whose other parts are those of a search between zero and infinity, held against half of what is found.
