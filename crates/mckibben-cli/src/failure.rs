@@ -114,6 +114,8 @@ const FIELDS: &[&str] = &[
     "output",
     "overwrite",
     "limit",
+    "life_curve",
+    "scatter",
     "yes",
 ];
 
