@@ -284,23 +284,9 @@ pub fn life(request: &LifeRequest, progress: &dyn Progress) -> Result<LifeAnswer
 impl LifeRequest {
     /// The rubber's own curve.
     fn curve(&self) -> Result<Option<(LifeCurve, LifeCurveAnswer)>, Problem> {
-        let scatter = self.scatter.unwrap_or(1.0);
-        if !(scatter.is_finite() && scatter >= 1.0) {
-            let message = format!("the factor of scatter is {scatter}; it must be at least 1");
-            return Err(Problem::new(ProblemKind::Quantity, message, "").in_field("scatter"));
-        }
-        let Some(file) = &self.life_curve else {
-            let why = "it belongs to a `life_curve`, and none is given";
-            Problem::refuse_unused(&[("scatter", self.scatter.is_some())], why)?;
-            return Ok(None);
-        };
-        let table = read_life(file.text.as_bytes()).map_err(|e| Problem::of_table(&file.name, &e))?;
-        let of = if table.of_energy { LifeLevel::EnergyDensity } else { LifeLevel::LargestStretch };
-        let curve = LifeCurve::new(of, table.points).map_err(|e| {
-            Problem::new(ProblemKind::Data, format!("{}: {e}", file.name), "").in_field("life_curve")
-        })?;
-        let answer = LifeCurveAnswer { data: file.name.clone(), of, reach: curve.reach(), scatter };
-        Ok(Some((curve, answer)))
+        let why = "it belongs to a `life_curve`, and none is given";
+        Problem::refuse_unused(&[("scatter", self.scatter.is_some() && self.life_curve.is_none())], why)?;
+        self.life_curve.as_ref().map(|file| life_curve(file, self.scatter)).transpose()
     }
 
     fn of_muscle(
@@ -428,6 +414,25 @@ impl LifeRequest {
         };
         Ok([free(pressures[0])?, free(pressures[1])?])
     }
+}
+
+/// A rubber's own curve, and the factor of its scatter.
+pub(crate) fn life_curve(
+    file: &TextFile,
+    scatter: Option<f64>,
+) -> Result<(LifeCurve, LifeCurveAnswer), Problem> {
+    let scatter = scatter.unwrap_or(1.0);
+    if !(scatter.is_finite() && scatter >= 1.0) {
+        let message = format!("the factor of scatter is {scatter}; it must be at least 1");
+        return Err(Problem::new(ProblemKind::Quantity, message, "").in_field("scatter"));
+    }
+    let table = read_life(file.text.as_bytes()).map_err(|e| Problem::of_table(&file.name, &e))?;
+    let of = if table.of_energy { LifeLevel::EnergyDensity } else { LifeLevel::LargestStretch };
+    let curve = LifeCurve::new(of, table.points).map_err(|e| {
+        Problem::new(ProblemKind::Data, format!("{}: {e}", file.name), "").in_field("life_curve")
+    })?;
+    let answer = LifeCurveAnswer { data: file.name.clone(), of, reach: curve.reach(), scatter };
+    Ok((curve, answer))
 }
 
 /// A state, and the contraction at which its quantities are: of a slack muscle the free one.

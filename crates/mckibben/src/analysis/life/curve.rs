@@ -51,6 +51,16 @@ pub enum LifeCurveError {
         /// The higher level.
         level: f64,
     },
+    /// More cycles than the curve has.
+    #[error(
+        "{cycles:.3e} cycles are required with their scatter, and the life curve ends at {longest:.3e}: require fewer, or test the rubber longer"
+    )]
+    TooLong {
+        /// Cycles that are required.
+        cycles: f64,
+        /// The most of the curve.
+        longest: f64,
+    },
     /// Not within the curve.
     #[error(
         "the {of} is {value:.4}, and the life curve reaches from {low} to {high}: measure the rubber there"
@@ -120,6 +130,21 @@ impl LifeCurve {
         let &[(x0, n0), (x1, n1)] = pair.ok_or_else(outside)? else { return Err(outside()) };
         Ok(n0 * ((n1 / n0).ln() * (level / x0).ln() / (x1 / x0).ln()).exp())
     }
+
+    /// The highest level of the curve at which the rubber lasts so many cycles: below it the rubber lasts as many, or more.
+    ///
+    /// # Errors
+    /// [`LifeCurveError::TooLong`].
+    pub fn level(&self, cycles: f64) -> Result<f64, LifeCurveError> {
+        let last = self.points[self.points.len() - 1];
+        if cycles <= last.1 {
+            return Ok(last.0);
+        }
+        let pair = self.points.windows(2).rev().find(|pair| pair[1].1 < cycles && cycles <= pair[0].1);
+        let longest = LifeCurveError::TooLong { cycles, longest: self.points[0].1 };
+        let Some(&[(x0, n0), (x1, n1)]) = pair else { return Err(longest) };
+        Ok(x0 * ((x1 / x0).ln() * (cycles / n0).ln() / (n1 / n0).ln()).exp())
+    }
 }
 
 #[cfg(test)]
@@ -138,6 +163,12 @@ mod tests {
         let LifeCurveError::Outside { low, high, .. } = curve.cycles(1.19).unwrap_err() else { panic!() };
         assert_eq!((low, high), (1.2, 3.0));
         assert!(curve.cycles(3.01).is_err() && curve.cycles(f64::NAN).is_err());
+        for x in [1.2, 1.5, 2.0, 2.9, 3.0] {
+            assert!((curve.level(law(x)).unwrap() / x - 1.0).abs() < 1e-12, "{x}");
+        }
+        // Fewer cycles than at its highest level: the curve says nothing beyond it.
+        assert_eq!(curve.level(1.0), Ok(3.0));
+        assert!(matches!(curve.level(1.1 * law(1.2)), Err(LifeCurveError::TooLong { .. })));
     }
 
     #[test]
