@@ -41,6 +41,7 @@ POSITIONAL = {
     "models": ["model"],
     "formula-show": ["file"],
     "identify": ["muscle", "data"],
+    "life": ["muscle", "pressures_mpa"],
     "sweep": ["muscles"],
 }
 DEFAULTS = {("curve", "test"): "isobaric", ("simulate", "test"): "isobaric", ("sweep", "muscles"): 100}

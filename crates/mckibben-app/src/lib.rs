@@ -52,6 +52,7 @@ mod joint;
 mod json_size;
 mod library;
 mod library_folder;
+mod life;
 mod load;
 mod many;
 mod measured;
@@ -106,6 +107,7 @@ pub use identify::*;
 pub use joint::*;
 pub use json_size::JsonSize;
 pub use library::*;
+pub use life::*;
 pub use load::{LoadAnswer, LoadFields, LoadedAt};
 pub use many::{
     AnswerColumns, ArrayError, BoundModel, Column, Many, Pairs, PointQuantity, Unanswered, curve_columns,

@@ -43,6 +43,7 @@ const FLAGS: &[(&str, &[&str])] = &[
     ("laws", &["law", "laws"]),
     ("figures", &["plots"]),
     ("area_mm2", &["area"]),
+    ("min_life_cycles", &["min-life"]),
 ];
 
 /// Fields of requests that have a flag of their name, with or without their unit.
@@ -114,6 +115,8 @@ const FIELDS: &[&str] = &[
     "output",
     "overwrite",
     "limit",
+    "life_curve",
+    "scatter",
     "yes",
 ];
 

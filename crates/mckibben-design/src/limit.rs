@@ -3,6 +3,7 @@
 use super::reason::Reason;
 use super::spec::{Build, Objective, OperatingPoint, Spec};
 use mckibben::analysis::burst::{ends, mesh};
+use mckibben::analysis::life::wear;
 use mckibben::analysis::{
     AnalysisError, FailureMode, FailurePressure, air_per_stroke, burst, force_on, pressure_at, pressure_up_to,
 };
@@ -138,7 +139,7 @@ pub(super) fn probe_with(
     }
     let limits = &spec.limits;
     let stretch = limits.stretch.or(muscle.tube().rubber.fitted_to_stretch.filter(|_| limits.fitted_stretch));
-    let shaped = limits.bulged_diameter_mm.is_some() || stretch.is_some();
+    let shaped = limits.bulged_diameter_mm.is_some() || stretch.is_some() || limits.life_stretch.is_some();
     let by_pressure =
         scored && matches!(spec.objective, Objective::Pressure | Objective::Air | Objective::BulgedDiameter);
     let (mut highest, mut air, mut bulge) = (0.0_f64, 0.0_f64, 0.0_f64);
@@ -160,6 +161,11 @@ pub(super) fn probe_with(
                 checks.push(Check::new(Limit::BulgedDiameter, value, bound));
             }
             if let (Some(bound), Some(value)) = (stretch, full.rubber_stretch()) {
+                checks.push(Check::new(Limit::MaxStretch, value, bound));
+            }
+            if let Some(bound) = limits.life_stretch {
+                // There is none where the wall bulges between the strands without end.
+                let value = wear(muscle, &full).largest_stretch().unwrap_or(NEVER);
                 checks.push(Check::new(Limit::MaxStretch, value, bound));
             }
             bulge = bulge.max(full.bulged_diameter_mm.unwrap_or(0.0));

@@ -80,6 +80,9 @@ pub struct Limits {
     /// Largest principal stretch of the rubber at any operating point.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stretch: Option<f64>,
+    /// Largest stretch of the rubber at any operating point, that of the wall between the strands among them: what a life curve allows.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub life_stretch: Option<f64>,
     /// Where `stretch` is not given: each rubber is stretched no further than its law was fitted.
     pub fitted_stretch: bool,
     /// Largest strain of the strands at the maximum pressure, not shortened and at the operating points.

@@ -14,6 +14,7 @@ pub mod help;
 pub mod identify;
 pub mod joint;
 pub mod library;
+pub mod life;
 pub mod mcp;
 pub mod models;
 pub mod motion;
@@ -53,6 +54,7 @@ pub fn run(asked: Command, format: Format, limits: &[(Resource, f64)]) -> Result
         Command::Validate(args) => validate::run(&args, format),
         Command::Compare(args) => compare::run(&args, format),
         Command::Doctor(args) => doctor::run(&args, format),
+        Command::Life(args) => life::run(&args, format),
         Command::Campaign(args) => campaign::run(&args, format),
         Command::Fit(args) => fit::run(&args, format),
         Command::Formula(FormulaCommand::Show(args)) => formula::show(&args, format),

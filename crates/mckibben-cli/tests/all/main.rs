@@ -21,6 +21,7 @@ mod help;
 mod identify;
 mod joint;
 mod library;
+mod life;
 mod mcp;
 mod measured;
 mod motion;

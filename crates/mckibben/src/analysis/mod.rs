@@ -1,4 +1,4 @@
-//! What can be asked of any [`ForceModel`](crate::model::ForceModel): inverses, blocked force, free contraction, dead pressure, work, air and burst.
+//! What can be asked of any [`ForceModel`](crate::model::ForceModel): inverses, blocked force, free contraction, dead pressure, work, air, burst and what wears.
 
 mod air;
 mod ask;
@@ -7,6 +7,7 @@ mod characteristics;
 mod error;
 mod golden;
 mod inverse;
+pub mod life;
 mod root;
 mod sought;
 mod sweep;
