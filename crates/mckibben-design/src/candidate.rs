@@ -144,7 +144,8 @@ pub(super) fn candidate(
     }
     from_thick_wall.sort_unstable();
     from_thick_wall.dedup();
-    let furthest = wanted.iter().map(|p| p.contraction).fold(0.0, f64::max);
+    let further = |a: f64, e: f64| if e.abs() > a.abs() { e } else { a };
+    let furthest = wanted.iter().map(|p| p.contraction).fold(0.0, further);
     Ok(Candidate {
         pressure_mpa: points.iter().map(|p| p.response.pressure_mpa).fold(0.0, f64::max),
         margin: points.iter().map(|p| p.margin).fold(f64::INFINITY, f64::min),

@@ -74,6 +74,11 @@ impl JointDemand {
 }
 
 impl Demand {
+    /// Whether pushes of a muscle that extends are wanted: forces and contractions below zero.
+    pub fn extends(&self) -> bool {
+        matches!(self, Self::Points(points) if points.iter().any(|q| q.force_n < 0.0))
+    }
+
     /// The operating points of a muscle of a length in mm.
     pub fn points(&self, length_mm: f64) -> Cow<'_, [OperatingPoint]> {
         match self {
@@ -143,8 +148,10 @@ impl Demand {
         if points.is_empty() {
             return Err(SpecError::NoPoint);
         }
+        let sign = if self.extends() { -1.0 } else { 1.0 };
         let senseless = |p: &&OperatingPoint| {
-            !(p.force_n > 0.0 && p.force_n.is_finite() && (0.0..1.0).contains(&p.contraction))
+            let (force_n, way) = (sign * p.force_n, sign * p.contraction);
+            !(force_n > 0.0 && force_n.is_finite() && (0.0..1.0).contains(&way))
         };
         match points.iter().find(senseless) {
             Some(p) => Err(SpecError::Point { force_n: p.force_n, contraction: p.contraction }),

@@ -30,6 +30,8 @@ pub enum Limit {
     StrandStrain,
     /// The least ratio of burst pressure to maximum pressure.
     BurstMargin,
+    /// The push at which the muscle buckles as a column, at the operating points.
+    Buckling,
 }
 
 impl Limit {
@@ -37,7 +39,9 @@ impl Limit {
     pub(super) fn missed_by(self, value: f64, bound: f64) -> f64 {
         match self {
             Self::Force | Self::BurstMargin => 1.0 - value / bound,
-            Self::BulgedDiameter | Self::MaxStretch | Self::StrandStrain => value / bound - 1.0,
+            Self::BulgedDiameter | Self::MaxStretch | Self::StrandStrain | Self::Buckling => {
+                value / bound - 1.0
+            }
         }
     }
 }
@@ -77,6 +81,7 @@ impl Check {
             (Limit::BulgedDiameter, _) => Reason::Bulge { diameter_mm: value, limit_mm: limit },
             (Limit::MaxStretch, _) => Reason::Stretch { stretch: value, limit },
             (Limit::StrandStrain, _) => Reason::StrandStrain { strain: value, limit },
+            (Limit::Buckling, _) => Reason::Buckling { push_n: value, limit_n: limit },
         }
     }
 }
@@ -133,7 +138,7 @@ pub(super) fn probe_with(
         let mut value = force_on(model, workspace, max, point.contraction, direction)?;
         if let Some(widths) = spec.half_widths() {
             let parts = uncertainty(model, workspace, (max, point.contraction), value, direction);
-            value -= widths * parts.map_or(0.0, |parts| parts.total());
+            value -= widths * parts.map_or(0.0, |parts| parts.total()) * point.force_n.signum();
         }
         checks.push(Check { point: Some(point), ..Check::new(Limit::Force, value, point.force_n) });
     }
@@ -144,7 +149,8 @@ pub(super) fn probe_with(
         scored && matches!(spec.objective, Objective::Pressure | Objective::Air | Objective::BulgedDiameter);
     let (mut highest, mut air, mut bulge) = (0.0_f64, 0.0_f64, 0.0_f64);
     let strong = checks.iter().all(|c| c.excess() <= 0.0);
-    if shaped || by_pressure || scored && strong && spec.objective == Objective::Diameter {
+    let buckles = limits.buckling && spec.wanted.extends();
+    if shaped || by_pressure || buckles || scored && strong && spec.objective == Objective::Diameter {
         for (i, point) in points.iter().enumerate() {
             // Too weak: its other limits are looked at where it pulls hardest.
             let p = if checks[i].excess() > 0.0 {
@@ -153,6 +159,11 @@ pub(super) fn probe_with(
                 need(spec, model, workspace, point, checks[i].value)?
             };
             highest = highest.max(p);
+            if buckles {
+                // Strands that slide on the tube: the smaller of the two loads.
+                let (least_n, _) = thick_wall.buckling_n(p, point.contraction)?;
+                checks.push(Check::new(Limit::Buckling, point.force_n.abs(), least_n));
+            }
             if !(shaped || by_pressure) {
                 continue;
             }
@@ -267,7 +278,7 @@ pub(super) fn need(
         Err(AnalysisError::Model(error)) => Err(error),
         // At the lowest pressure of its range the model already pulls more: that pressure is enough.
         Err(AnalysisError::NoPressure { nearest_force_n, nearest_pressure_mpa, .. })
-            if nearest_force_n >= force_n =>
+            if nearest_force_n / force_n >= 1.0 =>
         {
             Ok(nearest_pressure_mpa)
         }

@@ -51,6 +51,13 @@ pub enum Reason {
         /// The bound.
         limit: f64,
     },
+    /// It buckles under its push.
+    Buckling {
+        /// Its push in N.
+        push_n: f64,
+        /// The push in N at which it buckles between two joints.
+        limit_n: f64,
+    },
     /// The model has no answer.
     #[serde(serialize_with = "in_words")]
     Model(ModelError),
@@ -69,7 +76,7 @@ impl Reason {
         match self {
             Reason::Force { point, available_n, pressure_mpa } => format!(
                 "{} at {} and {} %, {} required",
-                show(Dimension::Force, available_n.floor()),
+                show(Dimension::Force, available_n.trunc()),
                 show(Dimension::Pressure, *pressure_mpa),
                 round(100.0 * point.contraction),
                 show(Dimension::Force, point.force_n)
@@ -90,6 +97,10 @@ impl Reason {
                 100.0 * strain,
                 round(100.0 * limit)
             ),
+            Reason::Buckling { push_n, limit_n } => {
+                let [push, limit] = [push_n.ceil(), limit_n.floor()].map(|v| show(Dimension::Force, v));
+                format!("buckles at {limit} between two joints, {push} required")
+            }
             Reason::Model(error) => error.to_string(),
             Reason::Muscle(error) => error.to_string(),
         }
@@ -103,6 +114,7 @@ impl Reason {
             Reason::Burst { .. } => Limit::BurstMargin,
             Reason::Stretch { .. } => Limit::MaxStretch,
             Reason::StrandStrain { .. } => Limit::StrandStrain,
+            Reason::Buckling { .. } => Limit::Buckling,
             Reason::Model(_) | Reason::Muscle(_) => return None,
         })
     }
@@ -114,7 +126,8 @@ impl Reason {
             Reason::Bulge { diameter_mm: value, limit_mm: bound }
             | Reason::Burst { margin: value, limit: bound, .. }
             | Reason::Stretch { stretch: value, limit: bound }
-            | Reason::StrandStrain { strain: value, limit: bound } => (value, bound),
+            | Reason::StrandStrain { strain: value, limit: bound }
+            | Reason::Buckling { push_n: value, limit_n: bound } => (value, bound),
             Reason::Model(_) | Reason::Muscle(_) => return None,
         };
         Some(self.limit()?.missed_by(value, bound))

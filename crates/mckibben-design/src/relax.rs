@@ -59,6 +59,8 @@ pub enum Relaxation {
         /// Burst pressure over maximum pressure.
         burst_margin: f64,
     },
+    /// Guide the muscle on its way, so that it cannot buckle.
+    Guided {},
 }
 
 /// By which share a muscle that stands on a bound may miss it: the root that put it there is not known better.
@@ -101,7 +103,7 @@ fn of_muscle(spec: &Spec, build: &Build<'_>, muscle: &Muscle, widen: bool) -> Ve
         out.extend(pressure(spec, build, muscle));
         out.extend(
             points(spec, build, muscle, &pulls, |p, pull| {
-                pull.filter(|f| *f > 0.0).map(|force_n| OperatingPoint { force_n, ..*p })
+                pull.filter(|f| f * p.force_n > 0.0).map(|force_n| OperatingPoint { force_n, ..*p })
             })
             .map(|points| Relaxation::Force { points }),
         );
@@ -139,6 +141,7 @@ fn of_muscle(spec: &Spec, build: &Build<'_>, muscle: &Muscle, widen: bool) -> Ve
     ease(worst(Limit::StrandStrain), &|l, v| l.strand_strain = Some(v * up), &|strand_strain| {
         Relaxation::MaxStrandStrain { strand_strain }
     });
+    ease(worst(Limit::Buckling), &|l, _| l.buckling = false, &|_| Relaxation::Guided {});
     let margin = worst(Limit::BurstMargin).and_then(|_| Some(burst_margin(spec, build, muscle)?.1));
     ease(margin, &|l, v| l.burst_margin = Some(v * (1.0 - 1e-9)), &|burst_margin| {
         Relaxation::MinBurstMargin { burst_margin }
@@ -161,7 +164,7 @@ fn pressure(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<Relaxatio
 }
 
 fn falls_short(p: &OperatingPoint, pull: Option<f64>) -> bool {
-    pull.is_some_and(|pull| pull < p.force_n)
+    pull.is_some_and(|pull| pull / p.force_n < 1.0)
 }
 
 /// Other operating points in place of those that fall short.

@@ -170,7 +170,11 @@ impl<'a> Search<'a> {
         };
         let parts = Parts { tube, braid, ..base.parts().clone() };
         let muscle = Muscle::from_parts(parts)?.with_bench_of(base);
-        muscle.check_contracts()?;
+        if self.spec.wanted.extends() {
+            muscle.check_extends()?;
+        } else {
+            muscle.check_contracts()?;
+        }
         Ok(muscle)
     }
 
@@ -276,7 +280,7 @@ impl<'a> Search<'a> {
         let (max, direction) = (self.spec.max_pressure_mpa, self.spec.options().direction);
         self.spec.points(muscle).iter().any(|q| {
             force_on(&model, workspace, max, q.contraction, direction)
-                .is_ok_and(|pull| pull < FAR_TOO_WEAK * q.force_n)
+                .is_ok_and(|pull| pull / q.force_n < FAR_TOO_WEAK)
         })
     }
 

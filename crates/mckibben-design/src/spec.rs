@@ -83,6 +83,8 @@ pub struct Limits {
     /// Largest stretch of the rubber at any operating point, that of the wall between the strands among them: what a life curve allows.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub life_stretch: Option<f64>,
+    /// Whether a push must be below the load at which the muscle buckles as a column between two joints; not of a muscle that is guided.
+    pub buckling: bool,
     /// Where `stretch` is not given: each rubber is stretched no further than its law was fitted.
     pub fitted_stretch: bool,
     /// Largest strain of the strands at the maximum pressure, not shortened and at the operating points.
@@ -98,6 +100,7 @@ impl Limits {
             burst_margin: Some(SAFETY),
             strand_strain: Some(VALIDATED_STRAND_STRAIN),
             fitted_stretch: true,
+            buckling: true,
             ..Self::default()
         }
     }
@@ -146,7 +149,7 @@ pub enum SpecError {
     NoPoint,
     /// A pull or contraction that is no operating point.
     #[error(
-        "the operating point {force_n} N at a contraction of {contraction} is invalid: the pull must be above 0 N and the contraction from 0 to below 1"
+        "the operating point {force_n} N at a contraction of {contraction} is invalid: the pull must be above 0 N and the contraction from 0 to below 1; for a push of a muscle that extends, the force below 0 N and the contraction from above -1 to 0"
     )]
     Point {
         /// Pull in N.

@@ -39,7 +39,9 @@ pub type Searcher<'a> = dyn Fn(&Spec) -> Result<Outcome, SpecError> + 'a;
 /// Whether a muscle has less to spare than its ± at one of its points.
 pub fn is_doubtful(candidate: &Candidate) -> bool {
     let tight = |q: &super::CandidatePoint| {
-        q.uncertainty_n.is_some_and(|half| q.force_at_max_pressure_n - q.wanted().force_n < half)
+        let wanted_n = q.wanted().force_n;
+        let spare_n = (q.force_at_max_pressure_n - wanted_n) * wanted_n.signum();
+        q.uncertainty_n.is_some_and(|half| spare_n < half)
     };
     candidate.points.iter().any(tight)
 }
@@ -102,7 +104,7 @@ pub fn to_be_sure(
 fn doubt(spec: &Spec, demand: &Demand, candidate: &Candidate) -> Option<f64> {
     let ratios = ratios(spec, demand, candidate.muscle.length_mm());
     let each = candidate.points.iter().zip(ratios);
-    let all = each.map(|(q, ratio)| Some(q.uncertainty_n? * ratio / q.wanted().force_n));
+    let all = each.map(|(q, ratio)| Some(q.uncertainty_n? * ratio / q.wanted().force_n.abs()));
     all.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::max)
 }
 
@@ -123,7 +125,8 @@ fn ratios(spec: &Spec, demand: &Demand, length_mm: f64) -> Vec<f64> {
 /// one that is heavier.
 fn times(spec: &Spec, factor: f64, length_mm: f64) -> Demand {
     let points = |list: &[OperatingPoint]| {
-        let one = |q: &OperatingPoint| OperatingPoint { force_n: rounded_up(factor * q.force_n), ..*q };
+        let up = |v: f64| v.signum() * rounded_up(v.abs());
+        let one = |q: &OperatingPoint| OperatingPoint { force_n: up(factor * q.force_n), ..*q };
         Demand::Points(list.iter().map(one).collect())
     };
     match &spec.wanted {

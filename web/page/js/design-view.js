@@ -218,6 +218,8 @@ function relaxation(r) {
       return `Reduce the requirement to ${points}.`;
     case "outer_diameter":
       return `Take a tube of ${show("length", r.outer_diameter_mm)}.`;
+    case "guided":
+      return "Guide the muscle, so that it cannot buckle.";
     default:
       return capital(
         Object.entries(r).map(([k, v]) => (k === "relax"

@@ -12,6 +12,8 @@ pub(super) enum ModelPolicy {
     Named(Model),
     /// `universal` searches muscles near its box, `fe` all others; `fe` decides.
     Fastest { universal: Model, elements: Model },
+    /// Muscles that extend, for which `universal` was not fitted: `thick-wall` searches, `fe` decides.
+    Extensile { thick_wall: Model, elements: Model },
 }
 
 /// Muscles that `universal` searches: L0/D0 at least, θ0 in degrees, wall over D0 at most. Its box is narrower; it only ranks what `fe` then decides of and
@@ -36,21 +38,25 @@ impl ModelPolicy {
     pub(super) fn seal_warning(&self) -> Option<String> {
         match self {
             Self::Named(model) => model.seal_warning(),
-            Self::Fastest { .. } => None,
+            Self::Fastest { .. } | Self::Extensile { .. } => None,
         }
     }
 
     /// The name of the model that decides, whose numbers are printed.
     pub(super) fn name(&self) -> &str {
         match self {
-            Self::Named(model) | Self::Fastest { elements: model, .. } => model.name(),
+            Self::Named(model)
+            | Self::Fastest { elements: model, .. }
+            | Self::Extensile { elements: model, .. } => model.name(),
         }
     }
 
     /// The name of the model that looks at most muscles.
     pub(super) fn searches(&self) -> &str {
         match self {
-            Self::Named(model) | Self::Fastest { universal: model, .. } => model.name(),
+            Self::Named(model)
+            | Self::Fastest { universal: model, .. }
+            | Self::Extensile { thick_wall: model, .. } => model.name(),
         }
     }
 
@@ -58,13 +64,16 @@ impl ModelPolicy {
     pub(super) fn look(&self, muscle: &Muscle, budget: &Budget) -> Result<Box<dyn ForceModel>, ModelError> {
         match self {
             Self::Fastest { universal, .. } if near_the_box(muscle) => universal.build(muscle),
+            Self::Extensile { thick_wall, .. } => thick_wall.build(muscle),
             _ => self.decide(muscle, budget),
         }
     }
 
     /// The model that decides of a muscle.
     pub(super) fn decide(&self, muscle: &Muscle, budget: &Budget) -> Result<Box<dyn ForceModel>, ModelError> {
-        let (Self::Named(model) | Self::Fastest { elements: model, .. }) = self;
+        let (Self::Named(model)
+        | Self::Fastest { elements: model, .. }
+        | Self::Extensile { elements: model, .. }) = self;
         model.admit(muscle, budget)?;
         model.build(muscle)
     }

@@ -1,7 +1,7 @@
 //! What is wanted, and what may be varied.
 
 use super::policy::ModelPolicy;
-use crate::fields::{ModelFields, MuscleFields, NamedFields, Stiffness, TextFile};
+use crate::fields::{MeshFields, ModelFields, MuscleFields, NamedFields, Stiffness, TextFile};
 use crate::life::life_curve;
 use crate::load::LoadFields;
 use crate::model::{Model, Purpose};
@@ -76,6 +76,9 @@ pub struct DesignRequest {
     /// Largest strain of the strands at the maximum pressure, not shortened and at the operating points; default 0.06,
     /// the validated range.
     pub max_strand_strain: Option<f64>,
+    /// The muscle is guided on its way, so that it cannot buckle under its push.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub guided: bool,
     /// Share of muscles, from 0.5 to 0.999, that meet the requirement by the ±: 0.95 asks for it of the lower end of the ±.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub guaranteed: Option<f64>,
@@ -169,6 +172,9 @@ const LARGEST_CONTRACTION: f64 = 0.42;
 /// The smallest radius that is searched, as a share of the largest.
 const SMALLEST_RADIUS: f64 = 0.1;
 
+/// Braid angles in degrees that are searched for a push where none is given.
+const EXTENSILE_DEG: (f64, f64) = (57.0, 72.0);
+
 /// Diameters and walls in mm that are searched where nothing else is said.
 const SECTIONS: ((f64, f64), (f64, f64)) = ((5.0, 80.0), (0.5, 10.0));
 
@@ -176,12 +182,17 @@ impl DesignRequest {
     pub(super) fn search(&self) -> Result<Search, Problem> {
         let (base, wanted, radius_mm) = self.demand()?;
         let wanted = self.share(&wanted)?;
+        let extends = wanted.extends();
         let max_pressure_mpa =
             given("max_pressure_mpa", self.max_pressure_mpa, "a pressure, such as 0.25 MPa")?;
         let model = Model::choose(&self.model, Purpose::Search)?;
         let (diameters, walls) = model.sections().unwrap_or(SECTIONS);
         let models = match self.model.model {
             Some(_) => ModelPolicy::Named(model),
+            None if extends => ModelPolicy::Extensile {
+                thick_wall: Model::named("thick-wall", &[], &MeshFields::default())?,
+                elements: Model::choose(&self.model, Purpose::Answer)?,
+            },
             None => ModelPolicy::Fastest {
                 universal: model,
                 elements: Model::choose(&self.model, Purpose::Answer)?,
@@ -202,6 +213,9 @@ impl DesignRequest {
         };
         let sleeves = self.sleeves(&base, free.is_none())?;
         let braid = match (&self.strand_length_per_turn_mm[..], &sleeves[..], &self.angle_deg) {
+            ([], [], None) if extends && !base.is_extensile() => {
+                BraidChoice::Angle(Values::Interval(EXTENSILE_DEG.0, EXTENSILE_DEG.1))
+            }
             ([], [], None) => BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
             ([], [], Some(angles)) => BraidChoice::Angle(angles.values("angle_deg")?),
             (turns, [], None) => BraidChoice::StrandLengthPerTurn(turns.to_vec()),
@@ -243,6 +257,7 @@ impl DesignRequest {
                 stretch: self.max_stretch,
                 life_stretch: self.life_stretch()?,
                 fitted_stretch: true,
+                buckling: !self.guided,
                 strand_strain: Some(self.max_strand_strain.unwrap_or(VALIDATED_STRAND_STRAIN)),
             },
             guaranteed: self.guaranteed()?,
@@ -489,14 +504,15 @@ impl DesignRequest {
             return Err(wrong(format!("{stroke} mm; it must be above zero"), "").in_field("stroke_mm"));
         }
         let point = |(force_n, contraction): &(f64, Option<f64>)| {
-            let contraction = contraction.or(stroke.map(|s| s / length)).unwrap_or(0.0);
+            let way = force_n.signum();
+            let contraction = contraction.or(stroke.map(|s| way * s / length)).unwrap_or(0.0);
             OperatingPoint { force_n: *force_n, contraction }
         };
         let points: Vec<OperatingPoint> = wanted.iter().map(point).collect();
         let (Some(stroke), true) = (stroke, wanted.iter().all(|w| w.1.is_some())) else {
             return Ok((base, points));
         };
-        let largest = points.iter().map(|q| q.contraction).fold(0.0, f64::max);
+        let largest = points.iter().map(|q| q.contraction.abs()).fold(0.0, f64::max);
         if self.length_mm.is_some() {
             let have = largest * length;
             let message = format!(

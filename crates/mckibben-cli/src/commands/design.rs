@@ -46,10 +46,10 @@ pub const EXAMPLES: &str = "Examples:
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Question")]
 pub struct DesignArgs {
-    /// Required pull
+    /// Required pull; below zero: the push of a muscle that extends
     #[arg(short = 'F', long, value_name = "FORCE", allow_hyphen_values = true)]
     pub force: Option<String>,
-    /// Contraction ratio ΔL/L0 with that pull
+    /// Contraction ratio ΔL/L0 with that pull; below zero: an extension
     #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
     pub contraction: Option<String>,
     /// Several operating points: 700N@15%,1200N@5%
@@ -152,6 +152,9 @@ pub struct DesignArgs {
         help_heading = "Limits"
     )]
     pub max_strand_strain: Option<String>,
+    /// The muscle is guided on its way, so that it cannot buckle under its push
+    #[arg(long, hide_short_help = true, help_heading = "Limits")]
+    pub guided: bool,
     /// Muscle file, for what is not searched
     ///
     /// Flags override it. `paper` is the muscle of the paper, lib:NAME one of the library.
@@ -319,6 +322,7 @@ fn request(args: &DesignArgs, figure: Option<Units>) -> Result<DesignRequest, Fa
         life_curve: args.life_curve.as_deref().map(files::table).transpose()?,
         scatter: ratio("--scatter", args.scatter.as_deref())?,
         max_strand_strain: ratio("--max-strand-strain", args.max_strand_strain.as_deref())?,
+        guided: args.guided,
         guaranteed: ratio("--guaranteed", args.guaranteed.as_deref())?,
         objective: args.objective,
         muscle: args.file.as_deref().or(args.muscle.as_deref()).map(files::muscle).transpose()?,

@@ -4,3 +4,4 @@
 
 mod design;
 mod design_grid;
+mod extensile;

@@ -84,6 +84,14 @@ pub enum MuscleError {
         /// Angle in degrees.
         angle_deg: f64,
     },
+    /// A muscle that contracts, where one that pushes is needed.
+    #[error(
+        "braid.angle is {angle_deg} deg; this muscle contracts, and a push is required: take an angle above 54.7356 deg"
+    )]
+    Contracts {
+        /// Angle in degrees.
+        angle_deg: f64,
+    },
     /// Rubber constants that make no law.
     #[error("tube.material: {0}")]
     Rubber(#[from] LawError),
@@ -241,7 +249,9 @@ impl MuscleError {
             MuscleError::WallTooThick { .. } => vec!["tube.wall_thickness", "tube.outer_diameter"],
             MuscleError::PreslidingAlone => vec!["friction.presliding"],
             MuscleError::PlugDiameter { .. } => vec!["terminals.plug_diameter", "tube.outer_diameter"],
-            MuscleError::Angle { .. } | MuscleError::Extends { .. } => vec!["braid.angle"],
+            MuscleError::Angle { .. } | MuscleError::Extends { .. } | MuscleError::Contracts { .. } => {
+                vec!["braid.angle"]
+            }
             MuscleError::Rubber(error) => {
                 let constant = error.constant().map(|name| Cow::from(format!("tube.material.{name}")));
                 return constant.into_iter().chain(["tube.material".into()]).collect();

@@ -213,6 +213,7 @@ fn binds(best: &CandidateAnswer) -> String {
         Limit::MaxStretch => "largest stretch of the rubber",
         Limit::StrandStrain => "largest strain of the strands",
         Limit::BurstMargin => "burst pressure",
+        Limit::Buckling => "load at which it buckles",
     };
     format!("Limited by: {what}.\n")
 }
@@ -429,12 +430,12 @@ fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {
             }
             Relaxation::Force { points } => {
                 let each = |q: &OperatingPoint| {
-                    format!("{} at {}", u.force.show(q.force_n.floor()), percent(q.contraction))
+                    format!("{} at {}", u.force.show(q.force_n.trunc()), percent(q.contraction))
                 };
                 format!("reduce the pull to {}", points.iter().map(each).collect::<Vec<_>>().join(" and "))
             }
             Relaxation::Contraction { points } => {
-                let floor = |v: f64| percent((v * 1e4).floor() / 1e4);
+                let floor = |v: f64| percent((v * 1e4).trunc() / 1e4);
                 let each =
                     |q: &OperatingPoint| format!("{} for {}", floor(q.contraction), u.force.show(q.force_n));
                 let each = points.iter().map(each).collect::<Vec<_>>().join(" and ");
@@ -459,6 +460,7 @@ fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {
             Relaxation::MaxStrandStrain { strand_strain } => {
                 format!("allow a strand strain of {}", percent((strand_strain * 1e4).ceil() / 1e4))
             }
+            Relaxation::Guided {} => "guide the muscle, so that it cannot buckle (--guided)".into(),
             Relaxation::MinBurstMargin { burst_margin } => {
                 format!("reduce the safety factor to {}", number((burst_margin * 100.0).floor() / 100.0, 3))
             }

@@ -1,0 +1,98 @@
+//! Muscles that push, designed for a push at an extension.
+
+use mckibben::model::{ForceModel, ThickWall, Workspace};
+use mckibben::muscle::{Muscle, MuscleError};
+use mckibben::units::Values;
+use mckibben_design::{
+    BraidChoice, Build, Limits, OperatingPoint, Reason, Relaxation, Spec, SpecError, design,
+};
+
+const BUILD: &Build<'_> = &|muscle| Ok(Box::new(ThickWall::new(muscle)));
+
+fn spec(force_n: f64, contraction: f64, limits: Limits) -> Spec {
+    let point = OperatingPoint { force_n, contraction };
+    Spec {
+        outer_diameter_mm: Values::Interval(8.0, 60.0),
+        wall_mm: Values::List(vec![1.0, 2.0]),
+        length_mm: Some(Values::List(vec![120.0])),
+        braid: BraidChoice::Angle(Values::List(vec![65.0])),
+        limits,
+        ..Spec::new(vec![point], 0.25)
+    }
+}
+
+fn push_n(muscle: &Muscle) -> f64 {
+    -ThickWall::new(muscle).force_n(&mut Workspace::new(), 0.25, -0.1).unwrap()
+}
+
+/// The first diameter that pushes enough; a hundredth less does not.
+#[test]
+fn the_smallest_diameter_just_pushes_enough_at_the_maximum_pressure() {
+    let outcome = design(&spec(-30.0, -0.1, Limits::default()), BUILD).unwrap();
+    let best = &outcome.candidates[0];
+    let (d0, s) = (best.muscle.outer_diameter_mm(), best.muscle.wall_mm());
+    let thinner = best.muscle.with_section(d0 - 0.011, s).unwrap();
+    assert!(push_n(&best.muscle) >= 30.0 && push_n(&thinner) < 30.0, "{d0} {s}");
+    assert!((best.margin - (push_n(&best.muscle) / 30.0 - 1.0)).abs() < 1e-9 && best.pressure_mpa <= 0.25);
+    assert!(best.free_contraction.is_some_and(|e| e < -0.1), "{:?}", best.free_contraction);
+    // Against the way and with the push: the work is positive.
+    assert!(best.work_j.is_some_and(|work| work > 0.0));
+}
+
+/// Between two joints a push is at most the load of Euler's column; a muscle that is guided may be thinner, and the other is told how.
+#[test]
+fn a_push_is_below_the_buckling_load_unless_the_muscle_is_guided() {
+    let limits = Limits { buckling: true, ..Limits::default() };
+    let free = design(&spec(-30.0, -0.1, limits), BUILD).unwrap();
+    let guided = design(&spec(-30.0, -0.1, Limits::default()), BUILD).unwrap();
+    let d0 = |outcome: &mckibben_design::Outcome| outcome.candidates[0].muscle.outer_diameter_mm();
+    assert!(d0(&free) > d0(&guided) + 1.0, "{} {}", d0(&free), d0(&guided));
+    for candidate in &free.candidates {
+        let q = &candidate.points[0].response;
+        let (least_n, _) =
+            ThickWall::new(&candidate.muscle).buckling_n(q.pressure_mpa, q.contraction).unwrap();
+        assert!(30.0 <= least_n * (1.0 + 1e-9), "{least_n}");
+    }
+    // Thin tubes alone: the closest would do if it were guided.
+    let thin = Spec { outer_diameter_mm: Values::List(vec![d0(&guided) + 0.5]), ..spec(-30.0, -0.1, limits) };
+    let closest = design(&thin, BUILD).unwrap().closest.unwrap();
+    assert!(matches!(closest.rejected.reason, Reason::Buckling { push_n, limit_n } if push_n > limit_n));
+    assert!(closest.relaxations.contains(&Relaxation::Guided {}), "{:?}", closest.relaxations);
+}
+
+/// The lower end of the ± is on the side of zero.
+#[test]
+fn a_guaranteed_push_leaves_its_half_width() {
+    let sure = Spec { guaranteed: Some(0.95), ..spec(-30.0, -0.1, Limits::default()) };
+    let outcome = design(&sure, BUILD).unwrap();
+    let best = &outcome.candidates[0];
+    let half = mckibben::uncertainty::uncertainty(
+        &ThickWall::new(&best.muscle),
+        &mut Workspace::new(),
+        (0.25, -0.1),
+        -push_n(&best.muscle),
+        mckibben::muscle::Direction::Mean,
+    );
+    assert!(push_n(&best.muscle) - half.unwrap().total() >= 30.0 - 1e-6);
+}
+
+#[test]
+fn a_pull_and_a_push_at_once_and_strands_of_the_wrong_angle_are_refused() {
+    let mixed = Spec {
+        wanted: [(-30.0, -0.1), (30.0, 0.1)]
+            .map(|(force_n, contraction)| OperatingPoint { force_n, contraction })
+            .to_vec()
+            .into(),
+        ..spec(-30.0, -0.1, Limits::default())
+    };
+    assert!(matches!(design(&mixed, BUILD), Err(SpecError::Point { .. })));
+    assert!(matches!(
+        design(&spec(-30.0, 0.1, Limits::default()), BUILD),
+        Err(SpecError::Point { force_n, .. }) if force_n == -30.0
+    ));
+    let steep =
+        Spec { braid: BraidChoice::Angle(Values::List(vec![30.0])), ..spec(-30.0, -0.1, Limits::default()) };
+    let error = design(&steep, BUILD).unwrap_err();
+    assert_eq!(error, SpecError::NoMuscle(MuscleError::Contracts { angle_deg: 30.0 }));
+    assert!(error.to_string().contains("take an angle above 54.7"), "{error}");
+}
