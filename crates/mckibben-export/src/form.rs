@@ -18,6 +18,7 @@
 //! Outside of the box each function of q and each function of ε continues along its tangent. Value, slope and potential are continuous there.
 //! Where F would be negative the muscle is slack: F = 0, and V is that at its free contraction.
 
+use mckibben::muscle::Direction;
 use serde::Serialize;
 
 /// Functions of the pressure: 1, q, φ0, φ1 and φ2.
@@ -252,6 +253,26 @@ impl Form {
             return ((1.0 + (force_n - pull) / slope) * self.supply_pa, status | PRESSURE_OUTSIDE);
         }
         (self.supply_pa, status | NO_ANSWER)
+    }
+
+    /// The pressure in Pa at which the pull is `force_n` on a branch of the hysteresis, and the status: halvings between the pressure of the mean
+    /// of both branches and the supply, or that without a pull.
+    pub fn pressure_on(&self, force_n: f64, contraction: f64, branch: Direction) -> (f64, u32) {
+        let (mean, status) = self.pressure(force_n, contraction);
+        let top = if branch == Direction::Contraction { self.supply_pa } else { mean };
+        let low = if branch == Direction::Contraction { mean } else { self.pressure(0.0, contraction).0 };
+        if branch.is_mean() || low >= top {
+            return (mean, status);
+        }
+        let (mut low, mut high) = (low, top);
+        for _ in 0..40 {
+            let middle = 0.5 * (low + high);
+            let pull = self.two_sided_n(middle, contraction).0.max(0.0);
+            let under = pull + branch.sign() * self.friction_half_width_n(middle) < force_n;
+            (low, high) = if under { (middle, high) } else { (low, middle) };
+        }
+        let none = branch == Direction::Contraction && high == top;
+        (high, status | if none { NO_ANSWER } else { OK })
     }
 
     /// The contraction at which the pull is `force_n` at a pressure in Pa: Newton's method between bounds, the tangent outside of the box.

@@ -2,7 +2,7 @@ function [c, slope, integral, muscle] = mckibben_coefficients(contraction)
 % MCKIBBEN_COEFFICIENTS  What the functions of this folder need: c, dc/de and the integral of c at contractions.
 % @{facts}
 node = @{m_nodes};
-muscle = struct('length', @{length}, 'supply', @{supply}, 'low', node(1), 'high', node(end), 'v', @{m_v});
+muscle = struct('length', @{length}, 'supply', @{supply}, 'low', node(1), 'high', node(end), 'v', @{m_v}, 'friction', @{m_friction});
 a = @{m_a};
 b = @{m_b};
 inside = min(max(contraction, muscle.low), muscle.high);

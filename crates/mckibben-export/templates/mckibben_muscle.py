@@ -159,6 +159,26 @@ def pressure(force, length):
     return SUPPLY * xp.where(force <= c[0], 0 * one, q)
 
 
+def pressure_on(force, length, branch):
+    """Pressure in Pa for a pull while the muscle shortens (branch -1), lengthens (1), or in the mean of both (0); NaN where the supply is too low. No derivative."""
+    xp, (force, length) = _arrays(force, length)
+    mean = pressure(force, length)
+    if branch == 0:
+        return mean
+    c = _coefficients(xp, 1 - length / LENGTH)[0]
+    sign = 1 if branch > 0 else -1
+    top = mean if branch > 0 else SUPPLY + 0 * mean
+
+    def halved(low, high):
+        q = 0.5 * (low + high) / SUPPLY
+        pull = _sum(c, _functions(xp, q)[0])
+        under = xp.where(pull > 0, pull, 0 * pull) + sign * (FRICTION[0] * xp.sqrt(q) + FRICTION[1] * q) < force
+        return xp.where(under, SUPPLY * q, low), xp.where(under, high, SUPPLY * q)
+
+    low, high = _repeated(xp, 40, halved, (pressure(0 * force, length) + 0 * mean if branch > 0 else mean, top))
+    return xp.where((branch < 0) & (high == top), float("nan") + 0 * high, high)
+
+
 def contraction(force, pressure):
     """Contraction 1 - L/LENGTH at which the muscle pulls with a force at a pressure."""
     xp, (force, pressure) = _arrays(force, pressure)

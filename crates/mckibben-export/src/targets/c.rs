@@ -33,6 +33,11 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
         "an example: length and pull from pressure and air flow by a Kalman filter",
         rendered(include_str!("../../templates/observer.c"), muscle),
     ));
+    files.push(File::text(
+        "mckibben_branch.h",
+        "the inverse on a branch of the hysteresis",
+        rendered(include_str!("../../templates/mckibben_branch.h"), muscle),
+    ));
     let mut notes = vec![];
     match whole_numbers(muscle) {
         Some(whole) => files.extend(whole),

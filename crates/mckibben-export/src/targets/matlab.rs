@@ -51,6 +51,7 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
         ("m_a", matrix(f.a.iter().map(|a| row(a)).collect())),
         ("m_b", matrix(f.b.iter().map(|b| row(b)).collect())),
         ("m_v", matrix(vec![row(&f.v)])),
+        ("m_friction", matrix(vec![row(&f.friction_n)])),
     ]);
     let m = |name, about, template| File::text(name, about, render(template, &facts, &values));
     let files = vec![
@@ -64,6 +65,11 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
             "mckibben_pressure.m",
             "pressure by pull and length",
             include_str!("../../templates/mckibben_pressure.m"),
+        ),
+        m(
+            "mckibben_pressure_on.m",
+            "the same on a branch of the hysteresis",
+            include_str!("../../templates/mckibben_pressure_on.m"),
         ),
         m(
             "mckibben_coefficients.m",

@@ -1,8 +1,8 @@
 //! The files: what each names, and what a C compiler and Python make of them.
 
 use super::exported;
-use mckibben::muscle::Muscle;
-use mckibben_export::{Content, ExportError, ExportedMuscle, Target};
+use mckibben::muscle::{Direction, Friction, Muscle};
+use mckibben_export::{Content, ExportError, ExportedMuscle, NO_ANSWER, PRESSURE_OUTSIDE, Target};
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
 use std::io::Read as _;
@@ -323,5 +323,59 @@ fn python_with_numpy_is_the_form_to_1e_12() {
         );
         assert!((row[2] - point.volume_m3).abs() < 1e-12 * full.volume_m3, "{line} {point:?}");
         assert_eq!(row[3], f64::from(point.status));
+    }
+}
+
+/// The pressures of pulls on the three branches, by C and Python where they run here, are those of the form.
+#[test]
+fn pressures_on_a_branch_are_the_same_in_c_and_python() {
+    let friction = Friction { lever_mm: 0.8, ..Friction::power_law(20.0, 0.7) };
+    let muscle = Muscle::prototype().with_friction(Some(friction)).unwrap();
+    let muscle = exported(&muscle, 0.25).unwrap();
+    let (form, folder) = (&muscle.form, tempfile::tempdir().unwrap());
+    for target in [Target::C, Target::Python] {
+        for file in muscle.to(target).unwrap().files {
+            std::fs::write(folder.path().join(file.name), file.content.bytes()).unwrap();
+        }
+    }
+    let branches = [(Direction::Contraction, -1), (Direction::Mean, 0), (Direction::Elongation, 1)];
+    let (mut main, mut script, mut expected) = (String::new(), String::new(), vec![]);
+    for (branch, sign) in branches {
+        for (force, e) in [(100.0, 0.0), (400.0, 0.05), (150.0, 0.15), (1e4, 0.1)] {
+            let length = (1.0 - e) * form.length_m;
+            let _ = writeln!(
+                main,
+                "p = mckibben_pressure_on(&prototype, {force:e}, {length:e}, {sign}, &s); printf(\"%.17g %u\\n\", p, s);"
+            );
+            let _ = writeln!(script, "print(repr(float(m.pressure_on({force:e}, {length:e}, {sign}))))");
+            expected.push(form.pressure_on(force, form.contraction_of(length), branch));
+        }
+    }
+    let near = |text: &str, want: f64| {
+        let found: f64 = text.parse().unwrap();
+        assert!((found - want).abs() < 1e-9 * form.supply_pa, "{text} {want}");
+    };
+    if runs("cc") {
+        let main = format!(
+            "#include \"muscle.h\"\n#include \"mckibben_branch.h\"\n#include <stdio.h>\nint main(void) {{ double p; unsigned s;\n{main}return 0; }}\n"
+        );
+        std::fs::write(folder.path().join("main.c"), main).unwrap();
+        let text = compiled_and_run(folder.path(), &["-O1", "main.c", "mckibben.c", "-lm"]);
+        for (line, (pressure, status)) in text.lines().zip(&expected) {
+            let (found, found_status) = line.split_once(' ').unwrap();
+            near(found, *pressure);
+            assert_eq!(found_status, status.to_string(), "{line}");
+        }
+    }
+    let script = format!("import mckibben_muscle as m\n{script}");
+    let out = Command::new("python3").args(["-c", &script]).current_dir(folder.path()).output();
+    if let Some(out) = out.ok().filter(|out| out.status.success()) {
+        let text = String::from_utf8(out.stdout).unwrap();
+        assert_eq!(text.lines().count(), expected.len());
+        for (line, (pressure, status)) in text.lines().zip(&expected) {
+            if status & NO_ANSWER == 0 && status & PRESSURE_OUTSIDE == 0 {
+                near(line, *pressure)
+            }
+        }
     }
 }

@@ -237,3 +237,27 @@ fn friction_is_that_of_the_muscle_within_the_error_of_its_two_terms() {
         }
     }
 }
+
+/// An identity: at the pressure of a branch the pull with the friction is the one that was asked for; a pull that the supply does not give on the
+/// branch of shortening has none.
+#[test]
+fn the_pressure_on_a_branch_gives_the_pull_on_it() {
+    let friction = Friction { lever_mm: 0.8, ..Friction::power_law(20.0, 0.7) };
+    let muscle = Muscle::prototype().with_friction(Some(friction)).unwrap();
+    let form = exported(&muscle, 0.3).unwrap().form;
+    for contraction in [0.0, 0.1, 0.18] {
+        for wanted_n in [60.0, 150.0, 250.0] {
+            for branch in Direction::ALL {
+                let (pressure_pa, status) = form.pressure_on(wanted_n, contraction, branch);
+                let half_n = form.friction_half_width_n(pressure_pa);
+                let pull_n = form.at(pressure_pa, contraction).force_n + branch.sign() * half_n;
+                assert_eq!(status, 0, "{contraction} {wanted_n} {branch:?}");
+                assert!((pull_n - wanted_n).abs() < 1e-6, "{contraction} {wanted_n} {branch:?}: {pull_n}");
+            }
+        }
+    }
+    let most_n = form.at(3e5, 0.1).force_n - form.friction_half_width_n(3e5);
+    let branch = Direction::Contraction;
+    assert_eq!(form.pressure_on(most_n - 1.0, 0.1, branch).1, 0);
+    assert_eq!(form.pressure_on(most_n + 1.0, 0.1, branch), (3e5, NO_ANSWER));
+}
