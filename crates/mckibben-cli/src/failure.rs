@@ -43,6 +43,10 @@ const FLAGS: &[(&str, &[&str])] = &[
     ("laws", &["law", "laws"]),
     ("figures", &["plots"]),
     ("area_mm2", &["area"]),
+    ("volume_mm3", &["volume"]),
+    ("dead_volume_mm3", &["dead-volume"]),
+    ("gas_share", &["gas"]),
+    ("liquid_bulk_modulus_mpa", &["bulk-modulus"]),
 ];
 
 /// Fields of requests that have a flag of their name, with or without their unit.
@@ -62,6 +66,7 @@ const FIELDS: &[&str] = &[
     "terms",
     "model",
     "load",
+    "liquid",
     "radius_mm",
     "largest_angle_deg",
     "map",
