@@ -65,7 +65,7 @@ impl Problem {
             Some(_) => parts.plug_radius_mm().powi(2) - tube.inner_radius_mm().powi(2),
             None => 0.0,
         };
-        let rubber = &tube.rubber;
+        let rubber = tube.rubber_at_temperature();
         let braid = BraidSpec {
             lay: braid.lay(tube),
             crimp: braid.crimp,

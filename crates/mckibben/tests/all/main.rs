@@ -7,3 +7,4 @@ mod fuzz_parsers;
 mod inverses;
 mod literature;
 mod models;
+mod temperature;
