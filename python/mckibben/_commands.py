@@ -24,6 +24,7 @@ POSITIONAL = {
     "force": ["muscle", "pressure_mpa", "contraction"],
     "pressure": ["muscle", "force_n", "contraction"],
     "contraction": ["muscle", "force_n", "pressure_mpa"],
+    "fill": ["muscle", "volume_mm3"],
     "curve": ["muscle", "test"],
     "simulate": ["muscle", "test"],
     "shape": ["muscle", "pressure_mpa", "contraction"],

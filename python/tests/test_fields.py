@@ -20,6 +20,7 @@ FIELDS: dict[str, tuple[str, float, dict[str, Any]]] = {
     "length_mm": ("0.3 m", 300.0, {}),
     "density_kg_per_m3": ("0.93 g/cm3", 930.0, {}),
     "prestretch": ("", 1.1, {}),
+    "temperature_degc": ("60 degC", 60.0, {}),
     "angle_deg": ("25 deg", 25.0, {}),
     "strand_diameter_mm": ("0.25 mm", 0.25, {"braid": "flexo-overexpanded-0.75in", "strand_modulus_mpa": 8530}),
     "strand_modulus_mpa": ("8.5 GPa", 8500.0, {"braid": "flexo-overexpanded-0.75in", "strand_diameter_mm": 0.25}),

@@ -75,6 +75,7 @@ CALLS: dict[str, Callable[[Path], Any]] = {
     "rubber_fit": lambda root: mk.rubber_fit(root / "data/treloar/tension.csv"),
     "rubber_list": lambda root: mk.rubber_list(),
     "rubber_show": lambda root: mk.rubber_show("dragon-skin-30"),
+    "fill": lambda root: mk.fill(**MUSCLE, volume_mm3=20_000, load="mass:5kg", model="thick-wall"),
     "shape": lambda root: mk.shape(**MUSCLE, pressure_mpa=0.2, contraction=0.1),
     "simulate": lambda root: mk.simulate(**MUSCLE, pressures_mpa=[0.2], contractions=[0.1]),
     "study": lambda root: mk.study(model="universal"),

@@ -147,6 +147,7 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         command!("force", ForceRequest => PointAnswer, |r, progress| force(&r, progress)),
         command!("pressure", PressureRequest => PointAnswer, |r, progress| pressure(&r, progress)),
         command!("contraction", ContractionRequest => PointAnswer, |r, progress| contraction(&r, progress)),
+        command!("fill", FillRequest => FillAnswer, |r, progress| fill(&r, progress)),
         command!("curve", CurveRequest => CurveAnswer, |r, progress| curve(&r, progress)),
         #[cfg(feature = "whole")]
         command!(long "joint", JointRequest => JointAnswer, |r, progress| joint(&r, progress)),

@@ -46,6 +46,7 @@ mod fields;
 mod figure;
 #[cfg(all(feature = "schema", feature = "whole"))]
 mod file_schema;
+mod fill;
 mod fit;
 mod identify;
 mod joint;
@@ -102,6 +103,7 @@ pub use export::*;
 pub use fields::*;
 #[cfg(all(feature = "schema", feature = "whole"))]
 pub use file_schema::{file_kinds, file_schema};
+pub use fill::*;
 pub use fit::*;
 pub use identify::*;
 pub use joint::*;

@@ -9,6 +9,7 @@ use crate::commands::curve::CurveArgs;
 use crate::commands::design::DesignArgs;
 use crate::commands::doctor::DoctorArgs;
 use crate::commands::export::ExportArgs;
+use crate::commands::fill::FillArgs;
 use crate::commands::fit::FitArgs;
 use crate::commands::formula::FormulaShowArgs;
 use crate::commands::help::{HelpArgs, ManArgs};
@@ -119,6 +120,9 @@ pub enum Command {
     /// Contraction at which a pressure gives a pull: ε(F, P)
     #[command(after_help = "Example:\n  mckibben contraction -D 40 -s 2 -F 600N -p 2.5bar")]
     Contraction(Box<ContractionArgs>),
+    /// Pressure, stroke and energy of a muscle that a volume of liquid is pushed into
+    #[command(after_help = commands::fill::EXAMPLES)]
+    Fill(Box<FillArgs>),
     /// Family of curves: isometric, isotonic or isobaric
     #[command(after_help = commands::curve::EXAMPLES)]
     Curve(Box<CurveArgs>),

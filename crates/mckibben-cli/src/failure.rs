@@ -44,6 +44,10 @@ const FLAGS: &[(&str, &[&str])] = &[
     ("figures", &["plots"]),
     ("area_mm2", &["area"]),
     ("min_life_cycles", &["min-life"]),
+    ("volume_mm3", &["volume"]),
+    ("dead_volume_mm3", &["dead-volume"]),
+    ("gas_share", &["gas"]),
+    ("liquid_bulk_modulus_mpa", &["bulk-modulus"]),
 ];
 
 /// Fields of requests that have a flag of their name, with or without their unit.
@@ -63,6 +67,7 @@ const FIELDS: &[&str] = &[
     "terms",
     "model",
     "load",
+    "liquid",
     "radius_mm",
     "largest_angle_deg",
     "map",

@@ -308,7 +308,7 @@ pub fn contraction<M: ForceModel + ?Sized>(
 }
 
 /// An inverse answers with the force that was asked for, not with its rounding error (which could read as slack at 0 N).
-fn exactly(mut answer: Answer, force_n: f64) -> Answer {
+pub(crate) fn exactly(mut answer: Answer, force_n: f64) -> Answer {
     if (answer.response.force_n - force_n).abs() <= 1e-6 * force_n.abs().max(1.0) {
         answer.response.force_n = force_n;
         answer.slack = false;

@@ -40,6 +40,7 @@ pub mod curve;
 pub mod differences;
 pub mod formula;
 pub mod joint;
+pub mod liquid;
 pub mod load;
 pub mod model;
 pub mod muscle;

@@ -9,7 +9,7 @@ pub use show::{characteristic_rows, limit_rows, muscle_sheets};
 use crate::muscle::MuscleSummary;
 
 /// What belongs behind numbers that follow from estimates of the strands.
-fn estimated(muscle: &MuscleSummary) -> &'static str {
+pub fn estimated(muscle: &MuscleSummary) -> &'static str {
     if muscle.stiffness_factor.is_some() {
         " (estimate: the strands of this sleeve are not stated)"
     } else {

@@ -8,6 +8,7 @@ pub mod curve;
 pub mod design;
 pub mod doctor;
 pub mod export;
+pub mod fill;
 pub mod fit;
 pub mod formula;
 pub mod help;
@@ -46,6 +47,7 @@ pub fn run(asked: Command, format: Format, limits: &[(Resource, f64)]) -> Result
         Command::Force(args) => point::force(&args, format),
         Command::Pressure(args) => point::pressure(&args, format),
         Command::Contraction(args) => point::contraction(&args, format),
+        Command::Fill(args) => fill::run(&args, format),
         Command::Curve(args) if args.study.is_some() => study::run(&args, format),
         Command::Curve(args) => curve::run(&args, format),
         Command::Joint(args) => joint::run(&args, format),

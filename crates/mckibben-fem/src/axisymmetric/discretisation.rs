@@ -61,7 +61,7 @@ impl Problem {
     /// The same of its parts.
     pub fn of_parts(parts: &Parts) -> Self {
         let Parts { tube, braid, .. } = parts;
-        let rubber = &tube.rubber;
+        let rubber = tube.rubber_at_temperature();
         let braid = BraidSpec {
             lay: braid.lay(tube),
             crimp: braid.crimp,

@@ -42,7 +42,7 @@ impl Memory {
         d: &Discretisation,
         endless: &Arc<ThickWall>,
     ) -> Result<Option<Self>, FemError> {
-        let Some((softening, pressure_mpa)) = muscle.tube().rubber.conditioned() else { return Ok(None) };
+        let Some((softening, pressure_mpa)) = muscle.rubber().conditioned() else { return Ok(None) };
         let failed = |error| match error {
             FemError::Exceeded(_) => error,
             error => FemError::Conditioning { pressure_mpa, reason: Box::new(error) },

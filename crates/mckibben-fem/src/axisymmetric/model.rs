@@ -62,7 +62,7 @@ impl Axisymmetric {
         let mesh = Mesh::tube(tube.inner_radius_mm(), tube.outer_radius_mm(), half, division);
         let thick_wall = Arc::new(ThickWall::new(muscle));
         let mut discretisation = Discretisation::new(mesh, Problem::of(muscle))?;
-        discretisation.memory = match tube.rubber.conditioned_alike() {
+        discretisation.memory = match muscle.rubber().conditioned_alike() {
             Some((softening, seen_mpa)) => {
                 let mut memory = Memory::new(softening, &discretisation);
                 memory.seen_mpa.iter_mut().flatten().for_each(|seen| *seen = seen_mpa);

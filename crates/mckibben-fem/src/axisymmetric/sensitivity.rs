@@ -23,7 +23,7 @@ fn changed(law: &Law, index: usize, change: f64) -> Law {
 }
 
 /// The body with other measures; the mesh keeps its proportions.
-fn rebuilt(d: &Discretisation, law: Law, from: &Parts, to: &Parts) -> Result<Discretisation, FemError> {
+fn rebuilt(d: &Discretisation, from: &Parts, to: &Parts) -> Result<Discretisation, FemError> {
     let mut mesh: Mesh = d.mesh.clone();
     let (outer, stretch) = (to.tube.outer_radius_mm(), to.tube.length_mm / from.tube.length_mm);
     let inner = outer - to.tube.wall_mm;
@@ -31,7 +31,7 @@ fn rebuilt(d: &Discretisation, law: Law, from: &Parts, to: &Parts) -> Result<Dis
         let share = (node[0] - from.tube.inner_radius_mm()) / from.tube.wall_mm;
         *node = [inner + share * (outer - inner), node[1] * stretch];
     }
-    let problem = Problem { law, ends: d.problem.ends, ..Problem::of_parts(to) };
+    let problem = Problem { ends: d.problem.ends, ..Problem::of_parts(to) };
     let mut out = Discretisation::new(mesh, problem)?;
     // The scale of the multipliers' equations must not change with the law.
     (out.augment, out.augment_strand) = (d.augment, d.augment_strand);
@@ -60,22 +60,21 @@ pub fn of(
 ) -> Result<Vec<Sensitivity>, FemError> {
     let d = std::sync::Arc::clone(&body.discretisation);
     let state = body.state.clone();
-    let law = d.problem.law.clone();
     let mut here = muscle.parts().clone();
+    let law = here.tube.rubber.law.clone();
     // k is held, also where it follows from other measures.
     if let Some(k) = muscle.family_stiffness_n_per_mm() {
         (STIFFNESS.set)(&mut here, k);
     }
     let mut out = Vec::new();
-    let mut add = |name: String, value: f64, unit: &'static str, make: &dyn Fn(f64) -> (Law, Parts)| {
+    let mut add = |name: String, value: f64, unit: &'static str, make: &dyn Fn(f64) -> Parts| {
         if !wanted(&name) {
             return Ok(());
         }
         let step = STEP * if value == 0.0 { d.shear } else { value.abs() };
         let mut change = vec![0.0; state.u.len()];
         for (k, weight) in STENCIL {
-            let (law, to) = make(k * step);
-            let residual = residual(&d, &state, law, &here, &to)?;
+            let residual = residual(&d, &state, &here, &make(k * step))?;
             for (c, r) in change.iter_mut().zip(&residual) {
                 *c += weight * r / step;
             }
@@ -85,7 +84,12 @@ pub fn of(
     };
     for (index, c) in law.constants().into_iter().enumerate() {
         let name = format!("tube.material.{}", c.name);
-        add(name, c.value, c.constant.unit(), &|h| (changed(&law, index, h), here.clone()))?;
+        let make = |h: f64| {
+            let mut to = here.clone();
+            to.tube.rubber.law = changed(&law, index, h);
+            to
+        };
+        add(name, c.value, c.constant.unit(), &make)?;
     }
     // Ends that give way are around this body, friction is added to its pull.
     let measures = ["tube", "braid"].into_iter().flat_map(of_section).filter(|m| m.identify.is_some());
@@ -94,7 +98,7 @@ pub fn of(
         let make = |h: f64| {
             let mut to = here.clone();
             (measure.set)(&mut to, value + h);
-            (law.clone(), to)
+            to
         };
         add(measure.key.into(), value, measure.unit(), &make)?;
     }
@@ -102,14 +106,8 @@ pub fn of(
 }
 
 /// The residual of a neighbouring muscle at the same unknowns and the same contraction.
-fn residual(
-    d: &Discretisation,
-    state: &State,
-    law: Law,
-    from: &Parts,
-    to: &Parts,
-) -> Result<Vec<f64>, FemError> {
-    let other = rebuilt(d, law, from, to)?;
+fn residual(d: &Discretisation, state: &State, from: &Parts, to: &Parts) -> Result<Vec<f64>, FemError> {
+    let other = rebuilt(d, from, to)?;
     let mut state = state.clone();
     // At fixed ε the terminal moves with L0. All axial displacements go with it: what is added to free unknowns does
     // not change what arrives at the terminal, and the terminal's move alone would be too rough for differences.

@@ -141,7 +141,7 @@ pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -
     }
     strands(&mut out, model, bricks.len())?;
     sets(&mut out, model);
-    rubber(&mut out, &muscle.tube().rubber.law, muscle.tube().rubber.bulk)?;
+    rubber(&mut out, &muscle.rubber().law, muscle.rubber().bulk)?;
     line(&mut out, format_args!("*BOUNDARY\nSX, 1, 1\nSY, 2, 2\nSZ, 3, 3\nNEND, 1, 2"));
     for s in steps {
         let end = -s.contraction * mesh.half_length_mm();

@@ -120,7 +120,7 @@ impl Problem {
 
     /// One eighth of a muscle between bonded rigid terminals.
     pub fn of(muscle: &Muscle, mesh: &BrickMesh) -> Self {
-        let ([ni, nj, nk], rubber) = (mesh.grid(), &muscle.tube().rubber);
+        let ([ni, nj, nk], rubber) = (mesh.grid(), muscle.rubber());
         let mut freedom = vec![[Freedom::Free; 3]; mesh.nodes().len()];
         for k in 0..nk {
             for j in 0..nj {

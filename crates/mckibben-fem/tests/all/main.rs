@@ -12,6 +12,7 @@ mod plugs;
 mod prestretch;
 mod shared;
 mod small_angles;
+mod temperature;
 mod three_dimensional;
 mod universal_small;
 mod verification;

@@ -70,6 +70,9 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
                 |(key, _): &(&String, &Value)| kept.contains(&key.as_str()) || asked.contains(&key.as_str());
             vec![slim.as_object().unwrap().iter().filter(own).map(|(k, v)| (k.clone(), v.clone())).collect()]
         }
+        "fill" => vec![
+            json!({ "model": "fe", "length_mm": 30000, "mesh": "2x1024", "volume_mm3": 6e6, "load": "mass:5kg" }),
+        ],
         "curve" => vec![
             json!({ "test": "isobaric", "model": "fe", "pressures_mpa": pressures, "contractions": contractions }),
             json!({ "test": "isotonic", "model": "thick-wall", "pressures_mpa": pressures, "forces_n": steps(10.0, 300.0, 190),

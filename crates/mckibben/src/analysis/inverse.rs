@@ -16,7 +16,7 @@ use crate::model::{ForceModel, ModelError, Workspace};
 use crate::muscle::Muscle;
 
 /// Where the search for a pressure ends if the model sets no limit, in MPa.
-const HIGHEST_PRESSURE_MPA: f64 = 20.0;
+pub(crate) const HIGHEST_PRESSURE_MPA: f64 = 20.0;
 /// First step of that search, as a share of its way or of 1 MPa.
 const FIRST_STEP: f64 = 0.02;
 /// Where the search for a contraction ends if the model sets no limit.

@@ -21,6 +21,6 @@ pub use characteristics::{blocked_force_n, free_contraction, start_pressure_mpa,
 pub use error::AnalysisError;
 pub use golden::{Abscissa, golden};
 pub use inverse::pressure_up_to;
-pub(crate) use inverse::straight_strands;
+pub(crate) use inverse::{HIGHEST_PRESSURE_MPA, straight_strands};
 pub use inverse::{contraction_at, contraction_or_stretch_at, pressure_at};
 pub use root::{RootError, find_root};

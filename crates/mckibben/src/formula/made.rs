@@ -67,14 +67,14 @@ pub struct MadeRubber {
 
 /// Constants of a law with their unit in the name.
 fn constants(muscle: &Muscle) -> IndexMap<String, f64> {
-    let constants = muscle.tube().rubber.law.constants();
+    let constants = muscle.rubber().law.constants();
     constants.into_iter().map(|c| (c.column(), c.value)).collect()
 }
 
 impl Made {
     /// What a muscle says, but for its diameter and wall.
     pub fn of(muscle: &Muscle) -> Self {
-        let rubber = &muscle.tube().rubber;
+        let rubber = muscle.rubber();
         let braid = match (muscle.braid().stiffness, muscle.family_stiffness_n_per_mm()) {
             (BraidStiffness::Paper, _) => MadeBraid::Named(NamedBraid::Paper),
             (BraidStiffness::NewtonPerMm(k), _) => MadeBraid::Stiffness(k),

@@ -6,12 +6,14 @@
 
 mod cycle;
 mod equilibrium;
+mod fill;
 mod lever;
 mod parse;
 mod table;
 
 pub use cycle::{Cycle, cycle};
 pub use equilibrium::{Balance, LoadError, balances};
+pub use fill::{Fill, FillError, FillState, Filling, fill};
 pub use lever::Lever;
 pub use parse::LoadTextError;
 pub use table::{LoadTable, LoadTableError};

@@ -47,7 +47,7 @@ impl KluteHannaford {
     /// # Errors
     /// [`ModelError::Missing`] where the rubber is neither Mooney–Rivlin nor neo-Hookean.
     pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
-        let law = muscle.tube().rubber.law.as_mooney_rivlin().ok_or(ModelError::Missing {
+        let law = muscle.rubber().law.as_mooney_rivlin().ok_or(ModelError::Missing {
             model: ENTRY.name,
             missing: "a mooney-rivlin or neo-hookean rubber; for other laws take the thick-wall model",
             key: "tube.material",

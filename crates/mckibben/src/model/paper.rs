@@ -35,7 +35,7 @@ pub struct Paper {
 
 /// The box, and what of a muscle lies outside.
 fn range(m: &Muscle) -> ModelRange {
-    let rubber = &m.tube().rubber;
+    let rubber = m.rubber();
     let mut make = vec![];
     if !m.is_paper_make() {
         if !rubber.is_paper() {

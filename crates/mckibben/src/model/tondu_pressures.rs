@@ -27,7 +27,7 @@ fn at_largest_contraction(muscle: &Muscle) -> Result<(f64, f64, f64), ModelError
 /// [`ModelError::Geometry`] where the wall is so thick that the bore would close.
 pub fn smallest_pressure_mpa(muscle: &Muscle) -> Result<f64, ModelError> {
     let (wall, l, bore2) = at_largest_contraction(muscle)?;
-    let g = muscle.tube().rubber.law.shear_modulus_mpa();
+    let g = muscle.rubber().law.shear_modulus_mpa();
     Ok(g * wall / l * (1.0 - 1.0 / (bore2 * bore2 * l * l)))
 }
 

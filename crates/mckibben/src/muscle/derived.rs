@@ -114,6 +114,6 @@ impl Muscle {
 
     /// Whether braid and rubber are the paper's, unchanged.
     pub fn is_paper_make(&self) -> bool {
-        self.braid().stiffness == BraidStiffness::Paper && self.tube().rubber.is_paper()
+        self.braid().stiffness == BraidStiffness::Paper && self.rubber().is_paper()
     }
 }

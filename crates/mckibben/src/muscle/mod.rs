@@ -39,7 +39,7 @@ pub use reach::largest_stretch;
 pub use terminals::{EndFactor, Terminals};
 pub use tube::Tube;
 
-use crate::rubber::library;
+use crate::rubber::{RubberLaw, library};
 use std::sync::Arc;
 
 /// A muscle whose parts have been checked against each other.
@@ -48,6 +48,8 @@ pub struct Muscle {
     parts: Parts,
     /// The bench that its constants come from; it may be that of another muscle.
     bench: Option<Arc<Bench>>,
+    /// The rubber at the temperature of the tube, where that is stated.
+    warm: Option<Arc<Rubber>>,
 }
 
 impl Muscle {
@@ -105,7 +107,9 @@ impl Muscle {
         }
         let reach = largest_stretch(tube, braid);
         parts.tube.rubber = library::following(parts.tube.rubber, reach);
-        let muscle = Self { parts, bench: None };
+        let warm =
+            parts.tube.temperature_degc.map(|_| Arc::new(parts.tube.rubber_at_temperature().into_owned()));
+        let muscle = Self { parts, bench: None, warm };
         if let Some(value) = muscle.parts.terminals.cone_factor {
             let end = muscle.max_ideal_contraction();
             let largest = (1.0 - end) / (2.0 * end);
@@ -119,10 +123,16 @@ impl Muscle {
     /// The paper's prototype: D0 30, s 3, L0 285 mm, θ0 28°, rubber and braid `paper`.
     pub fn prototype() -> Self {
         let (tube, braid) = (Tube::prototype(), Braid::paper());
-        Self { parts: Parts { tube, braid, terminals: Terminals::default(), friction: None }, bench: None }
+        let parts = Parts { tube, braid, terminals: Terminals::default(), friction: None };
+        Self { parts, bench: None, warm: None }
     }
 
-    /// The tube.
+    /// The rubber that models compute with: that of the tube, at its temperature where one is stated.
+    pub fn rubber(&self) -> &Rubber {
+        self.warm.as_deref().unwrap_or(&self.parts.tube.rubber)
+    }
+
+    /// The tube; the constants of its rubber are those that were stated.
     pub fn tube(&self) -> &Tube {
         &self.parts.tube
     }
@@ -168,13 +178,28 @@ impl Muscle {
     pub fn warnings(&self) -> Vec<String> {
         let own =
             self.parts.braid.warning(&self.parts.tube).into_iter().chain(self.measured_strand_warning());
-        own.chain(self.bench_warning()).chain(self.extensile_warning()).collect()
+        own.chain(self.bench_warning())
+            .chain(self.extensile_warning())
+            .chain(self.temperature_warning())
+            .collect()
     }
 
     /// A muscle that extends.
     fn extensile_warning(&self) -> Option<String> {
         self.is_extensile().then(|| {
             "this muscle extends: its pushes and extensions are below zero; no measured muscle of this kind is known here, and the ± is that of muscles that contract".to_owned()
+        })
+    }
+
+    /// Rubber at another temperature than that of its constants.
+    fn temperature_warning(&self) -> Option<String> {
+        let (degc, of_constants) = (self.parts.tube.temperature_degc?, Rubber::OF_CONSTANTS_DEGC);
+        (degc != of_constants).then(|| {
+            let mu = |rubber: &Rubber| rubber.law.shear_modulus_mpa();
+            let factor = mu(self.rubber()) / mu(&self.parts.tube.rubber);
+            format!(
+                "the rubber at {degc} °C has the moduli of {of_constants} °C times {factor:.3}, in proportion to the absolute temperature: an approximation for rubber without filler; strands and ends stay as they are, and no measured muscle at another temperature is known"
+            )
         })
     }
 

@@ -2,6 +2,7 @@
 
 use super::error::MuscleError;
 use crate::rubber::Rubber;
+use std::borrow::Cow;
 
 /// A tube at rest, between the terminals.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,12 +20,24 @@ pub struct Tube {
     /// λp: length between the terminals over the length that the tube had before it was mounted; 1 without a stretch. D0, s and L0 are
     /// those of the mounted tube, which grew thinner by λp^(−1/2) as its rubber keeps its volume.
     pub prestretch: f64,
+    /// Temperature T of the rubber in °C, where it is stated: [`Muscle::rubber`](super::Muscle::rubber) is the rubber at it. Without it the
+    /// constants hold as they are.
+    pub temperature_degc: Option<f64>,
 }
 
 impl Tube {
     /// A tube by its outer diameter, wall and length in mm, and its rubber.
     pub fn new(outer_diameter_mm: f64, wall_mm: f64, length_mm: f64, rubber: Rubber) -> Self {
-        Self { outer_diameter_mm, wall_mm, length_mm, rubber, density_kg_per_m3: None, prestretch: 1.0 }
+        let (density_kg_per_m3, prestretch, temperature_degc) = (None, 1.0, None);
+        Self {
+            outer_diameter_mm,
+            wall_mm,
+            length_mm,
+            rubber,
+            density_kg_per_m3,
+            prestretch,
+            temperature_degc,
+        }
     }
 
     /// The tube of the paper's prototype.
@@ -48,6 +61,12 @@ impl Tube {
     /// Ri = D0/2 − s in mm.
     pub fn inner_radius_mm(&self) -> f64 {
         self.outer_radius_mm() - self.wall_mm
+    }
+
+    /// The rubber at its temperature, where one is stated.
+    pub fn rubber_at_temperature(&self) -> Cow<'_, Rubber> {
+        self.temperature_degc
+            .map_or(Cow::Borrowed(&self.rubber), |degc| Cow::Owned(self.rubber.at_temperature(degc)))
     }
 
     /// Mass of the rubber between the terminals in g: ρ π (Ro² − Ri²) L0; none where the density is not stated.

@@ -131,6 +131,22 @@ impl Rubber {
         Self { law: prony.held(&self.law, held), softening, prony: None, ..self }
     }
 
+    /// This rubber at a temperature in °C, by entropic elasticity: every modulus times T/T0, T absolute, T0 that of its constants
+    /// ([`Rubber::OF_CONSTANTS_DEGC`]). Softening keeps its shape, its m goes with the law; a bulk modulus stays.
+    ///
+    /// An approximation for unfilled rubber well above its glass transition, whose stress at a stretch is proportional to T but for the expansion by heat,
+    /// −20 to 120 °C \[treloar1975\]; a filler makes rubber softer as it gets warm instead.
+    #[must_use]
+    pub fn at_temperature(&self, degc: f64) -> Self {
+        const KELVIN: f64 = 273.15;
+        let factor = (degc + KELVIN) / (Self::OF_CONSTANTS_DEGC + KELVIN);
+        let softening = self.softening.map(|s| OgdenRoxburgh { m_mpa: factor * s.m_mpa, ..s });
+        Self { law: self.law.scaled(factor), softening, ..self.clone() }
+    }
+
+    /// The temperature in °C at which constants are taken to be measured: that of a laboratory (ISO 23529).
+    pub const OF_CONSTANTS_DEGC: f64 = 23.0;
+
     /// Whether this is the paper's rubber, unchanged.
     pub fn is_paper(&self) -> bool {
         self.law == Self::paper().law && self.bulk == Bulk::Incompressible && !self.is_conditioned()

@@ -359,7 +359,7 @@ pub fn transfer_n(muscle: &Muscle, blocked_n: f64) -> Option<f64> {
 fn wall_n(muscle: &Muscle) -> f64 {
     let tube = muscle.tube();
     let section = PI * (tube.outer_radius_mm().powi(2) - tube.inner_radius_mm().powi(2));
-    tube.rubber.law.shear_modulus_mpa() * section
+    muscle.rubber().law.shear_modulus_mpa() * section
 }
 
 #[cfg(test)]

@@ -8,3 +8,4 @@ mod inverses;
 mod life;
 mod literature;
 mod models;
+mod temperature;

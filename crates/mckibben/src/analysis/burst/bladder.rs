@@ -53,7 +53,7 @@ pub fn tearing(
     };
     let highest = below_mpa.unwrap_or(HIGHEST_MPA).min(HIGHEST_MPA);
     let mut low = 0.0;
-    let mut high = FIRST * muscle.tube().rubber.law.shear_modulus_mpa();
+    let mut high = FIRST * muscle.rubber().law.shear_modulus_mpa();
     while low < highest {
         high = high.min(highest);
         match over(high) {

@@ -88,7 +88,7 @@ impl Openings {
         let side_by_side = muscle.braid().strands_per_carrier?;
         let diameter = (4.0 / PI * strands.section?.0).sqrt();
         let carriers = 0.5 * f64::from(strands.count) / side_by_side;
-        let shear_modulus_mpa = muscle.tube().rubber.law.shear_modulus_mpa();
+        let shear_modulus_mpa = muscle.rubber().law.shear_modulus_mpa();
         Some(Self { radii: Radii::of(muscle), shear_modulus_mpa, carriers, band_mm: side_by_side * diameter })
     }
 

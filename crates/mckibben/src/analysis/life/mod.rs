@@ -82,7 +82,7 @@ impl Wear {
 pub fn wear(muscle: &Muscle, response: &Response) -> Wear {
     let middle = Middle::of(muscle, response);
     let wall = Wall::new(muscle.tube());
-    let law = &muscle.tube().rubber.law;
+    let law = &muscle.rubber().law;
     let cap = middle.and_then(|m| {
         bulge(muscle, m.angle_rad, m.strand_stretch, response.pressure_mpa).zip(response.middle_stretch)
     });

@@ -91,7 +91,7 @@ impl ThickWall {
             offset: lay.offset_mm,
             crimp: muscle.braid().crimp,
             wall: Wall::new(muscle.tube()),
-            law: muscle.tube().rubber.law.clone(),
+            law: muscle.rubber().law.clone(),
             ro: muscle.tube().outer_radius_mm(),
             sin2: sin * sin,
             cos2: cos * cos,

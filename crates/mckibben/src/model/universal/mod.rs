@@ -97,7 +97,7 @@ impl Universal {
     /// The formula for one muscle.
     pub fn new(formula: Arc<UniversalFormula>, muscle: &Muscle) -> Self {
         let tube = muscle.tube();
-        let (ro, mu) = (tube.outer_radius_mm(), tube.rubber.law.shear_modulus_mpa());
+        let (ro, mu) = (tube.outer_radius_mm(), muscle.rubber().law.shear_modulus_mpa());
         let wall = tube.wall_mm / ro;
         let zone = EndZone {
             wall: ThickWall::new(muscle),

@@ -101,8 +101,8 @@ impl Universal {
         let m = &zero.middle;
         let l_p = -m.state.force_p / m.state.force_l;
         let contraction_p = -(self.slope(m) * l_p + 2.0 * m.deficit.by[1] / self.length);
-        let h = PRESSURE_STEP
-            * p.abs().max(PRESSURE_STEP * self.info.muscle.tube().rubber.law.shear_modulus_mpa());
+        let h =
+            PRESSURE_STEP * p.abs().max(PRESSURE_STEP * self.info.muscle.rubber().law.shear_modulus_mpa());
         let slope_at = |p: f64| self.sought_zero(p).map_or(zero.slope, |z| z.slope);
         let slope_p = (slope_at(p + h) - slope_at(p - h)) / (2.0 * h);
         let by_pressure = l_p + contraction_p / zero.slope

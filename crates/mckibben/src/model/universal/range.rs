@@ -16,7 +16,7 @@ fn c01_share(law: &Law) -> f64 {
 /// The box of a muscle.
 pub(super) fn of(range: &UniversalRange, muscle: &Muscle) -> ModelRange {
     let d0 = muscle.outer_diameter_mm();
-    let mu = muscle.tube().rubber.law.shear_modulus_mpa();
+    let mu = muscle.rubber().law.shear_modulus_mpa();
     let ideal = muscle.max_ideal_contraction();
     let (low, high) = range.contraction_of_ideal;
     ModelRange {
@@ -31,6 +31,6 @@ pub(super) fn of(range: &UniversalRange, muscle: &Muscle) -> ModelRange {
         (Interval::new(Quantity::WallRatio, range.wall_ratio), muscle.wall_mm() / d0),
         (Interval::new(Quantity::LengthRatio, range.length_ratio), muscle.length_mm() / d0),
         (Interval::new(Quantity::BraidAngle, range.angle_deg), muscle.braid().angle_deg),
-        (Interval::new(Quantity::C01Share, range.c01_share), c01_share(&muscle.tube().rubber.law)),
+        (Interval::new(Quantity::C01Share, range.c01_share), c01_share(&muscle.rubber().law)),
     ])
 }

@@ -23,6 +23,7 @@ pub static MEASURES: &[&Measure] = &[
     &LENGTH,
     &DENSITY,
     &PRESTRETCH,
+    &TEMPERATURE,
     &ANGLE,
     &INSERTION,
     &SEATING,

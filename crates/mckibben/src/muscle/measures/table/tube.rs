@@ -92,3 +92,21 @@ pub static PRESTRETCH: Measure = Measure {
     set: |p, v| p.tube.prestretch = v,
     ..Measure::BASE
 };
+
+/// T
+pub static TEMPERATURE: Measure = Measure {
+    key: "tube.temperature",
+    field: Some("temperature_degc"),
+    has_flag: false,
+    dimension: Dimension::Temperature,
+    bounds: Bounds::Between(-20.0, 120.0),
+    symbol: "T",
+    about: "Temperature T of the rubber; its moduli change like the absolute temperature, from 23 °C on",
+    label: "temperature of the rubber",
+    is_shown: true,
+    comment: "of the rubber, whose constants are those at 23 °C",
+    digested: true,
+    get: |p| p.tube.temperature_degc,
+    set: |p, v| p.tube.temperature_degc = Some(v),
+    ..Measure::BASE
+};

@@ -1,0 +1,140 @@
+//! `fill`: a volume of liquid pushed into a muscle.
+
+use crate::failure::Failure;
+use crate::flags::{LoadFlag, ModelFlags, MuscleFlags, OutputFlags};
+use crate::format::Format;
+use crate::output::text::{Units, half_width, number, pairs, percent, within};
+use crate::output::{FLAT, burst_first, show};
+use crate::progress::Bar;
+use crate::quantities::{contraction, quantity, ratio};
+use crate::shown;
+use clap::Args;
+use mckibben::load::FillState;
+use mckibben::units::Dimension;
+use mckibben_app::rows::{Row, estimated, limit_rows};
+use mckibben_app::{FillAnswer, FillRequest};
+
+/// Its examples.
+pub const EXAMPLES: &str = "Examples:
+  mckibben fill -D 30 -s 2 -L 200 --volume 20mL --load mass:10kg
+  mckibben fill examples/festo-dmsp-20.toml --volume 30mL -e 10% --liquid oil --gas 1% --dead-volume 15mL";
+
+/// `fill`.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Question")]
+pub struct FillArgs {
+    /// Volume that is pushed in, from rest length without pressure, filled without air
+    ///
+    /// Measured at atmospheric pressure: the stroke of a syringe that is empty at the end but for the dead volume.
+    #[arg(long, value_name = "VOLUME", allow_hyphen_values = true)]
+    pub volume: Option<String>,
+    #[command(flatten)]
+    pub load: LoadFlag,
+    /// Contraction ratio at which the muscle is held; with a load, where its way ends
+    #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
+    pub contraction: Option<String>,
+    /// Liquid: water, oil or glycol [water]
+    #[arg(long, value_name = "NAME")]
+    pub liquid: Option<String>,
+    /// Gas in the liquid, by volume at atmospheric pressure [0]
+    #[arg(long, value_name = "SHARE", allow_hyphen_values = true)]
+    pub gas: Option<String>,
+    /// Volume of line, fittings and what stays in the syringe [0]
+    #[arg(long, value_name = "VOLUME", allow_hyphen_values = true)]
+    pub dead_volume: Option<String>,
+    /// Bulk modulus of the liquid without gas [that of the liquid]
+    #[arg(long, value_name = "MODULUS", allow_hyphen_values = true, hide_short_help = true)]
+    pub bulk_modulus: Option<String>,
+    #[command(flatten)]
+    pub muscle: MuscleFlags,
+    #[command(flatten)]
+    pub model: ModelFlags,
+    #[command(flatten)]
+    pub output: OutputFlags,
+}
+
+/// A volume of liquid pushed into a muscle.
+pub fn run(args: &FillArgs, format: Format) -> Result<u8, Failure> {
+    let answer = mckibben_app::fill(
+        &FillRequest {
+            muscle: args.muscle.fields()?,
+            model: args.model.fields()?,
+            asking: args.model.asking.fields(),
+            volume_mm3: quantity("--volume", args.volume.as_deref(), Dimension::Volume)?,
+            dead_volume_mm3: quantity("--dead-volume", args.dead_volume.as_deref(), Dimension::Volume)?,
+            liquid: args.liquid.clone(),
+            liquid_bulk_modulus_mpa: quantity(
+                "--bulk-modulus",
+                args.bulk_modulus.as_deref(),
+                Dimension::Pressure,
+            )?,
+            gas_share: ratio("--gas", args.gas.as_deref())?,
+            load: args.load.fields()?,
+            contraction: contraction("--contraction", args.contraction.as_deref())?,
+        },
+        &Bar::hidden(),
+    )?;
+    let text = || burst_first(&answer.fill.answer.warnings) + &pairs(&rows(&answer, &shown::units()));
+    show(&answer, format, FLAT, text, args.output.target())?;
+    Ok(0)
+}
+
+fn rows(answer: &FillAnswer, u: &Units) -> Vec<Row> {
+    let (f, a, liquid) = (&answer.fill, &answer.fill.answer, &answer.liquid);
+    let r = &a.response;
+    let stroke = format!("{} {}", u.length.to(f.stroke_mm, 4), u.length.name);
+    let state = match f.state {
+        FillState::NotLifted => "the load is not lifted".to_owned(),
+        FillState::Balanced => match a.contraction_uncertainty {
+            Some(half) => {
+                let (value, half) = (100.0 * r.contraction, 100.0 * half);
+                format!("contraction {} ± {} %", within(value, half), half_width(half))
+            }
+            None => format!("contraction {}", percent(r.contraction)),
+        },
+        FillState::Held => format!("held at a contraction of {}", percent(r.contraction)),
+    };
+    let pull = u.force.within(r.force_n, a.uncertainty_n);
+    let half = a.uncertainty_n.map_or_else(|| "unknown".to_owned(), |n| u.force.half_width(n));
+    let joule = |v: f64| format!("{} J", number(v, 4));
+    let modulus = |v: f64| format!("{} GPa", number(1e-3 * v, 3));
+    let mut list = vec![
+        ("muscle", answer.muscle.line(u)),
+        ("model", format!("{} ({})", a.model, answer.about.source)),
+        (
+            "liquid",
+            format!(
+                "{}, {} of gas, bulk modulus {}; with its gas at this pressure {}",
+                liquid.name,
+                percent(liquid.gas_share),
+                modulus(liquid.bulk_modulus_mpa),
+                modulus(f.effective_bulk_modulus_mpa)
+            ),
+        ),
+        (
+            "pushed in",
+            format!(
+                "{}, of which its compression takes {}",
+                u.volume.show(f.pushed_volume_mm3),
+                u.volume.show(f.compressed_volume_mm3)
+            ),
+        ),
+        ("pressure", u.pressure.show(r.pressure_mpa)),
+        ("stroke", format!("{stroke} ({state})")),
+        ("pull", format!("{pull} ± {half} {}", u.force.name)),
+        ("stiffness, liquid shut in", u.stiffness().show(f.shut_stiffness_n_per_mm)),
+    ];
+    list.extend(r.stiffness_n_per_mm.map(|k| ("at constant pressure", u.stiffness().show(k))));
+    list.push(("work of the pump", joule(f.pump_work_j)));
+    list.push(("stored in the muscle", joule(f.muscle_energy_j)));
+    list.push(("stored in the liquid", joule(f.liquid_energy_j)));
+    list.push(("work on the load", joule(f.load_work_j)));
+    list.extend(f.friction_work_j.map(|v| ("taken by friction", joule(v))));
+    let cavity = r.volume_mm3.map_or_else(|| "unknown".to_owned(), |v| u.volume.show(v));
+    list.push(("cavity", format!("{cavity}, {} at the start", u.volume.show(f.rest_volume_mm3))));
+    list.extend(limit_rows(&answer.limits, estimated(&answer.muscle), u));
+    list.extend(
+        answer.uncertainty_words.text_in(u).map(|text| ("uncertainty", format!("of the pull {text}"))),
+    );
+    list
+}

@@ -1,0 +1,252 @@
+//! A muscle that a volume of liquid is pushed into: pressure, stroke, energies, and the stiffness with the liquid shut in.
+
+mod way;
+
+use super::Load;
+use crate::analysis::{AnalysisError, HIGHEST_PRESSURE_MPA, Options};
+use crate::answer::{self, Answer};
+use crate::liquid::Liquid;
+use crate::model::{ForceModel, ModelError, Workspace};
+use serde::Serialize;
+use thiserror::Error;
+use way::{Leg, Slopes, Way, cavity_mm3};
+
+/// What is pushed into a muscle, and what holds it.
+///
+/// At the start the muscle has its length at rest and no pressure; muscle and dead volume are full of liquid. With V the cavity, V0 that at the start, Vd
+/// the dead volume, φ the volume of the liquid over that at atmospheric pressure ([`Liquid`]) and ΔV what is pushed in,
+///
+/// ```text
+/// (V0 + Vd + ΔV) φ(P) = V(P, ε) + Vd
+/// ```
+///
+/// Line and syringe are rigid. The muscle rests against a stop at its length at rest until it pulls more than the load; then muscle and
+/// load are in balance, F(P, ε) = F_load(ε L0), up to the contraction at which it is held, where there is one. All is slow.
+#[derive(Debug, Clone, Copy)]
+pub struct Filling<'a> {
+    /// The liquid.
+    pub liquid: &'a Liquid,
+    /// ΔV in mm³ at atmospheric pressure: the stroke of the piston of a syringe that is empty at the end but for the dead volume.
+    pub volume_mm3: f64,
+    /// Vd in mm³: line, fittings, and what stays in the syringe.
+    pub dead_volume_mm3: f64,
+    /// What the muscle works against; none where it is free.
+    pub load: Option<&'a Load>,
+    /// The contraction at which it is held; none where nothing holds it.
+    pub held_at: Option<f64>,
+}
+
+/// Where a filled muscle is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "kebab-case")]
+pub enum FillState {
+    /// At its length at rest: it pulls less than the load.
+    NotLifted,
+    /// In balance with the load, or at its free contraction.
+    Balanced,
+    /// At the contraction at which it is held.
+    Held,
+}
+
+/// A muscle with a volume pushed in.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Fill {
+    /// The muscle there. Its ± are those of the pull at this pressure and contraction, and of the contraction at this volume.
+    #[serde(flatten)]
+    pub answer: Answer,
+    /// Where it is.
+    pub state: FillState,
+    /// Volume that was pushed in, at atmospheric pressure, mm³.
+    pub pushed_volume_mm3: f64,
+    /// How far the muscle is shortened, mm; below zero where it extends.
+    pub stroke_mm: f64,
+    /// Cavity at the start, mm³.
+    pub rest_volume_mm3: f64,
+    /// What of the volume the liquid's own compression takes, mm³: (V0 + Vd + ΔV)(1 − φ).
+    pub compressed_volume_mm3: f64,
+    /// Mass of the liquid in muscle and dead volume, g.
+    pub liquid_mass_g: f64,
+    /// Bulk modulus of liquid and gas together at this pressure, MPa.
+    pub effective_bulk_modulus_mpa: f64,
+    /// Stiffness of the muscle with the liquid shut in, N/mm: K + F_P V_ε/(L0 (V_P + C)), C = −(V0 + Vd + ΔV) dφ/dP.
+    pub shut_stiffness_n_per_mm: f64,
+    /// Work of the pump against the gauge pressure, J: ∫ P dV + `liquid_energy_j`.
+    pub pump_work_j: f64,
+    /// Energy stored in rubber and strands, J: ∫ P dV less the work on the load and what friction took.
+    pub muscle_energy_j: f64,
+    /// Energy stored in the liquid and its gas, J.
+    pub liquid_energy_j: f64,
+    /// Work on the load, J.
+    pub load_work_j: f64,
+    /// What the muscle's friction took, J, on a branch of the hysteresis.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction_work_j: Option<f64>,
+}
+
+/// Why a volume has no answer.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum FillError {
+    /// More than the model answers for.
+    #[error(
+        "the muscle takes {:.4} cm³ up to {pressure_mpa} MPa and a contraction of {contraction:.4}, where the range of the model or of the load ends, and {:.4} cm³ are too much: push in less",
+        1e-3 * .largest_mm3, 1e-3 * .volume_mm3
+    )]
+    TooLarge {
+        /// The volume in mm³.
+        volume_mm3: f64,
+        /// The largest that has an answer in mm³.
+        largest_mm3: f64,
+        /// The pressure there in MPa.
+        pressure_mpa: f64,
+        /// The contraction there.
+        contraction: f64,
+    },
+    /// A muscle that is held where filling does not bring it.
+    #[error(
+        "the muscle is filled at its length at rest and does not come to a contraction of {contraction}: hold it at {} or leave `contraction` out",
+        if *.extends { "a contraction of zero or below" } else { "zero or above" }
+    )]
+    HeldBehind {
+        /// The contraction.
+        contraction: f64,
+        /// Whether the muscle extends.
+        extends: bool,
+    },
+    /// A load that pulls at a muscle that extends.
+    #[error("a muscle that extends gives way to a load that pulls: fill it free, or hold it")]
+    Extends,
+    /// The model has no answer.
+    #[error(transparent)]
+    Analysis(#[from] AnalysisError),
+}
+
+impl From<ModelError> for FillError {
+    fn from(error: ModelError) -> Self {
+        Self::Analysis(error.into())
+    }
+}
+
+/// The muscle after a volume was pushed in.
+///
+/// # Errors
+/// [`FillError`].
+pub fn fill<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    filling: &Filling<'_>,
+    options: Options,
+) -> Result<Fill, FillError> {
+    let (w, range, extends) = (workspace, &model.info().range, model.muscle().is_extensile());
+    let options = options.of(model.muscle());
+    let length_mm = model.muscle().length_mm();
+    let sign = if extends { -1.0 } else { 1.0 };
+    if let Some(contraction) = filling.held_at.filter(|e| sign * e < 0.0) {
+        return Err(FillError::HeldBehind { contraction, extends });
+    }
+    let rest_mm3 = cavity_mm3(model, w, 0.0, 0.0)?;
+    // The way begins without pressure, which may be outside of the range; where it ends is checked.
+    let along = Options { extrapolate: options.extrapolate || range.pressure_mpa.0 > 0.0, ..options };
+    let way = Way { model, filling: *filling, rest_mm3, length_mm, options: along };
+    if extends && way.load_n(0.0) > 0.0 {
+        return Err(FillError::Extends);
+    }
+    let highest_mpa = match options.extrapolate {
+        true => HIGHEST_PRESSURE_MPA,
+        false => range.pressure_mpa.1.min(HIGHEST_PRESSURE_MPA),
+    };
+    let volume_mm3 = filling.volume_mm3;
+    // The pressure at which the load is lifted.
+    let held_at_rest = filling.held_at == Some(0.0);
+    let lifted_mpa = match way.place(w, Leg::Load, 0.0) {
+        _ if held_at_rest => None,
+        Ok((p, _)) => Some(p),
+        Err(AnalysisError::NoPressure { .. }) => None,
+        Err(error) => return Err(error.into()),
+    };
+    let reach = filling.load.map_or((f64::NEG_INFINITY, f64::INFINITY), Load::reach_mm);
+    let most = if extends {
+        let known = if options.extrapolate { f64::NEG_INFINITY } else { range.contraction.0 };
+        known.max(reach.0 / length_mm).max(-1.5)
+    } else {
+        let known = if options.extrapolate { f64::INFINITY } else { range.contraction.1 };
+        // Beyond the ideal muscle's largest contraction nothing pulls but strands that stretch a little.
+        known.min(reach.1 / length_mm).min(1.3 * model.muscle().max_ideal_contraction() + 0.05).min(0.95)
+    };
+    let stop = filling.held_at.filter(|e| sign * e <= sign * most);
+    let mut legs = vec![(Leg::At(0.0), 0.0, lifted_mpa.unwrap_or(highest_mpa))];
+    legs.extend(lifted_mpa.map(|_| (Leg::Load, 0.0, stop.unwrap_or(most))));
+    let (mut walked, mut found) = (vec![], None);
+    for (leg, from, to) in legs {
+        match way.seek(w, leg, (from, to))? {
+            Ok(at) => {
+                walked.push((leg, from, at));
+                found = Some((leg, at));
+                break;
+            }
+            Err(at) => walked.push((leg, from, at)),
+        }
+    }
+    let mut last = walked.last().map_or((Leg::At(0.0), 0.0), |&(leg, _, to)| (leg, to));
+    if found.is_none()
+        && let Some(e) = stop.filter(|e| last == (Leg::Load, *e))
+    {
+        let from = way.place(w, Leg::Load, e)?.0;
+        let held = way.seek(w, Leg::At(e), (from, highest_mpa))?;
+        let (Ok(at) | Err(at)) = held;
+        last = (Leg::At(e), at);
+        walked.push((last.0, from, at));
+        found = held.ok().map(|_| last);
+    }
+    let (leg, at) = found.unwrap_or(last);
+    let (pressure_mpa, contraction) = way.place(w, leg, at)?;
+    if found.is_none() {
+        let largest_mm3 = way.pushed_mm3(w, leg, at)?;
+        return Err(FillError::TooLarge { volume_mm3, largest_mm3, pressure_mpa, contraction });
+    }
+    let state = match leg {
+        Leg::Load => FillState::Balanced,
+        Leg::At(_) if held_at_rest || contraction != 0.0 => FillState::Held,
+        Leg::At(_) => FillState::NotLifted,
+    };
+    let (mut cavity_j, mut friction_j) = (0.0, 0.0);
+    for (leg, from, to) in walked {
+        let (cavity, friction) = way.works_j(w, leg, (from, to))?;
+        (cavity_j, friction_j) = (cavity_j + cavity, friction_j + friction);
+    }
+    let stroke_mm = contraction * length_mm;
+    let load_work_j = filling.load.map_or(0.0, |load| load.energy_j(stroke_mm));
+    let liquid = filling.liquid;
+    let whole_mm3 = rest_mm3 + filling.dead_volume_mm3 + volume_mm3;
+    let liquid_energy_j = 1e-3 * whole_mm3 * liquid.energy_mpa(pressure_mpa);
+    let slopes = Slopes::at(model, w, (pressure_mpa, contraction), options)?;
+    let gives_way = slopes.volume_by_pressure + whole_mm3 * liquid.compliance_per_mpa(pressure_mpa);
+    let shut_stiffness_n_per_mm =
+        slopes.stiffness + slopes.force_by_pressure * slopes.volume_by_contraction / (length_mm * gives_way);
+    let mut answer = answer::force(model, w, pressure_mpa, contraction, options)?;
+    if state == FillState::Balanced {
+        let held = shut_stiffness_n_per_mm + filling.load.map_or(0.0, |load| load.slope_n_per_mm(stroke_mm));
+        answer =
+            answer::exactly(answer, way.load_n(contraction)).with_contraction_sought(Some(held), length_mm);
+    }
+    Ok(Fill {
+        answer,
+        state,
+        pushed_volume_mm3: volume_mm3,
+        stroke_mm,
+        rest_volume_mm3: rest_mm3,
+        compressed_volume_mm3: whole_mm3 * (1.0 - liquid.relative_volume(pressure_mpa)),
+        liquid_mass_g: 1e-6 * liquid.density_kg_per_m3 * (1.0 - liquid.gas_share) * whole_mm3,
+        effective_bulk_modulus_mpa: liquid.effective_bulk_modulus_mpa(pressure_mpa),
+        shut_stiffness_n_per_mm,
+        pump_work_j: cavity_j + liquid_energy_j,
+        muscle_energy_j: cavity_j - load_work_j - friction_j,
+        liquid_energy_j,
+        load_work_j,
+        friction_work_j: (!options.direction.is_mean()).then_some(friction_j),
+    })
+}
+
+#[cfg(test)]
+mod tests;

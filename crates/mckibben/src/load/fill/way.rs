@@ -1,0 +1,189 @@
+//! The way of a muscle that is filled: at its length at rest, with its load, at the contraction at which it is held.
+
+use super::Filling;
+use crate::analysis::{
+    AnalysisError, Options, RootError, find_root, force_on, pressure_at, response_on, slope_by_pressure,
+    stiffness_of,
+};
+use crate::model::{ForceModel, ModelError, Workspace, gauss};
+
+/// Parts into which a leg of the way is cut in search of the volume; they grow with the distance from its start.
+const STEPS: usize = 16;
+/// Halvings towards the last place at which the model answers.
+const CLOSING: usize = 12;
+/// A pressure (MPa) or contraction is known to this.
+const TOLERANCE: f64 = 1e-12;
+/// Points of Gauss on a leg.
+const POINTS: usize = 12;
+
+/// A part of the way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Leg {
+    /// At a contraction; the pressure rises.
+    At(f64),
+    /// In balance with the load; the contraction changes.
+    Load,
+}
+
+/// The muscle on its way.
+pub(super) struct Way<'a, M: ?Sized> {
+    pub(super) model: &'a M,
+    pub(super) filling: Filling<'a>,
+    pub(super) rest_mm3: f64,
+    pub(super) length_mm: f64,
+    pub(super) options: Options,
+}
+
+impl<M: ForceModel + ?Sized> Way<'_, M> {
+    pub(super) fn load_n(&self, contraction: f64) -> f64 {
+        self.filling.load.map_or(0.0, |load| load.force_n(contraction * self.length_mm))
+    }
+
+    /// (P, ε) at a place of a leg.
+    pub(super) fn place(&self, w: &mut Workspace, leg: Leg, at: f64) -> Result<(f64, f64), AnalysisError> {
+        match leg {
+            Leg::At(contraction) => Ok((at, contraction)),
+            Leg::Load => Ok((pressure_at(self.model, w, self.load_n(at), at, self.options)?, at)),
+        }
+    }
+
+    /// ΔV that brings the muscle to a place of a leg, in mm³.
+    pub(super) fn pushed_mm3(&self, w: &mut Workspace, leg: Leg, at: f64) -> Result<f64, AnalysisError> {
+        let (p, e) = self.place(w, leg, at)?;
+        let dead = self.filling.dead_volume_mm3;
+        let inside = cavity_mm3(self.model, w, p, e)? + dead;
+        Ok(inside / self.filling.liquid.relative_volume(p) - self.rest_mm3 - dead)
+    }
+
+    /// The place of a leg at which the volume is in; else the last one with an answer.
+    pub(super) fn seek(
+        &self,
+        w: &mut Workspace,
+        leg: Leg,
+        (from, to): (f64, f64),
+    ) -> Result<Result<f64, f64>, AnalysisError> {
+        if from == to {
+            return Ok(Err(to));
+        }
+        let wanted = self.filling.volume_mm3;
+        let mut left = |at: f64| self.pushed_mm3(w, leg, at).map(|pushed| pushed - wanted);
+        let ended = |e: &AnalysisError| matches!(e, AnalysisError::Model(ModelError::Exceeded(_)));
+        let (mut near, mut beyond) = (from, None);
+        for i in 1..=STEPS {
+            let at = if i == STEPS { to } else { from + (to - from) * (i as f64 / STEPS as f64).powi(2) };
+            match left(at) {
+                Ok(more) if more >= 0.0 => {
+                    beyond = Some(at);
+                    break;
+                }
+                Ok(_) => near = at,
+                Err(error) if ended(&error) => return Err(error),
+                Err(_) => {
+                    let mut edge = at;
+                    for _ in 0..CLOSING {
+                        let middle = 0.5 * (near + edge);
+                        match left(middle) {
+                            Ok(more) if more >= 0.0 => {
+                                beyond = Some(middle);
+                                break;
+                            }
+                            Ok(_) => near = middle,
+                            Err(error) if ended(&error) => return Err(error),
+                            Err(_) => edge = middle,
+                        }
+                    }
+                    break;
+                }
+            }
+        }
+        let Some(beyond) = beyond else { return Ok(Err(near)) };
+        match find_root(&mut left, near, beyond, TOLERANCE) {
+            Ok(root) => Ok(Ok(root)),
+            Err(RootError::Function(error)) => Err(error),
+            // More than the volume is in from the start of the leg on.
+            Err(RootError::NotBracketed { .. }) => Ok(Ok(near)),
+        }
+    }
+
+    /// (∫ P dV, what friction took) in J along a part of a leg.
+    pub(super) fn works_j(
+        &self,
+        w: &mut Workspace,
+        leg: Leg,
+        (from, to): (f64, f64),
+    ) -> Result<(f64, f64), AnalysisError> {
+        let (mut cavity, mut friction) = (0.0, 0.0);
+        let direction = self.options.direction;
+        for &(x, weight) in gauss(POINTS) {
+            let at = from + 0.5 * (to - from) * (1.0 + x);
+            let step = 0.5 * (to - from) * weight;
+            let (p, e) = self.place(w, leg, at)?;
+            let slopes = Slopes::at(self.model, w, (p, e), self.options)?;
+            cavity += step
+                * p
+                * match leg {
+                    Leg::At(_) => slopes.volume_by_pressure,
+                    Leg::Load => {
+                        let load = self.filling.load;
+                        let held =
+                            slopes.stiffness + load.map_or(0.0, |l| l.slope_n_per_mm(e * self.length_mm));
+                        let pressure = held * self.length_mm / slopes.force_by_pressure;
+                        slopes.volume_by_contraction + slopes.volume_by_pressure * pressure
+                    }
+                };
+            if leg == Leg::Load && !direction.is_mean() {
+                let mean = self.model.force_n(w, p, e)?;
+                friction += step * self.length_mm * (mean - force_on(self.model, w, p, e, direction)?);
+            }
+        }
+        Ok((1e-3 * cavity, 1e-3 * friction))
+    }
+}
+
+pub(super) fn cavity_mm3<M: ForceModel + ?Sized>(
+    model: &M,
+    w: &mut Workspace,
+    pressure_mpa: f64,
+    contraction: f64,
+) -> Result<f64, AnalysisError> {
+    let unknown = || AnalysisError::Unknown { model: model.info().name.to_string(), quantity: "the volume" };
+    model.response(w, pressure_mpa, contraction)?.volume_mm3.ok_or_else(unknown)
+}
+
+/// V_P, V_ε, F_P and K = ∂F/∂L of a model, or by differences where it does not state them.
+pub(super) struct Slopes {
+    pub(super) volume_by_pressure: f64,
+    pub(super) volume_by_contraction: f64,
+    pub(super) force_by_pressure: f64,
+    pub(super) stiffness: f64,
+}
+
+impl Slopes {
+    pub(super) fn at<M: ForceModel + ?Sized>(
+        model: &M,
+        w: &mut Workspace,
+        (p, e): (f64, f64),
+        options: Options,
+    ) -> Result<Self, AnalysisError> {
+        const STEP: f64 = 1e-5;
+        let direction = options.direction;
+        let r = response_on(model, w, p, e, direction)?;
+        let volume_by_pressure = match r.volume_per_pressure_mm3_per_mpa {
+            Some(slope) => slope,
+            None => {
+                let (low, high) = ((p - STEP).max(0.0), p + STEP);
+                (cavity_mm3(model, w, high, e)? - cavity_mm3(model, w, low, e)?) / (high - low)
+            }
+        };
+        let volume_by_contraction = match r.volume_per_contraction_mm3 {
+            Some(slope) => slope,
+            None => (cavity_mm3(model, w, p, e + STEP)? - cavity_mm3(model, w, p, e - STEP)?) / (2.0 * STEP),
+        };
+        Ok(Self {
+            volume_by_pressure,
+            volume_by_contraction,
+            force_by_pressure: slope_by_pressure(model, w, &r, direction)?,
+            stiffness: stiffness_of(model, w, &r, direction)?,
+        })
+    }
+}
