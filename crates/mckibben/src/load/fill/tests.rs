@@ -126,7 +126,7 @@ fn the_work_of_the_pump_is_stored_or_lifts_the_load() {
 /// Against differences: the pull of the same volume at two contractions; on a branch with what friction adds to it.
 #[test]
 fn shut_in_the_muscle_has_the_slope_of_its_pull_at_constant_volume() {
-    let friction = Friction { coefficient: 10.0, exponent: 0.7, lever_mm: 0.0 };
+    let friction = Friction::power_law(10.0, 0.7);
     let muscle = Muscle::prototype().with_friction(Some(friction)).unwrap();
     let (model, w) = (ThickWall::new(&muscle), &mut Workspace::new());
     for (gas, direction) in [(0.0, Direction::Mean), (0.03, Direction::Mean), (0.01, Direction::Contraction)]
