@@ -28,8 +28,10 @@ pub(crate) fn check(presliding: &Presliding) -> Result<(), MotionError> {
         MotionError::within("the friction's presliding length in mm", element.length_mm, 1e-6, 1e6)?;
         MotionError::within("the share of a presliding length", element.share, 0.0, 1.0)?;
     }
-    let sum = presliding.0.iter().map(|element| element.share).sum();
-    MotionError::within("the sum of the shares of the presliding lengths", sum, 1.0 - 1e-9, 1.0 + 1e-9)
+    let sum = presliding.0.iter().fold(0.0, |sum, element| sum + element.share);
+    let whole = (sum - 1.0).abs() <= 1e-9;
+    let what = "the sum of the shares of the presliding lengths";
+    if whole { Ok(()) } else { Err(MotionError::Value { what, must: "1".into(), value: sum }) }
 }
 
 impl Hysteresis {

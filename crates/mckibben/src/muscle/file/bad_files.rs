@@ -313,7 +313,11 @@ const BAD: &[(&str, usize, &str)] = &[
     ("[terminals.end_factor]\na = 1\nc = 2", 3, "terminals.end_factor.c: unknown key"),
     ("[terminals]\nend_factor = \"1.2\"", 2, "is a text; expected a number without unit"),
     ("[friction]\ncoefficient = 61", 2, "friction.exponent is missing; friction is C·P^β"),
-    ("[friction]\npresliding = 1", 2, "friction.presliding needs the friction itself"),
+    (
+        "[friction]\npresliding = 1",
+        2,
+        "friction.presliding = 1: needs the friction itself: friction.lever, or",
+    ),
     // TOML itself.
     ("[tube]\nlength = 3\nlength = 4", 3, "not valid TOML: duplicate key in `length = 4`"),
     ("[tube]\n[braid]\n[tube]", 3, "not valid TOML: duplicate key"),
