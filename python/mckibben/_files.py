@@ -9,7 +9,7 @@ from typing import Any
 from . import _native
 
 # Fields of requests whose files are tables, and those whose files are formulas.
-TABLES = ("data", "table", "tables", "load_tables")
+TABLES = ("data", "table", "tables", "load_tables", "life_curve")
 FORMULAS = ("formulas", "file")
 
 

@@ -86,7 +86,7 @@ impl CommandEntry {
     /// Whether its request may carry tables of measured or computed points, which may be long.
     #[cfg(feature = "schema")]
     pub fn takes_tables(&self) -> bool {
-        let tables = ["data", "table", "tables", "load_tables", "cases"];
+        let tables = ["data", "table", "tables", "load_tables", "life_curve", "cases"];
         self.expected().fields().iter().any(|(field, _)| tables.contains(&field.as_str()))
     }
 

@@ -141,7 +141,7 @@ pub struct LifeState {
     /// The quantities.
     #[serde(flatten)]
     pub wear: Wear,
-    /// Distance of the rubber that is stretched most (`max_stretch`) from the terminal at rest, mm, by finite elements.
+    /// Distance from the terminal at rest, mm, of the place where `max_stretch` is reached, by finite elements.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max_stretch_from_terminal_mm: Option<f64>,
 }
@@ -154,10 +154,8 @@ pub struct LifeCurveAnswer {
     /// What its cycles depend on.
     pub of: LifeLevel,
     /// From its lowest to its highest stretch, or energy density in MPa.
-    #[schemars(extend("x-unit" = ""))]
     pub reach: (f64, f64),
     /// Factor within which its cycles scatter; 1 where it is not stated.
-    #[schemars(extend("x-unit" = ""))]
     pub scatter: f64,
 }
 
@@ -182,8 +180,8 @@ pub const WEAR_MEASURES: [WearMeasure; 9] = [
     ),
     measure(
         "max_stretch",
-        ("stretch of 99 % of the rubber", "whole, near the terminal as a rule"),
-        "the tube cracks beside the clamp, where it is bent as well",
+        ("stretch of 99 % of the rubber", "whole muscle"),
+        "cracks grow where it is reached; the corner at the clamp, which is stretched more, is in the other 1 %",
         Dimension::Ratio,
         |w| w.max_stretch,
     ),

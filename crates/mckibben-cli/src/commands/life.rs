@@ -95,9 +95,9 @@ fn as_text(answer: &LifeAnswer, u: &Units) -> String {
     out += &format!("\n{}", wear(answer, u));
     let at = muscles.iter().enumerate().filter_map(|(i, m)| Some((i, m.high.max_stretch_from_terminal_mm?)));
     for (i, mm) in at {
-        let of = if several { format!("muscle {}: ", i + 1) } else { String::new() };
+        let of = if several { format!(" of muscle {}", i + 1) } else { String::new() };
         out += &format!(
-            "{of}99 % of the rubber is stretched by less than {} from the terminal\n",
+            "the stretch of 99 %{of} is reached {} from the terminal (at rest)\n",
             u.length.show(mm)
         );
     }
@@ -203,7 +203,7 @@ fn curve(answer: &LifeAnswer) -> String {
 
 /// A number of cycles, to three digits.
 fn count(cycles: f64) -> String {
-    if cycles < 1e4 { number(cycles, 3) } else { format!("{cycles:.2e}") }
+    if cycles < 1e5 { format!("{cycles:.0}") } else { format!("{cycles:.2e}") }
 }
 
 /// Lives that somebody measured.

@@ -88,7 +88,7 @@ fn tension_and_contact_pressure_are_those_of_the_model() {
 fn the_work_of_friction_is_the_integral_of_contact_and_turning() {
     let m = muscle(rigid(), Some(Friction { lever_mm: 0.2, ..Friction::power_law(0.0, 1.0) }));
     let model = ThickWall::new(&m);
-    let ((p0, e0), (p1, e1)) = ((0.15, 0.02), (0.4, 0.18));
+    let ((p0, e0), (p1, e1)) = ((0.25, 0.06), (0.4, 0.18));
     let g = |t: f64| {
         let (p, e) = (p0 + t * (p1 - p0), e0 + t * (e1 - e0));
         let cos = (1.0 - e) * 25_f64.to_radians().cos();
@@ -131,7 +131,8 @@ fn every_model_gives_finite_quantities_or_none() {
         }
     }
     let rest = of(&muscle(woven(), None), 0.0, 0.0);
-    assert_eq!((rest.largest_stretch(), rest.energy_density_mpa), (Some(1.0), Some(0.0)));
+    close(rest.largest_stretch(), 1.0, 1e-14);
+    assert!(rest.energy_density_mpa.unwrap().abs() < 1e-14);
 }
 
 #[test]

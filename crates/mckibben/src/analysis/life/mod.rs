@@ -33,7 +33,7 @@ use std::f64::consts::PI;
 pub struct Wear {
     /// The largest principal stretch in the middle of the muscle.
     pub middle_stretch: Option<f64>,
-    /// The principal stretch below which 99 % of the rubber lies by volume; near the terminal as a rule.
+    /// The principal stretch below which 99 % of the rubber lies by volume, in the whole muscle.
     pub max_stretch: Option<f64>,
     /// Clear distance of neighbouring strands in the middle, mm.
     pub clear_distance_mm: Option<f64>,
