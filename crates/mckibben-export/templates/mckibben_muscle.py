@@ -175,8 +175,11 @@ def pressure_on(force, length, branch):
         under = xp.where(pull > 0, pull, 0 * pull) + sign * (FRICTION[0] * xp.sqrt(q) + FRICTION[1] * q) < force
         return xp.where(under, SUPPLY * q, low), xp.where(under, high, SUPPLY * q)
 
-    low, high = _repeated(xp, 40, halved, (pressure(0 * force, length) + 0 * mean if branch > 0 else mean, top))
-    return xp.where((branch < 0) & (high == top), float("nan") + 0 * high, high)
+    bottom = pressure(0 * force, length) + 0 * mean if branch > 0 else mean
+    high = _repeated(xp, 40, halved, (bottom, top))[1]
+    if branch < 0:
+        high = xp.where(high < top, high, float("nan") + 0 * high)
+    return xp.where(bottom < top, high, mean)
 
 
 def contraction(force, pressure):
