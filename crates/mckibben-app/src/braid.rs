@@ -250,15 +250,3 @@ fn round_diameters((least, largest): (f64, f64)) -> Vec<f64> {
     let inside = (0..=count as u32).map(|i| round((first + f64::from(i)) * step));
     std::iter::once(least).chain(inside.filter(|d| *d < largest)).collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn diameters_are_round_and_inside() {
-        let tubes = round_diameters((9.525, 32.0));
-        assert_eq!(tubes, [9.525, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 24.0, 26.0, 28.0, 30.0]);
-        assert_eq!(round_diameters((15.0, 31.1))[..3], [15.0, 16.0, 18.0]);
-    }
-}

@@ -27,24 +27,3 @@ pub fn bundle() -> Value {
     all.insert("$defs".into(), defs.into());
     all.into()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Two types of one name would take each other's place.
-    #[test]
-    fn a_name_has_one_definition() {
-        let mut seen = Map::new();
-        for command in COMMANDS.iter() {
-            let parts = command.schema();
-            let defs =
-                parts.as_object().into_iter().flat_map(|p| p.values()).filter_map(|p| p["$defs"].as_object());
-            for (name, definition) in defs.flatten() {
-                let first = seen.entry(name.clone()).or_insert_with(|| definition.clone());
-                assert_eq!(first, definition, "{name} in {}", command.name);
-            }
-        }
-        assert!(seen.len() > 100);
-    }
-}

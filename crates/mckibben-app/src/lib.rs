@@ -101,6 +101,7 @@ pub use design::*;
 pub use doctor::*;
 pub use export::*;
 pub use fields::*;
+pub use figure::model_colour;
 #[cfg(all(feature = "schema", feature = "whole"))]
 pub use file_schema::{file_kinds, file_schema};
 pub use fill::*;
@@ -109,6 +110,7 @@ pub use identify::*;
 pub use joint::*;
 pub use json_size::JsonSize;
 pub use library::*;
+pub use library_folder::points_table;
 pub use life::*;
 pub use load::{LoadAnswer, LoadFields, LoadedAt};
 pub use many::{

@@ -36,7 +36,7 @@ pub(crate) fn files(name: &str, told: &Told<'_>, progress: &dyn Progress) -> Res
         name: name.into(),
         case: case(name, told)?,
         muscle: to_toml(base.muscle()),
-        points: table(told.points),
+        points: points_table(told.points),
         identified: String::new(),
     };
     if let Measurement::Muscle(case) = read(&folder)? {
@@ -114,7 +114,7 @@ fn text(text: &str) -> String {
 type Column = (&'static str, fn(&DataPoint) -> Option<String>);
 
 /// The points as a table that reads back as the same points. Columns that no point needs are left out.
-fn table(points: &[DataPoint]) -> String {
+pub fn points_table(points: &[DataPoint]) -> String {
     let columns: [Column; 14] = [
         ("pressure_mpa", |p| Some(p.at.pressure_mpa.to_string())),
         ("contraction", |p| Some(p.at.contraction.to_string())),
@@ -162,47 +162,4 @@ fn word(measured: Quantity) -> Option<String> {
 /// The standard error of a point that was read as a quantity.
 fn error_of(p: &DataPoint, quantity: Quantity) -> Option<String> {
     p.error.filter(|_| p.measured == quantity).map(|error| error.to_string())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use mckibben::muscle::Direction;
-    use mckibben_fit::measured::{MeasuredPoint, Section, read_data};
-
-    /// An identity: what is written reads back as the same points.
-    #[test]
-    fn points_that_are_written_read_back_the_same() {
-        let at = |pressure_mpa, contraction, force_n, branch| MeasuredPoint {
-            pressure_mpa,
-            contraction,
-            force_n,
-            branch,
-        };
-        let plain = [
-            DataPoint::of(at(0.1, 0.0, 123.456_789, Direction::Mean)),
-            DataPoint::of(at(1.0 / 3.0, 0.07, 12.0, Direction::Mean)),
-        ];
-        assert_eq!(table(&plain).lines().next(), Some("pressure_mpa,contraction,force_n"));
-        let section = Section { length_mm: Some(233.0), outer_diameter_mm: Some(13.6), ..Section::default() };
-        let rich = [
-            DataPoint {
-                section,
-                error: Some(2.5),
-                ..DataPoint::of(at(0.2, 0.1, 50.0, Direction::Contraction))
-            },
-            DataPoint {
-                section,
-                measured: Quantity::Contraction,
-                weight: 0.5,
-                error: Some(0.01),
-                ..DataPoint::of(at(0.2, 0.2, 20.0, Direction::Elongation))
-            },
-        ];
-        for points in [&plain, &rich] {
-            let read = read_data(table(points).as_bytes()).unwrap();
-            let same: Vec<DataPoint> = read.into_iter().map(|p| DataPoint { line: 0, ..p }).collect();
-            assert_eq!(same, points);
-        }
-    }
 }

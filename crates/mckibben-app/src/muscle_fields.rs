@@ -186,27 +186,3 @@ impl JsonSchema for Stated {
         json_schema!({ "type": "object", "properties": properties })
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::ForceRequest;
-
-    /// An identity: what is written is read, and in the order of the schema.
-    #[test]
-    fn fields_are_written_and_read_again_with_all_measures_among_them() {
-        let mut fields = MuscleFields::default();
-        fields.named.rubber = Some("paper".into());
-        for (i, (_, measure)) in super::fields().enumerate() {
-            fields.measures.set(measure, 1.0 + i as f64);
-        }
-        let request = ForceRequest { muscle: fields.clone(), ..ForceRequest::default() };
-        let text = serde_json::to_string(&request).unwrap();
-        assert_eq!(serde_json::from_str::<ForceRequest>(&text).unwrap().muscle, fields);
-        let written: Map<String, Value> = serde_json::from_str(&text).unwrap();
-        let order: Vec<usize> = written.keys().filter_map(|k| NAMES.iter().position(|n| n == k)).collect();
-        assert!(order.is_sorted() && order.len() == fields.measures.iter().count() + 1, "{text}");
-        let wrong = serde_json::from_str::<ForceRequest>(r#"{"grip_mm": "x"}"#).unwrap_err().to_string();
-        assert!(wrong.contains("invalid type: string \"x\", expected f64"), "{wrong}");
-    }
-}

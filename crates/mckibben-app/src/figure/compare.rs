@@ -15,7 +15,7 @@ const COLOURS: usize = 6;
 
 /// The colour number of a model, the same in every figure: those that are compared most first, then the others in the order of the list, then formulas of
 /// files in theirs.
-fn colour_of(name: &str, formulas: &mut Vec<String>) -> usize {
+pub fn model_colour(name: &str, formulas: &mut Vec<String>) -> usize {
     const FIRST: [&str; COLOURS] = ["fe", "universal", "thick-wall", "ideal", "fe3d", "paper"];
     let listed: Vec<&str> = Model::all().into_iter().map(|entry| entry.name).collect();
     let others = listed.iter().copied().filter(|name| !FIRST.contains(name));
@@ -42,7 +42,7 @@ pub fn compare(
     let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), pull(u));
     let (mut bands, mut formulas) = (vec![], vec![]);
     for (number, (model, workspace)) in models.into_iter().enumerate() {
-        let colour = colour_of(&model.info().name, &mut formulas);
+        let colour = model_colour(&model.info().name, &mut formulas);
         let family = curves(model, workspace, Test::Isobaric, pressures, contractions, options);
         for (i, curve) in family.iter().enumerate() {
             let label = if i == 0 { &*model.info().name } else { "" };
@@ -67,22 +67,4 @@ pub fn compare(
     let said = said.replace("band", "band of the first model");
     panel.series.extend(bands);
     Figure::new("Isobaric curves of models").caption(caption(format!("{about}{said}"))).panel(panel)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_model_has_one_colour_whatever_it_is_compared_with_and_none_that_of_points() {
-        let mut formulas = vec![];
-        assert_eq!(["fe", "universal", "fe3d"].map(|name| colour_of(name, &mut formulas)), [0, 1, 4]);
-        let listed = Model::all().into_iter().map(|entry| entry.name).chain(["mine", "other", "mine"]);
-        let mut all: Vec<usize> = listed.map(|name| colour_of(name, &mut formulas)).collect();
-        assert_eq!(all.pop(), all.get(all.len() - 2).copied());
-        all.sort_unstable();
-        let count = all.len();
-        all.dedup();
-        assert!(all.len() == count && all.iter().all(|n| n % (COLOURS + 1) != COLOURS));
-    }
 }

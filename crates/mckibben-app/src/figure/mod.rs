@@ -14,6 +14,7 @@ mod study;
 mod tension;
 
 pub(crate) use compare::compare;
+pub use compare::model_colour;
 pub(crate) use curves::curves;
 pub(crate) use design::design;
 pub(crate) use fit::fitted;

@@ -7,9 +7,6 @@ mod drive;
 mod joint;
 mod muscle;
 mod plan;
-#[cfg(test)]
-mod tests;
-
 use crate::problem::{Problem, ProblemKind};
 use mckibben::nearest::nearest;
 use mckibben::units::Dimension;

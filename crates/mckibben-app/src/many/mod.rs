@@ -10,9 +10,6 @@ mod columns;
 mod pairs;
 mod point;
 mod slopes;
-#[cfg(test)]
-mod tests;
-
 pub use asked::{ArrayError, Many, PointQuantity, Unanswered};
 pub use columns::{AnswerColumns, Column, curve_columns};
 pub use pairs::Pairs;

@@ -279,8 +279,15 @@ fn a_plan_has_one_rubber() {
 /// Every measure of the muscle varies, and each muscle is the base with that value: an identity with [`Muscle::with`].
 #[test]
 fn every_measure_of_a_muscle_varies() {
-    let base = Muscle::prototype();
+    let lever = mckibben::muscle::Measure::of_field("friction_lever_mm").unwrap();
     for measure in mckibben::muscle::measures::MEASURES {
+        // A presliding length needs a friction.
+        let (base, stated) = match measure.key {
+            "friction.presliding" => {
+                (Muscle::prototype().with(lever, 0.1).unwrap(), "[friction]\nlever = \"0.1 mm\"\n")
+            }
+            _ => (Muscle::prototype(), ""),
+        };
         let value = measure
             .identify
             .as_ref()
@@ -288,7 +295,7 @@ fn every_measure_of_a_muscle_varies() {
             .or(base.measure(measure))
             .or(measure.default);
         let Some(value) = value else { continue };
-        let text = format!("[vary]\n{} = [{value}, {}]\n{TEST}", measure.key, 1.05 * value + 0.01);
+        let text = format!("{stated}[vary]\n{} = [{value}, {}]\n{TEST}", measure.key, 1.05 * value + 0.01);
         let plan = Plan::parse(&text).unwrap_or_else(|e| panic!("{}: {e}", measure.key));
         let expected = base.with(measure, value).map_err(|e| e.to_string());
         let found = plan.inputs(0).muscle().map_err(|e| e.to_string());

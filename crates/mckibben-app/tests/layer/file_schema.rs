@@ -1,7 +1,10 @@
-use super::*;
+//! Schemas of files.
+
 use mckibben::joint::parse_joint;
 use mckibben::muscle::file::{FileError, parse_muscle};
+use mckibben_app::file_schema;
 use mckibben_motion::{Tables, parse_drive};
+use serde_json::Value;
 
 /// The keys that a reader accepts in a table, from what it says of one that is not among them.
 fn accepted(error: &FileError) -> Vec<String> {

@@ -1,8 +1,13 @@
-use super::*;
-use crate::{ForceRequest, MuscleFields, force};
+//! Arrays of points.
+
 use mckibben::budget::Budget;
 use mckibben::muscle::measures::{OUTER_DIAMETER, WALL};
-use mckibben::progress::Silent;
+use mckibben::progress::{Progress, Silent};
+use mckibben_app::{
+    ArrayError, AskFields, BoundModel, ForceRequest, Many, ModelFields, MuscleFields, Pairs, PointQuantity,
+    ProblemKind, Unanswered, force, with_parameters,
+};
+use mckibben_fit::identify::Target;
 
 fn fields() -> MuscleFields {
     [(&OUTER_DIAMETER, 50.0), (&WALL, 2.0)].into()

@@ -1,0 +1,144 @@
+//! What belongs into a field, and what was given.
+
+use mckibben_app::{COMMANDS, ProblemKind, find};
+use serde_json::{Value, json};
+
+fn said(command: &str, request: &Value) -> (String, Option<String>) {
+    let problem = find(command).unwrap().read(request.clone()).unwrap_err();
+    assert_eq!(problem.kind, ProblemKind::Usage);
+    (problem.message, problem.field)
+}
+
+#[test]
+fn what_a_field_wants_and_what_was_given_are_said() {
+    for (command, request, words, field) in [
+        (
+            "force",
+            json!({"end_factor": "1 mm"}),
+            "`end_factor` is a number without a unit, not the text \"1 mm\"",
+            "end_factor",
+        ),
+        (
+            "force",
+            json!({"pressure_mpa": "2bar"}),
+            "`pressure_mpa` is a number in MPa, not the text \"2bar\"",
+            "pressure_mpa",
+        ),
+        (
+            "force",
+            json!({"pressure_mpa": true}),
+            "`pressure_mpa` is a number in MPa, not true",
+            "pressure_mpa",
+        ),
+        ("force", json!({"pressure_mpa": 0.2, "model": 5}), "`model` is a text, not 5", "model"),
+        (
+            "curve",
+            json!({"pressures_mpa": [0.1, "x"]}),
+            "`pressures_mpa` is a number in MPa, not the text \"x\"",
+            "pressures_mpa",
+        ),
+        ("curve", json!({"pressures_mpa": 0.1}), "`pressures_mpa` is a list, not 0.1", "pressures_mpa"),
+        ("design", json!({"top": 1.5}), "`top` is a whole number, not 1.5", "top"),
+        (
+            "design",
+            json!({"tolerance": {"modulus": "5 %"}}),
+            "`modulus` is a number without a unit, not the text \"5 %\"",
+            "modulus",
+        ),
+    ] {
+        assert_eq!(said(command, &request), (words.to_owned(), Some(field.to_owned())), "{request}");
+    }
+    assert_eq!(said("force", &json!([])).0, "a request is an object of fields, not a list");
+}
+
+/// A number's place in any request refuses a text in these words, not in those of a parser.
+#[test]
+fn every_number_of_every_request_refuses_a_text_by_its_name() {
+    let mut seen = 0;
+    for command in COMMANDS.iter() {
+        let schema = &command.schema()["request"];
+        for (name, of) in schema["properties"].as_object().into_iter().flatten() {
+            let mut all = vec![];
+            kinds(of, &schema["$defs"], &mut all);
+            let types = all.iter().flat_map(|kind| match &kind["type"] {
+                Value::Array(list) => list.clone(),
+                one => vec![one.clone()],
+            });
+            let types: Vec<Value> = types.filter(|of| of != "null").collect();
+            if types.is_empty() || !types.iter().all(|of| *of == "number" || *of == "integer") {
+                continue;
+            }
+            let problem = command.read(json!({ name.as_str(): "1 furlong" })).unwrap_err();
+            assert_eq!(problem.field.as_ref(), Some(name), "{}", command.name);
+            assert!(problem.message.ends_with("not the text \"1 furlong\""), "{problem}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 150, "{seen}");
+}
+
+#[test]
+fn null_is_what_was_left_out_and_long_texts_are_shortened() {
+    let force = find("force").unwrap();
+    force.read(json!({"pressure_mpa": 0.2, "end_factor": null})).unwrap();
+    let (words, _) = said("force", &json!({"pressure_mpa": "é".repeat(100_000)}));
+    assert!(words.len() < 200 && words.ends_with("é…\""), "{words}");
+}
+
+/// What a schema may be: itself, or each of those that it refers to.
+fn kinds<'s>(schema: &'s Value, defs: &'s Value, out: &mut Vec<&'s Value>) {
+    if let Some(name) = schema["$ref"].as_str().and_then(|path| path.rsplit('/').next()) {
+        return kinds(&defs[name], defs, out);
+    }
+    match ["anyOf", "oneOf"].iter().find_map(|key| schema[*key].as_array()) {
+        Some(list) => list.iter().for_each(|one| kinds(one, defs, out)),
+        None => out.push(schema),
+    }
+}
+
+/// Places of a schema that hold an object, or a list of them, as a request with a list there; each with its field.
+fn with_lists(schema: &Value) -> Vec<(String, Value)> {
+    let mut out = vec![];
+    for (field, own) in schema["properties"].as_object().into_iter().flatten() {
+        let mut all = vec![];
+        kinds(own, &schema["$defs"], &mut all);
+        let takes = |kind: &str| all.iter().any(|k| k["type"].to_string().contains(kind));
+        if all.iter().any(|kind| kind["properties"].is_object()) && !takes("array") {
+            out.push((field.clone(), json!({ field.as_str(): ["a", "b"] })));
+        }
+        for items in all.iter().filter_map(|kind| kind.get("items")) {
+            let mut inner = vec![];
+            kinds(items, &schema["$defs"], &mut inner);
+            if inner.iter().any(|kind| kind["properties"].is_object()) {
+                out.push((field.clone(), json!({ field.as_str(): [["a", "b"]] })));
+            }
+        }
+    }
+    out
+}
+
+#[test]
+fn no_command_takes_a_list_for_an_object() {
+    let mut asked = 0;
+    for command in COMMANDS.iter() {
+        for (field, request) in with_lists(&command.schema()["request"]) {
+            asked += 1;
+            let problem = mckibben_app::ask_value(command.name, request.clone(), &mckibben::progress::Silent)
+                .unwrap_err();
+            let said = format!("{} {request}: {problem} {:?}", command.name, problem.field);
+            assert!(problem.kind == ProblemKind::Usage && problem.message.ends_with("not a list"), "{said}");
+            assert_eq!(problem.field.as_deref(), Some(field.as_str()), "{said}");
+            assert_eq!(command.read(request.clone()).unwrap_err(), problem, "{said}");
+        }
+    }
+    assert!(asked > 50, "{asked}");
+}
+
+#[test]
+fn lists_and_numbers_are_taken_where_the_schema_has_them() {
+    let design = COMMANDS.iter().find(|c| c.name == "design").unwrap();
+    for angle in [json!(20.0), json!([20.0, 25.0]), json!({ "low": 20.0, "high": 30.0 })] {
+        let request = json!({ "points": [{ "force_n": 300.0, "contraction": 0.1 }], "angle_deg": angle });
+        design.read(request).unwrap();
+    }
+}

@@ -1,0 +1,27 @@
+//! The fields of a muscle in requests.
+
+use mckibben::muscle::Measure;
+use mckibben_app::{ForceRequest, MuscleFields};
+use serde_json::{Map, Value};
+
+/// An identity: what is written is read, and in the order of the schema.
+#[test]
+fn fields_are_written_and_read_again_with_all_measures_among_them() {
+    let mut fields = MuscleFields::default();
+    fields.named.rubber = Some("paper".into());
+    for (i, (_, measure)) in mckibben::muscle::measures::fields().enumerate() {
+        fields.measures.set(measure, 1.0 + i as f64);
+    }
+    let request = ForceRequest { muscle: fields.clone(), ..ForceRequest::default() };
+    let text = serde_json::to_string(&request).unwrap();
+    assert_eq!(serde_json::from_str::<ForceRequest>(&text).unwrap().muscle, fields);
+    let written: Map<String, Value> = serde_json::from_str(&text).unwrap();
+    let schema = mckibben_app::schema("force").unwrap()["request"]["properties"].take();
+    let names: Vec<&String> = schema.as_object().unwrap().keys().collect();
+    let of_muscle = |name: &String| name == "rubber" || Measure::of_field(name).is_some();
+    let order: Vec<_> =
+        written.keys().filter(|k| of_muscle(k)).map(|k| names.iter().position(|n| *n == k)).collect();
+    assert!(order.is_sorted() && order.len() == fields.measures.iter().count() + 1, "{text}");
+    let wrong = serde_json::from_str::<ForceRequest>(r#"{"grip_mm": "x"}"#).unwrap_err().to_string();
+    assert!(wrong.contains("invalid type: string \"x\", expected f64"), "{wrong}");
+}
