@@ -1,11 +1,8 @@
 #!/usr/bin/env bash
-# The compiler of the workspace's own crates in .ci/run (RUSTC_WORKSPACE_WRAPPER): Clippy with every warning an error, once for each source.
-# Cargo compiles a crate that has unit tests twice, as a library and as a test program, which holds the library's source too: the first is
-# compiled as it is, the second with lints.
-compiler=$1
-shift
+# The compiler of the workspace's own crates in .ci/run (RUSTC_WORKSPACE_WRAPPER): with the lints of Clippy, once for each source. Cargo compiles a
+# crate with unit tests twice: as a library, and as a test program, which has the whole source of the library. Only the second has lints.
 case " $* " in
-*" --test "* | *" --crate-name _native "* | *" --crate-name build_script_build "*) exec clippy-driver "$compiler" "$@" ;;
-*" --crate-type lib "* | *" --crate-type bin "* | *" --crate-type cdylib "*) exec "$compiler" "$@" ;;
-*) exec clippy-driver "$compiler" "$@" ;;
+*" --test "*) exec clippy-driver "$@" ;;
+*" --crate-name mckibben_app "* | *" --crate-name _native "* | *" --crate-name build_script_build "*) exec clippy-driver "$@" ;;
+*) exec "$@" ;;
 esac

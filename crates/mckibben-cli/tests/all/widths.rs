@@ -58,10 +58,12 @@ fn a_file_is_the_same_whatever_the_terminal() {
     assert_eq!(text("60"), text("200"));
 }
 
-/// The verification cases take a while: as many columns as their table has, from the rows of one group.
+/// A page shows this command too; it takes long, and is not run again there.
+pub const VALIDATE: &str = "validate";
+
 #[test]
 fn the_cases_of_validate_fit_80_columns() {
-    let ran = with_columns("validate", Some("80")).ok();
+    let ran = with_columns(VALIDATE, Some("80")).ok();
     assert!(widest(ran.text()) <= 80, "{} columns\n{}", widest(ran.text()), ran.text());
 }
 

@@ -62,9 +62,13 @@ fn half_width_n(model: &dyn ForceModel, w: &mut Workspace, point: &DataPoint, bl
     Some(half_n.hypot(friction_n(model, w, at, point.at.branch, blocked_n)))
 }
 
-fn residual(model: &dyn ForceModel, w: &mut Workspace, point: &DataPoint) -> Option<Residual> {
+fn residual(
+    model: &dyn ForceModel,
+    w: &mut Workspace,
+    point: &DataPoint,
+    blocked_n: f64,
+) -> Option<Residual> {
     let pressure_mpa = point.at.pressure_mpa;
-    let blocked_n = model.force_n(w, pressure_mpa, 0.0).ok()?;
     let here = response_on(model, w, pressure_mpa, point.at.contraction, point.at.branch).ok()?;
     let left_n = match point.measured {
         // A muscle that hangs slack pulls with nothing.
@@ -92,6 +96,23 @@ struct Asked {
     section: Section,
     model: Option<Box<dyn ForceModel>>,
     workspace: Workspace,
+    /// Pressures in MPa with their blocked forces in N.
+    blocked: Vec<(f64, Option<f64>)>,
+}
+
+impl Asked {
+    /// Finite elements answer a neighbour of the last point fast, so that each pressure is asked once for its blocked force.
+    fn residual(&mut self, point: &DataPoint) -> Option<Residual> {
+        let (model, w) = (self.model.as_deref()?, &mut self.workspace);
+        let p = point.at.pressure_mpa;
+        let known = self.blocked.iter().find(|known| known.0 == p).map(|known| known.1);
+        let blocked_n = known.unwrap_or_else(|| {
+            let blocked_n = model.force_n(w, p, 0.0).ok();
+            self.blocked.push((p, blocked_n));
+            blocked_n
+        });
+        residual(model, w, point, blocked_n?)
+    }
 }
 
 /// What a muscle leaves of points, those left out to which the model has no answer.
@@ -101,12 +122,15 @@ pub(super) fn residuals<B: Build>(build: &B, muscle: &Muscle, points: &[&DataPoi
     for point in points {
         let known = models.iter().position(|m| m.section == point.section).unwrap_or_else(|| {
             let model = point.section.apply(muscle).ok().and_then(|m| build(&m).ok());
-            models.push(Asked { section: point.section, model, workspace: Workspace::new() });
+            models.push(Asked {
+                section: point.section,
+                model,
+                workspace: Workspace::new(),
+                blocked: vec![],
+            });
             models.len() - 1
         });
-        if let Some(Asked { model: Some(model), workspace, .. }) = models.get_mut(known) {
-            out.extend(residual(model.as_ref(), workspace, point));
-        }
+        out.extend(models.get_mut(known).and_then(|asked| asked.residual(point)));
     }
     out
 }
