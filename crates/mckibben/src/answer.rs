@@ -206,7 +206,7 @@ pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
         });
     }
     warnings.extend(of_response(model.muscle(), &response));
-    let largest = model.muscle().max_ideal_contraction();
+    let largest = model.muscle().free_ideal_contraction();
     warnings
         .extend((slack && contraction > largest).then_some(Warning::BeyondBraid { contraction, largest }));
     let asked = (pressure_mpa, contraction);

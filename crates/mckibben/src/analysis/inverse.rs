@@ -72,7 +72,7 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
     let pulled = |v: f64| if options.two_sided { v + force_n } else { (v + force_n).max(0.0) };
     let apart = |v: f64| (pulled(v) - force_n).abs();
     let none = |(nearest_pressure_mpa, v): (f64, f64)| {
-        let ideal = model.muscle().max_ideal_contraction();
+        let ideal = model.muscle().free_ideal_contraction();
         AnalysisError::NoPressure {
             model: info.name.to_string(),
             force_n,
@@ -359,7 +359,7 @@ fn contraction_down_to<M: ForceModel + ?Sized>(
     let start = info.range.contraction.0.max(0.0);
     // Past the ideal maximum nothing pulls, and strands that are straight hold; those that stretch reach a little further.
     let shortest =
-        (model.muscle().max_ideal_contraction() * 1.3 + 0.05).min(0.95).clamp(start, range.1.max(start));
+        (model.muscle().free_ideal_contraction() * 1.3 + 0.05).min(0.95).clamp(start, range.1.max(start));
     let straight = straight_strands(model.muscle()).max(range.0).min(start);
     let lowest = match stretch {
         Stretch::None => start,
@@ -376,6 +376,7 @@ fn contraction_down_to<M: ForceModel + ?Sized>(
         nearest_force_n: pulled(v),
         nearest_contraction,
         at_rest_n: at_rest.filter(|_| start == 0.0).map(pulled),
+        rod_stops_at: info.range.stop.filter(|stop| nearest_contraction >= stop - LAST_BITS && v > 0.0),
     };
     if let Some(companion) = can.companion {
         let ws = &mut Workspace::within(workspace.budget().clone());
