@@ -72,14 +72,20 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
     let pulled = |v: f64| if options.two_sided { v + force_n } else { (v + force_n).max(0.0) };
     let apart = |v: f64| (pulled(v) - force_n).abs();
     let none = |(nearest_pressure_mpa, v): (f64, f64)| {
-        let ideal = model.muscle().free_ideal_contraction();
+        let ideal = model.muscle().max_ideal_contraction();
+        // With a core rod through a seal it is not the braid that ends the pull.
+        let ends = model.muscle().ends().sealed_mm2() == 0.0;
         AnalysisError::NoPressure {
             model: info.name.to_string(),
             force_n,
             contraction,
             nearest_force_n: pulled(v),
             nearest_pressure_mpa,
-            braid_stops_at: (ideal > 0.0 && pulled(v) <= 0.0 && force_n >= 0.0 && contraction >= ideal)
+            braid_stops_at: (ends
+                && ideal > 0.0
+                && pulled(v) <= 0.0
+                && force_n >= 0.0
+                && contraction >= ideal)
                 .then_some(ideal),
         }
     };

@@ -72,7 +72,8 @@ impl<M: ForceModel + ?Sized> Seated<M> {
         let (ends, k) = (&self.ends, at.stiffness_n_per_mm);
         let (slip, bore, series) = (ends.slip_mm_per_n, ends.bore_mm2(), ends.series_factor(k));
         let sealed = ends.sealed_mm2();
-        let by_pressure = inner.force_per_pressure_mm2.map(|slope| (slope - k * slip * bore) / series + sealed);
+        let by_pressure =
+            inner.force_per_pressure_mm2.map(|slope| (slope - k * slip * bore) / series + sealed);
         let by_contraction = inner.volume_per_contraction_mm3.map(|slope| {
             slope * (ends.length_mm / ends.active_mm()) / series - slip * bore * k * ends.length_mm / series
                 + sealed * ends.length_mm
@@ -186,7 +187,8 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
             return Ok(self.ends.whole_n(p, self.end_state(workspace, p, e)?.1.force_n));
         }
         let x = self.between(p, e, 0.0);
-        let inner = self.inner.force_n(workspace, p, x).map_err(|error| self.for_whole_muscle(error, e, x))?;
+        let inner =
+            self.inner.force_n(workspace, p, x).map_err(|error| self.for_whole_muscle(error, e, x))?;
         self.check_rod(p, x, e)?;
         Ok(self.ends.whole_n(p, inner))
     }

@@ -2,7 +2,7 @@
 
 use crate::models::complete;
 use mckibben::analysis::{Options, contraction_at, free_contraction, pressure_at, unloaded_contraction};
-use mckibben::model::{ForceModel, ModelKind, Workspace};
+use mckibben::model::{ModelKind, Workspace};
 use mckibben::muscle::{EndFactor, Muscle, Terminals};
 
 /// Virtual work: a rod through a seal adds P A to the pull of any model and takes A (La − ε L0) off its volume, A = π 8²/4 mm² by hand 50.26548; a rod that ends inside

@@ -157,7 +157,8 @@ mod tests {
         let plain = model(0.4, 2.0, 60.0, BraidStiffness::NewtonPerMm(100.0));
         let muscle = plain.info().muscle.clone();
         let cored = |length: Option<f64>| {
-            let ends = Terminals { rod_diameter_mm: Some(12.0), rod_length_mm: length, ..Terminals::default() };
+            let ends =
+                Terminals { rod_diameter_mm: Some(12.0), rod_length_mm: length, ..Terminals::default() };
             ThickWall::new(&muscle.with_terminals(ends).unwrap()).buckling_n(0.1, -0.02).unwrap().0
         };
         let free = plain.buckling_n(0.1, -0.02).unwrap().0;

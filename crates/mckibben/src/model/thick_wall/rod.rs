@@ -114,11 +114,9 @@ impl ThickWall {
         let r2 = (section / (l * l * l) - r1 * r1) / r;
         let (energy_l, strain) = (w.l + b.l, b.strain);
         let force = energy_l + energy_r * r1 - p * PI * rod.radius_mm * rod.radius_mm;
-        let force_l =
-            w.ll + b.ll + 2.0 * (w.lr + b.lr) * r1 + (w.rr + b.rr) * r1 * r1 + energy_r * r2;
+        let force_l = w.ll + b.ll + 2.0 * (w.lr + b.lr) * r1 + (w.rr + b.rr) * r1 * r1 + energy_r * r2;
         let stretch = 1.0 + strain;
-        let strain_by =
-            (self.cos2 * l + self.sin2 * (r + self.offset) / (self.rs * self.rs) * r1) / stretch;
+        let strain_by = (self.cos2 * l + self.sin2 * (r + self.offset) / (self.rs * self.rs) * r1) / stretch;
         Ok(Some(State {
             r,
             r_by: [r1, 0.0],
@@ -216,7 +214,9 @@ impl ThickWall {
                     force_l: k1 * k2 * l1 * l1 / stiff,
                     force_p: two.force_p - k2 * l2 * cross / stiff,
                     volume: x * v1 + (1.0 - x) * v2,
-                    volume_p: 2.0 * PI * (x * one.r * one.r_by[1] * l1 + (1.0 - x) * two.r * two.r_by[1] * l2)
+                    volume_p: 2.0
+                        * PI
+                        * (x * one.r * one.r_by[1] * l1 + (1.0 - x) * two.r * two.r_by[1] * l2)
                         + cross * cross / stiff,
                     parts: [(x, l1, one), (1.0 - x, l2, two)],
                 }));

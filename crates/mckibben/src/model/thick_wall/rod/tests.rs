@@ -68,14 +68,18 @@ fn slopes_are_those_of_differences_and_virtual_work_holds() {
     for rod in [None, Some(90.0)] {
         let plain = soft(rod);
         let slips = Terminals { slip_mm_per_n: Some(1e-2), grip_mm: Some(3.0), ..plain.terminals().clone() };
-        let stiff = plain.with_tube(Tube { rubber: Rubber::of(yeoh.clone()), ..plain.tube().clone() }).unwrap();
+        let stiff =
+            plain.with_tube(Tube { rubber: Rubber::of(yeoh.clone()), ..plain.tube().clone() }).unwrap();
         for m in [plain.clone(), plain.with_terminals(slips).unwrap(), stiff] {
             for (p, l) in [(0.05, 1.0), (0.02, 1.2), (0.1, 1.25)] {
                 let h = 1e-5;
                 let at = |p: f64, l: f64| response(&m, p, l);
                 let here = at(p, l);
                 let by = |of: &dyn Fn(&Response) -> f64| {
-                    ((of(&at(p, l + h)) - of(&at(p, l - h))) / (2.0 * h), (of(&at(p + h, l)) - of(&at(p - h, l))) / (2.0 * h))
+                    (
+                        (of(&at(p, l + h)) - of(&at(p, l - h))) / (2.0 * h),
+                        (of(&at(p + h, l)) - of(&at(p - h, l))) / (2.0 * h),
+                    )
                 };
                 let (force_l, force_p) = by(&|r| r.force_n);
                 let (volume_l, volume_p) = by(&|r| r.volume_mm3.unwrap());
