@@ -2,8 +2,8 @@
 
 use super::limit::{Limit, Probe, Score, air_of, full_response, need};
 use super::spec::{Build, OperatingPoint, Spec};
-use mckibben::analysis::{Burst, burst, force_on, free_contraction, work_per_stroke_j};
-use mckibben::model::{ModelError, Response, ThickWall, Workspace};
+use mckibben::analysis::{Burst, burst, force_on, unloaded_contraction, work_per_stroke_j};
+use mckibben::model::{ModelError, ModelKind, Response, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::uncertainty::uncertainty;
 use serde::Serialize;
@@ -100,7 +100,8 @@ pub(super) fn candidate(
     let model = build(muscle)?;
     let model = model.as_ref();
     let workspace = &mut Workspace::new();
-    let thick_wall = ThickWall::new(muscle);
+    let thick_wall = ModelKind::ThickWall.build(muscle)?;
+    let thick_wall = &*thick_wall;
     let mut from_thick_wall: Vec<&'static str> = vec![];
     let options = spec.options();
     let wanted = spec.points(muscle);
@@ -110,11 +111,11 @@ pub(super) fn candidate(
             force_on(model, workspace, spec.max_pressure_mpa, point.contraction, options.direction)?;
         let pressure_mpa = need(spec, model, workspace, point, available_n)?;
         let (mut response, filled) =
-            full_response(model, workspace, &thick_wall, pressure_mpa, point.contraction)?;
+            full_response(model, workspace, thick_wall, pressure_mpa, point.contraction)?;
         (response.pressure_mpa, response.force_n) = (pressure_mpa, point.force_n);
         from_thick_wall.extend(filled);
         let (air_normal_litres, helped) =
-            air_of(model, workspace, &thick_wall, pressure_mpa, point.contraction);
+            air_of(model, workspace, thick_wall, pressure_mpa, point.contraction);
         if helped {
             from_thick_wall.push("air");
         }
@@ -134,9 +135,9 @@ pub(super) fn candidate(
         });
     }
     let max = spec.max_pressure_mpa;
-    let free = free_contraction(model, workspace, max, options).ok().or_else(|| {
+    let free = unloaded_contraction(model, workspace, max, options).ok().or_else(|| {
         from_thick_wall.push("free contraction");
-        free_contraction(&thick_wall, workspace, max, options).ok()
+        unloaded_contraction(thick_wall, workspace, max, options).ok()
     });
     let burst = burst(model, workspace).ok();
     if burst.is_some_and(|b| b.from_thick_wall) {

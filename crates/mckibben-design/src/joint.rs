@@ -6,7 +6,7 @@ use super::run::{Models, Outcome, design_with};
 use super::search::{Search, nice_steps};
 use super::spec::{Build, Spec, SpecError};
 use mckibben::analysis::golden;
-use mckibben::model::ThickWall;
+use mckibben::model::ModelKind;
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben::units::Values;
 use std::cmp::Ordering;
@@ -70,7 +70,7 @@ pub fn design_joint(
         (radius, merit)
     };
     // The best radius hardly depends on the model: where another one settles, the infinitely long muscle says about where it lies.
-    let thick: &Build<'_> = &|m| Ok(Box::new(ThickWall::new(m)));
+    let thick: &Build<'_> = &|m| ModelKind::ThickWall.build(m);
     let roughly = if coarse { Models { search: thick, settle: None } } else { models };
     let samples: Vec<Tried> = places.iter().map(|&r| tried(r, roughly)).collect();
     let best = best_of(&samples);

@@ -7,7 +7,7 @@ use mckibben::analysis::life::wear;
 use mckibben::analysis::{
     AnalysisError, FailureMode, FailurePressure, air_per_stroke, burst, force_on, pressure_at, pressure_up_to,
 };
-use mckibben::model::{ForceModel, ModelError, Response, ThickWall, Workspace};
+use mckibben::model::{ForceModel, ModelError, ModelKind, Response, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::uncertainty::uncertainty;
 use serde::{Deserialize, Serialize};
@@ -128,7 +128,8 @@ pub(super) fn probe_with(
     let model = build(muscle)?;
     let model = model.as_ref();
     let (max, direction) = (spec.max_pressure_mpa, spec.options().direction);
-    let thick_wall = ThickWall::new(muscle);
+    let thick_wall = ModelKind::ThickWall.build(muscle)?;
+    let thick_wall = &*thick_wall;
     let mut checks = vec![];
     let points = spec.points(muscle);
     for &point in points.iter() {
@@ -161,13 +162,13 @@ pub(super) fn probe_with(
             highest = highest.max(p);
             if buckles {
                 // Strands that slide on the tube: the smaller of the two loads.
-                let (least_n, _) = thick_wall.buckling_n(p, point.contraction)?;
+                let (least_n, _) = ThickWall::new(muscle).buckling_n(p, point.contraction)?;
                 checks.push(Check::new(Limit::Buckling, point.force_n.abs(), least_n));
             }
             if !(shaped || by_pressure) {
                 continue;
             }
-            let (full, _) = full_response(model, workspace, &thick_wall, p, point.contraction)?;
+            let (full, _) = full_response(model, workspace, thick_wall, p, point.contraction)?;
             if let (Some(bound), Some(value)) = (limits.bulged_diameter_mm, full.bulged_diameter_mm) {
                 checks.push(Check::new(Limit::BulgedDiameter, value, bound));
             }
@@ -182,12 +183,12 @@ pub(super) fn probe_with(
             bulge = bulge.max(full.bulged_diameter_mm.unwrap_or(0.0));
             if scored && spec.objective == Objective::Air {
                 air = air.max(
-                    air_of(model, workspace, &thick_wall, p, point.contraction).0.unwrap_or(f64::INFINITY),
+                    air_of(model, workspace, thick_wall, p, point.contraction).0.unwrap_or(f64::INFINITY),
                 );
             }
         }
     }
-    checks.extend(strands(spec, &points, model, workspace, &thick_wall)?);
+    checks.extend(strands(spec, &points, model, workspace, thick_wall)?);
     let margin = points.iter().zip(&checks).map(|(q, c)| c.value / q.force_n - 1.0);
     let score = match spec.objective {
         Objective::Diameter => [muscle.outer_diameter_mm(), highest],
@@ -211,7 +212,7 @@ pub(super) fn strands(
     points: &[OperatingPoint],
     model: &dyn ForceModel,
     workspace: &mut Workspace,
-    thick_wall: &ThickWall,
+    thick_wall: &dyn ForceModel,
 ) -> Result<Vec<Check>, ModelError> {
     let (limits, max, muscle) = (&spec.limits, spec.max_pressure_mpa, model.muscle());
     let strength = muscle.braid().strands.and_then(|s| s.strength_n);
@@ -290,7 +291,7 @@ pub(super) fn need(
 pub(super) fn full_response(
     model: &dyn ForceModel,
     workspace: &mut Workspace,
-    thick_wall: &ThickWall,
+    thick_wall: &dyn ForceModel,
     p: f64,
     contraction: f64,
 ) -> Result<(Response, Vec<&'static str>), ModelError> {
@@ -322,7 +323,7 @@ pub(super) fn full_response(
 pub(super) fn air_of(
     model: &dyn ForceModel,
     workspace: &mut Workspace,
-    thick_wall: &ThickWall,
+    thick_wall: &dyn ForceModel,
     p: f64,
     contraction: f64,
 ) -> (Option<f64>, bool) {

@@ -4,7 +4,7 @@ use super::demand::Demand;
 use super::limit::{Limit, burst_margin, probe};
 use super::spec::{Build, Limits, OperatingPoint, Spec};
 use mckibben::analysis::{Options, contraction_at, force_on, pressure_at};
-use mckibben::model::{ForceModel, ThickWall, Workspace};
+use mckibben::model::{ForceModel, ModelKind, Workspace};
 use mckibben::muscle::Muscle;
 use serde::Serialize;
 
@@ -207,12 +207,12 @@ fn wider(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<Relaxation> 
             scaled_to: None,
         });
     }
-    let thick: &Build<'_> = &|m| Ok(Box::new(ThickWall::new(m)));
-    let other = ThickWall::new(muscle);
+    let thick: &Build<'_> = &|m| ModelKind::ThickWall.build(m);
+    let other = thick(muscle).ok()?;
     let workspace = &mut Workspace::new();
     let scaled = |p: &OperatingPoint| {
         let mut at = |m: &dyn ForceModel| m.force_n(workspace, spec.max_pressure_mpa, p.contraction).ok();
-        let ratio = at(&other)? / at(own.as_ref())?;
+        let ratio = at(&*other)? / at(own.as_ref())?;
         (ratio.is_finite() && ratio > 0.0).then_some(OperatingPoint { force_n: p.force_n * ratio, ..*p })
     };
     let points = spec.points(muscle).iter().map(scaled).collect::<Option<Vec<_>>>()?;

@@ -11,7 +11,7 @@ use super::run::Models;
 use super::spec::{BraidChoice, Build, Objective, Spec};
 use super::tubes::TubePart;
 use mckibben::analysis::{force_on, golden};
-use mckibben::model::{ModelError, ThickWall, Workspace};
+use mckibben::model::{ModelError, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube};
 use mckibben::progress::Progress;
 use mckibben::threads;
@@ -260,7 +260,7 @@ impl<'a> Search<'a> {
             let Some(muscle) = self.muscle(pick).ok().filter(|_| !self.progress.cancelled()) else {
                 return result;
             };
-            let thick: &Build<'_> = &|m| Ok(Box::new(ThickWall::new(m)));
+            let thick: &Build<'_> = &|m| ModelKind::ThickWall.build(m);
             let build = if self.is_far_too_weak(&muscle) { thick } else { self.build };
             let sample = self.sample(pick, build, &mut result, true);
             if sample.fits() {
@@ -276,10 +276,11 @@ impl<'a> Search<'a> {
 
     /// Whether even the infinitely long muscle, which pulls harder than a short one, is far from a pull that is wanted: nothing better need be asked.
     fn is_far_too_weak(&self, muscle: &Muscle) -> bool {
-        let (model, workspace) = (ThickWall::new(muscle), &mut Workspace::new());
+        let Ok(model) = ModelKind::ThickWall.build(muscle) else { return false };
+        let workspace = &mut Workspace::new();
         let (max, direction) = (self.spec.max_pressure_mpa, self.spec.options().direction);
         self.spec.points(muscle).iter().any(|q| {
-            force_on(&model, workspace, max, q.contraction, direction)
+            force_on(&*model, workspace, max, q.contraction, direction)
                 .is_ok_and(|pull| pull / q.force_n < FAR_TOO_WEAK)
         })
     }

@@ -177,8 +177,9 @@ impl Moved {
                         "such as mass = \"10 kg\" in [load], or held = \"0 %\" for a muscle with fixed ends";
                     Problem::new(ProblemKind::File, "the drive has no [load], so that nothing moves", hint)
                 })?;
-                let (damping_n_s_per_m, stops_mm) = (file.damping_n_s_per_m, file.stops_mm);
-                Some(SingleMuscle { damping_n_s_per_m, stops_mm, ..SingleMuscle::new(&**model, load) })
+                let free = SingleMuscle::new(&**model, load);
+                let stops_mm = (file.stops_mm.0.max(free.stops_mm.0), file.stops_mm.1.min(free.stops_mm.1));
+                Some(SingleMuscle { damping_n_s_per_m: file.damping_n_s_per_m, stops_mm, ..free })
             }
             _ => None,
         })

@@ -13,6 +13,8 @@ pub struct Extensions<'m> {
     pub mesh: Option<&'m dyn Mesh>,
     /// It computes how the strands press on each other.
     pub contact: Option<&'m dyn Contact>,
+    /// It computes the contact of the tube with a core rod.
+    pub rod_contact: bool,
     /// It has a way for lists of points that all lie within bounds.
     pub lists: Option<&'m dyn Lists>,
     /// A model with nearly the same answers at a fraction of the cost, by which a pull that no pressure gives is refused at once.

@@ -8,4 +8,5 @@ mod inverses;
 mod life;
 mod literature;
 mod models;
+mod rods;
 mod temperature;

@@ -15,7 +15,7 @@ use proptest::prelude::*;
 use std::f64::consts::PI;
 
 /// A muscle of which every model finds what it needs.
-fn complete(end_factor: EndFactor) -> Muscle {
+pub fn complete(end_factor: EndFactor) -> Muscle {
     let m = Muscle::prototype();
     let measured = Some(MeasuredStrand { strand_length_mm: 325.0, turns: 1.62 });
     let terminals =

@@ -10,8 +10,8 @@ use crate::analysis::characteristics::free_contraction;
 use crate::analysis::error::AnalysisError;
 use crate::analysis::root::{RootError, find_root};
 use crate::budget::Budget;
-use crate::model::{ForceModel, ModelError, ThickWall, Workspace};
-use crate::muscle::{Muscle, NEUTRAL_ANGLE_DEG};
+use crate::model::{ModelError, ModelKind, Workspace};
+use crate::muscle::Muscle;
 use crate::rubber::{RubberLaw, library};
 
 /// Where the search ends if nothing else fails before, in MPa.
@@ -43,12 +43,12 @@ pub fn tearing(
         return Ok(FailurePressure::Unknown(NoBurst::NoElongation));
     };
     // At the neutral angle, with strands that give way.
-    if Radii::of(muscle).largest_stretch(NEUTRAL_ANGLE_DEG.to_radians(), 1.0 + STRAND_STRAIN) < breaks {
+    if Radii::of(muscle).largest_stretch(muscle.free_angle_rad(), 1.0 + STRAND_STRAIN) < breaks {
         return Ok(FailurePressure::None);
     }
-    let (model, mut workspace) = (ThickWall::new(muscle), Workspace::within(budget.clone()));
+    let (model, mut workspace) = (ModelKind::ThickWall.build(muscle)?, Workspace::within(budget.clone()));
     let mut over = |p: f64| -> Result<f64, AnalysisError> {
-        let free = free_contraction(&model, &mut workspace, p, Options::extrapolating())?;
+        let free = free_contraction(&*model, &mut workspace, p, Options::extrapolating())?;
         Ok(model.response(&mut workspace, p, free)?.max_stretch.unwrap_or(1.0) - breaks)
     };
     let highest = below_mpa.unwrap_or(HIGHEST_MPA).min(HIGHEST_MPA);

@@ -12,13 +12,13 @@
 //! which has its maximum [`CAP`] · μ t/a at 103°: beyond that pressure the bulge grows without end. A wall that is thick beside the opening bends instead: the
 //! surface of an elastic half-space bulges by P a/(2μ) over a hole, as far as the wall is thick at P = 2 μ t/a, nearly the same.
 //!
-//! The opening is widest at 45°. P is the least one over the angles from that at rest to 54.7°, since an unloaded muscle passes them all; the strands keep their
+//! The opening is widest at 45°. P is the least one over the angles from that at rest to 54.7° (further with a core rod through a seal), since an unloaded muscle passes them all; the strands keep their
 //! length here and the rubber its volume. It is an estimate, good to a factor of about 2: rubbers stiffen, strands have edges, and openings differ.
 
 use super::radii::Radii;
 use super::{FailurePressure, NoBurst};
 use crate::analysis::root::find_root;
-use crate::muscle::{Muscle, NEUTRAL_ANGLE_DEG};
+use crate::muscle::Muscle;
 use crate::rubber::RubberLaw;
 use std::convert::Infallible;
 use std::f64::consts::PI;
@@ -67,7 +67,7 @@ fn cap(phi: f64) -> f64 {
 pub fn herniation(muscle: &Muscle) -> FailurePressure {
     let Some(openings) = Openings::of(muscle) else { return FailurePressure::Unknown(NoBurst::NoOpening) };
     let first = muscle.braid().angle_rad();
-    let last = NEUTRAL_ANGLE_DEG.to_radians();
+    let last = muscle.free_angle_rad();
     let at = |i: usize| first + (last - first) * i as f64 / ANGLES as f64;
     let least = (0..=ANGLES).filter_map(|i| openings.pressure_mpa(at(i))).reduce(f64::min);
     least.map_or(FailurePressure::None, FailurePressure::At)

@@ -45,7 +45,7 @@ pub(super) struct BraidEnergy {
     pub(super) ll: f64,
     pub(super) lr: f64,
     pub(super) rr: f64,
-    strain: f64,
+    pub(super) strain: f64,
 }
 
 impl ThickWall {
@@ -78,7 +78,7 @@ impl ThickWall {
     }
 
     /// Sum of all strand tensions at a strain: N·T = 4π Rs cosθ0 k (λf − 1).
-    fn tension(&self, k: f64, strain: f64) -> f64 {
+    pub(super) fn tension(&self, k: f64, strain: f64) -> f64 {
         if strain <= 0.0 && !self.compression {
             return 0.0;
         }
@@ -106,13 +106,18 @@ impl ThickWall {
         self.state_near(p, l, None)
     }
 
-    /// The same from a guess of the outer radius.
+    /// The same from a guess of the outer radius; not below a core rod through the bore.
     pub(in crate::model) fn state_near(
         &self,
         p: f64,
         l: f64,
         near: Option<f64>,
     ) -> Result<State, ModelError> {
+        self.state_on_rod(p, l, near)
+    }
+
+    /// The same without a rod.
+    pub(super) fn free_state(&self, p: f64, l: f64, near: Option<f64>) -> Result<State, ModelError> {
         let contraction = 1.0 - l;
         let straight = 1.0 / self.cos2.sqrt();
         if !(l > 0.0 && l.is_finite()) || (self.k.is_none() && l >= straight) {
@@ -314,7 +319,8 @@ impl ThickWall {
             let rest = self.rigid(0.0, l, taut, &w, 0.0);
             let p = (force - rest.force) / rest.force_p;
             let tight = 2.0 * PI * taut * l * p >= w.r || self.compression;
-            return (rest.force_p > 0.0 && p >= 0.0 && p.is_finite() && tight).then_some(p);
+            let found = rest.force_p > 0.0 && p >= 0.0 && p.is_finite() && tight;
+            return (found && self.is_clear(l, taut)).then_some(p);
         };
         let mut r = taut * 1.002;
         for _ in 0..25 {
@@ -333,13 +339,13 @@ impl ThickWall {
                 let b = self.braid(k, l, r);
                 let p = (w.r + b.r) / (2.0 * PI * r * l);
                 let stable = w.rr + b.rr > 2.0 * PI * l * p && b.strain < LARGEST_STRAND_STRETCH - 1.0;
-                return (b.strain > 0.0 && stable && p >= 0.0).then_some(p);
+                return (b.strain > 0.0 && stable && p >= 0.0 && self.is_clear(l, r)).then_some(p);
             }
         }
         None
     }
 
-    fn finite(&self, w: WallEnergy, l: f64, r: f64) -> Result<WallEnergy, ModelError> {
+    pub(super) fn finite(&self, w: WallEnergy, l: f64, r: f64) -> Result<WallEnergy, ModelError> {
         if w.l.is_finite() && w.r.is_finite() && w.ll.is_finite() { Ok(w) } else { Err(self.locked(l, r)) }
     }
 

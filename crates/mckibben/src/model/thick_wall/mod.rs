@@ -12,17 +12,19 @@
 //!   F = F_ideal(outer D0) + dW/dλ.
 //!
 //! Strands carry no compression unless the braid says so: where the tube alone would not reach the braid, they are left
-//! out. Sources: Liu & Rahn (2003) \[liu2003\]; Soleymani & Khajehsaeid (2020) \[soleymani2020\] for inextensible strands; derived here for strands
+//! out. A core rod in the bore bounds it ([`rod`]). Sources: Liu & Rahn (2003) \[liu2003\]; Soleymani & Khajehsaeid (2020) \[soleymani2020\] for inextensible strands; derived here for strands
 //! that stretch.
 
 mod bending;
 mod equilibrium;
+mod rod;
 mod square;
 #[cfg(test)]
 mod tests;
 
 pub use bending::BendingStiffness;
 pub(super) use equilibrium::State;
+use rod::RodInBore;
 
 use super::{
     Accuracy, Contact, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, ModelRange,
@@ -59,6 +61,7 @@ pub struct ThickWall {
     cos2: f64,
     /// k of one family; `None`: inextensible
     k: Option<f64>,
+    rod: Option<RodInBore>,
     compression: bool,
 }
 
@@ -96,6 +99,7 @@ impl ThickWall {
             sin2: sin * sin,
             cos2: cos * cos,
             k,
+            rod: RodInBore::of(muscle),
             compression: muscle.braid().compression,
         }
     }
@@ -188,6 +192,9 @@ impl ForceModel for ThickWall {
         contraction: f64,
     ) -> Result<Response, ModelError> {
         let (l, l_eps, l_p) = self.stretch(pressure_mpa, contraction);
+        if let Some(parted) = self.parted(pressure_mpa, l)? {
+            return Ok(self.parted_response(&parted, (pressure_mpa, contraction), (l_eps, l_p)));
+        }
         let s = self.state(pressure_mpa, l)?;
         let length = self.info.muscle.length_mm();
         let by_stretch = PI * length * (s.r * s.r + 2.0 * s.r * s.r_by[0] * l);
@@ -210,11 +217,14 @@ impl ForceModel for ThickWall {
 
     fn force_n(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
         let (l, _, _) = self.stretch(pressure_mpa, contraction);
-        Ok(self.state(pressure_mpa, l)?.force)
+        Ok(match self.parted(pressure_mpa, l)? {
+            Some(parted) => parted.force(),
+            None => self.state(pressure_mpa, l)?.force,
+        })
     }
 
     fn extensions(&self) -> Extensions<'_> {
-        Extensions { inverse: Some(self), contact: Some(self), ..Extensions::default() }
+        Extensions { inverse: Some(self), contact: Some(self), rod_contact: true, ..Extensions::default() }
     }
 }
 
