@@ -64,7 +64,7 @@ pub use response::Response;
 pub(crate) use root::rising_root;
 pub use rounded_ends::RoundedEnds;
 pub use seated::{Seated, with_ends};
-pub use thick_wall::{BendingStiffness, ThickWall};
+pub use thick_wall::{BendingStiffness, BentMuscle, BentSection, BentState, OnPulley, Strands, ThickWall};
 pub use tondu_lopez::TonduLopez;
 pub use tondu_pressures::{largest_pressure_mpa, smallest_pressure_mpa};
 pub use universal::{EndPoint, Universal};

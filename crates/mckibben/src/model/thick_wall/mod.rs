@@ -16,12 +16,14 @@
 //! that stretch.
 
 mod bending;
+mod bent;
 mod equilibrium;
 mod square;
 #[cfg(test)]
 mod tests;
 
 pub use bending::BendingStiffness;
+pub use bent::{BentMuscle, BentSection, BentState, OnPulley, Strands};
 pub(super) use equilibrium::State;
 
 use super::{
