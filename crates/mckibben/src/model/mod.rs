@@ -6,6 +6,7 @@
 
 mod accuracy;
 mod belforte;
+mod bent;
 mod bounds;
 mod chou_hannaford;
 mod conical_ends;
@@ -40,6 +41,7 @@ mod workspace;
 
 pub use accuracy::{Accuracy, BlockedAt, Reference, Specimen, Where};
 pub use belforte::Belforte;
+pub use bent::{BendState, Bent};
 pub use bounds::{Bounds, pulls_within};
 pub use chou_hannaford::ChouHannaford;
 pub use conical_ends::ConicalEnds;

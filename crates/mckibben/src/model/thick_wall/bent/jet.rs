@@ -1,10 +1,10 @@
-//! Numbers with their first and second derivatives in six variables, and Newton's method for the stationary point in the first of them.
+//! Numbers with their first and second derivatives in seven variables, and Newton's method for the stationary point in the first of them.
 
 use std::array::from_fn;
 use std::ops::{Add, Mul, Sub};
 
 /// Variables.
-pub(super) const N: usize = 6;
+pub(super) const N: usize = 7;
 /// Steps after which Newton's method gives up.
 const STEPS: usize = 60;
 /// Relative step with which it ends; what is left is of the order of its square.

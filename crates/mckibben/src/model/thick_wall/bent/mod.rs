@@ -1,12 +1,12 @@
 //! A muscle that is bent around a pulley: its potential, pull and moment.
 //!
 //! A muscle of the length L0 at rest lies on a pulley of radius R over the angle α; the rest of it, of the length S, is straight. With the outer radius r
-//! and the flattening δ of the part on the pulley, its axis runs at ρ = R + r − δ, at the curvature κ = 1/ρ, and
+//! and the flattening δ = ζ r + δ′ of the part on the pulley, its axis runs at ρ = R + r − δ, at the curvature κ = 1/ρ, and
 //!
-//!   Π = (L0 − Lb) e(λs; P) + Lb [E(λ, κ, r) − P π (r² λ − (Ro² − Ri²)) + λ U(δ)],
+//!   Π = (L0 − Lb) e(λs; P) + Lb [E(λ, κ, r, ζ) − P π (r² λ − (Ro² − Ri²)) + λ U(ζ r, δ′)],
 //!   Lb = α ρ/λ,  λs = S/(L0 − Lb)
 //!
-//! with e of the straight muscle, E of the bent section ([`section`]) and Lb the length at rest of what lies on the pulley. Without friction λ, r and δ
+//! with e of the straight muscle, E of the bent section ([`section`]) and Lb the length at rest of what lies on the pulley. Without friction λ, r, ζ and δ′
 //! make Π stationary: the axial force is the same along the muscle, and rubber slides on the pulley until it is. As the muscle shortens by
 //! x (measured at the radius at rest, α = α0 − x/(R + Ro)), virtual work gives
 //!
@@ -16,10 +16,10 @@
 //!
 //! **Flattening.** The pulley carries q = N/ρ per length on one line of the muscle. A circle of membrane under the pressure P with an inextensible
 //! circumference gives way by u = (q/π) Σ cosnφ/(P (n² − 1)), n ≥ 2, against the centre of its circumference: δ = 3q/(4π P). The bending stiffness
-//! D = μ s³/3 of the wall adds D (n² − 1)²/Rm³, which alone gives δ = 0.1350 q Rm³/(π D). Both are taken as springs side by side,
-//! which is a bound:
+//! D = μ s³/3 of the wall adds D (n² − 1)²/Rm³ to P (n² − 1). The wave of n = 2 is ζ, which the bend itself makes too; the others are δ′, for which both parts
+//! are taken as springs side by side (a bound):
 //!
-//!   U(δ) = ½ δ² [4π P/3 + π D/(0.1350 Rm³)].
+//!   U = ½ π [3P + 9D/Rm³] (ζ r)² + ½ π [12P/5 + D/(0.0239 Rm³)] δ′².
 //!
 //! Derived here. No measured muscle on a pulley is known to compare with.
 
@@ -38,8 +38,11 @@ use jet::{Jet, Stationary};
 use section::{ANGLES, Section};
 use std::f64::consts::PI;
 
-/// Σ 1/(n² − 1)² over n ≥ 2: π²/12 − 11/16.
-const RING: f64 = PI * PI / 12.0 - 11.0 / 16.0;
+/// Σ 1/(n² − 1)² over n ≥ 3: π²/12 − 11/16 − 1/9.
+const RING: f64 = PI * PI / 12.0 - 11.0 / 16.0 - 1.0 / 9.0;
+/// Places of x and P among the variables.
+const X: usize = 5;
+const P: usize = 6;
 /// Strands that do not stretch have this stiffness, in N/mm per mm of radius: a strain of 10⁻⁴ at 1 MPa.
 const RIGID_N_PER_MM2: f64 = 1e4;
 
@@ -75,7 +78,7 @@ pub struct BentState {
     pub pull_n: f64,
     /// ρ in mm.
     pub axis_mm: f64,
-    /// Outer radius of what lies on the pulley, in mm.
+    /// Outer radius of what lies on the pulley, of the circle of the same circumference, in mm.
     pub outer_radius_mm: f64,
     /// δ in mm.
     pub flattening_mm: f64,
@@ -92,15 +95,17 @@ pub struct BentSection {
     pub force_n: f64,
     /// ∂Π/∂κ per length at rest in N mm.
     pub moment_n_mm: f64,
-    /// Outer radius in mm.
+    /// Outer radius of the circle of the same circumference in mm.
     pub outer_radius_mm: f64,
+    /// ζ.
+    pub oval: f64,
 }
 
 /// What a bend costs a muscle: the infinitely long muscle, part of it on a pulley.
 #[derive(Debug, Clone)]
 pub struct BentMuscle {
     long: ThickWall,
-    /// π D/(0.1350 Rm³) in MPa.
+    /// D/Rm³ in MPa.
     ring_mpa: f64,
 }
 
@@ -113,7 +118,7 @@ impl BentMuscle {
         let middle = tube.outer_radius_mm() - 0.5 * tube.wall_mm;
         let bending = long.law.shear_modulus_mpa() * tube.wall_mm.powi(3) / 3.0;
         Self {
-            ring_mpa: PI * bending / (RING * middle.powi(3)),
+            ring_mpa: bending / middle.powi(3),
             long: ThickWall { k: Some(stiffness), ..long },
         }
     }
@@ -165,23 +170,26 @@ impl BentMuscle {
         angles: usize,
     ) -> Result<BentSection, ModelError> {
         let (r, m) = self.start(strands, p, stretch)?;
-        let potential = |y: &[f64; 2]| {
+        let potential = |y: &[f64; 3]| {
             let of = Section {
                 radius: Jet::variable(y[0], 0),
-                multiplier: Jet::variable(y[1], 1),
-                stretch: Jet::variable(stretch, 2),
-                curvature: Jet::variable(curvature, 3),
+                oval: Jet::variable(y[1], 1),
+                multiplier: Jet::variable(y[2], 2),
+                stretch: Jet::variable(stretch, 3),
+                curvature: Jet::variable(curvature, 4),
             };
             let volume = of.radius * of.radius * of.stretch * (PI * p);
-            Ok::<_, ModelError>(self.long.bent_energy(strands, &of, angles)? - volume)
+            let oval = self.oval_energy(&of, &Jet::constant(p));
+            Ok::<_, ModelError>(self.long.bent_energy(strands, &of, angles)? - volume + oval)
         };
-        let found = Stationary::find([r, m], [r, self.scale_n(p)], potential)?;
+        let found = Stationary::find([r, 0.0, m], [r, 1.0, self.scale_n(p)], potential)?;
         let found = found.ok_or_else(|| self.not_found(p, stretch))?;
         Ok(BentSection {
             potential_n: found.value(),
-            force_n: found.by(2),
-            moment_n_mm: found.by(3),
+            force_n: found.by(3),
+            moment_n_mm: found.by(4),
             outer_radius_mm: found.at[0],
+            oval: found.at[1],
         })
     }
 
@@ -209,16 +217,11 @@ impl BentMuscle {
                 ),
             });
         }
-        let potential = |y: &[f64; 4]| {
-            let (l, r, flat, m) = (
-                Jet::variable(y[0], 0),
-                Jet::variable(y[1], 1),
-                Jet::variable(y[2], 2),
-                Jet::variable(y[3], 3),
-            );
-            let (by_x, pressure) = (Jet::variable(x, 4), Jet::variable(p, 5));
+        let potential = |y: &[f64; 5]| {
+            let [l, r, oval, flat, m] = std::array::from_fn(|i| Jet::variable(y[i], i));
+            let (by_x, pressure) = (Jet::variable(x, X), Jet::variable(p, P));
             let angle = Jet::constant(on.angle_rad) - by_x * (1.0 / rest);
-            let axis = r - flat + Jet::constant(on.radius_mm);
+            let axis = r - r * oval - flat + Jet::constant(on.radius_mm);
             let bent = angle * axis * l.recip();
             let straight = Jet::constant(length) - bent;
             if straight.v.is_nan() || straight.v <= 0.0 {
@@ -233,29 +236,30 @@ impl BentMuscle {
                 [s.force, by_pressure],
                 [[s.force_l, s.force_p], [s.force_p, -2.0 * PI * s.r * s.r_by[1] * free.v]],
             );
-            let of = Section { stretch: l, curvature: axis.recip(), radius: r, multiplier: m };
+            let of = Section { stretch: l, curvature: axis.recip(), radius: r, oval, multiplier: m };
             let energy = self.long.bent_energy(strands, &of, ANGLES)?;
             let volume = (r * r * l - Jet::constant(section)) * pressure * PI;
-            let spring = pressure * (4.0 * PI / 3.0) + Jet::constant(self.ring_mpa);
-            let flattened = l * flat * flat * spring * 0.5;
+            let spring = pressure * (2.4 * PI) + Jet::constant(PI * self.ring_mpa / RING);
+            let flattened = l * flat * flat * spring * 0.5 + self.oval_energy(&of, &pressure);
             Ok::<_, ModelError>(straight * own + bent * (energy - volume + flattened))
         };
         let (r, m) = self.start(strands, p, stretch)?;
-        let scale = [1.0, r, r, self.scale_n(p)];
-        let found = Stationary::find([stretch, r, 0.0, m], scale, potential)?;
+        let scale = [1.0, r, 1.0, r, self.scale_n(p)];
+        let found = Stationary::find([stretch, r, 0.0, 0.0, m], scale, potential)?;
         let found = found.ok_or_else(|| self.not_found(p, stretch))?;
-        let [l, r, flattening_mm, _] = found.at;
+        let [l, r, oval, flat, _] = found.at;
+        let flattening_mm = oval * r + flat;
         let second = |a, b| found.second(a, b).ok_or_else(|| self.not_found(p, stretch));
         let axis_mm = on.radius_mm + r - flattening_mm;
         let arc = (on.angle_rad - x / rest) * axis_mm;
-        let force_per_pressure_mm2 = -second(4, 5)?;
+        let force_per_pressure_mm2 = -second(X, P)?;
         Ok(BentState {
             potential_n_mm: found.value(),
-            force_n: -found.by(4),
-            stiffness_n_per_mm: second(4, 4)?,
+            force_n: -found.by(X),
+            stiffness_n_per_mm: second(X, X)?,
             force_per_pressure_mm2,
-            volume_mm3: -found.by(5),
-            volume_per_pressure_mm3_per_mpa: -second(5, 5)?,
+            volume_mm3: -found.by(P),
+            volume_per_pressure_mm3_per_mpa: -second(P, P)?,
             volume_by_shortening_mm2: force_per_pressure_mm2,
             pull_n: self.long.state(p, on.straight_mm / (length - arc / l))?.force,
             axis_mm,
@@ -263,6 +267,12 @@ impl BentMuscle {
             flattening_mm,
             wrapped: arc / (arc + on.straight_mm),
         })
+    }
+
+    /// ½ π [3P + 9D/Rm³] (ζ r)² λ.
+    fn oval_energy(&self, of: &Section, pressure: &Jet) -> Jet {
+        let wave = of.oval * of.radius;
+        of.stretch * wave * wave * (*pressure * 3.0 + Jet::constant(9.0 * self.ring_mpa)) * (0.5 * PI)
     }
 
     /// Outer radius and multiplier of the straight muscle.

@@ -1,9 +1,9 @@
 //! Energy of a section that is bent at constant curvature, per unit of length at rest.
 //!
-//! The section stays a circle of outer radius r about an axis of curvature κ and stretch λ. At the angle ψ from the outside of the bend
-//! the stretch along the muscle is
+//! A circle of outer radius r about an axis of curvature κ and stretch λ becomes oval by ζ without a change of its circumference: towards the bend it is
+//! lower by ζ r, across it wider by as much (Brazier 1927). At the angle ψ from the outside of the bend the stretch along the muscle is
 //!
-//!   l(ψ) = λ (1 + κ a cosψ),   a = √((ro² + ri²)/2) of the wall, r + t/2 of the strands,
+//!   l(ψ) = λ (1 + κ a (cosψ − ζ cos³ψ)),   a = √((ro² + ri²)/2) of the wall, r + t/2 of the strands,
 //!
 //! and rubber moves around the circumference as it likes: at ψ the wall is as wide as in a straight muscle of the radius h(ψ), with
 //! (1/2π) ∮ r/h dψ = 1 since the circumference is closed. With a multiplier m
@@ -11,7 +11,8 @@
 //!   E(λ, κ, r) = stat over h, m of  (1/2π) ∮ (r/h) [E(l(ψ), h) − m] dψ + m,   h ∂E/∂h − E + m = 0 at each ψ,
 //!
 //! E(λ, r) on the right of wall and braid of the straight muscle ([`super::super`]). To second order in κ it is the energy of
-//! [`BendingStiffness`](crate::model::BendingStiffness) (a test). The volume under the outer surface is π r² λ (Pappus). The integral is a sum over
+//! [`BendingStiffness`](crate::model::BendingStiffness) (a test). The volume under the outer surface is π r² (1 − 3ζ²/2) λ (Pappus), and the wall as a ring
+//! adds its energy of bending, so that ζ has the spring K2 = π [3P + 9D/Rm³] per present length, U = ½ K2 (ζ r)², D = μ s³/3. The integral is a sum over
 //! equal angles, which converges exponentially. Two limits:
 //!
 //! - strands that are fixed to the tube follow its fibres: E is that of wall and braid at each ψ;
@@ -37,12 +38,13 @@ pub enum Strands {
     Fixed,
 }
 
-/// The state of a bent section: stretch of the axis, curvature in 1/mm, outer radius in mm, multiplier in N.
+/// The state of a bent section: stretch of the axis, curvature in 1/mm, outer radius in mm, ζ, multiplier in N.
 #[derive(Clone, Copy)]
 pub(super) struct Section {
     pub stretch: Jet,
     pub curvature: Jet,
     pub radius: Jet,
+    pub oval: Jet,
     pub multiplier: Jet,
 }
 
@@ -56,7 +58,8 @@ impl ThickWall {
         let mut sum = Jet::constant(0.0);
         for i in 0..angles {
             let cos = (PI * (i as f64 + 0.5) / angles as f64).cos();
-            let at = |a: Jet| l * (one + of.curvature * a * cos);
+            let height = Jet::constant(cos) - of.oval * cos.powi(3);
+            let at = |a: Jet| l * (one + of.curvature * a * height);
             let wall = at(middle);
             let braid = match strands {
                 Strands::Fixed => Some(at(outside)),

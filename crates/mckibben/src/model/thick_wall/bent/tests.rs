@@ -154,3 +154,17 @@ fn on_a_wide_pulley_the_muscle_is_straight() {
     let [near, far] = [1e4, 1e5].map(off);
     assert!(far.abs() < 2e-4 && (near / far - 10.0).abs() < 0.1, "{near:e} {far:e}");
 }
+
+#[test]
+fn print_table() {
+    let m = muscle(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }), 2.0, 30.0, 300.0);
+    let bent = BentMuscle::new(&m);
+    for strands in LIMITS {
+        for l in [0.95, 0.85] {
+            for kappa in [0.0, 0.005, 0.01, 0.015, 0.02, 0.025] {
+                let s = bent.section(strands, 0.2, l, kappa);
+                println!("{strands:?} {l} {kappa}: {s:?}");
+            }
+        }
+    }
+}
