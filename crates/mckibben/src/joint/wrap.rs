@@ -71,3 +71,6 @@ impl JointMuscle {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -155,16 +155,37 @@ fn on_a_wide_pulley_the_muscle_is_straight() {
     assert!(far.abs() < 2e-4 && (near / far - 10.0).abs() < 0.1, "{near:e} {far:e}");
 }
 
+/// (T, height of the axis) of a section that lies on a flat of the radius R about the centre of the bend and turns by ω per length at rest.
+fn pressed(bent: &BentMuscle, strands: Strands, p: f64, omega: f64, radius_mm: f64) -> (f64, f64) {
+    let (r, m) = bent.start(strands, p, omega * (radius_mm + 12.0)).unwrap();
+    let potential = |y: &[f64; 4]| {
+        let [r, oval, flat, m] = std::array::from_fn(|i| Jet::variable(y[i], i));
+        let axis = r - r * oval - flat + Jet::constant(radius_mm);
+        let of = Section {
+            stretch: axis * Jet::variable(omega, 4),
+            curvature: axis.recip(),
+            radius: r,
+            oval,
+            multiplier: m,
+        };
+        let spring = Jet::constant(PI * (2.4 * p + bent.ring_mpa / RING));
+        let volume = r * r * of.stretch * (PI * p);
+        let flattened = of.stretch * flat * flat * spring * 0.5 + bent.oval_energy(&of, &Jet::constant(p));
+        Ok::<_, ModelError>(bent.long.bent_energy(strands, &of, ANGLES)? - volume + flattened)
+    };
+    let found = Stationary::find([r, 0.0, 0.0, m], [r, 1.0, r, 600.0], potential).unwrap().unwrap();
+    let [r, oval, flat, _] = found.at;
+    (found.by(4), r - oval * r - flat)
+}
+
 #[test]
 fn print_table() {
     let m = muscle(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }), 2.0, 30.0, 300.0);
     let bent = BentMuscle::new(&m);
     for strands in LIMITS {
-        for l in [0.95, 0.85] {
-            for kappa in [0.0, 0.005, 0.01, 0.015, 0.02, 0.025] {
-                let s = bent.section(strands, 0.2, l, kappa);
-                println!("{strands:?} {l} {kappa}: {s:?}");
-            }
+        for radius in [1000.0, 500.0, 300.0, 200.0, 150.0, 120.0, 100.0, 80.0] {
+            let found = pressed(&bent, strands, 0.2, 0.85 / (radius + 12.0), radius);
+            println!("{strands:?} R {radius}: {found:?}");
         }
     }
 }
