@@ -5,7 +5,7 @@ and a point at the height y of the present section is stretched along the muscle
 oval, and the wall may thicken and thin as it likes. Quadrilaterals of four nodes with one mean dilatation each, neo-Hookean rubber; strands on the outer edge,
 fixed to it, or of one stretch around the circumference ("sliding", as the program takes it). Newton's method with a Hessian of differences.
 
-  python3 studies/bent_section.py          the tables of docs/models.md, "Bent muscles"; needs NumPy; about ten minutes
+  python3 studies/bent_section.py          the tables of docs/models.md, "Bent muscles"; needs NumPy; about ten minutes (16 elements over half of the circumference)
 
 hold: the centre of the outer area is held at y = 0 (the axis), for given λ and κ.   F = ∂Π/∂λ, M = ∂Π/∂κ per length at rest.
 press: the section lies on a flat of the radius R about the centre of the bend, turning by ω per length at rest: l = ω (R + η), η the height above the
@@ -123,17 +123,17 @@ class Section:
             np.add.at(gm[:, 1], nodes, s * dy / 6 + cross / 6)
         return 0.5 * cross.sum(), (cross * s).sum() / 6, ga.ravel(), gm.ravel()
 
-    def solve(self, potential, x, extra=0):
+    def solve(self, potential, x, extra=0, origin=0.0):
         """Stationary point of `potential`(x with `extra` multipliers) → gradient, in polar coordinates: rubber moves around the circumference."""
         n = x.size
-        xy = x.reshape(-1, 2)
+        xy = x.reshape(-1, 2) - [0, origin]
         z = np.concatenate([np.stack([SCALE * np.arctan2(xy[:, 0], xy[:, 1]), np.hypot(*xy.T)], -1).ravel(), np.zeros(extra)])
         free = np.concatenate([self.free, np.ones(extra, bool)])
         index = np.flatnonzero(free)
 
         def cartesian(z):
             psi, r = z[:n:2] / SCALE, z[1:n:2]
-            return np.concatenate([np.stack([r * np.sin(psi), r * np.cos(psi)], -1).ravel(), z[n:]])
+            return np.concatenate([np.stack([r * np.sin(psi), origin + r * np.cos(psi)], -1).ravel(), z[n:]])
 
         def gradient(z):
             psi, r = z[:n:2] / SCALE, z[1:n:2]
@@ -186,7 +186,7 @@ class Section:
 
     def press(self, omega, radius, start):
         size = self.X.size
-        stiff = 200.0 * self.mu
+        stiff = 100.0 * self.mu
 
         def whole(z, omega=omega):
             x = z
@@ -209,7 +209,7 @@ class Section:
             g[o, 1] += stiff * w * under
             return e, g.ravel()
 
-        z = self.solve(whole, start)
+        z = self.solve(whole, start, origin=12.0)
         T = (whole(z, omega * (1 + 1e-6))[0] - whole(z, omega * (1 - 1e-6))[0]) / (2e-6 * omega) * 2
         A, S, _, _ = self.moment(z, self.outer)
         xo = z.reshape(-1, 2)[self.outer]
@@ -236,13 +236,14 @@ def pressed(fixed, around):
     x = s.hold(0.85, 0.0, s.hold(0.95, 0.0)[-1])[-1].reshape(-1, 2).copy()
     x[:, 1] += -x[:, 1].min()
     x = x.ravel()
-    for radius in (1000.0, 500.0, 300.0, 200.0, 150.0, 120.0, 100.0, 80.0):
+    for radius in (1000, 800, 600, 500, 450, 400, 350, 300, 270, 240, 220, 200, 180, 165, 150, 140, 130, 120, 110, 100, 95, 90, 85, 80):
         T, axis, _, _, x = s.press(0.85 / (radius + 12.0), radius, x)
-        print(f"press fixed={fixed} R {radius:.0f}: T {T:.4f} axis {axis:.4f}", flush=True)
+        if radius in (500, 200, 120, 80):
+            print(f"press fixed={fixed} R {radius}: T {T:.2f} axis {axis:.4f}", flush=True)
 
 
 if __name__ == "__main__":
     for fixed in (False, True):
-        pressed(fixed, 24)
+        pressed(fixed, 16)
     for fixed in (False, True):
-        held(fixed, 24)
+        held(fixed, 16)

@@ -56,10 +56,10 @@ pub struct BendState {
 }
 
 impl BendState {
-    /// κ r up to which the bent section was compared with finite elements whose section may become oval.
-    pub const LARGEST_CURVATURE: f64 = 0.25;
-    /// δ/r up to which the flattening is small.
-    pub const LARGEST_FLATTENING: f64 = 0.3;
+    /// κ r up to which the bent section agrees with plane finite elements within 5 % of its moment.
+    pub const LARGEST_CURVATURE: f64 = 0.2;
+    /// δ/r up to which the same elements gave the place of the axis.
+    pub const LARGEST_FLATTENING: f64 = 0.1;
 }
 
 impl Bent {

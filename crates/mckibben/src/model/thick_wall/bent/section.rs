@@ -1,7 +1,7 @@
 //! Energy of a section that is bent at constant curvature, per unit of length at rest.
 //!
 //! A circle of outer radius r about an axis of curvature κ and stretch λ becomes oval by ζ without a change of its circumference: towards the bend it is
-//! lower by ζ r, across it wider by as much (Brazier 1927). At the angle ψ from the outside of the bend the stretch along the muscle is
+//! lower by ζ r, across it wider by as much (Brazier 1927 \[brazier1927\]). At the angle ψ from the outside of the bend the stretch along the muscle is
 //!
 //!   l(ψ) = λ (1 + κ a (cosψ − ζ cos³ψ)),   a = √((ro² + ri²)/2) of the wall, r + t/2 of the strands,
 //!
