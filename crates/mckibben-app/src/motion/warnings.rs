@@ -4,10 +4,15 @@ use super::Moved;
 use crate::words::{number, percent};
 use mckibben_motion::{Coordinate, DriveFile, Motion, Moves};
 
+const RUBS: &str =
+    "the friction of a muscle on its pulley (`wrap_friction`) is not part of the motion; `joint` gives the torques with it";
+
 impl Moved {
     /// Of its muscles.
     pub(super) fn warnings_of_muscles(&self) -> impl Iterator<Item = String> {
-        self.models.iter().flat_map(|model| model.muscle().warnings())
+        let rubs = self.models.iter().any(|m| m.extensions().bend.is_some_and(|bend| bend.friction() > 0.0));
+        let rubs = rubs.then(|| RUBS.to_owned());
+        self.models.iter().flat_map(|model| model.muscle().warnings()).chain(rubs)
     }
 
     /// Of a motion.

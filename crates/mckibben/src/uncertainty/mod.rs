@@ -22,6 +22,8 @@
 //!
 //! - `transfer`, beside the others, of constants that somebody else identified from a specimen of the same product ([`Muscle::laboratory`]): a share of
 //!   the blocked force at the same pressure, which the pulls of the same hose with other fittings, measured in two laboratories, give.
+//! - `bend`, beside the others, of a muscle that lies on a pulley ([`Bent`](crate::model::Bent)): half the difference between strands that slide on the tube and
+//!   strands that are fixed to it.
 //!
 //! a, b and c come from four sets of measured muscles (hand-made, 20°; DMSP-20-300; DMSP-10-250; DMSP-10 hose in three lengths), each
 //! with its rubber (and, of the three bought ones, the angle) identified from its own points: they hold at least 95 % of the points of
@@ -41,7 +43,7 @@ mod shifts;
 
 pub use shifts::{ONE_AXIS, Shifts};
 
-use crate::analysis::friction_half_width_n;
+use crate::analysis::{friction_half_width_n, pulley_friction_half_width_n};
 use crate::model::{Accuracy, BlockedAt, ForceModel, Reference, Workspace, blocked_scale_n};
 use crate::muscle::{Bench, Direction, Muscle};
 use crate::rubber::RubberLaw;
@@ -113,6 +115,9 @@ pub struct UncertaintyParts {
     /// Another specimen of the same product, with other fittings, against the one that was identified.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub transfer: Option<f64>,
+    /// Of a muscle that lies on a pulley: strands that slide on the tube against strands that are fixed to it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bend: Option<f64>,
     /// Whether the muscle states its friction.
     #[serde(skip)]
     pub friction_is_stated: bool,
@@ -130,6 +135,7 @@ impl UncertaintyParts {
             (if self.friction_is_stated { "friction" } else { "friction unknown" }, self.friction),
             ("fit", self.fit),
             ("another specimen", self.transfer),
+            ("bend", self.bend),
         ];
         all.into_iter().filter_map(|(name, part)| Some((name, part?)))
     }
@@ -158,6 +164,8 @@ pub fn uncertainty<M: ForceModel + ?Sized>(
 ) -> Option<UncertaintyParts> {
     let at = (pressure_mpa, contraction);
     let own = of_specimen(model, workspace, at, force_n, direction)?;
+    let bend = model.extensions().bend.and_then(|bend| bend.state(pressure_mpa, contraction).ok());
+    let own = UncertaintyParts { bend: bend.map(|bend| bend.pull_lost_uncertainty_n), ..own };
     // A formula of a bought muscle was held against measured pulls.
     let of_product = matches!(model.info().accuracy.reference, Reference::ForceMap { .. });
     if model.muscle().laboratory().is_none() || of_product {
@@ -226,6 +234,7 @@ fn general<M: ForceModel + ?Sized>(
         friction: Some(friction_n(model, workspace, (pressure_mpa, contraction), direction, blocked)),
         fit: None,
         transfer: None,
+        bend: None,
         friction_is_stated: muscle.friction().is_some(),
     })
 }
@@ -319,6 +328,7 @@ fn between(inside: &UncertaintyParts, outside: &UncertaintyParts, x: f64) -> Unc
         friction: part(|p| p.friction),
         fit: part(|p| p.fit),
         transfer: None,
+        bend: None,
         friction_is_stated: inside.friction_is_stated,
     }
 }
@@ -331,12 +341,14 @@ pub fn friction_n<M: ForceModel + ?Sized>(
     direction: Direction,
     blocked_n: f64,
 ) -> f64 {
-    let unknown = FRICTION * blocked_n;
+    let on_pulley = pulley_friction_half_width_n(model, workspace, pressure_mpa, contraction);
+    let on_pulley = on_pulley.unwrap_or(0.0) * if direction.is_mean() { 1.0 } else { 0.0 };
+    let unknown = FRICTION * blocked_n + on_pulley;
     if model.muscle().friction().is_none() {
         return unknown;
     }
     match friction_half_width_n(model, workspace, pressure_mpa, contraction) {
-        Ok(half) if direction.is_mean() => (1.0 + FRICTION_LAW) * half,
+        Ok(half) if direction.is_mean() => (1.0 + FRICTION_LAW) * half + on_pulley,
         Ok(half) => FRICTION_LAW * half,
         Err(_) => unknown,
     }

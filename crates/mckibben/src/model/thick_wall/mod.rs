@@ -16,6 +16,7 @@
 //! that stretch.
 
 mod bending;
+mod bent;
 mod equilibrium;
 mod rod;
 mod square;
@@ -23,6 +24,7 @@ mod square;
 mod tests;
 
 pub use bending::BendingStiffness;
+pub use bent::{BentMuscle, BentSection, BentState, OnPulley, Strands};
 pub(super) use equilibrium::State;
 use rod::RodInBore;
 

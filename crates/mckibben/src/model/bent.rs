@@ -1,0 +1,212 @@
+//! A muscle that lies on a pulley: any model, with what the bend adds to it.
+//!
+//!   F(P, ε) = F₀(P, ε) + [F_bent(P, ε) − F_straight(P, ε)]
+//!
+//! F₀ of the model of the straight muscle, the bracket of the infinitely long muscle ([`BentMuscle`]), and V and all slopes likewise. ε is that of a
+//! rope at the radius of the muscle's axis at rest, R + Ro, so that F (R + Ro) is the muscle's torque about the pulley's centre. How much strands slide
+//! on the tube is not known: F is the mean of both limits ([`Strands`]), and half of their difference is a part of its ±.
+//!
+//! **Friction on the pulley.** The muscle is attached to the body that carries the pulley where its arc ends, and is straight from the other end of the arc.
+//! While it shortens it slides towards its attachment, and the axial force grows along the arc to N exp(μβ), β ≤ α (capstan equation). The pull is nearly linear
+//! in the stretch, so that the mean of the axial force over the length is the pull without friction:
+//!
+//!   N = N₀/[1 − w + w (e^(μα) − 1)/(μα)],  while it is lengthened with −μ,
+//!
+//! w the share of the length that lies on the pulley. Assumed: it slides everywhere in one direction, with one coefficient. A muscle with straight parts on both sides
+//! of the arc slides less, and from its middle on both ways: this is the largest effect.
+
+use super::{
+    BentMuscle, BentState, Contact, Extensions, ForceModel, Mesh, ModelError, ModelInfo, ModelRange, OnPulley,
+    Response, Strands, Workspace, blocked_scale_n, pivoting_n_per_mm,
+};
+use crate::muscle::Direction;
+use serde::{Deserialize, Serialize};
+
+/// A muscle on a pulley.
+pub struct Bent {
+    inner: Box<dyn ForceModel>,
+    info: ModelInfo,
+    bent: BentMuscle,
+    on: OnPulley,
+    contraction_at_start: f64,
+    friction: f64,
+    strands: Option<Strands>,
+}
+
+/// What a bend does to a muscle.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct BendState {
+    /// Pull of the straight muscle at the same pressure and contraction, less the pull on the pulley, both on the arm of the axis at rest, N.
+    pub pull_lost_n: f64,
+    /// Half-width of it, between strands that slide on the tube and strands that are fixed to it, N.
+    pub pull_lost_uncertainty_n: f64,
+    /// Pull along the muscle where it leaves the pulley, N.
+    pub axial_pull_n: f64,
+    /// Distance of its bulged and flattened axis from the centre of the pulley, mm.
+    pub axis_mm: f64,
+    /// Angle over which it lies on the pulley, degrees.
+    pub wrap_deg: f64,
+    /// Share of its length that lies on the pulley.
+    pub wrapped: f64,
+    /// κ r: outer radius over the distance of the axis.
+    pub curvature: f64,
+    /// δ/r: by how much of its outer radius the pulley flattens it.
+    pub flattening: f64,
+}
+
+impl BendState {
+    /// κ r up to which the bent section agrees with plane finite elements within 5 % of its moment.
+    pub const LARGEST_CURVATURE: f64 = 0.2;
+    /// δ/r up to which the same elements gave the place of the axis.
+    pub const LARGEST_FLATTENING: f64 = 0.1;
+}
+
+impl Bent {
+    /// A muscle whose contraction is `contraction_at_start` where it lies on the pulley over `on.angle_rad`, with the friction coefficient of its sleeve
+    /// on the pulley; by one limit of the strands, or between both.
+    pub fn new(
+        inner: Box<dyn ForceModel>,
+        on: OnPulley,
+        contraction_at_start: f64,
+        friction: f64,
+        strands: Option<Strands>,
+    ) -> Self {
+        let of = inner.info();
+        let arm = on.radius_mm + of.muscle.tube().outer_radius_mm();
+        let (low, high) = of.range.contraction;
+        let leaves = contraction_at_start + on.angle_rad * arm / of.muscle.length_mm();
+        let range = ModelRange { contraction: (low, high.min(leaves)), ..of.range.clone() };
+        let bent = BentMuscle::new(&of.muscle);
+        Self { info: ModelInfo { range, ..of.clone() }, bent, on, contraction_at_start, friction, strands, inner }
+    }
+
+    fn shortening_mm(&self, contraction: f64) -> f64 {
+        (contraction - self.contraction_at_start) * self.info.muscle.length_mm()
+    }
+
+    /// R + Ro in mm.
+    fn arm_mm(&self) -> f64 {
+        self.on.radius_mm + self.info.muscle.tube().outer_radius_mm()
+    }
+
+    fn angle_rad(&self, contraction: f64) -> f64 {
+        (self.on.angle_rad - self.shortening_mm(contraction) / self.arm_mm()).max(0.0)
+    }
+
+    /// The long muscle on the pulley, by the limits of its strands, and without a bend.
+    fn states(&self, p: f64, e: f64) -> Result<(Vec<BentState>, BentState), ModelError> {
+        let limits = self.strands.map_or(vec![Strands::Sliding, Strands::Fixed], |one| vec![one]);
+        let x = self.shortening_mm(e);
+        let bent = limits.into_iter().map(|strands| self.bent.on_pulley(strands, &self.on, p, x));
+        Ok((bent.collect::<Result<_, _>>()?, self.bent.straight(p, 1.0 - e)?))
+    }
+
+    /// What the bend does at a pressure in MPa and a contraction.
+    ///
+    /// # Errors
+    /// [`ModelError`].
+    pub fn state(&self, pressure_mpa: f64, contraction: f64) -> Result<BendState, ModelError> {
+        let (bent, straight) = self.states(pressure_mpa, contraction)?;
+        let mean = mean(&bent);
+        let forces = || bent.iter().map(|s| s.force_n);
+        let apart = forces().fold(f64::NEG_INFINITY, f64::max) - forces().fold(f64::INFINITY, f64::min);
+        Ok(BendState {
+            pull_lost_n: straight.force_n - mean(|s| s.force_n),
+            pull_lost_uncertainty_n: 0.5 * apart,
+            axial_pull_n: mean(|s| s.pull_n),
+            axis_mm: mean(|s| s.axis_mm),
+            wrap_deg: self.angle_rad(contraction).to_degrees(),
+            wrapped: mean(|s| s.wrapped),
+            curvature: mean(|s| s.outer_radius_mm / s.axis_mm),
+            flattening: mean(|s| s.flattening_mm / s.outer_radius_mm),
+        })
+    }
+
+    /// N/N₀ of the friction on the pulley in a direction of motion, and its slope in the contraction; 1 for the mean.
+    pub fn friction_factor(&self, contraction: f64, direction: Direction) -> (f64, f64) {
+        const STEP: f64 = 1e-6;
+        let at = |e: f64| {
+            let (alpha, arm) = (self.angle_rad(e), self.arm_mm());
+            let a = -direction.sign() * self.friction * alpha;
+            let share = alpha * arm / (self.on.straight_mm + alpha * arm);
+            let grown = if a.abs() < 1e-12 { 1.0 } else { a.exp_m1() / a };
+            1.0 / (1.0 - share + share * grown)
+        };
+        let slope = (at(contraction + STEP) - at(contraction - STEP)) / (2.0 * STEP);
+        (at(contraction), slope)
+    }
+
+    /// μ on the pulley.
+    pub fn friction(&self) -> f64 {
+        self.friction
+    }
+}
+
+/// Mean over both limits.
+fn mean(states: &[BentState]) -> impl Fn(fn(&BentState) -> f64) -> f64 + '_ {
+    |of| states.iter().map(of).sum::<f64>() / states.len() as f64
+}
+
+impl ForceModel for Bent {
+    fn info(&self) -> &ModelInfo {
+        &self.info
+    }
+
+    fn response(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
+        let base = self.inner.response(workspace, p, e)?;
+        let (bent, straight) = self.states(p, e)?;
+        let (mean, length) = (mean(&bent), self.info.muscle.length_mm());
+        let more = |of: fn(&BentState) -> f64| mean(of) - of(&straight);
+        Ok(Response {
+            force_n: base.force_n + more(|s| s.force_n),
+            volume_mm3: base.volume_mm3.map(|v| v + more(|s| s.volume_mm3)),
+            volume_per_pressure_mm3_per_mpa: base
+                .volume_per_pressure_mm3_per_mpa
+                .map(|v| v + more(|s| s.volume_per_pressure_mm3_per_mpa)),
+            volume_per_contraction_mm3: base
+                .volume_per_contraction_mm3
+                .map(|v| v + length * more(|s| s.volume_by_shortening_mm2)),
+            stiffness_n_per_mm: base.stiffness_n_per_mm.map(|k| k + more(|s| s.stiffness_n_per_mm)),
+            force_per_pressure_mm2: base.force_per_pressure_mm2.map(|f| f + more(|s| s.force_per_pressure_mm2)),
+            ..base
+        })
+    }
+
+    fn force_n(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<f64, ModelError> {
+        let base = self.inner.force_n(workspace, p, e)?;
+        let (bent, straight) = self.states(p, e)?;
+        Ok(base + mean(&bent)(|s| s.force_n) - straight.force_n)
+    }
+
+    fn extensions(&self) -> Extensions<'_> {
+        Extensions { mesh: Some(self), contact: Some(self), bend: Some(self), ..Extensions::default() }
+    }
+}
+
+impl Mesh for Bent {
+    fn blocked_scale_n(&self, workspace: &mut Workspace, p: f64) -> Result<f64, ModelError> {
+        blocked_scale_n(&*self.inner, workspace, p)
+    }
+
+    fn mesh_error_n(
+        &self,
+        workspace: &mut Workspace,
+        p: f64,
+        e: f64,
+        force_n: f64,
+        blocked_n: f64,
+    ) -> Option<f64> {
+        self.inner.extensions().mesh?.mesh_error_n(workspace, p, e, force_n, blocked_n)
+    }
+
+    fn findings(&self, workspace: &Workspace) -> Vec<String> {
+        self.inner.extensions().mesh.map_or_else(Vec::new, |mesh| mesh.findings(workspace))
+    }
+}
+
+impl Contact for Bent {
+    fn pivoting_n_per_mm(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<f64, ModelError> {
+        pivoting_n_per_mm(&*self.inner, workspace, p, e)
+    }
+}
