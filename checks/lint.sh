@@ -1,8 +1,16 @@
 #!/usr/bin/env bash
-# The compiler of the workspace's own crates in .ci/run (RUSTC_WORKSPACE_WRAPPER): with the lints of Clippy, once for each source. Cargo compiles a
-# crate with unit tests twice: as a library, and as a test program, which has the whole source of the library. Only the second has lints.
+# The compiler of the workspace's own crates in .ci/run (RUSTC_WORKSPACE_WRAPPER). Cargo compiles a crate with unit tests twice: as a library, and as a test
+# program, which has the whole source of the library.
+# - Lints of Clippy, once for each source: in the second. Only what has no unit tests has them in the first.
+# - The second is not optimised: the unit tests of the numeric crates take seconds, to optimise them takes minutes. (Cargo has one profile for both.)
+words=("$@")
 case " $* " in
-*" --test "*) exec clippy-driver "$@" ;;
+*" --test "*)
+    for i in "${!words[@]}"; do
+        case ${words[i]} in opt-level=*) words[i]=opt-level=0 ;; esac
+    done
+    exec clippy-driver "${words[@]}"
+    ;;
 *" --crate-name mckibben_app "* | *" --crate-name _native "* | *" --crate-name build_script_build "*) exec clippy-driver "$@" ;;
 *) exec "$@" ;;
 esac
