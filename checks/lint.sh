@@ -11,6 +11,6 @@ case " $* " in
     done
     exec clippy-driver "${words[@]}"
     ;;
-*" --crate-name mckibben_app "* | *" --crate-name _native "* | *" --crate-name build_script_build "*) exec clippy-driver "$@" ;;
+*" --crate-name mckibben_app "* | *" --crate-name mckibben_server "* | *" --crate-name mckibben_export "* | *" --crate-name _native "* | *" --crate-name build_script_build "*) exec clippy-driver "$@" ;;
 *) exec "$@" ;;
 esac
