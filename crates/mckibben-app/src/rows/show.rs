@@ -139,8 +139,8 @@ fn derived(answer: &MuscleShowAnswer, u: &Units) -> Vec<Row> {
     ];
     let rod = &answer.derived;
     rows.extend(rod.rod_area_mm2.map(|area| {
-        let per_bar = u.force.show(0.1 * area);
-        ("core rod", format!("leaves through a seal: {per_bar} more pull at each bar"))
+        let per_bar = number(0.1 * area, 4);
+        ("core rod", format!("leaves through a seal: {per_bar} N more pull per bar"))
     }));
     rows.extend(rod.rod_stop_contraction.map(|stop| {
         ("core rod", format!("ends inside: meets the other plug at a contraction of {}", percent(stop)))
