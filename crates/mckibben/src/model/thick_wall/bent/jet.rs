@@ -90,9 +90,7 @@ impl Mul for Jet {
             v: self.v * o.v,
             g: from_fn(|i| self.v * o.g[i] + o.v * self.g[i]),
             h: from_fn(|i| {
-                from_fn(|j| {
-                    self.v * o.h[i][j] + o.v * self.h[i][j] + self.g[i] * o.g[j] + self.g[j] * o.g[i]
-                })
+                from_fn(|j| self.v * o.h[i][j] + o.v * self.h[i][j] + self.g[i] * o.g[j] + self.g[j] * o.g[i])
             }),
         }
     }
