@@ -1,5 +1,7 @@
 //! Numbers with their first and second derivatives in seven variables, and Newton's method for the stationary point in the first of them.
 
+#![allow(clippy::needless_range_loop)]
+
 use std::array::from_fn;
 use std::ops::{Add, Mul, Sub};
 
