@@ -4,8 +4,7 @@ use super::Moved;
 use crate::words::{number, percent};
 use mckibben_motion::{Coordinate, DriveFile, Motion, Moves};
 
-const RUBS: &str =
-    "the friction of a muscle on its pulley (`wrap_friction`) is not part of the motion; `joint` gives the torques with it";
+const RUBS: &str = "the friction of a muscle on its pulley (`wrap_friction`) is not part of the motion; `joint` gives the torques with it";
 
 impl Moved {
     /// Of its muscles.

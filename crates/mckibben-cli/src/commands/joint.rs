@@ -13,7 +13,9 @@ use crate::shown;
 use clap::Args;
 use mckibben::units::Dimension;
 use mckibben_app::rows::limit_rows;
-use mckibben_app::{JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, TextFile, bend_lines, joint};
+use mckibben_app::{
+    JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, TextFile, bend_lines, joint,
+};
 use std::path::{Path, PathBuf};
 
 pub const EXAMPLES: &str = "Examples:

@@ -50,7 +50,11 @@ fn friction_n<M: ForceModel + ?Sized>(
 }
 
 /// N/N₀ of the friction on a pulley, where the muscle lies on one, and its slope in the contraction.
-fn on_pulley<M: ForceModel + ?Sized>(model: &M, contraction: f64, direction: Direction) -> Option<(f64, f64)> {
+fn on_pulley<M: ForceModel + ?Sized>(
+    model: &M,
+    contraction: f64,
+    direction: Direction,
+) -> Option<(f64, f64)> {
     let bend = model.extensions().bend.filter(|bend| !direction.is_mean() && bend.friction() > 0.0);
     bend.map(|bend| bend.friction_factor(contraction, direction))
 }
@@ -98,7 +102,8 @@ pub fn response_on<M: ForceModel + ?Sized>(
     let found = model.response(workspace, pressure_mpa, contraction)?;
     // The point is the one that was asked for, to the last bit: a model may compute with 1 − ε.
     let mut response = Response { pressure_mpa, contraction, ..found };
-    if let Some((factor, slope)) = on_pulley(model, contraction, direction).filter(|_| response.force_n > 0.0) {
+    if let Some((factor, slope)) = on_pulley(model, contraction, direction).filter(|_| response.force_n > 0.0)
+    {
         response.stiffness_n_per_mm = response
             .stiffness_n_per_mm
             .map(|k| k * factor - response.force_n * slope / model.muscle().length_mm());

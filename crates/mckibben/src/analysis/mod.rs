@@ -14,7 +14,8 @@ mod sweep;
 
 pub use air::{ATMOSPHERE_MPA, Air, HEAT_RATIO, air_per_stroke, litres_anr, normal_litres};
 pub use ask::{
-    Options, force_on, friction_half_width_n, pulley_friction_half_width_n, response_on, slope_by_pressure, source_of, stiffness_of,
+    Options, force_on, friction_half_width_n, pulley_friction_half_width_n, response_on, slope_by_pressure,
+    source_of, stiffness_of,
 };
 pub use burst::{Burst, FailureMode, FailurePressure, NoBurst, SAFETY, burst};
 pub use characteristics::{

@@ -70,7 +70,9 @@ pub enum JointError {
         short_mm: f64,
     },
     /// The model of a straight muscle for one that lies on a pulley.
-    #[error("muscle {muscle} lies on its pulley: JointMuscle::model makes its model of that of the straight muscle")]
+    #[error(
+        "muscle {muscle} lies on its pulley: JointMuscle::model makes its model of that of the straight muscle"
+    )]
     NotBent {
         /// Which muscle, from 1.
         muscle: usize,

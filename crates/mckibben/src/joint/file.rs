@@ -176,7 +176,11 @@ fn wrapped(section: &Section<'_>, path: Path) -> Result<Path, FileError> {
     let Some(angle_deg) = angle else {
         for (key, given) in [("wrap_friction", friction.is_some()), ("wrap_strands", strands.is_some())] {
             if given {
-                return Err(section.missing("wrap_angle", Some(key), "the angle over which the muscle lies on its pulley"));
+                return Err(section.missing(
+                    "wrap_angle",
+                    Some(key),
+                    "the angle over which the muscle lies on its pulley",
+                ));
             }
         }
         return Ok(path);

@@ -219,7 +219,8 @@ impl<'m> JointModel<'m> {
             torque += 1e-3 * force * s.arm_mm;
             stiffness += 1e-3 * (k * s.arm_mm * s.arm_mm - force * s.arm_by_angle_mm);
             let bend = model.extensions().bend.filter(|_| !answer.slack);
-            let bend = bend.map(|bend| bend.state(p, contraction)).transpose().map_err(JointError::model(i))?;
+            let bend =
+                bend.map(|bend| bend.state(p, contraction)).transpose().map_err(JointError::model(i))?;
             muscles.push(MuscleState { answer, arm_mm: s.arm_mm, arm_by_angle_mm: s.arm_by_angle_mm, bend });
         }
         let parts = self.torque_uncertainty(workspaces, &muscles);

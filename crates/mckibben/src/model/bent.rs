@@ -16,8 +16,8 @@
 //! of the arc slides less, and from its middle on both ways: this is the largest effect.
 
 use super::{
-    BentMuscle, BentState, Contact, Extensions, ForceModel, Mesh, ModelError, ModelInfo, ModelRange, OnPulley,
-    Response, Strands, Workspace, blocked_scale_n, pivoting_n_per_mm,
+    BentMuscle, BentState, Contact, Extensions, ForceModel, Mesh, ModelError, ModelInfo, ModelRange,
+    OnPulley, Response, Strands, Workspace, blocked_scale_n, pivoting_n_per_mm,
 };
 use crate::muscle::Direction;
 use serde::{Deserialize, Serialize};
@@ -58,8 +58,8 @@ pub struct BendState {
 impl BendState {
     /// κ r up to which the bent section agrees with plane finite elements within 5 % of its moment.
     pub const LARGEST_CURVATURE: f64 = 0.2;
-    /// δ/r up to which the same elements gave the place of the axis.
-    pub const LARGEST_FLATTENING: f64 = 0.1;
+    /// δ/r up to which the place of the axis agrees with the same elements within 2 % of the radius.
+    pub const LARGEST_FLATTENING: f64 = 0.2;
 }
 
 impl Bent {
@@ -78,7 +78,15 @@ impl Bent {
         let leaves = contraction_at_start + on.angle_rad * arm / of.muscle.length_mm();
         let range = ModelRange { contraction: (low, high.min(leaves)), ..of.range.clone() };
         let bent = BentMuscle::new(&of.muscle);
-        Self { info: ModelInfo { range, ..of.clone() }, bent, on, contraction_at_start, friction, strands, inner }
+        Self {
+            info: ModelInfo { range, ..of.clone() },
+            bent,
+            on,
+            contraction_at_start,
+            friction,
+            strands,
+            inner,
+        }
     }
 
     fn shortening_mm(&self, contraction: f64) -> f64 {
@@ -168,7 +176,9 @@ impl ForceModel for Bent {
                 .volume_per_contraction_mm3
                 .map(|v| v + length * more(|s| s.volume_by_shortening_mm2)),
             stiffness_n_per_mm: base.stiffness_n_per_mm.map(|k| k + more(|s| s.stiffness_n_per_mm)),
-            force_per_pressure_mm2: base.force_per_pressure_mm2.map(|f| f + more(|s| s.force_per_pressure_mm2)),
+            force_per_pressure_mm2: base
+                .force_per_pressure_mm2
+                .map(|f| f + more(|s| s.force_per_pressure_mm2)),
             ..base
         })
     }

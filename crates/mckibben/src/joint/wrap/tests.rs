@@ -75,7 +75,8 @@ fn friction_on_the_pulley_is_the_capstan_equation() {
     let bend = model.extensions().bend.unwrap();
     let alpha = 70f64.to_radians();
     let (arc, straight) = (75.0 * alpha, 285.0 * 0.92 - 75.0 * alpha);
-    for (direction, sign) in [(crate::muscle::Direction::Contraction, 1.0), (crate::muscle::Direction::Elongation, -1.0)]
+    for (direction, sign) in
+        [(crate::muscle::Direction::Contraction, 1.0), (crate::muscle::Direction::Elongation, -1.0)]
     {
         let n = 2000;
         let grown = |i: usize| (sign * 0.3 * alpha * (i as f64 + 0.5) / n as f64).exp();
@@ -91,7 +92,8 @@ fn friction_on_the_pulley_is_the_capstan_equation() {
 #[test]
 fn maps_rests_and_pressures_work_on_a_wrap() {
     let joint = joint(0.2);
-    let ropes = [75.0, -75.0].map(|radius_mm| JointMuscle { path: Path::Pulley { radius_mm }, ..on_its_pulley(60.0, 0.0) });
+    let ropes = [75.0, -75.0]
+        .map(|radius_mm| JointMuscle { path: Path::Pulley { radius_mm }, ..on_its_pulley(60.0, 0.0) });
     let ropes = Joint::new(ropes.to_vec(), None, Link::default(), (-30.0, 30.0)).unwrap();
     let pressures = [0.2, 0.12];
     let found = at(&joint, ModelKind::Universal, pressures, 8.0, Turning::Mean);
@@ -115,7 +117,9 @@ fn maps_rests_and_pressures_work_on_a_wrap() {
             assert!((p - known).abs() < 1e-6, "{back:?}");
         }
         let rests = model.rests(w, &[0.2, 0.2], 0.0).unwrap();
-        assert!(matches!(rests[..], [crate::joint::Rest::Balance { angle_deg, .. }] if angle_deg.abs() < 1e-9));
+        assert!(
+            matches!(rests[..], [crate::joint::Rest::Balance { angle_deg, .. }] if angle_deg.abs() < 1e-9)
+        );
         let map = model.map(0.25, 5, &Silent).unwrap();
         assert_eq!(map.points.len(), 25);
         assert!(map.points.iter().flatten().count() > 15);

@@ -1,5 +1,7 @@
 //! Numbers with their first and second derivatives in seven variables, and Newton's method for the stationary point in the first of them.
 
+#![allow(clippy::needless_range_loop)]
+
 use std::array::from_fn;
 use std::ops::{Add, Mul, Sub};
 
@@ -90,9 +92,7 @@ impl Mul for Jet {
             v: self.v * o.v,
             g: from_fn(|i| self.v * o.g[i] + o.v * self.g[i]),
             h: from_fn(|i| {
-                from_fn(|j| {
-                    self.v * o.h[i][j] + o.v * self.h[i][j] + self.g[i] * o.g[j] + self.g[j] * o.g[i]
-                })
+                from_fn(|j| self.v * o.h[i][j] + o.v * self.h[i][j] + self.g[i] * o.g[j] + self.g[j] * o.g[i])
             }),
         }
     }

@@ -43,6 +43,9 @@ const RING: f64 = PI * PI / 12.0 - 11.0 / 16.0 - 1.0 / 9.0;
 /// Places of x and P among the variables.
 const X: usize = 5;
 const P: usize = 6;
+/// From how many wider pulleys an equilibrium is sought, each wider by this factor than the next.
+const WIDER: usize = 9;
+const WIDENED: f64 = 1.3;
 /// Strands that do not stretch have this stiffness, in N/mm per mm of radius: a strain of 10⁻⁴ at 1 MPa.
 const RIGID_N_PER_MM2: f64 = 1e4;
 
@@ -117,10 +120,7 @@ impl BentMuscle {
         let stiffness = long.k.unwrap_or(RIGID_N_PER_MM2 * tube.outer_radius_mm());
         let middle = tube.outer_radius_mm() - 0.5 * tube.wall_mm;
         let bending = long.law.shear_modulus_mpa() * tube.wall_mm.powi(3) / 3.0;
-        Self {
-            ring_mpa: bending / middle.powi(3),
-            long: ThickWall { k: Some(stiffness), ..long },
-        }
+        Self { ring_mpa: bending / middle.powi(3), long: ThickWall { k: Some(stiffness), ..long } }
     }
 
     /// The muscle without a bend, by the same strands.
@@ -206,7 +206,6 @@ impl BentMuscle {
     ) -> Result<BentState, ModelError> {
         let (p, x) = (pressure_mpa, shortening_mm);
         let (length, rest) = (self.long.info.muscle.length_mm(), on.radius_mm + self.long.ro);
-        let section = self.long.wall.section();
         let whole = on.straight_mm + on.angle_rad * rest - x;
         let stretch = whole / length;
         if !(on.angle_rad * rest > x && on.straight_mm > 0.0) {
@@ -217,36 +216,20 @@ impl BentMuscle {
                 ),
             });
         }
-        let potential = |y: &[f64; 5]| {
-            let [l, r, oval, flat, m] = std::array::from_fn(|i| Jet::variable(y[i], i));
-            let (by_x, pressure) = (Jet::variable(x, X), Jet::variable(p, P));
-            let angle = Jet::constant(on.angle_rad) - by_x * (1.0 / rest);
-            let axis = r - r * oval - flat + Jet::constant(on.radius_mm);
-            let bent = angle * axis * l.recip();
-            let straight = Jet::constant(length) - bent;
-            if straight.v.is_nan() || straight.v <= 0.0 {
-                return Err(self.not_found(p, stretch));
-            }
-            let free = straight.recip() * on.straight_mm;
-            let s = self.long.state(p, free.v)?;
-            let by_pressure = PI * (section - s.r * s.r * free.v);
-            let own = Jet::of(
-                [&free, &pressure],
-                s.energy + p * by_pressure,
-                [s.force, by_pressure],
-                [[s.force_l, s.force_p], [s.force_p, -2.0 * PI * s.r * s.r_by[1] * free.v]],
-            );
-            let of = Section { stretch: l, curvature: axis.recip(), radius: r, oval, multiplier: m };
-            let energy = self.long.bent_energy(strands, &of, ANGLES)?;
-            let volume = (r * r * l - Jet::constant(section)) * pressure * PI;
-            let spring = pressure * (2.4 * PI) + Jet::constant(PI * self.ring_mpa / RING);
-            let flattened = l * flat * flat * spring * 0.5 + self.oval_energy(&of, &pressure);
-            Ok::<_, ModelError>(straight * own + bent * (energy - volume + flattened))
+        let found = self.equilibrium(strands, on, (p, x), WIDER);
+        // Pressed flat: 3N/(4π P ρ) of the straight muscle is not below its radius.
+        let flat = |s: &BentState| {
+            0.75 * s.force_n >= PI * p * s.outer_radius_mm * (on.radius_mm + s.outer_radius_mm)
         };
-        let (r, m) = self.start(strands, p, stretch)?;
-        let scale = [1.0, r, 1.0, r, self.scale_n(p)];
-        let found = Stationary::find([stretch, r, 0.0, 0.0, m], scale, potential)?;
-        let found = found.ok_or_else(|| self.not_found(p, stretch))?;
+        let found = match found {
+            Err(_) if self.straight(p, stretch).is_ok_and(|s| flat(&s)) => Err(ModelError::NoEquilibrium {
+                reason: format!(
+                    "its pull presses the muscle flat on its pulley at {p} MPa and a contraction of {:.4}: a larger radius or more contraction keeps it round",
+                    1.0 - stretch
+                ),
+            }),
+            found => found,
+        }?;
         let [l, r, oval, flat, _] = found.at;
         let flattening_mm = oval * r + flat;
         let second = |a, b| found.second(a, b).ok_or_else(|| self.not_found(p, stretch));
@@ -267,6 +250,72 @@ impl BentMuscle {
             flattening_mm,
             wrapped: arc / (arc + on.straight_mm),
         })
+    }
+
+    /// The equilibrium from the straight muscle, or from a wider pulley where that does not reach it.
+    fn equilibrium(
+        &self,
+        strands: Strands,
+        on: &OnPulley,
+        (p, x): (f64, f64),
+        wider: usize,
+    ) -> Result<Stationary<5>, ModelError> {
+        let (length, ro) = (self.long.info.muscle.length_mm(), self.long.ro);
+        let angle = on.angle_rad - x / (on.radius_mm + ro);
+        let mut straight = (on.straight_mm + angle * (on.radius_mm + ro)) / length;
+        for _ in 0..3 {
+            straight = (on.straight_mm + angle * (on.radius_mm + self.long.state(p, straight)?.r)) / length;
+        }
+        let (r, m) = self.start(strands, p, straight)?;
+        let direct = self.equilibrium_near(strands, on, (p, x), [straight, r, 0.0, 0.0, m]);
+        if direct.is_ok() || wider == 0 {
+            return direct;
+        }
+        let radius_mm = on.radius_mm * WIDENED;
+        let angle_rad = on.angle_rad * (on.radius_mm + ro) / (radius_mm + ro);
+        let near = self.equilibrium(strands, &OnPulley { radius_mm, angle_rad, ..*on }, (p, x), wider - 1)?;
+        self.equilibrium_near(strands, on, (p, x), near.at)
+    }
+
+    fn equilibrium_near(
+        &self,
+        strands: Strands,
+        on: &OnPulley,
+        (p, x): (f64, f64),
+        start: [f64; 5],
+    ) -> Result<Stationary<5>, ModelError> {
+        let (length, rest) = (self.long.info.muscle.length_mm(), on.radius_mm + self.long.ro);
+        let section = self.long.wall.section();
+        let none = || self.not_found(p, (on.straight_mm + on.angle_rad * rest - x) / length);
+        let potential = |y: &[f64; 5]| {
+            let [l, r, oval, flat, m] = std::array::from_fn(|i| Jet::variable(y[i], i));
+            let (by_x, pressure) = (Jet::variable(x, X), Jet::variable(p, P));
+            let angle = Jet::constant(on.angle_rad) - by_x * (1.0 / rest);
+            let axis = r - r * oval - flat + Jet::constant(on.radius_mm);
+            let bent = angle * axis * l.recip();
+            let straight = Jet::constant(length) - bent;
+            if straight.v.is_nan() || straight.v <= 0.0 {
+                return Err(none());
+            }
+            let free = straight.recip() * on.straight_mm;
+            let s = self.long.state(p, free.v)?;
+            let by_pressure = PI * (section - s.r * s.r * free.v);
+            let own = Jet::of(
+                [&free, &pressure],
+                s.energy + p * by_pressure,
+                [s.force, by_pressure],
+                [[s.force_l, s.force_p], [s.force_p, -2.0 * PI * s.r * s.r_by[1] * free.v]],
+            );
+            let of = Section { stretch: l, curvature: axis.recip(), radius: r, oval, multiplier: m };
+            let energy = self.long.bent_energy(strands, &of, ANGLES)?;
+            let volume = (r * r * l - Jet::constant(section)) * pressure * PI;
+            let spring = pressure * (2.4 * PI) + Jet::constant(PI * self.ring_mpa / RING);
+            let flattened = l * flat * flat * spring * 0.5 + self.oval_energy(&of, &pressure);
+            Ok::<_, ModelError>(straight * own + bent * (energy - volume + flattened))
+        };
+        let r = start[1];
+        let scale = [1.0, r, 1.0, r, self.scale_n(p)];
+        Stationary::find(start, scale, potential)?.ok_or_else(none)
     }
 
     /// ½ π [3P + 9D/Rm³] (ζ r)² λ.

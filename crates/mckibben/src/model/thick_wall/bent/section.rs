@@ -50,7 +50,12 @@ pub(super) struct Section {
 
 impl ThickWall {
     /// E(λ, κ, r) with its multiplier, by a number of angles over half of the circumference.
-    pub(super) fn bent_energy(&self, strands: Strands, of: &Section, angles: usize) -> Result<Jet, ModelError> {
+    pub(super) fn bent_energy(
+        &self,
+        strands: Strands,
+        of: &Section,
+        angles: usize,
+    ) -> Result<Jet, ModelError> {
         let k = self.k.unwrap_or(0.0);
         let (one, l, r) = (Jet::constant(1.0), of.stretch, of.radius);
         let middle = (r * r - l.recip() * (0.5 * self.wall.section())).sqrt();
@@ -127,11 +132,19 @@ impl ThickWall {
             }
             if !f.is_finite() {
                 // A law that locks, or a bore that closes.
-                if h < r { low = h } else { high = h }
+                if h < r {
+                    low = h
+                } else {
+                    high = h
+                }
                 h = 0.5 * (low + high);
                 continue;
             }
-            if f > 0.0 { high = h } else { low = h }
+            if f > 0.0 {
+                high = h
+            } else {
+                low = h
+            }
             let next = h + step;
             h = if slope > 0.0 && next > low && next < high { next } else { 0.5 * (low + high) };
             if high - low < 4.0 * f64::EPSILON * high {

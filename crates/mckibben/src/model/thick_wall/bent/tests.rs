@@ -85,7 +85,9 @@ fn the_sum_around_the_circumference_has_converged() {
     for strands in LIMITS {
         for (kappa, digits) in [(0.01, 1e-7), (0.03, 1e-3)] {
             let [few, many] = [ANGLES, 40].map(|n| bent.section_by(strands, 0.2, 0.9, kappa, n).unwrap());
-            let off = (few.force_n / many.force_n - 1.0).abs().max((few.moment_n_mm / many.moment_n_mm - 1.0).abs());
+            let off = (few.force_n / many.force_n - 1.0)
+                .abs()
+                .max((few.moment_n_mm / many.moment_n_mm - 1.0).abs());
             assert!(off < digits, "{strands:?} {kappa}: {off:e}");
         }
     }
@@ -207,55 +209,24 @@ fn held_sections_agree_with_plane_finite_elements() {
     }
 }
 
-/// T and the height of the axis of a section pressed on a flat, by the same elements: within 1.3 % of T and 0.3 % of the radius.
+/// T and the height of the axis of a section pressed on a flat, by the same elements: up to a flattening of 0.12 of the radius within 1.3 % of T and
+/// 0.5 % of the radius, up to 0.21 within 3.5 % and 2 %.
 #[test]
 fn pressed_sections_agree_with_plane_finite_elements() {
     let bent = of_the_study();
-    for (strands, radius, t, height) in [
-        (Strands::Sliding, 500.0, 44229.21, 13.5407),
-        (Strands::Sliding, 200.0, 18115.88, 13.2302),
-        (Strands::Sliding, 120.0, 10974.35, 12.9439),
-        (Strands::Sliding, 80.0, 7362.40, 12.7146),
-        (Strands::Fixed, 500.0, 44641.51, 13.5493),
-        (Strands::Fixed, 200.0, 19008.54, 13.0848),
-        (Strands::Fixed, 120.0, 12236.15, 12.5893),
-        (Strands::Fixed, 80.0, 8841.03, 12.0329),
+    for (strands, l, radius, t, height, [of_t, of_r]) in [
+        (Strands::Sliding, 0.85, 500.0, 44229.21, 13.5407, [0.004, 0.005]),
+        (Strands::Sliding, 0.85, 200.0, 18115.88, 13.2302, [0.004, 0.005]),
+        (Strands::Sliding, 0.85, 80.0, 7362.40, 12.7146, [0.004, 0.005]),
+        (Strands::Fixed, 0.85, 500.0, 44641.51, 13.5493, [0.013, 0.005]),
+        (Strands::Fixed, 0.85, 200.0, 19008.54, 13.0848, [0.013, 0.005]),
+        (Strands::Fixed, 0.85, 80.0, 8841.03, 12.0329, [0.013, 0.005]),
+        (Strands::Sliding, 0.85, 30.0, 2724.01, 12.1111, [0.035, 0.02]),
+        (Strands::Sliding, 0.95, 80.0, 13361.33, 10.3981, [0.035, 0.02]),
+        (Strands::Sliding, 0.95, 40.0, 5820.47, 10.1674, [0.035, 0.02]),
     ] {
-        let (ours, axis) = pressed(&bent, strands, 0.2, 0.85 / (radius + 12.0), radius);
-        assert!((ours / t - 1.0).abs() < 0.013 && (axis - height).abs() < 0.003 * 13.8, "{strands:?} {radius} {ours} {axis}");
+        let (ours, axis) = pressed(&bent, strands, 0.2, l / (radius + 12.0), radius);
+        let what = format!("{strands:?} {l} {radius}: {ours} {axis}");
+        assert!((ours / t - 1.0).abs() < of_t && (axis - height).abs() < of_r * 12.0, "{what}");
     }
-}
-
-#[test]
-fn sweep_print() {
-    let (mut all, mut bad) = (0, vec![]);
-    for (mu, wall, angle, k) in [(0.3, 2.0, 30.0, 300.0), (0.1, 0.5, 20.0, 1000.0), (0.6, 4.0, 24.0, 3000.0), (0.3, 1.0, 40.0, 50.0)] {
-        for law in [Law::NeoHookean(NeoHookean { mu_mpa: mu }), Law::Gent(Gent { mu_mpa: mu, jm: 40.0 })] {
-            let m = muscle(law, wall, angle, k);
-            let bent = BentMuscle::new(&m);
-            for radius in [10.0, 20.0, 40.0, 80.0] {
-                for share in [0.05, 0.3, 0.6] {
-                    for strands in LIMITS {
-                        for p in [0.0, 0.02, 0.1, 0.3, 0.6] {
-                            for e in [-0.02, 0.0, 0.08, 0.16, 0.24] {
-                                let l0 = m.length_mm();
-                                let arc = share * l0;
-                                let on = OnPulley { radius_mm: radius, angle_rad: arc / (radius + 10.0), straight_mm: l0 * (1.0 - e) - arc };
-                                if bent.straight(p, 1.0 - e).is_err() { continue }
-                                all += 1;
-                                match bent.on_pulley(strands, &on, p, 0.0) {
-                                    Ok(s) if s.force_n.is_finite() && s.flattening_mm / s.outer_radius_mm < 0.5 => {}
-                                    other => bad.push((mu, angle, radius, share, strands, p, e, other.map(|s| (s.force_n, s.pull_n, s.flattening_mm, s.outer_radius_mm)).map_err(|e| e.to_string().chars().take(50).collect::<String>()))),
-                                }
-                            }
-                        }
-                    }
-                }
-            }
-        }
-    }
-    println!("all {all} bad {}", bad.len());
-    for b in bad.iter().filter(|b| b.7.is_err()).step_by(29) { println!("BAD {b:?}") }
-    println!("errors {}", bad.iter().filter(|b| b.7.is_err()).count());
-    for radius in [10.0, 20.0, 40.0, 80.0] { for s in LIMITS { println!("R {radius} {s:?} errors {} flat {}", bad.iter().filter(|b| b.7.is_err() && b.2 == radius && b.4 == s).count(), bad.iter().filter(|b| b.7.is_ok() && b.2 == radius && b.4 == s).count()) }}
 }
