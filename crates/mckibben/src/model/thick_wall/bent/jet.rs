@@ -88,13 +88,7 @@ impl Sub for Jet {
 impl Mul for Jet {
     type Output = Self;
     fn mul(self, o: Self) -> Self {
-        Self {
-            v: self.v * o.v,
-            g: from_fn(|i| self.v * o.g[i] + o.v * self.g[i]),
-            h: from_fn(|i| {
-                from_fn(|j| self.v * o.h[i][j] + o.v * self.h[i][j] + self.g[i] * o.g[j] + self.g[j] * o.g[i])
-            }),
-        }
+        Self::of([&self, &o], self.v * o.v, [o.v, self.v], [[0.0, 1.0], [1.0, 0.0]])
     }
 }
 
