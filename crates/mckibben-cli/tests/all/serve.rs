@@ -106,12 +106,13 @@ fn the_limits_of_the_command_line_are_those_of_its_requests() {
     ended(child);
 }
 
-/// Nobody gets the address of a server that cannot answer: it says why, or it answers.
+/// Nobody gets the address of a server that cannot answer: it says why, or it answers. (The unoptimised program has 53 MB itself: with less the
+/// system does not load it.)
 #[cfg(target_os = "linux")]
 #[test]
 fn with_little_memory_it_answers_or_says_that_it_cannot() {
     let program = env!("CARGO_BIN_EXE_mckibben");
-    for kilobytes in [50_000, 60_000, 80_000, 120_000, 200_000, 400_000, 1_000_000] {
+    for kilobytes in [60_000, 70_000, 80_000, 120_000, 200_000, 400_000, 1_000_000] {
         let script = format!("ulimit -v {kilobytes} && exec {program} serve --port 0");
         let mut child = std::process::Command::new("sh")
             .args(["-c", &script])
