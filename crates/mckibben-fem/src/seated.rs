@@ -7,7 +7,7 @@ use crate::solver::curve::{Curve, CurvePoint, Test};
 use mckibben::analysis::{AnalysisError, Options, pressure_at};
 use mckibben::budget::Exceeded;
 use mckibben::model::{ForceModel, ModelError, Response, Seated, Workspace};
-use mckibben::muscle::{EndState, Ends, Muscle};
+use mckibben::muscle::{EndState, Ends, InnerPull, Muscle};
 use mckibben::progress::{Progress, Silent};
 
 /// The elements themselves where nothing is said of the ends of `muscle`, else the whole muscle; `model` is of [`Muscle::between_ends`].
@@ -60,11 +60,15 @@ fn between(of: &Whole, w: &mut Workspace, p: f64, e: f64) -> Result<f64, FemErro
     if ends.slip_mm_per_n == 0.0 {
         return Ok(ends.between(e, ends.seating_mm));
     }
-    let found = ends.solve_end_displacement(p, e, |x| {
+    let found = of.solve_ends(w, p, e, |w, x| {
         let found = inner(of, w, p, x, Detail::Tangent);
         let found = found.map_err(|e2| for_whole_muscle(of, ends.displacement_between_mm(e, x), e2))?;
         let response = found.response.unwrap_or_default();
-        Ok::<_, FemError>((response.force_n, response.stiffness_n_per_mm.unwrap_or(0.0)))
+        Ok::<_, FemError>(InnerPull {
+            force_n: response.force_n,
+            stiffness_n_per_mm: response.stiffness_n_per_mm.unwrap_or(0.0),
+            force_per_pressure_mm2: response.force_per_pressure_mm2,
+        })
     })?;
     let found = found.ok_or(FemError::Ends { pressure_mpa: p, contraction: e, steps: Ends::STEPS })?;
     Ok(found.between)
@@ -161,6 +165,7 @@ fn whole(of: &Whole, asked: Option<f64>, r: Response, list: &mut [Sensitivity]) 
         between: r.contraction,
         load_n: ends.load_n(r.pressure_mpa, force_n),
         stiffness_n_per_mm: r.stiffness_n_per_mm.unwrap_or(0.0),
+        load_per_pressure_mm2: None,
     };
     for slope in list {
         slope.force_n_per_unit = ends.slope(&state, &slope.name, slope.force_n_per_unit);

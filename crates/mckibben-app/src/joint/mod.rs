@@ -131,7 +131,10 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
             budget.admit(Resource::Bytes, MAP_POINT_BYTES * points)?;
             let supply = supply(request)?;
             asked.said.extend(model.outside(supply, progress)?.into_iter().map(Warning::from));
-            Some(model.map(supply, count, progress)?)
+            let map = model.map(supply, count, progress)?;
+            let first = map.gaps.first();
+            asked.said.extend(first.map(|gap| gaps(map.gaps.len(), map.points.len(), "points", &gap.reason)));
+            Some(map)
         }
     };
     if rows.is_empty() && map.is_none() {
@@ -168,6 +171,11 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
     let figure = request.figure.as_ref();
     answer.figure = figure.and_then(|unit| figure::joint(&answer, request.angles_deg.is_some(), unit));
     Ok(answer)
+}
+
+/// What is said of points that are left out.
+fn gaps(left_out: usize, of: usize, what: &str, reason: &str) -> Warning {
+    Warning::from(format!("{left_out} of {of} {what} are left out: {reason}"))
 }
 
 fn supply(request: &JointRequest) -> Result<f64, Problem> {
@@ -250,9 +258,19 @@ impl Asked<'_> {
                     if progress.cancelled() {
                         return Err(Problem::cancelled());
                     }
-                    for point in self.model.along(&mut self.workspaces, pressures, angles)? {
-                        rows.push(self.row(point, None)?);
+                    let points = self.model.along(&mut self.workspaces, pressures, angles);
+                    let gap = |e: &Result<_, JointError>| e.as_ref().is_err_and(JointError::is_of_point);
+                    // A family goes on beside angles at which a muscle has no state.
+                    let without = points.iter().filter(|point| gap(point)).count();
+                    let (only, mut said) = (without == points.len(), None);
+                    for point in points {
+                        match point {
+                            Err(error) if !only && error.is_of_point() => said = said.or(Some(error)),
+                            point => rows.push(self.row(point?, None)?),
+                        }
                     }
+                    let angles = angles.len();
+                    self.said.extend(said.map(|error| gaps(without, angles, "angles", &error.to_string())));
                 }
             }
             (false, None) => {

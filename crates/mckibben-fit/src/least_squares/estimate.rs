@@ -128,6 +128,29 @@ impl<R: Residuals> Inner<'_, R> {
     }
 }
 
+impl<R: Residuals> Inner<'_, R> {
+    /// Whether a Gauss–Newton step in the unknowns that lie on no bound would change nothing: J δ = −r in the least squares, |J δ|² ≤ 10⁻⁴ |r|² or δ below
+    /// 10⁻⁶ of each unknown's scale.
+    fn is_at_minimum(&self) -> bool {
+        let Some((mut j, r)) = self.jacobian().zip(LeastSquaresProblem::residuals(self)) else { return true };
+        let x = self.x(&self.u);
+        for (k, (unknown, &x)) in self.unknowns.iter().zip(&x).enumerate() {
+            if unknown.is_at_bound(x) {
+                j.column_mut(k).fill(0.0);
+            }
+        }
+        let svd = j.clone().svd(true, true);
+        let largest = svd.singular_values.iter().copied().fold(0.0, f64::max);
+        let Ok(step) = svd.solve(&r, 1e-10 * largest) else { return true };
+        let less = (&j * &step).norm_squared();
+        let moves = |(k, (unknown, d)): (usize, (&Unknown, &f64))| {
+            (unknown.outer(self.u[k]).1 * d).abs() > STEP * unknown.scale
+        };
+        let far = self.unknowns.iter().zip(step.iter()).enumerate().any(moves);
+        !(far && less > SMALLER * r.norm_squared())
+    }
+}
+
 /// ∂r/∂x, one column an unknown, not weighted: the model's own, or by central differences.
 pub fn slopes(residuals: &impl Residuals, unknowns: &[Unknown], x: &[f64]) -> Option<Vec<Vec<f64>>> {
     if let Some(columns) = residuals.by_unknowns(x) {
@@ -182,6 +205,17 @@ impl<R: Residuals> LeastSquaresProblem<f64, Dyn, Dyn> for Inner<'_, R> {
     }
 }
 
+fn search() -> LevenbergMarquardt<f64> {
+    LevenbergMarquardt::new().with_ftol(1e-13).with_xtol(1e-11).with_gtol(1e-13).with_patience(100)
+}
+
+/// Searches from where one has ended beside a minimum.
+const RESTARTS: usize = 3;
+/// A Gauss–Newton step may make the sum of squares smaller by this share at a minimum.
+const SMALLER: f64 = 1e-4;
+/// The same of a step in an unknown, in its scale.
+const STEP: f64 = 1e-6;
+
 /// Turns of the robust loss at most; the weights settle long before.
 const TURNS: usize = 60;
 /// Huber's constant: 95 % of the efficiency of squares where the errors are normal.
@@ -212,12 +246,14 @@ pub fn estimate(
         let mut inner = Inner { residuals, unknowns, roots, u: u.clone(), wall: None };
         let start = inner.residuals().ok_or(EstimateError::Start)?;
         inner.wall = Some(1e3 * (1.0 + start.amax()));
-        let (inner, report) = LevenbergMarquardt::new()
-            .with_ftol(1e-13)
-            .with_xtol(1e-11)
-            .with_gtol(1e-13)
-            .with_patience(100)
-            .minimize(inner);
+        let (mut inner, mut report) = search().minimize(inner);
+        // Where the model has no answer in places, the steps may shrink to nothing before a minimum: a new search begins with long ones.
+        for _ in 0..RESTARTS {
+            if inner.is_at_minimum() {
+                break;
+            }
+            (inner, report) = search().minimize(inner);
+        }
         // No step makes it smaller: as near to the minimum as the model's own rounding lets one come.
         let settled = matches!(report.termination, TerminationReason::NoImprovementPossible(_));
         if !(settled || report.termination.was_successful()) {
@@ -226,6 +262,10 @@ pub fn estimate(
                 TerminationReason::LostPatience => "the search did not converge; free fewer unknowns".into(),
                 _ => "the data do not determine the unknowns, or the model is not smooth".into(),
             };
+            return Err(EstimateError::NoMinimum { reason, at: inner.x(&inner.u) });
+        }
+        if !inner.is_at_minimum() {
+            let reason = "the model has no answer near the best values found".into();
             return Err(EstimateError::NoMinimum { reason, at: inner.x(&inner.u) });
         }
         u = inner.u.clone();

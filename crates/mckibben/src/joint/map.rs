@@ -34,18 +34,31 @@ pub struct MapPoint {
     pub at_limit: bool,
 }
 
+/// Pressures at which a muscle has no state where the joint would come to rest.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct MapGap {
+    /// Pressures in MPa, one a muscle.
+    pub pressures_mpa: Vec<f64>,
+    /// Why.
+    pub reason: String,
+}
+
 /// The rests at all pairs of pressures.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct JointMap {
     /// Pressures of each muscle in MPa, from none to the supply's.
     pub grid_mpa: Vec<f64>,
-    /// The rests, P1 the slower; none where nothing acts and the joint is loose. Of a joint with one muscle, at its pressures.
+    /// The rests, P1 the slower; none where nothing acts and the joint is loose, and at `gaps`. Of a joint with one muscle, at its pressures.
     pub points: Vec<Option<MapPoint>>,
+    /// Pressures at which a muscle has no state where the joint would come to rest.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub gaps: Vec<MapGap>,
     /// The rests along the border of the pressures: P1 up at P2 = 0, P2 up at the highest P1, P1 down, P2 down.
     pub border: Vec<MapPoint>,
     /// At angles over the range: (φ in degrees, least torque, largest torque in N m), one muscle at the supply's pressure and the other
-    /// without.
+    /// without. Angles at which a muscle has no state are left out.
     pub torques: Vec<(f64, f64, f64)>,
 }
 
@@ -53,7 +66,7 @@ impl JointModel<'_> {
     /// The map with `count` pressures of each muscle from 0 to `max_pressure_mpa`.
     ///
     /// # Errors
-    /// [`JointError`]; that of a model's range where the map leaves it, unless the joint extrapolates.
+    /// [`JointError`]; that of a model's range where the map leaves it, unless the joint extrapolates; that of the first gap where there are only gaps.
     pub fn map(
         &self,
         max_pressure_mpa: f64,
@@ -70,7 +83,8 @@ impl JointModel<'_> {
         for (i, workspace) in workspaces.iter_mut().enumerate() {
             free.push(grid.iter().map(|p| self.free(i, workspace, *p)).collect::<Result<Vec<_>, _>>()?);
         }
-        let row = |&i: &usize| -> Result<Vec<Option<MapPoint>>, JointError> {
+        type Rest = Result<Option<MapPoint>, (Vec<f64>, JointError)>;
+        let row = |&i: &usize| -> Result<Vec<Rest>, JointError> {
             if progress.cancelled() {
                 return Err(JointError::Cancelled);
             }
@@ -79,25 +93,44 @@ impl JointModel<'_> {
             let (mut near, mut before): (Option<f64>, Option<f64>) = (None, None);
             (0..if two { count } else { 1 })
                 .map(|j| {
+                    let pressures_mpa: Vec<f64> = free.iter().zip([i, j]).map(|(_, k)| grid[k]).collect();
+                    let start = near.zip(before).map_or(near, |(near, before)| Some(2.0 * near - before));
                     let mut fixed = Fixed {
                         workspaces: &mut workspaces,
-                        pressures_mpa: free.iter().zip([i, j]).map(|(_, k)| grid[k]).collect(),
+                        pressures_mpa: pressures_mpa.clone(),
                         free: free.iter().zip([i, j]).map(|(list, k)| list[k]).collect(),
                         turning: Turning::Mean,
                     };
-                    let start = near.zip(before).map_or(near, |(near, before)| Some(2.0 * near - before));
-                    let found = self.rest_near(&mut fixed, start)?;
-                    (near, before) = (found.as_ref().map(|p| p.angle_deg), near);
+                    let found = self.rest_near(&mut fixed, start);
+                    let at = |found: &Rest| found.as_ref().ok()?.as_ref().map(|p| p.angle_deg);
+                    let found = match found {
+                        Err(error) if !error.is_of_point() => return Err(error),
+                        found => found.map_err(|error| (pressures_mpa, error)),
+                    };
+                    (near, before) = (at(&found), near);
                     Ok(found)
                 })
                 .collect()
         };
         let places: Vec<usize> = (0..count).collect();
         let rows = Threads::shared().map(&places, row).into_iter().collect::<Result<Vec<_>, _>>()?;
+        let all = || rows.iter().flatten();
+        let missing = all().filter_map(|found| found.as_ref().err());
+        if let Some((_, error)) = missing.clone().next().filter(|_| all().all(Result::is_err)) {
+            return Err(error.clone());
+        }
+        let gap = |(pressures_mpa, error): &(Vec<f64>, JointError)| MapGap {
+            pressures_mpa: pressures_mpa.clone(),
+            reason: error.to_string(),
+        };
+        let gaps = missing.map(gap).collect();
+        let rows: Vec<Vec<Option<MapPoint>>> =
+            rows.into_iter().map(|row| row.into_iter().map(|found| found.ok().flatten()).collect()).collect();
         let border = if two { around(&rows) } else { rows.iter().flatten().flatten().cloned().collect() };
         Ok(JointMap {
             torques: self.torques(max_pressure_mpa, progress)?,
             points: rows.into_iter().flatten().collect(),
+            gaps,
             border,
             grid_mpa: grid,
         })
@@ -163,7 +196,11 @@ impl JointModel<'_> {
         };
         let mut before: Option<(f64, f64)> = None;
         for _ in 0..STEPS {
-            let (torque, slope, shut) = self.torque(fixed, angle)?;
+            let (torque, slope, shut) = match self.torque(fixed, angle) {
+                // A neighbour's rest may lie across angles without a state.
+                Err(error) if error.is_of_point() => break,
+                found => found?,
+            };
             if slope >= 0.0 {
                 break;
             }
@@ -179,7 +216,10 @@ impl JointModel<'_> {
             before = Some((angle, slope));
             angle = next.clamp(low, high);
         }
-        let rests = self.rests_at(fixed, 0.0)?;
+        let rests = match self.rests_at(fixed, 0.0) {
+            Err(error) if error.is_of_point() => self.rests_beside_gaps(fixed)?,
+            found => found?,
+        };
         let from = near_deg.unwrap_or(0.0);
         let far = |r: &&Rest| (r.angle_deg() - from).abs();
         let Some(rest) = rests.iter().filter(|r| r.is_stable()).min_by(|a, b| far(a).total_cmp(&far(b)))
@@ -201,13 +241,19 @@ impl JointModel<'_> {
         let ends: &[&[f64]] = if two { &[&[max_mpa, 0.0], &[0.0, max_mpa]] } else { &[&[max_mpa], &[0.0]] };
         let mut all = vec![vec![]; ANGLES];
         for pressures in ends {
-            let mut fixed = self.fixed(&mut workspaces, pressures, Turning::Mean)?;
+            let mut fixed = match self.fixed(&mut workspaces, pressures, Turning::Mean) {
+                Err(error) if error.is_of_point() => continue,
+                fixed => fixed?,
+            };
             for (i, list) in all.iter_mut().enumerate() {
                 let deg = low + (high - low) * i as f64 / (ANGLES - 1) as f64;
-                list.push((deg, self.torque(&mut fixed, deg.to_radians())?.0));
+                match self.torque(&mut fixed, deg.to_radians()) {
+                    Err(error) if error.is_of_point() => {}
+                    torque => list.push((deg, torque?.0)),
+                }
             }
         }
-        let ends = all.into_iter().filter_map(|list| {
+        let ends = all.into_iter().filter(|list| list.len() == ends.len()).filter_map(|list| {
             let deg = list.first()?.0;
             let torques = list.iter().map(|t| t.1);
             Some((

@@ -25,7 +25,7 @@ mod wrap;
 pub use error::JointError;
 pub use file::{JointFile, parse_joint};
 pub use inverse::JointTarget;
-pub use map::{JointMap, MapPoint};
+pub use map::{JointMap, MapGap, MapPoint};
 pub use model::{JointModel, JointPoint, MuscleState, Turning};
 pub use path::{Path, Shortening};
 pub use rest::Rest;

@@ -161,15 +161,12 @@ impl<'m> JointModel<'m> {
     }
 
     /// The same at several angles, between both branches of friction.
-    ///
-    /// # Errors
-    /// [`JointError`].
     pub fn along(
         &self,
         workspaces: &mut [Workspace],
         pressures_mpa: &[f64],
         angles_deg: &[f64],
-    ) -> Result<Vec<JointPoint>, JointError> {
+    ) -> Vec<Result<JointPoint, JointError>> {
         // How a slack muscle hangs depends on its pressure alone.
         let hanging = &mut vec![None; self.models.len()];
         let one = |&angle: &f64| self.point(workspaces, pressures_mpa, angle, Turning::Mean, hanging);
@@ -219,8 +216,8 @@ impl<'m> JointModel<'m> {
             torque += 1e-3 * force * s.arm_mm;
             stiffness += 1e-3 * (k * s.arm_mm * s.arm_mm - force * s.arm_by_angle_mm);
             let bend = model.extensions().bend.filter(|_| !answer.slack);
-            let bend =
-                bend.map(|bend| bend.state(p, contraction)).transpose().map_err(JointError::model(i))?;
+            let bend = bend.map(|bend| bend.state(workspace, p, contraction)).transpose();
+            let bend = bend.map_err(JointError::model(i))?;
             muscles.push(MuscleState { answer, arm_mm: s.arm_mm, arm_by_angle_mm: s.arm_by_angle_mm, bend });
         }
         let parts = self.torque_uncertainty(workspaces, &muscles);
@@ -258,7 +255,8 @@ impl<'m> JointModel<'m> {
         Ok(Fixed { workspaces, pressures_mpa: pressures_mpa.to_vec(), free, turning })
     }
 
-    /// The free contraction of a muscle at a pressure; `None` where it pulls up to the end of its model's range.
+    /// The free contraction of a muscle at a pressure; `None` where it pulls up to the end of its model's range, or has no state on the way to it: whether it
+    /// is slack is then asked at each angle.
     pub(super) fn free(
         &self,
         muscle: usize,
@@ -269,6 +267,7 @@ impl<'m> JointModel<'m> {
         match free_contraction(self.models[muscle], workspace, pressure_mpa, options) {
             Ok(e) => Ok(Some(e)),
             Err(AnalysisError::NoContraction { .. }) => Ok(None),
+            Err(AnalysisError::Model(error)) if error.is_of_point() => Ok(None),
             Err(error) => Err(JointError::analysis(muscle)(error)),
         }
     }

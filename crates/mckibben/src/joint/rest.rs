@@ -63,9 +63,57 @@ impl JointModel<'_> {
         self.rests_at(&mut self.fixed(workspaces, pressures_mpa, Turning::Mean)?, outside_nm)
     }
 
+    /// The rests between neighbouring angles at which every muscle has a state.
+    ///
+    /// # Errors
+    /// That of the first angle without a state, where no stable rest is found.
+    pub(super) fn rests_beside_gaps(&self, fixed: &mut Fixed<'_>) -> Result<Vec<Rest>, JointError> {
+        let (low, high) = self.joint().range_deg();
+        let angle = |i: usize| (low + (high - low) * i as f64 / SCAN as f64).to_radians();
+        // First and last of the angles of each part with states.
+        let mut parts: Vec<(usize, usize)> = vec![];
+        let mut without = None;
+        for i in 0..=SCAN {
+            match self.torque(fixed, angle(i)) {
+                Ok(_) => match parts.last_mut() {
+                    Some(part) if part.1 + 1 == i => part.1 = i,
+                    _ => parts.push((i, i)),
+                },
+                Err(error) if error.is_of_point() => without = without.or(Some(error)),
+                Err(error) => return Err(error),
+            }
+        }
+        let mut found = vec![];
+        for (first, last) in parts.into_iter().filter(|(first, last)| first < last) {
+            let ends = (angle(first), angle(last));
+            // A part ends at a gap or at a limit of the joint's range.
+            let (low_deg, high_deg) = (ends.0.to_degrees(), ends.1.to_degrees());
+            let at_gap = |rest: &Rest| match *rest {
+                Rest::Limit { angle_deg } => {
+                    (first > 0 && angle_deg == low_deg) || (last < SCAN && angle_deg == high_deg)
+                }
+                _ => false,
+            };
+            let rests = self.rests_between(fixed, ends, 0.0)?;
+            found.extend(rests.into_iter().filter(|rest| !at_gap(rest)));
+        }
+        match without {
+            Some(error) if !found.iter().any(Rest::is_stable) => Err(error),
+            _ => Ok(found),
+        }
+    }
+
     pub(super) fn rests_at(&self, fixed: &mut Fixed<'_>, outside_nm: f64) -> Result<Vec<Rest>, JointError> {
         let (low, high) = self.joint().range_deg();
-        let (low, high) = (low.to_radians(), high.to_radians());
+        self.rests_between(fixed, (low.to_radians(), high.to_radians()), outside_nm)
+    }
+
+    fn rests_between(
+        &self,
+        fixed: &mut Fixed<'_>,
+        (low, high): (f64, f64),
+        outside_nm: f64,
+    ) -> Result<Vec<Rest>, JointError> {
         let mut at = |angle: f64| Ok::<_, JointError>(self.torque(fixed, angle)?.0 + outside_nm);
         let mut found = vec![];
         let mut before = (low, at(low)?);

@@ -16,7 +16,7 @@
 //! of the arc slides less, and from its middle on both ways: this is the largest effect.
 
 use super::{
-    BentMuscle, BentState, Contact, Extensions, ForceModel, Mesh, ModelError, ModelInfo, ModelRange,
+    BentMuscle, BentState, Contact, Extensions, ForceModel, Mesh, ModelError, ModelId, ModelInfo, ModelRange,
     OnPulley, Response, Strands, Workspace, blocked_scale_n, pivoting_n_per_mm,
 };
 use crate::muscle::Direction;
@@ -24,6 +24,7 @@ use serde::{Deserialize, Serialize};
 
 /// A muscle on a pulley.
 pub struct Bent {
+    id: ModelId,
     inner: Box<dyn ForceModel>,
     info: ModelInfo,
     bent: BentMuscle,
@@ -79,6 +80,7 @@ impl Bent {
         let range = ModelRange { contraction: (low, high.min(leaves)), ..of.range.clone() };
         let bent = BentMuscle::new(&of.muscle);
         Self {
+            id: ModelId::new(),
             info: ModelInfo { range, ..of.clone() },
             bent,
             on,
@@ -102,26 +104,39 @@ impl Bent {
         (self.on.angle_rad - self.shortening_mm(contraction) / self.arm_mm()).max(0.0)
     }
 
-    /// The long muscle on the pulley, by the limits of its strands, and without a bend.
-    fn states(&self, p: f64, e: f64) -> Result<(Vec<BentState>, BentState), ModelError> {
-        let limits = self.strands.map_or(vec![Strands::Sliding, Strands::Fixed], |one| vec![one]);
+    /// The long muscle at a point; the last answer is kept, as pull, slopes and what the bend does are asked for one after the other.
+    fn states(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<States, ModelError> {
+        let at = (p, e);
+        if let Some(known) = workspace.last::<States>(&self.id).filter(|known| known.at == at) {
+            return Ok(*known);
+        }
         let x = self.shortening_mm(e);
-        let bent = limits.into_iter().map(|strands| self.bent.on_pulley(strands, &self.on, p, x));
-        Ok((bent.collect::<Result<_, _>>()?, self.bent.straight(p, 1.0 - e)?))
+        let by = |strands| self.bent.on_pulley(strands, &self.on, p, x);
+        let limits = match self.strands {
+            Some(one) => [by(one)?; 2],
+            None => [by(Strands::Sliding)?, by(Strands::Fixed)?],
+        };
+        let found = States { at, limits, straight: self.bent.straight(p, 1.0 - e)? };
+        workspace.keep(&self.id, found);
+        Ok(found)
     }
 
     /// What the bend does at a pressure in MPa and a contraction.
     ///
     /// # Errors
     /// [`ModelError`].
-    pub fn state(&self, pressure_mpa: f64, contraction: f64) -> Result<BendState, ModelError> {
-        let (bent, straight) = self.states(pressure_mpa, contraction)?;
-        let mean = mean(&bent);
-        let forces = || bent.iter().map(|s| s.force_n);
-        let apart = forces().fold(f64::NEG_INFINITY, f64::max) - forces().fold(f64::INFINITY, f64::min);
+    pub fn state(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<BendState, ModelError> {
+        let states = self.states(workspace, pressure_mpa, contraction)?;
+        let mean = |of| states.mean(of);
+        let [a, b] = states.limits;
         Ok(BendState {
-            pull_lost_n: straight.force_n - mean(|s| s.force_n),
-            pull_lost_uncertainty_n: 0.5 * apart,
+            pull_lost_n: -states.more(|s| s.force_n),
+            pull_lost_uncertainty_n: 0.5 * (a.force_n - b.force_n).abs(),
             axial_pull_n: mean(|s| s.pull_n),
             axis_mm: mean(|s| s.axis_mm),
             wrap_deg: self.angle_rad(contraction).to_degrees(),
@@ -151,9 +166,27 @@ impl Bent {
     }
 }
 
-/// Mean over both limits.
-fn mean(states: &[BentState]) -> impl Fn(fn(&BentState) -> f64) -> f64 + '_ {
-    |of| states.iter().map(of).sum::<f64>() / states.len() as f64
+/// The long muscle at (P, ε).
+#[derive(Debug, Clone, Copy)]
+struct States {
+    at: (f64, f64),
+    /// On the pulley, by both limits of its strands.
+    limits: [BentState; 2],
+    /// Without a bend.
+    straight: BentState,
+}
+
+impl States {
+    /// Mean over both limits.
+    fn mean(&self, of: fn(&BentState) -> f64) -> f64 {
+        let [a, b] = self.limits;
+        0.5 * (of(&a) + of(&b))
+    }
+
+    /// What the bend adds.
+    fn more(&self, of: fn(&BentState) -> f64) -> f64 {
+        self.mean(of) - of(&self.straight)
+    }
 }
 
 impl ForceModel for Bent {
@@ -163,9 +196,8 @@ impl ForceModel for Bent {
 
     fn response(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
         let base = self.inner.response(workspace, p, e)?;
-        let (bent, straight) = self.states(p, e)?;
-        let (mean, length) = (mean(&bent), self.info.muscle.length_mm());
-        let more = |of: fn(&BentState) -> f64| mean(of) - of(&straight);
+        let states = self.states(workspace, p, e)?;
+        let (more, length) = (|of| states.more(of), self.info.muscle.length_mm());
         Ok(Response {
             force_n: base.force_n + more(|s| s.force_n),
             volume_mm3: base.volume_mm3.map(|v| v + more(|s| s.volume_mm3)),
@@ -185,8 +217,7 @@ impl ForceModel for Bent {
 
     fn force_n(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<f64, ModelError> {
         let base = self.inner.force_n(workspace, p, e)?;
-        let (bent, straight) = self.states(p, e)?;
-        Ok(base + mean(&bent)(|s| s.force_n) - straight.force_n)
+        Ok(base + self.states(workspace, p, e)?.more(|s| s.force_n))
     }
 
     fn extensions(&self) -> Extensions<'_> {

@@ -148,3 +148,20 @@ pub enum ModelError {
         contraction: f64,
     },
 }
+
+impl ModelError {
+    /// Whether it is about this pressure and contraction: other points may have an answer.
+    pub fn is_of_point(&self) -> bool {
+        matches!(
+            self,
+            Self::Geometry { .. }
+                | Self::OnRod { .. }
+                | Self::Overstretched { .. }
+                | Self::Locked { .. }
+                | Self::NoEquilibrium { .. }
+                | Self::NotConverged { .. }
+                | Self::Stopped { .. }
+                | Self::NotFinite { .. }
+        )
+    }
+}

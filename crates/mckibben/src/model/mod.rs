@@ -35,6 +35,7 @@ mod thick_wall;
 mod tondu_lopez;
 mod tondu_pressures;
 mod universal;
+pub mod verification;
 mod wall;
 mod wall_mooney;
 mod workspace;

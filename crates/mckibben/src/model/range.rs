@@ -107,7 +107,8 @@ impl fmt::Display for RangeViolation {
         let Interval { quantity, low, high } = self.interval;
         let (name, unit) = (quantity.name(), quantity.unit());
         let space = if unit.is_empty() { "" } else { " " };
-        let rounded = (self.value * 1e6).round() / 1e6;
+        let round = |v: f64| (v * 1e6).round() / 1e6;
+        let (rounded, low, high) = (round(self.value), round(low), round(high));
         // A hair beyond the bound is shown as it is.
         let hidden = rounded >= low && rounded <= high;
         let value = if hidden { format!("{:.1e}", self.value) } else { rounded.to_string() };

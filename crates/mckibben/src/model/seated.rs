@@ -6,16 +6,17 @@
 //! lengths can.
 
 use super::{
-    Contact, Extensions, ForceModel, Inverse, Mesh, ModelError, ModelInfo, ModelRange, Response, Slopes,
-    ThickWall, Workspace, blocked_scale_n, pivoting_n_per_mm,
+    Contact, Extensions, ForceModel, Inverse, Mesh, ModelError, ModelId, ModelInfo, ModelRange, Response,
+    Slopes, ThickWall, Workspace, blocked_scale_n, pivoting_n_per_mm,
 };
 use crate::differences::slope;
-use crate::muscle::{EndState, Ends, Muscle};
+use crate::muscle::{EndState, Ends, InnerPull, Muscle};
 use std::sync::Arc;
 
 /// A model of a muscle whose ends give way.
 pub struct Seated<M: ForceModel + ?Sized> {
     inner: Box<M>,
+    id: ModelId,
     info: ModelInfo,
     ends: Ends,
     /// The infinitely long muscle in place of a model that does not compute the contact with a core rod: it tells where there is one.
@@ -54,7 +55,8 @@ impl<M: ForceModel + ?Sized> Seated<M> {
         let touching = (ends.rod.is_some() && !inner.extensions().rod_contact)
             .then(|| Box::new(ThickWall::new(&of_inner.muscle)));
         let muscle = Arc::new(muscle.clone());
-        Self { info: ModelInfo { muscle, range, ..of_inner.clone() }, inner, ends, touching }
+        let info = ModelInfo { muscle, range, ..of_inner.clone() };
+        Self { id: ModelId::new(), info, inner, ends, touching }
     }
 
     /// The model of the muscle between its ends.
@@ -106,17 +108,22 @@ impl<M: ForceModel + ?Sized> Seated<M> {
     ) -> Result<(EndState, Response), ModelError> {
         let mut last = None;
         let slips = self.ends.slip_mm_per_n > 0.0;
-        let found = self.ends.solve_end_displacement(p, e, |x| {
+        let found = self.solve_ends(workspace, p, e, |workspace, x| {
             let mut ask =
                 |x| self.inner.response(workspace, p, x).map_err(|error| self.for_whole_muscle(error, e, x));
             let found = ask(x)?;
-            let stiffness = match found.stiffness_n_per_mm {
+            let stiffness_n_per_mm = match found.stiffness_n_per_mm {
                 Some(k) => k,
                 None if slips => -slope(H, |h| ask(x + h).map(|r| r.force_n))? / self.ends.active_mm(),
                 None => 0.0,
             };
             last = Some(found);
-            Ok::<_, ModelError>((found.force_n, stiffness))
+            let force_per_pressure_mm2 = found.force_per_pressure_mm2;
+            Ok::<_, ModelError>(InnerPull {
+                force_n: found.force_n,
+                stiffness_n_per_mm,
+                force_per_pressure_mm2,
+            })
         })?;
         let (state, response) = found.zip(last).ok_or(ModelError::NotConverged {
             pressure_mpa: p,
@@ -126,6 +133,31 @@ impl<M: ForceModel + ?Sized> Seated<M> {
         })?;
         self.check_rod(p, state.between, e)?;
         Ok((state, response))
+    }
+
+    /// The state of the ends at a point, where the muscle between them answers by `pull`: from the last state of this workspace, or without one.
+    ///
+    /// # Errors
+    /// Those of `pull`.
+    pub fn solve_ends<E>(
+        &self,
+        workspace: &mut Workspace,
+        p: f64,
+        e: f64,
+        mut pull: impl FnMut(&mut Workspace, f64) -> Result<InnerPull, E>,
+    ) -> Result<Option<EndState>, E> {
+        let start = workspace.last(&self.id).map(|last| self.ends.displacement_near_mm(last, p, e));
+        let mut from =
+            |start, w: &mut Workspace| self.ends.solve_end_displacement(p, e, start, |x| pull(w, x));
+        let mut found = from(start, workspace);
+        if start.is_some() && !matches!(found, Ok(Some(_))) {
+            found = from(None, workspace);
+        }
+        if let Some(state) = found.as_ref().ok().copied().flatten().filter(|_| self.ends.slip_mm_per_n > 0.0)
+        {
+            workspace.keep(&self.id, state);
+        }
+        found
     }
 
     /// Whether the tube is clear of the core rod, where the model does not compute their contact: by the infinitely long muscle.

@@ -44,8 +44,13 @@ impl PartialEq for ModelId {
 /// ```
 pub struct Workspace {
     content: Option<(ModelId, Box<dyn Any + Send>)>,
+    /// The last states of models that are built on another one: ends, a bend.
+    last: Vec<(ModelId, Box<dyn Any + Send>)>,
     budget: Budget,
 }
+
+/// A muscle on a pulley whose ends slip has two models that are built on another one.
+const LAST: usize = 2;
 
 impl Default for Workspace {
     fn default() -> Self {
@@ -61,7 +66,7 @@ impl Workspace {
 
     /// An empty one for work that may cost so much.
     pub fn within(budget: Budget) -> Self {
-        Self { content: None, budget }
+        Self { content: None, last: vec![], budget }
     }
 
     /// What the work may cost.
@@ -93,6 +98,24 @@ impl Workspace {
         }
         let content = self.content.as_mut().and_then(|(_, content)| content.downcast_mut());
         Ok(content.unwrap_or_else(|| unreachable!("the content was made or found just before")))
+    }
+
+    /// The last state of a model that is built on another one, where this workspace has one.
+    pub fn last<T: Any>(&self, id: &ModelId) -> Option<&T> {
+        self.last.iter().find(|(of, _)| of == id)?.1.downcast_ref()
+    }
+
+    /// Keeps the last state of a model that is built on another one, whose content this workspace has.
+    pub fn keep<T: Any + Send>(&mut self, id: &ModelId, state: T) {
+        let own = self.last.iter_mut().find(|(of, _)| of == id);
+        if let Some(place) = own.and_then(|(_, kept)| kept.downcast_mut()) {
+            *place = state;
+            return;
+        }
+        if self.last.len() == LAST {
+            self.last.remove(0);
+        }
+        self.last.push((id.clone(), Box::new(state)));
     }
 
     /// The content that belongs to a model, where this workspace has one.

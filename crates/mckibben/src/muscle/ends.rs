@@ -7,7 +7,8 @@
 //!
 //! F₀ (N) and V₀ (mm³) of a muscle of length La whose ends hold, h the grip at each end (mm), δ the seating (mm), c the slip (mm/N), both of both ends
 //! together, N the load of a clamp (N): what tube and braid carry there, the pull and the pressure P (MPa) on the plug of the bore Ri (mm). As F₀
-//! falls with x, u has one solution; Newton's method for it comes from below, where F₀ is convex. With K₀ = −(1/La) ∂F₀/∂x
+//! falls with x, u has one solution; Newton's method for it begins where a neighbouring state points to, to first order, or comes from below, where F₀ is
+//! convex. With K₀ = −(1/La) ∂F₀/∂x
 //!
 //!   K = K₀/(1 + c K₀),   ∂F/∂P = (∂F₀/∂P − c K₀ π Ri²)/(1 + c K₀),   ∂F/∂δ = −K,   ∂F/∂c = −K N,
 //!   ∂F/∂h = −2 (∂F₀/∂La + K₀ x)/(1 + c K₀),   ∂F/∂L0 = (∂F₀/∂La + K₀ (x − ε))/(1 + c K₀),
@@ -54,6 +55,19 @@ pub struct EndState {
     pub load_n: f64,
     /// K₀ in N/mm; 0 where the ends do not slip and it was not asked for.
     pub stiffness_n_per_mm: f64,
+    /// ∂N/∂P in mm², where it is known.
+    pub load_per_pressure_mm2: Option<f64>,
+}
+
+/// What the muscle between its ends answers at x.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InnerPull {
+    /// F₀ in N.
+    pub force_n: f64,
+    /// K₀ in N/mm.
+    pub stiffness_n_per_mm: f64,
+    /// ∂F₀/∂P in mm², where it is known.
+    pub force_per_pressure_mm2: Option<f64>,
 }
 
 impl Muscle {
@@ -158,7 +172,17 @@ impl Ends {
         between * self.active_mm() - contraction * self.length_mm
     }
 
-    /// The state of the ends; `pull` gives F₀ in N and K₀ in N/mm at x. `None` where Newton's method does not find it.
+    /// u in mm at a pressure in MPa and a contraction, to first order from a state of the ends.
+    pub fn displacement_near_mm(&self, at: &EndState, pressure_mpa: f64, contraction: f64) -> f64 {
+        let k = at.stiffness_n_per_mm / self.series_factor(at.stiffness_n_per_mm);
+        let by_pressure = at.load_per_pressure_mm2.unwrap_or_else(|| self.bore_mm2());
+        let more_n = by_pressure * (pressure_mpa - at.pressure_mpa);
+        let less_n = k * self.length_mm * (contraction - at.whole);
+        self.seating_mm + self.slip_mm_per_n * (at.load_n + more_n - less_n)
+    }
+
+    /// The state of the ends; `pull` answers at x. The search begins at `start_mm`, or without it at a muscle that does not pull. `None` where Newton's method
+    /// does not find it.
     ///
     /// # Errors
     /// Those of `pull`.
@@ -166,25 +190,29 @@ impl Ends {
         &self,
         pressure_mpa: f64,
         contraction: f64,
-        mut pull: impl FnMut(f64) -> Result<(f64, f64), E>,
+        start_mm: Option<f64>,
+        mut pull: impl FnMut(f64) -> Result<InnerPull, E>,
     ) -> Result<Option<EndState>, E> {
-        let mut displacement = self.end_displacement_mm(pressure_mpa, 0.0);
+        let mut displacement = start_mm
+            .unwrap_or_else(|| self.end_displacement_mm(pressure_mpa, self.whole_n(pressure_mpa, 0.0)));
         for _ in 0..Self::STEPS {
             let between = self.between(contraction, displacement);
-            let (force_n, stiffness_n_per_mm) = pull(between)?;
-            let force_n = self.whole_n(pressure_mpa, force_n);
+            let inner = pull(between)?;
+            let (k, slip) = (inner.stiffness_n_per_mm, self.slip_mm_per_n);
+            let force_n = self.whole_n(pressure_mpa, inner.force_n);
             let miss = self.end_displacement_mm(pressure_mpa, force_n) - displacement;
-            if self.slip_mm_per_n == 0.0 || miss.abs() <= 1e-9 * (1.0 + displacement.abs()) {
-                let load_n = self.load_n(pressure_mpa, force_n);
+            if slip == 0.0 || miss.abs() <= 1e-9 * (1.0 + displacement.abs()) {
+                let by_pressure = |slope: f64| (slope + self.bore_mm2()) / self.series_factor(k);
                 return Ok(Some(EndState {
                     pressure_mpa,
                     whole: contraction,
                     between,
-                    load_n,
-                    stiffness_n_per_mm,
+                    load_n: self.load_n(pressure_mpa, force_n),
+                    stiffness_n_per_mm: k,
+                    load_per_pressure_mm2: inner.force_per_pressure_mm2.map(by_pressure),
                 }));
             }
-            displacement += miss / self.series_factor(stiffness_n_per_mm).max(0.5);
+            displacement += miss / self.series_factor(k).max(0.5);
         }
         Ok(None)
     }

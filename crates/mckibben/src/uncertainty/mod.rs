@@ -164,7 +164,7 @@ pub fn uncertainty<M: ForceModel + ?Sized>(
 ) -> Option<UncertaintyParts> {
     let at = (pressure_mpa, contraction);
     let own = of_specimen(model, workspace, at, force_n, direction)?;
-    let bend = model.extensions().bend.and_then(|bend| bend.state(pressure_mpa, contraction).ok());
+    let bend = model.extensions().bend.and_then(|bend| bend.state(workspace, pressure_mpa, contraction).ok());
     let own = UncertaintyParts { bend: bend.map(|bend| bend.pull_lost_uncertainty_n), ..own };
     // A formula of a bought muscle was held against measured pulls.
     let of_product = matches!(model.info().accuracy.reference, Reference::ForceMap { .. });

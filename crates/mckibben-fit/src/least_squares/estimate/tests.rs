@@ -130,3 +130,11 @@ fn rosenbrocks_valley_is_followed_to_its_end() {
     assert!((found.x[0] - 1.0).abs() < 1e-7 && (found.x[1] - 1.0).abs() < 1e-7, "{found:?}");
     assert!(found.residuals.iter().map(|r| r * r).sum::<f64>() < 1e-14);
 }
+
+/// The minimum, 1 by hand, lies where the model has no answer: the edge of the answers is no minimum.
+#[test]
+fn a_minimum_without_an_answer_is_not_replaced_by_the_last_point_with_one() {
+    let no_answer_below_2 = |x: &[f64]| (x[0] > 2.0).then(|| vec![x[0] - 0.9, x[0] - 1.1, x[0] - 1.0]);
+    let found = estimate(&no_answer_below_2, &[Unknown::free(7.0, 1.0)], &[1.0; 3], Loss::Squares);
+    assert!(matches!(found, Err(EstimateError::NoMinimum { .. })), "{found:?}");
+}
