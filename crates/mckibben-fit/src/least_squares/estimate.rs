@@ -128,11 +128,21 @@ impl<R: Residuals> Inner<'_, R> {
     }
 }
 
+/// What lies beside the end of a search.
+enum Beside {
+    /// Nothing smaller.
+    Minimum,
+    /// Unknowns with a smaller sum of squares.
+    Smaller(DVector<f64>),
+    /// Points without an answer of the model, where the sum of squares falls.
+    NoAnswer,
+}
+
 impl<R: Residuals> Inner<'_, R> {
-    /// Whether a Gauss–Newton step in the unknowns that lie on no bound would change nothing: J δ = −r in the least squares, |J δ|² ≤ 10⁻⁴ |r|² or δ below
-    /// 10⁻⁶ of each unknown's scale.
-    fn is_at_minimum(&self) -> bool {
-        let Some((mut j, r)) = self.jacobian().zip(LeastSquaresProblem::residuals(self)) else { return true };
+    /// Along the Gauss–Newton step, J δ = −r in the least squares, in the unknowns that lie on no bound: none further than its scale.
+    fn beside(&self) -> Beside {
+        let at = |u: &DVector<f64>| self.residuals.at(&self.x(u)).map(|r| self.weighted(r));
+        let Some((mut j, r)) = self.jacobian().zip(at(&self.u)) else { return Beside::Minimum };
         let x = self.x(&self.u);
         for (k, (unknown, &x)) in self.unknowns.iter().zip(&x).enumerate() {
             if unknown.is_at_bound(x) {
@@ -141,13 +151,28 @@ impl<R: Residuals> Inner<'_, R> {
         }
         let svd = j.clone().svd(true, true);
         let largest = svd.singular_values.iter().copied().fold(0.0, f64::max);
-        let Ok(step) = svd.solve(&r, 1e-10 * largest) else { return true };
-        let less = (&j * &step).norm_squared();
-        let moves = |(k, (unknown, d)): (usize, (&Unknown, &f64))| {
-            (unknown.outer(self.u[k]).1 * d).abs() > STEP * unknown.scale
-        };
-        let far = self.unknowns.iter().zip(step.iter()).enumerate().any(moves);
-        !(far && less > SMALLER * r.norm_squared())
+        let Ok(step) = svd.solve(&-&r, 1e-10 * largest) else { return Beside::Minimum };
+        let in_scales =
+            |(k, unknown): (usize, &Unknown)| (unknown.outer(self.u[k]).1 * step[k] / unknown.scale).abs();
+        let far = self.unknowns.iter().enumerate().map(in_scales).fold(0.0, f64::max);
+        if far <= STEP || (&j * &step).norm_squared() <= SMALLER * r.norm_squared() {
+            return Beside::Minimum;
+        }
+        let step = step / far.max(1.0);
+        let mut answers = true;
+        for share in SHARES {
+            let u = &self.u + share * &step;
+            let found = at(&u);
+            answers = found.is_some();
+            if found.is_some_and(|next| next.norm_squared() < (1.0 - SMALLER) * r.norm_squared()) {
+                return Beside::Smaller(u);
+            }
+        }
+        if answers { Beside::Minimum } else { Beside::NoAnswer }
+    }
+
+    fn weighted(&self, residuals: Vec<f64>) -> DVector<f64> {
+        DVector::from_vec(residuals).component_mul(&self.roots)
     }
 }
 
@@ -186,7 +211,7 @@ impl<R: Residuals> LeastSquaresProblem<f64, Dyn, Dyn> for Inner<'_, R> {
         // Not even a wall: the iteration ends.
         Budget::current().check().ok()?;
         match self.residuals.at(&self.x(&self.u)) {
-            Some(r) => Some(DVector::from_vec(r).component_mul(&self.roots)),
+            Some(r) => Some(self.weighted(r)),
             // A step to where the model has no answer is a bad step: the next one is shorter.
             None => self.wall.map(|wall| DVector::from_element(self.roots.len(), wall)),
         }
@@ -211,10 +236,12 @@ fn search() -> LevenbergMarquardt<f64> {
 
 /// Searches from where one has ended beside a minimum.
 const RESTARTS: usize = 3;
-/// A Gauss–Newton step may make the sum of squares smaller by this share at a minimum.
+/// A step may make the sum of squares smaller by this share at a minimum.
 const SMALLER: f64 = 1e-4;
 /// The same of a step in an unknown, in its scale.
 const STEP: f64 = 1e-6;
+/// Shares of the step that are tried.
+const SHARES: [f64; 5] = [1.0, 0.3, 0.1, 0.01, 0.001];
 
 /// Turns of the robust loss at most; the weights settle long before.
 const TURNS: usize = 60;
@@ -248,11 +275,12 @@ pub fn estimate(
         inner.wall = Some(1e3 * (1.0 + start.amax()));
         let (mut inner, mut report) = search().minimize(inner);
         // Where the model has no answer in places, the steps may shrink to nothing before a minimum: a new search begins with long ones.
+        let mut beside = inner.beside();
         for _ in 0..RESTARTS {
-            if inner.is_at_minimum() {
-                break;
-            }
+            let Beside::Smaller(u) = beside else { break };
+            inner.u = u;
             (inner, report) = search().minimize(inner);
+            beside = inner.beside();
         }
         // No step makes it smaller: as near to the minimum as the model's own rounding lets one come.
         let settled = matches!(report.termination, TerminationReason::NoImprovementPossible(_));
@@ -264,7 +292,7 @@ pub fn estimate(
             };
             return Err(EstimateError::NoMinimum { reason, at: inner.x(&inner.u) });
         }
-        if !inner.is_at_minimum() {
+        if !matches!(beside, Beside::Minimum) {
             let reason = "the model has no answer near the best values found".into();
             return Err(EstimateError::NoMinimum { reason, at: inner.x(&inner.u) });
         }

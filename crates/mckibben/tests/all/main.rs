@@ -10,3 +10,4 @@ mod literature;
 mod models;
 mod rods;
 mod temperature;
+mod wrap;

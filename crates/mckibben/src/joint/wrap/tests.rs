@@ -1,9 +1,8 @@
 //! Muscles that lie on their pulleys: virtual work, friction by hand, and what cannot be built.
 
 use super::*;
-use crate::joint::{Joint, JointModel, JointPoint, JointTarget, Link, Turning, parse_joint};
+use crate::joint::{Joint, JointModel, JointPoint, Link, Turning, parse_joint};
 use crate::model::{ModelKind, ThickWall, Workspace};
-use crate::progress::Silent;
 
 fn on_its_pulley(radius_mm: f64, friction: f64) -> JointMuscle {
     let muscle = Muscle::prototype();
@@ -65,58 +64,6 @@ fn the_torque_is_virtual_work() {
             assert!((found / slope - 1.0).abs() < 1e-5, "{kind} {turning:?} {found} {slope}");
         }
     }
-}
-
-/// Without its bend a joint is that of ropes on pulleys of R + Ro; with it the pull is lower, and the pressures found for its torque give it again.
-#[test]
-fn maps_rests_and_pressures_work_on_a_wrap() {
-    let joint = joint(0.2);
-    let ropes = [75.0, -75.0]
-        .map(|radius_mm| JointMuscle { path: Path::Pulley { radius_mm }, ..on_its_pulley(60.0, 0.0) });
-    let ropes = Joint::new(ropes.to_vec(), None, Link::default(), (-30.0, 30.0)).unwrap();
-    let pressures = [0.2, 0.12];
-    let found = at(&joint, ModelKind::Universal, pressures, 8.0, Turning::Mean);
-    let rope = at(&ropes, ModelKind::Universal, pressures, 8.0, Turning::Mean);
-    for (bent, straight) in found.muscles.iter().zip(&rope.muscles) {
-        let bend = bent.bend.unwrap();
-        let lost = straight.answer.response.force_n - bent.answer.response.force_n;
-        assert!((lost - bend.pull_lost_n).abs() < 1e-9 && lost > 0.0, "{lost} {bend:?}");
-        assert!(bend.axis_mm > 60.0 && bend.flattening > 0.0 && straight.bend.is_none(), "{bend:?}");
-        let parts = bent.answer.uncertainty_parts_n.unwrap();
-        assert_eq!(parts.bend, Some(bend.pull_lost_uncertainty_n));
-    }
-    asked(&joint, ModelKind::Universal, |model, w| {
-        let wanted = JointTarget {
-            angle_deg: 8.0,
-            torque_nm: found.torque_nm,
-            stiffness_nm_per_rad: Some(found.stiffness_nm_per_rad),
-        };
-        let back = model.pressures(w, wanted, 0.3).unwrap();
-        for (p, known) in back.pressures_mpa.iter().zip(pressures) {
-            assert!((p - known).abs() < 1e-6, "{back:?}");
-        }
-        let rests = model.rests(w, &[0.2, 0.2], 0.0).unwrap();
-        assert!(
-            matches!(rests[..], [crate::joint::Rest::Balance { angle_deg, .. }] if angle_deg.abs() < 1e-9)
-        );
-        let map = model.map(0.25, 5, &Silent).unwrap();
-        assert_eq!(map.points.len(), 25);
-        assert!(map.points.iter().flatten().count() > 15);
-    });
-}
-
-/// A pulley as narrow as the muscle is thick presses it flat at high pressures: the map has the other rests, and says which are missing.
-#[test]
-fn a_map_goes_on_beside_pressures_that_press_a_muscle_flat() {
-    let muscles =
-        [14.0, -14.0].map(|r| JointMuscle { contraction_at_neutral: 0.04, ..on_its_pulley(r, 0.0) });
-    let joint = Joint::new(muscles.to_vec(), None, Link::default(), (-20.0, 20.0)).unwrap();
-    asked(&joint, ModelKind::ThickWall, |model, _| {
-        let map = model.map(0.4, 4, &Silent).unwrap();
-        let missing = map.points.iter().filter(|p| p.is_none()).count();
-        assert!(!map.gaps.is_empty() && map.gaps.len() <= missing && missing < 16, "{map:?}");
-        assert!(map.gaps[0].reason.contains("pulley"), "{:?}", map.gaps[0]);
-    });
 }
 
 #[test]
