@@ -162,8 +162,8 @@ def test_compare_and_study_and_lists(root: Path) -> None:
     assert shown.characteristics.blocked_force_n == pytest.approx(mk.Muscle().model().force(0.25), rel=1e-9)
 
 
-def test_validation_holds() -> None:
-    cases = mk.validate().cases
+def test_validation_holds(validation: Any) -> None:
+    cases = validation.cases
     assert len(cases) > 20 and all(case.ok for case in cases)
 
 
