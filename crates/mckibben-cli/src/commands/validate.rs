@@ -91,11 +91,16 @@ fn sweep_text(a: &SweepAnswer) -> String {
 }
 
 fn as_text(cases: &[VerificationRow]) -> String {
-    let of = |kind, measure| -> Vec<&VerificationRow> {
-        cases.iter().filter(|c| c.kind == kind && c.measure == measure).collect()
-    };
-    let values = of(CaseKind::Verification, Measure::Value);
-    let (rms, shares) = (of(CaseKind::Validation, Measure::Rms), of(CaseKind::Validation, Measure::Share));
+    let [mut values, mut rms, mut measured, mut shares] = [vec![], vec![], vec![], vec![]];
+    for case in cases {
+        let table = match (case.kind, case.measure) {
+            (CaseKind::Verification, _) => &mut values,
+            (CaseKind::Validation, Measure::Rms) => &mut rms,
+            (CaseKind::Validation, Measure::Value) => &mut measured,
+            (CaseKind::Validation, Measure::Share) => &mut shares,
+        };
+        table.push(case);
+    }
     let newton = |c: &VerificationRow| {
         c.ours.map(|v| vec![Some(v)]).map_or_else(|| "–".into(), |v| aligned(&v, 3).concat())
     };
@@ -104,6 +109,10 @@ fn as_text(cases: &[VerificationRow]) -> String {
         let error = or_dash(c.error, |v| format!("{v:.1e}"));
         let ours = or_dash(c.ours, |v| number(v, 9));
         vec![number(c.reference, 9), ours, error, format!("{:.0e}", c.tolerance)]
+    };
+    let quantity = |c: &VerificationRow| {
+        let ours = or_dash(c.ours, |v| number(v, 4));
+        vec![number(c.reference, 4), ours, or_dash(c.error, percent), percent(c.tolerance)]
     };
     let of_blocked = |c: &VerificationRow| {
         let error = or_dash(c.error, percent);
@@ -116,9 +125,11 @@ fn as_text(cases: &[VerificationRow]) -> String {
         "\nValidation: are they the right equations? Root mean square of the differences from measured pulls\n\n"
             .into(),
         section(&rms, &["rms [N]", "largest or blocked [N]", "rms of it", "allowed"], &of_blocked),
+        "\nValidation: other measured quantities\n\n".into(),
+        section(&measured, &["measured", "computed", "error", "allowed"], &quantity),
         "\nValidation: does the ± cover the measured points?\n\n".into(),
         section(&shares, &["held", "at least"], &covered),
-        summary(&values, &rms, &shares),
+        summary(&values, &rms, &measured, &shares),
     ]
     .concat()
 }
@@ -145,18 +156,24 @@ fn has_sources() -> bool {
     width::of_tables() >= 160
 }
 
-fn summary(values: &[&VerificationRow], rms: &[&VerificationRow], shares: &[&VerificationRow]) -> String {
+fn summary(
+    values: &[&VerificationRow],
+    rms: &[&VerificationRow],
+    measured: &[&VerificationRow],
+    shares: &[&VerificationRow],
+) -> String {
     let held =
         |list: &[&VerificationRow]| format!("{} of {}", list.iter().filter(|c| c.ok).count(), list.len());
     let least = shares.iter().filter_map(|c| c.ours).reduce(f64::min);
     let least =
         least.map_or_else(String::new, |v| format!("; the least share of points is {:.1} %", 100.0 * v));
-    let failed = [values, rms, shares].concat().into_iter().filter(|c| !c.ok);
+    let failed = [values, rms, measured, shares].concat().into_iter().filter(|c| !c.ok);
     let failed: String = failed.map(|c| format!("  FAILS: {}\n", c.name)).collect();
     format!(
-        "\nSummary\n  verification: {} cases hold\n  measured pulls: {} cases hold\n  ± of fe: {} cases hold{least}\n{failed}{}",
+        "\nSummary\n  verification: {} cases hold\n  measured pulls: {} cases hold\n  other measured quantities: {} cases hold\n  ± of fe: {} cases hold{least}\n{failed}{}",
         held(values),
         held(rms),
+        held(measured),
         held(shares),
         if has_sources() { "" } else { "\nSources of the cases: mckibben validate --format csv\n" }
     )
