@@ -1,6 +1,9 @@
 #!/usr/bin/env bash
 # The Python package against the oracles of the Rust tests and the command line, with the library of the one build of the whole workspace.
 # checks/wheel.sh does the same with a wheel, as its users get it.
+#
+#   checks/python.sh            checks
+#   checks/python.sh install    only what the check needs
 set -euo pipefail
 cd "$(dirname "$0")/.."
 PYTHON=${PYTHON:-python3}
@@ -8,6 +11,7 @@ target=${CARGO_TARGET_DIR:-$PWD/target}
 
 test -x "$target/venv/bin/python" || "$PYTHON" -m venv "$target/venv"
 "$target/venv/bin/python" -m pip install --quiet pytest numpy pandas polars pyarrow pint matplotlib plotly scipy tqdm jax anywidget xarray gymnasium
+if [ "${1:-}" = install ]; then exit; fi
 
 # Modules come from a copy: the sources are left as they are.
 work=$(mktemp -d)
