@@ -234,8 +234,10 @@ fn search() -> LevenbergMarquardt<f64> {
     LevenbergMarquardt::new().with_ftol(1e-13).with_xtol(1e-11).with_gtol(1e-13).with_patience(100)
 }
 
-/// Searches from where one has ended beside a minimum.
-const RESTARTS: usize = 3;
+const NO_ANSWER: &str = "the model has no answer near the best values found";
+const NOT_CONVERGED: &str = "the search did not converge; free fewer unknowns";
+/// Searches at most, each from where the one before has ended beside a minimum.
+const SEARCHES: usize = 4;
 /// A step may make the sum of squares smaller by this share at a minimum.
 const SMALLER: f64 = 1e-4;
 /// The same of a step in an unknown, in its scale.
@@ -273,29 +275,33 @@ pub fn estimate(
         let mut inner = Inner { residuals, unknowns, roots, u: u.clone(), wall: None };
         let start = inner.residuals().ok_or(EstimateError::Start)?;
         inner.wall = Some(1e3 * (1.0 + start.amax()));
-        let (mut inner, mut report) = search().minimize(inner);
         // Where the model has no answer in places, the steps may shrink to nothing before a minimum: a new search begins with long ones.
-        let mut beside = inner.beside();
-        for _ in 0..RESTARTS {
-            let Beside::Smaller(u) = beside else { break };
-            inner.u = u;
-            (inner, report) = search().minimize(inner);
-            beside = inner.beside();
-        }
-        // No step makes it smaller: as near to the minimum as the model's own rounding lets one come.
-        let settled = matches!(report.termination, TerminationReason::NoImprovementPossible(_));
-        if !(settled || report.termination.was_successful()) {
-            let reason = match report.termination {
-                TerminationReason::User(_) => "the model has no answer near the best values found".into(),
-                TerminationReason::LostPatience => "the search did not converge; free fewer unknowns".into(),
-                _ => "the data do not determine the unknowns, or the model is not smooth".into(),
+        let mut searches = 0;
+        let inner = loop {
+            let (mut ended, report) = search().minimize(inner);
+            searches += 1;
+            // No step makes it smaller: as near to the minimum as the model's own rounding lets one come.
+            let settled = matches!(report.termination, TerminationReason::NoImprovementPossible(_));
+            let reason = if settled || report.termination.was_successful() {
+                match ended.beside() {
+                    Beside::Minimum => break ended,
+                    Beside::Smaller(u) if searches < SEARCHES => {
+                        ended.u = u;
+                        inner = ended;
+                        continue;
+                    }
+                    Beside::Smaller(_) => NOT_CONVERGED,
+                    Beside::NoAnswer => NO_ANSWER,
+                }
+            } else {
+                match report.termination {
+                    TerminationReason::User(_) => NO_ANSWER,
+                    TerminationReason::LostPatience => NOT_CONVERGED,
+                    _ => "the data do not determine the unknowns, or the model is not smooth",
+                }
             };
-            return Err(EstimateError::NoMinimum { reason, at: inner.x(&inner.u) });
-        }
-        if !matches!(beside, Beside::Minimum) {
-            let reason = "the model has no answer near the best values found".into();
-            return Err(EstimateError::NoMinimum { reason, at: inner.x(&inner.u) });
-        }
+            return Err(EstimateError::NoMinimum { reason: reason.into(), at: ended.x(&ended.u) });
+        };
         u = inner.u.clone();
         let r = residuals.at(&inner.x(&u)).ok_or(EstimateError::Start)?;
         let next = match loss {

@@ -143,7 +143,7 @@ fn pulley() -> Vec<VerificationRow> {
         let by_hand = (arc_mm + on.straight_mm) / (on.straight_mm + arc_mm * over_arc);
         let (factor, _) = model.friction_factor(0.08, direction);
         let name = format!("{way} against friction 0.3 on a pulley over 70°: share of the pull");
-        rows.push(VerificationRow::new(name, CAPSTAN, by_hand, Some(factor), 1e-7));
+        rows.push(VerificationRow::new(name, CAPSTAN, by_hand, Some(factor), 1e-8));
     }
     rows
 }

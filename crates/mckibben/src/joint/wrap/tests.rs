@@ -66,6 +66,15 @@ fn the_torque_is_virtual_work() {
     }
 }
 
+/// Between both branches there is no friction; that of each is a row of [`verification`](crate::model::verification).
+#[test]
+fn the_mean_of_both_branches_has_no_friction_on_the_pulley() {
+    let m = on_its_pulley(60.0, 0.3);
+    let model = m.model(Box::new(ThickWall::new(&m.muscle)));
+    let bend = model.extensions().bend.unwrap();
+    assert_eq!(bend.friction_factor(0.08, crate::muscle::Direction::Mean).0, 1.0);
+}
+
 #[test]
 fn a_wrap_that_cannot_be_built_is_refused() {
     let with = |m: JointMuscle, range| Joint::new(vec![m], None, Link::default(), range);

@@ -26,7 +26,7 @@ fn response(m: &Muscle, p: f64, l: f64) -> Response {
 /// All of the bore is filled: no air, and no pressure that acts.
 #[test]
 fn a_rod_through_a_seal_that_fills_the_bore_leaves_no_air() {
-    for (p, l) in [(0.0, 1.1), (0.02, 1.2), (0.1, 1.3)] {
+    for (p, l) in [(0.0, 1.1), (0.02, 1.2), (0.1, 1.3), (0.0, 1.3)] {
         let found = response(&soft(None), p, l);
         assert!(found.volume_mm3.unwrap().abs() < 1e-7 && found.force_per_pressure_mm2.unwrap().abs() < 1e-9);
     }
