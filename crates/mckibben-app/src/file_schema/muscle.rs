@@ -162,6 +162,7 @@ fn identified() -> Value {
     let keys = [
         ("laboratory", text("Who measured it; left out of one's own muscle")),
         ("model", text("The model of the fit")),
+        ("lengths", list("Lengths at rest of the muscles that were measured, this one first")),
         ("points", number("Number of points")),
         ("branches", list("Branches of the hysteresis loop")),
         ("pressure", list("Lowest and highest pressure")),

@@ -86,9 +86,16 @@ pub(super) fn bench<B: Build>(
         })
         .collect();
     let largest = grid.iter().flatten().flatten().copied().reduce(f64::max)?;
+    let mut lengths_mm = vec![muscle.tube().length_mm];
+    for length_mm in found.points.iter().filter_map(|f| f.point.section.length_mm) {
+        if !lengths_mm.contains(&length_mm) {
+            lengths_mm.push(length_mm);
+        }
+    }
     Some(Bench {
         laboratory: None,
         model: build(muscle).ok()?.info().name.to_string(),
+        lengths_mm,
         points: own.len(),
         branches,
         pressure_mpa,

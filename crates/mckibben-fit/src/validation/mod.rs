@@ -11,6 +11,7 @@
 pub mod case;
 pub mod coverage;
 pub mod held_out;
+pub mod lengths;
 pub mod library;
 pub mod pulses;
 mod read;
@@ -56,6 +57,7 @@ pub fn cases<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<Veri
     let mut rows = hand_made(elements, progress)?;
     rows.extend(coverage::cases(elements, progress)?);
     rows.extend(held_out::cases(elements, progress)?);
+    rows.extend(lengths::cases(elements, progress)?);
     rows.extend(transfer::cases(elements));
     rows.extend(pulses::cases(&case::muscles().unwrap_or_default(), elements, progress));
     Ok(rows)

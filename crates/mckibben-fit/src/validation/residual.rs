@@ -8,7 +8,7 @@ use mckibben::analysis::{response_on, slope_by_pressure, stiffness_of};
 use mckibben::model::{BlockedAt, ForceModel, Reference, Workspace, blocked_scale_n};
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
-use mckibben::uncertainty::{friction_n, measured_n, transfer_n};
+use mckibben::uncertainty::{friction_n, length_n, measured_n, transfer_n};
 
 /// One measured point beside what a model says of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,8 +53,9 @@ fn half_width_n(model: &dyn ForceModel, w: &mut Workspace, point: &DataPoint, bl
     if matches!(accuracy.reference, Reference::ForceMap { .. }) {
         return Some(own_n);
     }
-    let transfer_n = transfer_n(muscle, blocked_n).unwrap_or(0.0);
-    let half_n = measured_n(muscle, blocked_n, point.at.contraction).hypot(own_n).hypot(transfer_n);
+    let elsewhere_n =
+        transfer_n(muscle, blocked_n).unwrap_or(0.0).hypot(length_n(muscle, blocked_n).unwrap_or(0.0));
+    let half_n = measured_n(muscle, blocked_n, point.at.contraction).hypot(own_n).hypot(elsewhere_n);
     if point.at.branch.is_mean() {
         return Some(half_n);
     }

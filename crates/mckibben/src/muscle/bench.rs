@@ -1,7 +1,7 @@
 //! What a bench says of the muscle whose constants were identified from its points.
 
 use super::measures::{SECTIONS, of_section};
-use super::{BraidStiffness, Bulk, Conditioned, Direction, EndFactor, Muscle};
+use super::{BraidStiffness, Bulk, Conditioned, Direction, EndFactor, Muscle, Tube};
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
 
@@ -14,6 +14,8 @@ pub struct Bench {
     pub laboratory: Option<String>,
     /// The model whose constants were fitted.
     pub model: String,
+    /// Lengths at rest of its points in mm, that of this muscle first; empty where it does not say.
+    pub lengths_mm: Vec<f64>,
     /// Points of this muscle.
     pub points: usize,
     /// Branches of the hysteresis loop that its points state; `Mean` where they state none.
@@ -79,6 +81,19 @@ impl Bench {
 }
 
 impl Muscle {
+    /// |D0/L0 − mean of D0/L| of a muscle that differs from the identified one by its length alone, L the lengths at which it was identified. `None` of
+    /// every other muscle.
+    pub fn off_identified_lengths(&self) -> Option<f64> {
+        let bench = self.bench.as_deref()?;
+        let (own, d0) = (*bench.lengths_mm.first()?, self.tube().outer_diameter_mm);
+        let identified = self.with_tube(Tube { length_mm: own, ..self.tube().clone() }).ok()?;
+        if self.length_mm() == own || identified.digest() != bench.of {
+            return None;
+        }
+        let inverse: f64 = bench.lengths_mm.iter().map(|l| l.recip()).sum();
+        Some(d0 * (self.length_mm().recip() - inverse / bench.lengths_mm.len() as f64).abs())
+    }
+
     /// A digest of everything that the pull depends on, to nine digits.
     pub fn digest(&self) -> String {
         let mut text = String::new();
@@ -145,6 +160,7 @@ mod tests {
         Bench {
             laboratory: None,
             model: "ideal".into(),
+            lengths_mm: vec![],
             points: 12,
             branches: vec![Direction::Mean],
             pressure_mpa: (0.1, 0.3),

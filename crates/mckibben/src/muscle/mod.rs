@@ -217,6 +217,9 @@ impl Muscle {
 
     /// A bench that saw another muscle.
     fn bench_warning(&self) -> Option<String> {
+        if self.off_identified_lengths().is_some() {
+            return Some("[identified] is valid for the lengths that were measured, and this muscle has another one: the ± is that of a muscle without test data, with a part for the other length; identify it again".to_owned());
+        }
         (self.bench.is_some() && self.bench().is_none()).then(|| {
             "[identified] is valid for the muscle as it was identified, and this muscle differs from it: the ± is that of a muscle without test data; identify it again".to_owned()
         })

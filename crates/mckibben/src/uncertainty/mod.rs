@@ -22,6 +22,8 @@
 //!
 //! - `transfer`, beside the others, of constants that somebody else identified from a specimen of the same product ([`Muscle::laboratory`]): a share of
 //!   the blocked force at the same pressure, which the pulls of the same hose with other fittings, measured in two laboratories, give.
+//! - `length`, beside the others, of a muscle whose constants were identified at other lengths ([`Muscle::off_identified_lengths`]): a share of the
+//!   blocked force at the same pressure, in proportion to |Δ(D0/L0)|, which the three lengths of a DMSP-10 hose give.
 //! - `bend`, beside the others, of a muscle that lies on a pulley ([`Bent`](crate::model::Bent)): half the difference between strands that slide on the tube and
 //!   strands that are fixed to it.
 //!
@@ -69,6 +71,10 @@ pub const STIFFNESS_WAY: f64 = 0.37;
 /// DMSP-10 muscles of one laboratory by the constants from the other one, in both directions.
 const TRANSFER: f64 = 0.24;
 
+/// What the constants of one length err by at another one, over the blocked force, for each unit of |Δ(D0/L0)|: with it the ± holds 95 % of the points
+/// of each length of a DMSP-10 hose by the constants of each other one.
+const LENGTH: f64 = 8.3;
+
 /// What identification from 10 points leaves, over the blocked force: 4 to 10 % of the four measured muscles.
 const IDENTIFIED: f64 = 0.06;
 
@@ -76,7 +82,7 @@ const IDENTIFIED: f64 = 0.06;
 const ELEMENTS: &str = "fe";
 
 /// What is known of every ± besides the model's own part, in a sentence.
-const BASIS: &str = "model against tests: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.35 times shear modulus times wall section, which cover 95 % of the points of each of four sets of measured muscles whose rubber was identified from their own pull; rubber: the largest difference that another law with an equally good fit makes, by thick-wall, and, for a named rubber that was measured along one axis alone, what 19 % of its stiffness make; braid: what the factor makes within which the stiffness of the strands is known, by thick-wall; friction: 12 % of the blocked force where the muscle does not state its friction, which covers 95 % of single branches; where it does, 1.81 times the half-width of its law, and 0.81 times on a selected branch; fit: in the place of all of these on the bench that the muscle was identified from; another specimen: 24 % of the blocked force beside them where somebody else identified the muscle (`laboratory`), which covers 95 % of the points that two laboratories measured of one product; all parts add as squares; no muscle is known whose tube and sleeve are stated as sold and whose pull was published, so that none of the parts covers a prediction from data sheets alone, which may be off by 20 to 30 %";
+const BASIS: &str = "model against tests: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.35 times shear modulus times wall section, which cover 95 % of the points of each of four sets of measured muscles whose rubber was identified from their own pull; rubber: the largest difference that another law with an equally good fit makes, by thick-wall, and, for a named rubber that was measured along one axis alone, what 19 % of its stiffness make; braid: what the factor makes within which the stiffness of the strands is known, by thick-wall; friction: 12 % of the blocked force where the muscle does not state its friction, which covers 95 % of single branches; where it does, 1.81 times the half-width of its law, and 0.81 times on a selected branch; fit: in the place of all of these on the bench that the muscle was identified from; another length: 8.3 |Δ(D0/L0)| of the blocked force beside them where the muscle was identified at other lengths, which covers 95 % of the points of each of three lengths of one hose by the constants of each other one; another specimen: 24 % of the blocked force beside them where somebody else identified the muscle (`laboratory`), which covers 95 % of the points that two laboratories measured of one product; all parts add as squares; no muscle is known whose tube and sleeve are stated as sold and whose pull was published, so that none of the parts covers a prediction from data sheets alone, which may be off by 20 to 30 %";
 
 /// How the parts of a ± are known, in a sentence.
 pub fn basis_of(accuracy: &Accuracy) -> String {
@@ -115,6 +121,9 @@ pub struct UncertaintyParts {
     /// Another specimen of the same product, with other fittings, against the one that was identified.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub transfer: Option<f64>,
+    /// Another length of the muscle against those that were identified.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub length: Option<f64>,
     /// Of a muscle that lies on a pulley: strands that slide on the tube against strands that are fixed to it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bend: Option<f64>,
@@ -135,6 +144,7 @@ impl UncertaintyParts {
             (if self.friction_is_stated { "friction" } else { "friction unknown" }, self.friction),
             ("fit", self.fit),
             ("another specimen", self.transfer),
+            ("another length", self.length),
             ("bend", self.bend),
         ];
         all.into_iter().filter_map(|(name, part)| Some((name, part?)))
@@ -168,11 +178,14 @@ pub fn uncertainty<M: ForceModel + ?Sized>(
     let own = UncertaintyParts { bend: bend.map(|bend| bend.pull_lost_uncertainty_n), ..own };
     // A formula of a bought muscle was held against measured pulls.
     let of_product = matches!(model.info().accuracy.reference, Reference::ForceMap { .. });
-    if model.muscle().laboratory().is_none() || of_product {
+    let elsewhere =
+        model.muscle().laboratory().is_some() || model.muscle().off_identified_lengths().is_some();
+    if !elsewhere || of_product {
         return Some(own);
     }
     let blocked = blocked_n(model, workspace, pressure_mpa)?;
-    Some(UncertaintyParts { transfer: transfer_n(model.muscle(), blocked), ..own })
+    let muscle = model.muscle();
+    Some(UncertaintyParts { transfer: transfer_n(muscle, blocked), length: length_n(muscle, blocked), ..own })
 }
 
 /// The parts of the ± of the specimen that was identified, or of any muscle.
@@ -234,6 +247,7 @@ fn general<M: ForceModel + ?Sized>(
         friction: Some(friction_n(model, workspace, (pressure_mpa, contraction), direction, blocked)),
         fit: None,
         transfer: None,
+        length: None,
         bend: None,
         friction_is_stated: muscle.friction().is_some(),
     })
@@ -328,6 +342,7 @@ fn between(inside: &UncertaintyParts, outside: &UncertaintyParts, x: f64) -> Unc
         friction: part(|p| p.friction),
         fit: part(|p| p.fit),
         transfer: None,
+        length: None,
         bend: None,
         friction_is_stated: inside.friction_is_stated,
     }
@@ -365,6 +380,12 @@ pub fn measured_n(muscle: &Muscle, blocked_n: f64, contraction: f64) -> f64 {
 /// pressure; `None` of a muscle whose constants do not come from another laboratory.
 pub fn transfer_n(muscle: &Muscle, blocked_n: f64) -> Option<f64> {
     muscle.laboratory().map(|_| TRANSFER * blocked_n)
+}
+
+/// Half-width in N of what constants that were identified at other lengths err by, for its blocked force at the same pressure; `None` of a muscle whose
+/// constants do not come from another length.
+pub fn length_n(muscle: &Muscle, blocked_n: f64) -> Option<f64> {
+    muscle.off_identified_lengths().map(|off| LENGTH * off * blocked_n)
 }
 
 /// μ A in N.
@@ -492,6 +513,7 @@ mod tests {
         let bench = Bench {
             laboratory: None,
             model: model.into(),
+            lengths_mm: vec![muscle.tube().length_mm],
             points: 10,
             branches,
             pressure_mpa: (0.1, 0.3),
@@ -557,6 +579,29 @@ mod tests {
         let found = parts(&wider);
         assert!(found.transfer.is_some() && found.fit.is_none());
         assert_eq!(UncertaintyParts { transfer: None, ..found }, parts(&without));
+    }
+
+    /// 8.3 · 30 mm · |1/200 − (1/285 + 1/400)/2| mm⁻¹ of the blocked force by hand, beside the parts of a muscle without a bench.
+    #[test]
+    fn another_length_of_an_identified_muscle_is_a_part() {
+        let (m, w) = (Muscle::prototype(), &mut Workspace::new());
+        let of = |length_mm: f64| m.with_tube(Tube { length_mm, ..m.tube().clone() }).unwrap();
+        let bench = with_bench(&m, "thick-wall", vec![Direction::Mean]).bench().unwrap().clone();
+        let own = m.clone().with_bench(Bench { lengths_mm: vec![m.length_mm(), 400.0], ..bench });
+        let short = of(200.0).with_bench_of(&own);
+        let mut parts =
+            |m: &Muscle| uncertainty(&ThickWall::new(m), w, (0.2, 0.1), 100.0, Direction::Mean).unwrap();
+        let (found, without) = (parts(&short), parts(&of(200.0)));
+        let inverse = 0.5 * (1.0 / m.length_mm() + 1.0 / 400.0);
+        let off = m.tube().outer_diameter_mm * (1.0 / 200.0 - inverse);
+        let blocked = ThickWall::new(&of(200.0)).force_n(&mut Workspace::new(), 0.2, 0.0).unwrap();
+        assert!((found.length.unwrap() / (8.3 * off * blocked) - 1.0).abs() < 1e-12);
+        assert_eq!(UncertaintyParts { length: None, ..found }, without);
+        assert!(short.warnings().iter().any(|s| s.contains("another one")) && own.warnings().is_empty());
+        // At its own length the fit counts; a wall of another thickness is another muscle.
+        assert_eq!((parts(&own).length, parts(&own).fit), (None, Some(5.0)));
+        let thinner = Tube { wall_mm: 2.0, ..short.tube().clone() };
+        assert_eq!(parts(&short.with_tube(thinner).unwrap()).length, None);
     }
 
     #[test]

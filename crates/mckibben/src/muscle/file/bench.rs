@@ -9,6 +9,7 @@ use crate::units::Dimension;
 const KEYS: &[&str] = &[
     "laboratory",
     "model",
+    "lengths",
     "points",
     "branches",
     "pressure",
@@ -101,11 +102,16 @@ pub(super) fn read(section: &Section<'_>) -> Result<Option<Bench>, FileError> {
             "must be symmetric, with a row and a column for each of `parameters`",
         ));
     }
+    let lengths_mm = section.list("lengths", Some(Dimension::Length))?.unwrap_or_default();
+    if lengths_mm.len() > MOST || lengths_mm.iter().any(|l| *l <= 0.0) {
+        return Err(said("lengths", "must hold up to 64 lengths above zero"));
+    }
     let laboratory =
         section.text("laboratory", "a text in quotes")?.map(|_| name("laboratory")).transpose()?;
     Ok(Some(Bench {
         laboratory,
         model: name("model")?,
+        lengths_mm,
         points: points as usize,
         branches,
         pressure_mpa: range("pressure", Dimension::Pressure)?,
@@ -129,6 +135,10 @@ pub(super) fn write(out: &mut Text, bench: &Bench) {
         out.key("laboratory", &text(laboratory), comment);
     }
     out.key("model", &text(&bench.model), "the ± inside of these ranges is that of the fit to them");
+    if !bench.lengths_mm.is_empty() {
+        let lengths = bench.lengths_mm.iter().map(|l| quantity(*l, "mm")).collect();
+        out.key("lengths", &list(lengths), "of the muscles that were measured, this one first");
+    }
     out.key("points", &bench.points.to_string(), "");
     let branches = bench.branches.iter().map(|b| text(b.name())).collect();
     out.key("branches", &list(branches), "of the hysteresis loop; mean: not stated");

@@ -1,0 +1,119 @@
+//! One hose in several lengths: the constants of some lengths against the points of the others.
+//!
+//! The ± of a muscle whose constants were identified at another length ([`mckibben::uncertainty::length_n`]) holds at least 95 % of the points of each
+//! length, by the constants of each other one and by those of all others together.
+
+use super::case::{By, CaseFit, MuscleCase, muscles};
+use super::coverage::{AT_LEAST, share_row};
+use super::residual::{Left, residuals};
+use super::split::{same, trainings};
+use crate::identify::{Build, IdentifyError, Request, identify_with};
+use crate::least_squares::Loss;
+use crate::measured::{DataPoint, mean_of_data};
+use mckibben::budget::Exceeded;
+use mckibben::muscle::Muscle;
+use mckibben::progress::{CancelOnly, Progress};
+use mckibben::threads;
+use mckibben::verification::VerificationRow;
+
+/// What the constants of some lengths leave of the points of another one.
+#[derive(Debug, Clone)]
+pub struct OtherLength {
+    /// The set.
+    pub set: &'static MuscleCase,
+    /// The lengths that were fitted, in words.
+    pub fitted: String,
+    /// The length that is predicted in mm.
+    pub length_mm: f64,
+    /// What is left: measured less computed.
+    pub left: Left,
+}
+
+/// Every fit of the constants of a first fit to some lengths of a set.
+///
+/// # Errors
+/// [`Exceeded`] where the caller wanted it to end.
+pub fn other_lengths<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<OtherLength>, Exceeded> {
+    let mut tasks = vec![];
+    for set in muscles().unwrap_or_default() {
+        let (means, first) = (mean_of_data(&set.points), set.fits.first());
+        let by_length = set.fits.iter().filter(|fit| {
+            fit.split.is_some_and(|split| split.by == By::Length) && first.is_some_and(|f| f.free == fit.free)
+        });
+        for fit in by_length {
+            for training in trainings(fit, &means) {
+                let (inside, outside): (Vec<DataPoint>, Vec<DataPoint>) =
+                    means.iter().copied().partition(|p| training.holds(p, &fit.muscle));
+                tasks.push((set, fit, training.label(&inside, &fit.muscle), inside, outside));
+            }
+        }
+    }
+    let found = threads::map(&tasks, |(set, fit, label, inside, outside)| {
+        let muscle = identified(fit, inside, elements, &CancelOnly(progress));
+        muscle.map_or_else(|_| vec![], |muscle| of(set, fit, label, &muscle, outside, elements))
+    });
+    if progress.cancelled() {
+        return Err(Exceeded::Cancelled);
+    }
+    Ok(found.into_iter().flatten().collect())
+}
+
+/// The muscle of a fit to some lengths, at the first of them, with its bench.
+fn identified<B: Build>(
+    fit: &CaseFit,
+    points: &[DataPoint],
+    build: &B,
+    progress: &dyn Progress,
+) -> Result<Muscle, IdentifyError> {
+    let section = points.first().map(|p| p.section).unwrap_or_default();
+    let start = section.apply(&fit.muscle).unwrap_or_else(|_| fit.muscle.clone());
+    let request = Request {
+        muscle: &start,
+        free: &fit.free,
+        fixed: &[],
+        points,
+        loss: Loss::Squares,
+        two_sided: false,
+        history: false,
+    };
+    let found = identify_with(&request, build, progress)?;
+    let muscle = found.muscle;
+    Ok(found.bench.map_or_else(|| muscle.clone(), |bench| muscle.clone().with_bench(bench)))
+}
+
+/// What a muscle leaves of each other length.
+fn of<B: Build>(
+    set: &'static MuscleCase,
+    fit: &CaseFit,
+    fitted: &str,
+    muscle: &Muscle,
+    points: &[DataPoint],
+    elements: &B,
+) -> Vec<OtherLength> {
+    let each = |length_mm: f64| {
+        let own: Vec<&DataPoint> = points
+            .iter()
+            .filter(|p| p.at.branch.is_mean() && same(By::Length.value(p, &fit.muscle), length_mm))
+            .collect();
+        let left = Left::of(residuals(elements, muscle, &own).iter());
+        OtherLength { set, fitted: fitted.to_owned(), length_mm, left }
+    };
+    By::Length.values(points, &fit.muscle).into_iter().map(each).collect()
+}
+
+/// The share of the points of each length that the ± holds.
+///
+/// # Errors
+/// [`Exceeded`] where the caller wanted it to end.
+pub fn cases<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
+    Ok(other_lengths(elements, progress)?.iter().map(row).collect())
+}
+
+fn row(found: &OtherLength) -> VerificationRow {
+    let OtherLength { set, fitted, length_mm, left } = found;
+    let name = format!(
+        "{}: {} points of {length_mm} mm by fe with the constants of {fitted}, within the ±",
+        set.facts.title, left.points
+    );
+    share_row(name, &set.facts.source, left.share_held(), AT_LEAST)
+}
