@@ -2,8 +2,9 @@
 
 use crate::build::BuiltFile;
 use crate::curve::{check_count, contractions, list, steps};
-use crate::fields::{Columns, MeshFields, ModelFields, MuscleFields, TextFile, UnderstoodTable};
+use crate::fields::{MeshFields, MuscleFields, UnderstoodTable};
 use crate::figure;
+use crate::identify_request::{Branches, IdentifyRequest};
 use crate::library_folder::{self, Told};
 use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
@@ -23,77 +24,16 @@ use mckibben_fit::identify::{
     Identification, Identified, IdentifyError, LawTrial, Parameter, ParameterError, PointFit, Request,
     Target, identify_default, identify_with, try_laws,
 };
-use mckibben_fit::least_squares::{EstimateError, Loss};
+use mckibben_fit::least_squares::EstimateError;
 use mckibben_fit::measured::{
     DataPoint, MeasuredPoint, PointOptions, Quantity, Section, mean_of_data, read_points,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Serialize, Serializer};
 
 /// Points of a formula at most.
 const MOST_POINTS: usize = 100_000;
-
-/// Points, and the parameters of a muscle to identify from them.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(default)]
-pub struct IdentifyRequest {
-    /// The muscle, with a value for everything that is not free.
-    #[serde(flatten)]
-    pub muscle: MuscleFields,
-    /// The model.
-    #[serde(flatten)]
-    pub model: ModelFields,
-    /// Tables of pressures, contractions (or shortenings, or lengths) and pulls, with their units, and more.
-    pub data: Vec<TextFile>,
-    /// Columns of `data` whose heading does not say what they are: quantity to "heading:unit".
-    pub columns: Columns,
-    /// A published formula as data: the name of a model, or of one of `formulas`.
-    pub formula: Option<String>,
-    /// Pressures P of `formula` in MPa; default 0.05 to 0.25 by 0.05.
-    pub pressures_mpa: Option<Vec<f64>>,
-    /// Contraction ratios ε of `formula`; default 0 to 0.2 by 0.05.
-    pub contractions: Option<Vec<f64>>,
-    /// Outer diameters D0 of `formula` in mm; default that of the muscle.
-    pub outer_diameters_mm: Option<Vec<f64>>,
-    /// Walls s of `formula` in mm; default that of the muscle.
-    pub walls_mm: Option<Vec<f64>>,
-    /// Weight of each of `data`, then of `formula`; default 1.
-    pub weights: Vec<f64>,
-    /// Treatment of the branches of the hysteresis.
-    pub branches: Branches,
-    /// Use points with a force of zero or below as measurements; by default the muscle counts as slack there.
-    pub two_sided: bool,
-    /// Free parameters: NAME, NAME=START or NAME=START:LOW:HIGH. Default: the modulus, and stiffness and friction
-    /// if the data determine them.
-    pub free: Vec<String>,
-    /// Fix a parameter: NAME=VALUE.
-    pub fix: Vec<String>,
-    /// Bounds of free parameters: NAME=LOW:HIGH.
-    pub bounds: Vec<String>,
-    /// Loss function of the residuals.
-    pub loss: Loss,
-    /// Fit every rubber law, with all its constants free, together with the other free parameters.
-    pub laws: bool,
-    /// Name of a folder for a library of muscles: its files are added to the answer, for `library check`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub to_library: Option<String>,
-    /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
-    pub figure: Option<Units>,
-}
-
-/// Treatment of the branches of the hysteresis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Branches {
-    /// Both branches, with the friction between them.
-    #[default]
-    Both,
-    /// Mean of the branches.
-    Mean,
-    /// The rows of `data` are in time order: the friction builds up again after each reversal.
-    History,
-}
 
 /// Result of the identification.
 #[derive(Debug, Clone, Serialize, JsonSchema)]

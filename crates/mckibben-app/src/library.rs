@@ -3,6 +3,7 @@
 
 use crate::fields::TextFile;
 use crate::figure;
+use crate::library_text::unknown;
 use crate::measured::{MeasuredFolder, read};
 use crate::model::Model;
 use crate::muscle::MuscleSummary;
@@ -22,7 +23,6 @@ use mckibben_fit::validation::library::{self, Agreement, PREFIX, agreement, cons
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::borrow::Cow;
 
 /// What stands in `case.toml` where its author has still to write something.
 pub const TO_WRITE: &str = "TO WRITE";
@@ -195,22 +195,6 @@ pub struct LibraryConstant {
     pub kept_value: Option<f64>,
     /// Whether both agree: to 10⁻⁴, or a thousandth of the ± of the constant.
     pub agrees: bool,
-}
-
-/// The text of a muscle file; of a name of the library without a text (`lib:NAME`) that of its muscle.
-pub(crate) fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
-    let Some(name) = library::named(&file.name).filter(|_| file.text.is_empty()) else {
-        return Ok(Cow::Borrowed(&file.text));
-    };
-    if !cfg!(feature = "whole") {
-        let message = "the library of muscles needs the full engine; this is a reduced one";
-        return Err(Problem::new(ProblemKind::File, message, ""));
-    }
-    library::file(name).map(Cow::Owned).map_err(|error| unknown(&error))
-}
-
-fn unknown(error: &library::UnknownMuscle) -> Problem {
-    Problem::new(ProblemKind::File, error.to_string(), "`library list` shows them with their sources")
 }
 
 /// The built-in muscles, or one of them.

@@ -2,7 +2,7 @@
 //! `library check` makes again from the first three.
 
 use crate::build::BuiltFile;
-use crate::identify::{Branches, IdentifyRequest};
+use crate::identify_request::{Branches, IdentifyRequest};
 use crate::library::{TO_WRITE, check};
 use crate::measured::{MeasuredFolder, read};
 use crate::model::Model;

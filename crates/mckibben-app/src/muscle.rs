@@ -1,7 +1,7 @@
 //! From fields to a muscle, and a muscle in a few words.
 
 use crate::fields::{MuscleFields, NamedFields, NamedStiffness, Stiffness, TextFile};
-use crate::library::text_of as library_text;
+use crate::library_text::text_of as library_text;
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
 use crate::words;

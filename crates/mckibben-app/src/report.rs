@@ -142,7 +142,7 @@ pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<Report
     };
     parts.push(body_of(&of, units, progress)?);
     step(3)?;
-    let workshop = Workshop::of(request, pressure_mpa, progress)?;
+    let workshop = Workshop::of(&request.muscle, pressure_mpa, progress)?;
     parts.extend(workshop.front(units));
     parts.push(Part::Heading("Curves".into()));
     for test in [Test::Isobaric, Test::Isometric] {

@@ -14,6 +14,7 @@ mod cut;
 mod drawing;
 mod fitting;
 mod frame;
+mod mark;
 mod material;
 mod mesh;
 mod operating;
@@ -31,6 +32,7 @@ mod view;
 pub use clamps::Clamps;
 pub use cut::{Cut, SleeveCut, SleeveLength};
 pub use fitting::{Fitting, UnknownFitting};
+pub use mark::MARK;
 pub use material::BuildPart;
 pub use mesh::Mesh;
 pub use operating::Operating;
@@ -41,9 +43,6 @@ pub use test_points::TestPoint;
 
 pub use mckibben_files::{Content, File};
 use mckibben_report::FigureError;
-
-/// What every file of this crate has in it, so that a later run knows it.
-pub const MARK: &str = "mckibben build";
 
 /// The drawing of the muscle as SVG.
 ///

@@ -3,9 +3,10 @@
 use crate::clamps::Clamps;
 use crate::cut::SleeveLength;
 use crate::fitting::Fitting;
+use crate::mark::MARK;
 use crate::plan::Plan;
 use crate::text::{fixed, mm, percent, pressure, significant};
-use crate::{File, MARK};
+use mckibben_files::File;
 use std::fmt::Write as _;
 
 /// The whole page, with links to the other files.

@@ -6,6 +6,7 @@
 mod clean;
 mod cli;
 mod commands;
+mod dispatch;
 mod failure;
 mod files;
 mod flags;
@@ -63,7 +64,7 @@ fn main() -> ExitCode {
     let done = guarded(|| {
         let _entered = progress::budget().enter();
         overlap::check(&matches)?;
-        commands::run(cli.command, cli.format, &cli.limit)
+        dispatch::run(cli.command, cli.format, &cli.limit)
     });
     threads::shortage().into_iter().for_each(output::warn);
     match progress::last_word(done) {

@@ -1,7 +1,9 @@
 //! One muscle held against a specification.
 
-use super::limit::{Limit, Probe, Score, air_of, full_response, need};
-use super::spec::{Build, OperatingPoint, Spec};
+use super::limit::{Probe, Score, air_of, full_response, need};
+use super::limit_kind::Limit;
+use super::point::OperatingPoint;
+use super::spec::{Build, Spec};
 use mckibben::analysis::{Burst, burst, force_on, unloaded_contraction, work_per_stroke_j};
 use mckibben::model::{ModelError, ModelKind, Response, Workspace};
 use mckibben::muscle::Muscle;

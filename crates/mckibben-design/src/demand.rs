@@ -1,6 +1,7 @@
 //! What a muscle must do.
 
-use super::spec::{OperatingPoint, SpecError, TorqueWanted};
+use super::error::SpecError;
+use super::point::{OperatingPoint, TorqueWanted};
 use mckibben::load::Load;
 use std::borrow::Cow;
 

@@ -1,10 +1,12 @@
 //! Two equal muscles and the pulley between them.
 
 use super::demand::{Demand, JointDemand};
+use super::error::SpecError;
 use super::line::Merit;
-use super::run::{Models, Outcome, design_with};
+use super::models::Models;
+use super::run::{Outcome, design_with};
 use super::search::{Search, nice_steps};
-use super::spec::{Build, Spec, SpecError};
+use super::spec::{Build, Spec};
 use mckibben::analysis::golden;
 use mckibben::model::ModelKind;
 use mckibben::progress::{CancelOnly, Progress};

@@ -23,9 +23,13 @@
 pub mod bundle;
 mod candidate;
 mod demand;
+mod error;
 mod joint;
 mod limit;
+mod limit_kind;
 mod line;
+mod models;
+mod point;
 mod reason;
 mod relax;
 mod run;
@@ -37,15 +41,17 @@ pub mod tubes;
 
 pub use candidate::{Candidate, CandidatePoint};
 pub use demand::{Demand, JointDemand, Lift};
+pub use error::SpecError;
 pub use joint::design_joint;
-pub use limit::{Limit, fits};
+pub use limit::fits;
+pub use limit_kind::Limit;
 pub use mckibben::warning::VALIDATED_STRAND_STRAIN;
+pub use models::Models;
+pub use point::{OperatingPoint, TorqueWanted};
 pub use reason::{Reason, Rejected};
 pub use relax::Relaxation;
-pub use run::{Closest, Models, Outcome, design, design_with};
-pub use spec::{
-    BraidChoice, Build, Limits, Objective, OperatingPoint, SAFETY, Spec, SpecError, TorqueWanted,
-};
+pub use run::{Closest, Outcome, design, design_with};
+pub use spec::{BraidChoice, Build, Limits, Objective, SAFETY, Spec};
 pub use sure::{Searcher, Sure, is_doubtful, to_be_sure};
 pub use tolerance::{Spread, SpreadError, ToleranceError, Tolerances, spread};
 pub use tubes::{TubeError, TubePart};

@@ -1,7 +1,9 @@
 //! What a muscle is held against, each limit as a number that is at most zero where it is met.
 
+use super::limit_kind::Limit;
+use super::point::OperatingPoint;
 use super::reason::Reason;
-use super::spec::{Build, Objective, OperatingPoint, Spec};
+use super::spec::{Build, Objective, Spec};
 use mckibben::analysis::burst::{ends, mesh};
 use mckibben::analysis::life::wear;
 use mckibben::analysis::{
@@ -10,41 +12,9 @@ use mckibben::analysis::{
 use mckibben::model::{ForceModel, ModelError, ModelKind, Response, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::uncertainty::uncertainty;
-use serde::{Deserialize, Serialize};
 
 /// Margin of what never fails.
 const NEVER: f64 = 1e6;
-
-/// A kind of limit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub enum Limit {
-    /// The pull that is wanted, at the maximum pressure.
-    Force,
-    /// The largest outer diameter at the operating points.
-    BulgedDiameter,
-    /// The largest stretch of the rubber at the operating points.
-    MaxStretch,
-    /// The largest strain of the strands at the maximum pressure.
-    StrandStrain,
-    /// The least ratio of burst pressure to maximum pressure.
-    BurstMargin,
-    /// The push at which the muscle buckles as a column, at the operating points.
-    Buckling,
-}
-
-impl Limit {
-    /// The share of the bound by which a value misses it; at most 0 where it is met.
-    pub(super) fn missed_by(self, value: f64, bound: f64) -> f64 {
-        match self {
-            Self::Force | Self::BurstMargin => 1.0 - value / bound,
-            Self::BulgedDiameter | Self::MaxStretch | Self::StrandStrain | Self::Buckling => {
-                value / bound - 1.0
-            }
-        }
-    }
-}
 
 /// One limit at one place: what the muscle has there, and what it may have.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,7 @@
 //! Why a muscle does not fit.
 
-use super::limit::Limit;
-use super::spec::OperatingPoint;
+use super::limit_kind::Limit;
+use super::point::OperatingPoint;
 use mckibben::analysis::FailureMode;
 use mckibben::model::ModelError;
 use mckibben::muscle::{Muscle, MuscleError};

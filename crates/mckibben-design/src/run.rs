@@ -1,26 +1,18 @@
 //! A design: searched with a fast model, settled with the one that is believed.
 
 use super::candidate::{Candidate, candidate};
+use super::error::SpecError;
 use super::limit::{Probe, probe};
 use super::line::STEPS;
+use super::models::Models;
 use super::reason::{Reason, Rejected};
 use super::relax::{Relaxation, relaxations};
 use super::search::{Pick, Search, SearchResult};
-use super::spec::{Build, Spec, SpecError};
+use super::spec::{Build, Spec};
 use mckibben::muscle::Muscle;
 use mckibben::progress::{Progress, Silent};
 use mckibben::threads;
 use mckibben::units::Values;
-
-/// The models of a design.
-#[derive(Clone, Copy)]
-pub struct Models<'a> {
-    /// Looks at very many muscles; outside of its range as well, where another one decides.
-    pub search: &'a Build<'a>,
-    /// Decides of those that are printed: their diameters are corrected until the specification holds by it, and all their numbers
-    /// are its. `None`: the model of the search.
-    pub settle: Option<&'a Build<'a>>,
-}
 
 /// What a design found.
 #[derive(Debug, Clone)]

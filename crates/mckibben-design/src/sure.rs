@@ -10,8 +10,10 @@
 
 use super::candidate::Candidate;
 use super::demand::{Demand, JointDemand};
+use super::error::SpecError;
+use super::point::{OperatingPoint, TorqueWanted};
 use super::run::Outcome;
-use super::spec::{BraidChoice, OperatingPoint, Spec, SpecError, TorqueWanted};
+use super::spec::{BraidChoice, Spec};
 use mckibben::muscle::Muscle;
 use mckibben::units::Values;
 

@@ -1,6 +1,7 @@
 //! What tolerances of the workshop and the supply do to the pull.
 
-use super::spec::{Build, OperatingPoint};
+use super::point::OperatingPoint;
+use super::spec::Build;
 use mckibben::model::{ModelError, Workspace};
 use mckibben::muscle::measures::MeasureValues;
 use mckibben::muscle::{Braid, BraidStiffness, Measure, Muscle, MuscleError};

@@ -1,7 +1,8 @@
 //! Named valves.
 
 use crate::error::MotionError;
-use crate::valve::{Orifice, Valve};
+use crate::orifice::Orifice;
+use crate::valve::Valve;
 use mckibben::catalogue::{Catalogue, CatalogueError, Row};
 use mckibben::nearest::nearest;
 use mckibben::units::{Dimension, QuantityError, parse_quantity};

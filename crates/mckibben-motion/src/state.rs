@@ -201,7 +201,8 @@ mod tests {
     use crate::drive::Actuated;
     use crate::friction::Hysteresis;
     use crate::mechanism::SingleMuscle;
-    use crate::valve::{Orifice, Valve};
+    use crate::orifice::Orifice;
+    use crate::valve::Valve;
     use crate::viscoelastic::{Branch, Prony};
     use mckibben::model::Ideal;
     use mckibben::muscle::{Friction, Muscle};

@@ -19,13 +19,15 @@ mod bytes;
 mod column;
 mod read;
 mod seal;
+mod sink;
 mod thrift;
 mod write;
 
 pub use column::{Column, Field, Packing, Text};
 pub use read::{OpenError, Reader};
 pub use seal::{Broken, has_ends, seal_of};
-pub use write::{GROUP, Sealed, Sink, Writer};
+pub use sink::Sink;
+pub use write::{GROUP, Sealed, Writer};
 
 use parquet::errors::ParquetError;
 use thiserror::Error;

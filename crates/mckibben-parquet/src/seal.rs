@@ -8,7 +8,7 @@
 //! one form as bytes (and it would be copied along with the metadata by programs that changed the rows); a second file gets lost,
 //! or is left beside another table.
 
-use crate::write::Sink;
+use crate::sink::Sink;
 use sha2::{Digest, Sha256};
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom, Write};

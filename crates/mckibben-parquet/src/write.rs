@@ -3,6 +3,7 @@
 use crate::TableError;
 use crate::column::{Column, Field, Packing};
 use crate::seal::{Output, SEAL};
+use crate::sink::Sink;
 use parquet::basic::{Compression, Encoding};
 use parquet::column::writer::ColumnWriter;
 use parquet::errors::{ParquetError, Result};
@@ -11,18 +12,12 @@ use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::parser::parse_message_type;
 use parquet::schema::types::ColumnPath;
-use std::io::{Seek, Write};
 use std::sync::Arc;
 
 /// Most rows of a row group.
 pub const GROUP: usize = 1 << 16;
 /// How columns are compressed; in Rust alone, so that no compiler of C is needed.
 pub(crate) const CODEC: Compression = Compression::LZ4_RAW;
-
-/// Where bytes go: a file, or a cursor over memory. `dyn`, so that the writer is compiled once.
-pub trait Sink: Write + Seek + Send {}
-
-impl<T: Write + Seek + Send> Sink for T {}
 
 /// Whether a file is sealed.
 #[derive(Debug)]

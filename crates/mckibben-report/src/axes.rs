@@ -1,12 +1,13 @@
 //! The axes of the panels: gutters for texts, scales, legend and labels of each panel.
 
-use crate::curve::{Frame, Rect};
+use crate::curve::Frame;
 use crate::font::Metrics;
-use crate::labels;
-use crate::layout::{PANEL_TITLE, PER_MM, Placed};
-use crate::legend;
+use crate::labels::{self, Label};
+use crate::legend::{self, Legend};
 use crate::line_labels::{self, Ended};
+use crate::rect::Rect;
 use crate::room::Room;
+use crate::sizes::{PANEL_TITLE, PER_MM};
 use crate::ticks::{self, Scale};
 use crate::{Axis, FigureError, Panel, palette};
 
@@ -33,6 +34,16 @@ impl Axes {
     pub fn frame(&self) -> Frame<'_> {
         Frame { plot: self.plot, x: &self.x, y: &self.y }
     }
+}
+
+/// A panel in its place.
+pub(crate) struct Placed<'a> {
+    pub panel: &'a Panel,
+    pub axes: Axes,
+    /// Middle of the title.
+    pub title: (f64, f64, String),
+    pub legend: Option<Legend>,
+    pub labels: Vec<Label>,
 }
 
 /// What the panels share.

@@ -1,8 +1,9 @@
 //! Texts beside marks, kept clear of the data and of each other.
 
 use crate::Mark;
-use crate::curve::{Frame, Rect, Spot};
+use crate::curve::Frame;
 use crate::font::Metrics;
+use crate::rect::{Rect, Spot};
 use crate::room::Room;
 
 /// Font size of these texts.

@@ -1,18 +1,12 @@
 //! Where everything of a figure goes: paper, grid of panels, titles, legend, caption.
 
-use crate::axes::{self, Axes};
-use crate::curve::Rect;
+use crate::axes::{self, Placed};
 use crate::font::Metrics;
-use crate::labels::Label;
 use crate::legend::{self, Entry, Legend};
-use crate::{Figure, FigureError, Panel};
+use crate::rect::Rect;
+use crate::sizes::{CAPTION, PER_MM, TITLE};
+use crate::{Figure, FigureError};
 
-/// Units of the drawing for a millimetre.
-pub(crate) const PER_MM: f64 = 4.0;
-/// Font sizes of title, panel title and caption.
-pub(crate) const TITLE: f64 = 14.0;
-pub(crate) const PANEL_TITLE: f64 = 11.5;
-pub(crate) const CAPTION: f64 = 8.8;
 const MARGIN: f64 = 16.0;
 /// Of a paper whose width alone was asked for: the least width of a panel, mm, and the height of a single one over the width.
 const PANEL_MM: f64 = 75.0;
@@ -32,16 +26,6 @@ pub(crate) struct Page<'a> {
     pub panels: Vec<Placed<'a>>,
     /// The legend that serves all panels.
     pub legend: Option<Legend>,
-}
-
-/// A panel in its place.
-pub(crate) struct Placed<'a> {
-    pub panel: &'a Panel,
-    pub axes: Axes,
-    /// Middle of the title.
-    pub title: (f64, f64, String),
-    pub legend: Option<Legend>,
-    pub labels: Vec<Label>,
 }
 
 /// Number of different colours of a figure.

@@ -1,7 +1,7 @@
 //! The legend: its entries, its size and the place where it covers no data.
 
-use crate::curve::Rect;
 use crate::font::Metrics;
+use crate::rect::Rect;
 use crate::room::Room;
 use crate::{Panel, Style};
 

@@ -32,17 +32,21 @@ mod palette;
 mod pdf;
 #[cfg(feature = "png")]
 mod png;
+mod rect;
 mod room;
 #[cfg(feature = "files")]
 mod save;
 mod scene;
 mod sheet;
+mod sizes;
 mod smooth;
 mod strokes;
 mod svg;
 mod text;
 mod text_chart;
 mod text_legend;
+mod text_sheet;
+mod text_wrap;
 mod ticks;
 mod xml;
 

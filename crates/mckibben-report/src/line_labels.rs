@@ -1,9 +1,9 @@
 //! Texts that name lines directly: beside the plot where lines reach its right edge,
 //! otherwise set into the line like the heights of a map.
 
-use crate::curve::{Rect, Spot};
 use crate::font::Metrics;
 use crate::labels::{HEIGHT, Label, SIZE, around, cost_of, inside};
+use crate::rect::{Rect, Spot};
 use crate::room::Room;
 
 /// A line with its text.

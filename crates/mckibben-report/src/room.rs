@@ -1,6 +1,6 @@
 //! Where in a plot something is drawn already, so that texts can keep away from it.
 
-use crate::curve::{Rect, Spot};
+use crate::rect::{Rect, Spot};
 
 /// Side of a cell, units of the drawing.
 const CELL: f64 = 3.0;

@@ -4,7 +4,7 @@
 //! between those at both ends: the cubic through four points. Where D changes its sign or by more than [`ALIKE`], at a corner or a jump, the chord
 //! is kept; the ends of a line are straight where they have one neighbour only that says so.
 
-use crate::curve::Spot;
+use crate::rect::Spot;
 
 /// A chord may be this far from the line, in units of the drawing.
 const FACET: f64 = 0.1;

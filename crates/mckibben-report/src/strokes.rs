@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use crate::curve::Spot;
 use crate::palette::{self, Shape};
+use crate::rect::Spot;
 use crate::xml::length as n;
 use crate::{Palette, Style};
 

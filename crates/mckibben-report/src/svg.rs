@@ -2,13 +2,15 @@
 
 use std::fmt::Write as _;
 
+use crate::axes::Placed;
 use crate::axes::{Axes, LABEL, TICK, TICK_LENGTH};
-use crate::curve::Spot;
 use crate::font::{FAMILY, Metrics};
 use crate::labels::{self, Label};
-use crate::layout::{self, CAPTION, PANEL_TITLE, PER_MM, Page, Placed, TITLE};
+use crate::layout::{self, Page};
 use crate::legend::{self, Legend};
 use crate::palette;
+use crate::rect::Spot;
+use crate::sizes::{CAPTION, PANEL_TITLE, PER_MM, TITLE};
 use crate::strokes::{Brush, area, series as draw_series};
 use crate::xml::{escape, length as n};
 use crate::{Figure, FigureError, Style, ticks};

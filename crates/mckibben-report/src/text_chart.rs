@@ -2,15 +2,14 @@
 
 use std::collections::BTreeSet;
 
-use crate::curve::{Frame, Rect, Spot};
+use crate::curve::Frame;
 use crate::grid::{Area, Grid, Look};
-use crate::text::{columns_of, wrap};
+use crate::rect::{Rect, Spot};
 use crate::text_legend::{Key, mark_sign, marker};
+use crate::text_sheet::{PLAIN, Sheet};
+use crate::text_wrap::{columns_of, wrap};
 use crate::ticks::{self, Scale};
-use crate::{Figure, FigureError, Panel, Series, Style, axes, layout, palette};
-
-/// The terminal's own colour.
-pub(crate) const PLAIN: Look = None;
+use crate::{Figure, FigureError, Panel, Style, axes, layout, palette};
 
 /// A panel on a grid `width` columns wide and about `height` lines high.
 pub(crate) fn panel(figure: &Figure, panel: &Panel, width: usize, height: usize, colour: bool) -> Grid {
@@ -18,26 +17,7 @@ pub(crate) fn panel(figure: &Figure, panel: &Panel, width: usize, height: usize,
     sheet.draw(height).unwrap_or_else(|error| sheet.failed(&error))
 }
 
-/// A panel with what its chart needs to know of the figure and the terminal.
-pub(crate) struct Sheet<'a> {
-    figure: &'a Figure,
-    pub panel: &'a Panel,
-    pub width: usize,
-    pub colour: bool,
-    colours: usize,
-}
-
 impl Sheet<'_> {
-    /// How what belongs to a series looks.
-    pub fn look(&self, number: usize) -> Look {
-        if self.colour { Some(palette::terminal(self.figure.palette, number, self.colours)) } else { PLAIN }
-    }
-
-    /// How a series looks.
-    pub fn look_of(&self, series: &Series, index: usize) -> Look {
-        if series.neutral { PLAIN } else { self.look(series.number(index)) }
-    }
-
     /// The reason why there is no chart.
     fn failed(&self, error: &FigureError) -> Grid {
         let lines = wrap(&error.to_string(), self.width);

@@ -1,8 +1,8 @@
 //! What is below a chart of characters: the legend and the operating points.
 
 use crate::grid::Grid;
-use crate::text::{columns_of, wrap};
-use crate::text_chart::{PLAIN, Sheet};
+use crate::text_sheet::{PLAIN, Sheet};
+use crate::text_wrap::{columns_of, wrap};
 use crate::{Style, palette, ticks};
 
 /// Most rows of the legend, and of the operating points.

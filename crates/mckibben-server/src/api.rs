@@ -4,7 +4,7 @@ use crate::door::{is_json, received};
 use crate::events;
 use crate::openapi;
 use crate::refusal::Refusal;
-use crate::serve::State;
+use crate::state::State;
 use crate::work::{Asked, answer, worked};
 use axum::body::{Body, Bytes};
 use axum::extract::{FromRequestParts, Path, State as Shared};

@@ -18,6 +18,7 @@ mod page;
 mod refusal;
 mod room;
 mod serve;
+mod state;
 mod work;
 
 pub use config::{Config, JobConfig};

@@ -7,6 +7,7 @@ use crate::jobs::Jobs;
 use crate::page::page;
 use crate::refusal::Refusal;
 use crate::room::Room;
+use crate::state::State;
 use crate::work::Gate;
 use axum::body::{Body, HttpBody};
 use axum::extract::Request;
@@ -62,16 +63,6 @@ pub enum ServeError {
         /// How much it needs to begin.
         bytes: usize,
     },
-}
-
-/// What all requests share.
-pub struct State {
-    pub config: Arc<Config>,
-    pub gate: Gate,
-    pub jobs: Jobs,
-    /// Memory for requests and answers.
-    pub room: Room,
-    pub stopping: watch::Receiver<bool>,
 }
 
 /// Which answers are compressed: all but those of events, and packed ones where they are short, such as shapes while the user drags.

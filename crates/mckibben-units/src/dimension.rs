@@ -1,6 +1,5 @@
 //! The kinds of quantities, and the units of each.
 
-use super::unit::Unit;
 use serde::{Deserialize, Serialize};
 
 /// What a number measures; decides which units it may carry and what a bare number means.
@@ -351,20 +350,6 @@ impl Dimension {
     /// The end of the name of a field that is one of these, in the unit inside; none of a plain ratio.
     pub fn end_of_name(self) -> Option<&'static str> {
         self.kind().end_of_name
-    }
-
-    /// The unit of a spelling: exact first, then without regard to case where that leaves one meaning (`mPa` and `MN`
-    /// would not, and are refused).
-    pub fn unit(self, name: &str) -> Option<Unit> {
-        let exact = |d: Dimension| d.units().iter().find(|u| u.0.contains(&name)).map(Unit::of);
-        if let Some(found) = exact(self) {
-            return Some(found);
-        }
-        let careful = ["mPa", "MN", "mn", "Mm", "MBAR", "Mbar"];
-        if careful.contains(&name) || Dimension::ALL.into_iter().any(|d| exact(d).is_some()) {
-            return None;
-        }
-        self.units().iter().find(|u| u.0.iter().any(|s| s.eq_ignore_ascii_case(name))).map(Unit::of)
     }
 }
 

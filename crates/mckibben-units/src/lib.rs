@@ -6,6 +6,7 @@
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+mod convert;
 mod dimension;
 mod name;
 pub mod nearest;
@@ -14,9 +15,10 @@ mod range;
 mod short;
 mod unit;
 
+pub use convert::tidy;
 pub use dimension::Dimension;
 pub use name::NamedUnit;
-pub use quantity::{BOUNDS, QuantityError, parse_quantity, plausible, tidy};
+pub use quantity::{BOUNDS, QuantityError, parse_quantity, plausible};
 pub use range::{MAX_POINTS, RangeError, Values, parse_at_most, parse_values};
 pub use short::short_numbers;
 pub use unit::Unit;

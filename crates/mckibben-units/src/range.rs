@@ -1,7 +1,8 @@
 //! Ranges and lists of quantities.
 
+use super::convert::{convert, tidy};
 use super::dimension::Dimension;
-use super::quantity::{QuantityError, convert, factor, plausible, split, tidy};
+use super::quantity::{QuantityError, factor, plausible, split};
 use thiserror::Error;
 
 /// The most points a range or list may hold.

@@ -1,7 +1,7 @@
 //! Units by themselves, as they stand in the headings of tables.
 
+use super::convert::convert;
 use super::dimension::{Dimension, Spelled};
-use super::quantity::convert;
 
 /// A unit of some dimension.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,6 +48,20 @@ const SPOKEN: &[(Dimension, &[&str], &str)] = &[
 ];
 
 impl Dimension {
+    /// The unit of a spelling: exact first, then without regard to case where that leaves one meaning (`mPa` and `MN`
+    /// would not, and are refused).
+    pub fn unit(self, name: &str) -> Option<Unit> {
+        let exact = |d: Dimension| d.units().iter().find(|u| u.0.contains(&name)).map(Unit::of);
+        if let Some(found) = exact(self) {
+            return Some(found);
+        }
+        let careful = ["mPa", "MN", "mn", "Mm", "MBAR", "Mbar"];
+        if careful.contains(&name) || Dimension::ALL.into_iter().any(|d| exact(d).is_some()) {
+            return None;
+        }
+        self.units().iter().find(|u| u.0.iter().any(|s| s.eq_ignore_ascii_case(name))).map(Unit::of)
+    }
+
     /// The unit that a word means in the heading of a column of this dimension: what people type as a quantity, and
     /// what they only say (`Load (kg)`, `bar(g)`, `percent`).
     ///

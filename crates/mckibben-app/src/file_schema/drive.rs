@@ -1,6 +1,6 @@
 //! The drive file.
 
-use super::{boolean, named, needing, number, pairs, positive, quantity, root, table, text, word};
+use super::parts::{boolean, named, needing, number, pairs, positive, quantity, root, table, text, word};
 use mckibben::units::Dimension;
 use mckibben_motion::valves;
 use serde_json::{Value, json};

@@ -1,6 +1,6 @@
 //! The joint file.
 
-use super::{needing, number, point, positive, quantity, root, table, text};
+use super::parts::{needing, number, point, positive, quantity, root, table, text};
 use mckibben::units::Dimension;
 use serde_json::Value;
 

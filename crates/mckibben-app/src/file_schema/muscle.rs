@@ -1,6 +1,8 @@
 //! The muscle file.
 
-use super::{boolean, named, needing, number, pairs, positive, quantity, root, table, text, word, word_or};
+use super::parts::{
+    boolean, named, needing, number, pairs, positive, quantity, root, table, text, word, word_or,
+};
 use mckibben::muscle::Measure;
 use mckibben::muscle::measures::{STIFFNESS, Written, of_section};
 use mckibben::rubber::{Constant, Law, LawKind, library};

@@ -1,6 +1,7 @@
 //! The plan of a campaign: a muscle file with three more tables.
 
-use super::{boolean, muscle, needing, root, table, text, values, word};
+use super::muscle;
+use super::parts::{boolean, needing, root, table, text, values, word};
 use mckibben::muscle::measures::{SECTIONS, of_section};
 use mckibben::rubber::Law;
 use mckibben_fem::elements::Elements;

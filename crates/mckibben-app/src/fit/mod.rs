@@ -290,11 +290,6 @@ impl FitRequest {
     }
 }
 
-/// The last part of a path or name.
-fn file_name(name: &Path) -> Option<String> {
-    name.file_name().map(|n| n.to_string_lossy().into_owned())
-}
-
 /// A formula to be shown.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]

@@ -1,6 +1,5 @@
 //! Tables of points: CSV with the words of the contract, and campaigns on disk.
 
-use super::file_name;
 use crate::fields::TextFile;
 use crate::problem::{Problem, ProblemKind};
 use mckibben::formula::Made;
@@ -35,6 +34,11 @@ pub(super) struct Origin {
 /// What every row says of its muscle and its point, in this order.
 pub(crate) const COLUMNS: [&str; 7] =
     ["outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "pressure_mpa", "contraction", "force_n"];
+
+/// The last part of a path or name.
+pub(super) fn file_name(name: &Path) -> Option<String> {
+    name.file_name().map(|n| n.to_string_lossy().into_owned())
+}
 
 /// The rows of a campaign's file, or of its folder of parts.
 #[cfg(feature = "files")]

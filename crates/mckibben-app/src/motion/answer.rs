@@ -1,9 +1,11 @@
 //! What `motion` answers.
 
-use super::uncertainty::EndUncertainty;
 use crate::burst::PressureLimits;
 use crate::muscle::MuscleSummary;
 use crate::problem::Problem;
+use crate::uncertainty::breakdown;
+use crate::units::{Scale, Units};
+use mckibben::uncertainty::UncertaintyParts;
 use mckibben::warning::Warning;
 use mckibben_motion::Motion;
 use mckibben_report::Figure;
@@ -22,6 +24,32 @@ pub struct MotionRun {
     /// The ± of its end.
     #[serde(flatten)]
     pub end: EndUncertainty,
+}
+
+/// How far from its computed end a measured muscle or joint may come to rest.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
+pub struct EndUncertainty {
+    /// 95 % half-width of the contraction at which a muscle's load rests in the end; none on a stop, of a controlled position, and where the command still changes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub end_contraction_uncertainty: Option<f64>,
+    /// 95 % half-width of the angle at which a joint rests in the end, likewise, degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub end_angle_uncertainty_deg: Option<f64>,
+    /// The ± of the pull or torque there with its parts, in words.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub uncertainty_text: Option<String>,
+    /// These parts, in N or N m.
+    #[serde(skip)]
+    pub(crate) parts: Option<UncertaintyParts>,
+}
+
+impl MotionRun {
+    /// The parts of the ± at its end in words, in units.
+    pub fn uncertainty_in(&self, u: &Units) -> Option<String> {
+        let torque = self.end.end_angle_uncertainty_deg.is_some();
+        let (of, scale) = if torque { ("torque", Scale::newton_metres()) } else { ("pull", u.force.clone()) };
+        Some(format!("of the {of} {}", breakdown(self.end.parts.as_ref()?, &scale)))
+    }
 }
 
 /// The answer to a drive: its motion, or those of a sweep.

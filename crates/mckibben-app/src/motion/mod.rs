@@ -6,10 +6,9 @@ mod simulated;
 mod uncertainty;
 mod warnings;
 
-pub use answer::{MotionAnswer, MotionRun};
+pub use answer::{EndUncertainty, MotionAnswer, MotionRun};
 pub use request::{MotionRequest, MotionSweep, StepFields};
 pub use simulated::SimulatedDrive;
-pub use uncertainty::EndUncertainty;
 
 use crate::burst::{PressureLimits, burst_of, put_first, said_of};
 use crate::fields::{MuscleFields, NamedFields, TextFile};

@@ -1,46 +1,16 @@
 //! The ± of where a motion ends: that of the static equilibrium, the ± of the pull over the stiffness of muscle and load.
 
-use super::{MotionRun, Moved};
-use crate::uncertainty::breakdown;
-use crate::units::{Scale, Units};
+use super::{EndUncertainty, MotionRun, Moved};
+use crate::units::Units;
 use mckibben::answer::Options;
 use mckibben::joint::{JointModel, Turning};
 use mckibben::load::balances;
 use mckibben::model::Workspace;
 use mckibben::progress::Progress;
-use mckibben::uncertainty::UncertaintyParts;
 use mckibben_motion::{DriveFile, Target};
-use schemars::JsonSchema;
-use serde::Serialize;
 
 /// A contraction that is nearer to a stop than this is on it.
 const ON_STOP: f64 = 1e-6;
-
-/// How far from its computed end a measured muscle or joint may come to rest.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
-pub struct EndUncertainty {
-    /// 95 % half-width of the contraction at which a muscle's load rests in the end; none on a stop, of a controlled position, and where the command still changes.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub end_contraction_uncertainty: Option<f64>,
-    /// 95 % half-width of the angle at which a joint rests in the end, likewise, degrees.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub end_angle_uncertainty_deg: Option<f64>,
-    /// The ± of the pull or torque there with its parts, in words.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub uncertainty_text: Option<String>,
-    /// These parts, in N or N m.
-    #[serde(skip)]
-    pub(crate) parts: Option<UncertaintyParts>,
-}
-
-impl MotionRun {
-    /// The parts of the ± at its end in words, in units.
-    pub fn uncertainty_in(&self, u: &Units) -> Option<String> {
-        let torque = self.end.end_angle_uncertainty_deg.is_some();
-        let (of, scale) = if torque { ("torque", Scale::newton_metres()) } else { ("pull", u.force.clone()) };
-        Some(format!("of the {of} {}", breakdown(self.end.parts.as_ref()?, &scale)))
-    }
-}
 
 impl Moved {
     /// The ± of the end of a motion.

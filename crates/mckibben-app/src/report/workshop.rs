@@ -1,7 +1,7 @@
 //! What a report takes from the plan of a build: the drawing, the margins of safety, the sheet of the first test.
 
-use super::ReportRequest;
 use crate::build::{BuildRequest, planned};
+use crate::fields::MuscleFields;
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
 use crate::words::{fixed, number, percent};
@@ -25,12 +25,12 @@ impl Workshop {
     /// # Errors
     /// [`Problem`] where the caller wanted it to end; a muscle that cannot be built has a sentence.
     pub(super) fn of(
-        request: &ReportRequest,
+        muscle: &MuscleFields,
         pressure_mpa: f64,
         progress: &dyn Progress,
     ) -> Result<Self, Problem> {
         let asked = BuildRequest {
-            muscle: request.muscle.clone(),
+            muscle: muscle.clone(),
             pressure_mpa: Some(pressure_mpa).filter(|p| *p > 0.0),
             ..BuildRequest::default()
         };

@@ -2,31 +2,13 @@
 
 use super::CampaignError;
 use super::resume::{belongs, of_this_plan};
-use super::store::{Folder, Opened, Provenance, Table, Which, is_file_name, part_name, whole};
+use super::store::{Folder, Opened, PartSource, Provenance, Table, Which, is_file_name, part_name, whole};
 use mckibben_files::{Unfinished, sync};
 use mckibben_parquet::seal_of;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
-
-/// Where a part is.
-#[derive(Debug)]
-pub(super) enum PartSource {
-    /// In a file.
-    File(PathBuf),
-    /// In memory, as the bytes of its file.
-    Memory(Vec<u8>),
-}
-
-impl PartSource {
-    fn open(self, number: u64) -> Result<Opened, CampaignError> {
-        match self {
-            PartSource::File(path) => Opened::file(&path),
-            PartSource::Memory(bytes) => Opened::bytes(bytes, Path::new(&part_name(number))),
-        }
-    }
-}
 
 /// What was merged.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]

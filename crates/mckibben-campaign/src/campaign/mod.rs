@@ -10,6 +10,8 @@ mod cost;
 mod error;
 #[cfg(feature = "store")]
 mod merge;
+#[cfg(feature = "store")]
+mod outcome;
 mod plan;
 #[cfg(feature = "store")]
 mod read;
@@ -40,11 +42,13 @@ pub use cost::Cost;
 pub use error::CampaignError;
 #[cfg(feature = "store")]
 pub use merge::{Merged, merge};
+#[cfg(feature = "store")]
+pub use outcome::{Counts, Outcome, Recomputed};
 pub use plan::{Axis, Inputs, Measure, Plan, Sampling, Testing};
 #[cfg(feature = "store")]
 pub use read::{Rows, read, rows};
 #[cfg(feature = "store")]
-pub use run::{Counts, Outcome, Recomputed, RunOptions, run};
+pub use run::{RunOptions, run};
 #[cfg(feature = "store")]
 pub use shard::{ENGINES, Engine, Shard, ShardChoice, ShardError};
 pub use solve::compute;

@@ -1,8 +1,8 @@
 //! Reads a campaign: one file, or a folder of parts.
 
 use super::CampaignError;
-use super::merge::{PartSource, gather, tables};
-use super::store::{Opened, Provenance, Table, Which};
+use super::merge::{gather, tables};
+use super::store::{Opened, PartSource, Provenance, Table, Which};
 use crate::PointRow;
 use std::path::{Path, PathBuf};
 

@@ -1,9 +1,8 @@
 //! What is there already, and whether it belongs to a plan.
 
 use super::CampaignError;
-use super::merge::PartSource;
-use super::run::{Counts, Outcome, Recomputed};
-use super::store::{Folder, Opened, Provenance, Which};
+use super::outcome::{Counts, Outcome, Recomputed};
+use super::store::{Folder, Opened, PartSource, Provenance, Which};
 use mckibben::threads::Threads;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

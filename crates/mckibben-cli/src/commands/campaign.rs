@@ -6,7 +6,7 @@ mod show;
 use crate::clean;
 use crate::failure::{Failure, NOT_CONVERGED};
 use crate::files;
-use crate::flags::{OutputFlags, OverwriteOrForceFlag};
+use crate::flags::OverwriteOrForceFlag;
 use crate::format::Format;
 use crate::output::text::{number, place};
 use crate::output::{Target, emit, json, show as print, warn};
@@ -16,6 +16,7 @@ use cluster::{CancelArgs, StatusArgs, SubmitArgs};
 use mckibben::progress::Progress;
 use mckibben_app::{CampaignMergeRequest, CampaignRequest, ProblemKind, campaign_merge};
 use mckibben_campaign::campaign::{Outcome, ShardChoice};
+use show::CampaignShowArgs;
 use std::io::Write;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -94,16 +95,6 @@ pub enum CampaignCommand {
     /// Cancel the jobs that were submitted for a folder; what was computed stays
     #[command(after_help = cluster::CANCEL_EXAMPLES)]
     Cancel(CancelArgs),
-}
-
-/// `campaign show`.
-#[derive(Debug, Args)]
-pub struct CampaignShowArgs {
-    /// A campaign: one file, or a folder of parts
-    #[arg(value_name = "FILE.parquet or DIR")]
-    pub campaign: PathBuf,
-    #[command(flatten)]
-    pub output: OutputFlags,
 }
 
 /// `campaign merge`.

@@ -1,6 +1,5 @@
 //! `help COMMAND` and `man`: the flags of the commands as text and as manual pages.
 
-use crate::cli::command;
 use crate::failure::Failure;
 use crate::flags::OverwriteFlag;
 use crate::output::{Content, Target, emit, save};
@@ -42,8 +41,8 @@ pub struct ManArgs {
 }
 
 /// Prints the help of a command.
-pub fn run(args: &HelpArgs) -> Result<u8, Failure> {
-    let (mut root, words) = (built(), &args.command);
+pub fn run(args: &HelpArgs, root: Command) -> Result<u8, Failure> {
+    let (mut root, words) = (built(root), &args.command);
     let mut found = &mut root;
     for word in words {
         found = found.find_subcommand_mut(word).ok_or_else(|| unknown(words))?;
@@ -53,8 +52,8 @@ pub fn run(args: &HelpArgs) -> Result<u8, Failure> {
 }
 
 /// Prints one manual page, or writes all.
-pub fn man(args: &ManArgs) -> Result<u8, Failure> {
-    let root = built();
+pub fn man(args: &ManArgs, root: Command) -> Result<u8, Failure> {
+    let root = built(root);
     let Some(folder) = &args.output else {
         let found = args.command.iter().try_fold(&root, |found, word| found.find_subcommand(word));
         emit(page(found.ok_or_else(|| unknown(&args.command))?)?, None)?;
@@ -70,8 +69,8 @@ pub fn man(args: &ManArgs) -> Result<u8, Failure> {
     Ok(0)
 }
 
-/// Every command without commands below it: its words, and what it does.
-pub fn helps() -> Vec<(String, String)> {
+/// Every command of a root without commands below it: its words, and what it does.
+pub fn helps(root: &Command) -> Vec<(String, String)> {
     fn below(command: &Command, path: &str, out: &mut Vec<(String, String)>) {
         for inner in command.get_subcommands() {
             let path = format!("{path} {}", inner.get_name());
@@ -84,13 +83,13 @@ pub fn helps() -> Vec<(String, String)> {
         }
     }
     let mut out = vec![];
-    below(&command(), "", &mut out);
+    below(root, "", &mut out);
     out
 }
 
-/// The help of a command with all flags.
-pub fn long_help(words: &str) -> Option<String> {
-    let mut root = built();
+/// The help of a command of a root with all flags.
+pub fn long_help(root: &Command, words: &str) -> Option<String> {
+    let mut root = built(root.clone());
     let mut found = &mut root;
     for word in words.split_whitespace() {
         found = found.find_subcommand_mut(word)?;
@@ -99,8 +98,7 @@ pub fn long_help(words: &str) -> Option<String> {
 }
 
 /// The command line with all that it inherits.
-fn built() -> Command {
-    let mut root = command();
+fn built(mut root: Command) -> Command {
     root.build();
     root
 }

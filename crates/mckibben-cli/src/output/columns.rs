@@ -1,6 +1,5 @@
 //! The columns of a table: those of the rows' schema, so that they are the same whatever the values.
 
-use super::FLAT;
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, SchemaGenerator};
 use serde_json::{Map, Value};
@@ -15,6 +14,9 @@ pub enum Kind {
     /// Texts.
     Text,
 }
+
+/// The name of rows for an answer that is one row, with the values of its objects among its own.
+pub const FLAT: &str = "*";
 
 /// A column: the key of the rows in JSON.
 pub type Column = (String, Kind);

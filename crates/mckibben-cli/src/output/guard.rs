@@ -3,7 +3,7 @@
 //! Formulas, muscle files and Parquet are read; figures, pages, PDFs and decks carry the program's mark. Of what can carry none the beginning is
 //! compared with that of the result: the first line of a table, the first key of JSON, the first two words of a text.
 
-use super::Target;
+use super::target::Target;
 use crate::failure::Failure;
 use crate::{files, progress};
 use mckibben::formula::{self, Document};

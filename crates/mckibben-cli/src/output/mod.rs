@@ -7,19 +7,22 @@ pub mod loaded;
 mod parquet;
 mod rows;
 mod stream;
+mod target;
 pub mod text;
 pub mod width;
 mod write;
 
+pub use columns::FLAT;
 pub use guard::{Content, check, ending, of_input};
-use mckibben::warning::is_of_burst;
 pub use stream::streamed;
-pub use write::{Target, burst_first, colour, complain, emit, save, save_all, warn, warn_behind};
+pub use target::Target;
+pub use write::{burst_first, colour, complain, emit, save, save_all, warn, warn_behind};
 
 use crate::clean;
 use crate::failure::Failure;
 use crate::format::Format;
 use crate::quantities::unit_hint;
+use mckibben::warning::is_of_burst;
 use mckibben_app::ProblemKind;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -40,9 +43,6 @@ enum Form {
     Csv,
     Parquet,
 }
-
-/// The name of rows for an answer that is one row, with the values of its objects among its own.
-pub const FLAT: &str = "*";
 
 /// Prints an answer in the form that was asked for: as text for people, as JSON, or as a table with a row for each element of
 /// the list named `rows` (for the answer itself where the name is empty or [`FLAT`]).

@@ -1,6 +1,7 @@
 //! Where results go: standard output, or a file that appears whole or not at all.
 
 use super::guard::{Content, check};
+use super::target::Target;
 use super::width;
 use crate::clean;
 use crate::failure::{Failure, in_flags};
@@ -13,25 +14,6 @@ use mckibben_files::Unfinished;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
-
-/// Where a result goes.
-#[derive(Debug, Clone, Copy)]
-pub struct Target<'a> {
-    /// The file; else standard output.
-    pub path: Option<&'a Path>,
-    /// An existing file is overwritten.
-    pub overwrite: bool,
-}
-
-impl<'a> Target<'a> {
-    /// Standard output.
-    pub const STDOUT: Target<'static> = Target { path: None, overwrite: false };
-
-    /// A file.
-    pub fn file(path: &'a Path, overwrite: bool) -> Self {
-        Self { path: Some(path), overwrite }
-    }
-}
 
 /// Writes all files of an answer into a folder, or none if one of them would be lost for it. `content` says by the name of a file what it is.
 pub fn save_all(

@@ -1,6 +1,7 @@
 //! C99: generic functions and the numbers of a muscle. A compiler for a microcontroller needs nothing else.
 
-use super::{TargetEntry, common};
+use super::common::common;
+use super::entry::TargetEntry;
 use crate::error::ExportError;
 use crate::form::PRESSURE_KNOTS;
 use crate::muscle::ExportedMuscle;

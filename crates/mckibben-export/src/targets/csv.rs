@@ -1,6 +1,6 @@
 //! CSV: tables of F(P, L) and P(F, L).
 
-use super::TargetEntry;
+use super::entry::TargetEntry;
 use super::tables::tables;
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;

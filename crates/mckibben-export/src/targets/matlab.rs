@@ -1,8 +1,9 @@
 //! MATLAB, Simulink and GNU Octave: tables in a MAT-file, functions, and a script for lookup blocks.
 
+use super::common::common;
+use super::entry::TargetEntry;
 use super::mat_file::{Variable, mat_file};
 use super::tables::tables;
-use super::{TargetEntry, common};
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
 use crate::template::{list, number, render};

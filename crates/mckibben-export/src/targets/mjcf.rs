@@ -12,7 +12,7 @@
 //! is −force · fpmax (L − 1)²/2 for 1 ≤ L ≤ 2 with `lmax` 3, and L − 1 = length/span with `range` 1 2. (MuJoCo, "Computation",
 //! section "Muscle actuators"; engine_util_misc.c.) A limit of the force of all actuators at the tendon makes it slack.
 
-use super::TargetEntry;
+use super::entry::TargetEntry;
 use super::host_fit::fit;
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;

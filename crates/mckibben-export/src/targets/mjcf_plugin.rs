@@ -1,7 +1,7 @@
 //! MuJoCo: the form itself as a plugin around the C target, with one control for a muscle.
 
-use super::TargetEntry;
 use super::c::{rendered, sources};
+use super::entry::TargetEntry;
 use super::mjcf::scene;
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;

@@ -1,7 +1,9 @@
 //! The hosts: one file each, and the list of all.
 
 mod c;
+mod common;
 mod csv;
+mod entry;
 mod fmu;
 mod host_fit;
 mod mat_file;
@@ -14,31 +16,10 @@ mod tables;
 mod xlsx;
 mod zip;
 
-use crate::Artefact;
+pub use entry::TargetEntry;
+
 use crate::error::ExportError;
-use crate::muscle::ExportedMuscle;
-use crate::template::number;
 use std::str::FromStr;
-
-/// What is known of a target.
-#[derive(Clone, Copy)]
-pub struct TargetEntry {
-    /// Its word.
-    pub name: &'static str,
-    /// What it is.
-    pub about: &'static str,
-    /// What it needs.
-    pub needs: &'static str,
-    /// What of the muscle it loses.
-    pub loses: &'static str,
-    pub(crate) make: fn(&ExportedMuscle) -> Result<Artefact, ExportError>,
-}
-
-impl std::fmt::Debug for TargetEntry {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(self.name)
-    }
-}
 
 macro_rules! targets {
     ($($(#[$about:meta])* $name:ident => $entry:path,)*) => {
@@ -99,10 +80,4 @@ impl FromStr for Target {
         let found = Self::ALL.iter().copied().find(|t| t.entry().name == name.trim());
         found.ok_or_else(|| ExportError::Target { name: name.to_owned() })
     }
-}
-
-/// The values that templates of all languages have places for.
-fn common(muscle: &ExportedMuscle) -> Vec<(&'static str, String)> {
-    let form = &muscle.form;
-    vec![("name", muscle.plain_name()), ("length", number(form.length_m)), ("supply", number(form.supply_pa))]
 }

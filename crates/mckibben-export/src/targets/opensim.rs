@@ -7,7 +7,7 @@
 //!
 //! (OpenSim 4.6, McKibbenActuator.cpp.) Thread and turns are those with which the sum is nearest to the model, not those of the braid.
 
-use super::TargetEntry;
+use super::entry::TargetEntry;
 use super::host_fit::fit;
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;

@@ -1,6 +1,7 @@
 //! Python: one file of functions for numbers and arrays of NumPy, JAX and PyTorch.
 
-use super::{TargetEntry, common};
+use super::common::common;
+use super::entry::TargetEntry;
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
 use crate::template::{list, lists, number, render};

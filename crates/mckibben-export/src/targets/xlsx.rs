@@ -1,6 +1,6 @@
 //! A workbook (Office Open XML, ECMA-376) with the form as formulas: who changes a pressure or a length there sees the pull that follows.
 
-use super::TargetEntry;
+use super::entry::TargetEntry;
 use super::zip::zip;
 use crate::error::ExportError;
 use crate::form::{FUNCTIONS, PRESSURE_KNOTS};

@@ -1,6 +1,5 @@
 //! A tube under a braid, divided into elements: everything that does not change while it deforms.
 
-use super::guess::LAYER;
 use super::layout::Layout;
 use super::memory::Memory;
 use super::mesh::Mesh;
@@ -10,6 +9,9 @@ use crate::element::strand::{self, STRAND_POINTS, StrandPoint};
 use crate::solver::body::State;
 use mckibben::muscle::{Bulk, Crimp, Muscle, Parts, StrandLay};
 use mckibben::rubber::{Law, RubberLaw};
+
+/// Length ℓ of the layer beside a terminal over the outer radius.
+pub(crate) const LAYER: f64 = 1.4;
 
 /// What holds the last station.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

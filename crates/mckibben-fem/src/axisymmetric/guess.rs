@@ -14,13 +14,11 @@
 //!
 //!   cosφ = [rm² (2 cot²αm − 1) + r²] sin²αm/(2 rm² cosαm cosα),   dr/dZ = −λm sinφ.
 
-use super::discretisation::{BraidSpec, Discretisation};
+use super::discretisation::{BraidSpec, Discretisation, LAYER};
 use crate::element::strand::STRAND_POINTS;
 use crate::solver::body::State;
 use mckibben::muscle::StrandLay;
 
-/// ℓ over the outer radius.
-pub(crate) const LAYER: f64 = 1.4;
 /// Steps of integration per station.
 const STEPS: usize = 4;
 /// Steps of the line of strands alone.

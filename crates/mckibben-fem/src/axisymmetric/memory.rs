@@ -1,22 +1,7 @@
-//! What the rubber of a muscle has seen: the largest energy of every integration point, from the muscle's own equilibria.
-//!
-//! A muscle that was cycled at a pressure between rest length and free contraction has W_m = max(W0 at rest length, W0 at free
-//! contraction) of its first inflation, point by point. Where one of the two states has the larger energy everywhere, the conditioned muscle
-//! is there the one of the first inflation.
+//! What softened rubber has seen.
 
-use super::body::Body;
-use super::discretisation::Discretisation;
-use super::results::elements;
-use crate::FemError;
-use crate::element::plane::{self, AnyPlaneLaw};
-use crate::element::q2::{Geometry, POINTS};
-use crate::element::solid::gradient;
-use crate::solver::body::State;
-use crate::solver::continuation::Continuation;
-use mckibben::model::ThickWall;
-use mckibben::muscle::Muscle;
+use crate::element::q2::POINTS;
 use mckibben::rubber::over_time::OgdenRoxburgh;
-use std::sync::Arc;
 
 /// How the rubber softens, and what each of its points has seen.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,50 +10,4 @@ pub struct Memory {
     pub softening: OgdenRoxburgh,
     /// W_m in MPa of every integration point of every element.
     pub seen_mpa: Vec<[f64; POINTS]>,
-}
-
-impl Memory {
-    /// Of a body that has seen nothing.
-    pub fn new(softening: OgdenRoxburgh, d: &Discretisation) -> Self {
-        Self { softening, seen_mpa: vec![[0.0; POINTS]; d.elements.len()] }
-    }
-
-    /// Of the rubber of a muscle that was cycled before; `None` on its first inflation.
-    ///
-    /// # Errors
-    /// [`FemError::Conditioning`] where the muscle has no such equilibria.
-    pub fn of(
-        muscle: &Muscle,
-        d: &Discretisation,
-        endless: &Arc<ThickWall>,
-    ) -> Result<Option<Self>, FemError> {
-        let Some((softening, pressure_mpa)) = muscle.rubber().conditioned() else { return Ok(None) };
-        let failed = |error| match error {
-            FemError::Exceeded(_) => error,
-            error => FemError::Conditioning { pressure_mpa, reason: Box::new(error) },
-        };
-        let mut memory = Self::new(softening, d);
-        let mut c = Continuation::new(Body::of_muscle(Arc::new(d.clone()), endless.clone()));
-        c.reach(pressure_mpa, 0.0).map_err(failed)?;
-        memory.see(d, &c.body.state);
-        c.reach_force(0.0, pressure_mpa).map_err(failed)?;
-        memory.see(d, &c.body.state);
-        Ok(Some(memory))
-    }
-
-    /// Takes in what a state of the body shows.
-    pub fn see(&mut self, d: &Discretisation, state: &State) {
-        let here = plane::with(&d.problem.law, |law| energies(law, d, state));
-        for (seen, here) in self.seen_mpa.iter_mut().flatten().zip(here.iter().flatten()) {
-            *seen = seen.max(*here);
-        }
-    }
-}
-
-/// W0 of every integration point.
-fn energies(law: &dyn AnyPlaneLaw, d: &Discretisation, state: &State) -> Vec<[f64; POINTS]> {
-    let of = |(geometry, (_, u)): (&Geometry, (_, _))| {
-        std::array::from_fn(|k| law.stress_at(&gradient(&geometry.points[k], &u), 0.0).w)
-    };
-    d.elements.iter().zip(elements(d, state)).map(of).collect()
 }

@@ -2,6 +2,7 @@
 
 pub mod assembly;
 pub mod body;
+mod conditioning;
 mod contact;
 pub mod discretisation;
 mod guess;
@@ -18,8 +19,8 @@ pub mod sweep;
 
 pub use body::Body;
 pub use contact::{Contact, ContactPlace};
+pub(crate) use discretisation::LAYER;
 pub use discretisation::{BraidSpec, Discretisation, Ends, Problem};
-pub(crate) use guess::LAYER;
 pub use memory::Memory;
 pub use mesh::{Mesh, MeshSpec};
 pub use model::Axisymmetric;

@@ -11,37 +11,11 @@
 // Components and nodes are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]
 
+pub use super::tensor::{AT, PAIRS, Spatial, Symmetric};
+
 use super::lanes::{MOST, Real};
 use super::spatial_stretches::{Stretches, by_stretches};
 use mckibben::rubber::{InvariantDerivatives, InvariantLaw, Law, LawVisitor, RubberLaw};
-
-/// A symmetric tensor.
-pub type Symmetric<R> = [R; 6];
-
-/// Rows and columns of the six components.
-pub const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)];
-/// Component of a row and a column.
-pub const AT: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
-
-/// Energy, stress and tangent per volume at rest.
-#[derive(Debug, Clone, Copy)]
-pub struct Spatial<R> {
-    /// Energy in MPa.
-    pub w: R,
-    /// τ in MPa.
-    pub tau: Symmetric<R>,
-    /// c in MPa, both halves.
-    pub c: [Symmetric<R>; 6],
-}
-
-impl<R: Real> Spatial<R> {
-    /// Zero.
-    #[inline(always)]
-    pub fn zero() -> Self {
-        let o = R::splat(0.0);
-        Self { w: o, tau: [o; 6], c: [[o; 6]; 6] }
-    }
-}
 
 /// A law in I1 and I2, asked at several places at once.
 pub trait Invariants: Sync {

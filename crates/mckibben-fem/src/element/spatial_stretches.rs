@@ -9,8 +9,8 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::lanes::Real;
-use super::spatial::{PAIRS, Spatial, Symmetric};
 use super::stretches::logarithmic;
+use super::tensor::{PAIRS, Spatial, Symmetric};
 use mckibben::rubber::RubberLaw;
 
 /// A law in the principal stretches.

@@ -5,7 +5,7 @@
 //!   P = Σ d_i M_ii,   A = Σ ∂²W/∂λi∂λj M_ii⊗M_jj + ½(u + v)(M12⊗M12 + M21⊗M21) + ½(u − v)(M12⊗M21 + M21⊗M12)
 //!   u = (d1 − d2)/(λ1 − λ2),  v = (d1 + d2)/(λ1 + λ2)        (Ogden 1984 \[ogden1984\], §6.1)
 
-use super::plane::{Gradient, PlaneLaw, Stress};
+use super::plane_law::{Gradient, PlaneLaw, Stress};
 use mckibben::rubber::RubberLaw;
 
 /// A law in the principal stretches.

@@ -6,6 +6,7 @@
 mod deck;
 mod eighth;
 mod error;
+mod fields;
 mod helices;
 mod revolve;
 mod series;
@@ -17,6 +18,7 @@ pub mod vtu;
 pub use deck::{DeckError, deck, increments};
 pub use eighth::Extent;
 pub use error::VtuError;
+pub use fields::{FIELDS, Field};
 pub use series::{VtuFile, VtuSeries};
 pub use shape::{Seen, Shape};
-pub use stations::{FIELDS, Field, Stations};
+pub use stations::Stations;

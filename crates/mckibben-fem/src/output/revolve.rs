@@ -1,6 +1,6 @@
 //! The whole tube: the half section mirrored at z = 0 and turned about the axis.
 
-use super::stations::FIELDS;
+use super::fields::FIELDS;
 use super::vtu::{Grid, PointData};
 use crate::axisymmetric::{Section, SectionNode};
 use std::f64::consts::TAU;

@@ -1,8 +1,9 @@
 //! The deformed section station by station, dense enough that straight pieces between stations look like the curve: for front ends that
 //! turn it about the axis themselves.
 
+use super::fields::{FIELDS, Field};
 use super::helices::{places_of_half, state};
-use crate::axisymmetric::{Section, SectionNode};
+use crate::axisymmetric::Section;
 
 /// The half section of a muscle, from the middle (z = 0) to the terminal. The other half is its mirror image.
 ///
@@ -18,19 +19,6 @@ pub struct Stations {
     /// tension of one strand in N where their number is known.
     pub strands: Vec<(&'static str, Vec<f64>)>,
 }
-
-/// A single number at a node, by its name.
-pub type Field = (&'static str, fn(&SectionNode) -> f64);
-
-/// The single numbers at a node that do not change their sign with z: stretches, and Cauchy stresses in MPa.
-pub const FIELDS: [Field; 6] = [
-    ("hoop_stretch", |n| n.hoop_stretch),
-    ("meridional_stretch", |n| n.meridional_stretch),
-    ("max_stretch", |n| n.max_stretch),
-    ("stress_radial_mpa", |n| n.stress_mpa[0]),
-    ("stress_hoop_mpa", |n| n.stress_mpa[1]),
-    ("stress_axial_mpa", |n| n.stress_mpa[2]),
-];
 
 impl Stations {
     /// Of a section: between the nodes by the elements' own quadratic functions.

@@ -12,11 +12,13 @@
 //! and where that branch ends there is none. A tube that lies loose in its sleeve is, where the taut muscle does not lead to it, inflated from
 //! rest in the same way.
 
+pub use super::interrupted::Interrupted;
+
 use super::body::{Body, Control, State};
 use super::descent::Descent;
 use super::newton::{self, Effort, NewtonOptions, Stopped};
 use super::trail::{Along, Trail};
-use crate::error::{FemError, LastConverged};
+use crate::error::FemError;
 use mckibben::budget::Budget;
 use mckibben::status::Status;
 
@@ -38,15 +40,6 @@ pub struct Unstable {
     pub contraction: f64,
     /// Negative eigenvalues of the tangent with the terminal held.
     pub directions: usize,
-}
-
-/// Why a walk ended, and the last equilibrium on it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Interrupted {
-    /// Why the last step was given up.
-    pub reason: Stopped,
-    /// The last equilibrium.
-    pub last: LastConverged,
 }
 
 /// What first guesses led to.

@@ -1,17 +1,11 @@
-//! Equilibria at one length, from the taut muscle down in pressure.
+//! The stations of a descent in pressure at one length.
 
-use super::body::{Body, Control, State};
-use super::continuation::{Continuation, Interrupted};
-use super::newton::Stopped;
-use super::walk::growth_of_step;
+use super::body::State;
+use super::growth::growth_of_step;
+use super::interrupted::Interrupted;
 
-/// How often the pressure is raised, and by what factor, where the strands are not taut yet.
-const TIGHTENINGS: usize = 8;
-const TIGHTENING: f64 = 1.3;
 /// A step is continuous if Newton's method moves no node further than this share of the radius from where the steps before predict it.
-const CONTINUOUS: f64 = 0.05;
-/// Smallest share of a leg that is tried where steps must be continuous.
-const SMALLEST_CONTINUOUS: f64 = 1e-5;
+pub(super) const CONTINUOUS: f64 = 0.05;
 /// Share of the highest pressure that is tried first.
 const FIRST: f64 = 0.1;
 
@@ -31,39 +25,39 @@ pub(super) struct Descent {
 
 impl Descent {
     /// Forgets everything; the next one runs at this displacement.
-    fn begin(&mut self, terminal: f64) {
+    pub(super) fn begin(&mut self, terminal: f64) {
         *self = Self { terminal: Some(terminal), ..Self::default() };
     }
 
     /// Adds a station with its pull in N, and the share of the radius by which its prediction missed it.
-    fn push(&mut self, state: &State, pull: f64, missed: f64) {
+    pub(super) fn push(&mut self, state: &State, pull: f64, missed: f64) {
         self.stations.push(state.clone());
         self.pulls.push(pull);
         self.missed = missed;
     }
 
     /// Whether the muscle pushes at one of the first stations.
-    fn pushes(&self, first: usize) -> bool {
+    pub(super) fn pushes(&self, first: usize) -> bool {
         self.pulls.iter().take(first).any(|pull| *pull < 0.0)
     }
 
     /// Pressure in MPa of the taut muscle.
-    fn top(&self) -> Option<f64> {
+    pub(super) fn top(&self) -> Option<f64> {
         self.stations.first().map(|s| s.pressure)
     }
 
     /// Pressure in MPa of the last station.
-    fn lowest(&self) -> f64 {
+    pub(super) fn lowest(&self) -> f64 {
         self.stations.last().map_or(f64::INFINITY, |s| s.pressure)
     }
 
     /// The last station whose pressure is not below one in MPa; the first where there is none.
-    fn above(&self, pressure: f64) -> usize {
+    pub(super) fn above(&self, pressure: f64) -> usize {
         self.stations.iter().rposition(|s| s.pressure >= pressure).unwrap_or(0)
     }
 
     /// The step in MPa that is tried next.
-    fn step(&self) -> f64 {
+    pub(super) fn step(&self) -> f64 {
         match &self.stations[..] {
             [.., before, last] => growth_of_step(self.missed, CONTINUOUS) * (before.pressure - last.pressure),
             [only] => FIRST * only.pressure,
@@ -72,7 +66,7 @@ impl Descent {
     }
 
     /// Fills `out` with what lies between a station and the next one at a pressure.
-    fn between(&self, above: usize, pressure: f64, out: &mut State) {
+    pub(super) fn between(&self, above: usize, pressure: f64, out: &mut State) {
         let last = &self.stations[above];
         out.copy_from(last);
         if let Some(next) = self.stations.get(above + 1) {
@@ -82,7 +76,7 @@ impl Descent {
     }
 
     /// Fills `out` with what the last two stations predict at a pressure.
-    fn predict(&self, pressure: f64, out: &mut State) {
+    pub(super) fn predict(&self, pressure: f64, out: &mut State) {
         match &self.stations[..] {
             [.., before, last] => {
                 out.extrapolate(last, before, (last.pressure - pressure) / (before.pressure - last.pressure));
@@ -91,122 +85,5 @@ impl Descent {
             [] => {}
         }
         out.pressure = pressure;
-    }
-}
-
-impl<B: Body> Continuation<B> {
-    /// From the taut muscle, continuously.
-    pub(super) fn lead_down(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
-        if self.descent.terminal != Some(terminal) {
-            self.begin_descent(terminal);
-        }
-        if self.descent.top().is_none_or(|top| top < pressure) {
-            if self.tighten(pressure, terminal).is_ok() && self.body.certain() {
-                return Ok(());
-            }
-            self.tighten(pressure, 0.0)?;
-            return self.follow(pressure, terminal);
-        }
-        while self.descent.lowest() > pressure {
-            if let Some(end) = self.descent.end {
-                return Err(end);
-            }
-            if let Err(end) = self.descend(terminal) {
-                if end.reason.is_final() {
-                    return Err(end);
-                }
-                self.descent.end = Some(end);
-            }
-        }
-        let above = self.descent.above(pressure);
-        self.descent.between(above, pressure, self.body.state_mut());
-        if self.solve_within(Control::Length(terminal), CONTINUOUS).is_err() || !self.stable() {
-            self.body.state_mut().copy_from(&self.descent.stations[above]);
-            self.follow(pressure, terminal)?;
-        }
-        self.lowered(above + 1).map_err(|reason| self.interrupted(reason))
-    }
-
-    /// Finds the pressure that tightens all strands at a displacement of the terminal in mm: where a descent begins.
-    fn begin_descent(&mut self, terminal: f64) {
-        self.descent.begin(terminal);
-        let lowest = self.body.taut_pressure(-terminal / self.body.half_length());
-        let pressures = || std::iter::successors(Some(lowest), |p| Some(TIGHTENING * p)).take(TIGHTENINGS);
-        let found = pressures().any(|taut| self.tight_guess(taut, terminal))
-            || pressures().step_by(2).any(|taut| self.tighten(taut, terminal).is_ok());
-        if found {
-            self.descent.push(self.body.state(), self.body.totals().pull, 0.0);
-        }
-    }
-
-    /// The next station of a descent, by the largest step that is continuous. Its stations depend on the length alone.
-    fn descend(&mut self, terminal: f64) -> Result<(), Interrupted> {
-        let smallest = SMALLEST_CONTINUOUS * self.descent.top().unwrap_or(0.0);
-        let (from, mut step) = (self.descent.lowest(), self.descent.step());
-        loop {
-            let next = (from - step).max(0.0);
-            self.descent.predict(next, self.body.state_mut());
-            let solved = self.solve_within(Control::Length(terminal), CONTINUOUS);
-            match solved.and_then(|()| self.lowered(usize::MAX)) {
-                Ok(()) => {
-                    self.descent.push(self.body.state(), self.body.totals().pull, self.effort.moved);
-                    return Ok(());
-                }
-                Err(reason) => {
-                    step = 0.5 * (from - next);
-                    if step < smallest || reason.is_final() {
-                        if let Some(last) = self.descent.stations.last() {
-                            self.body.state_mut().copy_from(last);
-                        }
-                        return Err(self.interrupted(reason));
-                    }
-                }
-            }
-        }
-    }
-
-    /// An equilibrium with all strands in tension, from a guess.
-    fn tight_guess(&mut self, pressure: f64, terminal: f64) -> bool {
-        self.body.guess_taut(pressure, terminal)
-            && self.solve(Control::Length(terminal)).is_ok()
-            && self.stable()
-            && self.body.taut()
-    }
-
-    /// An equilibrium with all strands in tension: from a guess, else from rest.
-    fn tighten(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
-        if self.tight_guess(pressure, terminal) {
-            return Ok(());
-        }
-        self.reset();
-        self.steps = Some(0);
-        self.walk(pressure, 0.0, B::SETTINGS.first_step)?;
-        self.walk(pressure, terminal, B::SETTINGS.first_step)?;
-        if self.stable() && self.body.taut() {
-            return Ok(());
-        }
-        Err(self.interrupted(Stopped::Unstable))
-    }
-
-    /// From rest, continuously: a tube that has not reached its sleeve has no taut muscle that it continues.
-    pub(super) fn inflate(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
-        self.reset();
-        self.go(pressure, 0.0, B::SETTINGS.first_step_down, SMALLEST_CONTINUOUS, CONTINUOUS)?;
-        self.follow(pressure, terminal)
-    }
-
-    /// Goes to a pressure in MPa and a displacement of the terminal in mm in continuous steps.
-    fn follow(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
-        self.go(pressure, terminal, B::SETTINGS.first_step_down, SMALLEST_CONTINUOUS, CONTINUOUS)?;
-        if self.stable() { Ok(()) } else { Err(self.interrupted(Stopped::Unstable)) }
-    }
-
-    /// Less pressure does not make a muscle pull that pushes at one of the first stations: where it does, its tube has folded.
-    fn lowered(&self, stations: usize) -> Result<(), Stopped> {
-        if self.descent.pushes(stations) && self.pull() > 0.0 && !self.body.certain() {
-            Err(Stopped::Branch)
-        } else {
-            Ok(())
-        }
     }
 }

@@ -1,6 +1,6 @@
 //! L x = b and Lᵀ x = b, supernode by supernode: forward with the columns of L, backward with the same ones as rows.
 
-use super::supernodal::Form;
+use super::form::Form;
 use super::symbolic::Symbolic;
 use crate::element::lanes::{Real, Width, on_lanes};
 

@@ -3,6 +3,7 @@
 //! Left-looking (Ng & Peyton 1993 \[ng1993\]). A supernode takes its entries of the matrix; then what every earlier supernode with rows in
 //! it takes off; then its own columns are factorised, panel by panel.
 
+use super::form::Form;
 use super::kernel::{Kernel, Matrix, Shape};
 use super::panel::Panel;
 use super::symbolic::Symbolic;
@@ -25,15 +26,6 @@ pub(super) struct Lower<'a> {
     pub columns: &'a [u32],
     pub rows: &'a [u32],
     pub values: &'a [f64],
-}
-
-/// What is factorised.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Form {
-    /// L Lᵀ.
-    Positive,
-    /// L D Lᵀ.
-    Indefinite,
 }
 
 /// Why a factorisation ended.

@@ -12,7 +12,7 @@
 //! behind it are merged where few of the entries that result are zeros (Ashcraft & Grimes 1989 \[ashcraft1989\]): wide supernodes are
 //! quick, and a child's rows lie within the parent's columns and rows.
 
-use super::sparse::Pattern;
+use super::pattern::Pattern;
 use std::ops::Range;
 
 /// Which share of zeros merged supernodes of at most so many columns may have.

@@ -1,25 +1,18 @@
 //! Walks between equilibria, as large a step at a time as Newton's method allows.
 
 use super::body::{Body, Control};
-use super::continuation::{Continuation, Interrupted, TAUT};
+use super::continuation::{Continuation, TAUT};
+use super::growth::growth_of_step;
+use super::interrupted::Interrupted;
 use super::newton::Stopped;
 use super::trail::{Along, Trail};
 use crate::error::LastConverged;
 
-/// Of what a step may miss of its prediction, the share that the next one aims at.
-const AIM: f64 = 0.5;
-/// By what factor a step may be larger than the one before.
-const GROWTH: f64 = 4.0;
 /// Of a shortening at one pressure: the share of it that is tried first, the smallest one, and the share of the radius by which a step aims to
 /// miss its prediction.
 const FIRST: f64 = 0.125;
 const SMALLEST: f64 = 1.0 / 1024.0;
 const AIMED: f64 = 0.1;
-
-/// By what factor the next step is larger where the last one `missed` its prediction: that grows with the square of a step.
-pub(super) fn growth_of_step(missed: f64, reach: f64) -> f64 {
-    (AIM * reach / missed).sqrt().clamp(1.0, GROWTH)
-}
 
 impl<B: Body> Continuation<B> {
     /// From rest in a straight line of pressure and length.

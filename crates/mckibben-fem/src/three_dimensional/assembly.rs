@@ -5,7 +5,7 @@
 
 use super::discretisation::{Discretisation, Material};
 use super::mesh::Brick;
-use super::saddle::share;
+use super::share::share;
 use crate::element::brick::{Input, Output, ShapePoint, run};
 use crate::element::hexahedron::{NODES8, NODES27, points8, points27};
 use crate::element::lanes::Real;

@@ -6,7 +6,8 @@
 
 use super::assembly::{Assembled, assemble};
 use super::discretisation::Discretisation;
-use super::saddle::{Constraints, constraint_residual, dot, gather, share};
+use super::saddle::{Constraints, constraint_residual, dot, gather};
+use super::share::share;
 use crate::FemError;
 use crate::solver::body::{Control, State, Totals};
 use crate::solver::newton::{NewtonSystem, Stopped};

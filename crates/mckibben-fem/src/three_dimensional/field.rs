@@ -4,17 +4,16 @@
 //! (Barlow 1976 \[barlow1976\]): in the middle of an eight-node brick, at the 2 × 2 × 2 points of one with twenty-seven, from where the
 //! trilinear function carries it to the nodes. Where bricks meet, they are averaged.
 
+use super::kinematics::{dot, gradient, largest_principal, left, now, pull};
 use super::mesh::{Brick, BrickMesh};
 use super::model::ThreeDimensional;
 use super::muscle::MuscleInBricks;
-use super::results::now;
 use super::{Body, Discretisation};
 use crate::FemError;
 use crate::element::brick::ShapePoint;
 use crate::element::hexahedron::{at8, at27};
 use crate::element::q2::GAUSS2;
-use crate::element::spatial::{PAIRS, SpatialLaw, with};
-use crate::element::spatial_stretches::principal_axes;
+use crate::element::spatial::{SpatialLaw, with};
 use crate::simulation::Discretised;
 use mckibben::model::Workspace;
 use std::collections::HashMap;
@@ -106,7 +105,7 @@ fn field(muscle: &mut MuscleInBricks) -> Result<Field, FemError> {
 fn pieces(body: &Body) -> Vec<PieceField> {
     let d = &body.discretisation;
     let one = |t: usize| {
-        let pull = super::results::pull(body, t);
+        let pull = pull(body, t);
         let n = pull.direction;
         PieceField {
             ends: d.problem.trusses[t].0.map(|n| n as usize),
@@ -261,51 +260,6 @@ fn fill<const NN: usize>(
         }
     }
     out.iter_mut().zip(shares).for_each(|(field, share)| field.divide(share));
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (0..3).map(|i| a[i] * b[i]).sum()
-}
-
-/// b = F Fᵀ
-fn left(f: &[[f64; 3]; 3]) -> [f64; 6] {
-    PAIRS.map(|(i, j)| dot(f[i], f[j]))
-}
-
-/// Largest principal stretch at F.
-pub(super) fn largest_principal(f: &[[f64; 3]; 3]) -> f64 {
-    principal_axes(&left(f)).0.into_iter().fold(0.0, f64::max).sqrt()
-}
-
-fn inverse(m: &[[f64; 3]; 3]) -> Option<[[f64; 3]; 3]> {
-    let minor = |i: usize, j: usize| {
-        let (a, b, c, d) = ((i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3);
-        m[a][c] * m[b][d] - m[a][d] * m[b][c]
-    };
-    let det: f64 = (0..3).map(|j| m[0][j] * minor(0, j)).sum();
-    (det != 0.0).then(|| [0, 1, 2].map(|i| [0, 1, 2].map(|j| minor(j, i) / det)))
-}
-
-/// F at a point of a brick, and its place in the reference configuration.
-pub(super) fn gradient<const NN: usize>(
-    body: &Body,
-    brick: usize,
-    nodes: &[u32],
-    p: &ShapePoint<NN>,
-) -> Option<([[f64; 3]; 3], [f64; 3])> {
-    let (mut rest, mut here, mut at) = ([[0.0; 3]; 3], [[0.0; 3]; 3], [0.0; 3]);
-    for (a, node) in nodes.iter().enumerate() {
-        let (x, y) = (body.discretisation.problem.rest(brick, *node), now(body, *node as usize));
-        for i in 0..3 {
-            at[i] += p.n[a] * x[i];
-            for j in 0..3 {
-                rest[i][j] += x[i] * p.dn[a][j];
-                here[i][j] += y[i] * p.dn[a][j];
-            }
-        }
-    }
-    let inverse = inverse(&rest)?;
-    Some((here.map(|row| [0, 1, 2].map(|j| (0..3).map(|k| row[k] * inverse[k][j]).sum())), at))
 }
 
 /// Cauchy stress at a point of brick `e`.

@@ -17,13 +17,16 @@ mod divisions;
 pub(crate) mod estimate;
 mod field;
 mod guess;
+mod kinematics;
 pub mod mesh;
 mod model;
 pub mod muscle;
 pub mod plug;
+mod plug_in_mesh;
 pub mod problem;
 mod results;
 mod saddle;
+mod share;
 
 pub use assembly::Assembled;
 pub use body::Body;

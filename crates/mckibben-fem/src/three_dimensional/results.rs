@@ -4,13 +4,11 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::body::Body;
-use super::field::{gradient, largest_principal};
+use super::kinematics::{gradient, largest_principal, now, pull};
 use super::mesh::{Brick, BrickMesh};
-use super::saddle::share;
 use crate::FemError;
 use crate::element::brick::ShapePoint;
 use crate::element::hexahedron::{at8, at27};
-use crate::element::truss::{Pull, Truss};
 use crate::results::{Energies, ProfilePoint, Solution, StrandState, StretchAt, StretchOf, largest_of_most};
 use mckibben::model::Response;
 use mckibben::muscle::Muscle;
@@ -89,12 +87,6 @@ pub fn response(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<Re
     })
 }
 
-/// Place now of a node in mm.
-pub(super) fn now(body: &Body, node: usize) -> [f64; 3] {
-    let (x, u) = (&body.discretisation.problem.nodes[node], &body.state.u[3 * node..3 * node + 3]);
-    [x[0] + u[0], x[1] + u[1], x[2] + u[2]]
-}
-
 /// Mean (z, r) of a ring of nodes; the ends of the quarter count half.
 fn ring(body: &Body, mesh: &BrickMesh, i: usize, k: usize) -> (f64, f64) {
     let nj = mesh.grid()[1];
@@ -118,17 +110,6 @@ fn profile(body: &Body, mesh: &BrickMesh) -> Vec<ProfilePoint> {
             inner_mm: ring(body, mesh, 0, k),
         })
         .collect()
-}
-
-/// What a piece of a strand does now.
-pub(super) fn pull(body: &Body, t: usize) -> Pull {
-    let d = &body.discretisation;
-    let (ends, truss) = &d.problem.trusses[t];
-    let [a, b] = ends.map(|n| now(body, n as usize));
-    let delta = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-    let (compliance, augment) = d.strand[t];
-    let truss = Truss { stiffness_n: augment, ..*truss };
-    truss.pull(delta, share(compliance, augment) * body.state.q[t], 0.0)
 }
 
 /// Means over both families, row of quads by row.

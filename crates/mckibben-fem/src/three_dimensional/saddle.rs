@@ -12,18 +12,13 @@
 
 use super::assembly::Assembled;
 use super::discretisation::Discretisation;
+use super::share::share;
 use crate::solver::body::State;
 use crate::solver::sparse::SparseCholesky;
 use mckibben::budget::Budget;
 
 /// Most iterations.
 const ITERATIONS: usize = 60;
-
-/// β = 1 − γ/k; what is left by rounding where γ = k is zero.
-pub(super) fn share(compliance: f64, augment: f64) -> f64 {
-    let share = 1.0 - augment * compliance;
-    if share > 1e-12 { share } else { 0.0 }
-}
 
 /// Constraints of a body at its last assembly.
 pub struct Constraints<'a> {

@@ -4,6 +4,7 @@
 //! those of `docs/verification.md`, which says for each problem what is loaded and held. Where nothing else is said the rubber is Mooney–Rivlin with C1 = 0.10, C2 = 0.02 MPa, incompressible; mm, MPa, N.
 
 pub mod bricks;
+mod case;
 mod endless;
 mod homogeneous;
 mod lay;
@@ -13,6 +14,7 @@ mod pressure;
 mod sphere;
 mod tube;
 
+pub use case::VerificationCase;
 pub use endless::{endless_braid, long_muscles};
 pub use homogeneous::homogeneous;
 pub use lay::strand_lay;
@@ -32,9 +34,6 @@ use mckibben::progress::Progress;
 use mckibben::rubber::{Law, MooneyRivlin};
 
 pub use mckibben::verification::{CaseKind, Measure, VerificationRow};
-
-/// A case: its rows.
-pub type VerificationCase = fn() -> Vec<VerificationRow>;
 
 /// Every case of the section.
 const SECTION: [VerificationCase; 10] = [

@@ -1,10 +1,10 @@
 //! Sentences about data and result: what does not fit together, what is not identifiable, where the model does not follow.
 
+use super::distinct::distinct;
 use super::error::IdentifyError;
 use super::parameter::Target;
 use super::problem::Build;
 use super::result::{Identification, PointFit};
-use super::run::distinct;
 use crate::least_squares::Loss;
 use crate::measured::{DataPoint, Quantity};
 use mckibben::model::{Ideal, Workspace};

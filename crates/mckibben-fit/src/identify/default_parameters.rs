@@ -1,11 +1,13 @@
 //! What is free where nothing is said.
 
 use super::candidate::{Candidate, own_value};
+use super::distinct::distinct;
 use super::error::IdentifyError;
 use super::parameter::{Parameter, Target};
 use super::problem::Build;
+use super::request::Request;
 use super::result::Identification;
-use super::run::{Request, distinct, identify_with};
+use super::run::identify_with;
 use crate::measured::DataPoint;
 use mckibben::model::Workspace;
 use mckibben::muscle::Direction;

@@ -7,9 +7,10 @@ use super::error::IdentifyError;
 use super::history;
 use super::parameter::{Parameter, Target};
 use super::problem::{Build, Problem};
+use super::request::Request;
 use super::result::{Identification, Identified, PointFit, spread, spreads};
 use super::signs;
-use crate::least_squares::{Estimate, EstimateError, Loss, Unknown, estimate};
+use crate::least_squares::{Estimate, EstimateError, Unknown, estimate};
 use crate::measured::{DataPoint, Quantity};
 use mckibben::model::ModelError;
 use mckibben::muscle::Direction;
@@ -17,33 +18,6 @@ use mckibben::muscle::Muscle;
 use mckibben::muscle::measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, GRIP, SEATING, SLIP};
 use mckibben::progress::{Progress, Silent};
 use mckibben::rubber::RubberLaw;
-
-/// What is to be identified.
-#[derive(Debug, Clone, Copy)]
-pub struct Request<'a> {
-    /// The muscle, with a value for everything that is not free.
-    pub muscle: &'a Muscle,
-    /// What is free.
-    pub free: &'a [Parameter],
-    /// Values in place of the muscle's own.
-    pub fixed: &'a [(Target, f64)],
-    /// The points.
-    pub points: &'a [DataPoint],
-    /// How a point far off counts.
-    pub loss: Loss,
-    /// Whether forces of zero and below are measurements: by default the muscle was slack there.
-    pub two_sided: bool,
-    /// Whether the points are in time order, so that the friction has their history; `branch` then counts in the first row of a table.
-    pub history: bool,
-}
-
-/// How many different values there are.
-pub(super) fn distinct(values: impl Iterator<Item = f64>) -> usize {
-    let mut list: Vec<f64> = values.collect();
-    list.sort_by(f64::total_cmp);
-    list.dedup_by(|a, b| (*a - *b).abs() <= 1e-6 * (1e-3 + b.abs()));
-    list.len()
-}
 
 /// Half the width of the hysteresis loop that the data show at 1 MPa, roughly: a start for C.
 fn friction_start(points: &[DataPoint], exponent: f64) -> f64 {

@@ -2,7 +2,7 @@
 
 use super::advice;
 use super::error::IdentifyError;
-use super::run::Request;
+use super::request::Request;
 use crate::measured::{DataPoint, Quantity};
 use mckibben::model::Ideal;
 

@@ -1,7 +1,11 @@
 //! Tension tests from people's tables.
 
+mod cell;
+mod sheet;
+
 use super::mode::Mode;
 use super::point::TensionPoint;
+use cell::{LARGEST_STRETCH, STRESS, STRETCH, mode, nominal};
 use mckibben_table::{Column, Columns, Meaning, TESTS, Table, TableError, Understood, read_text};
 use std::io::Read;
 
@@ -21,18 +25,6 @@ impl Default for ReadOptions {
         Self { mode: Mode::Uniaxial, area_mm2: None, gauge_length_mm: None }
     }
 }
-
-/// No rubber is stretched further: a larger number is in percent, or in another unit.
-const LARGEST_STRETCH: f64 = 25.0;
-
-/// No rubber bears more over its area at rest; the strongest tear at some 50 MPa.
-const LARGEST_STRESS_MPA: f64 = 100.0;
-
-mod sheet;
-
-/// Groups of [`TESTS`].
-const STRETCH: usize = 0;
-const STRESS: usize = 1;
 
 /// [`read_tests`] of a table that says everything.
 ///
@@ -101,37 +93,6 @@ pub fn read_tests(
     }
     let understood = table.understood(&used);
     Ok((points, understood))
-}
-
-/// Force over the area at rest, in MPa, from whatever is in the column.
-fn nominal(
-    table: &Table,
-    row: usize,
-    stress: &Column,
-    measured: f64,
-    (stretch, area): (f64, f64),
-) -> Result<f64, TableError> {
-    let nominal_stress_mpa = match stress.meaning {
-        Meaning::TrueStress | Meaning::TrueStress2 => measured / stretch,
-        Meaning::Force => measured / area,
-        _ => measured,
-    };
-    if nominal_stress_mpa.is_nan() || nominal_stress_mpa.abs() > LARGEST_STRESS_MPA {
-        let expected = "gives a stress that no rubber can bear; check its unit (250 kPa is 0.25 MPa)";
-        return Err(table.impossible(row, stress, expected));
-    }
-    Ok(nominal_stress_mpa)
-}
-
-fn mode(table: &Table, row: usize) -> Result<Option<Mode>, TableError> {
-    let Some((line, text)) = table.text(row, Meaning::Mode) else { return Ok(None) };
-    let unknown = || TableError::Word {
-        line,
-        name: "mode",
-        text: text.chars().take(60).collect(),
-        known: format!("none of {}", Mode::WORDS),
-    };
-    Mode::parse(text).map(Some).ok_or_else(unknown)
 }
 
 /// L/L0, row by row.

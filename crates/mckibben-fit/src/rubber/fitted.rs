@@ -1,10 +1,13 @@
 //! A law with its constants, and how well it does.
 
+use super::error::TensionFitError;
 use super::held_out::HeldOutError;
 use super::mode::Mode;
 use super::point::TensionPoint;
 use super::problem::Problem;
-use super::{FitSettings, Raw, TensionFitError, linear, nonlinear, ogden};
+use super::raw::Raw;
+use super::settings::FitSettings;
+use super::{linear, nonlinear, ogden};
 use crate::least_squares::{aicc, t95};
 use mckibben::rubber::{
     ConstantValue, Form, Law, LawConstants, Ogden, RubberLaw, Stability, is_stable_at, muscle_stability,

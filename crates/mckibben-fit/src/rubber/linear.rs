@@ -10,8 +10,9 @@
 //! inequality, solve again (J. E. Kelley, SIAM J. 8 (1960) 703). Mooney–Rivlin has C10 ≥ 0 and C01 ≥ 0 besides.
 
 use super::convex::{Inequality, normal, solve};
+use super::error::TensionFitError;
 use super::problem::Problem;
-use super::{Raw, TensionFitError};
+use super::raw::Raw;
 use crate::least_squares::{Loss, Residuals, Unknown, estimate};
 use mckibben::rubber::Form;
 use mckibben::rubber::{Law, RubberLaw, log_hessian, muscle_states};

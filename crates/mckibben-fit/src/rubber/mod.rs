@@ -16,7 +16,9 @@
 
 mod convex;
 mod data;
+mod error;
 mod fitted;
+mod found;
 mod held_out;
 mod linear;
 mod mode;
@@ -24,152 +26,31 @@ mod nonlinear;
 mod ogden;
 mod point;
 mod problem;
+mod raw;
 mod runs;
+mod settings;
 mod standing;
 mod table_of_fits;
 mod warning;
 mod windows;
 
 pub use data::{ReadOptions, read_tension, read_tests};
+pub use error::TensionFitError;
 pub use fitted::{FittedLaw, LawQuality, ModeError, Parameter};
+pub use found::TensionFit;
 pub use held_out::HeldOutError;
 pub use mckibben::rubber::Form;
 pub use mode::Mode;
 pub use point::TensionPoint;
 pub use problem::Measure;
+pub use settings::FitSettings;
 pub use standing::DECIDED_AICC;
 pub use table_of_fits::curve_of_fits;
 pub use warning::TensionWarning;
 pub use windows::windows_of;
 
-use mckibben::budget::Exceeded;
 use mckibben::progress::{Progress, Silent};
-use mckibben::rubber::MUSCLE_HOOP_STRETCH;
 use problem::Problem;
-use serde::{Deserialize, Serialize};
-use thiserror::Error;
-
-/// What is wanted of a fit.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct FitSettings {
-    /// The laws; none means all that the number of points carries.
-    pub forms: Vec<Form>,
-    /// What is made small.
-    pub measure: Measure,
-    /// Give every mode the same weight, whatever its number of points. Else every point counts alike.
-    pub balance: bool,
-    /// A factor on the weights of a mode.
-    pub mode_weights: Vec<(Mode, f64)>,
-    /// Modes that are fitted; none means all. The others are held out: how well a law follows them is said.
-    pub fit_modes: Vec<Mode>,
-    /// Points up to this stretch only.
-    pub up_to_stretch: Option<f64>,
-    /// The points are a history: a stress that falls is no rupture, and all points are fitted.
-    pub history: bool,
-    /// Laws that are stable in a muscle only.
-    pub stable: bool,
-    /// Largest hoop stretch of the muscle.
-    pub hoop_stretch: f64,
-}
-
-impl Default for FitSettings {
-    fn default() -> Self {
-        Self {
-            forms: vec![],
-            measure: Measure::Absolute,
-            balance: false,
-            mode_weights: vec![],
-            fit_modes: vec![],
-            up_to_stretch: None,
-            history: false,
-            stable: false,
-            hoop_stretch: MUSCLE_HOOP_STRETCH,
-        }
-    }
-}
-
-/// Why there is no fit.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum TensionFitError {
-    /// Not enough points for a law.
-    #[error("{points} points are too few for {law}: it takes {needed} or more")]
-    TooFew {
-        /// Which law.
-        law: String,
-        /// Points that count.
-        points: usize,
-        /// Points it takes.
-        needed: usize,
-    },
-    /// The stress does not grow with the stretch.
-    #[error(
-        "the points give a modulus of {modulus_mpa} MPa: stress must be above zero where the stretch is above 1; check the columns and their signs"
-    )]
-    NoStiffness {
-        /// The neo-Hookean modulus that fits best.
-        modulus_mpa: f64,
-    },
-    /// An invalid setting.
-    #[error("{what} is {value}; it must be {expected}")]
-    Setting {
-        /// Which.
-        what: &'static str,
-        /// Its value.
-        value: f64,
-        /// What it should be.
-        expected: &'static str,
-    },
-    /// A term too many.
-    #[error("{law}: this number of terms fits these data no better than fewer terms")]
-    NoBetter {
-        /// Which law.
-        law: String,
-    },
-    /// The work was ended.
-    #[error(transparent)]
-    Ended(#[from] Exceeded),
-    /// No minimum was found.
-    #[error("{law}: no fit was found: {why}")]
-    NotConverged {
-        /// Which law.
-        law: String,
-        /// Why.
-        why: String,
-    },
-}
-
-/// The laws of one set of tests.
-#[derive(Debug, Clone, PartialEq)]
-pub struct TensionFit {
-    /// The points that were fitted.
-    pub points: Vec<TensionPoint>,
-    /// Points of modes that were held out.
-    pub held_out: Vec<TensionPoint>,
-    /// Points left out because they lie behind a rupture or beyond `up_to_stretch`, or cannot count.
-    pub left_out: usize,
-    /// Largest principal stretch of the points.
-    pub fitted_to_stretch: f64,
-    /// The laws, lowest AICc first. A law that is unstable in a muscle is followed by its stable neighbour.
-    pub laws: Vec<FittedLaw>,
-    /// Laws without a fit.
-    pub failed: Vec<TensionFitError>,
-    /// Place of the law to take: of those that are stable in a muscle the one with the lowest AICc; with uniaxial tests
-    /// alone, one of I1.
-    pub recommended: Option<usize>,
-    /// Warnings.
-    pub warnings: Vec<TensionWarning>,
-}
-
-/// Constants as a solver gives them.
-pub(super) struct Raw {
-    pub constants: Vec<f64>,
-    pub standard_errors: Vec<f64>,
-    pub at_bound: Vec<bool>,
-    /// A change of each constant that moves the stress at the end of the data by the modulus; 0 where it may not be zero.
-    pub scales: Vec<f64>,
-    pub freedom: usize,
-}
 
 /// Fits laws to points.
 ///

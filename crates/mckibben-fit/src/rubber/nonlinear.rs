@@ -5,8 +5,9 @@
 //! locks at the last point, so q has two ends where the limit has none. Standard error of the limit Y/q: Y/q² times that
 //! of q. The fit begins at several q and the lowest minimum is taken.
 
+use super::error::TensionFitError;
 use super::problem::Problem;
-use super::{Raw, TensionFitError};
+use super::raw::Raw;
 use crate::least_squares::{Loss, Residuals, Unknown, estimate};
 use mckibben::rubber::Form;
 use mckibben::rubber::{Law, MUSCLE_AXIAL_STRETCH, RubberLaw};

@@ -6,8 +6,9 @@
 //! minimum, and the lowest is taken. The list is fixed, so the same data give the same law.
 
 use super::convex::{Inequality, normal, solve};
+use super::error::TensionFitError;
 use super::problem::Problem;
-use super::{Raw, TensionFitError};
+use super::raw::Raw;
 use crate::least_squares::{Estimate, Loss, Residuals, Unknown, estimate};
 use mckibben::rubber::Form;
 use mckibben::rubber::{Law, Ogden};

@@ -1,7 +1,7 @@
 //! Which law to take, and which are as good.
 
-use super::TensionFit;
 use super::fitted::FittedLaw;
+use super::found::TensionFit;
 use super::mode::Mode;
 use super::point::TensionPoint;
 

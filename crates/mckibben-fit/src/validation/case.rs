@@ -3,15 +3,15 @@
 //!
 //! The same reader serves the folders that are built in (`data/measured`) and those of users.
 
+pub use super::case_error::CaseError;
+pub use super::facts::Facts;
+
 use super::rubber::RubberCase;
-use crate::identify::{Parameter, ParameterError};
+use crate::identify::Parameter;
 use crate::measured::DataPoint;
 use mckibben::muscle::Muscle;
-use mckibben::muscle::file::FileError;
-use mckibben_table::TableError;
 use rust_embed::Embed;
 use std::sync::LazyLock;
-use thiserror::Error;
 
 /// The texts of a folder.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -26,28 +26,6 @@ pub struct CaseFiles {
     pub points: String,
     /// `identified.toml`: the muscle that was identified from the points; empty where it is none of a library.
     pub identified: String,
-}
-
-/// What is known of something that was measured.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "schema", schemars(rename = "MeasuredFacts"))]
-pub struct Facts {
-    /// Name of its folder.
-    pub name: String,
-    /// Which muscle or rubber.
-    pub title: String,
-    /// Who measured it.
-    pub source: String,
-    /// Terms of use of the points.
-    pub terms: String,
-    /// What is known of it.
-    pub known: String,
-    /// What is not.
-    pub unknown: String,
-    /// The product, where one can buy it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub product: Option<String>,
 }
 
 /// What was measured.
@@ -120,87 +98,6 @@ pub enum FittedSubset {
     Others,
     /// Those of a range, both ends in it.
     Range(f64, f64),
-}
-
-/// Why a folder is no case.
-#[derive(Debug, Error)]
-pub enum CaseError {
-    /// No TOML.
-    #[error("{case}/case.toml: not valid TOML: {message}")]
-    Syntax {
-        /// Folder.
-        case: String,
-        /// What the parser says.
-        message: String,
-    },
-    /// A key that is missing or of another kind.
-    #[error("{case}/case.toml: `{key}` must be {expected}")]
-    Key {
-        /// Folder.
-        case: String,
-        /// Key.
-        key: String,
-        /// What should stand there.
-        expected: &'static str,
-    },
-    /// A key that means nothing.
-    #[error("{case}/case.toml: `{key}` is not known; known here: {}", .known.join(", "))]
-    Unknown {
-        /// Folder.
-        case: String,
-        /// Key.
-        key: String,
-        /// What may stand there.
-        known: &'static [&'static str],
-    },
-    /// A muscle that cannot be read.
-    #[error("{case}/muscle.toml, fit \"{fit}\": {error}")]
-    Muscle {
-        /// Folder.
-        case: String,
-        /// Fit.
-        fit: String,
-        /// Why.
-        error: Box<FileError>,
-    },
-    /// An identified muscle that cannot be read.
-    #[error("{case}/identified.toml: {error}")]
-    Identified {
-        /// Folder.
-        case: String,
-        /// Why.
-        error: Box<FileError>,
-    },
-    /// A parameter that the muscle does not have.
-    #[error("{case}/case.toml, fit \"{fit}\": {error}")]
-    Parameter {
-        /// Folder.
-        case: String,
-        /// Fit.
-        fit: String,
-        /// Why.
-        error: ParameterError,
-    },
-    /// A law that a fit of a rubber does not have.
-    #[error("{case}/case.toml, fit \"{fit}\": there is no law \"{law}\"; known: {}", .known.join(", "))]
-    Law {
-        /// Folder.
-        case: String,
-        /// Fit.
-        fit: String,
-        /// As written.
-        law: String,
-        /// What may stand there.
-        known: Vec<String>,
-    },
-    /// Points that cannot be read.
-    #[error("{case}/points.csv: {error}")]
-    Points {
-        /// Folder.
-        case: String,
-        /// Why.
-        error: TableError,
-    },
 }
 
 #[derive(Embed)]

@@ -1,6 +1,7 @@
 //! [command] and [controller].
 
-use super::{Tables, above, said};
+use super::checks::{above, said};
+use super::tables::Tables;
 use crate::command::Command;
 use crate::control::{Pid, PidOutput};
 use crate::drive::Target;

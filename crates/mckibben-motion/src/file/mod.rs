@@ -1,13 +1,17 @@
 //! Drive files: TOML in the muscle file's manner.
 
+mod checks;
 mod command;
+mod tables;
 mod valve;
+
+pub use tables::Tables;
 
 use crate::air::Air;
 use crate::drive::{Actuator, Supply, Target};
-use crate::error::MotionError;
 use crate::friction;
 use crate::viscoelastic::{Branch, Prony};
+use checks::{above, at, said};
 use mckibben::load::{Load, LoadTable};
 use mckibben::muscle::file::{FileError, Problem, Section, Source};
 use mckibben::muscle::{Presliding, PreslidingElement};
@@ -23,15 +27,6 @@ pub enum Subject {
     Muscle(String),
     /// A joint file.
     Joint(String),
-}
-
-/// What a drive file names beside its muscle or joint.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Tables {
-    /// The text of every table (`table:NAME`) by its name.
-    pub texts: BTreeMap<String, String>,
-    /// L0 of the muscle in mm, for a load over contractions.
-    pub rest_length_mm: f64,
 }
 
 /// The files that a drive file names.
@@ -251,18 +246,6 @@ pub fn with_value(text: &str, dotted: &str, value: &str) -> Result<String, FileE
     Ok(document.to_string())
 }
 
-fn said(section: &Section<'_>, key: &str, text: impl Into<String>) -> FileError {
-    section.error(key, Problem::Said(text.into()))
-}
-
-/// A quantity above zero.
-fn above(section: &Section<'_>, key: &str, dimension: Dimension) -> Result<Option<f64>, FileError> {
-    match section.quantity(key, dimension)? {
-        Some(value) if value <= 0.0 => Err(said(section, key, "must be above zero")),
-        value => Ok(value),
-    }
-}
-
 /// A length, or pairs of a share and a length.
 fn presliding(section: &Section<'_>) -> Result<Option<Presliding>, FileError> {
     const KEY: &str = "presliding";
@@ -275,11 +258,6 @@ fn presliding(section: &Section<'_>) -> Result<Option<Presliding>, FileError> {
     let presliding = Presliding(elements.collect());
     at(section, KEY, friction::check(&presliding))?;
     Ok(Some(presliding))
-}
-
-/// What the crate itself says of a number, at its key.
-fn at<T>(section: &Section<'_>, key: &str, result: Result<T, MotionError>) -> Result<T, FileError> {
-    result.map_err(|error| said(section, key, format!("is invalid: {error}")))
 }
 
 fn supply(section: &Section<'_>, default: Supply) -> Result<Supply, FileError> {
@@ -352,7 +330,7 @@ mod tests {
     use super::*;
     use crate::air::Heat;
     use crate::command::Command;
-    use crate::valve::Orifice;
+    use crate::orifice::Orifice;
 
     const HEAD: &str = "muscle = 'm.toml'\n[valve]\nsonic_conductance = '0.5 L/(s bar)'\n";
     const TAIL: &str = "[command]\npressure = '3 bar'\nuntil = '1 s'\n";

@@ -1,11 +1,12 @@
 //! [valve], [regulator] and [air].
 
-use super::{above, at, said};
+use super::checks::{above, at, said};
 use crate::air::{Air, Heat};
 use crate::catalogue::{CRITICAL_RATIO, known, valve_named};
 use crate::drive::Actuator;
 use crate::hose::Hose;
-use crate::valve::{Orifice, Valve, ValveKind};
+use crate::orifice::Orifice;
+use crate::valve::{Valve, ValveKind};
 use mckibben::muscle::file::{FileError, Section};
 use mckibben::units::Dimension;
 

@@ -1,6 +1,6 @@
 //! Parallel projection, the faces that look at the eye, and what lies before what.
 
-use super::{Scene, View};
+use super::body::{Scene, View};
 
 /// A place on the picture plane (right, up) and its depth towards the eye.
 pub(super) type Seen = [f64; 3];

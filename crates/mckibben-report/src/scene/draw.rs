@@ -1,9 +1,9 @@
 //! A scene as SVG: the pieces from far to near, a bar of colours, a bar of length.
 
-use super::camera::{Piece, Seen, pieces};
-use super::{Scene, camera::Camera};
+use super::body::Scene;
+use super::camera::{Camera, Piece, Seen, pieces};
 use crate::font::{FAMILY, Metrics};
-use crate::layout::{CAPTION, PER_MM, TITLE};
+use crate::sizes::{CAPTION, PER_MM, TITLE};
 use crate::svg::{INK, SOFT, text};
 use crate::ticks::{self, Scale};
 use crate::xml::{escape, length as n};

@@ -3,7 +3,7 @@
 use super::{Anchor, Item, Pen, Sheet};
 use crate::FigureError;
 use crate::font::FAMILY;
-use crate::layout::PER_MM;
+use crate::sizes::PER_MM;
 use crate::svg::INK;
 use crate::xml::{escape, length as n};
 use std::fmt::Write as _;

@@ -25,11 +25,9 @@ pub use sampling::Sampling;
 
 use crate::hash;
 use mckibben::muscle::Muscle;
-use mckibben::muscle::file::{FileError, read_text};
 use mckibben::rubber::Law;
 use mckibben_fem::elements::Elements;
 use sampling::Design;
-use std::path::Path;
 
 /// The most parts of a store. With the lock, state and log of a thousand shards a campaign has at most 10,000 files.
 const MOST_PARTS: u64 = 6000;
@@ -62,23 +60,6 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// Reads the text of a plan.
-    ///
-    /// # Errors
-    /// [`FileError`] with line, column, key, what stood there and what is expected.
-    pub fn parse(text: &str) -> Result<Self, FileError> {
-        read::plan(text)
-    }
-
-    /// Reads a plan file.
-    ///
-    /// # Errors
-    /// [`FileError`], with the file's name.
-    pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
-        let path = path.as_ref();
-        read_text(path).and_then(|text| Self::parse(&text)).map_err(|e| e.of(path))
-    }
-
     /// Its text, as it was written.
     pub fn text(&self) -> &str {
         &self.text

@@ -3,9 +3,10 @@
 use super::sampling::{Design, MOST_MUSCLES, MOST_STRATA, Sampling};
 use super::sobol::MOST_DIMENSIONS;
 use super::{Plan, Testing, axis, vary};
-use mckibben::muscle::file::{FileError, Problem, Section, Source, parse_muscle_beside};
+use mckibben::muscle::file::{FileError, Problem, Section, Source, parse_muscle_beside, read_text};
 use mckibben::units::{Dimension, Values};
 use mckibben_fem::elements::{Elements, MeshTextError};
+use std::path::Path;
 use std::sync::LazyLock;
 
 const TABLES: &[&str] = &["sampling", "vary", "test"];
@@ -34,7 +35,26 @@ const KEYS: [&str; 9] = [
     "test.sensitivities",
 ];
 
-pub(super) fn plan(text: &str) -> Result<Plan, FileError> {
+impl Plan {
+    /// Reads the text of a plan.
+    ///
+    /// # Errors
+    /// [`FileError`] with line, column, key, what stood there and what is expected.
+    pub fn parse(text: &str) -> Result<Self, FileError> {
+        plan(text)
+    }
+
+    /// Reads a plan file.
+    ///
+    /// # Errors
+    /// [`FileError`], with the file's name.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
+        let path = path.as_ref();
+        read_text(path).and_then(|text| Self::parse(&text)).map_err(|e| e.of(path))
+    }
+}
+
+fn plan(text: &str) -> Result<Plan, FileError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let base = parse_muscle_beside(text, TABLES)?;
     let source = Source::parse(text)?;

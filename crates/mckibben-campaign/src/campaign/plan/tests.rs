@@ -1,6 +1,7 @@
 //! Plans that are read, and plans that are refused with the place and what is expected.
 
 use super::*;
+use std::path::Path;
 
 const TEST: &str = "[test]\ncontractions = \"0,10%\"\npressures = \"0..0.2:0.1\"\n";
 

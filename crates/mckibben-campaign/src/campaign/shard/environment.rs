@@ -1,6 +1,6 @@
 //! The share that an engine gives a process, by environment variables.
 
-use super::Shard;
+use super::share::Shard;
 use thiserror::Error;
 
 /// The environment variables in which an engine tells a process its index, as its documentation states them.

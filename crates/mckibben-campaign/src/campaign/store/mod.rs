@@ -5,6 +5,7 @@ mod encode;
 mod folder;
 mod layout;
 mod provenance;
+mod source;
 mod table;
 
 pub use provenance::Provenance;
@@ -16,4 +17,5 @@ pub(super) use layout::Field;
 #[cfg(test)]
 pub(super) use layout::Layout;
 pub(super) use provenance::Which;
+pub(super) use source::PartSource;
 pub(super) use table::Table;

@@ -3,19 +3,23 @@
 //! One script computes a share where it runs with an index, and merges where it runs without: an array of all shares that are missing, and
 //! after it, however its elements ended, the merge. What was submitted is in `.submitted` in the folder.
 
+mod engine;
+mod record;
 mod slurm;
+
+pub use engine::SubmitEngine;
+pub(super) use record::Record;
 
 use super::state::Marker;
 use super::status::{ShardState, status};
 use super::store::{Provenance, check_name, is_file_name};
 use super::{CampaignError, Plan, Shard};
+use engine::{ask, command, quoted};
 use mckibben::progress::Progress;
 use mckibben_files::{read, replace};
-use serde::{Deserialize, Serialize};
-use std::collections::BTreeSet;
+use record::{LONGEST, place};
+use serde::Serialize;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::str::FromStr;
 use std::time::Duration;
 
 /// What a shard shall take: long against its start, and short against what is lost with a machine.
@@ -28,29 +32,6 @@ const TIMED: Duration = Duration::from_secs(5);
 const RESERVE: f64 = 4.0;
 /// The shortest time limit in minutes.
 const LEAST_MINUTES: f64 = 15.0;
-/// Longest template and record in bytes.
-const LONGEST: u64 = 1 << 20;
-
-/// An engine that takes jobs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum SubmitEngine {
-    /// Slurm: `sbatch`, `squeue`, `scancel`.
-    #[default]
-    Slurm,
-}
-
-impl FromStr for SubmitEngine {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        match text {
-            "slurm" => Ok(Self::Slurm),
-            _ => Err(format!("\"{text}\" is not an engine that campaigns are submitted to; expected slurm")),
-        }
-    }
-}
 
 /// What is submitted.
 #[derive(Debug, Clone, Default)]
@@ -105,33 +86,6 @@ pub struct CancelledJobs {
     pub jobs: Vec<String>,
 }
 
-/// What was submitted for a folder.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub(super) struct Record {
-    engine: SubmitEngine,
-    pub(super) shards: u64,
-    arrays: Vec<String>,
-    merges: Vec<String>,
-}
-
-fn place(folder: &Path) -> PathBuf {
-    folder.join(".submitted")
-}
-
-impl Record {
-    /// That of a folder.
-    pub(super) fn read(folder: &Path) -> Option<Self> {
-        serde_json::from_slice(&read(&place(folder).join("jobs.json"), LONGEST).ok()?).ok()
-    }
-
-    /// Shards that wait in the queue; none where the engine cannot be asked from here.
-    pub(super) fn waiting(&self) -> BTreeSet<u64> {
-        match self.engine {
-            SubmitEngine::Slurm => slurm::waiting(&self.arrays),
-        }
-    }
-}
-
 /// As many shards as the time asks for and the engine takes, so that each has about the same number of parts.
 fn shards(seconds: f64, most: u64, parts: u64) -> u64 {
     let wanted = (seconds / SECONDS_OF_A_SHARD).ceil().clamp(1.0, MOST_SHARDS.min(most).max(1) as f64) as u64;
@@ -147,36 +101,6 @@ fn ranges(numbers: &[u64]) -> String {
         _ => run.iter().map(u64::to_string).collect(),
     });
     texts.collect::<Vec<_>>().join(",")
-}
-
-/// A text as one word of a shell.
-fn quoted(text: &str) -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./=:,%+@".contains(c);
-    if !text.is_empty() && text.chars().all(plain) {
-        text.to_owned()
-    } else {
-        format!("'{}'", text.replace('\'', r"'\''"))
-    }
-}
-
-/// Output of an engine's command.
-fn ask(program: &str, arguments: &[String]) -> Result<String, CampaignError> {
-    let failed = |why: String| CampaignError::Engine { command: command(program, arguments), why };
-    let output = Command::new(program)
-        .args(arguments)
-        .stdin(Stdio::null())
-        .output()
-        .map_err(|e| failed(e.to_string()))?;
-    if output.status.success() {
-        return Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned());
-    }
-    let why = String::from_utf8_lossy(&output.stderr).trim().to_owned();
-    Err(failed(if why.is_empty() { output.status.to_string() } else { why }))
-}
-
-fn command(program: &str, arguments: &[String]) -> String {
-    let words = std::iter::once(program).chain(arguments.iter().map(String::as_str));
-    words.map(quoted).collect::<Vec<_>>().join(" ")
 }
 
 /// Submits what is missing of a plan, and the merge after it. Parts that are there, and shards that run or wait, are left alone.
@@ -293,17 +217,6 @@ pub fn submit(
     record.merges.push(job);
     record.write(folder, options.dry_run)?;
     Ok(out)
-}
-
-impl Record {
-    fn write(&self, folder: &Path, dry_run: bool) -> Result<(), CampaignError> {
-        if dry_run {
-            return Ok(());
-        }
-        let path = place(folder).join("jobs.json");
-        let text = serde_json::to_vec(self).map_err(|e| CampaignError::Encode(e.to_string()))?;
-        replace(&path, &text).map_err(CampaignError::write(&path))
-    }
 }
 
 /// Cancels all jobs that were submitted for a folder and have not ended. What was computed stays.

@@ -1,6 +1,6 @@
 //! Slurm's commands: `sbatch`, `squeue`, `scancel`, `scontrol` (slurm.schedmd.com).
 
-use super::ask;
+use super::engine::ask;
 use std::collections::BTreeSet;
 use std::path::Path;
 

@@ -1,12 +1,24 @@
 //! `campaign show`.
 
-use super::CampaignShowArgs;
 use crate::failure::Failure;
+use crate::flags::OutputFlags;
 use crate::format::Format;
 use crate::output::show;
 use crate::output::text::{number, pairs, table};
+use clap::Args;
 use mckibben_app::{CampaignShowRequest, campaign_show};
 use mckibben_campaign::campaign::Summary;
+use std::path::PathBuf;
+
+/// `campaign show`.
+#[derive(Debug, Args)]
+pub struct CampaignShowArgs {
+    /// A campaign: one file, or a folder of parts
+    #[arg(value_name = "FILE.parquet or DIR")]
+    pub campaign: PathBuf,
+    #[command(flatten)]
+    pub output: OutputFlags,
+}
 
 /// Runs the command.
 pub fn run(args: &CampaignShowArgs, format: Format) -> Result<u8, Failure> {

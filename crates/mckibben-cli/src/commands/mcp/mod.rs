@@ -9,7 +9,7 @@ mod tools;
 
 use crate::failure::Failure;
 use crate::progress;
-use clap::Args;
+use clap::{Args, Command};
 use mckibben::budget::{Budget, Resource};
 use mckibben_app::ProblemKind;
 use messages::{Id, Message, REFUSED, UNREADABLE, answer, refusal};
@@ -40,8 +40,8 @@ pub struct McpArgs {
 /// Questions that wait or are being answered, each with the budget that ends it.
 type Open = Mutex<HashMap<String, Budget>>;
 
-/// Answers until the client closes its end.
-pub fn run(args: &McpArgs, limits: &[(Resource, f64)]) -> Result<u8, Failure> {
+/// Answers until the client closes its end; `root` is the command line with all commands.
+pub fn run(args: &McpArgs, limits: &[(Resource, f64)], root: &Command) -> Result<u8, Failure> {
     let desk = Desk::new(args.folder.as_deref(), limits)?;
     let open = Open::default();
     let (desk, open) = (&desk, &open);
@@ -54,7 +54,7 @@ pub fn run(args: &McpArgs, limits: &[(Resource, f64)]) -> Result<u8, Failure> {
         while let Some(line) = line(&mut input, desk.longest())? {
             let reply = match line.map_err(|why| (Value::Null, why)).and_then(|text| messages::read(&text)) {
                 Err((id, (code, why))) => Some(refusal(&id, code, &why)),
-                Ok(message) => match route(message, desk, open) {
+                Ok(message) => match route(message, desk, open, root) {
                     Next::Reply(reply) => reply,
                     Next::Ask(question) => ask.try_send(question).err().map(|full| {
                         let (std::sync::mpsc::TrySendError::Full(q)
@@ -90,7 +90,7 @@ struct Question {
     budget: Budget,
 }
 
-fn route(message: Message, desk: &Desk, open: &Open) -> Next {
+fn route(message: Message, desk: &Desk, open: &Open, root: &Command) -> Next {
     let Message { id, method, params } = message;
     let Some(id) = id else {
         if method == "notifications/cancelled"
@@ -104,9 +104,9 @@ fn route(message: Message, desk: &Desk, open: &Open) -> Next {
         "initialize" => Ok(messages::welcome(&params)),
         "ping" => Ok(json!({})),
         "tools/list" => Ok(json!({ "tools": tools::list() })),
-        "resources/list" => Ok(json!({ "resources": resources::list() })),
+        "resources/list" => Ok(json!({ "resources": resources::list(root) })),
         "resources/templates/list" => Ok(json!({ "resourceTemplates": [] })),
-        "resources/read" => resources::read(&params),
+        "resources/read" => resources::read(&params, root),
         "tools/call" => {
             let budget = desk.budget(&params);
             locked(open).insert(id.0.to_string(), budget.clone());

@@ -2,6 +2,7 @@
 
 use super::messages::{PARAMS, Wrong};
 use crate::commands::help::{helps, long_help};
+use clap::Command;
 use mckibben_app::{file_kinds, file_schema};
 use serde_json::{Value, json};
 
@@ -10,8 +11,8 @@ const EXAMPLE: &str = "mckibben://examples/";
 const SCHEMA: &str = "mckibben://schema/";
 
 /// All of them.
-pub fn list() -> Vec<Value> {
-    let help = helps().into_iter().map(|(name, about)| entry(HELP, &name, &about, "text/plain"));
+pub fn list(root: &Command) -> Vec<Value> {
+    let help = helps(root).into_iter().map(|(name, about)| entry(HELP, &name, &about, "text/plain"));
     let examples = mckibben_web::paths()
         .filter_map(|path| path.strip_prefix("examples/").map(str::to_owned))
         .filter(|name| !name.contains('/'))
@@ -35,10 +36,10 @@ fn kind_of(name: &str) -> &'static str {
 }
 
 /// One of them.
-pub fn read(params: &Value) -> Result<Value, Wrong> {
+pub fn read(params: &Value, root: &Command) -> Result<Value, Wrong> {
     let uri = params["uri"].as_str().unwrap_or_default();
     let found = None
-        .or_else(|| Some((long_help(&uri.strip_prefix(HELP)?.replace('-', " "))?, "text/plain")))
+        .or_else(|| Some((long_help(root, &uri.strip_prefix(HELP)?.replace('-', " "))?, "text/plain")))
         .or_else(|| {
             let name = uri.strip_prefix(EXAMPLE)?;
             let bytes = mckibben_web::file(&format!("examples/{name}"))?;

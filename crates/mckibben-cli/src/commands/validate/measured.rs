@@ -1,6 +1,6 @@
 //! `validate --measured`: a block a muscle or rubber.
 
-use super::ValidateArgs;
+use super::args::ValidateArgs;
 use crate::failure::Failure;
 use crate::format::Format;
 use crate::output::show;

@@ -4,16 +4,18 @@
 //! muscle from `resources/muscle.bin`. `checks/fmu-binaries.sh` makes it for each system, from the templates alone; a unit has all of them, so
 //! that its user needs no compiler.
 
+mod kind;
 mod variables;
 
-use super::TargetEntry;
 use super::c::{rendered, sources};
+use super::entry::TargetEntry;
 use super::zip::zip;
 use crate::error::ExportError;
 use crate::form::NODES;
 use crate::muscle::ExportedMuscle;
 use crate::template::render;
 use crate::{Artefact, File};
+use kind::Kind;
 use variables::{Variable, settings};
 
 pub(super) const ENTRY: TargetEntry = TargetEntry {
@@ -34,15 +36,6 @@ pub(super) const VALVE: TargetEntry = TargetEntry {
 
 const NEEDS: &str =
     "a tool that reads FMI 2.0 or 3.0, on Linux or Windows (x86-64) or macOS (x86-64, arm64); no compiler";
-
-/// What drives a unit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    /// The pressure.
-    Pressure,
-    /// The command of a valve.
-    Valve,
-}
 
 /// A system: its folder in FMI 2.0 and in FMI 3.0, the ending of a library, and the library.
 struct System {

@@ -27,6 +27,7 @@ pub use terminal::terminal;
 pub use torsion::torsion;
 pub use tube::thick_tube;
 
+use super::case::VerificationCase;
 use crate::solver::body::Control;
 use crate::solver::continuation::Continuation;
 use crate::solver::newton::{self, Effort, NewtonOptions};
@@ -38,7 +39,7 @@ use mckibben::muscle::Muscle;
 const BRICKS: [(Brick, &str); 2] = [(Brick::Linear, "8-node brick"), (Brick::Quadratic, "27-node brick")];
 
 /// Every case with bricks.
-pub(super) const CASES: [super::VerificationCase; 12] = [
+pub(super) const CASES: [VerificationCase; 12] = [
     homogeneous,
     shear,
     thick_tube,

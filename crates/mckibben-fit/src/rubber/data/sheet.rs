@@ -2,7 +2,7 @@
 //!
 //! Without a mode in its row a specimen is a general one. A mode of one stretch beside a second stretch has to fit to it.
 
-use super::{LARGEST_STRESS_MPA, LARGEST_STRETCH, mode, nominal};
+use super::cell::{LARGEST_STRESS_MPA, LARGEST_STRETCH, STRESS, mode, nominal};
 use crate::rubber::{Mode, TensionPoint};
 use mckibben_table::{Meaning, Table, TableError};
 
@@ -72,7 +72,7 @@ pub(super) fn points(
         }
         if out.len() == before {
             let column = along.iter().chain([&differences]).find_map(|(column, _)| *column);
-            let column = column.map_or_else(|| table.needed(super::STRESS), Ok)?;
+            let column = column.map_or_else(|| table.needed(STRESS), Ok)?;
             return Err(table.impossible(
                 row,
                 column,

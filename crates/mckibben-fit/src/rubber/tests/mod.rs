@@ -1,4 +1,5 @@
 use super::*;
+use mckibben::budget::Exceeded;
 use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, RubberLaw, Stability, Yeoh};
 use std::fs::File;
 

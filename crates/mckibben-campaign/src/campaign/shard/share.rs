@@ -1,0 +1,70 @@
+//! One share of several.
+
+use std::fmt;
+use std::str::FromStr;
+
+/// Share `index` of `count`, from 1: the blocks whose number leaves `index − 1` when divided by `count`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Shard {
+    index: u64,
+    count: u64,
+}
+
+impl Shard {
+    /// Everything.
+    pub const WHOLE: Self = Self { index: 1, count: 1 };
+
+    /// Share `index` of `count`, from 1; `None` where there is no such share.
+    pub fn new(index: u64, count: u64) -> Option<Self> {
+        (index >= 1 && index <= count).then_some(Self { index, count })
+    }
+
+    /// Whether a block belongs to it.
+    pub fn holds(self, block: u64) -> bool {
+        block % self.count == self.index - 1
+    }
+
+    /// Its number, from 1.
+    pub fn index(self) -> u64 {
+        self.index
+    }
+
+    /// Shares in all.
+    pub fn count(self) -> u64 {
+        self.count
+    }
+
+    /// Its blocks of so many.
+    pub fn blocks(self, all: u64) -> impl Iterator<Item = u64> {
+        (self.index - 1..all).step_by(usize::try_from(self.count).unwrap_or(usize::MAX))
+    }
+
+    /// A name for files.
+    pub(in crate::campaign) fn file_name(self) -> String {
+        format!("{}-of-{}", self.index, self.count)
+    }
+
+    /// The share of a file's name.
+    pub(in crate::campaign) fn of_file_name(name: &str) -> Option<Self> {
+        let (index, count) = name.split_once("-of-")?;
+        Self::new(index.parse().ok()?, count.parse().ok()?)
+    }
+}
+
+impl fmt::Display for Shard {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}/{}", self.index, self.count)
+    }
+}
+
+impl FromStr for Shard {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let pair = text.split_once('/');
+        let shard = pair.and_then(|(i, n)| Self::new(i.trim().parse().ok()?, n.trim().parse().ok()?));
+        shard.ok_or_else(|| {
+            format!("\"{text}\" is not a valid share; expected i/n with i from 1 to n, such as 2/8, or auto, or auto/8")
+        })
+    }
+}

@@ -1,0 +1,25 @@
+//! What is known of a target.
+
+use crate::Artefact;
+use crate::error::ExportError;
+use crate::muscle::ExportedMuscle;
+
+/// What is known of a target.
+#[derive(Clone, Copy)]
+pub struct TargetEntry {
+    /// Its word.
+    pub name: &'static str,
+    /// What it is.
+    pub about: &'static str,
+    /// What it needs.
+    pub needs: &'static str,
+    /// What of the muscle it loses.
+    pub loses: &'static str,
+    pub(crate) make: fn(&ExportedMuscle) -> Result<Artefact, ExportError>,
+}
+
+impl std::fmt::Debug for TargetEntry {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name)
+    }
+}

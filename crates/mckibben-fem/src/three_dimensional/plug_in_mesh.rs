@@ -1,0 +1,83 @@
+//! The plug's nodes, bricks and face among those of the mesh.
+
+use super::mesh::{BrickMesh, direction};
+use super::plug::PlugGrid;
+
+impl BrickMesh {
+    /// Adds the plug's nodes: those on the axis first, then row by row, around, from the axis to the inner surface.
+    pub(super) fn fill_plug(&mut self, wide: f64, rows: &[f64]) {
+        let Some(plug) = &self.plug else { return };
+        let (order, [_, nj, _]) = (self.brick().order(), self.grid());
+        let rows = &rows[plug.first_row..];
+        // The face bends; the rows behind it are plane.
+        let behind = *rows.get(order).unwrap_or(&self.half_length_mm());
+        let z = |m: usize, k: usize| {
+            let face = self.half_length_mm() - plug.profile[m].1;
+            if k >= order { rows[k] } else { face + (behind - face) * k as f64 / order as f64 }
+        };
+        let mut nodes: Vec<[f64; 3]> = (0..rows.len()).map(|k| [0.0, 0.0, z(0, k)]).collect();
+        for k in 0..rows.len() {
+            for j in 0..nj {
+                let (x, y) = direction(j, nj);
+                for m in 1..plug.columns() {
+                    let r = wide * plug.profile[m].0;
+                    nodes.push([r * x, r * y, z(m, k)]);
+                }
+            }
+        }
+        self.nodes.extend(nodes);
+    }
+
+    /// The terminal as a body.
+    pub fn plug(&self) -> Option<&PlugGrid> {
+        self.plug.as_ref()
+    }
+
+    /// Row of nodes at which the tube's free length ends.
+    pub fn free_rows(&self) -> usize {
+        self.plug.as_ref().map_or(self.grid()[2] - 1, |p| p.first_row)
+    }
+
+    /// Number of the plug's node at (m from the axis, j around, k along from its face); at the inner surface it is the tube's.
+    pub fn plug_node(&self, plug: &PlugGrid, m: usize, j: usize, k: usize) -> usize {
+        let ([_, nj, nk], columns) = (self.grid(), plug.columns());
+        match m {
+            0 => plug.base + k,
+            m if m == columns => self.node(0, j, plug.first_row + k),
+            _ => plug.base + nk - plug.first_row + (k * nj + j) * (columns - 1) + m - 1,
+        }
+    }
+
+    /// Nodes of every brick of the plug, as [`BrickMesh::bricks`] has those of the tube.
+    pub fn plug_bricks(&self) -> Vec<Vec<u32>> {
+        let Some(plug) = &self.plug else { return vec![] };
+        let (p, [_, nc, nz]) = (self.brick().order(), self.elements());
+        let mut out = vec![];
+        for k in 0..nz - plug.first_row / p {
+            for j in 0..nc {
+                for m in 0..plug.columns() / p {
+                    let at = |a: usize| {
+                        let (x, y, z) = (a % (p + 1), a / (p + 1) % (p + 1), a / ((p + 1) * (p + 1)));
+                        self.plug_node(plug, p * m + x, p * j + y, p * k + z) as u32
+                    };
+                    out.push((0..(p + 1).pow(3)).map(at).collect());
+                }
+            }
+        }
+        out
+    }
+
+    /// Nodes of every face of the plug towards the cavity, their normals out of it.
+    pub fn plug_face(&self) -> Vec<Vec<u32>> {
+        let Some(plug) = &self.plug else { return vec![] };
+        let (p, nc) = (self.brick().order(), self.elements()[1]);
+        let mut out = vec![];
+        for j in 0..nc {
+            for m in 0..plug.columns() / p {
+                let at = |a: usize| self.plug_node(plug, p * m + a % (p + 1), p * j + a / (p + 1), 0) as u32;
+                out.push((0..(p + 1).pow(2)).map(at).collect());
+            }
+        }
+        out
+    }
+}

@@ -1,0 +1,6 @@
+//! A case of the verification.
+
+use mckibben::verification::VerificationRow;
+
+/// A case: its rows.
+pub type VerificationCase = fn() -> Vec<VerificationRow>;

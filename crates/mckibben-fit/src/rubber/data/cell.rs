@@ -1,0 +1,46 @@
+//! Stress and mode of a row, and what no rubber can bear.
+
+use crate::rubber::mode::Mode;
+use mckibben_table::{Column, Meaning, Table, TableError};
+
+/// Groups of [`TESTS`](mckibben_table::TESTS).
+pub(super) const STRETCH: usize = 0;
+pub(super) const STRESS: usize = 1;
+
+/// No rubber is stretched further: a larger number is in percent, or in another unit.
+pub(super) const LARGEST_STRETCH: f64 = 25.0;
+
+/// No rubber bears more over its area at rest; the strongest tear at some 50 MPa.
+pub(super) const LARGEST_STRESS_MPA: f64 = 100.0;
+
+/// Force over the area at rest, in MPa, from whatever is in the column.
+pub(super) fn nominal(
+    table: &Table,
+    row: usize,
+    stress: &Column,
+    measured: f64,
+    (stretch, area): (f64, f64),
+) -> Result<f64, TableError> {
+    let nominal_stress_mpa = match stress.meaning {
+        Meaning::TrueStress | Meaning::TrueStress2 => measured / stretch,
+        Meaning::Force => measured / area,
+        _ => measured,
+    };
+    if nominal_stress_mpa.is_nan() || nominal_stress_mpa.abs() > LARGEST_STRESS_MPA {
+        let expected = "gives a stress that no rubber can bear; check its unit (250 kPa is 0.25 MPa)";
+        return Err(table.impossible(row, stress, expected));
+    }
+    Ok(nominal_stress_mpa)
+}
+
+/// The mode that a row states.
+pub(super) fn mode(table: &Table, row: usize) -> Result<Option<Mode>, TableError> {
+    let Some((line, text)) = table.text(row, Meaning::Mode) else { return Ok(None) };
+    let unknown = || TableError::Word {
+        line,
+        name: "mode",
+        text: text.chars().take(60).collect(),
+        known: format!("none of {}", Mode::WORDS),
+    };
+    Mode::parse(text).map(Some).ok_or_else(unknown)
+}

@@ -1,0 +1,20 @@
+//! From one unit to another, and no digit more.
+
+/// `value` in the unit used inside. Decimal prefixes shift the decimal point and nothing else: 0.7 bar is the double
+/// nearest to 0.07 MPa, not the one below it.
+pub(super) fn convert(value: f64, (num, den): (f64, f64)) -> f64 {
+    if num == den { value } else { tidy(value * num / den, 15) }
+}
+
+/// `v` rounded to so many significant decimal digits, where that is possible without overflow.
+pub fn tidy(v: f64, digits: i32) -> f64 {
+    if v == 0.0 || !v.is_finite() {
+        return v;
+    }
+    let shift = digits - 1 - v.abs().log10().floor() as i32;
+    if shift.abs() > 290 {
+        return v;
+    }
+    let scale = 10f64.powi(shift.abs());
+    if shift >= 0 { (v * scale).round() / scale } else { (v / scale).round() * scale }
+}
