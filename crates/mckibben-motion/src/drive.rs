@@ -1,10 +1,13 @@
 //! What is to be run.
 
-use crate::air::{ATMOSPHERE_MPA, Air, Heat};
+use crate::air::{ATMOSPHERE_MPA, Heat};
 use crate::command::Command;
 use crate::control::{Pid, PidOutput};
 use crate::error::MotionError;
+use crate::fluid::Fluid;
 use crate::friction::Hysteresis;
+use crate::hose::Hose;
+use crate::liquid::{LiquidValve, Pump, Syringe};
 use crate::mechanism::Mechanism;
 use crate::valve::{Valve, ValveKind};
 use crate::viscoelastic::Prony;
@@ -40,8 +43,47 @@ pub enum Actuator {
         /// τ in s.
         time_constant_s: f64,
     },
-    /// A valve.
+    /// A valve of air.
     Valve(Valve),
+    /// A valve of a liquid.
+    LiquidValve(LiquidValve),
+    /// A pump of a liquid.
+    Pump(Pump),
+    /// A syringe of a liquid.
+    Syringe(Syringe),
+}
+
+impl Actuator {
+    /// How it moves, of what has an opening.
+    pub(crate) fn kind(&self) -> Option<ValveKind> {
+        match self {
+            Self::Valve(valve) => Some(valve.kind),
+            Self::LiquidValve(valve) => Some(valve.kind),
+            Self::Pump(pump) => Some(pump.kind),
+            Self::Regulator { .. } | Self::Syringe(_) => None,
+        }
+    }
+
+    /// What is between it and the muscle.
+    fn hose(&self) -> Option<Hose> {
+        match self {
+            Self::Valve(valve) => valve.hose,
+            Self::LiquidValve(valve) => valve.line,
+            Self::Pump(pump) => pump.line,
+            Self::Regulator { .. } | Self::Syringe(_) => None,
+        }
+    }
+
+    /// What it is.
+    fn name(&self) -> &'static str {
+        match self {
+            Self::Regulator { .. } => "a regulator",
+            Self::Valve(_) => "a valve of air",
+            Self::LiquidValve(_) => "a valve of a liquid",
+            Self::Pump(_) => "a pump",
+            Self::Syringe(_) => "a syringe",
+        }
+    }
 }
 
 /// A muscle with all that acts on it.
@@ -51,8 +93,8 @@ pub struct Actuated<'a> {
     pub model: &'a dyn ForceModel,
     /// What gives it air.
     pub actuator: Actuator,
-    /// Its air.
-    pub air: Air,
+    /// What fills it.
+    pub fluid: Fluid,
     /// Friction of its braid.
     pub friction: Option<Hysteresis>,
     /// Viscoelasticity of its rubber.
@@ -67,17 +109,20 @@ impl<'a> Actuated<'a> {
         Self {
             model,
             actuator,
-            air: Air::default(),
+            fluid: Fluid::default(),
             friction: None,
             rubber: Prony::default(),
             initial_pressure_mpa: None,
         }
     }
 
-    /// Dead volume and hose in mm³.
-    pub(crate) fn outside_mm3(&self) -> f64 {
-        let hose = if let Actuator::Valve(valve) = &self.actuator { valve.hose } else { None };
-        self.air.dead_volume_mm3 + hose.map_or(0.0, |h| h.volume_mm3())
+    /// Dead volume, hose and what is left in a syringe in mm³; `opening` is the share of the syringe that was pushed out.
+    pub(crate) fn outside_mm3(&self, opening: Option<f64>) -> f64 {
+        let syringe = match &self.actuator {
+            Actuator::Syringe(syringe) => (1.0 - opening.unwrap_or(0.0)) * syringe.volume_mm3,
+            _ => 0.0,
+        };
+        self.fluid.dead_volume_mm3() + self.actuator.hose().map_or(0.0, |h| h.volume_mm3()) + syringe
     }
 }
 
@@ -89,6 +134,8 @@ pub enum Target {
     /// Openings of the valves, −1 … 1, one for each muscle; an on–off valve fills above ½, vents below −½ and holds between, without a
     /// closed centre fills above 0.
     Opening(Vec<Command>),
+    /// Volumes in mm³ that syringes push out, one for each muscle; 0 at the start.
+    Volume(Vec<Command>),
     /// The position: contraction of a single muscle, angle of a joint in rad.
     Position {
         /// The command.
@@ -102,7 +149,7 @@ impl Target {
     /// All commands.
     pub fn commands(&self) -> &[Command] {
         match self {
-            Self::Pressure(c) | Self::Opening(c) => c,
+            Self::Pressure(c) | Self::Opening(c) | Self::Volume(c) => c,
             Self::Position { command, .. } => std::slice::from_ref(command),
         }
     }
@@ -207,17 +254,49 @@ impl<'a> Drive<'a> {
                     MotionError::within("a commanded opening", high, -1.0, 1.0)?;
                 }
             }
+            Target::Volume(commands) => {
+                count(commands.len(), "commands")?;
+                for command in commands {
+                    MotionError::within(
+                        "the commanded volume at the start in mm³",
+                        command.value(0.0),
+                        0.0,
+                        0.0,
+                    )?;
+                }
+            }
             Target::Position { pid, .. } => pid.check()?,
         }
         let opened = match &self.target {
             Target::Opening(_) => true,
             Target::Position { pid, .. } => pid.output == PidOutput::Opening,
-            Target::Pressure(_) => false,
+            Target::Pressure(_) | Target::Volume(_) => false,
         };
+        let volumes = if let Target::Volume(commands) = &self.target { &commands[..] } else { &[] };
         for (i, muscle) in self.muscles.iter().enumerate() {
             muscle.check()?;
             if opened && matches!(muscle.actuator, Actuator::Regulator { .. }) {
                 return Err(MotionError::NoOpening { muscle: i + 1 });
+            }
+            let actuator = muscle.actuator.name();
+            match (&muscle.actuator, volumes.get(i)) {
+                (Actuator::Syringe(syringe), Some(command)) => {
+                    let (low, high) = command.bounds();
+                    MotionError::within("a commanded volume in mm³", low, 0.0, syringe.volume_mm3)?;
+                    MotionError::within("a commanded volume in mm³", high, 0.0, syringe.volume_mm3)?;
+                }
+                (Actuator::Syringe(_), None) | (_, Some(_)) => {
+                    return Err(MotionError::NoVolumeCommand { muscle: i + 1, actuator });
+                }
+                _ => {}
+            }
+            let fits = match muscle.actuator {
+                Actuator::Regulator { .. } => true,
+                Actuator::Valve(_) => !muscle.fluid.is_liquid(),
+                _ => muscle.fluid.is_liquid(),
+            };
+            if !fits {
+                return Err(MotionError::OtherFluid { muscle: i + 1, actuator });
             }
         }
         Ok(())
@@ -226,35 +305,42 @@ impl<'a> Drive<'a> {
 
 impl Actuated<'_> {
     fn check(&self) -> Result<(), MotionError> {
-        MotionError::within("the wall's temperature in K", self.air.wall_temperature_k, 50.0, 2000.0)?;
+        MotionError::within("the wall's temperature in K", self.fluid.wall_temperature_k(), 50.0, 2000.0)?;
         // Up to 1000 m³.
-        MotionError::within("the dead volume in mm³", self.air.dead_volume_mm3, 0.0, 1e12)?;
-        match self.air.heat {
-            Heat::Polytropic(n) => MotionError::within("the polytropic index", n, 1.0, 1.4)?,
-            Heat::Transfer(h) => MotionError::within("the heat transfer in W/(m² K)", h, 0.0, 1e9)?,
-            Heat::Conductance(h) => MotionError::within("the heat conductance in W/K", h, 0.0, 1e9)?,
-            Heat::Isothermal | Heat::Adiabatic => {}
+        MotionError::within("the dead volume in mm³", self.fluid.dead_volume_mm3(), 0.0, 1e12)?;
+        if let Fluid::Air(air) = &self.fluid {
+            match air.heat {
+                Heat::Polytropic(n) => MotionError::within("the polytropic index", n, 1.0, 1.4)?,
+                Heat::Transfer(h) => MotionError::within("the heat transfer in W/(m² K)", h, 0.0, 1e9)?,
+                Heat::Conductance(h) => MotionError::within("the heat conductance in W/K", h, 0.0, 1e9)?,
+                Heat::Isothermal | Heat::Adiabatic => {}
+            }
         }
+        let lag = |what, time_constant_s| MotionError::within(what, time_constant_s, 1e-6, 1e6);
         match &self.actuator {
             Actuator::Regulator { time_constant_s } => {
-                MotionError::within("the regulator's time constant in s", *time_constant_s, 1e-6, 1e6)?;
+                lag("the regulator's time constant in s", *time_constant_s)?;
             }
-            Actuator::Valve(valve) => match valve.kind {
-                ValveKind::OnOff { hysteresis_mpa, .. } => {
-                    MotionError::within("the on–off valve's hysteresis in MPa", hysteresis_mpa, 1e-6, 100.0)?;
+            Actuator::Pump(pump) => {
+                MotionError::within("the pump's flow in mm³/s", pump.flow_mm3_per_s, 1e-6, 1e12)?;
+            }
+            Actuator::Syringe(syringe) => {
+                lag("the syringe's time constant in s", syringe.time_constant_s)?;
+                MotionError::within("the syringe's volume in mm³", syringe.volume_mm3, 1e-6, 1e12)?;
+            }
+            Actuator::Valve(_) | Actuator::LiquidValve(_) => {}
+        }
+        match self.actuator.kind() {
+            Some(ValveKind::OnOff { hysteresis_mpa, .. }) => {
+                MotionError::within("the on–off valve's hysteresis in MPa", hysteresis_mpa, 1e-6, 100.0)?;
+            }
+            Some(ValveKind::Proportional { time_constant_s, gain_per_mpa }) => {
+                if time_constant_s != 0.0 {
+                    lag("the valve's lag, where it has one, in s", time_constant_s)?;
                 }
-                ValveKind::Proportional { time_constant_s, gain_per_mpa } => {
-                    if time_constant_s != 0.0 {
-                        MotionError::within(
-                            "the valve's lag, where it has one, in s",
-                            time_constant_s,
-                            1e-6,
-                            1e6,
-                        )?;
-                    }
-                    MotionError::within("the valve's gain in 1/MPa", gain_per_mpa, 1e-3, 1e6)?;
-                }
-            },
+                MotionError::within("the valve's gain in 1/MPa", gain_per_mpa, 1e-3, 1e6)?;
+            }
+            None => {}
         }
         if let Some(friction) = &self.friction {
             friction.check()?;

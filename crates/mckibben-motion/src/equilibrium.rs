@@ -1,7 +1,7 @@
 //! Where a drive rests.
 
 use crate::control::PidOutput;
-use crate::drive::{Actuator, Drive, Target};
+use crate::drive::{Drive, Target};
 use crate::error::MotionError;
 use crate::member::Member;
 use crate::valve::ValveKind;
@@ -129,16 +129,16 @@ pub(crate) fn at_start(drive: &Drive<'_>, members: &[Member<'_>]) -> Result<Equi
         Target::Pressure(c) => return at_rest(given(c.iter().map(|c| c.value(0.0)).collect())),
         Target::Opening(c) => {
             let filling = |(c, m): (&crate::command::Command, &crate::drive::Actuated<'_>)| {
-                let least = match m.actuator {
-                    Actuator::Valve(v) if matches!(v.kind, ValveKind::OnOff { closed_centre: true, .. }) => {
-                        0.5
-                    }
+                let least = match m.actuator.kind() {
+                    Some(ValveKind::OnOff { closed_centre: true, .. }) => 0.5,
                     _ => 0.0,
                 };
                 if c.value(0.0) > least { supply } else { 0.0 }
             };
             return at_rest(given(c.iter().zip(&drive.muscles).map(filling).collect()));
         }
+        // Syringes are full, and the muscles without pressure.
+        Target::Volume(_) => return at_rest(given(vec![0.0; members.len()])),
         Target::Position { command, pid } => (command, pid),
     };
     // The pressures that hold the commanded position: u from all the way out to all the way in.

@@ -59,6 +59,41 @@ pub enum MotionError {
         /// Which muscle, from 1.
         muscle: usize,
     },
+    /// A syringe without a commanded volume, or a volume without a syringe.
+    #[error(
+        "muscle {muscle} has {actuator}: a commanded volume goes with a syringe, and a syringe with a commanded volume"
+    )]
+    NoVolumeCommand {
+        /// Which muscle, from 1.
+        muscle: usize,
+        /// What it has.
+        actuator: &'static str,
+    },
+    /// A liquid through a valve of air, or air through a valve, a pump or a syringe of a liquid.
+    #[error(
+        "muscle {muscle} has {actuator}, which is not for what fills it: a liquid goes with a flow coefficient, a pump, a syringe or a regulator, air with a sonic conductance or a regulator"
+    )]
+    OtherFluid {
+        /// Which muscle, from 1.
+        muscle: usize,
+        /// What it has.
+        actuator: &'static str,
+    },
+    /// A liquid that boils.
+    #[error(
+        "the liquid in muscle {muscle} boils at {time_s} s: its absolute pressure falls below {absolute_mpa} MPa; raise the pressure, or move the load more slowly"
+    )]
+    Boils {
+        /// When.
+        time_s: f64,
+        /// Which muscle, from 1.
+        muscle: usize,
+        /// The absolute pressure in MPa.
+        absolute_mpa: f64,
+    },
+    /// A valve that no rise time sizes.
+    #[error("only valves of air are sized by a rise time; leave it out, and try flows of the valve or pump")]
+    NotSized,
     /// No static equilibrium to begin from.
     #[error(
         "no equilibrium at the start: at a position of {position} the net force is {net} (N, or N mm about a joint), and it does not change its sign up to there; change the load or the first command, or give a stop"
@@ -202,7 +237,14 @@ impl MotionError {
 
     /// Whether what was computed up to here is an answer: the motion ended early, and not because of the request.
     pub(crate) fn ends_early(&self) -> bool {
-        matches!(self, Self::Model { .. } | Self::Diverged { .. } | Self::Steps { .. } | Self::Chatter { .. })
+        matches!(
+            self,
+            Self::Model { .. }
+                | Self::Boils { .. }
+                | Self::Diverged { .. }
+                | Self::Steps { .. }
+                | Self::Chatter { .. }
+        )
     }
 }
 

@@ -118,7 +118,7 @@ impl System<'_> {
             };
             let is_pressure = match &self.drive.target {
                 Target::Pressure(_) => true,
-                Target::Opening(_) => false,
+                Target::Opening(_) | Target::Volume(_) => false,
                 Target::Position { pid, .. } => pid.output != crate::control::PidOutput::Opening,
             };
             let (on, off) = match (is_pressure, closed_centre) {
@@ -202,7 +202,6 @@ impl System<'_> {
 
 /// Hysteresis and closed centre of an on–off valve.
 pub(crate) fn switches(actuator: &Actuator) -> Option<(f64, bool)> {
-    let Actuator::Valve(valve) = actuator else { return None };
-    let ValveKind::OnOff { hysteresis_mpa, closed_centre } = valve.kind else { return None };
+    let ValveKind::OnOff { hysteresis_mpa, closed_centre } = actuator.kind()? else { return None };
     Some((hysteresis_mpa, closed_centre))
 }

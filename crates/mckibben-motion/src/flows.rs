@@ -1,9 +1,11 @@
-//! What is commanded at a time, and the air that it lets into a muscle and out of it.
+//! What is commanded at a time, and the air or liquid that it lets into a muscle and out of it.
 
 use crate::air::{ATMOSPHERE_MPA, Cavity, Flow};
 use crate::command::Command;
 use crate::control::PidOutput;
 use crate::drive::{Actuated, Actuator, Target};
+use crate::fluid::Fluid;
+use crate::liquid::Source;
 use crate::state::{ControllerState, MuscleState, State};
 use crate::system::{Mode, Switch, System};
 use crate::valve::ValveKind;
@@ -18,13 +20,15 @@ pub(crate) struct Control {
 
 /// What flows at a time.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct AirRates {
+pub(crate) struct FluidRates {
     pub supply: Flow,
     pub exhaust: Flow,
     pub pressure_rate: f64,
     pub opening: f64,
     pub opening_rate: f64,
     pub signal: f64,
+    /// What a syringe's piston pushes out, in mm³/s.
+    pub piston_mm3_per_s: f64,
 }
 
 impl System<'_> {
@@ -46,7 +50,7 @@ impl System<'_> {
     pub fn command(&self, t: f64, muscle: usize, control: Option<Control>) -> (f64, bool) {
         match &self.drive.target {
             Target::Pressure(c) => (self.value(c.get(muscle), t, muscle), true),
-            Target::Opening(c) => (self.value(c.get(muscle), t, muscle), false),
+            Target::Opening(c) | Target::Volume(c) => (self.value(c.get(muscle), t, muscle), false),
             Target::Position { pid, .. } => {
                 let u = control.map_or(0.0, |c| c.output) * self.turns(muscle);
                 match pid.output {
@@ -69,8 +73,8 @@ impl System<'_> {
         self.drive.mechanism.lever(muscle, 0.0).per_coordinate.signum()
     }
 
-    /// The air of a muscle whose pressure and temperature are `inside`, by its command.
-    pub fn air(
+    /// What flows into a muscle whose pressure and temperature are `inside`, by its command.
+    pub fn flows(
         &self,
         actuated: &Actuated<'_>,
         own: &MuscleState,
@@ -78,22 +82,41 @@ impl System<'_> {
         mode: &Mode,
         inside: (f64, f64),
         cavity: &Cavity,
-    ) -> AirRates {
-        let air = &actuated.air;
+    ) -> FluidRates {
+        let fluid = &actuated.fluid;
         let error = command + ATMOSPHERE_MPA - inside.0;
-        let valve = match &actuated.actuator {
-            Actuator::Regulator { time_constant_s } => {
+        let rate = |cavity: &Cavity, flows: &[Flow]| {
+            fluid.pressure_rate_mpa_per_s(inside.0, inside.1, cavity, flows)
+        };
+        let kind = match (&actuated.actuator, actuated.actuator.kind()) {
+            (Actuator::Syringe(syringe), _) => {
+                let opening = own.opening.unwrap_or(0.0);
+                let opening_rate = (command / syringe.volume_mm3 - opening) / syringe.time_constant_s;
+                let piston_mm3_per_s = opening_rate * syringe.volume_mm3;
+                let swept_mm3_per_s = cavity.swept_mm3_per_s - piston_mm3_per_s;
+                let pressure_rate = rate(&Cavity { swept_mm3_per_s, ..*cavity }, &[]);
+                let none = Flow { mass_g_per_s: 0.0, temperature_k: inside.1 };
+                return FluidRates {
+                    supply: none,
+                    exhaust: none,
+                    pressure_rate,
+                    opening,
+                    opening_rate,
+                    signal: 0.0,
+                    piston_mm3_per_s,
+                };
+            }
+            (Actuator::Regulator { time_constant_s }, _) => {
                 let rate = error / time_constant_s;
-                let supply_k = self.drive.supply.temperature_k;
-                let flow = air.flow_for_rate(rate, inside.0, inside.1, cavity, supply_k);
+                let flow = fluid.flow_for_rate(rate, inside, cavity, self.drive.supply.temperature_k);
                 let none = Flow { mass_g_per_s: 0.0, ..flow };
                 let (supply, exhaust) = if flow.mass_g_per_s > 0.0 { (flow, none) } else { (none, flow) };
-                return AirRates { supply, exhaust, pressure_rate: rate, ..AirRates::default() };
+                return FluidRates { supply, exhaust, pressure_rate: rate, ..FluidRates::default() };
             }
-            Actuator::Valve(valve) => valve,
+            (_, kind) => kind.unwrap_or(ValveKind::DEFAULT),
         };
         let signal = if is_pressure { error } else { command };
-        let wanted = match valve.kind {
+        let wanted = match kind {
             ValveKind::OnOff { .. } => match mode.switch {
                 Switch::Fill => 1.0,
                 Switch::Hold => 0.0,
@@ -104,13 +127,27 @@ impl System<'_> {
                 wanted.clamp(-1.0, 1.0)
             }
         };
-        let (opening, opening_rate) = match (own.opening, valve.kind) {
+        let (opening, opening_rate) = match (own.opening, kind) {
             (Some(o), ValveKind::Proportional { time_constant_s, .. }) => (o, (wanted - o) / time_constant_s),
             _ => (wanted, 0.0),
         };
-        let atmosphere = (ATMOSPHERE_MPA, air.wall_temperature_k);
-        let (supply, exhaust) = valve.flows(opening, self.drive.supply.state(), inside, atmosphere);
-        let pressure_rate = air.pressure_rate_mpa_per_s(inside.0, inside.1, cavity, &[supply, exhaust]);
-        AirRates { supply, exhaust, pressure_rate, opening, opening_rate, signal }
+        let supply = &self.drive.supply;
+        let source = match &actuated.actuator {
+            Actuator::LiquidValve(valve) => Some(Source::Valve(valve)),
+            Actuator::Pump(pump) => Some(Source::Pump(pump)),
+            _ => None,
+        };
+        let (supply, exhaust) = match (&actuated.actuator, fluid, source) {
+            (_, Fluid::Liquid(liquid), Some(source)) => {
+                liquid.flows(&source, opening, supply.pressure_mpa, inside.0 - ATMOSPHERE_MPA)
+            }
+            (Actuator::Valve(valve), ..) => {
+                let atmosphere = (ATMOSPHERE_MPA, fluid.wall_temperature_k());
+                valve.flows(opening, supply.state(), inside, atmosphere)
+            }
+            _ => Default::default(),
+        };
+        let pressure_rate = rate(cavity, &[supply, exhaust]);
+        FluidRates { supply, exhaust, pressure_rate, opening, opening_rate, signal, piston_mm3_per_s: 0.0 }
     }
 }

@@ -28,6 +28,16 @@ impl Hose {
         Ok(Self { inner_diameter_mm, length_mm })
     }
 
+    /// d in mm.
+    pub fn inner_diameter_mm(&self) -> f64 {
+        self.inner_diameter_mm
+    }
+
+    /// L in mm.
+    pub fn length_mm(&self) -> f64 {
+        self.length_mm
+    }
+
     /// Its volume in mm³.
     pub fn volume_mm3(&self) -> f64 {
         0.25 * PI * self.inner_diameter_mm.powi(2) * self.length_mm

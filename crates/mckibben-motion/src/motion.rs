@@ -49,8 +49,11 @@ pub struct Motion {
     pub ended: Option<MotionError>,
     /// Largest power of the muscles, W.
     pub largest_power_w: f64,
-    /// Air from the supply, normal litres (0 °C, 101.325 kPa).
+    /// Air from the supply, normal litres (0 °C, 101.325 kPa); 0 with a liquid.
     pub air_normal_litres: f64,
+    /// Liquid from the supply, or pushed out of a syringe at the end, mm³ at atmospheric pressure.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub liquid_volume_mm3: Option<f64>,
     /// The same over the last whole period of a periodic command.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub air_normal_litres_per_cycle: Option<f64>,
@@ -60,7 +63,7 @@ pub struct Motion {
     /// Energies, J.
     #[cfg_attr(feature = "schema", schemars(with = "serde_json::Value"))]
     pub energies: Energies,
-    /// Work of the muscles while they shorten over the exergy of the air from the supply.
+    /// Work of the muscles while they shorten over the exergy of the air, or the work of the pump on the liquid.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub efficiency: Option<f64>,
     /// Of commanded pressures: frequency up to which small changes of the highest commands are followed (−3 dB), Hz; of two muscles of a joint, changes against each other.
@@ -153,13 +156,13 @@ pub struct StepFigures {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Energies {
-    /// Enthalpy of the air from the supply.
+    /// Enthalpy of the air from the supply; of a liquid p V and stored energy at the pressure of the muscle, of a syringe the work of its piston.
     pub enthalpy_in_j: f64,
-    /// Enthalpy of the air that left.
+    /// The same of what left.
     pub enthalpy_out_j: f64,
-    /// Heat from the walls.
+    /// Heat from the walls to the air.
     pub heat_j: f64,
-    /// Growth of the air's internal energy m cv T.
+    /// Growth of the air's internal energy m cv T, or of the energy stored in the liquid.
     pub internal_j: f64,
     /// ∫ p dV, absolute.
     pub gas_work_j: f64,
@@ -181,6 +184,7 @@ pub struct Energies {
     pub kinetic_j: f64,
     /// Work of the muscles while they shorten, ∫ (F v)₊ dt.
     pub work_j: f64,
-    /// Exergy of the air from the supply against the atmosphere at the walls' temperature.
+    /// Exergy of the air from the supply against the atmosphere at the walls' temperature; of a liquid the work of the supply against the gauge pressure: that of
+    /// the supply with a valve, that of the muscle with a pump or a syringe.
     pub exergy_j: f64,
 }

@@ -1,7 +1,9 @@
 //! What is written down of an integration: the series while it goes, and the sums at its end.
 
-use crate::air::{ATMOSPHERE_MPA, HEAT_RATIO, exergy_mj_per_g, normal_litres};
+use crate::air::{ATMOSPHERE_MPA, exergy_mj_per_g, normal_litres};
+use crate::drive::Actuator;
 use crate::error::MotionError;
+use crate::fluid::Fluid;
 use crate::integrate::Stepper;
 use crate::mechanism::Coordinate;
 use crate::member::Substitute;
@@ -87,7 +89,7 @@ impl Integration<'_, '_> {
             series.contraction.push(m.contraction);
             // A taut muscle pulls; what is below zero within its dead band is none.
             series.force_n.push(m.pull_n.max(0.0));
-            series.air_mass_g.push(own.mass_g);
+            series.mass_g.push(own.mass_g);
             series.temperature_k.push(m.temperature_k);
             series.volume_mm3.push(m.volume_mm3);
             series.opening.push(m.opening);
@@ -114,7 +116,7 @@ impl Integration<'_, '_> {
             let (net, time_s, pressure_mpa) = (at.net, at.time_s, at.pressure_mpa);
             self.motion.never_lifted = Some(MotionError::NeverLifted { net, time_s, pressure_mpa });
         }
-        let air = match system.air_mj_mm3(&self.state) {
+        let air = match system.fluid_mj_mm3(&self.state) {
             Err(_) if ended.is_some() => self.air,
             found => found?,
         };
@@ -132,9 +134,13 @@ impl Integration<'_, '_> {
         motion.efficiency = (energies.exergy_j > 0.0).then(|| energies.work_j / energies.exergy_j);
         motion.energies = energies;
         motion.mass_defect = missing / flowed.max(f64::MIN_POSITIVE);
-        motion.air_normal_litres = normal_litres(supplied);
         let cycle = self.cycle.filter(|_| ended.is_none());
-        motion.air_normal_litres_per_cycle = cycle.as_ref().map(|c| normal_litres(supplied - c.supplied_g));
+        motion.liquid_volume_mm3 = system.pushed_mm3(&self.state);
+        if motion.liquid_volume_mm3.is_none() {
+            motion.air_normal_litres = normal_litres(supplied);
+            motion.air_normal_litres_per_cycle =
+                cycle.as_ref().map(|c| normal_litres(supplied - c.supplied_g));
+        }
         motion.integration_steps = self.steps;
         motion.evaluations = system.evaluations.get();
         motion.model_answers = system.members.iter().map(|m| m.asked.get()).sum();
@@ -163,7 +169,7 @@ impl Integration<'_, '_> {
         Ok(motion)
     }
 
-    /// The energies up to where it is, with the internal energy of the air in mJ and its volume in mm³ there.
+    /// The energies up to where it is, with the internal energy of what fills the muscles in mJ and its volume in mm³ there.
     fn energies(&self, (internal, volume): (f64, f64)) -> Energies {
         let drive = self.system.drive;
         let totals = self.state.totals;
@@ -172,8 +178,16 @@ impl Integration<'_, '_> {
             if v == 0.0 { 0.0 } else { 0.5 * drive.mechanism.inertia() * v * v }
         };
         let load = |state: &State| drive.mechanism.load_energy_mj(state.coordinate);
-        let ambient = drive.muscles.first().map_or(293.15, |m| m.air.wall_temperature_k);
+        let ambient = drive.muscles.first().map_or(293.15, |m| m.fluid.wall_temperature_k());
         let (supply_mpa, supply_k) = drive.supply.state();
+        let exergy_mj = match self.system.pushed_mm3(&self.state) {
+            None => self.state.supplied_g() * exergy_mj_per_g(supply_mpa, supply_k, ambient),
+            // A valve takes its liquid at the pressure of the supply; pump and syringe have that of the muscle.
+            Some(mm3) if drive.muscles.iter().all(|m| matches!(m.actuator, Actuator::LiquidValve(_))) => {
+                mm3 * drive.supply.pressure_mpa
+            }
+            Some(mm3) => totals.enthalpy_in - ATMOSPHERE_MPA * mm3,
+        };
         Energies {
             enthalpy_in_j: 1e-3 * totals.enthalpy_in,
             enthalpy_out_j: 1e-3 * totals.enthalpy_out,
@@ -189,17 +203,31 @@ impl Integration<'_, '_> {
             load_j: 1e-3 * (load(&self.state) - load(&self.first)),
             kinetic_j: 1e-3 * (kinetic(&self.state) - kinetic(&self.first)),
             work_j: 1e-3 * totals.positive_work,
-            exergy_j: 1e-3 * self.state.supplied_g() * exergy_mj_per_g(supply_mpa, supply_k, ambient),
+            exergy_j: 1e-3 * exergy_mj,
         }
     }
 }
 
 impl System<'_> {
-    /// Internal energy pV/(γ − 1) of all air in mJ, and its volume in mm³.
-    pub fn air_mj_mm3(&self, state: &State) -> Result<(f64, f64), MotionError> {
+    /// Liquid that came from the supply, or that syringes have pushed out, in mm³ at atmospheric pressure; `None` of air.
+    pub fn pushed_mm3(&self, state: &State) -> Option<f64> {
+        let muscles = self.drive.muscles.iter().zip(&state.muscles);
+        let each = muscles.map(|(muscle, own)| match (&muscle.fluid, &muscle.actuator) {
+            (Fluid::Liquid(_), Actuator::Syringe(syringe)) => {
+                Some(own.opening.unwrap_or(0.0) * syringe.volume_mm3)
+            }
+            (Fluid::Liquid(liquid), _) => Some(liquid.volume_mm3(own.supplied_g)),
+            (Fluid::Air(_), _) => None,
+        });
+        each.sum()
+    }
+
+    /// Internal energy of all air or liquid in mJ, and its volume in mm³.
+    pub fn fluid_mj_mm3(&self, state: &State) -> Result<(f64, f64), MotionError> {
         let point = self.point(0.0, state)?;
-        Ok(point.muscles.iter().fold((0.0, 0.0), |(energy, volume), m| {
-            let own = (m.pressure_mpa + ATMOSPHERE_MPA) * m.volume_mm3 / (HEAT_RATIO - 1.0);
+        let muscles = point.muscles.iter().zip(&self.drive.muscles);
+        Ok(muscles.fold((0.0, 0.0), |(energy, volume), (m, muscle)| {
+            let own = muscle.fluid.internal_mj(m.pressure_mpa + ATMOSPHERE_MPA, m.volume_mm3);
             (energy + own, volume + m.volume_mm3)
         }))
     }

@@ -57,7 +57,7 @@ pub(crate) fn rest(system: &System<'_>, passed: &[Passed]) -> Option<(MotionEnd,
             let pressures: Vec<f64> = commands.iter().map(|c| c.value_within(until, until)).collect();
             at_pressures(drive, &system.members, &pressures).ok().map(|e| e.coordinate)
         }
-        Target::Opening(_) | Target::Position { .. } => None,
+        Target::Opening(_) | Target::Volume(_) | Target::Position { .. } => None,
     };
     Some((MotionEnd { moves, between: (low, high) }, equilibrium))
 }

@@ -89,7 +89,7 @@ const SPAN_S: f64 = 1e-5;
 impl<'s, 'd> Integration<'s, 'd> {
     pub fn begin(system: &'s System<'d>, progress: &'s dyn Progress) -> Result<Self, MotionError> {
         let state = system.initial_state()?;
-        let air = system.air_mj_mm3(&state)?;
+        let air = system.fluid_mj_mm3(&state)?;
         let mechanism = system.drive.mechanism;
         let lies = system.modes.borrow().stop.is_some_and(|side| side < 0.0) && !mechanism.is_held();
         let on_stop = lies.then_some(OnStop { net: f64::NEG_INFINITY, time_s: 0.0, pressure_mpa: 0.0 });
@@ -98,6 +98,7 @@ impl<'s, 'd> Integration<'s, 'd> {
         let cycle = period.filter(|p| *p <= until).map(|p| Cycle { from_s: until - p, supplied_g: 0.0 });
         let series = MotionSeries {
             of: mechanism.coordinate(),
+            liquid: system.drive.muscles.iter().any(|m| m.fluid.is_liquid()),
             muscles: vec![MuscleSeries::default(); system.members.len()],
             ..MotionSeries::default()
         };

@@ -8,6 +8,8 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 pub struct MotionSeries {
     /// What the coordinate is.
     pub of: Coordinate,
+    /// Whether the muscles are filled with a liquid.
+    pub liquid: bool,
     /// Times in s.
     pub time_s: Vec<f64>,
     /// The coordinate in mm or rad.
@@ -27,15 +29,15 @@ pub struct MuscleSeries {
     pub contraction: Vec<f64>,
     /// Pull at its end in N, with friction and viscoelasticity; 0 where it is slack.
     pub force_n: Vec<f64>,
-    /// Mass of its air in g.
-    pub air_mass_g: Vec<f64>,
-    /// Temperature of its air in K.
+    /// Mass of its air or liquid in g.
+    pub mass_g: Vec<f64>,
+    /// Temperature of its air or liquid in K.
     pub temperature_k: Vec<f64>,
-    /// Volume of its air in mm³: cavity, dead volume and hose.
+    /// Volume of its air or liquid in mm³: cavity, dead volume and hose.
     pub volume_mm3: Vec<f64>,
-    /// Opening of its valve, −1 … 1; 0 on a regulator.
+    /// Opening of its valve, −1 … 1; 0 on a regulator; the share of a syringe that is pushed out.
     pub opening: Vec<f64>,
-    /// What is commanded: pressure in MPa, or opening.
+    /// What is commanded: pressure in MPa, opening, or volume in mm³.
     pub command: Vec<f64>,
 }
 
@@ -67,18 +69,19 @@ columns! {
     "pressure" "_mpa" "Gauge pressure, MPa." pressure_mpa 0.0,
     "contraction" "" "Contraction ratio." contraction 0.0,
     "force" "_n" "Pull, N." force_n 0.0,
-    "air_mass" "_g" "Mass of its air, g." air_mass_g 0.0,
-    "temperature" "_degc" "Temperature of its air, °C." temperature_k -273.15,
-    "volume" "_mm3" "Volume of its air with dead volume and hose, mm³." volume_mm3 0.0,
-    "opening" "" "Opening of its valve, −1 to 1." opening 0.0,
-    "command" "" "What is commanded: pressure in MPa, or opening." command 0.0,
+    "air_mass" "_g" "Mass of its air, g; of a liquid `liquid_mass_g`." mass_g 0.0,
+    "temperature" "_degc" "Temperature of its air or liquid, °C." temperature_k -273.15,
+    "volume" "_mm3" "Volume of its air or liquid with dead volume and hose, mm³." volume_mm3 0.0,
+    "opening" "" "Opening of its valve, −1 to 1; share of a syringe that is pushed out." opening 0.0,
+    "command" "" "What is commanded: pressure in MPa, opening, or volume in mm³." command 0.0,
 }
 
 impl Column {
     /// Its key; of a joint with the number of the muscle, from 1.
-    fn key(&self, muscle: Option<usize>) -> String {
+    fn key(&self, muscle: Option<usize>, liquid: bool) -> String {
         let number = muscle.map_or_else(String::new, |i| format!("_{i}"));
-        format!("{}{number}{}", self.name, self.unit)
+        let name = if liquid { self.name.replace("air", "liquid") } else { self.name.to_owned() };
+        format!("{name}{number}{}", self.unit)
     }
 }
 
@@ -99,8 +102,9 @@ impl MotionSeries {
         let is_joint = self.of == Coordinate::Angle;
         let own: &[&str] =
             if is_joint { &["angle_deg", "velocity_deg_per_s"] } else { &["velocity_mm_per_s"] };
-        let muscles = (0..self.muscles.len())
-            .flat_map(|i| COLUMNS.iter().map(move |column| column.key(is_joint.then_some(i + 1))));
+        let muscles = (0..self.muscles.len()).flat_map(|i| {
+            COLUMNS.iter().map(move |column| column.key(is_joint.then_some(i + 1), self.liquid))
+        });
         std::iter::once(&"time_s").chain(own).map(|name| (*name).to_owned()).chain(muscles).collect()
     }
 
@@ -138,7 +142,7 @@ impl MotionSeries {
                 &mut m.pressure_mpa,
                 &mut m.contraction,
                 &mut m.force_n,
-                &mut m.air_mass_g,
+                &mut m.mass_g,
                 &mut m.temperature_k,
                 &mut m.volume_mm3,
                 &mut m.opening,
@@ -182,7 +186,7 @@ impl schemars::JsonSchema for MotionSeries {
         property("velocity_mm_per_s", &maybe, "Speed of the load of a muscle, mm/s.");
         for muscle in [None, Some(1), Some(2)] {
             for column in COLUMNS {
-                property(&column.key(muscle), &list, column.about);
+                property(&column.key(muscle, false), &list, column.about);
             }
         }
         schemars::json_schema!({

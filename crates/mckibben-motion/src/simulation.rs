@@ -159,6 +159,7 @@ impl Target {
         Some(match self {
             Self::Pressure(_) => Self::Pressure(commands()),
             Self::Opening(_) => Self::Opening(commands()),
+            Self::Volume(_) => Self::Volume(commands()),
             Self::Position { pid, .. } => {
                 Self::Position { command: Command::Constant(*values.first()?), pid: *pid }
             }

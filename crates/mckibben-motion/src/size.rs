@@ -36,8 +36,11 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
     drive.check()?;
     let valve = drive.muscles.iter().find_map(|m| match m.actuator {
         Actuator::Valve(v) => Some(v.supply.conductance_l_per_s_bar()),
-        Actuator::Regulator { .. } => None,
+        _ => None,
     });
+    if drive.muscles.iter().any(|m| m.fluid.is_liquid()) {
+        return Err(MotionError::NotSized);
+    }
     let (Some(own), Target::Pressure(commands)) = (valve, &drive.target) else {
         return Err(MotionError::NoRise);
     };

@@ -45,9 +45,9 @@ impl System<'_> {
             } else {
                 (answer.map_err(refused)?, contraction)
             };
-            let volume = at.volume_mm3 + muscle.outside_mm3();
+            let volume = at.volume_mm3 + muscle.outside_mm3(own.opening);
             own.absolute_mpa = p + ATMOSPHERE_MPA;
-            own.mass_g = muscle.air.mass_g(own.absolute_mpa, volume);
+            own.mass_g = muscle.fluid.mass_g(own.absolute_mpa, volume);
             own.branches_n.fill(member.wall_n(at.force_n, p, e));
             let first = match &drive.target {
                 Target::Pressure(c) => c.get(i).map(|c| c.value(0.0)),

@@ -119,8 +119,11 @@ pub(crate) struct Layout {
 impl Layout {
     pub fn new(drive: &Drive<'_>) -> Self {
         let muscles = drive.muscles.iter().map(|m| {
-            let lags = matches!(&m.actuator, Actuator::Valve(v)
-                if matches!(v.kind, ValveKind::Proportional { time_constant_s, .. } if time_constant_s > 0.0));
+            let lags = match (&m.actuator, m.actuator.kind()) {
+                (Actuator::Syringe(_), _) => true,
+                (_, Some(ValveKind::Proportional { time_constant_s, .. })) => time_constant_s > 0.0,
+                _ => false,
+            };
             MuscleState {
                 opening: lags.then_some(0.0),
                 bristles: vec![0.0; m.friction.as_ref().map_or(0, |f| f.presliding.0.len())],

@@ -1,9 +1,10 @@
 //! The equations of motion of a drive.
 
-use crate::air::{Cavity, Flow, Heat, cavity_area_mm2};
+use crate::air::{ATMOSPHERE_MPA, Cavity, Flow, cavity_area_mm2};
 use crate::control::PidOutput;
 use crate::drive::{Actuated, Drive, Target};
 use crate::error::MotionError;
+use crate::fluid::Fluid;
 use crate::integrate::Equations;
 use crate::member::{Answer, Member, SlackState, Substitute};
 use crate::state::{ControllerState, Layout, MuscleState, State};
@@ -145,26 +146,29 @@ impl<'a> System<'a> {
                 let a = member.answer(gauge, lever.contraction).map_err(failed)?;
                 (lever.contraction, a, 0.0, a.volume_e * lever.per_coordinate * v, a.volume_p)
             };
-            let volume = answer.volume_mm3 + muscle.outside_mm3();
+            let volume = answer.volume_mm3 + muscle.outside_mm3(own.opening);
             let length = member.length_mm * (1.0 - cavity_at);
-            let area_mm2 = match muscle.air.heat {
-                Heat::Transfer(_) => cavity_area_mm2(answer.volume_mm3, length),
-                _ => 0.0,
-            };
+            let area_mm2 =
+                if muscle.fluid.needs_area() { cavity_area_mm2(answer.volume_mm3, length) } else { 0.0 };
             let cavity = Cavity {
                 volume_mm3: volume,
                 volume_per_pressure_mm3_per_mpa: stretch,
                 swept_mm3_per_s: swept,
                 area_mm2,
             };
-            let temperature = muscle.air.temperature_k(absolute, own.mass_g, volume);
+            let temperature = muscle.fluid.temperature_k(absolute, own.mass_g, volume);
             let (model_n, excess, opposing, pull) =
                 pull(muscle, member, mode, &answer, (gauge, cavity_at), own);
             net += pull * member.length_mm * lever.per_coordinate;
 
             let command = self.command(t, i, control);
-            let air = self.air(muscle, own, command, mode, (absolute, temperature), &cavity);
-            let flows = [air.supply, air.exhaust];
+            if let Fluid::Liquid(liquid) = &muscle.fluid
+                && liquid.boils(absolute)
+            {
+                return Err(MotionError::Boils { time_s: t, muscle: i + 1, absolute_mpa: absolute });
+            }
+            let fluid = self.flows(muscle, own, command, mode, (absolute, temperature), &cavity);
+            let flows = [fluid.supply, fluid.exhaust];
             let branches_n = if muscle.rubber.0.is_empty() {
                 vec![]
             } else {
@@ -173,21 +177,22 @@ impl<'a> System<'a> {
                 each.map(|(branch, a)| (wall - a) / branch.time_constant_s).collect()
             };
             rates.muscles.push(MuscleState {
-                absolute_mpa: air.pressure_rate,
-                mass_g: air.supply.mass_g_per_s + air.exhaust.mass_g_per_s,
-                opening: own.opening.map(|_| air.opening_rate),
+                absolute_mpa: fluid.pressure_rate,
+                mass_g: fluid.supply.mass_g_per_s + fluid.exhaust.mass_g_per_s,
+                opening: own.opening.map(|_| fluid.opening_rate),
                 bristles: muscle
                     .friction
                     .as_ref()
                     .map_or_else(Vec::new, |friction| friction.rates(&own.bristles, speed, mode.sign)),
                 branches_n,
-                supplied_g: air.supply.mass_g_per_s,
-                exhausted_g: -air.exhaust.mass_g_per_s,
+                supplied_g: fluid.supply.mass_g_per_s,
+                exhausted_g: -fluid.exhaust.mass_g_per_s,
             });
-            let swelling = cavity.swept_mm3_per_s + stretch * air.pressure_rate;
-            totals.enthalpy_in += air.supply.enthalpy_mw();
-            totals.enthalpy_out -= air.exhaust.enthalpy_mw();
-            totals.heat += muscle.air.heat_mw(absolute, air.pressure_rate, &cavity, &flows);
+            let swelling = cavity.swept_mm3_per_s + stretch * fluid.pressure_rate;
+            totals.enthalpy_in += muscle.fluid.enthalpy_mw(fluid.supply, absolute);
+            totals.enthalpy_in += absolute * fluid.piston_mm3_per_s;
+            totals.enthalpy_out -= muscle.fluid.enthalpy_mw(fluid.exhaust, absolute);
+            totals.heat += muscle.fluid.heat_mw(absolute, fluid.pressure_rate, &cavity, &flows);
             totals.gas_work += absolute * swelling;
             totals.static_work += model_n * speed;
             totals.viscoelastic += excess * speed;
@@ -201,11 +206,11 @@ impl<'a> System<'a> {
                 pull_n: pull,
                 volume_mm3: volume,
                 temperature_k: temperature,
-                supply: air.supply,
-                exhaust: air.exhaust,
-                opening: air.opening,
+                supply: fluid.supply,
+                exhaust: fluid.exhaust,
+                opening: fluid.opening,
                 command: command.0,
-                signal: air.signal,
+                signal: fluid.signal,
                 beyond,
             });
         }
@@ -286,9 +291,13 @@ fn sizes(drive: &Drive<'_>, members: &[Member<'_>], layout: &Layout) -> State {
     let mut scale = layout.filled(1e3);
     let stroke = 0.01 / drive.mechanism.lever(0, 0.0).per_coordinate.abs().max(1e-9);
     (scale.coordinate, scale.velocity) = (stroke, 10.0 * stroke);
-    for (own, member) in scale.muscles.iter_mut().zip(members) {
+    for ((own, member), muscle) in scale.muscles.iter_mut().zip(members).zip(&drive.muscles) {
         let ideal = mckibben::model::Ideal::new(member.model.muscle()).volume(0.0);
-        let mass_g = 1.2e-6 * ideal.max(1.0);
+        let volume = ideal.max(1.0);
+        let mass_g = match &muscle.fluid {
+            Fluid::Air(_) => 1.2e-6 * volume,
+            Fluid::Liquid(liquid) => liquid.mass_g(ATMOSPHERE_MPA, volume),
+        };
         *own = MuscleState {
             absolute_mpa: 0.1,
             mass_g,

@@ -1,6 +1,6 @@
 //! Tables of times and values.
 
-use super::vocabulary::{ANGLES, CONTRACTIONS, OPENINGS, PRESSURES, Vocabulary};
+use super::vocabulary::{ANGLES, CONTRACTIONS, OPENINGS, PRESSURES, VOLUMES, Vocabulary};
 use super::{Columns, Table, TableError, read_text};
 use std::io::Read;
 
@@ -11,6 +11,8 @@ pub enum OverTime {
     Pressure,
     /// Openings of a valve, from −1 (wide open to the atmosphere) to 1 (to the supply).
     Opening,
+    /// Volumes in mm³.
+    Volume,
     /// Contraction ratios of a muscle.
     Contraction,
     /// Angles of a joint in degrees.
@@ -33,6 +35,7 @@ pub fn read_over_time(input: impl Read, what: OverTime) -> Result<Vec<(f64, f64)
     let vocabulary: &'static Vocabulary = match what {
         OverTime::Pressure => &PRESSURES,
         OverTime::Opening => &OPENINGS,
+        OverTime::Volume => &VOLUMES,
         OverTime::Contraction => &CONTRACTIONS,
         OverTime::Angle => &ANGLES,
     };

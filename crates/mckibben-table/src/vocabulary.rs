@@ -223,11 +223,15 @@ const fn over_time(needed: &'static [Need]) -> Vocabulary {
 
 const TIMES: Need = Need { wanted: "times", any_of: &[Meaning::Time], names: "time_s or Time [ms]" };
 
+const VOLUME: Entry =
+    of(Meaning::Volume, "volume", Some(Dimension::Volume), &["volume_mm3", "volume_ml"], "volume");
+
 const OVER_TIME: &[Entry] = &[
     TIME,
     PRESSURE,
     CONTRACTION,
     of(Meaning::Opening, "opening", Some(Dimension::Ratio), &["opening"], "opening"),
+    VOLUME,
     of(Meaning::JointAngle, "angle", Some(Dimension::Angle), &["angle_deg"], "joint_angle"),
 ];
 
@@ -259,6 +263,12 @@ pub(crate) const PRESSURES: Vocabulary = over_time(&[
 /// Openings of a valve over time.
 pub(crate) const OPENINGS: Vocabulary =
     over_time(&[TIMES, Need { wanted: "openings", any_of: &[Meaning::Opening], names: "opening (-1 to 1)" }]);
+
+/// Volumes of a liquid over time.
+pub(crate) const VOLUMES: Vocabulary = over_time(&[
+    TIMES,
+    Need { wanted: "volumes", any_of: &[Meaning::Volume], names: "volume_mm3 or volume_ml" },
+]);
 
 /// Contractions over time.
 pub(crate) const CONTRACTIONS: Vocabulary = over_time(&[
@@ -342,7 +352,7 @@ pub const POINTS: Vocabulary = Vocabulary {
         of(Meaning::Length, "length", Some(Dimension::Length), NO, "length"),
         of(Meaning::RestLength, "rest_length", Some(Dimension::Length), NO, "rest_length"),
         of(Meaning::Force, "force", Some(Dimension::Force), &["force_n"], "force"),
-        of(Meaning::Volume, "volume", Some(Dimension::Volume), &["volume_mm3", "volume_ml"], "volume"),
+        VOLUME,
         of(
             Meaning::VolumeError,
             "volume_error",

@@ -47,6 +47,8 @@ pub enum Dimension {
     Volume,
     /// Densities, in kg/m³.
     Density,
+    /// Volume flows, in mm³/s.
+    Flow,
 }
 
 /// A unit: its spellings, the usual one first, and the exact fraction `num / den` that turns it into the unit used
@@ -164,6 +166,16 @@ const DENSITIES: &[Spelled] = &[
     (&["g/cm3", "g/cm³", "g/cm^3", "kg/L", "kg/l", "kg/dm3", "g/mL", "g/ml"], 1_000.0, 1.0),
 ];
 
+const FLOWS: &[Spelled] = &[
+    (&["mm3/s", "mm³/s", "mm^3/s"], 1.0, 1.0),
+    (&["mL/s", "ml/s", "cm3/s", "cm³/s"], 1_000.0, 1.0),
+    (&["mL/min", "ml/min", "cm3/min", "cm³/min"], 1_000.0, 60.0),
+    (&["L/s", "l/s", "dm3/s", "dm³/s"], 1_000_000.0, 1.0),
+    (&["L/min", "l/min"], 1_000_000.0, 60.0),
+    (&["L/h", "l/h"], 1_000_000.0, 3_600.0),
+    (&["m3/h", "m³/h"], 1_000_000_000.0, 3_600.0),
+];
+
 /// A dimension with its units, and how people speak of it.
 struct Kind {
     dimension: Dimension,
@@ -174,7 +186,7 @@ struct Kind {
 }
 
 /// One entry a dimension, in their order.
-const KINDS: [Kind; 20] = [
+const KINDS: [Kind; 21] = [
     Kind {
         dimension: Dimension::Length,
         units: LENGTHS,
@@ -314,6 +326,13 @@ const KINDS: [Kind; 20] = [
         noun: "a density",
         expectation: "a density such as 930kg/m3 or 0.93g/cm3 (a bare number is kg/m³)",
         end_of_name: Some("kg_per_m3"),
+    },
+    Kind {
+        dimension: Dimension::Flow,
+        units: FLOWS,
+        noun: "a volume flow",
+        expectation: "a volume flow such as \"0.5 L/min\", \"0.1 m3/h\" or \"5 mL/s\" (a bare number is mm³/s)",
+        end_of_name: Some("mm3_per_s"),
     },
 ];
 

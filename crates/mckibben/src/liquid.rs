@@ -94,6 +94,8 @@ pub struct Liquid {
     pub density_kg_per_m3: f64,
     /// Bulk modulus K in MPa without gas.
     pub bulk_modulus_mpa: f64,
+    /// Dynamic viscosity in Pa s without gas.
+    pub viscosity_pa_s: f64,
     /// Gas by volume at atmospheric pressure, α.
     pub gas_share: f64,
 }
@@ -110,6 +112,7 @@ impl Liquid {
             name: name.into(),
             density_kg_per_m3: entry.density_kg_per_m3,
             bulk_modulus_mpa: entry.bulk_modulus_mpa,
+            viscosity_pa_s: entry.viscosity_pa_s,
             gas_share,
         }
         .validated()

@@ -126,7 +126,7 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
         sized = sized.or(conductance);
         let wanted = match &drive.target {
             Target::Pressure(list) => list.iter().map(|c| c.bounds().1).collect(),
-            Target::Opening(_) | Target::Position { .. } => vec![],
+            _ => vec![],
         };
         for (i, highest) in highest_mpa.iter_mut().enumerate() {
             let reached = motion.series.muscles.get(i).map_or(&[][..], |m| &m.pressure_mpa);
@@ -205,13 +205,15 @@ impl Moved {
         mechanism: &'a dyn Mechanism,
     ) -> Drive<'a> {
         let muscles = self.models.iter().map(|model| Actuated {
-            air: file.air,
+            fluid: file.fluid.clone(),
             friction: model.muscle().friction().map(|f| Hysteresis::of(f, file.presliding.as_ref())),
             rubber: file.rubber.clone(),
             ..Actuated::new(&**model, file.actuator)
         });
         let mut target = file.target.clone();
-        if let (Target::Pressure(list) | Target::Opening(list), 1) = (&mut target, self.models.len()) {
+        if let (Target::Pressure(list) | Target::Opening(list) | Target::Volume(list), 1) =
+            (&mut target, self.models.len())
+        {
             // A joint with one muscle takes one command.
             list.truncate(1);
         }

@@ -78,7 +78,7 @@ impl SimulatedDrive {
         Ok(())
     }
 
-    /// One step on, with a command for each of the drive's (pressure in MPa, opening from −1 to 1, contraction ratio, or angle in degrees) and
+    /// One step on, with a command for each of the drive's (pressure in MPa, opening from −1 to 1, volume in mm³, contraction ratio, or angle in degrees) and
     /// from outside a force in N that stretches the muscle, or a torque in N m that turns the joint to +. A step that fails leaves all as
     /// it was.
     ///
@@ -94,12 +94,13 @@ impl SimulatedDrive {
         self.simulation.motion()
     }
 
-    /// What is commanded: `pressure`, `opening` or `position`, and how many commands there are.
+    /// What is commanded: `pressure`, `opening`, `volume` or `position`, and how many commands there are.
     pub fn commands(&self) -> (&'static str, usize) {
         let count = self.setup.moved.models.len();
         match &self.setup.file.target {
             Target::Pressure(list) => ("pressure", list.len().min(count)),
             Target::Opening(list) => ("opening", list.len().min(count)),
+            Target::Volume(list) => ("volume", list.len().min(count)),
             Target::Position { .. } => ("position", 1),
         }
     }

@@ -17,6 +17,9 @@ pub(super) const KEYS: &[&str] = &[
     "valve",
     "valve_1",
     "valve_2",
+    "volume",
+    "volume_1",
+    "volume_2",
     "position",
     "until",
     "output_step",
@@ -57,20 +60,24 @@ pub(super) fn target(
     };
     let pressures = each("pressure", OverTime::Pressure)?;
     let openings = each("valve", OverTime::Opening)?;
+    let volumes = each("volume", OverTime::Volume)?;
     let what = if about_joint { OverTime::Angle } else { OverTime::Contraction };
     let position = read_command(command, "position", what, tables)?;
-    match (pressures.is_empty(), openings.is_empty(), position) {
-        (false, true, None) => Ok(Target::Pressure(pressures)),
-        (true, false, None) => Ok(Target::Opening(openings)),
-        (true, true, Some(position)) => {
+    let given = [!pressures.is_empty(), !openings.is_empty(), !volumes.is_empty(), position.is_some()];
+    match (given, position) {
+        ([true, false, false, false], _) => Ok(Target::Pressure(pressures)),
+        ([false, true, false, false], _) => Ok(Target::Opening(openings)),
+        ([false, false, true, false], _) => Ok(Target::Volume(volumes)),
+        ([false, false, false, true], Some(position)) => {
             let position = if about_joint { position.scaled(std::f64::consts::PI / 180.0) } else { position };
             Ok(Target::Position { command: position, pid: controller(pid)? })
         }
-        (true, true, None) => base.cloned().ok_or_else(|| {
-            let expected = "what is commanded: pressure, valve (its opening) or position";
+        ([false, false, false, false], _) => base.cloned().ok_or_else(|| {
+            let expected =
+                "what is commanded: pressure, valve (its opening), volume (of a syringe) or position";
             command.missing("pressure", None, expected)
         }),
-        _ => Err(said(command, "until", "belongs to one command: give pressure, valve or position")),
+        _ => Err(said(command, "until", "belongs to one command: give pressure, valve, volume or position")),
     }
 }
 
@@ -116,6 +123,7 @@ fn read_command(
 ) -> Result<Option<Command>, FileError> {
     let dimension = match what {
         OverTime::Pressure => Some(Dimension::Pressure),
+        OverTime::Volume => Some(Dimension::Volume),
         OverTime::Opening => None,
         OverTime::Contraction => Some(Dimension::Ratio),
         OverTime::Angle => Some(Dimension::Angle),

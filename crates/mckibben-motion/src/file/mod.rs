@@ -2,13 +2,14 @@
 
 mod checks;
 mod command;
+mod liquid;
 mod tables;
 mod valve;
 
 pub use tables::Tables;
 
-use crate::air::Air;
 use crate::drive::{Actuator, Supply, Target};
+use crate::fluid::Fluid;
 use crate::friction;
 use crate::viscoelastic::{Branch, Prony};
 use checks::{above, at, said};
@@ -47,8 +48,8 @@ pub struct DriveFile {
     pub supply: Supply,
     /// What gives each muscle its air.
     pub actuator: Actuator,
-    /// Its air.
-    pub air: Air,
+    /// What fills it.
+    pub fluid: Fluid,
     /// The load of a muscle.
     pub load: Option<Load>,
     /// The contraction at which both ends of a muscle are held, in place of a load.
@@ -75,7 +76,10 @@ const TOP: &[&str] = &[
     "supply",
     "valve",
     "regulator",
+    "pump",
+    "syringe",
     "air",
+    "liquid",
     "load",
     "friction",
     "rubber",
@@ -117,7 +121,7 @@ impl DriveFile {
             subject,
             supply: Supply::default(),
             actuator,
-            air: Air::default(),
+            fluid: Fluid::default(),
             load: None,
             held: None,
             damping_n_s_per_m: 0.0,
@@ -151,8 +155,13 @@ fn read(text: &str, base: Option<&DriveFile>, tables: &Tables) -> Result<DriveFi
     let about_joint = matches!(subject, Subject::Joint(_));
     let supply =
         supply(&root.section("supply", "supply")?, base.map_or_else(Supply::default, |base| base.supply))?;
-    let actuator = valve::actuator(&root, base.map(|base| base.actuator))?;
-    let air = valve::air(&root.section("air", "air")?, supply.temperature_k)?;
+    let air = root.section("air", "air")?;
+    let fluid = match liquid::liquid(&root.section("liquid", "liquid")?, supply.temperature_k)? {
+        Some(_) if air.is_written() => return Err(said(&root, "air", "conflicts with [liquid]; keep one")),
+        Some(liquid) => Fluid::Liquid(liquid),
+        None => Fluid::Air(valve::air(&air, supply.temperature_k)?),
+    };
+    let actuator = valve::actuator(&root, base.map(|base| base.actuator), fluid.is_liquid())?;
     let load = root.section("load", "load")?;
     load.only(LOAD, LOAD)?;
     if about_joint && load.is_written() {
@@ -178,7 +187,7 @@ fn read(text: &str, base: Option<&DriveFile>, tables: &Tables) -> Result<DriveFi
         subject,
         supply,
         actuator,
-        air,
+        fluid,
         load: line(&load, base, tables)?,
         held: held(&load, base)?,
         damping_n_s_per_m: load
@@ -349,7 +358,8 @@ mod tests {
         assert_eq!(drive.supply, Supply { pressure_mpa: 0.6, temperature_k: 293.15 });
         let Actuator::Valve(valve) = drive.actuator else { panic!() };
         assert_eq!(valve.supply, Orifice::new(0.5, 0.3).unwrap());
-        assert_eq!((drive.air.heat, drive.air.dead_volume_mm3), (Heat::Transfer(25.0), 1e4));
+        let Fluid::Air(air) = &drive.fluid else { panic!() };
+        assert_eq!((air.heat, air.dead_volume_mm3), (Heat::Transfer(25.0), 1e4));
         assert_eq!(drive.presliding, None);
         assert_eq!((drive.damping_n_s_per_m, drive.stops_mm), (400.0, (-5.0, 80.0)));
         assert_eq!(drive.target, Target::Pressure(vec![Command::Steps(vec![(0.0, 0.0), (0.1, 0.3)])]));

@@ -1,6 +1,7 @@
-//! [valve], [regulator] and [air].
+//! [valve], [regulator], [pump], [syringe] and [air].
 
 use super::checks::{above, at, said};
+use super::liquid;
 use crate::air::{Air, Heat};
 use crate::catalogue::{CRITICAL_RATIO, known, valve_named};
 use crate::drive::Actuator;
@@ -17,6 +18,8 @@ const VALVE: &[&str] = &[
     "critical_ratio",
     "exhaust_conductance",
     "exhaust_critical_ratio",
+    "flow_coefficient",
+    "return_coefficient",
     "lag",
     "wide_open_at",
     "hysteresis",
@@ -24,36 +27,79 @@ const VALVE: &[&str] = &[
     "hose_length",
     "hose_diameter",
 ];
+const PUMP: &[&str] =
+    &["flow", "kind", "lag", "wide_open_at", "hysteresis", "closed_centre", "hose_length", "hose_diameter"];
 const AIR: &[&str] = &["dead_volume", "heat", "polytropic_index"];
 /// Where the command of a pressure opens a proportional valve wide, in MPa, and half of an on–off valve's dead band.
 const WIDE_OPEN_MPA: f64 = 0.05;
 const HYSTERESIS_MPA: f64 = 0.005;
 
+/// The tables of what gives the fluid.
+const ACTUATORS: [&str; 4] = ["valve", "regulator", "pump", "syringe"];
+
 /// The actuator; `base` where none is written.
-pub(super) fn actuator(root: &Section<'_>, base: Option<Actuator>) -> Result<Actuator, FileError> {
-    let (valve, regulator) = (root.section("valve", "valve")?, root.section("regulator", "regulator")?);
-    match (valve.is_written(), regulator.is_written()) {
-        (true, false) => {
-            let base = if let Some(Actuator::Valve(base)) = base { Some(base) } else { None };
-            Ok(Actuator::Valve(read_valve(&valve, base)?))
-        }
-        (false, true) => {
+pub(super) fn actuator(
+    root: &Section<'_>,
+    base: Option<Actuator>,
+    of_liquid: bool,
+) -> Result<Actuator, FileError> {
+    let sections = ACTUATORS.map(|name| root.section(name, name));
+    let [valve, regulator, pump, syringe] = sections;
+    let (valve, regulator, pump, syringe) = (valve?, regulator?, pump?, syringe?);
+    let written = [&valve, &regulator, &pump, &syringe].map(Section::is_written);
+    let mut names = ACTUATORS.iter().zip(written).filter(|(_, written)| *written).map(|(name, _)| *name);
+    if let (Some(first), Some(second)) = (names.next(), names.next()) {
+        return Err(said(root, second, format!("conflicts with [{first}]; keep one")));
+    }
+    match written {
+        [true, ..] => read_valve(&valve, base, of_liquid),
+        [_, true, ..] => {
             regulator.only(&["time_constant"], &["regulator.time_constant"])?;
             let time_constant_s = above(&regulator, "time_constant", Dimension::Time)?.ok_or_else(|| {
                 regulator.missing("time_constant", None, "how fast it follows, such as \"20 ms\"")
             })?;
             Ok(Actuator::Regulator { time_constant_s })
         }
-        (true, true) => Err(said(root, "regulator", "conflicts with [valve]; keep one")),
-        (false, false) => {
-            base.ok_or_else(|| root.missing("valve", None, "a [valve] or a [regulator] that gives the air"))
+        [_, _, true, _] => {
+            pump.only(PUMP, PUMP)?;
+            let base = if let Some(Actuator::Pump(base)) = base { Some(base) } else { None };
+            liquid::pump(&pump, kind(&pump)?, hose(&pump)?, base)
         }
+        [.., true] => liquid::syringe(
+            &syringe,
+            if let Some(Actuator::Syringe(base)) = base { Some(base) } else { None },
+        ),
+        _ => base.ok_or_else(|| {
+            let expected =
+                "a [valve] or a [regulator] that gives the air; of a liquid also a [pump] or a [syringe]";
+            root.missing("valve", None, expected)
+        }),
     }
 }
 
-/// A valve; the ways that it leaves out are those of `base`.
-fn read_valve(section: &Section<'_>, base: Option<Valve>) -> Result<Valve, FileError> {
+/// A valve, of air or of a liquid.
+fn read_valve(section: &Section<'_>, base: Option<Actuator>, of_liquid: bool) -> Result<Actuator, FileError> {
     section.only(VALVE, VALVE)?;
+    let (kind, hose) = (kind(section)?, hose(section)?);
+    if of_liquid {
+        let base = if let Some(Actuator::LiquidValve(base)) = base { Some(base) } else { None };
+        return Ok(Actuator::LiquidValve(liquid::valve(section, kind, hose, base)?));
+    }
+    for key in ["flow_coefficient", "return_coefficient"] {
+        if section.has(key) {
+            return Err(said(
+                section,
+                key,
+                "is of a liquid, and the file has no [liquid]; air needs sonic_conductance",
+            ));
+        }
+    }
+    let base = if let Some(Actuator::Valve(base)) = base { Some(base) } else { None };
+    Ok(Actuator::Valve(Valve { kind, hose, ..of_air(section, base)? }))
+}
+
+/// A valve; the ways that it leaves out are those of `base`.
+fn of_air(section: &Section<'_>, base: Option<Valve>) -> Result<Valve, FileError> {
     let named = match section.text("name", "the name of a valve, in quotes")? {
         None => base.map(|v| (v.supply, v.exhaust)),
         Some(name) => match valve_named(name) {
@@ -77,7 +123,12 @@ fn read_valve(section: &Section<'_>, base: Option<Valve>) -> Result<Valve, FileE
     })?;
     let own = named.filter(|_| !section.has("sonic_conductance") && !alike).map_or(supply, |v| v.1);
     let exhaust = path("exhaust_conductance", "exhaust_critical_ratio", Some(own))?.unwrap_or(supply);
-    let kind = match section.text("kind", "proportional or on-off, in quotes")?.unwrap_or("proportional") {
+    Ok(Valve { supply, exhaust, ..Valve::new(supply) })
+}
+
+/// How a valve or a pump moves.
+fn kind(section: &Section<'_>) -> Result<ValveKind, FileError> {
+    Ok(match section.text("kind", "proportional or on-off, in quotes")?.unwrap_or("proportional") {
         "proportional" => ValveKind::Proportional {
             time_constant_s: section.quantity("lag", Dimension::Time)?.unwrap_or(0.0),
             gain_per_mpa: 1.0 / above(section, "wide_open_at", Dimension::Pressure)?.unwrap_or(WIDE_OPEN_MPA),
@@ -87,9 +138,13 @@ fn read_valve(section: &Section<'_>, base: Option<Valve>) -> Result<Valve, FileE
             closed_centre: section.boolean("closed_centre")?.unwrap_or(true),
         },
         _ => return Err(said(section, "kind", "must be \"proportional\" or \"on-off\"")),
-    };
+    })
+}
+
+/// What is between a valve or a pump and the muscle.
+fn hose(section: &Section<'_>) -> Result<Option<Hose>, FileError> {
     let length = above(section, "hose_length", Dimension::Length)?;
-    let hose = match (above(section, "hose_diameter", Dimension::Length)?, length) {
+    Ok(match (above(section, "hose_diameter", Dimension::Length)?, length) {
         (Some(d), Some(l)) => Some(at(section, "hose_length", Hose::new(d, l))?),
         (None, None) => None,
         (Some(_), None) => {
@@ -98,8 +153,7 @@ fn read_valve(section: &Section<'_>, base: Option<Valve>) -> Result<Valve, FileE
         (None, Some(_)) => {
             return Err(section.missing("hose_diameter", Some("hose_length"), "the hose's inner diameter"));
         }
-    };
-    Ok(Valve { kind, supply, exhaust, hose })
+    })
 }
 
 pub(super) fn air(section: &Section<'_>, wall_temperature_k: f64) -> Result<Air, FileError> {

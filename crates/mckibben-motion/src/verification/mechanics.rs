@@ -5,6 +5,7 @@ use crate::air::{ATMOSPHERE_MPA, Air, Heat};
 use crate::command::Command;
 use crate::drive::{Actuated, Actuator, Drive, Target};
 use crate::equilibrium::equilibrium;
+use crate::fluid::Fluid;
 use crate::friction::Hysteresis;
 use crate::linear::Linear;
 use crate::mechanism::SingleMuscle;
@@ -51,7 +52,7 @@ fn balances() -> Option<Vec<VerificationRow>> {
         [("isothermal", Heat::Isothermal), ("adiabatic", Heat::Adiabatic), ("warm", Heat::Transfer(50.0))]
     {
         let mut muscle = Actuated::new(&*model, Actuator::Valve(valve()?));
-        muscle.air = Air { heat, dead_volume_mm3: 10e3, ..Air::default() };
+        muscle.fluid = Fluid::Air(Air { heat, dead_volume_mm3: 10e3, ..Air::default() });
         muscle.friction = Some(Hysteresis::of(&Friction::power_law(20.0, 0.7), None));
         muscle.rubber = Prony(vec![Branch { share: 0.2, time_constant_s: 0.05 }]);
         let steps = Command::Steps(vec![(0.0, 0.0), (0.1, 0.2), (0.8, 0.05)]);
@@ -112,7 +113,7 @@ fn shut() -> Vec<VerificationRow> {
 
 fn shut_drive<'a>(model: &'a dyn ForceModel, load: &'a SingleMuscle, heat: Heat) -> Option<Drive<'a>> {
     let mut muscle = Actuated::new(model, Actuator::Valve(valve()?));
-    muscle.air = Air { heat, dead_volume_mm3: 10e3, ..Air::default() };
+    muscle.fluid = Fluid::Air(Air { heat, dead_volume_mm3: 10e3, ..Air::default() });
     muscle.initial_pressure_mpa = Some(0.2);
     Some(Drive::new(load, vec![muscle], Target::Opening(vec![Command::Constant(0.0)]), 1.0))
 }

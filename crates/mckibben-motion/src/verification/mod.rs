@@ -2,9 +2,11 @@
 //!
 //! Each case is a row of the table that `mckibben validate` prints. The closed forms are those of `docs/motion.md`.
 
+mod liquid;
 mod mechanics;
 mod vessel;
 
+pub use liquid::liquid;
 pub use mechanics::{crossings, mechanics};
 pub use vessel::{Vessel, after, pressure, vessel};
 
@@ -18,6 +20,7 @@ use mckibben::verification::VerificationRow;
 pub fn cases() -> Vec<VerificationRow> {
     let mut rows = vessel();
     rows.extend(mechanics());
+    rows.extend(liquid());
     rows
 }
 

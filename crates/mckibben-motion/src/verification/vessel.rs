@@ -5,9 +5,10 @@
 //! T = T0 κ/(1 + (κ − 1) x0). A choked discharge is an exponential of time, or a power without heat.
 
 use super::ran;
-use crate::air::{ATMOSPHERE_MPA, Heat};
+use crate::air::{ATMOSPHERE_MPA, Air, Heat};
 use crate::command::Command;
 use crate::drive::{Actuated, Actuator, Drive, Target};
+use crate::fluid::Fluid;
 use crate::mechanism::SingleMuscle;
 use crate::motion::Motion;
 use crate::orifice::Orifice;
@@ -65,7 +66,7 @@ pub fn after(heat: Heat, opening: f64, from_mpa: f64, until_s: f64) -> Option<Mo
     let held = SingleMuscle::held(&model);
     let valve = Valve::new(Orifice::new(0.5, CRITICAL).ok()?);
     let mut muscle = Actuated::new(&model, Actuator::Valve(valve));
-    muscle.air.heat = heat;
+    muscle.fluid = Fluid::Air(Air { heat, ..Air::default() });
     muscle.initial_pressure_mpa = Some(from_mpa);
     let target = Target::Opening(vec![Command::Constant(opening)]);
     let mut drive = Drive::new(&held, vec![muscle], target, until_s);

@@ -11,7 +11,7 @@ use std::f64::consts::{PI, TAU};
 fn shut<'a>(model: &'a dyn ForceModel, load: &'a SingleMuscle, heat: Heat) -> Drive<'a> {
     let valve = Valve::new(Orifice::new(0.5, 0.3).unwrap());
     let mut muscle = Actuated::new(model, Actuator::Valve(valve));
-    muscle.air = Air { heat, dead_volume_mm3: 10e3, ..Air::default() };
+    muscle.fluid = Fluid::Air(Air { heat, dead_volume_mm3: 10e3, ..Air::default() });
     muscle.initial_pressure_mpa = Some(0.3);
     Drive::new(load, vec![muscle], Target::Opening(vec![Command::Constant(0.0)]), 1.0)
 }

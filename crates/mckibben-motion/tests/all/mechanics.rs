@@ -181,7 +181,7 @@ fn identity_a_slack_muscle_hangs_at_its_free_contraction_and_keeps_its_air() {
     let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
     let load = SingleMuscle { ..SingleMuscle::hanging(&*model, 3.0) };
     let mut muscle = Actuated::new(&*model, valve());
-    muscle.air.heat = Heat::Adiabatic;
+    muscle.fluid = Fluid::Air(Air { heat: Heat::Adiabatic, ..Air::default() });
     muscle.initial_pressure_mpa = Some(0.2);
     let target = Target::Opening(vec![Command::Constant(0.0)]);
     let mut drive = Drive::new(&load, vec![muscle], target, 1.0);

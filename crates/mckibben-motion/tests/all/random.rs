@@ -78,13 +78,14 @@ fn identity_random_drives_come_to_their_end_with_their_air_and_energy() {
         let actuator = draw.actuator();
         let target = draw.target(matches!(actuator, Actuator::Regulator { .. }));
         let mut muscle = Actuated::new(&*model, actuator);
-        muscle.air.dead_volume_mm3 = 20e3 * draw.next();
-        muscle.air.heat = match (4.0 * draw.next()) as u32 {
+        let dead_volume_mm3 = 20e3 * draw.next();
+        let heat = match (4.0 * draw.next()) as u32 {
             0 => Heat::Adiabatic,
             1 => Heat::Transfer(100.0 * draw.next()),
             2 => Heat::Polytropic(1.2),
             _ => Heat::Isothermal,
         };
+        muscle.fluid = Fluid::Air(Air { heat, dead_volume_mm3, ..Air::default() });
         let (coefficient, presliding_mm) = (40.0 * draw.next(), Some(0.05 + draw.next()));
         let lever_mm = if coefficient > 20.0 { 0.5 } else { 0.0 };
         let level = Friction { presliding_mm, lever_mm, ..Friction::power_law(coefficient, 0.7) };
@@ -93,7 +94,7 @@ fn identity_random_drives_come_to_their_end_with_their_air_and_energy() {
             muscle.rubber =
                 Prony(vec![Branch { share: 0.4 * draw.next(), time_constant_s: draw.power(-2.0, 0.0) }]);
         }
-        let said = format!("{actuator:?} {target:?} {load:?} {:?} {:?}", muscle.air, muscle.friction);
+        let said = format!("{actuator:?} {target:?} {load:?} {:?} {:?}", muscle.fluid, muscle.friction);
         let motion = match run(&Drive::new(&load, vec![muscle], target, 1.0), &Silent) {
             Ok(motion) => motion,
             Err(MotionError::NeverLifted { .. }) => continue,

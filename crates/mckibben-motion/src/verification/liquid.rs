@@ -1,0 +1,175 @@
+//! Liquids: a rigid vessel on a valve and on a pump, and a muscle on a syringe and with the liquid shut in against the static filling of the same
+//! muscle ([`mckibben::load::fill`]), which solves for the volume and knows nothing of motion.
+//!
+//! With Q = a⁻¹ … of a restriction Δp = a Q² + b Q, and K = V dp/dV of the liquid in a vessel V, the time from Q0 to Q1 is
+//! t = (V/K) (2 a (Q0 − Q1) + b ln(Q0/Q1)).
+
+use super::{Vessel, ran};
+use crate::command::Command;
+use crate::drive::{Actuated, Actuator, Drive, Target};
+use crate::fluid::Fluid;
+use crate::linear::Linear;
+use crate::liquid::{LiquidFill, LiquidValve, Pump, Restriction, Syringe};
+use crate::mechanism::SingleMuscle;
+use crate::motion::Motion;
+use crate::valve::ValveKind;
+use mckibben::analysis::Options;
+use mckibben::liquid::Liquid;
+use mckibben::load::{Fill, Filling, Load, fill};
+use mckibben::model::{ThickWall, Workspace};
+use mckibben::muscle::Muscle;
+use mckibben::verification::VerificationRow;
+use std::f64::consts::TAU;
+
+const CLOSED: &str = "closed form of a rigid vessel with a liquid";
+const STATIC: &str = "static filling of the same muscle with the same volume";
+const BALANCE: &str = "identity: what goes in, comes out and stays";
+/// Bulk modulus of the vessel's liquid in MPa, so that its volume changes by less than 10⁻⁵.
+const STIFF_MPA: f64 = 1e5;
+/// Volume of the vessel in mm³.
+const VOLUME_MM3: f64 = 0.2e6;
+const KV_MM3_PER_S: f64 = 10.0;
+const PUSHED_MM3: f64 = 60e3;
+const DEAD_MM3: f64 = 50e3;
+
+fn water(bulk_modulus_mpa: f64, dead_volume_mm3: f64) -> Option<Fluid> {
+    let liquid = Liquid::named("water", 0.0).ok()?.with_bulk_modulus(bulk_modulus_mpa).ok()?;
+    Some(Fluid::Liquid(LiquidFill { liquid, temperature_k: 293.15, dead_volume_mm3 }))
+}
+
+/// The pressure of the vessel in MPa after a time, from none.
+fn vessel(actuator: Actuator, until_s: f64) -> Option<f64> {
+    let model = Vessel::default();
+    let held = SingleMuscle::held(&model);
+    let muscle = Actuated {
+        fluid: water(STIFF_MPA, 0.0)?,
+        initial_pressure_mpa: Some(0.0),
+        ..Actuated::new(&model, actuator)
+    };
+    let mut drive = Drive::new(&held, vec![muscle], Target::Opening(vec![Command::Constant(1.0)]), until_s);
+    drive.tolerance.relative = 1e-10;
+    drive.output_step_s = until_s;
+    ran(&drive)?.series.muscles.first()?.pressure_mpa.last().copied()
+}
+
+/// The muscle with 10 kg of both comparisons.
+struct Hanging {
+    model: ThickWall,
+    load: Load,
+}
+
+impl Hanging {
+    fn new() -> Self {
+        let model = ThickWall::new(&Muscle::prototype());
+        Self { model, load: Load::Mass { mass_kg: 10.0, level: false } }
+    }
+
+    /// Where the volume of the syringe brings it; what is left in the syringe counts as dead volume.
+    fn filled(&self) -> Option<Fill> {
+        let liquid = Liquid::named("water", 0.0).ok()?;
+        let filling = Filling {
+            liquid: &liquid,
+            volume_mm3: PUSHED_MM3,
+            dead_volume_mm3: 2.0 * DEAD_MM3,
+            load: Some(&self.load),
+            held_at: None,
+        };
+        fill(&self.model, &mut Workspace::new(), &filling, Options::default()).ok()
+    }
+
+    fn load(&self) -> SingleMuscle {
+        SingleMuscle {
+            stops_mm: (0.0, 200.0),
+            damping_n_s_per_m: 500.0,
+            ..SingleMuscle::new(&self.model, self.load.clone())
+        }
+    }
+
+    fn muscle(&self, actuator: Actuator, dead_mm3: f64) -> Option<Actuated<'_>> {
+        Some(Actuated { fluid: water(2179.0, dead_mm3)?, ..Actuated::new(&self.model, actuator) })
+    }
+
+    /// The muscle that a syringe fills within a second, at rest.
+    fn pushed(&self) -> Option<Motion> {
+        let load = self.load();
+        let syringe = Syringe { volume_mm3: PUSHED_MM3 + DEAD_MM3, time_constant_s: 0.02 };
+        let muscle = self.muscle(Actuator::Syringe(syringe), DEAD_MM3)?;
+        let ramp = Command::Ramps(vec![(0.0, 0.0), (1.0, PUSHED_MM3)]);
+        let mut drive = Drive::new(&load, vec![muscle], Target::Volume(vec![ramp]), 6.0);
+        drive.tolerance.relative = 1e-8;
+        ran(&drive)
+    }
+
+    /// Frequency in Hz with the valve shut at the pressure of the filling.
+    fn hertz(&self, at: &Fill) -> Option<f64> {
+        let load = SingleMuscle { damping_n_s_per_m: 0.0, ..self.load() };
+        let way = Restriction::new(KV_MM3_PER_S).ok()?;
+        let valve = LiquidValve { kind: ValveKind::DEFAULT, supply: way, tank: way, line: None };
+        let mut muscle = self.muscle(Actuator::LiquidValve(valve), 2.0 * DEAD_MM3)?;
+        muscle.initial_pressure_mpa = Some(at.answer.response.pressure_mpa);
+        let target = Target::Opening(vec![Command::Constant(0.0)]);
+        Some(Linear::new(&Drive::new(&load, vec![muscle], target, 1.0)).ok()?.oscillation()?.0)
+    }
+}
+
+/// Vessels and a muscle.
+pub fn liquid() -> Vec<VerificationRow> {
+    let row = |name: &str, source, reference: f64, ours, tolerance| {
+        VerificationRow::new(format!("liquid: {name}"), source, reference, ours, tolerance)
+    };
+    let nan = |value: Option<f64>| value.unwrap_or(f64::NAN);
+    // Δp = a Q² + b Q at 1 bar and Kv, with the laminar term of a thousandth; from 0.6 to 0.15 MPa.
+    let (square, kv) = (0.1 * 0.9982 / KV_MM3_PER_S.powi(2), KV_MM3_PER_S);
+    let linear = 1e-3 * square * kv;
+    let flow = |p: f64| ((linear * linear + 4.0 * square * p).sqrt() - linear) / (2.0 * square);
+    let (fast, slow) = (flow(0.6), flow(0.15));
+    let until_s = VOLUME_MM3 / STIFF_MPA * (2.0 * square * (fast - slow) + linear * (fast / slow).ln());
+    let valve = Restriction::new(kv).ok().and_then(|way| {
+        let valve = LiquidValve { kind: ValveKind::DEFAULT, supply: way, tank: way, line: None };
+        vessel(Actuator::LiquidValve(valve), until_s)
+    });
+    let pump = Pump { kind: ValveKind::DEFAULT, flow_mm3_per_s: 2.0, line: None };
+    let pumped_s = 0.3 * VOLUME_MM3 / (STIFF_MPA * 2.0);
+    let hanging = Hanging::new();
+    let (filled, pushed) = (hanging.filled(), hanging.pushed());
+    let last = |of: &dyn Fn(&Motion) -> Option<f64>| pushed.as_ref().and_then(of);
+    let first = |m: &Motion| m.series.muscles.first().cloned();
+    let at = |of: &dyn Fn(&Fill) -> f64| filled.as_ref().map(of);
+    let pressure = last(&|m| first(m)?.pressure_mpa.last().copied());
+    let contraction = last(&|m| first(m)?.contraction.last().copied());
+    let work = last(&|m| Some(m.energies.exergy_j));
+    let energy = last(&|m| {
+        let e = m.energies;
+        Some((e.enthalpy_in_j - e.enthalpy_out_j - e.internal_j - e.gas_work_j) / e.enthalpy_in_j)
+    });
+    // Both ends of the filling's work against gauge pressure; the ramp is slow and the load damped, so that the piston's work has more.
+    let hertz = filled.as_ref().and_then(|at| hanging.hertz(at));
+    let shut = at(&|f| (1e3 * f.shut_stiffness_n_per_mm / 10.0).sqrt() / TAU);
+    let stored = at(&|f| f.pump_work_j);
+    let lost = last(&|m| Some(m.energies.damper_j + m.energies.kinetic_j + m.energies.impacts_j));
+    let without_losses = work.zip(lost).map(|(work, lost)| work - lost);
+    vec![
+        row("p of a vessel on a valve (MPa)", CLOSED, 0.45, valve, 1e-5),
+        row("p of a vessel on a pump (MPa)", CLOSED, 0.3, vessel(Actuator::Pump(pump), pumped_s), 1e-5),
+        row(
+            "p of a muscle on a syringe (MPa)",
+            STATIC,
+            nan(at(&|f| f.answer.response.pressure_mpa)),
+            pressure,
+            1e-6,
+        ),
+        row("its contraction", STATIC, nan(at(&|f| f.answer.response.contraction)), contraction, 1e-6),
+        row("work of its piston less what the damper took (J)", STATIC, nan(stored), without_losses, 1e-4),
+        row("10 kg on the muscle with the liquid shut in (Hz)", STATIC, nan(shut), hertz, 1e-4),
+        row("energy that is lost, of the work of the piston", BALANCE, 0.0, energy, 1e-6),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn closed_forms_and_static_fillings_come_out() {
+        let rows = super::liquid();
+        assert!(rows.iter().all(|row| row.ok), "{rows:#?}");
+    }
+}
