@@ -7,7 +7,7 @@ use crate::formula::{
     Body, Coefficients, Formula, FormulaErrors, FormulaRange, GlobalTerms, Made, Provenance, Scales,
     SealState, Term, paper_terms,
 };
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 /// The file of a formula for muscles of one make.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -86,6 +86,13 @@ impl Formula {
         };
         file.seal = sealed(state, &file, check);
         file
+    }
+}
+
+/// A formula is written as its file.
+impl Serialize for Formula {
+    fn serialize<S: Serializer>(&self, out: S) -> Result<S::Ok, S::Error> {
+        File::from(self.clone()).serialize(out)
     }
 }
 

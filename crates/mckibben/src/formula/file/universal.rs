@@ -6,7 +6,7 @@ use crate::formula::seal::Seal;
 use crate::formula::{
     Deficit, Form, Provenance, SealState, UniversalErrors, UniversalFormula, UniversalRange, UniversalTerm,
 };
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 /// The file of a universal formula.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -78,6 +78,13 @@ impl EndPowers {
             Form::Bulge => ([wall, angle, bulge, modulus, shortening], [slope, strain]),
         };
         (others == [0, 0]).then_some(list)
+    }
+}
+
+/// A formula is written as its file.
+impl Serialize for UniversalFormula {
+    fn serialize<S: Serializer>(&self, out: S) -> Result<S::Ok, S::Error> {
+        File::from(self.clone()).serialize(out)
     }
 }
 
