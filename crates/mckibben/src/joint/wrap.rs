@@ -6,7 +6,7 @@ use crate::muscle::Muscle;
 /// How a muscle lies on a pulley about the joint's axis.
 ///
 /// Of its end at the link that carries the pulley it lies on it over the angle α, which shrinks as the muscle shortens, α = α0 − Δ/(R + Ro); the rest of it is
-/// straight. Δ(φ) = (R + Ro) φ is that of its axis at rest, with the muscle's outer radius Ro; what the bulge and the bend change is in the pull of [`Bent`].
+/// straight. Δ(φ) = (R + Ro) φ is that of its axis at rest, with the muscle's outer radius Ro; what the bulge and the bend change is in the pull of [`Bent`](crate::model::Bent).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wrap {
     /// R in mm; negative on the other side.

@@ -20,6 +20,7 @@ mod bending;
 mod bent;
 mod equilibrium;
 mod rod;
+mod rod_in_bore;
 mod square;
 #[cfg(test)]
 mod tests;
@@ -27,7 +28,7 @@ mod tests;
 pub use bending::BendingStiffness;
 pub use bent::{BentMuscle, BentSection, BentState, OnPulley, Strands};
 pub(super) use equilibrium::State;
-use rod::RodInBore;
+use rod_in_bore::RodInBore;
 
 use super::{Accuracy, ModelEntry, ModelError, ModelInfo, ModelRange, Reference, Wall, Where, notes};
 use crate::muscle::{Crimp, EndFactor, Muscle};
@@ -148,7 +149,7 @@ impl ThickWall {
     /// Contact pressure between tube and braid in MPa, at a pressure and contraction, for strands that do not stretch.
     ///
     /// # Errors
-    /// [`ModelError`] as for [`ForceModel::response`].
+    /// [`ModelError`] as for [`ForceModel::response`](super::ForceModel::response).
     pub fn contact_pressure_mpa(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
         let l = 1.0 - contraction;
         let s = self.state(pressure_mpa, l)?;

@@ -33,7 +33,7 @@ pub struct RubberEntry {
     pub max_stress_mpa: Option<f64>,
     /// The laws fitted to it as they are published. Of a rubber with a curve they are for comparison.
     pub fits: Vec<RubberFit>,
-    /// Its measured curve, a path in `data/` of the repository, or [`TABLE_OF_FITS`].
+    /// Its measured curve, a path in `data/` of the repository, or [`TABLE_OF_FITS`](super::TABLE_OF_FITS).
     pub data: Option<String>,
     /// The laws fitted to that curve, from the smallest range of stretches to the widest.
     pub windows: Vec<Window>,
