@@ -1,6 +1,5 @@
 //! The sheets: A4 with a frame and a title block, and the scales in use.
 
-use crate::mark::MARK;
 use crate::plan::Plan;
 use crate::text::{fixed, mm, significant};
 use mckibben_report::{Anchor, Pen, Sheet};
@@ -22,7 +21,7 @@ pub(crate) struct Drawing {
 impl Drawing {
     /// The drawing in its true size, as DXF.
     pub(crate) fn to_dxf(&self) -> String {
-        self.sheet.to_dxf(1.0 / self.scale, &format!("{}, lengths in mm, 1:1", MARK))
+        self.sheet.to_dxf(1.0 / self.scale, &format!("{}, lengths in mm, 1:1", crate::mark::MARK))
     }
 }
 

@@ -1,7 +1,6 @@
 //! The plugs in OpenSCAD: the measures of this muscle as variables, the geometry from them.
 
 use crate::fitting::Fitting;
-use crate::mark::MARK;
 use crate::mesh::FACETS;
 use crate::plan::Plan;
 use crate::plug::Stem;
@@ -26,7 +25,7 @@ fn variables(plan: &Plan, stem: &Stem, what: &str) -> String {
          groove_depth = {depth};\n\
          collar_diameter = {collar};\n\
          collar = {thickness};          // thickness\n",
-        mark = MARK,
+        mark = crate::mark::MARK,
         bore = mm(stem.diameter_mm - stem.interference_mm),
         exact = n(stem.diameter_mm - stem.interference_mm),
         interference = n(stem.interference_mm),

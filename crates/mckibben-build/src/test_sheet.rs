@@ -1,6 +1,5 @@
 //! The sheet for the first test: pressures and lengths to set, the force to fill in. `identify` reads it as it is.
 
-use crate::mark::MARK;
 use crate::plan::Plan;
 use crate::text::{fixed, mm, pressure};
 use mckibben::muscle::Direction;
@@ -14,7 +13,7 @@ pub(crate) fn csv(plan: &Plan) -> String {
          # elongation while it falls. The pressure stays at or below {}.\n\
          # Then: mckibben identify muscle.toml --data test.csv -o found.toml\n\
          pressure_mpa,contraction,force_n,branch,distance between the clamps (mm)\n",
-        MARK,
+        crate::mark::MARK,
         mm(length_mm),
         pressure(plan.operating.pressure_mpa)
     );

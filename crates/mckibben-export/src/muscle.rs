@@ -1,10 +1,9 @@
 //! A muscle fitted for export, with all that an artefact states of it.
 
+use crate::MARK;
 use crate::error::ExportError;
 use crate::fit::{Fitted, FormErrors, Sample, Wanted, fit};
 use crate::form::Form;
-use crate::targets::Target;
-use crate::{Artefact, MARK};
 use mckibben::budget::Budget;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{Direction, file::to_toml};
@@ -175,13 +174,5 @@ impl ExportedMuscle {
     pub(crate) fn plain_name(&self) -> String {
         let plain = |c: char| if c.is_alphanumeric() || " _.-".contains(c) { c } else { '_' };
         self.name.chars().take(80).map(plain).collect::<String>().replace("--", "__")
-    }
-
-    /// The files for a target.
-    ///
-    /// # Errors
-    /// [`ExportError`].
-    pub fn to(&self, target: Target) -> Result<Artefact, ExportError> {
-        (target.entry().make)(self)
     }
 }

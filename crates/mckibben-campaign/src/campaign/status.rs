@@ -2,7 +2,7 @@
 
 use super::state::{Marker, Phase, State, host};
 use super::store::{Folder, Opened};
-use super::submit::Record;
+use super::submit::record::Record;
 use super::{CampaignError, Shard};
 use serde::Serialize;
 use std::collections::BTreeSet;

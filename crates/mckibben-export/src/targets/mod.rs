@@ -18,7 +18,9 @@ mod zip;
 
 pub use entry::TargetEntry;
 
+use crate::Artefact;
 use crate::error::ExportError;
+use crate::muscle::ExportedMuscle;
 use std::str::FromStr;
 
 macro_rules! targets {
@@ -79,5 +81,15 @@ impl FromStr for Target {
     fn from_str(name: &str) -> Result<Self, ExportError> {
         let found = Self::ALL.iter().copied().find(|t| t.entry().name == name.trim());
         found.ok_or_else(|| ExportError::Target { name: name.to_owned() })
+    }
+}
+
+impl ExportedMuscle {
+    /// The files for a target.
+    ///
+    /// # Errors
+    /// [`ExportError`].
+    pub fn to(&self, target: Target) -> Result<Artefact, ExportError> {
+        (target.entry().make)(self)
     }
 }

@@ -18,6 +18,7 @@ mod file;
 mod made;
 mod paper;
 mod seal;
+mod seal_state;
 mod show;
 mod terms;
 mod universal;
@@ -26,7 +27,7 @@ pub use error::FormulaError;
 pub use errors::{ErrorSummary, FormulaErrors, HeldOut, RegionErrors};
 pub use made::{Made, MadeBraid, MadeRubber, NamedBraid};
 pub use paper::{Coefficients, Section};
-pub use seal::SealState;
+pub use seal_state::SealState;
 pub use terms::{GlobalSection, GlobalTerms, PAPER_UNITS, Scales, Term, paper_terms};
 pub use universal::{
     Deficit, Form, UniversalErrors, UniversalFormula, UniversalRange, UniversalSummary, UniversalTerm,
@@ -106,8 +107,7 @@ impl Default for Provenance {
 }
 
 /// A formula with its data.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(into = "file::File")]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Formula {
     /// Its name, which answers carry.
     pub name: String,

@@ -21,6 +21,7 @@ mod tests;
 mod uncertainty;
 pub mod verification;
 mod wrap;
+mod wrapped;
 
 pub use error::JointError;
 pub use file::{JointFile, parse_joint};

@@ -8,8 +8,7 @@
 //!
 //! Derived here; Q carries all of the bulge.
 
-use super::WallEnergy;
-use super::wall::SquareEnergy;
+use super::wall_energy::{SquareEnergy, WallEnergy};
 use std::f64::consts::PI;
 
 /// A wall of Mooney–Rivlin rubber.

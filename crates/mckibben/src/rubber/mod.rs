@@ -4,6 +4,7 @@
 //! and what its energy is: laws written in the invariants I1, I2 by [`InvariantLaw`], others by [`RubberLaw`]. Everything
 //! else follows. All energies are in MPa (= N·mm/mm³) and vanish at rest.
 
+mod by_invariants;
 mod compound;
 mod constant;
 mod form;

@@ -1,6 +1,6 @@
 //! Named sleeves, from `data/braids.toml`, which states source and terms of each.
 
-use super::{Helix, Sleeve, SleeveError, SleeveShape};
+use super::{Helix, OF_STIFFNESS, Sleeve, SleeveError, SleeveShape};
 use crate::catalogue::{Catalogue, CatalogueError, Row};
 use crate::nearest::nearest;
 use std::fmt;
@@ -216,9 +216,6 @@ fn read_entry(row: &Row<'_>, materials: &'static [Material]) -> Result<SleeveEnt
         note: row.owned("note"),
     })
 }
-
-/// Estimates on which the stiffness depends.
-pub(super) const OF_STIFFNESS: [&str; 2] = ["strand_diameter", "strand_modulus"];
 
 /// A sleeve with what its source does not state taken from its material.
 fn estimated(mut sleeve: Sleeve, material: &Material, factor: Option<f64>) -> Sleeve {

@@ -63,6 +63,9 @@ pub struct Sleeve {
 /// 17 to 25 % of them.
 const COUNT_FACTOR: f64 = 1.25;
 
+/// Estimates on which the stiffness depends.
+const OF_STIFFNESS: [&str; 2] = ["strand_diameter", "strand_modulus"];
+
 /// Why a sleeve makes no braid of a muscle.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SleeveError {
@@ -290,7 +293,7 @@ impl Sleeve {
             ("strand_strength", strength_n.is_some()),
         ];
         self.estimated.retain(|key| !given.iter().any(|g| g.1 && g.0 == *key));
-        if !self.estimated.iter().any(|key| library::OF_STIFFNESS.contains(key)) {
+        if !self.estimated.iter().any(|key| OF_STIFFNESS.contains(key)) {
             self.factor = 1.0;
         }
         self

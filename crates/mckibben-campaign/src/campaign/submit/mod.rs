@@ -4,11 +4,10 @@
 //! after it, however its elements ended, the merge. What was submitted is in `.submitted` in the folder.
 
 mod engine;
-mod record;
+pub(super) mod record;
 mod slurm;
 
 pub use engine::SubmitEngine;
-pub(super) use record::Record;
 
 use super::state::Marker;
 use super::status::{ShardState, status};
@@ -17,7 +16,7 @@ use super::{CampaignError, Plan, Shard};
 use engine::{ask, command, quoted};
 use mckibben::progress::Progress;
 use mckibben_files::{read, replace};
-use record::{LONGEST, place};
+use record::{LONGEST, Record, place};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Duration;

@@ -3,8 +3,8 @@
 //! The unloaded muscle is the widest. With stiff strands its stretch ends at the neutral angle of 54.7°, so that most rubbers never reach it. The stretch at break
 //! is 1 plus the elongation at break of a test in one axis; in two axes, at notches and after ageing rubber breaks earlier.
 
+use super::failure::{FailurePressure, NoBurst};
 use super::radii::Radii;
-use super::{FailurePressure, NoBurst};
 use crate::analysis::ask::Options;
 use crate::analysis::characteristics::free_contraction;
 use crate::analysis::error::AnalysisError;

@@ -6,8 +6,8 @@
 //! core rod that leaves through a seal in it. T_clamp is
 //! the force at which it lets go, measured or of its maker.
 
+use super::failure::{FailurePressure, NoBurst};
 use super::strands::overloaded;
-use super::{FailurePressure, NoBurst};
 use crate::analysis::error::AnalysisError;
 use crate::budget::Budget;
 use crate::model::ForceModel;

@@ -15,8 +15,8 @@
 //! The opening is widest at 45°. P is the least one over the angles from that at rest to 54.7° (further with a core rod through a seal), since an unloaded muscle passes them all; the strands keep their
 //! length here and the rubber its volume. It is an estimate, good to a factor of about 2: rubbers stiffen, strands have edges, and openings differ.
 
+use super::failure::{FailurePressure, NoBurst};
 use super::radii::Radii;
-use super::{FailurePressure, NoBurst};
 use crate::analysis::root::find_root;
 use crate::muscle::Muscle;
 use crate::rubber::RubberLaw;

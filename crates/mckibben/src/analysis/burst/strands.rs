@@ -11,7 +11,7 @@
 //! muscle that a load stretches beyond its length at rest (ε < 0) bursts earlier; [`Warning::StrandsBreak`](crate::warning::Warning) says
 //! so of the answer in question.
 
-use super::{Burst, FailurePressure, NoBurst};
+use super::failure::{Burst, FailurePressure, NoBurst};
 use crate::analysis::error::AnalysisError;
 use crate::analysis::root::{RootError, find_root};
 use crate::budget::Budget;

@@ -1,42 +1,16 @@
 //! Formulas as JSON: the types that a file is read into and written from. Keys carry their unit.
 
 pub(super) mod check;
+mod head;
 mod section;
 mod universal;
 
 use super::error::{FormulaError, Problem};
-use super::{Document, Formula, SealState, UniversalFormula, seal};
-use section::{GlobalTerm, PaperTerm, SectionFile, global, paper};
-use serde::de::{DeserializeOwned, IgnoredAny};
-use serde::{Deserialize, Serialize};
+use super::{Body, Document, Formula, UniversalFormula, seal};
+use head::{Kind, Read, kind};
+use section::{GlobalTerm, PaperTerm, SectionFile, global, global_list, paper, paper_list};
+use serde::{Serialize, Serializer};
 use universal::{UniversalFile, universal};
-
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-enum Format {
-    #[serde(rename = "mckibben formula 1")]
-    One,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-enum Kind {
-    Paper,
-    Global,
-    Universal,
-}
-
-/// What every file has.
-#[derive(Debug, Deserialize)]
-#[serde(expecting = "an object")]
-struct Head {
-    format: Format,
-    kind: Kind,
-    /// Whatever else there is; with it a list is not taken for an object.
-    #[serde(flatten)]
-    _rest: IgnoredAny,
-}
 
 /// A formula's file.
 #[derive(Debug, Clone, Serialize)]
@@ -48,32 +22,45 @@ pub(super) enum File {
     Universal(UniversalFile),
 }
 
-/// The seal of a file that is as it was written.
-fn sealed(state: SealState, file: &impl Serialize, check: Option<seal::CheckPoint>) -> Option<seal::Seal> {
-    (state == SealState::Sealed).then(|| seal::Seal::of(file, check)).flatten()
+impl From<Formula> for File {
+    fn from(formula: Formula) -> Self {
+        match &formula.body {
+            Body::Paper(c) => {
+                let terms = paper_list(c);
+                Self::Paper(formula.file(Kind::Paper, None, terms))
+            }
+            Body::Global(t) => {
+                let (scales, terms) = (Some(t.scales), global_list(t));
+                Self::Global(formula.file(Kind::Global, scales, terms))
+            }
+        }
+    }
+}
+
+impl From<UniversalFormula> for File {
+    fn from(formula: UniversalFormula) -> Self {
+        Self::Universal(formula.into())
+    }
+}
+
+/// A formula is written as its file.
+impl Serialize for Formula {
+    fn serialize<S: Serializer>(&self, out: S) -> Result<S::Ok, S::Error> {
+        File::from(self.clone()).serialize(out)
+    }
+}
+
+/// A formula is written as its file.
+impl Serialize for UniversalFormula {
+    fn serialize<S: Serializer>(&self, out: S) -> Result<S::Ok, S::Error> {
+        File::from(self.clone()).serialize(out)
+    }
 }
 
 /// The text of a file, with a newline at the end.
 fn text(file: &impl Serialize) -> String {
     // Numbers, texts, lists and objects with texts as keys: nothing that JSON has not.
     serde_json::to_string_pretty(file).unwrap_or_default() + "\n"
-}
-
-type Read<T> = Result<T, FormulaError>;
-
-fn read<T: DeserializeOwned>(text: &str) -> Read<T> {
-    let mut source = serde_json::Deserializer::from_str(text);
-    let value = serde_path_to_error::deserialize(&mut source).map_err(|e| {
-        let path = e.path().to_string();
-        Problem::of(&path, e.inner())
-    })?;
-    source.end().map_err(|e| Problem::Json(e.to_string()))?;
-    Ok(value)
-}
-
-fn kind(text: &str) -> Read<Kind> {
-    let Head { format: Format::One, kind, .. } = read(text)?;
-    Ok(kind)
 }
 
 #[cfg(feature = "schema")]

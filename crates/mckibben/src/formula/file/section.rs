@@ -1,7 +1,8 @@
 //! The files of formulas for muscles of one make: the paper's, and sums of products of powers.
 
 use super::check::{is_zero, name, up_to};
-use super::{File, Format, Kind, Problem, Read, read, sealed};
+use super::head::{Format, Kind, Read, read, sealed};
+use crate::formula::error::Problem;
 use crate::formula::seal::Seal;
 use crate::formula::{
     Body, Coefficients, Formula, FormulaErrors, FormulaRange, GlobalTerms, Made, Provenance, Scales,
@@ -69,7 +70,12 @@ struct Powers {
 }
 
 impl Formula {
-    fn file<T: Serialize>(self, kind: Kind, scales: Option<Scales>, terms: Vec<T>) -> SectionFile<T> {
+    pub(super) fn file<T: Serialize>(
+        self,
+        kind: Kind,
+        scales: Option<Scales>,
+        terms: Vec<T>,
+    ) -> SectionFile<T> {
         let (state, check) = (self.seal, self.check_point());
         let mut file = SectionFile {
             format: Format::One,
@@ -89,26 +95,19 @@ impl Formula {
     }
 }
 
-impl From<Formula> for File {
-    fn from(formula: Formula) -> Self {
-        match &formula.body {
-            Body::Paper(c) => {
-                let terms =
-                    paper_terms(c).into_iter().map(|(name, unit, value)| PaperTerm { name, unit, value });
-                let terms = terms.collect();
-                Self::Paper(formula.file(Kind::Paper, None, terms))
-            }
-            Body::Global(t) => {
-                let one = |t: &Term| {
-                    let [wall_ratio, pressure, contraction, outer_diameter] = t.powers;
-                    let powers = Powers { wall_ratio, pressure, contraction, outer_diameter };
-                    GlobalTerm { name: t.name(), powers, unit: "MPa", value: t.value }
-                };
-                let (scales, terms) = (Some(t.scales), t.terms.iter().map(one).collect());
-                Self::Global(formula.file(Kind::Global, scales, terms))
-            }
-        }
-    }
+/// The terms of the paper's formula as its file has them.
+pub fn paper_list(c: &Coefficients) -> Vec<PaperTerm> {
+    paper_terms(c).into_iter().map(|(name, unit, value)| PaperTerm { name, unit, value }).collect()
+}
+
+/// The terms of a sum as its file has them.
+pub fn global_list(t: &GlobalTerms) -> Vec<GlobalTerm> {
+    let one = |t: &Term| {
+        let [wall_ratio, pressure, contraction, outer_diameter] = t.powers;
+        let powers = Powers { wall_ratio, pressure, contraction, outer_diameter };
+        GlobalTerm { name: t.name(), powers, unit: "MPa", value: t.value }
+    };
+    t.terms.iter().map(one).collect()
 }
 
 fn section<T>(file: SectionFile<T>, body: Body) -> Formula {

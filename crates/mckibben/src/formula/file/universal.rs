@@ -1,7 +1,8 @@
 //! The file of a formula for muscles of every make.
 
 use super::check::{is_zero, name, up_to};
-use super::{File, Format, Kind, Problem, Read, read, sealed};
+use super::head::{Format, Kind, Read, read, sealed};
+use crate::formula::error::Problem;
 use crate::formula::seal::Seal;
 use crate::formula::{
     Deficit, Form, Provenance, SealState, UniversalErrors, UniversalFormula, UniversalRange, UniversalTerm,
@@ -81,7 +82,7 @@ impl EndPowers {
     }
 }
 
-impl From<UniversalFormula> for File {
+impl From<UniversalFormula> for UniversalFile {
     fn from(formula: UniversalFormula) -> Self {
         let form = formula.deficit.form;
         let one = |t: &UniversalTerm| EndTerm {
@@ -91,7 +92,7 @@ impl From<UniversalFormula> for File {
             value: t.value,
         };
         let (state, check) = (formula.seal, formula.check_point());
-        let mut file = UniversalFile {
+        let mut file = Self {
             format: Format::One,
             kind: Kind::Universal,
             equation: formula.equation(),
@@ -104,7 +105,7 @@ impl From<UniversalFormula> for File {
             seal: None,
         };
         file.seal = sealed(state, &file, check);
-        Self::Universal(file)
+        file
     }
 }
 

@@ -6,7 +6,6 @@ mod range;
 pub use form::{Deficit, Form, UniversalTerm};
 pub use range::UniversalRange;
 
-use super::file::File;
 use super::file::check::share;
 use super::{Provenance, SealState};
 use serde::{Deserialize, Serialize};
@@ -56,8 +55,7 @@ impl UniversalErrors {
 }
 
 /// A universal formula with all that is known of it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(into = "File")]
+#[derive(Debug, Clone, PartialEq)]
 pub struct UniversalFormula {
     /// Its name, which answers carry.
     pub name: String,

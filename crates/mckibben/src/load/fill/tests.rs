@@ -1,5 +1,6 @@
 use super::*;
 use crate::analysis::{ATMOSPHERE_MPA, force_on, pressure_at};
+use crate::liquid::Liquid;
 use crate::model::{Ideal, ModelKind, ThickWall, gauss};
 use crate::muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube};
 use crate::rubber::{Law, NeoHookean};

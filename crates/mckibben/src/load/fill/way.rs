@@ -1,6 +1,6 @@
 //! The way of a muscle that is filled: at its length at rest, with its load, at the contraction at which it is held.
 
-use super::Filling;
+use super::filling::Filling;
 use crate::analysis::{
     AnalysisError, Options, RootError, find_root, force_on, pressure_at, response_on, slope_by_pressure,
     stiffness_of,

@@ -15,10 +15,12 @@
 //! out. A core rod in the bore bounds it ([`rod`]). Sources: Liu & Rahn (2003) \[liu2003\]; Soleymani & Khajehsaeid (2020) \[soleymani2020\] for inextensible strands; derived here for strands
 //! that stretch.
 
+mod answers;
 mod bending;
 mod bent;
 mod equilibrium;
 mod rod;
+mod rod_in_bore;
 mod square;
 #[cfg(test)]
 mod tests;
@@ -26,12 +28,9 @@ mod tests;
 pub use bending::BendingStiffness;
 pub use bent::{BentMuscle, BentSection, BentState, OnPulley, Strands};
 pub(super) use equilibrium::State;
-use rod::RodInBore;
+use rod_in_bore::RodInBore;
 
-use super::{
-    Accuracy, Contact, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, ModelRange,
-    Reference, Response, Wall, Where, Workspace, notes,
-};
+use super::{Accuracy, ModelEntry, ModelError, ModelInfo, ModelRange, Reference, Wall, Where, notes};
 use crate::muscle::{Crimp, EndFactor, Muscle};
 use crate::rubber::Law;
 use std::f64::consts::PI;
@@ -150,7 +149,7 @@ impl ThickWall {
     /// Contact pressure between tube and braid in MPa, at a pressure and contraction, for strands that do not stretch.
     ///
     /// # Errors
-    /// [`ModelError`] as for [`ForceModel::response`].
+    /// [`ModelError`] as for [`ForceModel::response`](super::ForceModel::response).
     pub fn contact_pressure_mpa(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
         let l = 1.0 - contraction;
         let s = self.state(pressure_mpa, l)?;
@@ -179,75 +178,5 @@ impl ThickWall {
                 (1.0 - k.at(p) * contraction, -k.at(p), slope)
             }
         }
-    }
-}
-
-impl ForceModel for ThickWall {
-    fn info(&self) -> &ModelInfo {
-        &self.info
-    }
-
-    fn response(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
-        let (l, l_eps, l_p) = self.stretch(pressure_mpa, contraction);
-        if let Some(parted) = self.parted(pressure_mpa, l)? {
-            return Ok(self.parted_response(&parted, (pressure_mpa, contraction), (l_eps, l_p)));
-        }
-        let s = self.state(pressure_mpa, l)?;
-        let length = self.info.muscle.length_mm();
-        let by_stretch = PI * length * (s.r * s.r + 2.0 * s.r * s.r_by[0] * l);
-        let response = Response {
-            pressure_mpa,
-            contraction,
-            force_n: s.force,
-            volume_mm3: Some(PI * (s.r * s.r * l - self.wall.section()) * length),
-            volume_per_pressure_mm3_per_mpa: Some(PI * length * 2.0 * s.r * s.r_by[1] * l + by_stretch * l_p),
-            volume_per_contraction_mm3: Some(by_stretch * l_eps),
-            stiffness_n_per_mm: Some(-s.force_l * l_eps / length),
-            force_per_pressure_mm2: Some(s.force_p + s.force_l * l_p),
-            bulged_diameter_mm: Some(2.0 * s.r),
-            middle_stretch: Some(self.wall.largest_stretch(l, s.r)),
-            max_stretch: Some(self.wall.largest_stretch(l, s.r)),
-            ..Response::default()
-        };
-        Ok(response.with_braid_tension(s.tension, self.info.muscle.braid().strands.map(|s| s.count)))
-    }
-
-    fn force_n(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
-        let (l, _, _) = self.stretch(pressure_mpa, contraction);
-        Ok(match self.parted(pressure_mpa, l)? {
-            Some(parted) => parted.force(),
-            None => self.state(pressure_mpa, l)?.force,
-        })
-    }
-
-    fn extensions(&self) -> Extensions<'_> {
-        Extensions { inverse: Some(self), contact: Some(self), rod_contact: true, ..Extensions::default() }
-    }
-}
-
-impl Inverse for ThickWall {
-    /// In closed form where strands do not stretch, else by Newton's method for the radius.
-    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        if matches!(self.info.muscle.terminals().end_factor, Some(EndFactor::OfPressure { .. })) {
-            return None;
-        }
-        let (l, _, _) = self.stretch(0.0, contraction);
-        self.pressure_for(force_n, l)
-    }
-}
-
-impl Contact for ThickWall {
-    fn pivoting_n_per_mm(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<f64, ModelError> {
-        self.pivoting(pressure_mpa, contraction)
     }
 }

@@ -20,21 +20,13 @@
 //!
 //! The shoulder between both parts is left out, as the ends are. Derived here; no measured muscle is known to compare with.
 
+use super::rod_in_bore::RodInBore;
 use super::{State, ThickWall};
 use crate::model::{ModelError, Response};
-use crate::muscle::Muscle;
 use crate::rubber::RubberLaw;
 use std::f64::consts::PI;
 
 const ITERATIONS: usize = 60;
-
-/// A rod in the bore.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct RodInBore {
-    radius_mm: f64,
-    /// a of one that ends inside.
-    share: Option<f64>,
-}
 
 /// Both parts of a muscle on a rod that ends inside, or one state of all of it.
 pub(super) struct Parted {
@@ -46,14 +38,6 @@ pub(super) struct Parted {
     /// V and ∂V/∂P over L0, both in mm³ per mm
     pub(super) volume: f64,
     pub(super) volume_p: f64,
-}
-
-impl RodInBore {
-    pub(super) fn of(muscle: &Muscle) -> Option<Self> {
-        let rod = muscle.rod()?;
-        let share = rod.length_mm.map(|length_mm| length_mm / muscle.ends().active_mm());
-        Some(Self { radius_mm: 0.5 * rod.diameter_mm, share })
-    }
 }
 
 impl Parted {

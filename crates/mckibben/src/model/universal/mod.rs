@@ -13,6 +13,7 @@
 mod coupled;
 mod dual;
 mod end;
+mod end_point;
 mod forces;
 mod form;
 mod pushing;
@@ -20,6 +21,9 @@ mod range;
 mod search;
 #[cfg(test)]
 mod tests;
+mod volume;
+
+pub use end_point::EndPoint;
 
 use super::{
     Accuracy, BlockedAt, ForceModel, ForcesError, ModelEntry, ModelError, ModelId, ModelInfo, Reference,
@@ -28,11 +32,8 @@ use super::{
 use crate::formula::{Form, UniversalFormula};
 use crate::muscle::Muscle;
 use crate::rubber::RubberLaw;
-use dual::Dual;
 use end::EndZone;
 use form::Bound;
-use pushing::Zero;
-use search::{ITERATIONS, SearchPoint};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -49,9 +50,6 @@ pub(super) const SMALL: ModelEntry = ModelEntry {
     description: "the same with ends of 16 terms, for hand calculation",
     source: SOURCE,
 };
-
-/// Where the muscle ceases to pull, at the pressure (its bits) asked last: what a [`Universal`] keeps in its workspace.
-type Kept = Option<(u64, Zero)>;
 
 /// cot²θ0 D0/L0 of a muscle whose error is as often below what 95 % of the fit's points stay within. Of `universal-small` these are 0.61 % of the
 /// blocked force, and 95 % of 5119 errors on 3000 random muscles of its box are below 1.25 % cot²θ0 D0/L0; below 1.53 % it is 95 % in every
@@ -80,19 +78,6 @@ pub struct Universal {
     id: ModelId,
 }
 
-/// What a point of known pull says about δ; for fits.
-#[derive(Debug, Clone, PartialEq)]
-pub struct EndPoint {
-    /// δ that gives the pull, in mm.
-    pub deficit_mm: f64,
-    /// δ of the form without its terms, in mm.
-    pub start_mm: f64,
-    /// What each product adds to δ with coefficient 1, in mm.
-    pub columns_mm: Vec<f64>,
-    /// dF/dδ at a given contraction, in N/mm.
-    pub force_by_deficit_n_per_mm: f64,
-}
-
 impl Universal {
     /// The formula for one muscle.
     pub fn new(formula: Arc<UniversalFormula>, muscle: &Muscle) -> Self {
@@ -117,62 +102,6 @@ impl Universal {
     /// The formula.
     pub fn formula(&self) -> &Arc<UniversalFormula> {
         &self.formula
-    }
-
-    /// What a point of known pull says about δ, for fits of the terms; `None` where the infinitely long muscle does not reach that pull.
-    pub fn end_point(
-        &self,
-        pressure_mpa: f64,
-        contraction: f64,
-        force_n: f64,
-        products: &[[u8; 5]],
-    ) -> Option<EndPoint> {
-        let p = pressure_mpa;
-        let mut l = self.guess(contraction);
-        let mut near = None;
-        for _ in 0..ITERATIONS {
-            let state = self.zone.wall.state_near(p, l, near).ok()?;
-            let step = (force_n - state.force) / state.force_l;
-            if !(step.is_finite() && state.force_l > 0.0) {
-                return None;
-            }
-            if step.abs() < 1e-12 {
-                let known = (&state, &self.zone);
-                let (start_mm, columns_mm) = self.deficit.columns((p, l), known, self.angle, products)?;
-                let m = self.middle(p, l, state, None)?;
-                return Some(EndPoint {
-                    deficit_mm: 0.5 * self.length * (1.0 - l - contraction),
-                    start_mm,
-                    columns_mm,
-                    force_by_deficit_n_per_mm: -2.0 * state.force_l / (self.length * self.slope(&m)),
-                });
-            }
-            near = Some(state.r);
-            l += step.clamp(-0.05, 0.05);
-        }
-        None
-    }
-
-    /// Volume of the cavity in mm³ with its derivatives in (ε, P): that of a uniform tube, and what the ends of a middle, as membranes,
-    /// take from it.
-    fn volume(&self, p: f64, place: &SearchPoint) -> Option<Dual> {
-        let tube = self.info.muscle.tube();
-        let section = tube.outer_radius_mm().powi(2) - tube.inner_radius_mm().powi(2);
-        let ends = &place.ends;
-        let ends = match ends.volume_mm3 {
-            Some(volume) => volume,
-            None => self.zone.at(p, ends.l, &ends.state, None)?.volume_mm3,
-        };
-        let (l, r) = (Dual::new(place.l, [1.0, 0.0]), Dual::new(place.state.r, place.state.r_by));
-        // The ends of a muscle that pushes are those of the contraction at which it ceases to pull.
-        let ends = match place.ends_by_pressure() {
-            Some(l_p) => Dual::new(ends.v, [0.0, ends.by[1] + ends.by[0] * l_p]),
-            None => ends,
-        };
-        let volume = (r.squared() * l - Dual::constant(section)) * (PI * self.length) + ends * 2.0;
-        let [by_l, by_p] = volume.by;
-        let volume = Dual::new(volume.v, [-by_l / place.slope, by_p + by_l * place.by_pressure]);
-        (volume.is_finite() && volume.v > 0.0).then_some(volume)
     }
 }
 

@@ -4,8 +4,8 @@
 //! tangent in λ at F = 0: ε = ε0 − (1 + (2/L0) ∂δ/∂λ)(λ − λ0). F and ∂F/∂ε are continuous, one ε has one λ, and where it pulls nothing changes.
 //! Answers there say where F = 0 lies, and that the muscle does not pull.
 
+use super::Universal;
 use super::search::{Middle, SearchPoint};
-use super::{Kept, Universal};
 use crate::model::thick_wall::State;
 use crate::model::{ModelError, Workspace};
 use crate::rubber::RubberLaw;
@@ -34,6 +34,9 @@ impl Zero {
         self.middle.l + (self.contraction - contraction) / self.slope
     }
 }
+
+/// Where the muscle ceases to pull, at the pressure (its bits) asked last: what a [`Universal`] keeps in its workspace.
+type Kept = Option<(u64, Zero)>;
 
 impl Universal {
     /// The same, from what is known of this pressure.

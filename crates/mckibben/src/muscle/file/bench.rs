@@ -2,7 +2,7 @@
 
 use super::error::{FileError, Problem};
 use super::source::Section;
-use super::write::{Text, number, quantity, text};
+use super::text::{Text, number, quantity, text};
 use crate::muscle::{Bench, Direction};
 use crate::units::Dimension;
 
@@ -30,7 +30,7 @@ pub(super) fn read(section: &Section<'_>) -> Result<Option<Bench>, FileError> {
     if !section.is_written() {
         return Ok(None);
     }
-    section.only(KEYS, &super::read::ALL)?;
+    section.only(KEYS, &super::keys::ALL)?;
     let missing = |key: &str| {
         section.missing(
             key,

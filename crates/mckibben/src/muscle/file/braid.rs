@@ -1,7 +1,7 @@
 //! The section `[braid]`: a stiffness, or the strands it is made of.
 
 use super::error::{FileError, Problem};
-use super::read::{ALL, keys, measures};
+use super::keys::{ALL, keys, measures};
 use super::source::{Section, WordOr};
 use crate::muscle::measures::STRANDS;
 use crate::muscle::{Braid, BraidStiffness, MuscleError, Parts, Strands};

@@ -1,7 +1,7 @@
 //! What the tube is made of: `rubber = "name"`, or `[tube.material]` with a law and its constants.
 
 use super::error::{FileError, Problem};
-use super::read::ALL;
+use super::keys::ALL;
 use super::source::{Section, WordOr};
 use crate::muscle::{Bulk, Conditioned, MuscleError, Rubber};
 use crate::nearest::nearest;

@@ -19,9 +19,11 @@
 mod bench;
 mod braid;
 mod error;
+mod keys;
 mod material;
 mod read;
 mod source;
+mod text;
 mod values;
 mod write;
 
@@ -32,14 +34,11 @@ mod tests;
 
 pub use error::{FileError, Problem, TextPosition};
 pub use read::{parse_muscle, parse_muscle_beside};
-pub use source::{Section, Source, WordOr};
+pub use source::{MAX_BYTES, Section, Source, WordOr};
 pub use write::to_toml;
 
 use super::Muscle;
 use std::path::Path;
-
-/// The longest muscle file in bytes.
-pub const MAX_BYTES: usize = 1 << 20;
 
 /// Reads a muscle file.
 ///

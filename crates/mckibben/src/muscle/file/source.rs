@@ -1,6 +1,5 @@
 //! A parsed file that knows where everything stands: sections, and typed look-ups in them.
 
-use super::MAX_BYTES;
 use super::error::{FileError, Problem, TextPosition};
 use super::values::{PLAIN, kind, shortened, to_number, to_quantity, value_kind};
 use crate::nearest::nearest;
@@ -8,6 +7,9 @@ use crate::units::{Dimension, Values, parse_values};
 use std::borrow::Cow;
 use std::ops::Range;
 use toml_edit::{Document, Item, TableLike, TomlError, Value};
+
+/// The longest muscle file in bytes.
+pub const MAX_BYTES: usize = 1 << 20;
 
 /// Where a byte offset lies in a text.
 pub(super) fn place(text: &str, offset: usize) -> TextPosition {

@@ -1,15 +1,12 @@
 //! Muscle → text that [`parse_muscle`](super::parse_muscle) reads back as the same muscle.
 
+use super::text::{Text, number, quantity, text};
 use crate::muscle::measures::{Written, of_section};
 use crate::muscle::{Braid, BraidStiffness, Bulk, Conditioned, EndFactor, Measure, Muscle, Rubber};
 use crate::rubber::library;
 use crate::rubber::over_time::Branch;
 use crate::sleeve::{self, Sleeve};
 use crate::units::Dimension;
-use std::fmt::Write;
-
-/// The column of the comments.
-const COMMENT: usize = 33;
 
 /// The text of a muscle file. Reading it gives the same muscle to the last bit, save that a cross-section of
 /// strands which the braid's stiffness does not use is left as a comment, and that a strain in percent may differ in its last bit.
@@ -50,32 +47,10 @@ pub fn to_toml(muscle: &Muscle) -> String {
     if let Some(bench) = muscle.bench() {
         super::bench::write(&mut out, bench);
     }
-    out.0
+    out.into_string()
 }
 
-#[derive(Default)]
-pub(super) struct Text(String);
-
 impl Text {
-    fn line(&mut self, line: &str) {
-        self.0.push_str(line);
-        self.0.push('\n');
-    }
-
-    pub(super) fn table(&mut self, name: &str) {
-        self.line(&format!("\n[{name}]"));
-    }
-
-    pub(super) fn key(&mut self, key: &str, value: &str, comment: &str) {
-        let mut line = format!("{key} = {value}");
-        if !comment.is_empty() {
-            let gap = COMMENT.saturating_sub(line.chars().count()).max(1);
-            // Writing to a string does not fail.
-            let _ = write!(line, "{:gap$}# {comment}", "");
-        }
-        self.line(&line);
-    }
-
     /// The measures of a table that are stated.
     fn measures(&mut self, muscle: &Muscle, section: &str) {
         for (measure, value) in written(muscle, section) {
@@ -222,36 +197,9 @@ fn named_sleeve(braid: &Braid, outer_diameter_mm: f64) -> Option<Sleeve> {
     braid.clone().with_stated_angle(braid.angle_deg, outer_diameter_mm).is_ok().then_some(sleeve)
 }
 
-/// A text in quotes, on one line.
-pub(super) fn text(text: &str) -> String {
-    let mut out = String::from("\"");
-    for c in text.chars() {
-        match c {
-            '"' | '\\' => out.extend(['\\', c]),
-            c if c.is_control() => {
-                let _ = write!(out, "\\u{:04X}", u32::from(c));
-            }
-            c => out.push(c),
-        }
-    }
-    out.push('"');
-    out
-}
-
-/// The shortest digits that read back as the same number, with a unit.
-pub(super) fn quantity(value: f64, unit: &str) -> String {
-    let plain = value == 0.0 || (1e-6..1e15).contains(&value.abs());
-    if plain { format!("\"{value} {unit}\"") } else { format!("\"{value:e} {unit}\"") }
-}
-
 /// A ratio in percent that reads back as the same number, where there is one.
 fn percent(ratio: f64) -> String {
     let usual = 100.0 * ratio;
     let found = [usual, usual.next_up(), usual.next_down()].into_iter().find(|p| p / 100.0 == ratio);
     quantity(found.unwrap_or(usual), "%")
-}
-
-/// The shortest digits that read back as the same number.
-pub(super) fn number(value: f64) -> String {
-    format!("{value:?}")
 }

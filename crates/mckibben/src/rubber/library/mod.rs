@@ -6,11 +6,15 @@
 //! rubbers without a measured curve the data are those that their table of fits stands for ([`TABLE_OF_FITS`]). [`warnings`] says what to
 //! mind.
 
+mod entry;
+mod error;
 mod hardness;
 mod named;
 mod read;
 mod window;
 
+pub use entry::{RubberEntry, RubberFit};
+pub use error::LibraryError;
 pub(crate) use named::following;
 pub use named::{
     COVERING, USUAL_REACH, find, find_for, follows, is_known_from_one_axis, of_equal_standing,
@@ -18,13 +22,11 @@ pub use named::{
 };
 pub use window::{Standing, Window, WindowLaw};
 
-use super::{Law, Stability, biaxial_stability};
+use super::{Stability, biaxial_stability};
 use crate::nearest::nearest;
 use crate::rubber::Rubber;
-use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::OnceLock;
-use thiserror::Error;
 
 /// The table of published fits of silicones, as a path in `data/` of the repository.
 pub const TABLE_OF_FITS: &str = "silicones/uniaxial_fits.csv";
@@ -32,102 +34,6 @@ pub const TABLE_OF_FITS: &str = "silicones/uniaxial_fits.csv";
 /// Hoop stretch up to which a law should be stable: that of a 20° braid contracted to 54.7°, sin 54.7°/sin 20° = 2.39,
 /// and a little more for the bore.
 pub const LARGEST_HOOP_STRETCH: f64 = 2.5;
-
-/// A rubber of the library.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct RubberEntry {
-    /// Name in kebab-case, such as `dragon-skin-30`.
-    pub name: String,
-    /// Other names it answers to.
-    pub aliases: Vec<String>,
-    /// What it is, for people.
-    pub title: String,
-    /// Where the data come from.
-    pub source: String,
-    /// Terms under which the data may be used.
-    pub terms: String,
-    /// Whether its tests are uniaxial alone.
-    pub one_axis: bool,
-    /// What else one should know.
-    pub note: Option<String>,
-    /// Factor within which its stiffness is known; 1 where a measured curve is behind it.
-    #[serde(default = "one")]
-    pub factor: f64,
-    /// Density in kg/m³, where it is known.
-    #[serde(default)]
-    pub density_kg_per_m3: Option<f64>,
-    /// Largest engineering strain of the test (failure, for the silicones).
-    pub max_strain: Option<f64>,
-    /// Nominal stress there, in MPa.
-    pub max_stress_mpa: Option<f64>,
-    /// The laws fitted to it as they are published. Of a rubber with a curve they are for comparison.
-    pub fits: Vec<RubberFit>,
-    /// Its measured curve, a path in `data/` of the repository, or [`TABLE_OF_FITS`].
-    pub data: Option<String>,
-    /// The laws fitted to that curve, from the smallest range of stretches to the widest.
-    pub windows: Vec<Window>,
-}
-
-fn one() -> f64 {
-    1.0
-}
-
-/// A published law of a rubber.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct RubberFit {
-    /// The law with its constants.
-    #[serde(flatten)]
-    pub law: Law,
-    /// Engineering strain up to which data were used.
-    pub up_to_strain: Option<f64>,
-    /// R² of the fit, where it is known.
-    pub r_squared: Option<f64>,
-}
-
-/// Why there is no such rubber.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum LibraryError {
-    /// No rubber of that name.
-    #[error(
-        "there is no rubber named \"{name}\"{}",
-        .nearest.as_ref().map_or_else(
-            || format!("; known: {}", .known.join(", ")),
-            |n| format!(" (did you mean {n}?)"),
-        )
-    )]
-    UnknownRubber {
-        /// The name as given.
-        name: String,
-        /// The name that was probably meant.
-        nearest: Option<String>,
-        /// All names.
-        known: Vec<String>,
-    },
-    /// The rubber is there, but not with this law.
-    #[error("{rubber} has no fit of the law \"{law}\"; it has {}", .available.join(", "))]
-    NoSuchFit {
-        /// The rubber.
-        rubber: String,
-        /// The law as given.
-        law: String,
-        /// Laws it has.
-        available: Vec<String>,
-    },
-    /// A hardness or a stress of a data sheet that cannot be read.
-    #[error("\"{given}\" is not a rubber by its data sheet: {problem}")]
-    DataSheet {
-        /// What was given.
-        given: String,
-        /// What is wrong, and what would be right.
-        problem: &'static str,
-    },
-    /// The built-in table cannot be read.
-    #[error("the built-in table of rubbers is damaged: {what}")]
-    Damaged {
-        /// What is wrong with it.
-        what: String,
-    },
-}
 
 /// All rubbers, in the order of the table.
 ///

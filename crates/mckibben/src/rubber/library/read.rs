@@ -1,6 +1,7 @@
 //! The table of rubbers, from TOML.
 
-use super::{LibraryError, RubberEntry, RubberFit};
+use super::entry::{RubberEntry, RubberFit};
+use super::error::LibraryError;
 use crate::catalogue::{Catalogue, CatalogueError, Row};
 use crate::rubber::{Constant, Law, NEEDS_ALL, foreign};
 use toml_edit::Value;

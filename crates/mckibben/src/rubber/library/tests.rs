@@ -1,4 +1,5 @@
 use super::*;
+use crate::rubber::Law;
 use crate::rubber::{MooneyRivlin, RubberLaw};
 
 /// The shipped CSV as records.

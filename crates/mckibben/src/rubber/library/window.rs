@@ -3,7 +3,7 @@
 //! `mckibben_fit::rubber::windows_of` makes them, so that they are what `rubber fit DATA --up-to STRETCH` prints; `cargo xtask golds`
 //! writes the file. It is read when a rubber with a curve is named: fits take 1 to 80 ms a window, reading takes none of it.
 
-use super::LibraryError;
+use super::error::LibraryError;
 use crate::rubber::Law;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::model::{ModelKind, Response, Workspace};
+use crate::muscle::Muscle;
 use crate::muscle::{Braid, BraidStiffness, Rubber, Terminals, Tube};
 use crate::rubber::{Law, NeoHookean, Yeoh};
 

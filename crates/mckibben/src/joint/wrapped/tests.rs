@@ -2,7 +2,8 @@
 
 use super::*;
 use crate::joint::{Joint, JointModel, JointPoint, Link, Turning, parse_joint};
-use crate::model::{ModelKind, ThickWall, Workspace};
+use crate::model::{ModelKind, Strands, ThickWall, Workspace};
+use crate::muscle::Muscle;
 
 fn on_its_pulley(radius_mm: f64, friction: f64) -> JointMuscle {
     let muscle = Muscle::prototype();

@@ -1,0 +1,190 @@
+//! How a muscle fails, at which pressure, and why that is not known.
+
+use crate::muscle::Muscle;
+use serde::Serialize;
+use std::fmt;
+
+/// Burst pressure over allowed pressure, of strands and clamps: that of new hose for compressed air (RMA, Hose Handbook, IP-2, 2003).
+pub const SAFETY: f64 = 4.0;
+
+/// How a muscle fails.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum FailureMode {
+    /// A strand breaks.
+    Strands,
+    /// The tube bulges through an opening of the braid.
+    Mesh,
+    /// The rubber tears.
+    Bladder,
+    /// Tube and braid are pulled off a plug.
+    Ends,
+}
+
+impl FailureMode {
+    /// The share of a safety factor that this failure needs: a half where the tube fails. It leaks then, and flies apart in no case; the pressure is that of
+    /// the unloaded muscle, at the widest openings, and builders use muscles up to 0.9 of it.
+    pub fn share(self) -> f64 {
+        match self {
+            Self::Strands | Self::Ends => 1.0,
+            Self::Mesh | Self::Bladder => 0.5,
+        }
+    }
+}
+
+impl fmt::Display for FailureMode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Strands => "its strands break",
+            Self::Mesh => "the tube bulges through the openings of the braid",
+            Self::Bladder => "the rubber tears",
+            Self::Ends => "the clamps let go",
+        })
+    }
+}
+
+/// The pressure of one failure mode.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FailurePressure {
+    /// In MPa.
+    At(f64),
+    /// At no pressure that the other parts bear.
+    None,
+    /// A number is missing, or the model has no answer up to there.
+    Unknown(NoBurst),
+}
+
+impl FailurePressure {
+    /// In MPa, where there is one.
+    pub fn mpa(self) -> Option<f64> {
+        match self {
+            Self::At(p) => Some(p),
+            Self::None | Self::Unknown(_) => None,
+        }
+    }
+}
+
+/// Why the pressure of a failure mode is not known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum NoBurst {
+    /// Neither the number of the strands nor their strength is stated.
+    NoStrands,
+    /// The number of the strands is stated, and their strength is not.
+    NoStrength,
+    /// How many strands lie side by side, or how thick they are, is not stated.
+    NoOpening,
+    /// The elongation at break of the rubber is not known.
+    NoElongation,
+    /// The pull-off force of the clamps is not stated.
+    NoPullOff,
+    /// The model has no answer beyond this pressure in MPa, and nothing fails up to it.
+    NoAnswer {
+        /// The largest pressure with an answer.
+        up_to_mpa: f64,
+    },
+}
+
+impl fmt::Display for NoBurst {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoStrands => f.write_str(
+                "the strength of the braid is not stated; give `strands` (how many) and `strand_strength` (such as \"40 N\") in [braid] of the muscle file",
+            ),
+            Self::NoStrength => f.write_str(
+                "the strength of the strands is not stated; give `strand_strength` (such as \"40 N\") in [braid] of the muscle file",
+            ),
+            Self::NoOpening => f.write_str(
+                "the openings of the braid are not stated; give `strands`, `strand_area` and `strands_per_carrier` in [braid] of the muscle file",
+            ),
+            Self::NoElongation => f.write_str("the elongation at break of this rubber is not known"),
+            Self::NoPullOff => {
+                f.write_str("the pull-off force of the clamps is not stated; give `pull_off` in [terminals] of the muscle file")
+            }
+            Self::NoAnswer { up_to_mpa } if *up_to_mpa == 0.0 => {
+                f.write_str("the model has no answer for the blocked muscle; another model may answer")
+            }
+            Self::NoAnswer { up_to_mpa } => write!(
+                f,
+                "the model has no answer beyond {up_to_mpa:.3} MPa ({:.2} bar), and nothing fails up to there; another model may answer",
+                10.0 * up_to_mpa
+            ),
+        }
+    }
+}
+
+/// The pressures at which a muscle fails.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Burst {
+    /// A strand breaks.
+    pub strands: FailurePressure,
+    /// The tube bulges through the braid.
+    pub mesh: FailurePressure,
+    /// The rubber tears.
+    pub bladder: FailurePressure,
+    /// The clamps let go.
+    pub ends: FailurePressure,
+    /// The pressure for which the fittings are rated, in MPa.
+    pub rated_mpa: Option<f64>,
+    /// The answering model has no tension of the strands, and the thick-wall model gave it.
+    pub from_thick_wall: bool,
+}
+
+impl Burst {
+    /// One of which nothing is known.
+    pub fn unknown(why: NoBurst) -> Self {
+        let none = FailurePressure::Unknown(why);
+        Self { strands: none, mesh: none, bladder: none, ends: none, rated_mpa: None, from_thick_wall: false }
+    }
+
+    /// All failure modes.
+    pub fn modes(&self) -> [(FailureMode, FailurePressure); 4] {
+        [
+            (FailureMode::Strands, self.strands),
+            (FailureMode::Mesh, self.mesh),
+            (FailureMode::Bladder, self.bladder),
+            (FailureMode::Ends, self.ends),
+        ]
+    }
+
+    /// The failure that comes first, with its pressure in MPa.
+    pub fn first(&self) -> Option<(FailureMode, f64)> {
+        let known = self.modes().into_iter().filter_map(|(mode, p)| Some((mode, p.mpa()?)));
+        known.reduce(|a, b| if b.1 < a.1 { b } else { a })
+    }
+
+    /// P_b in MPa, where it is known.
+    pub fn pressure_mpa(&self) -> Option<f64> {
+        Some(self.first()?.1)
+    }
+
+    /// The failure that a safety factor leaves least pressure for, with its pressure over the factor's share ([`FailureMode::share`]) in MPa.
+    pub fn decisive(&self) -> Option<(FailureMode, f64)> {
+        let known = self.modes().into_iter().filter_map(|(mode, p)| Some((mode, p.mpa()? / mode.share())));
+        known.reduce(|a, b| if b.1 < a.1 { b } else { a })
+    }
+
+    /// The allowed pressure in MPa, and the failure that it keeps its distance from; none where the fittings are rated for less.
+    pub fn allowed(&self) -> Option<(f64, Option<FailureMode>)> {
+        let safe = self.decisive().map(|(mode, p)| (p / SAFETY, Some(mode)));
+        let rated = self.rated_mpa.map(|p| (p, None));
+        [safe, rated].into_iter().flatten().reduce(|a, b| if b.0 < a.0 { b } else { a })
+    }
+
+    /// Why the strength of the strands was not checked.
+    pub fn not_checked(&self) -> Option<NoBurst> {
+        match self.strands {
+            FailurePressure::Unknown(why) => Some(why),
+            FailurePressure::At(_) | FailurePressure::None => None,
+        }
+    }
+
+    /// What a muscle must state for the pressure at which its strands break to be known.
+    pub fn missing(muscle: &Muscle) -> Option<NoBurst> {
+        match muscle.braid().strands {
+            None => Some(NoBurst::NoStrands),
+            Some(strands) if strands.strength_n.is_none() => Some(NoBurst::NoStrength),
+            Some(_) => None,
+        }
+    }
+}

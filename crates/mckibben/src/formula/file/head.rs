@@ -1,0 +1,59 @@
+//! What every file of a formula has: its format, its kind, its seal.
+
+use crate::formula::error::{FormulaError, Problem};
+use crate::formula::seal::{CheckPoint, Seal};
+use crate::formula::seal_state::SealState;
+use serde::de::{DeserializeOwned, IgnoredAny};
+use serde::{Deserialize, Serialize};
+
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(super) enum Format {
+    #[serde(rename = "mckibben formula 1")]
+    One,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(super) enum Kind {
+    Paper,
+    Global,
+    Universal,
+}
+
+/// What every file has.
+#[derive(Debug, Deserialize)]
+#[serde(expecting = "an object")]
+struct Head {
+    format: Format,
+    kind: Kind,
+    /// Whatever else there is; with it a list is not taken for an object.
+    #[serde(flatten)]
+    _rest: IgnoredAny,
+}
+
+/// The seal of a file that is as it was written.
+pub(super) fn sealed(state: SealState, file: &impl Serialize, check: Option<CheckPoint>) -> Option<Seal> {
+    (state == SealState::Sealed).then(|| Seal::of(file, check)).flatten()
+}
+
+/// What is read, or why it is no formula.
+pub(super) type Read<T> = Result<T, FormulaError>;
+
+/// Reads a text to its end.
+pub(super) fn read<T: DeserializeOwned>(text: &str) -> Read<T> {
+    let mut source = serde_json::Deserializer::from_str(text);
+    let value = serde_path_to_error::deserialize(&mut source).map_err(|e| {
+        let path = e.path().to_string();
+        Problem::of(&path, e.inner())
+    })?;
+    source.end().map_err(|e| Problem::Json(e.to_string()))?;
+    Ok(value)
+}
+
+/// The kind of a text.
+pub(super) fn kind(text: &str) -> Read<Kind> {
+    let Head { format: Format::One, kind, .. } = read(text)?;
+    Ok(kind)
+}

@@ -1,0 +1,76 @@
+//! What the thick-wall model answers, and what it can do besides.
+
+use super::ThickWall;
+use crate::model::{Contact, Extensions, ForceModel, Inverse, ModelError, ModelInfo, Response, Workspace};
+use crate::muscle::EndFactor;
+use std::f64::consts::PI;
+
+impl ForceModel for ThickWall {
+    fn info(&self) -> &ModelInfo {
+        &self.info
+    }
+
+    fn response(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
+        let (l, l_eps, l_p) = self.stretch(pressure_mpa, contraction);
+        if let Some(parted) = self.parted(pressure_mpa, l)? {
+            return Ok(self.parted_response(&parted, (pressure_mpa, contraction), (l_eps, l_p)));
+        }
+        let s = self.state(pressure_mpa, l)?;
+        let length = self.info.muscle.length_mm();
+        let by_stretch = PI * length * (s.r * s.r + 2.0 * s.r * s.r_by[0] * l);
+        let response = Response {
+            pressure_mpa,
+            contraction,
+            force_n: s.force,
+            volume_mm3: Some(PI * (s.r * s.r * l - self.wall.section()) * length),
+            volume_per_pressure_mm3_per_mpa: Some(PI * length * 2.0 * s.r * s.r_by[1] * l + by_stretch * l_p),
+            volume_per_contraction_mm3: Some(by_stretch * l_eps),
+            stiffness_n_per_mm: Some(-s.force_l * l_eps / length),
+            force_per_pressure_mm2: Some(s.force_p + s.force_l * l_p),
+            bulged_diameter_mm: Some(2.0 * s.r),
+            middle_stretch: Some(self.wall.largest_stretch(l, s.r)),
+            max_stretch: Some(self.wall.largest_stretch(l, s.r)),
+            ..Response::default()
+        };
+        Ok(response.with_braid_tension(s.tension, self.info.muscle.braid().strands.map(|s| s.count)))
+    }
+
+    fn force_n(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
+        let (l, _, _) = self.stretch(pressure_mpa, contraction);
+        Ok(match self.parted(pressure_mpa, l)? {
+            Some(parted) => parted.force(),
+            None => self.state(pressure_mpa, l)?.force,
+        })
+    }
+
+    fn extensions(&self) -> Extensions<'_> {
+        Extensions { inverse: Some(self), contact: Some(self), rod_contact: true, ..Extensions::default() }
+    }
+}
+
+impl Inverse for ThickWall {
+    /// In closed form where strands do not stretch, else by Newton's method for the radius.
+    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
+        if matches!(self.info.muscle.terminals().end_factor, Some(EndFactor::OfPressure { .. })) {
+            return None;
+        }
+        let (l, _, _) = self.stretch(0.0, contraction);
+        self.pressure_for(force_n, l)
+    }
+}
+
+impl Contact for ThickWall {
+    fn pivoting_n_per_mm(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64, ModelError> {
+        self.pivoting(pressure_mpa, contraction)
+    }
+}

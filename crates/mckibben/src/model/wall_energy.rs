@@ -1,0 +1,29 @@
+//! The energy of a wall at one state, with its derivatives.
+
+/// W and its derivatives in λ and ro at one state; W in N (N·mm per mm of length at rest).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct WallEnergy {
+    /// W in N
+    pub w: f64,
+    /// ∂W/∂λ in N
+    pub l: f64,
+    /// ∂W/∂ro in N/mm
+    pub r: f64,
+    /// ∂²W/∂λ² in N
+    pub ll: f64,
+    /// ∂²W/∂λ∂ro in N/mm
+    pub lr: f64,
+    /// ∂²W/∂ro² in N/mm²
+    pub rr: f64,
+}
+
+/// W and its derivatives in λ and x = ro² at one state.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SquareEnergy {
+    pub w: f64,
+    pub l: f64,
+    pub x: f64,
+    pub ll: f64,
+    pub lx: f64,
+    pub xx: f64,
+}

@@ -1,0 +1,63 @@
+//! The lines of a muscle file, and values as it has them.
+
+use std::fmt::Write;
+
+/// The column of the comments.
+const COMMENT: usize = 33;
+
+/// A muscle file in the making.
+#[derive(Default)]
+pub(super) struct Text(String);
+
+impl Text {
+    pub(super) fn line(&mut self, line: &str) {
+        self.0.push_str(line);
+        self.0.push('\n');
+    }
+
+    pub(super) fn table(&mut self, name: &str) {
+        self.line(&format!("\n[{name}]"));
+    }
+
+    pub(super) fn key(&mut self, key: &str, value: &str, comment: &str) {
+        let mut line = format!("{key} = {value}");
+        if !comment.is_empty() {
+            let gap = COMMENT.saturating_sub(line.chars().count()).max(1);
+            // Writing to a string does not fail.
+            let _ = write!(line, "{:gap$}# {comment}", "");
+        }
+        self.line(&line);
+    }
+
+    /// The whole text.
+    pub(super) fn into_string(self) -> String {
+        self.0
+    }
+}
+
+/// A text in quotes, on one line.
+pub(super) fn text(text: &str) -> String {
+    let mut out = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => out.extend(['\\', c]),
+            c if c.is_control() => {
+                let _ = write!(out, "\\u{:04X}", u32::from(c));
+            }
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
+}
+
+/// The shortest digits that read back as the same number, with a unit.
+pub(super) fn quantity(value: f64, unit: &str) -> String {
+    let plain = value == 0.0 || (1e-6..1e15).contains(&value.abs());
+    if plain { format!("\"{value} {unit}\"") } else { format!("\"{value:e} {unit}\"") }
+}
+
+/// The shortest digits that read back as the same number.
+pub(super) fn number(value: f64) -> String {
+    format!("{value:?}")
+}
