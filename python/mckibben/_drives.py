@@ -214,10 +214,12 @@ class Drive(_File):
     valve
         A :class:`Valve`, or the name of one.
     command
-        Keys of ``[command]``: ``pressure_mpa``, ``pressure_1_mpa``, ``valve``, ``position_deg``, …: a value, pairs of times in s and values, or a text
+        Keys of ``[command]``: ``pressure_mpa``, ``pressure_1_mpa``, ``valve``, ``volume_mm3``, ``position_deg``, …: a value, pairs of times in s and values, or a text
         such as ``"ramp 0..3 bar in 2 s"``; and ``until_s``, ``output_step_s``.
     supply, air, load, friction, rubber, controller, regulator
         Keys of these tables.
+    liquid, pump, syringe
+        Keys of these tables, of a muscle that is filled with a liquid; its valve has a ``flow_coefficient``.
     tables
         Tables that the commands or the load name, by their names.
 
@@ -243,11 +245,15 @@ class Drive(_File):
         rubber: Keys | None = None,
         controller: Keys | None = None,
         regulator: Keys | None = None,
+        liquid: Keys | None = None,
+        pump: Keys | None = None,
+        syringe: Keys | None = None,
         tables: Mapping[str, TableLike] | None = None,
     ) -> None:
         subject = "joint" if isinstance(of, Joint) else "muscle"
         valve = Valve(valve) if isinstance(valve, str) else valve
-        given = {"supply": supply, "air": air, "load": load, "friction": friction, "rubber": rubber, "controller": controller, "regulator": regulator, "command": command}
+        given = {"supply": supply, "air": air, "liquid": liquid, "pump": pump, "syringe": syringe, "load": load, "friction": friction, "rubber": rubber}
+        given |= {"controller": controller, "regulator": regulator, "command": command}
         held = {subject: f"{subject}.toml", "valve": None if valve is None else valve._tables, **{name: _table(keys or {}) for name, keys in given.items()}}
         self._hold(held, {f"{subject}.toml": of, **{name: {**_files.table(data), "name": name} for name, data in (tables or {}).items()}})
 

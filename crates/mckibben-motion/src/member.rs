@@ -330,7 +330,13 @@ impl<'a> Member<'a> {
         self.clamp_slack.set(Some(contraction));
         let at = self.answer(p, contraction)?;
         let contraction_p = if at.force_e < 0.0 { -at.force_p / at.force_e } else { 0.0 };
-        Ok(SlackState { contraction, answer: at, contraction_p })
+        // Below the least pressure, and below none, where a liquid can come, it goes on linearly as the taut muscle does.
+        let further = contraction_p * (pressure_mpa - p);
+        Ok(SlackState {
+            contraction: contraction + further,
+            answer: at.moved(pressure_mpa - p, further),
+            contraction_p,
+        })
     }
 
     /// The free contraction by Newton's method from near it, to the model's last digits.

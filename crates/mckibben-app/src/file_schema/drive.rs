@@ -1,13 +1,17 @@
 //! The drive file.
 
 use super::parts::{boolean, named, needing, number, pairs, positive, quantity, root, table, text, word};
+use mckibben::liquid::LIQUIDS;
 use mckibben::units::Dimension;
 use mckibben_motion::valves;
 use serde_json::{Value, json};
 
 pub(super) fn schema() -> Value {
     let supply = [
-        ("pressure", positive(Dimension::Pressure, "Gauge pressure of the supply")),
+        (
+            "pressure",
+            positive(Dimension::Pressure, "Gauge pressure of the supply, or of a pump's relief valve"),
+        ),
         ("temperature", quantity(Dimension::Temperature, "Temperature of the air and of the walls")),
     ];
     let air = [
@@ -23,6 +27,16 @@ pub(super) fn schema() -> Value {
             "polytropic_index",
             json!({ "type": "number", "minimum": 1, "maximum": 1.4, "description": "Polytropic index, in place of heat" }),
         ),
+    ];
+    let liquid = [
+        ("name", word("The liquid", LIQUIDS.map(|liquid| liquid.name))),
+        ("bulk_modulus", positive(Dimension::Pressure, "Its bulk modulus, in place of that of the table")),
+        ("gas_share", quantity(Dimension::Ratio, "Gas in it by volume at atmospheric pressure")),
+        ("dead_volume", quantity(Dimension::Volume, "Volume beside the muscle, without hose and syringe")),
+    ];
+    let syringe = [
+        ("volume", positive(Dimension::Volume, "What it holds; it is full at the start")),
+        ("time_constant", positive(Dimension::Time, "Time constant with which its piston follows")),
     ];
     let load = [
         ("mass", quantity(Dimension::Mass, "Mass that hangs from the muscle")),
@@ -59,7 +73,10 @@ pub(super) fn schema() -> Value {
             "regulator",
             needing(table("An ideal regulator, in place of a valve", regulator), &["time_constant"]),
         ),
+        ("pump", needing(pump(), &["flow"])),
+        ("syringe", needing(table("A syringe of a liquid for each muscle", syringe), &["volume"])),
         ("air", table("The air in the muscle", air)),
+        ("liquid", needing(table("A liquid in the muscle, in place of air", liquid), &["name"])),
         ("load", table("The load of a muscle", load)),
         ("friction", table("Motion with the friction of the muscle", friction)),
         ("rubber", table("Viscoelasticity of the rubber", rubber)),
@@ -72,29 +89,39 @@ pub(super) fn schema() -> Value {
 
 fn valve() -> Value {
     let ratio = |about: &str| json!({ "type": "number", "minimum": 0, "maximum": 1, "description": about });
+    let flow = |about: &str| positive(Dimension::Flow, about);
+    let ways = [
+        ("name", named("Name of a valve on sale", valves().iter().map(|valve| valve.name.as_str()))),
+        ("sonic_conductance", positive(Dimension::Conductance, "Sonic conductance C (ISO 6358)")),
+        ("critical_ratio", ratio("Critical pressure ratio b")),
+        ("exhaust_conductance", positive(Dimension::Conductance, "C of the way out")),
+        ("exhaust_critical_ratio", ratio("b of the way out")),
+        ("flow_coefficient", flow("Of a liquid: flow coefficient Kv, the flow of water at 1 bar")),
+        ("return_coefficient", flow("Kv of the way out")),
+    ];
+    table("A valve for each muscle", ways.into_iter().chain(opening()))
+}
+
+fn pump() -> Value {
+    let flow = positive(Dimension::Flow, "Largest flow; the supply's pressure is that of its relief valve");
     table(
-        "A valve for each muscle",
-        [
-            ("name", named("Name of a valve on sale", valves().iter().map(|valve| valve.name.as_str()))),
-            ("kind", word("How it opens", ["proportional", "on-off"])),
-            ("sonic_conductance", positive(Dimension::Conductance, "Sonic conductance C (ISO 6358)")),
-            ("critical_ratio", ratio("Critical pressure ratio b")),
-            ("exhaust_conductance", positive(Dimension::Conductance, "C of the way out")),
-            ("exhaust_critical_ratio", ratio("b of the way out")),
-            ("lag", quantity(Dimension::Time, "Time constant of a proportional valve")),
-            (
-                "wide_open_at",
-                positive(
-                    Dimension::Pressure,
-                    "Error of the pressure at which a proportional valve is wide open",
-                ),
-            ),
-            ("hysteresis", positive(Dimension::Pressure, "Half of the dead band of an on-off valve")),
-            ("closed_centre", boolean("Whether an on-off valve has a closed centre")),
-            ("hose_length", positive(Dimension::Length, "Length of the hose to the muscle")),
-            ("hose_diameter", positive(Dimension::Length, "Its inner diameter")),
-        ],
+        "A pump of a liquid for each muscle, which runs both ways",
+        [("flow", flow)].into_iter().chain(opening()),
     )
+}
+
+/// How a valve or a pump opens, and the hose behind it.
+fn opening() -> [(&'static str, Value); 7] {
+    let wide = "Error of the pressure at which a proportional valve is wide open";
+    [
+        ("kind", word("How it opens", ["proportional", "on-off"])),
+        ("lag", quantity(Dimension::Time, "Time constant of a proportional valve")),
+        ("wide_open_at", positive(Dimension::Pressure, wide)),
+        ("hysteresis", positive(Dimension::Pressure, "Half of the dead band of an on-off valve")),
+        ("closed_centre", boolean("Whether an on-off valve has a closed centre")),
+        ("hose_length", positive(Dimension::Length, "Length of the hose to the muscle")),
+        ("hose_diameter", positive(Dimension::Length, "Its inner diameter")),
+    ]
 }
 
 fn command() -> Value {
@@ -111,9 +138,12 @@ fn command() -> Value {
         ("valve", over_time("Opening of the valve, -1 to 1")),
         ("valve_1", over_time("Opening of the first valve")),
         ("valve_2", over_time("Opening of the second valve")),
+        ("volume", over_time("Volume that a syringe pushes out")),
+        ("volume_1", over_time("Volume of the first syringe")),
+        ("volume_2", over_time("Volume of the second syringe")),
         ("position", over_time("Contraction, or angle of a joint")),
         ("until", positive(Dimension::Time, "End of the run")),
         ("output_step", positive(Dimension::Time, "Time between two points of the result")),
     ];
-    needing(table("What is commanded: pressure, valve or position", keys), &["until"])
+    needing(table("What is commanded: pressure, valve, volume or position", keys), &["until"])
 }

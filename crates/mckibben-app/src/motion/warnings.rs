@@ -6,6 +6,21 @@ use mckibben_motion::{Coordinate, DriveFile, Motion, Moves};
 
 const RUBS: &str = "the friction of a muscle on its pulley (`wrap_friction`) is not part of the motion; `joint` gives the torques with it";
 
+/// Suction in MPa that a tube bears, where a thin one begins to collapse.
+const SUCTION_MPA: f64 = 1e-3;
+
+/// A liquid that is sucked out.
+fn suction(motion: &Motion) -> Option<String> {
+    let pressures = motion.series.muscles.iter().flat_map(|m| &m.pressure_mpa);
+    let lowest = pressures.copied().fold(f64::INFINITY, f64::min);
+    (motion.series.liquid && lowest < -SUCTION_MPA).then(|| {
+        format!(
+            "the pressure falls to {} MPa: below atmospheric pressure a tube collapses, which is not modelled; withdraw the liquid more slowly, or less of it",
+            number(lowest, 3)
+        )
+    })
+}
+
 impl Moved {
     /// Of its muscles.
     pub(super) fn warnings_of_muscles(&self) -> impl Iterator<Item = String> {
@@ -17,7 +32,7 @@ impl Moved {
     /// Of a motion.
     pub(super) fn warnings(&self, motion: &Motion, file: &DriveFile) -> Vec<String> {
         let ended = motion.ended.as_ref().map(|error| format!("it ended early: {error}"));
-        ended.into_iter().chain(self.not_at_rest(motion, file)).collect()
+        ended.into_iter().chain(suction(motion)).chain(self.not_at_rest(motion, file)).collect()
     }
 
     /// That the load does not rest at the end, and where it would.

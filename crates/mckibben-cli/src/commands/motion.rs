@@ -239,11 +239,14 @@ fn one(of: &MotionRun, u: &Units) -> String {
     };
     list.push(("largest speed", speed));
     list.push(("largest power", format!("{} W", number(run.largest_power_w, 4))));
-    list.push(("air from the supply", air(run.air_normal_litres)));
+    match run.liquid_volume_mm3 {
+        Some(mm3) => list.push(("liquid pushed in", format!("{} mL", number(1e-3 * mm3, 4)))),
+        None => list.push(("air from the supply", air(run.air_normal_litres))),
+    }
     list.extend(run.air_normal_litres_per_cycle.map(|v| ("air of a cycle", air(v))));
     let energies = &run.energies;
     list.push((
-        "work, exergy of the air",
+        if run.liquid_volume_mm3.is_some() { "work, work on the liquid" } else { "work, exergy of the air" },
         format!("{} J, {} J", number(energies.work_j, 4), number(energies.exergy_j, 4)),
     ));
     list.extend(run.efficiency.map(|v| ("work over exergy", percent(v))));

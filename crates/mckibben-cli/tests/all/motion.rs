@@ -45,6 +45,32 @@ fn a_joint_moves_to_its_rest() {
     assert!((end - rest).abs() < 0.02, "{end} {rest}");
 }
 
+/// The static filling with the same volume, and the contraction at the same pressure: other commands, which know nothing of motion.
+#[test]
+fn liquids_bring_a_muscle_where_the_static_answers_have_it() {
+    let before = |found: &serde_json::Value, key: &str, time_s: f64| -> f64 {
+        let times = found["series"]["time_s"].as_array().unwrap();
+        let i = times.iter().rposition(|t| t.as_f64().unwrap() < time_s).unwrap();
+        found["series"][key][i].as_f64().unwrap()
+    };
+    let syringe = json("motion examples/syringe-drive.toml --model universal");
+    let muscle = "--muscle examples/prototype.toml --model universal --load mass:10kg";
+    // 50 mL stay in the syringe, beside the dead volume of 10 mL.
+    let filled = json(&format!("fill {muscle} --volume 100mL --gas 0.5% --dead-volume 60mL"));
+    for key in ["pressure_mpa", "contraction"] {
+        let (ours, theirs) = (before(&syringe, key, 2.0), number(&filled, key));
+        assert!((ours / theirs - 1.0).abs() < 1e-4, "{key}: {ours} {theirs}");
+    }
+    assert!(
+        number(&syringe, "liquid_volume_mm3").abs() < 1.0 && number(&syringe, "air_normal_litres") == 0.0
+    );
+    assert!(syringe["series"]["liquid_mass_g"].is_array() && syringe["series"]["air_mass_g"].is_null());
+    let pump = json("motion examples/pump-drive.toml --model universal");
+    let held = json(&format!("contraction -p 3bar {muscle}"));
+    let (ours, theirs) = (before(&pump, "contraction", 8.0), number(&held, "contraction"));
+    assert!((ours / theirs - 1.0).abs() < 1e-3, "{ours} {theirs}");
+}
+
 #[test]
 fn rows_of_csv_are_the_points_of_time() {
     let ran = mckibben("motion examples/drive.toml --model universal --format csv").ok();

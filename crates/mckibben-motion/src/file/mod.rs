@@ -159,7 +159,10 @@ fn read(text: &str, base: Option<&DriveFile>, tables: &Tables) -> Result<DriveFi
     let fluid = match liquid::liquid(&root.section("liquid", "liquid")?, supply.temperature_k)? {
         Some(_) if air.is_written() => return Err(said(&root, "air", "conflicts with [liquid]; keep one")),
         Some(liquid) => Fluid::Liquid(liquid),
-        None => Fluid::Air(valve::air(&air, supply.temperature_k)?),
+        None => match base.map(|base| &base.fluid) {
+            Some(liquid @ Fluid::Liquid(_)) if !air.is_written() => liquid.clone(),
+            _ => Fluid::Air(valve::air(&air, supply.temperature_k)?),
+        },
     };
     let actuator = valve::actuator(&root, base.map(|base| base.actuator), fluid.is_liquid())?;
     let load = root.section("load", "load")?;
@@ -339,6 +342,7 @@ mod tests {
     use super::*;
     use crate::air::Heat;
     use crate::command::Command;
+    use crate::liquid::Syringe;
     use crate::orifice::Orifice;
 
     const HEAD: &str = "muscle = 'm.toml'\n[valve]\nsonic_conductance = '0.5 L/(s bar)'\n";
@@ -364,6 +368,30 @@ mod tests {
         assert_eq!((drive.damping_n_s_per_m, drive.stops_mm), (400.0, (-5.0, 80.0)));
         assert_eq!(drive.target, Target::Pressure(vec![Command::Steps(vec![(0.0, 0.0), (0.1, 0.3)])]));
         assert_eq!((drive.until_s, drive.output_step_s), (5.0, 0.005));
+    }
+
+    #[test]
+    fn liquids_have_valves_pumps_and_syringes() {
+        let read = |text: &str| {
+            parse_drive(&format!("muscle = 'm.toml'\n[liquid]\nname = 'oil'\n{text}"), &Tables::default())
+                .unwrap()
+        };
+        let drive = read(&format!(
+            "gas_share = '1 %'\n[valve]\nflow_coefficient = '0.36 m3/h'\nhose_length = '1 m'\nhose_diameter = '4 mm'\n{TAIL}"
+        ));
+        let Fluid::Liquid(fill) = &drive.fluid else { panic!() };
+        assert_eq!((fill.liquid.name.as_str(), fill.liquid.gas_share), ("oil", 0.01));
+        // 0.36 m³/h is 0.1 L/s.
+        let Actuator::LiquidValve(valve) = drive.actuator else { panic!() };
+        assert!((valve.supply.kv_mm3_per_s() - 1e5).abs() < 1e-6 && valve.tank == valve.supply);
+        assert!(valve.line.is_some());
+        let wider = drive.with("valve.return_coefficient", "0.72 m3/h", &Tables::default());
+        let Actuator::LiquidValve(wider) = wider.unwrap().actuator else { panic!() };
+        assert!((wider.tank.kv_mm3_per_s() - 2e5).abs() < 1e-6 && wider.supply == valve.supply);
+        let drive =
+            read("[syringe]\nvolume = '20 mL'\n[command]\nvolume = 'ramp 0..15 mL in 2 s'\nuntil = '3 s'\n");
+        assert_eq!(drive.actuator, Actuator::Syringe(Syringe { volume_mm3: 20e3, time_constant_s: 0.05 }));
+        assert_eq!(drive.target, Target::Volume(vec![Command::Ramps(vec![(0.0, 0.0), (2.0, 15e3)])]));
     }
 
     #[test]
@@ -421,6 +449,21 @@ mod tests {
             (format!("{HEAD}[supply]\ntemperature = '-300 degC'\n{TAIL}"), "absolute zero"),
             (format!("{HEAD}hose_length = '1 m'\n{TAIL}"), "hose_diameter"),
             (format!("{HEAD}[command]\nposition = '10%'\nuntil = '1 s'\n"), "proportional"),
+            (format!("{HEAD}[liquid]\nname = 'water'\n{TAIL}"), "flow_coefficient alone"),
+            (format!("{HEAD}flow_coefficient = '0.1 m3/h'\n{TAIL}"), "no [liquid]"),
+            (
+                format!("muscle = 'm.toml'\n[liquid]\nname = 'beer'\n[pump]\nflow = '1 L/min'\n{TAIL}"),
+                "glycol",
+            ),
+            (
+                format!("muscle = 'm.toml'\n[liquid]\nname = 'oil'\n[air]\nheat = 'adiabatic'\n{TAIL}"),
+                "keep one",
+            ),
+            (
+                format!("muscle = 'm.toml'\n[pump]\nflow = '1 L/min'\n[syringe]\nvolume = '1 mL'\n{TAIL}"),
+                "keep one",
+            ),
+            (format!("muscle = 'm.toml'\n[liquid]\nname = 'oil'\n[pump]\n{TAIL}"), "largest flow"),
             ("joint = 'j.toml'\n[valve]\nname = 'festo-mh2'\n[load]\nmass = '1 kg'\n".into(), "own file"),
         ] {
             let error = parse_drive(&text, &Tables::default())
