@@ -250,6 +250,21 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
   });
 
+  test("a design for a liquid shows the command line's volume in the place of the air, and what is beyond its limit", async () => {
+    const wanted = ["--force", "50N", "--contraction", "15%", "--max-pressure", "2.5bar", "--length", "200", "--liquid", "water"];
+    const { page, errors, context } = await open("#design?F=50N&e=15%25&pmax=2.5bar&L=200mm&liquid=water&most=20mL");
+    const muscles = page.getByRole("region", { name: "Muscles that fit, best first" });
+    await muscles.getByText("liquid per stroke").waitFor({ timeout: 60_000 });
+    const [best] = ask("design", ...wanted, "--max-liquid", "20mL").candidates;
+    await muscles.getByText(`${Number((1e-3 * best.liquid_volume_mm3).toPrecision(3))} mL`).first().waitFor();
+    assert.equal(await muscles.getByText("air per stroke").count(), 0);
+    await page.goto(url() + "#design?F=50N&e=15%25&pmax=2.5bar&L=200mm&liquid=water&most=10mL");
+    await page.getByText(/^Closest: .* mL of liquid, at most 10 mL allowed/).waitFor({ timeout: 60_000 });
+    await page.getByText(/^Provide [0-9.]+ mL of liquid/).waitFor();
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
   test("a specification of several pulls with tolerances has the command line's winner and spread", async () => {
     const { page, errors, context } = await open("#design?at=700N@15%25,1200N@5%25&ts=0.1mm&tp=0.1bar");
     await page.getByRole("region", { name: "spread of the pull" }).waitFor({ timeout: 60_000 });

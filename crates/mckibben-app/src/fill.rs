@@ -2,6 +2,7 @@
 
 use crate::burst::{PressureLimits, QUIET_MPA, put_first, said_of};
 use crate::fields::{AskFields, ModelFields, MuscleFields};
+use crate::liquid::{LiquidFields, volume};
 use crate::load::LoadFields;
 use crate::muscle::MuscleSummary;
 use crate::point::{ModelAbout, given, ratio};
@@ -9,7 +10,7 @@ use crate::problem::{Problem, ProblemKind};
 use crate::question::Question;
 use crate::uncertainty::UncertaintyWords;
 use mckibben::analysis::source_of;
-use mckibben::liquid::{Liquid, LiquidError};
+use mckibben::liquid::{Liquid, LiquidSupply};
 use mckibben::load::{Fill, FillError, Filling, fill as filled};
 use mckibben::progress::Progress;
 use mckibben::uncertainty::basis_of;
@@ -32,14 +33,9 @@ pub struct FillRequest {
     pub asking: AskFields,
     /// Volume that is pushed in, measured at atmospheric pressure (the stroke of a syringe), mm³.
     pub volume_mm3: Option<f64>,
-    /// Volume of line, fittings and what stays in the syringe, mm³; default 0.
-    pub dead_volume_mm3: Option<f64>,
-    /// Liquid: water, oil (SAE 10W) or glycol (ethylene glycol); default water.
-    pub liquid: Option<String>,
-    /// Bulk modulus of the liquid without gas in MPa, in place of that of the table.
-    pub liquid_bulk_modulus_mpa: Option<f64>,
-    /// Gas in the liquid by volume at atmospheric pressure; default 0.
-    pub gas_share: Option<f64>,
+    /// The liquid.
+    #[serde(flatten)]
+    pub liquid: LiquidFields,
     /// What the muscle works against; without it the muscle is free.
     #[serde(flatten)]
     pub load: LoadFields,
@@ -81,17 +77,6 @@ impl From<FillError> for Problem {
     }
 }
 
-impl From<LiquidError> for Problem {
-    fn from(error: LiquidError) -> Self {
-        let field = match error {
-            LiquidError::Unknown { .. } => "liquid",
-            LiquidError::BulkModulus { .. } => "liquid_bulk_modulus_mpa",
-            LiquidError::Gas { .. } => "gas_share",
-        };
-        Self::new(ProblemKind::Quantity, error.to_string(), "").in_field(field)
-    }
-}
-
 /// A volume of liquid pushed into a muscle.
 ///
 /// # Errors
@@ -99,15 +84,7 @@ impl From<LiquidError> for Problem {
 pub fn fill(request: &FillRequest, progress: &dyn Progress) -> Result<FillAnswer, Problem> {
     let volume_mm3 =
         volume("volume_mm3", given("volume_mm3", request.volume_mm3, "a volume, such as 20 mL")?)?;
-    let dead_volume_mm3 = match request.dead_volume_mm3 {
-        None | Some(0.0) => 0.0,
-        Some(dead) => volume("dead_volume_mm3", dead)?,
-    };
-    let name = request.liquid.as_deref().unwrap_or("water");
-    let mut liquid = Liquid::named(name, request.gas_share.unwrap_or(0.0))?;
-    if let Some(modulus) = request.liquid_bulk_modulus_mpa {
-        liquid = liquid.with_bulk_modulus(modulus)?;
-    }
+    let LiquidSupply { liquid, dead_volume_mm3 } = request.liquid.supply()?;
     let held_at = request.contraction.map(ratio).transpose()?;
     let mut question = Question::new(&request.muscle, &request.model, request.asking, &progress.budget())?;
     let load = request.load.resolve(question.muscle.length_mm())?;
@@ -135,13 +112,4 @@ pub fn fill(request: &FillRequest, progress: &dyn Progress) -> Result<FillAnswer
         fill,
         liquid,
     })
-}
-
-/// A volume above zero.
-fn volume(field: &str, value: f64) -> Result<f64, Problem> {
-    if value > 0.0 && value.is_finite() {
-        return Ok(value);
-    }
-    let message = format!("{value} mm³ is not a volume above zero");
-    Err(Problem::new(ProblemKind::Quantity, message, "").in_field(field))
 }

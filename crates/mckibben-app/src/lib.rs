@@ -56,6 +56,7 @@ mod library;
 mod library_folder;
 mod library_text;
 mod life;
+mod liquid;
 mod load;
 mod many;
 mod measured;
@@ -115,6 +116,7 @@ pub use json_size::JsonSize;
 pub use library::*;
 pub use library_folder::points_table;
 pub use life::*;
+pub use liquid::LiquidFields;
 pub use load::{LoadAnswer, LoadFields, LoadedAt};
 pub use many::{
     AnswerColumns, ArrayError, BoundModel, Column, Many, Pairs, PointQuantity, Unanswered, curve_columns,

@@ -319,6 +319,9 @@ impl From<SpecError> for Problem {
     fn from(error: SpecError) -> Self {
         match error {
             SpecError::Cancelled => Self::cancelled(),
+            error @ SpecError::NoLiquid { .. } => {
+                Self::new(ProblemKind::Usage, error.to_string(), "").in_field("max_liquid_volume_mm3")
+            }
             error => Self::new(ProblemKind::Specification, error.to_string(), ""),
         }
     }

@@ -19,6 +19,8 @@ mod file_schema;
 mod json_size;
 #[path = "layer/library_folder.rs"]
 mod library_folder;
+#[path = "layer/liquid.rs"]
+mod liquid;
 #[path = "layer/many.rs"]
 mod many;
 #[path = "layer/measures.rs"]

@@ -46,6 +46,7 @@ const FLAGS: &[(&str, &[&str])] = &[
     ("min_life_cycles", &["min-life"]),
     ("volume_mm3", &["volume"]),
     ("dead_volume_mm3", &["dead-volume"]),
+    ("max_liquid_volume_mm3", &["max-liquid"]),
     ("gas_share", &["gas"]),
     ("liquid_bulk_modulus_mpa", &["bulk-modulus"]),
 ];

@@ -5,15 +5,15 @@ use crate::files;
 pub use crate::muscle_flags::MuscleFlags;
 use crate::names::MODELS;
 use crate::output::Target;
-use crate::quantities::quantity;
+use crate::quantities::{quantity, ratio};
 use crate::word::word;
 use clap::{Args, ValueEnum};
 use mckibben::load::Load;
 use mckibben::units::Dimension;
 use mckibben_app::units::Units;
 use mckibben_app::{
-    AskFields, Columns, Direction, Keep, LoadFields, MeshFields, ModelFields, NamedStiffness, ProblemKind,
-    Stiffness, Terminal, TerminalMaterial, TextFile,
+    AskFields, Columns, Direction, Keep, LiquidFields, LoadFields, MeshFields, ModelFields, NamedStiffness,
+    ProblemKind, Stiffness, Terminal, TerminalMaterial, TextFile,
 };
 use std::path::{Path, PathBuf};
 
@@ -35,6 +35,36 @@ impl LoadFlag {
             Ok(TextFile { name: name.into(), ..files::table(Path::new(name))? })
         };
         Ok(LoadFields { load: self.load.clone(), load_tables: names.map(read).collect::<Result<_, _>>()? })
+    }
+}
+
+/// What a muscle is filled with.
+#[derive(Debug, Clone, Default, Args)]
+pub struct LiquidFlags {
+    /// Liquid: water, oil or glycol [water; of `design` air]
+    #[arg(long, value_name = "NAME")]
+    pub liquid: Option<String>,
+    /// Gas in the liquid, by volume at atmospheric pressure [0]
+    #[arg(long, value_name = "SHARE", allow_hyphen_values = true)]
+    pub gas: Option<String>,
+    /// Volume of line, fittings and what stays in the syringe [0]
+    #[arg(long, value_name = "VOLUME", allow_hyphen_values = true)]
+    pub dead_volume: Option<String>,
+    /// Bulk modulus of the liquid without gas [that of the liquid]
+    #[arg(long, value_name = "MODULUS", allow_hyphen_values = true, hide_short_help = true)]
+    pub bulk_modulus: Option<String>,
+}
+
+impl LiquidFlags {
+    /// As fields of a request.
+    pub fn fields(&self) -> Result<LiquidFields, Failure> {
+        let modulus = self.bulk_modulus.as_deref();
+        Ok(LiquidFields {
+            dead_volume_mm3: quantity("--dead-volume", self.dead_volume.as_deref(), Dimension::Volume)?,
+            liquid: self.liquid.clone(),
+            liquid_bulk_modulus_mpa: quantity("--bulk-modulus", modulus, Dimension::Pressure)?,
+            gas_share: ratio("--gas", self.gas.as_deref())?,
+        })
     }
 }
 

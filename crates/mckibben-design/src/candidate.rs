@@ -1,6 +1,7 @@
 //! One muscle held against a specification.
 
-use super::limit::{Probe, Score, air_of, full_response, need};
+use super::fluid::stroke;
+use super::limit::{Probe, Score, full_response, need};
 use super::limit_kind::Limit;
 use super::point::OperatingPoint;
 use super::spec::{Build, Spec};
@@ -21,8 +22,14 @@ pub struct CandidatePoint {
     pub force_at_max_pressure_n: f64,
     /// That pull over the pull wanted, minus 1.
     pub margin: f64,
-    /// Air from rest to this point, normal litres.
+    /// Air from rest to this point, normal litres; none with a liquid.
     pub air_normal_litres: Option<f64>,
+    /// Liquid pushed in from rest to this point, measured at atmospheric pressure, mm³.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub liquid_volume_mm3: Option<f64>,
+    /// Mass of the liquid in muscle and dead volume, g.
+    #[serde(skip)]
+    pub liquid_mass_g: Option<f64>,
     /// 95 % half-width of the pull, N.
     pub uncertainty_n: Option<f64>,
 }
@@ -83,6 +90,11 @@ impl Candidate {
         self.largest(|p| p.air_normal_litres)
     }
 
+    /// Largest liquid volume over the points, in mm³.
+    pub fn liquid_volume_mm3(&self) -> Option<f64> {
+        self.largest(|p| p.liquid_volume_mm3)
+    }
+
     /// Largest of a quantity over the points.
     pub fn largest(&self, of: impl Fn(&CandidatePoint) -> Option<f64>) -> Option<f64> {
         self.points.iter().filter_map(of).reduce(f64::max)
@@ -116,24 +128,21 @@ pub(super) fn candidate(
             full_response(model, workspace, thick_wall, pressure_mpa, point.contraction)?;
         (response.pressure_mpa, response.force_n) = (pressure_mpa, point.force_n);
         from_thick_wall.extend(filled);
-        let (air_normal_litres, helped) =
-            air_of(model, workspace, thick_wall, pressure_mpa, point.contraction);
+        let at = (pressure_mpa, point.contraction);
+        let (filled, helped) = stroke(spec, model, workspace, thick_wall, at);
         if helped {
-            from_thick_wall.push("air");
+            from_thick_wall.push(if spec.liquid.is_some() { "liquid volume" } else { "air" });
         }
+        let liquid = filled.and_then(|f| f.liquid());
         points.push(CandidatePoint {
             force_at_max_pressure_n: available_n,
             margin: available_n / point.force_n - 1.0,
             response,
-            air_normal_litres,
-            uncertainty_n: uncertainty(
-                model,
-                workspace,
-                (pressure_mpa, point.contraction),
-                point.force_n,
-                options.direction,
-            )
-            .map(|parts| parts.total()),
+            air_normal_litres: filled.and_then(|f| f.air()),
+            liquid_volume_mm3: liquid.map(|l| l.volume_mm3),
+            liquid_mass_g: liquid.map(|l| l.mass_g),
+            uncertainty_n: uncertainty(model, workspace, at, point.force_n, options.direction)
+                .map(|parts| parts.total()),
         });
     }
     let max = spec.max_pressure_mpa;

@@ -56,6 +56,14 @@ pub enum SpecError {
         /// Its value.
         value: f64,
     },
+    /// A largest liquid volume without a liquid.
+    #[error(
+        "`max_liquid_volume_mm3` is {volume_mm3} mm³, and the muscle is filled with air: give `liquid`, or leave `max_liquid_volume_mm3` out"
+    )]
+    NoLiquid {
+        /// The volume in mm³.
+        volume_mm3: f64,
+    },
     /// No combination is a muscle at all.
     #[error("none of the combinations is a muscle: {0}")]
     NoMuscle(MuscleError),

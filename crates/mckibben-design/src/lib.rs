@@ -24,6 +24,7 @@ pub mod bundle;
 mod candidate;
 mod demand;
 mod error;
+mod fluid;
 mod joint;
 mod limit;
 mod limit_kind;

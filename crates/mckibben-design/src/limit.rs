@@ -1,5 +1,6 @@
 //! What a muscle is held against, each limit as a number that is at most zero where it is met.
 
+use super::fluid::stroke;
 use super::limit_kind::Limit;
 use super::point::OperatingPoint;
 use super::reason::Reason;
@@ -7,7 +8,7 @@ use super::spec::{Build, Objective, Spec};
 use mckibben::analysis::burst::{ends, mesh};
 use mckibben::analysis::life::wear;
 use mckibben::analysis::{
-    AnalysisError, FailureMode, FailurePressure, air_per_stroke, burst, force_on, pressure_at, pressure_up_to,
+    AnalysisError, FailureMode, FailurePressure, burst, force_on, pressure_at, pressure_up_to,
 };
 use mckibben::model::{ForceModel, ModelError, ModelKind, Response, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
@@ -52,6 +53,7 @@ impl Check {
             (Limit::MaxStretch, _) => Reason::Stretch { stretch: value, limit },
             (Limit::StrandStrain, _) => Reason::StrandStrain { strain: value, limit },
             (Limit::Buckling, _) => Reason::Buckling { push_n: value, limit_n: limit },
+            (Limit::LiquidVolume, _) => Reason::LiquidVolume { volume_mm3: value, limit_mm3: limit },
         }
     }
 }
@@ -115,13 +117,16 @@ pub(super) fn probe_with(
     }
     let limits = &spec.limits;
     let stretch = limits.stretch.or(muscle.tube().rubber.fitted_to_stretch.filter(|_| limits.fitted_stretch));
+    let most_liquid = limits.liquid_volume_mm3.filter(|_| spec.liquid.is_some());
+    let pumped = most_liquid.is_some() || scored && spec.objective == Objective::Air;
     let shaped = limits.bulged_diameter_mm.is_some() || stretch.is_some() || limits.life_stretch.is_some();
     let by_pressure =
         scored && matches!(spec.objective, Objective::Pressure | Objective::Air | Objective::BulgedDiameter);
-    let (mut highest, mut air, mut bulge) = (0.0_f64, 0.0_f64, 0.0_f64);
+    let (mut highest, mut fluid, mut bulge) = (0.0_f64, 0.0_f64, 0.0_f64);
     let strong = checks.iter().all(|c| c.excess() <= 0.0);
     let buckles = limits.buckling && spec.wanted.extends();
-    if shaped || by_pressure || buckles || scored && strong && spec.objective == Objective::Diameter {
+    if shaped || by_pressure || pumped || buckles || scored && strong && spec.objective == Objective::Diameter
+    {
         for (i, point) in points.iter().enumerate() {
             // Too weak: its other limits are looked at where it pulls hardest.
             let p = if checks[i].excess() > 0.0 {
@@ -134,6 +139,15 @@ pub(super) fn probe_with(
                 // Strands that slide on the tube: the smaller of the two loads.
                 let (least_n, _) = ThickWall::new(muscle).buckling_n(p, point.contraction)?;
                 checks.push(Check::new(Limit::Buckling, point.force_n.abs(), least_n));
+            }
+            if pumped {
+                let at = (p, point.contraction);
+                let amount = stroke(spec, model, workspace, thick_wall, at).0.map(|s| s.amount());
+                if let Some(bound) = most_liquid {
+                    let unknown = || ModelError::NoVolume { model: model.info().name.to_string() };
+                    checks.push(Check::new(Limit::LiquidVolume, amount.ok_or_else(unknown)?, bound));
+                }
+                fluid = fluid.max(amount.unwrap_or(f64::INFINITY));
             }
             if !(shaped || by_pressure) {
                 continue;
@@ -151,11 +165,6 @@ pub(super) fn probe_with(
                 checks.push(Check::new(Limit::MaxStretch, value, bound));
             }
             bulge = bulge.max(full.bulged_diameter_mm.unwrap_or(0.0));
-            if scored && spec.objective == Objective::Air {
-                air = air.max(
-                    air_of(model, workspace, thick_wall, p, point.contraction).0.unwrap_or(f64::INFINITY),
-                );
-            }
         }
     }
     checks.extend(strands(spec, &points, model, workspace, thick_wall)?);
@@ -163,7 +172,7 @@ pub(super) fn probe_with(
     let score = match spec.objective {
         Objective::Diameter => [muscle.outer_diameter_mm(), highest],
         Objective::Pressure => [highest, 0.0],
-        Objective::Air => [air, 0.0],
+        Objective::Air => [fluid, 0.0],
         Objective::Margin => [-margin.fold(f64::INFINITY, f64::min), 0.0],
         Objective::BulgedDiameter => [bulge, 0.0],
         Objective::Length => [muscle.length_mm(), muscle.outer_diameter_mm()],
@@ -287,18 +296,4 @@ pub(super) fn full_response(
         fill(&mut r.stiffness_n_per_mm, other.stiffness_n_per_mm, "stiffness");
     }
     Ok((r, filled))
-}
-
-/// Air in normal litres from rest to a point, and whether the thick-wall model gave it.
-pub(super) fn air_of(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    thick_wall: &dyn ForceModel,
-    p: f64,
-    contraction: f64,
-) -> (Option<f64>, bool) {
-    match air_per_stroke(model, workspace, p, contraction) {
-        Ok(air) => (Some(air.normal_litres), false),
-        Err(_) => (air_per_stroke(thick_wall, workspace, p, contraction).ok().map(|a| a.normal_litres), true),
-    }
 }

@@ -19,6 +19,8 @@ pub enum Limit {
     BurstMargin,
     /// The push at which the muscle buckles as a column, at the operating points.
     Buckling,
+    /// The largest liquid volume that is pushed in up to the operating points.
+    LiquidVolume,
 }
 
 impl Limit {
@@ -26,9 +28,11 @@ impl Limit {
     pub(super) fn missed_by(self, value: f64, bound: f64) -> f64 {
         match self {
             Self::Force | Self::BurstMargin => 1.0 - value / bound,
-            Self::BulgedDiameter | Self::MaxStretch | Self::StrandStrain | Self::Buckling => {
-                value / bound - 1.0
-            }
+            Self::BulgedDiameter
+            | Self::MaxStretch
+            | Self::StrandStrain
+            | Self::Buckling
+            | Self::LiquidVolume => value / bound - 1.0,
         }
     }
 }

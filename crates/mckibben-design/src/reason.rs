@@ -58,6 +58,13 @@ pub enum Reason {
         /// The push in N at which it buckles between two joints.
         limit_n: f64,
     },
+    /// It takes more liquid than there is.
+    LiquidVolume {
+        /// Volume that is pushed in up to the point, in mm³.
+        volume_mm3: f64,
+        /// The bound in mm³.
+        limit_mm3: f64,
+    },
     /// The model has no answer.
     #[serde(serialize_with = "in_words")]
     Model(ModelError),
@@ -101,6 +108,10 @@ impl Reason {
                 let [push, limit] = [push_n.ceil(), limit_n.floor()].map(|v| show(Dimension::Force, v));
                 format!("buckles at {limit} between two joints, {push} required")
             }
+            Reason::LiquidVolume { volume_mm3, limit_mm3 } => {
+                let (volume, limit) = ((0.1 * volume_mm3).ceil() / 100.0, round(1e-3 * limit_mm3));
+                format!("takes {volume} mL of liquid, at most {limit} mL allowed")
+            }
             Reason::Model(error) => error.to_string(),
             Reason::Muscle(error) => error.to_string(),
         }
@@ -115,6 +126,7 @@ impl Reason {
             Reason::Stretch { .. } => Limit::MaxStretch,
             Reason::StrandStrain { .. } => Limit::StrandStrain,
             Reason::Buckling { .. } => Limit::Buckling,
+            Reason::LiquidVolume { .. } => Limit::LiquidVolume,
             Reason::Model(_) | Reason::Muscle(_) => return None,
         })
     }
@@ -127,7 +139,8 @@ impl Reason {
             | Reason::Burst { margin: value, limit: bound, .. }
             | Reason::Stretch { stretch: value, limit: bound }
             | Reason::StrandStrain { strain: value, limit: bound }
-            | Reason::Buckling { push_n: value, limit_n: bound } => (value, bound),
+            | Reason::Buckling { push_n: value, limit_n: bound }
+            | Reason::LiquidVolume { volume_mm3: value, limit_mm3: bound } => (value, bound),
             Reason::Model(_) | Reason::Muscle(_) => return None,
         };
         Some(self.limit()?.missed_by(value, bound))

@@ -63,6 +63,11 @@ pub enum Relaxation {
     },
     /// Guide the muscle on its way, so that it cannot buckle.
     Guided {},
+    /// Provide this liquid volume.
+    MaxLiquidVolume {
+        /// mm³.
+        liquid_volume_mm3: f64,
+    },
 }
 
 /// By which share a muscle that stands on a bound may miss it: the root that put it there is not known better.
@@ -144,6 +149,9 @@ fn of_muscle(spec: &Spec, build: &Build<'_>, muscle: &Muscle, widen: bool) -> Ve
         Relaxation::MaxStrandStrain { strand_strain }
     });
     ease(worst(Limit::Buckling), &|l, _| l.buckling = false, &|_| Relaxation::Guided {});
+    ease(worst(Limit::LiquidVolume), &|l, v| l.liquid_volume_mm3 = Some(v * up), &|liquid_volume_mm3| {
+        Relaxation::MaxLiquidVolume { liquid_volume_mm3 }
+    });
     let margin = worst(Limit::BurstMargin).and_then(|_| Some(burst_margin(spec, build, muscle)?.1));
     ease(margin, &|l, v| l.burst_margin = Some(v * (1.0 - 1e-9)), &|burst_margin| {
         Relaxation::MinBurstMargin { burst_margin }

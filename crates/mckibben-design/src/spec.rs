@@ -6,6 +6,7 @@ use super::point::OperatingPoint;
 use super::tubes::TubePart;
 use mckibben::analysis::Options;
 pub use mckibben::analysis::SAFETY;
+use mckibben::liquid::LiquidSupply;
 use mckibben::model::{ForceModel, ModelError};
 use mckibben::muscle::{Braid, Direction, Muscle, Rubber};
 use mckibben::rubber::over_time::erf;
@@ -26,7 +27,7 @@ pub enum Objective {
     Diameter,
     /// Lowest pressure needed.
     Pressure,
-    /// Least air per stroke.
+    /// Least air per stroke; with a liquid, least liquid volume.
     Air,
     /// Most pull to spare at the maximum pressure.
     Margin,
@@ -71,6 +72,9 @@ pub struct Limits {
     /// Largest strain of the strands at the maximum pressure, not shortened and at the operating points.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub strand_strain: Option<f64>,
+    /// Largest liquid volume that is pushed in from rest to any operating point, in mm³; needs a liquid.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub liquid_volume_mm3: Option<f64>,
 }
 
 impl Limits {
@@ -94,6 +98,8 @@ pub struct Spec {
     pub wanted: Demand,
     /// What the supply gives, in MPa.
     pub max_pressure_mpa: f64,
+    /// Liquid that fills the muscle; air where there is none.
+    pub liquid: Option<LiquidSupply>,
     /// Everything that is not searched: length, braid stiffness, terminals, friction.
     pub base: Muscle,
     /// Tubes as sold or cast, each with its diameters and rubber; none: diameters, walls and rubbers are searched.
@@ -139,6 +145,7 @@ impl Spec {
         Self {
             wanted: points.into(),
             max_pressure_mpa,
+            liquid: None,
             tubes: vec![],
             outer_diameter_mm: Values::Interval(5.0, 80.0),
             wall_mm: Values::Interval(0.5, 10.0),
@@ -194,12 +201,16 @@ impl Spec {
             ("the least burst margin", self.limits.burst_margin),
             ("the largest stretch", self.limits.stretch),
             ("the largest strand strain", self.limits.strand_strain),
+            ("the largest liquid volume", self.limits.liquid_volume_mm3),
             ("the length", self.length_mm.as_ref().map(|v| v.bounds().0)),
         ];
         for (name, value) in bounds {
             if let Some(value) = value.filter(|v| !(v.is_finite() && *v > 0.0)) {
                 return Err(SpecError::Bound { name, value });
             }
+        }
+        if let (Some(volume_mm3), None) = (self.limits.liquid_volume_mm3, &self.liquid) {
+            return Err(SpecError::NoLiquid { volume_mm3 });
         }
         let count = |v: &Values| match v {
             Values::List(list) => list.len() as f64,

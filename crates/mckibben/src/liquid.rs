@@ -100,6 +100,15 @@ pub struct Liquid {
     pub gas_share: f64,
 }
 
+/// A liquid, and what it fills besides the muscle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LiquidSupply {
+    /// The liquid.
+    pub liquid: Liquid,
+    /// Vd in mm³: line, fittings, and what stays in the syringe.
+    pub dead_volume_mm3: f64,
+}
+
 impl Liquid {
     /// A liquid of the table with a share of gas.
     ///
@@ -141,6 +150,22 @@ impl Liquid {
     pub fn relative_volume(&self, pressure_mpa: f64) -> f64 {
         let gas = ATMOSPHERE_MPA / (ATMOSPHERE_MPA + pressure_mpa);
         (1.0 - self.gas_share) * (-pressure_mpa / self.bulk_modulus_mpa).exp() + self.gas_share * gas
+    }
+
+    /// ΔV in mm³ at atmospheric pressure that is pushed in while the cavity grows from V0 without pressure to V at a gauge pressure in MPa:
+    /// (V + Vd)/φ(P) − V0 − Vd.
+    pub fn pushed_mm3(
+        &self,
+        (rest_mm3, cavity_mm3): (f64, f64),
+        dead_volume_mm3: f64,
+        pressure_mpa: f64,
+    ) -> f64 {
+        (cavity_mm3 + dead_volume_mm3) / self.relative_volume(pressure_mpa) - rest_mm3 - dead_volume_mm3
+    }
+
+    /// Mass in g of a volume in mm³ at atmospheric pressure, without that of its gas.
+    pub fn mass_g(&self, volume_mm3: f64) -> f64 {
+        1e-6 * self.density_kg_per_m3 * (1.0 - self.gas_share) * volume_mm3
     }
 
     /// −dφ/dP in 1/MPa.

@@ -26,8 +26,8 @@ const grams = (/** @type {number | null | undefined} */ g) => (g ? `${number(g, 
  * Columns: heading, unit for CSV, cell for people, value for CSV.
  * @typedef {[string, string, (c: Candidate) => string, (c: Candidate) => string | number | null | undefined]} Column
  */
-/** @param {Prices} prices @returns {Column[]} */
-function columns(prices) {
+/** @param {Prices} prices @param {boolean} liquid whether the muscles are filled with one @returns {Column[]} */
+function columns(prices, liquid) {
   /**
    * @param {string} head
    * @param {string} kind
@@ -57,12 +57,18 @@ function columns(prices) {
     words("sure", sure),
     quantity("bulged", "length", (c) => c.bulged_diameter_mm),
     quantity("bursts at", "pressure", (c) => c.burst_pressure_mpa, 3),
-    ["air per stroke", "normal L", (c) => (c.air_normal_litres ? `${number(c.air_normal_litres, 3)} L` : "–"),
-      (c) => c.air_normal_litres],
+    liquid
+      ? ["liquid per stroke", "mL", (c) => (c.liquid_volume_mm3 ? `${number(1e-3 * c.liquid_volume_mm3, 3)} mL` : "–"),
+        (c) => c.liquid_volume_mm3 && 1e-3 * c.liquid_volume_mm3]
+      : ["air per stroke", "normal L", (c) => (c.air_normal_litres ? `${number(c.air_normal_litres, 3)} L` : "–"),
+        (c) => c.air_normal_litres],
     ["mass", "g", (c) => grams(c.mass_g ?? c.rubber_mass_g), (c) => c.mass_g ?? c.rubber_mass_g],
     words("price", (c) => price(c, prices) || "–"),
   ];
 }
+
+/** Whether muscles are filled with a liquid. @param {Candidate[]} candidates */
+const filled = (candidates) => candidates.some((c) => c.liquid_volume_mm3);
 
 /**
  * Columns that tell the candidates apart: a rubber that tubes name, and one length of all, is said above.
@@ -73,7 +79,7 @@ function shownColumns(candidates, prices) {
   const same = { rubber: candidates.every((c) => c.tube),
     L0: candidates.every((c) => c.length_mm === candidates[0].length_mm), tube: candidates.every((c) => !c.tube),
     sleeve: candidates.every((c) => !c.sleeve) };
-  return columns(prices).filter(([name]) => !(/** @type {Record<string, boolean>} */ (same))[name]);
+  return columns(prices, filled(candidates)).filter(([name]) => !(/** @type {Record<string, boolean>} */ (same))[name]);
 }
 
 /** @param {Candidate[]} candidates @param {Prices} prices */
@@ -81,7 +87,7 @@ function csv(candidates, prices) {
   const quoted = (
     /** @type {string | number | null | undefined} */ v,
   ) => (typeof v === "string" && /[",\n]/.test(v) ? `"${v.replaceAll('"', '""')}"` : v ?? "");
-  const list = columns(prices), head = list.map(([name, unit]) => (unit ? `${name} [${unit}]` : name));
+  const list = columns(prices, filled(candidates)), head = list.map(([name, unit]) => (unit ? `${name} [${unit}]` : name));
   return [head, ...candidates.map((c) => list.map(([, , , of]) => of(c)))].map((row) => row.map(quoted).join(",")).join(
     "\n",
   ) + "\n";
@@ -218,6 +224,8 @@ function relaxation(r) {
       return `Reduce the requirement to ${points}.`;
     case "outer_diameter":
       return `Take a tube of ${show("length", r.outer_diameter_mm)}.`;
+    case "max_liquid_volume":
+      return `Provide ${number(1e-3 * r.liquid_volume_mm3, 4)} mL of liquid for each muscle.`;
     case "guided":
       return "Guide the muscle, so that it cannot buckle.";
     default:

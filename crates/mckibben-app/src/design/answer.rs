@@ -11,6 +11,7 @@ use crate::uncertainty::UncertaintyWords;
 use crate::units::Units;
 use crate::words::{braid_name, number, percent, rubber_name};
 use mckibben::analysis::{Burst, NoBurst};
+use mckibben::liquid::Liquid;
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Braid, BraidStiffness};
 use mckibben::warning::Warning;
@@ -36,6 +37,9 @@ pub struct DesignAnswer {
     pub wanted: DemandAnswer,
     /// Search space and limits.
     pub searched: SearchedAnswer,
+    /// The liquid in the place of air, where there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub liquid: Option<Liquid>,
     /// The load that is lifted, as it was written.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub load: Option<String>,
@@ -170,8 +174,14 @@ pub struct CandidateAnswer {
     pub family_stiffness_n_per_mm: Option<f64>,
     /// Stiffness ∂F/∂L at the first point, N/mm.
     pub stiffness_n_per_mm: Option<f64>,
-    /// Largest air per stroke over the points, normal litres.
+    /// Largest air per stroke over the points, normal litres; none with a liquid.
     pub air_normal_litres: Option<f64>,
+    /// Largest liquid volume over the points that is pushed in from rest, measured at atmospheric pressure, mm³.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub liquid_volume_mm3: Option<f64>,
+    /// Mass of the liquid in muscle and dead volume at that point, g.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub liquid_mass_g: Option<f64>,
     /// Work from ε = 0 to the largest required contraction at the maximum pressure, J.
     pub work_j: Option<f64>,
     /// Largest tension of one strand, N.
@@ -305,6 +315,7 @@ impl DesignAnswer {
             model: model.name().into(),
             searched_with: model.searches().into(),
             max_pressure_mpa: spec.max_pressure_mpa,
+            liquid: spec.liquid.as_ref().map(|supply| supply.liquid.clone()),
             load: None,
             assumptions: vec![],
             looked_at: outcome.looked_at.0,
@@ -427,6 +438,9 @@ impl CandidateAnswer {
             family_stiffness_n_per_mm: c.muscle.family_stiffness_n_per_mm(),
             stiffness_n_per_mm: c.points.first().and_then(|q| q.response.stiffness_n_per_mm),
             air_normal_litres: c.air_normal_litres(),
+            liquid_volume_mm3: c.liquid_volume_mm3(),
+            // It grows with the volume.
+            liquid_mass_g: c.largest(|q| q.liquid_mass_g),
             work_j: c.work_j,
             strand_tension_n: c.largest(|q| q.response.strand_tension_n),
             braid_tension_n: c.largest(|q| q.response.braid_tension_n),

@@ -1,7 +1,7 @@
 //! Would a muscle as sold do? Those of the library that have a product, held against the specification.
 //!
 //! Such a muscle does where its pull less its ± (95 %, or the share that is guaranteed) meets every operating point by finite elements, at the
-//! supply's pressure or the highest of its bench where that is lower, and where its bulged diameter meets the limit of the specification. Its
+//! supply's pressure or the highest of its bench where that is lower, and where bulged diameter and liquid volume meet the limits of the specification. Its
 //! length is the one that the specification states, since such muscles are cut to length; else that of the bench. Burst, strands and rubber are its
 //! seller's matter: they are not checked.
 
@@ -67,7 +67,11 @@ fn one(request: &DesignRequest, spec: &Spec, muscle: &Muscle) -> Option<BoughtAn
     let held = Spec {
         max_pressure_mpa,
         base: muscle.clone(),
-        limits: Limits { bulged_diameter_mm: spec.limits.bulged_diameter_mm, ..Limits::default() },
+        limits: Limits {
+            bulged_diameter_mm: spec.limits.bulged_diameter_mm,
+            liquid_volume_mm3: spec.limits.liquid_volume_mm3,
+            ..Limits::default()
+        },
         guaranteed: Some(spec.guaranteed.unwrap_or(GUARANTEED)),
         ..spec.clone()
     };

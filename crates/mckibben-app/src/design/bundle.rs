@@ -45,8 +45,11 @@ pub struct BundlePoint {
     pub force_at_max_pressure_n: f64,
     /// 95 % half-width of that pull, N. What is not known of one muscle is not known of all: so many times that of one.
     pub uncertainty_n: Option<f64>,
-    /// Air from rest to the point, normal litres.
+    /// Air from rest to the point, normal litres; none with a liquid.
     pub air_normal_litres: Option<f64>,
+    /// Liquid pushed in from rest to the point, measured at atmospheric pressure, mm³.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub liquid_volume_mm3: Option<f64>,
 }
 
 impl DesignRequest {
@@ -82,6 +85,12 @@ impl DesignRequest {
         let of_envelope = self.max_envelope_mm.map(|mm| mm / share);
         let limits = self.max_bulged_diameter_mm.into_iter().chain(of_envelope);
         Ok(limits.reduce(f64::min))
+    }
+
+    /// The largest liquid volume of one muscle in mm³: its share of what there is.
+    pub(super) fn liquid_volume_mm3(&self) -> Result<Option<f64>, Problem> {
+        let count = f64::from(self.count()?);
+        Ok(self.max_liquid_volume_mm3.map(|mm3| mm3 / count))
     }
 }
 
@@ -121,6 +130,7 @@ pub(super) fn of(
         force_at_max_pressure_n: count * q.force_at_max_pressure_n,
         uncertainty_n: q.uncertainty_n.map(|n| count * n),
         air_normal_litres: q.air_normal_litres.map(|litres| count * litres),
+        liquid_volume_mm3: q.liquid_volume_mm3.map(|mm3| count * mm3),
     };
     Some(BundleAnswer {
         muscles,

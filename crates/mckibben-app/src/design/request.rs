@@ -3,6 +3,7 @@
 use super::policy::ModelPolicy;
 use crate::fields::{MeshFields, ModelFields, MuscleFields, NamedFields, Stiffness, TextFile};
 use crate::life::life_curve;
+use crate::liquid::LiquidFields;
 use crate::load::LoadFields;
 use crate::model::{Model, Purpose};
 use crate::muscle::{rubber, sleeve};
@@ -46,10 +47,17 @@ pub struct DesignRequest {
     pub radius_mm: Option<Choice>,
     /// Pressure of the supply, MPa.
     pub max_pressure_mpa: Option<f64>,
+    /// A liquid in the place of air.
+    #[serde(flatten)]
+    pub liquid: LiquidFields,
     /// Stroke in mm: with contractions it sets the length, with a length the contraction.
     pub stroke_mm: Option<f64>,
     /// Largest outer diameter at the operating points, mm; of a bundle that of each of its muscles.
     pub max_bulged_diameter_mm: Option<f64>,
+    /// Largest liquid volume that is pushed in up to the operating points, mm³: what the syringe or pump gives; of a bundle to all its muscles
+    /// together. It needs `liquid`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max_liquid_volume_mm3: Option<f64>,
     /// Equal muscles side by side that share what is required, 1 to 1000; default 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bundle: Option<u32>,
@@ -241,6 +249,7 @@ impl DesignRequest {
         let spec = Spec {
             wanted,
             max_pressure_mpa,
+            liquid: self.liquid.named_supply()?,
             length_mm: match &self.length_mm {
                 Some(Choice::One(_)) | None => None,
                 Some(choice) => Some(choice.values("length_mm")?),
@@ -259,6 +268,7 @@ impl DesignRequest {
                 fitted_stretch: true,
                 buckling: !self.guided,
                 strand_strain: Some(self.max_strand_strain.unwrap_or(VALIDATED_STRAND_STRAIN)),
+                liquid_volume_mm3: self.liquid_volume_mm3()?,
             },
             guaranteed: self.guaranteed()?,
             objective: self.objective,

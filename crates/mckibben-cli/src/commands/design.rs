@@ -5,7 +5,7 @@ mod text;
 use crate::clean;
 use crate::failure::{Failure, NO_ANSWER};
 use crate::files;
-use crate::flags::{LoadFlag, OverwriteFlag, PlotFlag, StrandFlags, UnitsFlag};
+use crate::flags::{LiquidFlags, LoadFlag, OverwriteFlag, PlotFlag, StrandFlags, UnitsFlag};
 use crate::format::Format;
 use crate::names::{MODELS, RUBBERS, SLEEVES};
 use crate::output::text::{Units, place};
@@ -39,6 +39,8 @@ pub const EXAMPLES: &str = "Examples:
     --max-pressure 3bar
   mckibben design --force 700N --contraction 15% --max-pressure 2.5bar \\
     --bundle 7 --max-envelope 80mm
+  mckibben design -F 50N -e 15% --max-pressure 2.5bar --length 200 \\
+    --liquid water --max-liquid 20mL
   mckibben design --joint 8Nm@45deg,3Nm@60deg --max-pressure 6bar \\
     --length 250 --max-bulged-diameter 40mm --rubber dragon-skin-30";
 
@@ -73,6 +75,8 @@ pub struct DesignArgs {
     /// Supply pressure
     #[arg(short = 'p', long, value_name = "PRESSURE", allow_hyphen_values = true, alias = "pressure")]
     pub max_pressure: Option<String>,
+    #[command(flatten, next_help_heading = "Question")]
+    pub liquid: LiquidFlags,
     /// The lower end of the ± meets it [95%]
     ///
     /// The muscle whose pull less its ± meets the requirement; another share, such as --guaranteed=99%, widens the ± accordingly.
@@ -102,6 +106,11 @@ pub struct DesignArgs {
         help_heading = "Limits"
     )]
     pub pitch: Option<String>,
+    /// Largest liquid volume up to the operating points: what the syringe or pump gives
+    ///
+    /// Of a bundle to all its muscles together. It needs --liquid.
+    #[arg(long, value_name = "VOLUME", allow_hyphen_values = true, help_heading = "Limits")]
+    pub max_liquid: Option<String>,
     /// Least burst pressure over supply pressure [4]
     ///
     /// 0 for none. The strength of the strands must be known.
@@ -313,6 +322,8 @@ fn request(args: &DesignArgs, figure: Option<Units>) -> Result<DesignRequest, Fa
         max_pressure_mpa: quantity("--max-pressure", args.max_pressure.as_deref(), Dimension::Pressure)?,
         stroke_mm: length("--stroke", &args.stroke)?,
         max_bulged_diameter_mm: length("--max-bulged-diameter", &args.max_bulged_diameter)?,
+        liquid: args.liquid.fields()?,
+        max_liquid_volume_mm3: quantity("--max-liquid", args.max_liquid.as_deref(), Dimension::Volume)?,
         bundle: args.bundle,
         max_envelope_mm: length("--max-envelope", &args.max_envelope)?,
         pitch_mm: length("--pitch", &args.pitch)?,

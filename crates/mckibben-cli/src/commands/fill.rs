@@ -1,12 +1,12 @@
 //! `fill`: a volume of liquid pushed into a muscle.
 
 use crate::failure::Failure;
-use crate::flags::{LoadFlag, ModelFlags, MuscleFlags, OutputFlags};
+use crate::flags::{LiquidFlags, LoadFlag, ModelFlags, MuscleFlags, OutputFlags};
 use crate::format::Format;
 use crate::output::text::{Units, half_width, number, pairs, percent, within};
 use crate::output::{FLAT, burst_first, show};
 use crate::progress::Bar;
-use crate::quantities::{contraction, quantity, ratio};
+use crate::quantities::{contraction, quantity};
 use crate::shown;
 use clap::Args;
 use mckibben::load::FillState;
@@ -33,18 +33,8 @@ pub struct FillArgs {
     /// Contraction ratio at which the muscle is held; with a load, where its way ends
     #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
     pub contraction: Option<String>,
-    /// Liquid: water, oil or glycol [water]
-    #[arg(long, value_name = "NAME")]
-    pub liquid: Option<String>,
-    /// Gas in the liquid, by volume at atmospheric pressure [0]
-    #[arg(long, value_name = "SHARE", allow_hyphen_values = true)]
-    pub gas: Option<String>,
-    /// Volume of line, fittings and what stays in the syringe [0]
-    #[arg(long, value_name = "VOLUME", allow_hyphen_values = true)]
-    pub dead_volume: Option<String>,
-    /// Bulk modulus of the liquid without gas [that of the liquid]
-    #[arg(long, value_name = "MODULUS", allow_hyphen_values = true, hide_short_help = true)]
-    pub bulk_modulus: Option<String>,
+    #[command(flatten, next_help_heading = "Question")]
+    pub liquid: LiquidFlags,
     #[command(flatten)]
     pub muscle: MuscleFlags,
     #[command(flatten)]
@@ -61,14 +51,7 @@ pub fn run(args: &FillArgs, format: Format) -> Result<u8, Failure> {
             model: args.model.fields()?,
             asking: args.model.asking.fields(),
             volume_mm3: quantity("--volume", args.volume.as_deref(), Dimension::Volume)?,
-            dead_volume_mm3: quantity("--dead-volume", args.dead_volume.as_deref(), Dimension::Volume)?,
-            liquid: args.liquid.clone(),
-            liquid_bulk_modulus_mpa: quantity(
-                "--bulk-modulus",
-                args.bulk_modulus.as_deref(),
-                Dimension::Pressure,
-            )?,
-            gas_share: ratio("--gas", args.gas.as_deref())?,
+            liquid: args.liquid.fields()?,
             load: args.load.fields()?,
             contraction: contraction("--contraction", args.contraction.as_deref())?,
         },

@@ -361,6 +361,13 @@ const FLAGS: &[Case] = &[
         "rubber",
         "there is no rubber",
     ),
+    (
+        "a largest liquid volume without a liquid",
+        "design -F 300 -e 10% -p 2.5bar --max-liquid 20mL",
+        2,
+        "usage",
+        "give --liquid",
+    ),
     ("an unknown objective", "design -F 300 -e 10% -p 2.5bar --objective beauty", 2, "usage", "diameter"),
     // Comparisons.
     ("a fit without points", "compare --fit modulus", 2, "usage", "--data <FILE.csv>"),

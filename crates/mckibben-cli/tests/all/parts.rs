@@ -115,15 +115,24 @@ fn parts_are_listed_and_own_tubes_take_their_place() {
     assert!(both.err.contains("--tube has no effect: --outer-diameter asks for free sizes"), "{}", both.err);
 }
 
-/// A regression: the first table of README is the answer to the command above it.
+/// A regression: the tables of pages are the answers to the commands above them.
 #[test]
-fn the_first_table_of_the_readme_is_what_its_command_prints() {
-    let readme = std::fs::read_to_string(root().join("README.md")).unwrap();
-    let printed = readme.split("```text\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
-    let answer = mckibben("design --force 700N --contraction 15% --max-pressure 2.5bar").ok();
-    let lines: Vec<&str> = printed.lines().filter(|l| !l.is_empty()).collect();
-    assert!(lines.len() >= 9);
-    for line in lines {
-        assert!(answer.text().lines().any(|l| l == line), "{line}\n{}", answer.text());
+fn the_tables_of_pages_are_what_their_commands_print() {
+    for (page, command) in [
+        ("README.md", "design --force 700N --contraction 15% --max-pressure 2.5bar"),
+        (
+            "docs/models.md",
+            "design -F 50N -e 15% --max-pressure 2.5bar --length 200 --liquid water --max-liquid 20mL",
+        ),
+    ] {
+        let text = std::fs::read_to_string(root().join(page)).unwrap();
+        let below = text.split(&format!("mckibben {command}\n")).nth(1).unwrap();
+        let printed = below.split("```text\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+        let answer = mckibben(command).ok();
+        let lines: Vec<&str> = printed.lines().filter(|l| !l.is_empty()).collect();
+        assert!(lines.len() >= 8);
+        for line in lines {
+            assert!(answer.text().lines().any(|l| l == line), "{line}\n{}", answer.text());
+        }
     }
 }

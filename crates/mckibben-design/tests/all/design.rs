@@ -1,14 +1,16 @@
 //! The design search against brute force and against its own promises.
 
 use mckibben::analysis::Options;
+use mckibben::liquid::{Liquid, LiquidSupply};
+use mckibben::load::liquid_per_stroke;
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::measures::{SEATING, WALL, fields};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Strands};
 use mckibben::progress::Silent;
 use mckibben::units::Values;
 use mckibben_design::{
-    BraidChoice, Build, Demand, JointDemand, Limits, Models, Objective, OperatingPoint, Reason, Relaxation,
-    Spec, ToleranceError, Tolerances, TorqueWanted, design, design_joint, spread,
+    BraidChoice, Build, Demand, JointDemand, Limit, Limits, Models, Objective, OperatingPoint, Reason,
+    Relaxation, Spec, SpecError, ToleranceError, Tolerances, TorqueWanted, design, design_joint, spread,
 };
 
 fn thick(muscle: &Muscle) -> Result<Box<dyn ForceModel>, mckibben::model::ModelError> {
@@ -19,6 +21,7 @@ fn spec(force_n: f64, contraction: f64) -> Spec {
     Spec {
         wanted: vec![OperatingPoint { force_n, contraction }].into(),
         max_pressure_mpa: 0.25,
+        liquid: None,
         base: Muscle::prototype(),
         tubes: vec![],
         outer_diameter_mm: Values::Interval(5.0, 80.0),
@@ -121,6 +124,90 @@ fn bounds_bind_and_are_named() {
     };
     assert_eq!(closest.relaxations, [Relaxation::MaxBulgedDiameter { bulged_diameter_mm: diameter_mm }]);
     assert!(diameter_mm < 40.0, "{diameter_mm}");
+}
+
+/// Oil with gas and a dead volume, for 300 N at 10 % of one muscle.
+fn with_oil() -> Spec {
+    let liquid = Liquid::named("oil", 0.02).unwrap();
+    Spec {
+        liquid: Some(LiquidSupply { liquid, dead_volume_mm3: 5000.0 }),
+        outer_diameter_mm: Values::List(vec![30.0]),
+        wall_mm: Values::List(vec![2.0]),
+        ..spec(300.0, 0.1)
+    }
+}
+
+/// The equation with cavities of the model: ΔV = (V + Vd)/φ − V0 − Vd, which is V − V0 of a liquid that keeps its volume; its mass fills both.
+#[test]
+fn a_liquid_takes_the_place_of_the_air_and_its_volume_is_that_of_the_equation() {
+    let mut spec = with_oil();
+    let stiff = Liquid::named("water", 0.0).unwrap().with_bulk_modulus(1e12).unwrap();
+    for liquid in [spec.liquid.clone().unwrap(), LiquidSupply { liquid: stiff, dead_volume_mm3: 700.0 }] {
+        spec.liquid = Some(liquid.clone());
+        let outcome = design(&spec, BUILD).unwrap();
+        let (best, w) = (&outcome.candidates[0], &mut Workspace::new());
+        let model = ThickWall::new(&best.muscle);
+        let mut cavity = |p: f64, e: f64| model.response(w, p, e).unwrap().volume_mm3.unwrap();
+        let (there, rest, dead) = (cavity(best.pressure_mpa, 0.1), cavity(0.0, 0.0), liquid.dead_volume_mm3);
+        let l = &liquid.liquid;
+        let shrunk = l.relative_volume(best.pressure_mpa);
+        let pushed =
+            if l.bulk_modulus_mpa == 1e12 { there - rest } else { (there + dead) / shrunk - rest - dead };
+        let found = best.liquid_volume_mm3().unwrap();
+        assert!((found / pushed - 1.0).abs() < 1e-9, "{found} {pushed}");
+        let mass = 1e-6 * l.density_kg_per_m3 * (1.0 - l.gas_share) * (rest + dead + pushed);
+        assert!((best.points[0].liquid_mass_g.unwrap() / mass - 1.0).abs() < 1e-9);
+        assert!(best.air_normal_litres().is_none());
+    }
+}
+
+/// The volume that a muscle takes is the edge of the limit: a millionth more and it fits, a millionth less and it is refused for it; what is promised to
+/// help does.
+#[test]
+fn the_largest_liquid_volume_binds_at_the_volume_that_is_found() {
+    let mut spec = with_oil();
+    let volume_mm3 = design(&spec, BUILD).unwrap().candidates[0].liquid_volume_mm3().unwrap();
+    spec.limits.liquid_volume_mm3 = Some(volume_mm3 * (1.0 + 1e-6));
+    let outcome = design(&spec, BUILD).unwrap();
+    assert_eq!(outcome.candidates.len(), 1);
+    assert_eq!(outcome.candidates[0].binds, Some(Limit::LiquidVolume));
+    spec.limits.liquid_volume_mm3 = Some(volume_mm3 * (1.0 - 1e-6));
+    let outcome = design(&spec, BUILD).unwrap();
+    assert!(outcome.candidates.is_empty());
+    let closest = outcome.closest.unwrap();
+    let Reason::LiquidVolume { volume_mm3: needs, limit_mm3 } = closest.rejected.reason else {
+        panic!("{closest:?}")
+    };
+    assert!((needs / volume_mm3 - 1.0).abs() < 1e-12 && limit_mm3 < volume_mm3);
+    assert_eq!(closest.relaxations, [Relaxation::MaxLiquidVolume { liquid_volume_mm3: needs }]);
+    // Without a liquid the limit has no meaning.
+    spec.liquid = None;
+    assert_eq!(design(&spec, BUILD).unwrap_err(), SpecError::NoLiquid { volume_mm3: limit_mm3 });
+}
+
+/// Against all muscles of a list: none that pulls enough takes less liquid than the first.
+#[test]
+fn the_objective_air_with_a_liquid_finds_the_least_liquid_of_a_list() {
+    let (diameters, walls) = (vec![24.0, 28.0, 32.0, 36.0], vec![1.0, 2.0, 3.0]);
+    let spec = Spec {
+        objective: Objective::Air,
+        outer_diameter_mm: Values::List(diameters.clone()),
+        wall_mm: Values::List(walls.clone()),
+        ..with_oil()
+    };
+    let outcome = design(&spec, BUILD).unwrap();
+    let best = outcome.candidates[0].liquid_volume_mm3().unwrap();
+    let (w, mut least) = (&mut Workspace::new(), f64::INFINITY);
+    for (d0, s) in diameters.iter().flat_map(|d0| walls.iter().map(move |s| (*d0, *s))) {
+        let model = ThickWall::new(&spec.base.with_section(d0, s).unwrap());
+        if model.force_n(w, 0.25, 0.1).unwrap() < 300.0 {
+            continue;
+        }
+        let p = mckibben::analysis::pressure_at(&model, w, 300.0, 0.1, Options::default()).unwrap();
+        let supply = spec.liquid.as_ref().unwrap();
+        least = least.min(liquid_per_stroke(&model, w, supply, p, 0.1).unwrap().volume_mm3);
+    }
+    assert!((best / least - 1.0).abs() < 1e-9, "{best} {least}");
 }
 
 /// Every relaxation, taken alone, makes the closest muscle fit.

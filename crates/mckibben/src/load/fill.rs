@@ -1,9 +1,11 @@
 //! A muscle that a volume of liquid is pushed into: pressure, stroke, energies, and the stiffness with the liquid shut in.
 
 mod filling;
+mod stroke;
 mod way;
 
 pub use filling::Filling;
+pub use stroke::{LiquidStroke, liquid_per_stroke};
 
 use super::Load;
 use crate::analysis::{AnalysisError, HIGHEST_PRESSURE_MPA, Options};
@@ -218,7 +220,7 @@ pub fn fill<M: ForceModel + ?Sized>(
         stroke_mm,
         rest_volume_mm3: rest_mm3,
         compressed_volume_mm3: whole_mm3 * (1.0 - liquid.relative_volume(pressure_mpa)),
-        liquid_mass_g: 1e-6 * liquid.density_kg_per_m3 * (1.0 - liquid.gas_share) * whole_mm3,
+        liquid_mass_g: liquid.mass_g(whole_mm3),
         effective_bulk_modulus_mpa: liquid.effective_bulk_modulus_mpa(pressure_mpa),
         shut_stiffness_n_per_mm,
         pump_work_j: cavity_j + liquid_energy_j,

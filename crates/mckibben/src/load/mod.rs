@@ -13,7 +13,7 @@ mod table;
 
 pub use cycle::{Cycle, cycle};
 pub use equilibrium::{Balance, LoadError, balances};
-pub use fill::{Fill, FillError, FillState, Filling, fill};
+pub use fill::{Fill, FillError, FillState, Filling, LiquidStroke, fill, liquid_per_stroke};
 pub use lever::Lever;
 pub use parse::LoadTextError;
 pub use table::{LoadTable, LoadTableError};

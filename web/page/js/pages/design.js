@@ -15,7 +15,7 @@ import { onUnits, typed, unitName } from "../units.js";
 const OBJECTIVES = /** @type {[string, string][]} */ ([
   ["diameter", "smallest diameter"],
   ["pressure", "lowest pressure"],
-  ["air", "least air"],
+  ["air", "least air or liquid"],
   ["margin", "largest margin of pull"],
   ["bulged-diameter", "smallest bulged diameter"],
   ["length", "shortest"],
@@ -54,6 +54,8 @@ export const choices = () => [
   { key: "k", field: "stiffness", label: "Stiffness of a strand family", kind: "stiffness", or: STIFFNESS_NAMES,
     hint: "500 N/mm; inextensible" },
   { key: "r", field: "radius_mm", label: "Pulley of a joint", kind: "length", list: true, hint: "20..40 mm" },
+  { key: "liquid", field: "liquid", label: "Liquid in the place of air", hint: "water, oil or glycol" },
+  { key: "most", field: "max_liquid_volume_mm3", label: "Largest liquid volume", kind: "volume", hint: "20 mL" },
   { key: "burst", field: "min_burst_margin", label: "Burst over supply, at least", kind: "ratio", factor: true,
     hint: "4" },
 ];

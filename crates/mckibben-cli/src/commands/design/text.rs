@@ -4,6 +4,7 @@ use crate::failure::in_flags;
 use crate::output::text::{Units, aligned, columns, half_width, number, or_dash, percent, percents, place};
 use mckibben::analysis::FailureMode;
 use mckibben::analysis::litres_anr;
+use mckibben::liquid::Liquid;
 use mckibben_app::{
     BoughtAnswer, CandidateAnswer, ClosestAnswer, DemandAnswer, DesignAnswer, OperatingPoint, RejectedAnswer,
     SearchedAnswer, SureAnswer, TorqueWanted,
@@ -21,7 +22,8 @@ pub fn of(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     let supply = u.pressure.show(answer.max_pressure_mpa);
     let each = searched.bundle.filter(|n| *n > 1);
     let each = each.map_or_else(String::new, |n| format!(" of each of {n} muscles"));
-    let mut out = format!("Required{each}: {wanted} with at most {supply}{level}\n");
+    let filled = answer.liquid.as_ref().map_or_else(String::new, |l| format!(" of {}", liquid(l)));
+    let mut out = format!("Required{each}: {wanted} with at most {supply}{filled}{level}\n");
     let with = if answer.searched_with == answer.model {
         String::new()
     } else {
@@ -73,6 +75,13 @@ pub fn of(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     out
 }
 
+/// `water`, `water with 1 % of gas`.
+fn liquid(liquid: &Liquid) -> String {
+    let gas = Some(liquid.gas_share).filter(|share| *share > 0.0);
+    let gas = gas.map_or_else(String::new, |share| format!(" with {} of gas", percent(share)));
+    format!("{}{gas}", liquid.name)
+}
+
 /// What the muscles of a bundle do together.
 fn bundle(answer: &DesignAnswer, u: &Units) -> String {
     let Some(b) = &answer.bundle else { return String::new() };
@@ -88,9 +97,12 @@ fn bundle(answer: &DesignAnswer, u: &Units) -> String {
     out.push('\n');
     for q in &b.points {
         let half = or_dash(q.uncertainty_n, |v| u.force.half_width(v));
-        let air = or_dash(q.air_normal_litres, |v| number(litres_anr(v), 3));
+        let fluid = match q.liquid_volume_mm3 {
+            Some(mm3) => format!("{} mL of liquid", number(1e-3 * mm3, 3)),
+            None => format!("{} L of air", or_dash(q.air_normal_litres, |v| number(litres_anr(v), 3))),
+        };
         out.push_str(&format!(
-            "  {} at {}: {} ± {half} {} at the maximum pressure, {air} L of air\n",
+            "  {} at {}: {} ± {half} {} at the maximum pressure, {fluid}\n",
             u.force.show(q.force_n),
             percent(q.contraction),
             u.force.to(q.force_at_max_pressure_n, 4),
@@ -214,6 +226,7 @@ fn binds(best: &CandidateAnswer) -> String {
         Limit::StrandStrain => "largest strain of the strands",
         Limit::BurstMargin => "burst pressure",
         Limit::Buckling => "load at which it buckles",
+        Limit::LiquidVolume => "largest liquid volume",
     };
     format!("Limited by: {what}.\n")
 }
@@ -230,6 +243,7 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
     let stiffness = |c: &One| c.family_stiffness_n_per_mm;
     let several_braids = list.windows(2).any(|w| stiffness(&w[0]) != stiffness(&w[1]));
     let strands = list.iter().any(|c| c.strand_tension_n.is_some());
+    let liquid = list.iter().any(|c| c.liquid_volume_mm3.is_some());
     let burst = list.iter().any(|c| c.limits.burst_pressure_mpa.is_some());
     let tension = |c: &One| if strands { c.strand_tension_n } else { c.braid_tension_n };
     let needs = list.iter().map(|c| {
@@ -269,7 +283,11 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
         ("ε free".into(), percents(maybe(&|c| c.free_contraction), 3)),
         (u.length.heading("bulged D"), u.length.column(maybe(&|c| c.bulged_diameter_mm), 3)),
         (per_length.heading("stiffness"), per_length.column(maybe(&|c| c.stiffness_n_per_mm), 3)),
-        ("air [L]".into(), aligned(&maybe(&|c| c.air_normal_litres.map(litres_anr)), 3)),
+        if liquid {
+            ("liquid [mL]".into(), aligned(&maybe(&|c| c.liquid_volume_mm3.map(|mm3| 1e-3 * mm3)), 3))
+        } else {
+            ("air [L]".into(), aligned(&maybe(&|c| c.air_normal_litres.map(litres_anr)), 3))
+        },
         (u.force.heading(if strands { "strand" } else { "braid" }), u.force.column(maybe(&tension), 3)),
         (
             u.force.heading("±"),
@@ -291,11 +309,16 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
         found.push(("rubber".into(), list.iter().map(|c| c.muscle.rubber.clone()).collect()));
     }
     let mut out = columns(found);
+    let (fluid, from_rest) = if liquid {
+        ("liquid", "liquid: volume (at atmospheric pressure) that is pushed in")
+    } else {
+        ("air", "air: litres (ANR: at 20 °C and 1 bar)")
+    };
     let braid =
         if strands { "strand: tension of one strand" } else { "braid: tension of all strands together" };
     let k = if several_braids { "k: stiffness of one strand family. " } else { "" };
     out.push_str(&format!(
-        "\n{}margin: pull above the required pull, at the maximum pressure.\nF blocked and ε free: at the maximum pressure. stiffness: at the first point. bulged D, {}, air, ±: the largest of the points.\nair: litres (ANR: at 20 °C and 1 bar) from rest to the point. {k}{braid}.\n±: 95 % half-width of the pull, against a measured muscle.\n",
+        "\n{}margin: pull above the required pull, at the maximum pressure.\nF blocked and ε free: at the maximum pressure. stiffness: at the first point. bulged D, {}, {fluid}, ±: the largest of the points.\n{from_rest} from rest to the point. {k}{braid}.\n±: 95 % half-width of the pull, against a measured muscle.\n",
         if list.iter().any(|c| c.points.len() > 1) { "P required: the pressure of each point. " } else { "" },
         if strands { "strand" } else { "braid" }
     ));
@@ -459,6 +482,10 @@ fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {
             }
             Relaxation::MaxStrandStrain { strand_strain } => {
                 format!("allow a strand strain of {}", percent((strand_strain * 1e4).ceil() / 1e4))
+            }
+            Relaxation::MaxLiquidVolume { liquid_volume_mm3 } => {
+                let volume = number((liquid_volume_mm3 * 0.1).ceil() / 100.0, 4);
+                format!("provide {volume} mL of liquid for each muscle")
             }
             Relaxation::Guided {} => "guide the muscle, so that it cannot buckle (--guided)".into(),
             Relaxation::MinBurstMargin { burst_margin } => {

@@ -1,6 +1,6 @@
 use super::*;
 use crate::analysis::{ATMOSPHERE_MPA, force_on, pressure_at};
-use crate::liquid::Liquid;
+use crate::liquid::{Liquid, LiquidSupply};
 use crate::model::{Ideal, ModelKind, ThickWall, gauss};
 use crate::muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube};
 use crate::rubber::{Law, NeoHookean};
@@ -35,6 +35,19 @@ fn the_ideal_muscle_goes_where_its_volume_is() {
         assert!(
             (free.answer.response.contraction - e).abs() < 1e-10 && free.answer.response.pressure_mpa == 0.0
         );
+    }
+}
+
+/// Closed form: a liquid that keeps its volume takes V(ε) − V0 of the ideal muscle, whatever the dead volume; what is in the cavity then weighs ρ (V(ε) + Vd).
+#[test]
+fn a_stroke_with_a_stiff_liquid_takes_what_the_cavity_grows_by() {
+    let (model, w) = (Ideal::new(&Muscle::prototype()), &mut Workspace::new());
+    let supply = LiquidSupply { liquid: stiff(), dead_volume_mm3: 4000.0 };
+    for e in [0.02, 0.1, 0.2] {
+        let found = liquid_per_stroke(&model, w, &supply, 0.2, e).unwrap();
+        let (there, rest) = (model.volume(e), model.volume(0.0));
+        assert!((found.volume_mm3 / (there - rest) - 1.0).abs() < 1e-9, "{found:?}");
+        assert!((found.mass_g / (998.2e-6 * (there + 4000.0)) - 1.0).abs() < 1e-9, "{found:?}");
     }
 }
 

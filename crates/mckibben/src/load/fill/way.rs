@@ -50,9 +50,8 @@ impl<M: ForceModel + ?Sized> Way<'_, M> {
     /// ΔV that brings the muscle to a place of a leg, in mm³.
     pub(super) fn pushed_mm3(&self, w: &mut Workspace, leg: Leg, at: f64) -> Result<f64, AnalysisError> {
         let (p, e) = self.place(w, leg, at)?;
-        let dead = self.filling.dead_volume_mm3;
-        let inside = cavity_mm3(self.model, w, p, e)? + dead;
-        Ok(inside / self.filling.liquid.relative_volume(p) - self.rest_mm3 - dead)
+        let cavity_mm3 = cavity_mm3(self.model, w, p, e)?;
+        Ok(self.filling.liquid.pushed_mm3((self.rest_mm3, cavity_mm3), self.filling.dead_volume_mm3, p))
     }
 
     /// The place of a leg at which the volume is in; else the last one with an answer.
