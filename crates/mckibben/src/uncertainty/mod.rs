@@ -22,7 +22,7 @@
 //!
 //! - `transfer`, beside the others, of constants that somebody else identified from a specimen of the same product ([`Muscle::laboratory`]): a share of
 //!   the blocked force at the same pressure, which the pulls of the same hose with other fittings, measured in two laboratories, give.
-//! - `length`, beside the others, of a muscle whose constants were identified at other lengths ([`Muscle::off_identified_lengths`]): a share of the
+//! - `length_transfer`, beside the others, of a muscle whose constants were identified at other lengths ([`Muscle::off_identified_lengths`]): a share of the
 //!   blocked force at the same pressure, in proportion to |Δ(D0/L0)|, which the three lengths of a DMSP-10 hose give.
 //! - `bend`, beside the others, of a muscle that lies on a pulley ([`Bent`](crate::model::Bent)): half the difference between strands that slide on the tube and
 //!   strands that are fixed to it.
@@ -123,7 +123,7 @@ pub struct UncertaintyParts {
     pub transfer: Option<f64>,
     /// Another length of the muscle against those that were identified.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub length: Option<f64>,
+    pub length_transfer: Option<f64>,
     /// Of a muscle that lies on a pulley: strands that slide on the tube against strands that are fixed to it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bend: Option<f64>,
@@ -144,7 +144,7 @@ impl UncertaintyParts {
             (if self.friction_is_stated { "friction" } else { "friction unknown" }, self.friction),
             ("fit", self.fit),
             ("another specimen", self.transfer),
-            ("another length", self.length),
+            ("another length", self.length_transfer),
             ("bend", self.bend),
         ];
         all.into_iter().filter_map(|(name, part)| Some((name, part?)))
@@ -185,7 +185,11 @@ pub fn uncertainty<M: ForceModel + ?Sized>(
     }
     let blocked = blocked_n(model, workspace, pressure_mpa)?;
     let muscle = model.muscle();
-    Some(UncertaintyParts { transfer: transfer_n(muscle, blocked), length: length_n(muscle, blocked), ..own })
+    Some(UncertaintyParts {
+        transfer: transfer_n(muscle, blocked),
+        length_transfer: length_n(muscle, blocked),
+        ..own
+    })
 }
 
 /// The parts of the ± of the specimen that was identified, or of any muscle.
@@ -247,7 +251,7 @@ fn general<M: ForceModel + ?Sized>(
         friction: Some(friction_n(model, workspace, (pressure_mpa, contraction), direction, blocked)),
         fit: None,
         transfer: None,
-        length: None,
+        length_transfer: None,
         bend: None,
         friction_is_stated: muscle.friction().is_some(),
     })
@@ -342,7 +346,7 @@ fn between(inside: &UncertaintyParts, outside: &UncertaintyParts, x: f64) -> Unc
         friction: part(|p| p.friction),
         fit: part(|p| p.fit),
         transfer: None,
-        length: None,
+        length_transfer: None,
         bend: None,
         friction_is_stated: inside.friction_is_stated,
     }
@@ -595,13 +599,13 @@ mod tests {
         let inverse = 0.5 * (1.0 / m.length_mm() + 1.0 / 400.0);
         let off = m.tube().outer_diameter_mm * (1.0 / 200.0 - inverse);
         let blocked = ThickWall::new(&of(200.0)).force_n(&mut Workspace::new(), 0.2, 0.0).unwrap();
-        assert!((found.length.unwrap() / (8.3 * off * blocked) - 1.0).abs() < 1e-12);
-        assert_eq!(UncertaintyParts { length: None, ..found }, without);
+        assert!((found.length_transfer.unwrap() / (8.3 * off * blocked) - 1.0).abs() < 1e-12);
+        assert_eq!(UncertaintyParts { length_transfer: None, ..found }, without);
         assert!(short.warnings().iter().any(|s| s.contains("another one")) && own.warnings().is_empty());
         // At its own length the fit counts; a wall of another thickness is another muscle.
-        assert_eq!((parts(&own).length, parts(&own).fit), (None, Some(5.0)));
+        assert_eq!((parts(&own).length_transfer, parts(&own).fit), (None, Some(5.0)));
         let thinner = Tube { wall_mm: 2.0, ..short.tube().clone() };
-        assert_eq!(parts(&short.with_tube(thinner).unwrap()).length, None);
+        assert_eq!(parts(&short.with_tube(thinner).unwrap()).length_transfer, None);
     }
 
     #[test]

@@ -16,7 +16,7 @@ const PARTS = {
   braid: ["stiffness of the braid", "Measure the sleeve, or identify the stiffness from the muscle's own pull."],
   formula: ["formula", "Compute by finite elements: the model fe."],
   mesh: ["mesh", "Take a finer mesh; it seldom matters."],
-  length: ["another length", "Pull your muscle at its own length, and identify it on the page Data."],
+  length_transfer: ["another length", "Pull your muscle at its own length, and identify it on the page Data."],
   transfer: ["another specimen", "Pull your own muscle, and identify it on the page Data."],
   fit: ["fit to the bench", "Measure more points, at the pressures and contractions that you need."],
 };
