@@ -66,6 +66,21 @@ def test_a_drive_is_its_file_and_its_simulation_the_motion(elbow: mk.Joint, root
     assert first.step([0.2, 0.1]) == second.step([0.2, 0.1])
 
 
+def test_a_syringe_of_a_file_and_of_keys_and_a_step_at_a_time(root: Path) -> None:
+    """The same numbers from the file, from keys with their units, and from a simulation whose command is the volume."""
+    muscle = mk.Muscle(root / "examples/prototype.toml")
+    given: dict[str, Any] = {"liquid": {"name": "water", "gas_share": "0.5 %", "dead_volume_mm3": 10e3}, "syringe": {"volume": "150 mL", "time_constant_s": 0.2}, "load": {"mass_kg": 10, "damping": "200 N s/m", "stops_mm": (0, 100)}}
+    drive = mk.Drive(muscle, command={"volume_mm3": [[0, 0], [0.1, 100e3], [2, 20e3]], "until_s": 4}, **given)
+    motion, of_file = mk.motion(drive, model="universal"), mk.motion(root / "examples/syringe-drive.toml", model="universal")
+    assert motion.series == of_file.series and motion.liquid_volume_mm3 == pytest.approx(20e3, rel=1e-3)
+    simulation = mk.Simulation(drive, 0.1, model="universal")
+    simulation.step(0.0)
+    for _ in range(19):
+        state = simulation.step(100e3)
+    at = np.searchsorted(np.asarray(motion.series["time_s"]), 2.0) - 1
+    assert state.contraction == pytest.approx(np.asarray(motion.series["contraction"])[at], rel=1e-4)
+
+
 def test_a_drive_of_one_muscle_with_a_table(root: Path, tmp_path: Path) -> None:
     muscle = mk.Muscle(root / "examples/prototype.toml")
     valve = mk.Valve(sonic_conductance="0.5 L/(s bar)", critical_ratio=0.3)

@@ -52,7 +52,9 @@ export function figures(run) {
     ["settling time, 2 %", time(run.settling_time_s)],
     ["overshoot", show("ratio", run.overshoot, 3)],
     ["filled within 2 % after", time(run.fill_time_s)],
-    ["air from the supply", `${number(run.air_normal_litres, 3)} normal L`],
+    run.liquid_volume_mm3 == null
+      ? ["air from the supply", `${number(run.air_normal_litres, 3)} normal L`]
+      : ["liquid pushed in", `${number(run.liquid_volume_mm3 / 1000, 4)} mL`],
     ["largest speed", speed(run)],
     ["largest power", `${number(run.largest_power_w, 3)} W`],
   ], { label: "figures of the step" });
