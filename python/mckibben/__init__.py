@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from . import jax as jax, plot as plot, torch as torch
-    from ._ask import ask as ask
+    from ._ask import ask as ask, units as units
     from ._campaign import Campaign as Campaign, Shards as Shards, campaign as campaign
     from ._commands import *
     from ._drives import Drive as Drive, Joint as Joint, Valve as Valve
@@ -30,7 +30,6 @@ if TYPE_CHECKING:
     from ._notebook import widget as widget
     from ._parts import Braid as Braid, Friction as Friction, Rubber as Rubber, Terminals as Terminals, Tube as Tube
     from ._points import Solution as Solution, errstate as errstate
-    from ._quantity import units as units
     from ._record import Record as Record, load as load
     from ._results import Design as Design, Fit as Fit
     from ._simulation import Simulation as Simulation
@@ -43,7 +42,7 @@ if TYPE_CHECKING:
 _PLACES = {
     name: place
     for place, names in {
-        "_ask": "ask",
+        "_ask": "ask units",
         "_campaign": "Campaign Shards campaign",
         "_drives": "Drive Joint Valve",
         "_formula": "Formula",
@@ -52,7 +51,6 @@ _PLACES = {
         "_notebook": "widget",
         "_parts": "Braid Friction Rubber Terminals Tube",
         "_points": "Solution errstate",
-        "_quantity": "units",
         "_record": "Record load",
         "_results": "Design Fit",
         "_simulation": "Simulation",

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from html import escape
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from . import _quantity
+from . import _native, _quantity, _schema
 from ._base import Fixed, Tabled
 from ._files import put
 
@@ -160,11 +160,8 @@ class Record(Fixed, Tabled):
         figure = self._data.get("figure")
         if figure is not None and units is None:
             return dict(figure)
-        from . import _native
-        from ._ask import figure_in
-
         command, request = self._asked or ("", {})
-        wanted = figure_in(command, units or "MPa") if command else None
+        wanted = _schema.figure_in(command, units or "MPa") if command else None
         if wanted is None:
             raise AttributeError(f"{type(self).__name__} has no figure")
         figure = _native.ask(command, {**request, "figure": wanted}).get("figure")
@@ -178,7 +175,6 @@ def load(path: str | os.PathLike[str]) -> Any:
     with open(path, encoding="utf-8") as file:
         text = file.read()
     if not text.lstrip().startswith("{"):
-        from . import _native
         from ._drives import Drive, Joint, Valve
         from ._muscle import Muscle
         from ._parts import PARTS, Rubber
