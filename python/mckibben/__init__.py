@@ -25,12 +25,13 @@ if TYPE_CHECKING:
     from ._drives import Drive as Drive, Joint as Joint, Valve as Valve
     from ._errors import *
     from ._formula import Formula as Formula
+    from ._load import load as load
     from ._model import Model as Model
     from ._muscle import Muscle as Muscle
     from ._notebook import widget as widget
     from ._parts import Braid as Braid, Friction as Friction, Rubber as Rubber, Terminals as Terminals, Tube as Tube
     from ._points import Solution as Solution, errstate as errstate
-    from ._record import Record as Record, load as load
+    from ._record import Record as Record
     from ._results import Design as Design, Fit as Fit
     from ._simulation import Simulation as Simulation
     from ._table import Table as Table
@@ -46,12 +47,13 @@ _PLACES = {
         "_campaign": "Campaign Shards campaign",
         "_drives": "Drive Joint Valve",
         "_formula": "Formula",
+        "_load": "load",
         "_model": "Model",
         "_muscle": "Muscle",
         "_notebook": "widget",
         "_parts": "Braid Friction Rubber Terminals Tube",
         "_points": "Solution errstate",
-        "_record": "Record load",
+        "_record": "Record",
         "_results": "Design Fit",
         "_simulation": "Simulation",
         "_table": "Table",
