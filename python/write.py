@@ -137,7 +137,7 @@ def members(made: type) -> Iterator[tuple[str, Any]]:
                 yield name, value
 
 
-PARTS = {"Objects": "_muscle _parts _model _points _drives _simulation _formula _campaign _table", "Commands": "_commands", "Figures": "plot _notebook", "Answers": "_columns _results _record", "Exceptions": "_problem"}
+PARTS = {"Objects": "_muscle _parts _model _points _drives _simulation _formula _campaign _table", "Commands": "_commands", "Figures": "plot _notebook", "Answers": "_columns _results _record _load", "Exceptions": "_problem"}
 
 
 def parts() -> Iterator[tuple[str, str, str, Any]]:

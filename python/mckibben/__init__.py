@@ -19,19 +19,19 @@ if TYPE_CHECKING:
     from typing import Any
 
     from . import jax as jax, plot as plot, torch as torch
-    from ._ask import ask as ask
+    from ._ask import ask as ask, units as units
     from ._campaign import Campaign as Campaign, Shards as Shards, campaign as campaign
     from ._commands import *
     from ._drives import Drive as Drive, Joint as Joint, Valve as Valve
     from ._errors import *
     from ._formula import Formula as Formula
+    from ._load import load as load
     from ._model import Model as Model
     from ._muscle import Muscle as Muscle
     from ._notebook import widget as widget
     from ._parts import Braid as Braid, Friction as Friction, Rubber as Rubber, Terminals as Terminals, Tube as Tube
     from ._points import Solution as Solution, errstate as errstate
-    from ._quantity import units as units
-    from ._record import Record as Record, load as load
+    from ._record import Record as Record
     from ._results import Design as Design, Fit as Fit
     from ._simulation import Simulation as Simulation
     from ._table import Table as Table
@@ -43,17 +43,17 @@ if TYPE_CHECKING:
 _PLACES = {
     name: place
     for place, names in {
-        "_ask": "ask",
+        "_ask": "ask units",
         "_campaign": "Campaign Shards campaign",
         "_drives": "Drive Joint Valve",
         "_formula": "Formula",
+        "_load": "load",
         "_model": "Model",
         "_muscle": "Muscle",
         "_notebook": "widget",
         "_parts": "Braid Friction Rubber Terminals Tube",
         "_points": "Solution errstate",
-        "_quantity": "units",
-        "_record": "Record load",
+        "_record": "Record",
         "_results": "Design Fit",
         "_simulation": "Simulation",
         "_table": "Table",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 from . import _schema
@@ -37,9 +38,15 @@ def _record(name: str, schema: _schema.Schema, rows: str | None) -> type[Record]
         "__doc__": "\n\n".join([wrapped(_schema.doc(schema) or name), *entries("Attributes", fields)]),
         "__annotations__": kinds,
         "_fields_": tuple(fields),
-        "_nested_": {field: found for field, value in fields.items() if (found := _schema.record_of(value))},
+        "_nested_": {field: partial(_kind, found) for field, value in fields.items() if (found := _schema.record_of(value))},
         "_rows_": rows,
     })
+
+
+def _kind(name: str) -> type[Record]:
+    """A record by its name."""
+    made: type[Record] = globals().get(name) or __getattr__(name)
+    return made
 
 
 def _all() -> list[str]:

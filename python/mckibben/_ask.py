@@ -7,15 +7,9 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, Union
 
+from . import _native, _plain, _quantity, _schema
+
 Progress = Union[bool, Callable[[int, int], object], None]
-
-
-def figure_in(command: str, units: str) -> str | bool | None:
-    """What asks for a figure in these units, or for one in its own; None where a command has no figure."""
-    from . import _schema
-
-    figure = _schema.request(command).get("figure")
-    return None if figure is None else True if figure.get("type") == "boolean" else units
 
 
 def ask(command: str, request: dict[str, Any] | None = None, *, progress: Progress = None) -> dict[str, Any]:
@@ -40,25 +34,43 @@ def ask(command: str, request: dict[str, Any] | None = None, *, progress: Progre
     MckibbenError
         One of its classes says why there is no answer.
     """
-    from . import _native
-
     with listening(progress, command) as heard:
         return _native.ask(command, {} if request is None else request, heard)
 
 
 def answered(command: str, values: dict[str, Any], answer: str, progress: Progress = None) -> Any:
     """The answer to a request of keywords, as an object."""
-    from . import _answers, _native, _plain, _results
+    from . import _answers, _results
 
     request = _plain.request(command, values)
     # With its figure, as the answer takes longer than to draw. A curve is drawn when it is wanted, and so are measured muscles, which may be rubbers alone.
-    if command not in ("curve", "measured") and (figure := figure_in(command, "MPa")) is not None:
+    if command not in ("curve", "measured") and (figure := _schema.figure_in(command, "MPa")) is not None:
         request.setdefault("figure", figure)
     own = getattr(_results, answer, None)
     with listening(progress, command) as heard:
         if own is not None:
             return own._asked_for(command, request, heard)
         return getattr(_answers, answer)(_native.ask(command, request, heard), (command, request))
+
+
+def units(system: object = None) -> Any:
+    """How numbers are returned: ``"pint"`` as quantities of pint in the unit of their name, ``"plain"`` as numbers. A registry of pint may be
+    given instead, so that its quantities go together with yours. With nothing: the answer of the command ``units``, all units that texts
+    may have.
+    """
+    if system is None:
+        return answered("units", {}, "UnitsAnswer")
+    if system == "pint":
+        import pint
+
+        registry: Any = pint
+        system = registry.get_application_registry()
+    elif system == "plain":
+        system = None
+    elif not hasattr(system, "Quantity"):
+        raise ValueError(f'units: "pint", "plain" or a registry of pint, not {system!r}')
+    _quantity.REGISTRY = system
+    return None
 
 
 @contextmanager

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -16,6 +17,11 @@ if TYPE_CHECKING:
 def _any(options: Mapping[str, object]) -> dict[str, Any]:
     """Options that are handed on: what takes them says which they are."""
     return dict(options)
+
+
+def named(name: str) -> Any:
+    """What the package has under a name: how a module makes objects of classes that are above it."""
+    return getattr(sys.modules[__package__], name)
 
 
 class Fixed:

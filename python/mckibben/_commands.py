@@ -9,10 +9,11 @@ from functools import partial
 from inspect import Parameter, Signature
 from typing import Any
 
-from . import _quantity, _schema
+from . import _native, _quantity, _schema
 from ._ask import answered
 from ._docs import entry, section, wrapped
 from ._files import FORMULAS, TABLES, without_gaps
+from ._plain import muscle_text, tube_for
 from ._problem import warned
 
 # Commands that are no function of the package: they serve pages and the command line.
@@ -251,8 +252,6 @@ def _muscle_fields() -> type:
     fields = _schema.muscle()
 
     def make(given: dict[str, Any]) -> None:
-        from ._plain import muscle_text
-
         muscle, base = given.pop("self"), given.pop("base", None)
         if base is None and given.get("tube") is None and (missing := [name for name in GEOMETRY if given.get(name) is None]):
             text = f"{', '.join(missing)} of the paper's prototype (D0 30 mm, s 3 mm, L0 285 mm) {'is' if len(missing) == 1 else 'are'} used; give every measure, or say Muscle.prototype(…)"
@@ -283,10 +282,6 @@ def _part_fields(table: str) -> type:
     kind = table.capitalize()
 
     def make(given: dict[str, Any]) -> None:
-        from . import _native
-        from ._parts import tube_for
-        from ._plain import muscle_text
-
         part, carries = given.pop("self"), given.pop("compression", None)
         values = {names[name]: value for name, value in given.items() if value is not None}
         own = {**(tube_for(given) if table == "braid" else {}), **({} if carries is None else {"braid": {"compression": bool(carries)}})}

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Union
 
 from . import _files, _native, _quantity
 from ._base import Fixed
-from ._record import load
+from ._muscle import Muscle
 
 if TYPE_CHECKING:
     from typing import TypeAlias
@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from ._inputs import Number, Numbers, TableLike
-    from ._muscle import Muscle
 
     Key: TypeAlias = Union[Number, Numbers, bool, Sequence[Sequence[Number]]]
     Keys: TypeAlias = Mapping[str, "Key"]
@@ -89,7 +88,7 @@ class _File(Fixed):
             if isinstance(of, _File):
                 files |= of.to_dict().get("files", {})
         beside = {place.parent / name: text for name, text in files.items()}
-        _files.put({**beside, place: self.to_toml()}, lambda there: Path(there) == place and type(load(there)) is type(self), overwrite)
+        _files.put({**beside, place: self.to_toml()}, lambda there: Path(there) == place and _files.holds(type(self))(there), overwrite)
 
     def __eq__(self, other: object) -> bool:
         return type(self) is type(other) and isinstance(other, _File) and (self._tables, self._beside) == (other._tables, other._beside)
@@ -197,8 +196,6 @@ class Joint(_File):
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Joint:
         """The joint of a joint file, with the muscles from beside it."""
-        from ._muscle import Muscle
-
         file, folder = _files.text(path), os.path.dirname(os.fspath(path))
         names = dict.fromkeys(_native.joint_files(file["name"], file["text"]))
         return object.__new__(cls)._hold(_native.toml(file["name"], file["text"]), {name: Muscle(os.path.join(folder, name)) for name in names})
@@ -271,8 +268,6 @@ class Drive(_File):
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Drive:
         """The drive of a drive file, with the files that it names from beside it."""
-        from ._muscle import Muscle
-
         file, folder = _files.text(path), os.path.dirname(os.fspath(path))
         subject, name, names = _native.drive_files(file["name"], file["text"])
         place = os.path.join(folder, name)

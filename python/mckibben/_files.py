@@ -7,6 +7,8 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from . import _native
+from ._base import named
+from ._problem import ExistingFileError, InputError
 
 # Fields of requests whose files are tables, and those whose files are formulas.
 TABLES = ("data", "table", "tables", "load_tables", "life_curve")
@@ -26,11 +28,14 @@ def put(files: Mapping[str | os.PathLike[str], str | bytes], ours: Callable[[Any
         except Exception:  # What cannot be read is none of ours.
             replaced = False
         if not replaced:
-            from ._problem import ExistingFileError
-
             raise ExistingFileError(f"{path} is another file and would be overwritten", kind="output", field="path", hint="name another place, or replace it with overwrite=True")
     for path, content in contents.items():
         _native.write_file(path, content)
+
+
+def holds(kind: type) -> Callable[[Any], bool]:
+    """Whether a file holds an object of a class, by :func:`load`."""
+    return lambda there: type(named("load")(there)) is kind
 
 
 def head(path: str) -> bytes:
@@ -135,8 +140,6 @@ def beside(values: dict[str, Any]) -> None:
         values["joint"] = file
         names = dict.fromkeys(_native.joint_files(file["name"], file["text"]))
         if unknown := [name for name in given if name not in names]:
-            from ._problem import InputError
-
             raise InputError(f"{file['name']} names {', '.join(names)}, not {unknown[0]}", kind="usage", field="muscles")
         there = [name for name in names if name in given or folder is not None]
         values["muscles"] = [{**text(given[name] if name in given else _place(folder, name)), "name": name} for name in there]

@@ -9,8 +9,12 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 
 from . import _native
+from ._arrays import array
 from ._base import Fixed, _any
 from ._files import put
+from ._points import Outside, outside
+from ._problem import OutOfRangeError, OutsideWarning, warned
+from ._quantity import dressed
 
 if TYPE_CHECKING:
     from os import PathLike
@@ -20,7 +24,6 @@ if TYPE_CHECKING:
     from . import _answers
     from ._inputs import Floats, MuscleLike, Option
     from ._model import Model
-    from ._points import Outside
 
 # What it is a function of.
 POINT = ("pressure_mpa", "contraction", "wall_mm", "outer_diameter_mm")
@@ -88,11 +91,6 @@ class Formula(Fixed):
         float or numpy.ndarray
             The pull, of the broadcast shape.
         """
-        from ._arrays import array
-        from ._points import outside
-        from ._problem import OutOfRangeError, OutsideWarning, warned
-        from ._quantity import dressed
-
         given = np.broadcast_arrays(*(array(name, value) for name, value in zip(POINT, (pressure_mpa, contraction, wall_mm, outer_diameter_mm))))
         points, formula = np.stack([values.ravel() for values in given]), compiled(self._name, self._text)
         out = np.empty(points.shape[1])

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 
-from . import _native, _plain, _quantity
+from . import _commands, _native, _plain, _quantity
 from ._arrays import any_masked, array
 from ._ask import Progress, listening
 from ._base import Fixed, _any
+from ._muscle import Muscle
 from ._points import Outside, outside
 from ._problem import MckibbenError, OutsideWarning, warned
 
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
 
     from ._formula import Formula
     from ._inputs import Floats, FormulaLike, MuscleLike, Option, Plain
-    from ._muscle import Muscle
     from ._results import Curve
 
 
@@ -84,8 +84,6 @@ class Model(Fixed):
         two_sided: bool = False,
         direction: Literal["mean", "contraction", "elongation"] | None = None,
     ) -> None:
-        from ._muscle import Muscle
-
         held = muscle if isinstance(muscle, Muscle) else Muscle.prototype() if muscle is None else Muscle(muscle)
         values = {
             "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal,
@@ -319,10 +317,8 @@ class Model(Fixed):
 
     def curve(self, test: Literal["isometric", "isotonic", "isobaric"] = "isobaric", **options: Option) -> Curve:
         """A family of curves by this model; the arguments are those of :func:`curve`."""
-        from ._commands import curve
-
         own = {name: value for name, value in self._request.items() if name in ("model", "formulas", "mesh", "match", "terminal", "extrapolate", "two_sided", "direction")}
-        return curve(self._muscle, test, **{**own, **_any(options)})
+        return _commands.curve(self._muscle, test, **{**own, **_any(options)})
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Model) and self._muscle == other._muscle and self._request == other._request

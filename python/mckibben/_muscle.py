@@ -5,8 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal, overload
 
-from ._base import _any
-from ._commands import MuscleCommands, MuscleFields
+from . import _native, _plain, _schema
+from ._ask import Progress, answered, listening
+from ._base import _any, named
+from ._commands import MuscleCommands, MuscleFields, spelled
+from ._files import head, holds, put
+from ._problem import InputError
 
 if TYPE_CHECKING:
     from os import PathLike
@@ -14,7 +18,6 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from ._ask import Progress
     from ._formula import Formula
     from ._inputs import Floats, MuscleLike, Number, Option
     from ._model import Model
@@ -24,8 +27,6 @@ if TYPE_CHECKING:
 
 def _title(command: str) -> str:
     """The class of a command's answer."""
-    from . import _schema
-
     return str(_schema.bundle()[command]["answer"]["title"])
 
 
@@ -53,16 +54,12 @@ class Muscle(MuscleFields, MuscleCommands):
 
     def _field(self, name: str) -> Any:
         if self._own is None:
-            from . import _native
-
             object.__setattr__(self, "_own", _native.muscle_fields(self._text))
         return (self._own or {}).get(name)
 
     @classmethod
     def prototype(cls, **changes: Option | Tube | Terminals | Friction) -> Muscle:
         """The paper's prototype (D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid ``paper``), with changes by the names of :meth:`replace`."""
-        from . import _native
-
         return cls({"name": "prototype", "text": _native.muscle_text({})}, **_any(changes))
 
     @classmethod
@@ -89,9 +86,6 @@ class Muscle(MuscleFields, MuscleCommands):
         its law and constants, and a braid whose strands carry compression one of its fields. Where fields do not state all of it (a muscle with an
         identification, an end factor that depends on the pressure), it is the text of its muscle file.
         """
-        from . import _schema
-        from ._problem import InputError
-
         out: dict[str, Any] = {}
         try:
             for table in ("tube", "braid", "terminals", "friction"):
@@ -104,16 +98,12 @@ class Muscle(MuscleFields, MuscleCommands):
 
     def save(self, path: str | PathLike[str], *, overwrite: bool = False) -> None:
         """Writes its muscle file. One that is there is replaced where it is a muscle file, any other only with ``overwrite``."""
-        from ._files import put
-        from ._record import load
-
-        put({path: self._text}, lambda there: type(load(there)) is Muscle, overwrite)
+        put({path: self._text}, holds(Muscle), overwrite)
 
     def model(self, model: str | Formula | PathLike[str] | None = None, **options: Option) -> Model:
         """A model of this muscle, to be asked for arrays; the arguments are those of :class:`Model`."""
-        from ._model import Model
-
-        return Model(self, model, **_any(options))
+        made: Model = named("Model")(self, model, **_any(options))
+        return made
 
     @overload
     def force(self, pressure_mpa: Number | None = ..., contraction: Number = ..., *, errors: Outside | None = ..., **options: Option) -> Found: ...  # type: ignore[overload-overlap]
@@ -168,8 +158,6 @@ class Muscle(MuscleFields, MuscleCommands):
         return self._asked("contraction", ("force_n", force_n), ("pressure_mpa", pressure_mpa), jac, errors, options)
 
     def _asked(self, wanted: str, first: tuple[str, Any], second: tuple[str, Any], jac: Any, errors: str | None, options: dict[str, Any]) -> Any:
-        from . import _schema
-        from ._commands import spelled
         from ._points import Found, model_of, outside, several
 
         (a_name, _), (b_name, _) = first, second
@@ -181,8 +169,6 @@ class Muscle(MuscleFields, MuscleCommands):
         options = given
         if several(a, b) or jac is not False:
             return getattr(model_of(self, options), wanted)(a, 0.0 if b is None else b, jac=jac, errors=outside(errors, "warn"))
-        from ._ask import answered
-
         state = answered(wanted, {"muscle": self, a_name: a, b_name: b, **options}, _title(wanted))
         value = state._data.get({"force": "force_n", "pressure": "pressure_mpa", "contraction": "contraction"}[wanted])
         # Against a load the answer is more than a number.
@@ -207,8 +193,6 @@ class Muscle(MuscleFields, MuscleCommands):
     @property
     def parameters(self) -> dict[str, float]:
         """Constants and measures by which models have derivatives, named as in the muscle file: moduli in MPa, k in N/mm, mm, degrees."""
-        from . import _native
-
         return {name: value for name, value, _ in _native.parameters(self._text)}
 
     def _follows(self, measure: str) -> dict[str, float]:
@@ -226,8 +210,6 @@ class Muscle(MuscleFields, MuscleCommands):
         """The same with other constants and measures, named as in :attr:`parameters`; all others are held, k of the strands in N/mm
         among them, also where the braid's k follows the diameter.
         """
-        from . import _native
-
         muscle = object.__new__(Muscle)
         muscle._hold(_native.muscle_with(self._text, {str(n): float(v) for n, v in values.items()}))
         return muscle
@@ -236,22 +218,15 @@ class Muscle(MuscleFields, MuscleCommands):
         """A report of the muscle as one HTML page for reading offline; written to ``path`` if one is given. A file that is there is replaced where it
         is such a page, any other only with ``overwrite``.
         """
-        from . import _native, _plain
-        from ._ask import listening
-
         request = _plain.request("report", {"muscle": self, "pressure_mpa": pressure_mpa, "contraction": contraction, "units": units})
         with listening(progress, "report") as heard:
             page = _native.report_html(request, heard)
         if path is not None:
-            from ._files import head, put
-
             put({path: page}, lambda there: _native.is_page(head(there)), overwrite)
         return page
 
     def _measures(self) -> dict[str, Any]:
         if self._summary is None:
-            from . import _native
-
             object.__setattr__(self, "_summary", _native.ask("muscle-show", {"muscle": {"name": "muscle", "text": self._text}}))
         return self._summary or {}
 

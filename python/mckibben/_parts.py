@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
-from . import _native
+from . import _native, _quantity, _schema
 from ._base import Fixed, _any
 from ._commands import BraidFields, FrictionFields, TerminalsFields, TubeFields
-from ._files import put, text as file_text
+from ._files import holds, put, text as file_text
+from ._plain import tube_for
+from ._problem import InputError, warned
 
 if TYPE_CHECKING:
     import os
@@ -55,9 +57,7 @@ class _Part(Fixed):
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
         """Writes its table (TOML). A file that is there is replaced where it holds such a part alone, any other only with ``overwrite``."""
-        from ._record import load
-
-        put({path: self._text}, lambda there: type(load(there)) is type(self), overwrite)
+        put({path: self._text}, holds(type(self)), overwrite)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Self:
@@ -114,8 +114,6 @@ class _Measured(_Part):
         return type(self)(**{**self.to_dict(), **changes})
 
     def _read(self, text: str, alone: bool = False) -> Self:
-        from . import _schema
-
         held, found = _native.toml(self._table, text), _native.muscle_fields(text)
         own = {name: table for name, table in held.items() if name in self._own} or {self._table: {}}
         if "material" in own.get("tube", {}):
@@ -132,38 +130,14 @@ class _Measured(_Part):
 
     def _plain(self) -> dict[str, Any]:
         """What its tables state; the others follow from it."""
-        from . import _schema
-
         stated, key = set(keys(_native.toml(self._table, self._text))), _schema.keys(self._table)
         return {name: value for name, value in self._values.items() if key.get(name, name) in stated}
 
     def to_dict(self) -> dict[str, Any]:
         """What is stated of it by name: the same part can be made of it. An end factor that depends on the pressure has no argument, and is an error."""
-        from ._problem import InputError
-
         if isinstance(_native.toml(self._table, self._text).get("model", {}).get("tondu-lopez", {}).get("end_factor"), dict):
             raise InputError("this end factor depends on the pressure, which no argument states", kind="usage", field="end_factor", hint="use to_toml() and from_toml(), or give end_factor a number")
         return {name: value.to_dict() if isinstance(value, Rubber) else value for name, value in self._plain().items()}
-
-
-def tube_for(braid: Mapping[str, Any]) -> dict[str, Any]:
-    """A tube that a braid fits, as a table: on which it is read by itself."""
-    from . import _quantity
-
-    def size(name: str) -> float | None:
-        value = braid.get(name, braid.get(f"{name}_mm"))
-        return None if value is None else _quantity.number(f"{name}_mm", value)
-
-    own, diameter, strand = size("outer_diameter"), size("diameter"), size("strand_length")
-    if own is not None:
-        diameter = own
-    elif braid.get("name") is not None and diameter is None:
-        points = _native.ask("braid-show", {"name": braid["name"]})["points"]
-        diameter = points[len(points) // 2]["outer_diameter_mm"] if points else None
-    elif diameter is not None:
-        diameter *= 0.9
-    diameter = 30.0 if diameter is None else diameter
-    return {"tube": {"outer_diameter": diameter, "wall_thickness": 0.05 * diameter, "length": 285.0 if strand is None else 0.8 * strand}}
 
 
 class Tube(TubeFields, _Measured):
@@ -200,8 +174,6 @@ class Braid(BraidFields, _Measured):
 
     def __eq__(self, other: object) -> bool:
         if isinstance(other, str):
-            from ._problem import warned
-
             warned("a muscle's braid is a Braid now; compare str(muscle.braid)", DeprecationWarning)
             return str(self) == other
         return super().__eq__(other)
@@ -274,8 +246,6 @@ class Rubber(_Part):
     _table = "tube.material"
 
     def __init__(self, law: str, *, bulk_modulus_mpa: Number | None = None, **constants: Plain) -> None:
-        from . import _quantity
-
         bulk = bulk_modulus_mpa
         if bulk is not None and not (isinstance(bulk, str) and bulk.strip().lower() == "incompressible"):
             bulk = f"{_quantity.number('bulk_modulus_mpa', bulk)!r} MPa"

@@ -7,7 +7,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from . import _native, _schema
+from ._base import named
 from ._files import FORMULAS, TABLES, beside, formula, measured, table, text
+from ._problem import InputError
 from ._quantity import number, numbers
 
 # What a muscle is made of, in the order in which one part depends on another.
@@ -91,8 +93,6 @@ def request(command: str, values: dict[str, Any]) -> dict[str, Any]:
 
 def muscle_text(values: dict[str, Any]) -> str:
     """The text of the muscle file that says all of this."""
-    from . import _parts
-
     values = {name: value for name, value in values.items() if value is not None}
     parts = []
     for name in PARTS:
@@ -100,14 +100,31 @@ def muscle_text(values: dict[str, Any]) -> str:
             continue
         part, table = values.pop(name), "tube.material" if name == "rubber" else name
         if isinstance(part, Mapping):
-            part = (_parts.Rubber if name == "rubber" else _parts.PARTS[name])(**part)
+            part = named(name.capitalize())(**part)
         if getattr(part, "_table", "") != table:
             raise TypeError(f"{name}: a {name.capitalize()}{' or a name' if name in _schema.muscle() else ''}, not {type(part).__name__}")
         twice = [field for field in ("rubber_file" if name == "rubber" else "", *_schema.part(name).values()) if field in values]
         if twice:
-            from ._problem import InputError
-
             raise InputError(f"`{twice[0]}` is given, and so is a whole `{name}`", kind="usage", field=twice[0], hint=f"give it to the {name}, or all of its values by themselves")
         parts.append((table, part.to_toml()))
     fields = _schema.request("muscle-show")
     return _native.muscle_text({name: field(name, value, fields[name]) for name, value in values.items()}, parts)
+
+
+def tube_for(braid: Mapping[str, Any]) -> dict[str, Any]:
+    """A tube that a braid fits, as a table: on which it is read by itself."""
+
+    def size(name: str) -> float | None:
+        value = braid.get(name, braid.get(f"{name}_mm"))
+        return None if value is None else number(f"{name}_mm", value)
+
+    own, diameter, strand = size("outer_diameter"), size("diameter"), size("strand_length")
+    if own is not None:
+        diameter = own
+    elif braid.get("name") is not None and diameter is None:
+        points = _native.ask("braid-show", {"name": braid["name"]})["points"]
+        diameter = points[len(points) // 2]["outer_diameter_mm"] if points else None
+    elif diameter is not None:
+        diameter *= 0.9
+    diameter = 30.0 if diameter is None else diameter
+    return {"tube": {"outer_diameter": diameter, "wall_thickness": 0.05 * diameter, "length": 285.0 if strand is None else 0.8 * strand}}

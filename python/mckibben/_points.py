@@ -12,7 +12,10 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from . import _quantity
+from ._arrays import array
 from ._base import Tabled
+from ._files import head, put
+from ._problem import InputError
 from ._record import Record
 from ._table import Table
 
@@ -189,8 +192,6 @@ class Solution(Tabled):
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
         """Writes its points as CSV. A file that is there is replaced where it has the same columns, any other only with ``overwrite``."""
-        from ._files import head, put
-
         text = self.to_table().to_csv()
         put({path: text}, lambda there: head(there).splitlines()[0] == text.encode()[:4096].splitlines()[0], overwrite)
 
@@ -228,9 +229,6 @@ class Solution(Tabled):
 
 def solved(muscle: Muscle, pressure_mpa: Any, contraction: Any, options: dict[str, Any]) -> Solution:
     """All that is known of points. Points of a grid are asked for at once, others pressure by pressure."""
-    from ._arrays import array
-    from ._problem import InputError
-
     p, e = np.broadcast_arrays(array("pressure_mpa", pressure_mpa), array("contraction", contraction))
     if not (np.isfinite(p).all() and np.isfinite(e).all()):
         raise InputError("pressures and contractions are finite numbers", kind="quantity", field="pressure_mpa")

@@ -9,6 +9,7 @@ from functools import lru_cache
 from typing import Any
 
 from . import _native
+from ._problem import InputError, UnitWarning, warned
 
 # Kind of quantity and unit of a field.
 Kind = tuple["str | None", str]
@@ -44,36 +45,11 @@ def unit_for_pint(name: str, kind: Kind | None = None) -> str:
 
 def wrong(field: str, message: str, hint: str = "") -> Exception:
     """A quantity that is none."""
-    from ._problem import InputError
-
     return InputError(message, kind="quantity", hint=hint, field=field)
 
 
 # The registry of pint whose quantities are returned; None: plain numbers.
 REGISTRY: Any = None
-
-
-def units(system: object = None) -> Any:
-    """How numbers are returned: ``"pint"`` as quantities of pint in the unit of their name, ``"plain"`` as numbers. A registry of pint may be
-    given instead, so that its quantities go together with yours. With nothing: the answer of the command ``units``, all units that texts
-    may have.
-    """
-    global REGISTRY
-    if system is None:
-        from ._ask import answered
-
-        return answered("units", {}, "UnitsAnswer")
-    if system == "pint":
-        import pint
-
-        registry: Any = pint
-        system = registry.get_application_registry()
-    elif system == "plain":
-        system = None
-    elif not hasattr(system, "Quantity"):
-        raise ValueError(f'units: "pint", "plain" or a registry of pint, not {system!r}')
-    REGISTRY = system
-    return None
 
 
 def dressed(name: str, value: Any) -> Any:
@@ -115,8 +91,6 @@ def likely(name: str, value: float) -> None:
     bounds = _UNLIKELY.get(name)
     if bounds is None or value <= 0 or bounds[0] <= value <= bounds[1]:
         return
-    from ._problem import UnitWarning, warned
-
     if name.endswith("mpa"):
         unit, factor = ("Pa", 1e-6) if value >= 1e4 else ("kPa", 1e-3) if value >= 50 else ("bar", 0.1)
         said, meant = "MPa", f"{value * factor:g} MPa"

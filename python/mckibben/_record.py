@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import copy
 import json
-import math
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from html import escape
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from . import _quantity
+from . import _native, _quantity, _schema
 from ._base import Fixed, Tabled
-from ._files import put
+from ._files import holds, put
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -34,7 +33,7 @@ class Record(Fixed, Tabled):
 
     __slots__ = ("_asked", "_data")
     _fields_: ClassVar[tuple[str, ...]] = ()
-    _nested_: ClassVar[dict[str, str]] = {}
+    _nested_: ClassVar[dict[str, Callable[[], type[Record]]]] = {}
     _rows_: ClassVar[str | None] = None
     _data: dict[str, Any]
     _asked: tuple[str, dict[str, Any]] | None
@@ -59,9 +58,7 @@ class Record(Fixed, Tabled):
         value, kind = self._data[name], self._nested_.get(name)
         if kind is None or value is None:
             return _quantity.dressed(name, value) if type(value) is float and _quantity.REGISTRY is not None else value
-        from . import _answers
-
-        return _wrapped(getattr(_answers, kind), value)
+        return _wrapped(kind(), value)
 
     def __getitem__(self, name: str) -> Any:
         if name not in self._data and name not in self._fields_:
@@ -87,7 +84,7 @@ class Record(Fixed, Tabled):
         only with ``overwrite``.
         """
         text = json.dumps({"mckibben": type(self).__name__, **self._state()}, ensure_ascii=False)
-        put({path: text}, lambda there: type(load(there)) is type(self), overwrite)
+        put({path: text}, holds(type(self)), overwrite)
 
     def _state(self) -> dict[str, Any]:
         return {"data": self._data, "asked": self._asked}
@@ -160,56 +157,14 @@ class Record(Fixed, Tabled):
         figure = self._data.get("figure")
         if figure is not None and units is None:
             return dict(figure)
-        from . import _native
-        from ._ask import figure_in
-
         command, request = self._asked or ("", {})
-        wanted = figure_in(command, units or "MPa") if command else None
+        wanted = _schema.figure_in(command, units or "MPa") if command else None
         if wanted is None:
             raise AttributeError(f"{type(self).__name__} has no figure")
         figure = _native.ask(command, {**request, "figure": wanted}).get("figure")
         if figure is None:
             raise AttributeError(f"there is no figure of this {type(self).__name__}")
         return dict(figure)
-
-
-def load(path: str | os.PathLike[str]) -> Any:
-    """What ``save()`` wrote: an answer (JSON), a muscle or a part of one, a joint, a valve or a drive (TOML), a formula (JSON)."""
-    with open(path, encoding="utf-8") as file:
-        text = file.read()
-    if not text.lstrip().startswith("{"):
-        from . import _native
-        from ._drives import Drive, Joint, Valve
-        from ._muscle import Muscle
-        from ._parts import PARTS, Rubber
-
-        held = _native.toml(os.fspath(path), text)
-        if "command" in held or "joint" in held:
-            return (Drive if "command" in held else Joint).load(path)
-        if {"name", "sonic_conductance"} & {*held} and not any(isinstance(value, dict) for value in held.values()):
-            return Valve(**held)
-        # A part that was saved begins with its table, a muscle with a comment.
-        if text.startswith("[tube.material]"):
-            return Rubber.from_toml(text)
-        part = next((kind for name, kind in PARTS.items() if text.startswith("[") and {*held} <= {*kind._own}), None)
-        return Muscle.from_toml(text) if part is None else part.from_toml(text)
-    held = json.loads(text)
-    if "mckibben" not in held:
-        from ._formula import Formula
-
-        return Formula(text)
-    from . import _answers, _results
-    from ._table import Table
-
-    kind = getattr(_results, held["mckibben"], None) or getattr(_answers, held["mckibben"])
-    asked = tuple(held["asked"]) if held["asked"] else None
-    if "muscles" in held:
-        return _results._design(held["data"], asked, held["muscles"])
-    if "points" in held:
-        from ._columns import _columned
-
-        return _columned(kind, held["data"], asked, Table({name: [math.nan if v is None else v for v in values] if any(isinstance(v, float) for v in values) else values for name, values in held["points"].items()}))
-    return kind(held["data"], asked)
 
 
 def _wrapped(kind: type[Record], value: Any) -> Any:

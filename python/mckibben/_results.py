@@ -12,9 +12,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _answers, _native
+from ._base import named
 from ._columns import Curve as Curve
 from ._columns import Plan as Plan
 from ._files import put
+from ._problem import NoAnswerError
 from ._record import Record
 from ._table import Table
 
@@ -44,15 +46,11 @@ class Design(_answers.DesignAnswer):
     @property
     def muscles(self) -> list[Muscle]:
         """The candidates as muscles, best first."""
-        from ._muscle import Muscle
-
-        return [Muscle.from_toml(text) for text in self._muscles]
+        return [named("Muscle").from_toml(text) for text in self._muscles]
 
     @property
     def best(self) -> Muscle:
         """The first of them."""
-        from ._problem import NoAnswerError
-
         if not self._muscles:
             raise NoAnswerError("no muscle fits", kind="no_answer", hint="`closest` and `rejected` say why", exit_code=1)
         return self.muscles[0]
@@ -105,10 +103,9 @@ class Fitted(_Plain, _answers.FitAnswer):
         """The formula, which is a model and a file."""
         import json
 
-        from ._formula import Formula
-
         text = json.dumps({n: v for n, v in self._data.items() if n not in ("tables", "figures")}, ensure_ascii=False, indent=2)
-        return Formula(text + "\n", str(self._data["name"]))
+        formula: Formula = named("Formula")(text + "\n", str(self._data["name"]))
+        return formula
 
     def __call__(self, pressure_mpa: Floats, contraction: Floats, wall_mm: Floats, outer_diameter_mm: Floats, *, two_sided: bool = False, extrapolate: bool = False, errors: Outside | None = None) -> NDArray[np.float64]:
         """The pull of many muscles at once, in N: :meth:`Formula.__call__` of the formula."""
@@ -188,9 +185,8 @@ class Identification(Fit, _answers.IdentifyAnswer):
     @property
     def identified(self) -> Muscle:
         """The muscle with the values found."""
-        from ._muscle import Muscle
-
-        return Muscle.from_toml(str(self.muscle_file))
+        muscle: Muscle = named("Muscle").from_toml(str(self.muscle_file))
+        return muscle
 
 
 class _Files(_Plain):
@@ -241,9 +237,6 @@ class RubberFit(Fit, _answers.RubberFitAnswer):
 
     def rubber(self, law: str | None = None) -> Rubber:
         """A law with its constants; the recommended one where none is named."""
-        from ._problem import NoAnswerError
-        from ._parts import Rubber
-
         name = law or self.recommended
         if name is None:
             raise NoAnswerError("no law is stable in a muscle", kind="no_answer", hint="name one", exit_code=1)
@@ -257,7 +250,8 @@ class RubberFit(Fit, _answers.RubberFitAnswer):
                         constants.setdefault(constant.rstrip("0123456789"), []).append(p.value)
                     else:
                         constants[constant] = p.value
-                return Rubber(found.law, **constants)
+                rubber: Rubber = named("Rubber")(found.law, **constants)
+                return rubber
         raise KeyError(name)
 
 

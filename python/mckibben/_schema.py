@@ -76,6 +76,12 @@ def request(command: str) -> dict[str, Schema]:
     return properties(bundle()[command]["request"])
 
 
+def figure_in(command: str, units: str) -> str | bool | None:
+    """What asks for a figure in these units, or for one in its own; None where a command has no figure."""
+    figure = request(command).get("figure")
+    return None if figure is None else True if figure.get("type") == "boolean" else units
+
+
 @cache
 def muscle() -> dict[str, Schema]:
     """The fields of a muscle besides its file."""

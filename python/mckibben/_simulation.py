@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from . import _native, _plain
+from . import _native, _plain, _quantity
 from ._base import Tabled
 from ._table import Table
 
@@ -142,8 +142,6 @@ class Simulation(Tabled):
             raise TypeError("torque_nm is for a joint, force_n for a muscle")
         name = _COMMANDS[self._kind]
         if name is not None and any(isinstance(value, str) for value in command):
-            from . import _quantity
-
             command = [_quantity.number(name, value) for value in command]
         return State(self._names, self._native.step([float(value) for value in command], float(torque_nm if self._joint else force_n)))
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._base import Fixed
+from ._base import Fixed, Tabled
 
 if TYPE_CHECKING:
     import pandas
@@ -77,9 +77,8 @@ class Table(Fixed):
         which a single value applies to all rows.
         """
         from ._frames import columns_of
-        from ._record import Record
 
-        if isinstance(data, Record):
+        if isinstance(data, Tabled):
             return data.to_table()
         return data if isinstance(data, Table) else cls(columns_of(data))
 

@@ -1,7 +1,7 @@
 // The one engine of the page, and questions of which only the newest counts.
 import { Engine } from "./kind.js";
 import { problemOf } from "./engine/problem.js";
-import { kindOf } from "./units.js";
+import { kindOf, takeUnits } from "./units.js";
 
 /** @typedef {import("../../types/commands").Commands["quantities"]["answer"]["readings"][number]} Reading */
 /**
@@ -12,6 +12,9 @@ import { kindOf } from "./units.js";
 /** @type {Engine | undefined} */ let one;
 /** The engine; throws where there can be none. */
 export const engine = () => (one ??= new Engine());
+export async function loadUnits() {
+  takeUnits(await engine().ask("units", {}, { lane: "state" }));
+}
 
 /**
  * What was typed, as numbers: each with `value`, `values` of a list, or `problem`.

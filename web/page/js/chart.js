@@ -10,12 +10,8 @@ export { KINDS };
 
 /**
  * @typedef {import("./plot.js").Series} Series
- * `data`: traces of a map or surface.
- * @typedef {{ x: (number | null)[], y: (number | null)[], z?: (number | null)[][], text?: string[][], name?: string,
- *   type?: string, picture?: boolean, [more: string]: unknown }} Trace
- * @typedef {{ range?: number[] | null, rangemode?: string, title?: object }} Axis
- * @typedef {import("./plot.js").Curves & { data?: Trace[], z?: string, xaxis?: Axis, yaxis?: Axis,
- *   layout?: Record<string, unknown> }} Spec
+ * @typedef {import("./map.js").Trace} Trace
+ * @typedef {import("./map.js").Spec} Spec
  */
 
 const VIRIDIS = [
@@ -45,8 +41,6 @@ export const isDark = () =>
   document.documentElement.dataset.theme
     ? document.documentElement.dataset.theme === "dark"
     : matchMedia("(prefers-color-scheme: dark)").matches;
-/** @param {string} name */
-export const token = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 export class Chart {
   /**

@@ -2,8 +2,8 @@
 // limit that others miss.
 import { Slot, engine } from "./ask.js";
 import { border, levelLine, refined } from "./border.js";
-import { Chart, KINDS, token } from "./chart.js";
-import { el } from "./dom.js";
+import { Chart, KINDS } from "./chart.js";
+import { el, token } from "./dom.js";
 import { muscle } from "./muscle.js";
 import { ticks } from "./plot.js";
 import { outside, show, unitName } from "./units.js";

@@ -26,6 +26,9 @@ export function el(tag, attributes = {}, ...children) {
 /** @param {string} id @returns {HTMLElement} */
 export const byId = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
+/** A colour of the theme. @param {string} name */
+export const token = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
 let spoken = 0;
 /** Says something to screen readers once things have settled. @param {string} text */
 export function say(text) {

@@ -1,6 +1,6 @@
 // Figures of the engine (data: panels, axes, series, marks) as charts.
-import { Chart, KINDS, isDark, token, viridis } from "./chart.js";
-import { el } from "./dom.js";
+import { Chart, KINDS, isDark, viridis } from "./chart.js";
+import { el, token } from "./dom.js";
 
 /** @typedef {NonNullable<import("../../types/commands").Commands["curve"]["answer"]["figure"]>} Figure */
 /** @typedef {Figure["panels"][number]} Panel */

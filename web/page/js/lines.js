@@ -1,12 +1,10 @@
 // Curves on the page: crosshair, zoom, and drags in values of the axes. The drawing itself is in plot.js.
-import { el, say } from "./dom.js";
+import { el, say, token } from "./dom.js";
 import { colourOf, drawing, frame, nearest, reachOf } from "./plot.js";
 import { number } from "./units.js";
 
 /** Farther away than this in pixels nothing is read off. */
 const NEAR = 48;
-/** @param {string} name */
-const token = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 const colours = () => ({
   ink: token("--ink"),
   line: token("--line"),

@@ -1,5 +1,5 @@
 // The frame around the pages: which one is shown follows from the address.
-import { engine } from "./ask.js";
+import { engine, loadUnits } from "./ask.js";
 import { address, arrived, onMoved, read, whileLoading } from "./address.js";
 import { muscleBar } from "./bar.js";
 import { isDark } from "./chart.js";
@@ -15,7 +15,6 @@ import { PAGES, pageOf } from "./pages.js";
 import { printing } from "./print.js";
 import { sketches } from "./sketch.js";
 import { keys } from "./state.js";
-import { loadUnits } from "./units.js";
 import { welcome } from "./welcome.js";
 
 const main = byId("main");

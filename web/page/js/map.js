@@ -1,7 +1,14 @@
 // Maps and surfaces by plotly.js, which is loaded when the first of them is shown.
-import { el } from "./dom.js";
-import { token } from "./chart.js";
+import { el, token } from "./dom.js";
 
+/**
+ * `data`: traces of a map or surface.
+ * @typedef {{ x: (number | null)[], y: (number | null)[], z?: (number | null)[][], text?: string[][], name?: string,
+ *   type?: string, picture?: boolean, [more: string]: unknown }} Trace
+ * @typedef {{ range?: number[] | null, rangemode?: string, title?: object }} Axis
+ * @typedef {import("./plot.js").Curves & { data?: Trace[], z?: string, xaxis?: Axis, yaxis?: Axis,
+ *   layout?: Record<string, unknown> }} Spec
+ */
 /**
  * What the page uses of the library.
  * @typedef {{ _offset: number, _length: number, d2p: (value: number) => number,
@@ -28,14 +35,14 @@ export class PlotlyMap {
   /** @param {HTMLElement} host @param {((x: number, y: number, settled: boolean) => void) | undefined} drag */
   constructor(host, drag) {
     this.host = host;
-    /** @type {import("./chart.js").Spec | undefined} */ this.spec = undefined;
+    /** @type {Spec | undefined} */ this.spec = undefined;
     /** @type {Library | undefined} */ this.plotly = undefined;
     this.ends = new AbortController();
     host.replaceChildren(el("p", { class: "waiting" }, "Loading the chart …"));
     if (drag) this.listen(drag);
   }
 
-  /** @param {import("./chart.js").Spec} spec */
+  /** @param {Spec} spec */
   async draw(spec) {
     this.spec = spec;
     const Plotly = await plotly();
@@ -70,7 +77,7 @@ export class PlotlyMap {
   }
 
   traces() {
-    const spec = /** @type {import("./chart.js").Spec} */ (this.spec);
+    const spec = /** @type {Spec} */ (this.spec);
     const lines = spec.series.map((s) => ({
       x: s.x,
       y: s.y,
@@ -94,7 +101,7 @@ export class PlotlyMap {
   }
 
   layout() {
-    const spec = /** @type {import("./chart.js").Spec} */ (this.spec);
+    const spec = /** @type {Spec} */ (this.spec);
     const [ink, line, faint] = [token("--ink"), token("--line"), token("--faint")];
     const axis = (/** @type {string} */ title) => ({
       title: { text: title, standoff: 8 },

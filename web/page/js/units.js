@@ -1,5 +1,4 @@
 // Quantities as people read them. Inside everything is in mm, MPa, N, degrees; factors come from the engine.
-import { engine } from "./ask.js";
 
 /**
  * Kinds of the engine, moduli (pressures that are always in MPa), and plain numbers (ratios that nobody writes in %).
@@ -38,9 +37,6 @@ const chosen = Object.fromEntries(Object.entries(CHOICES).map(([kind, list]) => 
  */
 const listeners = new Set(), /** @type {Set<() => void>} */ readers = new Set();
 
-export async function loadUnits() {
-  takeUnits(await engine().ask("units", {}, { lane: "state" }));
-}
 /** @param {Pick<import("../../types/commands").Commands["units"]["answer"], "kinds">} answer of `units` */
 export function takeUnits(answer) {
   for (const { kind, expectation, units } of answer.kinds) kinds.set(kind, { expectation, units });
