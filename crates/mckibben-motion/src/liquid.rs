@@ -113,7 +113,7 @@ impl LiquidFill {
 /// ```
 ///
 /// Q flow, Kv the flow of water at a pressure difference of 1 bar. The second term makes small flows laminar, as they are, and the slope at none finite; it
-/// takes 0.05 % of the flow at 1 bar. Source: IEC 60534-2-1 \[iec60534\].
+/// takes 0.05 % of the flow at 1 bar. Source: IEC 60534-2-1 \[iec2011\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Restriction {
     kv_mm3_per_s: f64,
