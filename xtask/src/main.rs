@@ -166,14 +166,9 @@ fn checks(_: bool) -> Done {
 
 /// A dry run: nothing leaves this computer.
 fn release(_: bool) -> Done {
-    let program = env::var_os("MCKIBBEN").map_or_else(
-        || {
-            run(cargo().args(["build", "--quiet", "--locked", "--release"]))?;
-            let name = format!("release/mckibben{}", env::consts::EXE_SUFFIX);
-            fs::canonicalize(target().join(name)).map_err(|e| e.to_string())
-        },
-        |given| Ok(given.into()),
-    )?;
+    run(cargo().args(["build", "--quiet", "--locked", "--release"]))?;
+    let name = format!("release/mckibben{}", env::consts::EXE_SUFFIX);
+    let program = fs::canonicalize(target().join(name)).map_err(|e| e.to_string())?;
     run(Command::new("python3").arg("checks/release.py").arg("--binary").arg(program))
 }
 
