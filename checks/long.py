@@ -124,7 +124,10 @@ def main():
     if "--short" in sys.argv:
         changed = [part for part in changed if part in SHORT]
     os.environ.setdefault("MCKIBBEN", str(Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug/mckibben"))
-    for part in asked or (list(PARTS) if "--all" in sys.argv else changed):
+    due = asked or (list(PARTS) if "--all" in sys.argv else changed)
+    if due and not Path(os.environ["MCKIBBEN"]).exists():
+        subprocess.run(["cargo", "build", "--workspace", "--all-targets", "--profile", "test", "--locked"], cwd=ROOT, check=True)
+    for part in due:
         about, *_, commands = PARTS[part]
         print(f"\n== {part}: {about}{'' if asked or '--all' in sys.argv else ' (its files have changed)'}", flush=True)
         begun, digest = time.monotonic(), guarded(part)
