@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from ._inputs import FileLike, FormulaLike, MuscleLike, TableLike
 
 # Units in which commands may be texts, by what is commanded.
-_COMMANDS = {"pressure": "pressure_mpa", "opening": None, "position": "contraction"}
+_COMMANDS = {"pressure": "pressure_mpa", "opening": None, "volume": "volume_mm3", "position": "contraction"}
 
 
 class State:
@@ -116,7 +116,7 @@ class Simulation(Tabled):
 
     @property
     def commanded(self) -> str:
-        """What is commanded: ``pressure`` in MPa, ``opening`` from -1 to 1, or ``position`` (contraction ratio, or angle in degrees)."""
+        """What is commanded: ``pressure`` in MPa, ``opening`` from -1 to 1, ``volume`` of a syringe in mm³, or ``position`` (contraction ratio, or angle in degrees)."""
         return self._kind
 
     def step(self, command: float | str | Sequence[float | str], *, force_n: float = 0.0, torque_nm: float = 0.0) -> State:

@@ -254,17 +254,7 @@ impl<'a> Drive<'a> {
                     MotionError::within("a commanded opening", high, -1.0, 1.0)?;
                 }
             }
-            Target::Volume(commands) => {
-                count(commands.len(), "commands")?;
-                for command in commands {
-                    MotionError::within(
-                        "the commanded volume at the start in mm³",
-                        command.value(0.0),
-                        0.0,
-                        0.0,
-                    )?;
-                }
-            }
+            Target::Volume(commands) => count(commands.len(), "commands")?,
             Target::Position { pid, .. } => pid.check()?,
         }
         let opened = match &self.target {

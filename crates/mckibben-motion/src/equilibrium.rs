@@ -138,7 +138,13 @@ pub(crate) fn at_start(drive: &Drive<'_>, members: &[Member<'_>]) -> Result<Equi
             return at_rest(given(c.iter().zip(&drive.muscles).map(filling).collect()));
         }
         // Syringes are full, and the muscles without pressure.
-        Target::Volume(_) => return at_rest(given(vec![0.0; members.len()])),
+        Target::Volume(commands) => {
+            for command in commands {
+                let start = command.value(0.0);
+                MotionError::within("the commanded volume at the start in mm³", start, 0.0, 0.0)?;
+            }
+            return at_rest(given(vec![0.0; members.len()]));
+        }
         Target::Position { command, pid } => (command, pid),
     };
     // The pressures that hold the commanded position: u from all the way out to all the way in.
