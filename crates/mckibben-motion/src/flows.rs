@@ -5,7 +5,6 @@ use crate::command::Command;
 use crate::control::PidOutput;
 use crate::drive::{Actuated, Actuator, Target};
 use crate::fluid::Fluid;
-use crate::liquid::Source;
 use crate::state::{ControllerState, MuscleState, State};
 use crate::system::{Mode, Switch, System};
 use crate::valve::ValveKind;
@@ -132,19 +131,18 @@ impl System<'_> {
             _ => (wanted, 0.0),
         };
         let supply = &self.drive.supply;
-        let source = match &actuated.actuator {
-            Actuator::LiquidValve(valve) => Some(Source::Valve(valve)),
-            Actuator::Pump(pump) => Some(Source::Pump(pump)),
-            _ => None,
-        };
-        let (supply, exhaust) = match (&actuated.actuator, fluid, source) {
-            (_, Fluid::Liquid(liquid), Some(source)) => {
-                liquid.flows(&source, opening, supply.pressure_mpa, inside.0 - ATMOSPHERE_MPA)
-            }
-            (Actuator::Valve(valve), ..) => {
+        let gauges = (supply.pressure_mpa, inside.0 - ATMOSPHERE_MPA);
+        let (supply, exhaust) = match (&actuated.actuator, fluid) {
+            (Actuator::Valve(valve), _) => {
                 let atmosphere = (ATMOSPHERE_MPA, fluid.wall_temperature_k());
                 valve.flows(opening, supply.state(), inside, atmosphere)
             }
+            (Actuator::LiquidValve(valve), Fluid::Liquid(fill)) => {
+                fill.flows(opening, gauges, |difference| valve.flow(opening, difference, &fill.liquid))
+            }
+            (Actuator::Pump(pump), Fluid::Liquid(fill)) => fill.flows(opening, gauges, |difference| {
+                pump.flow(opening, difference, supply.pressure_mpa, &fill.liquid)
+            }),
             _ => Default::default(),
         };
         let pressure_rate = rate(cavity, &[supply, exhaust]);

@@ -42,23 +42,18 @@ pub struct LiquidFill {
 }
 
 impl LiquidFill {
-    /// g for each mm³ at atmospheric pressure.
-    fn density_g_per_mm3(&self) -> f64 {
-        1e-6 * self.liquid.density_kg_per_m3 * (1.0 - self.liquid.gas_share)
-    }
-
     /// Mass in g of what has a volume at an absolute pressure.
     pub fn mass_g(&self, absolute_mpa: f64, volume_mm3: f64) -> f64 {
-        self.density_g_per_mm3() * volume_mm3 / self.liquid.relative_volume(absolute_mpa - ATMOSPHERE_MPA)
+        self.liquid.mass_g(volume_mm3 / self.liquid.relative_volume(absolute_mpa - ATMOSPHERE_MPA))
     }
 
     /// Volume of a mass at atmospheric pressure in mm³.
     pub fn volume_mm3(&self, mass_g: f64) -> f64 {
-        mass_g / self.density_g_per_mm3()
+        mass_g / self.liquid.mass_g(1.0)
     }
 
     pub(crate) fn flow(&self, volume_mm3_per_s: f64) -> Flow {
-        Flow { mass_g_per_s: self.density_g_per_mm3() * volume_mm3_per_s, temperature_k: self.temperature_k }
+        Flow { mass_g_per_s: self.liquid.mass_g(volume_mm3_per_s), temperature_k: self.temperature_k }
     }
 
     /// V_P + N c(P) in mm³/MPa.
@@ -229,42 +224,42 @@ pub struct Syringe {
     pub time_constant_s: f64,
 }
 
-/// What gives a muscle its liquid through an opening.
-pub(crate) enum Source<'a> {
-    Valve(&'a LiquidValve),
-    Pump(&'a Pump),
+impl LiquidValve {
+    /// Flow in mm³/s at atmospheric pressure at an opening from −1 to 1 other than 0, in the direction of the pressure difference in MPa.
+    pub(crate) fn flow(&self, opening: f64, difference_mpa: f64, liquid: &Liquid) -> f64 {
+        let way = if opening > 0.0 { self.supply } else { self.tank };
+        Losses::of(Some(way), opening.abs().min(1.0), self.line, liquid).flow(difference_mpa)
+    }
+}
+
+impl Pump {
+    /// The same; none against the difference, which a relief valve and an empty inlet do not let pass. `supply_mpa` is the relief valve's pressure.
+    pub(crate) fn flow(&self, opening: f64, difference_mpa: f64, supply_mpa: f64, liquid: &Liquid) -> f64 {
+        if opening * difference_mpa <= 0.0 {
+            return 0.0;
+        }
+        let band = RELIEF_SHARE * supply_mpa.max(f64::MIN_POSITIVE);
+        let share = (difference_mpa.abs() / band).min(1.0) * opening.abs().min(1.0);
+        let through = self.line.map_or(f64::INFINITY, |line| {
+            Losses::of(None, 1.0, Some(line), liquid).flow(difference_mpa).abs()
+        });
+        (share * self.flow_mm3_per_s).min(through).copysign(opening)
+    }
 }
 
 impl LiquidFill {
-    /// Flow from the supply and flow from the muscle's other side (negative: out of it) at an opening from −1 to 1, for gauge pressures.
+    /// Flow from the supply and flow from the muscle's other side (negative: out of it) at an opening from −1 to 1, for gauge pressures;
+    /// `volume` gives it in mm³/s for a pressure difference in MPa.
     pub(crate) fn flows(
         &self,
-        source: &Source<'_>,
         opening: f64,
-        supply_mpa: f64,
-        muscle_mpa: f64,
+        (supply_mpa, muscle_mpa): (f64, f64),
+        volume: impl FnOnce(f64) -> f64,
     ) -> (Flow, Flow) {
-        let share = opening.abs().min(1.0);
         let into = opening > 0.0;
         let difference = if into { supply_mpa - muscle_mpa } else { -muscle_mpa };
-        let volume = match source {
-            _ if share == 0.0 => 0.0,
-            Source::Valve(valve) => {
-                let way = if into { valve.supply } else { valve.tank };
-                Losses::of(Some(way), share, valve.line, &self.liquid).flow(difference)
-            }
-            Source::Pump(pump) => {
-                let band = RELIEF_SHARE * supply_mpa.max(f64::MIN_POSITIVE);
-                let relief = (difference.abs() / band).min(1.0) * share * pump.flow_mm3_per_s;
-                let through = pump.line.map_or(f64::INFINITY, |line| {
-                    Losses::of(None, 1.0, Some(line), &self.liquid).flow(difference).abs()
-                });
-                let runs = if into == (difference > 0.0) { relief.min(through) } else { 0.0 };
-                if into { runs } else { -runs }
-            }
-        };
-        let (flow, none) = (self.flow(volume), self.flow(0.0));
-        if into { (flow, none) } else { (none, flow) }
+        let flow = self.flow(if opening == 0.0 { 0.0 } else { volume(difference) });
+        if into { (flow, self.flow(0.0)) } else { (self.flow(0.0), flow) }
     }
 }
 
@@ -314,7 +309,8 @@ mod tests {
         let fill = LiquidFill { liquid: water(), temperature_k: 293.15, dead_volume_mm3: 0.0 };
         let pump = Pump { kind: ValveKind::DEFAULT, flow_mm3_per_s: 1e4, line: None };
         let flow = |opening, muscle| {
-            let (into, out) = fill.flows(&Source::Pump(&pump), opening, 0.5, muscle);
+            let (into, out) =
+                fill.flows(opening, (0.5, muscle), |p| pump.flow(opening, p, 0.5, &fill.liquid));
             fill.volume_mm3(into.mass_g_per_s + out.mass_g_per_s)
         };
         let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-6 * 1e4, "{a} {b}");

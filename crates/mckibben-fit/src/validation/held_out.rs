@@ -2,9 +2,8 @@
 
 use super::case::{CaseFit, MuscleCase, muscles};
 use super::coverage::{COVERAGE, Off, share_row};
-use super::residual::fitted;
-use crate::identify::{Build, IdentifyError, Request, identify_with};
-use crate::least_squares::Loss;
+use super::residual::{fitted, identified};
+use crate::identify::{Build, IdentifyError};
 use crate::measured::{DataPoint, mean_of_data};
 use mckibben::analysis::force_on;
 use mckibben::budget::Exceeded;
@@ -61,16 +60,7 @@ pub fn judged<B: Build>(
     build: &B,
     progress: &dyn Progress,
 ) -> Result<Vec<HeldOut>, IdentifyError> {
-    let request = Request {
-        muscle: &fit.muscle,
-        free: &fit.free,
-        fixed: &[],
-        points: fitted,
-        loss: Loss::Squares,
-        two_sided: false,
-        history: false,
-    };
-    let found = identify_with(&request, build, progress)?;
+    let found = identified(&fit.muscle, fit, fitted, build, progress)?;
     let Some(bench) = found.bench else { return Ok(vec![]) };
     let own = found.muscle.clone().with_bench(bench.clone());
     let model = build(&own).map_err(IdentifyError::Model)?;

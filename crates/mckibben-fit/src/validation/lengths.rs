@@ -5,10 +5,9 @@
 
 use super::case::{By, CaseFit, MuscleCase, muscles};
 use super::coverage::{AT_LEAST, share_row};
-use super::residual::{Left, residuals};
+use super::residual::{Left, identified, residuals};
 use super::split::{same, trainings};
-use crate::identify::{Build, IdentifyError, Request, identify_with};
-use crate::least_squares::Loss;
+use crate::identify::{Build, IdentifyError};
 use crate::measured::{DataPoint, mean_of_data};
 use mckibben::budget::Exceeded;
 use mckibben::muscle::Muscle;
@@ -49,7 +48,7 @@ pub fn other_lengths<B: Build>(elements: &B, progress: &dyn Progress) -> Result<
         }
     }
     let found = threads::map(&tasks, |(set, fit, label, inside, outside)| {
-        let muscle = identified(fit, inside, elements, &CancelOnly(progress));
+        let muscle = muscle_of(fit, inside, elements, &CancelOnly(progress));
         muscle.map_or_else(|_| vec![], |muscle| of(set, fit, label, &muscle, outside, elements))
     });
     if progress.cancelled() {
@@ -59,24 +58,15 @@ pub fn other_lengths<B: Build>(elements: &B, progress: &dyn Progress) -> Result<
 }
 
 /// The muscle of a fit to some lengths, at the first of them, with its bench.
-fn identified<B: Build>(
+fn muscle_of<B: Build>(
     fit: &CaseFit,
     points: &[DataPoint],
-    build: &B,
+    elements: &B,
     progress: &dyn Progress,
 ) -> Result<Muscle, IdentifyError> {
     let section = points.first().map(|p| p.section).unwrap_or_default();
     let start = section.apply(&fit.muscle).unwrap_or_else(|_| fit.muscle.clone());
-    let request = Request {
-        muscle: &start,
-        free: &fit.free,
-        fixed: &[],
-        points,
-        loss: Loss::Squares,
-        two_sided: false,
-        history: false,
-    };
-    let found = identify_with(&request, build, progress)?;
+    let found = identified(&start, fit, points, elements, progress)?;
     let muscle = found.muscle;
     Ok(found.bench.map_or_else(|| muscle.clone(), |bench| muscle.clone().with_bench(bench)))
 }

@@ -1,7 +1,7 @@
 //! What a model of a muscle leaves of measured pulls.
 
 use super::case::CaseFit;
-use crate::identify::{Build, Identified, IdentifyError, Request, identify_with};
+use crate::identify::{Build, Identification, Identified, IdentifyError, Request, identify_with};
 use crate::least_squares::Loss;
 use crate::measured::{DataPoint, Quantity, Section};
 use mckibben::analysis::{response_on, slope_by_pressure, stiffness_of};
@@ -136,7 +136,27 @@ pub(super) fn residuals<B: Build>(build: &B, muscle: &Muscle, points: &[&DataPoi
     out
 }
 
-/// A fit to points.
+/// A fit to points that begins with a muscle: least squares of the pulls, from one side, without history.
+pub(super) fn identified<B: Build>(
+    muscle: &Muscle,
+    fit: &CaseFit,
+    points: &[DataPoint],
+    build: &B,
+    progress: &dyn Progress,
+) -> Result<Identification, IdentifyError> {
+    let request = Request {
+        muscle,
+        free: &fit.free,
+        fixed: &[],
+        points,
+        loss: Loss::Squares,
+        two_sided: false,
+        history: false,
+    };
+    identify_with(&request, build, progress)
+}
+
+/// The muscle and the constants of a fit to points.
 pub(super) fn fitted<B: Build>(
     fit: &CaseFit,
     points: &[DataPoint],
@@ -146,16 +166,7 @@ pub(super) fn fitted<B: Build>(
     if fit.free.is_empty() {
         return Ok((fit.muscle.clone(), vec![]));
     }
-    let request = Request {
-        muscle: &fit.muscle,
-        free: &fit.free,
-        fixed: &[],
-        points,
-        loss: Loss::Squares,
-        two_sided: false,
-        history: false,
-    };
-    let found = identify_with(&request, build, progress)?;
+    let found = identified(&fit.muscle, fit, points, build, progress)?;
     Ok((found.muscle, found.parameters))
 }
 

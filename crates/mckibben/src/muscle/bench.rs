@@ -86,8 +86,11 @@ impl Muscle {
     pub fn off_identified_lengths(&self) -> Option<f64> {
         let bench = self.bench.as_deref()?;
         let (own, d0) = (*bench.lengths_mm.first()?, self.tube().outer_diameter_mm);
+        if self.length_mm() == own {
+            return None;
+        }
         let identified = self.with_tube(Tube { length_mm: own, ..self.tube().clone() }).ok()?;
-        if self.length_mm() == own || identified.digest() != bench.of {
+        if identified.digest() != bench.of {
             return None;
         }
         let inverse: f64 = bench.lengths_mm.iter().map(|l| l.recip()).sum();

@@ -1,0 +1,222 @@
+use super::*;
+use crate::model::{Ideal, ThickWall};
+use crate::muscle::{Braid, BraidStiffness, Friction, Rubber, Tube};
+use crate::rubber::library::{is_known_from_one_axis, of_equal_standing};
+
+#[test]
+fn parts_add_as_squares() {
+    let parts = UncertaintyParts { formula: Some(3.0), friction: Some(4.0), ..Default::default() };
+    assert_eq!(parts.total(), 5.0);
+    assert_eq!(parts.named().map(|p| p.0).collect::<Vec<_>>(), ["formula", "friction unknown"]);
+}
+
+#[test]
+fn laws_that_disagree_are_a_part() {
+    let tube = |name: &str| Tube {
+        rubber: crate::rubber::library::find(name).unwrap(),
+        ..Muscle::prototype().tube().clone()
+    };
+    let w = &mut Workspace::new();
+    let part = |m: &Muscle, w: &mut Workspace| {
+        uncertainty(&ThickWall::new(m), w, (0.25, 0.2), 100.0, Direction::Mean).unwrap().rubber
+    };
+    let named = Muscle::prototype().with_tube(tube("treloar-natural-rubber")).unwrap();
+    assert_eq!(part(&named, w).is_some(), !of_equal_standing(&named.tube().rubber, named.reach()).is_empty());
+    assert_eq!(part(&Muscle::prototype(), w), None);
+}
+
+/// A silicone that was pulled along one axis: with one law of standing the part is that share of its stiffness alone.
+#[test]
+fn what_one_axis_does_not_tell_is_a_part() {
+    let w = &mut Workspace::new();
+    let rubber = crate::rubber::library::find("dragon-skin-30").unwrap();
+    let muscle = |rubber: Rubber| {
+        Muscle::prototype().with_tube(Tube { rubber, ..Muscle::prototype().tube().clone() }).unwrap()
+    };
+    let named = muscle(rubber.clone());
+    assert!(
+        of_equal_standing(&named.tube().rubber, named.reach()).is_empty()
+            && is_known_from_one_axis(&named.tube().rubber)
+    );
+    let changed = muscle(shifts::stiffer(&named.tube().rubber, 1.0 + ONE_AXIS));
+    assert!(!is_known_from_one_axis(&changed.tube().rubber));
+    let mut pull = |m: &Muscle| ThickWall::new(m).force_n(w, 0.25, 0.2).unwrap();
+    let expected = (pull(&changed) - pull(&named)).abs();
+    let found = uncertainty(&ThickWall::new(&named), w, (0.25, 0.2), 100.0, Direction::Mean).unwrap().rubber;
+    assert_eq!(found, Some(expected));
+}
+
+/// k of 1000 N/mm within a factor of 2: the larger of |F(2000) − F(1000)| and |F(500) − F(1000)|; latex of ± 25 %: of μ 0.4625 and 0.296 MPa.
+#[test]
+fn factors_of_estimates_are_parts() {
+    let w = &mut Workspace::new();
+    let of = |k: f64, factor: f64, rubber: Rubber| {
+        let braid =
+            Braid { stiffness: BraidStiffness::NewtonPerMm(k), stiffness_factor: factor, ..Braid::paper() };
+        let m = Muscle::prototype().with_braid(braid).unwrap();
+        m.with_tube(Tube { rubber, ..m.tube().clone() }).unwrap()
+    };
+    let paper = Rubber::paper();
+    let mut pull = |m: &Muscle| ThickWall::new(m).force_n(w, 0.25, 0.1).unwrap();
+    let [low, here, high] = [500.0, 1000.0, 2000.0].map(|k| pull(&of(k, 1.0, paper.clone())));
+    let latex = crate::rubber::library::find("latex").unwrap();
+    let mu = |mu_mpa: f64| Rubber {
+        name: None,
+        ..Rubber::of(crate::rubber::Law::NeoHookean(crate::rubber::NeoHookean { mu_mpa }))
+    };
+    let [soft, own, stiff] = [0.37 / 1.25, 0.37, 0.37 * 1.25].map(|m| pull(&of(1000.0, 1.0, mu(m))));
+    let mut parts =
+        |m: &Muscle| uncertainty(&ThickWall::new(m), w, (0.25, 0.1), 100.0, Direction::Mean).unwrap();
+    let found = parts(&of(1000.0, 2.0, paper.clone()));
+    assert_eq!(found.braid, Some((low - here).abs().max((high - here).abs())));
+    assert_eq!(parts(&of(1000.0, 1.0, paper)).braid, None);
+    let rubber = parts(&of(1000.0, 1.0, latex)).rubber.unwrap();
+    let expected = (soft - own).abs().max((stiff - own).abs());
+    assert!((rubber - expected).abs() < 1e-9 * expected, "{rubber} {expected}");
+}
+
+#[test]
+fn a_simpler_model_has_a_larger_uncertainty() {
+    let (m, w) = (Muscle::prototype(), &mut Workspace::new());
+    let of = |model: &dyn ForceModel, w: &mut Workspace| {
+        uncertainty(model, w, (0.25, 0.1), 300.0, Direction::Mean).unwrap().total()
+    };
+    let (ideal, thick) = (of(&Ideal::new(&m), w), of(&ThickWall::new(&m), w));
+    assert!(ideal > thick, "{ideal} {thick}");
+}
+
+/// h = 74·P^0.5 = 37 N at 0.25 MPa by hand: 1.81 h while no branch is asked for, 0.81 h on a branch, 12 % of the blocked force without a law.
+#[test]
+fn stated_friction_counts_until_a_branch_is_asked_for() {
+    let (m, w) = (Muscle::prototype(), &mut Workspace::new());
+    let stated = m.with_friction(Some(Friction::power_law(74.0, 0.5))).unwrap();
+    let part = |m: &Muscle, direction: Direction, w: &mut Workspace| {
+        uncertainty(&ThickWall::new(m), w, (0.25, 0.1), 300.0, direction).unwrap().friction.unwrap()
+    };
+    assert!((part(&stated, Direction::Mean, w) - 1.81 * 37.0).abs() < 1e-9);
+    assert!((part(&stated, Direction::Contraction, w) - 0.81 * 37.0).abs() < 1e-9);
+    assert!((part(&stated, Direction::Elongation, w) - 0.81 * 37.0).abs() < 1e-9);
+    let blocked = ThickWall::new(&m).force_n(w, 0.25, 0.0).unwrap();
+    assert!((part(&m, Direction::Mean, w) - 0.12 * blocked).abs() < 1e-9);
+    // No pressure, no loop.
+    let none = uncertainty(&ThickWall::new(&stated), w, (0.0, 0.1), 0.0, Direction::Mean).unwrap();
+    assert_eq!(none.friction, Some(0.0));
+}
+
+fn with_bench(muscle: &Muscle, model: &str, branches: Vec<Direction>) -> Muscle {
+    let bench = Bench {
+        laboratory: None,
+        model: model.into(),
+        lengths_mm: vec![muscle.tube().length_mm],
+        points: 10,
+        branches,
+        pressure_mpa: (0.1, 0.3),
+        contraction: (0.0, 0.2),
+        scatter_n: 3.0,
+        fit_n: vec![vec![4.0]],
+        parameters: vec![],
+        covariance: vec![],
+        of: muscle.digest(),
+    };
+    muscle.clone().with_bench(bench)
+}
+
+/// √(3² + 4²) N inside; squares weighted by one half in the middle of the margin of 0.05.
+#[test]
+fn on_its_own_bench_the_uncertainty_is_that_of_the_fit() {
+    let (m, w) = (Muscle::prototype(), &mut Workspace::new());
+    let own = with_bench(&m, "thick-wall", vec![Direction::Mean]);
+    let total = |m: &Muscle, e: f64, w: &mut Workspace| {
+        uncertainty(&ThickWall::new(m), w, (0.2, e), 100.0, Direction::Mean).unwrap().total()
+    };
+    assert!((total(&own, 0.2, w) - 5.0).abs() < 1e-12);
+    let outside = total(&m, 0.225, w);
+    let middle = (0.5 * 25.0 + 0.5 * outside * outside).sqrt();
+    assert!((total(&own, 0.225, w) - middle).abs() < 1e-9);
+    assert_eq!(total(&own, 0.26, w), total(&m, 0.26, w));
+    // Continuous at both edges of the margin.
+    assert!((total(&own, 0.2 + 1e-9, w) - 5.0).abs() < 1e-3);
+    assert!((total(&own, 0.25 - 1e-9, w) - total(&m, 0.25, w)).abs() < 1e-3);
+}
+
+/// h = 74·P^0.5 = 33.1 N at 0.2 MPa by hand: with a law that was fitted to both branches the mean answers within h + ±fit, a branch within ±fit.
+#[test]
+fn a_friction_that_was_measured_is_not_unknown() {
+    let (m, w) = (Muscle::prototype(), &mut Workspace::new());
+    let stated = m.with_friction(Some(Friction::power_law(74.0, 0.5))).unwrap();
+    let own = with_bench(&stated, "thick-wall", Direction::BRANCHES.to_vec());
+    let mut total = |m: &Muscle, direction| {
+        uncertainty(&ThickWall::new(m), w, (0.2, 0.1), 100.0, direction).unwrap().total()
+    };
+    let half = 74.0 * 0.2_f64.sqrt();
+    assert!((total(&own, Direction::Mean) - (half + 5.0)).abs() < 1e-9);
+    assert!((total(&own, Direction::Contraction) - 5.0).abs() < 1e-9);
+    // Of one branch alone the law is a guess: 1.81 h.
+    let one = with_bench(&stated, "thick-wall", vec![Direction::Contraction]);
+    assert!((total(&one, Direction::Mean) - (1.81 * half).hypot(5.0)).abs() < 1e-9);
+}
+
+/// 0.24 of the blocked force by hand beside the fit; on another diameter beside all other parts.
+#[test]
+fn another_specimen_of_a_product_is_a_part() {
+    let (m, w) = (Muscle::prototype(), &mut Workspace::new());
+    let own = with_bench(&m, "thick-wall", vec![Direction::Mean]);
+    let theirs =
+        m.clone().with_bench(Bench { laboratory: Some("Portland".into()), ..own.bench().unwrap().clone() });
+    let mut parts =
+        |m: &Muscle| uncertainty(&ThickWall::new(m), w, (0.2, 0.1), 100.0, Direction::Mean).unwrap();
+    let share = TRANSFER * ThickWall::new(&m).force_n(&mut Workspace::new(), 0.2, 0.0).unwrap();
+    assert_eq!(parts(&own).transfer, None);
+    assert_eq!(parts(&theirs), UncertaintyParts { transfer: Some(share), ..parts(&own) });
+    let (wider, without) = (theirs.with_section(31.0, 3.0).unwrap(), m.with_section(31.0, 3.0).unwrap());
+    let found = parts(&wider);
+    assert!(found.transfer.is_some() && found.fit.is_none());
+    assert_eq!(UncertaintyParts { transfer: None, ..found }, parts(&without));
+}
+
+/// 8.3 · 30 mm · |1/200 − (1/285 + 1/400)/2| mm⁻¹ of the blocked force by hand, beside the parts of a muscle without a bench.
+#[test]
+fn another_length_of_an_identified_muscle_is_a_part() {
+    let (m, w) = (Muscle::prototype(), &mut Workspace::new());
+    let of = |length_mm: f64| m.with_tube(Tube { length_mm, ..m.tube().clone() }).unwrap();
+    let bench = with_bench(&m, "thick-wall", vec![Direction::Mean]).bench().unwrap().clone();
+    let own = m.clone().with_bench(Bench { lengths_mm: vec![m.length_mm(), 400.0], ..bench });
+    let short = of(200.0).with_bench_of(&own);
+    let mut parts =
+        |m: &Muscle| uncertainty(&ThickWall::new(m), w, (0.2, 0.1), 100.0, Direction::Mean).unwrap();
+    let (found, without) = (parts(&short), parts(&of(200.0)));
+    let inverse = 0.5 * (1.0 / m.length_mm() + 1.0 / 400.0);
+    let off = m.tube().outer_diameter_mm * (1.0 / 200.0 - inverse);
+    let blocked = ThickWall::new(&of(200.0)).force_n(&mut Workspace::new(), 0.2, 0.0).unwrap();
+    assert!((found.length_transfer.unwrap() / (8.3 * off * blocked) - 1.0).abs() < 1e-12);
+    assert_eq!(UncertaintyParts { length_transfer: None, ..found }, without);
+    assert!(short.warnings().iter().any(|s| s.contains("another one")) && own.warnings().is_empty());
+    // At its own length the fit counts; a wall of another thickness is another muscle.
+    assert_eq!((parts(&own).length_transfer, parts(&own).fit), (None, Some(5.0)));
+    let thinner = Tube { wall_mm: 2.0, ..short.tube().clone() };
+    assert_eq!(parts(&short.with_tube(thinner).unwrap()).length_transfer, None);
+}
+
+#[test]
+fn a_bench_of_another_muscle_model_or_branch_says_nothing() {
+    let (m, w) = (Muscle::prototype(), &mut Workspace::new());
+    let parts = |m: &Muscle, w: &mut Workspace| {
+        uncertainty(&ThickWall::new(m), w, (0.2, 0.1), 100.0, Direction::Mean).unwrap()
+    };
+    let own = with_bench(&m, "thick-wall", vec![Direction::Mean]);
+    // Another diameter.
+    let other = own.with_section(31.0, 3.0).unwrap();
+    assert_eq!(parts(&other, w), parts(&m.with_section(31.0, 3.0).unwrap(), w));
+    assert!(other.warnings().iter().any(|s| s.contains("[identified]")) && own.warnings().is_empty());
+    // And back again.
+    assert_eq!(parts(&other.with_section(30.0, 3.0).unwrap(), w), parts(&own, w));
+    assert_eq!(parts(&with_bench(&m, "ideal", vec![Direction::Mean]), w), parts(&m, w));
+    // Identified with finite elements: the fit, and the model's distance from them.
+    let by_elements = parts(&with_bench(&m, "fe", vec![Direction::Mean]), w);
+    assert_eq!((by_elements.fit, by_elements.formula), (Some(5.0), parts(&m, w).formula));
+    // The shortening muscle alone was measured: the other branch is not known.
+    let half = parts(&with_bench(&m, "thick-wall", vec![Direction::Contraction]), w);
+    assert_eq!((half.fit, half.friction), (Some(5.0), parts(&m, w).friction));
+    let both = with_bench(&m, "thick-wall", Direction::BRANCHES.to_vec());
+    assert_eq!(parts(&both, w).friction, None);
+}
