@@ -402,7 +402,7 @@ fn fitted(
         points.iter().map(|p| DataPoint::of(MeasuredPoint { branch: direction, ..*p })).collect();
     let mut known: Vec<FitConstant> = vec![];
     for &constant in constants {
-        if !known.contains(&constant) && matters(muscle, constant.target(), &points, build) {
+        if !known.contains(&constant) && matters(muscle, constant.target(), &points, &build) {
             known.push(constant);
         }
     }
@@ -428,7 +428,7 @@ fn fitted(
         two_sided: true,
         history: false,
     };
-    let found = identify(&request, build).map_err(|error| match error {
+    let found = identify(&request, &build).map_err(|error| match error {
         IdentifyError::Start { error, .. } | IdentifyError::Model(error) => error.into(),
         IdentifyError::Estimate(_) => {
             Problem::new(ProblemKind::NotConverged, format!("the fit did not converge: {error}"), "")

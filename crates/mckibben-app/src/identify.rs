@@ -220,9 +220,9 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
     model.admit(&muscle, &progress.budget())?;
     let build = |m: &Muscle| model.build(m);
     let mut found = if free.is_empty() {
-        identify_default(&asked, build, progress)?
+        identify_default(&asked, &build, progress)?
     } else {
-        identify_with(&asked, build, progress)?
+        identify_with(&asked, &build, progress)?
     };
     let told =
         Told { muscle: &muscle, free: &free, fixed: &fixed, points: &points, parameters: &found.parameters };
@@ -236,7 +236,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
             .iter()
             .map(|p| free.iter().find(|q| q.target == p.target).copied().unwrap_or(Parameter::free(p.target)))
             .collect();
-        let trials = try_laws(&Request { free: &sought, ..asked }, build, progress)?;
+        let trials = try_laws(&Request { free: &sought, ..asked }, &build, progress)?;
         let best = trials.first().map_or(0.0, |t| t.aicc);
         trials.into_iter().map(|t| LawRow::of(t, best)).collect()
     } else {

@@ -37,7 +37,7 @@ fn modulus_with_half_width() -> Result<(f64, f64), Box<dyn Error>> {
         Ok(fe) => Ok(Box::new(fe) as Box<dyn ForceModel>),
         Err(error) => Err(error.into()),
     };
-    let found = identify_default(&request, build, &Silent)?;
+    let found = identify_default(&request, &build, &Silent)?;
     for p in &found.parameters {
         println!("{:<18} {:8.3} ± {:.3} {}", p.name, p.value, p.half_width, p.unit);
     }

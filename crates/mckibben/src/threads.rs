@@ -11,7 +11,7 @@ use crate::budget::Budget;
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::num::NonZero;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 use std::sync::mpsc::{RecvTimeoutError, SyncSender, sync_channel};
 use std::time::Duration;
 use thiserror::Error;
@@ -63,13 +63,23 @@ impl Threads {
 
     /// `f` of every item, in their order.
     pub fn map<T: Sync, R: Send>(&self, items: &[T], f: impl Fn(&T) -> R + Sync) -> Vec<R> {
+        // What rayon compiles for each closure is long: it gets one that is the same for all, with a place for each result.
+        let places: Vec<Mutex<Option<R>>> = items.iter().map(|_| Mutex::new(None)).collect();
+        self.each(items.len(), &|i| {
+            *places[i].lock().unwrap_or_else(PoisonError::into_inner) = Some(f(&items[i]));
+        });
+        places.into_iter().filter_map(|place| place.into_inner().unwrap_or_else(PoisonError::into_inner)).collect()
+    }
+
+    /// Does the work of every place, 0 to `count` − 1.
+    fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
         let budget = Budget::current();
         let side_by_side =
-            || items.par_iter().map_init(|| budget.enter(), |_entered, item| f(item)).collect();
+            || (0..count).into_par_iter().for_each_init(|| budget.enter(), |_entered, i| work(i));
         match &self.0 {
             _ if rayon::current_thread_index().is_some() => side_by_side(),
             Some(pool) => pool.install(side_by_side),
-            None => items.iter().map(f).collect(),
+            None => (0..count).for_each(work),
         }
     }
 

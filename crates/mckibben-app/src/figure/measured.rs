@@ -17,10 +17,10 @@ const CURVES: usize = 5;
 const LINE: u32 = 30;
 
 /// Measured points and lines of a model, muscle by muscle.
-pub(crate) fn measured<B: Build>(
+pub(crate) fn measured(
     cases: &[&MuscleCase],
     found: &[FitResult],
-    model: (&str, &B),
+    model: (&str, &Build<'_>),
     u: &Units,
 ) -> Figure {
     let name = model.0;
@@ -38,7 +38,7 @@ pub(crate) fn measured<B: Build>(
 }
 
 /// Measured points of muscles of the library, and lines of `fe` with what was identified from them.
-pub(crate) fn library<B: Build>(muscles: &[(&MuscleCase, &Muscle)], build: &B, u: &Units) -> Figure {
+pub(crate) fn library(muscles: &[(&MuscleCase, &Muscle)], build: &Build<'_>, u: &Units) -> Figure {
     let about = "Dots: measured, means of the branches; lines: fe with the identified muscle, over ε at constant pressure";
     let figure = Figure::new("Muscles of the library").caption(caption(about)).palette(Palette::Sequential);
     let all = muscles.iter().fold(figure, |figure, (case, muscle)| panels(figure, case, muscle, build, u));
@@ -46,7 +46,7 @@ pub(crate) fn library<B: Build>(muscles: &[(&MuscleCase, &Muscle)], build: &B, u
 }
 
 /// A panel for each length of a muscle.
-fn panels<B: Build>(mut figure: Figure, case: &MuscleCase, muscle: &Muscle, build: &B, u: &Units) -> Figure {
+fn panels(mut figure: Figure, case: &MuscleCase, muscle: &Muscle, build: &Build<'_>, u: &Units) -> Figure {
     let means = mean_of_data(&case.points);
     let mut sections: Vec<Section> = vec![];
     for p in &means {
@@ -65,7 +65,7 @@ fn panels<B: Build>(mut figure: Figure, case: &MuscleCase, muscle: &Muscle, buil
     figure
 }
 
-fn panel<B: Build>(title: String, points: &[&DataPoint], found: &Muscle, build: &B, u: &Units) -> Panel {
+fn panel(title: String, points: &[&DataPoint], found: &Muscle, build: &Build<'_>, u: &Units) -> Panel {
     let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), pull(u)).title(title);
     let mut pressures: Vec<f64> = points.iter().map(|p| p.at.pressure_mpa).collect();
     pressures.sort_by(f64::total_cmp);

@@ -136,7 +136,7 @@ fn values(
     let free: Vec<Parameter> = free.iter().map(parameter).collect();
     let request =
         Request { muscle: &muscle, free: &free, fixed, points, loss, two_sided: false, history: false };
-    let found = identify(&request, elements).map_err(|e| failed(&e))?;
+    let found = identify(&request, &elements).map_err(|e| failed(&e))?;
     Ok(found.parameters.iter().map(|p| p.value).collect())
 }
 

@@ -189,7 +189,7 @@ pub(super) fn outliers(residuals: &[f64], weights: &[f64]) -> Vec<bool> {
 }
 
 /// What can be said of the result.
-pub(super) fn after<B: Build>(found: &Identification, loss: Loss, build: &B) -> Vec<String> {
+pub(super) fn after(found: &Identification, loss: Loss, build: &Build<'_>) -> Vec<String> {
     let mut notes = vec![];
     notes.extend(unidentifiable(found));
     notes.extend(correlated(found));
@@ -351,7 +351,7 @@ fn pattern(points: &[PointFit]) -> Option<String> {
 }
 
 /// Points at which the bench read nothing, but the model pulls.
-fn slack<B: Build>(found: &Identification, build: &B) -> Option<String> {
+fn slack(found: &Identification, build: &Build<'_>) -> Option<String> {
     let n = found.slack.len();
     if n == 0 {
         return None;

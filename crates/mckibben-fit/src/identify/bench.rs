@@ -31,9 +31,9 @@ pub(super) struct Found<'a> {
 }
 
 /// The bench of the muscle itself; `None` where no point is of it, or the fit's own half-width is not known.
-pub(super) fn bench<B: Build>(
+pub(super) fn bench(
     request: &Request<'_>,
-    build: &B,
+    build: &Build<'_>,
     found: &Found<'_>,
     progress: &dyn Progress,
 ) -> Option<Bench> {

@@ -55,9 +55,9 @@ pub fn default_targets(muscle: &Muscle, points: &[DataPoint], history: bool) -> 
 ///
 /// # Errors
 /// [`IdentifyError`].
-pub fn identify_default<B: Build>(
+pub fn identify_default(
     request: &Request<'_>,
-    build: B,
+    build: &Build<'_>,
     progress: &dyn Progress,
 ) -> Result<Identification, IdentifyError> {
     let fixed = |t: &Target| request.fixed.iter().any(|f| f.0 == *t);
@@ -67,7 +67,7 @@ pub fn identify_default<B: Build>(
         .collect();
     let run = |targets: &[Target]| {
         let free: Vec<Parameter> = targets.iter().map(|t| Parameter::free(*t)).collect();
-        identify_with(&Request { free: &free, ..*request }, &build, progress)
+        identify_with(&Request { free: &free, ..*request }, build, progress)
     };
     let without: Vec<Target> = targets.iter().copied().filter(|t| *t != Target::Stiffness).collect();
     let all = run(&targets);
@@ -88,7 +88,7 @@ pub fn identify_default<B: Build>(
 
 /// Whether a model's answers to the points depend on a parameter at all, by asking it of two muscles that differ in it: the
 /// ideal formula knows no modulus, and one that computes the ends no end factor.
-pub fn matters<B: Build>(muscle: &Muscle, target: Target, points: &[DataPoint], build: B) -> bool {
+pub fn matters(muscle: &Muscle, target: Target, points: &[DataPoint], build: &Build<'_>) -> bool {
     let own = own_value(muscle, target).unwrap_or(STIFF);
     let made = |value: f64| build(Candidate::new(muscle, &[(target, value)]).ok()?.muscle()).ok();
     let (Some(a), Some(b)) = (made(own), made(1.1 * own + if own == 0.0 { 0.01 } else { 0.0 })) else {

@@ -39,14 +39,14 @@ pub struct LawTrial {
 ///
 /// # Errors
 /// [`IdentifyError::Cancelled`]; what ends one law alone is in its trial.
-pub fn try_laws<B: Build>(
+pub fn try_laws(
     request: &Request<'_>,
-    build: B,
+    build: &Build<'_>,
     progress: &dyn Progress,
 ) -> Result<Vec<LawTrial>, IdentifyError> {
     let mut trials = vec![];
     for kind in Law::KINDS.iter().filter(|kind| !kind.is_sum) {
-        if let Some(trial) = trial(request, kind, &build, progress) {
+        if let Some(trial) = trial(request, kind, build, progress) {
             if matches!(trial.found, Err(IdentifyError::Cancelled)) {
                 return Err(IdentifyError::Cancelled);
             }
@@ -58,10 +58,10 @@ pub fn try_laws<B: Build>(
 }
 
 /// One law from its example, scaled to the muscle's modulus at rest.
-fn trial<B: Build>(
+fn trial(
     request: &Request<'_>,
     kind: &'static LawKind,
-    build: &B,
+    build: &Build<'_>,
     progress: &dyn Progress,
 ) -> Option<LawTrial> {
     let tube = request.muscle.tube();

@@ -24,8 +24,7 @@ use mckibben::progress::Progress;
 use mckibben::threads;
 
 /// Makes the model of a muscle.
-pub trait Build: Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync {}
-impl<F: Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync> Build for F {}
+pub type Build<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync + 'a;
 
 /// Rows of one muscle that one model answers, in an order that suits a model with a memory.
 struct Chunk {
@@ -38,14 +37,14 @@ const PARTS: usize = 4;
 const LEAST: usize = 24;
 
 /// What is to be made small.
-pub struct Problem<'a, B> {
+pub struct Problem<'a> {
     base: &'a Muscle,
     free: &'a [Target],
     fixed: &'a [(Target, f64)],
     points: &'a [DataPoint],
     /// All rows in time order, where the friction has their history.
     history: Option<&'a [DataPoint]>,
-    build: &'a B,
+    build: &'a Build<'a>,
     progress: &'a dyn Progress,
     chunks: Vec<Chunk>,
     scales: Scales,
@@ -130,14 +129,14 @@ fn found(
     Err(ModelError::NotConverged { pressure_mpa: p, contraction: e, iterations: STEPS, residual })
 }
 
-impl<'a, B: Build> Problem<'a, B> {
+impl<'a> Problem<'a> {
     /// A problem of points, and of all rows in time order where the friction has their history; `start`: values of the free targets.
     pub fn new(
         base: &'a Muscle,
         free: &'a [Target],
         fixed: &'a [(Target, f64)],
         (points, history): (&'a [DataPoint], Option<&'a [DataPoint]>),
-        build: &'a B,
+        build: &'a Build<'a>,
         start: &[f64],
         progress: &'a dyn Progress,
     ) -> Self {
@@ -380,7 +379,7 @@ impl<'a, B: Build> Problem<'a, B> {
     }
 }
 
-impl<B: Build> Residuals for Problem<'_, B> {
+impl Residuals for Problem<'_> {
     fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
         self.rows(x)?.into_iter().collect::<Result<Vec<f64>, ModelError>>().ok()
     }

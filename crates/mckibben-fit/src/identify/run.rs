@@ -85,7 +85,7 @@ fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec
 ///
 /// # Errors
 /// [`IdentifyError`] with what to do about it.
-pub fn identify<B: Build>(request: &Request<'_>, build: B) -> Result<Identification, IdentifyError> {
+pub fn identify(request: &Request<'_>, build: &Build<'_>) -> Result<Identification, IdentifyError> {
     identify_with(request, build, &Silent)
 }
 
@@ -93,9 +93,9 @@ pub fn identify<B: Build>(request: &Request<'_>, build: B) -> Result<Identificat
 ///
 /// # Errors
 /// As [`identify`]; [`IdentifyError::Cancelled`].
-pub fn identify_with<B: Build>(
+pub fn identify_with(
     request: &Request<'_>,
-    build: B,
+    build: &Build<'_>,
     progress: &dyn Progress,
 ) -> Result<Identification, IdentifyError> {
     let directed = if request.history { history::directed(request.points)? } else { vec![] };
@@ -114,10 +114,10 @@ pub fn identify_with<B: Build>(
     }
 }
 
-fn search<B: Build>(
+fn search(
     request: &Request<'_>,
     flipped: &[String],
-    build: B,
+    build: &Build<'_>,
     progress: &dyn Progress,
 ) -> Result<Identification, IdentifyError> {
     if request.free.is_empty() {
@@ -139,12 +139,12 @@ fn search<B: Build>(
     build(first.muscle()).map_err(IdentifyError::Model)?;
 
     let history = request.history.then_some(request.points);
-    let problem = Problem::new(muscle, &free, request.fixed, (&points, history), &build, &start, progress);
+    let problem = Problem::new(muscle, &free, request.fixed, (&points, history), build, &start, progress);
     // Residuals at the start, point by point.
     let rows = problem.rows(&start).ok_or(IdentifyError::Estimate(EstimateError::Start))?;
 
     notes.extend(leave_out(&mut points, rows)?);
-    let problem = Problem::new(muscle, &free, request.fixed, (&points, history), &build, &start, progress);
+    let problem = Problem::new(muscle, &free, request.fixed, (&points, history), build, &start, progress);
     let (weights, errors_stated) = weights(&points, |q| problem.scale(q))?;
     let before = rms(&crate::least_squares::Residuals::at(&problem, &start).unwrap_or_default());
     let found = estimate(&problem, &unknowns, &weights, request.loss).map_err(|e| match e {
@@ -185,7 +185,7 @@ fn search<B: Build>(
     let (estimate, candidate_of) = (&found, &candidate);
     let of =
         Found { x: &x, unknowns: &unknowns, estimate, candidate: candidate_of, points: &fitted, freedom };
-    let bench = bench::bench(request, &build, &of, progress);
+    let bench = bench::bench(request, build, &of, progress);
     let mut out = Identification {
         muscle: candidate.muscle().clone(),
         candidate,
@@ -203,7 +203,7 @@ fn search<B: Build>(
         notes: vec![],
         bench,
     };
-    notes.extend(advice::after(&out, request.loss, &build));
+    notes.extend(advice::after(&out, request.loss, build));
     out.notes = notes;
     Ok(out)
 }
@@ -260,9 +260,9 @@ fn rms(r: &[f64]) -> f64 {
     (r.iter().map(|r| r * r).sum::<f64>() / r.len().max(1) as f64).sqrt()
 }
 
-fn parameters<B: Build>(
+fn parameters(
     request: &Request<'_>,
-    problem: &Problem<'_, B>,
+    problem: &Problem<'_>,
     unknowns: &[Unknown],
     (found, x): (&Estimate, &[f64]),
     muscle: &Muscle,

@@ -108,8 +108,8 @@ pub enum EstimateError {
     },
 }
 
-struct Inner<'a, R> {
-    residuals: &'a R,
+struct Inner<'a> {
+    residuals: &'a dyn Residuals,
     unknowns: &'a [Unknown],
     roots: DVector<f64>,
     u: DVector<f64>,
@@ -117,7 +117,7 @@ struct Inner<'a, R> {
     wall: Option<f64>,
 }
 
-impl<R: Residuals> Inner<'_, R> {
+impl Inner<'_> {
     fn x(&self, u: &DVector<f64>) -> Vec<f64> {
         self.unknowns.iter().zip(u.iter()).map(|(k, &u)| k.outer(u).0).collect()
     }
@@ -138,7 +138,7 @@ enum Beside {
     NoAnswer,
 }
 
-impl<R: Residuals> Inner<'_, R> {
+impl Inner<'_> {
     /// Along the Gauss–Newton step, J δ = −r in the least squares, in the unknowns that lie on no bound: none further than its scale.
     fn beside(&self) -> Beside {
         let at = |u: &DVector<f64>| self.residuals.at(&self.x(u)).map(|r| self.weighted(r));
@@ -177,7 +177,7 @@ impl<R: Residuals> Inner<'_, R> {
 }
 
 /// ∂r/∂x, one column an unknown, not weighted: the model's own, or by central differences.
-pub fn slopes(residuals: &impl Residuals, unknowns: &[Unknown], x: &[f64]) -> Option<Vec<Vec<f64>>> {
+pub fn slopes(residuals: &dyn Residuals, unknowns: &[Unknown], x: &[f64]) -> Option<Vec<Vec<f64>>> {
     if let Some(columns) = residuals.by_unknowns(x) {
         return Some(columns);
     }
@@ -194,7 +194,7 @@ pub fn slopes(residuals: &impl Residuals, unknowns: &[Unknown], x: &[f64]) -> Op
     (0..x.len()).map(column).collect()
 }
 
-impl<R: Residuals> LeastSquaresProblem<f64, Dyn, Dyn> for Inner<'_, R> {
+impl LeastSquaresProblem<f64, Dyn, Dyn> for Inner<'_> {
     type ResidualStorage = Owned<f64, Dyn>;
     type JacobianStorage = Owned<f64, Dyn, Dyn>;
     type ParameterStorage = Owned<f64, Dyn>;
@@ -255,7 +255,7 @@ const HUBER: f64 = 1.345;
 /// # Errors
 /// [`EstimateError`].
 pub fn estimate(
-    residuals: &impl Residuals,
+    residuals: &dyn Residuals,
     unknowns: &[Unknown],
     weights: &[f64],
     loss: Loss,
@@ -344,7 +344,7 @@ fn sixth_power(r: &[f64], weights: &[f64], before: &[f64]) -> Vec<f64> {
     next.collect()
 }
 
-fn statistics<R: Residuals>(inner: &Inner<'_, R>, weights: Vec<f64>) -> Result<Estimate, EstimateError> {
+fn statistics(inner: &Inner<'_>, weights: Vec<f64>) -> Result<Estimate, EstimateError> {
     let x = inner.x(&inner.u);
     let unknowns = inner.unknowns;
     let residuals = inner.residuals.at(&x).ok_or(EstimateError::Start)?;

@@ -17,7 +17,7 @@ pub const COVERAGE: f64 = 0.95;
 ///
 /// # Errors
 /// [`Exceeded`] where the caller wanted it to end.
-pub fn cases<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
+pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
     let sets = match muscles() {
         Ok(sets) => sets,
         // Measurements that are built in and cannot be read: a case that fails.
@@ -99,9 +99,9 @@ fn rms(set: &'static MuscleCase, left: &Left) -> VerificationRow {
 ///
 /// # Errors
 /// [`IdentifyError`].
-pub fn of_first_fit<B: Build>(
+pub fn of_first_fit(
     set: &MuscleCase,
-    elements: &B,
+    elements: &Build<'_>,
     progress: &dyn Progress,
 ) -> Result<Vec<Residual>, IdentifyError> {
     let Some(fit) = set.fits.first() else { return Ok(vec![]) };

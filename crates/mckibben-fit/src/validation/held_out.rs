@@ -53,11 +53,11 @@ pub fn points_of(set: &MuscleCase, fit: &CaseFit) -> Vec<DataPoint> {
 ///
 /// # Errors
 /// [`IdentifyError`].
-pub fn judged<B: Build>(
+pub fn judged(
     fit: &CaseFit,
     fitted: &[DataPoint],
     others: &[DataPoint],
-    build: &B,
+    build: &Build<'_>,
     progress: &dyn Progress,
 ) -> Result<Vec<HeldOut>, IdentifyError> {
     let found = identified(&fit.muscle, fit, fitted, build, progress)?;
@@ -90,10 +90,10 @@ pub fn judged<B: Build>(
 ///
 /// # Errors
 /// [`IdentifyError`].
-pub fn of_fit<B: Build>(
+pub fn of_fit(
     set: &MuscleCase,
     fit: &CaseFit,
-    build: &B,
+    build: &Build<'_>,
     progress: &dyn Progress,
 ) -> Result<Vec<HeldOut>, IdentifyError> {
     let points = points_of(set, fit);
@@ -110,10 +110,10 @@ pub fn of_fit<B: Build>(
 }
 
 /// The same fit, begun at the constants that all points give: those of a part are near to them.
-fn started<B: Build>(
+fn started(
     fit: &CaseFit,
     points: &[DataPoint],
-    build: &B,
+    build: &Build<'_>,
     progress: &dyn Progress,
 ) -> Result<CaseFit, IdentifyError> {
     let (_, found) = fitted(fit, points, build, progress)?;
@@ -133,7 +133,7 @@ pub fn share(list: &[HeldOut]) -> Option<f64> {
 ///
 /// # Errors
 /// [`Exceeded`] where the caller wanted it to end.
-pub fn cases<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
+pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
     let sets: Vec<&MuscleCase> = muscles().unwrap_or_default();
     let of = |set: &&MuscleCase| -> Vec<HeldOut> {
         let found = set.fits.first().map(|fit| of_fit(set, fit, elements, &CancelOnly(progress)));

@@ -32,7 +32,7 @@ pub struct OtherLength {
 ///
 /// # Errors
 /// [`Exceeded`] where the caller wanted it to end.
-pub fn other_lengths<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<OtherLength>, Exceeded> {
+pub fn other_lengths(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<OtherLength>, Exceeded> {
     let mut tasks = vec![];
     for set in muscles().unwrap_or_default() {
         let (means, first) = (mean_of_data(&set.points), set.fits.first());
@@ -58,10 +58,10 @@ pub fn other_lengths<B: Build>(elements: &B, progress: &dyn Progress) -> Result<
 }
 
 /// The muscle of a fit to some lengths, at the first of them, with its bench.
-fn muscle_of<B: Build>(
+fn muscle_of(
     fit: &CaseFit,
     points: &[DataPoint],
-    elements: &B,
+    elements: &Build<'_>,
     progress: &dyn Progress,
 ) -> Result<Muscle, IdentifyError> {
     let section = points.first().map(|p| p.section).unwrap_or_default();
@@ -72,13 +72,13 @@ fn muscle_of<B: Build>(
 }
 
 /// What a muscle leaves of each other length.
-fn of<B: Build>(
+fn of(
     set: &'static MuscleCase,
     fit: &CaseFit,
     fitted: &str,
     muscle: &Muscle,
     points: &[DataPoint],
-    elements: &B,
+    elements: &Build<'_>,
 ) -> Vec<OtherLength> {
     let each = |length_mm: f64| {
         let own: Vec<&DataPoint> = points
@@ -95,7 +95,7 @@ fn of<B: Build>(
 ///
 /// # Errors
 /// [`Exceeded`] where the caller wanted it to end.
-pub fn cases<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
+pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
     Ok(other_lengths(elements, progress)?.iter().map(row).collect())
 }
 

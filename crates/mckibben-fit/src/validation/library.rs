@@ -88,9 +88,9 @@ impl MuscleCase {
 ///
 /// # Errors
 /// [`IdentifyError`].
-pub fn refit<B: Build>(
+pub fn refit(
     case: &MuscleCase,
-    build: &B,
+    build: &Build<'_>,
     progress: &dyn Progress,
 ) -> Result<(Muscle, Identification), IdentifyError> {
     let Some(fit) = case.fit_of_library() else { return Err(IdentifyError::NothingFree) };
@@ -158,7 +158,7 @@ impl Agreement {
 }
 
 /// Holds a muscle against the points that the library's fit of a folder is made to.
-pub fn agreement<B: Build>(case: &MuscleCase, muscle: &Muscle, build: &B) -> Agreement {
+pub fn agreement(case: &MuscleCase, muscle: &Muscle, build: &Build<'_>) -> Agreement {
     let points = case.fit_of_library().map(|fit| points_of(case, fit)).unwrap_or_default();
     let digest = muscle.digest();
     let is_own = |p: &&DataPoint| p.section.apply(muscle).is_ok_and(|m| m.digest() == digest);

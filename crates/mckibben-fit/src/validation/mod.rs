@@ -58,7 +58,7 @@ fn muscle() -> Option<Muscle> {
 ///
 /// # Errors
 /// [`Exceeded`] where the caller wanted it to end.
-pub fn cases<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
+pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
     let mut rows = hand_made(elements, progress)?;
     rows.extend(coverage::cases(elements, progress)?);
     rows.extend(held_out::cases(elements, progress)?);
@@ -69,7 +69,7 @@ pub fn cases<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<Veri
 }
 
 /// Models beside the 20° muscle.
-fn hand_made<B: Build>(elements: &B, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
+fn hand_made(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
     let points = read_measured(POINTS.as_bytes()).map(|p| mean_of_branches(&p)).unwrap_or_default();
     let thick: &Builder<'_> = &|m| Ok(Box::new(ThickWall::new(m)));
     let ideal: &Builder<'_> = &|m| Ok(Box::new(Ideal::new(m)));

@@ -100,7 +100,7 @@ fn place(pressures: &[f64], gauge_mpa: f64) -> Option<f64> {
 }
 
 /// ∫ V dp/p + V(p1) − V(p2) in mm³ of a muscle at ε.
-fn let_out<B: Build>(build: &B, muscle: &Muscle, at: &Counted) -> Result<f64, ModelError> {
+fn let_out(build: &Build<'_>, muscle: &Muscle, at: &Counted) -> Result<f64, ModelError> {
     let mut parts = muscle.parts().clone();
     (LENGTH.set)(&mut parts, at.length_mm);
     let model = Muscle::from_parts(parts).ok().map(|m| build(&m)).transpose()?;
@@ -126,7 +126,7 @@ fn let_out<B: Build>(build: &B, muscle: &Muscle, at: &Counted) -> Result<f64, Mo
 ///
 /// # Errors
 /// [`ModelError`] of a model without a volume or without an answer.
-pub fn predict<B: Build>(build: &B, muscle: &Muscle) -> Result<Predicted, ModelError> {
+pub fn predict(build: &Build<'_>, muscle: &Muscle) -> Result<Predicted, ModelError> {
     let counted = counted();
     let (rest, contracted): (Vec<Counted>, Vec<Counted>) = counted.iter().partition(|c| c.contraction == 0.0);
     let log = ((BETWEEN.1 + ATMOSPHERE_MPA) / (BETWEEN.0 + ATMOSPHERE_MPA)).ln();
@@ -160,9 +160,9 @@ const FITS: [&str; 3] = ["modulus, angle", "modulus, angle, slip", "modulus, sli
 const TOLERANCE: f64 = 0.03;
 
 /// Rows of the fits: only the first, whose ends hold, must predict the pulses; what the others leave is what speaks against them.
-pub(super) fn cases<B: Build>(
+pub(super) fn cases(
     sets: &[&'static MuscleCase],
-    build: &B,
+    build: &Build<'_>,
     progress: &dyn Progress,
 ) -> Vec<VerificationRow> {
     let Some(set) = sets.iter().find(|set| set.facts.name == "dmsp-10-hose") else { return vec![] };

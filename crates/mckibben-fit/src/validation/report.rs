@@ -56,9 +56,9 @@ const BIN: f64 = 0.05;
 ///
 /// # Errors
 /// [`ReportError`].
-pub fn report<B: Build>(
+pub fn report(
     cases: &[&MuscleCase],
-    build: &B,
+    build: &Build<'_>,
     progress: &dyn Progress,
 ) -> Result<Vec<FitResult>, ReportError> {
     let means: Vec<Vec<DataPoint>> = cases.iter().map(|case| mean_of_data(&case.points)).collect();
@@ -77,11 +77,11 @@ pub fn report<B: Build>(
     threads::map(&tasks, one).into_iter().collect()
 }
 
-fn run<B: Build>(
+fn run(
     (case, means): (&MuscleCase, &[DataPoint]),
     (number, fit_number): (usize, usize),
     training: &Training,
-    build: &B,
+    build: &Build<'_>,
     progress: &dyn Progress,
 ) -> Result<FitResult, ReportError> {
     if progress.cancelled() {

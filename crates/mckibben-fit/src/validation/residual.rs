@@ -117,7 +117,7 @@ impl Asked {
 }
 
 /// What a muscle leaves of points, those left out to which the model has no answer.
-pub(super) fn residuals<B: Build>(build: &B, muscle: &Muscle, points: &[&DataPoint]) -> Vec<Residual> {
+pub(super) fn residuals(build: &Build<'_>, muscle: &Muscle, points: &[&DataPoint]) -> Vec<Residual> {
     let mut models: Vec<Asked> = vec![];
     let mut out = vec![];
     for point in points {
@@ -137,11 +137,11 @@ pub(super) fn residuals<B: Build>(build: &B, muscle: &Muscle, points: &[&DataPoi
 }
 
 /// A fit to points that begins with a muscle: least squares of the pulls, from one side, without history.
-pub(super) fn identified<B: Build>(
+pub(super) fn identified(
     muscle: &Muscle,
     fit: &CaseFit,
     points: &[DataPoint],
-    build: &B,
+    build: &Build<'_>,
     progress: &dyn Progress,
 ) -> Result<Identification, IdentifyError> {
     let request = Request {
@@ -157,10 +157,10 @@ pub(super) fn identified<B: Build>(
 }
 
 /// The muscle and the constants of a fit to points.
-pub(super) fn fitted<B: Build>(
+pub(super) fn fitted(
     fit: &CaseFit,
     points: &[DataPoint],
-    build: &B,
+    build: &Build<'_>,
     progress: &dyn Progress,
 ) -> Result<(Muscle, Vec<Identified>), IdentifyError> {
     if fit.free.is_empty() {

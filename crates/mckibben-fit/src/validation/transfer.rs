@@ -24,7 +24,7 @@ pub struct Transfer {
 }
 
 /// Every ordered pair of muscles of the library that are one product.
-pub fn transfers<B: Build>(elements: &B) -> Vec<Transfer> {
+pub fn transfers(elements: &Build<'_>) -> Vec<Transfer> {
     let all = library().unwrap_or_default();
     let mut out = vec![];
     for (from, muscle) in &all {
@@ -39,7 +39,7 @@ pub fn transfers<B: Build>(elements: &B) -> Vec<Transfer> {
 }
 
 /// What a muscle leaves of the points of another one of its product, which state their length or have that of their muscle.
-fn left<B: Build>(muscle: &Muscle, to: &MuscleCase, other: &Muscle, elements: &B) -> Left {
+fn left(muscle: &Muscle, to: &MuscleCase, other: &Muscle, elements: &Build<'_>) -> Left {
     let mut points: Vec<DataPoint> = mean_of_data(&to.points);
     for point in &mut points {
         point.section.length_mm.get_or_insert(other.length_mm());
@@ -49,7 +49,7 @@ fn left<B: Build>(muscle: &Muscle, to: &MuscleCase, other: &Muscle, elements: &B
 }
 
 /// The share of the points of the other laboratory that the ± holds.
-pub fn cases<B: Build>(elements: &B) -> Vec<VerificationRow> {
+pub fn cases(elements: &Build<'_>) -> Vec<VerificationRow> {
     transfers(elements).into_iter().map(|t| row(&t)).collect()
 }
 

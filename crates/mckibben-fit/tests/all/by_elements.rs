@@ -77,7 +77,7 @@ fn run(names: &[&str], points: &[DataPoint], with_own: bool) -> Identification {
         two_sided: false,
         history: false,
     };
-    if with_own { identify(&request, fe) } else { identify(&request, bare) }.unwrap()
+    if with_own { identify(&request, &fe) } else { identify(&request, &bare) }.unwrap()
 }
 
 #[test]

@@ -198,7 +198,7 @@ fn thickness_and_crimp_come_back_from_rounded_points() {
     let request = Request { muscle, free, fixed: &[], points, loss, two_sided: false, history: false };
     let build =
         |m: &Muscle| -> Result<Box<dyn ForceModel>, ModelError> { Ok(Box::new(Axisymmetric::new(m)?)) };
-    let found = identify(&request, build).unwrap();
+    let found = identify(&request, &build).unwrap();
     for (p, truth) in found.parameters.iter().zip([0.6, 0.012]) {
         assert!((p.value - truth).abs() < p.half_width.max(1e-3 * truth), "{p:?}");
         assert!(p.identifiable, "{p:?}");

@@ -65,7 +65,7 @@ fn the_uncertainty_holds_single_branches_of_muscles_that_state_their_friction() 
             two_sided: false,
             history: false,
         };
-        let found = identify(&request, elements).unwrap();
+        let found = identify(&request, &elements).unwrap();
         assert!(found.muscle.friction().is_some());
         let (mut held, mut judged) = ([0, 0], 0);
         let mut models: Vec<(mckibben_fit::measured::Section, _, Workspace)> = vec![];

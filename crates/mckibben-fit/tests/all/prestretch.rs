@@ -38,7 +38,7 @@ fn a_prestretch_is_identified_from_pulls_and_a_wrong_one_refused() {
         two_sided: false,
         history: false,
     };
-    let found = identify(&request, |m| Ok(Box::new(ThickWall::new(m)))).unwrap();
+    let found = identify(&request, &|m| Ok(Box::new(ThickWall::new(m)))).unwrap();
     let value = found.muscle.tube().prestretch;
     assert!((value - 1.15).abs() < 1e-6 && found.parameters[0].identifiable, "{value}");
     let refused = start.with(&PRESTRETCH, 3.0).unwrap_err().to_string();

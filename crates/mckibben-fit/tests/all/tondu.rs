@@ -48,7 +48,7 @@ fn thick_wall_with_a_fitted_modulus_and_end_factor_misses_by_about_6_n_rms() {
         two_sided: true,
         history: false,
     };
-    let best = identify(&request, build).unwrap();
+    let best = identify(&request, &build).unwrap();
     println!("{:?} {}", best.parameters, best.rms_n);
     assert!((5.0..7.0).contains(&best.rms_n), "{:?} {}", best.parameters, best.rms_n);
     assert!((best.parameters[1].value - 1.11).abs() < 0.01, "{:?}", best.parameters);

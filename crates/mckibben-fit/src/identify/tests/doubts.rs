@@ -50,7 +50,7 @@ fn the_default_does_not_free_an_unidentifiable_stiffness() {
         two_sided: false,
         history: false,
     };
-    let f = identify_default(&request, thick, &Silent).unwrap();
+    let f = identify_default(&request, &thick, &Silent).unwrap();
     assert_eq!(f.parameters.len(), 1);
     assert!((f.parameters[0].value - 0.3).abs() < 0.05, "{:#?}", f.parameters);
     assert!(f.notes.iter().any(|n| n.contains("was not changed")), "{:?}", f.notes);
@@ -151,7 +151,7 @@ fn starts_bounds_and_doubles_are_checked() {
         two_sided: false,
         history: false,
     };
-    assert!(matches!(identify(&request, thick).unwrap_err(), IdentifyError::OutOfBounds { .. }));
+    assert!(matches!(identify(&request, &thick).unwrap_err(), IdentifyError::OutOfBounds { .. }));
     // A bound that holds the truth away is reported.
     let f = found(&m, &["mu=0.4:0.35:1"], &points, Loss::Squares).unwrap();
     assert!(f.parameters[0].at_bound && !f.parameters[0].identifiable, "{:#?}", f.parameters);
@@ -242,7 +242,7 @@ fn ends_that_give_way_by_too_much_are_not_determined() {
         two_sided: true,
         history: false,
     };
-    let f = identify(&request, |m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
+    let f = identify(&request, &|m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
     let seating_found = &f.parameters[1];
     assert!((seating_found.value - seating).abs() < 1e-5, "{seating_found:#?}");
     assert!(seating_found.implausible && !seating_found.identifiable && !f.parameters[0].implausible);
@@ -266,7 +266,7 @@ fn a_constant_on_its_bound_is_the_bound() {
         two_sided: false,
         history: false,
     };
-    let f = identify(&request, |m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
+    let f = identify(&request, &|m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
     assert!(f.parameters[1].at_bound && f.parameters[1].value == 0.0, "{:#?}", f.parameters);
     assert!(f.notes.iter().any(|n| n.contains("terminals.grip is at its bound, 0 mm")), "{:?}", f.notes);
 }

@@ -96,7 +96,7 @@ fn found(
     let free = free(m, names);
     identify(
         &Request { muscle: m, free: &free, fixed: &[], points, loss, two_sided: false, history: false },
-        thick,
+        &thick,
     )
 }
 
@@ -119,7 +119,7 @@ fn whoever_no_longer_wants_the_answer_gets_none() {
         two_sided: false,
         history: false,
     };
-    assert_eq!(identify_with(&request, thick, &Gone).unwrap_err(), IdentifyError::Cancelled);
+    assert_eq!(identify_with(&request, &thick, &Gone).unwrap_err(), IdentifyError::Cancelled);
 }
 
 fn values(m: &Muscle, names: &[&str], points: &[DataPoint]) -> Vec<f64> {
@@ -299,13 +299,13 @@ fn muscles_of_several_lengths_tell_how_far_their_ends_give_way() {
         two_sided: false,
         history: false,
     };
-    let found = identify(&request, |m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
+    let found = identify(&request, &|m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
     for (p, truth) in found.parameters.iter().zip([0.3, seating, 0.0]) {
         assert!(p.identifiable && (p.value - truth).abs() < 1e-6, "{p:#?}");
     }
     let determined = |points: &[DataPoint]| {
         let one = Request { points, ..request };
-        let found = identify(&one, |m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
+        let found = identify(&one, &|m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
         found.notes.iter().any(|note| note.contains("all points are from muscles of one length"))
     };
     assert!(determined(&noisy(&points[..PLACES.len()], 0.5, 3)) && !determined(&points));
@@ -339,7 +339,7 @@ fn muscles_of_several_lengths_tell_slip_and_grip() {
         two_sided: true,
         history: false,
     };
-    let found = identify(&request, |m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
+    let found = identify(&request, &|m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
     for (p, (truth, scale)) in found.parameters.iter().zip([(0.3, 0.3), (slip, slip), (grip, grip)]) {
         assert!(p.identifiable && (p.value - truth).abs() < 1e-5 * scale, "{p:#?}");
     }
@@ -372,7 +372,7 @@ fn of_all_laws_the_points_prefer_the_one_that_made_them() {
     let request =
         Request { muscle, free: &free, fixed: &[], points: &points, loss, two_sided: false, history: false };
     let build = |m: &Muscle| Ok(Box::new(ThickWall::new(m)) as Box<dyn ForceModel>);
-    let trials = try_laws(&request, build, &mckibben::progress::Silent).unwrap();
+    let trials = try_laws(&request, &build, &mckibben::progress::Silent).unwrap();
     assert_eq!(trials.len(), Law::KINDS.iter().filter(|k| !k.is_sum).count());
     let best = &trials[0];
     assert_eq!(best.law, "gent");

@@ -1,6 +1,5 @@
 //! Numbers with their derivatives: in the axial stretch λ of the middle, or in λ and the pressure P.
 
-use std::array::from_fn;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A value with ∂/∂λ, or with (∂/∂λ, ∂/∂P).
@@ -12,6 +11,16 @@ pub(super) struct Dual<const N: usize = 2> {
 
 /// Above this tanh is 1 to the last digit.
 const TANH_IS_ONE: f64 = 20.0;
+
+/// One number for each derivative: a loop is inlined wherever it is used, `std::array::from_fn` and `map` are not.
+#[inline(always)]
+fn each<const N: usize>(f: impl Fn(usize) -> f64) -> [f64; N] {
+    let mut out = [0.0; N];
+    for (k, place) in out.iter_mut().enumerate() {
+        *place = f(k);
+    }
+    out
+}
 
 impl<const N: usize> Dual<N> {
     #[inline(always)]
@@ -27,7 +36,7 @@ impl<const N: usize> Dual<N> {
     /// f(self) from its value and slope.
     #[inline(always)]
     pub fn chain(self, v: f64, slope: f64) -> Self {
-        Self { v, by: self.by.map(|d| slope * d) }
+        Self { v, by: each(|k| slope * self.by[k]) }
     }
 
     #[inline(always)]
@@ -68,7 +77,7 @@ impl<const N: usize> Dual<N> {
         let i = 1.0 / root;
         let v = if x >= 0.0 { 0.5 * (x + root) } else { 0.5 * c2 / (root - x) };
         let (by_x, by_c) = (v * i, 0.5 * c.v * i);
-        Self { v, by: from_fn(|k| by_x * self.by[k] + by_c * c.by[k]) }
+        Self { v, by: each(|k| by_x * self.by[k] + by_c * c.by[k]) }
     }
 }
 
@@ -76,7 +85,7 @@ impl<const N: usize> Add for Dual<N> {
     type Output = Self;
     #[inline(always)]
     fn add(self, o: Self) -> Self {
-        Self { v: self.v + o.v, by: from_fn(|k| self.by[k] + o.by[k]) }
+        Self { v: self.v + o.v, by: each(|k| self.by[k] + o.by[k]) }
     }
 }
 
@@ -84,7 +93,7 @@ impl<const N: usize> Sub for Dual<N> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, o: Self) -> Self {
-        Self { v: self.v - o.v, by: from_fn(|k| self.by[k] - o.by[k]) }
+        Self { v: self.v - o.v, by: each(|k| self.by[k] - o.by[k]) }
     }
 }
 
@@ -101,7 +110,7 @@ impl<const N: usize> Mul for Dual<N> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, o: Self) -> Self {
-        Self { v: self.v * o.v, by: from_fn(|k| self.by[k] * o.v + self.v * o.by[k]) }
+        Self { v: self.v * o.v, by: each(|k| self.by[k] * o.v + self.v * o.by[k]) }
     }
 }
 
@@ -119,7 +128,7 @@ impl<const N: usize> Div for Dual<N> {
     fn div(self, o: Self) -> Self {
         let i = 1.0 / o.v;
         let v = self.v * i;
-        Self { v, by: from_fn(|k| (self.by[k] - v * o.by[k]) * i) }
+        Self { v, by: each(|k| (self.by[k] - v * o.by[k]) * i) }
     }
 }
 
