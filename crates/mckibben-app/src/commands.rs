@@ -14,9 +14,11 @@ use mckibben::progress::Progress;
 #[cfg(feature = "files")]
 use mckibben_campaign::campaign::{CampaignStatus, CancelledJobs, Merged, Outcome, Submitted, Summary};
 #[cfg(feature = "schema")]
-use schemars::{JsonSchema, generate::SchemaSettings};
+use schemars::{JsonSchema, Schema, SchemaGenerator, generate::SchemaSettings};
 use serde::Serialize;
 use serde_json::Value;
+#[cfg(feature = "schema")]
+use std::borrow::Cow;
 use std::sync::LazyLock;
 #[cfg(feature = "schema")]
 use std::sync::OnceLock;
@@ -349,13 +351,47 @@ pub fn find(command: &str) -> Result<&'static CommandEntry, Problem> {
 
 #[cfg(feature = "schema")]
 fn schemas<Q: JsonSchema, A: JsonSchema>() -> Value {
+    schemas_of(Root::of::<Q>(), Root::of::<A>())
+}
+
+#[cfg(feature = "schema")]
+fn schemas_of(request: Root, answer: Root) -> Value {
     let settings = || SchemaSettings::draft2020_12();
-    let requests = settings().for_deserialize().into_generator().into_root_schema_for::<Q>();
-    let answers = settings().for_serialize().into_generator().into_root_schema_for::<A>();
+    let requests = request.schema(settings().for_deserialize());
+    let answers = answer.schema(settings().for_serialize());
     let problems = settings().for_serialize().into_generator().into_root_schema_for::<Problem>();
     let mut all = serde_json::json!({ "request": requests, "answer": answers, "error": problems });
     annotate(&mut all);
     all
+}
+
+/// A type by its functions, so that what makes a schema of it is compiled once for all types. No request or answer contains itself.
+#[cfg(feature = "schema")]
+struct Root {
+    name: fn() -> Cow<'static, str>,
+    own: fn(&mut SchemaGenerator) -> Schema,
+}
+
+#[cfg(feature = "schema")]
+impl Root {
+    fn of<T: JsonSchema>() -> Self {
+        Self { name: T::schema_name, own: T::json_schema }
+    }
+
+    fn schema(self, settings: SchemaSettings) -> Schema {
+        let mut generator = settings.into_generator();
+        let mut schema = (self.own)(&mut generator);
+        let meta_schema = generator.settings().meta_schema.clone();
+        let definitions = generator.take_definitions(false);
+        let object = schema.ensure_object();
+        object.entry("title").or_insert_with(|| (self.name)().into());
+        object.extend(meta_schema.map(|meta| ("$schema".to_owned(), meta.into())));
+        if !definitions.is_empty() {
+            object.insert("$defs".into(), definitions.into());
+        }
+        generator.transforms_mut().for_each(|transform| transform.transform(&mut schema));
+        schema
+    }
 }
 
 fn not_understood(error: &serde_json::Error) -> Problem {

@@ -1,7 +1,7 @@
 //! Words that flags take, from the types of the requests: names and help are declared there, once.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema};
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
@@ -18,7 +18,12 @@ pub fn word_or<T>(aliases: &[(&str, &'static str)]) -> impl TypedValueParser<Val
 where
     T: JsonSchema + DeserializeOwned + Clone + Send + Sync + 'static,
 {
-    let schema = schemars::schema_for!(T);
+    possible(&schemars::schema_for!(T), aliases)
+        .try_map(|word| serde_json::from_value::<T>(Value::String(word)))
+}
+
+/// The words of a schema.
+fn possible(schema: &Schema, aliases: &[(&str, &'static str)]) -> PossibleValuesParser {
     let variants = schema.get("oneOf").and_then(Value::as_array).cloned().unwrap_or_default();
     let possible = variants.iter().filter_map(|variant| {
         let name = variant.get("const")?.as_str()?.to_owned();
@@ -29,7 +34,6 @@ where
         Some(PossibleValue::new(name).help(help).aliases(aliases))
     });
     PossibleValuesParser::new(possible.collect::<Vec<_>>())
-        .try_map(|word| serde_json::from_value::<T>(Value::String(word)))
 }
 
 #[cfg(test)]

@@ -11,8 +11,8 @@ use crate::budget::Budget;
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::num::NonZero;
-use std::sync::{Mutex, OnceLock, PoisonError};
 use std::sync::mpsc::{RecvTimeoutError, SyncSender, sync_channel};
+use std::sync::{Mutex, OnceLock, PoisonError};
 use std::time::Duration;
 use thiserror::Error;
 
@@ -68,7 +68,10 @@ impl Threads {
         self.each(items.len(), &|i| {
             *places[i].lock().unwrap_or_else(PoisonError::into_inner) = Some(f(&items[i]));
         });
-        places.into_iter().filter_map(|place| place.into_inner().unwrap_or_else(PoisonError::into_inner)).collect()
+        places
+            .into_iter()
+            .filter_map(|place| place.into_inner().unwrap_or_else(PoisonError::into_inner))
+            .collect()
     }
 
     /// Does the work of every place, 0 to `count` − 1.

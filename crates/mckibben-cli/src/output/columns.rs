@@ -21,23 +21,27 @@ pub const FLAT: &str = "*";
 /// A column: the key of the rows in JSON.
 pub type Column = (String, Kind);
 
-/// The columns of an answer's rows, which stand in its list or object of lists `rows`, or are the answer itself where the name is empty.
-pub fn of<T: JsonSchema>(rows: &str) -> Vec<Column> {
+/// The schema of an answer.
+pub fn schema<T: JsonSchema>() -> Value {
     let generator: SchemaGenerator = SchemaSettings::draft2020_12().for_serialize().into_generator();
-    let root = generator.into_root_schema_for::<T>().to_value();
+    generator.into_root_schema_for::<T>().to_value()
+}
+
+/// The columns of an answer's rows by its schema, which stand in its list or object of lists `rows`, or are the answer itself where the name is empty.
+pub fn of(root: &Value, rows: &str) -> Vec<Column> {
     let mut out = vec![];
     if rows.is_empty() || rows == FLAT {
-        scalars(&root, &root, &mut out);
+        scalars(root, root, &mut out);
         if rows == FLAT {
-            properties(&root, &root).for_each(|(_, value)| scalars(&root, value, &mut out));
+            properties(root, root).for_each(|(_, value)| scalars(root, value, &mut out));
         }
         return out;
     }
-    for list in property(&root, &root, rows) {
-        for node in variants(&root, list) {
+    for list in property(root, root, rows) {
+        for node in variants(root, list) {
             match node.get("items") {
-                Some(item) => scalars(&root, item, &mut out),
-                None => lists(&root, node, &mut out),
+                Some(item) => scalars(root, item, &mut out),
+                None => lists(root, node, &mut out),
             }
         }
     }
@@ -140,7 +144,7 @@ mod tests {
 
     #[test]
     fn columns_are_the_scalar_keys_of_the_schema() {
-        let point = of::<PointAnswer>("");
+        let point = of(&schema::<PointAnswer>(), "");
         for (name, kind) in [
             ("force_n", Kind::Number),
             ("slack", Kind::Flag),
@@ -150,11 +154,11 @@ mod tests {
             assert!(point.contains(&(name.to_owned(), kind)), "{name}: {point:?}");
         }
         assert!(point.iter().all(|c| !["muscle", "about", "warnings", "branches"].contains(&c.0.as_str())));
-        let curve = of::<CurveAnswer>("points");
+        let curve = of(&schema::<CurveAnswer>(), "points");
         for name in ["force_n", "status", "cause", "wanted_force_n"] {
             assert!(curve.iter().any(|c| c.0 == name), "{name}: {curve:?}");
         }
-        let motion = of::<MotionAnswer>("series");
+        let motion = of(&schema::<MotionAnswer>(), "series");
         assert!(motion.iter().any(|c| c.0 == "time_s") && motion.iter().any(|c| c.0 == "contraction"));
     }
 }

@@ -53,8 +53,22 @@ pub fn show<T: Serialize + JsonSchema>(
     text: impl FnOnce() -> String,
     target: Target<'_>,
 ) -> Result<(), Failure> {
-    let table = || -> Result<rows::Table, Failure> {
-        let mut value = json(answer)?;
+    let mut text = Some(text);
+    let content = &Answer { json: &|| json(answer), schema: columns::schema::<T>, rows };
+    show_content(content, format, &mut || text.take().map_or_else(String::new, |text| text()), target)
+}
+
+/// An answer as what can be made of it: the same type for all answers, so that the rest is compiled once.
+struct Answer<'a> {
+    json: &'a dyn Fn() -> Result<Value, Failure>,
+    schema: fn() -> Value,
+    rows: &'a str,
+}
+
+impl Answer<'_> {
+    fn table(&self) -> Result<rows::Table, Failure> {
+        let mut value = (self.json)()?;
+        let rows = self.rows;
         let list = match value.get_mut(rows).map(Value::take) {
             Some(Value::Array(list)) => list,
             Some(Value::Object(columns)) => rows::of_columns(&columns),
@@ -62,8 +76,17 @@ pub fn show<T: Serialize + JsonSchema>(
             _ if rows.is_empty() => vec![value],
             _ => vec![],
         };
-        Ok(rows::Table { columns: columns::with_others(columns::of::<T>(rows), &list), rows: list })
-    };
+        let columns = columns::of(&(self.schema)(), rows);
+        Ok(rows::Table { columns: columns::with_others(columns, &list), rows: list })
+    }
+}
+
+fn show_content(
+    answer: &Answer<'_>,
+    format: Format,
+    text: &mut dyn FnMut() -> String,
+    target: Target<'_>,
+) -> Result<(), Failure> {
     let form = form(target.path, format)?;
     let out = match form {
         Form::Text => {
@@ -73,13 +96,13 @@ pub fn show<T: Serialize + JsonSchema>(
             }
             width::broken(&clean::lines(&text())).into_bytes()
         }
-        Form::Json => format!("{:#}\n", json(answer)?).into_bytes(),
-        Form::Csv => csv::rows(&table()?)?,
-        Form::Parquet => parquet::rows(&table()?)?,
+        Form::Json => format!("{:#}\n", (answer.json)()?).into_bytes(),
+        Form::Csv => csv::rows(&answer.table()?)?,
+        Form::Parquet => parquet::rows(&answer.table()?)?,
     };
     if matches!(form, Form::Csv | Form::Parquet) {
         // A table has no place for it.
-        let value = json(answer)?;
+        let value = (answer.json)()?;
         let all = value.get("warnings").and_then(Value::as_array).into_iter().flatten();
         all.filter_map(Value::as_str).filter(|w| is_of_burst(w)).for_each(warn);
     }
