@@ -25,9 +25,13 @@ const maybe = (answer) => answer.then((said) => said, (problem) => { if (!proble
  * the last bit; a motion is asked with a muscle file that somebody wrote against one that was saved, and its events are found to 1e-9 of their
  * scale. WebAssembly has its own sines and no lanes, which differ in the last bits, and what is iterated ends elsewhere within its tolerance:
  * Newton's method at a residual of 1e-10 of the forces, with a stiffness or P′ up to ten times as far from it (of 400 muscles the worst is
- * 1.0e-10, a P′), a motion's events at 1e-9 of their scale, likewise (the worst 2.1e-9, a rise time).
+ * 1.0e-10, a P′), a motion's events at 1e-9 of their scale, likewise (the worst 2.1e-9, a rise time). Where the last bits decide whether a
+ * step is accepted, the two integrate with other steps: each is within 2e-7 of the solution at the tolerance of 1e-6 (docs/motion.md), and
+ * they differ by twice that at most (of 100 muscles three differ by more than 1e-8, the worst by 4e-8).
  */
-const WITHIN = { serve: { point: 0, motion: 1e-9 }, static: { point: 1e-9, motion: 1e-8 } };
+const WITHIN = { serve: { point: 0, motion: 1e-9 }, static: { point: 1e-9, motion: 4e-7 } };
+/** Motions that were integrated with the same steps differ by less; one of ten may have other steps. */
+const SAME_STEPS = 1e-8;
 
 /** The same answers. @param {any} a @param {any} b @param {number} within @param {string} where */
 function same(a, b, within, where) {
@@ -50,7 +54,7 @@ for (const [name, { start, point: within, motion }] of engines({
   describe(name, () => {
     /** @type {Engine} */ let engine;
     /** @type {string} */ let folder;
-    let moves = 0;
+    let moves = 0, otherSteps = 0;
     before(async () => {
       engine = await start();
       folder = await mkdtemp(join(tmpdir(), "muscles-"));
@@ -135,8 +139,9 @@ for (const [name, { start, point: within, motion }] of engines({
         ask("motion", "--muscle", whole, "-p", p, "--load", step.load, "--valve", step.valve, "--damping", step.damping, "--until", step.until, "--model", model),
         maybe(engine.ask("motion", page.motion(text, { model, pressure_mpa: state.p, supply_mpa: 0.6, load: step.load, valve: step.valve, damping_n_s_per_m: 300, until_s: 0.3 }))),
       ]);
-      for (const key of ["rise_time_s", "largest_speed", "air_normal_litres", "overshoot"]) same(moved?.[key], run?.[key], motion, `Motion ${seed}, ${key}`);
-      same(moved?.series.contraction.at(-1), run?.series.contraction.at(-1), motion, `Motion ${seed}`);
+      const ran = (/** @type {any} */ of) => of && Object.fromEntries([["end", of.series.contraction.at(-1)], ...["rise_time_s", "largest_speed", "air_normal_litres", "overshoot"].map((key) => [key, of[key]])]);
+      same(ran(moved), ran(run), motion, `Motion ${seed}`);
+      try { same(ran(moved), ran(run), SAME_STEPS, ""); } catch { otherSteps += 1; }
 
       // Compare: the muscle itself, and with a length and stiffness of the side's own.
       const [length, k] = [d.between(150, 300), d.pick(["inextensible", 400])];
@@ -163,6 +168,7 @@ for (const [name, { start, point: within, motion }] of engines({
       // Of the first 400 all but one have all answers, and 374 move: of each hundred 99 and 90 at least.
       assert.ok(answered >= 0.97 * COUNT, `${answered} of ${COUNT} muscles have all answers`);
       assert.ok(moves >= 0.85 * COUNT, `${moves} of ${COUNT} muscles move`);
+      assert.ok(otherSteps <= 0.1 * moves, `${otherSteps} of ${moves} motions differ by more than ${SAME_STEPS}`);
     });
 
     test("what is typed into a field has the value of the command line, and so has its link", async () => {
