@@ -11,12 +11,12 @@
 has nothing to do here.
 """
 
+import argparse
 import hashlib
 import json
 import os
 import re
 import subprocess
-import sys
 import time
 from pathlib import Path
 
@@ -111,25 +111,28 @@ def guarded(part):
 
 
 def main():
-    asked = [word for word in sys.argv[1:] if not word.startswith("-")]
-    unknown = [word for word in asked if word not in PARTS]
-    if unknown:
-        raise SystemExit(f"no such part: {', '.join(unknown)}; there are {', '.join(PARTS)}")
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("parts", nargs="*", metavar="NAME", choices=[[], *PARTS], help=", ".join(PARTS))
+    which = parser.add_mutually_exclusive_group()
+    for flag in ("short", "all", "list"):
+        which.add_argument(f"--{flag}", action="store_true", help=argparse.SUPPRESS)
+    words = parser.parse_args()
+    asked = words.parts
     record = json.loads(RECORD.read_text()) if RECORD.exists() else {}
     changed = [part for part in PARTS if record.get(part) != guarded(part)]
-    if "--list" in sys.argv:
+    if words.list:
         for part, (about, *_) in PARTS.items():
             print(f"{part:<11} {'changed' if part in changed else 'passed '}  {about}")
         return
-    if "--short" in sys.argv:
+    if words.short:
         changed = [part for part in changed if part in SHORT]
     os.environ.setdefault("MCKIBBEN", str(Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug/mckibben"))
-    due = asked or (list(PARTS) if "--all" in sys.argv else changed)
+    due = asked or (list(PARTS) if words.all else changed)
     if due and not Path(os.environ["MCKIBBEN"]).exists():
         subprocess.run(["cargo", "build", "--workspace", "--all-targets", "--profile", "test", "--locked"], cwd=ROOT, check=True)
     for part in due:
         about, *_, commands = PARTS[part]
-        print(f"\n== {part}: {about}{'' if asked or '--all' in sys.argv else ' (its files have changed)'}", flush=True)
+        print(f"\n== {part}: {about}{'' if asked or words.all else ' (its files have changed)'}", flush=True)
         begun, digest = time.monotonic(), guarded(part)
         for command in commands:
             subprocess.run(command, shell=True, cwd=ROOT, check=True, env=os.environ)
