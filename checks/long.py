@@ -112,12 +112,14 @@ def guarded(part):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("parts", nargs="*", metavar="NAME", choices=[[], *PARTS], help=", ".join(PARTS))
-    which = parser.add_mutually_exclusive_group()
-    for flag in ("short", "all", "list"):
-        which.add_argument(f"--{flag}", action="store_true", help=argparse.SUPPRESS)
+    parser.add_argument("parts", nargs="*", metavar="NAME", help=", ".join(PARTS))
+    for flag, about in (("short", "the short ones of those that are due"), ("all", "all"), ("list", "only print them")):
+        parser.add_argument(f"--{flag}", action="store_true", help=about)
     words = parser.parse_args()
     asked = words.parts
+    unknown = [word for word in asked if word not in PARTS]
+    if unknown:
+        parser.error(f"no such part: {', '.join(unknown)}; there are {', '.join(PARTS)}")
     record = json.loads(RECORD.read_text()) if RECORD.exists() else {}
     changed = [part for part in PARTS if record.get(part) != guarded(part)]
     if words.list:

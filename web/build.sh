@@ -64,10 +64,13 @@ if command -v npx >/dev/null; then
     # Those that the compiler uses, and every browser has.
     features=(simd bulk-memory nontrapping-float-to-int sign-ext mutable-globals reference-types multivalue)
     npx --yes --package binaryen@132.0.0 wasm-opt -Oz "${features[@]/#/--enable-}" "$made/live.wasm" -o "$made/live.wasm"
-    # The report takes the modules of the view as text.
-    find "$made/js" -name '*.js' ! -name plotly.js ! -name dom.js ! -name shaders.js ! -name view3d.js ! -name report-viewer.js -print0 |
+    find "$made/js" -name '*.js' ! -name plotly.js -print0 |
         xargs -0 npx --yes esbuild@0.28.2 --minify-whitespace --minify-syntax --format=esm --log-level=error \
             --allow-overwrite --outbase="$made/js" --outdir="$made/js"
+    # The report takes the modules of the view as text, line by line.
+    for module in $(sed -n 's/^const MODULES = \[\(.*\)\];$/\1/p' web/page/js/report.js | tr -d '",'); do
+        cp "web/page/js/$module" "$made/js"
+    done
 else
     echo "without Node (npx) the page is 70 kB larger than it could be" >&2
 fi

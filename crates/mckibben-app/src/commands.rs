@@ -349,6 +349,12 @@ pub fn find(command: &str) -> Result<&'static CommandEntry, Problem> {
     })
 }
 
+/// The schema of an answer.
+#[cfg(feature = "schema")]
+pub fn answer_schema<A: JsonSchema>() -> Value {
+    Root::of::<A>().schema(SchemaSettings::draft2020_12().for_serialize()).to_value()
+}
+
 #[cfg(feature = "schema")]
 fn schemas<Q: JsonSchema, A: JsonSchema>() -> Value {
     schemas_of(Root::of::<Q>(), Root::of::<A>())
@@ -356,16 +362,16 @@ fn schemas<Q: JsonSchema, A: JsonSchema>() -> Value {
 
 #[cfg(feature = "schema")]
 fn schemas_of(request: Root, answer: Root) -> Value {
-    let settings = || SchemaSettings::draft2020_12();
+    let settings = SchemaSettings::draft2020_12;
     let requests = request.schema(settings().for_deserialize());
     let answers = answer.schema(settings().for_serialize());
-    let problems = settings().for_serialize().into_generator().into_root_schema_for::<Problem>();
+    let problems = Root::of::<Problem>().schema(settings().for_serialize());
     let mut all = serde_json::json!({ "request": requests, "answer": answers, "error": problems });
     annotate(&mut all);
     all
 }
 
-/// A type by its functions, so that what makes a schema of it is compiled once for all types. No request or answer contains itself.
+/// A type by its functions, so that what makes a schema of it is compiled once for all types.
 #[cfg(feature = "schema")]
 struct Root {
     name: fn() -> Cow<'static, str>,
@@ -378,6 +384,7 @@ impl Root {
         Self { name: T::schema_name, own: T::json_schema }
     }
 
+    /// As schemars has it (`into_root_schema_for`), but that a type which contains itself is among its own definitions.
     fn schema(self, settings: SchemaSettings) -> Schema {
         let mut generator = settings.into_generator();
         let mut schema = (self.own)(&mut generator);

@@ -97,7 +97,7 @@ pub use burst::PressureLimits;
 pub use campaign::*;
 pub use commands::{COMMANDS, CommandEntry, Ready, ask, ask_packed, ask_value, find, packed, parsed};
 #[cfg(feature = "schema")]
-pub use commands::{RequestFields, schema, understood};
+pub use commands::{RequestFields, answer_schema, schema, understood};
 pub use compare::*;
 pub use curve::*;
 pub use design::*;

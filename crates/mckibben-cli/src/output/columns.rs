@@ -1,7 +1,5 @@
 //! The columns of a table: those of the rows' schema, so that they are the same whatever the values.
 
-use schemars::generate::SchemaSettings;
-use schemars::{JsonSchema, SchemaGenerator};
 use serde_json::{Map, Value};
 
 /// What the values of a column are.
@@ -20,12 +18,6 @@ pub const FLAT: &str = "*";
 
 /// A column: the key of the rows in JSON.
 pub type Column = (String, Kind);
-
-/// The schema of an answer.
-pub fn schema<T: JsonSchema>() -> Value {
-    let generator: SchemaGenerator = SchemaSettings::draft2020_12().for_serialize().into_generator();
-    generator.into_root_schema_for::<T>().to_value()
-}
 
 /// The columns of an answer's rows by its schema, which stand in its list or object of lists `rows`, or are the answer itself where the name is empty.
 pub fn of(root: &Value, rows: &str) -> Vec<Column> {
@@ -140,11 +132,11 @@ fn kind(root: &Value, node: &Value) -> Option<Kind> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mckibben_app::{CurveAnswer, MotionAnswer, PointAnswer};
+    use mckibben_app::{CurveAnswer, MotionAnswer, PointAnswer, answer_schema};
 
     #[test]
     fn columns_are_the_scalar_keys_of_the_schema() {
-        let point = of(&schema::<PointAnswer>(), "");
+        let point = of(&answer_schema::<PointAnswer>(), "");
         for (name, kind) in [
             ("force_n", Kind::Number),
             ("slack", Kind::Flag),
@@ -154,11 +146,11 @@ mod tests {
             assert!(point.contains(&(name.to_owned(), kind)), "{name}: {point:?}");
         }
         assert!(point.iter().all(|c| !["muscle", "about", "warnings", "branches"].contains(&c.0.as_str())));
-        let curve = of(&schema::<CurveAnswer>(), "points");
+        let curve = of(&answer_schema::<CurveAnswer>(), "points");
         for name in ["force_n", "status", "cause", "wanted_force_n"] {
             assert!(curve.iter().any(|c| c.0 == name), "{name}: {curve:?}");
         }
-        let motion = of(&schema::<MotionAnswer>(), "series");
+        let motion = of(&answer_schema::<MotionAnswer>(), "series");
         assert!(motion.iter().any(|c| c.0 == "time_s") && motion.iter().any(|c| c.0 == "contraction"));
     }
 }

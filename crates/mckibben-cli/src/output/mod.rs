@@ -23,7 +23,7 @@ use crate::failure::Failure;
 use crate::format::Format;
 use crate::quantities::unit_hint;
 use mckibben::warning::is_of_burst;
-use mckibben_app::ProblemKind;
+use mckibben_app::{ProblemKind, answer_schema};
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::Value;
@@ -53,9 +53,8 @@ pub fn show<T: Serialize + JsonSchema>(
     text: impl FnOnce() -> String,
     target: Target<'_>,
 ) -> Result<(), Failure> {
-    let mut text = Some(text);
-    let content = &Answer { json: &|| json(answer), schema: columns::schema::<T>, rows };
-    show_content(content, format, &mut || text.take().map_or_else(String::new, |text| text()), target)
+    let answer = Answer { json: &|| json(answer), schema: answer_schema::<T>, rows };
+    answer.show(format, Box::new(text), target)
 }
 
 /// An answer as what can be made of it: the same type for all answers, so that the rest is compiled once.
@@ -79,43 +78,43 @@ impl Answer<'_> {
         let columns = columns::of(&(self.schema)(), rows);
         Ok(rows::Table { columns: columns::with_others(columns, &list), rows: list })
     }
-}
 
-fn show_content(
-    answer: &Answer<'_>,
-    format: Format,
-    text: &mut dyn FnMut() -> String,
-    target: Target<'_>,
-) -> Result<(), Failure> {
-    let form = form(target.path, format)?;
-    let out = match form {
-        Form::Text => {
-            unit_hint().into_iter().for_each(warn);
-            if target.path.is_some() {
-                width::in_file();
+    fn show(
+        &self,
+        format: Format,
+        text: Box<dyn FnOnce() -> String + '_>,
+        target: Target<'_>,
+    ) -> Result<(), Failure> {
+        let form = form(target.path, format)?;
+        let out = match form {
+            Form::Text => {
+                unit_hint().into_iter().for_each(warn);
+                if target.path.is_some() {
+                    width::in_file();
+                }
+                width::broken(&clean::lines(&text())).into_bytes()
             }
-            width::broken(&clean::lines(&text())).into_bytes()
+            Form::Json => format!("{:#}\n", (self.json)()?).into_bytes(),
+            Form::Csv => csv::rows(&self.table()?)?,
+            Form::Parquet => parquet::rows(&self.table()?)?,
+        };
+        if matches!(form, Form::Csv | Form::Parquet) {
+            // A table has no place for it.
+            let value = (self.json)()?;
+            let all = value.get("warnings").and_then(Value::as_array).into_iter().flatten();
+            all.filter_map(Value::as_str).filter(|w| is_of_burst(w)).for_each(warn);
         }
-        Form::Json => format!("{:#}\n", (answer.json)()?).into_bytes(),
-        Form::Csv => csv::rows(&answer.table()?)?,
-        Form::Parquet => parquet::rows(&answer.table()?)?,
-    };
-    if matches!(form, Form::Csv | Form::Parquet) {
-        // A table has no place for it.
-        let value = (answer.json)()?;
-        let all = value.get("warnings").and_then(Value::as_array).into_iter().flatten();
-        all.filter_map(Value::as_str).filter(|w| is_of_burst(w)).for_each(warn);
+        let content = match form {
+            Form::Text => Content::text(&out),
+            Form::Json => Content::json(&out),
+            Form::Csv => Content::table(&out),
+            Form::Parquet => Content::Parquet,
+        };
+        check(target, &content)?;
+        emit(&out, target.path)?;
+        warn_behind();
+        Ok(())
     }
-    let content = match form {
-        Form::Text => Content::text(&out),
-        Form::Json => Content::json(&out),
-        Form::Csv => Content::table(&out),
-        Form::Parquet => Content::Parquet,
-    };
-    check(target, &content)?;
-    emit(&out, target.path)?;
-    warn_behind();
-    Ok(())
 }
 
 /// Whether an answer is wanted as JSON.

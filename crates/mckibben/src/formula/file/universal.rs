@@ -115,8 +115,7 @@ pub fn universal(text: &str) -> Read<UniversalFormula> {
 
 /// Of a text of our own, whose keys nobody mistypes: a small engine does without the messages that name them.
 pub fn built_in(text: &str) -> Read<UniversalFormula> {
-    let file = serde_json::from_str(text).and_then(serde_json::from_value::<UniversalFile>);
-    formula(file.map_err(|e| Problem::Json(e.to_string()))?)
+    formula(serde_json::from_str(text).map_err(|e| Problem::Json(e.to_string()))?)
 }
 
 fn formula(file: UniversalFile) -> Read<UniversalFormula> {

@@ -65,9 +65,6 @@ impl Window {
 
 /// The windows of all rubbers with a curve, by their names.
 pub(super) fn windows() -> Result<BTreeMap<String, Vec<Window>>, LibraryError> {
-    // Types that are read from requests too: by way of the same kind of values, what reads them is compiled once.
-    let text = include_str!("../../../data/rubber-laws.json");
-    serde_json::from_str(text)
-        .and_then(serde_json::from_value::<BTreeMap<String, Vec<Window>>>)
+    serde_json::from_str(include_str!("../../../data/rubber-laws.json"))
         .map_err(|e| LibraryError::Damaged { what: format!("rubber-laws.json: {e}") })
 }
