@@ -187,6 +187,11 @@ impl<'a> Member<'a> {
         force_n - self.ideal.pull(pressure_mpa, contraction)
     }
 
+    /// The ideal formula's volume.
+    pub fn ideal_mm3(&self, contraction: f64) -> f64 {
+        self.ideal.volume(contraction)
+    }
+
     /// F and V with their derivatives.
     pub fn answer(&self, pressure_mpa: f64, contraction: f64) -> Result<Answer, ModelError> {
         match self.substitute.get() {

@@ -55,6 +55,10 @@ impl Integration<'_, '_> {
         if step * self.outputs as f64 > last {
             return Ok(());
         }
+        // At the end of the step alone: that state, with the model's own answer.
+        if step * self.outputs as f64 == t {
+            return self.record(t, end.clone());
+        }
         let (from, ends) = (self.t, (system.answers(self.t, &self.state)?, system.answers(t, end)?));
         loop {
             let due = step * self.outputs as f64;

@@ -256,8 +256,8 @@ impl<'s, 'd> Integration<'s, 'd> {
                 return Ok(event);
             }
             self.fastest(method.as_mut(), t);
+            self.pass_by(t, &state);
             (self.t, self.state) = (t, state);
-            self.pass_by(t, &self.state.clone());
         }
         self.t = end;
         Ok(None)

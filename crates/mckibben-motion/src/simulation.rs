@@ -97,9 +97,8 @@ impl Simulation {
     /// [`MotionError`] with time, state and reason.
     pub fn step(&mut self, drive: &Drive<'_>, progress: &dyn Progress) -> Result<(), MotionError> {
         let (from, end) = (self.time_s(drive), drive.output_step_s * (self.done + 1) as f64);
-        let drive = Drive { until_s: end, ..drive.clone() };
-        let mut system = System::new(&drive, &progress.budget())?;
-        system.layout.write(&mut self.state.clone(), &mut vec![0.0; system.layout.len])?;
+        let mut system = System::new(drive, &progress.budget())?;
+        system.layout.check_state(&mut self.state)?;
         for (member, memory) in system.members.iter_mut().zip(std::mem::take(&mut self.memories)) {
             member.recall(memory);
         }

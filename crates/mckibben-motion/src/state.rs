@@ -102,7 +102,7 @@ impl State {
 
     /// All numbers in the integrator's order.
     pub fn to_vec(&self) -> Vec<f64> {
-        let mut all = vec![];
+        let mut all = Vec::with_capacity(32);
         self.clone().each(|x| all.push(*x));
         all
     }
@@ -188,6 +188,16 @@ impl Layout {
             }
             count += 1;
         });
+        self.check(count)
+    }
+
+    /// Whether a state has as many numbers.
+    ///
+    /// # Errors
+    /// [`MotionError::Length`].
+    pub fn check_state(&self, state: &mut State) -> Result<(), MotionError> {
+        let mut count = 0;
+        state.each(|_| count += 1);
         self.check(count)
     }
 

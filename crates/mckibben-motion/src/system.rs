@@ -292,8 +292,7 @@ fn sizes(drive: &Drive<'_>, members: &[Member<'_>], layout: &Layout) -> State {
     let stroke = 0.01 / drive.mechanism.lever(0, 0.0).per_coordinate.abs().max(1e-9);
     (scale.coordinate, scale.velocity) = (stroke, 10.0 * stroke);
     for ((own, member), muscle) in scale.muscles.iter_mut().zip(members).zip(&drive.muscles) {
-        let ideal = mckibben::model::Ideal::new(member.model.muscle()).volume(0.0);
-        let volume = ideal.max(1.0);
+        let volume = member.ideal_mm3(0.0).max(1.0);
         let mass_g = match &muscle.fluid {
             Fluid::Air(_) => 1.2e-6 * volume,
             Fluid::Liquid(liquid) => liquid.mass_g(ATMOSPHERE_MPA, volume),

@@ -197,10 +197,11 @@ impl Moved {
         }
     }
 
-    /// The drive of a file.
+    /// The drive of a file, under commands.
     fn drive<'a>(
         &'a self,
         file: &DriveFile,
+        target: Target,
         single: Option<&SingleMuscle>,
         mechanism: &'a dyn Mechanism,
     ) -> Drive<'a> {
@@ -210,13 +211,6 @@ impl Moved {
             rubber: file.rubber.clone(),
             ..Actuated::new(&**model, file.actuator)
         });
-        let mut target = file.target.clone();
-        if let (Target::Pressure(list) | Target::Opening(list) | Target::Volume(list), 1) =
-            (&mut target, self.models.len())
-        {
-            // A joint with one muscle takes one command.
-            list.truncate(1);
-        }
         Drive {
             supply: file.supply,
             output_step_s: file.output_step_s,
@@ -224,6 +218,17 @@ impl Moved {
             initial_coordinate: single.zip(file.held).map(|(s, e)| e * s.length_mm),
             ..Drive::new(mechanism, muscles.collect(), target, file.until_s)
         }
+    }
+
+    /// The commands of a file. A joint with one muscle takes one.
+    fn target(&self, file: &DriveFile) -> Target {
+        let mut target = file.target.clone();
+        if let (Target::Pressure(list) | Target::Opening(list) | Target::Volume(list), 1) =
+            (&mut target, self.models.len())
+        {
+            list.truncate(1);
+        }
+        target
     }
 
     /// The motion, and the conductance that was sought.
@@ -235,7 +240,7 @@ impl Moved {
     ) -> Result<(Motion, Option<f64>), Problem> {
         let single = self.single(file)?;
         let mechanism = self.mechanism(single.as_ref())?;
-        let drive = self.drive(file, single.as_ref(), mechanism);
+        let drive = self.drive(file, self.target(file), single.as_ref(), mechanism);
         let bandwidth_hz = match &drive.target {
             Target::Pressure(list) if !list.is_empty() => {
                 let most = list.iter().map(|c| Command::Constant(c.bounds().1)).collect();

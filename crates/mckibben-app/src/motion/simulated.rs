@@ -34,20 +34,25 @@ impl Setup {
             Coordinate::Shortening { .. } => outside,
         };
         let pushed = Pushed { mechanism, force };
-        let mut drive = self.moved.drive(&self.file, self.single.as_ref(), &pushed);
-        if let Some(values) = commands {
-            let is_angle = mechanism.coordinate() == Coordinate::Angle;
-            let values: Vec<f64> = match &drive.target {
-                Target::Position { .. } if is_angle => values.iter().map(|v| v.to_radians()).collect(),
-                _ => values.to_vec(),
-            };
-            drive.target = drive.target.constant(&values).ok_or_else(|| {
-                let (wanted, given) = (drive.target.commands().len(), values.len());
-                let message = format!("the drive has {wanted} commands, not {given}");
-                Problem::new(ProblemKind::Usage, message, "").in_field("command")
-            })?;
-        }
-        work(&drive)
+        let of_file = &self.file.target;
+        let target = match commands {
+            None => of_file.clone(),
+            Some(values) => {
+                let is_angle = mechanism.coordinate() == Coordinate::Angle;
+                let held = match of_file {
+                    Target::Position { .. } if is_angle => {
+                        of_file.constant(&values.iter().map(|v| v.to_radians()).collect::<Vec<_>>())
+                    }
+                    _ => of_file.constant(values),
+                };
+                held.ok_or_else(|| {
+                    let (wanted, given) = (of_file.commands().len(), values.len());
+                    let message = format!("the drive has {wanted} commands, not {given}");
+                    Problem::new(ProblemKind::Usage, message, "").in_field("command")
+                })?
+            }
+        };
+        work(&self.moved.drive(&self.file, target, self.single.as_ref(), &pushed))
     }
 }
 
@@ -63,6 +68,7 @@ impl SimulatedDrive {
             return Err(Problem::missing("drive", "a drive file"));
         };
         file.output_step_s = finite("step_s", step_s)?;
+        file.target = moved.target(&file);
         let single = moved.single(&file)?;
         let setup = Arc::new(Setup { moved, file, single });
         let simulation = setup.with(None, 0.0, |drive| Ok(Simulation::new(drive, progress)?))?;
@@ -96,11 +102,10 @@ impl SimulatedDrive {
 
     /// What is commanded: `pressure`, `opening`, `volume` or `position`, and how many commands there are.
     pub fn commands(&self) -> (&'static str, usize) {
-        let count = self.setup.moved.models.len();
         match &self.setup.file.target {
-            Target::Pressure(list) => ("pressure", list.len().min(count)),
-            Target::Opening(list) => ("opening", list.len().min(count)),
-            Target::Volume(list) => ("volume", list.len().min(count)),
+            Target::Pressure(list) => ("pressure", list.len()),
+            Target::Opening(list) => ("opening", list.len()),
+            Target::Volume(list) => ("volume", list.len()),
             Target::Position { .. } => ("position", 1),
         }
     }
