@@ -10,7 +10,7 @@ use super::problem::{Build, Problem};
 use super::request::Request;
 use super::result::{Identification, Identified, PointFit, spread, spreads};
 use super::signs;
-use crate::least_squares::{Estimate, EstimateError, Unknown, estimate};
+use crate::least_squares::{Estimate, EstimateError, Known, Residuals, Unknown, estimate};
 use crate::measured::{DataPoint, Quantity};
 use mckibben::model::ModelError;
 use mckibben::muscle::Direction;
@@ -127,27 +127,33 @@ fn search(
     let unknowns = unknowns(request)?;
     let start: Vec<f64> = unknowns.iter().map(|u| u.start).collect();
     let free: Vec<Target> = request.free.iter().map(|p| p.target).collect();
-    let (mut points, slack) = chosen(request);
-    if points.len() <= free.len() {
-        let (points, dropped) = (points.len(), slack.len());
+    let (given, slack) = chosen(request);
+    if given.len() <= free.len() {
+        let (points, dropped) = (given.len(), slack.len());
         return Err(IdentifyError::TooFew { points, dropped, parameters: free.len() });
     }
-    let mut notes = advice::before(muscle, &free, &points, request.history)?;
+    let mut notes = advice::before(muscle, &free, &given, request.history)?;
     notes.extend(flipped.iter().cloned());
     let values = request.fixed.iter().copied().chain(free.iter().copied().zip(start.iter().copied()));
     let first = super::Candidate::new(muscle, &values.collect::<Vec<_>>())?;
     build(first.muscle()).map_err(IdentifyError::Model)?;
 
     let history = request.history.then_some(request.points);
-    let problem = Problem::new(muscle, &free, request.fixed, (&points, history), build, &start, progress);
+    let of = |points| Problem::new(muscle, &free, request.fixed, (points, history), build, &start, progress);
+    let problem = of(&given);
     // Residuals at the start, point by point.
     let rows = problem.rows(&start).ok_or(IdentifyError::Estimate(EstimateError::Start))?;
-
-    notes.extend(leave_out(&mut points, rows)?);
-    let problem = Problem::new(muscle, &free, request.fixed, (&points, history), build, &start, progress);
+    let (points, left_out) = leave_out(&given, &rows)?;
+    let problem = if left_out.is_some() { of(&points) } else { problem };
+    notes.extend(left_out);
     let (weights, errors_stated) = weights(&points, |q| problem.scale(q))?;
-    let before = rms(&crate::least_squares::Residuals::at(&problem, &start).unwrap_or_default());
-    let found = estimate(&problem, &unknowns, &weights, request.loss).map_err(|e| match e {
+    let first_residuals = rows.into_iter().collect::<Result<Vec<f64>, ModelError>>().ok();
+    let known = match first_residuals {
+        Some(residuals) => Known::new(&problem).with(&start, residuals),
+        None => Known::new(&problem),
+    };
+    let before = rms(&known.at(&start).unwrap_or_default());
+    let found = estimate(&known, &unknowns, &weights, request.loss).map_err(|e| match e {
         EstimateError::TooFew { points, unknowns } => {
             IdentifyError::TooFew { points, dropped: slack.len(), parameters: unknowns }
         }
@@ -240,20 +246,21 @@ fn given_way_mm(request: &Request<'_>, target: Target, value: f64, muscle: &Musc
 
 type Rows = Vec<Result<f64, ModelError>>;
 
-/// Points without an answer at the start are left out, where they are few.
-fn leave_out(points: &mut Vec<DataPoint>, rows: Rows) -> Result<Option<String>, IdentifyError> {
+/// Points without an answer at the start are left out, where they are few: those that are left, and what was left out.
+fn leave_out(points: &[DataPoint], rows: &Rows) -> Result<(Vec<DataPoint>, Option<String>), IdentifyError> {
     let all = points.len();
     let failed: Vec<(u64, ModelError)> =
-        points.iter().zip(&rows).filter_map(|(p, r)| Some((p.line, r.as_ref().err()?.clone()))).collect();
-    let Some((line, error)) = failed.first().cloned() else { return Ok(None) };
+        points.iter().zip(rows).filter_map(|(p, r)| Some((p.line, r.as_ref().err()?.clone()))).collect();
+    let kept = points.iter().zip(rows).filter(|(_, r)| r.is_ok()).map(|(p, _)| *p).collect();
+    let Some((line, error)) = failed.first().cloned() else { return Ok((kept, None)) };
     if 5 * failed.len() > all {
         return Err(IdentifyError::Start { failed: failed.len(), points: all, line, error });
     }
-    let mut keep = rows.iter().map(Result::is_ok);
-    points.retain(|_| keep.next().unwrap_or(false));
     let lines: Vec<u64> = failed.iter().map(|f| f.0).collect();
     let (n, at) = (failed.len(), advice::lines(&lines));
-    Ok(Some(format!("{n} points ({at}) have no answer of the model at the start and were left out: {error}")))
+    let note =
+        format!("{n} points ({at}) have no answer of the model at the start and were left out: {error}");
+    Ok((kept, Some(note)))
 }
 
 fn rms(r: &[f64]) -> f64 {
@@ -273,7 +280,7 @@ fn parameters(
         }
         let mut x = found.x.clone();
         x[i] += 0.1 * unknowns[i].scale;
-        let moved = crate::least_squares::Residuals::at(problem, &x);
+        let moved = problem.at(&x);
         moved.is_none_or(|r| {
             r.iter().zip(&found.residuals).any(|(a, b)| (a - b).abs() > 1e-9 * (1.0 + b.abs()))
         })

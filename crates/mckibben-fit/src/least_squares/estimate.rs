@@ -13,6 +13,7 @@ use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationRe
 use mckibben::budget::Budget;
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 use serde::{Deserialize, Serialize};
+use std::cell::RefCell;
 use thiserror::Error;
 
 /// What is to be made small: the residual of every point as a function of the unknowns.
@@ -106,6 +107,53 @@ pub enum EstimateError {
         /// The unknowns where it ended.
         at: Vec<f64>,
     },
+}
+
+/// Residuals and slopes that keep what was computed last: a search, what looks beside its end, and the statistics need the same there.
+pub(crate) struct Known<'a> {
+    residuals: &'a dyn Residuals,
+    at: Answers<Vec<f64>>,
+    by: Answers<Vec<Vec<f64>>>,
+}
+
+/// Unknowns and what is computed of them.
+type Answers<T> = RefCell<Vec<(Vec<f64>, Option<T>)>>;
+
+/// So many: the best and the steps tried from it.
+const KNOWN: usize = 4;
+
+impl<'a> Known<'a> {
+    pub fn new(residuals: &'a dyn Residuals) -> Self {
+        Self { residuals, at: RefCell::default(), by: RefCell::default() }
+    }
+
+    /// With what was computed at x.
+    pub fn with(self, x: &[f64], residuals: Vec<f64>) -> Self {
+        self.at.borrow_mut().push((x.to_vec(), Some(residuals)));
+        self
+    }
+}
+
+/// What is known of x, or is computed.
+fn known<T: Clone>(list: &Answers<T>, x: &[f64], compute: impl FnOnce() -> Option<T>) -> Option<T> {
+    if let Some((_, known)) = list.borrow().iter().find(|(of, _)| of == x) {
+        return known.clone();
+    }
+    let value = compute();
+    let mut list = list.borrow_mut();
+    list.truncate(KNOWN - 1);
+    list.insert(0, (x.to_vec(), value.clone()));
+    value
+}
+
+impl Residuals for Known<'_> {
+    fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+        known(&self.at, x, || self.residuals.at(x))
+    }
+
+    fn by_unknowns(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
+        known(&self.by, x, || self.residuals.by_unknowns(x))
+    }
 }
 
 struct Inner<'a> {
@@ -267,6 +315,7 @@ pub fn estimate(
     if points <= unknowns.len() {
         return Err(EstimateError::TooFew { points, unknowns: unknowns.len() });
     }
+    let residuals: &dyn Residuals = &Known::new(residuals);
     let mut u = DVector::from_iterator(unknowns.len(), unknowns.iter().map(Unknown::inner_start));
     let mut factors = vec![1.0; weights.len()];
     for _ in 0..TURNS {

@@ -11,5 +11,6 @@ mod student;
 
 pub use aicc::aicc;
 pub use bounds::Unknown;
+pub(crate) use estimate::Known;
 pub use estimate::{Estimate, EstimateError, Loss, Residuals, estimate, slopes};
 pub use student::t95;
