@@ -138,7 +138,8 @@ def page(thin: mk.Muscle) -> Iterator[tuple[Any, str]]:
 @pytest.mark.parametrize("flags, kind", [(["--enable-unsafe-swiftshader"], "CANVAS"), (["--disable-3d-apis"], "svg")])
 def test_a_browser_shows_it_and_moves_it(flags: list[str], kind: str, page: tuple[Any, str], thin: mk.Muscle) -> None:
     shown, address = page
-    done = subprocess.run([str(CHROMIUM), "--headless=new", "--no-sandbox", "--disable-gpu", *flags, "--virtual-time-budget=20000", "--dump-dom", address], capture_output=True, text=True, timeout=120)
+    # The page waits for a second of virtual time, and every frame of it is drawn.
+    done = subprocess.run([str(CHROMIUM), "--headless=new", "--no-sandbox", "--disable-gpu", *flags, "--virtual-time-budget=3000", "--window-size=500,400", "--dump-dom", address], capture_output=True, text=True, timeout=120)
     found = re.search(r'<pre id="out">(\[.*?\])</pre>', done.stdout, flags=re.DOTALL)
     assert found, done.stdout[-2000:] + done.stderr[-2000:]
     first, pressed, thicker, left = json.loads(found[1].replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&"))
