@@ -11,6 +11,7 @@
 
 use super::assembly::{Assembled, assemble};
 use super::discretisation::{Discretisation, Ends};
+use super::neighbour::Neighbours;
 use crate::element::q2::{MODES, NODES};
 use crate::element::strand::STRAND_POINTS;
 use crate::solver::Singular;
@@ -118,6 +119,7 @@ pub struct Body {
     pub(super) linearised: bool,
     /// The infinitely long muscle of the same rubber and braid: where first guesses come from.
     pub(super) endless: Option<Arc<ThickWall>>,
+    pub(super) neighbours: Neighbours,
 }
 
 impl Body {
@@ -134,6 +136,7 @@ impl Body {
             second: vec![0.0; state.u.len()],
             linearised: false,
             endless: None,
+            neighbours: Neighbours::default(),
             control: Control::Length(0.0),
             totals: Totals::default(),
             state,

@@ -11,6 +11,7 @@ mod memory;
 pub mod mesh;
 mod model;
 mod muscle;
+mod neighbour;
 mod results;
 mod section;
 mod sensitivity;

@@ -3,12 +3,11 @@
 //! With x the unknowns and R(x, θ) = ∂Π/∂x, equilibrium gives dx/dθ = −K⁻¹ ∂R/∂θ, and dF/dθ = ∂F/∂θ + ∂F/∂x dx/dθ is
 //! what arrives at the terminal when ∂R/∂θ is forward-substituted with the factorised tangent: one substitution each.
 //! ∂R/∂θ itself comes from fourth-order central differences of the residual at the fixed state; it is exact but for
-//! rounding in constants that enter linearly.
+//! rounding in constants that enter linearly. A body keeps the neighbouring muscles of these differences.
 
 use super::assembly::{Assembled, assemble};
 use super::body::Body;
-use super::discretisation::{Discretisation, Problem};
-use super::mesh::Mesh;
+use super::neighbour::Neighbour;
 use crate::FemError;
 use crate::results::Sensitivity;
 use crate::solver::body::State;
@@ -16,26 +15,11 @@ use mckibben::differences::STENCIL;
 use mckibben::muscle::measures::{STIFFNESS, of_section};
 use mckibben::muscle::{Muscle, Parts};
 use mckibben::rubber::Law;
+use std::sync::Arc;
 
 /// A law with `change` added to its constant number `index`.
 fn changed(law: &Law, index: usize, change: f64) -> Law {
     law.with_constants(|i, value| if i == index { value + change } else { value })
-}
-
-/// The body with other measures; the mesh keeps its proportions.
-fn rebuilt(d: &Discretisation, from: &Parts, to: &Parts) -> Result<Discretisation, FemError> {
-    let mut mesh: Mesh = d.mesh.clone();
-    let (outer, stretch) = (to.tube.outer_radius_mm(), to.tube.length_mm / from.tube.length_mm);
-    let inner = outer - to.tube.wall_mm;
-    for node in &mut mesh.nodes {
-        let share = (node[0] - from.tube.inner_radius_mm()) / from.tube.wall_mm;
-        *node = [inner + share * (outer - inner), node[1] * stretch];
-    }
-    let problem = Problem { ends: d.problem.ends, ..Problem::of_parts(to) };
-    let mut out = Discretisation::new(mesh, problem)?;
-    // The scale of the multipliers' equations must not change with the law.
-    (out.augment, out.augment_strand) = (d.augment, d.augment_strand);
-    Ok(out)
 }
 
 /// Step of the differences, over the value.
@@ -58,8 +42,8 @@ pub fn of(
     muscle: &Muscle,
     wanted: impl Fn(&str) -> bool,
 ) -> Result<Vec<Sensitivity>, FemError> {
-    let d = std::sync::Arc::clone(&body.discretisation);
-    let state = body.state.clone();
+    let d = Arc::clone(&body.discretisation);
+    let mut room = (body.state.clone(), Assembled::new(&d));
     let mut here = muscle.parts().clone();
     let law = here.tube.rubber.law.clone();
     // k is held, also where it follows from other measures.
@@ -72,10 +56,11 @@ pub fn of(
             return Ok(());
         }
         let step = STEP * if value == 0.0 { d.shear } else { value.abs() };
-        let mut change = vec![0.0; state.u.len()];
-        for (k, weight) in STENCIL {
-            let residual = residual(&d, &state, &here, &make(k * step))?;
-            for (c, r) in change.iter_mut().zip(&residual) {
+        let neighbours = body.neighbours.of(&name, (&d, &here), |k| make(k * step))?;
+        let mut change = vec![0.0; body.state.u.len()];
+        for (neighbour, (_, weight)) in neighbours.iter().zip(STENCIL) {
+            let residual = residual(neighbour, &body.state, &mut room)?;
+            for (c, r) in change.iter_mut().zip(residual) {
                 *c += weight * r / step;
             }
         }
@@ -105,21 +90,21 @@ pub fn of(
     Ok(out)
 }
 
-/// The residual of a neighbouring muscle at the same unknowns and the same contraction.
-fn residual(d: &Discretisation, state: &State, from: &Parts, to: &Parts) -> Result<Vec<f64>, FemError> {
-    let other = rebuilt(d, from, to)?;
-    let mut state = state.clone();
+/// The residual of a neighbouring muscle at the same unknowns and the same contraction, in room for both.
+fn residual<'a>(
+    Neighbour { discretisation: other, stretch }: &Neighbour,
+    at: &State,
+    (state, work): &'a mut (State, Assembled),
+) -> Result<&'a [f64], FemError> {
+    state.u.copy_from_slice(&at.u);
     // At fixed ε the terminal moves with L0. All axial displacements go with it: what is added to free unknowns does
     // not change what arrives at the terminal, and the terminal's move alone would be too rough for differences.
-    let ratio = to.tube.length_mm / from.tube.length_mm;
-    for j in 0..=2 * d.layout.along {
-        let at = d.layout.at(j);
-        for i in 0..d.layout.nodes() {
-            state.u[at + 2 * i + 1] *= ratio;
+    for j in 0..=2 * other.layout.along {
+        let at = other.layout.at(j);
+        for i in 0..other.layout.nodes() {
+            state.u[at + 2 * i + 1] *= stretch;
         }
     }
-    let mut work = Assembled::new(&other);
-    assemble::<false>(&other, &state, &mut work)
-        .map_err(|reason| FemError::Force { force_n: f64::NAN, reason })?;
-    Ok(work.residual)
+    assemble::<false>(other, state, work).map_err(|reason| FemError::Force { force_n: f64::NAN, reason })?;
+    Ok(&work.residual)
 }
