@@ -20,6 +20,3 @@ pub use global::{GlobalFit, global};
 pub use made::made_for;
 pub use make::{FittedFormula, Method, Request, fitted, make};
 pub use paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method};
-
-#[cfg(test)]
-mod tests;

@@ -5,3 +5,4 @@
 mod design;
 mod design_grid;
 mod extensile;
+mod sure;

@@ -14,8 +14,6 @@ mod errors;
 mod held_out;
 mod points;
 mod terms;
-#[cfg(test)]
-mod tests;
 
 pub use errors::{shares, summary};
 pub use held_out::{HeldOutRow, held_out, held_out_samples, rubber_laws};

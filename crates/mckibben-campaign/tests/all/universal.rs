@@ -1,8 +1,9 @@
 //! Goals on muscles that no fit has seen, and that a fit gives the same on any number of threads.
 
-use super::*;
-use mckibben::model::Workspace;
+use mckibben::formula::{Form, UniversalFormula};
+use mckibben::model::{ForceModel, Workspace};
 use mckibben::progress::Silent;
+use mckibben_campaign::fit::universal::*;
 
 /// The goals for 500 random muscles (rms 0.6 %, 99 % of points within 2.3 %, worst 5 %) on fifty of them, and tighter ones
 /// that the formula meets by a factor of three; the short form meets the goals of the large one. The full number:

@@ -1,12 +1,13 @@
-use super::data::*;
-use super::errors::{compared, errors};
-use super::paper_method::{Rules, SlackRule, ThinRule, paper_method};
-use super::*;
-use crate::PointRow;
+//! Formulas from tables of points: the paper's method, `global`, and what is refused.
+
 use mckibben::formula::{Body, Coefficients, Formula, Made};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;
 use mckibben::status::Status;
+use mckibben_campaign::PointRow;
+use mckibben_campaign::fit::data::*;
+use mckibben_campaign::fit::errors::{compared, errors};
+use mckibben_campaign::fit::*;
 
 /// Points of the paper's campaign with a force of our choice.
 fn synthetic(force: impl Fn(f64, f64, f64, f64) -> f64) -> Vec<FitPoint> {

@@ -1,0 +1,6 @@
+//! What the crate gives to its users, in one program.
+
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod formulas;
+mod universal;
