@@ -21,5 +21,7 @@ for word in "$@"; do
 done
 RUSTC_BOOTSTRAP=1 rustdoc "${kept[@]}" -D warnings -Z unstable-options --check &
 checked=$!
-rustdoc "$@"
+status=0
+rustdoc "$@" || status=$?
 wait "$checked"
+exit "$status"

@@ -39,20 +39,17 @@ fn longer_muscles_than_the_campaigns_are_as_good() {
     }
 }
 
+fn request() -> UniversalRequest {
+    UniversalRequest { form: Form::Membrane, name: "mine".into(), table: None, plan_hash: None, seed: None }
+}
+
 /// The same samples give the same coefficients to the bit on one thread and on four.
 #[test]
 fn a_fit_does_not_depend_on_threads_and_finds_small_errors() {
     let samples = held_out_samples(60, 3);
-    let request = UniversalRequest {
-        form: Form::Membrane,
-        name: "mine".into(),
-        table: None,
-        plan_hash: None,
-        seed: None,
-    };
     let on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| universal(&samples, &request, &Silent)).unwrap()
+        pool.install(|| universal(&samples, &request(), &Silent)).unwrap()
     };
     let (one, four) = (on(1), on(4));
     assert_eq!(one.to_json(), four.to_json());
@@ -64,12 +61,5 @@ fn a_fit_does_not_depend_on_threads_and_finds_small_errors() {
 #[test]
 fn too_few_points_are_an_error() {
     let samples = held_out_samples(1, 3);
-    let request = UniversalRequest {
-        form: Form::Membrane,
-        name: "mine".into(),
-        table: None,
-        plan_hash: None,
-        seed: None,
-    };
-    assert!(universal(&samples, &request, &Silent).is_err());
+    assert!(universal(&samples, &request(), &Silent).is_err());
 }
