@@ -74,7 +74,7 @@ PARTS = {
         "bash checks/targets.sh",
     ]),
     "processors": ("lanes of the finite elements on lesser processors", [
-        r"crates/mckibben-fem/src/(element|solver)/.*", r"crates/mckibben-fem/src/lanes.*", r"crates/mckibben/src/.*lanes.*",
+        r"crates/mckibben-fem/src/(element|solver)/.*", r"crates/mckibben-fem/tests/lanes.*", r"crates/mckibben/src/.*lanes.*",
     ], r"target_feature|lanes", ["bash checks/processors.sh"]),
     "wheel": ("the Python package from its wheel: types, stubs, tests, notebooks", [
         r"pyproject\.toml", r"python/.*", r"crates/mckibben-python/.*", r"checks/wheel\.sh", r"docs/contract\.txt",

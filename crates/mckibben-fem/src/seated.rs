@@ -282,6 +282,3 @@ impl Simulation for Whole {
         points.into_iter().enumerate().map(one).collect()
     }
 }
-
-#[cfg(test)]
-mod tests;

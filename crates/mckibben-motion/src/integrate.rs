@@ -61,7 +61,8 @@ pub(crate) fn stepper(
     first: Option<f64>,
 ) -> Result<Box<dyn Stepper>, String> {
     Ok(match equations.implicit() {
-        0..=8 => radau::<8>(equations, (t, end), y, relative, first)?,
+        0..=6 => radau::<6>(equations, (t, end), y, relative, first)?,
+        7..=8 => radau::<8>(equations, (t, end), y, relative, first)?,
         9..=12 => radau::<12>(equations, (t, end), y, relative, first)?,
         13..=16 => radau::<16>(equations, (t, end), y, relative, first)?,
         17..=32 => radau::<32>(equations, (t, end), y, relative, first)?,

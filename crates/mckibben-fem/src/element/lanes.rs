@@ -5,6 +5,7 @@
 //! fused where the lanes are wide, so that machines with and without wide lanes differ by rounding.
 
 use std::ops::{Add, AddAssign, Mul, Sub};
+use std::sync::atomic::{AtomicU8, Ordering};
 
 /// Lanes of the widest.
 pub const MOST: usize = 8;
@@ -71,29 +72,42 @@ impl Real for f64 {
     }
 }
 
-/// How many elements are looked at together on this machine.
+/// How many elements are computed together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Width {
     /// One.
-    One,
+    One = 1,
     /// Four: AVX2 and FMA.
-    Four,
+    Four = 4,
     /// Eight: AVX-512.
-    Eight,
+    Eight = 8,
 }
 
+/// [`Width::limit`].
+static LIMIT: AtomicU8 = AtomicU8::new(Width::Eight as u8);
+
 impl Width {
-    /// The widest there is here.
+    /// The widest that this processor has and [`Width::limit`] allows.
     #[inline]
     pub fn here() -> Self {
         #[cfg(test)]
         if let Some(width) = tests::FORCED.get() {
             return width;
         }
-        Self::widest()
+        match LIMIT.load(Ordering::Relaxed) {
+            8.. => Self::widest(),
+            4.. => Self::widest().min(Self::Four),
+            _ => Self::One,
+        }
     }
 
-    fn widest() -> Self {
+    /// No more lanes than these, in the whole process: the digits of a processor that has no more.
+    pub fn limit(self) {
+        LIMIT.store(self as u8, Ordering::Relaxed);
+    }
+
+    /// The widest that this processor has.
+    pub fn widest() -> Self {
         #[cfg(target_arch = "x86_64")]
         {
             use std::arch::is_x86_feature_detected as has;
@@ -326,11 +340,6 @@ mod wide {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::Width;
-    use crate::axisymmetric::Axisymmetric;
-    use crate::three_dimensional::{BrickSpec, ThreeDimensional};
-    use mckibben::model::{ForceModel, Workspace};
-    use mckibben::muscle::{Muscle, Rubber};
-    use mckibben::rubber::{Law, Yeoh};
     use std::cell::Cell;
 
     thread_local! {
@@ -344,47 +353,6 @@ pub(crate) mod tests {
             FORCED.set(Some(width));
             work(width);
             FORCED.set(None);
-        }
-    }
-
-    /// The prototype, and a thin one of another law.
-    fn muscles() -> [Muscle; 2] {
-        let yeoh = Rubber::of(Law::Yeoh(Yeoh { c10_mpa: 0.1, c20_mpa: -0.0007, c30_mpa: 2e-5 }));
-        let prototype = Muscle::prototype();
-        let tube = prototype.with_section(20.0, 1.0).unwrap().tube().clone();
-        [prototype.clone(), prototype.with_tube(mckibben::muscle::Tube { rubber: yeoh, ..tube }).unwrap()]
-    }
-
-    fn answers(model: &dyn ForceModel) -> Vec<f64> {
-        let w = &mut Workspace::new();
-        let at = |(p, e)| {
-            let r = model.response(w, p, e).unwrap();
-            [Some(r.force_n), r.volume_mm3, r.stiffness_n_per_mm, r.bulged_diameter_mm, r.max_stretch]
-        };
-        [(0.1, 0.0), (0.25, 0.1)].map(at).into_iter().flatten().flatten().collect()
-    }
-
-    /// Without fused products the axisymmetric elements give the same bits on any processor; the bricks, whose products are
-    /// fused in wide lanes, the same to rounding. Wider lanes than this processor has are not asked.
-    #[test]
-    fn every_width_gives_the_same_answers() {
-        let spec = BrickSpec::parse("1x4").unwrap();
-        let by = |width: Width, muscle: &Muscle| {
-            FORCED.set(Some(width));
-            let plane = answers(&Axisymmetric::new(muscle).unwrap());
-            let bricks = answers(&ThreeDimensional::with_mesh(muscle, &spec).unwrap());
-            FORCED.set(None);
-            (plane, bricks)
-        };
-        for muscle in muscles() {
-            let (plane, bricks) = by(Width::One, &muscle);
-            for width in [Width::Four, Width::Eight].into_iter().filter(|w| *w <= Width::widest()) {
-                let (same, alike) = by(width, &muscle);
-                assert_eq!(same, plane, "{width:?}");
-                for (a, b) in alike.iter().zip(&bricks) {
-                    assert!((a / b - 1.0).abs() < 1e-12, "{width:?}: {a} {b}");
-                }
-            }
         }
     }
 }

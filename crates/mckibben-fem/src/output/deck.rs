@@ -304,16 +304,7 @@ fn write_numbers(out: &mut String, numbers: &[f64]) {
 
 #[cfg(test)]
 mod tests {
-    use super::{DeckError, Step, deck, steps};
-    use crate::three_dimensional::{BrickSpec, Plug, ThreeDimensional};
-    use mckibben::muscle::Muscle;
-
-    #[test]
-    fn a_terminal_that_is_a_body_is_refused() {
-        let spec = BrickSpec { plug: Some(Plug::default()), ..BrickSpec::parse("6").unwrap() };
-        let model = ThreeDimensional::with_mesh(&Muscle::prototype(), &spec).unwrap();
-        assert!(matches!(deck(&model, 0.0, &[0.1]), Err(DeckError::Plug)));
-    }
+    use super::{Step, steps};
 
     /// The path of a test at ε = .10 by 0.01 MPa: five increments of filling, twenty of shortening, twenty of filling.
     #[test]

@@ -58,3 +58,28 @@ fn a_pull_that_nothing_can_carry_is_refused_in_words() {
         error.to_string().starts_with("rubber and strands cannot carry a pull of 1000000000 N at 0.25 MPa")
     );
 }
+
+fn divided(text: &str) -> Result<f64, String> {
+    let model = ThreeDimensional::with_mesh(&Muscle::prototype(), &BrickSpec::parse(text).unwrap());
+    model.map(|m| m.mesh().angle_rad().to_degrees()).map_err(|e| e.to_string())
+}
+
+/// tan θ = chord/height: 200 bricks around the quarter of D0 30 and 10 along 142.5 mm lie at 0.47° (hand calculation), the braid at 28°.
+#[test]
+fn a_mesh_of_another_braid_is_refused_with_divisions_that_fit() {
+    for (text, angle) in [("2x200x10", "0.47°"), ("16x16x15", ""), ("2x14x30:quadratic", ""), ("2x12x30", "")]
+    {
+        let error = divided(text).unwrap_err();
+        assert!(error.contains(angle) && error.contains("28.00°"), "{error}");
+        let (_, listed) = error.split_once("take ").unwrap();
+        let listed = listed.split(',').next().unwrap();
+        let all: Vec<&str> = listed.split(" or ").collect();
+        for fitting in all {
+            let found = divided(fitting).unwrap();
+            assert!((found - 28.0).abs() < 1.2, "{fitting}: {found}");
+        }
+    }
+    for text in ["2x12x39", "1x4x13", "2x24x78", "2x12", "3x6:quadratic"] {
+        assert!((divided(text).unwrap() - 28.0).abs() < 1.2, "{text}");
+    }
+}

@@ -1,9 +1,11 @@
-use crate::elements::Elements;
-use crate::simulation::{Detail, Given, Simulation, free_contraction};
-use crate::solver::curve::Test;
+//! Ends that seat, slip and hold a rod: the muscle between them, its slopes and its energies.
+
 use mckibben::model::Workspace;
 use mckibben::muscle::{Muscle, Terminals};
 use mckibben::progress::Silent;
+use mckibben_fem::elements::Elements;
+use mckibben_fem::simulation::{Detail, Given, Simulation, free_contraction};
+use mckibben_fem::solver::curve::Test;
 
 fn pull(pressure_mpa: f64, force_n: f64) -> Given {
     Given::PressureAndPull { pressure_mpa, force_n }
@@ -45,7 +47,7 @@ fn every_test_of_a_seated_muscle_is_that_of_the_muscle_between_its_ends() {
     close(isotonic[1].as_ref().unwrap().contraction, 0.1 - shift);
     let refused = gives.solve(w, Given::at(p, 2.0)).unwrap_err();
     assert!(
-        matches!(refused, crate::FemError::Question { contraction, .. } if (contraction - 2.0).abs() < 1e-12)
+        matches!(refused, mckibben_fem::FemError::Question { contraction, .. } if (contraction - 2.0).abs() < 1e-12)
     );
 }
 
@@ -213,7 +215,7 @@ fn a_rod_through_a_seal_adds_the_pressure_on_its_section() {
         let free = free_contraction(&*whole, w, p).unwrap();
         assert!(free > free_contraction(&*plain, w, p).unwrap() + 0.01, "{free}");
         // At constant pressure E₁ − E₀ = P (V₁ − V₀) − ∫ F dx, x the shortening.
-        let stored = |s: &crate::results::Solution| {
+        let stored = |s: &mckibben_fem::results::Solution| {
             let of = s.energies;
             of.rubber_n_mm + of.braid_n_mm + of.ends_n_mm - of.pressure_n_mm
         };
@@ -239,7 +241,10 @@ fn a_rod_that_ends_inside_stops_the_muscle() {
     let less = without.volume_mm3.unwrap() - found.volume_mm3.unwrap();
     assert!((less - 201.061_929_829_746_77 * 200.0).abs() < 1e-3, "{less}");
     let beyond = inside.solve(w, Given::at(0.2, 0.3)).unwrap_err();
-    assert!(matches!(beyond, crate::FemError::RodStop { stop, .. } if stop == 85.0 / 285.0), "{beyond}");
+    assert!(
+        matches!(beyond, mckibben_fem::FemError::RodStop { stop, .. } if stop == 85.0 / 285.0),
+        "{beyond}"
+    );
     assert!(inside.reach(w, pull(0.2, 0.0)).is_ok_and(|found| found.contraction < 85.0 / 285.0));
 }
 

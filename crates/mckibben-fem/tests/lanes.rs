@@ -1,0 +1,51 @@
+//! The lanes of the processor, in an executable of its own: their limit is that of a whole process.
+
+#![allow(clippy::unwrap_used)]
+
+use mckibben::model::{ForceModel, Workspace};
+use mckibben::muscle::{Muscle, Rubber};
+use mckibben::rubber::{Law, Yeoh};
+use mckibben_fem::axisymmetric::Axisymmetric;
+use mckibben_fem::element::lanes::Width;
+use mckibben_fem::three_dimensional::{BrickSpec, ThreeDimensional};
+
+/// The prototype, and a thin one of another law.
+fn muscles() -> [Muscle; 2] {
+    let yeoh = Rubber::of(Law::Yeoh(Yeoh { c10_mpa: 0.1, c20_mpa: -0.0007, c30_mpa: 2e-5 }));
+    let prototype = Muscle::prototype();
+    let tube = prototype.with_section(20.0, 1.0).unwrap().tube().clone();
+    [prototype.clone(), prototype.with_tube(mckibben::muscle::Tube { rubber: yeoh, ..tube }).unwrap()]
+}
+
+fn answers(model: &dyn ForceModel) -> Vec<f64> {
+    let w = &mut Workspace::new();
+    let at = |(p, e)| {
+        let r = model.response(w, p, e).unwrap();
+        [Some(r.force_n), r.volume_mm3, r.stiffness_n_per_mm, r.bulged_diameter_mm, r.max_stretch]
+    };
+    [(0.1, 0.0), (0.25, 0.1)].map(at).into_iter().flatten().flatten().collect()
+}
+
+/// Without fused products the axisymmetric elements give the same bits on any processor; the bricks, whose products are
+/// fused in wide lanes, the same to rounding. Wider lanes than this processor has are not asked.
+#[test]
+fn every_width_gives_the_same_answers() {
+    let spec = BrickSpec::parse("1x4").unwrap();
+    let by = |width: Width, muscle: &Muscle| {
+        width.limit();
+        assert_eq!(Width::here(), width);
+        let plane = answers(&Axisymmetric::new(muscle).unwrap());
+        let bricks = answers(&ThreeDimensional::with_mesh(muscle, &spec).unwrap());
+        (plane, bricks)
+    };
+    for muscle in muscles() {
+        let (plane, bricks) = by(Width::One, &muscle);
+        for width in [Width::Four, Width::Eight].into_iter().filter(|w| *w <= Width::widest()) {
+            let (same, alike) = by(width, &muscle);
+            assert_eq!(same, plane, "{width:?}");
+            for (a, b) in alike.iter().zip(&bricks) {
+                assert!((a / b - 1.0).abs() < 1e-12, "{width:?}: {a} {b}");
+            }
+        }
+    }
+}
