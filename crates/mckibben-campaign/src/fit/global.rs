@@ -84,6 +84,7 @@ pub fn global(points: &[FitPoint], most: usize) -> Result<GlobalFit, FitError> {
     let counts = [walls.len(), pressures.len() + 1, contractions.len(), diameters.len().saturating_sub(1)];
     let candidates = candidates(counts);
     let most = most.min(MOST_TERMS);
+    ended()?;
     let full = problem(&used, &candidates, &scales);
     let chosen = select(&full, most);
     // What was chosen when the work was ended is no choice.

@@ -119,6 +119,7 @@ pub struct Body {
     pub(super) linearised: bool,
     /// The infinitely long muscle of the same rubber and braid: where first guesses come from.
     pub(super) endless: Option<Arc<ThickWall>>,
+    /// Muscles that differ a little in one number, for sensitivities.
     pub(super) neighbours: Neighbours,
 }
 
