@@ -1,6 +1,6 @@
 //! Ends that seat, slip and hold a rod: the muscle between them, its slopes and its energies.
 
-use mckibben::model::Workspace;
+use mckibben::model::{Response, Workspace};
 use mckibben::muscle::{Muscle, Terminals};
 use mckibben::progress::Silent;
 use mckibben_fem::elements::Elements;
@@ -15,10 +15,37 @@ fn blocked(contraction: f64, force_n: f64) -> Given {
     Given::ContractionAndPull { contraction, force_n }
 }
 
+fn fe(muscle: &Muscle) -> Box<dyn Simulation> {
+    "fe".parse::<Elements>().unwrap().build(muscle).unwrap()
+}
+
+fn with_ends(terminals: Terminals) -> Box<dyn Simulation> {
+    fe(&Muscle::prototype().with_terminals(terminals).unwrap())
+}
+
 fn elements(seating_mm: f64) -> Box<dyn Simulation> {
-    let terminals = Terminals { seating_mm: Some(seating_mm), ..Terminals::default() };
-    let muscle = Muscle::prototype().with_terminals(terminals).unwrap();
-    "fe".parse::<Elements>().unwrap().build(&muscle).unwrap()
+    with_ends(Terminals { seating_mm: Some(seating_mm), ..Terminals::default() })
+}
+
+/// Searches and curves of a muscle through a point give its pull, contraction, pressure and volume, within a relative difference.
+fn searches_and_curves_meet(model: &dyn Simulation, (p, e): (f64, f64), point: &Response, most: f64) {
+    let w = &mut Workspace::new();
+    let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < most, "{a} {b}");
+    let force_n = point.force_n;
+    close(model.reach(w, pull(p, force_n)).unwrap().contraction, e);
+    close(model.solve(w, pull(p, force_n)).unwrap().response.contraction, e);
+    close(model.reach(w, blocked(e, force_n)).unwrap().pressure_mpa, p);
+    let curves = [
+        model.run(w, Test::Isometric(e), &[0.1, p], Detail::Point, &Silent),
+        model.run(w, Test::Isobaric(p), &[0.05, e], Detail::Point, &Silent),
+        model.run(w, Test::Isotonic(force_n), &[0.1, p], Detail::Point, &Silent),
+    ];
+    for curve in curves {
+        let at = curve[1].as_ref().unwrap();
+        close(at.force_n, force_n);
+        close(at.contraction, e);
+        close(at.volume_mm3, point.volume_mm3.unwrap());
+    }
 }
 
 /// F(P, ε) = F₀(P, ε + δ/L0) in every test and search, with the contraction of the whole muscle; seating 0 changes no digit.
@@ -60,7 +87,7 @@ fn the_slope_by_length_is_that_of_differences() {
         let mut tube = base.muscle().tube().clone();
         tube.length_mm = length_mm;
         let muscle = base.muscle().with_tube(tube).unwrap();
-        let model = "fe".parse::<Elements>().unwrap().build(&muscle).unwrap();
+        let model = fe(&muscle);
         model.force_n(w, 0.2, 0.1).unwrap()
     };
     let difference = (at(286.0, w) - at(284.0, w)) / 2.0;
@@ -78,7 +105,7 @@ fn slipping() -> Box<dyn Simulation> {
         grip_mm: Some(5.0),
         ..Terminals::default()
     };
-    "fe".parse::<Elements>().unwrap().build(&Muscle::prototype().with_terminals(terminals).unwrap()).unwrap()
+    with_ends(terminals)
 }
 
 /// The load of the ends is F + π Ri² P: the muscle between its ends, at the contraction that it is left with by hand, pulls alike; every
@@ -86,7 +113,7 @@ fn slipping() -> Box<dyn Simulation> {
 #[test]
 fn ends_that_slip_are_a_spring_beside_the_muscle() {
     let (whole, w) = (slipping(), &mut Workspace::new());
-    let inner = "fe".parse::<Elements>().unwrap().build(&whole.muscle().between_ends()).unwrap();
+    let inner = fe(&whole.muscle().between_ends());
     let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-8, "{a} {b}");
     let (p, e) = (0.2, 0.08);
     let found = whole.solve(w, Given::at(p, e)).unwrap().response;
@@ -94,21 +121,8 @@ fn ends_that_slip_are_a_spring_beside_the_muscle() {
     let x = (e * 285.0 + 1.5 + 4e-3 * load) / 275.0;
     close(found.force_n, inner.solve(&mut Workspace::new(), Given::at(p, x)).unwrap().response.force_n);
     close(whole.response(w, p, e).unwrap().force_n, found.force_n);
-    close(whole.reach(w, pull(p, found.force_n)).unwrap().contraction, e);
-    close(whole.solve(w, pull(p, found.force_n)).unwrap().response.contraction, e);
-    close(whole.reach(w, blocked(e, found.force_n)).unwrap().pressure_mpa, p);
     close(whole.solve(w, blocked(e, found.force_n)).unwrap().response.pressure_mpa, p);
-    let curves = [
-        whole.run(w, Test::Isometric(e), &[0.1, p], Detail::Point, &Silent),
-        whole.run(w, Test::Isobaric(p), &[0.05, e], Detail::Point, &Silent),
-        whole.run(w, Test::Isotonic(found.force_n), &[0.1, p], Detail::Point, &Silent),
-    ];
-    for curve in curves {
-        let at = curve[1].as_ref().unwrap();
-        close(at.force_n, found.force_n);
-        close(at.contraction, e);
-        close(at.volume_mm3, found.volume_mm3.unwrap());
-    }
+    searches_and_curves_meet(&*whole, (p, e), &found, 1e-8);
     let slopes = whole.run(w, Test::Isometric(e), &[p], Detail::Tangent, &Silent);
     let tangent = slopes[0].as_ref().unwrap().response.unwrap();
     close(tangent.stiffness_n_per_mm.unwrap(), found.stiffness_n_per_mm.unwrap());
@@ -119,7 +133,7 @@ fn ends_that_slip_are_a_spring_beside_the_muscle() {
 fn slopes_of_slipping_ends_are_those_of_differences() {
     let (base, w) = (slipping(), &mut Workspace::new());
     let pull = |muscle: &Muscle| {
-        let model = "fe".parse::<Elements>().unwrap().build(muscle).unwrap();
+        let model = fe(muscle);
         model.force_n(&mut Workspace::new(), 0.2, 0.08).unwrap()
     };
     let changed = |name: &str, h: f64| {
@@ -145,8 +159,7 @@ fn slopes_of_slipping_ends_are_those_of_differences() {
 #[test]
 fn the_energy_of_ends_that_slip_is_part_of_the_balance() {
     let terminals = Terminals { slip_mm_per_n: Some(5e-3), ..Terminals::default() };
-    let muscle = Muscle::prototype().with_terminals(terminals).unwrap();
-    let model = "fe".parse::<Elements>().unwrap().build(&muscle).unwrap();
+    let model = with_ends(terminals);
     let w = &mut Workspace::new();
     let mut at = |p: f64| model.solve(w, Given::at(p, 0.0)).unwrap();
     const STEPS: usize = 40;
@@ -178,34 +191,19 @@ fn cored(rod_length_mm: Option<f64>, slip_mm_per_n: Option<f64>) -> Muscle {
 #[test]
 fn a_rod_through_a_seal_adds_the_pressure_on_its_section() {
     const AREA_MM2: f64 = 201.061_929_829_746_77;
-    let build = |m: &Muscle| "fe".parse::<Elements>().unwrap().build(m).unwrap();
     let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-7, "{a} {b}");
     for slip in [None, Some(4e-3)] {
-        let (whole, w) = (build(&cored(None, slip)), &mut Workspace::new());
+        let (whole, w) = (fe(&cored(None, slip)), &mut Workspace::new());
         let terminals = Terminals { slip_mm_per_n: slip, ..Terminals::default() };
-        let plain = build(&Muscle::prototype().with_terminals(terminals).unwrap());
+        let plain = with_ends(terminals);
         let (p, e) = (0.2, 0.08);
         let without = plain.solve(&mut Workspace::new(), Given::at(p, e)).unwrap().response;
         let found = whole.solve(w, Given::at(p, e)).unwrap().response;
         close(found.force_n, without.force_n + p * AREA_MM2);
-        let volume = found.volume_mm3.unwrap();
-        close(volume, without.volume_mm3.unwrap() - AREA_MM2 * 0.92 * 285.0);
+        close(found.volume_mm3.unwrap(), without.volume_mm3.unwrap() - AREA_MM2 * 0.92 * 285.0);
         close(whole.force_n(w, p, e).unwrap(), found.force_n);
         close(found.volume_per_contraction_mm3.unwrap(), 285.0 * found.force_per_pressure_mm2.unwrap());
-        close(whole.reach(w, pull(p, found.force_n)).unwrap().contraction, e);
-        close(whole.solve(w, pull(p, found.force_n)).unwrap().response.contraction, e);
-        close(whole.reach(w, blocked(e, found.force_n)).unwrap().pressure_mpa, p);
-        let curves = [
-            whole.run(w, Test::Isometric(e), &[0.1, p], Detail::Point, &Silent),
-            whole.run(w, Test::Isobaric(p), &[0.05, e], Detail::Point, &Silent),
-            whole.run(w, Test::Isotonic(found.force_n), &[0.1, p], Detail::Point, &Silent),
-        ];
-        for curve in curves {
-            let at = curve[1].as_ref().unwrap();
-            close(at.force_n, found.force_n);
-            close(at.contraction, e);
-            close(at.volume_mm3, volume);
-        }
+        searches_and_curves_meet(&*whole, (p, e), &found, 1e-7);
         let names = ["terminals.rod_diameter".to_owned(), "braid.stiffness".into()];
         let slopes = whole.extensions().slopes.unwrap().force_by(w, p, e, &names).unwrap().unwrap();
         close(slopes[0], p * std::f64::consts::PI * 8.0);
@@ -232,9 +230,7 @@ fn a_rod_through_a_seal_adds_the_pressure_on_its_section() {
 /// A rod of 200 of 285 mm ends inside: the pull of the muscle without it, π 8² 200 mm³ less air, and 85/285 as the end of its way.
 #[test]
 fn a_rod_that_ends_inside_stops_the_muscle() {
-    let build = |m: &Muscle| "fe".parse::<Elements>().unwrap().build(m).unwrap();
-    let (inside, plain, w) =
-        (build(&cored(Some(200.0), None)), build(&Muscle::prototype()), &mut Workspace::new());
+    let (inside, plain, w) = (fe(&cored(Some(200.0), None)), fe(&Muscle::prototype()), &mut Workspace::new());
     let at = Given::at(0.2, 0.1);
     let (found, without) = (inside.solve(w, at).unwrap().response, plain.solve(w, at).unwrap().response);
     assert!((found.force_n / without.force_n - 1.0).abs() < 1e-9);
@@ -254,7 +250,7 @@ fn a_tube_on_its_rod_is_refused() {
     use mckibben::muscle::measures::{ANGLE, ROD_DIAMETER};
     let m = Muscle::prototype().with(&ANGLE, 62.0).unwrap().with(&ROD_DIAMETER, 23.0).unwrap();
     let m = m.with(&mckibben::muscle::measures::ROD_LENGTH, 200.0).unwrap();
-    let model = "fe".parse::<Elements>().unwrap().build(&m).unwrap();
+    let model = fe(&m);
     let w = &mut Workspace::new();
     assert!(model.force_n(w, 0.1, 0.0).is_ok());
     let refused = model.force_n(w, 0.002, -0.15).unwrap_err();
