@@ -13,9 +13,6 @@ static PLACE: Mutex<Option<String>> = Mutex::new(None);
 /// works in this way; a front end that calls the functions of the commands puts it around them.
 ///
 /// A stack that overflows and memory that runs out are no panics: they end the process.
-///
-/// # Errors
-/// Those of the work, and [`Problem`].
 pub fn guarded<T, E: From<Problem>>(work: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
     // What the work had in its hands is dropped with it: nobody sees a half-made value.
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|cause| Err(internal(&*cause).into()))
@@ -24,9 +21,6 @@ pub fn guarded<T, E: From<Problem>>(work: impl FnOnce() -> Result<T, E>) -> Resu
 /// Does the work of a request within its budget: on whichever thread it is done and whatever it calls, it ends with the budget. What came
 /// out of work that the budget ended is neither an answer nor a reason: the answer is then that the budget is used up, or that the work was
 /// cancelled. A panic is a [`Problem`], as in [`guarded`].
-///
-/// # Errors
-/// Those of the work, and [`Problem`].
 pub fn within<T, E: From<Problem>>(budget: &Budget, work: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
     guarded(|| {
         let _entered = budget.enter();

@@ -150,10 +150,6 @@ fn unstated(sleeve: &Sleeve) -> Vec<&'static str> {
     sleeve.missing().into_iter().chain(estimated).collect()
 }
 
-/// All named sleeves.
-///
-/// # Errors
-/// [`Problem`] of kind `braid` where the library is damaged, which no released program should see.
 pub fn braid_list(_: &BraidListRequest) -> Result<BraidListAnswer, Problem> {
     let one = |entry: &SleeveEntry| {
         let (least_diameter_mm, largest_diameter_mm) = entry.sleeve.shape.tubes_mm();
@@ -183,10 +179,6 @@ pub fn braid_list(_: &BraidListRequest) -> Result<BraidListAnswer, Problem> {
     })
 }
 
-/// One sleeve.
-///
-/// # Errors
-/// [`Problem`] of kind `braid` with the name that was probably meant, or the range that the sleeve has.
 pub fn braid_show(request: &BraidShowRequest) -> Result<BraidShowAnswer, Problem> {
     let entry = library::entry(&request.name)?;
     let known = sleeve(&request.name)?;

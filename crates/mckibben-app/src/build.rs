@@ -118,9 +118,6 @@ impl From<File> for BuiltFile {
 }
 
 /// All that is needed to build a muscle.
-///
-/// # Errors
-/// [`Problem`].
 pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAnswer, Problem> {
     let (plan, burst) = planned(request, progress)?;
     let said = said_of(&burst, plan.operating.pressure_mpa, 0.0);

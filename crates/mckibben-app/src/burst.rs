@@ -21,9 +21,6 @@ const KEPT: usize = 32;
 static KNOWN: Mutex<Vec<(Model, Muscle, Burst)>> = Mutex::new(vec![]);
 
 /// The burst pressure of a muscle by the model that answers.
-///
-/// # Errors
-/// [`Problem`] where the budget is spent.
 pub(crate) fn burst_of(choice: &Model, model: &dyn ForceModel, budget: &Budget) -> Result<Burst, Problem> {
     // Whoever panicked with the list left it whole.
     let list = || KNOWN.lock().unwrap_or_else(std::sync::PoisonError::into_inner);

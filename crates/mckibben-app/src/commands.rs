@@ -46,9 +46,6 @@ pub struct Ready(Box<Work>);
 
 impl Ready {
     /// Answers it, within the caller's budget.
-    ///
-    /// # Errors
-    /// [`Problem`].
     pub fn answer(self, progress: &dyn Progress) -> Result<Value, Problem> {
         within(&progress.budget(), || (self.0)(progress))
     }
@@ -93,9 +90,6 @@ impl CommandEntry {
     }
 
     /// Reads a request, before any work is done for it: what is wrong with it is an error at once.
-    ///
-    /// # Errors
-    /// [`Problem`] of kind `usage`.
     pub fn read(&self, request: Value) -> Result<Ready, Problem> {
         #[cfg(feature = "schema")]
         self.check_fields(&request)?;
@@ -229,9 +223,6 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
 });
 
 /// The JSON Schema of a command: `request`, `answer` and `error`.
-///
-/// # Errors
-/// [`Problem`] of kind `usage` for a name that is no command.
 #[cfg(feature = "schema")]
 pub fn schema(command: &str) -> Result<Value, Problem> {
     Ok(find(command)?.schema())
@@ -251,17 +242,11 @@ pub fn schema(command: &str) -> Result<Value, Problem> {
 /// assert_eq!(problem.hint, "did you mean `pressure_mpa`?");
 /// # Ok::<(), mckibben_app::Problem>(())
 /// ```
-///
-/// # Errors
-/// [`Problem`].
 pub fn ask(command: &str, request: &str, progress: &dyn Progress) -> Result<String, Problem> {
     within(&progress.budget(), || Ok(of_text(command, request, progress)?.to_string()))
 }
 
 /// The same for front ends whose language has lists and maps of its own: no text on the way.
-///
-/// # Errors
-/// [`Problem`].
 pub fn ask_value(command: &str, request: Value, progress: &dyn Progress) -> Result<Value, Problem> {
     within(&progress.budget(), || of_value(command, request, progress))
 }
@@ -271,9 +256,6 @@ pub fn ask_value(command: &str, request: Value, progress: &dyn Progress) -> Resu
 /// First the length of the JSON in bytes (32 bits), then the JSON with blanks behind it up to a multiple of four bytes, in which each of
 /// `arrays` is the count of its numbers in place of the numbers, then all numbers (32 bits each), array after array. All of it
 /// little-endian.
-///
-/// # Errors
-/// [`Problem`].
 pub fn ask_packed(command: &str, request: &str, progress: &dyn Progress) -> Result<Vec<u8>, Problem> {
     within(&progress.budget(), || Ok(packed(of_text(command, request, progress)?)))
 }
@@ -304,9 +286,6 @@ fn of_text(command: &str, request: &str, progress: &dyn Progress) -> Result<Valu
 }
 
 /// A request in JSON that [`JsonSize::of`] let through, as a value.
-///
-/// # Errors
-/// [`Problem`] of kind `usage` for what is no JSON.
 pub fn parsed(request: &str) -> Result<Value, Problem> {
     serde_json::from_str(request).map_err(|e| not_understood(&e))
 }
@@ -323,9 +302,6 @@ pub trait RequestFields: serde::de::DeserializeOwned + JsonSchema {}
 impl<T: serde::de::DeserializeOwned + JsonSchema> RequestFields for T {}
 
 /// A request that is asked for by its type, or a group of fields of one.
-///
-/// # Errors
-/// [`Problem`] of kind `usage` for a field with something in it that does not belong there.
 #[cfg(feature = "schema")]
 pub fn understood<T: RequestFields>(fields: Value) -> Result<T, Problem> {
     T::deserialize(&fields).map_err(|e| {
@@ -335,9 +311,6 @@ pub fn understood<T: RequestFields>(fields: Value) -> Result<T, Problem> {
 }
 
 /// The command of a name.
-///
-/// # Errors
-/// [`Problem`] of kind `usage` for a name that is no command, with the one that may be meant.
 pub fn find(command: &str) -> Result<&'static CommandEntry, Problem> {
     COMMANDS.iter().find(|c| c.name == command).ok_or_else(|| {
         let names: Vec<&str> = COMMANDS.iter().map(|c| c.name).collect();
@@ -349,7 +322,6 @@ pub fn find(command: &str) -> Result<&'static CommandEntry, Problem> {
     })
 }
 
-/// The schema of an answer.
 #[cfg(feature = "schema")]
 pub fn answer_schema<A: JsonSchema>() -> Value {
     Root::of::<A>().schema(SchemaSettings::draft2020_12().for_serialize()).to_value()

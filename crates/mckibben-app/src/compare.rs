@@ -203,9 +203,6 @@ struct Compared {
 }
 
 /// Models compared with measured points, or with the first model.
-///
-/// # Errors
-/// [`Problem`] for a wrong request, or where no model could be compared; a single model that cannot carries its cause.
 pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<CompareAnswer, Problem> {
     let muscle = request.muscle.resolve()?;
     let mut asking = request.asking;

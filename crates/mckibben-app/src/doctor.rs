@@ -93,10 +93,6 @@ const WIDE: f64 = 0.3;
 /// A muscle that contracts less than this even without wall and load hardly moves.
 const LITTLE: f64 = 0.1;
 
-/// Examines a muscle.
-///
-/// # Errors
-/// [`Problem`].
 pub fn doctor(request: &DoctorRequest, progress: &dyn Progress) -> Result<DoctorAnswer, Problem> {
     let mut question = Question::new(&request.muscle, &request.model, request.asking, &progress.budget())?;
     let burst = question.burst()?;

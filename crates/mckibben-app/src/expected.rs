@@ -13,17 +13,12 @@ const LONGEST: usize = 40;
 pub(crate) enum Expected {
     /// A number, in the unit of its field where that has one.
     Number(Option<String>),
-    /// A whole number.
     Whole,
-    /// A text.
     Text,
-    /// True or false.
     Truth,
-    /// A list.
     List(Box<Self>),
     /// An object with these fields.
     Fields(Vec<(String, Self)>),
-    /// One of several.
     OneOf(Vec<Self>),
     /// What no schema says.
     Any,
@@ -82,9 +77,6 @@ impl Expected {
     }
 
     /// Whether a request has in each field what belongs there; what is unknown or missing is not looked at.
-    ///
-    /// # Errors
-    /// [`Problem`] of kind `usage` in the field.
     pub(crate) fn check(&self, value: &Value) -> Result<(), Problem> {
         self.within("", value)
     }
@@ -133,7 +125,6 @@ impl Expected {
         Err(if field.is_empty() { problem } else { problem.in_field(field) })
     }
 
-    /// What it is, in words.
     fn words(&self) -> String {
         match self {
             Self::Number(Some(unit)) => format!("a number in {unit}"),

@@ -97,10 +97,6 @@ pub struct ExportTarget {
     pub loses: String,
 }
 
-/// The targets.
-///
-/// # Errors
-/// None.
 pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer, Problem> {
     let target = |target: &Target| {
         let entry = target.entry();
@@ -112,9 +108,6 @@ pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer, Pro
 }
 
 /// A muscle as files.
-///
-/// # Errors
-/// [`Problem`].
 pub fn export(request: &ExportRequest, progress: &dyn Progress) -> Result<ExportAnswer, Problem> {
     let Some(target) = request.target.as_deref() else {
         let message = "`target` is missing: what the muscle is exported for";

@@ -78,9 +78,6 @@ impl From<FillError> for Problem {
 }
 
 /// A volume of liquid pushed into a muscle.
-///
-/// # Errors
-/// [`Problem`].
 pub fn fill(request: &FillRequest, progress: &dyn Progress) -> Result<FillAnswer, Problem> {
     let volume_mm3 =
         volume("volume_mm3", given("volume_mm3", request.volume_mm3, "a volume, such as 20 mL")?)?;

@@ -196,9 +196,6 @@ fn muscle_file(data: &str, model: &str, found: &Identification, measured: bool) 
 }
 
 /// The constants of a muscle that bring the model closest to the points, with their errors.
-///
-/// # Errors
-/// [`Problem`].
 pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<IdentifyAnswer, Problem> {
     let muscle = request.muscle.resolve()?;
     let model = Model::choose(&request.model, Purpose::Answer)?;
@@ -268,7 +265,6 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
 /// What is free, and what is held at a value.
 type Parameters = (Vec<Parameter>, Vec<(Target, f64)>);
 
-/// All points.
 struct Data {
     points: Vec<DataPoint>,
     /// Where they come from.
@@ -400,7 +396,6 @@ pub fn with_error_bar(p: &Identified) -> (String, String) {
     (number(p.value, digits.max(3)), number(p.half_width, 2))
 }
 
-/// `tube.material.c10 0.123 ± 0.004 MPa, …`.
 fn in_one_line(parameters: &[Identified]) -> String {
     let one = |p: &Identified| {
         let (value, bar) = with_error_bar(p);

@@ -5,7 +5,6 @@ use mckibben::budget::{Exceeded, Resource};
 
 /// Deepest nesting; no request has more than six levels.
 const DEEPEST: usize = 16;
-/// Most values.
 const MOST_VALUES: usize = 500_000;
 /// Bytes of a value in the list that holds it, which may be twice as long as it is filled.
 const OF_A_VALUE: usize = 160;
@@ -19,15 +18,11 @@ pub struct JsonSize {
     pub text_bytes: usize,
     /// Numbers, texts, lists and objects.
     pub values: usize,
-    /// Lists and objects.
     pub containers: usize,
 }
 
 impl JsonSize {
     /// Counts what is in a text, in one pass and without memory. That it is JSON is not looked at.
-    ///
-    /// # Errors
-    /// [`Problem`] of kind `usage` for nesting deeper than any request has, and of kind `budget` for more than half a million values.
     pub fn of(text: &str) -> Result<Self, Problem> {
         let mut size = Self { text_bytes: text.len(), values: 1, containers: 0 };
         let (mut depth, mut quoted, mut escaped) = (0_usize, false, false);

@@ -230,9 +230,6 @@ impl LibraryMuscle {
 }
 
 /// The muscles of the library.
-///
-/// # Errors
-/// [`Problem`] where it was cancelled.
 pub fn library_list(request: &LibraryListRequest) -> Result<LibraryListAnswer, Problem> {
     let all = library()?;
     let muscles = threads::map(&all, |(case, muscle)| LibraryMuscle::of(&case.facts, muscle));
@@ -241,9 +238,6 @@ pub fn library_list(request: &LibraryListRequest) -> Result<LibraryListAnswer, P
 }
 
 /// A muscle of the library.
-///
-/// # Errors
-/// [`Problem`] with the name that was probably meant.
 pub fn library_show(request: &LibraryShowRequest) -> Result<LibraryShowAnswer, Problem> {
     let build = |m: &Muscle| Model::FE.build(m);
     let all = built_in(Some(&request.name)).map_err(|problem| problem.in_field("name"))?;
@@ -264,9 +258,6 @@ pub fn library_show(request: &LibraryShowRequest) -> Result<LibraryShowAnswer, P
 }
 
 /// Fits the points of folders of a library again, and says whether their muscles are those that the points give.
-///
-/// # Errors
-/// [`Problem`] names the folder.
 pub fn library_check(
     request: &LibraryCheckRequest,
     progress: &dyn Progress,

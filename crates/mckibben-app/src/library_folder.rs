@@ -23,9 +23,7 @@ pub(crate) struct Told<'a> {
     pub free: &'a [Parameter],
     /// What was held at a value.
     pub fixed: &'a [(Target, f64)],
-    /// The points.
     pub points: &'a [DataPoint],
-    /// What was found.
     pub parameters: &'a [Identified],
 }
 

@@ -237,9 +237,6 @@ pub const WEAR_MEASURES: [WearMeasure; 9] = [
 ];
 
 /// What wears in a muscle in a cycle, and in others beside it.
-///
-/// # Errors
-/// [`Problem`]; of one of several muscles it names the file.
 pub fn life(request: &LifeRequest, progress: &dyn Progress) -> Result<LifeAnswer, Problem> {
     let curve = request.curve()?;
     let others = request.muscles.iter().map(|file| {

@@ -155,9 +155,6 @@ pub struct MeasuredBin {
 }
 
 /// The validation report of every measured case.
-///
-/// # Errors
-/// [`Problem`] names the folder and the fit.
 pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<MeasuredAnswer, Problem> {
     let own: Vec<Measurement> = request.cases.iter().map(read).collect::<Result<_, _>>()?;
     let all = if own.is_empty() { measurements().map_err(Problem::from)? } else { &own };

@@ -84,9 +84,6 @@ impl From<&'static Measure> for MeasureEntry {
 }
 
 /// The measures of a muscle.
-///
-/// # Errors
-/// None.
 pub fn measures(_: &MeasuresRequest) -> Result<MeasuresAnswer, Problem> {
     Ok(MeasuresAnswer { measures: MEASURES.iter().map(|m| MeasureEntry::from(*m)).collect() })
 }

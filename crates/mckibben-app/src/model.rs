@@ -23,7 +23,6 @@ pub enum Model {
     Formula(Arc<Formula>),
     /// A universal formula with other coefficients than the built-in ones.
     Universal(Arc<UniversalFormula>),
-    /// Finite elements.
     Elements(Elements),
 }
 
@@ -41,7 +40,6 @@ impl Model {
     pub const FE: Model =
         Model::Elements(Elements::Axisymmetric(MeshSpec { through: None, along: None, grading: None }));
 
-    /// All models.
     pub fn all() -> Vec<ModelEntry> {
         ModelKind::ALL.into_iter().map(ModelKind::entry).chain(Elements::ENTRIES).collect()
     }
@@ -53,9 +51,6 @@ impl Model {
 
     /// The model that answers a request, and the only rule about it: the one that is named; where none is, `fe`, and
     /// `universal` where very many muscles are searched.
-    ///
-    /// # Errors
-    /// [`Problem`] of kind `model`, `mesh`, `terminal` or `formula`.
     pub fn choose(fields: &ModelFields, purpose: Purpose) -> Result<Self, Problem> {
         if fields.model.is_none() && purpose == Purpose::Search {
             return Self::named("universal", &[], &fields.mesh);
@@ -67,9 +62,6 @@ impl Model {
     }
 
     /// The model of a name: of one of the formulas, or of the list.
-    ///
-    /// # Errors
-    /// As [`Model::choose`].
     pub fn named(name: &str, formulas: &[TextFile], mesh: &MeshFields) -> Result<Self, Problem> {
         let name = name.trim();
         if let Ok(elements) = name.parse::<Elements>() {
@@ -88,9 +80,6 @@ impl Model {
     }
 
     /// The model of a formula's file.
-    ///
-    /// # Errors
-    /// [`Problem`] of kind `formula`.
     pub fn of_formula(file: &TextFile) -> Result<Self, Problem> {
         if !cfg!(feature = "whole") {
             let message = "formula files need the full engine; this is a reduced one";
@@ -103,7 +92,6 @@ impl Model {
         })
     }
 
-    /// Its name.
     pub fn name(&self) -> &str {
         match self {
             Self::ClosedForm(kind) => kind.name(),
@@ -132,9 +120,6 @@ impl Model {
     }
 
     /// Refuses what would not fit into a budget with this muscle.
-    ///
-    /// # Errors
-    /// [`ModelError::Exceeded`], or that of a mesh that cannot be made.
     pub fn admit(&self, muscle: &Muscle, budget: &Budget) -> Result<(), ModelError> {
         match self {
             Self::Elements(elements) => Ok(elements.admit(muscle, budget)?),
@@ -142,10 +127,6 @@ impl Model {
         }
     }
 
-    /// The model of a muscle.
-    ///
-    /// # Errors
-    /// [`ModelError`] where the muscle does not state what the model needs, or cannot be divided into elements.
     pub fn build(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
         match self {
             Self::ClosedForm(kind) => kind.build(muscle),

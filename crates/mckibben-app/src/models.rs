@@ -39,9 +39,6 @@ pub struct ModelStory {
 }
 
 /// All models, or one of them with its source and the basis of its ±.
-///
-/// # Errors
-/// [`Problem`] of kind `model` where there is none of that name.
 pub fn models(request: &ModelsRequest) -> Result<ModelsAnswer, Problem> {
     let Some(name) = &request.model else { return Ok(ModelsAnswer { models: Model::all(), story: None }) };
     let model = Model::named(name, &[], &Default::default())?;

@@ -20,9 +20,6 @@ use std::path::Path;
 
 impl MuscleFields {
     /// The muscle that file and fields describe.
-    ///
-    /// # Errors
-    /// [`Problem`] of kind `file`, `rubber` or `muscle`.
     pub fn resolve(&self) -> Result<Muscle, Problem> {
         self.over(&match &self.named.muscle {
             Some(file) => muscle_of(file)?,
@@ -31,9 +28,6 @@ impl MuscleFields {
     }
 
     /// A muscle with the fields' values in place of its own.
-    ///
-    /// # Errors
-    /// As [`MuscleFields::resolve`].
     pub fn over(&self, base: &Muscle) -> Result<Muscle, Problem> {
         let mut parts = base.parts().clone();
         for section in SECTIONS.into_iter().filter(|section| *section != "braid") {
@@ -222,25 +216,16 @@ fn together(one: &Measure, other: &Measure) -> Problem {
 }
 
 /// The muscle of a muscle file, or that of the library whose name stands in the place of one: `lib:dmsp-20-300`.
-///
-/// # Errors
-/// [`Problem`] of kind `file`, with line, column and key.
 pub fn muscle_of(file: &TextFile) -> Result<Muscle, Problem> {
     Ok(parse_muscle(&library_text(file)?).map_err(|e| e.of(Path::new(&file.name)))?)
 }
 
 /// A rubber of the library.
-///
-/// # Errors
-/// [`Problem`] of kind `rubber`.
 pub fn rubber(name: &str) -> Result<Rubber, Problem> {
     library::find(name.trim()).map_err(|e| Problem::new(ProblemKind::Rubber, e.to_string(), ""))
 }
 
 /// A sleeve of the library.
-///
-/// # Errors
-/// [`Problem`] of kind `braid`.
 pub fn sleeve(name: &str) -> Result<Sleeve, Problem> {
     Ok(sleeve::library::find(name)?)
 }
@@ -303,7 +288,6 @@ impl From<&Muscle> for MuscleSummary {
 }
 
 impl MuscleSummary {
-    /// The muscle in one line.
     pub fn line(&self, u: &Units) -> String {
         format!(
             "D0 {}, s {}, L0 {}, θ0 {}°, rubber {}, braid {}",

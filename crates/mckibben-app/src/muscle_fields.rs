@@ -17,7 +17,6 @@ use std::sync::LazyLock;
 /// prototype: D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid `paper`.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MuscleFields {
-    /// File and names.
     pub named: NamedFields,
     /// Measures in place of what these say.
     pub measures: MeasureValues,
@@ -100,7 +99,6 @@ impl<'de> Deserialize<'de> for MuscleFields {
     }
 }
 
-/// Reads fields.
 struct Fields;
 
 impl<'de> Visitor<'de> for Fields {
@@ -152,7 +150,6 @@ impl Stated {
         fields().filter(|(_, measure)| ![&OUTER_DIAMETER, &WALL, &LENGTH, &ANGLE].contains(measure))
     }
 
-    /// Measures and values.
     pub fn iter(&self) -> impl Iterator<Item = (&'static Measure, f64)> {
         self.0.iter()
     }

@@ -73,9 +73,6 @@ fn unread(error: tubes::TubeError) -> Problem {
 }
 
 /// The catalogue of parts.
-///
-/// # Errors
-/// [`Problem`] for a file of tubes that cannot be read.
 pub fn parts_list(request: &PartsListRequest) -> Result<PartsListAnswer, Problem> {
     let wants = |kind| request.kind.is_none_or(|only| only == kind);
     let tubes: Vec<TubePart> = match &request.parts {
@@ -88,10 +85,6 @@ pub fn parts_list(request: &PartsListRequest) -> Result<PartsListAnswer, Problem
     Ok(PartsListAnswer { tubes, sleeves, rubbers })
 }
 
-/// One part.
-///
-/// # Errors
-/// [`Problem`] with the name that was probably meant.
 pub fn part_show(request: &PartShowRequest) -> Result<PartShowAnswer, Problem> {
     let tubes = tubes::catalogue().map_err(unread)?;
     let name = request.name.as_str();

@@ -37,10 +37,6 @@ pub struct PlanAnswer {
 /// Most points of a plan in memory.
 const MOST_POINTS: u64 = 200_000;
 
-/// Computes a plan.
-///
-/// # Errors
-/// [`Problem`] for a plan that cannot be read, is larger than what is held in memory, or was cancelled.
 pub fn plan(request: &PlanRequest, progress: &dyn Progress) -> Result<PlanAnswer, Problem> {
     let (mut answer, rows) = computed(request, progress)?;
     let mut text = format!("{},status\n", COLUMNS.join(","));
@@ -55,9 +51,6 @@ pub fn plan(request: &PlanRequest, progress: &dyn Progress) -> Result<PlanAnswer
 }
 
 /// The same as columns; the text of the answer's table is empty.
-///
-/// # Errors
-/// As [`plan`].
 pub fn plan_columns(request: &PlanRequest, progress: &dyn Progress) -> Result<AnswerColumns, Problem> {
     let (answer, rows) = computed(request, progress)?;
     let mut numbers = COLUMNS.map(|_| Vec::with_capacity(rows.len()));

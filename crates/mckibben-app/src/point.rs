@@ -116,9 +116,6 @@ pub struct ModelAbout {
 }
 
 /// F(P, ε).
-///
-/// # Errors
-/// [`Problem`].
 pub fn force(request: &ForceRequest, progress: &dyn Progress) -> Result<PointAnswer, Problem> {
     let question = Question::new(&request.muscle, &request.model, request.asking, &progress.budget())?;
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
@@ -129,9 +126,6 @@ pub fn force(request: &ForceRequest, progress: &dyn Progress) -> Result<PointAns
 }
 
 /// P(F, ε).
-///
-/// # Errors
-/// [`Problem`].
 pub fn pressure(request: &PressureRequest, progress: &dyn Progress) -> Result<PointAnswer, Problem> {
     let question = Question::new(&request.muscle, &request.model, request.asking, &progress.budget())?;
     let force_n = given("force_n", request.force_n, "a force, such as 300 N")?;
@@ -143,9 +137,6 @@ pub fn pressure(request: &PressureRequest, progress: &dyn Progress) -> Result<Po
 }
 
 /// ε(F, P).
-///
-/// # Errors
-/// [`Problem`].
 pub fn contraction(request: &ContractionRequest, progress: &dyn Progress) -> Result<PointAnswer, Problem> {
     let question = Question::new(&request.muscle, &request.model, request.asking, &progress.budget())?;
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
@@ -224,7 +215,6 @@ pub(crate) fn given(field: &str, value: Option<f64>, expected: &str) -> Result<f
     finite(field, value.ok_or_else(|| Problem::missing(field, expected))?)
 }
 
-/// A number that is one.
 pub(crate) fn finite(field: &str, value: f64) -> Result<f64, Problem> {
     if value.is_finite() {
         return Ok(value);

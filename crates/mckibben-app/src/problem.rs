@@ -89,7 +89,6 @@ pub enum ProblemKind {
 /// How a request ended that did not end well; the numbers are the exit codes of the command line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Ending {
-    /// No answer exists.
     NoAnswer = 1,
     /// The request is wrong.
     WrongInput = 2,
@@ -183,9 +182,6 @@ impl Problem {
     }
 
     /// Refuses fields that are there and would change nothing.
-    ///
-    /// # Errors
-    /// [`Problem`] about the first of them.
     pub fn refuse_unused(fields: &[(&str, bool)], why: impl fmt::Display) -> Result<(), Self> {
         match fields.iter().find(|field| field.1) {
             Some((field, _)) => Err(Self::unused(field, why)),

@@ -62,9 +62,6 @@ pub enum Reading {
 const DIVISIONS: usize = 20;
 
 /// Texts of a user as numbers; at most as many numbers as the budget allows.
-///
-/// # Errors
-/// [`Problem`] of kind `budget` for more; each text has its own.
 pub fn quantities(request: &QuantitiesRequest, progress: &dyn Progress) -> Result<QuantitiesAnswer, Problem> {
     let budget = progress.budget();
     let most = budget.limits().points;
@@ -140,9 +137,6 @@ pub struct UnitOfKind {
 }
 
 /// Every kind of quantity with its units.
-///
-/// # Errors
-/// None.
 pub fn units(_: &UnitsRequest) -> Result<UnitsAnswer, Problem> {
     let kind = |kind: Dimension| KindOfQuantity {
         kind,

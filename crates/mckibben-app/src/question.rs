@@ -38,9 +38,6 @@ impl Question {
 
 impl Question {
     /// The burst pressure of its muscle.
-    ///
-    /// # Errors
-    /// [`Problem`] where the budget is spent.
     pub(crate) fn burst(&self) -> Result<Burst, Problem> {
         burst_of(&self.choice, &*self.model, self.workspace.budget())
     }

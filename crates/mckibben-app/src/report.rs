@@ -101,9 +101,6 @@ pub struct ReportAnswer {
 const MODELS: [&str; 4] = ["fe", "universal", "thick-wall", "ideal"];
 
 /// A report of a muscle, by `fe`.
-///
-/// # Errors
-/// [`Problem`].
 pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<ReportAnswer, Problem> {
     let step = |done| {
         progress.report(done, 5);
@@ -177,7 +174,6 @@ pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<Report
     Ok(ReportAnswer { muscle: shown.summary, limits, warnings: shown.warnings, document, html })
 }
 
-/// Rows as a table.
 fn table(rows: Vec<Row>) -> Part {
     Part::Table {
         head: vec![],
@@ -199,9 +195,6 @@ fn state(shown: &MuscleShowAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> 
 }
 
 /// The deformed muscle by itself, without the picture for paper (of 600 kB), for front ends that show many.
-///
-/// # Errors
-/// [`Problem`], as [`shape`](crate::shape).
 pub fn body(request: &ShapeRequest, progress: &dyn Progress) -> Result<Document, Problem> {
     let (answer, _) = shaped(request, progress)?;
     let part = Part::Body(Body { data: data_of(answer), picture: None });
@@ -273,7 +266,6 @@ fn models(request: &ReportRequest, pressure_mpa: f64, progress: &dyn Progress) -
     Ok(parts)
 }
 
-/// Assumptions and limits.
 fn limits(shown: &MuscleShowAnswer, point: &PointAnswer) -> Vec<Part> {
     let mut list = vec![
         "The tube is bonded to rigid terminals; the strands move with its outer surface and turn freely at their crossings, with friction only where the muscle file states it.".to_owned(),

@@ -132,10 +132,6 @@ pub struct FittedToCurve {
     pub planar_difference: f64,
 }
 
-/// All named rubbers.
-///
-/// # Errors
-/// [`Problem`] of kind `rubber` where the library is damaged, which no released program should see.
 pub fn rubber_list(_: &RubberListRequest) -> Result<RubberListAnswer, Problem> {
     let one = |entry: &RubberEntry| {
         let law = rubber(&entry.name)?.law;
@@ -153,10 +149,6 @@ pub fn rubber_list(_: &RubberListRequest) -> Result<RubberListAnswer, Problem> {
     Ok(RubberListAnswer { rubbers: library::entries()?.iter().map(one).collect::<Result<_, Problem>>()? })
 }
 
-/// One rubber.
-///
-/// # Errors
-/// [`Problem`] of kind `rubber` with the name that was probably meant, or the laws that it has.
 pub fn rubber_show(request: &RubberShowRequest) -> Result<RubberShowAnswer, Problem> {
     let found = rubber(&request.name)?;
     let plain = request.name.split(':').next().unwrap_or_default();

@@ -159,9 +159,6 @@ impl RubberFitAnswer {
 
     /// A muscle file with the recommended law. With a softening it is the law of the first loading, with a relaxation alone the one at once,
     /// each with its constants.
-    ///
-    /// # Errors
-    /// [`Problem`] of kind `no_answer` where no law is stable in a muscle.
     pub fn muscle_file(&self, request: &RubberFitRequest) -> Result<String, Problem> {
         let taken = self.taken().ok_or_else(|| {
             let message =
@@ -189,9 +186,6 @@ const APART: &str = "softening and relaxation were fitted separately, each witho
      reverse; the muscle file has the law of the first loading with both";
 
 /// The laws that follow the tests, with the errors of their constants, and where they are stable.
-///
-/// # Errors
-/// [`Problem`].
 pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result<RubberFitAnswer, Problem> {
     let settings = request.settings()?;
     request.base()?;

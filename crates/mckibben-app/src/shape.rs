@@ -63,10 +63,6 @@ pub struct ShapeAnswer {
     pub arrays: BTreeMap<String, Vec<f64>>,
 }
 
-/// The deformed muscle.
-///
-/// # Errors
-/// [`Problem`].
 pub fn shape(request: &ShapeRequest, progress: &dyn Progress) -> Result<ShapeAnswer, Problem> {
     Ok(shaped(request, progress)?.0)
 }

@@ -129,9 +129,6 @@ pub struct Characteristics {
 }
 
 /// The data of a muscle, and derived quantities.
-///
-/// # Errors
-/// [`Problem`].
 pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Problem> {
     let muscle = request.muscle.resolve()?;
     if request.pressure_mpa.is_none() {

@@ -72,10 +72,6 @@ pub struct StudyRow {
     pub wall_mm: Option<f64>,
 }
 
-/// The thickness study.
-///
-/// # Errors
-/// [`Problem`] where the model does not take the muscles at all.
 pub fn study(request: &StudyRequest, progress: &dyn Progress) -> Result<StudyAnswer, Problem> {
     let m = &request.muscle;
     let own = fields()

@@ -21,7 +21,6 @@ pub struct Scale {
     pub name: String,
     /// By what a value inside is multiplied.
     factor: (f64, f64),
-    /// Significant digits.
     digits: usize,
 }
 
@@ -41,17 +40,14 @@ impl Scale {
         Self { name: format!("{}/{}", self.name, other.name), factor: (a.0 * b.1, a.1 * b.0), digits: 4 }
     }
 
-    /// A value in this unit.
     pub fn value(&self, inside: f64) -> f64 {
         inside * self.factor.0 / self.factor.1
     }
 
-    /// `2.5 bar`.
     pub fn show(&self, inside: f64) -> String {
         format!("{} {}", self.bare(inside), self.name)
     }
 
-    /// `2.5`.
     pub fn bare(&self, inside: f64) -> String {
         self.to(inside, self.digits)
     }
@@ -76,7 +72,6 @@ impl Scale {
         aligned(&inside.into_iter().map(|v| v.map(|v| self.value(v))).collect::<Vec<_>>(), digits)
     }
 
-    /// `F [N]`.
     pub fn heading(&self, symbol: &str) -> String {
         format!("{symbol} [{}]", self.name)
     }
@@ -86,11 +81,8 @@ impl Scale {
 /// and mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Units {
-    /// Pressures.
     pub pressure: Scale,
-    /// Forces.
     pub force: Scale,
-    /// Lengths.
     pub length: Scale,
     /// Volumes: cm³, or in³ beside inches.
     pub volume: Scale,
@@ -112,12 +104,10 @@ impl Units {
         }
     }
 
-    /// Force per length.
     pub fn stiffness(&self) -> Scale {
         self.force.per(&self.length)
     }
 
-    /// Force per pressure.
     pub fn slope(&self) -> Scale {
         self.force.per(&self.pressure)
     }

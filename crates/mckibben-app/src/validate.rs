@@ -40,9 +40,6 @@ impl ValidateAnswer {
 }
 
 /// Every case of verification and validation.
-///
-/// # Errors
-/// [`Problem`] where it was cancelled.
 pub fn validate(request: &ValidateRequest, progress: &dyn Progress) -> Result<ValidateAnswer, Problem> {
     let mut rows = verification::cases(progress)?;
     if request.all {
@@ -102,9 +99,6 @@ impl SweepAnswer {
 }
 
 /// Asks random muscles one question each, on all cores.
-///
-/// # Errors
-/// [`Problem`] where it was cancelled.
 pub fn sweep(request: &SweepRequest, progress: &dyn Progress) -> Result<SweepAnswer, Problem> {
     progress.budget().admit(Resource::Points, request.muscles as f64)?;
     let done = AtomicUsize::new(0);

@@ -11,7 +11,6 @@ const TIGHTENED: f64 = 1.0 / 3.0;
 /// Friction of a sleeve on a tube under a tie (an estimate).
 const FRICTION: f64 = 0.3;
 
-/// A cable tie.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Tie {
     /// Width in mm.
@@ -37,11 +36,9 @@ impl Tie {
 /// What holds tube and sleeve on a plug.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Clamps {
-    /// Cable ties.
     Ties {
         /// Width in mm.
         width_mm: f64,
-        /// At each end.
         at_each_end: usize,
     },
     /// Ties would not hold.
@@ -59,7 +56,6 @@ impl Clamps {
         }
     }
 
-    /// How many in all.
     pub(crate) fn amount(&self) -> String {
         match self {
             Self::Ties { at_each_end, .. } => (2 * at_each_end).to_string(),

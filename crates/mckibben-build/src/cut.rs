@@ -15,7 +15,6 @@ pub struct Cut {
     pub tube_wall_mm: f64,
     /// Volume of the rubber in mm³.
     pub rubber_mm3: f64,
-    /// The sleeve.
     pub sleeve: SleeveCut,
 }
 

@@ -45,17 +45,11 @@ pub use mckibben_files::{Content, File};
 use mckibben_report::FigureError;
 
 /// The drawing of the muscle as SVG.
-///
-/// # Errors
-/// [`FigureError`] where it cannot be drawn.
 pub fn drawing_svg(plan: &Plan) -> Result<String, FigureError> {
     drawing::on_paper(plan).sheet.to_svg()
 }
 
 /// All files: the steps first, which link to the others.
-///
-/// # Errors
-/// [`FigureError`] where the drawing cannot be drawn.
 pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
     let (drawing, plugs) = (drawing::on_paper(plan), plug_drawing::on_paper(plan));
     let (text, bytes) = (File::text, File::bytes);

@@ -21,7 +21,6 @@ const SAME_MM: f64 = 0.011;
 pub struct BuildPart {
     /// Number in the drawing.
     pub number: u32,
-    /// What it is.
     pub part: String,
     /// How much of it.
     pub amount: String,
@@ -50,7 +49,6 @@ fn tube_of(muscle: &Muscle, cut: &Cut) -> Option<&'static TubePart> {
     })
 }
 
-/// All lines.
 pub(crate) fn bill(
     muscle: &Muscle,
     cut: &Cut,

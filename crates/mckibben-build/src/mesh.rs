@@ -8,7 +8,6 @@ pub(crate) const FACETS: usize = 96;
 /// A closed surface of triangles, in mm; corners run counter-clockwise as seen from outside.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Mesh {
-    /// Corners.
     pub corners: Vec<[f64; 3]>,
     /// Triangles, as numbers of corners.
     pub triangles: Vec<[usize; 3]>,
@@ -18,7 +17,6 @@ pub struct Mesh {
 pub(crate) type Ring = Vec<usize>;
 
 impl Mesh {
-    /// A corner.
     pub(crate) fn corner(&mut self, at: [f64; 3]) -> usize {
         self.corners.push(at);
         self.corners.len() - 1

@@ -5,13 +5,11 @@ use mckibben::analysis::FailureMode;
 /// What a model found of the muscle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Operating {
-    /// The model.
     pub model: String,
     /// Working pressure in MPa.
     pub pressure_mpa: f64,
     /// Blocked force there in N.
     pub blocked_force_n: f64,
-    /// Free contraction there.
     pub free_contraction: f64,
     /// Largest outer diameter in mm of the muscle that contracts freely.
     pub bulged_diameter_mm: f64,

@@ -58,11 +58,9 @@ pub enum BuildError {
 /// All numbers of a build.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
-    /// The muscle.
     pub muscle: Muscle,
     /// What a model found of it.
     pub operating: Operating,
-    /// What is cut.
     pub cut: Cut,
     /// Diameter over the sleeve in mm: two strands cross on each side.
     pub over_sleeve_mm: f64,
@@ -78,7 +76,6 @@ pub struct Plan {
     pub clamps: Clamps,
     /// The plug with the air passage.
     pub air_plug: AirPlug,
-    /// The plug with the eye.
     pub eye_plug: EyePlug,
     /// Pressures of the tests.
     pub safety: Safety,
@@ -92,10 +89,6 @@ impl Plan {
     /// Least length in mm on a plug.
     const LEAST_INSERTION_MM: f64 = 3.0;
 
-    /// The plan of a muscle.
-    ///
-    /// # Errors
-    /// [`BuildError`].
     pub fn new(muscle: Muscle, operating: Operating, wishes: &Wishes) -> Result<Self, BuildError> {
         let (length_mm, least_mm) = (muscle.terminals().insertion_mm(), Self::LEAST_INSERTION_MM);
         if length_mm < least_mm {

@@ -39,7 +39,6 @@ pub struct Stem {
     pub interference_mm: f64,
     /// Length in the tube in mm.
     pub length_mm: f64,
-    /// Grooves for clamps.
     pub grooves: usize,
     /// Width of a groove in mm.
     pub groove_width_mm: f64,
@@ -113,7 +112,6 @@ impl Stem {
 /// The plug with the air passage.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AirPlug {
-    /// Stem and collar.
     pub stem: Stem,
     /// What the hose is connected to.
     pub fitting: Fitting,
@@ -174,7 +172,6 @@ impl AirPlug {
         out
     }
 
-    /// Its surface.
     pub fn mesh(&self) -> Mesh {
         let mut mesh = Mesh::default();
         let mut profile = self.profile();
@@ -194,7 +191,6 @@ impl AirPlug {
 /// The closed plug with an eye for a bolt.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EyePlug {
-    /// Stem and collar.
     pub stem: Stem,
     /// The bolt in mm: 6 is M6.
     pub bolt_mm: f64,
@@ -250,7 +246,6 @@ impl EyePlug {
         (outline, around.collect())
     }
 
-    /// Its surface.
     pub fn mesh(&self) -> Mesh {
         let mut mesh = Mesh::default();
         let (top, t) = (self.stem.top_mm(), 0.5 * self.thickness_mm);

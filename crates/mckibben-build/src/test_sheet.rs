@@ -4,7 +4,6 @@ use crate::plan::Plan;
 use crate::text::{fixed, mm, pressure};
 use mckibben::muscle::Direction;
 
-/// The sheet.
 pub(crate) fn csv(plan: &Plan) -> String {
     let length_mm = plan.muscle.length_mm();
     let mut out = format!(

@@ -8,11 +8,8 @@ use std::fmt::Write as _;
 /// What a column tells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
-    /// What was asked.
     Question,
-    /// What came out.
     Answer,
-    /// What went on.
     Note,
 }
 
@@ -21,13 +18,10 @@ pub enum Role {
 pub enum Slot<'a> {
     /// A large whole number.
     Whole(&'a mut u64),
-    /// A whole number.
     Count(&'a mut u32),
-    /// A number.
     Number(&'a mut f64),
     /// A number or nothing.
     Optional(&'a mut Option<f64>),
-    /// A text.
     Text(&'a mut String),
     /// How the point ended.
     Status(&'a mut Status),
@@ -48,9 +42,7 @@ pub struct Column {
     pub unit: &'static str,
     /// What is in it, in a few words.
     pub meaning: &'static str,
-    /// What it tells.
     pub role: Role,
-    /// Where it is in a row.
     pub slot: fn(&mut PointRow) -> Slot<'_>,
 }
 

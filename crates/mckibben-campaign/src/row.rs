@@ -46,10 +46,8 @@ pub struct PointRow {
     pub max_stretch: Option<f64>,
     /// ∂F/∂(constant or measure) at fixed P and ε: key as in the muscle file, N per unit.
     pub sensitivities: Vec<(String, f64)>,
-    /// How it ended.
     pub status: Status,
     /// Why there is no answer; empty where there is one.
     pub cause: String,
-    /// Newton iterations.
     pub iterations: u32,
 }

@@ -96,7 +96,6 @@ fn first_example(all: &str) -> String {
     lines.collect::<Vec<_>>().join("\n").replacen("Examples:", "Example:", 1)
 }
 
-/// `seconds=60`
 fn limit(text: &str) -> Result<(Resource, f64), String> {
     let names = Resource::ALL.map(Resource::name).join(", ");
     let (name, number) = text.split_once('=').ok_or("expected a name and a number, such as seconds=60")?;

@@ -221,7 +221,6 @@ impl Failure {
         self.broken_pipe
     }
 
-    /// What is wrong.
     pub fn into_problem(self) -> Problem {
         *self.problem
     }
@@ -231,7 +230,6 @@ impl Failure {
         self.problem.kind == ProblemKind::Internal
     }
 
-    /// The exit code.
     pub fn exit(&self) -> u8 {
         self.problem.kind.ending() as u8
     }

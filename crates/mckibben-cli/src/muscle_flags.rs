@@ -52,7 +52,6 @@ struct NameFlags {
     strands: StrandFlags,
 }
 
-/// The flag of a measure.
 fn arg(measure: &'static Measure, flag: &str) -> Arg {
     // The short help of a muscle at rest needs no room for that.
     let help = measure.help();

@@ -13,9 +13,7 @@ use std::ffi::OsStr;
 #[derive(Debug, Clone, Copy)]
 pub struct Names(fn() -> Vec<String>);
 
-/// Force models.
 pub const MODELS: Names = Names(|| Model::all().into_iter().map(|m| m.name.to_string()).collect());
-/// Targets of `export`.
 pub const TARGETS: Names = Names(|| {
     export_list(&ExportListRequest {})
         .map(|all| all.targets.into_iter().map(|t| t.name).collect())
@@ -28,7 +26,6 @@ pub const RUBBERS: Names =
 pub const SLEEVES: Names = Names(|| {
     sleeve::library::entries().unwrap_or_default().iter().map(|e| e.sleeve.shape.name.clone()).collect()
 });
-/// Muscles of the library.
 pub const MUSCLES: Names = Names(library::names);
 
 impl TypedValueParser for Names {

@@ -10,7 +10,6 @@ use std::path::Path;
 
 /// Flags that name files that are written; every other flag that names a file reads it.
 const WRITTEN: [&str; 6] = ["output", "plot", "plot_data", "pdf", "picture", "export_inp"];
-/// Those of figures.
 const DRAWN: [&str; 2] = ["plot", "picture"];
 
 /// Refuses a command line that names one file as an input and as an output, or as a figure what is none, but with `--overwrite`.

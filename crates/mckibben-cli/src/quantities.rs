@@ -6,7 +6,6 @@ use mckibben::units::{Dimension, RangeError, Values, parse_quantity, parse_value
 use mckibben_app::ProblemKind;
 use std::sync::OnceLock;
 
-/// A quantity from a flag.
 pub fn quantity(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<Option<f64>, Failure> {
     let wrong = |e| Failure::flag(flag, ProblemKind::Quantity, e);
     let one =

@@ -61,7 +61,6 @@ pub fn take_file(text: &str) {
     OF_FILE.get_or_init(|| Units::typed(found.iter().map(String::as_str)));
 }
 
-/// The units.
 pub fn units() -> Units {
     ASKED.get().or_else(|| OF_FILE.get()).cloned().unwrap_or_default()
 }

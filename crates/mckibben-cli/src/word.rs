@@ -22,7 +22,6 @@ where
         .try_map(|word| serde_json::from_value::<T>(Value::String(word)))
 }
 
-/// The words of a schema.
 fn possible(schema: &Schema, aliases: &[(&str, &'static str)]) -> PossibleValuesParser {
     let variants = schema.get("oneOf").and_then(Value::as_array).cloned().unwrap_or_default();
     let possible = variants.iter().filter_map(|variant| {

@@ -35,7 +35,6 @@ pub struct CandidatePoint {
 }
 
 impl CandidatePoint {
-    /// The request.
     pub fn wanted(&self) -> OperatingPoint {
         OperatingPoint { force_n: self.response.force_n, contraction: self.response.contraction }
     }
@@ -44,7 +43,6 @@ impl CandidatePoint {
 /// A muscle that fits.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Candidate {
-    /// The muscle.
     #[serde(skip)]
     pub muscle: Muscle,
     /// Name of the tube as sold or cast that it has, where tubes were searched.

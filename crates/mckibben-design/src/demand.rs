@@ -11,13 +11,10 @@ const SHARES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 /// What a muscle must do: the operating points, where these follow from its length as well.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Demand {
-    /// Pulls at contractions.
     Points(Vec<OperatingPoint>),
     /// To lift a load from the length at rest.
     Load {
-        /// The load.
         load: Load,
-        /// How far.
         way: Lift,
     },
     /// To turn a joint.
@@ -50,7 +47,6 @@ impl Lift {
 /// pull, and slack at every smaller angle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointDemand {
-    /// Torques at angles.
     pub torques: Vec<TorqueWanted>,
     /// Largest angle φm in degrees to either side.
     pub largest_angle_deg: f64,

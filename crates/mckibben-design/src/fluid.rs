@@ -10,7 +10,6 @@ use mckibben::model::{ForceModel, Workspace};
 pub(super) enum Stroke {
     /// Air in normal litres.
     Air(f64),
-    /// Liquid.
     Liquid(LiquidStroke),
 }
 
@@ -28,7 +27,6 @@ impl Stroke {
         if let Self::Air(normal_litres) = self { Some(*normal_litres) } else { None }
     }
 
-    /// Liquid.
     pub(super) fn liquid(&self) -> Option<LiquidStroke> {
         if let Self::Liquid(liquid) = self { Some(*liquid) } else { None }
     }

@@ -32,9 +32,6 @@ fn best_of(tried: &[Tried]) -> Option<usize> {
 ///
 /// The radius of the demand in `spec` is not used; `radius_mm` says which are looked at. Of a long lever the muscle must
 /// shorten more, of a short one it must pull more: between them lies the smallest muscle.
-///
-/// # Errors
-/// As [`design_with`]; a spec that does not ask for torques is searched as it is, once.
 pub fn design_joint(
     spec: &Spec,
     radius_mm: &Values,

@@ -52,7 +52,6 @@ impl Sample {
 pub(super) struct Merit(f64, Score);
 
 impl Merit {
-    /// Nothing is known.
     pub(super) const NONE: Merit = Merit(f64::INFINITY, NO_SCORE);
 
     /// Of a muscle that misses by `violation`, or fits.

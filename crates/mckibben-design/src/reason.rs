@@ -14,7 +14,6 @@ use serde::Serialize;
 pub enum Reason {
     /// It does not pull enough at the maximum pressure.
     Force {
-        /// The operating point.
         point: OperatingPoint,
         /// Its pull there at `pressure_mpa`, in N.
         available_n: f64,
@@ -30,25 +29,17 @@ pub enum Reason {
     },
     /// It bursts too early.
     Burst {
-        /// How it fails.
         by: FailureMode,
         /// Burst pressure over maximum pressure.
         margin: f64,
-        /// The bound.
         limit: f64,
     },
     /// Its rubber is stretched too far.
-    Stretch {
-        /// Largest principal stretch.
-        stretch: f64,
-        /// The bound.
-        limit: f64,
-    },
+    Stretch { stretch: f64, limit: f64 },
     /// Its strands stretch too far.
     StrandStrain {
         /// Largest strain at the maximum pressure.
         strain: f64,
-        /// The bound.
         limit: f64,
     },
     /// It buckles under its push.

@@ -34,7 +34,6 @@ pub struct Outcome {
 pub struct Closest {
     /// Its measures and why it does not fit.
     pub rejected: Rejected,
-    /// The muscle itself.
     pub muscle: Muscle,
     /// What would have to give, one limit at a time.
     pub relaxations: Vec<Relaxation>,
@@ -55,9 +54,6 @@ pub fn design(spec: &Spec, build: &Build<'_>) -> Result<Outcome, SpecError> {
 }
 
 /// [`design`] with two models, which tells how far it is and can be ended before it is done.
-///
-/// # Errors
-/// As [`design`]; [`SpecError::Cancelled`].
 pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> Result<Outcome, SpecError> {
     spec.check()?;
     let extrapolate = spec.extrapolate || models.settle.is_some();

@@ -44,7 +44,6 @@ struct Choice {
 enum BraidRule {
     Angle(f64),
     PerTurn(f64),
-    /// Number of a sleeve.
     Sleeve(usize),
 }
 
@@ -415,7 +414,6 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// All muscles.
     pub(super) fn run(&self) -> SearchResult {
         // Tubes have their rubbers.
         let rubbers = if self.spec.tubes.is_empty() { self.rubbers.len() } else { 1 };

@@ -25,7 +25,6 @@ pub enum Objective {
     /// Smallest outer diameter at rest.
     #[default]
     Diameter,
-    /// Lowest pressure needed.
     Pressure,
     /// Least air per stroke; with a liquid, least liquid volume.
     Air,
@@ -91,7 +90,6 @@ impl Limits {
     }
 }
 
-/// A specification.
 #[derive(Debug, Clone)]
 pub struct Spec {
     /// What the muscle must do.
@@ -179,10 +177,6 @@ impl Spec {
         self.wanted.points(muscle.length_mm())
     }
 
-    /// Checks the specification.
-    ///
-    /// # Errors
-    /// [`SpecError`].
     pub fn check(&self) -> Result<(), SpecError> {
         let lengths = match &self.length_mm {
             Some(Values::List(list)) => list.clone(),

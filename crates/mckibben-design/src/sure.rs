@@ -27,7 +27,6 @@ const STEEPEST: f64 = 0.9;
 /// What to ask for instead.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sure {
-    /// It, rounded up.
     pub demand: Demand,
     /// The muscle that answers it.
     pub candidate: Candidate,
@@ -50,9 +49,6 @@ pub fn is_doubtful(candidate: &Candidate) -> bool {
 
 /// What to ask for so that the lower end of the ± of the first muscle that answers it is at least what is wanted; `None` where the search
 /// finds none. `whole` is the search that answered with `outcome`; `quick` may be a faster one.
-///
-/// # Errors
-/// Those of the searches.
 pub fn to_be_sure(
     spec: &Spec,
     outcome: &Outcome,

@@ -16,7 +16,6 @@ pub struct Tolerances {
     /// Measures of the muscle.
     #[serde(flatten)]
     pub measures: MeasureValues,
-    /// Pressure, MPa.
     pub pressure_mpa: f64,
     /// All moduli of the rubber, as a share.
     #[cfg_attr(feature = "schema", schemars(extend("x-quantity" = "ratio")))]
@@ -40,9 +39,6 @@ impl Tolerances {
     pub const MOST: usize = 10;
 
     /// Checks the half-widths, before anything is searched.
-    ///
-    /// # Errors
-    /// [`ToleranceError`].
     pub fn check(&self) -> Result<(), ToleranceError> {
         let shares =
             [("pressure_mpa", self.pressure_mpa), ("modulus", self.modulus), ("stiffness", self.stiffness)];
@@ -93,10 +89,8 @@ pub enum ToleranceError {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "SpreadAnswer"))]
 pub struct Spread {
-    /// The operating point.
     #[serde(flatten)]
     pub wanted: OperatingPoint,
-    /// And this pressure, MPa.
     pub pressure_mpa: f64,
     /// Least pull over all corners, N.
     pub low_n: f64,
@@ -152,9 +146,6 @@ fn varied(muscle: &Muscle, by: &[(Varied, f64)]) -> Result<(Muscle, f64), Spread
 }
 
 /// Spread of a muscle's pull at a point and pressure: all corners of what varies, and each effect alone.
-///
-/// # Errors
-/// [`SpreadError`] where a corner has no answer. Corners may lie outside of the model's range by the tolerance.
 pub fn spread(
     muscle: &Muscle,
     build: &Build<'_>,

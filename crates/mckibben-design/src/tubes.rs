@@ -29,11 +29,8 @@ pub struct TubePart {
     pub name: String,
     /// Bore, mm.
     pub inner_diameter_mm: f64,
-    /// Outer diameter, mm.
     pub outer_diameter_mm: f64,
-    /// Wall, mm.
     pub wall_mm: f64,
-    /// Its rubber.
     #[serde(serialize_with = "name_of")]
     #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub rubber: Rubber,
@@ -86,18 +83,12 @@ pub enum TubeError {
 }
 
 /// All tubes of the catalogue: those that are sold, then those that are cast.
-///
-/// # Errors
-/// [`TubeError`], which no released program should see.
 pub fn catalogue() -> Result<&'static [TubePart], TubeError> {
     static ALL: OnceLock<Result<Vec<TubePart>, TubeError>> = OnceLock::new();
     ALL.get_or_init(|| read(TEXT)).as_deref().map_err(TubeError::clone)
 }
 
 /// The tube of a name: one of `tubes`, or one that is cast of a rubber of the library, `cast-8x12-latex`.
-///
-/// # Errors
-/// [`TubeError::Unknown`] with the nearest name.
 pub fn find(tubes: &[TubePart], name: &str) -> Result<TubePart, TubeError> {
     let plain = library::plain(name);
     if let Some(listed) = tubes.iter().find(|t| t.name == plain) {
@@ -121,9 +112,6 @@ impl From<CatalogueError> for TubeError {
 }
 
 /// The tubes of a table.
-///
-/// # Errors
-/// [`TubeError`].
 pub fn read(text: &str) -> Result<Vec<TubePart>, TubeError> {
     let file = Catalogue::parse(text)?;
     let mut out = file.rows("tube").iter().map(listed).collect::<Result<Vec<_>, _>>()?;
@@ -150,9 +138,6 @@ fn listed(row: &Row<'_>) -> Result<TubePart, TubeError> {
 }
 
 /// The tubes of the catalogue's sizes, cast of a rubber.
-///
-/// # Errors
-/// [`TubeError`] where there is no such rubber.
 pub fn cast_of(rubber: &str) -> Result<Vec<TubePart>, TubeError> {
     let file = Catalogue::parse(TEXT)?;
     Ok(file.rows("cast").iter().map(|row| cast(row, rubber)).collect::<Result<Vec<_>, _>>()?.concat())

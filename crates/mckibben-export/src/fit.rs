@@ -44,7 +44,6 @@ pub struct FormErrors {
     pub volume_rms: f64,
     /// Largest of the volume, share of the largest volume.
     pub volume_worst_ratio: f64,
-    /// Number of points.
     pub points: usize,
 }
 
@@ -81,7 +80,6 @@ fn nodes(low: f64, high: f64) -> Vec<f64> {
     stretched.into_iter().chain(shortened).collect()
 }
 
-/// Fits a form.
 pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted, budget: &Budget) -> Result<Fitted, ExportError> {
     let (low, supply) = (wanted.contraction_low, wanted.supply_mpa);
     let w = &mut Workspace::within(budget.clone());

@@ -26,13 +26,9 @@ pub struct ExportBox {
 /// A muscle fitted for export.
 #[derive(Debug, Clone)]
 pub struct ExportedMuscle {
-    /// Its name.
     pub name: String,
-    /// Its muscle file.
     pub muscle_file: String,
-    /// The form.
     pub form: Form,
-    /// The box.
     pub bounds: ExportBox,
     /// The model that answered.
     pub model: String,
@@ -40,7 +36,6 @@ pub struct ExportedMuscle {
     pub version: &'static str,
     /// The first 16 digits of the SHA-256 of muscle file, model, version and coefficients.
     pub hash: String,
-    /// Errors of the form.
     pub errors: FormErrors,
     /// Blocked force at the supply, N.
     pub blocked_force_n: f64,
@@ -56,9 +51,6 @@ const GOAL: [f64; 2] = [0.003, 0.01];
 
 impl ExportedMuscle {
     /// Fits the form to a model of the muscle named so.
-    ///
-    /// # Errors
-    /// [`ExportError`].
     pub fn fit(
         model: &dyn ForceModel,
         name: &str,

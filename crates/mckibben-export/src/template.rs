@@ -34,7 +34,6 @@ pub(crate) fn list(values: &[f64], [open, close]: [&str; 2], one: impl Fn(f64) -
     format!("{open}{}{close}", texts.join(", "))
 }
 
-/// A list of lists.
 pub(crate) fn lists(
     values: &[Vec<f64>],
     brackets: [&str; 2],

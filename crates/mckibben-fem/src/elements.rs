@@ -39,9 +39,6 @@ impl Elements {
     }
 
     /// With the mesh that a text says, in the syntax of [`Elements::mesh_syntax`].
-    ///
-    /// # Errors
-    /// [`MeshTextError`].
     pub fn with_mesh(self, text: &str) -> Result<Self, MeshTextError> {
         let unreadable = || MeshTextError::Syntax(self.mesh_syntax());
         match self {
@@ -97,9 +94,6 @@ impl Elements {
 }
 
 /// The axisymmetric model of a muscle.
-///
-/// # Errors
-/// As [`Elements::build`].
 pub fn section(muscle: &Muscle, spec: &MeshSpec) -> Result<Box<dyn Simulation>, FemError> {
     Ok(with_ends(muscle, Box::new(Axisymmetric::with_mesh(&muscle.between_ends(), spec)?)))
 }

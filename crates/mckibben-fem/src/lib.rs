@@ -35,6 +35,8 @@
 //!
 //! Units: mm, MPa (= N/mm²), N.
 
+// The physics is documented on its public types.
+#![warn(missing_docs)]
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 

@@ -174,9 +174,6 @@ fn whole(of: &Whole, asked: Option<f64>, r: Response, list: &mut [Sensitivity]) 
 }
 
 /// A point of the muscle between its ends as one of the whole.
-///
-/// # Errors
-/// Those of a core rod.
 fn whole_point(of: &Whole, asked: Option<f64>, mut point: CurvePoint) -> Result<CurvePoint, FemError> {
     let ends = of.ends();
     let force_n = ends.whole_n(point.pressure_mpa, point.force_n);

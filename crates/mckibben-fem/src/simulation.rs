@@ -56,15 +56,9 @@ pub enum Detail {
 /// A body that is a muscle: what its present equilibrium tells.
 pub trait MuscleBody: Body {
     /// What every model answers; factorises the tangent.
-    ///
-    /// # Errors
-    /// [`FemError::Force`] where the tangent is singular.
     fn response(&mut self, muscle: &Muscle) -> Result<Response, FemError>;
 
     /// Everything; factorises the tangent.
-    ///
-    /// # Errors
-    /// [`FemError::Force`] where the tangent is singular.
     fn solution(&mut self, muscle: &Muscle) -> Result<Solution, FemError>;
 
     /// ∂F/∂(constants and measures) with the tangent that [`MuscleBody::response`] has factorised; none where it does not know them.
@@ -94,9 +88,6 @@ pub trait Discretised: ForceModel {
     fn known<'w>(&self, workspace: &'w Workspace) -> Option<&'w Continuation<Self::Body>>;
 
     /// The body in an equilibrium.
-    ///
-    /// # Errors
-    /// [`FemError`].
     fn led_to<'w>(
         &self,
         workspace: &'w mut Workspace,
@@ -121,9 +112,6 @@ pub trait Simulation: ForceModel {
     fn solve(&self, workspace: &mut Workspace, given: Given) -> Result<Solution, FemError>;
 
     /// The same without what needs its tangent.
-    ///
-    /// # Errors
-    /// As [`Simulation::solve`].
     fn reach(&self, workspace: &mut Workspace, given: Given) -> Result<CurvePoint, FemError>;
 
     /// A test: a point for each of `values`. Where the pull is above the blocked force an isotonic contraction is below zero.
@@ -173,9 +161,6 @@ impl<M: Discretised> Simulation for M {
 }
 
 /// Free contraction: ε without a pull.
-///
-/// # Errors
-/// [`FemError`].
 pub fn free_contraction(
     model: &dyn Simulation,
     workspace: &mut Workspace,

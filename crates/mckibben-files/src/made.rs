@@ -1,13 +1,10 @@
 //! Files that a crate makes: what each is, and what is in it. Where they go is decided elsewhere.
 
-/// A file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct File {
-    /// Its name.
     pub name: &'static str,
     /// What it is, in a few words.
     pub about: &'static str,
-    /// What is in it.
     pub content: Content,
 }
 
@@ -26,9 +23,7 @@ impl File {
 /// What is in a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Content {
-    /// Text.
     Text(String),
-    /// Bytes.
     Bytes(Vec<u8>),
 }
 

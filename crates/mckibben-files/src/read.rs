@@ -25,9 +25,6 @@ pub enum ReadError {
 }
 
 /// Opens a regular file.
-///
-/// # Errors
-/// [`ReadError::NotAFile`], [`ReadError::System`].
 pub fn open(path: &Path) -> Result<File, ReadError> {
     // Asked before opening: to open a pipe would wait for its other end, to open a device may do anything.
     regular(&std::fs::metadata(path)?)?;
@@ -45,9 +42,6 @@ fn regular(kind: &Metadata) -> Result<(), ReadError> {
 }
 
 /// The bytes of a regular file of at most `limit` bytes.
-///
-/// # Errors
-/// [`ReadError`].
 pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, ReadError> {
     let file = open(path)?;
     let mut bytes = Vec::new();

@@ -9,9 +9,6 @@ use tempfile::NamedTempFile;
 const UNFINISHED: &str = ".unfinished-";
 
 /// Puts `bytes` at `path`, whole or not at all. A device or pipe (`/dev/stdout`) is written in place.
-///
-/// # Errors
-/// As [`Unfinished::beside`] and [`Unfinished::put`].
 pub fn replace(path: &Path, bytes: &[u8]) -> Result<()> {
     if std::fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir()) {
         return std::fs::write(path, bytes);
@@ -99,9 +96,6 @@ impl Unfinished {
 
     /// Begins a file that is to stand at `path`; where that is a link, at the file that it points to. The mode of an older
     /// file is kept, a new one gets the usual one.
-    ///
-    /// # Errors
-    /// As [`check_writable`].
     pub fn beside(path: &Path) -> Result<Self> {
         let place = Destination::of(path)?;
         let prefix = prefix(&place.target);
@@ -122,7 +116,6 @@ impl Unfinished {
         Ok(Self { temporary, target: place.target })
     }
 
-    /// The file to write to.
     pub fn file(&mut self) -> &mut File {
         self.temporary.as_file_mut()
     }

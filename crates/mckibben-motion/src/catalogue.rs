@@ -32,9 +32,6 @@ static VALVES: LazyLock<Vec<NamedValve>> =
 
 /// C in L/(s bar) of a standard nominal flow in l/min: the flow from 6 bar to 5 bar gauge (VDI 3290), p1 = 7.01325 bar, at the critical
 /// ratio b, in litres at the reference of ISO 8778: Q = C p1 ψ(6.01325/7.01325).
-///
-/// # Errors
-/// As [`Orifice::new`].
 pub fn conductance_of_rated_flow(litres_per_minute: f64, critical_ratio: f64) -> Result<f64, MotionError> {
     MotionError::positive("the rated flow in l/min", litres_per_minute)?;
     let one = Orifice::new(1.0, critical_ratio)?;

@@ -48,20 +48,15 @@ pub enum Command {
     Ramps(Vec<(f64, f64)>),
     /// mean + amplitude sin(2π f t + phase).
     Sine {
-        /// Mean.
         mean: f64,
-        /// Amplitude.
         amplitude: f64,
         /// f in Hz.
         frequency_hz: f64,
-        /// Phase in rad.
         phase_rad: f64,
     },
     /// A sine whose frequency grows linearly from one to the other within a time, and stays.
     Chirp {
-        /// Mean.
         mean: f64,
-        /// Amplitude.
         amplitude: f64,
         /// First frequency in Hz.
         from_hz: f64,
@@ -98,9 +93,6 @@ impl Command {
     }
 
     /// Whether it is a command.
-    ///
-    /// # Errors
-    /// [`CommandError`].
     pub fn check(&self) -> Result<(), CommandError> {
         let finite = |what, value: f64| {
             if value.is_finite() { Ok(()) } else { Err(CommandError::NotFinite { what, value }) }

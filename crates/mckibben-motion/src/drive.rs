@@ -74,7 +74,6 @@ impl Actuator {
         }
     }
 
-    /// What it is.
     fn name(&self) -> &'static str {
         match self {
             Self::Regulator { .. } => "a regulator",
@@ -137,12 +136,7 @@ pub enum Target {
     /// Volumes in mm³ that syringes push out, one for each muscle; 0 at the start.
     Volume(Vec<Command>),
     /// The position: contraction of a single muscle, angle of a joint in rad.
-    Position {
-        /// The command.
-        command: Command,
-        /// The controller.
-        pid: Pid,
-    },
+    Position { command: Command, pid: Pid },
 }
 
 impl Target {
@@ -212,9 +206,6 @@ impl<'a> Drive<'a> {
     }
 
     /// Whether it can be run.
-    ///
-    /// # Errors
-    /// [`MotionError`] names what is wrong.
     pub fn check(&self) -> Result<(), MotionError> {
         let n = self.mechanism.muscles();
         let count = |given: usize, what| {

@@ -22,9 +22,6 @@ pub struct Equilibrium {
 
 /// Where a drive rests under given gauge pressures: the first equilibrium from the position of unshortened muscles on, in the
 /// direction of the net force.
-///
-/// # Errors
-/// [`MotionError::NoEquilibrium`], or the model's.
 pub fn equilibrium(drive: &Drive<'_>, pressures_mpa: &[f64]) -> Result<Equilibrium, MotionError> {
     drive.check()?;
     let members: Vec<Member<'_>> =

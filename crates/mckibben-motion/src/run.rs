@@ -16,9 +16,6 @@ use mckibben::progress::Progress;
 ///
 /// The integration begins anew at every breakpoint of a command and at every event; events are found on the dense output between two
 /// steps and stepped to exactly. `Progress` is looked at in every step.
-///
-/// # Errors
-/// [`MotionError`] with time, state and reason.
 pub fn run(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion, MotionError> {
     let mut motion = run_as_far(drive, progress)?;
     match motion.ended.take().or(motion.never_lifted.take()) {

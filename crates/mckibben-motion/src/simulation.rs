@@ -92,9 +92,6 @@ impl Simulation {
     }
 
     /// One step on. A step that fails leaves it as it was.
-    ///
-    /// # Errors
-    /// [`MotionError`] with time, state and reason.
     pub fn step(&mut self, drive: &Drive<'_>, progress: &dyn Progress) -> Result<(), MotionError> {
         let (from, end) = (self.time_s(drive), drive.output_step_s * (self.done + 1) as f64);
         let mut system = System::new(drive, &progress.budget())?;

@@ -161,9 +161,6 @@ impl Layout {
     }
 
     /// The same into a state of this layout.
-    ///
-    /// # Errors
-    /// As [`Layout::state`].
     pub fn read(&self, numbers: &[f64], state: &mut State) -> Result<(), MotionError> {
         self.check(numbers.len())?;
         let mut numbers = numbers.iter();
@@ -192,9 +189,6 @@ impl Layout {
     }
 
     /// Whether a state has as many numbers.
-    ///
-    /// # Errors
-    /// [`MotionError::Length`].
     pub fn check_state(&self, state: &mut State) -> Result<(), MotionError> {
         let mut count = 0;
         state.each(|_| count += 1);

@@ -141,7 +141,6 @@ pub(crate) fn foreign_codec(metadata: &ParquetMetaData) -> Option<Compression> {
     codecs.into_iter().find(|codec| ![Compression::UNCOMPRESSED, CODEC].contains(codec))
 }
 
-/// The number of rows of a group.
 pub(crate) fn rows_of(group: &RowGroupMetaData) -> Result<usize> {
     match usize::try_from(group.num_rows()) {
         Ok(rows) if rows <= GROUP => Ok(rows),

@@ -8,11 +8,9 @@ pub type Text = ByteArray;
 /// What a column is called, and what it holds.
 #[derive(Debug, Clone)]
 pub struct Field {
-    /// Its name.
     pub name: String,
     /// An empty column of its kind.
     pub kind: Column,
-    /// How they are packed.
     pub packing: Packing,
 }
 
@@ -32,15 +30,11 @@ pub enum Column {
     Int64(Vec<i64>),
     /// Whole numbers of 32 bits.
     Int32(Vec<i32>),
-    /// Numbers.
     Double(Vec<f64>),
-    /// Numbers, or nothing.
     Optional(Vec<Option<f64>>),
     /// True, false, or nothing.
     Flag(Vec<Option<bool>>),
-    /// Texts.
     Text(Vec<Text>),
-    /// Texts, or nothing.
     OptionalText(Vec<Option<Text>>),
 }
 

@@ -41,9 +41,6 @@ pub struct Reader {
 
 impl Reader {
     /// Opens a sealed file whose metadata are `ours`; no number in it is believed before its seal was compared.
-    ///
-    /// # Errors
-    /// [`OpenError`].
     pub fn sealed(mut file: File, ours: impl Fn(&[u8]) -> bool) -> std::result::Result<Self, OpenError> {
         let length = file.metadata()?.len();
         let ends = seal::check_ends(&mut file, length)?;
@@ -62,9 +59,6 @@ impl Reader {
     }
 
     /// Opens what was just written to memory.
-    ///
-    /// # Errors
-    /// [`TableError`].
     pub fn bytes(bytes: Vec<u8>) -> std::result::Result<Self, TableError> {
         let source = Source::Memory(bytes.into());
         let footer = source.footer()?;
@@ -99,9 +93,6 @@ impl Reader {
     }
 
     /// Columns of a group, and its number of rows.
-    ///
-    /// # Errors
-    /// [`TableError`].
     pub fn group<'n>(
         &self,
         index: usize,

@@ -108,9 +108,6 @@ pub(crate) fn check_ends(file: &mut File, length: u64) -> std::io::Result<Result
 }
 
 /// Whether a file begins and ends as one that was written to its end; what is between is not looked at.
-///
-/// # Errors
-/// Those of the system.
 pub fn has_ends(path: &Path) -> std::io::Result<bool> {
     let mut file = File::open(path)?;
     let length = file.metadata()?.len();
@@ -137,9 +134,6 @@ pub(crate) fn check(file: &mut File) -> std::io::Result<Result<(), Broken>> {
 }
 
 /// The seal of a file that was checked.
-///
-/// # Errors
-/// Those of the system.
 pub fn seal_of(path: &Path) -> std::io::Result<[u8; SEAL]> {
     let mut file = File::open(path)?;
     let mut seal = [0; SEAL];

@@ -28,16 +28,12 @@ pub enum Sealed {
     With(Vec<(String, String)>),
 }
 
-/// Writes one table.
 pub struct Writer<'a> {
     out: SerializedFileWriter<Output<'a>>,
 }
 
 impl<'a> Writer<'a> {
     /// Begins the file of a table; `program` is noted as what made it.
-    ///
-    /// # Errors
-    /// [`TableError`].
     pub fn new(
         sink: &'a mut dyn Sink,
         table: &str,
@@ -77,9 +73,6 @@ impl<'a> Writer<'a> {
     }
 
     /// Writes rows as a group.
-    ///
-    /// # Errors
-    /// [`TableError`].
     pub fn group(&mut self, columns: &[Column]) -> std::result::Result<(), TableError> {
         let mut group = self.out.next_row_group()?;
         for column in columns {
@@ -91,10 +84,6 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
-    /// Ends the file.
-    ///
-    /// # Errors
-    /// [`TableError`].
     pub fn finish(self) -> std::result::Result<(), TableError> {
         self.out.into_inner()?.finish().map_err(TableError::Io)
     }
@@ -120,12 +109,10 @@ fn write_column(column: &Column, to: &mut ColumnWriter<'_>) -> Result<()> {
     Ok(())
 }
 
-/// The values that are there.
 fn there<T: Clone>(values: &[Option<T>]) -> Vec<T> {
     values.iter().flatten().cloned().collect()
 }
 
-/// Which are there.
 fn levels<T>(values: &[Option<T>]) -> Vec<i16> {
     values.iter().map(|v| i16::from(v.is_some())).collect()
 }

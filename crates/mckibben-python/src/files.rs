@@ -27,7 +27,6 @@ pub fn read_table(path: PathBuf) -> PyResult<String> {
     Ok(text.map_err(|e| Wrong::from(Problem::of_table(&name, &e)))?)
 }
 
-/// The file of a formula.
 #[pyfunction]
 pub fn read_formula(path: PathBuf) -> PyResult<String> {
     Ok(formula::read_text(&path).map_err(|e| Wrong::from(Problem::from(e.in_file(&path))))?)

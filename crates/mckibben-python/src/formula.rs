@@ -15,7 +15,6 @@ const EDGE: f64 = 1e-12;
 /// What rounding leaves of no pull, as a share of the pressure on the outer section.
 const ROUNDING: f64 = 1e-9;
 
-/// A fitted formula.
 #[pyclass(frozen, module = "mckibben._native")]
 pub struct Formula {
     formula: Fitted,

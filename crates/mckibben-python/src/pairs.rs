@@ -31,7 +31,6 @@ impl<'a> Spread<'a> {
         Some(Self { count: shape.iter().product(), arrays: [spread(first)?, spread(second)?] })
     }
 
-    /// How many pairs.
     pub fn count(&self) -> usize {
         self.count
     }

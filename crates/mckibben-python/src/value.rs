@@ -9,10 +9,6 @@ use serde_json::{Map, Number, Value};
 /// Deeper than any request; a list that holds itself ends here.
 const DEEPEST: usize = 32;
 
-/// A request.
-///
-/// # Errors
-/// `TypeError` for what is no part of one, `ValueError` for numbers that are none, and for what is nested too deep.
 pub fn request(object: &Bound<'_, PyAny>) -> PyResult<Value> {
     of(object.as_borrowed(), DEEPEST)
 }
@@ -66,10 +62,6 @@ fn number(value: f64) -> PyResult<Value> {
     number.map(Value::Number).ok_or_else(|| PyValueError::new_err(format!("{value} is not a finite number")))
 }
 
-/// An answer.
-///
-/// # Errors
-/// Those of Python where memory runs out.
 pub fn answer<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
     match value {
         Value::Null => Ok(py.None().into_bound(py)),

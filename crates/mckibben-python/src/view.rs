@@ -6,7 +6,6 @@ use mckibben_app::{Problem, ProblemKind, ReportRequest, ShapeRequest, body, repo
 use mckibben_report::Document;
 use pyo3::prelude::*;
 
-/// The page of a document.
 fn page(document: &Document) -> Result<String, Wrong> {
     let html = document.to_html(&mckibben_web::viewer());
     html.map_err(|e| Problem::new(ProblemKind::Plot, e.to_string(), "").into())

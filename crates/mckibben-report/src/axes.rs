@@ -14,7 +14,6 @@ use crate::{Axis, FigureError, Panel, palette};
 /// Font sizes of tick texts and axis labels.
 pub(crate) const TICK: f64 = 9.8;
 pub(crate) const LABEL: f64 = 11.0;
-/// Length of a tick.
 pub(crate) const TICK_LENGTH: f64 = 4.0;
 const LABEL_ROW: f64 = 13.5;
 

@@ -5,11 +5,9 @@ use crate::{Figure, FigureError, Scene};
 use serde::Serialize;
 use std::fmt::Write as _;
 
-/// A report.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Document {
-    /// Its title.
     pub title: String,
     /// Its title block: names of fields and what they hold; an empty one is filled in by hand.
     pub title_block: Vec<(String, String)>,
@@ -26,20 +24,15 @@ pub struct Document {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Part {
-    /// A heading.
     Heading(String),
-    /// A paragraph.
     Text(String),
     /// Sentences, one below the other.
     List(Vec<String>),
-    /// A table.
     Table {
         /// Its head; empty for pairs of names and values.
         head: Vec<String>,
-        /// Its rows.
         rows: Vec<Vec<String>>,
     },
-    /// A figure.
     Figure(Box<Figure>),
     /// A drawing as SVG, on a page of its own.
     Drawing(String),
@@ -55,7 +48,6 @@ pub enum Part {
 pub struct Body {
     /// What the script gets, as JSON.
     pub data: String,
-    /// The picture.
     #[serde(skip)]
     pub picture: Option<Scene>,
 }
@@ -65,9 +57,6 @@ const STYLE: &str = include_str!("document.css");
 impl Document {
     /// The report as one HTML page. `viewer` is a script (a module without imports) that finds each body's data in an element
     /// `.body` as JSON and shows it there; a body without one stays its picture.
-    ///
-    /// # Errors
-    /// Those of [`Figure::to_svg`] and [`Scene::to_svg`].
     pub fn to_html(&self, viewer: &str) -> Result<String, FigureError> {
         let title = escape(&self.title);
         let mut out = format!(

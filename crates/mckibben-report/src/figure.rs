@@ -56,9 +56,7 @@ pub enum Palette {
 pub struct Panel {
     /// Title above the axes; may be empty.
     pub title: String,
-    /// The horizontal axis.
     pub x: Axis,
-    /// The vertical axis.
     pub y: Axis,
     /// The series, drawn in this order.
     pub series: Vec<Series>,
@@ -66,7 +64,6 @@ pub struct Panel {
     pub marks: Vec<Mark>,
 }
 
-/// An axis.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(default)]
@@ -115,11 +112,8 @@ pub enum Style {
     /// in a print without colour (number 0 is solid).
     #[default]
     Auto,
-    /// A solid line.
     Line,
-    /// A dashed line.
     Dashed,
-    /// A dotted line.
     Dotted,
     /// A line of dashes and dots.
     DashDot,
@@ -156,7 +150,6 @@ impl Figure {
         self
     }
 
-    /// Adds a panel.
     pub fn panel(mut self, panel: Panel) -> Self {
         self.panels.push(panel);
         self
@@ -198,7 +191,6 @@ impl Panel {
         self
     }
 
-    /// Adds a series.
     pub fn series(mut self, series: Series) -> Self {
         self.series.push(series);
         self

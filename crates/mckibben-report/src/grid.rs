@@ -17,7 +17,6 @@ pub(crate) struct Cell {
     pub look: Look,
 }
 
-/// Places in rows.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Grid {
     pub width: usize,

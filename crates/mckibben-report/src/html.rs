@@ -12,9 +12,6 @@ svg{width:100%;height:auto}table{border-collapse:collapse}th,td{padding:0 1em;te
 impl Figure {
     /// The figure as a self-contained HTML page that needs no network and no script: the SVG, and the points of each
     /// panel as a table with six significant digits.
-    ///
-    /// # Errors
-    /// Those of [`Figure::to_svg`].
     pub fn to_html(&self) -> Result<String, FigureError> {
         let title = if self.title.trim().is_empty() { "Figure" } else { self.title.trim() };
         let mut out = format!(

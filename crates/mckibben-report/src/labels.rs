@@ -20,7 +20,6 @@ const DIRECTIONS: [f64; 14] =
 /// Distances tried between ring and text.
 const GAPS: [f64; 7] = [3.0, 12.0, 24.0, 40.0, 56.0, 72.0, 90.0];
 
-/// A placed text.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Label {
     /// Left end of the text at half its height; its middle if it is turned.

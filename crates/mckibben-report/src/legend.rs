@@ -22,7 +22,6 @@ pub(crate) struct Entry {
     pub colour: usize,
 }
 
-/// A placed legend.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Legend {
     pub frame: Rect,

@@ -9,9 +9,6 @@ use crate::font::Metrics;
 
 /// A drawing of [`crate::Figure::to_svg`] or [`crate::Scene::to_svg`] with each `text` element replaced by a `path`: the outlines of its
 /// characters in the embedded font. The n-th one, from 0, has the id `text-n`.
-///
-/// # Errors
-/// [`FigureError::Raster`] for a text that is not XML or a `text` element without position and size; [`FigureError::Font`].
 pub fn texts_as_outlines(svg: &str) -> Result<String, FigureError> {
     let metrics = Metrics::new()?;
     let document = Document::parse(svg).map_err(|e| FigureError::Raster { reason: e.to_string() })?;

@@ -16,9 +16,6 @@ const POINTS: f32 = 0.75;
 
 impl Figure {
     /// The figure as a PDF page of its size.
-    ///
-    /// # Errors
-    /// The errors of [`Figure::to_svg`]; [`FigureError::Raster`] if the drawing cannot be read.
     pub fn to_pdf(&self) -> Result<Vec<u8>, FigureError> {
         render(&self.to_svg()?, &self.title)
     }
@@ -26,9 +23,6 @@ impl Figure {
 
 impl Scene {
     /// The same as PDF.
-    ///
-    /// # Errors
-    /// Those of [`Scene::to_svg`]; [`FigureError::Raster`] if the drawing cannot be read.
     pub fn to_pdf(&self) -> Result<Vec<u8>, FigureError> {
         render(&self.to_svg()?, &self.title)
     }

@@ -9,14 +9,10 @@ use crate::{Figure, FigureError, Scene, texts_as_outlines};
 const SCALE: f32 = 2.5;
 /// The same of a picture within a page: 127 dots per inch.
 const IN_A_PAGE: f32 = 1.25;
-/// Longest side, pixels.
 const LONGEST: f32 = 8000.0;
 
 impl Figure {
     /// The figure as a PNG image of 10 pixels per millimetre (1600 × 1000 for one panel).
-    ///
-    /// # Errors
-    /// The errors of [`Figure::to_svg`]; [`FigureError::Raster`] if the renderer fails.
     pub fn to_png(&self) -> Result<Vec<u8>, FigureError> {
         render(&self.to_svg()?, SCALE)
     }
@@ -24,9 +20,6 @@ impl Figure {
 
 impl Scene {
     /// The same as PNG, 10 pixels a millimetre.
-    ///
-    /// # Errors
-    /// Those of [`Scene::to_svg`]; [`FigureError::Raster`] if the renderer fails.
     pub fn to_png(&self) -> Result<Vec<u8>, FigureError> {
         render(&self.to_svg()?, SCALE)
     }

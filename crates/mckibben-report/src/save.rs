@@ -29,9 +29,6 @@ impl Figure {
 
 impl Scene {
     /// Writes the picture; the ending (`.svg`, `.png`, `.pdf`) names the format. The file appears whole or not at all.
-    ///
-    /// # Errors
-    /// Those of [`Figure::save`].
     pub fn save(&self, path: &Path) -> Result<(), FigureError> {
         whole(path, |ending| match ending {
             "svg" => Some(self.to_svg().map(String::into_bytes)),

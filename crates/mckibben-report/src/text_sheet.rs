@@ -21,7 +21,6 @@ impl Sheet<'_> {
         if self.colour { Some(palette::terminal(self.figure.palette, number, self.colours)) } else { PLAIN }
     }
 
-    /// How a series looks.
     pub fn look_of(&self, series: &Series, index: usize) -> Look {
         if series.neutral { PLAIN } else { self.look(series.number(index)) }
     }

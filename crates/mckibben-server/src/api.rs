@@ -43,7 +43,6 @@ fn command(name: &str) -> Result<&'static CommandEntry, Refusal> {
     mckibben_app::find(name).map_err(unknown)
 }
 
-/// The commands.
 pub async fn list() -> Response {
     static LIST: LazyLock<Bytes> = LazyLock::new(|| {
         let entry = |c: &CommandEntry| {
@@ -95,7 +94,6 @@ async fn asked(
     Ok(Asked { command, text, held })
 }
 
-/// Answers a request.
 pub async fn ask(
     Shared(state): Ours,
     Name(name): Name,
@@ -115,7 +113,6 @@ pub async fn ask(
     Ok(([(CONTENT_TYPE, kind)], state.room.keep(work.await?)?).into_response())
 }
 
-/// Starts a job.
 pub async fn start(
     Shared(state): Ours,
     command: &'static CommandEntry,

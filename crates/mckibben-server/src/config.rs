@@ -34,7 +34,6 @@ pub struct Config {
     pub unread: Duration,
     /// A body has to be there after so long.
     pub body_time: Duration,
-    /// Long work.
     pub jobs: JobConfig,
 }
 
@@ -51,7 +50,6 @@ pub struct JobConfig {
     pub kept: usize,
     /// Bytes of the answers that are kept; the newest answer is, whatever its length.
     pub kept_bytes: usize,
-    /// So long.
     pub kept_for: Duration,
     /// A job whose events were listened to, and are no longer by anybody for so long, is cancelled.
     pub unwatched: Duration,

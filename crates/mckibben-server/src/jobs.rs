@@ -99,7 +99,6 @@ impl Job {
         });
     }
 
-    /// Ends its work.
     fn cancel(&self) {
         if let Some(work) = self.work.get() {
             work.abort();
@@ -108,7 +107,6 @@ impl Job {
     }
 }
 
-/// All jobs.
 #[derive(Debug, Clone)]
 pub struct Jobs {
     config: JobConfig,
@@ -157,7 +155,6 @@ impl Jobs {
         self.gate.enter()
     }
 
-    /// Starts one.
     pub fn start(
         &self,
         place: QueueSlot,

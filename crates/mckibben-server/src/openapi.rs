@@ -3,7 +3,6 @@
 use mckibben_app::bundle;
 use serde_json::{Map, Value, json};
 
-/// The document.
 pub fn document() -> Value {
     let mut all = bundle();
     each_reference(&mut all, &mut |text| *text = text.replace("#/$defs/", "#/components/schemas/"));

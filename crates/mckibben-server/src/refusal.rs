@@ -39,7 +39,6 @@ impl Refusal {
         Self::new(StatusCode::TOO_MANY_REQUESTS, message, "send the request again in a second")
     }
 
-    /// The server ends.
     pub fn ending() -> Self {
         Self::new(StatusCode::SERVICE_UNAVAILABLE, "the server is shutting down", "start it again")
     }

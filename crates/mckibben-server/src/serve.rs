@@ -118,9 +118,6 @@ fn routes(config: Config, stopping: watch::Receiver<bool>) -> Router {
 }
 
 /// Serves on a listener until `stop` is ready; then nothing is accepted any more, work is ended, and clients are told so.
-///
-/// # Errors
-/// [`ServeError`].
 pub async fn serve(
     listener: TcpListener,
     config: Config,
@@ -208,9 +205,6 @@ pub struct Server {
 
 impl Server {
     /// Starts the threads of a server. Where the system gives few of them, one reads and writes and one answers.
-    ///
-    /// # Errors
-    /// [`ServeError`] where the system gives not even these, or no memory.
     pub fn new(config: Config) -> Result<Self, ServeError> {
         // A runtime panics where it gets no thread for its work: whether there is one is asked before.
         let spare = |count: usize| -> io::Result<()> {
@@ -242,9 +236,6 @@ impl Server {
 
     /// Serves on a listener: returns within two seconds of `stopped` saying so, whatever the work; what has not ended by then ends with the
     /// process.
-    ///
-    /// # Errors
-    /// [`ServeError`].
     pub fn run(self, listener: std::net::TcpListener, stopped: impl Fn() -> bool) -> Result<(), ServeError> {
         let Self { runtime, config } = self;
         listener.set_nonblocking(true)?;
@@ -262,9 +253,6 @@ impl Server {
 }
 
 /// Both at once, for a front end without a runtime.
-///
-/// # Errors
-/// [`ServeError`].
 pub fn run(
     listener: std::net::TcpListener,
     config: Config,

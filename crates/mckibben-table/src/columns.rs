@@ -37,9 +37,6 @@ pub enum ColumnsError {
 
 impl Columns {
     /// From a list `pressure="P1:kPa",contraction="x:mm"`; the quotes may be left out where no comma is in a heading.
-    ///
-    /// # Errors
-    /// [`ColumnsError`].
     pub fn parse(text: &str) -> Result<Self, ColumnsError> {
         let mut quoted = false;
         let mut out = BTreeMap::new();
@@ -106,7 +103,6 @@ impl Vocabulary {
 }
 
 impl Choice {
-    /// The quantity.
     pub(crate) fn meaning(&self) -> Meaning {
         self.entry.meaning
     }
@@ -188,7 +184,6 @@ impl Choice {
     }
 }
 
-/// Headings as a list.
 pub(crate) fn listed<'a>(headings: impl Iterator<Item = &'a str>) -> String {
     const MOST: usize = 25;
     let all: Vec<String> = headings.map(short).collect();

@@ -12,7 +12,6 @@ use mckibben_units::Unit;
 /// A column with its meaning.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
-    /// What it holds.
     pub meaning: Meaning,
     /// Its place in a row, from 0.
     pub index: usize,

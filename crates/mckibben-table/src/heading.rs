@@ -14,7 +14,6 @@ pub(crate) struct Heading {
     pub(crate) rank: usize,
 }
 
-/// The unit in a heading.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum HeadingUnit {
     None,

@@ -41,7 +41,6 @@ pub use vocabulary::{HISTORIES, Meaning, POINTS, TESTS, Vocabulary};
 /// A table whose columns are known.
 #[derive(Debug)]
 pub struct Table {
-    /// Lines of data.
     rows: Vec<TableRow>,
     /// Lines that their status leaves out.
     left_out: usize,

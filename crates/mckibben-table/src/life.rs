@@ -19,9 +19,6 @@ pub struct LifeTable {
 
 /// Reads the life curve of a rubber from a table in any common form: largest stretches (a strain is one less) or energy densities, and cycles
 /// to failure.
-///
-/// # Errors
-/// [`TableError`].
 pub fn read_life(input: impl Read) -> Result<LifeTable, TableError> {
     let table = Table::read(&read_text(input)?, &LIVES, &Columns::default())?;
     let column = table.needed(LEVEL)?;

@@ -10,9 +10,6 @@ const FORCE: usize = 1;
 
 /// Reads a load from a table in any common form: shortenings in mm (contraction ratios are multiplied by the muscle's length L0) and forces
 /// in N, in the order of the table.
-///
-/// # Errors
-/// [`TableError`].
 pub fn read_load(input: impl Read, rest_length_mm: f64) -> Result<Vec<(f64, f64)>, TableError> {
     let table = Table::read(&read_text(input)?, &LOADS, &Columns::default())?;
     let column = table.needed(SHORTENING)?;

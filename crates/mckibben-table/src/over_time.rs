@@ -21,9 +21,6 @@ pub enum OverTime {
 
 /// Reads times in s and values from a table in any common form.
 ///
-/// # Errors
-/// [`TableError`].
-///
 /// ```
 /// use mckibben_table::{OverTime, read_over_time};
 /// let points = read_over_time("t [ms];p [bar]\n0;0\n100;3\n".as_bytes(), OverTime::Pressure)?;

@@ -35,7 +35,6 @@ pub struct Understood {
 pub struct UnderstoodColumn {
     /// Its heading as written.
     pub column: String,
-    /// What it means.
     pub quantity: String,
     /// In which unit it stands; empty for ratios, words and weights.
     pub unit: String,

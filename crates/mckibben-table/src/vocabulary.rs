@@ -11,7 +11,6 @@ use toml_edit::{DocumentMut, TableLike};
 /// What a column means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Meaning {
-    /// Gauge pressure.
     Pressure,
     /// ε.
     Contraction,
@@ -21,7 +20,6 @@ pub enum Meaning {
     Length,
     /// L0.
     RestLength,
-    /// Pull.
     Force,
     /// Volume of the cavity.
     Volume,
@@ -43,15 +41,12 @@ pub enum Meaning {
     Weight,
     /// D0.
     OuterDiameter,
-    /// Wall thickness.
     Wall,
     /// Braid angle θ0.
     Angle,
-    /// Time.
     Time,
     /// Opening of a valve.
     Opening,
-    /// Angle of a joint.
     JointAngle,
     /// Kind of rubber test.
     Mode,
@@ -67,17 +62,14 @@ pub enum Meaning {
     Extension,
     /// Force over the area at rest.
     NominalStress,
-    /// The same across.
     NominalStress2,
     /// Force over the present area.
     TrueStress,
-    /// The same across.
     TrueStress2,
     /// σ1 − σ2.
     TrueStressDifference,
     /// Strain energy per volume of rubber.
     EnergyDensity,
-    /// Cycles to failure.
     Cycles,
 }
 
@@ -155,7 +147,6 @@ impl Entry {
 }
 
 impl Vocabulary {
-    /// The entry of a meaning.
     pub(crate) fn entry(&self, meaning: Meaning) -> Option<&'static Entry> {
         self.entries.iter().find(|e| e.meaning == meaning)
     }
@@ -192,7 +183,6 @@ const PRESSURE: Entry = of(
     "pressure",
 );
 
-/// Contractions, likewise.
 const CONTRACTION: Entry = or(
     (Meaning::Contraction, Meaning::Shortening),
     "contraction",
@@ -250,7 +240,6 @@ pub const HISTORIES: Vocabulary = Vocabulary {
     entries: &[TIME, STRETCH, NOMINAL_STRESS],
 };
 
-/// Pressures over time.
 pub(crate) const PRESSURES: Vocabulary = over_time(&[
     TIMES,
     Need {
@@ -270,7 +259,6 @@ pub(crate) const VOLUMES: Vocabulary = over_time(&[
     Need { wanted: "volumes", any_of: &[Meaning::Volume], names: "volume_mm3 or volume_ml" },
 ]);
 
-/// Contractions over time.
 pub(crate) const CONTRACTIONS: Vocabulary = over_time(&[
     TIMES,
     Need {

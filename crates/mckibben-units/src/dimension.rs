@@ -337,7 +337,6 @@ const KINDS: [Kind; 21] = [
 ];
 
 impl Dimension {
-    /// All of them.
     pub const ALL: [Dimension; KINDS.len()] = {
         let mut all = [Dimension::Length; KINDS.len()];
         let mut i = 0;

@@ -168,9 +168,6 @@ fn comma(text: &str, behind: &str) -> Result<(), QuantityError> {
 
 /// Reads a quantity and returns it in the unit used inside (mm, MPa, degrees, N, ratio, N/mm, mm²).
 ///
-/// # Errors
-/// [`QuantityError`] says what stood there and what was expected.
-///
 /// ```
 /// use mckibben_units::{Dimension, parse_quantity};
 /// assert_eq!(parse_quantity("2.5bar", Dimension::Pressure), Ok(0.25));

@@ -85,9 +85,6 @@ pub enum RangeError {
 /// Reads a number, a list `1,2,3`, a range `0..0.25` or a range with a step `0..0.25:0.01`. A unit behind the
 /// last number holds for all that carry none (`0..2.5:0.1bar`, `20,80,150N`).
 ///
-/// # Errors
-/// [`RangeError`] with the text as written.
-///
 /// ```
 /// use mckibben_units::{Dimension, Values, parse_values};
 /// let p = parse_values("0..2.5:0.5bar", Dimension::Pressure)?;
@@ -99,9 +96,6 @@ pub fn parse_values(text: &str, dimension: Dimension) -> Result<Values, RangeErr
 }
 
 /// The same of at most so many points: more are [`RangeError::TooMany`], before any of them is made.
-///
-/// # Errors
-/// As [`parse_values`].
 pub fn parse_at_most(text: &str, dimension: Dimension, most: usize) -> Result<Values, RangeError> {
     let most = most.min(MAX_POINTS);
     let text = text.trim();

@@ -59,9 +59,6 @@ pub struct Answer {
 }
 
 /// Checks the model's range; with `extrapolate` a violation becomes a warning.
-///
-/// # Errors
-/// [`ModelError::OutOfRange`].
 pub fn check_range<M: ForceModel + ?Sized>(
     model: &M,
     pressure_mpa: f64,
@@ -100,9 +97,6 @@ pub fn force<M: ForceModel + ?Sized>(
 }
 
 /// F(P, ε) without P′, which costs a search: for curves.
-///
-/// # Errors
-/// As [`force`].
 pub fn point<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,

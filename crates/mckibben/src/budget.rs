@@ -180,9 +180,6 @@ impl Budget {
     }
 
     /// Refuses what would not fit, before it is begun.
-    ///
-    /// # Errors
-    /// [`Exceeded::Estimate`].
     pub fn admit(&self, resource: Resource, estimate: f64) -> Result<(), Exceeded> {
         let limit = self.limits.of(resource);
         if estimate <= limit { Ok(()) } else { Err(Exceeded::Estimate { resource, estimate, limit }) }
@@ -201,9 +198,6 @@ impl Budget {
     }
 
     /// Whether the work may go on.
-    ///
-    /// # Errors
-    /// [`Exceeded`].
     pub fn check(&self) -> Result<(), Exceeded> {
         self.ended()?;
         if self.until.is_some_and(|until| Instant::now() >= until) {
@@ -213,9 +207,6 @@ impl Budget {
     }
 
     /// Counts a factorisation.
-    ///
-    /// # Errors
-    /// [`Exceeded`].
     pub fn factorise(&self) -> Result<(), Exceeded> {
         self.check()?;
         let done = self.spending.factorisations.fetch_add(1, Ordering::Relaxed);
@@ -227,9 +218,6 @@ impl Budget {
     }
 
     /// That the work came to its own end: what came out of work that this budget ended is no answer.
-    ///
-    /// # Errors
-    /// [`Exceeded`].
     pub fn ended(&self) -> Result<(), Exceeded> {
         self.exceeded().map_or(Ok(()), Err)
     }

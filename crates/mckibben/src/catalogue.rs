@@ -24,9 +24,6 @@ pub struct Catalogue<'t>(Document<&'t str>);
 
 impl<'t> Catalogue<'t> {
     /// A table from its text.
-    ///
-    /// # Errors
-    /// [`CatalogueError::Syntax`].
     pub fn parse(text: &'t str) -> Result<Self, CatalogueError> {
         Document::parse(text).map(Self).map_err(|e| CatalogueError::Syntax(e.to_string()))
     }
@@ -57,9 +54,6 @@ impl<'a> Row<'a> {
     }
 
     /// A text that must be there.
-    ///
-    /// # Errors
-    /// [`CatalogueError::Row`].
     pub fn text(&self, key: &str) -> Result<&'a str, CatalogueError> {
         self.optional(key).ok_or_else(|| self.wrong(format!("`{key}` is missing or not a text")))
     }
@@ -80,9 +74,6 @@ impl<'a> Row<'a> {
     }
 
     /// A number above zero, where the key is there.
-    ///
-    /// # Errors
-    /// [`CatalogueError::Row`].
     pub fn number(&self, key: &str) -> Result<Option<f64>, CatalogueError> {
         let Some(item) = self.table.get(key) else { return Ok(None) };
         let value = item.as_value().and_then(above_zero);
@@ -90,17 +81,11 @@ impl<'a> Row<'a> {
     }
 
     /// A number above zero that must be there.
-    ///
-    /// # Errors
-    /// [`CatalogueError::Row`].
     pub fn needed(&self, key: &str) -> Result<f64, CatalogueError> {
         self.number(key)?.ok_or_else(|| self.wrong(format!("`{key}` is missing")))
     }
 
     /// A count above zero, where the key is there.
-    ///
-    /// # Errors
-    /// [`CatalogueError::Row`].
     pub fn count(&self, key: &str) -> Result<Option<u32>, CatalogueError> {
         let Some(item) = self.table.get(key) else { return Ok(None) };
         let value = item.as_integer().and_then(|i| u32::try_from(i).ok()).filter(|n| *n > 0);
@@ -118,18 +103,12 @@ impl<'a> Row<'a> {
     }
 
     /// The numbers above zero of a list.
-    ///
-    /// # Errors
-    /// [`CatalogueError::Row`].
     pub fn numbers(&self, key: &str) -> Result<Vec<f64>, CatalogueError> {
         let one = |v| above_zero(v).ok_or_else(|| self.wrong(format!("`{key}` must be numbers above zero")));
         self.list(key).map(one).collect()
     }
 
     /// The row of `[sources]` that this row names.
-    ///
-    /// # Errors
-    /// [`CatalogueError::Row`].
     pub fn source(&self) -> Result<Row<'a>, CatalogueError> {
         let key = self.text("source")?;
         let table = self.sources.and_then(|s| s.get(key)).and_then(Item::as_table_like);

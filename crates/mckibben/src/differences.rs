@@ -5,9 +5,6 @@ pub const STENCIL: [(f64, f64); 4] =
     [(-2.0, 1.0 / 12.0), (-1.0, -8.0 / 12.0), (1.0, 8.0 / 12.0), (2.0, -1.0 / 12.0)];
 
 /// f' of f(x + change) by changes of `step`.
-///
-/// # Errors
-/// The first of `f`.
 pub fn slope<E>(step: f64, mut f: impl FnMut(f64) -> Result<f64, E>) -> Result<f64, E> {
     STENCIL.iter().try_fold(0.0, |sum, (place, weight)| Ok(sum + weight * f(place * step)? / step))
 }

@@ -29,6 +29,8 @@
 //! `mckibben-campaign`, which has four longer examples: a first muscle, a rubber and a formula of one's own, and constants
 //! from a bench (`crates/mckibben-campaign/examples`).
 
+// The physics is documented on its public types.
+#![warn(missing_docs)]
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 

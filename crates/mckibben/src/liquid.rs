@@ -111,9 +111,6 @@ pub struct LiquidSupply {
 
 impl Liquid {
     /// A liquid of the table with a share of gas.
-    ///
-    /// # Errors
-    /// [`LiquidError`].
     pub fn named(name: &str, gas_share: f64) -> Result<Self, LiquidError> {
         let entry = LIQUIDS.iter().find(|liquid| liquid.name == name);
         let entry = entry.ok_or_else(|| LiquidError::Unknown { name: name.into() })?;
@@ -128,9 +125,6 @@ impl Liquid {
     }
 
     /// The same with another bulk modulus in MPa.
-    ///
-    /// # Errors
-    /// [`LiquidError::BulkModulus`].
     pub fn with_bulk_modulus(self, bulk_modulus_mpa: f64) -> Result<Self, LiquidError> {
         Self { bulk_modulus_mpa, ..self }.validated()
     }

@@ -30,9 +30,6 @@ pub struct Threads(Option<ThreadPool>);
 
 impl Threads {
     /// So many threads; one is the calling thread itself.
-    ///
-    /// # Errors
-    /// [`ThreadsError`] where the system refuses them.
     pub fn new(count: usize) -> Result<Self, ThreadsError> {
         let pool = (count > 1).then(|| pool(count)).transpose()?;
         Ok(Self(pool))

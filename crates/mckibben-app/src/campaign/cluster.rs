@@ -20,9 +20,6 @@ pub struct CampaignStatusRequest {
 }
 
 /// How far a campaign is, shard by shard.
-///
-/// # Errors
-/// [`Problem`] where there is no campaign.
 pub fn campaign_status(request: &CampaignStatusRequest) -> Result<CampaignStatus, Problem> {
     Ok(campaign::status(&request.output)?)
 }
@@ -52,9 +49,6 @@ pub struct CampaignSubmitRequest {
 }
 
 /// Submits what is missing of a plan, and the merge after it.
-///
-/// # Errors
-/// [`Problem`] where the folder is of another plan, or the engine refuses.
 pub fn campaign_submit(
     request: &CampaignSubmitRequest,
     progress: &dyn Progress,
@@ -87,9 +81,6 @@ pub struct CampaignCancelRequest {
 }
 
 /// Cancels the jobs of a campaign. What was computed stays.
-///
-/// # Errors
-/// [`Problem`] where there is no campaign, or the engine refuses.
 pub fn campaign_cancel(request: &CampaignCancelRequest) -> Result<CancelledJobs, Problem> {
     Ok(campaign::cancel(&request.output)?)
 }

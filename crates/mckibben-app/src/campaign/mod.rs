@@ -41,9 +41,6 @@ pub struct CampaignRequest {
 }
 
 /// Runs a plan, or what is missing of it. A cancelled run ends well, with a valid store that is not complete.
-///
-/// # Errors
-/// [`Problem`]; the store is valid whatever happens.
 pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<Outcome, Problem> {
     let plan = request.read()?;
     let out = request.output.as_ref().ok_or_else(|| Problem::missing("output", "a file or a folder"))?;
@@ -55,9 +52,6 @@ pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<Ou
 }
 
 /// About what a plan costs, before it is begun.
-///
-/// # Errors
-/// [`Problem`] where it is none.
 pub fn campaign_cost(request: &CampaignRequest, progress: &dyn Progress) -> Result<Cost, Problem> {
     let plan = request.read()?;
     let threads = request.threads.unwrap_or_else(|| Threads::shared().count());
@@ -101,9 +95,6 @@ pub struct CampaignShowRequest {
 }
 
 /// Contents of a campaign.
-///
-/// # Errors
-/// [`Problem`] where it is none.
 pub fn campaign_show(request: &CampaignShowRequest) -> Result<Summary, Problem> {
     Ok(campaign::summary(&request.campaign)?)
 }
@@ -121,9 +112,6 @@ pub struct CampaignMergeRequest {
 }
 
 /// Joins folders of parts into one file, the same bytes as those of a single run.
-///
-/// # Errors
-/// [`Problem`] where parts are missing, damaged, of different plans, or differ.
 pub fn campaign_merge(request: &CampaignMergeRequest) -> Result<Merged, Problem> {
     Ok(campaign::merge(&request.folders, &request.output, request.overwrite)?)
 }

@@ -63,9 +63,6 @@ pub struct CurveRequest {
 }
 
 /// A family of curves.
-///
-/// # Errors
-/// [`Problem`] for a wrong request; points without an answer carry their own status and cause.
 pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAnswer, Problem> {
     let mut list = vec![];
     let mut answer = each(request, progress, POINT_BYTES, &mut |curve| {
@@ -83,9 +80,6 @@ const POINT_BYTES: f64 = 5e3;
 
 /// The same without holding all points at once: `take` gets each curve as it is finished. What is returned has no points, no curves and
 /// no figure.
-///
-/// # Errors
-/// [`Problem`] for a wrong request, or that of `take`.
 pub fn curve_by_curve(
     request: &CurveRequest,
     progress: &dyn Progress,
@@ -245,7 +239,6 @@ pub(crate) fn list(
     }
 }
 
-/// Contraction ratios.
 pub(crate) fn contractions(
     values: &Option<Vec<f64>>,
     default: impl FnOnce() -> Vec<f64>,
@@ -282,7 +275,6 @@ pub(crate) fn check_count(counts: &[usize], most: usize) -> Result<(), Problem> 
     ))
 }
 
-/// The answers of curves.
 pub(crate) fn answered<'a>(list: impl IntoIterator<Item = &'a Curve>) -> impl Iterator<Item = &'a Answer> {
     list.into_iter().flat_map(|c| &c.points).filter_map(|p| p.answer.as_ref().ok())
 }

@@ -40,9 +40,6 @@ use request::Search;
 const DRAWN: usize = 3;
 
 /// Ranked muscles that fit, the reasons why others do not, and, where nothing fits, what would have to give.
-///
-/// # Errors
-/// [`Problem`] for a specification that cannot be searched; that nothing fits is an answer.
 pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<DesignAnswer, Problem> {
     let budget = progress.budget();
     budget.admit(Resource::Points, request.points_held())?;

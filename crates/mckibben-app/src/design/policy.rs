@@ -69,7 +69,6 @@ impl ModelPolicy {
         }
     }
 
-    /// The model that decides of a muscle.
     pub(super) fn decide(&self, muscle: &Muscle, budget: &Budget) -> Result<Box<dyn ForceModel>, ModelError> {
         let (Self::Named(model)
         | Self::Fastest { elements: model, .. }

@@ -8,7 +8,6 @@ use crate::words::percent;
 use mckibben::curve::{Curve, CurvePoint, Test};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 
-/// The axes of a test.
 pub(super) fn axes(test: Test, u: &Units) -> (Axis, Axis) {
     let pressure = Axis::new(u.pressure.heading("pressure P")).from_zero();
     let pull = pull(u);
@@ -20,7 +19,6 @@ pub(super) fn axes(test: Test, u: &Units) -> (Axis, Axis) {
     }
 }
 
-/// The axis of a pull.
 pub(super) fn pull(u: &Units) -> Axis {
     Axis::new(u.force.heading("pull F")).from_zero()
 }
@@ -91,7 +89,6 @@ fn load_line(loaded: &LoadAnswer, length_mm: f64, list: &[Curve], u: &Units) -> 
     )
 }
 
-/// The figure of `curve`.
 pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &Units) -> Figure {
     let CurveAnswer { model, muscle, loaded, .. } = answer;
     let (x, y) = axes(test, u);

@@ -10,9 +10,6 @@ use mckibben_fem::output::Shape;
 use mckibben_report::{Axis, Face, Scene, Thread, View};
 
 /// The muscle as a picture.
-///
-/// # Errors
-/// [`Problem`] of kind `show` where the points of the tube do not have what is to be shown.
 pub fn picture(
     wanted: &PictureFields,
     model: &str,

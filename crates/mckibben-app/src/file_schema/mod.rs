@@ -16,7 +16,6 @@ use serde_json::{Value, json};
 /// A kind of file with a schema: its name, what it is, and its schema.
 type Kind = (&'static str, &'static str, fn() -> Value);
 
-/// All kinds.
 const KINDS: [Kind; 4] = [
     ("muscle", "A muscle: tube, braid, terminals, friction", muscle::schema),
     ("joint", "A joint with one muscle and a spring, or with two muscles", joint::schema),
@@ -36,9 +35,6 @@ pub fn file_kinds() -> impl Iterator<Item = &'static str> {
 /// assert_eq!(schema["properties"]["tube"]["properties"]["wall_thickness"]["x-unit"], "mm");
 /// # Ok::<(), mckibben_app::Problem>(())
 /// ```
-///
-/// # Errors
-/// [`Problem`] of kind `usage` for another name.
 pub fn file_schema(kind: &str) -> Result<Value, Problem> {
     let Some((name, about, schema)) = KINDS.iter().find(|known| known.0 == kind) else {
         let names: Vec<&str> = file_kinds().collect();

@@ -14,7 +14,6 @@ pub(super) fn schema() -> Value {
     root(tables())
 }
 
-/// The tables of a muscle.
 pub(super) fn tables() -> Vec<(&'static str, Value)> {
     // A damaged table of names leaves the key without them.
     let rubbers = library::entries().unwrap_or_default().iter().map(|entry| entry.name.as_str());

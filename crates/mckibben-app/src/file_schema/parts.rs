@@ -3,7 +3,6 @@
 use mckibben::units::Dimension;
 use serde_json::{Map, Value, json};
 
-/// A table with its keys.
 pub(super) fn table(about: &str, keys: impl IntoIterator<Item = (impl Into<String>, Value)>) -> Value {
     let keys: Map<String, Value> = keys.into_iter().map(|(key, schema)| (key.into(), schema)).collect();
     json!({ "type": "object", "description": about, "properties": keys, "additionalProperties": false })
@@ -42,17 +41,14 @@ pub(super) fn positive(dimension: Dimension, about: &str) -> Value {
     schema
 }
 
-/// A plain number.
 pub(super) fn number(about: &str) -> Value {
     json!({ "type": "number", "description": about })
 }
 
-/// A text.
 pub(super) fn text(about: &str) -> Value {
     json!({ "type": "string", "description": about })
 }
 
-/// A boolean.
 pub(super) fn boolean(about: &str) -> Value {
     json!({ "type": "boolean", "description": about })
 }

@@ -101,7 +101,6 @@ pub struct NamedFigure {
 }
 
 impl FitAnswer {
-    /// The formula as its file.
     pub fn formula_file(&self) -> String {
         match &self.formula {
             Document::Section(formula) => formula.to_json(),
@@ -111,9 +110,6 @@ impl FitAnswer {
 }
 
 /// From a table of points to a formula with its errors and where it holds.
-///
-/// # Errors
-/// [`Problem`].
 pub fn fit(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer, Problem> {
     match request.method {
         FitMethod::Paper | FitMethod::Global => section(request),
@@ -316,10 +312,6 @@ pub struct FormulaShowAnswer {
     pub warnings: Vec<String>,
 }
 
-/// Shows a formula.
-///
-/// # Errors
-/// [`Problem`] of kind `formula` that names the key, or `model` for a name that is none.
 pub fn formula_show(request: &FormulaShowRequest) -> Result<FormulaShowAnswer, Problem> {
     let formula = match (&request.file, request.name.as_deref()) {
         (Some(file), _) => Document::parse(&file.text).map_err(|e| e.in_file(Path::new(&file.name)))?,

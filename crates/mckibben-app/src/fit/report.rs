@@ -31,9 +31,6 @@ impl FitReportAnswer {
 }
 
 /// Computes the paper's campaign, the formulas of it, and their errors.
-///
-/// # Errors
-/// [`Problem`].
 pub fn fit_report(_: &FitReportRequest, progress: &dyn Progress) -> Result<FitReportAnswer, Problem> {
     // Without an operating system there may be no clock.
     #[cfg(feature = "files")]

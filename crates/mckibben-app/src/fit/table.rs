@@ -9,7 +9,6 @@ use std::path::Path;
 
 /// What a table holds.
 pub(super) struct Points {
-    /// The answered points.
     pub(super) points: Vec<FitPoint>,
     /// Rows without an answer.
     pub(super) failed: usize,
@@ -53,7 +52,6 @@ pub(super) fn rows(path: &Path) -> Result<(Vec<mckibben_campaign::PointRow>, Ori
     Ok((table.collect::<Result<_, _>>()?, origin))
 }
 
-/// The points of a campaign.
 #[cfg(feature = "files")]
 pub(super) fn of_campaign(path: &Path) -> Result<Points, Problem> {
     use mckibben_campaign::fit::{data::points, made_for};

@@ -103,7 +103,6 @@ pub enum RestWord {
 }
 
 impl RestWord {
-    /// The word.
     pub fn name(self) -> &'static str {
         match self {
             Self::Stable => "stable",

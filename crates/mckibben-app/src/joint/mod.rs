@@ -42,9 +42,6 @@ pub struct JointFields {
 
 impl JointFields {
     /// The names of the muscle files that a joint file names.
-    ///
-    /// # Errors
-    /// [`Problem`] for a file that is none.
     pub fn files_of(joint: &TextFile) -> Result<Vec<String>, Problem> {
         let file = parse_joint(&joint.text).map_err(|e| Problem::from(e.of(Path::new(&joint.name))))?;
         Ok(file.files().map(str::to_owned).collect())
@@ -101,10 +98,6 @@ const SUPPLY_MPA: f64 = 0.6;
 /// Memory of a point of a map, bytes.
 const MAP_POINT_BYTES: f64 = 500.0;
 
-/// Asks a joint.
-///
-/// # Errors
-/// [`Problem`].
 pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAnswer, Problem> {
     let joint = request.joint.resolve()?;
     let named = Model::choose(&request.model, Purpose::Answer)?;

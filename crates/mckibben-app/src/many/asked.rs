@@ -26,7 +26,6 @@ pub enum Unanswered {
 /// How many points are asked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Many {
-    /// What.
     pub wanted: PointQuantity,
     /// Also the derivatives by both numbers of a pair.
     pub slopes: bool,
@@ -48,7 +47,6 @@ impl Many {
 pub struct ArrayError {
     /// The point's place in the list, from 0; none where the list itself is at fault.
     pub index: Option<usize>,
-    /// The reason.
     pub problem: Problem,
 }
 

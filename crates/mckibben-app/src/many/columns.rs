@@ -9,12 +9,10 @@ use mckibben::progress::Progress;
 use mckibben::status::Status;
 use serde_json::Value;
 
-/// A column.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Column {
     /// Numbers; NaN where a point has none.
     Numbers(Vec<f64>),
-    /// Yes or no.
     Truths(Vec<bool>),
     /// Words or sentences, where there are some.
     Texts(Vec<Option<String>>),
@@ -52,13 +50,9 @@ const NUMBERS: [(&str, Read); 17] = [
     ("wanted_force_n", |_| None),
 ];
 
-/// Bytes of a point in all columns.
 const POINT_BYTES: f64 = 266.0;
 
 /// A family of curves as columns, curve after curve; columns without any number are left out.
-///
-/// # Errors
-/// As [`curve`](crate::curve); and where no point has an answer, the gravest reason.
 pub fn curve_columns(request: &CurveRequest, progress: &dyn Progress) -> Result<AnswerColumns, Problem> {
     let mut table = Table::default();
     let budget = progress.budget();

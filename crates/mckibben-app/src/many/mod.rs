@@ -49,9 +49,6 @@ impl std::fmt::Debug for BoundModel {
 
 impl BoundModel {
     /// The model that a request names, of this muscle.
-    ///
-    /// # Errors
-    /// [`Problem`], as the commands have it.
     pub fn new(
         muscle: &Muscle,
         model: &ModelFields,
@@ -65,7 +62,6 @@ impl BoundModel {
         Ok(Self { model, options, choice })
     }
 
-    /// The muscle.
     pub fn muscle(&self) -> &Muscle {
         self.model.muscle()
     }
@@ -80,7 +76,6 @@ impl BoundModel {
         self.options
     }
 
-    /// The model itself.
     pub fn model(&self) -> &dyn ForceModel {
         &*self.model
     }
@@ -106,18 +101,12 @@ impl BoundModel {
     }
 
     /// The constant or measure of a name, as the muscle file has it.
-    ///
-    /// # Errors
-    /// [`Problem`] with the names there are.
     pub fn parameter(&self, name: &str) -> Result<Target, Problem> {
         parameter(self.muscle(), name)
     }
 
     /// Answers every pair, each into its [`Many::width`] places of `out`, on the threads of the process; returns how many have no
     /// answer. What is found does not depend on the number of threads.
-    ///
-    /// # Errors
-    /// [`ArrayError`]: the first point without an answer, unless such are to be NaN; work that was cancelled; lengths that differ.
     pub fn fill(
         &self,
         pairs: &Pairs<'_>,

@@ -21,10 +21,6 @@ impl std::fmt::Debug for Pairs<'_> {
 }
 
 impl Pairs<'_> {
-    /// How many they are.
-    ///
-    /// # Errors
-    /// [`Problem`] for two lists of different length.
     pub fn count(&self) -> Result<usize, Problem> {
         match self {
             Self::Lists([a, b]) if a.len() != b.len() => {

@@ -102,9 +102,6 @@ impl BoundModel {
 }
 
 /// A muscle with other values of constants and measures, all others held as the derivatives of [`BoundModel`] hold them.
-///
-/// # Errors
-/// [`Problem`] for a name that it does not have, and for values that make no muscle.
 pub fn with_parameters(muscle: &Muscle, values: &[(String, f64)]) -> Result<Muscle, Problem> {
     let held = stated(muscle)?;
     let list =

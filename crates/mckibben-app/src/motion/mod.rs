@@ -37,10 +37,6 @@ struct Moved {
 }
 
 impl MotionRequest {
-    /// The file that a drive file names.
-    ///
-    /// # Errors
-    /// [`Problem`] for a file that is none.
     pub fn names_of(drive: &TextFile) -> Result<Names, Problem> {
         drive_names(&drive.text).map_err(|e| Problem::from(e.of(Path::new(&drive.name))))
     }
@@ -109,10 +105,6 @@ impl MotionRequest {
     }
 }
 
-/// Runs a drive.
-///
-/// # Errors
-/// [`Problem`].
 pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<MotionAnswer, Problem> {
     let moved = request.moved(progress)?;
     let drives = request.drives(moved.length_mm())?;
@@ -188,7 +180,6 @@ impl Moved {
         })
     }
 
-    /// What moves.
     fn mechanism<'a>(&'a self, single: Option<&'a SingleMuscle>) -> Result<&'a dyn Mechanism, Problem> {
         match (single, &self.joint) {
             (Some(single), _) => Ok(single),

@@ -58,9 +58,6 @@ impl Setup {
 
 impl SimulatedDrive {
     /// A drive at the start, at rest where its first commands hold it, with steps of a length in s.
-    ///
-    /// # Errors
-    /// [`Problem`].
     pub fn new(request: &MotionRequest, step_s: f64, progress: &dyn Progress) -> Result<Self, Problem> {
         let moved = request.moved(progress)?;
         let drives = request.drives(moved.length_mm())?;
@@ -76,9 +73,6 @@ impl SimulatedDrive {
     }
 
     /// Back to the start.
-    ///
-    /// # Errors
-    /// [`Problem`].
     pub fn reset(&mut self, progress: &dyn Progress) -> Result<(), Problem> {
         self.simulation = self.setup.with(None, 0.0, |drive| Ok(Simulation::new(drive, progress)?))?;
         Ok(())
@@ -87,9 +81,6 @@ impl SimulatedDrive {
     /// One step on, with a command for each of the drive's (pressure in MPa, opening from −1 to 1, volume in mm³, contraction ratio, or angle in degrees) and
     /// from outside a force in N that stretches the muscle, or a torque in N m that turns the joint to +. A step that fails leaves all as
     /// it was.
-    ///
-    /// # Errors
-    /// [`Problem`].
     pub fn step(&mut self, commands: &[f64], outside: f64, progress: &dyn Progress) -> Result<(), Problem> {
         let simulation = &mut self.simulation;
         self.setup.with(Some(commands), outside, |drive| Ok(simulation.step(drive, progress)?))

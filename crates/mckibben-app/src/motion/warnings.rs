@@ -22,14 +22,12 @@ fn suction(motion: &Motion) -> Option<String> {
 }
 
 impl Moved {
-    /// Of its muscles.
     pub(super) fn warnings_of_muscles(&self) -> impl Iterator<Item = String> {
         let rubs = self.models.iter().any(|m| m.extensions().bend.is_some_and(|bend| bend.friction() > 0.0));
         let rubs = rubs.then(|| RUBS.to_owned());
         self.models.iter().flat_map(|model| model.muscle().warnings()).chain(rubs)
     }
 
-    /// Of a motion.
     pub(super) fn warnings(&self, motion: &Motion, file: &DriveFile) -> Vec<String> {
         let ended = motion.ended.as_ref().map(|error| format!("it ended early: {error}"));
         ended.into_iter().chain(suction(motion)).chain(self.not_at_rest(motion, file)).collect()

@@ -13,17 +13,12 @@ use mckibben_report::Part;
 
 /// The plan of the muscle, or why it cannot be built as it is.
 pub(super) enum Workshop {
-    /// A plan.
     Planned { plan: Box<Plan>, burst: Burst },
-    /// A sentence.
     Not(String),
 }
 
 impl Workshop {
     /// The plan at the pressure of a report.
-    ///
-    /// # Errors
-    /// [`Problem`] where the caller wanted it to end; a muscle that cannot be built has a sentence.
     pub(super) fn of(
         muscle: &MuscleFields,
         pressure_mpa: f64,
@@ -43,7 +38,6 @@ impl Workshop {
         }
     }
 
-    /// Drawing and margins.
     pub(super) fn front(&self, units: &Units) -> Vec<Part> {
         match self {
             Self::Planned { plan, burst } => {

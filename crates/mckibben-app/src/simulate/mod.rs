@@ -37,15 +37,9 @@ use mckibben_fem::with_ends;
 /// Takes the shapes of a test, point by point: files for ParaView, a page.
 pub trait Shapes {
     /// The muscle whose shapes come; nothing was wrong with the request.
-    ///
-    /// # Errors
-    /// [`Problem`] where they cannot be kept; the test then does not begin.
     fn begin(&mut self, muscle: &MuscleSummary) -> Result<(), Problem>;
 
     /// The deformed muscle and what the model says about it.
-    ///
-    /// # Errors
-    /// [`Problem`] where it cannot be kept; the test then ends.
     fn add(&mut self, shape: Shape, response: &Response) -> Result<(), Problem>;
 
     /// How much of the muscle of `fe3d` is wanted; `fe` always has all of it.
@@ -105,9 +99,6 @@ impl Meshed {
 const MOST_POINTS: usize = 100_000;
 
 /// One finite-element test. `shapes` takes the deformed muscle of every point that has an answer.
-///
-/// # Errors
-/// [`Problem`] for a wrong request or where it was cancelled; points without an answer carry their own status and cause.
 pub fn simulate(
     request: &SimulateRequest,
     progress: &dyn Progress,

@@ -18,15 +18,12 @@ pub enum Held {
 pub struct Simulated {
     /// Pressure in MPa.
     pub pressure_mpa: f64,
-    /// What was held.
     pub held: Held,
-    /// The equilibrium.
     pub solution: Result<Solution, FemError>,
     /// Whether the muscle would have to push, and lies slack instead.
     pub slack: bool,
     /// Where it is slack: the free contraction at this pressure.
     pub free_contraction: Option<f64>,
-    /// How it ended.
     pub status: Status,
 }
 

@@ -34,7 +34,6 @@ pub struct Cost {
     pub points: u64,
     /// Size of the table in bytes.
     pub bytes: f64,
-    /// Time in seconds.
     pub seconds: f64,
 }
 
@@ -92,9 +91,6 @@ impl Plan {
 
     /// Refuses what does not fit into a budget: points where their number is limited further than that of those that are held at once, and
     /// the meshes of some of the muscles.
-    ///
-    /// # Errors
-    /// [`FemError::Exceeded`].
     pub fn admit(&self, budget: &Budget) -> Result<(), FemError> {
         if budget.limits().points < Limits::default().points {
             let points = self.muscles() as f64 * self.points_per_muscle() as f64;

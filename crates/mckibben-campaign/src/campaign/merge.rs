@@ -10,15 +10,11 @@ use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-/// What was merged.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Merged {
-    /// The file.
     pub output: PathBuf,
-    /// Muscles in it.
     pub muscles: u64,
-    /// Points in it.
     pub points: u64,
     /// Parts that it was made of.
     pub parts: u64,
@@ -114,9 +110,6 @@ pub(super) fn gather(
 
 /// Merges the parts in some folders into one file, the same bytes as those of a single run. A file of the same plan is replaced,
 /// any other only with `overwrite`.
-///
-/// # Errors
-/// [`CampaignError`] where parts are missing, damaged, of different plans, or differ, and where something else would be lost.
 pub fn merge(folders: &[PathBuf], out: &Path, overwrite: bool) -> Result<Merged, CampaignError> {
     if !is_file_name(out) {
         return Err(CampaignError::OtherFormat { path: out.into() });

@@ -54,9 +54,6 @@ impl Iterator for Rows {
 }
 
 /// Opens a campaign, file or folder of parts, for reading row by row.
-///
-/// # Errors
-/// [`CampaignError`] where it is none, damaged, or incomplete. A damaged part may only be met on the way.
 pub fn rows(path: impl AsRef<Path>) -> Result<Rows, CampaignError> {
     let path = path.as_ref();
     let (provenance, tables): (_, Box<dyn Iterator<Item = _>>) = if path.is_dir() {
@@ -81,9 +78,6 @@ fn part_tables(of: &Provenance, number: u64, path: PathBuf) -> Vec<Result<Table,
 }
 
 /// All rows of a campaign, file or folder of parts.
-///
-/// # Errors
-/// As [`rows`].
 pub fn read(path: impl AsRef<Path>) -> Result<Vec<PointRow>, CampaignError> {
     rows(path)?.collect()
 }

@@ -47,9 +47,6 @@ pub(super) fn parts_of(file: &Path) -> PathBuf {
 
 /// Runs a plan into `out`: one file if it ends in `.parquet`, else a folder of parts. What is there already is not
 /// computed again. It reports muscles; where the caller wants it to end, what is there is a valid store, and not complete.
-///
-/// # Errors
-/// [`CampaignError`]; the store is valid whatever happens.
 pub fn run(
     plan: &Plan,
     out: &Path,

@@ -13,9 +13,6 @@ use mckibben_fem::solver::curve::{CurvePoint, Test};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// All rows of a plan, in its order and in memory: for plans of a moderate size, and where there are no files.
-///
-/// # Errors
-/// [`CampaignError::Stopped`] where the caller wanted it to end.
 pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<PointRow>, CampaignError> {
     let (done, total) = (AtomicUsize::new(0), plan.muscles() as usize);
     let one = |&number: &u64| {

@@ -37,15 +37,11 @@ impl Marker {
         }
     }
 
-    /// That of a folder.
     pub(super) fn read(folder: &Path) -> Option<Self> {
         serde_json::from_slice(&read(&folder.join(MARKER), LONGEST).ok()?).ok()
     }
 
     /// Claims a folder for a plan; one of another plan or version is refused.
-    ///
-    /// # Errors
-    /// [`CampaignError::OtherPlan`], [`CampaignError::OtherVersion`], [`CampaignError::Write`].
     pub(super) fn claim(
         folder: &Path,
         provenance: &Provenance,
@@ -117,7 +113,6 @@ impl State {
         let _ = serde_json::to_vec(self).map(|text| replace(path, &text));
     }
 
-    /// The states in a folder.
     pub(super) fn all(folder: &Path) -> Vec<(Shard, PathBuf)> {
         let names = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.file_name());
         let shard = |name: &str| Shard::of_file_name(name.strip_prefix(STATE)?.strip_suffix(".json")?);
@@ -147,7 +142,6 @@ pub(super) struct Alive {
 }
 
 impl Alive {
-    /// Begins them.
     pub(super) fn begin(folder: &Folder, shard: Shard) -> Self {
         let path = folder.path.join(format!("{STATE}{}.json", shard.file_name()));
         let state =
@@ -165,7 +159,6 @@ impl Alive {
         Self { path, state, beats: thread.map(|thread| (sender, thread)) }
     }
 
-    /// How it ended.
     pub(super) fn end(mut self, done: &Result<Outcome, CampaignError>) {
         if let Some((sender, thread)) = self.beats.take() {
             drop(sender);

@@ -13,7 +13,6 @@ use std::time::Duration;
 /// of NFS believes what it has read.
 const SILENT: Duration = Duration::from_secs(120);
 
-/// How a shard is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
@@ -31,7 +30,6 @@ pub enum ShardState {
 }
 
 impl ShardState {
-    /// Its word.
     pub fn name(self) -> &'static str {
         match self {
             Self::Done => "done",
@@ -43,13 +41,11 @@ impl ShardState {
     }
 }
 
-/// One shard.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ShardStatus {
     /// The share, i/n.
     pub shard: String,
-    /// How it is.
     pub state: ShardState,
     /// Parts that are there.
     pub parts: u64,
@@ -67,7 +63,6 @@ pub struct ShardStatus {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CampaignStatus {
-    /// The folder.
     pub output: PathBuf,
     /// Whether all parts are there.
     pub complete: bool,
@@ -77,9 +72,7 @@ pub struct CampaignStatus {
     pub parts_wanted: u64,
     /// Muscles of the plan.
     pub muscles_wanted: u64,
-    /// Number of shards.
     pub shards_wanted: u64,
-    /// Shards that are done.
     pub shards_done: u64,
     /// Shards that a process computes.
     pub shards_running: u64,
@@ -89,7 +82,6 @@ pub struct CampaignStatus {
     pub shards_failed: u64,
     /// Shards that nothing computes.
     pub shards_missing: u64,
-    /// Every shard.
     pub shards: Vec<ShardStatus>,
     /// Parts that are cut off; they count as missing.
     pub damaged: Vec<PathBuf>,
@@ -112,9 +104,6 @@ impl CampaignStatus {
 }
 
 /// Looks at a folder of parts.
-///
-/// # Errors
-/// [`CampaignError::NoCampaign`], [`CampaignError::Read`].
 pub fn status(folder: &Path) -> Result<CampaignStatus, CampaignError> {
     let parts = Folder::parts(folder)?;
     let record = Record::read(folder);

@@ -13,11 +13,8 @@ use std::path::Path;
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Failed {
-    /// How many.
     pub points: u64,
-    /// Number of the first muscle.
     pub first_muscle: u64,
-    /// Its cause.
     pub first_cause: String,
 }
 
@@ -25,11 +22,8 @@ pub struct Failed {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Extent {
-    /// The column.
     pub name: String,
-    /// Smallest value.
     pub smallest: f64,
-    /// Largest value.
     pub largest: f64,
 }
 
@@ -126,9 +120,6 @@ impl Summary {
 }
 
 /// Looks through a campaign: one file, or a folder of parts, which may be incomplete.
-///
-/// # Errors
-/// [`CampaignError`] where there is no campaign, or a file is damaged; damaged parts are listed instead.
 pub fn summary(path: impl AsRef<Path>) -> Result<Summary, CampaignError> {
     let path = path.as_ref();
     if !path.is_dir() {

@@ -24,9 +24,6 @@ pub struct Timing {
 
 impl Plan {
     /// Computes muscles that are spread over the plan, on one thread, for about so long; at least one.
-    ///
-    /// # Errors
-    /// [`CampaignError::Stopped`], [`CampaignError::Encode`].
     pub fn timed(&self, most: Duration, progress: &dyn Progress) -> Result<Timing, CampaignError> {
         let provenance = Provenance::of(self);
         let mut table = Table::new(&provenance.layout);

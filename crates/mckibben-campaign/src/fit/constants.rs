@@ -141,9 +141,6 @@ fn values(
 }
 
 /// The constants with which our finite elements come nearest to Table 1 and (11).
-///
-/// # Errors
-/// [`FitError::Singular`] where an iteration ends without an answer.
 pub fn fit_constants() -> Result<Constants, FitError> {
     let (c10, k, n) = (Target::Law(0), Target::Stiffness, Target::StiffnessExponent);
     let (table, formula) = (points_of_table(), points_of_formula());

@@ -16,7 +16,6 @@ pub struct Errors {
     /// The share that 95 % of the points do not exceed.
     #[serde(rename = "p95_of_blocked")]
     pub p95: f64,
-    /// Largest, likewise.
     #[serde(rename = "max_of_blocked")]
     pub max: f64,
     /// Largest difference in N.
@@ -34,9 +33,7 @@ pub struct Errors {
 pub struct Region {
     /// `outer_diameter_mm`, `wall_mm`, `pressure_mpa` or `contraction`.
     pub quantity: &'static str,
-    /// Its value.
     pub value: f64,
-    /// The errors there.
     pub errors: Errors,
 }
 
@@ -54,9 +51,6 @@ pub struct Compared {
 }
 
 /// Points beside the forces of the muscle and of the curve they belong to.
-///
-/// # Errors
-/// [`FitError::NoBlockedForce`] where a muscle has no point at ε = 0.
 pub fn compared(
     points: &[FitPoint],
     difference_n: impl Fn(&FitPoint) -> f64,

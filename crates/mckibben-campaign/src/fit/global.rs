@@ -34,7 +34,6 @@ const AS_GOOD: f64 = 1.05;
 /// Errors with so many terms.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Step {
-    /// How many terms.
     pub terms: usize,
     /// rms over the points fitted, as a share of the blocked force.
     pub rms: f64,
@@ -45,7 +44,6 @@ pub struct Step {
 /// A formula and how its terms were chosen.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GlobalFit {
-    /// The terms.
     pub terms: GlobalTerms,
     /// Errors by number of terms.
     pub steps: Vec<Step>,
@@ -61,9 +59,6 @@ struct Problem {
 }
 
 /// Fits at most `most` terms.
-///
-/// # Errors
-/// [`FitError`] where there are too few points.
 pub fn global(points: &[FitPoint], most: usize) -> Result<GlobalFit, FitError> {
     let all = compared(points, |_| 0.0)?;
     let used: Vec<Compared> = all.into_iter().filter(|c| c.point.force_n > 0.0).collect();

@@ -12,7 +12,6 @@ use mckibben::formula::{
 };
 use mckibben::muscle::Muscle;
 
-/// Which method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
     /// The paper's seven steps.
@@ -48,14 +47,11 @@ impl Method {
     }
 }
 
-/// What to fit.
 #[derive(Debug, Clone)]
 pub struct Request<'a> {
-    /// The points.
     pub points: &'a [FitPoint],
     /// What their muscles have in common beside length and angle, which the points say.
     pub made_for: Made,
-    /// Which method.
     pub method: Method,
     /// Diameters in mm that are kept out of the fit, to test it.
     pub hold_out: &'a [f64],
@@ -69,10 +65,8 @@ pub struct Request<'a> {
     pub seed: Option<u64>,
 }
 
-/// What comes out.
 #[derive(Debug, Clone)]
 pub struct FittedFormula {
-    /// The formula.
     pub formula: Formula,
     /// The tables of the paper's method.
     pub paper: Option<PaperMethod>,
@@ -84,10 +78,6 @@ pub struct FittedFormula {
     pub unused: usize,
 }
 
-/// Fits a formula.
-///
-/// # Errors
-/// [`FitError`].
 pub fn make(request: &Request<'_>) -> Result<FittedFormula, FitError> {
     if request.points.is_empty() {
         return Err(FitError::Empty(""));
@@ -204,9 +194,6 @@ fn numbers(points: &[FitPoint]) -> impl Iterator<Item = f64> {
 }
 
 /// A formula of the paper's muscles from points.
-///
-/// # Errors
-/// [`FitError`].
 pub fn fitted(points: &[FitPoint], method: Method, hold_out: &[f64]) -> Result<Formula, FitError> {
     let made_for = Made::of(&Muscle::prototype());
     let name = if method == Method::Paper(Rules::default()) { "paper-method" } else { "global" };

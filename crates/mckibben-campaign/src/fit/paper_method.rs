@@ -102,7 +102,6 @@ impl WallFit {
 /// Everything the method makes on its way.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PaperMethod {
-    /// The rules.
     pub rules: Rules,
     /// Steps 1–2.
     pub curves: Vec<CurveFit>,
@@ -122,9 +121,6 @@ const THIN: (f64, f64, f64) = (35.0, 3.0, 0.05);
 const THIN_CONTRACTION: f64 = 0.05;
 
 /// The seven steps. All points count: choose pressures and diameters before.
-///
-/// # Errors
-/// [`FitError`] names what there are too few of.
 pub fn paper_method(points: &[FitPoint], rules: Rules) -> Result<PaperMethod, FitError> {
     if points.is_empty() {
         return Err(FitError::Empty(" at the method's pressures"));

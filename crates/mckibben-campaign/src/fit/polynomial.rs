@@ -12,7 +12,6 @@ pub struct PolynomialFit<const N: usize> {
 }
 
 impl<const N: usize> PolynomialFit<N> {
-    /// Its value.
     pub fn at(&self, x: f64) -> f64 {
         self.coefficients.iter().fold(0.0, |sum, c| sum * x + c)
     }

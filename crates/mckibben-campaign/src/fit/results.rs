@@ -17,7 +17,6 @@ use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use serde::Serialize;
 
-/// One comparison.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Finding {
@@ -28,7 +27,6 @@ pub struct Finding {
     pub at_most: Option<f64>,
     /// Whether the goal is met.
     pub ok: bool,
-    /// What came out.
     #[serde(flatten)]
     pub errors: Errors,
 }
@@ -37,7 +35,6 @@ pub struct Finding {
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Results {
-    /// The comparisons.
     pub findings: Vec<Finding>,
     /// The fitted constants of the paper's finite elements.
     #[serde(rename = "fitted_constants")]
@@ -80,9 +77,6 @@ impl Findings {
 }
 
 /// The paper's campaign and the formula by the paper's method, with its errors: what a front end may take the time of.
-///
-/// # Errors
-/// [`FitError`].
 pub fn paper_formula() -> Result<(Vec<FitPoint>, Formula), FitError> {
     let campaign = paper_campaign(&Muscle::prototype());
     let formula = fitted(&campaign, Method::Paper(Rules::default()), &[])?;
@@ -90,9 +84,6 @@ pub fn paper_formula() -> Result<(Vec<FitPoint>, Formula), FitError> {
 }
 
 /// Computes everything else anew from [`paper_formula`].
-///
-/// # Errors
-/// [`FitError`], also where the caller wanted it to end.
 pub fn results(
     (campaign, ours): &(Vec<FitPoint>, Formula),
     progress: &dyn Progress,

@@ -18,7 +18,6 @@ pub struct Sign {
     pub rises: bool,
     /// Neighbouring pairs of curves of which it holds.
     pub holding: usize,
-    /// All neighbouring pairs.
     pub pairs: usize,
 }
 

@@ -11,14 +11,11 @@ use serde_json::{Map, Value};
 pub struct Table {
     /// Name of the file without its ending.
     pub name: &'static str,
-    /// Columns.
     pub header: Vec<&'static str>,
-    /// Rows.
     pub rows: Vec<Vec<Value>>,
 }
 
 impl Table {
-    /// As CSV.
     pub fn to_csv(&self) -> String {
         let cell = |v: &Value| match v {
             Value::Null => String::new(),

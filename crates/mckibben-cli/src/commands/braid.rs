@@ -46,7 +46,6 @@ pub struct BraidShowArgs {
     pub output: OutputFlags,
 }
 
-/// All sleeves.
 pub fn list(args: &BraidListArgs, format: Format) -> Result<u8, Failure> {
     let answer = braid_list(&BraidListRequest {})?;
     print(&answer, format, "braids", || list_text(&answer), args.output.target())?;
@@ -82,7 +81,6 @@ fn list_text(answer: &BraidListAnswer) -> String {
     )
 }
 
-/// One sleeve.
 pub fn show(args: &BraidShowArgs, format: Format) -> Result<u8, Failure> {
     let length = |flag, text: &Option<String>| quantity(flag, text.as_deref(), Dimension::Length);
     let answer = braid_show(&BraidShowRequest {

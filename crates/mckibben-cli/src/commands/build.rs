@@ -46,7 +46,6 @@ pub struct BuildArgs {
     pub replace: OverwriteFlag,
 }
 
-/// Runs the command.
 pub fn run(args: &BuildArgs, format: Format) -> Result<u8, Failure> {
     let length = |flag: &str, text: &Option<String>| quantity(flag, text.as_deref(), Dimension::Length);
     let request = BuildRequest {

@@ -110,7 +110,6 @@ pub struct CampaignMergeArgs {
     pub replace: OverwriteOrForceFlag,
 }
 
-/// Runs the command.
 pub fn run(args: &CampaignArgs, format: Format) -> Result<u8, Failure> {
     match &args.command {
         None => plan(&args.run, format),

@@ -57,7 +57,6 @@ pub struct CompareArgs {
     pub output: OutputFlags,
 }
 
-/// Runs the command.
 pub fn run(args: &CompareArgs, format: Format) -> Result<u8, Failure> {
     plot::check(&args.plot)?;
     let unit = shown::units();

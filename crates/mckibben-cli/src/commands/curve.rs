@@ -67,7 +67,6 @@ pub struct CurveArgs {
     pub output: OutputFlags,
 }
 
-/// Runs the command.
 pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     plot::check(&args.plot)?;
     // Without a study, which is another command to the program, the test must be there.

@@ -260,7 +260,6 @@ pub struct DesignArgs {
     pub replace: OverwriteFlag,
 }
 
-/// Runs the command.
 pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
     plot::check(&args.plot)?;
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };

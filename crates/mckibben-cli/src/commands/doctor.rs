@@ -30,7 +30,6 @@ pub struct DoctorArgs {
     pub output: OutputFlags,
 }
 
-/// Examines a muscle.
 pub fn run(args: &DoctorArgs, format: Format) -> Result<u8, Failure> {
     let request = DoctorRequest {
         muscle: args.muscle.fields()?,

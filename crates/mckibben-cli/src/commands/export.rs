@@ -56,7 +56,6 @@ pub struct ExportArgs {
     pub replace: OverwriteFlag,
 }
 
-/// Runs the command.
 pub fn run(args: &ExportArgs, format: Format) -> Result<u8, Failure> {
     if args.list {
         let answer = export_list(&ExportListRequest {})?;

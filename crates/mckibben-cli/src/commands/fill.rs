@@ -14,7 +14,6 @@ use mckibben::units::Dimension;
 use mckibben_app::rows::{Row, estimated, limit_rows};
 use mckibben_app::{FillAnswer, FillRequest};
 
-/// Its examples.
 pub const EXAMPLES: &str = "Examples:
   mckibben fill -D 30 -s 2 -L 200 --volume 20mL --load mass:10kg
   mckibben fill examples/festo-dmsp-20.toml --volume 30mL -e 10% --liquid oil --gas 1% --dead-volume 15mL";

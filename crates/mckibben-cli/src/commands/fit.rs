@@ -79,7 +79,6 @@ pub struct FitArgs {
     pub replace: OverwriteOrForceFlag,
 }
 
-/// Runs the command.
 pub fn run(args: &FitArgs, format: Format) -> Result<u8, Failure> {
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
     let Some(path) = &args.file else { return report::run(format, target) };

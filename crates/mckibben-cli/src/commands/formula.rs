@@ -30,7 +30,6 @@ pub struct FormulaShowArgs {
     pub output: OutputFlags,
 }
 
-/// Shows a formula.
 pub fn show(args: &FormulaShowArgs, format: Format) -> Result<u8, Failure> {
     let word = args.file.to_string_lossy();
     let built_in = Model::is_taken(&word);

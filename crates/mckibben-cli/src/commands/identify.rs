@@ -110,7 +110,6 @@ pub struct IdentifyArgs {
     pub replace: OverwriteOrForceFlag,
 }
 
-/// Runs the command.
 pub fn run(args: &IdentifyArgs, format: Format) -> Result<u8, Failure> {
     plot::check(&args.plot)?;
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };

@@ -72,7 +72,6 @@ pub fn fields(path: &Path) -> Result<JointFields, Failure> {
     Ok(JointFields { joint: Some(joint), muscles })
 }
 
-/// Runs the command.
 pub fn run(args: &JointArgs, format: Format) -> Result<u8, Failure> {
     plot::check(&args.plot)?;
     let unit = shown::units();

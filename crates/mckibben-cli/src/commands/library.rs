@@ -65,7 +65,6 @@ pub struct LibraryCheckArgs {
     pub output: OutputFlags,
 }
 
-/// All muscles.
 pub fn list(args: &LibraryListArgs, format: Format) -> Result<u8, Failure> {
     plot::check(&args.plot)?;
     let figure = args.plot.plot.as_ref().map(|_| shown::units());
@@ -104,7 +103,6 @@ fn list_text(answer: &LibraryListAnswer) -> String {
            `mckibben library show NAME` shows source, terms and errors.\n"
 }
 
-/// One muscle.
 pub fn show(args: &LibraryShowArgs, format: Format) -> Result<u8, Failure> {
     plot::check(&args.plot)?;
     let figure = args.plot.plot.as_ref().map(|_| shown::units());

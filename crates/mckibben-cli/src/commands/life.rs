@@ -51,7 +51,6 @@ pub struct LifeArgs {
     pub output: OutputFlags,
 }
 
-/// Runs the command.
 pub fn run(args: &LifeArgs, format: Format) -> Result<u8, Failure> {
     let request = LifeRequest {
         muscle: args.muscle.fields()?,

@@ -128,7 +128,6 @@ fn files_of(args: &MotionArgs) -> Result<MotionRequest, Failure> {
     Ok(MotionRequest { drive: Some(drive), muscle, tables, joint: fields, ..MotionRequest::default() })
 }
 
-/// Runs the command.
 pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
     plot::check(&args.plot)?;
     let asking = args.model.asking.fields();

@@ -34,7 +34,6 @@ pub struct MuscleMeasuresArgs {
     pub output: OutputFlags,
 }
 
-/// Lists the measures.
 pub fn measures(args: &MuscleMeasuresArgs, format: Format) -> Result<u8, Failure> {
     let answer = mckibben_app::measures(&MeasuresRequest {})?;
     print(&answer, format, "measures", || measures_text(&answer), args.output.target())?;
@@ -59,7 +58,6 @@ fn measures_text(answer: &MeasuresAnswer) -> String {
     table(&header, answer.measures.iter().map(row).collect())
 }
 
-/// Shows a muscle.
 pub fn show(args: &MuscleShowArgs, format: Format) -> Result<u8, Failure> {
     let answer = muscle_show(&MuscleShowRequest {
         muscle: args.muscle.fields()?,

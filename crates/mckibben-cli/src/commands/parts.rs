@@ -42,7 +42,6 @@ pub struct PartShowArgs {
     pub output: OutputFlags,
 }
 
-/// All parts.
 pub fn list(args: &PartsListArgs, format: Format) -> Result<u8, Failure> {
     let parts = args.parts.as_deref().map(files::text).transpose()?;
     let answer = parts_list(&PartsListRequest { kind: args.kind, parts })?;
@@ -80,7 +79,6 @@ fn list_text(answer: &PartsListAnswer) -> String {
     out.join("\n") + "\n`mckibben parts show NAME` shows source, price and use.\n"
 }
 
-/// One part.
 pub fn show(args: &PartShowArgs, format: Format) -> Result<u8, Failure> {
     let answer = part_show(&PartShowRequest { name: args.name.clone() })?;
     let text = || match (&answer.tube, &answer.sleeve, &answer.rubber) {

@@ -59,7 +59,6 @@ pub struct ReportArgs {
     pub replace: OverwriteFlag,
 }
 
-/// Runs the command.
 pub fn run(args: &ReportArgs, format: Format) -> Result<u8, Failure> {
     let target = |path| Target { path, overwrite: args.replace.overwrite };
     let printed_too = args.output.as_deref().filter(|path| ending(path).as_deref() == Some("pdf"));

@@ -30,7 +30,6 @@ pub struct RubberShowArgs {
     pub output: OutputFlags,
 }
 
-/// All rubbers.
 pub fn list(args: &RubberListArgs, format: Format) -> Result<u8, Failure> {
     let answer = rubber_list(&RubberListRequest {})?;
     print(&answer, format, "rubbers", || list_text(&answer), args.output.target())?;
@@ -58,7 +57,6 @@ fn list_text(answer: &RubberListAnswer) -> String {
     out
 }
 
-/// One rubber.
 pub fn show(args: &RubberShowArgs, format: Format) -> Result<u8, Failure> {
     let answer = rubber_show(&RubberShowRequest { name: args.name.clone() })?;
     let text = || {

@@ -115,7 +115,6 @@ struct Constants {
     constants: Vec<ConstantRow>,
 }
 
-/// Runs the command.
 pub fn run(args: &RubberFitArgs, format: Format) -> Result<u8, Failure> {
     plot::check(&args.plot)?;
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
@@ -166,7 +165,6 @@ fn request(args: &RubberFitArgs) -> Result<RubberFitRequest, Failure> {
     })
 }
 
-/// `--fit-mode uniaxial,planar`
 fn modes(text: Option<&str>) -> Result<Vec<Mode>, Failure> {
     let one = |word: &str| {
         let short: String = word.trim().chars().take(60).collect();
@@ -176,7 +174,6 @@ fn modes(text: Option<&str>) -> Result<Vec<Mode>, Failure> {
     text.into_iter().flat_map(|t| t.split(',')).map(one).collect()
 }
 
-/// `--weights uniaxial=1,equibiaxial=2`
 fn weights(text: Option<&str>) -> Result<BTreeMap<Mode, f64>, Failure> {
     let mut out = BTreeMap::new();
     for entry in text.into_iter().flat_map(|t| t.split(',')) {

@@ -25,7 +25,6 @@ pub struct SchemaArgs {
     pub replace: OverwriteFlag,
 }
 
-/// Prints a schema.
 pub fn run(args: &SchemaArgs) -> Result<u8, Failure> {
     let put = |path: &Path, text: &str| {
         save(Target::file(path, args.replace.overwrite), Content::json(text.as_bytes()), text.as_bytes())

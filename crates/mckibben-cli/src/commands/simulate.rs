@@ -101,7 +101,6 @@ pub struct SimulateArgs {
     pub output: OutputFlags,
 }
 
-/// Runs the command.
 pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
     plot::check(&args.plot)?;
     check_picture(args.picture.as_deref())?;

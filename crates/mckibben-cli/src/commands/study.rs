@@ -12,7 +12,6 @@ use mckibben::curve::Test;
 use mckibben::study::StudyPanel;
 use mckibben_app::{StudyAnswer, StudyRequest, study};
 
-/// Runs the study.
 pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     plot::check(&args.plot)?;
     let unit = shown::units();

@@ -21,7 +21,6 @@ pub const EXAMPLES: &str = "Examples:
   mckibben validate --measured --only dmsp-10-hose --model thick-wall
   mckibben validate --measured --only rubber-treloar";
 
-/// Runs the command.
 pub fn run(args: &ValidateArgs, format: Format) -> Result<u8, Failure> {
     let path = args.output.target();
     if let Some(count) = args.sweep {

@@ -5,11 +5,8 @@ use serde_json::{Map, Value};
 /// What the values of a column are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// Numbers.
     Number,
-    /// True or false.
     Flag,
-    /// Texts.
     Text,
 }
 

@@ -5,7 +5,6 @@ use crate::failure::Failure;
 use mckibben_app::ProblemKind;
 use serde_json::Value;
 
-/// A table as CSV.
 pub fn rows(table: &Table) -> Result<Vec<u8>, Failure> {
     let broken =
         |e: &dyn std::fmt::Display| Failure::input(ProblemKind::Output, format!("cannot make CSV: {e}"), "");

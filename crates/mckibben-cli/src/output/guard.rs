@@ -13,27 +13,20 @@ use std::borrow::Cow;
 use std::io::Read;
 use std::path::Path;
 
-/// What is written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Content {
-    /// A muscle file.
     Muscle,
-    /// A formula.
     Formula,
     /// An answer as JSON, which begins with this key.
     Json {
-        /// The first key.
         key: String,
     },
     /// An answer as Parquet.
     Parquet,
     /// A report as a page.
     Page,
-    /// A report, printed.
     Pdf,
-    /// An input deck.
     Deck,
-    /// A manual page.
     Manual,
     /// A file of a build.
     Built,
@@ -47,12 +40,10 @@ pub enum Content {
     Vtk,
     /// A table with this first line.
     Table {
-        /// The first line.
         head: String,
     },
     /// A text that begins with these words.
     Text {
-        /// The first words.
         begins: String,
     },
 }

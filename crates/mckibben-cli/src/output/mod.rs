@@ -29,7 +29,6 @@ use serde::Serialize;
 use serde_json::Value;
 use std::path::Path;
 
-/// An answer as JSON.
 pub fn json<T: Serialize>(answer: &T) -> Result<Value, Failure> {
     serde_json::to_value(answer)
         .map_err(|e| Failure::input(ProblemKind::Output, format!("cannot make JSON: {e}"), ""))

@@ -3,10 +3,8 @@
 use super::columns::Column;
 use serde_json::{Map, Value};
 
-/// A table.
 #[derive(Debug)]
 pub struct Table {
-    /// Its columns.
     pub columns: Vec<Column>,
     /// Its rows, as objects; a key that is not there is an empty cell.
     pub rows: Vec<Value>,

@@ -8,7 +8,6 @@ use serde::Serialize;
 use serde_json::Value;
 use std::io::{BufWriter, Error, Write};
 
-/// Takes a row.
 pub type TakeRow<'a, R> = &'a mut dyn FnMut(&R) -> Result<(), Problem>;
 
 /// Prints an answer whose list named `rows` is made while it is printed: `make` hands over each row and returns the answer without them,

@@ -12,10 +12,8 @@ pub struct Target<'a> {
 }
 
 impl<'a> Target<'a> {
-    /// Standard output.
     pub const STDOUT: Target<'static> = Target { path: None, overwrite: false };
 
-    /// A file.
     pub fn file(path: &'a Path, overwrite: bool) -> Self {
         Self { path: Some(path), overwrite }
     }

@@ -13,14 +13,12 @@ pub fn place(path: &Path) -> String {
     line(&path.display().to_string()).into_owned()
 }
 
-/// A number or a dash.
 pub fn or_dash<T>(v: Option<T>, show: impl Fn(T) -> String) -> String {
     v.map_or_else(|| "–".into(), show)
 }
 
 /// A text column of a table that is too wide is not made narrower than this.
 const NARROW: usize = 24;
-/// Blanks between columns.
 const GAP: usize = 2;
 
 /// A table without borders: a header, aligned columns (numbers to the right). One that is wider than the text may be has narrower text

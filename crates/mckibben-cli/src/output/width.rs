@@ -29,7 +29,6 @@ fn of(terminal: Option<Width>) -> Option<usize> {
     Some(terminal.map(|Width(width)| usize::from(width)).or_else(said)?.max(LEAST))
 }
 
-/// Of tables.
 pub fn of_tables() -> usize {
     of_reader().unwrap_or(STABLE)
 }

@@ -41,7 +41,6 @@ impl Ran {
         value["error"].clone()
     }
 
-    /// Ended well.
     pub fn ok(self) -> Self {
         assert_eq!(self.code, 0, "{}", self.err);
         self
@@ -138,7 +137,6 @@ pub fn number(value: &Value, key: &str) -> f64 {
     value[key].as_f64().unwrap_or_else(|| panic!("{key} is not a number in {value:#}"))
 }
 
-/// A fresh folder.
 pub fn folder() -> tempfile::TempDir {
     tempfile::tempdir().unwrap()
 }

@@ -9,7 +9,6 @@ fn at_80(words: &str) -> String {
     ran(output).ok().text().to_owned()
 }
 
-/// The headings of a help.
 fn headings(help: &str) -> Vec<&str> {
     let known = ["Question", "Limits", "Muscle", "Advanced", "Output"];
     let lines = help.lines().filter_map(|line| line.strip_suffix(':'));

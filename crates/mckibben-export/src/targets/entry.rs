@@ -7,11 +7,8 @@ use crate::muscle::ExportedMuscle;
 /// What is known of a target.
 #[derive(Clone, Copy)]
 pub struct TargetEntry {
-    /// Its word.
     pub name: &'static str,
-    /// What it is.
     pub about: &'static str,
-    /// What it needs.
     pub needs: &'static str,
     /// What of the muscle it loses.
     pub loses: &'static str,

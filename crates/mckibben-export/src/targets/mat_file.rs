@@ -3,7 +3,6 @@
 //! The format: MathWorks, "MAT-File Format" (2019), chapter 1: a header of 128 bytes, then one element miMATRIX per variable with the
 //! sub-elements flags, dimensions, name and values, each padded to 8 bytes.
 
-/// A variable.
 pub(super) enum Variable<'a> {
     /// A matrix: rows, then values column by column.
     Matrix(usize, Vec<f64>),

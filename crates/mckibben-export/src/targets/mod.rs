@@ -86,9 +86,6 @@ impl FromStr for Target {
 
 impl ExportedMuscle {
     /// The files for a target.
-    ///
-    /// # Errors
-    /// [`ExportError`].
     pub fn to(&self, target: Target) -> Result<Artefact, ExportError> {
         (target.entry().make)(self)
     }

@@ -9,9 +9,7 @@ const ACROSS: usize = 41;
 const ALONG: usize = 61;
 
 pub(super) struct Tables {
-    /// Pressures, Pa.
     pub pressures: Vec<f64>,
-    /// Contractions.
     pub contractions: Vec<f64>,
     /// Points, pressure by pressure.
     pub points: Vec<Vec<Point>>,

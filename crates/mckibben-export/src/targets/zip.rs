@@ -6,9 +6,6 @@ use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
 /// The bytes of an archive with these files, whose date is the first of 1980.
-///
-/// # Errors
-/// [`ExportError::Host`] where a file does not fit into an archive.
 pub(super) fn zip(files: &[(&str, &[u8])]) -> Result<Vec<u8>, ExportError> {
     let fails =
         |error: &dyn std::fmt::Display| ExportError::Host(format!("the archive cannot be made: {error}"));

@@ -155,18 +155,12 @@ impl Body {
     }
 
     /// Residual of the present state, without a tangent.
-    ///
-    /// # Errors
-    /// [`Stopped`].
     pub fn evaluate(&mut self) -> Result<Totals, Stopped> {
         self.totals = assemble::<false>(&self.discretisation, &self.state, &mut self.assembled)?;
         Ok(self.totals)
     }
 
     /// Residual and factorised tangent of the present state.
-    ///
-    /// # Errors
-    /// [`Stopped`].
     pub fn factorise(&mut self) -> Result<Totals, Stopped> {
         self.linearised = false;
         self.totals = assemble::<true>(&self.discretisation, &self.state, &mut self.assembled)?;
@@ -179,9 +173,6 @@ impl Body {
     }
 
     /// The same; nothing is done where the last tangent is that of the present state.
-    ///
-    /// # Errors
-    /// [`Stopped`].
     pub fn factorised(&mut self) -> Result<Totals, Stopped> {
         if self.linearised { Ok(self.totals) } else { self.factorise() }
     }

@@ -50,9 +50,6 @@ pub struct Contact {
 
 impl Axisymmetric {
     /// The contact of the strands at a pressure in MPa and a contraction.
-    ///
-    /// # Errors
-    /// [`FemError`].
     pub fn contact(
         &self,
         workspace: &mut Workspace,

@@ -38,9 +38,6 @@ impl MeshSpec {
     }
 
     /// Fills in what is not said, for a tube of outer radius, wall and half length in mm.
-    ///
-    /// # Errors
-    /// [`FemError::Mesh`] where numbers make no mesh.
     pub fn resolve(&self, outer: f64, wall: f64, half: f64) -> Result<(usize, usize, f64), FemError> {
         let chosen = default_mesh(outer, wall, half);
         let through = self.through.unwrap_or(chosen.0);

@@ -13,9 +13,6 @@ use mckibben::model::Response;
 use mckibben::muscle::Muscle;
 
 /// Everything the body's present equilibrium tells; factorises its tangent.
-///
-/// # Errors
-/// [`FemError::Force`] where the tangent is singular.
 pub fn solution(body: &mut Body, muscle: &Muscle) -> Result<Solution, FemError> {
     let response = response(body, muscle)?;
     let has_slopes = body.discretisation.has_slopes();
@@ -42,9 +39,6 @@ pub fn solution(body: &mut Body, muscle: &Muscle) -> Result<Solution, FemError> 
 }
 
 /// The part that every model tells; factorises the tangent.
-///
-/// # Errors
-/// [`FemError::Force`] where the tangent is singular.
 pub fn response(body: &mut Body, muscle: &Muscle) -> Result<Response, FemError> {
     let totals = body.factorised().map_err(|reason| FemError::at_force(body.totals.pull, reason))?;
     let (half_volume_per_pressure, force_per_pressure) = body.by_pressure();

@@ -122,9 +122,6 @@ impl Section {
 impl Axisymmetric {
     /// The section at a pressure in MPa and a contraction: of the very equilibrium that was answered with, where the
     /// workspace still has it.
-    ///
-    /// # Errors
-    /// [`FemError`].
     pub fn section_at(
         &self,
         workspace: &mut Workspace,

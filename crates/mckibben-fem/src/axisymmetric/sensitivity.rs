@@ -34,9 +34,6 @@ pub fn all(body: &mut Body, muscle: &Muscle) -> Result<Vec<Sensitivity>, FemErro
 }
 
 /// Those whose name is wanted.
-///
-/// # Errors
-/// As [`all`].
 pub fn of(
     body: &mut Body,
     muscle: &Muscle,

@@ -64,9 +64,6 @@ struct Step {
 }
 
 /// Every increment of a deck: contraction and pressure in MPa at its end.
-///
-/// # Errors
-/// [`DeckError::Pressures`].
 pub fn increments(contraction: f64, pressures_mpa: &[f64]) -> Result<Vec<(f64, f64)>, DeckError> {
     let mut out = vec![];
     let (mut e, mut p) = (0.0, 0.0);
@@ -81,9 +78,6 @@ pub fn increments(contraction: f64, pressures_mpa: &[f64]) -> Result<Vec<(f64, f
 }
 
 /// The deck of an isometric test: filled up to 0.05 MPa (or the next of the pressures), shortened, filled further.
-///
-/// # Errors
-/// [`DeckError`].
 pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -> Result<String, DeckError> {
     let mesh = model.mesh();
     if mesh.brick() != Brick::Linear {

@@ -36,9 +36,6 @@ impl VtuSeries {
     }
 
     /// The files of a step: bodies and what the model says about the equilibrium; then the list of all steps.
-    ///
-    /// # Errors
-    /// [`VtuError`].
     pub fn add(&mut self, shape: Shape, response: &Response) -> Result<Vec<VtuFile>, VtuError> {
         let step = self.parts.len();
         let note = if shape.for_display { "; the number of strands is for display" } else { "" };

@@ -52,9 +52,6 @@ impl Grid {
     }
 
     /// The file; `about` is said in a comment at its head, `file` is named in errors.
-    ///
-    /// # Errors
-    /// [`VtuError`].
     pub fn to_xml(&self, about: &str, file: &str) -> Result<String, VtuError> {
         let finite = |name: &'static str, ok: bool| {
             if ok { Ok(()) } else { Err(VtuError { file: file.into(), name }) }

@@ -52,9 +52,6 @@ impl Chain {
     }
 
     /// Adds what came from the slab before and eliminates; slabs go in order.
-    ///
-    /// # Errors
-    /// [`Singular`].
     pub fn eliminate(&mut self, slab: usize) -> Result<(), Singular> {
         let (n, m, size) = (self.inside, self.station, self.size());
         let a = &mut self.matrices[slab * size * size..(slab + 1) * size * size];

@@ -210,9 +210,6 @@ impl<B: Body> Continuation<B> {
     /// Finds the equilibrium at a pressure in MPa and a contraction.
     ///
     /// First from the nearest one kept, then from the first guesses; where these leave open which equilibrium it is, from the taut muscle.
-    ///
-    /// # Errors
-    /// [`FemError`].
     pub fn reach(&mut self, pressure: f64, contraction: f64) -> Result<(), FemError> {
         self.question(pressure, contraction)?;
         let terminal = -contraction * self.body.half_length();
@@ -258,9 +255,6 @@ impl<B: Body> Continuation<B> {
     }
 
     /// The same without a neighbour or a guess: from rest, step by step.
-    ///
-    /// # Errors
-    /// [`FemError`].
     pub fn walk_from_rest(&mut self, pressure: f64, contraction: f64) -> Result<(), FemError> {
         self.question(pressure, contraction)?;
         let terminal = -contraction * self.body.half_length();

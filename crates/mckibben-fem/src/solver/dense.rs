@@ -9,9 +9,6 @@ four_at_a_time! {
     /// Schur complement. Gives the number of negative pivots, or the pivot that is zero or no number.
     ///
     /// No pivots are exchanged: systems are ordered and augmented so that none need be.
-    ///
-    /// # Errors
-    /// The index of the pivot.
     pub fn eliminate(a: &mut [f64], size: usize, eliminated: usize) -> Result<usize, usize> = sized
 }
 

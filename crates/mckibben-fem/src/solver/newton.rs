@@ -16,15 +16,9 @@ pub trait NewtonSystem {
     fn residual(&mut self) -> Result<f64, Stopped>;
 
     /// The same, with the tangent factorised.
-    ///
-    /// # Errors
-    /// [`Stopped`].
     fn linearise(&mut self) -> Result<f64, Stopped>;
 
     /// Solves with the last tangent and moves on; gives the relative size of the correction.
-    ///
-    /// # Errors
-    /// [`Stopped`].
     fn correct(&mut self) -> Result<f64, Stopped>;
 
     /// Takes back a share of the last correction: `keep` = ½ leaves half of it, and so on from there.

@@ -57,9 +57,6 @@ impl<B: Body> Continuation<B> {
     }
 
     /// Finds the equilibrium with a pull in N at a contraction by Newton's method with both held; its pressure is sought.
-    ///
-    /// # Errors
-    /// [`FemError`].
     pub fn reach_pressure(&mut self, force: f64, contraction: f64) -> Result<(), FemError> {
         let terminal = -contraction * self.body.half_length();
         let scale = self.body.smallest_pressure();

@@ -72,9 +72,6 @@ impl Analysis {
 
 impl SparseCholesky {
     /// Memory for a matrix with a pattern.
-    ///
-    /// # Errors
-    /// [`TooLarge`] where there is none.
     pub fn new(analysis: Arc<Analysis>) -> Result<Self, TooLarge> {
         let too_large = TooLarge { dimension: analysis.pattern.dimension() };
         let (entries, width) = (analysis.symbolic.entries(), Width::here());

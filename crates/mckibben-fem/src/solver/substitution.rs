@@ -7,7 +7,6 @@ use crate::element::lanes::{Real, Width, on_lanes};
 /// Columns at a time.
 const COLUMNS: usize = 4;
 
-/// A factorised matrix.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Factor<'a> {
     pub form: Form,

@@ -21,7 +21,6 @@ const ZEROS: [(usize, f64); 4] = [(4, 1.0), (16, 0.8), (48, 0.1), (usize::MAX, 0
 /// Numbers that a factor may have: 16 GB.
 const MOST: u64 = i32::MAX as u64;
 
-/// No supernode.
 const NONE: u32 = u32::MAX;
 
 /// The supernodes of a pattern. Each is a matrix by columns: its own rows, then those below.

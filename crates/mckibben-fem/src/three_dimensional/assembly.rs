@@ -62,9 +62,6 @@ impl Assembled {
 }
 
 /// Adds up the elements; the tangent only where `TANGENT`.
-///
-/// # Errors
-/// [`Stopped::Inverted`], [`Stopped::NotFinite`], [`Stopped::Exceeded`].
 pub fn assemble<const TANGENT: bool>(
     d: &Discretisation,
     s: &State,

@@ -86,9 +86,6 @@ impl Body {
     }
 
     /// Residual of the present state, without a tangent.
-    ///
-    /// # Errors
-    /// [`Stopped`].
     pub fn evaluate(&mut self) -> Result<Totals, Stopped> {
         self.totals =
             assemble::<false>(&self.discretisation, &self.state, &mut self.assembled, &self.budget)?;
@@ -96,26 +93,17 @@ impl Body {
     }
 
     /// Residual and tangent of the present state.
-    ///
-    /// # Errors
-    /// [`Stopped`].
     pub fn assemble(&mut self) -> Result<Totals, Stopped> {
         self.totals = assemble::<true>(&self.discretisation, &self.state, &mut self.assembled, &self.budget)?;
         Ok(self.totals)
     }
 
     /// Factorises the last assembled tangent.
-    ///
-    /// # Errors
-    /// [`Stopped::Singular`], [`Stopped::Exceeded`].
     pub fn factorise_assembled(&mut self) -> Result<(), Stopped> {
         self.cholesky.factorise(&self.assembled.values, &self.budget)
     }
 
     /// Residual and factorised tangent of the present state.
-    ///
-    /// # Errors
-    /// [`Stopped`].
     pub fn factorise(&mut self) -> Result<Totals, Stopped> {
         self.assemble()?;
         self.factorise_assembled()?;

@@ -22,9 +22,6 @@ fn stands_for(meshed: f64, angle: f64) -> bool {
 impl BrickMesh {
     /// Refuses divisions of a muscle whose strands would lie at another angle than those of its braid. A mesh that leaves the rows along to
     /// the program, or the length, has the braid's angle.
-    ///
-    /// # Errors
-    /// [`FemError::MeshAngle`] with divisions that fit.
     pub fn check_angle(muscle: &Muscle, spec: &BrickSpec) -> Result<(), FemError> {
         let Some(along) = spec.along.filter(|_| spec.keep == Match::Length) else { return Ok(()) };
         let (tube, angle) = (muscle.tube(), muscle.braid().angle_rad());

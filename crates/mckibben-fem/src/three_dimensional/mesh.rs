@@ -167,9 +167,6 @@ impl BrickMesh {
     pub(super) const MOST_AROUND: usize = MOST[1] as usize;
 
     /// Whether numbers that are said make a mesh.
-    ///
-    /// # Errors
-    /// [`FemError::Mesh`] where they do not.
     pub fn check(spec: &BrickSpec) -> Result<(), FemError> {
         let names = ["through", "around", "along"];
         for ((name, value), high) in names.into_iter().zip([spec.through, spec.around, spec.along]).zip(MOST)
@@ -183,9 +180,6 @@ impl BrickMesh {
     }
 
     /// Bricks through the wall, around and along, and the last over the insertion, of a tube that is divided so.
-    ///
-    /// # Errors
-    /// [`FemError::Mesh`] where numbers make no mesh.
     pub fn count(
         inner: f64,
         outer: f64,
@@ -220,9 +214,6 @@ impl BrickMesh {
     }
 
     /// Divides one eighth of a tube of inner and outer radius and half length (mm) with strands at `angle` (radians).
-    ///
-    /// # Errors
-    /// [`FemError::Mesh`] where numbers make no mesh.
     pub fn new(inner: f64, outer: f64, half: f64, angle: f64, spec: &BrickSpec) -> Result<Self, FemError> {
         let order = spec.brick.order();
         let [through, around, along, bonded] = Self::count(inner, outer, half, angle, spec)?;

@@ -20,9 +20,6 @@ fn plug_flat(mesh: &BrickMesh, nose: f64) -> f64 {
 }
 
 /// Everything the present equilibrium tells; factorises its tangent.
-///
-/// # Errors
-/// [`FemError::Force`] where the tangent is singular.
 pub fn solution(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<Solution, FemError> {
     let response = response(body, mesh, muscle)?;
     let totals = body.totals;
@@ -56,9 +53,6 @@ fn rest_volume(mesh: &BrickMesh) -> f64 {
 }
 
 /// The part that every model tells; factorises the tangent.
-///
-/// # Errors
-/// [`FemError::Force`] where the tangent is singular.
 pub fn response(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<Response, FemError> {
     let force_n = body.totals.pull;
     let totals = body.factorise().map_err(|reason| FemError::at_force(force_n, reason))?;

@@ -17,7 +17,6 @@ use crate::solver::body::State;
 use crate::solver::sparse::SparseCholesky;
 use mckibben::budget::Budget;
 
-/// Most iterations.
 const ITERATIONS: usize = 60;
 
 /// Constraints of a body at its last assembly.
@@ -194,14 +193,12 @@ pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
-/// Unknowns into displacements.
 pub(super) fn spread(d: &Discretisation, x: &[f64], u: &mut [f64]) {
     for (x, place) in x.iter().zip(&d.place) {
         u[*place as usize] = *x;
     }
 }
 
-/// Displacements into unknowns.
 pub(super) fn gather(d: &Discretisation, u: &[f64], x: &mut [f64]) {
     for (x, place) in x.iter_mut().zip(&d.place) {
         *x = u[*place as usize];

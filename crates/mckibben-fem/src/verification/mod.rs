@@ -86,7 +86,6 @@ fn body(mesh: Mesh, braid: Option<BraidSpec>, ends: Ends) -> Result<Continuation
     Ok(at_rest(Discretisation::new(mesh, problem)?))
 }
 
-/// A body at rest.
 fn at_rest(discretisation: Discretisation) -> Continuation<Body> {
     Continuation::new(Body::new(discretisation))
 }

@@ -90,7 +90,6 @@ fn length(line: &[[f64; 3]]) -> f64 {
     line.windows(2).map(|p| norm(minus(p[1], p[0]))).sum()
 }
 
-/// The text of a file of this name.
 fn text(files: &[VtuFile], name: &str) -> String {
     files.iter().find(|f| f.name == name).unwrap().text.clone()
 }

@@ -26,9 +26,6 @@ pub struct Comparison {
 }
 
 /// Compares a model with measured points. Where the model is slack it counts as 0 N.
-///
-/// # Errors
-/// The first error, if the model answers none of the points.
 pub fn compare<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,

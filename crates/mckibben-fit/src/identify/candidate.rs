@@ -51,9 +51,6 @@ pub fn own_value(muscle: &Muscle, target: Target) -> Option<f64> {
 
 impl Candidate {
     /// A muscle with values in place of its own.
-    ///
-    /// # Errors
-    /// [`MuscleError`] where they make none.
     pub fn new(base: &Muscle, values: &[(Target, f64)]) -> Result<Self, MuscleError> {
         let mut parts = base.parts().clone();
         let mut family = Family {
@@ -100,15 +97,11 @@ impl Candidate {
         Ok(Self { muscle: Muscle::from_parts(parts)?, family, contraction_offset, dead_volume_mm3 })
     }
 
-    /// The muscle.
     pub fn muscle(&self) -> &Muscle {
         &self.muscle
     }
 
     /// The muscle of a row of data.
-    ///
-    /// # Errors
-    /// [`MuscleError`].
     pub fn of_section(&self, section: &Section) -> Result<Muscle, MuscleError> {
         let muscle = section.apply(&self.muscle)?;
         let Some(family) = self.family else { return Ok(muscle) };

@@ -52,9 +52,6 @@ pub fn default_targets(muscle: &Muscle, points: &[DataPoint], history: bool) -> 
 
 /// [`identify_with`] with the [`default_targets`] that are not fixed; a stiffness that the data do not determine is left at the
 /// muscle's own.
-///
-/// # Errors
-/// [`IdentifyError`].
 pub fn identify_default(
     request: &Request<'_>,
     build: &Build<'_>,

@@ -23,7 +23,6 @@ const EARLY_LOCK: f64 = 3.0;
 /// What the points say of a law.
 #[derive(Debug, Clone)]
 pub struct LawTrial {
-    /// The law.
     pub law: &'static str,
     /// What was found with it.
     pub found: Result<Identification, IdentifyError>,
@@ -36,9 +35,6 @@ pub struct LawTrial {
 }
 
 /// Every law with a fixed number of constants, lowest AICc first.
-///
-/// # Errors
-/// [`IdentifyError::Cancelled`]; what ends one law alone is in its trial.
 pub fn try_laws(
     request: &Request<'_>,
     build: &Build<'_>,

@@ -95,7 +95,6 @@ fn meant(nearest: Option<&str>) -> String {
 }
 
 impl Target {
-    /// All that a muscle has.
     pub fn all(muscle: &Muscle) -> Vec<Target> {
         let laws = (0..muscle.tube().rubber.law.values().len()).map(Law);
         let first = [Modulus, Stiffness, StiffnessExponent];
@@ -115,9 +114,6 @@ impl Target {
     }
 
     /// The target of a name.
-    ///
-    /// # Errors
-    /// [`ParameterError::Unknown`] with the name that was probably meant.
     pub fn parse(text: &str, muscle: &Muscle) -> Result<Self, ParameterError> {
         let given = text.trim();
         if let Some((_, target)) = NAMES.iter().find(|n| n.0 == given) {
@@ -209,7 +205,6 @@ fn constant(muscle: &Muscle, i: usize) -> Option<ConstantValue> {
 /// A parameter that is free, with what was said of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parameter {
-    /// What.
     pub target: Target,
     /// Where the search begins; the muscle's own value where `None`.
     pub start: Option<f64>,
@@ -224,9 +219,6 @@ impl Parameter {
     }
 
     /// `name`, `name=start` or `name=start:low:high`, quantities with a unit if you like.
-    ///
-    /// # Errors
-    /// [`ParameterError`].
     pub fn parse(text: &str, muscle: &Muscle) -> Result<Self, ParameterError> {
         let (name, values) = match text.split_once('=') {
             None => (text, None),
@@ -246,10 +238,6 @@ impl Parameter {
         }
     }
 
-    /// `name=low:high`.
-    ///
-    /// # Errors
-    /// [`ParameterError`].
     pub fn parse_bounds(text: &str, muscle: &Muscle) -> Result<(Target, (f64, f64)), ParameterError> {
         let form = || ParameterError::Form { given: format!("{} (bounds are name=low:high)", text.trim()) };
         let (name, values) = text.split_once('=').ok_or_else(form)?;

@@ -10,11 +10,9 @@ use mckibben::muscle::Muscle;
 pub struct Request<'a> {
     /// The muscle, with a value for everything that is not free.
     pub muscle: &'a Muscle,
-    /// What is free.
     pub free: &'a [Parameter],
     /// Values in place of the muscle's own.
     pub fixed: &'a [(Target, f64)],
-    /// The points.
     pub points: &'a [DataPoint],
     /// How a point far off counts.
     pub loss: Loss,

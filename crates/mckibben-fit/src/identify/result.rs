@@ -10,14 +10,12 @@ use serde::{Serialize, Serializer};
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Identified {
-    /// What.
     #[serde(skip)]
     pub target: Target,
     /// Its name, as in the muscle file.
     pub name: String,
     /// Where the search began.
     pub start: f64,
-    /// Its value.
     pub value: f64,
     /// Its unit; empty for a plain number.
     pub unit: &'static str,
@@ -43,13 +41,11 @@ pub struct Identified {
 /// A point with what the model makes of it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PointFit {
-    /// The point.
     pub point: DataPoint,
     /// Model less measured, in the unit of what was read: N, –, MPa, mm³.
     pub residual: f64,
     /// The same in N.
     pub residual_n: f64,
-    /// Its final weight.
     pub weight: f64,
     /// Whether it is an outlier.
     pub outlier: bool,
@@ -59,10 +55,8 @@ pub struct PointFit {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Spread {
-    /// Of which points.
     #[serde(rename = "of")]
     pub label: String,
-    /// How many.
     pub points: usize,
     /// In N.
     pub rms_n: f64,
@@ -121,7 +115,6 @@ fn count<S: Serializer>(points: &[DataPoint], serializer: S) -> Result<S::Ok, S:
 }
 
 impl Identification {
-    /// A parameter by its target.
     pub fn parameter(&self, target: Target) -> Option<&Identified> {
         self.parameters.iter().find(|p| p.target == target)
     }

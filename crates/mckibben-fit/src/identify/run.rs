@@ -82,17 +82,11 @@ fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec
 }
 
 /// Identifies the free parameters of a muscle so that the model made by `build` comes closest to the points.
-///
-/// # Errors
-/// [`IdentifyError`] with what to do about it.
 pub fn identify(request: &Request<'_>, build: &Build<'_>) -> Result<Identification, IdentifyError> {
     identify_with(request, build, &Silent)
 }
 
 /// The same for a caller who may want it to end before its end.
-///
-/// # Errors
-/// As [`identify`]; [`IdentifyError::Cancelled`].
 pub fn identify_with(
     request: &Request<'_>,
     build: &Build<'_>,

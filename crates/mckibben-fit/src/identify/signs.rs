@@ -17,9 +17,6 @@ fn lines(list: &[u64]) -> String {
 }
 
 /// Sentences on single points with the wrong sign.
-///
-/// # Errors
-/// [`IdentifyError::Flipped`] where most of them have it.
 pub(super) fn check(request: &Request<'_>) -> Result<Vec<String>, IdentifyError> {
     let points: Vec<&DataPoint> = request.points.iter().filter(|p| p.weight > 0.0).collect();
     let mut notes = pushing(request, &points)?;

@@ -22,12 +22,10 @@ pub struct Unknown {
 }
 
 impl Unknown {
-    /// Any value.
     pub fn free(start: f64, scale: f64) -> Self {
         Self { start, low: f64::NEG_INFINITY, high: f64::INFINITY, scale }
     }
 
-    /// Nothing below `low`.
     pub fn above(start: f64, low: f64, scale: f64) -> Self {
         Self { start, low, high: f64::INFINITY, scale }
     }

@@ -38,7 +38,6 @@ impl<F: Fn(&[f64]) -> Option<Vec<f64>>> Residuals for F {
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "LossWord"))]
 pub enum Loss {
-    /// Sum of squares.
     #[default]
     Squares,
     // By the square up to 1.345 robust deviations (1.4826 times the median of |r|), and linearly beyond (Huber 1964 [huber1964]).
@@ -52,7 +51,6 @@ pub enum Loss {
 /// A minimum with its statistics. Matrices have one row and column an unknown.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Estimate {
-    /// The unknowns.
     pub x: Vec<f64>,
     /// Standard errors; infinite where the data do not determine the unknown at all, 0 on a bound.
     pub standard_errors: Vec<f64>,
@@ -178,7 +176,6 @@ impl Inner<'_> {
 
 /// What lies beside the end of a search.
 enum Beside {
-    /// Nothing smaller.
     Minimum,
     /// Unknowns with a smaller sum of squares.
     Smaller(DVector<f64>),
@@ -299,9 +296,6 @@ const TURNS: usize = 60;
 const HUBER: f64 = 1.345;
 
 /// The unknowns that make the residuals small, with their errors. `weights` has one number ≥ 0 a point.
-///
-/// # Errors
-/// [`EstimateError`].
 pub fn estimate(
     residuals: &dyn Residuals,
     unknowns: &[Unknown],

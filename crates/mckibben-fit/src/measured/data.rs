@@ -53,9 +53,6 @@ impl Section {
     }
 
     /// The muscle with these measures.
-    ///
-    /// # Errors
-    /// [`MuscleError`].
     pub fn apply(&self, muscle: &Muscle) -> Result<Muscle, MuscleError> {
         let mut tube = muscle.tube().clone();
         tube.outer_diameter_mm = self.outer_diameter_mm.unwrap_or(tube.outer_diameter_mm);
@@ -94,7 +91,6 @@ pub struct DataPoint {
 }
 
 impl DataPoint {
-    /// A measured pull.
     pub fn of(at: MeasuredPoint) -> Self {
         Self {
             at,

@@ -23,17 +23,11 @@ const CONTRACTION: usize = 1;
 const FORCE: usize = 2;
 
 /// [`read_points`] of a table that says everything.
-///
-/// # Errors
-/// [`TableError`] names line and column.
 pub fn read_data(input: impl Read) -> Result<Vec<DataPoint>, TableError> {
     Ok(read_points(input, &PointOptions::default())?.0)
 }
 
 /// Pressure, contraction, pull and branch of [`read_data`].
-///
-/// # Errors
-/// [`TableError`] names line and column.
 pub fn read_measured(input: impl Read) -> Result<Vec<MeasuredPoint>, TableError> {
     Ok(read_data(input)?.into_iter().map(|p| p.at).collect())
 }
@@ -45,9 +39,6 @@ pub fn read_measured(input: impl Read) -> Result<Vec<MeasuredPoint>, TableError>
 /// contraction, pressure, volume), `force_error_n`, `contraction_error`, `pressure_error_mpa`, `weight`, `outer_diameter_mm`,
 /// `volume` (read in rows that say so in `measured`, and where there are no pulls), `wall_mm`, `angle_deg`, L0 as `rest_length_mm` or, beside a contraction, `length_mm`; rows whose `status` is not `ok`
 /// (points without answer, as `curve` writes them) are left out.
-///
-/// # Errors
-/// [`TableError`] names line and column.
 pub fn read_points(
     input: impl Read,
     options: &PointOptions,

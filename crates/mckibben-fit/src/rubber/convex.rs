@@ -19,7 +19,6 @@ pub(super) struct Inequality {
     pub h: f64,
 }
 
-/// The minimum.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Solution {
     pub x: Vec<f64>,

@@ -27,17 +27,11 @@ impl Default for ReadOptions {
 }
 
 /// [`read_tests`] of a table that says everything.
-///
-/// # Errors
-/// [`TableError`] names line and column.
 pub fn read_tension(input: impl Read, options: ReadOptions) -> Result<Vec<TensionPoint>, TableError> {
     Ok(read_tests(input, options, &Columns::default())?.0)
 }
 
 /// Reads points in the order of a table in any common form ([`table`](mckibben_table)), and says what was understood of it.
-///
-/// # Errors
-/// [`TableError`] names line and column.
 pub fn read_tests(
     input: impl Read,
     options: ReadOptions,

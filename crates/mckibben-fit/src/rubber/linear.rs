@@ -46,7 +46,6 @@ fn scale(basis: &Law, problem: &Problem) -> f64 {
     problem.modulus_mpa * (stretch - stretch.powi(-3)) / basis.planar_stress_mpa(stretch)
 }
 
-/// The free fit.
 pub(super) fn free(form: Form, basis: &[Law], problem: &Problem) -> Result<Raw, TensionFitError> {
     let failed = |why: String| TensionFitError::NotConverged { law: form.name(), why };
     let columns = columns(basis, problem).ok_or_else(|| failed("a stress is not finite".into()))?;

@@ -62,9 +62,6 @@ pub fn fit_tension(points: &[TensionPoint], settings: &FitSettings) -> Result<Te
 }
 
 /// The same with progress over the laws, an end when the caller wants one, and within a budget.
-///
-/// # Errors
-/// Those of [`fit_tension`], and [`TensionFitError::Ended`].
 pub fn fit_tension_with(
     points: &[TensionPoint],
     settings: &FitSettings,

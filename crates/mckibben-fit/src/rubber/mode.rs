@@ -30,14 +30,11 @@ pub enum Mode {
 }
 
 impl Mode {
-    /// All of them.
     pub const ALL: [Mode; 4] = [Mode::Uniaxial, Mode::Planar, Mode::Equibiaxial, Mode::General];
     /// Those in which one stretch says all.
     pub const OF_ONE_STRETCH: [Mode; 3] = [Mode::Uniaxial, Mode::Planar, Mode::Equibiaxial];
-    /// What is understood.
     pub const WORDS: &'static str = "uniaxial, planar (or pure shear), equibiaxial (or biaxial), general";
 
-    /// Its name.
     pub fn name(self) -> &'static str {
         match self {
             Mode::Uniaxial => "uniaxial",

@@ -110,7 +110,6 @@ fn sets(count: usize, size: usize) -> Vec<Vec<usize>> {
     out
 }
 
-/// The fit.
 pub(super) fn fit(form: Form, problem: &Problem) -> Result<Raw, TensionFitError> {
     let count = form.terms().unwrap_or(1);
     let failed = |why: String| TensionFitError::NotConverged { law: form.name(), why };

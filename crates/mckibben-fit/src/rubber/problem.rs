@@ -68,7 +68,6 @@ impl Problem {
         out
     }
 
-    /// Points that count.
     pub fn counting(&self) -> usize {
         self.weights.iter().filter(|w| **w > 0.0).count()
     }

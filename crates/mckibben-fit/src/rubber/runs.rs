@@ -20,7 +20,6 @@ pub(super) struct Sorted {
 }
 
 impl Sorted {
-    /// All points as they are.
     pub fn history(points: &[TensionPoint]) -> Self {
         Self { kept: points.to_vec(), ..Self::default() }
     }

@@ -13,50 +13,28 @@ const MUSCLE_STRETCH: f64 = 2.3;
 /// Shear moduli of rubbers, from soft gels to hard rubber, in MPa.
 const MODULI: (f64, f64) = (0.005, 20.0);
 
-/// Warnings.
 #[derive(Debug, Clone, PartialEq)]
 pub enum TensionWarning {
     /// Points behind a rupture were left out.
-    Rupture {
-        /// In which test.
-        mode: Mode,
-        /// How many.
-        points: usize,
-    },
+    Rupture { mode: Mode, points: usize },
     /// The specimen was unloaded.
-    Loops {
-        /// How often.
-        unloadings: usize,
-    },
+    Loops { unloadings: usize },
     /// The modulus is not that of a rubber.
-    Modulus {
-        /// In MPa.
-        modulus_mpa: f64,
-    },
+    Modulus { modulus_mpa: f64 },
     /// Points that pull where the specimen is pressed, or the other way round.
-    Signs {
-        /// How many.
-        points: usize,
-    },
+    Signs { points: usize },
     /// One-axis tests alone.
     OneAxis,
     /// The tests end below the stretches of a muscle.
     Short {
         /// Largest principal stretch of the tests.
         fitted_to_stretch: f64,
-        /// Stretch of a muscle.
         muscle_stretch: f64,
     },
     /// A law that is unstable in a muscle.
-    Unstable {
-        /// Which.
-        law: String,
-        /// Hoop stretch from which on.
-        hoop_stretch: f64,
-    },
+    Unstable { law: String, hoop_stretch: f64 },
     /// A law whose chains lock within a muscle's stretches.
     Locks {
-        /// Which.
         law: String,
         /// Hoop stretch at which it locks.
         hoop_stretch: f64,
@@ -64,24 +42,15 @@ pub enum TensionWarning {
         i1_minus_3: f64,
     },
     /// Mooney–Rivlin with C01 < 0.
-    NegativeC01 {
-        /// In MPa.
-        c01_mpa: f64,
-    },
+    NegativeC01 { c01_mpa: f64 },
     /// Constants that are no rubber at rest.
     NoStiffness {
-        /// Which law.
         law: String,
         /// Its shear modulus in MPa.
         modulus_mpa: f64,
     },
     /// Constants that the data do not tell.
-    NotTold {
-        /// Of which law.
-        law: String,
-        /// Their names.
-        names: Vec<String>,
-    },
+    NotTold { law: String, names: Vec<String> },
 }
 
 impl fmt::Display for TensionWarning {

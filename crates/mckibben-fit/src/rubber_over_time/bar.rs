@@ -23,9 +23,6 @@ pub struct TimePoint {
 }
 
 /// Reads times, stretches and nominal stresses of one specimen from a table in any common form.
-///
-/// # Errors
-/// [`TableError`].
 pub fn read_history(input: impl Read, columns: &Columns) -> Result<Vec<TimePoint>, TableError> {
     let table = Table::read(&read_text(input)?, &HISTORIES, columns)?;
     let column = |group| table.numbers(table.needed(group)?);
@@ -85,9 +82,6 @@ impl<'a, L: RubberLaw> Bar<'a, L> {
     }
 
     /// Nominal stresses over a history, in MPa.
-    ///
-    /// # Errors
-    /// [`OverTimeFitError::History`] where times go back or stretches are not above zero.
     pub fn over(mut self, history: &[TimePoint]) -> Result<Vec<f64>, OverTimeFitError> {
         check(history)?;
         Ok(history.iter().map(|p| self.at(p.time_s, p.stretch)).collect())

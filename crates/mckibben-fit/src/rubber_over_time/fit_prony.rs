@@ -21,7 +21,6 @@ use serde::Serialize;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "PronyAnswer"))]
 pub struct PronyFit {
-    /// The law.
     #[serde(rename = "law")]
     #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub form: Form,
@@ -33,7 +32,6 @@ pub struct PronyFit {
     #[serde(serialize_with = "columns")]
     #[cfg_attr(feature = "schema", schemars(with = "std::collections::BTreeMap<String, f64>"))]
     pub long_time: Law,
-    /// The Prony series.
     pub branches: Vec<BranchFit>,
     /// Root mean square of the differences of nominal stress, MPa.
     pub rms_mpa: f64,
@@ -74,9 +72,6 @@ fn with_moduli(law: &Law, moduli: &[f64]) -> Law {
 }
 
 /// Fits a law and a series of so many branches to a history that starts from rest.
-///
-/// # Errors
-/// [`OverTimeFitError`].
 pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<PronyFit, OverTimeFitError> {
     check(history)?;
     let points = history.len();

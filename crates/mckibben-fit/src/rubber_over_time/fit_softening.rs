@@ -16,7 +16,6 @@ use serde::Serialize;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "SofteningAnswer"))]
 pub struct SofteningFit {
-    /// The law.
     #[serde(rename = "law")]
     #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub form: Form,
@@ -32,7 +31,6 @@ pub struct SofteningFit {
     pub beta: f64,
     /// Standard errors of r, m and β, the law taken as known; null where the data do not determine them.
     pub standard_errors: [Option<f64>; 3],
-    /// Points of the first loading.
     pub first_loading_points: usize,
     /// Points below the largest energy so far.
     pub later_points: usize,
@@ -52,9 +50,6 @@ impl SofteningFit {
 }
 
 /// Fits a law and its softening to a history in the order of time.
-///
-/// # Errors
-/// [`OverTimeFitError`].
 pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit, OverTimeFitError> {
     check(history)?;
     let mut virgin = vec![];

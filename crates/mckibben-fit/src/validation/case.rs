@@ -28,12 +28,9 @@ pub struct CaseFiles {
     pub identified: String,
 }
 
-/// What was measured.
 #[derive(Debug, Clone)]
 pub enum Measurement {
-    /// A muscle.
     Muscle(MuscleCase),
-    /// A rubber.
     Rubber(RubberCase),
 }
 
@@ -57,7 +54,6 @@ pub struct MuscleCase {
 /// What is fitted to which points.
 #[derive(Debug, Clone)]
 pub struct CaseFit {
-    /// Its name.
     pub name: String,
     /// The muscle with which the search begins.
     pub muscle: Muscle,
@@ -74,7 +70,6 @@ pub struct CaseFit {
 pub struct Split {
     /// Quantity that divides the points.
     pub by: By,
-    /// Which of them are fitted.
     pub fitted: FittedSubset,
 }
 
@@ -83,9 +78,7 @@ pub struct Split {
 pub enum By {
     /// L0 of the muscle.
     Length,
-    /// The pressure.
     Pressure,
-    /// The contraction.
     Contraction,
 }
 
@@ -135,28 +128,20 @@ pub(super) fn with_file(file: &str) -> Vec<String> {
     names
 }
 
-/// What is built in.
 static BUILT_IN: LazyLock<Result<Vec<Measurement>, CaseError>> =
     LazyLock::new(|| built_in().iter().map(Measurement::read).collect());
 
 /// The measurements that are built in.
-///
-/// # Errors
-/// [`CaseError`] of a folder of ours that cannot be read.
 pub fn measurements() -> Result<&'static [Measurement], &'static CaseError> {
     BUILT_IN.as_ref().map(Vec::as_slice)
 }
 
 /// The muscles among them.
-///
-/// # Errors
-/// As [`measurements`].
 pub fn muscles() -> Result<Vec<&'static MuscleCase>, &'static CaseError> {
     Ok(measurements()?.iter().filter_map(Measurement::muscle).collect())
 }
 
 impl Measurement {
-    /// The muscle, where it is one.
     pub fn muscle(&self) -> Option<&MuscleCase> {
         match self {
             Self::Muscle(case) => Some(case),
@@ -164,7 +149,6 @@ impl Measurement {
         }
     }
 
-    /// The rubber, where it is one.
     pub fn rubber(&self) -> Option<&RubberCase> {
         match self {
             Self::Rubber(case) => Some(case),

@@ -14,9 +14,6 @@ use mckibben::verification::{CaseKind, Measure, VerificationRow};
 pub const COVERAGE: f64 = 0.95;
 
 /// What share of the points of each set the ± holds, of the means of the branches and of the single branches.
-///
-/// # Errors
-/// [`Exceeded`] where the caller wanted it to end.
 pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
     let sets = match muscles() {
         Ok(sets) => sets,
@@ -96,9 +93,6 @@ fn rms(set: &'static MuscleCase, left: &Left) -> VerificationRow {
 }
 
 /// Identifies a muscle from the mean of its branches as its first fit says, and compares all its points with it.
-///
-/// # Errors
-/// [`IdentifyError`].
 pub fn of_first_fit(
     set: &MuscleCase,
     elements: &Build<'_>,

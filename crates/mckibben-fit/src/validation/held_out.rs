@@ -50,9 +50,6 @@ pub fn points_of(set: &MuscleCase, fit: &CaseFit) -> Vec<DataPoint> {
 }
 
 /// Fits a muscle to some points of its bench and judges others by the ± of that fit: those within its range.
-///
-/// # Errors
-/// [`IdentifyError`].
 pub fn judged(
     fit: &CaseFit,
     fitted: &[DataPoint],
@@ -87,9 +84,6 @@ pub fn judged(
 }
 
 /// Every point of a set, each judged by a fit that it was held out of.
-///
-/// # Errors
-/// [`IdentifyError`].
 pub fn of_fit(
     set: &MuscleCase,
     fit: &CaseFit,
@@ -130,9 +124,6 @@ pub fn share(list: &[HeldOut]) -> Option<f64> {
 }
 
 /// The share of the held-out points of each set that the ± of its fit holds.
-///
-/// # Errors
-/// [`Exceeded`] where the caller wanted it to end.
 pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
     let sets: Vec<&MuscleCase> = muscles().unwrap_or_default();
     let of = |set: &&MuscleCase| -> Vec<HeldOut> {

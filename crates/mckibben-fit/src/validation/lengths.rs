@@ -18,7 +18,6 @@ use mckibben::verification::VerificationRow;
 /// What the constants of some lengths leave of the points of another one.
 #[derive(Debug, Clone)]
 pub struct OtherLength {
-    /// The set.
     pub set: &'static MuscleCase,
     /// The lengths that were fitted, in words.
     pub fitted: String,
@@ -29,9 +28,6 @@ pub struct OtherLength {
 }
 
 /// Every fit of the constants of a first fit to some lengths of a set.
-///
-/// # Errors
-/// [`Exceeded`] where the caller wanted it to end.
 pub fn other_lengths(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<OtherLength>, Exceeded> {
     let mut tasks = vec![];
     for set in muscles().unwrap_or_default() {
@@ -92,9 +88,6 @@ fn of(
 }
 
 /// The share of the points of each length that the ± holds.
-///
-/// # Errors
-/// [`Exceeded`] where the caller wanted it to end.
 pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
     Ok(other_lengths(elements, progress)?.iter().map(row).collect())
 }

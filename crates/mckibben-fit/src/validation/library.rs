@@ -37,11 +37,9 @@ const AGREES_BY_HALF_WIDTH: f64 = 1e-3;
     )
 )]
 pub struct UnknownMuscle {
-    /// The name as given.
     pub name: String,
     /// The name that was probably meant.
     pub nearest: Option<String>,
-    /// All names.
     pub known: Vec<String>,
 }
 
@@ -57,9 +55,6 @@ pub fn named(word: &str) -> Option<&str> {
 }
 
 /// The muscle file of a muscle that is built in.
-///
-/// # Errors
-/// [`UnknownMuscle`] with the nearest name.
 pub fn file(name: &str) -> Result<String, UnknownMuscle> {
     let plain = name.trim().to_lowercase().replace([' ', '_'], "-");
     text_of(&plain, IDENTIFIED).ok_or_else(|| {
@@ -70,9 +65,6 @@ pub fn file(name: &str) -> Result<String, UnknownMuscle> {
 }
 
 /// The muscles of the library that are built in, each with its identified muscle.
-///
-/// # Errors
-/// As [`muscles`].
 pub fn library() -> Result<Vec<(&'static MuscleCase, &'static Muscle)>, &'static CaseError> {
     Ok(muscles()?.into_iter().filter_map(|case| Some((case, case.identified.as_deref()?))).collect())
 }
@@ -85,9 +77,6 @@ impl MuscleCase {
 }
 
 /// Identifies the muscle of a folder again; its muscle has the bench that states its ±.
-///
-/// # Errors
-/// [`IdentifyError`].
 pub fn refit(
     case: &MuscleCase,
     build: &Build<'_>,
@@ -121,7 +110,6 @@ pub struct Constant<'a> {
 }
 
 impl Constant<'_> {
-    /// Whether both agree.
     pub fn agrees(&self) -> bool {
         let half = if self.refit.half_width.is_finite() { self.refit.half_width } else { 0.0 };
         let most = (AGREES * self.refit.value.abs()).max(AGREES_BY_HALF_WIDTH * half);
@@ -142,7 +130,6 @@ pub fn constants<'a>(found: &'a Identification, kept: Option<&Muscle>) -> Vec<Co
 /// What a muscle leaves of the points that its folder fits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Agreement {
-    /// Of all points.
     pub all: Left,
     /// Points on the bench of this muscle, those of other lengths left out.
     pub of_bench: usize,

@@ -55,9 +55,6 @@ fn muscle() -> Option<Muscle> {
 }
 
 /// Every comparison with a measured muscle, whose finite elements `elements` builds.
-///
-/// # Errors
-/// [`Exceeded`] where the caller wanted it to end.
 pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
     let mut rows = hand_made(elements, progress)?;
     rows.extend(coverage::cases(elements, progress)?);

@@ -53,7 +53,6 @@ pub struct Predicted {
     pub rms_at_rest: f64,
     /// Mean of the pulses of the contracted muscles.
     pub measured: f64,
-    /// The same, predicted.
     pub predicted: f64,
 }
 
@@ -123,9 +122,6 @@ fn let_out(build: &Build<'_>, muscle: &Muscle, at: &Counted) -> Result<f64, Mode
 }
 
 /// k and Vd from the muscles at their rest lengths, and what they predict of the contracted ones.
-///
-/// # Errors
-/// [`ModelError`] of a model without a volume or without an answer.
 pub fn predict(build: &Build<'_>, muscle: &Muscle) -> Result<Predicted, ModelError> {
     let counted = counted();
     let (rest, contracted): (Vec<Counted>, Vec<Counted>) = counted.iter().partition(|c| c.contraction == 0.0);

@@ -19,10 +19,6 @@ const SPLIT_FORM: &str = "a table such as { by = \"length_mm\", fit_on = \"one\"
      by = \"contraction\")";
 
 impl Measurement {
-    /// Reads a folder.
-    ///
-    /// # Errors
-    /// [`CaseError`] names folder, file and key.
     pub fn read(files: &CaseFiles) -> Result<Self, CaseError> {
         let case = || files.name.clone();
         let parsed = Document::parse(files.case.as_str());

@@ -16,15 +16,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// A fit, and what is left of its points.
 #[derive(Debug, Clone)]
 pub struct FitResult {
-    /// Number of the case.
     pub case: usize,
-    /// Number of the fit in it.
     pub fit: usize,
     /// The points it was fitted to: `all`, `nothing`, or their lengths or pressures.
     pub fitted_to: String,
-    /// What was found.
     pub parameters: Vec<Identified>,
-    /// The muscle with it.
     pub muscle: Muscle,
     /// What is left, group by group: that of the fitted points before those that are predicted.
     pub groups: Vec<Group>,
@@ -33,7 +29,6 @@ pub struct FitResult {
 /// What is left of some points.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Group {
-    /// Which points.
     pub of: String,
     /// Whether nothing was fitted to them.
     pub blind: bool,
@@ -53,9 +48,6 @@ pub struct Group {
 const BIN: f64 = 0.05;
 
 /// Every fit of cases by a model, side by side; progress counts fits.
-///
-/// # Errors
-/// [`ReportError`].
 pub fn report(
     cases: &[&MuscleCase],
     build: &Build<'_>,

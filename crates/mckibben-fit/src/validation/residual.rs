@@ -179,7 +179,6 @@ pub(super) fn compared<'a>(means: &'a [DataPoint], points: &'a [DataPoint]) -> V
 /// What is left of points: measured less computed.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Left {
-    /// How many.
     pub points: usize,
     /// Root mean square in N.
     pub rms_n: f64,
@@ -196,7 +195,6 @@ pub struct Left {
 }
 
 impl Left {
-    /// Of a list.
     pub fn of<'a>(list: impl Iterator<Item = &'a Residual>) -> Self {
         let (mut out, mut squares) = (Self::default(), 0.0);
         for r in list {

@@ -18,7 +18,6 @@ use toml_edit::Item;
 pub struct RubberCase {
     /// What is known of it.
     pub facts: Facts,
-    /// What is fitted.
     pub fits: Vec<RubberCaseFit>,
     points: Points,
 }
@@ -32,7 +31,6 @@ enum Points {
 
 const FIT: &[&str] = &["name", "law", "modes", "up_to_stretch", "relaxation"];
 
-/// A fit of a rubber.
 pub(super) fn fit(table: &Keys<'_>) -> Result<RubberCaseFit, CaseError> {
     table.only(FIT)?;
     let (name, law) = (table.text("name")?, table.text("law")?);
@@ -92,9 +90,6 @@ impl RubberCase {
 }
 
 /// Every fit of rubbers.
-///
-/// # Errors
-/// [`ReportError`].
 pub fn report(cases: &[&RubberCase], progress: &dyn Progress) -> Result<Vec<RubberFitResult>, ReportError> {
     let mut out = vec![];
     for (number, case) in cases.iter().enumerate() {

@@ -5,9 +5,7 @@ use crate::rubber::{Form, Mode, Parameter};
 /// A law, and which points it is fitted to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RubberCaseFit {
-    /// Its name.
     pub name: String,
-    /// The law.
     pub form: Form,
     /// Modes that are fitted, all where none is named; the others are blind.
     pub modes: Vec<Mode>,
@@ -20,9 +18,7 @@ pub struct RubberCaseFit {
 /// A fit, and what it leaves.
 #[derive(Debug, Clone)]
 pub struct RubberFitResult {
-    /// Number of the case.
     pub case: usize,
-    /// Number of the fit in it.
     pub fit: usize,
     /// Constants found; with a Prony series those at once.
     pub parameters: Vec<Parameter>,
@@ -41,9 +37,7 @@ pub struct RubberGroup {
     pub of: String,
     /// Whether nothing was fitted to them.
     pub blind: bool,
-    /// How many.
     pub points: usize,
-    /// Their largest stretch.
     pub to_stretch: f64,
     /// Root mean square in MPa.
     pub rms_mpa: f64,

@@ -15,9 +15,7 @@ use mckibben::verification::VerificationRow;
 /// What the constants of one laboratory leave of the points of another.
 #[derive(Debug, Clone, Copy)]
 pub struct Transfer {
-    /// Whose constants.
     pub from: &'static MuscleCase,
-    /// Whose points.
     pub to: &'static MuscleCase,
     /// What is left: measured less computed.
     pub left: Left,

@@ -4,7 +4,6 @@ use crate::error::MotionError;
 use mckibben::muscle::file::{FileError, Problem, Section};
 use mckibben::units::Dimension;
 
-/// An error at a key.
 pub(super) fn said(section: &Section<'_>, key: &str, text: impl Into<String>) -> FileError {
     section.error(key, Problem::Said(text.into()))
 }

@@ -135,9 +135,6 @@ impl DriveFile {
     }
 
     /// The drive with another value at a dotted key of a drive file: a number, `true` or `false`, or else a text.
-    ///
-    /// # Errors
-    /// As [`parse_drive`].
     pub fn with(&self, dotted: &str, value: &str, tables: &Tables) -> Result<Self, FileError> {
         read(&with_value("", dotted, value)?, Some(self), tables)
     }

@@ -44,17 +44,14 @@ impl Default for View {
 pub struct Scene {
     /// Title above the picture.
     pub title: String,
-    /// Small print below.
     pub caption: String,
     /// Surface of the body.
     pub faces: Vec<Face>,
-    /// Lines on it.
     pub threads: Vec<Thread>,
     /// Name, unit and range of the values; without a range their own extent is taken.
     pub values: Axis,
     /// Name of the unit of length for the scale bar.
     pub length_unit: String,
-    /// The eye.
     pub view: View,
     /// Width of the paper in mm; the height follows from the body.
     pub width_mm: f64,

@@ -29,7 +29,6 @@ impl Camera {
     }
 }
 
-/// Something to draw.
 #[derive(Debug, Clone)]
 pub(super) enum Piece {
     /// A quarter with the mean of its value, and how bright it is.
@@ -87,7 +86,6 @@ pub(super) fn pieces(scene: &Scene) -> Vec<Piece> {
     all.into_iter().map(|(_, piece)| piece).collect()
 }
 
-/// Extent upwards.
 fn height(seen: &[SeenFace]) -> f64 {
     let up = || seen.iter().flat_map(|f| f.0.iter().map(|c| c[1]));
     up().fold(f64::NEG_INFINITY, f64::max) - up().fold(f64::INFINITY, f64::min)

@@ -51,11 +51,8 @@ impl Pen {
 /// Which part of a text lies at its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
-    /// Its left end.
     Start,
-    /// Its middle.
     Middle,
-    /// Its right end.
     End,
 }
 
@@ -64,32 +61,24 @@ pub enum Anchor {
 pub enum Item {
     /// Straight lines from point to point.
     Line {
-        /// The points.
         points: Vec<[f64; 2]>,
         /// The kind of line.
         pen: Pen,
     },
     /// A filled polygon: an arrow, a thin section.
-    Fill {
-        /// Its corners.
-        points: Vec<[f64; 2]>,
-    },
-    /// A circle.
+    Fill { points: Vec<[f64; 2]> },
     Circle {
-        /// Its centre.
         centre: [f64; 2],
         /// Its radius in mm.
         radius_mm: f64,
         /// The kind of line.
         pen: Pen,
     },
-    /// A text.
     Text {
         /// Place of its base line.
         at: [f64; 2],
         /// Height of its capitals in mm.
         height_mm: f64,
-        /// The text.
         text: String,
         /// What lies at the place.
         anchor: Anchor,
@@ -111,12 +100,10 @@ impl Sheet {
         self.line(pen, points);
     }
 
-    /// A filled polygon.
     pub fn fill(&mut self, points: impl Into<Vec<[f64; 2]>>) {
         self.items.push(Item::Fill { points: points.into() });
     }
 
-    /// A circle.
     pub fn circle(&mut self, pen: Pen, centre: [f64; 2], radius_mm: f64) {
         self.items.push(Item::Circle { centre, radius_mm, pen });
     }

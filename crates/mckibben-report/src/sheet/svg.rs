@@ -13,9 +13,6 @@ const CAPITALS: f64 = 0.729;
 
 impl Sheet {
     /// The drawing as SVG of the sheet's size.
-    ///
-    /// # Errors
-    /// [`FigureError::PaperSize`]; [`FigureError::NotFinite`] for a place that is no number.
     pub fn to_svg(&self) -> Result<String, FigureError> {
         let Self { width_mm, height_mm, .. } = *self;
         if !(20.0..=2000.0).contains(&width_mm) || !(20.0..=2000.0).contains(&height_mm) {
@@ -35,9 +32,6 @@ impl Sheet {
     }
 
     /// The drawing as a PDF page of the sheet's size.
-    ///
-    /// # Errors
-    /// Those of [`Sheet::to_svg`]; [`FigureError::Raster`] if the drawing cannot be read.
     #[cfg(feature = "png")]
     pub fn to_pdf(&self) -> Result<Vec<u8>, FigureError> {
         crate::pdf::render(&self.to_svg()?, &self.title)

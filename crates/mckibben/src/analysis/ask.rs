@@ -60,9 +60,6 @@ fn on_pulley<M: ForceModel + ?Sized>(
 }
 
 /// Half the width of the hysteresis loop by the friction on a pulley, in N; 0 where the muscle lies on none.
-///
-/// # Errors
-/// The model's.
 pub fn pulley_friction_half_width_n<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
@@ -74,9 +71,6 @@ pub fn pulley_friction_half_width_n<M: ForceModel + ?Sized>(
 }
 
 /// Half the width of the hysteresis loop by the friction that the muscle states, C P^β + μw G, in N; 0 where it states none.
-///
-/// # Errors
-/// The model's.
 pub fn friction_half_width_n<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
@@ -88,9 +82,6 @@ pub fn friction_half_width_n<M: ForceModel + ?Sized>(
 
 /// What a model says, with the friction of the muscle's braid in a direction of motion: F = F_model ± (C P^β + μw G), and its slopes in
 /// pressure and contraction with those of G.
-///
-/// # Errors
-/// The model's.
 pub fn response_on<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
@@ -135,9 +126,6 @@ pub fn response_on<M: ForceModel + ?Sized>(
 }
 
 /// The pull alone, in N, likewise.
-///
-/// # Errors
-/// The model's.
 pub fn force_on<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
@@ -154,9 +142,6 @@ pub fn force_on<M: ForceModel + ?Sized>(
 }
 
 /// K = ∂F/∂L in N/mm of a response: the model's, or by differences of its pull where it does not state it.
-///
-/// # Errors
-/// The model's.
 pub fn stiffness_of<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
@@ -173,9 +158,6 @@ pub fn stiffness_of<M: ForceModel + ?Sized>(
 }
 
 /// ∂F/∂P in mm² of a point that a model answered: the model's, or by differences of its pull.
-///
-/// # Errors
-/// The model's.
 pub fn slope_by_pressure<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,

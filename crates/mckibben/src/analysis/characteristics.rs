@@ -6,9 +6,6 @@ use super::inverse::{contraction_at, pressure_at};
 use crate::model::{ForceModel, Workspace};
 
 /// Blocked force F(P, 0) in N.
-///
-/// # Errors
-/// The model's.
 pub fn blocked_force_n<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
@@ -36,9 +33,6 @@ pub fn free_contraction<M: ForceModel + ?Sized>(
 }
 
 /// Where a muscle without a load ends: at its free contraction, or where its core rod meets the other plug.
-///
-/// # Errors
-/// As [`free_contraction`].
 pub fn unloaded_contraction<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
@@ -73,9 +67,6 @@ pub fn start_pressure_mpa<M: ForceModel + ?Sized>(
 }
 
 /// Work in J that the muscle does at constant pressure from ε = `from` to ε = `to`: L0 ∫ F dε.
-///
-/// # Errors
-/// The model's.
 pub fn work_per_stroke_j<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,

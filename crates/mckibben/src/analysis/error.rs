@@ -61,7 +61,6 @@ fn short(value: f64, decimals: usize) -> String {
     if text == "-0" { "0".into() } else { text.to_owned() }
 }
 
-/// A contraction in percent.
 fn percent(contraction: f64) -> String {
     format!("{} %", short(100.0 * contraction, 2))
 }

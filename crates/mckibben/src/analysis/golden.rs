@@ -36,7 +36,6 @@ pub fn golden<S: Abscissa, M: PartialOrd>(
 
 /// Something at a place of an axis.
 pub trait Abscissa {
-    /// The place.
     fn place(&self) -> f64;
 }
 

@@ -333,9 +333,6 @@ pub fn contraction_at<M: ForceModel + ?Sized>(
 
 /// [`contraction_at`] of a muscle that may be stretched: a pull above the blocked force has a contraction below zero, wherever the model's
 /// range goes there, down to where the strands are straight and give way a little (with `two_sided` down to the end of the range).
-///
-/// # Errors
-/// As [`contraction_at`].
 pub fn contraction_or_stretch_at<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,

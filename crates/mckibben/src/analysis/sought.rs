@@ -39,9 +39,6 @@ impl Sought {
     }
 
     /// F − wanted at a place; `None` where the model has no answer.
-    ///
-    /// # Errors
-    /// The budget's.
     pub fn value<M: ForceModel + ?Sized>(
         &self,
         model: &M,
@@ -59,9 +56,6 @@ impl Sought {
 
     /// The place between `low` and `high`, (place, F − wanted) of which are on both sides of zero; `None` where the pull jumps over what is
     /// wanted, or where the model has no answer on the way, which is kept in `lost`.
-    ///
-    /// # Errors
-    /// The budget's.
     pub fn between<M: ForceModel + ?Sized>(
         &self,
         model: &M,

@@ -21,7 +21,6 @@ const LEFT: f64 = 1e-6;
 /// A place and the value there; no value where the function has none.
 type Sample = (f64, Option<f64>);
 
-/// A zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Zero {
     /// Where.

@@ -75,7 +75,6 @@ impl Formula {
     }
 }
 
-/// `1.2 s - 3.4`.
 fn sum(parts: impl Iterator<Item = (f64, String)>) -> String {
     let mut out = String::new();
     for (i, (value, factor)) in parts.enumerate() {

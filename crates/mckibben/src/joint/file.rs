@@ -61,9 +61,6 @@ impl JointFile {
     }
 
     /// The joint with its muscles, in the order of [`JointFile::files`].
-    ///
-    /// # Errors
-    /// [`JointError`].
     pub fn with(&self, muscles: Vec<Muscle>) -> Result<Joint, JointError> {
         let given = muscles.len();
         let at = |(muscle, &(_, path, contraction_at_neutral)): (Muscle, &(String, Path, f64))| {

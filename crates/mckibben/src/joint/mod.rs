@@ -117,9 +117,6 @@ pub struct Joint {
 
 impl Joint {
     /// A joint of one muscle (with or without a spring) or two.
-    ///
-    /// # Errors
-    /// [`JointError`].
     pub fn new(
         muscles: Vec<JointMuscle>,
         spring: Option<JointSpring>,

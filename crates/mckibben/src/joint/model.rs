@@ -118,7 +118,6 @@ impl<'m> JointModel<'m> {
         self.joint
     }
 
-    /// The model of a muscle.
     pub(super) fn of(&self, muscle: usize) -> &'m dyn ForceModel {
         self.models[muscle]
     }
@@ -147,9 +146,6 @@ impl<'m> JointModel<'m> {
     }
 
     /// Everything at pressures (one a muscle) and an angle; `workspaces` holds one for each muscle.
-    ///
-    /// # Errors
-    /// [`JointError`].
     pub fn at(
         &self,
         workspaces: &mut [Workspace],

@@ -51,9 +51,6 @@ impl Rest {
 
 impl JointModel<'_> {
     /// Every rest at pressures, by rising angle, with a torque from outside in N m that turns to +; at least one is stable.
-    ///
-    /// # Errors
-    /// [`JointError`].
     pub fn rests(
         &self,
         workspaces: &mut [Workspace],

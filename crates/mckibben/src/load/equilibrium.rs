@@ -77,9 +77,6 @@ impl From<ModelError> for LoadError {
 /// Every equilibrium at a pressure, by rising contraction; at least one.
 ///
 /// Sought from the length at rest (with `two_sided` from where the strands are straight) to the free contraction.
-///
-/// # Errors
-/// [`LoadError`].
 pub fn balances<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,

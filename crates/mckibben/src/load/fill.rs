@@ -108,9 +108,6 @@ impl From<ModelError> for FillError {
 }
 
 /// The muscle after a volume was pushed in.
-///
-/// # Errors
-/// [`FillError`].
 pub fn fill<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,

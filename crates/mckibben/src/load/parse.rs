@@ -44,9 +44,6 @@ pub enum LoadTextError {
 impl Load {
     /// Reads a load; `table` gives the points of a table by the name behind `table:`.
     ///
-    /// # Errors
-    /// [`LoadTextError`].
-    ///
     /// ```
     /// use mckibben::load::Load;
     /// let load = Load::parse("mass:2kg+spring:12N/mm@50N", &|_| None)?;

@@ -31,9 +31,6 @@ pub enum LoadTableError {
 
 impl LoadTable {
     /// A table of points in any order.
-    ///
-    /// # Errors
-    /// [`LoadTableError`].
     pub fn new(mut points: Vec<(f64, f64)>) -> Result<Self, LoadTableError> {
         if points.len() < 2 {
             return Err(LoadTableError::TooFew(points.len()));

@@ -124,9 +124,6 @@ impl Bent {
     }
 
     /// What the bend does at a pressure in MPa and a contraction.
-    ///
-    /// # Errors
-    /// [`ModelError`].
     pub fn state(
         &self,
         workspace: &mut Workspace,
@@ -174,7 +171,6 @@ struct States {
     at: (f64, f64),
     /// On the pulley, by both limits of its strands.
     limits: [BentState; 2],
-    /// Without a bend.
     straight: BentState,
 }
 

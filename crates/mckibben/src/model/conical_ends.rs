@@ -51,9 +51,6 @@ impl ConicalEnds {
     }
 
     /// −P dV/dL of the cylinder with two cones, in N, for comparison.
-    ///
-    /// # Errors
-    /// [`ModelError::Geometry`] where there is no shape.
     pub fn pull_by_energy(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
         let f = self.braid.at(contraction)?.r / self.braid.r0;
         let ends = 1.0 - f * f + 2.0 * self.kc / 3.0 * (1.0 + f - 2.0 * f * f);

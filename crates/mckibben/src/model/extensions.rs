@@ -57,9 +57,6 @@ pub trait Slopes {
 /// A model with a mesh, or with one inside.
 pub trait Mesh {
     /// The pull at rest length in N, of which errors are a share: by a faster model where this one is slow.
-    ///
-    /// # Errors
-    /// As [`ForceModel::response`].
     fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64, ModelError>;
 
     /// What the mesh errs by in N, of the pull `force_n` that the model gave there, where the blocked force is `blocked_n`; `None`
@@ -82,9 +79,6 @@ pub trait Mesh {
 /// A model of the strands' contact.
 pub trait Contact {
     /// As [`pivoting_n_per_mm`].
-    ///
-    /// # Errors
-    /// [`ModelError`] where there is no answer.
     fn pivoting_n_per_mm(
         &self,
         workspace: &mut Workspace,
@@ -101,9 +95,6 @@ pub trait Lists {
 
 /// G = (2/3) ∫ pc |dθ/dL| dA in N/mm of the strands' contact at a pressure in MPa and a contraction ratio: what friction of their crossings
 /// makes of μw ([`Friction`](crate::muscle::Friction)). Of the infinitely long muscle, where the model has no contact of its own.
-///
-/// # Errors
-/// [`ModelError`] where there is no answer.
 pub fn pivoting_n_per_mm<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
@@ -117,9 +108,6 @@ pub fn pivoting_n_per_mm<M: ForceModel + ?Sized>(
 }
 
 /// The pull at rest length in N, of which errors of a model are a share.
-///
-/// # Errors
-/// As [`ForceModel::response`].
 pub fn blocked_scale_n<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,

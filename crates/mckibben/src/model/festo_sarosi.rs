@@ -15,7 +15,6 @@ const BAR_PER_MPA: f64 = 10.0;
 
 const SOURCE: &str = "Sárosi 2012 [sarosi2012], six constants fitted to a measured Festo muscle";
 
-/// One fitted muscle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Fit {
     pub entry: ModelEntry,

@@ -101,9 +101,6 @@ pub trait ForceModel: Send + Sync {
     }
 
     /// Everything it has at a pressure in MPa and a contraction ratio; does not look at its range.
-    ///
-    /// # Errors
-    /// [`ModelError`] where there is no answer.
     fn response(
         &self,
         workspace: &mut Workspace,
@@ -112,9 +109,6 @@ pub trait ForceModel: Send + Sync {
     ) -> Result<Response, ModelError>;
 
     /// The pull alone, in N; tension positive.
-    ///
-    /// # Errors
-    /// As [`ForceModel::response`].
     fn force_n(
         &self,
         workspace: &mut Workspace,

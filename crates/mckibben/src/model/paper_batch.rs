@@ -211,9 +211,6 @@ impl Coefficients {
 
     /// The same on a chosen path (pressure, contraction, wall, diameter); one that the machine cannot take becomes the
     /// portable one.
-    ///
-    /// # Errors
-    /// As [`Coefficients::force_batch`].
     pub fn force_batch_on(
         &self,
         path: BatchPath,
@@ -250,9 +247,6 @@ impl Section {
     }
 
     /// The same on a chosen path (pressure, contraction).
-    ///
-    /// # Errors
-    /// As [`Section::force_batch`].
     pub fn force_batch_on(
         &self,
         path: BatchPath,

@@ -99,9 +99,6 @@ impl ModelRange {
     }
 
     /// Refuses what is outside.
-    ///
-    /// # Errors
-    /// [`ModelError::OutOfRange`] with everything that is outside.
     pub fn check(&self, model: &str, pressure_mpa: f64, contraction: f64) -> Result<(), ModelError> {
         let violations = self.violations(pressure_mpa, contraction);
         if violations.is_empty() && self.make.is_empty() {

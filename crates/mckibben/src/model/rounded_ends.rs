@@ -36,9 +36,6 @@ pub struct RoundedEnds {
 
 impl RoundedEnds {
     /// The model of a muscle.
-    ///
-    /// # Errors
-    /// [`ModelError::TooShort`] where L0 ≤ D0 cot²θ0.
     pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
         let braid = Pantograph::of(muscle);
         let cot2 = (braid.cos / braid.sin).powi(2);

@@ -24,9 +24,6 @@ pub struct Seated<M: ForceModel + ?Sized> {
 }
 
 /// The model of a whole muscle: `build` makes that of the muscle between its ends, which is the model itself where nothing is said of them.
-///
-/// # Errors
-/// Those of `build`.
 pub fn with_ends<E>(
     muscle: &Muscle,
     build: impl FnOnce(&Muscle) -> Result<Box<dyn ForceModel>, E>,
@@ -136,9 +133,6 @@ impl<M: ForceModel + ?Sized> Seated<M> {
     }
 
     /// The state of the ends at a point, where the muscle between them answers by `pull`: from the last state of this workspace, or without one.
-    ///
-    /// # Errors
-    /// Those of `pull`.
     pub fn solve_ends<E>(
         &self,
         workspace: &mut Workspace,

@@ -28,9 +28,6 @@ pub struct TonduLopez {
 
 impl TonduLopez {
     /// The model of a muscle whose end factor is known.
-    ///
-    /// # Errors
-    /// [`ModelError::Missing`] without an end factor.
     pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
         let factor = muscle.terminals().end_factor.ok_or(ModelError::Missing {
             model: ENTRY.name,

@@ -32,9 +32,6 @@ pub fn smallest_pressure_mpa(muscle: &Muscle) -> Result<f64, ModelError> {
 }
 
 /// Largest pressure in MPa (24) for a rubber that breaks at a true stress of `strength_mpa`.
-///
-/// # Errors
-/// As [`smallest_pressure_mpa`].
 pub fn largest_pressure_mpa(muscle: &Muscle, strength_mpa: f64) -> Result<f64, ModelError> {
     let (wall, l, bore2) = at_largest_contraction(muscle)?;
     Ok(strength_mpa * wall / (bore2 * l))

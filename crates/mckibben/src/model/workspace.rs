@@ -83,9 +83,6 @@ impl Workspace {
     }
 
     /// The same where making it may fail.
-    ///
-    /// # Errors
-    /// Those of `make`.
     pub fn try_of<T: Any + Send, E>(
         &mut self,
         id: &ModelId,

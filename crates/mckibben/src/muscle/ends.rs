@@ -183,9 +183,6 @@ impl Ends {
 
     /// The state of the ends; `pull` answers at x. The search begins at `start_mm`, or without it at a muscle that does not pull. `None` where Newton's method
     /// does not find it.
-    ///
-    /// # Errors
-    /// Those of `pull`.
     pub fn solve_end_displacement<E>(
         &self,
         pressure_mpa: f64,

@@ -40,18 +40,12 @@ impl Muscle {
     }
 
     /// For calculations of muscles that pull.
-    ///
-    /// # Errors
-    /// [`MuscleError::Extends`] of one that extends.
     pub fn check_contracts(&self) -> Result<(), MuscleError> {
         let angle_deg = self.braid().angle_deg;
         if self.is_extensile() { Err(MuscleError::Extends { angle_deg }) } else { Ok(()) }
     }
 
     /// For calculations of muscles that push.
-    ///
-    /// # Errors
-    /// [`MuscleError::Contracts`] of one that contracts.
     pub fn check_extends(&self) -> Result<(), MuscleError> {
         let angle_deg = self.braid().angle_deg;
         if self.is_extensile() { Ok(()) } else { Err(MuscleError::Contracts { angle_deg }) }

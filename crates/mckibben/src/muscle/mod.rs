@@ -71,9 +71,6 @@ impl Muscle {
     }
 
     /// The same of parts in one.
-    ///
-    /// # Errors
-    /// As [`Muscle::new`].
     pub fn from_parts(mut parts: Parts) -> Result<Self, MuscleError> {
         let Parts { tube, braid, terminals, .. } = &parts;
         parts.check("tube")?;
@@ -263,33 +260,21 @@ impl Muscle {
     }
 
     /// The same muscle with another diameter and wall.
-    ///
-    /// # Errors
-    /// As [`Muscle::new`].
     pub fn with_section(&self, outer_diameter_mm: f64, wall_mm: f64) -> Result<Self, MuscleError> {
         self.with_tube(Tube { outer_diameter_mm, wall_mm, ..self.parts.tube.clone() })
     }
 
     /// The same muscle with another braid.
-    ///
-    /// # Errors
-    /// As [`Muscle::new`].
     pub fn with_braid(&self, braid: Braid) -> Result<Self, MuscleError> {
         Ok(Self::from_parts(Parts { braid, ..self.parts.clone() })?.with_bench_of(self))
     }
 
     /// The same muscle with other terminals.
-    ///
-    /// # Errors
-    /// As [`Muscle::new`].
     pub fn with_terminals(&self, terminals: Terminals) -> Result<Self, MuscleError> {
         Ok(Self::from_parts(Parts { terminals, ..self.parts.clone() })?.with_bench_of(self))
     }
 
     /// The same muscle with another friction of its braid.
-    ///
-    /// # Errors
-    /// As [`Muscle::new`].
     pub fn with_friction(&self, friction: Option<Friction>) -> Result<Self, MuscleError> {
         Ok(Self::from_parts(Parts { friction, ..self.parts.clone() })?.with_bench_of(self))
     }

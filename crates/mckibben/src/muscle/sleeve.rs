@@ -5,9 +5,6 @@ use crate::sleeve::{Sleeve, SleeveError, library};
 
 impl Sleeve {
     /// The strands of a braid.
-    ///
-    /// # Errors
-    /// [`SleeveError::Incomplete`] with what is not known.
     pub fn of_strands(&self) -> Result<Strands, SleeveError> {
         let section = self.strand_area_mm2().zip(self.strand_modulus_mpa);
         match (self.strand_count(), section) {
@@ -33,9 +30,6 @@ impl Sleeve {
     /// assert!(sleeve.on(60.0).unwrap_err().to_string().contains("from 9.525"));
     /// # Ok::<(), mckibben::sleeve::SleeveError>(())
     /// ```
-    ///
-    /// # Errors
-    /// [`SleeveError::OutOfRange`], [`SleeveError::NoContraction`], [`SleeveError::Incomplete`].
     pub fn on(&self, outer_diameter_mm: f64) -> Result<Braid, SleeveError> {
         let angle_deg = self.shape.angle_deg_on(outer_diameter_mm)?;
         let strands = self.of_strands()?;

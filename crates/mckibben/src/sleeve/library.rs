@@ -93,18 +93,12 @@ pub fn entries() -> Result<&'static [SleeveEntry], SleeveError> {
 }
 
 /// All materials, in the order of the table.
-///
-/// # Errors
-/// As [`entries`].
 pub fn materials() -> Result<&'static [Material], SleeveError> {
     static MATERIALS: OnceLock<Result<Vec<Material>, SleeveError>> = OnceLock::new();
     MATERIALS.get_or_init(|| read_materials(TEXT)).as_deref().map_err(SleeveError::clone)
 }
 
 /// The entry of a name or alias, without regard to case; spaces and underscores are as good as hyphens.
-///
-/// # Errors
-/// [`SleeveError::Unknown`] with the nearest name.
 pub fn entry(name: &str) -> Result<&'static SleeveEntry, SleeveError> {
     let entries = entries()?;
     let plain = name.trim().to_lowercase().replace([' ', '_'], "-");
@@ -121,9 +115,6 @@ pub fn entry(name: &str) -> Result<&'static SleeveEntry, SleeveError> {
 }
 
 /// The sleeve of a name.
-///
-/// # Errors
-/// As [`entry`].
 pub fn find(name: &str) -> Result<Sleeve, SleeveError> {
     entry(name).map(|e| e.sleeve.clone())
 }

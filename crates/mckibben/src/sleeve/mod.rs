@@ -193,9 +193,6 @@ impl SleeveShape {
     }
 
     /// The contraction at which a muscle on this tube ends: at 54.7°, or where the strands jam before.
-    ///
-    /// # Errors
-    /// As [`SleeveShape::angle_deg_on`].
     pub fn largest_contraction_on(&self, outer_diameter_mm: f64) -> Result<f64, SleeveError> {
         let start = self.angle_deg_on(outer_diameter_mm)?;
         let jammed = self.helix.angle_deg(self.largest_mm).unwrap_or(90.0);
@@ -249,9 +246,6 @@ impl Sleeve {
     }
 
     /// This sleeve with a strand diameter (mm) and modulus (MPa) in place of its own, where they are given.
-    ///
-    /// # Errors
-    /// [`SleeveError::NotPositive`].
     pub fn with_strands(
         self,
         strand_diameter_mm: Option<f64>,
@@ -305,9 +299,6 @@ impl Sleeve {
     }
 
     /// k of one family in N/mm on a tube of an outer diameter; `None` where the strands are not known.
-    ///
-    /// # Errors
-    /// As [`SleeveShape::angle_deg_on`].
     pub fn stiffness_n_per_mm(&self, outer_diameter_mm: f64) -> Result<Option<f64>, SleeveError> {
         let cos = self.shape.angle_deg_on(outer_diameter_mm)?.to_radians().cos();
         let section = self.strand_area_mm2().zip(self.strand_modulus_mpa);

@@ -276,7 +276,6 @@ fn beyond_the_braid_the_refusal_says_where_it_stops() {
     assert!(nearest_force_n == 0.0 && error.to_string().contains("contracts by 34.6 % at most"), "{error}");
 }
 
-/// A search ends with its budget.
 #[test]
 fn a_search_ends_with_its_budget() {
     let model = ModelKind::Universal.build(&Muscle::prototype()).unwrap();

@@ -66,7 +66,6 @@ impl Measure {
         ALL.iter().find(|m| m.1 == self).map_or("", |m| m.0)
     }
 
-    /// What it measures.
     pub fn dimension(self) -> Dimension {
         match self {
             Self::Part(key) => measures::Measure::of_key(key).map_or(Dimension::Ratio, |m| m.dimension),
@@ -90,10 +89,8 @@ impl Measure {
     }
 }
 
-/// Something that varies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    /// What.
     pub measure: Measure,
     /// Its levels, or the interval it is taken from.
     pub values: Values,
@@ -110,7 +107,6 @@ impl Axis {
         }
     }
 
-    /// Level `i`.
     pub(super) fn level(&self, i: u64) -> f64 {
         match &self.values {
             Values::List(list) => list.get(i as usize).copied().unwrap_or(0.0),
@@ -179,9 +175,6 @@ impl Inputs {
     }
 
     /// The muscle made of them.
-    ///
-    /// # Errors
-    /// [`MuscleError`] where they make none.
     pub fn muscle(&self) -> Result<Muscle, MuscleError> {
         let Parts { tube, braid, terminals, friction } = self.parts.clone();
         Muscle::new(tube, braid, terminals, friction)

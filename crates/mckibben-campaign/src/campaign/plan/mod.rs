@@ -41,13 +41,11 @@ pub struct Testing {
     pub of_ideal: bool,
     /// Pressures in MPa.
     pub pressures_mpa: Vec<f64>,
-    /// The finite elements.
     pub elements: Elements,
     /// Whether rows carry ∂F/∂(constants and measures).
     pub sensitivities: bool,
 }
 
-/// A plan.
 #[derive(Debug, Clone)]
 pub struct Plan {
     text: String,
@@ -70,7 +68,6 @@ impl Plan {
         hash::hex(self.text.as_bytes())
     }
 
-    /// Its name, where it has one.
     pub fn name(&self) -> Option<&str> {
         self.name.as_deref()
     }
@@ -85,7 +82,6 @@ impl Plan {
         &self.axes
     }
 
-    /// How it is sampled.
     pub fn sampling(&self) -> &Sampling {
         &self.sampling
     }
@@ -95,7 +91,6 @@ impl Plan {
         &self.testing
     }
 
-    /// Number of muscles.
     pub fn muscles(&self) -> u64 {
         self.design.len()
     }
@@ -105,7 +100,6 @@ impl Plan {
         self.testing.contractions.len() * self.testing.pressures_mpa.len()
     }
 
-    /// Number of rows.
     pub fn points(&self) -> u64 {
         self.muscles().saturating_mul(self.points_per_muscle() as u64)
     }

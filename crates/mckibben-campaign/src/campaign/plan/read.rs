@@ -37,17 +37,11 @@ const KEYS: [&str; 9] = [
 
 impl Plan {
     /// Reads the text of a plan.
-    ///
-    /// # Errors
-    /// [`FileError`] with line, column, key, what stood there and what is expected.
     pub fn parse(text: &str) -> Result<Self, FileError> {
         plan(text)
     }
 
     /// Reads a plan file.
-    ///
-    /// # Errors
-    /// [`FileError`], with the file's name.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
         let path = path.as_ref();
         read_text(path).and_then(|text| Self::parse(&text)).map_err(|e| e.of(path))

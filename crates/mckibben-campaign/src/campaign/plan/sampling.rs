@@ -18,15 +18,9 @@ pub enum Sampling {
     /// Every level with every other.
     Factorial,
     /// As many strata as samples on each axis, each hit once (McKay, Beckman & Conover 1979 \[mckay1979\]).
-    LatinHypercube {
-        /// Number of muscles.
-        samples: u64,
-        /// Seed.
-        seed: u64,
-    },
+    LatinHypercube { samples: u64, seed: u64 },
     /// Sobol's sequence, Owen-scrambled by its seed (Burley 2020 \[burley2020\]).
     Sobol {
-        /// Number of muscles.
         samples: u64,
         /// Seed, up to 32 bits.
         seed: u32,
@@ -43,7 +37,6 @@ impl Sampling {
         }
     }
 
-    /// Its seed, where it has one.
     pub fn seed(&self) -> Option<u64> {
         match *self {
             Self::Factorial => None,

@@ -73,7 +73,6 @@ const POLYNOMIALS: [(u8, u8); 52] = [
     (8, 122),
 ];
 
-/// The most dimensions.
 pub(super) const MOST_DIMENSIONS: usize = POLYNOMIALS.len() + 1;
 
 static VECTORS: LazyLock<Vec<[u32; DIGITS]>> = LazyLock::new(|| (0..MOST_DIMENSIONS).map(vectors).collect());

@@ -14,7 +14,6 @@ const EITHER: [(Measure, Measure); 3] = [
     (Measure::Part("braid.stiffness"), Measure::StiffnessPerDiameter),
 ];
 
-/// Reads what varies.
 pub(super) fn axes(
     root: &Section<'_>,
     base: &Muscle,

@@ -12,7 +12,6 @@ use std::str::FromStr;
 /// Which share is wanted: a stated one, or that of the environment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ShardChoice {
-    /// This one.
     Given(Shard),
     /// The one that an engine's environment variables name: `auto`, or `auto/64` where the engine gives no count.
     Auto {
@@ -50,9 +49,6 @@ impl fmt::Display for ShardChoice {
 
 impl ShardChoice {
     /// The share, with the value of each environment variable.
-    ///
-    /// # Errors
-    /// [`ShardError`] where no variable names a share, or two name different ones.
     pub fn shard(self, variable: impl Fn(&str) -> Option<String>) -> Result<Shard, ShardError> {
         match self {
             Self::Given(shard) => Ok(shard),

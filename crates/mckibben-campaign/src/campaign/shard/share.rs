@@ -11,7 +11,6 @@ pub struct Shard {
 }
 
 impl Shard {
-    /// Everything.
     pub const WHOLE: Self = Self { index: 1, count: 1 };
 
     /// Share `index` of `count`, from 1; `None` where there is no such share.
@@ -29,7 +28,6 @@ impl Shard {
         self.index
     }
 
-    /// Shares in all.
     pub fn count(self) -> u64 {
         self.count
     }
@@ -39,7 +37,6 @@ impl Shard {
         (self.index - 1..all).step_by(usize::try_from(self.count).unwrap_or(usize::MAX))
     }
 
-    /// A name for files.
     pub(in crate::campaign) fn file_name(self) -> String {
         format!("{}-of-{}", self.index, self.count)
     }

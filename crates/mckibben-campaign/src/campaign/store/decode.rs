@@ -20,9 +20,6 @@ pub(crate) struct Opened {
 
 impl Opened {
     /// Opens a file; no number in it is believed before its seal was compared.
-    ///
-    /// # Errors
-    /// [`CampaignError::Damaged`], [`CampaignError::NoCampaign`], [`CampaignError::Codec`], [`CampaignError::Read`].
     pub(crate) fn file(path: &Path) -> Result<Self, CampaignError> {
         let file = mckibben_files::open(path).map_err(CampaignError::unread(path))?;
         let reader = Reader::sealed(file, Provenance::is_in).map_err(|error| match error {
@@ -65,9 +62,6 @@ impl Opened {
     }
 
     /// The rows of a group.
-    ///
-    /// # Errors
-    /// [`CampaignError::Damaged`], [`CampaignError::Read`].
     pub(crate) fn group(&self, index: usize) -> Result<Table, CampaignError> {
         let columns = self.fields.iter().map(|field| (field.name.as_str(), field.kind()));
         let (columns, rows) = self.reader.group(index, columns).map_err(|error| failed(error, &self.path))?;
@@ -75,9 +69,6 @@ impl Opened {
     }
 
     /// A row of a table of this file.
-    ///
-    /// # Errors
-    /// [`CampaignError::Damaged`].
     pub(crate) fn row(&self, table: &Table, i: usize) -> Result<PointRow, CampaignError> {
         table.row(i).map_err(|e| CampaignError::damaged(&self.path, e))
     }

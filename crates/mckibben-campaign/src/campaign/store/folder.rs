@@ -35,9 +35,6 @@ const OTHER_FORMATS: [&str; 12] =
     ["csv", "tsv", "txt", "md", "json", "xls", "xlsx", "ods", "arrow", "feather", "h5", "mat"];
 
 /// Refuses a name that promises another format than is written.
-///
-/// # Errors
-/// [`CampaignError::OtherFormat`].
 pub(crate) fn check_name(path: &Path) -> Result<(), CampaignError> {
     let ending = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
     if ending.is_some_and(|e| OTHER_FORMATS.contains(&e.as_str())) && !path.is_dir() {
@@ -56,9 +53,6 @@ pub(crate) struct Folder {
 
 impl Folder {
     /// Opens or makes a folder for writing; no other process may write to it, save other shards.
-    ///
-    /// # Errors
-    /// [`CampaignError::Locked`], [`CampaignError::Write`].
     pub(crate) fn for_writing(path: &Path, shard: Option<Shard>) -> Result<Self, CampaignError> {
         std::fs::create_dir_all(path).map_err(CampaignError::write(path))?;
         let mut folder = Self { path: path.into(), locks: vec![] };
@@ -113,9 +107,6 @@ impl Folder {
     }
 
     /// Removes what killed processes left of the parts of a shard, whose lock is held.
-    ///
-    /// # Errors
-    /// [`CampaignError::Read`], [`CampaignError::Write`].
     pub(crate) fn sweep_shard(&self, shard: Shard) -> Result<(), CampaignError> {
         let unfinished = |name: &str| {
             let rest = name.strip_prefix(Unfinished::PREFIX)?;
@@ -147,9 +138,6 @@ impl Folder {
     }
 
     /// The parts that are there.
-    ///
-    /// # Errors
-    /// [`CampaignError::Read`].
     pub(crate) fn parts(path: &Path) -> Result<BTreeMap<u64, PathBuf>, CampaignError> {
         let folder = Self { path: path.into(), locks: vec![] };
         let names = folder.names()?;
@@ -157,9 +145,6 @@ impl Folder {
     }
 
     /// Writes parts so that they survive whatever follows.
-    ///
-    /// # Errors
-    /// [`CampaignError::Write`]; parts that were there are untouched.
     pub(crate) fn write(&self, parts: &mut Vec<(u64, Vec<u8>)>) -> Result<(), CampaignError> {
         if parts.is_empty() {
             return Ok(());
@@ -177,9 +162,6 @@ impl Folder {
     }
 
     /// Removes parts, and the folder if nothing else is in it: they are in one file now.
-    ///
-    /// # Errors
-    /// [`CampaignError::Write`].
     pub(crate) fn remove(mut self, parts: impl Iterator<Item = u64>) -> Result<(), CampaignError> {
         let remove = |path: PathBuf| match std::fs::remove_file(&path) {
             Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
@@ -202,10 +184,6 @@ impl Folder {
         Ok(())
     }
 
-    /// Removes a part.
-    ///
-    /// # Errors
-    /// [`CampaignError::Write`].
     pub(crate) fn discard(&self, part: &Path) -> Result<(), CampaignError> {
         std::fs::remove_file(part).map_err(CampaignError::write(part))
     }

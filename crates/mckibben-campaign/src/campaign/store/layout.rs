@@ -28,7 +28,6 @@ pub(crate) struct Field {
 }
 
 impl Field {
-    /// Where it is in a row.
     pub(crate) fn slot<'a>(&self, row: &'a mut PointRow) -> Slot<'a> {
         (self.column.slot)(row)
     }
@@ -81,7 +80,6 @@ impl Layout {
         Self { constants, sensitivities, ..Self::default() }
     }
 
-    /// All columns.
     pub(crate) fn fields(&self) -> Vec<Field> {
         let of = |column: &'static Column| {
             let one = |name: String, key: Option<String>| Field { name, column, key };
@@ -100,9 +98,6 @@ impl Layout {
     }
 
     /// Notes which columns a table lacks that has those of `names`.
-    ///
-    /// # Errors
-    /// The name of a column that no table may lack.
     pub(crate) fn found(&mut self, names: &[&str]) -> Result<(), String> {
         for field in self.fields().into_iter().filter(|f| !names.contains(&f.name.as_str())) {
             match field.slot(&mut PointRow::default()) {

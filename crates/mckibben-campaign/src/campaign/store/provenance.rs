@@ -39,9 +39,7 @@ pub struct Provenance {
 /// Which share of the table a file holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Which {
-    /// Everything.
     Whole,
-    /// A part.
     Part(u64),
 }
 
@@ -69,17 +67,14 @@ impl Provenance {
         metadata.windows(PREFIX.len()).any(|bytes| bytes == PREFIX.as_bytes())
     }
 
-    /// Number of parts.
     pub fn parts(&self) -> u64 {
         self.muscles.div_ceil(self.block.max(1))
     }
 
-    /// Number of rows.
     pub fn points(&self) -> u64 {
         self.muscles.saturating_mul(self.points_per_muscle)
     }
 
-    /// The muscles of a part.
     pub(crate) fn muscles_of(&self, part: u64) -> std::ops::Range<u64> {
         let from = part.saturating_mul(self.block).min(self.muscles);
         from..from.saturating_add(self.block).min(self.muscles)

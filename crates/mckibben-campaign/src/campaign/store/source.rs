@@ -4,17 +4,14 @@ use super::{Opened, part_name};
 use crate::campaign::CampaignError;
 use std::path::{Path, PathBuf};
 
-/// Where a part is.
 #[derive(Debug)]
 pub(in crate::campaign) enum PartSource {
-    /// In a file.
     File(PathBuf),
     /// In memory, as the bytes of its file.
     Memory(Vec<u8>),
 }
 
 impl PartSource {
-    /// The part, opened.
     pub(in crate::campaign) fn open(self, number: u64) -> Result<Opened, CampaignError> {
         match self {
             PartSource::File(path) => Opened::file(&path),

@@ -71,7 +71,6 @@ impl Table {
         Self::of(&self.fields, columns, 0)
     }
 
-    /// Adds a row.
     pub(crate) fn push(&mut self, mut row: PointRow) {
         for (column, field) in self.columns.iter_mut().zip(self.fields.iter()) {
             push(column, field, &mut row);

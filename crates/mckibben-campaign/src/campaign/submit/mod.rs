@@ -32,10 +32,8 @@ const RESERVE: f64 = 4.0;
 /// The shortest time limit in minutes.
 const LEAST_MINUTES: f64 = 15.0;
 
-/// What is submitted.
 #[derive(Debug, Clone, Default)]
 pub struct SubmitOptions {
-    /// The engine.
     pub engine: SubmitEngine,
     /// Number of shards, where it is not to follow from the time.
     pub shards: Option<u64>,
@@ -57,9 +55,7 @@ pub struct SubmitOptions {
 pub struct Submitted {
     /// The folder of parts.
     pub output: PathBuf,
-    /// The merged file.
     pub merged: PathBuf,
-    /// Number of all shards.
     pub shards_wanted: u64,
     /// Shards that were submitted: 1 to 4, 7.
     pub shards_submitted: String,
@@ -69,13 +65,10 @@ pub struct Submitted {
     pub muscles_timed: u64,
     /// Jobs of the engine; none of a dry run.
     pub jobs: Vec<String>,
-    /// The commands.
     pub commands: Vec<String>,
-    /// The script.
     pub script: String,
 }
 
-/// What was cancelled.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CancelledJobs {
@@ -103,9 +96,6 @@ fn ranges(numbers: &[u64]) -> String {
 }
 
 /// Submits what is missing of a plan, and the merge after it. Parts that are there, and shards that run or wait, are left alone.
-///
-/// # Errors
-/// [`CampaignError`] where the folder is of another plan, or the engine refuses.
 pub fn submit(
     plan: &Plan,
     folder: &Path,
@@ -219,9 +209,6 @@ pub fn submit(
 }
 
 /// Cancels all jobs that were submitted for a folder and have not ended. What was computed stays.
-///
-/// # Errors
-/// [`CampaignError::NoCampaign`], [`CampaignError::Engine`].
 pub fn cancel(folder: &Path) -> Result<CancelledJobs, CampaignError> {
     let Some(record) = Record::read(folder) else {
         status(folder)?;

@@ -26,7 +26,6 @@ pub(super) fn place(folder: &Path) -> PathBuf {
 }
 
 impl Record {
-    /// That of a folder.
     pub(in crate::campaign) fn read(folder: &Path) -> Option<Self> {
         serde_json::from_slice(&read(&place(folder).join("jobs.json"), LONGEST).ok()?).ok()
     }

@@ -51,10 +51,8 @@ const LOW_PRESSURE: (f64, f64) = (0.1, 0.3);
 const MARGIN: f64 = 0.12;
 const FOLDS: u64 = 5;
 
-/// What to fit.
 #[derive(Debug, Clone)]
 pub struct UniversalRequest {
-    /// Which form.
     pub form: Form,
     /// Name of the formula.
     pub name: String,

@@ -25,13 +25,10 @@ pub struct PullPoint {
 pub struct Sample {
     /// Its number in the plan.
     pub number: u64,
-    /// The muscle.
     pub muscle: Muscle,
-    /// Where it pulls.
     pub points: Vec<PullPoint>,
 }
 
-/// The muscle of a row.
 fn muscle(row: &PointRow) -> Option<Muscle> {
     let constants: Vec<f64> = row.constants.iter().map(|c| c.1).collect();
     let rubber = Rubber::of(Law::named(&row.law, &constants)?.validated().ok()?);
@@ -43,9 +40,6 @@ fn muscle(row: &PointRow) -> Option<Muscle> {
 }
 
 /// Muscles with the points where they pull; pressures without a blocked force are left out.
-///
-/// # Errors
-/// [`FitError::Empty`] where nothing pulls, [`FitError::Varies`] where a measure varies that the formula does not have.
 pub fn samples(rows: &[PointRow]) -> Result<Vec<Sample>, FitError> {
     let known = |r: &&PointRow| r.status.is_ok() && r.force_n.is_some_and(f64::is_finite);
     if let Some((column, _)) = rows.iter().find_map(|r| r.measures.first()) {

@@ -81,7 +81,6 @@ pub struct CancelArgs {
     pub folder: PathBuf,
 }
 
-/// Runs `campaign status`.
 pub fn status(args: &StatusArgs, format: Format) -> Result<u8, Failure> {
     let bar = Bar::hidden();
     let mut before = None;
@@ -144,7 +143,6 @@ fn as_text(s: &CampaignStatus) -> String {
     out
 }
 
-/// Runs `campaign submit`.
 pub fn submit(args: &SubmitArgs, format: Format) -> Result<u8, Failure> {
     let bar = Bar::hidden();
     let request = CampaignSubmitRequest {
@@ -181,7 +179,6 @@ fn submitted_as_text(s: &Submitted, dry_run: bool) -> String {
     )
 }
 
-/// Runs `campaign cancel`.
 pub fn cancel(args: &CancelArgs, format: Format) -> Result<u8, Failure> {
     let cancelled = campaign_cancel(&CampaignCancelRequest { output: args.folder.clone() })?;
     let text = || match cancelled.jobs.as_slice() {

@@ -20,7 +20,6 @@ pub struct CampaignShowArgs {
     pub output: OutputFlags,
 }
 
-/// Runs the command.
 pub fn run(args: &CampaignShowArgs, format: Format) -> Result<u8, Failure> {
     let summary = campaign_show(&CampaignShowRequest { campaign: args.campaign.clone() })?;
     show(&summary, format, "ranges", || as_text(&summary), args.output.target())?;

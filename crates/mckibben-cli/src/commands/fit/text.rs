@@ -34,7 +34,6 @@ pub fn error_rows(formula: &Formula) -> Vec<Vec<String>> {
     rows
 }
 
-/// The errors as a table.
 pub fn errors_table(rows: Vec<Vec<String>>) -> String {
     table(&["points that pull", "number", "rms %", "95 % of them %", "max %", "(12) max %", "max N"], rows)
 }

@@ -4,7 +4,6 @@ use crate::output::text::{Units, number, percent, table, understood};
 use mckibben_app::{IdentifyAnswer, with_error_bar};
 use mckibben_fit::identify::Identification;
 
-/// The whole answer.
 pub fn of(answer: &IdentifyAnswer, u: &Units) -> String {
     let found = &answer.found;
     let force = |v: f64| format!("{} {}", u.force.to(v, 3), u.force.name);
@@ -113,7 +112,6 @@ fn laws(answer: &IdentifyAnswer, force: &dyn Fn(f64) -> String) -> String {
     out
 }
 
-/// The lower triangle.
 fn correlation(found: &Identification) -> String {
     let names: Vec<&str> = found.parameters.iter().map(|p| p.name.as_str()).collect();
     let header: Vec<&str> =

@@ -79,7 +79,6 @@ pub fn run(args: &McpArgs, limits: &[(Resource, f64)], root: &Command) -> Result
 enum Next {
     /// An answer at once, or none.
     Reply(Option<Value>),
-    /// Work.
     Ask(Question),
 }
 

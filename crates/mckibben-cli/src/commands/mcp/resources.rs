@@ -10,7 +10,6 @@ const HELP: &str = "mckibben://help/";
 const EXAMPLE: &str = "mckibben://examples/";
 const SCHEMA: &str = "mckibben://schema/";
 
-/// All of them.
 pub fn list(root: &Command) -> Vec<Value> {
     let help = helps(root).into_iter().map(|(name, about)| entry(HELP, &name, &about, "text/plain"));
     let examples = mckibben_web::paths()
@@ -35,7 +34,6 @@ fn kind_of(name: &str) -> &'static str {
     }
 }
 
-/// One of them.
 pub fn read(params: &Value, root: &Command) -> Result<Value, Wrong> {
     let uri = params["uri"].as_str().unwrap_or_default();
     let found = None

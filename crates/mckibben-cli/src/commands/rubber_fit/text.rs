@@ -36,7 +36,6 @@ fn weighting(answer: &RubberFitAnswer, request: &RubberFitRequest) -> String {
     format!("{what}; {even}{factors}")
 }
 
-/// Text for people.
 pub fn of(answer: &RubberFitAnswer, request: &RubberFitRequest, written: Option<&Path>) -> String {
     let (laws, file) = (&answer.laws, &answer.data);
     let modes: Vec<(&str, String)> = laws.first().map_or_else(Vec::new, |law| {

@@ -15,7 +15,6 @@ use mckibben_app::{
 use mckibben_fit::validation::case::built_in;
 use std::path::Path;
 
-/// Runs the command.
 pub fn run(args: &ValidateArgs, folder: Option<&Path>, format: Format) -> Result<u8, Failure> {
     plot::check(&args.plot)?;
     let figure = args.plot.plot.as_ref().map(|_| shown::units());

@@ -184,7 +184,6 @@ pub(super) fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
     all
 }
 
-/// Event indicators.
 type Event = (&'static str, &'static [&'static str], &'static str);
 const EVENTS: [Event; 3] = [
     ("command_sign", &["command"], "indicator of an event: another way of the valve opens"),

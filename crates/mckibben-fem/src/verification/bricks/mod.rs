@@ -58,7 +58,6 @@ fn body(problem: Problem) -> Option<Body> {
     Body::new(Discretisation::new(problem).ok()?).ok()
 }
 
-/// A muscle at rest.
 fn at_rest(muscle: &Muscle, spec: &BrickSpec) -> Option<Continuation<MuscleInBricks>> {
     MuscleMesh::new(muscle, spec).ok()?.at_rest().ok().map(Continuation::new)
 }

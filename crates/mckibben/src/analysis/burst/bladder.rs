@@ -31,9 +31,6 @@ pub fn stretch_at_break(muscle: &Muscle) -> Option<f64> {
 }
 
 /// The pressure at which the rubber of the unloaded muscle tears, below one at which another part fails.
-///
-/// # Errors
-/// [`AnalysisError`] where the budget is spent.
 pub fn tearing(
     muscle: &Muscle,
     below_mpa: Option<f64>,

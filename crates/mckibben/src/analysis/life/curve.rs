@@ -87,9 +87,6 @@ pub struct LifeCurve {
 
 impl LifeCurve {
     /// A curve from its points in any order.
-    ///
-    /// # Errors
-    /// [`LifeCurveError`].
     pub fn new(of: LifeLevel, mut points: Vec<(f64, f64)>) -> Result<Self, LifeCurveError> {
         let least = if of == LifeLevel::LargestStretch { 1.0 } else { 0.0 };
         let valid = |&(level, cycles): &(f64, f64)| {
@@ -120,9 +117,6 @@ impl LifeCurve {
     }
 
     /// Cycles to failure at a level.
-    ///
-    /// # Errors
-    /// [`LifeCurveError::Outside`].
     pub fn cycles(&self, level: f64) -> Result<f64, LifeCurveError> {
         let (low, high) = self.reach();
         let pair = self.points.windows(2).find(|pair| pair[0].0 <= level && level <= pair[1].0);
@@ -132,9 +126,6 @@ impl LifeCurve {
     }
 
     /// The highest level of the curve at which the rubber lasts so many cycles: below it the rubber lasts as many, or more.
-    ///
-    /// # Errors
-    /// [`LifeCurveError::TooLong`].
     pub fn level(&self, cycles: f64) -> Result<f64, LifeCurveError> {
         let last = self.points[self.points.len() - 1];
         if cycles <= last.1 {

@@ -107,7 +107,6 @@ struct Middle {
     strand_stretch: f64,
     axial_stretch: f64,
     outer_radius_mm: f64,
-    /// rb
     braid_radius_mm: f64,
 }
 

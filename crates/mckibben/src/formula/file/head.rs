@@ -52,7 +52,6 @@ pub(super) fn read<T: DeserializeOwned>(text: &str) -> Read<T> {
     Ok(value)
 }
 
-/// The kind of a text.
 pub(super) fn kind(text: &str) -> Read<Kind> {
     let Head { format: Format::One, kind, .. } = read(text)?;
     Ok(kind)

@@ -76,9 +76,6 @@ impl schemars::JsonSchema for Document {
 
 impl Document {
     /// Reads a text.
-    ///
-    /// # Errors
-    /// [`FormulaError`] names the key.
     pub fn parse(text: &str) -> Read<Self> {
         let mut read = match kind(text)? {
             Kind::Paper => Self::Section(paper(text)?),
@@ -92,9 +89,6 @@ impl Document {
 
 impl Formula {
     /// Reads a text.
-    ///
-    /// # Errors
-    /// [`FormulaError`] names the key.
     pub fn parse(text: &str) -> Read<Self> {
         match Document::parse(text)? {
             Document::Section(formula) => Ok(formula),
@@ -115,9 +109,6 @@ impl UniversalFormula {
     }
 
     /// Reads a text.
-    ///
-    /// # Errors
-    /// [`FormulaError`] names the key.
     pub fn parse(text: &str) -> Read<Self> {
         match Document::parse(text)? {
             Document::Universal(formula) => Ok(formula),

@@ -71,9 +71,6 @@ impl Second {
 
 impl ThickWall {
     /// Stiffness against bending at a pressure and contraction.
-    ///
-    /// # Errors
-    /// [`ModelError`] as for [`ForceModel::response`].
     pub fn bending(&self, pressure_mpa: f64, contraction: f64) -> Result<BendingStiffness, ModelError> {
         let (l, _, _) = self.stretch(pressure_mpa, contraction);
         let s = self.state(pressure_mpa, l)?;
@@ -109,9 +106,6 @@ impl ThickWall {
 
     /// The push in N at which a muscle between two joints buckles, of strands that slide and of strands that are fixed to the tube; infinite on a
     /// core rod through a seal, which guides it.
-    ///
-    /// # Errors
-    /// As [`ThickWall::bending`].
     pub fn buckling_n(&self, pressure_mpa: f64, contraction: f64) -> Result<(f64, f64), ModelError> {
         let muscle = &self.info().muscle;
         let length_mm = (1.0 - contraction) * muscle.length_mm();

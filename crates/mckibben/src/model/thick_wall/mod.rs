@@ -52,7 +52,6 @@ pub struct ThickWall {
     info: ModelInfo,
     wall: Wall,
     law: Law,
-    /// Ro
     ro: f64,
     /// Rs and t/2 of [`crate::muscle::StrandLay`]
     rs: f64,
@@ -147,9 +146,6 @@ impl ThickWall {
     }
 
     /// Contact pressure between tube and braid in MPa, at a pressure and contraction, for strands that do not stretch.
-    ///
-    /// # Errors
-    /// [`ModelError`] as for [`ForceModel::response`](super::ForceModel::response).
     pub fn contact_pressure_mpa(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
         let l = 1.0 - contraction;
         let s = self.state(pressure_mpa, l)?;

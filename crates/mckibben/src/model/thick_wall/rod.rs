@@ -72,7 +72,6 @@ impl ThickWall {
         self.rod.is_none_or(|rod| self.wall.bore2(l, r) >= rod.radius_mm * rod.radius_mm)
     }
 
-    /// rc
     fn radius_on_rod(&self, rod: RodInBore, l: f64) -> f64 {
         (rod.radius_mm * rod.radius_mm + self.wall.section() / l).sqrt()
     }

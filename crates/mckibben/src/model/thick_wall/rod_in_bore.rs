@@ -2,7 +2,6 @@
 
 use crate::muscle::Muscle;
 
-/// A rod in the bore.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RodInBore {
     pub(super) radius_mm: f64,

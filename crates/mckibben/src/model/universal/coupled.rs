@@ -37,7 +37,6 @@ pub(super) struct Start {
     pub stretches: [f64; 2],
 }
 
-/// A root.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Root {
     pub force: f64,

@@ -11,7 +11,6 @@ use crate::model::{ModelError, Workspace};
 pub(super) const ITERATIONS: usize = 60;
 /// A step this small leaves an error of its square.
 const SMALL_STEP: f64 = 1e-7;
-/// Largest step.
 const LARGEST_STEP: f64 = 0.15;
 /// A bracket this narrow holds a kink of δ; either side is the answer.
 const NARROW: f64 = 1e-13;

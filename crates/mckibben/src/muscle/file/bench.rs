@@ -23,7 +23,6 @@ const KEYS: &[&str] = &[
 const BRANCHES: &str = "a list of mean, contraction and elongation, such as [\"mean\"]";
 /// Rows, columns and parameters at most.
 const MOST: usize = 64;
-/// The longest name.
 const LONGEST: usize = 200;
 
 pub(super) fn read(section: &Section<'_>) -> Result<Option<Bench>, FileError> {

@@ -20,9 +20,6 @@ pub fn parse_muscle(text: &str) -> Result<Muscle, FileError> {
 }
 
 /// Reads the muscle of a text that holds `others` beside it: the tables of a plan, say.
-///
-/// # Errors
-/// As [`parse_muscle`].
 pub fn parse_muscle_beside(text: &str, others: &[&'static str]) -> Result<Muscle, FileError> {
     let source = Source::parse(text)?;
     let root = source.root();

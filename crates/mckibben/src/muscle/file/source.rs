@@ -94,9 +94,6 @@ impl<'t> Source<'t> {
 
 impl<'s> Section<'s> {
     /// A table in this one.
-    ///
-    /// # Errors
-    /// [`FileError`] at the place.
     pub fn section(&self, key: &str, path: &'static str) -> Result<Section<'s>, FileError> {
         let table = match self.table.and_then(|t| t.get(key)) {
             None => None,
@@ -143,9 +140,6 @@ impl<'s> Section<'s> {
 
     /// Every key must be one of `known`. `all` are the dotted keys of the whole file: a key that belongs elsewhere is
     /// recognised by them.
-    ///
-    /// # Errors
-    /// [`FileError`] at the place.
     pub fn only(&self, known: &[&'static str], all: &[&'static str]) -> Result<(), FileError> {
         for (key, span) in self.keys() {
             if known.contains(&key) {
@@ -193,26 +187,17 @@ impl<'s> Section<'s> {
     }
 
     /// A quantity: a text with a unit, or a bare number.
-    ///
-    /// # Errors
-    /// [`FileError`] at the place.
     pub fn quantity(&self, key: &str, dimension: Dimension) -> Result<Option<f64>, FileError> {
         let value = self.value(key, dimension.expectation())?;
         value.map(|v| to_quantity(v, dimension).map_err(|p| self.error(key, p))).transpose()
     }
 
     /// A number without unit.
-    ///
-    /// # Errors
-    /// [`FileError`] at the place.
     pub fn number(&self, key: &str) -> Result<Option<f64>, FileError> {
         self.value(key, PLAIN)?.map(|v| to_number(v).map_err(|p| self.error(key, p))).transpose()
     }
 
     /// A text.
-    ///
-    /// # Errors
-    /// [`FileError`] at the place.
     pub fn text(&self, key: &str, expected: &'static str) -> Result<Option<&'s str>, FileError> {
         let Some(value) = self.value(key, expected)? else { return Ok(None) };
         let problem = || Problem::Type { found: value_kind(value), expected };
@@ -220,9 +205,6 @@ impl<'s> Section<'s> {
     }
 
     /// `true` or `false`.
-    ///
-    /// # Errors
-    /// [`FileError`] at the place.
     pub fn boolean(&self, key: &str) -> Result<Option<bool>, FileError> {
         let expected = "true or false, without quotes";
         let Some(value) = self.value(key, expected)? else { return Ok(None) };
@@ -231,9 +213,6 @@ impl<'s> Section<'s> {
     }
 
     /// A list of pressures (with a dimension) or plain numbers (without).
-    ///
-    /// # Errors
-    /// [`FileError`] at the place.
     pub fn list(&self, key: &str, dimension: Option<Dimension>) -> Result<Option<Vec<f64>>, FileError> {
         let expected = match dimension {
             Some(_) => "a list such as [\"0.62 MPa\", 0.0012]",
@@ -252,9 +231,6 @@ impl<'s> Section<'s> {
     }
 
     /// A list of pairs, such as times and pressures; without a dimension a plain number.
-    ///
-    /// # Errors
-    /// [`FileError`] at the place.
     pub fn pairs(
         &self,
         key: &str,
@@ -277,9 +253,6 @@ impl<'s> Section<'s> {
     }
 
     /// A list of lists of numbers, each of as many.
-    ///
-    /// # Errors
-    /// [`FileError`] at the place.
     pub fn rows(&self, key: &str) -> Result<Option<Vec<Vec<f64>>>, FileError> {
         let expected = "rows of numbers, each of as many, such as [[1.5, 2], [1, 0.5]]";
         let Some(value) = self.value(key, expected)? else { return Ok(None) };
@@ -297,9 +270,6 @@ impl<'s> Section<'s> {
     }
 
     /// A list of texts.
-    ///
-    /// # Errors
-    /// [`FileError`] at the place.
     pub fn texts(&self, key: &str, expected: &'static str) -> Result<Option<Vec<&'s str>>, FileError> {
         let Some(value) = self.value(key, expected)? else { return Ok(None) };
         let wrong = || self.error(key, Problem::Type { found: value_kind(value), expected });
@@ -318,9 +288,6 @@ impl<'s> Section<'s> {
     }
 
     /// Values: a text with a list or a range, a bare number, or a TOML list; and whether `suffix` stood behind them.
-    ///
-    /// # Errors
-    /// [`FileError`] at the place.
     pub fn values(
         &self,
         key: &str,
@@ -344,9 +311,6 @@ impl<'s> Section<'s> {
     }
 
     /// One of some words, or a quantity; `expected` describes both.
-    ///
-    /// # Errors
-    /// [`FileError`] at the place.
     pub fn word_or_quantity(
         &self,
         key: &str,

@@ -29,7 +29,6 @@ impl Text {
         self.line(&line);
     }
 
-    /// The whole text.
     pub(super) fn into_string(self) -> String {
         self.0
     }

@@ -276,9 +276,6 @@ impl Measure {
     }
 
     /// Whether a value may be that of this measure.
-    ///
-    /// # Errors
-    /// [`MuscleError`] with key, value and unit.
     pub fn check(&self, value: f64) -> Result<(), MuscleError> {
         // Words for a keyboard without Greek letters.
         let unit = if self.unit == Some(FRICTION_UNIT) { "N/MPa^exponent" } else { self.unit() };
@@ -317,9 +314,6 @@ impl Muscle {
     }
 
     /// The same muscle with another value of a measure. A braid cut from a named sleeve has the sleeve's angle on another diameter.
-    ///
-    /// # Errors
-    /// As [`Muscle::new`].
     pub fn with(&self, measure: &Measure, value: f64) -> Result<Self, MuscleError> {
         // A count cannot hold every number.
         measure.check(value)?;

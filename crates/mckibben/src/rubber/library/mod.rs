@@ -56,9 +56,6 @@ pub fn plain(name: &str) -> String {
 }
 
 /// The entry of a name or alias, without regard to case; spaces and underscores are as good as hyphens.
-///
-/// # Errors
-/// [`LibraryError::UnknownRubber`] with the nearest name.
 pub fn entry(name: &str) -> Result<&'static RubberEntry, LibraryError> {
     let entries = entries()?;
     let plain = plain(name);

@@ -29,9 +29,6 @@ pub fn find(name: &str) -> Result<Rubber, LibraryError> {
 }
 
 /// The rubber `name` or `name:law` for stretches up to `reach`: see the module on which fit that is.
-///
-/// # Errors
-/// As [`find`].
 pub fn find_for(name: &str, reach: f64) -> Result<Rubber, LibraryError> {
     if let Some(found) = hardness::find(name) {
         return found.map(|(rubber, _)| rubber);

@@ -73,9 +73,6 @@ impl Prony {
     }
 
     /// Checks the constants.
-    ///
-    /// # Errors
-    /// [`OverTimeError::Constant`].
     pub fn validated(self) -> Result<Self, OverTimeError> {
         let bad = |name, value, expected| Err(OverTimeError::Constant { name, value, expected });
         for b in &self.branches {

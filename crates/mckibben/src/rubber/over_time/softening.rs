@@ -37,9 +37,6 @@ pub struct OgdenRoxburgh {
 
 impl OgdenRoxburgh {
     /// Checks the constants.
-    ///
-    /// # Errors
-    /// [`OverTimeError::Constant`].
     pub fn validated(self) -> Result<Self, OverTimeError> {
         let bad = |name, value, expected| Err(OverTimeError::Constant { name, value, expected });
         match self {

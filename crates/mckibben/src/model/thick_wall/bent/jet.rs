@@ -5,7 +5,6 @@
 use std::array::from_fn;
 use std::ops::{Add, Mul, Sub};
 
-/// Variables.
 pub(super) const N: usize = 7;
 /// Steps after which Newton's method gives up.
 const STEPS: usize = 60;

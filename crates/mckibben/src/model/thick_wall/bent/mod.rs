@@ -124,9 +124,6 @@ impl BentMuscle {
     }
 
     /// The muscle without a bend, by the same strands.
-    ///
-    /// # Errors
-    /// [`ModelError`].
     pub fn straight(&self, pressure_mpa: f64, stretch: f64) -> Result<BentState, ModelError> {
         let s = self.long.state(pressure_mpa, stretch)?;
         let length = self.long.info.muscle.length_mm();
@@ -148,9 +145,6 @@ impl BentMuscle {
     }
 
     /// A section at an axial stretch of its axis and a curvature in 1/mm.
-    ///
-    /// # Errors
-    /// [`ModelError`] where there is no equilibrium.
     pub fn section(
         &self,
         strands: Strands,
