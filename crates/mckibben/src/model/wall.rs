@@ -131,20 +131,6 @@ impl Wall {
         let thinnest = 1.0 / (lambda * inside.min(outside));
         inside.max(outside).max(lambda).max(thinnest)
     }
-
-    /// Largest energy density in the wall in MPa (mJ/mm³), at the bore or at the outer surface.
-    pub fn largest_energy_density_mpa(
-        &self,
-        law: &Law,
-        axial_stretch: f64,
-        outer_radius_mm: f64,
-    ) -> Option<f64> {
-        let lambda = self.prestretch * axial_stretch;
-        let inside = (self.bore2(axial_stretch, outer_radius_mm) / self.ri2).max(0.0).sqrt();
-        let outside = outer_radius_mm / self.ro2.sqrt();
-        let at = |hoop: f64| law.principal([hoop, lambda, 1.0 / (hoop * lambda)]).w;
-        Some(at(inside).max(at(outside))).filter(|w| w.is_finite())
-    }
 }
 
 struct Integral<'a> {

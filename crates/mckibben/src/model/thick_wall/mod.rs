@@ -12,23 +12,18 @@
 //!   F = F_ideal(outer D0) + dW/dλ.
 //!
 //! Strands carry no compression unless the braid says so: where the tube alone would not reach the braid, they are left
-//! out. A core rod in the bore bounds it ([`rod`]). Sources: Liu & Rahn (2003) \[liu2003\]; Soleymani & Khajehsaeid (2020) \[soleymani2020\] for inextensible strands; derived here for strands
+//! out. Sources: Liu & Rahn (2003) \[liu2003\]; Soleymani & Khajehsaeid (2020) \[soleymani2020\] for inextensible strands; derived here for strands
 //! that stretch.
 
 mod answers;
 mod bending;
-mod bent;
 mod equilibrium;
-mod rod;
-mod rod_in_bore;
 mod square;
 #[cfg(test)]
 mod tests;
 
 pub use bending::BendingStiffness;
-pub use bent::{BentMuscle, BentSection, BentState, OnPulley, Strands};
 pub(super) use equilibrium::State;
-use rod_in_bore::RodInBore;
 
 use super::{Accuracy, ModelEntry, ModelError, ModelInfo, ModelRange, Reference, Wall, Where, notes};
 use crate::muscle::{Crimp, EndFactor, Muscle};
@@ -62,7 +57,6 @@ pub struct ThickWall {
     cos2: f64,
     /// k of one family; `None`: inextensible
     k: Option<f64>,
-    rod: Option<RodInBore>,
     compression: bool,
 }
 
@@ -100,7 +94,6 @@ impl ThickWall {
             sin2: sin * sin,
             cos2: cos * cos,
             k,
-            rod: RodInBore::of(muscle),
             compression: muscle.braid().compression,
         }
     }
