@@ -28,7 +28,6 @@ pub(super) use equilibrium::State;
 use super::{Accuracy, ModelEntry, ModelError, ModelInfo, ModelRange, Reference, Wall, Where, notes};
 use crate::muscle::{Crimp, EndFactor, Muscle};
 use crate::rubber::Law;
-use std::f64::consts::PI;
 use std::sync::Arc;
 
 pub(super) const ENTRY: ModelEntry = ModelEntry {
@@ -137,14 +136,6 @@ impl ThickWall {
     /// Largest principal stretch of the wall at an axial stretch and outer radius.
     pub(super) fn largest_stretch(&self, l: f64, r: f64) -> f64 {
         self.wall.largest_stretch(l, r)
-    }
-
-    /// Contact pressure between tube and braid in MPa, at a pressure and contraction, for strands that do not stretch.
-    pub fn contact_pressure_mpa(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
-        let l = 1.0 - contraction;
-        let s = self.state(pressure_mpa, l)?;
-        let w = self.wall.energy(&self.law, l, s.r);
-        Ok(pressure_mpa - w.r / (2.0 * PI * s.r * l))
     }
 
     /// G of the strands' contact in N/mm: (4π/3) pc r cotθ for strands that do not stretch.
