@@ -85,7 +85,7 @@ impl CommandEntry {
     /// Whether its request may carry tables of measured or computed points, which may be long.
     #[cfg(feature = "schema")]
     pub fn takes_tables(&self) -> bool {
-        let tables = ["data", "table", "tables", "load_tables", "life_curve", "cases"];
+        let tables = ["data", "table", "tables", "load_tables", "cases"];
         self.expected().fields().iter().any(|(field, _)| tables.contains(&field.as_str()))
     }
 
@@ -188,7 +188,6 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         #[cfg(feature = "whole")]
         command!("doctor", DoctorRequest => DoctorAnswer, |r, progress| doctor(&r, progress)),
         #[cfg(feature = "whole")]
-        command!(long "life", LifeRequest => LifeAnswer, |r, progress| life(&r, progress)),
         command!("muscle-show", MuscleShowRequest => MuscleShowAnswer, |r, _progress| muscle_show(&r)),
         #[cfg(feature = "whole")]
         command!("build", BuildRequest => BuildAnswer, |r, progress| build(&r, progress)),

@@ -55,7 +55,6 @@ mod json_size;
 mod library;
 mod library_folder;
 mod library_text;
-mod life;
 mod liquid;
 mod load;
 mod many;
@@ -115,7 +114,6 @@ pub use joint::*;
 pub use json_size::JsonSize;
 pub use library::*;
 pub use library_folder::points_table;
-pub use life::*;
 pub use liquid::LiquidFields;
 pub use load::{LoadAnswer, LoadFields, LoadedAt};
 pub use many::{

@@ -79,9 +79,6 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
             json!({ "test": "isotonic", "model": "thick-wall", "pressures_mpa": pressures, "forces_n": steps(10.0, 300.0, 190),
                     "muscle": text_file("held.toml") }),
         ],
-        "life" => vec![
-            json!({ "model": "fe", "length_mm": 30000, "mesh": "2x1024", "pressures_mpa": [0.1, 0.2], "contractions": [0.05, 0.1] }),
-        ],
         "joint" => {
             let muscle = text_file("biceps.toml");
             vec![

@@ -175,11 +175,6 @@ fn kinds() -> Vec<Kind> {
             |t| json!({ "data": [named("b.csv", t)], "model": "thick-wall", "free": ["braid.stiffness"] }),
         ),
         ("fit", paper, |t| json!({ "table": named("t.csv", t), "method": "global", "terms": 4 })),
-        (
-            "life",
-            "stretch,cycles\n1.2,1e7\n2,1e5\n3,1e4\n".into(),
-            |t| json!({ "model": "thick-wall", "pressures_mpa": [0.1, 0.2], "contractions": [0, 0.1], "life_curve": named("l.csv", t), "scatter": 3 }),
-        ),
         ("rubber-fit", tension.into(), |t| json!({ "data": named("t.csv", t), "laws": ["yeoh"] })),
         (
             "rubber-fit",
