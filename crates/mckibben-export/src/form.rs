@@ -148,38 +148,6 @@ impl Form {
         out
     }
 
-    /// Control points of the pull: seven rows in the pressure, two for each part between [`PRESSURE_KNOTS`] and the supply and one for its end,
-    /// and in each row three for a part between two nodes and one for its end. Each node lies at ε + its shift.
-    pub(crate) fn control_points_n(&self, shifts: &[f64]) -> Vec<Vec<f64>> {
-        let [first, second, third] = PRESSURE_KNOTS;
-        let ends = [first, first, second, second, third, third, 1.0, 1.0];
-        // The polar form of a parabola at two ends of its part.
-        (0..7)
-            .map(|row| {
-                let (u, v) = (ends[row], ends[row + 1]);
-                let of = |knot: f64| if u >= knot { (u - knot) * (v - knot) } else { 0.0 };
-                let weights = [1.0, 0.5 * (u + v), u * v, of(second), of(third)];
-                let at = |of: &[Vec<f64>; FUNCTIONS], n: usize| {
-                    weights.iter().zip(of).map(|(w, c)| w * c[n]).sum::<f64>()
-                };
-                let node = |n: usize| {
-                    (
-                        self.contractions[n] + shifts[n],
-                        at(&self.a, n) + shifts[n] * at(&self.b, n),
-                        at(&self.b, n),
-                    )
-                };
-                let mut points = vec![node(0).1];
-                for n in 0..shifts.len() - 1 {
-                    let (from, to) = (node(n), node(n + 1));
-                    let third = (to.0 - from.0) / 3.0;
-                    points.extend([from.1 + third * from.2, to.1 - third * to.2, to.1]);
-                }
-                points
-            })
-            .collect()
-    }
-
     /// The pull that the form gives, negative where the muscle would have to push, and its slope in ε; pressure in Pa.
     pub fn two_sided_n(&self, pressure_pa: f64, contraction: f64) -> (f64, f64) {
         let (k, (phi, _)) = (self.coefficients(contraction), functions(pressure_pa / self.supply_pa));

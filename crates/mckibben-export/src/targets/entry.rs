@@ -5,7 +5,7 @@ use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
 
 /// What is known of a target.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy)]
 pub struct TargetEntry {
     pub name: &'static str,
     pub about: &'static str,
@@ -13,10 +13,4 @@ pub struct TargetEntry {
     /// What of the muscle it loses.
     pub loses: &'static str,
     pub(crate) make: fn(&ExportedMuscle) -> Result<Artefact, ExportError>,
-}
-
-impl std::fmt::Debug for TargetEntry {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(self.name)
-    }
 }

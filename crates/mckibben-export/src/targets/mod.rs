@@ -2,18 +2,12 @@
 
 mod c;
 mod common;
-mod csv;
 mod entry;
 mod fmu;
 mod host_fit;
-mod mat_file;
-mod matlab;
 mod mjcf;
-mod mjcf_plugin;
 mod opensim;
 mod python;
-mod tables;
-mod xlsx;
 mod zip;
 
 pub use entry::TargetEntry;
@@ -24,11 +18,11 @@ use crate::muscle::ExportedMuscle;
 use std::str::FromStr;
 
 macro_rules! targets {
-    ($($(#[$about:meta])* $name:ident => $entry:path,)*) => {
+    ($($name:ident => $entry:path,)*) => {
         /// A host.
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
         pub enum Target {
-            $($(#[$about])* $name,)*
+            $($name,)*
         }
 
         impl Target {
@@ -46,26 +40,11 @@ macro_rules! targets {
 }
 
 targets! {
-    /// C99.
     C => c::ENTRY,
-    /// Python.
     Python => python::ENTRY,
-    /// Tables.
-    Csv => csv::ENTRY,
-    /// MATLAB, Simulink and GNU Octave.
-    Matlab => matlab::ENTRY,
-    /// MuJoCo.
     Mjcf => mjcf::ENTRY,
-    /// MuJoCo with a plugin.
-    MjcfPlugin => mjcf_plugin::ENTRY,
-    /// Functional Mock-up Unit.
     Fmu => fmu::ENTRY,
-    /// Functional Mock-up Unit of a muscle on a valve.
-    FmuValve => fmu::VALVE,
-    /// OpenSim.
     Opensim => opensim::ENTRY,
-    /// Workbook.
-    Xlsx => xlsx::ENTRY,
 }
 
 impl Target {

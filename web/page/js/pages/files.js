@@ -1,4 +1,4 @@
-// The muscle as files: a report, what the workshop needs, code and tables for controllers and simulators, and files of
+// The muscle as files: a report, what the workshop needs, code for controllers and simulators, and files of
 // finite-element programs.
 import { engine } from "../ask.js";
 import { address, write } from "../address.js";
@@ -70,7 +70,7 @@ function errorLine(answer) {
     + `${show("force", answer.uncertainty_n, 2)}.`;
 }
 
-/** Code and tables. @param {() => void} place */
+/** Code. @param {() => void} place */
 function exportCard(place) {
   /** @type {readonly Target[]} */ let targets = [];
   const box = form(BOX, () => go.run()), done = el("div", {}), about = el("p", { class: "small soft" });
