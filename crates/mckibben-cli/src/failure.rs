@@ -103,8 +103,6 @@ const FIELDS: &[&str] = &[
     "law",
     "stable",
     "relative",
-    "show",
-    "picture",
     "export_inp",
     "vtu",
     "sweep",

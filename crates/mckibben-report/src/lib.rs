@@ -36,7 +36,6 @@ mod rect;
 mod room;
 #[cfg(feature = "files")]
 mod save;
-mod scene;
 mod sheet;
 mod sizes;
 mod smooth;
@@ -57,5 +56,4 @@ pub use figure::{Axis, Figure, Mark, Palette, Panel, Series, Style};
 pub use mark::{is_figure, is_page};
 #[cfg(feature = "png")]
 pub use outlines::texts_as_outlines;
-pub use scene::{Face, Scene, Thread, View};
 pub use sheet::{Anchor, Item, Pen, Sheet};

@@ -70,7 +70,6 @@ fn a_file_is_what_its_ending_says() {
         ("schema force -o x.toml", "end it in .json"),
         ("force my.toml -p 6bar -o table.xlsx", ".txt, .json, .csv and .parquet"),
         ("curve isobaric my.toml --model ideal --plot x.docx", ".svg, .png, .pdf or .html"),
-        ("simulate my.toml --picture x.html", ".svg, .png or .pdf"),
     ] {
         let words = words.replace(" --model ideal -p", " -p");
         let ran = line(dir.path(), &words);

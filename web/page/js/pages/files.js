@@ -10,7 +10,7 @@ import { form, job, warnings } from "../form.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { fileName } from "../name.js";
-import { withPixels, withViewer } from "../report.js";
+import { withViewer } from "../report.js";
 import { number, onUnits, show, unitName } from "../units.js";
 
 /** @typedef {import("../../../types/commands").Commands} Commands */
@@ -50,7 +50,7 @@ function reportCard(place) {
     return { ...muscle.fields(), pressure_mpa: muscle.p, contraction: muscle.e, units: units(), name: muscle.name,
       ...read, html: true };
   }, async (answer) => {
-    const html = await withViewer(withPixels(answer.html ?? ""));
+    const html = await withViewer(answer.html ?? "");
     const name = fileName(muscle.name, "-report.html"), save = () => download(name, html, "text/html");
     done.replaceChildren(warnings(answer.warnings), el("p", {},
       el("button", { type: "button", class: "main", onclick: save }, `Save ${name}`), " ",
