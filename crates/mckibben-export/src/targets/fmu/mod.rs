@@ -61,8 +61,7 @@ const MACOS: [&[u8]; 2] =
     [include_bytes!("../../../binaries/x86_64-darwin"), include_bytes!("../../../binaries/aarch64-darwin")];
 
 fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
-    let mut files = units(muscle, Kind::Pressure)?;
-    files.extend(units(muscle, Kind::Valve)?);
+    let files = [units(muscle, Kind::Pressure)?, units(muscle, Kind::Valve)?].concat();
     Ok(Artefact { files, notes: vec![] })
 }
 
