@@ -1,13 +1,13 @@
 //! C99: generic functions and the numbers of a muscle. A compiler for a microcontroller needs nothing else.
 
+use super::Target;
 use super::common::common;
-use super::entry::TargetEntry;
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
 use crate::template::{list, lists, number, render};
 use crate::{Artefact, File};
 
-pub(super) const ENTRY: TargetEntry = TargetEntry {
+pub(super) const TARGET: Target = Target {
     name: "c",
     about: "C99 header and source, double or float, for controllers and simulators",
     needs: "a C99 compiler; of its library only sqrt",

@@ -12,15 +12,15 @@
 //! is −force · fpmax (L − 1)²/2 for 1 ≤ L ≤ 2 with `lmax` 3, and L − 1 = length/span with `range` 1 2. (MuJoCo, "Computation",
 //! section "Muscle actuators"; engine_util_misc.c.) A limit of the force of all actuators at the tendon makes it slack.
 
+use super::Target;
 use super::c::{rendered, sources};
-use super::entry::TargetEntry;
 use super::host_fit::fit;
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
 use crate::template::{number, render};
 use crate::{Artefact, File, HostError};
 
-pub(super) const ENTRY: TargetEntry = TargetEntry {
+pub(super) const TARGET: Target = Target {
     name: "mjcf",
     about: "a MuJoCo scene of native actuators on a tendon, without plugin or callback; beside it the form itself as a plugin in C, with its scene",
     needs: "MuJoCo 3.3 or later; for the plugin its headers (the Python package has them) and a C compiler",

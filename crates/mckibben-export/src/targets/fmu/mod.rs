@@ -6,8 +6,8 @@
 
 mod variables;
 
+use super::Target;
 use super::c::{rendered, sources};
-use super::entry::TargetEntry;
 use super::zip::zip;
 use crate::error::ExportError;
 use crate::form::NODES;
@@ -16,7 +16,7 @@ use crate::template::render;
 use crate::{Artefact, File};
 use variables::{Variable, settings};
 
-pub(super) const ENTRY: TargetEntry = TargetEntry {
+pub(super) const TARGET: Target = Target {
     name: "fmu",
     about: "Functional Mock-up Units of FMI 2.0 and of FMI 3.0, with the pressure or a valve as input, Model Exchange and Co-Simulation, with libraries and their sources",
     needs: "a tool that reads FMI 2.0 or 3.0, on Linux or Windows (x86-64) or macOS (x86-64, arm64); no compiler",
