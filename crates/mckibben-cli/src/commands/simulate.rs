@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::flags::{MuscleFlags, OutputFlags, PlotFlag, mesh_fields};
 use crate::format::Format;
 use crate::output::text::{Units, aligned, columns, number, percent, percents, place};
-use crate::output::{Content, Target, burst_first, check, ending, save, show};
+use crate::output::{Content, Target, burst_first, check, save, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, forces, points};
@@ -19,7 +19,7 @@ use mckibben_app::{
 };
 use mckibben_fem::output::{Extent, Shape, VtuFile, VtuSeries};
 use mckibben_fem::results::Solution;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 pub const EXAMPLES: &str = "Examples:
   mckibben simulate examples/prototype.toml -e 10% -p 0..0.25:0.05 --vtu out/
