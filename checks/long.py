@@ -44,10 +44,10 @@ PARTS = {
     "page": ("the workbench in a browser: every page and form, axe, five minutes of use, speed", [
         r"web/(page|src|tests|vendor)/.*", r"web/.*\.(json|mjs|sh)", r"docs/contract\.txt", r"crates/mckibben-(server|wasm)/src/.*",
     ], None, ["bash web/test.sh serve"]),
-    "build": ("plugs and drawings in OpenSCAD and a reader of DXF", [
-        r"crates/mckibben-build/src/.*", r"crates/mckibben-report/src/sheet/.*", r"checks/build\..*",
+    "build": ("plugs in OpenSCAD", [
+        r"crates/mckibben-build/src/.*", r"checks/build\..*",
     ], None, ["bash checks/build.sh \"$MCKIBBEN\""]),
-    "exports": ("exported muscles in their hosts: compilers, emulated microcontrollers, MuJoCo, OpenSim, FMPy, Wine, Octave, LibreOffice, JAX", [
+    "exports": ("exported muscles in their hosts: compilers, emulated microcontrollers, MuJoCo, OpenSim, FMPy, Wine, JAX", [
         r"crates/mckibben-export/.*", r"crates/mckibben-app/src/export\.rs", r"checks/exports.*", r"checks/fmu.*", r"checks/mach_o\.py",
     ], None, ["bash checks/exports.sh \"$MCKIBBEN\""]),
     "torch": ("muscles in PyTorch: the package's functions and the exported module", [

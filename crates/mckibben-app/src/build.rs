@@ -6,7 +6,7 @@ use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
 use crate::point::finite;
 use crate::problem::{Problem, ProblemKind};
-use crate::shape::{ShapeRequest, shaped};
+use crate::shape::ShapeRequest;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use mckibben::analysis::{Burst, blocked_force_n, free_contraction};
@@ -209,7 +209,7 @@ fn operating(
         contraction: Some(free),
         ..ShapeRequest::default()
     };
-    let (shape, _) = shaped(&shape, progress)?;
+    let shape = crate::shape::shape(&shape, progress)?;
     let array = |name: &str| shape.arrays.get(name).map_or(&[][..], Vec::as_slice);
     let (r, z, across) = (array("r_mm"), array("z_mm"), shape.across.max(1));
     let outer = r.iter().zip(z).skip(across - 1).step_by(across);

@@ -68,8 +68,6 @@ pub enum ProblemKind {
     Output,
     /// An input deck that cannot be written.
     Deck,
-    /// A quantity that cannot be shown.
-    Show,
     /// A figure that cannot be drawn.
     Plot,
     /// A campaign of another plan or version.

@@ -2,7 +2,7 @@
 
 use crate::clamps::Clamps;
 use crate::fitting::Fitting;
-use crate::frame::{self, Drawing, FRAME_MM, TITLE_MM, largest, ratio};
+use crate::frame::{self, FRAME_MM, TITLE_MM, largest, ratio};
 use crate::plan::Plan;
 use crate::text::{fixed, mm, percent, pressure, significant};
 use crate::view::{View, diameter};
@@ -15,16 +15,6 @@ const LOWER_MM: f64 = 78.0;
 const ROOM_MM: (f64, f64) = (245.0, 60.0);
 /// Room for the cross-section.
 const SECTION_MM: f64 = 38.0;
-
-/// The drawing on paper; the cross-section is enlarged as far as there is room.
-pub(crate) fn on_paper(plan: &Plan) -> Drawing {
-    drawn(plan, largest(|s| s * plan.over_sleeve_mm <= SECTION_MM))
-}
-
-/// The drawing with all bodies in one scale.
-pub(crate) fn in_one_scale(plan: &Plan) -> Drawing {
-    drawn(plan, Body::of(plan).scale())
-}
 
 /// Measures that both views need, in mm.
 struct Body<'a> {
@@ -60,9 +50,10 @@ impl<'a> Body<'a> {
     }
 }
 
-fn drawn(plan: &Plan, section_scale: f64) -> Drawing {
+/// The drawing on paper; the cross-section is enlarged as far as there is room.
+pub(crate) fn on_paper(plan: &Plan) -> Sheet {
     let body = Body::of(plan);
-    let scale = body.scale();
+    let (scale, section_scale) = (body.scale(), largest(|s| s * plan.over_sleeve_mm <= SECTION_MM));
     let mut sheet = frame::sheet(plan, "McKibben muscle", 1, scale);
     let [left, bottom, right, top] = FRAME_MM;
     // The ends of both plugs have the same distance from the frame.
@@ -80,7 +71,7 @@ fn drawn(plan: &Plan, section_scale: f64) -> Drawing {
     cross_section(plan, &mut View { sheet: &mut sheet, origin: centre, scale: section_scale });
     data(plan, &mut sheet);
     parts(plan, &mut sheet);
-    Drawing { sheet, scale }
+    sheet
 }
 
 /// The muscle at rest: above the axis in section, below it from outside.

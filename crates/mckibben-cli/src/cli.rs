@@ -139,7 +139,7 @@ pub enum Command {
     /// Build a muscle: drawing, plugs, cut list, bill of materials, steps, test sheet
     #[command(after_help = commands::build::EXAMPLES)]
     Build(Box<BuildArgs>),
-    /// The muscle for a controller or simulator: C, Python, tables, MATLAB, MuJoCo, FMI
+    /// The muscle for a controller or simulator: C, Python, MuJoCo, FMI, OpenSim
     #[command(after_help = commands::export::EXAMPLES)]
     Export(Box<ExportArgs>),
     /// Report of a muscle as one HTML file, for reading offline and for printing

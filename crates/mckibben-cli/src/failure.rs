@@ -102,8 +102,6 @@ const FIELDS: &[&str] = &[
     "law",
     "stable",
     "relative",
-    "show",
-    "picture",
     "export_inp",
     "vtu",
     "sweep",

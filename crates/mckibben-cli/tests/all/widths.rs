@@ -86,7 +86,7 @@ fn every_case_of_validate_holds_and_its_tables_fit_80_columns() {
 #[test]
 fn in_a_terminal_no_progress_bar_appears_before_half_a_second() {
     let program = env!("CARGO_BIN_EXE_mckibben");
-    let words = "design -F 700N -e 15% -p 2.5bar --model thick-wall --verify none --no-chart";
+    let words = "design -F 700N -e 15% -p 2.5bar --model thick-wall --verify none";
     let line = format!("stty rows 24 cols 80; {program} {words}");
     let output = std::process::Command::new("script")
         .args(["-qec", &line, "/dev/null"])
