@@ -80,8 +80,6 @@ pub enum ProblemKind {
     Damaged,
     /// A campaign that is not finished.
     Incomplete,
-    /// A command of a cluster's engine that failed.
-    Engine,
     /// The program itself is at fault.
     Internal,
 }
@@ -375,11 +373,6 @@ impl From<CampaignError> for Problem {
             | CampaignError::Foreign { .. }
             | CampaignError::Appeared { .. } => ProblemKind::Output,
             CampaignError::ShardOfFile { .. } | CampaignError::OtherFormat { .. } => ProblemKind::Usage,
-            CampaignError::Engine { .. } => ProblemKind::Engine,
-            #[cfg(feature = "files")]
-            CampaignError::Shard(_) => {
-                return Self::new(ProblemKind::Usage, error.to_string(), error.hint()).in_field("shard");
-            }
             CampaignError::Plan(_) | CampaignError::NoCampaign { .. } | CampaignError::Codec { .. } => {
                 ProblemKind::File
             }

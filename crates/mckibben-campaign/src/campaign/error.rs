@@ -1,8 +1,6 @@
 //! Why a campaign does not run, or a store cannot be read.
 
 use super::Cost;
-#[cfg(feature = "store")]
-use super::ShardError;
 use mckibben::muscle::file::FileError;
 use mckibben::threads::ThreadsError;
 #[cfg(feature = "store")]
@@ -144,18 +142,6 @@ pub enum CampaignError {
     /// The caller wanted it to end.
     #[error("the campaign was stopped before its end")]
     Stopped,
-    /// The environment names no share.
-    #[cfg(feature = "store")]
-    #[error(transparent)]
-    Shard(#[from] ShardError),
-    /// A command of an engine failed.
-    #[error("`{command}` failed: {why}")]
-    Engine {
-        /// The command.
-        command: String,
-        /// What it says.
-        why: String,
-    },
     /// No threads to be had.
     #[error(transparent)]
     Threads(#[from] ThreadsError),
@@ -206,11 +192,6 @@ impl CampaignError {
                 "what was written before is a valid store; the same command continues from there"
             }
             Self::Large(_) => "reduce the muscles or points, use shards, or start it with `yes`",
-            #[cfg(feature = "store")]
-            Self::Shard(error) => error.hint(),
-            Self::Engine { .. } => {
-                "the engine's programs must be on this machine; a dry run shows the script and the commands"
-            }
             Self::Threads(_) => "take fewer threads; the table does not depend on them",
             _ => "",
         }

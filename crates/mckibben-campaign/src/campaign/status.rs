@@ -2,7 +2,6 @@
 
 use super::state::{Marker, Phase, State, host};
 use super::store::{Folder, Opened};
-use super::submit::record::Record;
 use super::{CampaignError, Shard};
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -21,8 +20,6 @@ pub enum ShardState {
     Done,
     /// A process computes it.
     Running,
-    /// Its engine will start it.
-    Waiting,
     /// Its process died or ended with an error.
     Failed,
     /// Nothing computes it, and parts are missing.
@@ -34,7 +31,6 @@ impl ShardState {
         match self {
             Self::Done => "done",
             Self::Running => "running",
-            Self::Waiting => "waiting",
             Self::Failed => "failed",
             Self::Missing => "missing",
         }
@@ -76,8 +72,6 @@ pub struct CampaignStatus {
     pub shards_done: u64,
     /// Shards that a process computes.
     pub shards_running: u64,
-    /// Shards that wait in the queue of an engine.
-    pub shards_waiting: u64,
     /// Shards whose process died or ended with an error.
     pub shards_failed: u64,
     /// Shards that nothing computes.
@@ -92,21 +86,15 @@ pub struct CampaignStatus {
 }
 
 impl CampaignStatus {
-    /// Whether something is missing that nothing computes and no engine will start.
+    /// Whether something is missing that nothing computes.
     pub fn has_gap(&self) -> bool {
         self.shards_failed + self.shards_missing > 0
-    }
-
-    /// Whether something is under way.
-    pub fn is_under_way(&self) -> bool {
-        self.shards_running + self.shards_waiting > 0
     }
 }
 
 /// Looks at a folder of parts.
 pub fn status(folder: &Path) -> Result<CampaignStatus, CampaignError> {
     let parts = Folder::parts(folder)?;
-    let record = Record::read(folder);
     let marker = match (Marker::read(folder), parts.values().next()) {
         (Some(marker), _) => marker,
         // A folder of an earlier version.
@@ -129,9 +117,7 @@ pub fn status(folder: &Path) -> Result<CampaignStatus, CampaignError> {
     }
     let states = State::all(folder);
     let newest = states.iter().max_by_key(|(_, path)| path.metadata().and_then(|m| m.modified()).ok());
-    let count =
-        record.as_ref().map(|r| r.shards).or_else(|| newest.map(|(shard, _)| shard.count())).unwrap_or(1);
-    let waiting = record.map(|record| record.waiting()).unwrap_or_default();
+    let count = newest.map_or(1, |(shard, _)| shard.count());
     let here = host();
     let one = |index| {
         let shard = Shard::new(index, count)?;
@@ -149,7 +135,6 @@ pub fn status(folder: &Path) -> Result<CampaignStatus, CampaignError> {
         match &state {
             _ if have == wanted => word = ShardState::Done,
             Some(s) if s.phase == Phase::Running && locked.unwrap_or(!silent) => word = ShardState::Running,
-            _ if waiting.contains(&index) => word = ShardState::Waiting,
             Some(s) if s.phase == Phase::Running => {
                 word = ShardState::Failed;
                 cause = format!("process {} ended without a word", s.process);
@@ -179,7 +164,6 @@ pub fn status(folder: &Path) -> Result<CampaignStatus, CampaignError> {
         shards_wanted: count,
         shards_done: of(ShardState::Done),
         shards_running: of(ShardState::Running),
-        shards_waiting: of(ShardState::Waiting),
         shards_failed: of(ShardState::Failed),
         shards_missing: of(ShardState::Missing),
         shards,

@@ -1,7 +1,7 @@
-//! `campaign`, `campaign run|show|merge|status|submit|cancel`.
+//! `campaign`, `campaign run|show|merge|status`.
 
-mod cluster;
 mod show;
+mod status;
 
 use crate::clean;
 use crate::failure::{Failure, NOT_CONVERGED};
@@ -12,11 +12,11 @@ use crate::output::text::{number, place};
 use crate::output::{Target, emit, json, show as print, warn};
 use crate::progress::{self, Bar, INTERRUPTED, stopped};
 use clap::{Args, Subcommand};
-use cluster::{CancelArgs, StatusArgs, SubmitArgs};
 use mckibben::progress::Progress;
 use mckibben_app::{CampaignMergeRequest, CampaignRequest, ProblemKind, campaign_merge};
-use mckibben_campaign::campaign::{Outcome, ShardChoice};
+use mckibben_campaign::campaign::{Outcome, Shard};
 use show::CampaignShowArgs;
+use status::StatusArgs;
 use std::io::Write;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -57,10 +57,9 @@ pub struct CampaignRunArgs {
     /// Output table: one file, FILE.parquet, or a folder of parts, DIR/. The same command continues an interrupted run
     #[arg(short, long, value_name = "FILE.parquet or DIR", required = true)]
     pub output: Option<PathBuf>,
-    /// Compute only share i of n of the plan, as parts in a folder; `campaign merge` joins them. `auto` takes the share from the environment
-    /// variables of a cluster's engine, `auto/N` where it gives no number of shares
-    #[arg(long, value_name = "i/n|auto|auto/N")]
-    pub shard: Option<ShardChoice>,
+    /// Compute only share i of n of the plan, as parts in a folder; `campaign merge` joins them
+    #[arg(long, value_name = "i/n")]
+    pub shard: Option<Shard>,
     /// Number of threads [one per core]; the table does not depend on it
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
@@ -86,15 +85,9 @@ pub enum CampaignCommand {
     /// Join folders of parts into one file, identical to that of a single run
     #[command(after_help = MERGE_EXAMPLES)]
     Merge(CampaignMergeArgs),
-    /// How far a folder of parts is, shard by shard: done, running, waiting, failed, missing; exit code 1 where a shard failed or is missing
-    #[command(after_help = cluster::STATUS_EXAMPLES)]
+    /// How far a folder of parts is, shard by shard: done, running, failed, missing; exit code 1 where a shard failed or is missing
+    #[command(after_help = status::EXAMPLES)]
     Status(StatusArgs),
-    /// Submit what is missing of a plan to a cluster's engine, and a merge after it
-    #[command(after_help = cluster::SUBMIT_EXAMPLES)]
-    Submit(SubmitArgs),
-    /// Cancel the jobs that were submitted for a folder; what was computed stays
-    #[command(after_help = cluster::CANCEL_EXAMPLES)]
-    Cancel(CancelArgs),
 }
 
 /// `campaign merge`.
@@ -114,9 +107,7 @@ pub fn run(args: &CampaignArgs, format: Format) -> Result<u8, Failure> {
     match &args.command {
         None => plan(&args.run, format),
         Some(CampaignCommand::Run(args)) => plan(args, format),
-        Some(CampaignCommand::Status(args)) => cluster::status(args, format),
-        Some(CampaignCommand::Submit(args)) => cluster::submit(args, format),
-        Some(CampaignCommand::Cancel(args)) => cluster::cancel(args, format),
+        Some(CampaignCommand::Status(args)) => status::run(args, format),
         Some(CampaignCommand::Show(args)) => show::run(args, format),
         Some(CampaignCommand::Merge(args)) => merge(args, format),
     }
@@ -143,7 +134,7 @@ fn plan(args: &CampaignRunArgs, format: Format) -> Result<u8, Failure> {
         yes: args.yes,
     };
     if !args.quiet && format == Format::Text {
-        let cost = mckibben_app::campaign_cost(&request, &bar)?;
+        let cost = mckibben_app::campaign_cost(&request)?;
         let _ = writeln!(
             std::io::stderr(),
             "{} points: about {} and {}",

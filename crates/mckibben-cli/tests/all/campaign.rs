@@ -283,7 +283,6 @@ fn the_status_names_a_shard_that_died_and_the_same_shard_fills_the_gap() {
         (&true.into(), &3.into(), &120.into())
     );
     assert_eq!(std::fs::read(&part).unwrap(), whole);
-    campaign(dir.path(), "status parts --watch=1").ok();
 }
 
 #[test]
@@ -307,44 +306,4 @@ fn a_worker_with_another_plan_or_version_is_refused_before_it_computes() {
             .count(),
         2
     );
-}
-
-#[test]
-fn the_share_is_that_of_the_environment() {
-    let dir = with_plan();
-    let with = |variables: &[(&str, &str)], choice: &str| {
-        let mut command = command(dir.path());
-        command.args(["campaign", "plan.toml", "-o", "parts", "--shard", choice, "--format", "json"]);
-        ran(command.envs(variables.iter().copied()).output().unwrap())
-    };
-    let third =
-        with(&[("SGE_TASK_ID", "30"), ("SGE_TASK_FIRST", "1"), ("SGE_TASK_LAST", "40")], "auto").ok().json();
-    assert_eq!((&third["shard"], &third["muscles"]), (&"30/40".into(), &3.into()));
-    let two = with(&[("JOB_COMPLETION_INDEX", "3"), ("PMI_RANK", "1"), ("PMI_SIZE", "4")], "auto");
-    assert_eq!((two.code, &two.error()["field"]), (2, &"shard".into()));
-    assert!(two.err.contains("PMI_RANK") && two.err.contains("JOB_COMPLETION_INDEX"), "{}", two.err);
-    assert!(with(&[], "auto").err.contains("no engine has set its variables"));
-}
-
-/// Without Slurm's programs: what would be submitted, and an error that names the command.
-#[test]
-fn a_dry_run_shows_the_script_and_the_commands() {
-    let dir = with_plan();
-    let shown =
-        campaign(dir.path(), "submit plan.toml -o parts --shards 4 --dry-run --format json").ok().json();
-    let commands = shown["commands"].as_array().unwrap();
-    assert!(
-        commands[0].as_str().unwrap().contains("--array=1-4")
-            && commands[1].as_str().unwrap().contains("--dependency=afterany:JOB")
-    );
-    let script = shown["script"].as_str().unwrap();
-    assert!(script.contains("--shard \"$SLURM_ARRAY_TASK_ID/4\"") && !script.contains('@'), "{script}");
-    assert!(!dir.path().join("parts").exists());
-    let mut command = command(dir.path());
-    let command =
-        command.args(["campaign", "submit", "plan.toml", "-o", "parts", "--shards", "4"]).env("PATH", "");
-    let refused = ran(command.args(["--format", "json"]).output().unwrap());
-    assert_eq!((refused.code, &refused.error()["kind"]), (2, &"engine".into()));
-    assert!(campaign(dir.path(), "cancel parts").ok().text().contains("No job is left"));
-    assert_eq!(campaign(dir.path(), "cancel nothing").code, 2);
 }

@@ -53,7 +53,6 @@ fn plan(text: &str) -> Result<Plan, FileError> {
     let base = parse_muscle_beside(text, TABLES)?;
     let source = Source::parse(text)?;
     let root = source.root();
-    let name = root.text("name", "a text in quotes")?.map(str::to_owned);
     let sampling = sampling(&root.section("sampling", "sampling")?)?;
     let axes = vary::axes(&root, &base, &sampling, &ALL)?;
     let testing = testing(&root.section("test", "test")?)?;
@@ -75,7 +74,7 @@ fn plan(text: &str) -> Result<Plan, FileError> {
         let why = format!("makes {} muscles, more than {MOST_MUSCLES}", design.len());
         return Err(source.error("vary", Problem::Said(why)));
     }
-    let plan = Plan { text: text.to_owned(), name, base, axes, sampling, design, testing };
+    let plan = Plan { text: text.to_owned(), base, axes, sampling, design, testing };
     some_muscle(&plan).map_err(|why| source.error("vary", Problem::Said(why)))?;
     Ok(plan)
 }

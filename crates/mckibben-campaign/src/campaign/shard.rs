@@ -23,11 +23,6 @@ impl Shard {
         block % self.count == self.index - 1
     }
 
-    /// Its number, from 1.
-    pub fn index(self) -> u64 {
-        self.index
-    }
-
     pub fn count(self) -> u64 {
         self.count
     }
@@ -61,7 +56,7 @@ impl FromStr for Shard {
         let pair = text.split_once('/');
         let shard = pair.and_then(|(i, n)| Self::new(i.trim().parse().ok()?, n.trim().parse().ok()?));
         shard.ok_or_else(|| {
-            format!("\"{text}\" is not a valid share; expected i/n with i from 1 to n, such as 2/8, or auto, or auto/8")
+            format!("\"{text}\" is not a valid share; expected i/n with i from 1 to n, such as 2/8")
         })
     }
 }
