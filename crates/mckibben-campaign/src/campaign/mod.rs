@@ -9,6 +9,8 @@
 mod cost;
 mod error;
 #[cfg(feature = "store")]
+mod marker;
+#[cfg(feature = "store")]
 mod merge;
 #[cfg(feature = "store")]
 mod outcome;
@@ -22,8 +24,6 @@ mod run;
 #[cfg(feature = "store")]
 mod shard;
 mod solve;
-#[cfg(feature = "store")]
-mod state;
 #[cfg(feature = "store")]
 mod status;
 #[cfg(feature = "store")]

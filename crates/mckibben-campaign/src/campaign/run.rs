@@ -1,10 +1,10 @@
 //! Runs a plan into a store.
 
+use super::marker::Marker;
 use super::merge::write_whole;
 use super::outcome::{Counts, Outcome};
 use super::plan::Plan;
 use super::resume::{finished, there};
-use super::state::{Alive, Marker};
 use super::store::{Folder, PartSource, Provenance, Table, check_name, is_file_name, part, part_name};
 use super::{CampaignError, Shard, solve};
 use mckibben::progress::Progress;
@@ -78,14 +78,10 @@ pub fn run(
         drop(folder);
         return finished(&provenance, out, &store);
     }
-    if one_file {
-        return in_folder(plan, &provenance, out, folder, options, progress);
+    if !one_file {
+        Marker::claim(&store, &provenance, options.overwrite)?;
     }
-    Marker::claim(&store, &provenance, options.overwrite)?;
-    let alive = Alive::begin(&folder, options.shard.unwrap_or(Shard::WHOLE));
-    let done = in_folder(plan, &provenance, out, folder, options, progress);
-    alive.end(&done);
-    done
+    in_folder(plan, &provenance, out, folder, options, progress)
 }
 
 /// Computes what is missing in a folder; of a campaign that is to be one file it writes the file at the end.

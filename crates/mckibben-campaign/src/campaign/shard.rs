@@ -11,8 +11,6 @@ pub struct Shard {
 }
 
 impl Shard {
-    pub const WHOLE: Self = Self { index: 1, count: 1 };
-
     /// Share `index` of `count`, from 1; `None` where there is no such share.
     pub fn new(index: u64, count: u64) -> Option<Self> {
         (index >= 1 && index <= count).then_some(Self { index, count })

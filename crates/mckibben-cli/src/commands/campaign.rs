@@ -85,7 +85,7 @@ pub enum CampaignCommand {
     /// Join folders of parts into one file, identical to that of a single run
     #[command(after_help = MERGE_EXAMPLES)]
     Merge(CampaignMergeArgs),
-    /// How far a folder of parts is, shard by shard: done, running, failed, missing; exit code 1 where a shard failed or is missing
+    /// How far a folder of parts is, shard by shard: done, running, missing; exit code 1 where a shard is missing
     #[command(after_help = status::EXAMPLES)]
     Status(StatusArgs),
 }

@@ -266,7 +266,7 @@ fn the_status_names_a_shard_that_died_and_the_same_shard_fills_the_gap() {
     child.kill().unwrap();
     child.wait().unwrap();
     let died = status(1);
-    assert_eq!((state(&died, 2).0, &died["shards_failed"]), ("failed", &1.into()), "{died}");
+    assert_eq!((state(&died, 2).0, &died["shards_missing"]), ("missing", &2.into()), "{died}");
 
     // A part that was cut on its way is missing, and is named.
     let part = dir.path().join("parts/part-000000.parquet");

@@ -4,10 +4,10 @@ use crate::failure::{Failure, NO_ANSWER};
 use crate::flags::OutputFlags;
 use crate::format::Format;
 use crate::output::show;
-use crate::output::text::{number, place, table};
+use crate::output::text::{place, table};
 use clap::Args;
 use mckibben_app::{CampaignStatusRequest, campaign_status};
-use mckibben_campaign::campaign::{CampaignStatus, ShardState};
+use mckibben_campaign::campaign::{CampaignStatus, ShardState, ShardStatus};
 use std::path::PathBuf;
 
 pub const EXAMPLES: &str = "Example:
@@ -27,7 +27,7 @@ pub struct StatusArgs {
 pub fn run(args: &StatusArgs, format: Format) -> Result<u8, Failure> {
     let status = campaign_status(&CampaignStatusRequest { output: args.folder.clone() })?;
     show(&status, format, "shards", || as_text(&status), args.output.target())?;
-    Ok(if status.has_gap() { NO_ANSWER } else { 0 })
+    Ok(if status.shards_missing > 0 { NO_ANSWER } else { 0 })
 }
 
 fn as_text(s: &CampaignStatus) -> String {
@@ -35,31 +35,23 @@ fn as_text(s: &CampaignStatus) -> String {
     let states = [
         (s.shards_done, ShardState::Done),
         (s.shards_running, ShardState::Running),
-        (s.shards_failed, ShardState::Failed),
         (s.shards_missing, ShardState::Missing),
     ];
     let counted =
         states.iter().filter(|state| state.0 > 0).map(|(count, state)| format!("{count} {}", state.name()));
     out.push_str(&format!("{} shards: {}\n", s.shards_wanted, counted.collect::<Vec<_>>().join(", ")));
-    let row = |shard: &mckibben_campaign::campaign::ShardStatus| {
-        vec![
-            shard.shard.clone(),
-            shard.state.name().into(),
-            format!("{} of {}", shard.parts, shard.parts_wanted),
-            shard.host.clone(),
-            shard.silent_s.map_or_else(String::new, |s| format!("{} s ago", number(s, 3))),
-            shard.cause.clone(),
-        ]
+    let row = |shard: &ShardStatus| {
+        let parts = format!("{} of {}", shard.parts, shard.parts_wanted);
+        vec![shard.shard.clone(), shard.state.name().into(), parts]
     };
     let open: Vec<Vec<String>> = s.shards.iter().filter(|s| s.state != ShardState::Done).map(row).collect();
     if !open.is_empty() {
-        let head = ["shard", "state", "parts", "machine", "last sign", "cause"];
-        out.push_str(&format!("\n{}", table(&head, open)));
+        out.push_str(&format!("\n{}", table(&["shard", "state", "parts"], open)));
     }
     for part in &s.damaged {
         out.push_str(&format!("Cut off: {}\n", place(part)));
     }
-    if s.has_gap() {
+    if s.shards_missing > 0 {
         out.push_str("\nSomething is missing that nothing computes: run the shards again.\n");
     }
     out
