@@ -59,7 +59,7 @@ class Campaign(Fixed):
         parts = self._output + ".parts"
         return parts if not os.path.exists(self._output) and os.path.isdir(parts) else self._output
 
-    def run(self, *, shard: str | None = None, threads: int | None = None, overwrite: bool = False, yes: bool = False, progress: Progress = None) -> _answers.Outcome:
+    def run(self, *, shard: str | None = None, threads: int | None = None, overwrite: bool = False, progress: Progress = None) -> _answers.Outcome:
         """Runs the plan, or what is missing of it. Ctrl-C ends it well: what was computed stays, and another run resumes it.
 
         Parameters
@@ -70,8 +70,6 @@ class Campaign(Fixed):
             As many as cores where it is left out. The table does not depend on them.
         overwrite
             Overwrite a file at ``output`` that is not of this plan.
-        yes
-            A plan of more than 10 GB or a day is begun.
         progress
             True for a progress bar, or a function that is called with (done, total).
 
@@ -80,7 +78,7 @@ class Campaign(Fixed):
         Outcome
             What was computed.
         """
-        request = {"plan": self._plan, "output": self._output, "shard": shard, "threads": threads, "overwrite": overwrite, "yes": yes}
+        request = {"plan": self._plan, "output": self._output, "shard": shard, "threads": threads, "overwrite": overwrite}
         request = {name: value for name, value in request.items() if value is not None}
         with listening(progress, "campaign") as heard:
             return _answers.Outcome(_native.ask("campaign", request, heard))
@@ -198,7 +196,7 @@ def _shard(request: dict[str, Any], stop: str) -> None:
             time.sleep(1)
 
 
-def campaign(plan: FileLike, output: str | PathLike[str], *, executor: Executor | None = None, shards: int = 64, threads: int | None = None, progress: Progress = None, yes: bool = False) -> Campaign:
+def campaign(plan: FileLike, output: str | PathLike[str], *, executor: Executor | None = None, shards: int = 64, threads: int | None = None, progress: Progress = None) -> Campaign:
     """Runs a plan, or what is missing of it, on this machine or on any executor, and waits for its end.
 
     Parameters
@@ -215,8 +213,6 @@ def campaign(plan: FileLike, output: str | PathLike[str], *, executor: Executor 
         Threads of each task; one where there is an executor, else as many as cores.
     progress
         True for a progress bar, or a function that is called with (done, total); on an executor in shards.
-    yes
-        A plan of more than 10 GB or a day is begun.
 
     Returns
     -------
@@ -231,10 +227,10 @@ def campaign(plan: FileLike, output: str | PathLike[str], *, executor: Executor 
     """
     made = Campaign(output, plan)
     if executor is None or os.path.isfile(made.output):
-        made.run(threads=threads, progress=progress, yes=yes)
+        made.run(threads=threads, progress=progress)
         return made
-    _on(made, executor, {"plan": made._plan, "threads": threads or 1, "yes": yes}, shards, progress)
+    _on(made, executor, {"plan": made._plan, "threads": threads or 1}, shards, progress)
     if made._folder != made.output:
         # All parts are there: this writes the file.
-        made.run(yes=True)
+        made.run()
     return made

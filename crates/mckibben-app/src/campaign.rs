@@ -3,10 +3,7 @@
 use crate::fields::TextFile;
 use crate::problem::{Problem, ProblemKind};
 use mckibben::progress::Progress;
-use mckibben::threads::Threads;
-use mckibben_campaign::campaign::{
-    self, CampaignStatus, Cost, Merged, Outcome, Plan, RunOptions, Shard, Summary,
-};
+use mckibben_campaign::campaign::{self, CampaignStatus, Merged, Outcome, Plan, RunOptions, Shard, Summary};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -25,8 +22,6 @@ pub struct CampaignRequest {
     pub threads: Option<usize>,
     /// Overwrite a file at `output` that is not of this plan.
     pub overwrite: bool,
-    /// Start even if the plan needs more than 10 GB or one day.
-    pub yes: bool,
 }
 
 /// Runs a plan, or what is missing of it. A cancelled run ends well, with a valid store that is not complete.
@@ -35,20 +30,8 @@ pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<Ou
     let out = request.output.as_ref().ok_or_else(|| Problem::missing("output", "a file or a folder"))?;
     plan.admit(&progress.budget())?;
     let shard = request.shard()?;
-    let options =
-        RunOptions { shard, threads: request.threads, overwrite: request.overwrite, yes: request.yes };
+    let options = RunOptions { shard, threads: request.threads, overwrite: request.overwrite };
     Ok(campaign::run(&plan, out, &options, progress)?)
-}
-
-/// About what a plan costs, before it is begun.
-pub fn campaign_cost(request: &CampaignRequest) -> Result<Cost, Problem> {
-    let plan = request.read()?;
-    let threads = request.threads.unwrap_or_else(|| Threads::shared().count());
-    let muscles = match request.shard()? {
-        Some(shard) => plan.muscles().div_ceil(shard.count()),
-        None => plan.muscles(),
-    };
-    Ok(plan.cost(muscles, threads))
 }
 
 impl CampaignRequest {

@@ -363,7 +363,6 @@ impl From<CampaignError> for Problem {
             CampaignError::OtherPlan { .. }
             | CampaignError::OtherVersion { .. }
             | CampaignError::OtherColumns { .. } => ProblemKind::OtherPlan,
-            CampaignError::Large(_) => ProblemKind::Budget,
             CampaignError::Locked { .. } => ProblemKind::Locked,
             CampaignError::Damaged { .. } | CampaignError::Conflict { .. } => ProblemKind::Damaged,
             CampaignError::Incomplete { .. } => ProblemKind::Incomplete,

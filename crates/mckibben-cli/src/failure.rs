@@ -123,7 +123,6 @@ const FIELDS: &[&str] = &[
     "limit",
     "life_curve",
     "scatter",
-    "yes",
 ];
 
 /// The flag of a request's field.

@@ -1,6 +1,5 @@
 //! Why a campaign does not run, or a store cannot be read.
 
-use super::Cost;
 use mckibben::muscle::file::FileError;
 use mckibben::threads::ThreadsError;
 #[cfg(feature = "store")]
@@ -136,9 +135,6 @@ pub enum CampaignError {
     /// A table cannot be encoded.
     #[error("cannot write the table: {0}")]
     Encode(String),
-    /// It is so large that it is begun only on request.
-    #[error("the campaign has {} points: about {:.0} GB and {:.1} days", .0.points, .0.bytes / 1e9, .0.seconds / 86_400.0)]
-    Large(Cost),
     /// The caller wanted it to end.
     #[error("the campaign was stopped before its end")]
     Stopped,
@@ -191,7 +187,6 @@ impl CampaignError {
             Self::Write { .. } | Self::Encode(_) => {
                 "what was written before is a valid store; the same command continues from there"
             }
-            Self::Large(_) => "reduce the muscles or points, use shards, or start it with `yes`",
             Self::Threads(_) => "take fewer threads; the table does not depend on them",
             _ => "",
         }

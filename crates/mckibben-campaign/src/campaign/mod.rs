@@ -34,7 +34,6 @@ mod summary;
 #[cfg(all(test, feature = "store"))]
 mod tests;
 
-pub use cost::Cost;
 pub use error::CampaignError;
 #[cfg(feature = "store")]
 pub use merge::{Merged, merge};

@@ -26,8 +26,6 @@ pub struct RunOptions {
     pub threads: Option<usize>,
     /// What is there and is not of this plan is replaced.
     pub overwrite: bool,
-    /// Start even if the plan needs more than 10 GB or one day.
-    pub yes: bool,
 }
 
 /// What a thread hands over.
@@ -109,11 +107,6 @@ fn in_folder(
     let report = |c: &Counts| progress.report(c.muscles as usize, c.of as usize);
     report(&counts);
 
-    let left: u64 = missing.iter().map(|&p| muscles(p)).sum();
-    let cost = plan.cost(left, threads.count());
-    if cost.is_large() && !options.yes {
-        return Err(CampaignError::Large(cost));
-    }
     let mut pending = vec![];
     let mut error = None;
     let mut flushed = Instant::now();

@@ -63,9 +63,6 @@ pub struct CampaignRunArgs {
     /// Number of threads [one per core]; the table does not depend on it
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// Start even if the plan needs more than 10 GB or one day
-    #[arg(long)]
-    pub yes: bool,
     /// Print neither progress nor summary
     #[arg(short, long)]
     pub quiet: bool,
@@ -131,18 +128,7 @@ fn plan(args: &CampaignRunArgs, format: Format) -> Result<u8, Failure> {
         shard: args.shard.map(|shard| shard.to_string()),
         threads: args.threads.map(usize::from),
         overwrite: args.replace.overwrite,
-        yes: args.yes,
     };
-    if !args.quiet && format == Format::Text {
-        let cost = mckibben_app::campaign_cost(&request)?;
-        let _ = writeln!(
-            std::io::stderr(),
-            "{} points: about {} and {}",
-            cost.points,
-            size(cost.bytes),
-            duration(cost.seconds)
-        );
-    }
     let outcome = mckibben_app::campaign(&request, &bar)?;
     let ended = progress::ended();
     let interrupted = bar.cancelled() && !outcome.complete;
@@ -169,30 +155,6 @@ fn plan(args: &CampaignRunArgs, format: Format) -> Result<u8, Failure> {
     } else {
         0
     })
-}
-
-fn size(bytes: f64) -> String {
-    let (unit, name) = if bytes < 1e6 {
-        (1e3, "kB")
-    } else if bytes < 1e9 {
-        (1e6, "MB")
-    } else {
-        (1e9, "GB")
-    };
-    format!("{} {name}", number((bytes / unit).max(1.0), 2))
-}
-
-fn duration(seconds: f64) -> String {
-    let (unit, name) = if seconds < 120.0 {
-        (1.0, "s")
-    } else if seconds < 7200.0 {
-        (60.0, "min")
-    } else if seconds < 172_800.0 {
-        (3600.0, "h")
-    } else {
-        (86_400.0, "days")
-    };
-    format!("{} {name}", number((seconds / unit).max(1.0), 2))
 }
 
 fn as_text(outcome: &Outcome, time: Duration) -> String {
