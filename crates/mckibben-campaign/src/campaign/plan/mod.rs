@@ -13,7 +13,6 @@
 mod axis;
 mod read;
 mod sampling;
-mod sobol;
 mod vary;
 
 #[cfg(test)]
