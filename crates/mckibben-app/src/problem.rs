@@ -360,9 +360,7 @@ impl From<CampaignError> for Problem {
     fn from(error: CampaignError) -> Self {
         let kind = match error {
             CampaignError::Stopped => return Self::cancelled(),
-            CampaignError::OtherPlan { .. }
-            | CampaignError::OtherVersion { .. }
-            | CampaignError::OtherColumns { .. } => ProblemKind::OtherPlan,
+            CampaignError::OtherPlan { .. } | CampaignError::OtherVersion { .. } => ProblemKind::OtherPlan,
             CampaignError::Locked { .. } => ProblemKind::Locked,
             CampaignError::Damaged { .. } | CampaignError::Conflict { .. } => ProblemKind::Damaged,
             CampaignError::Incomplete { .. } => ProblemKind::Incomplete,

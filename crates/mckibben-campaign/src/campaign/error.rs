@@ -33,12 +33,6 @@ pub enum CampaignError {
         /// This version.
         ours: String,
     },
-    /// The store was made when tables had other columns.
-    #[error("{} has other columns than this version of mckibben writes", .path.display())]
-    OtherColumns {
-        /// The store, or the file in it.
-        path: PathBuf,
-    },
     /// Another process writes to the store.
     #[error("another process is writing to {}", .path.display())]
     Locked {
@@ -154,7 +148,7 @@ impl CampaignError {
             Self::OtherPlan { .. } => {
                 "write to another place, or replace it with `overwrite`; any change of a plan's text makes another plan"
             }
-            Self::OtherVersion { .. } | Self::OtherColumns { .. } => {
+            Self::OtherVersion { .. } => {
                 "write to another place, continue with that version, or replace it with `overwrite`"
             }
             Self::Foreign { .. } => "write to another place, move it away, or replace it with `overwrite`",
