@@ -65,7 +65,6 @@ const FIELDS: &[&str] = &[
     "thin_rule",
     "slack_rule",
     "latex",
-    "terms",
     "model",
     "load",
     "liquid",

@@ -174,7 +174,7 @@ fn kinds() -> Vec<Kind> {
             example("examples/bench.csv"),
             |t| json!({ "data": [named("b.csv", t)], "model": "thick-wall", "free": ["braid.stiffness"] }),
         ),
-        ("fit", paper, |t| json!({ "table": named("t.csv", t), "method": "global", "terms": 4 })),
+        ("fit", paper, |t| json!({ "table": named("t.csv", t), "method": "global" })),
         (
             "life",
             "stretch,cycles\n1.2,1e7\n2,1e5\n3,1e4\n".into(),
