@@ -104,20 +104,6 @@ fn sobol_points_are_a_net() {
     }
 }
 
-#[test]
-fn samples_depend_on_the_seed_and_on_nothing_else() {
-    for method in ["latin-hypercube", "sobol"] {
-        let of = |seed: u32| {
-            plan(&format!(
-                "[sampling]\nmethod = \"{method}\"\nsamples = 20\nseed = {seed}\n[vary]\ntube.length = \"100..300\""
-            ))
-        };
-        let list = |p: &Plan| (0..20).map(|i| p.inputs(i).parts.tube.length_mm).collect::<Vec<_>>();
-        assert_eq!(list(&of(4)), list(&of(4)));
-        assert_ne!(list(&of(4)), list(&of(5)));
-    }
-}
-
 /// A regression value: what a plan means must not change with a library.
 #[test]
 fn the_first_samples_stay_what_they_are() {
