@@ -54,9 +54,9 @@ PARTS = {
         r"python/mckibben/(torch|_bridge|_model)\.py", r"python/tests/test_optimisers\.py", r"python/examples/identify_(torch|scipy)\.py",
         r"crates/mckibben-export/templates/mckibben_muscle\.py", r"checks/(exports_)?torch\..*",
     ], None, ["bash checks/torch.sh"]),
-    "campaigns": ("campaigns on Slurm, Grid Engine, GNU parallel, Snakemake, HyperQueue, Dask and process pools; a full disk", [
-        r"crates/mckibben-campaign/(src/campaign|data)/.*", r"crates/mckibben-(files|parquet)/src/.*", r"crates/mckibben-cli/src/commands/campaign.*",
-        r"python/mckibben/_campaign\.py", r"python/tests/test_executors\.py", r"checks/(slurm|grid_engine|campaigns)\.sh",
+    "campaigns": ("campaigns on Slurm, Dask and process pools", [
+        r"crates/mckibben-campaign/src/campaign/.*", r"crates/mckibben-(files|parquet)/src/.*", r"crates/mckibben-cli/src/commands/campaign.*",
+        r"python/mckibben/_campaign\.py", r"python/tests/test_executors\.py", r"checks/(slurm|campaigns)\.sh", r"docs/campaigns-engines\.md",
     ], None, ["bash checks/campaigns.sh \"$MCKIBBEN\""]),
     "editors": ("schemas of files in a TOML language server, assistants by the official client", [
         r"crates/mckibben-app/src/file_schema/.*", r"crates/mckibben-cli/src/commands/mcp/.*", r"crates/mckibben/src/muscle/(file|measures)/.*", r"checks/(editors|mcp).*", r"(examples|plans)/.*\.toml",

@@ -12,7 +12,7 @@ use mckibben::budget::Resource;
 use mckibben::nearest::nearest;
 use mckibben::progress::Progress;
 #[cfg(feature = "files")]
-use mckibben_campaign::campaign::{CampaignStatus, CancelledJobs, Merged, Outcome, Submitted, Summary};
+use mckibben_campaign::campaign::{CampaignStatus, Merged, Outcome, Summary};
 #[cfg(feature = "schema")]
 use schemars::{JsonSchema, Schema, SchemaGenerator, generate::SchemaSettings};
 use serde::Serialize;
@@ -181,10 +181,6 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         command!("campaign-merge", CampaignMergeRequest => Merged, |r, _progress| campaign_merge(&r)),
         #[cfg(feature = "files")]
         command!("campaign-status", CampaignStatusRequest => CampaignStatus, |r, _progress| campaign_status(&r)),
-        #[cfg(feature = "files")]
-        command!(long "campaign-submit", CampaignSubmitRequest => Submitted, |r, progress| campaign_submit(&r, progress)),
-        #[cfg(feature = "files")]
-        command!("campaign-cancel", CampaignCancelRequest => CancelledJobs, |r, _progress| campaign_cancel(&r)),
         #[cfg(feature = "whole")]
         command!("doctor", DoctorRequest => DoctorAnswer, |r, progress| doctor(&r, progress)),
         #[cfg(feature = "whole")]

@@ -78,8 +78,6 @@ pub enum ProblemKind {
     Damaged,
     /// A campaign that is not finished.
     Incomplete,
-    /// A command of a cluster's engine that failed.
-    Engine,
     /// The program itself is at fault.
     Internal,
 }
@@ -350,10 +348,7 @@ impl From<CampaignError> for Problem {
     fn from(error: CampaignError) -> Self {
         let kind = match error {
             CampaignError::Stopped => return Self::cancelled(),
-            CampaignError::OtherPlan { .. }
-            | CampaignError::OtherVersion { .. }
-            | CampaignError::OtherColumns { .. } => ProblemKind::OtherPlan,
-            CampaignError::Large(_) => ProblemKind::Budget,
+            CampaignError::OtherPlan { .. } | CampaignError::OtherVersion { .. } => ProblemKind::OtherPlan,
             CampaignError::Locked { .. } => ProblemKind::Locked,
             CampaignError::Damaged { .. } | CampaignError::Conflict { .. } => ProblemKind::Damaged,
             CampaignError::Incomplete { .. } => ProblemKind::Incomplete,
@@ -363,11 +358,6 @@ impl From<CampaignError> for Problem {
             | CampaignError::Foreign { .. }
             | CampaignError::Appeared { .. } => ProblemKind::Output,
             CampaignError::ShardOfFile { .. } | CampaignError::OtherFormat { .. } => ProblemKind::Usage,
-            CampaignError::Engine { .. } => ProblemKind::Engine,
-            #[cfg(feature = "files")]
-            CampaignError::Shard(_) => {
-                return Self::new(ProblemKind::Usage, error.to_string(), error.hint()).in_field("shard");
-            }
             CampaignError::Plan(_) | CampaignError::NoCampaign { .. } | CampaignError::Codec { .. } => {
                 ProblemKind::File
             }

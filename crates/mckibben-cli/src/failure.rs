@@ -64,7 +64,6 @@ const FIELDS: &[&str] = &[
     "thin_rule",
     "slack_rule",
     "latex",
-    "terms",
     "model",
     "load",
     "liquid",
@@ -118,7 +117,6 @@ const FIELDS: &[&str] = &[
     "output",
     "overwrite",
     "limit",
-    "yes",
 ];
 
 /// The flag of a request's field.

@@ -121,5 +121,3 @@ fn all_files_are_written_with_their_mark() {
         assert!(readme.contains("Proof test with water") && readme.contains("0.5 MPa (5 bar)"), "{readme}");
     }
 }
-
-}

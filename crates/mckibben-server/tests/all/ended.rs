@@ -140,8 +140,8 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
         "export" => vec![json!({ "length_mm": 30000, "target": "csv", "model": "fe", "mesh": "8x400" })],
         "build" | "export-list" | "formula-show" | "campaign-show" | "campaign-merge" | "muscle-show"
         | "muscle-measures" | "parts-list" | "parts-show" | "library-list" | "library-show"
-        | "campaign-status" | "campaign-submit" | "campaign-cancel" | "doctor" | "braid-list"
-        | "braid-show" | "rubber-list" | "rubber-show" | "quantities" | "units" | "models" => {
+        | "campaign-status" | "doctor" | "braid-list" | "braid-show" | "rubber-list" | "rubber-show"
+        | "quantities" | "units" | "models" => {
             vec![]
         }
         other => panic!("say what a dear request of {other} is, or that there is none"),

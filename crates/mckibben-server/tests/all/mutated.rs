@@ -174,7 +174,7 @@ fn kinds() -> Vec<Kind> {
             example("examples/bench.csv"),
             |t| json!({ "data": [named("b.csv", t)], "model": "thick-wall", "free": ["braid.stiffness"] }),
         ),
-        ("fit", paper, |t| json!({ "table": named("t.csv", t), "method": "global", "terms": 4 })),
+        ("fit", paper, |t| json!({ "table": named("t.csv", t), "method": "global" })),
         ("rubber-fit", tension.into(), |t| json!({ "data": named("t.csv", t), "laws": ["yeoh"] })),
         (
             "rubber-fit",
