@@ -20,8 +20,8 @@ const FILES = [
   "js/pages/files.js", "js/pages/formula.js", "js/pages/joint.js", "js/pages/motion.js", "js/pages/muscle.js",
   "js/pages/parts.js", "js/pages/rubber.js", "js/pages/sweep.js", "js/plot.js", "js/print.js", "js/project.js",
   "js/report-viewer.js", "js/report.js", "js/shaders.js", "js/sketch.js", "js/state.js", "js/thin.js",
-  "js/thumbnail.js", "js/tour.js", "js/trajectory.js", "js/units.js", "js/view3d.js", "js/visit.js",
-  "js/welcome.js", "js/words.js", "js/zip.js", "manifest.webmanifest", "style.css",
+  "js/thumbnail.js", "js/trajectory.js", "js/units.js", "js/view3d.js", "js/visit.js", "js/welcome.js",
+  "js/words.js", "js/zip.js", "manifest.webmanifest", "style.css",
 ];
 /** The engine of the first view, which only the page with its own engine has; js/offline.js fetches what is larger. */
 const ENGINE = "live.wasm";
