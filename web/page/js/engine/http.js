@@ -10,7 +10,7 @@ export class Engine {
   get about() {
     return "mckibben serve";
   }
-  /** It has no files: without its server there is no answer. */
+  /** Without its server there is no answer: nothing is kept. */
   get files() {
     return /** @type {string[]} */ ([]);
   }
