@@ -51,7 +51,7 @@ pub fn run(asked: Command, format: Format, limits: &[(Resource, f64)]) -> Result
         Command::Report(args) => report::run(&args, format),
         Command::Models(args) => models::run(&args, format),
         Command::Schema(args) => schema::run(&args),
-        Command::Serve(args) => serve::run(args, format, limits),
+        Command::Serve(args) => serve::run(args, format),
         Command::Mcp(args) => mcp::run(&args, limits, &command()),
         Command::Help(args) => help::run(&args, command()),
         Command::Man(args) => help::man(&args, command()),
