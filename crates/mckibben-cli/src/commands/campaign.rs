@@ -17,7 +17,6 @@ use mckibben_app::{CampaignMergeRequest, CampaignRequest, ProblemKind, campaign_
 use mckibben_campaign::campaign::{Outcome, Shard};
 use show::CampaignShowArgs;
 use status::StatusArgs;
-use std::io::Write;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
