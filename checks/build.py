@@ -1,16 +1,13 @@
 #!/usr/bin/env python3
-"""Reads folders of `build` with other programs: the plugs by OpenSCAD, the drawing by ezdxf.
+"""Reads folders of `build` with another program: the plugs by OpenSCAD.
 
 Usage: build.py PROGRAM
 """
-import json
 import pathlib
 import struct
 import subprocess
 import sys
 import tempfile
-
-import ezdxf
 
 program = pathlib.Path(sys.argv[1]).resolve()
 MUSCLES = {
@@ -52,9 +49,8 @@ with tempfile.TemporaryDirectory() as folder:
     folder = pathlib.Path(folder)
     for name, words in MUSCLES.items():
         place = folder / name
-        done = subprocess.run([program, "build", *words, "-o", place, "--format", "json"], capture_output=True, text=True)
+        done = subprocess.run([program, "build", *words, "-o", place], capture_output=True, text=True)
         assert done.returncode == 0, done.stderr
-        answer = json.loads(done.stdout)
         for plug in ("air-plug", "eye-plug"):
             made = place / f"{plug}-openscad.stl"
             done = subprocess.run(["openscad", "-o", made, place / f"{plug}.scad"], capture_output=True, text=True)
@@ -65,15 +61,3 @@ with tempfile.TemporaryDirectory() as folder:
             assert abs(ratio - 1) < 1e-4, (name, plug, ratio)
             assert all(abs(a - b) < 0.02 for a, b in zip(box(ours), box(theirs))), (name, plug, box(ours), box(theirs))
             print(f"{name} {plug}: {volume(ours):.1f} mm3, OpenSCAD {volume(theirs):.1f} mm3")
-        for drawing in ("plugs.dxf", "drawing.dxf"):
-            document = ezdxf.readfile(place / drawing)
-            errors = document.audit().errors
-            assert not errors and len(document.modelspace()) > 100, errors
-        space = document.modelspace()
-        lines = [e for e in space if e.dxftype() == "LINE" and e.dxf.layer == "OUTLINE"]
-        lengths = [(e.dxf.start - e.dxf.end).magnitude for e in lines]
-        length_mm = answer["muscle"]["length_mm"]
-        assert any(abs(x - length_mm) < 1e-3 for x in lengths), "the free length is not in its true size"
-        radii = {round(2 * e.dxf.radius, 3) for e in space if e.dxftype() == "CIRCLE"}
-        assert round(answer["muscle"]["outer_diameter_mm"], 3) in radii, radii
-        print(f"{name} drawing.dxf: {len(space)} bodies, no errors")

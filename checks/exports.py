@@ -179,58 +179,6 @@ int main(void) {
     noted("c", f"ATmega2560 float, simavr: {cycles[0]} cycles a pull, {cycles[1]} an inverse", f"{error:.1e}", f"{text} B flash, all functions", time.monotonic() - begun)
 
 
-def small():
-    """The form in whole numbers on an ATmega328P in simavr: all flash that it adds to a program without it, with its numbers and what it needs of
-    the compiler's library."""
-    folder, _, _ = export("c")
-    begun = time.monotonic()
-    inside = (grid[:, 0] >= 0) & (grid[:, 0] <= 1) & (grid[:, 1] >= LOW) & (grid[:, 1] <= HIGH)
-    p, l = np.round(P[inside]).astype(int), np.round(1e6 * L[inside]).astype(int)
-    (folder / "whole.c").write_text("""#include <avr/io.h>
-#include <avr/interrupt.h>
-#include <avr/sleep.h>
-#include <stdlib.h>
-#include "muscle_int.h"
-static const int32_t points[][2] PROGMEM = {""" + ",".join(f"{{{a}, {b}}}" for a, b in zip(p, l)) + """};
-static void say(const char *t) { while (*t) { while (!(UCSR0A & (1 << UDRE0))) {} UDR0 = (unsigned char)*t++; } }
-static char text[16];
-static void put(char name, long value) { const char word[2] = {name, 0}; say(word); say(ltoa(value, text, 10)); say("\\n"); }
-int main(void) {
-    UCSR0B = 1 << TXEN0;
-    TCCR1B = 1; /* counts cycles */
-    for (unsigned i = 0; i < sizeof(points) / sizeof(points[0]); i++) {
-        volatile int32_t p = (int32_t)pgm_read_dword(&points[i][0]), l = (int32_t)pgm_read_dword(&points[i][1]), f = p, q = l;
-        unsigned taken, inverse;
-        TCNT1 = 0;
-#ifdef WHOLE
-        f = mckibben_int_force(&prototype_int, p, l);
-#endif
-        taken = TCNT1; TCNT1 = 0;
-#ifdef WHOLE
-        q = mckibben_int_pressure(&prototype_int, f, l);
-#endif
-        inverse = TCNT1;
-        put('F', f); put('P', q); put('C', taken); put('D', inverse);
-    }
-    cli(); sleep_mode();
-    return 0;
-}
-""")
-    flags, sizes = ["-mmcu=atmega328p", "-std=c99", "-Os", "-Wall", "-Wextra", "-ffunction-sections", "-fdata-sections", "-Wl,--gc-sections"], []
-    for name, words in (("without", []), ("with", ["-DWHOLE", "mckibben_int.c"])):
-        run("avr-gcc", *flags, *words, "whole.c", "-o", f"{name}.elf", cwd=folder)
-        sizes.append(sum(map(int, re.findall(r"^\.(?:text|data)\s+(\d+)", run("avr-size", "-A", f"{name}.elf", cwd=folder).stdout, re.M))))
-    done = run("timeout", "120", "simavr", "-m", "atmega328p", "-f", "16000000", "with.elf", cwd=folder, ok=False, timeout=150)
-    said = re.sub(r"\x1b\[[0-9;]*m", "", done.stdout + done.stderr)
-    force, back, cycles, inverse = (np.array([int(v) for v in re.findall(rf"{name}(-?\d+)", said)]) for name in "FPCD")
-    assert len(force) == len(p), (len(force), len(p), said[:500])
-    error = np.abs(1e-3 * force - exported.force(p, 1e-6 * l)).max() / blocked
-    again = np.abs(exported.force(back, 1e-6 * l) - 1e-3 * force)[force > 0].max() / blocked
-    flash = sizes[1] - sizes[0]
-    assert error < 1e-4 and again < 1e-4 and flash <= 2048, (error, again, sizes)
-    noted("c", f"ATmega328P whole numbers, simavr: at most {cycles.max()} cycles a pull, {inverse.max()} an inverse", f"{error:.1e}, inverse {again:.1e}", f"{flash} B flash, all that it adds", time.monotonic() - begun)
-
-
 def sketch():
     """The sketch of a closed loop on an ATmega2560 in simavr: a board whose pressure follows the valve in 0.1 s, the muscle 5 % contracted."""
     folder, _, _ = export("c")
@@ -297,45 +245,6 @@ def observer():
     noted("c", "observer against motion, rms: noise; and flow 1 % too high", "; ".join(said), f"{(folder / 'observer.c').stat().st_size} B of source", time.monotonic() - begun)
 
 
-def csv():
-    folder, _, seconds = export("csv")
-    def read(name):
-        lines = [line for line in (folder / name).read_text().splitlines() if not line.startswith("#")]
-        return np.genfromtxt(lines, delimiter=",", names=True)
-
-    force, pressure = read("force.csv"), read("pressure.csv")
-    assert all(np.isfinite(table[name]).all() for table in (force, pressure) for name in table.dtype.names)
-    error = np.abs(force["force_n"] - exported.force(force["pressure_pa"], force["length_m"])).max() / blocked
-    reached = pressure["status"] == 0
-    inverse = np.abs(exported.force(pressure["pressure_pa"], pressure["length_m"]) - pressure["force_n"])[reached].max() / blocked
-    # Linear interpolation between the points.
-    p, e = np.unique(force["pressure_pa"]), np.unique(force["contraction"])
-    table = force["force_n"].reshape(len(p), len(e))
-    middle = 0.25 * (table[1:, 1:] + table[:-1, 1:] + table[1:, :-1] + table[:-1, :-1])
-    exact = exported.force(0.5 * (p[1:] + p[:-1])[:, None], L0 * (1 - 0.5 * (e[1:] + e[:-1]))[None, :])
-    between = np.abs(middle - exact).max() / blocked
-    # h^2 F''/8 where F is smooth, and a quarter of the jump of the slope times h where the muscle becomes slack: at most half of the largest
-    # second difference, of pressures and of contractions.
-    bound = 0.5 * sum(np.abs(np.diff(table, 2, axis=axis)).max() for axis in (0, 1)) / blocked
-    assert error < 1e-12 and inverse < 1e-9 and between < bound, (error, inverse, between, bound)
-    size = sum(f.stat().st_size for f in folder.iterdir())
-    noted("csv", "NumPy", f"{error:.1e}; between the points {between:.1e}, bound {bound:.1e}", f"{size} B", seconds)
-
-
-def matlab():
-    folder, _, seconds = export("matlab")
-    begun = time.monotonic()
-    np.savetxt(folder / "points.csv", np.column_stack([P, L]), delimiter=",", fmt="%.17g")
-    run("octave-cli", "--no-gui", "--quiet", "--eval", "lookup_blocks; x = csvread('points.csv'); [f, k, a, v, s] = mckibben_force(x(:, 1), x(:, 2)); [p, t] = mckibben_pressure(f, x(:, 2)); m = load('muscle.mat'); assert(ischar(m.about)); g = mckibben_force(m.pressure_pa(:) + 0 * m.length_m, m.length_m + 0 * m.pressure_pa(:)); assert(max(abs(g(:) - m.force_n(:))) < 1e-9); dlmwrite('out.csv', [f, k, v, s, p], 'precision', '%.17g');", cwd=folder)
-    out = np.loadtxt(folder / "out.csv", delimiter=",")
-    near = lambda a, b: np.abs(a - b).max() / np.abs(b).max()
-    back = exported.pressure(F, L)
-    error = max(near(out[:, 0], F), near(out[:, 1], K), near(out[:, 2], V), near(out[pulls, 4], back[pulls]))
-    assert error < 1e-11 and (out[:, 3] == exported.status(P, L)).all(), error
-    size = sum(f.stat().st_size for f in folder.glob("m*"))
-    noted("matlab", "GNU Octave", f"{error:.1e}", f"{size} B", seconds + time.monotonic() - begun)
-
-
 def fe(pressures, contractions):
     """Pulls by finite elements, slack as 0."""
     done = run(program, "curve", "isobaric", MUSCLE, "-p", ",".join(f"{p / 1e6:.9g}" for p in pressures), "-e", ",".join(f"{e:.9g}" for e in contractions), "--format", "json")
@@ -371,7 +280,7 @@ def mjcf():
     settled = hung_mass(model)
     size = (folder / "muscle.xml").stat().st_size
     noted("mjcf", f"MuJoCo {mujoco.__version__}", f"{100 * rms:.2f} % rms, {100 * worst:.2f} % worst against fe; stiffness {100 * slope_rms:.0f} % rms of the mean; a hung mass within {100 * settled:.2f} % contraction", f"{size} B", seconds + time.monotonic() - begun)
-    warp((folder / "muscle.xml").read_text(), pair("mjcf", folder, worst))
+    warp((folder / "muscle.xml").read_text(), pair("muscle.xml", folder, worst))
 
 
 def hung_mass(model):
@@ -395,13 +304,13 @@ def mjcf_plugin():
     """The plugin is the form itself; a hung mass and an antagonist pair with one control for each muscle."""
     import mujoco
 
-    folder, answer, seconds = export("mjcf-plugin")
+    folder, answer, seconds = export("mjcf")
     begun, place = time.monotonic(), pathlib.Path(mujoco.__file__).parent
     (library,) = place.glob("libmujoco.so*")
     strict = ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", "-O2", "-shared", "-fPIC"]
     run("gcc", *strict, "-isystem", place / "include", "muscle_plugin.c", "mckibben.c", library, "-lm", "-o", "muscle_plugin.so", cwd=folder)
     mujoco.mj_loadPluginLibrary(str(folder / "muscle_plugin.so"))
-    model = mujoco.MjModel.from_xml_path(str(folder / "muscle.xml"))
+    model = mujoco.MjModel.from_xml_path(str(folder / "muscle_plugin.xml"))
     data, errors = mujoco.MjData(model), []
     assert model.nu == 1
     for p, l, force in zip(P, L, exported.force(np.clip(P, 0, SUPPLY), L)):  # the scene limits the control
@@ -412,17 +321,17 @@ def mjcf_plugin():
     settled, worst = hung_mass(model), answer["force_worst_ratio"]
     assert settled < worst, (settled, worst)  # steeper than the blocked force over L0 everywhere
     size = (folder / "muscle_plugin.so").stat().st_size
-    noted("mjcf-plugin", f"MuJoCo {mujoco.__version__}, plugin", f"{max(errors):.1e} of the form; a hung mass within {100 * settled:.3f} % contraction", f"{size} B", seconds + time.monotonic() - begun)
-    pair("mjcf-plugin", folder, worst)
+    noted("mjcf", f"MuJoCo {mujoco.__version__}, plugin", f"{max(errors):.1e} of the form; a hung mass within {100 * settled:.3f} % contraction", f"{size} B", seconds + time.monotonic() - begun)
+    pair("muscle_plugin.xml", folder, worst)
 
 
-def pair(target, folder, worst):
+def pair(name, folder, worst):
     """An antagonist pair at a hinge, with copies of the tendon and the actuators: angle, torque and stiffness of `mckibben joint`."""
     import mujoco
     import xml.etree.ElementTree as ET
 
     arm, rest, begun = 0.04, 0.9 * L0, time.monotonic()
-    scene = ET.parse(folder / "muscle.xml").getroot()
+    scene = ET.parse(folder / name).getroot()
     tendon, actuators = scene.find("tendon/spatial"), list(scene.find("actuator"))
     out = ET.Element("mujoco")
     out.extend(scene.findall("extension"))
@@ -475,7 +384,7 @@ def pair(target, folder, worst):
     by_joint = (points[0]["torque_nm"] - points[-1]["torque_nm"]) / span
     assert abs(angle - exact_angle) <= bound / min(p["stiffness_nm_per_rad"] for p in points), (angle, exact_angle)
     assert abs(secant - by_joint) <= 2 * bound / span, (secant, by_joint)
-    noted(target, "MuJoCo: an antagonist pair at a joint", f"angle {np.rad2deg(abs(angle - exact_angle)):.2f} deg, stiffness {100 * abs(secant / by_joint - 1):.2f} %, torque {np.abs(errors).max():.2f} of at most {bound:.2f} N m", f"{len(text)} B", time.monotonic() - begun)
+    noted("mjcf", f"{name}: an antagonist pair at a joint", f"angle {np.rad2deg(abs(angle - exact_angle)):.2f} deg, stiffness {100 * abs(secant / by_joint - 1):.2f} %, torque {np.abs(errors).max():.2f} of at most {bound:.2f} N m", f"{len(text)} B", time.monotonic() - begun)
     return text
 
 
@@ -517,4 +426,4 @@ def run_parts(*parts):
 
 
 if __name__ == "__main__":
-    run_parts(python, c, small, sketch, observer, csv, matlab, mjcf, mjcf_plugin)
+    run_parts(python, c, sketch, observer, mjcf, mjcf_plugin)

@@ -6,14 +6,12 @@ packages=()
 need() { command -v "$1" >/dev/null || packages+=("${@:2}"); }
 need gcc gcc libc6-dev
 need clang clang
-need octave-cli octave
 need arm-none-eabi-gcc gcc-arm-none-eabi libnewlib-arm-none-eabi
 need qemu-system-arm qemu-system-arm
 need avr-gcc gcc-avr avr-libc
 need simavr simavr
 need x86_64-w64-mingw32-gcc gcc-mingw-w64-x86-64
 need wine wine64 wine
-need soffice libreoffice-calc
 if [ ${#packages[@]} -gt 0 ]; then
     (apt-get update -qq && apt-get install -y -qq --no-install-recommends "${packages[@]}") >/dev/null
 fi
@@ -24,6 +22,5 @@ test -x "$venv/bin/python" || python3 -m venv "$venv"
 bash checks/fmu-binaries.sh --check
 "$venv/bin/python" checks/exports.py "$1"
 "$venv/bin/python" checks/exports_fmu.py "$1"
-"$venv/bin/python" checks/exports_xlsx.py "$1"
 "$venv/bin/python" -c "import opensim" 2>/dev/null || "$venv/bin/python" -m pip install --quiet opensim || echo "OpenSim could not be installed: its part is left out"
 if "$venv/bin/python" -c "import opensim" 2>/dev/null; then "$venv/bin/python" checks/exports_opensim.py "$1"; fi

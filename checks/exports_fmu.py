@@ -161,7 +161,7 @@ def by_model_exchange(path, start, times, command, length):
 
 def valve():
     """The unit of a muscle on a valve against `mckibben motion` by fe: both ends held, and with a mass whose motion is its length."""
-    folder, answer, _ = export("fmu-valve", "-p", "3bar")
+    folder, answer, _ = export("fmu", "-p", "3bar")
     blocked, supply = answer["blocked_force_n"], 3e5
     shutil.copy(ROOT / MUSCLE, folder / "muscle.toml")
     set_values = {"supply_pressure": supply, "sonic_conductance": 5e-9, "critical_ratio": 0.3, "exhaust_conductance": 8e-9, "exhaust_critical_ratio": 0.2, "dead_volume": 1e-5}
@@ -208,7 +208,7 @@ def valve():
             assert load != held or abs(exact[0] - stepped[0]) < 1e-6, (name, exact, stepped)
         kinds = ("ModelExchange", "CoSimulation") if load == mass else ("CoSimulation",)
         said = "; ".join(f"{kind} pressure {100 * found[name, units[0], kind][0]:.2f} % of the supply, pull {100 * found[name, units[0], kind][1]:.2f} % of the blocked force" for kind in kinds)
-        noted("fmu-valve", f"against motion by fe, {name}", said, f"{pathlib.Path(units[0]).stat().st_size} B", time.monotonic() - begun)
+        noted("fmu", f"a valve against motion by fe, {name}", said, f"{pathlib.Path(units[0]).stat().st_size} B", time.monotonic() - begun)
     print(restored(units[0], {"command": 0.5}), "bytes of a saved state")
     # A step with each of several commands and lengths.
     d = fmpy.read_model_description(units[0])
@@ -220,7 +220,7 @@ def valve():
         unit.setReal([at["command"], at["length"]], [command, length])
         unit.doStep(0.0, 0.05)
         expected.append(unit.getReal([at["force"], at["volume"]]))
-    other_systems("fmu-valve", units[0], "command", points, np.array(expected))
+    other_systems("fmu on a valve", units[0], "command", points, np.array(expected))
 
 
 def other_systems(target, path, by, points, expected):

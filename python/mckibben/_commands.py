@@ -43,7 +43,6 @@ POSITIONAL = {
     "models": ["model"],
     "formula-show": ["file"],
     "identify": ["muscle", "data"],
-    "life": ["muscle", "pressures_mpa"],
     "sweep": ["muscles"],
 }
 DEFAULTS = {("curve", "test"): "isobaric", ("simulate", "test"): "isobaric", ("sweep", "muscles"): 100}

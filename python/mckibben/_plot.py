@@ -30,8 +30,8 @@ def _looks(panel: dict[str, Any], palette: str) -> list[tuple[str, str, str | No
     for s, n in zip(series, numbers):
         colour = "#808080" if s.get("neutral") else _ramp(n / most if most else 0.0) if ramp else _COLOURS[n % len(_COLOURS)]
         style = s.get("style", "auto")
-        line = "" if style == "points" else _STYLES.get(style, "-" if style == "line-and-points" or ramp else _DASHES[n % len(_DASHES)])
-        out.append((colour, line, "o" if "points" in style else None))
+        line = "" if style == "points" else _STYLES.get(style, "-" if ramp else _DASHES[n % len(_DASHES)])
+        out.append((colour, line, "o" if style == "points" else None))
     return out
 
 

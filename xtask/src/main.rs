@@ -83,7 +83,7 @@ fn figures(check: bool) -> Done {
 }
 
 /// Flags with the file or folder that a command writes.
-const WRITTEN: [&str; 5] = ["-o", "--plot", "--plots", "--picture", "--tables"];
+const WRITTEN: [&str; 4] = ["-o", "--plot", "--plots", "--tables"];
 
 fn writes(line: &str) -> bool {
     line.split_whitespace().any(|word| WRITTEN.contains(&word))

@@ -98,13 +98,11 @@ pub struct ExportTarget {
 }
 
 pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer, Problem> {
-    let target = |target: &Target| {
-        let entry = target.entry();
-        let [name, about, needs, loses] =
-            [entry.name, entry.about, entry.needs, entry.loses].map(String::from);
+    let target = |t: Target| {
+        let [name, about, needs, loses] = [t.name, t.about, t.needs, t.loses].map(String::from);
         ExportTarget { name, about, needs, loses }
     };
-    Ok(ExportListAnswer { targets: Target::ALL.iter().map(target).collect() })
+    Ok(ExportListAnswer { targets: Target::ALL.map(target).into() })
 }
 
 /// A muscle as files.
@@ -114,7 +112,7 @@ pub fn export(request: &ExportRequest, progress: &dyn Progress) -> Result<Export
         let hint = format!("one of {}", Target::names());
         return Err(Problem::new(ProblemKind::Usage, message, hint).in_field("target"));
     };
-    let target: Target = target.parse().map_err(|e| Problem::from(e).in_field("target"))?;
+    let target = Target::named(target).map_err(|e| Problem::from(e).in_field("target"))?;
     let muscle = request.muscle.resolve()?;
     let choice = Model::choose(&request.model, Purpose::Answer)?;
     let budget = progress.budget();
@@ -144,12 +142,11 @@ pub fn export(request: &ExportRequest, progress: &dyn Progress) -> Result<Export
     warnings.extend(said_of(&burst, supply_mpa, QUIET_MPA).iter().map(ToString::to_string));
     warnings.extend(artefact.notes);
     warnings.extend(muscle.warnings());
-    let entry = target.entry();
     Ok(ExportAnswer {
-        target: entry.name.into(),
+        target: target.name.into(),
         muscle: (&muscle).into(),
-        needs: entry.needs.into(),
-        loses: entry.loses.into(),
+        needs: target.needs.into(),
+        loses: target.loses.into(),
         files: artefact.files.into_iter().map(BuiltFile::from).collect(),
         name: exported.name,
         model: exported.model,

@@ -68,8 +68,6 @@ pub enum ProblemKind {
     Output,
     /// An input deck that cannot be written.
     Deck,
-    /// A quantity that cannot be shown.
-    Show,
     /// A figure that cannot be drawn.
     Plot,
     /// A campaign of another plan or version.
@@ -261,18 +259,8 @@ impl From<AnalysisError> for Problem {
                 let pressure_mpa = Some(nearest_pressure_mpa);
                 nearest = Some(Nearest { force_n: nearest_force_n, pressure_mpa, contraction: None });
             }
-            AnalysisError::NoContraction {
-                model,
-                force_n,
-                nearest_force_n,
-                nearest_contraction,
-                rod_stops_at,
-                ..
-            } => {
-                hint = if rod_stops_at.is_some() {
-                    "shorten the rod (`rod_length_mm`), or give a larger pull: at the stop the rod carries the difference"
-                        .to_owned()
-                } else if nearest_force_n > force_n {
+            AnalysisError::NoContraction { model, force_n, nearest_force_n, nearest_contraction, .. } => {
+                hint = if nearest_force_n > force_n {
                     format!(
                         "the muscle still pulls at the limit of the range of {model}; fe and thick-wall have no such limit"
                     )

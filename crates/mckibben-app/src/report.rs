@@ -6,22 +6,19 @@ use crate::burst::PressureLimits;
 use crate::compare::{CompareRequest, compare};
 use crate::curve::{CurveRequest, curve};
 use crate::fields::{AskFields, MuscleFields};
-use crate::figure;
 use crate::many::PointQuantity;
 use crate::muscle::MuscleSummary;
 use crate::point::{ForceRequest, PointAnswer, force, given, ratio};
 use crate::problem::{Problem, ProblemKind};
 use crate::rows::{Row, characteristic_rows, muscle_sheets, point_rows};
-use crate::shape::{ShapeAnswer, ShapeRequest, shaped};
+use crate::shape::{ShapeRequest, shape};
 use crate::show::{MuscleShowAnswer, MuscleShowRequest, muscle_show};
-use crate::simulate::PictureFields;
 use crate::units::Units;
 use crate::words::{number, percent};
 use mckibben::curve::Test;
 use mckibben::muscle::file::to_toml;
 use mckibben::progress::Progress;
 use mckibben::warning::is_of_burst;
-use mckibben_fem::output::Shape;
 use mckibben_report::{Body, Document, Figure, Part};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -43,7 +40,7 @@ pub struct ReportRequest {
     /// Title block.
     #[serde(flatten)]
     pub title_block: TitleBlock,
-    /// Add the report as one HTML page to the answer; its view of the muscle is a picture.
+    /// Add the report as one HTML page to the answer, without the script that shows the muscle.
     pub html: bool,
 }
 
@@ -137,7 +134,7 @@ pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<Report
         contraction: Some(contraction),
         ..ShapeRequest::default()
     };
-    parts.push(body_of(&of, units, progress)?);
+    parts.push(body_of(&of, progress)?);
     step(3)?;
     let workshop = Workshop::of(&request.muscle, pressure_mpa, progress)?;
     parts.extend(workshop.front(units));
@@ -194,28 +191,20 @@ fn state(shown: &MuscleShowAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> 
     vec![Part::Heading("Performance".into()), table(rows)]
 }
 
-/// The deformed muscle by itself, without the picture for paper (of 600 kB), for front ends that show many.
+/// The deformed muscle by itself.
 pub fn body(request: &ShapeRequest, progress: &dyn Progress) -> Result<Document, Problem> {
-    let (answer, _) = shaped(request, progress)?;
-    let part = Part::Body(Body { data: data_of(answer), picture: None });
-    Ok(Document { title: "The deformed muscle".into(), parts: vec![part], ..Document::default() })
+    let parts = vec![body_of(request, progress)?];
+    Ok(Document { title: "The deformed muscle".into(), parts, ..Document::default() })
 }
 
-fn body_of(request: &ShapeRequest, units: &Units, progress: &dyn Progress) -> Result<Part, Problem> {
-    let (answer, section) = shaped(request, progress)?;
-    let wanted = PictureFields { units: units.clone(), ..PictureFields::default() };
-    let picture =
-        figure::picture(&wanted, "fe", &answer.muscle, &Shape::of_section(&section), &answer.point.response)?;
-    Ok(Part::Body(Body { data: data_of(answer), picture: Some(picture) }))
-}
-
-/// What the script of a page gets.
-fn data_of(mut answer: ShapeAnswer) -> String {
+fn body_of(request: &ShapeRequest, progress: &dyn Progress) -> Result<Part, Problem> {
+    let mut answer = shape(request, progress)?;
     for list in answer.arrays.values_mut() {
         // A few micrometres are finer than a screen.
         list.iter_mut().for_each(|v| *v = (*v * 1e4).round() / 1e4);
     }
-    serde_json::to_string(&answer).unwrap_or_default()
+    let data = serde_json::to_string(&answer).unwrap_or_default();
+    Ok(Part::Body(Body { data }))
 }
 
 fn curves(

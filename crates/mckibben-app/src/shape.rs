@@ -64,14 +64,6 @@ pub struct ShapeAnswer {
 }
 
 pub fn shape(request: &ShapeRequest, progress: &dyn Progress) -> Result<ShapeAnswer, Problem> {
-    Ok(shaped(request, progress)?.0)
-}
-
-/// The same, with the section that it was read from.
-pub(crate) fn shaped(
-    request: &ShapeRequest,
-    progress: &dyn Progress,
-) -> Result<(ShapeAnswer, Section), Problem> {
     let muscle = request.muscle.resolve()?;
     let model = Model::named("fe", &[], &request.mesh)?;
     let budget = progress.budget();
@@ -93,7 +85,7 @@ pub(crate) fn shaped(
     let stations = Stations::of(&section);
     let count = stations.nodes.first().map_or(0, |(_, list)| list.len()) / stations.across.max(1);
     let arrays = stations.nodes.into_iter().chain(stations.strands);
-    let answer = ShapeAnswer {
+    Ok(ShapeAnswer {
         point,
         shape_contraction,
         length_mm: muscle.tube().length_mm * (1.0 - shape_contraction),
@@ -102,8 +94,7 @@ pub(crate) fn shaped(
         across: stations.across,
         arrays: arrays.map(|(name, list)| (name.to_owned(), list)).collect(),
         muscle: (&muscle).into(),
-    };
-    Ok((answer, section))
+    })
 }
 
 /// The point, and the shape there; that of a slack muscle at its free contraction.

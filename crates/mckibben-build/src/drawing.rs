@@ -2,7 +2,7 @@
 
 use crate::clamps::Clamps;
 use crate::fitting::Fitting;
-use crate::frame::{self, Drawing, FRAME_MM, TITLE_MM, largest, ratio};
+use crate::frame::{self, FRAME_MM, TITLE_MM, largest, ratio};
 use crate::plan::Plan;
 use crate::text::{fixed, mm, percent, pressure, significant};
 use crate::view::{View, diameter};
@@ -15,16 +15,6 @@ const LOWER_MM: f64 = 78.0;
 const ROOM_MM: (f64, f64) = (245.0, 60.0);
 /// Room for the cross-section.
 const SECTION_MM: f64 = 38.0;
-
-/// The drawing on paper; the cross-section is enlarged as far as there is room.
-pub(crate) fn on_paper(plan: &Plan) -> Drawing {
-    drawn(plan, largest(|s| s * plan.over_sleeve_mm <= SECTION_MM))
-}
-
-/// The drawing with all bodies in one scale.
-pub(crate) fn in_one_scale(plan: &Plan) -> Drawing {
-    drawn(plan, Body::of(plan).scale())
-}
 
 /// Measures that both views need, in mm.
 struct Body<'a> {
@@ -60,9 +50,10 @@ impl<'a> Body<'a> {
     }
 }
 
-fn drawn(plan: &Plan, section_scale: f64) -> Drawing {
+/// The drawing on paper; the cross-section is enlarged as far as there is room.
+pub(crate) fn on_paper(plan: &Plan) -> Sheet {
     let body = Body::of(plan);
-    let scale = body.scale();
+    let (scale, section_scale) = (body.scale(), largest(|s| s * plan.over_sleeve_mm <= SECTION_MM));
     let mut sheet = frame::sheet(plan, "McKibben muscle", 1, scale);
     let [left, bottom, right, top] = FRAME_MM;
     // The ends of both plugs have the same distance from the frame.
@@ -80,7 +71,7 @@ fn drawn(plan: &Plan, section_scale: f64) -> Drawing {
     cross_section(plan, &mut View { sheet: &mut sheet, origin: centre, scale: section_scale });
     data(plan, &mut sheet);
     parts(plan, &mut sheet);
-    Drawing { sheet, scale }
+    sheet
 }
 
 /// The muscle at rest: above the axis in section, below it from outside.
@@ -112,7 +103,6 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
         v.hatch(&[section], false);
     }
     clamps(body, v, true);
-    rod(body, v);
     // From outside.
     v.line(Pen::Outline, &[[-half, -body.sleeve], [half, -body.sleeve]]);
     for side in [-1.0, 1.0] {
@@ -156,16 +146,6 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
         v.balloon(to, [x, low], number);
     }
     label(v, body.widest, 15.5, "At rest, without pressure");
-}
-
-/// The upper half of a core rod, on the eye plug or through the air plug.
-fn rod(body: &Body<'_>, v: &mut View<'_>) {
-    let Some(rod) = body.plan.muscle.rod() else { return };
-    let left = rod.length_mm.map_or(-body.half - body.left - 2.0 / v.scale, |length| body.half - length);
-    v.cut((left, body.half), (0.0, 0.5 * rod.diameter_mm), true);
-    let [x, y] = v.at(0.7 * body.half, 0.25 * rod.diameter_mm);
-    let low = v.origin[1] - v.scale * body.widest - 6.5;
-    v.balloon([0.7 * body.half, 0.25 * rod.diameter_mm], [x + 5.0, low.min(y)], 8);
 }
 
 /// Collars, boss or barb, and eye from outside, below the axis or on both sides; the right end moved by `shift`.
@@ -315,12 +295,6 @@ fn cross_section(plan: &Plan, v: &mut View<'_>) {
         (0..72).map(|i| TAU * f64::from(i) / 72.0).map(|a| [0.5 * d * a.cos(), 0.5 * d * a.sin()]).collect()
     };
     v.hatch(&[ring(d0), ring(bore)], true);
-    // The plane of the section lies a quarter of the length from the eye plug.
-    let cut = plan.muscle.rod().filter(|r| r.length_mm.is_none_or(|l| l > 0.25 * plan.muscle.length_mm()));
-    if let Some(rod) = cut {
-        v.circle(Pen::Outline, rod.diameter_mm);
-        v.hatch(&[ring(rod.diameter_mm)], false);
-    }
     v.circle(Pen::Thin, 0.5 * (d0 + over));
     let reach = 0.5 * over + 2.5 / v.scale;
     v.line(Pen::Axis, &[[-reach, 0.0], [reach, 0.0]]);

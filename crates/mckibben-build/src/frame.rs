@@ -12,19 +12,6 @@ pub(crate) const TITLE_MM: (f64, f64) = (157.0, 40.0);
 /// Scales in use (ISO 5455).
 const SCALES: [f64; 12] = [5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001];
 
-/// A drawing and its scale.
-pub(crate) struct Drawing {
-    pub(crate) sheet: Sheet,
-    pub(crate) scale: f64,
-}
-
-impl Drawing {
-    /// The drawing in its true size, as DXF.
-    pub(crate) fn to_dxf(&self) -> String {
-        self.sheet.to_dxf(1.0 / self.scale, &format!("{}, lengths in mm, 1:1", crate::mark::MARK))
-    }
-}
-
 /// The largest scale at which something fits.
 pub(crate) fn largest(fits: impl Fn(f64) -> bool) -> f64 {
     SCALES.into_iter().find(|s| fits(*s)).unwrap_or(SCALES[SCALES.len() - 1])

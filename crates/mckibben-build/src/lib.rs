@@ -1,4 +1,4 @@
-//! From a muscle to what a workshop needs: a drawing (SVG, PDF, DXF), two plugs (STL, OpenSCAD), a cut list, a bill of materials, steps with the
+//! From a muscle to what a workshop needs: a drawing (SVG, PDF), two plugs (STL, OpenSCAD), a cut list, a bill of materials, steps with the
 //! numbers of this muscle, and a sheet for its first test, which `identify` reads back.
 //!
 //! [`Plan::new`] makes all numbers from the muscle and from what a model found of it ([`Operating`]); [`files`] writes them down. What practice
@@ -46,7 +46,7 @@ use mckibben_report::FigureError;
 
 /// The drawing of the muscle as SVG.
 pub fn drawing_svg(plan: &Plan) -> Result<String, FigureError> {
-    drawing::on_paper(plan).sheet.to_svg()
+    drawing::on_paper(plan).to_svg()
 }
 
 /// All files: the steps first, which link to the others.
@@ -55,14 +55,12 @@ pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
     let (text, bytes) = (File::text, File::bytes);
     let (air, eye) = (plan.air_plug.mesh(), plan.eye_plug.mesh());
     let mut out = vec![
-        text("drawing.svg", "drawing of the muscle", drawing.sheet.to_svg()?),
+        text("drawing.svg", "drawing of the muscle", drawing.to_svg()?),
         #[cfg(feature = "pdf")]
-        bytes("drawing.pdf", "the same for printing, A4", drawing.sheet.to_pdf()?),
-        text("drawing.dxf", "the same for CAD programs, 1:1 in mm", drawing::in_one_scale(plan).to_dxf()),
-        text("plugs.svg", "drawing of both plugs", plugs.sheet.to_svg()?),
+        bytes("drawing.pdf", "the same for printing, A4", drawing.to_pdf()?),
+        text("plugs.svg", "drawing of both plugs", plugs.to_svg()?),
         #[cfg(feature = "pdf")]
-        bytes("plugs.pdf", "the same for printing, A4", plugs.sheet.to_pdf()?),
-        text("plugs.dxf", "the same for CAD programs, 1:1 in mm", plugs.to_dxf()),
+        bytes("plugs.pdf", "the same for printing, A4", plugs.to_pdf()?),
         bytes("air-plug.stl", "plug with the air passage, for the printer", air.to_stl(MARK)),
         text("air-plug.scad", "the same in OpenSCAD, with its measures as variables", scad::air_plug(plan)),
         bytes("eye-plug.stl", "closed plug with the eye, for the printer", eye.to_stl(MARK)),

@@ -1,18 +1,18 @@
 //! The drawing of the plugs: both in section, with their measures.
 
 use crate::fitting::Fitting;
-use crate::frame::{self, Drawing, FRAME_MM, largest};
+use crate::frame::{self, FRAME_MM, largest};
 use crate::plan::Plan;
 use crate::plug::Stem;
 use crate::text::mm;
 use crate::view::{SMALL_MM, View, diameter};
-use mckibben_report::{Anchor, Pen};
+use mckibben_report::{Anchor, Pen, Sheet};
 
 /// Room for both plugs side by side, and for the higher one, in mm.
 const ROOM_MM: (f64, f64) = (165.0, 70.0);
 
 /// The drawing on paper; all bodies have one scale.
-pub(crate) fn on_paper(plan: &Plan) -> Drawing {
+pub(crate) fn on_paper(plan: &Plan) -> Sheet {
     let (air, eye) = (&plan.air_plug, &plan.eye_plug);
     let head = air.head().iter().map(|p| 2.0 * p[0]).fold(air.stem.collar_diameter_mm, f64::max);
     let scale = largest(|s| s * (air.length_mm() + eye.length_mm()) <= ROOM_MM.0 && s * head <= ROOM_MM.1);
@@ -103,7 +103,7 @@ pub(crate) fn on_paper(plan: &Plan) -> Drawing {
     for (i, note) in notes.iter().enumerate() {
         sheet.text([left + 6.0, 34.0 - 5.2 * i as f64], SMALL_MM, Anchor::Start, note);
     }
-    Drawing { sheet, scale }
+    sheet
 }
 
 /// Radius of the hole of the air plug at the edges of its section, in mm.

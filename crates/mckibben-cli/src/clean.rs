@@ -41,11 +41,6 @@ pub fn lines(text: &str) -> Cow<'_, str> {
     escaped(text, |c| c != '\n' && c.is_control() || turns(c))
 }
 
-/// A chart, whose colours are sequences of the program's own; its labels hold no others.
-pub fn chart(text: &str) -> Cow<'_, str> {
-    escaped(text, turns)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -55,7 +50,6 @@ mod tests {
         let hostile = "a\u{1b}[31mb\u{202e}c\nd\te\u{9b}f\u{7}";
         assert_eq!(line(hostile), "a\\u{1b}[31mb\\u{202e}c\\nd\\te\\u{9b}f\\u{7}");
         assert_eq!(lines("a\u{1b}\nb"), "a\\u{1b}\nb");
-        assert_eq!(chart("\u{1b}[1ma\u{202e}"), "\u{1b}[1ma\\u{202e}");
         for plain in ["", "C10 0.112 MPa · θ0 = 28° ± 1 %", "é 測試 ελ 🙂"] {
             assert!(matches!(line(plain), Cow::Borrowed(text) if text == plain));
         }

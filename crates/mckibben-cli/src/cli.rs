@@ -16,7 +16,6 @@ use crate::commands::help::{HelpArgs, ManArgs};
 use crate::commands::identify::IdentifyArgs;
 use crate::commands::joint::JointArgs;
 use crate::commands::library::{LibraryCheckArgs, LibraryListArgs, LibraryShowArgs};
-use crate::commands::life::LifeArgs;
 use crate::commands::mcp::McpArgs;
 use crate::commands::models::ModelsArgs;
 use crate::commands::motion::MotionArgs;
@@ -137,13 +136,10 @@ pub enum Command {
     /// Whether a muscle is plausible, what of it is not known, and what to measure first
     #[command(after_help = commands::doctor::EXAMPLES)]
     Doctor(Box<DoctorArgs>),
-    /// What wears in a cycle: stretch and energy of the rubber, strands, contact; measured lives beside it
-    #[command(after_help = commands::life::EXAMPLES)]
-    Life(Box<LifeArgs>),
     /// Build a muscle: drawing, plugs, cut list, bill of materials, steps, test sheet
     #[command(after_help = commands::build::EXAMPLES)]
     Build(Box<BuildArgs>),
-    /// The muscle for a controller or simulator: C, Python, tables, MATLAB, MuJoCo, FMI
+    /// The muscle for a controller or simulator: C, Python, MuJoCo, FMI, OpenSim
     #[command(after_help = commands::export::EXAMPLES)]
     Export(Box<ExportArgs>),
     /// Report of a muscle as one HTML file, for reading offline and for printing

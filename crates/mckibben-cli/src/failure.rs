@@ -43,7 +43,6 @@ const FLAGS: &[(&str, &[&str])] = &[
     ("laws", &["law", "laws"]),
     ("figures", &["plots"]),
     ("area_mm2", &["area"]),
-    ("min_life_cycles", &["min-life"]),
     ("volume_mm3", &["volume"]),
     ("dead_volume_mm3", &["dead-volume"]),
     ("max_liquid_volume_mm3", &["max-liquid"]),
@@ -102,8 +101,6 @@ const FIELDS: &[&str] = &[
     "law",
     "stable",
     "relative",
-    "show",
-    "picture",
     "export_inp",
     "vtu",
     "sweep",
@@ -120,8 +117,6 @@ const FIELDS: &[&str] = &[
     "output",
     "overwrite",
     "limit",
-    "life_curve",
-    "scatter",
 ];
 
 /// The flag of a request's field.

@@ -7,7 +7,7 @@ use crate::names::MODELS;
 use crate::output::Target;
 use crate::quantities::{quantity, ratio};
 use crate::word::word;
-use clap::{Args, ValueEnum};
+use clap::Args;
 use mckibben::load::Load;
 use mckibben::units::Dimension;
 use mckibben_app::units::Units;
@@ -290,19 +290,7 @@ pub struct PlotFlag {
     /// Width of the figure, such as 88mm for a column of a journal [160mm]
     #[arg(long, value_name = "LENGTH", requires = "plot", hide_short_help = true)]
     pub plot_width: Option<String>,
-    /// Style of the figure: paper leaves title and footer to the text of the paper, slides has larger letters and no footer
-    #[arg(long, value_enum, value_name = "STYLE", requires = "plot", hide_short_help = true)]
-    pub plot_style: Option<PlotStyle>,
     /// Write the numbers of the figure to FILE.csv: a row for each point that is drawn
     #[arg(long, value_name = "FILE", requires = "plot", hide_short_help = true)]
     pub plot_data: Option<PathBuf>,
-}
-
-/// What a figure is for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum PlotStyle {
-    /// A paper, whose text has title and explanation
-    Paper,
-    /// Slides, which are read from afar
-    Slides,
 }

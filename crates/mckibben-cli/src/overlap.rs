@@ -9,8 +9,7 @@ use mckibben_report::DATA_HEAD;
 use std::path::Path;
 
 /// Flags that name files that are written; every other flag that names a file reads it.
-const WRITTEN: [&str; 6] = ["output", "plot", "plot_data", "pdf", "picture", "export_inp"];
-const DRAWN: [&str; 2] = ["plot", "picture"];
+const WRITTEN: [&str; 5] = ["output", "plot", "plot_data", "pdf", "export_inp"];
 
 /// Refuses a command line that names one file as an input and as an output, or as a figure what is none, but with `--overwrite`.
 pub fn check(matches: &ArgMatches) -> Result<(), Failure> {
@@ -33,7 +32,7 @@ pub fn check(matches: &ArgMatches) -> Result<(), Failure> {
             return Err(of_input(path));
         }
     }
-    let figures = written.iter().copied().filter(|id| DRAWN.contains(id)).flat_map(paths);
+    let figures = written.iter().copied().filter(|id| *id == "plot").flat_map(paths);
     let refused = |path, content: &Content| check_lost(Target::file(path, false), content);
     figures.into_iter().try_for_each(|path| refused(path, &Content::Figure))?;
     let data = Content::Table { head: DATA_HEAD.into() };

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{PlotFlag, PlotStyle};
+use crate::flags::PlotFlag;
 use crate::output::{emit, ending, of_input};
 use crate::quantities::quantity;
 use mckibben::units::Dimension;
@@ -31,22 +31,11 @@ pub fn save(figure: Option<Figure>, flag: &PlotFlag) -> Result<(), Failure> {
         unread(path)?;
         emit(figure.to_csv(), Some(path))?;
     }
-    if let Some(style) = flag.plot_style {
-        figure.caption.clear();
-        match style {
-            PlotStyle::Paper => figure.title.clear(),
-            // Letters have a size in millimetres: on a smaller paper they are larger.
-            PlotStyle::Slides => figure = figure.width_mm(SLIDE_MM),
-        }
-    }
     if let Some(width_mm) = width_mm(flag)? {
         figure = figure.width_mm(width_mm);
     }
     save_as(figure, path)
 }
-
-/// Width of a figure for slides in mm.
-const SLIDE_MM: f64 = 105.0;
 
 /// Writes a figure to a file.
 pub fn save_as(figure: Figure, path: &Path) -> Result<(), Failure> {

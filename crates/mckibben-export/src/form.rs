@@ -18,7 +18,6 @@
 //! Outside of the box each function of q and each function of ε continues along its tangent. Value, slope and potential are continuous there.
 //! Where F would be negative the muscle is slack: F = 0, and V is that at its free contraction.
 
-use mckibben::muscle::Direction;
 use serde::Serialize;
 
 /// Functions of the pressure: 1, q, φ0, φ1 and φ2.
@@ -35,8 +34,6 @@ pub const SLACK: u32 = 1;
 pub const PRESSURE_OUTSIDE: u32 = 2;
 /// The contraction lies outside of the box.
 pub const CONTRACTION_OUTSIDE: u32 = 4;
-/// No pressure gives this pull.
-pub const NO_ANSWER: u32 = 8;
 
 /// Pull and volume of a muscle in closed form. Units: Pa, m, N, m³.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -148,38 +145,6 @@ impl Form {
         out
     }
 
-    /// Control points of the pull: seven rows in the pressure, two for each part between [`PRESSURE_KNOTS`] and the supply and one for its end,
-    /// and in each row three for a part between two nodes and one for its end. Each node lies at ε + its shift.
-    pub(crate) fn control_points_n(&self, shifts: &[f64]) -> Vec<Vec<f64>> {
-        let [first, second, third] = PRESSURE_KNOTS;
-        let ends = [first, first, second, second, third, third, 1.0, 1.0];
-        // The polar form of a parabola at two ends of its part.
-        (0..7)
-            .map(|row| {
-                let (u, v) = (ends[row], ends[row + 1]);
-                let of = |knot: f64| if u >= knot { (u - knot) * (v - knot) } else { 0.0 };
-                let weights = [1.0, 0.5 * (u + v), u * v, of(second), of(third)];
-                let at = |of: &[Vec<f64>; FUNCTIONS], n: usize| {
-                    weights.iter().zip(of).map(|(w, c)| w * c[n]).sum::<f64>()
-                };
-                let node = |n: usize| {
-                    (
-                        self.contractions[n] + shifts[n],
-                        at(&self.a, n) + shifts[n] * at(&self.b, n),
-                        at(&self.b, n),
-                    )
-                };
-                let mut points = vec![node(0).1];
-                for n in 0..shifts.len() - 1 {
-                    let (from, to) = (node(n), node(n + 1));
-                    let third = (to.0 - from.0) / 3.0;
-                    points.extend([from.1 + third * from.2, to.1 - third * to.2, to.1]);
-                }
-                points
-            })
-            .collect()
-    }
-
     /// The pull that the form gives, negative where the muscle would have to push, and its slope in ε; pressure in Pa.
     pub fn two_sided_n(&self, pressure_pa: f64, contraction: f64) -> (f64, f64) {
         let (k, (phi, _)) = (self.coefficients(contraction), functions(pressure_pa / self.supply_pa));
@@ -226,55 +191,6 @@ impl Form {
         }
     }
 
-    /// The pressure in Pa at which the pull is `force_n` at a contraction, and the status: the lowest where there are several. Closed: the root of
-    /// a quadratic equation in the first part of the pressures that has one.
-    pub fn pressure(&self, force_n: f64, contraction: f64) -> (f64, u32) {
-        let c = self.coefficients(contraction).c;
-        let status = self.outside(0.0, contraction);
-        if force_n <= c[0] {
-            // It pulls as much without pressure.
-            return (0.0, status | if force_n < c[0] { NO_ANSWER } else { OK });
-        }
-        // Pull, slope and half the curvature at the beginning of a part.
-        let (mut pull, mut slope, mut curve) = (c[0], c[1], 0.0);
-        for (k, begin) in PRESSURE_KNOTS.into_iter().enumerate() {
-            let width = PRESSURE_KNOTS.get(k + 1).unwrap_or(&1.0) - begin;
-            curve += c[k + 2];
-            let missing = (force_n - pull).max(0.0);
-            let root = slope * slope + 4.0 * curve * missing;
-            let below = if root > 0.0 { slope + root.sqrt() } else { 0.0 };
-            if below > 0.0 && 2.0 * missing <= below * width {
-                return ((begin + 2.0 * missing / below) * self.supply_pa, status);
-            }
-            pull += width * (slope + curve * width);
-            slope += 2.0 * curve * width;
-        }
-        if slope > 0.0 && force_n >= pull {
-            return ((1.0 + (force_n - pull) / slope) * self.supply_pa, status | PRESSURE_OUTSIDE);
-        }
-        (self.supply_pa, status | NO_ANSWER)
-    }
-
-    /// The pressure in Pa at which the pull is `force_n` on a branch of the hysteresis, and the status: halvings between the pressure of the mean
-    /// of both branches and the supply, or that without a pull.
-    pub fn pressure_on(&self, force_n: f64, contraction: f64, branch: Direction) -> (f64, u32) {
-        let (mean, status) = self.pressure(force_n, contraction);
-        let top = if branch == Direction::Contraction { self.supply_pa } else { mean };
-        let low = if branch == Direction::Contraction { mean } else { self.pressure(0.0, contraction).0 };
-        if branch.is_mean() || low >= top {
-            return (mean, status);
-        }
-        let (mut low, mut high) = (low, top);
-        for _ in 0..40 {
-            let middle = 0.5 * (low + high);
-            let pull = self.two_sided_n(middle, contraction).0.max(0.0);
-            let under = pull + branch.sign() * self.friction_half_width_n(middle) < force_n;
-            (low, high) = if under { (middle, high) } else { (low, middle) };
-        }
-        let none = branch == Direction::Contraction && high == top;
-        (high, status | if none { NO_ANSWER } else { OK })
-    }
-
     /// The contraction at which the pull is `force_n` at a pressure in Pa: Newton's method between bounds, the tangent outside of the box.
     pub fn contraction(&self, force_n: f64, pressure_pa: f64) -> f64 {
         let (mut low, mut high) = (self.contraction_low, self.contraction_high);
@@ -304,11 +220,5 @@ impl Form {
             at = next;
         }
         at
-    }
-
-    /// Half the width of the hysteresis in N at a pressure in Pa: it adds while the muscle is lengthened and subtracts while it shortens.
-    pub fn friction_half_width_n(&self, pressure_pa: f64) -> f64 {
-        let q = (pressure_pa / self.supply_pa).max(0.0);
-        self.friction_n[0] * q.sqrt() + self.friction_n[1] * q
     }
 }

@@ -15,13 +15,10 @@ mod template;
 
 pub use error::ExportError;
 pub use fit::{FormErrors, Wanted};
-pub use form::{
-    CONTRACTION_OUTSIDE, FUNCTIONS, Form, NO_ANSWER, NODES, OK, PRESSURE_KNOTS, PRESSURE_OUTSIDE, Point,
-    SLACK,
-};
+pub use form::{CONTRACTION_OUTSIDE, Form, OK, PRESSURE_OUTSIDE, Point, SLACK};
 pub use mckibben_files::{Content, File};
 pub use muscle::{ExportBox, ExportedMuscle};
-pub use targets::{Target, TargetEntry};
+pub use targets::Target;
 
 /// What every text of this crate has in it, so that a later run knows it.
 pub const MARK: &str = "exported by mckibben";

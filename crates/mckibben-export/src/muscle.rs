@@ -149,7 +149,7 @@ impl ExportedMuscle {
             word.insert_str(0, "muscle_");
         }
         word.truncate(40);
-        // A word that C, Python or MATLAB has itself.
+        // A word that C or Python has itself.
         if word.len() < 3
             || [
                 "mckibben", "for", "int", "float", "double", "char", "long", "short", "static", "const",

@@ -1,7 +1,7 @@
 /* The muscle @{name} as a plugin of MuJoCo, "mckibben.@{id}": an actuator of a tendon, whose control is the gauge pressure in Pa.
  * M=$(python3 -c "import mujoco, os; print(os.path.dirname(mujoco.__file__))")
  * cc -O2 -shared -fPIC -I$M/include muscle_plugin.c mckibben.c $M/libmujoco.so* -lm -o muscle_plugin.so
- * Load it with mujoco.mj_loadPluginLibrary, and then muscle.xml.
+ * Load it with mujoco.mj_loadPluginLibrary, and then muscle_plugin.xml.
  * @{facts}
  */
 #include "muscle.h"

@@ -9,7 +9,7 @@ use crate::rect::Rect;
 use crate::room::Room;
 use crate::sizes::{PANEL_TITLE, PER_MM};
 use crate::ticks::{self, Scale};
-use crate::{Axis, FigureError, Panel, palette};
+use crate::{Axis, FigureError, Panel, Style, palette};
 
 /// Font sizes of tick texts and axis labels.
 pub(crate) const TICK: f64 = 9.8;
@@ -163,7 +163,7 @@ fn room_of(panel: &Panel, axes: &Axes) -> Room {
         if palette::dash(series.style, 0, crate::Palette::Categorical).is_some() {
             frame.line(&series.points).iter().for_each(|line| room.add_line(line, i));
         }
-        if palette::has_markers(series.style) {
+        if series.style == Style::Points {
             frame.markers(&series.points).into_iter().for_each(|spot| room.add_marker(spot, i));
         }
     }

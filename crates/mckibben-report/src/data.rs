@@ -45,7 +45,6 @@ impl Style {
             Self::Dotted => "dotted",
             Self::DashDot => "dash-dot",
             Self::Points => "points",
-            Self::LineAndPoints => "line-and-points",
             Self::Band => "band",
         }
     }

@@ -1,7 +1,7 @@
 //! A report: headings, texts, tables, figures and a body, as one page that needs no network.
 
 use crate::xml::escape;
-use crate::{Figure, FigureError, Scene};
+use crate::{Figure, FigureError};
 use serde::Serialize;
 use std::fmt::Write as _;
 
@@ -42,21 +42,19 @@ pub enum Part {
     Body(Body),
 }
 
-/// A body in space: what a script turns it from, and a picture for paper and for readers without scripts.
+/// A body in space: what a script turns it from.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Body {
     /// What the script gets, as JSON.
     pub data: String,
-    #[serde(skip)]
-    pub picture: Option<Scene>,
 }
 
 const STYLE: &str = include_str!("document.css");
 
 impl Document {
     /// The report as one HTML page. `viewer` is a script (a module without imports) that finds each body's data in an element
-    /// `.body` as JSON and shows it there; a body without one stays its picture.
+    /// `.body` as JSON and shows it there.
     pub fn to_html(&self, viewer: &str) -> Result<String, FigureError> {
         let title = escape(&self.title);
         let mut out = format!(
@@ -97,25 +95,13 @@ impl Part {
                 writeln!(out, "<pre>{}</pre>", lines.join("\n"))
             }
             Self::Body(body) => {
-                let still = body.picture.as_ref().map(still).transpose()?.unwrap_or_default();
                 // In JSON it can only stand in a text, where this means the same.
                 let data = body.data.replace('<', "\\u003c");
-                writeln!(
-                    out,
-                    "<div class=\"body\"><div class=\"still\">{still}</div><script type=\"application/json\">{data}</script></div>"
-                )
+                writeln!(out, "<div class=\"body\"><script type=\"application/json\">{data}</script></div>")
             }
         };
         Ok(())
     }
-}
-
-/// A picture for paper: pixels, where they can be made.
-fn still(scene: &Scene) -> Result<String, FigureError> {
-    #[cfg(feature = "png")]
-    return scene.to_img();
-    #[cfg(not(feature = "png"))]
-    scene.to_svg()
 }
 
 fn title_block(fields: &[(String, String)]) -> String {
@@ -157,7 +143,7 @@ mod tests {
             Part::List(vec![one()]),
             Part::Table { head: vec![one()], rows: vec![vec![one()]] },
             Part::Code(one()),
-            Part::Body(Body { data: format!("\"{evil}\""), picture: None }),
+            Part::Body(Body { data: format!("\"{evil}\"") }),
         ];
         let html =
             Document { title: one(), title_block: vec![(one(), one())], lead: one(), parts, footer: one() }

@@ -45,13 +45,11 @@ pub enum FigureError {
         /// Height left for its data, mm.
         height_mm: f64,
     },
-    /// A picture of a body with places or values that are no numbers.
-    #[error("{what} of the picture \"{title}\" is not a finite number")]
+    /// A drawing with places that are no numbers.
+    #[error("a place of the drawing \"{title}\" is not a finite number")]
     NotFinite {
-        /// Title of the picture.
+        /// Title of the drawing.
         title: String,
-        /// What it is.
-        what: &'static str,
     },
     /// The embedded font could not be read (a fault of this build, not of the figure).
     #[error("the embedded font cannot be read: {reason}")]

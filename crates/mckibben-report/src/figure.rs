@@ -119,8 +119,6 @@ pub enum Style {
     DashDot,
     /// Markers only; their shape goes with the colour number.
     Points,
-    /// A solid line with markers.
-    LineAndPoints,
     /// A pale area: the points are its outline, closed.
     Band,
 }

@@ -1,8 +1,8 @@
-//! Figures for papers, pages and the terminal.
+//! Figures for papers and pages.
 //!
 //! A [`Figure`] describes panels with axes, series and marks. It is plain data (serde), so that a page or another
-//! language can draw it by its own means; the crate turns it into SVG ([`Figure::to_svg`]), a self-contained HTML page
-//! ([`Figure::to_html`]) or a chart of characters ([`Figure::to_text`]). It knows nothing about muscles: quantities and
+//! language can draw it by its own means; the crate turns it into SVG ([`Figure::to_svg`]) or a self-contained HTML page
+//! ([`Figure::to_html`]). It knows nothing about muscles: quantities and
 //! units are texts of the caller. The same description gives the same bytes on every machine; the font (DejaVu Sans) is
 //! part of the program.
 //!
@@ -18,7 +18,6 @@ mod document;
 mod error;
 mod figure;
 mod font;
-mod grid;
 mod html;
 mod labels;
 mod layout;
@@ -36,17 +35,11 @@ mod rect;
 mod room;
 #[cfg(feature = "files")]
 mod save;
-mod scene;
 mod sheet;
 mod sizes;
 mod smooth;
 mod strokes;
 mod svg;
-mod text;
-mod text_chart;
-mod text_legend;
-mod text_sheet;
-mod text_wrap;
 mod ticks;
 mod xml;
 
@@ -57,5 +50,4 @@ pub use figure::{Axis, Figure, Mark, Palette, Panel, Series, Style};
 pub use mark::{is_figure, is_page};
 #[cfg(feature = "png")]
 pub use outlines::texts_as_outlines;
-pub use scene::{Face, Scene, Thread, View};
 pub use sheet::{Anchor, Item, Pen, Sheet};

@@ -11,7 +11,7 @@ const DRAWING: &str = "font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\"
 /// What the head of every page has.
 const PAGE: &str = "content=\"default-src 'none'; style-src 'unsafe-inline'";
 
-/// Whether a file with these first bytes is a figure or picture as this crate draws it: SVG, PNG, PDF or a page of HTML.
+/// Whether a file with these first bytes is a figure as this crate draws it: SVG, PNG, PDF or a page of HTML.
 pub fn is_figure(head: &[u8]) -> bool {
     let text = String::from_utf8_lossy(head);
     let svg = text.starts_with("<svg ") && text.contains(DRAWING);

@@ -7,7 +7,7 @@ use resvg::usvg::roxmltree::{Document, Node};
 use crate::FigureError;
 use crate::font::Metrics;
 
-/// A drawing of [`crate::Figure::to_svg`] or [`crate::Scene::to_svg`] with each `text` element replaced by a `path`: the outlines of its
+/// A drawing of [`crate::Figure::to_svg`] or [`crate::Sheet::to_svg`] with each `text` element replaced by a `path`: the outlines of its
 /// characters in the embedded font. The n-th one, from 0, has the id `text-n`.
 pub fn texts_as_outlines(svg: &str) -> Result<String, FigureError> {
     let metrics = Metrics::new()?;

@@ -13,9 +13,6 @@ const CATEGORICAL: [[u8; 3]; 7] = [
     [0x4D, 0x4D, 0x4D],
 ];
 
-/// Terminal colours (of the 256) near the categorical ones, readable on dark and light.
-const CATEGORICAL_TERMINAL: [u8; 7] = [32, 166, 36, 175, 74, 172, 244];
-
 /// Stations of a ramp after viridis, cut before its pale yellow end.
 const RAMP: [[u8; 3]; 6] = [
     [0x44, 0x13, 0x6E],
@@ -56,21 +53,6 @@ pub(crate) fn hex(palette: Palette, number: usize, count: usize) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// Number of the terminal colour (of the 256) for a colour number.
-pub(crate) fn terminal(palette: Palette, number: usize, count: usize) -> u8 {
-    match palette {
-        Palette::Categorical => CATEGORICAL_TERMINAL[number % CATEGORICAL_TERMINAL.len()],
-        Palette::Sequential => {
-            // the 6 × 6 × 6 cube, lifted a little: dark blues vanish on a black screen
-            let [r, g, b] = rgb(palette, number, count).map(|v| {
-                let lifted = (f64::from(v) + 60.0).min(255.0);
-                ((lifted - 55.0) / 40.0).round().clamp(0.0, 5.0) as u8
-            });
-            16 + 36 * r + 6 * g + b
-        }
-    }
-}
-
 /// Dash pattern of a series in units of the line width (empty: solid); `None`: no line.
 pub(crate) fn dash(style: Style, number: usize, palette: Palette) -> Option<&'static [f64]> {
     // a solid line whose colour repeats takes the next pattern
@@ -80,17 +62,12 @@ pub(crate) fn dash(style: Style, number: usize, palette: Palette) -> Option<&'st
     };
     match style {
         Style::Auto => Some(DASHES[number % DASHES.len()]),
-        Style::Line | Style::LineAndPoints => Some(DASHES[round % DASHES.len()]),
+        Style::Line => Some(DASHES[round % DASHES.len()]),
         Style::Dashed => Some(DASHES[1]),
         Style::Dotted => Some(DASHES[2]),
         Style::DashDot => Some(DASHES[3]),
         Style::Points | Style::Band => None,
     }
-}
-
-/// Whether a style shows markers.
-pub(crate) fn has_markers(style: Style) -> bool {
-    matches!(style, Style::Points | Style::LineAndPoints)
 }
 
 /// The shape of a marker.

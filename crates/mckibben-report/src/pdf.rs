@@ -9,20 +9,13 @@ use resvg::tiny_skia::{PathSegment, Point};
 use resvg::usvg::{self, Fill, FillRule, Group, LineCap, LineJoin, Node, Paint, Stroke, Transform};
 
 use crate::mark::PDF_PRODUCER;
-use crate::{Figure, FigureError, Scene, texts_as_outlines};
+use crate::{Figure, FigureError, texts_as_outlines};
 
 /// Points (1/72 in) for each pixel of CSS (1/96 in).
 const POINTS: f32 = 0.75;
 
 impl Figure {
     /// The figure as a PDF page of its size.
-    pub fn to_pdf(&self) -> Result<Vec<u8>, FigureError> {
-        render(&self.to_svg()?, &self.title)
-    }
-}
-
-impl Scene {
-    /// The same as PDF.
     pub fn to_pdf(&self) -> Result<Vec<u8>, FigureError> {
         render(&self.to_svg()?, &self.title)
     }

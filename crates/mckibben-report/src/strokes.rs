@@ -47,19 +47,12 @@ pub(crate) fn series(out: &mut String, lines: &[Vec<Spot>], markers: &[Spot], st
         let _ = writeln!(out, "<g fill=\"{colour}\">{alone}</g>");
     }
     if !markers.is_empty() {
-        let hollow = style == Style::Points;
         let mut shapes = String::new();
         markers.iter().for_each(|spot| marker(&mut shapes, palette::shape(number), *spot));
-        let fill = if hollow { "#ffffff" } else { colour.as_str() };
-        let edge = if hollow { colour.as_str() } else { "#ffffff" };
-        let (edge, width) = if palette::shape(number) == Shape::Cross {
-            (colour.as_str(), 1.4)
-        } else {
-            (edge, if hollow { 1.3 } else { 0.7 })
-        };
+        let width = if palette::shape(number) == Shape::Cross { 1.4 } else { 1.3 };
         let _ = writeln!(
             out,
-            "<path d=\"{shapes}\" fill=\"{fill}\" stroke=\"{edge}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"/>"
+            "<path d=\"{shapes}\" fill=\"#ffffff\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"/>"
         );
     }
 }

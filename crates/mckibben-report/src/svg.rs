@@ -121,9 +121,11 @@ fn draw_panel(out: &mut String, placed: &Placed<'_>, pen: &Pen<'_>) {
         area(out, &frame.area(&band.points), &pen.hex(band.number(i)));
     }
     for (i, series) in placed.panel.series.iter().enumerate().filter(|(_, s)| !bands(s)) {
-        let lines = if series.style == Style::Points { Vec::new() } else { frame.line(&series.points) };
-        let markers =
-            if palette::has_markers(series.style) { frame.markers(&series.points) } else { Vec::new() };
+        let (lines, markers) = if series.style == Style::Points {
+            (Vec::new(), frame.markers(&series.points))
+        } else {
+            (frame.line(&series.points), Vec::new())
+        };
         anything |= !(lines.is_empty() && markers.is_empty());
         let brush = pen.brush(series.number(i));
         let brush = if series.neutral { Brush { hex: INK.into(), ..brush } } else { brush };
@@ -264,13 +266,11 @@ fn draw_legend(out: &mut String, legend: &Legend, pen: &Pen<'_>) {
         );
     }
     for (x, y, entry) in &legend.entries {
-        let line = if entry.style == Style::Points {
-            Vec::new()
+        let (line, markers) = if entry.style == Style::Points {
+            (Vec::new(), vec![(x + legend::SAMPLE / 2.0, *y)])
         } else {
-            vec![vec![(*x, *y), (x + legend::SAMPLE, *y)]]
+            (vec![vec![(*x, *y), (x + legend::SAMPLE, *y)]], Vec::new())
         };
-        let markers =
-            if palette::has_markers(entry.style) { vec![(x + legend::SAMPLE / 2.0, *y)] } else { Vec::new() };
         draw_series(out, &line, &markers, entry.style, pen.brush(entry.colour));
         text(out, (x + legend::SAMPLE + 6.0, *y), legend::SIZE, INK, "start", "", &entry.label);
     }

@@ -54,7 +54,6 @@ function spec(panel, figure) {
   };
   /** @returns {import("./chart.js").Series} */
   const one = (/** @type {Panel["series"][number]} */ s, /** @type {number} */ i) => {
-    const points = s.style === "points" || s.style === "line-and-points";
     const dash =
       s.style === "dashed"
         ? "dash"
@@ -65,9 +64,8 @@ function spec(panel, figure) {
             : "solid";
     const line = { colour: colour(s, i), x: s.points.map((p) => p[0]), y: s.points.map((p) => p[1]) };
     if (s.style === "band") return { ...line, name: "±", band: true, legend: "" };
-    const name = s.label || s.end_label || panel.y.label, mode = points ? "lines+markers" : "lines";
-    return { ...line, name, end: s.end_label || undefined, dash, mode: s.style === "points" ? "markers" : mode,
-      legend: s.label };
+    const name = s.label || s.end_label || panel.y.label, mode = s.style === "points" ? "markers" : "lines";
+    return { ...line, name, end: s.end_label || undefined, dash, mode, legend: s.label };
   };
   const range = (/** @type {Panel["x"]} */ axis) =>
     axis.range ? { range: axis.range } : { rangemode: axis.from_zero ? "tozero" : "normal" };

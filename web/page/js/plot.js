@@ -7,7 +7,7 @@ import { number } from "./units.js";
  * state among its family.
  * @typedef {{ name: string, x: number[], y: (number | null)[], half?: (number | null | undefined)[], z?: number[],
  *   end?: string, at?: "start" | "end", colour?: string, dash?: "solid" | "dash" | "dot",
- *   mode?: "lines" | "markers" | "lines+markers", width?: number, legend?: string, band?: boolean,
+ *   mode?: "lines" | "markers", width?: number, legend?: string, band?: boolean,
  *   strong?: boolean }} Series
  * @typedef {{ range?: number[], rangemode?: string }} Axis
  * @typedef {{ x: string, y: string, series: Series[], marks?: { x: number, y: number, text: string }[],

@@ -1,4 +1,4 @@
-// The muscle of a report, to turn: the page's own view over the picture of each body. A report has this script with its
+// The muscle of a report, to turn: the page's own view. A report has this script with its
 // imports in one piece (crate mckibben-web, and report.js of the page).
 import { el } from "./dom.js";
 import { View, reach } from "./view3d.js";

@@ -10,7 +10,7 @@ use mckibben::curve::Test;
 use mckibben::model::Response;
 use mckibben::status::Status;
 use mckibben::warning::Warning;
-use mckibben_report::{Figure, Scene};
+use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
@@ -44,9 +44,6 @@ pub struct SimulateAnswer {
     /// Files for ParaView, where they were asked for: `muscle.pvd`, which lists the others, comes first.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub files: Vec<BuiltFile>,
-    /// The picture, where it was asked for.
-    #[serde(skip)]
-    pub picture: Option<Scene>,
     /// Where no point has an answer: the reason.
     #[serde(skip)]
     pub problem: Option<Problem>,

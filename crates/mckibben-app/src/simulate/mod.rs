@@ -8,7 +8,7 @@ mod vtu;
 
 pub use answer::*;
 pub use point::{Held, Simulated};
-pub use request::{PictureFields, SimulateRequest};
+pub use request::SimulateRequest;
 #[cfg(feature = "whole")]
 pub(crate) use vtu::with_files;
 
@@ -130,7 +130,6 @@ pub fn simulate(
         shapes.begin(&summary)?;
     }
     let mut simulated = Vec::with_capacity(questions.len());
-    let mut last = None;
     for (i, &(pressure_mpa, held)) in questions.iter().enumerate() {
         progress.report(i, questions.len());
         if progress.cancelled() {
@@ -142,12 +141,9 @@ pub fn simulate(
         };
         let solution = simulation.solve(workspace, given);
         budget.ended()?;
-        if let Ok(solution) = &solution {
-            if let Some(shapes) = &mut shapes {
-                let shape = meshed.shape(workspace, &ends, &solution.response, shapes.extent())?;
-                shapes.add(shape, &solution.response)?;
-            }
-            last = Some(solution.response);
+        if let (Ok(solution), Some(shapes)) = (&solution, &mut shapes) {
+            let shape = meshed.shape(workspace, &ends, &solution.response, shapes.extent())?;
+            shapes.add(shape, &solution.response)?;
         }
         simulated.push(judged(&*simulation, workspace, pressure_mpa, held, solution, request.two_sided));
     }
@@ -160,13 +156,6 @@ pub fn simulate(
     let found = burst_of(&model, &*simulation, &budget)?;
     let highest_mpa = questions.iter().map(|q| q.0).fold(0.0, f64::max);
     put_first(&mut warnings, said_of(&found, highest_mpa, QUIET_MPA));
-    let picture = match (&request.picture, last) {
-        (Some(fields), Some(response)) => {
-            let shape = meshed.shape(workspace, &ends, &response, Extent::Whole)?;
-            Some(figure::picture(fields, name, &summary, &shape, &response)?)
-        }
-        _ => None,
-    };
     Ok(SimulateAnswer {
         model: name.into(),
         test: request.test,
@@ -177,7 +166,6 @@ pub fn simulate(
         figure,
         deck,
         files: vec![],
-        picture,
         problem,
         strands: muscle.braid().strands.is_some(),
         simulated,
@@ -283,7 +271,7 @@ fn written_deck(
     };
     if ends.give() {
         return Err(wrong(
-            "an input deck cannot describe seating, slip or grip of the terminals, nor a core rod: leave them out".into(),
+            "an input deck cannot describe seating, slip or grip of the terminals: leave them out".into(),
         ));
     }
     let contractions: Vec<f64> = questions

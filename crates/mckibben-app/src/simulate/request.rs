@@ -42,29 +42,7 @@ pub struct SimulateRequest {
     /// Add the deformed muscle of every point to the answer, as files that ParaView opens.
     #[serde(default)]
     pub vtu: bool,
-    /// Add a picture of the last converged point to the answer.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub picture: Option<PictureFields>,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub figure: Option<Units>,
-}
-
-/// A picture of the deformed muscle.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default)]
-pub struct PictureFields {
-    /// Quantity that colours it, such as `hoop_stretch` or `stress_hoop_mpa`.
-    pub show: String,
-    /// Cut a quarter out, to show wall and cavity.
-    pub cut: bool,
-    /// Units of its title.
-    #[serde(alias = "pressure_unit")]
-    pub units: Units,
-}
-
-impl Default for PictureFields {
-    fn default() -> Self {
-        Self { show: "max_stretch".into(), cut: false, units: Units::default() }
-    }
 }

@@ -2,15 +2,13 @@
 
 mod text;
 
-use crate::clean;
 use crate::failure::{Failure, NO_ANSWER};
 use crate::files;
 use crate::flags::{LiquidFlags, LoadFlag, OverwriteFlag, PlotFlag, StrandFlags, UnitsFlag};
 use crate::format::Format;
 use crate::names::{MODELS, RUBBERS, SLEEVES};
 use crate::output::text::{Units, place};
-use crate::output::width;
-use crate::output::{Content, Target, burst_first, check, colour, emit, save, show};
+use crate::output::{Content, Target, burst_first, check, emit, save, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contraction as contraction_ratio, quantity, ratio, values};
@@ -131,27 +129,6 @@ pub struct DesignArgs {
         help_heading = "Limits"
     )]
     pub max_stretch: Option<String>,
-    /// Smallest number of cycles of the rubber by its --life-curve, such as 1e6
-    #[arg(
-        long,
-        value_name = "CYCLES",
-        allow_hyphen_values = true,
-        hide_short_help = true,
-        help_heading = "Limits"
-    )]
-    pub min_life: Option<String>,
-    /// Life of the rubber that you measured: stretch and cycles to failure
-    #[arg(long, value_name = "FILE.csv", hide_short_help = true, help_heading = "Limits")]
-    pub life_curve: Option<PathBuf>,
-    /// Factor within which the cycles of --life-curve scatter, such as 3
-    #[arg(
-        long,
-        value_name = "FACTOR",
-        allow_hyphen_values = true,
-        hide_short_help = true,
-        help_heading = "Limits"
-    )]
-    pub scatter: Option<String>,
     /// Largest strain of the strands at the supply pressure [6 %: the validated range]
     #[arg(
         long,
@@ -250,9 +227,6 @@ pub struct DesignArgs {
     pub units: UnitsFlag,
     #[command(flatten)]
     pub plot: PlotFlag,
-    /// No chart in the terminal
-    #[arg(long, help_heading = "Output")]
-    pub no_chart: bool,
     /// Write the best muscle as a muscle file
     #[arg(short, long, value_name = "FILE.toml", help_heading = "Output")]
     pub output: Option<PathBuf>,
@@ -265,24 +239,18 @@ pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
     check(target, &Content::Muscle)?;
     let unit = shown::units();
-    let chart = format == Format::Text && !args.no_chart;
-    let request = request(args, (chart || args.plot.plot.is_some()).then(|| unit.clone()))?;
+    let request = request(args, args.plot.plot.as_ref().map(|_| unit.clone()))?;
     let mut answer = mckibben_app::design(&request, &Bar::new("muscles"))?;
-    let figure = answer.figure.take();
     let winner = answer.muscle_files.first();
     if let Some(winner) = winner {
         save(target, Content::Muscle, winner.text.as_bytes())?;
     }
     let text = || burst_first(&answer.warnings) + &text::of(&answer, args.output.as_deref(), &unit);
     show(&answer, format, "candidates", text, Target::STDOUT)?;
-    if let Some(figure) = figure.as_ref().filter(|_| chart) {
-        let columns = width::of_tables().min(100);
-        emit(format!("\n{}\n", clean::chart(&figure.to_text(columns, 24, colour()))), None)?;
-    }
     if let (Some(path), Some(_), Format::Text) = (&args.output, winner, format) {
         emit(format!("\nThe winner is in {}.\n", place(path)), None)?;
     }
-    plot::save(figure.clone(), &args.plot)?;
+    plot::save(answer.figure.take(), &args.plot)?;
     Ok(if answer.candidates.is_empty() { NO_ANSWER } else { 0 })
 }
 
@@ -328,9 +296,6 @@ fn request(args: &DesignArgs, figure: Option<Units>) -> Result<DesignRequest, Fa
         pitch_mm: length("--pitch", &args.pitch)?,
         min_burst_margin: ratio("--safety", args.safety.as_deref())?,
         max_stretch: ratio("--max-stretch", args.max_stretch.as_deref())?,
-        min_life_cycles: ratio("--min-life", args.min_life.as_deref())?,
-        life_curve: args.life_curve.as_deref().map(files::table).transpose()?,
-        scatter: ratio("--scatter", args.scatter.as_deref())?,
         max_strand_strain: ratio("--max-strand-strain", args.max_strand_strain.as_deref())?,
         guided: args.guided,
         guaranteed: ratio("--guaranteed", args.guaranteed.as_deref())?,

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::flags::{MuscleFlags, OutputFlags, PlotFlag, mesh_fields};
 use crate::format::Format;
 use crate::output::text::{Units, aligned, columns, number, percent, percents, place};
-use crate::output::{Content, Target, burst_first, check, ending, save, show};
+use crate::output::{Content, Target, burst_first, check, save, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, forces, points};
@@ -15,22 +15,20 @@ use mckibben::curve::Test;
 use mckibben::model::Response;
 use mckibben::units::Dimension;
 use mckibben_app::{
-    Keep, MuscleSummary, PictureFields, Problem, ProblemKind, Shapes, SimulateAnswer, SimulateRequest,
-    Simulated,
+    Keep, MuscleSummary, Problem, ProblemKind, Shapes, SimulateAnswer, SimulateRequest, Simulated,
 };
 use mckibben_fem::output::{Extent, Shape, VtuFile, VtuSeries};
 use mckibben_fem::results::Solution;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 pub const EXAMPLES: &str = "Examples:
   mckibben simulate examples/prototype.toml -e 10% -p 0..0.25:0.05 --vtu out/
   mckibben simulate -D 40 -s 2 --test isotonic -F 150N -p 0.5..2.5:0.5bar \\
     --plot shape.svg
-  mckibben simulate -e 15% -p 0.25 --picture muscle.png --show stress_hoop_mpa --cut
   mckibben simulate --model fe3d --match angle -e 10% -p 0.01..0.25:0.01 \\
     --export-inp muscle.inp
   mckibben simulate --model fe3d --terminal aluminium:20mm:3mm -e 10% \\
-    -p 0.25 --picture plug.png --cut
+    -p 0.25 --vtu out/
   mckibben simulate --of-largest -e 0,45%,90% -p 0.25 --format csv";
 
 /// `simulate`.
@@ -70,22 +68,6 @@ pub struct SimulateArgs {
     /// Give the negative force, not slack, where the muscle would have to push
     #[arg(long, hide_short_help = true, help_heading = "Advanced")]
     pub two_sided: bool,
-    /// Draw the deformed muscle at the last converged point: a file ending in .png, .svg or .pdf
-    #[arg(long, value_name = "FILE", help_heading = "Output")]
-    pub picture: Option<PathBuf>,
-    /// Quantity that colours the picture, such as hoop_stretch or stress_hoop_mpa
-    #[arg(
-        long,
-        value_name = "NAME",
-        default_value = "max_stretch",
-        requires = "picture",
-        hide_short_help = true,
-        help_heading = "Output"
-    )]
-    pub show: String,
-    /// Cut a quarter out of the picture, to show wall and cavity
-    #[arg(long, requires = "picture", hide_short_help = true, help_heading = "Output")]
-    pub cut: bool,
     /// Write the deformed muscle, point by point, into a folder that ParaView opens (muscle.pvd)
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub vtu: Option<PathBuf>,
@@ -103,7 +85,6 @@ pub struct SimulateArgs {
 
 pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
     plot::check(&args.plot)?;
-    check_picture(args.picture.as_deref())?;
     let deck = args.export_inp.as_deref();
     check(Target { path: deck, overwrite: args.output.replace.overwrite }, &Content::Deck)?;
     let unit = shown::units();
@@ -120,11 +101,6 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
         deck: args.export_inp.is_some(),
         // Written into a folder, point by point.
         vtu: false,
-        picture: args.picture.as_ref().map(|_| PictureFields {
-            show: args.show.clone(),
-            cut: args.cut,
-            units: unit.clone(),
-        }),
         figure: args.plot.plot.as_ref().map(|_| unit.clone()),
     };
     let extent = if args.whole { Extent::Whole } else { Extent::Eighth };
@@ -141,10 +117,6 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
         save(Target::file(path, args.output.replace.overwrite), Content::Deck, deck.as_bytes())?;
     }
     plot::save(answer.figure.take(), &args.plot)?;
-    if let (Some(path), Some(scene)) = (&args.picture, &answer.picture) {
-        plot::unread(path)?;
-        scene.save(path)?;
-    }
     if let Some(problem) = answer.problem.take_if(|_| format == Format::Text) {
         return Err(problem.into());
     }
@@ -155,17 +127,6 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
     };
     show(&answer, format, "points", text, args.output.target())?;
     Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))
-}
-
-/// Refuses a picture that could not be written, before any work is done for it.
-fn check_picture(path: Option<&Path>) -> Result<(), Failure> {
-    let Some(path) = path else { return Ok(()) };
-    if ending(path).is_some_and(|e| ["svg", "png", "pdf"].contains(&e.as_str())) {
-        return Ok(());
-    }
-    let message =
-        format!("unknown format of {}: the name of a picture must end in .svg, .png or .pdf", path.display());
-    Err(Failure::input(ProblemKind::Plot, message, "`--plot` draws curves, and also as .html"))
 }
 
 /// A folder of files for ParaView. Files of an older series in it are replaced one by one; the list names none of them. What is no such

@@ -34,7 +34,7 @@ pub enum Content {
     Exported,
     /// A sheet for measured forces.
     EmptySheet,
-    /// A figure or a picture.
+    /// A figure.
     Figure,
     /// A file for ParaView, in a folder of them.
     Vtk,

@@ -16,7 +16,7 @@ pub use columns::FLAT;
 pub use guard::{Content, check, ending, of_input};
 pub use stream::streamed;
 pub use target::Target;
-pub use write::{burst_first, colour, complain, emit, save, save_all, warn, warn_behind};
+pub use write::{burst_first, complain, emit, save, save_all, warn, warn_behind};
 
 use crate::clean;
 use crate::failure::Failure;

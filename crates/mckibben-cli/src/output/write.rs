@@ -96,11 +96,6 @@ pub fn complain(text: &str) {
     let _ = writeln!(anstream::stderr(), "{}", styled(text, "\n  hint:", HINT));
 }
 
-/// Whether standard output shows colours.
-pub fn colour() -> bool {
-    anstream::AutoStream::choice(&std::io::stdout()) != anstream::ColorChoice::Never
-}
-
 /// Writes a file of some content in the place of one that may be lost.
 pub fn save(target: Target<'_>, content: Content, bytes: &[u8]) -> Result<(), Failure> {
     check(target, &content)?;

@@ -37,22 +37,6 @@ const FLAGS: &[Case] = &[
         "quantity",
         "or `inextensible`, or `paper`",
     ),
-    // Pictures.
-    (
-        "a picture as a page",
-        "simulate -p 0.2 -e 0 --picture DIR/a.html",
-        2,
-        "plot",
-        "must end in .svg, .png or .pdf",
-    ),
-    (
-        "a picture of something unknown",
-        "simulate -p 0.2 -e 0 --picture DIR/a.svg --show colour",
-        2,
-        "show",
-        "max_stretch",
-    ),
-    ("a cut without a picture", "simulate -p 0.2 -e 0 --cut", 2, "usage", "--picture"),
     // Terminals.
     ("a terminal of wood", "force --model fe3d -p 0.2 --terminal wood", 2, "terminal", "aluminium:20mm:3mm"),
     (

@@ -237,7 +237,6 @@ fn a_foreign_file_is_replaced_by_no_text_table_or_figure() {
         ("report -D 30 -p 0.1 -o ".into(), "report.html", "<!DOCTYPE html><p>mine</p>"),
         ("schema force -o ".into(), "schema.json", "{\"mine\": 1}"),
         ("simulate --model fe3d --mesh 1x4 -p 0.01 -e 0.1 --export-inp ".into(), "t.inp", "*HEADING\nmine"),
-        ("simulate -p 0.1 -e 0.1 --picture ".into(), "picture.svg", "<svg></svg>"),
     ] {
         let command = format!("{command}{file}");
         fs::write(at(file), foreign).unwrap();

@@ -43,7 +43,7 @@ fn a_fitted_formula_is_a_model_of_every_command() {
         format!("curve isobaric {muscle} --model g.json"),
         format!("compare {muscle} --models fe,g.json,paper -p 0.1,0.2"),
         format!("muscle show {muscle} -p 0.2 --model g.json"),
-        "design --force 700N --contraction 15% --max-pressure 2.5bar --model g.json --no-chart".into(),
+        "design --force 700N --contraction 15% --max-pressure 2.5bar --model g.json".into(),
         "formula show g.json".into(),
         "formula show g.json --latex".into(),
         "formula show g.json --format csv".into(),

@@ -70,7 +70,6 @@ fn a_file_is_what_its_ending_says() {
         ("schema force -o x.toml", "end it in .json"),
         ("force my.toml -p 6bar -o table.xlsx", ".txt, .json, .csv and .parquet"),
         ("curve isobaric my.toml --model ideal --plot x.docx", ".svg, .png, .pdf or .html"),
-        ("simulate my.toml --picture x.html", ".svg, .png or .pdf"),
     ] {
         let words = words.replace(" --model ideal -p", " -p");
         let ran = line(dir.path(), &words);
@@ -122,7 +121,7 @@ fn a_figure_named_pdf_is_a_pdf_with_the_width_of_a_column() {
 #[test]
 fn the_joint_file_of_a_design_names_the_muscle_file_that_was_written() {
     let dir = folder();
-    let words = "design --joint 3Nm@30deg -p 4bar --length 250 --rubber dragon-skin-30 --model thick-wall --verify none --no-chart";
+    let words = "design --joint 3Nm@30deg -p 4bar --length 250 --rubber dragon-skin-30 --model thick-wall --verify none";
     let ran = line(dir.path(), &format!("{words} -o el.toml")).ok();
     assert!(ran.text().contains("file = \"el.toml\""), "{}", ran.text());
     assert!(!ran.text().contains("winner.toml"), "{}", ran.text());
@@ -155,7 +154,7 @@ fn what_people_read_is_in_the_unit_of_the_first_pressure_that_was_typed() {
         "curve isobaric my.toml -p 2,4bar --model thick-wall",
         "muscle show my.toml -p 60bar --model thick-wall",
         "simulate my.toml -p -1,2bar",
-        "design my.toml -F 700N -e 15% -p 6bar --model thick-wall --verify none --no-chart",
+        "design my.toml -F 700N -e 15% -p 6bar --model thick-wall --verify none",
         "design my.toml -F 700N -e 15% -p -6bar",
     ] {
         let ran = line(dir.path(), words);
@@ -400,7 +399,7 @@ fn no_answer_is_said_in_words_of_the_muscle_and_not_of_the_solver() {
         ("pressure -F 300N -e 40%", "this braid contracts by 34.6 % at most"),
         ("pressure my.toml -F 300N -e 40%", "this braid contracts by 37.7 % at most"),
         ("force my.toml -p 36", "take stiffer strands"),
-        ("design -F 700N -e 15% -p 100bar -D 20..40:10 -s 1,2 --no-chart", "strands"),
+        ("design -F 700N -e 15% -p 100bar -D 20..40:10 -s 1,2", "strands"),
     ] {
         let ran = line(dir.path(), words);
         let text = format!("{}{}", ran.text(), ran.err);
@@ -453,7 +452,7 @@ fn no_message_has_digits_that_nobody_reads() {
 #[test]
 fn a_design_says_what_it_assumed_and_that_a_stiffer_sleeve_would_do() {
     let dir = folder();
-    let words = "design -F 700N -e 15% -p 6bar -D 28,30 -s 1,2,3 --no-chart";
+    let words = "design -F 700N -e 15% -p 6bar -D 28,30 -s 1,2,3";
     let ran = line(dir.path(), words);
     assert_eq!(ran.code, 1, "{}", ran.err);
     for said in [
@@ -477,7 +476,7 @@ fn a_design_says_what_it_assumed_and_that_a_stiffer_sleeve_would_do() {
 #[test]
 fn walls_that_nobody_makes_are_warned_of() {
     let dir = folder();
-    let words = "design -F 100N -e 5% -p 2bar -D 40 -s WALL --model thick-wall --verify none --no-chart";
+    let words = "design -F 100N -e 5% -p 2bar -D 40 -s WALL --model thick-wall --verify none";
     let thin = line(dir.path(), &words.replace("WALL", "0.5")).ok();
     assert!(thin.err.contains("a wall of 0.5 mm on a tube of 40 mm is rarely available"), "{}", thin.err);
     let usual = line(dir.path(), &words.replace("WALL", "1.5")).ok();

@@ -115,7 +115,7 @@ fn a_folder_of_ones_own_points_is_made_and_checked() {
 /// A requirement that a DMSP-20 meets (570 ± 330 N at 5 bar and 10 %, a regression), and one that none meets.
 #[test]
 fn a_design_says_which_muscle_as_sold_would_do() {
-    let found = json("design --force 200N --contraction 10% --max-pressure 5bar --no-chart --verify none");
+    let found = json("design --force 200N --contraction 10% --max-pressure 5bar --verify none");
     let bought = found["bought"].as_array().unwrap();
     let names: Vec<&str> = bought.iter().filter_map(|b| b["name"].as_str()).collect();
     assert!(names.contains(&"lib:dmsp-20-300"), "{names:?}");
@@ -125,7 +125,7 @@ fn a_design_says_which_muscle_as_sold_would_do() {
         );
     }
     let none = json(
-        "design --force 3000N --contraction 10% --max-pressure 2bar --no-chart --verify none --model thick-wall -D 40..80",
+        "design --force 3000N --contraction 10% --max-pressure 2bar --verify none --model thick-wall -D 40..80",
     );
     assert!(none.get("bought").is_none(), "{:#}", none["bought"]);
 }
@@ -133,7 +133,7 @@ fn a_design_says_which_muscle_as_sold_would_do() {
 /// By hand: 7 circles have ρ = 3; pull, ± and air of all are seven times those of one.
 #[test]
 fn a_bundle_shares_the_requirement() {
-    let line = "design --force 700N --contraction 15% --max-pressure 2.5bar -D 5..30 -s 1mm --model thick-wall --verify none --no-chart";
+    let line = "design --force 700N --contraction 15% --max-pressure 2.5bar -D 5..30 -s 1mm --model thick-wall --verify none";
     let one = json(&line.replace("700N", "100N"));
     let seven = json(&format!("{line} --bundle 7"));
     let (a, b) = (&one["candidates"][0], &seven["candidates"][0]);

@@ -51,8 +51,7 @@ fn a_guaranteed_design_meets_the_requirement_with_the_lower_end_of_its_uncertain
         let lower = number(&answer["force_n"]) - widths * number(&answer["uncertainty_n"]);
         assert!(lower >= 300.0 * (1.0 - 1e-9), "{share}: {lower}");
     }
-    let shown =
-        run_in(dir.path(), &format!("{line} --guaranteed --no-chart").split_whitespace().collect::<Vec<_>>());
+    let shown = run_in(dir.path(), &format!("{line} --guaranteed").split_whitespace().collect::<Vec<_>>());
     let text = shown.text();
     assert!(text.contains("guaranteed: the lower end of the ± (95 %) meets it"), "{text}");
     let wrong =

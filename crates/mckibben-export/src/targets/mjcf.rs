@@ -1,4 +1,4 @@
-//! MuJoCo: a scene in MJCF, with no plugin and no callback.
+//! MuJoCo: a scene in MJCF with native actuators, and the form itself as a plugin around the C target, with a scene of its own.
 //!
 //! MuJoCo has no actuator F(P, L). Two of its actuators on one tendon make one, with x = L/L0 and the pressure P as the control of both:
 //!
@@ -12,18 +12,19 @@
 //! is −force · fpmax (L − 1)²/2 for 1 ≤ L ≤ 2 with `lmax` 3, and L − 1 = length/span with `range` 1 2. (MuJoCo, "Computation",
 //! section "Muscle actuators"; engine_util_misc.c.) A limit of the force of all actuators at the tendon makes it slack.
 
-use super::entry::TargetEntry;
+use super::Target;
+use super::c::{rendered, sources};
 use super::host_fit::fit;
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
 use crate::template::{number, render};
 use crate::{Artefact, File, HostError};
 
-pub(super) const ENTRY: TargetEntry = TargetEntry {
+pub(super) const TARGET: Target = Target {
     name: "mjcf",
-    about: "a MuJoCo scene of native actuators on a tendon, without plugin or callback",
-    needs: "MuJoCo 3.3 or later",
-    loses: "the form: pull is linear in the pressure and of second degree in the length, from the length at rest to the free contraction; no volume",
+    about: "a MuJoCo scene of native actuators on a tendon, without plugin or callback; beside it the form itself as a plugin in C, with its scene",
+    needs: "MuJoCo 3.3 or later; for the plugin its headers (the Python package has them) and a C compiler",
+    loses: "friction; without the plugin the form: pull is linear in the pressure and of second degree in the length, from the length at rest to the free contraction; no volume",
     make,
 };
 
@@ -118,11 +119,42 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
         slope,
         "both actuators of a muscle take the same control: its gauge pressure in Pa".into(),
     ];
-    Ok(Artefact { files: vec![scene(muscle, &facts, &own)], notes })
+    let about = "a mass that hangs from the muscle, with native actuators";
+    let mut files = vec![scene(("muscle.xml", about), muscle, &facts, &own)];
+    files.extend(plugin(muscle));
+    Ok(Artefact { files, notes })
+}
+
+/// The form itself with one control for a muscle, and a scene that uses it.
+fn plugin(muscle: &ExportedMuscle) -> Vec<File> {
+    let (id, supply) = (muscle.identifier(), number(muscle.form.supply_pa));
+    let actuator = include_str!("../../templates/muscle_plugin.xml");
+    let own = [
+        ("also", " and <extension>".to_owned()),
+        ("extension", format!("  <extension><plugin plugin=\"mckibben.{id}\"/></extension>")),
+        ("limit", String::new()),
+        ("actuators", render(actuator, &[], &[("id", id), ("supply", supply)])),
+        ("half", number(0.5 * muscle.form.supply_pa)),
+    ];
+    let mut files = vec![
+        File::text(
+            "muscle_plugin.c",
+            "the plugin; its first lines have the commands to compile and load it",
+            rendered(include_str!("../../templates/muscle_plugin.c"), muscle),
+        ),
+        scene(("muscle_plugin.xml", "the same mass by the plugin"), muscle, &muscle.facts(), &own),
+    ];
+    files.extend(sources(muscle));
+    files
 }
 
 /// A scene in which a mass hangs from the muscle, with the actuators of a target.
-pub(super) fn scene(muscle: &ExportedMuscle, facts: &[String], own: &[(&'static str, String)]) -> File {
+fn scene(
+    (name, about): (&'static str, &'static str),
+    muscle: &ExportedMuscle,
+    facts: &[String],
+    own: &[(&'static str, String)],
+) -> File {
     let (length, blocked_n) = (muscle.form.length_m, muscle.blocked_force_n);
     let (mass_kg, stiffness) = (0.4 * blocked_n / 9.81, 6.0 * blocked_n / length);
     let common = [
@@ -132,5 +164,5 @@ pub(super) fn scene(muscle: &ExportedMuscle, facts: &[String], own: &[(&'static 
         ("damping", number(0.5 * 2.0 * (stiffness * mass_kg).sqrt())),
     ];
     let text = render(include_str!("../../templates/muscle.xml"), facts, &[&common[..], own].concat());
-    File::text("muscle.xml", "a mass that hangs from the muscle", text)
+    File::text(name, about, text)
 }

@@ -2,84 +2,40 @@
 
 mod c;
 mod common;
-mod csv;
-mod entry;
 mod fmu;
 mod host_fit;
-mod mat_file;
-mod matlab;
 mod mjcf;
-mod mjcf_plugin;
 mod opensim;
 mod python;
-mod tables;
-mod xlsx;
 mod zip;
-
-pub use entry::TargetEntry;
 
 use crate::Artefact;
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
-use std::str::FromStr;
 
-macro_rules! targets {
-    ($($(#[$about:meta])* $name:ident => $entry:path,)*) => {
-        /// A host.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-        pub enum Target {
-            $($(#[$about])* $name,)*
-        }
-
-        impl Target {
-            /// All of them.
-            pub const ALL: &[Self] = &[$(Self::$name),*];
-
-            /// What is known of it.
-            pub fn entry(self) -> &'static TargetEntry {
-                match self {
-                    $(Self::$name => &$entry,)*
-                }
-            }
-        }
-    };
-}
-
-targets! {
-    /// C99.
-    C => c::ENTRY,
-    /// Python.
-    Python => python::ENTRY,
-    /// Tables.
-    Csv => csv::ENTRY,
-    /// MATLAB, Simulink and GNU Octave.
-    Matlab => matlab::ENTRY,
-    /// MuJoCo.
-    Mjcf => mjcf::ENTRY,
-    /// MuJoCo with a plugin.
-    MjcfPlugin => mjcf_plugin::ENTRY,
-    /// Functional Mock-up Unit.
-    Fmu => fmu::ENTRY,
-    /// Functional Mock-up Unit of a muscle on a valve.
-    FmuValve => fmu::VALVE,
-    /// OpenSim.
-    Opensim => opensim::ENTRY,
-    /// Workbook.
-    Xlsx => xlsx::ENTRY,
+/// A host, and what is known of it.
+#[derive(Debug, Clone, Copy)]
+pub struct Target {
+    pub name: &'static str,
+    pub about: &'static str,
+    pub needs: &'static str,
+    /// What of the muscle it loses.
+    pub loses: &'static str,
+    make: fn(&ExportedMuscle) -> Result<Artefact, ExportError>,
 }
 
 impl Target {
+    /// All of them.
+    pub const ALL: [Self; 5] = [c::TARGET, python::TARGET, mjcf::TARGET, fmu::TARGET, opensim::TARGET];
+
     /// Their words, in one line.
     pub fn names() -> String {
-        Self::ALL.iter().map(|t| t.entry().name).collect::<Vec<_>>().join(", ")
+        Self::ALL.map(|t| t.name).join(", ")
     }
-}
 
-impl FromStr for Target {
-    type Err = ExportError;
-
-    fn from_str(name: &str) -> Result<Self, ExportError> {
-        let found = Self::ALL.iter().copied().find(|t| t.entry().name == name.trim());
+    /// The target of this name.
+    pub fn named(name: &str) -> Result<Self, ExportError> {
+        let found = Self::ALL.into_iter().find(|t| t.name == name.trim());
         found.ok_or_else(|| ExportError::Target { name: name.to_owned() })
     }
 }
@@ -87,6 +43,6 @@ impl FromStr for Target {
 impl ExportedMuscle {
     /// The files for a target.
     pub fn to(&self, target: Target) -> Result<Artefact, ExportError> {
-        (target.entry().make)(self)
+        (target.make)(self)
     }
 }

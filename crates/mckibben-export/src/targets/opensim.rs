@@ -7,7 +7,7 @@
 //!
 //! (OpenSim 4.6, McKibbenActuator.cpp.) Thread and turns are those with which the sum is nearest to the model, not those of the braid.
 
-use super::entry::TargetEntry;
+use super::Target;
 use super::host_fit::fit;
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
@@ -15,7 +15,7 @@ use crate::template::{number, render};
 use crate::{Artefact, File};
 use std::f64::consts::PI;
 
-pub(super) const ENTRY: TargetEntry = TargetEntry {
+pub(super) const TARGET: Target = Target {
     name: "opensim",
     about: "an OpenSim model: a McKibbenActuator beside a force by an expression, without plugin",
     needs: "OpenSim 4.6 or later",

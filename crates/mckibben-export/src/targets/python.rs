@@ -1,13 +1,13 @@
 //! Python: one file of functions for numbers and arrays of NumPy, JAX and PyTorch.
 
+use super::Target;
 use super::common::common;
-use super::entry::TargetEntry;
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
 use crate::template::{list, lists, number, render};
 use crate::{Artefact, File};
 
-pub(super) const ENTRY: TargetEntry = TargetEntry {
+pub(super) const TARGET: Target = Target {
     name: "python",
     about: "one Python file, the same for NumPy, JAX (jit, vmap, grad) and PyTorch",
     needs: "NumPy, or the library of the arrays that it is given",

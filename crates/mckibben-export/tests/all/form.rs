@@ -6,7 +6,7 @@ use mckibben::model::Workspace;
 use mckibben::muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube};
 use mckibben::random::{Random, rounds};
 use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
-use mckibben_export::{CONTRACTION_OUTSIDE, Form, NO_ANSWER, OK, PRESSURE_OUTSIDE, SLACK};
+use mckibben_export::{CONTRACTION_OUTSIDE, Form, OK, PRESSURE_OUTSIDE, SLACK};
 use std::f64::consts::TAU;
 use std::sync::LazyLock;
 
@@ -75,7 +75,7 @@ fn slopes_are_those_of_pull_and_volume() {
 }
 
 #[test]
-fn both_inverses_return_what_they_are_given() {
+fn the_contraction_of_a_pull_has_that_pull() {
     let form = &*PROTOTYPE;
     for q in [0.05, 0.3, 0.8, 0.99, 1.3] {
         for e in [-0.07, -0.02, 0.0, 0.1, 0.2, 0.26] {
@@ -84,15 +84,10 @@ fn both_inverses_return_what_they_are_given() {
             if here.status & SLACK != 0 {
                 continue;
             }
-            let (pressure, status) = form.pressure(here.force_n, e);
-            assert!((pressure - p).abs() < 1e-8 * form.supply_pa, "{q} {e}: {pressure}");
-            assert_eq!(status, here.status, "{q} {e}");
             let contraction = form.contraction(here.force_n, p);
             assert!((contraction - e).abs() < 1e-10, "{q} {e}: {contraction}");
         }
     }
-    let (pressure, status) = form.pressure(-5.0, -0.02);
-    assert_eq!((pressure, status), (0.0, NO_ANSWER));
 }
 
 #[test]
@@ -224,35 +219,11 @@ fn friction_is_that_of_the_muscle_within_the_error_of_its_two_terms() {
         for q in [0.04, 0.25, 0.36, 0.7, 1.0] {
             let mut branch = |direction| force_on(&*model, w, q * supply_mpa, 0.1, direction).unwrap();
             let half_n = 0.5 * (branch(Direction::Elongation) - branch(Direction::Contraction));
-            let ours_n = form.friction_half_width_n(1e6 * q * supply_mpa);
+            let ours_n = form.friction_n[0] * q.sqrt() + form.friction_n[1] * q;
             assert!(
                 (ours_n - half_n).abs() <= missed(q) + 1e-9 * full_n,
                 "{exponent} {q}: {ours_n} {half_n}"
             );
         }
     }
-}
-
-/// An identity: at the pressure of a branch the pull with the friction is the one that was asked for; a pull that the supply does not give on the
-/// branch of shortening has none.
-#[test]
-fn the_pressure_on_a_branch_gives_the_pull_on_it() {
-    let friction = Friction { lever_mm: 0.8, ..Friction::power_law(20.0, 0.7) };
-    let muscle = Muscle::prototype().with_friction(Some(friction)).unwrap();
-    let form = exported(&muscle, 0.3).unwrap().form;
-    for contraction in [0.0, 0.1, 0.18] {
-        for wanted_n in [60.0, 150.0, 250.0] {
-            for branch in Direction::ALL {
-                let (pressure_pa, status) = form.pressure_on(wanted_n, contraction, branch);
-                let half_n = form.friction_half_width_n(pressure_pa);
-                let pull_n = form.at(pressure_pa, contraction).force_n + branch.sign() * half_n;
-                assert_eq!(status, 0, "{contraction} {wanted_n} {branch:?}");
-                assert!((pull_n - wanted_n).abs() < 1e-6, "{contraction} {wanted_n} {branch:?}: {pull_n}");
-            }
-        }
-    }
-    let most_n = form.at(3e5, 0.1).force_n - form.friction_half_width_n(3e5);
-    let branch = Direction::Contraction;
-    assert_eq!(form.pressure_on(most_n - 1.0, 0.1, branch).1, 0);
-    assert_eq!(form.pressure_on(most_n + 1.0, 0.1, branch), (3e5, NO_ANSWER));
 }

@@ -11,7 +11,6 @@ mod helices;
 mod revolve;
 mod series;
 mod shape;
-mod skin;
 mod stations;
 pub mod vtu;
 
@@ -20,5 +19,5 @@ pub use eighth::Extent;
 pub use error::VtuError;
 pub use fields::{FIELDS, Field};
 pub use series::{VtuFile, VtuSeries};
-pub use shape::{Seen, Shape};
+pub use shape::Shape;
 pub use stations::Stations;

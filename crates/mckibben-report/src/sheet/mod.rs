@@ -1,8 +1,7 @@
-//! Technical drawings: lines, circles and texts on a sheet of paper, as SVG, PDF and DXF.
+//! Technical drawings: lines, circles and texts on a sheet of paper, as SVG and PDF.
 //!
 //! Places are in mm from the lower left corner of the sheet, y upwards. Widths of lines follow ISO 128-2: outlines twice as wide as all others.
 
-mod dxf;
 mod svg;
 
 /// A sheet with a drawing on it.
@@ -30,8 +29,6 @@ pub enum Pen {
 }
 
 impl Pen {
-    pub(super) const ALL: [Self; 3] = [Self::Outline, Self::Thin, Self::Axis];
-
     pub(super) fn width_mm(self) -> f64 {
         match self {
             Self::Outline => 0.5,

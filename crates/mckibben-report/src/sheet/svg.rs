@@ -41,7 +41,7 @@ impl Sheet {
     fn place(&self, [x, y]: [f64; 2]) -> Result<(f64, f64), FigureError> {
         match x.is_finite() && y.is_finite() {
             true => Ok((x * PER_MM, (self.height_mm - y) * PER_MM)),
-            false => Err(FigureError::NotFinite { title: self.title.clone(), what: "a place" }),
+            false => Err(FigureError::NotFinite { title: self.title.clone() }),
         }
     }
 

@@ -120,7 +120,7 @@ pub fn own_legends() -> Figure {
                 50.0 * f64::from(i + k) + 30.0 * f64::from(k) * (f64::from(t) / 6.0 + f64::from(i)).sin()
             };
             let points: Vec<_> = (0..40).map(|t| (f64::from(t) * 1e4, wave(t))).collect();
-            let style = if i == 2 { Style::LineAndPoints } else { Style::Auto };
+            let style = if i == 2 { Style::Points } else { Style::Auto };
             panel = panel.series(Series::new(format!("variant {k}.{i}"), points).style(style));
         }
         figure = figure.panel(panel.mark(Mark::new(2e5, 60.0, "a point")));

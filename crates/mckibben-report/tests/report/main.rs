@@ -6,5 +6,3 @@ mod figures;
 mod drawing;
 mod files;
 mod pdf;
-mod scene;
-mod terminal;

@@ -1,4 +1,4 @@
-// The muscle as files: a report, what the workshop needs, code and tables for controllers and simulators, and files of
+// The muscle as files: a report, what the workshop needs, code for controllers and simulators, and files of
 // finite-element programs.
 import { engine } from "../ask.js";
 import { address, write } from "../address.js";
@@ -10,7 +10,7 @@ import { form, job, warnings } from "../form.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { fileName } from "../name.js";
-import { withPixels, withViewer } from "../report.js";
+import { withViewer } from "../report.js";
 import { number, onUnits, show, unitName } from "../units.js";
 
 /** @typedef {import("../../../types/commands").Commands} Commands */
@@ -50,7 +50,7 @@ function reportCard(place) {
     return { ...muscle.fields(), pressure_mpa: muscle.p, contraction: muscle.e, units: units(), name: muscle.name,
       ...read, html: true };
   }, async (answer) => {
-    const html = await withViewer(withPixels(answer.html ?? ""));
+    const html = await withViewer(answer.html ?? "");
     const name = fileName(muscle.name, "-report.html"), save = () => download(name, html, "text/html");
     done.replaceChildren(warnings(answer.warnings), el("p", {},
       el("button", { type: "button", class: "main", onclick: save }, `Save ${name}`), " ",
@@ -70,7 +70,7 @@ function errorLine(answer) {
     + `${show("force", answer.uncertainty_n, 2)}.`;
 }
 
-/** Code and tables. @param {() => void} place */
+/** Code. @param {() => void} place */
 function exportCard(place) {
   /** @type {readonly Target[]} */ let targets = [];
   const box = form(BOX, () => go.run()), done = el("div", {}), about = el("p", { class: "small soft" });

@@ -4,38 +4,33 @@
 //! muscle from `resources/muscle.bin`. `checks/fmu-binaries.sh` makes it for each system, from the templates alone; a unit has all of them, so
 //! that its user needs no compiler.
 
-mod kind;
 mod variables;
 
+use super::Target;
 use super::c::{rendered, sources};
-use super::entry::TargetEntry;
 use super::zip::zip;
 use crate::error::ExportError;
 use crate::form::NODES;
 use crate::muscle::ExportedMuscle;
 use crate::template::render;
 use crate::{Artefact, File};
-use kind::Kind;
 use variables::{Variable, settings};
 
-pub(super) const ENTRY: TargetEntry = TargetEntry {
+pub(super) const TARGET: Target = Target {
     name: "fmu",
-    about: "Functional Mock-up Units of FMI 2.0 and of FMI 3.0, Model Exchange and Co-Simulation, with libraries and their sources",
-    needs: NEEDS,
-    loses: "friction",
-    make: |muscle| make(muscle, Kind::Pressure),
+    about: "Functional Mock-up Units of FMI 2.0 and of FMI 3.0, with the pressure or a valve as input, Model Exchange and Co-Simulation, with libraries and their sources",
+    needs: "a tool that reads FMI 2.0 or 3.0, on Linux or Windows (x86-64) or macOS (x86-64, arm64); no compiler",
+    loses: "friction; of a valve its lag, and hoses",
+    make,
 };
 
-pub(super) const VALVE: TargetEntry = TargetEntry {
-    name: "fmu-valve",
-    about: "the same units for a muscle on a valve: the command of the valve is the input, and the air is a state",
-    needs: NEEDS,
-    loses: "friction, the lag of the valve, hoses",
-    make: |muscle| make(muscle, Kind::Valve),
-};
-
-const NEEDS: &str =
-    "a tool that reads FMI 2.0 or 3.0, on Linux or Windows (x86-64) or macOS (x86-64, arm64); no compiler";
+/// What drives a unit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Pressure,
+    /// The command of a valve.
+    Valve,
+}
 
 /// A system: its folder in FMI 2.0 and in FMI 3.0, the ending of a library, and the library.
 struct System {
@@ -65,11 +60,19 @@ const SYSTEMS: [System; 4] = [
 const MACOS: [&[u8]; 2] =
     [include_bytes!("../../../binaries/x86_64-darwin"), include_bytes!("../../../binaries/aarch64-darwin")];
 
-fn make(muscle: &ExportedMuscle, kind: Kind) -> Result<Artefact, ExportError> {
+fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
+    let files = [units(muscle, Kind::Pressure)?, units(muscle, Kind::Valve)?].concat();
+    Ok(Artefact { files, notes: vec![] })
+}
+
+/// The unit of a kind in both versions of FMI.
+fn units(muscle: &ExportedMuscle, kind: Kind) -> Result<[File; 2], ExportError> {
     let (id, facts) = (muscle.identifier(), muscle.facts());
-    let (about, [second_name, third_name]) = match kind {
-        Kind::Pressure => ("", ["muscle.fmu", "muscle_fmi3.fmu"]),
-        Kind::Valve => ("air-", ["muscle_valve.fmu", "muscle_valve_fmi3.fmu"]),
+    let (about, [second_name, third_name], what) = match kind {
+        Kind::Pressure => ("", ["muscle.fmu", "muscle_fmi3.fmu"], "the unit, FMI 2.0"),
+        Kind::Valve => {
+            ("air-", ["muscle_valve.fmu", "muscle_valve_fmi3.fmu"], "the muscle on a valve, FMI 2.0")
+        }
     };
     let token = format!("{{mckibben-{about}{}}}", muscle.hash);
     let variables = variables::variables(muscle, kind);
@@ -120,11 +123,10 @@ fn make(muscle: &ExportedMuscle, kind: Kind) -> Result<Artefact, ExportError> {
         }
     }
     second.push((library("darwin64", "dylib"), universal(&MACOS)));
-    let files = vec![
-        File::bytes(second_name, "the unit, FMI 2.0", unit(second)?),
+    Ok([
+        File::bytes(second_name, what, unit(second)?),
         File::bytes(third_name, "the same, FMI 3.0", unit(third)?),
-    ];
-    Ok(Artefact { files, notes: vec![] })
+    ])
 }
 
 /// `muscle.bin`, as fmu2.c reads it.

@@ -1,6 +1,6 @@
 //! The variables of a unit, and what `modelDescription.xml` has of them in both versions of FMI.
 
-use super::kind::Kind;
+use super::Kind;
 use crate::muscle::ExportedMuscle;
 use crate::template::number;
 use std::fmt::Write as _;
