@@ -358,9 +358,7 @@ impl From<CampaignError> for Problem {
             | CampaignError::Foreign { .. }
             | CampaignError::Appeared { .. } => ProblemKind::Output,
             CampaignError::ShardOfFile { .. } | CampaignError::OtherFormat { .. } => ProblemKind::Usage,
-            CampaignError::Plan(_) | CampaignError::NoCampaign { .. } | CampaignError::Codec { .. } => {
-                ProblemKind::File
-            }
+            CampaignError::NoCampaign { .. } | CampaignError::Codec { .. } => ProblemKind::File,
             #[cfg(feature = "files")]
             CampaignError::Read { .. } => ProblemKind::File,
         };

@@ -1,6 +1,5 @@
 //! Why a campaign does not run, or a store cannot be read.
 
-use mckibben::muscle::file::FileError;
 use mckibben::threads::ThreadsError;
 #[cfg(feature = "store")]
 use std::path::Path;
@@ -10,9 +9,6 @@ use thiserror::Error;
 /// Why a campaign does not run, or a store cannot be read.
 #[derive(Debug, Error)]
 pub enum CampaignError {
-    /// The plan.
-    #[error("{0}")]
-    Plan(#[from] FileError),
     /// The store holds the table of another plan.
     #[error("{} contains a campaign of another plan (sha256 {}, this plan has {})", .path.display(), short(.theirs), short(.ours))]
     OtherPlan {
