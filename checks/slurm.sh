@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Campaigns under a real Slurm on one node: submit, kill a shard, kill the node's daemon in mid-run, cancel, resubmit, merge. The merged file
-# has the bytes of a local run. Sets up slurmctld, slurmd and munged of Debian's packages in a folder of its own, and takes all down.
+# The lines of docs/campaigns-engines.md under a real Slurm on one node: as they are, with a shard that is killed, and cancelled in mid-run. The merged
+# file has the bytes of a local run. Sets up slurmctld, slurmd and munged of Debian's packages in a folder of its own, and takes all down.
 #
 # Usage: slurm.sh PROGRAM      (as root; installs slurm-wlm and munge if they are not there)
 set -euo pipefail
@@ -18,7 +18,7 @@ end() {
     rm -rf "$work"
 }
 trap end EXIT
-fail() { echo "slurm.sh: $*" >&2; tail -n 5 "$work"/*.log "$work"/*/.submitted/*.log >&2 2>/dev/null || true; exit 1; }
+fail() { echo "slurm.sh: $*" >&2; tail -n 5 "$work"/*.log "$work"/*/*.log >&2 2>/dev/null || true; exit 1; }
 until_true() { local seconds=$1; shift; for ((i = 0; i < 10 * seconds; i++)); do if "$@" >/dev/null 2>&1; then return 0; fi; sleep 0.1; done; fail "waited $seconds s for: $*"; }
 
 # --- one node ---
@@ -63,16 +63,15 @@ CONF
 echo "CgroupPlugin=cgroup/v1" > "$work/cgroup.conf"
 until_true 10 test -S "$work/munge/socket"
 slurmctld -D -f "$SLURM_CONF" 2>>"$work/slurmctld.err" & started+=($!)
-slurmd -D -f "$SLURM_CONF" 2>>"$work/slurmd.err" & slurmd=$!; started+=("$slurmd")
+slurmd -D -f "$SLURM_CONF" 2>>"$work/slurmd.err" & started+=($!)
 until_true 30 bash -c "sinfo -h -o %T | grep -q idle"
 
 # --- the local run ---
 cd "$work"
 cat > plan.toml <<'PLAN'
-name = "slurm check"
 [sampling]
 method = "sobol"
-samples = 400
+samples = 3000
 seed = 5
 [vary]
 tube.outer_diameter = "20..50 mm"
@@ -88,65 +87,41 @@ from=$(date +%s.%N)
 echo "local run: $(echo "$(date +%s.%N) - $from" | bc) s on two processors"
 expected=$(sha256sum < local.parquet)
 
-json() { { "$program" campaign status "$1" --format json || true; } | python3 -c "import json,sys; print(json.load(sys.stdin)['$2'])"; }
-running() { pgrep -f -- "campaign .*-o $work/$1 --shard" | head -1; }
+same() { [ "$(sha256sum < campaign.parquet)" = "$expected" ] || fail "$1: other bytes than the local run"; echo "$1: the same bytes"; }
 no_jobs() { [ -z "$(squeue -h)" ]; }
-same() { [ "$(sha256sum < "$1")" = "$expected" ] || fail "$1 has other bytes than the local run"; }
+running() { pgrep -f -- "campaign plan.toml -o parts/ --shard" | head -1; }
+mkdir bin
+ln -s "$program" bin/mckibben
+export PATH=$work/bin:$PATH
+python3 - "$root/docs/campaigns-engines.md" > recipe.sh <<'READ'
+import sys
+blocks = open(sys.argv[1]).read().split("```text\n")[1:]
+print(next(block.split("```")[0] for block in blocks if "sbatch" in block))
+READ
 
-# --- dry run, submit, merge ---
-"$program" campaign submit plan.toml -o plain --shards 4 --dry-run | grep -q 'sbatch --parsable.*--dependency=afterany:JOB\|sbatch --parsable.*--array=1-4' || fail "dry run"
-test ! -e plain/.submitted/jobs.json
-from=$(date +%s.%N)
-"$program" campaign submit plan.toml -o plain --shards 4 --sbatch-args "--comment=check --nice=0"
-until_true 180 test -f plain.parquet
-same plain.parquet
-echo "submitted in 4 shards: the same bytes after $(echo "$(date +%s.%N) - $from" | bc) s"
-"$program" campaign submit plan.toml -o plain | grep -q "Nothing is missing" || fail "a second submission found something missing"
+# --- as it is ---
+bash recipe.sh
+same "the lines of the docs"
 
-# --- a shard is killed: a named gap with an exit code; resubmitting fills it ---
-"$program" campaign submit plan.toml -o killed --shards 6 >/dev/null
-until_true 60 running killed
-kill -9 "$(running killed)"
-until_true 120 no_jobs
-test ! -e killed.parquet || fail "merged with a gap"
-status=0; "$program" campaign status killed > status.txt || status=$?
-[ "$status" = 1 ] && grep -q "failed" status.txt || fail "status $status: $(cat status.txt)"
-grep -E "failed|shards:" status.txt
-"$program" campaign submit plan.toml -o killed | tee submit.txt
-grep -qE "Submitted of 6 shards: [1-6] " submit.txt || fail "more than one shard was submitted again"
-until_true 120 test -f killed.parquet
-same killed.parquet
+# --- a shard is killed: a named gap with an exit code; the same lines fill it ---
+rm -r parts campaign.parquet
+bash recipe.sh > killed.txt 2>&1 & lines=$!
+kill_one() { kill -9 "$(running)"; }
+until_true 60 kill_one
+status=0; wait "$lines" || status=$?
+[ "$status" = 2 ] && grep -q "parts are missing" killed.txt || fail "exit code $status: $(cat killed.txt)"
+status=0; mckibben campaign status parts > status.txt || status=$?
+[ "$status" = 1 ] && grep -q "missing" status.txt || fail "status $status: $(cat status.txt)"
+bash recipe.sh
+same "a shard was killed"
 
-# --- the node's daemon is killed in mid-run and started again ---
-"$program" campaign submit plan.toml -o daemon --shards 8 >/dev/null
-until_true 60 running daemon
-kill -9 "$slurmd"
-sleep 8
-slurmd -D -f "$SLURM_CONF" 2>>"$work/slurmd.err" & slurmd=$!; started+=("$slurmd")
-until_true 240 no_jobs
-test -f daemon.parquet || { again=" after a second submission"; "$program" campaign submit plan.toml -o daemon; until_true 180 test -f daemon.parquet; }
-same daemon.parquet
-echo "slurmd killed and started again: the same bytes${again:-}"
-
-# --- cancel, and submit again ---
-"$program" campaign submit plan.toml -o cancelled --shards 8 >/dev/null
-until_true 60 running cancelled
-"$program" campaign cancel cancelled
+# --- cancelled, and begun again ---
+rm -r parts campaign.parquet
+bash recipe.sh > cancelled.txt 2>&1 & lines=$!
+until_true 60 running
+scancel --user=root
+wait "$lines" && fail "a merge with a gap"
 until_true 60 no_jobs
-test ! -e cancelled.parquet
-parts=$(json cancelled parts)
-"$program" campaign submit plan.toml -o cancelled
-until_true 180 test -f cancelled.parquet
-same cancelled.parquet
-echo "cancelled with $parts of 100 parts, submitted again: the same bytes"
-
-# --- the share from the environment, in an array and in steps ---
-sbatch --parsable --wait --array=0-9:3 --output=auto.log --wrap "$program campaign plan.toml -o auto --shard auto --quiet" >/dev/null
-"$program" campaign status auto | head -2
-"$program" campaign merge auto -o auto.parquet >/dev/null
-same auto.parquet
-srun -n 2 "$program" campaign plan.toml -o steps --shard auto --threads 1 --quiet
-"$program" campaign merge steps -o steps.parquet >/dev/null
-same steps.parquet
-echo "--shard auto in an array and under srun: the same bytes"
+bash recipe.sh
+same "the array was cancelled"
 echo "Slurm $(sbatch --version | cut -d' ' -f2): all bytes are those of the local run, ${expected%% *}"

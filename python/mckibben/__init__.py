@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from . import jax as jax, plot as plot, torch as torch
     from ._ask import ask as ask, units as units
-    from ._campaign import Campaign as Campaign, Shards as Shards, campaign as campaign
+    from ._campaign import Campaign as Campaign, campaign as campaign
     from ._commands import *
     from ._drives import Drive as Drive, Joint as Joint, Valve as Valve
     from ._errors import *
@@ -44,7 +44,7 @@ _PLACES = {
     name: place
     for place, names in {
         "_ask": "ask units",
-        "_campaign": "Campaign Shards campaign",
+        "_campaign": "Campaign campaign",
         "_drives": "Drive Joint Valve",
         "_formula": "Formula",
         "_load": "load",

@@ -59,20 +59,17 @@ class Campaign(Fixed):
         parts = self._output + ".parts"
         return parts if not os.path.exists(self._output) and os.path.isdir(parts) else self._output
 
-    def run(self, *, shard: str | None = None, threads: int | None = None, overwrite: bool = False, yes: bool = False, progress: Progress = None) -> _answers.Outcome:
+    def run(self, *, shard: str | None = None, threads: int | None = None, overwrite: bool = False, progress: Progress = None) -> _answers.Outcome:
         """Runs the plan, or what is missing of it. Ctrl-C ends it well: what was computed stays, and another run resumes it.
 
         Parameters
         ----------
         shard
-            Only share i of n of the plan, as ``"i/n"``, as parts in a folder; :meth:`merge` joins them. ``"auto"`` takes the share from the
-            environment variables of a cluster's engine, ``"auto/64"`` where it gives no count.
+            Only share i of n of the plan, as ``"i/n"``, as parts in a folder; :meth:`merge` joins them.
         threads
             As many as cores where it is left out. The table does not depend on them.
         overwrite
             Overwrite a file at ``output`` that is not of this plan.
-        yes
-            A plan of more than 10 GB or a day is begun.
         progress
             True for a progress bar, or a function that is called with (done, total).
 
@@ -81,31 +78,13 @@ class Campaign(Fixed):
         Outcome
             What was computed.
         """
-        request = {"plan": self._plan, "output": self._output, "shard": shard, "threads": threads, "overwrite": overwrite, "yes": yes}
+        request = {"plan": self._plan, "output": self._output, "shard": shard, "threads": threads, "overwrite": overwrite}
         request = {name: value for name, value in request.items() if value is not None}
         with listening(progress, "campaign") as heard:
             return _answers.Outcome(_native.ask("campaign", request, heard))
 
-    def submit(self, executor: Executor, *, shards: int = 64, threads: int = 1, yes: bool = False) -> Shards:
-        """Hands the shards of the plan to an executor and returns at once.
-
-        Parameters
-        ----------
-        executor
-            Any ``concurrent.futures.Executor``: a process pool, that of Dask (``client.get_executor()``), …. Its workers need this package, and
-            the folder of ``output`` under the same path.
-        shards
-            Number of tasks, several for each worker.
-        threads
-            Threads of a task.
-        yes
-            A plan of more than 10 GB or a day is begun.
-        """
-        request: dict[str, object] = {"plan": self._plan, "output": self._folder, "threads": threads, "yes": yes}
-        return Shards(self, executor, request, shards)
-
     def status(self) -> _answers.CampaignStatus:
-        """How far the folder of parts is, shard by shard: done, running, waiting, failed, missing."""
+        """How far the folder of parts is, shard by shard: done, running, missing."""
         return _answers.CampaignStatus(_native.ask("campaign-status", {"output": self._folder}))
 
     @property
@@ -164,74 +143,37 @@ class Campaign(Fixed):
         return f"Campaign({self._output!r}" + (f", {self._plan['name']!r})" if self._plan else ")")
 
 
-class Shards:
-    """The shards of a campaign at an executor, as :meth:`Campaign.submit` returns them.
+def _on(campaign: Campaign, executor: Executor, request: dict[str, object], shards: int, progress: Progress) -> None:
+    """Computes the shards of a campaign on an executor, and waits for their end."""
+    folder = os.path.abspath(campaign._folder)
+    os.makedirs(folder, exist_ok=True)
+    stop = os.path.join(folder, f".stop-{uuid.uuid4().hex}")
+    futures: list[Future[None]] = [executor.submit(_shard, {**request, "output": folder, "shard": f"{i}/{shards}"}, stop) for i in range(1, shards + 1)]
 
-    Attributes
-    ----------
-    futures
-        One for each shard. Their results are of no interest: the table is in the folder.
-    """
+    # Futures of some executors (Dask) are not those of the standard library, whose functions do not wait for them.
+    def ended() -> int:
+        return sum(future.done() for future in futures)
 
-    def __init__(self, campaign: Campaign, executor: Executor, request: dict[str, object], shards: int) -> None:
-        self._campaign = campaign
-        os.makedirs(campaign._folder, exist_ok=True)
-        self._stop = os.path.join(os.path.abspath(campaign._folder), f".stop-{uuid.uuid4().hex}")
-        request = {**request, "output": os.path.abspath(campaign._folder)}
-        self.futures: list[Future[None]] = [executor.submit(_shard, {**request, "shard": f"{i}/{shards}"}, self._stop) for i in range(1, shards + 1)]
-
-    def done(self) -> bool:
-        """Whether all of them have ended."""
-        return all(future.done() for future in self.futures)
-
-    def cancel(self) -> None:
-        """Ends them: those that wait are not begun, and those that run end within about a second. What was computed stays."""
-        open(self._stop, "w").close()
-        for future in self.futures:
-            future.cancel()
-
-    def result(self, *, progress: Progress = None) -> Campaign:
-        """Waits for the end and returns the campaign; the table is then in one file if that is its name.
-
-        Parameters
-        ----------
-        progress
-            True for a progress bar, or a function that is called with (done, total) in shards. If it raises, or Ctrl-C does, the shards are cancelled.
-        """
-        try:
-            with listening(progress, "campaign") as heard:
-                # Futures of some executors (Dask) are not those of the standard library, whose functions do not wait for them.
-                while not self.done():
-                    if heard is not None:
-                        heard(sum(future.done() for future in self.futures), len(self.futures))
-                    time.sleep(0.05)
+    try:
+        with listening(progress, "campaign") as heard:
+            while ended() < shards:
                 if heard is not None:
-                    heard(len(self.futures), len(self.futures))
-        except BaseException:
-            self.cancel()
-            self._forget()
-            raise
-        for future in self.futures:
-            if not future.cancelled() and (error := future.exception()) is not None:
-                raise error
-        cancelled = os.path.exists(self._stop)
-        self._forget()
-        if cancelled:
-            raise _problem.of({"kind": "cancelled", "message": "the campaign was cancelled", "hint": "the same call continues from here"})
-        if self._campaign._folder != self._campaign._output:
-            # All parts are there: this writes the file.
-            self._campaign.run(yes=True)
-        return self._campaign
-
-    def _forget(self) -> None:
-        """Removes the file that ends the shards, once none of them looks for it."""
-        while not all(future.done() for future in self.futures):
+                    heard(ended(), shards)
+                time.sleep(0.05)
+            if heard is not None:
+                heard(shards, shards)
+    except BaseException:
+        # Shards that wait are not begun, and those that run end within about a second.
+        open(stop, "w").close()
+        for future in futures:
+            future.cancel()
+        while ended() < shards:
             time.sleep(0.05)
-        if os.path.exists(self._stop):
-            os.remove(self._stop)
-
-    def __repr__(self) -> str:
-        return f"<{sum(future.done() for future in self.futures)} of {len(self.futures)} shards of {self._campaign!r} have ended>"
+        os.remove(stop)
+        raise
+    for future in futures:
+        if (error := future.exception()) is not None:
+            raise error
 
 
 def _shard(request: dict[str, Any], stop: str) -> None:
@@ -254,7 +196,7 @@ def _shard(request: dict[str, Any], stop: str) -> None:
             time.sleep(1)
 
 
-def campaign(plan: FileLike, output: str | PathLike[str], *, executor: Executor | None = None, shards: int = 64, threads: int | None = None, progress: Progress = None, yes: bool = False) -> Campaign:
+def campaign(plan: FileLike, output: str | PathLike[str], *, executor: Executor | None = None, shards: int = 64, threads: int | None = None, progress: Progress = None) -> Campaign:
     """Runs a plan, or what is missing of it, on this machine or on any executor, and waits for its end.
 
     Parameters
@@ -264,15 +206,13 @@ def campaign(plan: FileLike, output: str | PathLike[str], *, executor: Executor 
     output
         The table: one file that ends in ``.parquet``, or a folder of parts.
     executor
-        Any ``concurrent.futures.Executor``; without one the threads of this process. Its workers need this package and the folder of `output`.
+        Any ``concurrent.futures.Executor``: a process pool, that of Dask (``client.get_executor()``); without one the threads of this process. Its workers need this package and the folder of `output`.
     shards
         Number of tasks for the executor, several for each worker.
     threads
         Threads of each task; one where there is an executor, else as many as cores.
     progress
-        True for a progress bar, or a function that is called with (done, total).
-    yes
-        A plan of more than 10 GB or a day is begun.
+        True for a progress bar, or a function that is called with (done, total); on an executor in shards.
 
     Returns
     -------
@@ -287,6 +227,10 @@ def campaign(plan: FileLike, output: str | PathLike[str], *, executor: Executor 
     """
     made = Campaign(output, plan)
     if executor is None or os.path.isfile(made.output):
-        made.run(threads=threads, progress=progress, yes=yes)
+        made.run(threads=threads, progress=progress)
         return made
-    return made.submit(executor, shards=shards, threads=threads or 1, yes=yes).result(progress=progress)
+    _on(made, executor, {"plan": made._plan, "threads": threads or 1}, shards, progress)
+    if made._folder != made.output:
+        # All parts are there: this writes the file.
+        made.run()
+    return made

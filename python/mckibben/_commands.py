@@ -17,7 +17,7 @@ from ._plain import muscle_text, tube_for
 from ._problem import warned
 
 # Commands that are no function of the package: they serve pages and the command line.
-LEFT_OUT = {"quantities", "report", "campaign-show", "campaign-merge", "campaign-status", "campaign-submit", "campaign-cancel", "campaign", "units"}
+LEFT_OUT = {"quantities", "report", "campaign-show", "campaign-merge", "campaign-status", "campaign", "units"}
 # What may be given without its keyword, in this order.
 POSITIONAL = {
     "build": ["muscle", "pressure_mpa"],
@@ -43,7 +43,6 @@ POSITIONAL = {
     "models": ["model"],
     "formula-show": ["file"],
     "identify": ["muscle", "data"],
-    "life": ["muscle", "pressures_mpa"],
     "sweep": ["muscles"],
 }
 DEFAULTS = {("curve", "test"): "isobaric", ("simulate", "test"): "isobaric", ("sweep", "muscles"): 100}

@@ -11,7 +11,7 @@ from ._base import named
 from ._problem import ExistingFileError, InputError
 
 # Fields of requests whose files are tables, and those whose files are formulas.
-TABLES = ("data", "table", "tables", "load_tables", "life_curve")
+TABLES = ("data", "table", "tables", "load_tables")
 FORMULAS = ("formulas", "file")
 
 

@@ -1,10 +1,9 @@
-"""Campaigns on executors: pools, Dask, HyperQueue; workers killed in the middle; cancel and rejoin. All give the bytes of one run."""
+"""Campaigns on executors: pools, Dask; workers killed in the middle; cancel and rejoin. All give the bytes of one run."""
 
 from __future__ import annotations
 
 import os
-import sys
-import time
+from collections.abc import Callable
 from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from pathlib import Path
@@ -54,22 +53,25 @@ class Broken(Executor):
         raise AssertionError("nothing is to be computed")
 
 
-def begun(pool: Executor, out: Path, shards: int, part: str) -> mk.Shards:
-    """A campaign on a pool that has written its first part."""
-    running = mk.Campaign(out, PLAN).submit(pool, shards=shards)
-    while not any(out.parent.glob(part)):
-        time.sleep(0.01)
-    return running
+def once_begun(tmp_path: Path, part: str, then: Callable[[], object]) -> Callable[[int, int], None]:
+    """A progress that does something once the first part is written."""
+    begun: list[Path] = []
+
+    def look(_done: int, _total: int) -> None:
+        if not begun:
+            begun.extend(tmp_path.glob(part))
+            if begun:
+                then()
+
+    return look
 
 
 def test_a_killed_pool_is_joined_again(tmp_path: Path, expected: bytes) -> None:
     out = tmp_path / "parts"
     with ProcessPoolExecutor(2) as pool:
-        shards = begun(pool, out, 10, "parts/part-*")
-        for process in list(pool._processes.values()):
-            process.kill()
+        kill = lambda: [process.kill() for process in list(pool._processes.values())]
         with pytest.raises(BrokenProcessPool):
-            shards.result()
+            mk.campaign(PLAN, out, executor=pool, shards=10, progress=once_begun(tmp_path, "parts/part-*", kill))
     before = mk.Campaign(out).status()
     assert 0 < before.parts < before.parts_wanted and not before.complete
     with ProcessPoolExecutor(2) as pool:
@@ -81,13 +83,15 @@ def test_a_killed_pool_is_joined_again(tmp_path: Path, expected: bytes) -> None:
 
 def test_a_cancelled_campaign_is_joined_again(tmp_path: Path, expected: bytes) -> None:
     out = tmp_path / "c.parquet"
+
+    def leave() -> None:
+        raise KeyboardInterrupt
+
     with ProcessPoolExecutor(2) as pool:
-        shards = begun(pool, out, 4, "c.parquet.parts/part-*")
-        shards.cancel()
-        with pytest.raises(mk.MckibbenError, match="cancelled"):
-            shards.result()
+        with pytest.raises(KeyboardInterrupt):
+            mk.campaign(PLAN, out, executor=pool, shards=4, progress=once_begun(tmp_path, "c.parquet.parts/part-*", leave))
         assert not out.exists() and not list(tmp_path.glob("c.parquet.parts/.stop*"))
-        assert mk.Campaign(out).status().parts < 100
+        assert mk.Campaign(tmp_path / "c.parquet.parts").status().parts < 100
         mk.campaign(PLAN, out, executor=pool, shards=4)
     assert out.read_bytes() == expected
 
@@ -103,32 +107,7 @@ def test_dask_gives_the_same_bytes_while_its_workers_are_killed(tmp_path: Path, 
     distributed = pytest.importorskip("distributed")
     out = tmp_path / "dask.parquet"
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, distributed.Client(cluster) as client:
-        shards = mk.Campaign(out, PLAN).submit(client.get_executor(), shards=20)
-        while not list(tmp_path.glob("dask.parquet.parts/part-*")):
-            time.sleep(0.01)
         # The cluster starts another one in its place.
-        next(iter(cluster.workers.values())).process.process._process.kill()
-        shards.result()
-    assert out.read_bytes() == expected
-
-
-def hyperqueue_of(root: Path) -> Any:
-    """The executor that docs/campaigns-engines.md shows."""
-    page = (root / "docs/campaigns-engines.md").read_text()
-    code = next(block.split("```")[0] for block in page.split("```python\n") if "class HyperQueue" in block)
-    found: dict[str, Any] = {}
-    exec(code, found)
-    return found["HyperQueue"]
-
-
-def test_hyperqueue_gives_the_same_bytes(tmp_path: Path, root: Path, expected: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
-    pytest.importorskip("hyperqueue")
-    from hyperqueue.cluster import LocalCluster, WorkerConfig
-    from hyperqueue.task.function import PythonEnv
-
-    monkeypatch.chdir(tmp_path)
-    out = tmp_path / "hq.parquet"
-    with LocalCluster(worker_config=WorkerConfig(cores=2)) as cluster:
-        executor = hyperqueue_of(root)(cluster.client(python_env=PythonEnv(python_bin=sys.executable)))
-        mk.campaign(PLAN, out, executor=executor, shards=6)
+        kill = lambda: next(iter(cluster.workers.values())).process.process._process.kill()
+        mk.campaign(PLAN, out, executor=client.get_executor(), shards=20, progress=once_begun(tmp_path, "dask.parquet.parts/part-*", kill))
     assert out.read_bytes() == expected

@@ -29,8 +29,6 @@ FIELDS: dict[str, tuple[str, float, dict[str, Any]]] = {
     "slip_mm_per_n": ("4 mm/kN", 0.004, {}),
     "grip_mm": ("0.5 cm", 5.0, {}),
     "plug_diameter_mm": ("2.5 cm", 25.0, {}),
-    "rod_diameter_mm": ("0.8 cm", 8.0, {}),
-    "rod_length_mm": ("20 cm", 200.0, {"rod_diameter_mm": 8}),
     "end_factor": ("", 1.1, {}),
     "cone_factor": ("", 0.4, {}),
     "strand_length_mm": ("33 cm", 330.0, {"turns": 1.6}),

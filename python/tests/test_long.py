@@ -134,16 +134,6 @@ with multiprocessing.get_context("fork").Pool(2) as pool:
     assert done.stdout.strip() == "True", done.stderr
 
 
-def test_a_campaign_resumes(tmp_path: Path, root: Path) -> None:
-    campaign = mk.Campaign(tmp_path / "paper.parquet", root / "plans/paper.toml")
-    done = campaign.run(threads=2)
-    assert done.complete and done.points == done.points_computed
-    assert campaign.run().points_computed == 0
-    table, summary = campaign.to_pandas(), campaign.summary()
-    assert len(table) == summary.points == len(campaign.to_polars()) == campaign.to_arrow().num_rows
-    assert campaign.fit().formula.model(mk.Muscle()).force(0.2, 0.1) > 0
-
-
 def test_the_import_is_quick() -> None:
     """Best of five in fresh interpreters, less what an empty one takes."""
     code = "import time; t = time.perf_counter(); import mckibben; mckibben.__version__; print(time.perf_counter() - t)"

@@ -64,7 +64,6 @@ CALLS: dict[str, Callable[[Path], Any]] = {
     "formula_show": lambda root: mk.formula_show(mk.fit(root / "data/campaign/paper.csv").formula),
     "identify": lambda root: mk.identify(root / "examples/bench.toml", root / "examples/bench.csv", model="thick-wall"),
     "joint": lambda root: mk.joint(root / "examples/elbow.toml", pressures_mpa=[[0.2, 0.1]], angles_deg=[0.0, 10.0], model="universal"),
-    "life": lambda root: mk.life(root / "examples/prototype.toml", [0, 0.25], muscles=[root / "examples/biceps.toml"], model="thick-wall"),
     "measured": lambda root: mk.measured(cases=[bench(root)]),
     "models": lambda root: mk.models(),
     "motion": lambda root: mk.motion(root / "examples/drive.toml", model="universal"),

@@ -88,6 +88,8 @@ def test_an_interrupted_campaign_is_read(tmp_path: Path, root: Path) -> None:
     campaign.run(threads=2)
     whole = campaign.to_pandas()
     assert len(whole) > len(part) and set(map(tuple, part[["muscle", "force_n"]].to_numpy())) <= set(map(tuple, whole[["muscle", "force_n"]].to_numpy()))
+    assert campaign.run().points_computed == 0
+    assert campaign.fit().formula.model(mk.Muscle()).force(0.2, 0.1) > 0
 
 
 def test_no_field_of_a_record_has_numbers_of_another() -> None:

@@ -20,18 +20,17 @@ const FILES = [
   "js/pages/files.js", "js/pages/formula.js", "js/pages/joint.js", "js/pages/motion.js", "js/pages/muscle.js",
   "js/pages/parts.js", "js/pages/rubber.js", "js/pages/sweep.js", "js/plot.js", "js/print.js", "js/project.js",
   "js/report-viewer.js", "js/report.js", "js/shaders.js", "js/sketch.js", "js/state.js", "js/thin.js",
-  "js/thumbnail.js", "js/tour.js", "js/trajectory.js", "js/units.js", "js/view3d.js", "js/visit.js",
-  "js/welcome.js", "js/words.js", "js/zip.js", "manifest.webmanifest", "style.css",
+  "js/thumbnail.js", "js/trajectory.js", "js/units.js", "js/view3d.js", "js/visit.js", "js/welcome.js",
+  "js/words.js", "js/zip.js", "manifest.webmanifest", "style.css",
 ];
-/** The engine of the first view, which only the page with its own engine has; js/offline.js fetches what is larger. */
+/** The engine of the first view; js/offline.js fetches what is larger. */
 const ENGINE = "live.wasm";
 
 self.addEventListener("install", (event) => {
   const keep = async () => {
     const cache = await caches.open(NAME);
-    await cache.addAll(FILES);
+    await cache.addAll([...FILES, ENGINE]);
     await self.skipWaiting();
-    await cache.add(ENGINE).catch(() => {});
   };
   event.waitUntil(keep());
 });
@@ -46,11 +45,11 @@ self.addEventListener("activate", (event) => {
 
 self.addEventListener("fetch", (event) => {
   const { request } = event, url = new URL(request.url), scope = new URL(self.registration.scope);
-  // Questions go to the server, or nowhere; the book is not of the page.
+  // The book is not of the page.
   const path = url.pathname.slice(scope.pathname.length);
   if (
     request.method !== "GET" || url.origin !== scope.origin || !url.pathname.startsWith(scope.pathname) ||
-    /^(api|docs)\//.test(path)
+    path.startsWith("docs/")
   ) return;
   const answer = async () => {
     const cache = await caches.open(NAME), file = path || "index.html";

@@ -7,13 +7,10 @@ import { unpack } from "../page/js/engine/packed.js";
 
 /** @param {string} url of the page that is served @returns {Ask} */
 export const overHttp = (url) => async (command, request) => {
-  for (;;) {
-    const answer = await fetch(new URL(`api/v1/${command}`, url), { method: "POST", body: JSON.stringify(request), headers: { "content-type": "application/json", accept: "application/json" } });
-    if (answer.status === 429) { await new Promise((resolve) => setTimeout(resolve, 1000 * Number(answer.headers.get("retry-after") ?? 1))); continue; }
-    const said = await answer.json();
-    if (!answer.ok) throw Object.assign(new Error(said.detail ?? said.message), said);
-    return said;
-  }
+  const answer = await fetch(new URL(`api/${command}`, url), { method: "POST", body: JSON.stringify(request), headers: { "content-type": "application/json" } });
+  const said = await answer.json();
+  if (!answer.ok) throw Object.assign(new Error(said.error.message), said.error);
+  return said;
 };
 
 /** @param {string} folder of `web/build.sh` @returns {Promise<Ask>} */

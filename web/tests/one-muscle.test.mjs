@@ -388,7 +388,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.getByRole("button", { name: "Compute the plan" }).click();
     await page.getByRole("progressbar").first().waitFor({ timeout: 20_000 });
     own.kill();
-    await page.getByText("The computation engine stopped: the connection to the server was lost").waitFor({ timeout: 20_000 });
+    await page.getByText("The computation engine stopped: the server cannot be reached").waitFor({ timeout: 20_000 });
     await soon(async () => assert.equal(await page.getByRole("progressbar").count(), 0));
     await context.close();
   });

@@ -9,7 +9,7 @@ use crate::problem::{Problem, ProblemKind};
 use crate::shape::ShapeRequest;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use mckibben::analysis::{Burst, blocked_force_n, unloaded_contraction};
+use mckibben::analysis::{Burst, blocked_force_n, free_contraction};
 use mckibben::answer::{Options, check_range};
 use mckibben::model::Workspace;
 use mckibben::progress::Progress;
@@ -195,11 +195,11 @@ fn operating(
     let allowed_mpa = burst.allowed().map(|a| a.0);
     let pressure_mpa = finite("pressure_mpa", asked_mpa.unwrap_or(usual_mpa(&burst)))?;
     check_range(model, pressure_mpa, 0.0, options)?;
-    let free = unloaded_contraction(model, w, pressure_mpa, options)?;
+    let free = free_contraction(model, w, pressure_mpa, options)?;
     let mut free_contractions = vec![];
     for p in Plan::test_pressures_mpa(pressure_mpa) {
         // Below the pressure at which it begins to pull there is nothing to test.
-        free_contractions.extend(unloaded_contraction(model, w, p, options).ok().map(|free| (p, free)));
+        free_contractions.extend(free_contraction(model, w, p, options).ok().map(|free| (p, free)));
         budget.ended()?;
     }
     let blocked_force_n = blocked_force_n(model, w, pressure_mpa, options)?;
@@ -216,7 +216,7 @@ fn operating(
     let contour_mm: Vec<[f64; 2]> = outer.map(|(r, z)| [*z, *r]).collect();
     let widest = 2.0 * contour_mm.iter().map(|p| p[1]).fold(0.0, f64::max);
     let response = &shape.point.response;
-    let volume_mm3 = response.volume_mm3.unwrap_or_else(|| muscle.rest_air_mm3());
+    let volume_mm3 = response.volume_mm3.unwrap_or_else(|| muscle.rest_volume_mm3());
     let found = Operating {
         model: model.info().name.to_string(),
         pressure_mpa,

@@ -5,14 +5,12 @@ use crate::annotate::annotate;
 use crate::border::within;
 #[cfg(feature = "schema")]
 use crate::expected::Expected;
-use crate::json_size::JsonSize;
 use crate::problem::{Problem, ProblemKind};
 use crate::*;
-use mckibben::budget::Resource;
 use mckibben::nearest::nearest;
 use mckibben::progress::Progress;
 #[cfg(feature = "files")]
-use mckibben_campaign::campaign::{CampaignStatus, CancelledJobs, Merged, Outcome, Submitted, Summary};
+use mckibben_campaign::campaign::{CampaignStatus, Merged, Outcome, Summary};
 #[cfg(feature = "schema")]
 use schemars::{JsonSchema, Schema, SchemaGenerator, generate::SchemaSettings};
 use serde::Serialize;
@@ -80,13 +78,6 @@ impl CommandEntry {
     #[cfg(feature = "schema")]
     fn expected(&self) -> &Expected {
         self.expected.get_or_init(|| Expected::of(&self.schema()["request"]))
-    }
-
-    /// Whether its request may carry tables of measured or computed points, which may be long.
-    #[cfg(feature = "schema")]
-    pub fn takes_tables(&self) -> bool {
-        let tables = ["data", "table", "tables", "load_tables", "life_curve", "cases"];
-        self.expected().fields().iter().any(|(field, _)| tables.contains(&field.as_str()))
     }
 
     /// Reads a request, before any work is done for it: what is wrong with it is an error at once.
@@ -181,14 +172,9 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         command!("campaign-merge", CampaignMergeRequest => Merged, |r, _progress| campaign_merge(&r)),
         #[cfg(feature = "files")]
         command!("campaign-status", CampaignStatusRequest => CampaignStatus, |r, _progress| campaign_status(&r)),
-        #[cfg(feature = "files")]
-        command!(long "campaign-submit", CampaignSubmitRequest => Submitted, |r, progress| campaign_submit(&r, progress)),
-        #[cfg(feature = "files")]
-        command!("campaign-cancel", CampaignCancelRequest => CancelledJobs, |r, _progress| campaign_cancel(&r)),
         #[cfg(feature = "whole")]
         command!("doctor", DoctorRequest => DoctorAnswer, |r, progress| doctor(&r, progress)),
         #[cfg(feature = "whole")]
-        command!(long "life", LifeRequest => LifeAnswer, |r, progress| life(&r, progress)),
         command!("muscle-show", MuscleShowRequest => MuscleShowAnswer, |r, _progress| muscle_show(&r)),
         #[cfg(feature = "whole")]
         command!("build", BuildRequest => BuildAnswer, |r, progress| build(&r, progress)),
@@ -280,14 +266,8 @@ pub fn packed(mut answer: Value) -> Vec<u8> {
 }
 
 fn of_text(command: &str, request: &str, progress: &dyn Progress) -> Result<Value, Problem> {
-    let size = JsonSize::of(request)?;
-    progress.budget().admit(Resource::Bytes, size.bytes())?;
-    of_value(command, parsed(request)?, progress)
-}
-
-/// A request in JSON that [`JsonSize::of`] let through, as a value.
-pub fn parsed(request: &str) -> Result<Value, Problem> {
-    serde_json::from_str(request).map_err(|e| not_understood(&e))
+    let request = serde_json::from_str(request).map_err(|e| not_understood(&e))?;
+    of_value(command, request, progress)
 }
 
 fn of_value(command: &str, value: Value, progress: &dyn Progress) -> Result<Value, Problem> {

@@ -51,11 +51,9 @@ mod fit;
 mod identify;
 mod identify_request;
 mod joint;
-mod json_size;
 mod library;
 mod library_folder;
 mod library_text;
-mod life;
 mod liquid;
 mod load;
 mod many;
@@ -95,7 +93,7 @@ pub use bundle::bundle;
 pub use burst::PressureLimits;
 #[cfg(feature = "files")]
 pub use campaign::*;
-pub use commands::{COMMANDS, CommandEntry, Ready, ask, ask_packed, ask_value, find, packed, parsed};
+pub use commands::{COMMANDS, CommandEntry, Ready, ask, ask_packed, ask_value, find, packed};
 #[cfg(feature = "schema")]
 pub use commands::{RequestFields, answer_schema, schema, understood};
 pub use compare::*;
@@ -112,10 +110,8 @@ pub use fit::*;
 pub use identify::*;
 pub use identify_request::*;
 pub use joint::*;
-pub use json_size::JsonSize;
 pub use library::*;
 pub use library_folder::points_table;
-pub use life::*;
 pub use liquid::LiquidFields;
 pub use load::{LoadAnswer, LoadFields, LoadedAt};
 pub use many::{

@@ -78,8 +78,6 @@ pub enum ProblemKind {
     Damaged,
     /// A campaign that is not finished.
     Incomplete,
-    /// A command of a cluster's engine that failed.
-    Engine,
     /// The program itself is at fault.
     Internal,
 }
@@ -261,18 +259,8 @@ impl From<AnalysisError> for Problem {
                 let pressure_mpa = Some(nearest_pressure_mpa);
                 nearest = Some(Nearest { force_n: nearest_force_n, pressure_mpa, contraction: None });
             }
-            AnalysisError::NoContraction {
-                model,
-                force_n,
-                nearest_force_n,
-                nearest_contraction,
-                rod_stops_at,
-                ..
-            } => {
-                hint = if rod_stops_at.is_some() {
-                    "shorten the rod (`rod_length_mm`), or give a larger pull: at the stop the rod carries the difference"
-                        .to_owned()
-                } else if nearest_force_n > force_n {
+            AnalysisError::NoContraction { model, force_n, nearest_force_n, nearest_contraction, .. } => {
+                hint = if nearest_force_n > force_n {
                     format!(
                         "the muscle still pulls at the limit of the range of {model}; fe and thick-wall have no such limit"
                     )
@@ -360,10 +348,7 @@ impl From<CampaignError> for Problem {
     fn from(error: CampaignError) -> Self {
         let kind = match error {
             CampaignError::Stopped => return Self::cancelled(),
-            CampaignError::OtherPlan { .. }
-            | CampaignError::OtherVersion { .. }
-            | CampaignError::OtherColumns { .. } => ProblemKind::OtherPlan,
-            CampaignError::Large(_) => ProblemKind::Budget,
+            CampaignError::OtherPlan { .. } | CampaignError::OtherVersion { .. } => ProblemKind::OtherPlan,
             CampaignError::Locked { .. } => ProblemKind::Locked,
             CampaignError::Damaged { .. } | CampaignError::Conflict { .. } => ProblemKind::Damaged,
             CampaignError::Incomplete { .. } => ProblemKind::Incomplete,
@@ -373,11 +358,6 @@ impl From<CampaignError> for Problem {
             | CampaignError::Foreign { .. }
             | CampaignError::Appeared { .. } => ProblemKind::Output,
             CampaignError::ShardOfFile { .. } | CampaignError::OtherFormat { .. } => ProblemKind::Usage,
-            CampaignError::Engine { .. } => ProblemKind::Engine,
-            #[cfg(feature = "files")]
-            CampaignError::Shard(_) => {
-                return Self::new(ProblemKind::Usage, error.to_string(), error.hint()).in_field("shard");
-            }
             CampaignError::Plan(_) | CampaignError::NoCampaign { .. } | CampaignError::Codec { .. } => {
                 ProblemKind::File
             }

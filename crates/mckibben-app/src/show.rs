@@ -7,7 +7,7 @@ use crate::muscle::MuscleSummary;
 use crate::muscle_fields::Stated;
 use crate::point::finite;
 use crate::problem::Problem;
-use mckibben::analysis::{Burst, air_per_stroke, blocked_force_n, unloaded_contraction, work_per_stroke_j};
+use mckibben::analysis::{Burst, air_per_stroke, blocked_force_n, free_contraction, work_per_stroke_j};
 use mckibben::answer::check_range;
 use mckibben::model::Workspace;
 use mckibben::muscle::file::to_toml;
@@ -93,14 +93,8 @@ pub struct Derived {
     pub max_ideal_contraction: f64,
     /// Largest stretch of the rubber there, at the bore: the reach by which a named rubber has its law.
     pub reach: f64,
-    /// Cavity at rest, less a core rod, mm³.
+    /// Cavity at rest, mm³.
     pub volume_mm3: f64,
-    /// Section of a core rod that leaves through a seal, mm²: the pressure on it adds to the pull.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub rod_area_mm2: Option<f64>,
-    /// Contraction at which a core rod that ends inside meets the other plug.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub rod_stop_contraction: Option<f64>,
 }
 
 /// Values of a muscle at one pressure.
@@ -115,7 +109,7 @@ pub struct Characteristics {
     /// Half-width of the 95 % interval of the blocked force, N.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub blocked_force_uncertainty_n: Option<f64>,
-    /// Contraction without pull, or where a core rod meets the other plug.
+    /// Contraction without pull.
     pub free_contraction: Option<f64>,
     /// Work from rest to there, J.
     pub work_j: Option<f64>,
@@ -174,11 +168,9 @@ pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Prob
             strand_length_mm: muscle.strand_length_mm(),
             turns: muscle.turns(),
             strand_length_per_turn_mm: muscle.strand_length_per_turn_mm(),
-            max_ideal_contraction: muscle.free_ideal_contraction(),
+            max_ideal_contraction: muscle.max_ideal_contraction(),
             reach,
-            volume_mm3: muscle.rest_air_mm3(),
-            rod_area_mm2: Some(muscle.ends().sealed_mm2()).filter(|area| *area > 0.0),
-            rod_stop_contraction: muscle.ends().stop(),
+            volume_mm3: muscle.rest_volume_mm3(),
         },
         build_sheet: muscle.build_sheet(),
         warnings: said
@@ -206,7 +198,7 @@ fn characteristics(
     let (model, w) = (&*model, &mut Workspace::new());
     check_range(model, pressure_mpa, 0.0, options)?;
     let blocked_force_n = blocked_force_n(model, w, pressure_mpa, options)?;
-    let free = unloaded_contraction(model, w, pressure_mpa, options).ok();
+    let free = free_contraction(model, w, pressure_mpa, options).ok();
     let air = free.and_then(|e| air_per_stroke(model, w, pressure_mpa, e).ok());
     let found = burst_of(&choice, model, w.budget())?;
     let characteristics = Characteristics {

@@ -4,7 +4,6 @@ use crate::model::Model;
 use crate::problem::Problem;
 use mckibben::budget::Resource;
 use mckibben::joint;
-use mckibben::model;
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use mckibben::threads;
@@ -45,7 +44,6 @@ pub fn validate(request: &ValidateRequest, progress: &dyn Progress) -> Result<Va
     if request.all {
         rows.extend(verification::bricks::cook_fine());
     }
-    rows.extend(model::verification::cases());
     rows.extend(joint::verification::cases());
     rows.extend(mckibben_motion::verification::cases());
     rows.extend(held_out::cases());

@@ -15,8 +15,6 @@ mod doctor;
 mod expected;
 #[path = "layer/file_schema.rs"]
 mod file_schema;
-#[path = "layer/json_size.rs"]
-mod json_size;
 #[path = "layer/library_folder.rs"]
 mod library_folder;
 #[path = "layer/liquid.rs"]

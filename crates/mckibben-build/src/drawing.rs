@@ -103,7 +103,6 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
         v.hatch(&[section], false);
     }
     clamps(body, v, true);
-    rod(body, v);
     // From outside.
     v.line(Pen::Outline, &[[-half, -body.sleeve], [half, -body.sleeve]]);
     for side in [-1.0, 1.0] {
@@ -147,16 +146,6 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
         v.balloon(to, [x, low], number);
     }
     label(v, body.widest, 15.5, "At rest, without pressure");
-}
-
-/// The upper half of a core rod, on the eye plug or through the air plug.
-fn rod(body: &Body<'_>, v: &mut View<'_>) {
-    let Some(rod) = body.plan.muscle.rod() else { return };
-    let left = rod.length_mm.map_or(-body.half - body.left - 2.0 / v.scale, |length| body.half - length);
-    v.cut((left, body.half), (0.0, 0.5 * rod.diameter_mm), true);
-    let [x, y] = v.at(0.7 * body.half, 0.25 * rod.diameter_mm);
-    let low = v.origin[1] - v.scale * body.widest - 6.5;
-    v.balloon([0.7 * body.half, 0.25 * rod.diameter_mm], [x + 5.0, low.min(y)], 8);
 }
 
 /// Collars, boss or barb, and eye from outside, below the axis or on both sides; the right end moved by `shift`.
@@ -306,12 +295,6 @@ fn cross_section(plan: &Plan, v: &mut View<'_>) {
         (0..72).map(|i| TAU * f64::from(i) / 72.0).map(|a| [0.5 * d * a.cos(), 0.5 * d * a.sin()]).collect()
     };
     v.hatch(&[ring(d0), ring(bore)], true);
-    // The plane of the section lies a quarter of the length from the eye plug.
-    let cut = plan.muscle.rod().filter(|r| r.length_mm.is_none_or(|l| l > 0.25 * plan.muscle.length_mm()));
-    if let Some(rod) = cut {
-        v.circle(Pen::Outline, rod.diameter_mm);
-        v.hatch(&[ring(rod.diameter_mm)], false);
-    }
     v.circle(Pen::Thin, 0.5 * (d0 + over));
     let reach = 0.5 * over + 2.5 / v.scale;
     v.line(Pen::Axis, &[[-reach, 0.0], [reach, 0.0]]);

@@ -102,7 +102,7 @@ pub(crate) fn bill(
         Fitting::Barb { bore_mm } => format!("hose with a bore of {} mm, and a clamp for it", mm(bore_mm)),
         thread => format!("push-in fitting with thread {thread}, with its seal"),
     };
-    let mut lines = vec![
+    vec![
         first,
         sleeve(muscle, &cut.sleeve),
         plug(3, "air plug (air-plug.stl)", air_plug.mesh().volume_mm3()),
@@ -110,15 +110,7 @@ pub(crate) fn bill(
         bought(5, clamped_by, &clamps.amount()),
         bought(6, fitting, "1"),
         bought(7, format!("bolt M{}", mm(eye_plug.bolt_mm)), "1"),
-    ];
-    lines.extend(muscle.rod().map(|rod| {
-        let amount = match rod.length_mm {
-            Some(length_mm) => format!("{} mm in the cavity", mm(length_mm)),
-            None => format!("{} mm in the cavity, and its ends", mm(muscle.length_mm())),
-        };
-        bought(8, format!("core rod, ⌀ {} mm", mm(rod.diameter_mm)), &amount)
-    }));
-    lines
+    ]
 }
 
 fn sleeve(muscle: &Muscle, cut: &SleeveCut) -> BuildPart {

@@ -67,21 +67,6 @@ fn cut_list(plan: &Plan, out: &mut String) {
         _ => format!("{} mm | on the tube, at the braid angle |", mm(sleeve.mounted_mm)),
     };
     let _ = writeln!(out, "| sleeve | {first}");
-    if let Some(rod) = plan.muscle.rod() {
-        let diameter = mm(rod.diameter_mm);
-        let _ = match rod.length_mm {
-            Some(length_mm) => writeln!(
-                out,
-                "| core rod, ⌀ {diameter} mm | {} mm | from the face of its plug, and what the plug holds |",
-                mm(length_mm)
-            ),
-            None => writeln!(
-                out,
-                "| core rod, ⌀ {diameter} mm | {} mm | between the plugs, and what the fixed plug, the seal and the stroke take |",
-                mm(plan.muscle.length_mm())
-            ),
-        };
-    }
     out.push('\n');
     let strands = sleeve.strands.map_or_else(String::new, |n| format!(" It has {n} strands."));
     let _ = writeln!(
@@ -160,24 +145,6 @@ fn plugs(plan: &Plan, out: &mut String) {
         significant(plan.end_load_n, 2),
         significant(plan.end_load_n / (eye.bolt_mm * eye.thickness_mm), 2)
     );
-    let Some(rod) = plan.muscle.rod() else { return };
-    let push = significant(rod.area_mm2() * plan.safety.pressure_mpa, 3);
-    let diameter = mm(rod.diameter_mm);
-    let _ = match rod.length_mm {
-        Some(length_mm) => writeln!(
-            out,
-            "6. The core rod (⌀ {diameter} mm) stands on the eye plug, {} mm into the cavity, on the axis: make a seat for it in the stem, which the files of the plug do not have. The \
-             working pressure presses it into its seat with {push} N. It stops the muscle at a contraction of {}.",
-            mm(length_mm),
-            plan.muscle.ends().stop().map_or_else(|| "–".into(), percent)
-        ),
-        None => writeln!(
-            out,
-            "6. The core rod (⌀ {diameter} mm) is fixed in one plug, and leaves through the other in a rod seal. The files of the plugs have neither seat nor seal: take a seal for \
-             reciprocating rods of this diameter, give its housing the sizes of its maker, and lead the air beside the rod. The working pressure on the section of the rod adds \
-             {push} N to the pull, less the friction of the seal."
-        ),
-    };
 }
 
 fn assembly(plan: &Plan, out: &mut String) {

@@ -47,7 +47,7 @@ fn error_between_the_points() -> Result<f64, Box<dyn Error>> {
     let fitted = make(&Request {
         points: &data::points(&rows),
         made_for: made_for(&rows)?,
-        method: Method::GLOBAL,
+        method: Method::Global,
         hold_out: &[],
         name: "own".into(),
         table: None,

@@ -16,7 +16,6 @@ use crate::commands::help::{HelpArgs, ManArgs};
 use crate::commands::identify::IdentifyArgs;
 use crate::commands::joint::JointArgs;
 use crate::commands::library::{LibraryCheckArgs, LibraryListArgs, LibraryShowArgs};
-use crate::commands::life::LifeArgs;
 use crate::commands::mcp::McpArgs;
 use crate::commands::models::ModelsArgs;
 use crate::commands::motion::MotionArgs;
@@ -137,9 +136,6 @@ pub enum Command {
     /// Whether a muscle is plausible, what of it is not known, and what to measure first
     #[command(after_help = commands::doctor::EXAMPLES)]
     Doctor(Box<DoctorArgs>),
-    /// What wears in a cycle: stretch and energy of the rubber, strands, contact; measured lives beside it
-    #[command(after_help = commands::life::EXAMPLES)]
-    Life(Box<LifeArgs>),
     /// Build a muscle: drawing, plugs, cut list, bill of materials, steps, test sheet
     #[command(after_help = commands::build::EXAMPLES)]
     Build(Box<BuildArgs>),

@@ -6,8 +6,8 @@ use crate::cli::{
 };
 use crate::commands::{
     braid, build, campaign, compare, curve, design, doctor, export, fill, fit, formula, help, identify,
-    joint, library, life, mcp, models, motion, muscle, parts, point, report, rubber, rubber_fit, schema,
-    serve, simulate, study, validate,
+    joint, library, mcp, models, motion, muscle, parts, point, report, rubber, rubber_fit, schema, serve,
+    simulate, study, validate,
 };
 use crate::failure::Failure;
 use crate::format::Format;
@@ -30,7 +30,6 @@ pub fn run(asked: Command, format: Format, limits: &[(Resource, f64)]) -> Result
         Command::Validate(args) => validate::run(&args, format),
         Command::Compare(args) => compare::run(&args, format),
         Command::Doctor(args) => doctor::run(&args, format),
-        Command::Life(args) => life::run(&args, format),
         Command::Campaign(args) => campaign::run(&args, format),
         Command::Fit(args) => fit::run(&args, format),
         Command::Formula(FormulaCommand::Show(args)) => formula::show(&args, format),
@@ -52,7 +51,7 @@ pub fn run(asked: Command, format: Format, limits: &[(Resource, f64)]) -> Result
         Command::Report(args) => report::run(&args, format),
         Command::Models(args) => models::run(&args, format),
         Command::Schema(args) => schema::run(&args),
-        Command::Serve(args) => serve::run(args, format, limits),
+        Command::Serve(args) => serve::run(args, format),
         Command::Mcp(args) => mcp::run(&args, limits, &command()),
         Command::Help(args) => help::run(&args, command()),
         Command::Man(args) => help::man(&args, command()),

@@ -43,7 +43,6 @@ const FLAGS: &[(&str, &[&str])] = &[
     ("laws", &["law", "laws"]),
     ("figures", &["plots"]),
     ("area_mm2", &["area"]),
-    ("min_life_cycles", &["min-life"]),
     ("volume_mm3", &["volume"]),
     ("dead_volume_mm3", &["dead-volume"]),
     ("max_liquid_volume_mm3", &["max-liquid"]),
@@ -65,7 +64,6 @@ const FIELDS: &[&str] = &[
     "thin_rule",
     "slack_rule",
     "latex",
-    "terms",
     "model",
     "load",
     "liquid",
@@ -119,9 +117,6 @@ const FIELDS: &[&str] = &[
     "output",
     "overwrite",
     "limit",
-    "life_curve",
-    "scatter",
-    "yes",
 ];
 
 /// The flag of a request's field.

@@ -60,8 +60,7 @@ mod tests {
         let (root, mut writes) = (crate::cli::Cli::command(), 0);
         leaves(&root, &mut |command| {
             let has = |id: &str| command.get_arguments().any(|a| a.get_id() == id);
-            // A submission names a folder, which a second one continues.
-            if WRITTEN.into_iter().any(has) && command.get_name() != "submit" {
+            if WRITTEN.into_iter().any(has) {
                 writes += 1;
                 assert!(has("overwrite"), "{}", command.get_name());
             }

@@ -5,7 +5,7 @@ use super::limit::{Probe, Score, full_response, need};
 use super::limit_kind::Limit;
 use super::point::OperatingPoint;
 use super::spec::{Build, Spec};
-use mckibben::analysis::{Burst, burst, force_on, unloaded_contraction, work_per_stroke_j};
+use mckibben::analysis::{Burst, burst, force_on, free_contraction, work_per_stroke_j};
 use mckibben::model::{ModelError, ModelKind, Response, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::uncertainty::uncertainty;
@@ -144,9 +144,9 @@ pub(super) fn candidate(
         });
     }
     let max = spec.max_pressure_mpa;
-    let free = unloaded_contraction(model, workspace, max, options).ok().or_else(|| {
+    let free = free_contraction(model, workspace, max, options).ok().or_else(|| {
         from_thick_wall.push("free contraction");
-        unloaded_contraction(thick_wall, workspace, max, options).ok()
+        free_contraction(thick_wall, workspace, max, options).ok()
     });
     let burst = burst(model, workspace).ok();
     if burst.is_some_and(|b| b.from_thick_wall) {

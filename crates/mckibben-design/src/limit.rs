@@ -6,7 +6,6 @@ use super::point::OperatingPoint;
 use super::reason::Reason;
 use super::spec::{Build, Objective, Spec};
 use mckibben::analysis::burst::{ends, mesh};
-use mckibben::analysis::life::wear;
 use mckibben::analysis::{
     AnalysisError, FailureMode, FailurePressure, burst, force_on, pressure_at, pressure_up_to,
 };
@@ -119,7 +118,7 @@ pub(super) fn probe_with(
     let stretch = limits.stretch.or(muscle.tube().rubber.fitted_to_stretch.filter(|_| limits.fitted_stretch));
     let most_liquid = limits.liquid_volume_mm3.filter(|_| spec.liquid.is_some());
     let pumped = most_liquid.is_some() || scored && spec.objective == Objective::Air;
-    let shaped = limits.bulged_diameter_mm.is_some() || stretch.is_some() || limits.life_stretch.is_some();
+    let shaped = limits.bulged_diameter_mm.is_some() || stretch.is_some();
     let by_pressure =
         scored && matches!(spec.objective, Objective::Pressure | Objective::Air | Objective::BulgedDiameter);
     let (mut highest, mut fluid, mut bulge) = (0.0_f64, 0.0_f64, 0.0_f64);
@@ -157,11 +156,6 @@ pub(super) fn probe_with(
                 checks.push(Check::new(Limit::BulgedDiameter, value, bound));
             }
             if let (Some(bound), Some(value)) = (stretch, full.rubber_stretch()) {
-                checks.push(Check::new(Limit::MaxStretch, value, bound));
-            }
-            if let Some(bound) = limits.life_stretch {
-                // There is none where the wall bulges between the strands without end.
-                let value = wear(muscle, &full).largest_stretch().unwrap_or(NEVER);
                 checks.push(Check::new(Limit::MaxStretch, value, bound));
             }
             bulge = bulge.max(full.bulged_diameter_mm.unwrap_or(0.0));

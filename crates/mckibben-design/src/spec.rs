@@ -61,9 +61,6 @@ pub struct Limits {
     /// Largest principal stretch of the rubber at any operating point.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stretch: Option<f64>,
-    /// Largest stretch of the rubber at any operating point, that of the wall between the strands among them: what a life curve allows.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub life_stretch: Option<f64>,
     /// Whether a push must be below the load at which the muscle buckles as a column between two joints; not of a muscle that is guided.
     pub buckling: bool,
     /// Where `stretch` is not given: each rubber is stretched no further than its law was fitted.

@@ -6,7 +6,7 @@
 
 use crate::error::ExportError;
 use crate::form::{FUNCTIONS, Form, functions};
-use mckibben::analysis::{Options, blocked_force_n, force_on, unloaded_contraction};
+use mckibben::analysis::{Options, blocked_force_n, force_on, free_contraction};
 use mckibben::budget::Budget;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Direction;
@@ -88,7 +88,7 @@ pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted, budget: &Budget) -> Re
     let blocked_n = blocked_force_n(model, w, supply, options)?;
     let high = match wanted.contraction_high {
         Some(high) => high,
-        None => unloaded_contraction(model, w, supply, options)?,
+        None => free_contraction(model, w, supply, options)?,
     };
     if !(blocked_n > 0.0 && high > low.max(0.0)) {
         return Err(ExportError::NoPull { supply_mpa: supply });

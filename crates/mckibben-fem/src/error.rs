@@ -103,19 +103,6 @@ pub enum FemError {
         /// Pull in N of an equilibrium on another branch.
         other_n: Option<f64>,
     },
-    /// A muscle beyond the stop of its core rod.
-    #[error(
-        "a contraction of {contraction:.4} is beyond {stop:.4}, where the core rod meets the other plug: shorten terminals.rod_length, or ask for less"
-    )]
-    RodStop {
-        /// Contraction ratio.
-        contraction: f64,
-        /// Where the rod meets the plug.
-        stop: f64,
-    },
-    /// A tube that lies on its core rod.
-    #[error(transparent)]
-    OnRod(Box<ModelError>),
     /// Ends whose slip was not found.
     #[error(
         "no slip of the ends was found at {pressure_mpa} MPa and contraction {contraction} in {steps} steps: take a smaller terminals.slip"
@@ -231,11 +218,9 @@ impl From<FemError> for ModelError {
             | FemError::Conditioning { .. }
             | FemError::TooLarge { .. } => Self::Elements { reason: error.to_string() },
             FemError::Exceeded(exceeded) => Self::Exceeded(exceeded),
-            FemError::OnRod(error) => *error,
-            FemError::Force { .. }
-            | FemError::OutOfReach { .. }
-            | FemError::RodStop { .. }
-            | FemError::Ends { .. } => Self::NoEquilibrium { reason: error.to_string() },
+            FemError::Force { .. } | FemError::OutOfReach { .. } | FemError::Ends { .. } => {
+                Self::NoEquilibrium { reason: error.to_string() }
+            }
         }
     }
 }

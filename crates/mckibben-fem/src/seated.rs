@@ -1,12 +1,11 @@
-//! Finite elements of a muscle whose ends give way or that has a core rod: equilibria and tests with contraction, pull and volume of the whole muscle.
+//! Finite elements of a muscle whose ends give way: equilibria and tests with contraction, pull and volume of the whole muscle.
 
 use crate::FemError;
 use crate::results::{Sensitivity, Solution};
 use crate::simulation::{Detail, Given, Simulation};
 use crate::solver::curve::{Curve, CurvePoint, Test};
-use mckibben::analysis::{AnalysisError, Options, pressure_at};
 use mckibben::budget::Exceeded;
-use mckibben::model::{ForceModel, ModelError, Response, Seated, Workspace};
+use mckibben::model::{Response, Seated, Workspace};
 use mckibben::muscle::{EndState, Ends, InnerPull, Muscle};
 use mckibben::progress::{Progress, Silent};
 
@@ -26,12 +25,7 @@ fn for_whole_muscle(of: &Whole, displacement_mm: f64, mut error: FemError) -> Fe
             last.contraction = whole(last.contraction);
         }
         FemError::Question { contraction, .. } => *contraction = whole(*contraction),
-        FemError::OutOfReach { contraction, pressure_mpa, force_n, nearest_force_n } => {
-            *contraction = whole(*contraction);
-            for pull in [force_n, nearest_force_n] {
-                *pull = of.ends().whole_n(*pressure_mpa, *pull);
-            }
-        }
+        FemError::OutOfReach { contraction, .. } => *contraction = whole(*contraction),
         _ => {}
     }
     error
@@ -74,7 +68,7 @@ fn between(of: &Whole, w: &mut Workspace, p: f64, e: f64) -> Result<f64, FemErro
     Ok(found.between)
 }
 
-/// x at which a pull is reached: the pressure and the load of the ends are found together, by secants. Of a muscle without a rod through a seal.
+/// x at which a pull is reached: the pressure and the load of the ends are found together, by secants.
 fn between_at_pull(of: &Whole, w: &mut Workspace, force_n: f64, e: f64) -> Result<f64, FemError> {
     let ends = of.ends();
     let at = |p: f64| ends.between(e, ends.end_displacement_mm(p, force_n));
@@ -111,15 +105,7 @@ fn given_between(of: &Whole, w: &mut Workspace, given: Given) -> Result<(Given, 
             (Given::at(pressure_mpa, x), ends.displacement_between_mm(e, x), Some(e))
         }
         Given::PressureAndPull { pressure_mpa, force_n } => {
-            let inner = Given::PressureAndPull { pressure_mpa, force_n: ends.inner_n(pressure_mpa, force_n) };
-            (inner, ends.end_displacement_mm(pressure_mpa, force_n), None)
-        }
-        // The pressure is in the pull of the rod.
-        Given::ContractionAndPull { contraction: e, force_n } if ends.sealed_mm2() > 0.0 => {
-            let options = Options { extrapolate: true, two_sided: true, ..Options::default() };
-            let found = pressure_at(of, w, force_n, e, options);
-            let pressure_mpa = found.map_err(|error| no_pressure(of, force_n, error))?;
-            return given_between(of, w, Given::at(pressure_mpa, e));
+            (given, ends.end_displacement_mm(pressure_mpa, force_n), None)
         }
         Given::ContractionAndPull { contraction: e, force_n } => {
             let x = between_at_pull(of, w, force_n, e)?;
@@ -129,41 +115,15 @@ fn given_between(of: &Whole, w: &mut Workspace, given: Given) -> Result<(Given, 
     })
 }
 
-fn no_pressure(of: &Whole, force_n: f64, error: AnalysisError) -> FemError {
-    match error {
-        AnalysisError::Model(ModelError::Exceeded(exceeded)) => FemError::Exceeded(exceeded),
-        AnalysisError::Model(error) => FemError::OnRod(Box::new(error)),
-        AnalysisError::NoPressure { nearest_force_n, nearest_pressure_mpa, contraction, .. } => {
-            FemError::OutOfReach { force_n, pressure_mpa: nearest_pressure_mpa, nearest_force_n, contraction }
-        }
-        error => {
-            let reason = format!("{}: {error}", of.info().name);
-            FemError::OnRod(Box::new(ModelError::NoEquilibrium { reason }))
-        }
-    }
-}
-
-/// Whether the whole muscle may be there: short of the stop of a core rod, and clear of it.
-fn checked(of: &Whole, r: &Response) -> Result<(), FemError> {
-    let ends = of.ends();
-    let (p, e) = (r.pressure_mpa, r.contraction);
-    if let Some(stop) = ends.stop().filter(|stop| e > stop + 1e-9) {
-        return Err(FemError::RodStop { contraction: e, stop });
-    }
-    let x = ends.between(e, ends.end_displacement_mm(p, r.force_n));
-    of.check_rod(p, x, e).map_err(|error| FemError::OnRod(Box::new(error)))
-}
-
 /// A response of the muscle between its ends, and its sensitivities, as those of the whole at a contraction that was given or is found.
 fn whole(of: &Whole, asked: Option<f64>, r: Response, list: &mut [Sensitivity]) -> Response {
     let ends = of.ends();
-    let force_n = ends.whole_n(r.pressure_mpa, r.force_n);
-    let displacement = ends.end_displacement_mm(r.pressure_mpa, force_n);
+    let displacement = ends.end_displacement_mm(r.pressure_mpa, r.force_n);
     let state = EndState {
         pressure_mpa: r.pressure_mpa,
         whole: asked.unwrap_or_else(|| ends.whole(r.contraction, displacement)),
         between: r.contraction,
-        load_n: ends.load_n(r.pressure_mpa, force_n),
+        load_n: ends.load_n(r.pressure_mpa, r.force_n),
         stiffness_n_per_mm: r.stiffness_n_per_mm.unwrap_or(0.0),
         load_per_pressure_mm2: None,
     };
@@ -174,20 +134,16 @@ fn whole(of: &Whole, asked: Option<f64>, r: Response, list: &mut [Sensitivity]) 
 }
 
 /// A point of the muscle between its ends as one of the whole.
-fn whole_point(of: &Whole, asked: Option<f64>, mut point: CurvePoint) -> Result<CurvePoint, FemError> {
+fn whole_point(of: &Whole, asked: Option<f64>, mut point: CurvePoint) -> CurvePoint {
     let ends = of.ends();
-    let force_n = ends.whole_n(point.pressure_mpa, point.force_n);
-    let slip_mm = ends.slip_mm_per_n * ends.load_n(point.pressure_mpa, force_n);
+    let slip_mm = ends.slip_mm_per_n * ends.load_n(point.pressure_mpa, point.force_n);
     let contraction = asked.unwrap_or_else(|| ends.whole(point.contraction, ends.seating_mm + slip_mm));
-    let pressure_mpa = point.pressure_mpa;
-    checked(of, &Response { pressure_mpa, contraction, force_n, ..Response::default() })?;
     point.response = point.response.map(|r| whole(of, asked, r, &mut point.sensitivities));
-    let volume_mm3 = point.volume_mm3 + ends.bore_mm2() * slip_mm - ends.rod_mm3(contraction);
-    Ok(CurvePoint { contraction, force_n, volume_mm3, ..point })
+    let volume_mm3 = point.volume_mm3 + ends.bore_mm2() * slip_mm;
+    CurvePoint { contraction, volume_mm3, ..point }
 }
 
-/// Pressures and contractions of a test of ends that slip, each with an end state of its own, or pulls of which a rod through a seal has a part: in the order of
-/// the test, as the elements go from one to the next.
+/// Pressures and contractions of a test of ends that slip, each with an end state of its own: in the order of the test, as the elements go from one to the next.
 fn slipped(
     of: &Whole,
     w: &mut Workspace,
@@ -205,12 +161,8 @@ fn slipped(
             Test::Isometric(held) | Test::Isotonic(held) => (values[i], held),
         };
         let mut one = || {
-            if matches!(test, Test::Isotonic(_)) {
-                let inner = Test::Isotonic(of.ends().inner_n(p, held));
-                return whole_point(of, None, alone(of, w, inner, (p, p, held), detail)?);
-            }
             let x = between(of, w, p, held)?;
-            whole_point(of, Some(held), inner(of, w, p, x, detail)?)
+            Ok(whole_point(of, Some(held), inner(of, w, p, x, detail)?))
         };
         found.push((i, ended.map_err(FemError::from).and_then(|()| one())));
     }
@@ -224,13 +176,11 @@ impl Simulation for Whole {
         let found = self.inner().solve(workspace, given);
         let mut found = found.map_err(|error| for_whole_muscle(self, displacement, error))?;
         found.response = whole(self, asked, found.response, &mut found.sensitivities);
-        checked(self, &found.response)?;
         let ends = self.ends();
         let load_n = ends.load_n(found.response.pressure_mpa, found.response.force_n);
         let slip_mm = ends.slip_mm_per_n * load_n;
         found.energies.ends_n_mm = 0.5 * slip_mm * load_n;
-        let of_rod = ends.rod_mm3(0.0) - ends.rod_mm3(found.response.contraction);
-        found.energies.pressure_n_mm += found.response.pressure_mpa * (ends.bore_mm2() * slip_mm + of_rod);
+        found.energies.pressure_n_mm += found.response.pressure_mpa * ends.bore_mm2() * slip_mm;
         Ok(found)
     }
 
@@ -239,7 +189,7 @@ impl Simulation for Whole {
         let found = self.inner().reach(workspace, given);
         let found = found.map_err(|error| for_whole_muscle(self, displacement, error))?;
         let contraction = asked.unwrap_or_else(|| self.ends().whole(found.contraction, displacement));
-        whole_point(self, Some(contraction), found)
+        Ok(whole_point(self, Some(contraction), found))
     }
 
     fn run(
@@ -255,9 +205,6 @@ impl Simulation for Whole {
         let seated = |e: f64| ends.between(e, ends.seating_mm);
         let mut at: Vec<f64> = values.to_vec();
         let between = match test {
-            Test::Isotonic(_) if ends.sealed_mm2() > 0.0 => {
-                return slipped(self, workspace, test, values, detail, progress);
-            }
             Test::Isotonic(_) => test,
             _ if slips => return slipped(self, workspace, test, values, detail, progress),
             Test::Isometric(e) => Test::Isometric(seated(e)),
@@ -274,7 +221,7 @@ impl Simulation for Whole {
         let points = self.inner().run(workspace, between, &at, detail, progress);
         let one = |(i, found): (usize, Result<CurvePoint, FemError>)| {
             let found = found.map_err(|error| for_whole_muscle(self, ends.seating_mm, error))?;
-            whole_point(self, asked(i), found)
+            Ok(whole_point(self, asked(i), found))
         };
         points.into_iter().enumerate().map(one).collect()
     }

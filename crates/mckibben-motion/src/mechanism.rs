@@ -107,11 +107,10 @@ pub struct SingleMuscle {
 }
 
 impl SingleMuscle {
-    /// The muscle of a model against a load, without damper, and without stops but that of a core rod.
+    /// The muscle of a model against a load, without damper and stops.
     pub fn new(model: &dyn ForceModel, load: Load) -> Self {
         let length_mm = model.muscle().length_mm();
-        let stop_mm = model.info().range.stop.map_or(f64::INFINITY, |stop| stop * length_mm);
-        let stops_mm = (f64::NEG_INFINITY, stop_mm);
+        let stops_mm = (f64::NEG_INFINITY, f64::INFINITY);
         Self { length_mm, load, added_mass_kg: 0.0, damping_n_s_per_m: 0.0, stops_mm }
     }
 

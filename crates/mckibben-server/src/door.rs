@@ -1,17 +1,13 @@
-//! The door: who may come in, and what every answer carries.
+//! The door: who may come in, for how long, and what every answer carries.
 
-use crate::config::Config;
 use crate::refusal::Refusal;
-use crate::room::{Held, Room};
-use axum::extract::Request;
-use axum::http::header::{CACHE_CONTROL, CONTENT_LENGTH, CONTENT_TYPE, HOST, HeaderName, ORIGIN};
-use axum::http::{HeaderMap, HeaderValue, StatusCode};
+use axum::extract::{Request, State};
+use axum::http::header::{CACHE_CONTROL, HOST, HeaderName, ORIGIN};
+use axum::http::{HeaderValue, StatusCode};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
-use http_body_util::BodyExt;
-use std::sync::Arc;
 use std::time::Duration;
-use tokio::time::{Instant, timeout, timeout_at};
+use tokio::time::timeout;
 
 const HEADERS: [(&str, &str); 4] = [
     (
@@ -25,13 +21,17 @@ const HEADERS: [(&str, &str); 4] = [
     ("cross-origin-resource-policy", "same-origin"),
 ];
 
-/// Names that mean the computer itself.
+/// Names of the computer itself: a foreign page whose name was made to point here gets no answer.
 const LOCAL: [&str; 3] = ["localhost", "127.0.0.1", "[::1]"];
 
 /// Lets in what may come in, and sends every answer out with what browsers have to know.
-pub async fn guarded(config: Arc<Config>, request: Request, next: Next) -> Response {
-    let mut response = match admitted(&config, &request) {
-        Ok(()) => next.run(request).await,
+pub async fn guarded(State(time): State<Duration>, request: Request, next: Next) -> Response {
+    let mut response = match admitted(&request) {
+        Ok(()) => timeout(time, next.run(request)).await.unwrap_or_else(|_| {
+            let message = format!("there was no answer within {} seconds", time.as_secs_f64());
+            let hint = "the command line has no limit of time";
+            Refusal::new(StatusCode::GATEWAY_TIMEOUT, message, hint).into_response()
+        }),
         Err(refusal) => refusal.into_response(),
     };
     let headers = response.headers_mut();
@@ -42,99 +42,18 @@ pub async fn guarded(config: Arc<Config>, request: Request, next: Next) -> Respo
     response
 }
 
-fn admitted(config: &Config, request: &Request) -> Result<(), Refusal> {
-    let header = |name| {
-        let mut all = request.headers().get_all(name).iter();
-        let one = all.next().map(|v| v.to_str().unwrap_or_default());
-        // Of two only one would be looked at.
-        if all.next().is_some() { Some("") } else { one }
-    };
+fn admitted(request: &Request) -> Result<(), Refusal> {
+    let header = |name| request.headers().get(name).map(|v| v.to_str().unwrap_or_default());
     let host = header(HOST).unwrap_or_default();
-    let authority = request.uri().authority().map(|a| a.as_str());
-    if !known(config, host) || authority.is_some_and(|a| !a.eq_ignore_ascii_case(host)) {
-        let hint = "the server answers to `localhost`, `127.0.0.1` and to names that it was started with";
-        return Err(Refusal::new(
-            StatusCode::FORBIDDEN,
-            format!("\"{host}\" is not a name of this server"),
-            hint,
-        ));
+    let with_port = host.rsplit_once(':').filter(|(_, port)| port.parse::<u16>().is_ok());
+    let name = with_port.map_or(host, |(name, _)| name);
+    if !LOCAL.iter().any(|own| own.eq_ignore_ascii_case(name)) {
+        let message = format!("\"{host}\" is not a name of this server");
+        return Err(Refusal::new(StatusCode::FORBIDDEN, message, "open it at `localhost` or `127.0.0.1`"));
     }
-    let same = |origin: &str| {
-        origin.split_once("://").is_some_and(|(scheme, rest)| {
-            ["http", "https"].contains(&scheme) && rest.eq_ignore_ascii_case(host)
-        })
-    };
-    if header(ORIGIN).is_some_and(|origin| !same(origin)) {
-        let message = "this comes from a page of another origin";
-        return Err(Refusal::new(
-            StatusCode::FORBIDDEN,
-            message,
-            "send the request from the server's own page",
-        ));
+    if header(ORIGIN).is_some_and(|origin| !origin.eq_ignore_ascii_case(&format!("http://{host}"))) {
+        let hint = "send the request from the server's own page";
+        return Err(Refusal::new(StatusCode::FORBIDDEN, "this comes from a page of another origin", hint));
     }
     Ok(())
-}
-
-/// Whether a host, with or without its port, is a name of this computer.
-fn known(config: &Config, host: &str) -> bool {
-    let end = host.rfind(']').map_or(0, |bracket| bracket + 1);
-    let (name, port) = host.split_at(host[end..].find(':').map_or(host.len(), |colon| end + colon));
-    let port = port.strip_prefix(':').unwrap_or("0");
-    let own = config.host_names.iter().map(String::as_str);
-    port.parse::<u16>().is_ok() && LOCAL.into_iter().chain(own).any(|n| n.eq_ignore_ascii_case(name))
-}
-
-/// Whether a body is said to be JSON: forms of other pages cannot say so.
-pub fn is_json(headers: &HeaderMap) -> Result<(), Refusal> {
-    let mut kinds = headers.get_all(CONTENT_TYPE).iter();
-    let kind = kinds.next().and_then(|v| v.to_str().ok()).unwrap_or_default();
-    let essence = kind.split(';').next().unwrap_or_default().trim();
-    if essence.eq_ignore_ascii_case("application/json") && kinds.next().is_none() {
-        return Ok(());
-    }
-    let message = "a request is `Content-Type: application/json`";
-    Err(Refusal::new(StatusCode::UNSUPPORTED_MEDIA_TYPE, message, ""))
-}
-
-/// The text of a request's body of at most so many bytes, and its share of the memory, which grows with what has come.
-pub async fn received(
-    config: &Config,
-    room: &Room,
-    most: usize,
-    headers: &HeaderMap,
-    mut body: axum::body::Body,
-) -> Result<(String, Held), Refusal> {
-    let too_large = || {
-        let message = format!("the request is longer than {most} bytes");
-        Refusal::new(StatusCode::PAYLOAD_TOO_LARGE, message, "send a smaller request")
-    };
-    let slow = |_| Refusal::new(StatusCode::REQUEST_TIMEOUT, "the request did not come to its end", "");
-    let stated = headers.get(CONTENT_LENGTH).and_then(|v| v.to_str().ok()?.parse::<usize>().ok());
-    if stated.is_some_and(|length| length > most) {
-        return Err(too_large());
-    }
-    let from = Instant::now();
-    let mut held = room.held();
-    let mut bytes = vec![];
-    // So much has to have come by now, or the rest is not waited for.
-    let due = |length: usize| {
-        let allowed = Duration::from_secs_f64(length as f64 / config.body_rate.max(1) as f64);
-        from + (config.silence + allowed).min(config.body_time)
-    };
-    while let Some(frame) = timeout_at(due(bytes.len()), timeout(config.silence, body.frame()))
-        .await
-        .map_err(slow)?
-        .map_err(slow)?
-    {
-        let broken = |_| Refusal::new(StatusCode::BAD_REQUEST, "the request broke off", "");
-        let Ok(data) = frame.map_err(broken)?.into_data() else { continue };
-        if bytes.len() + data.len() > most {
-            return Err(too_large());
-        }
-        held.grow(data.len())?;
-        bytes.extend_from_slice(&data);
-    }
-    let text = String::from_utf8(bytes)
-        .map_err(|_| Refusal::new(StatusCode::BAD_REQUEST, "this is not JSON: it is not UTF-8", ""))?;
-    Ok((text, held))
 }

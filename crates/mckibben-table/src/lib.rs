@@ -15,7 +15,6 @@ mod delimited;
 mod error;
 mod find;
 mod heading;
-mod life;
 mod load;
 mod number;
 mod over_time;
@@ -26,7 +25,6 @@ mod vocabulary;
 
 pub use columns::{Columns, ColumnsError};
 pub use error::TableError;
-pub use life::{LifeTable, read_life};
 pub use load::read_load;
 pub use over_time::{OverTime, read_over_time};
 pub use text::{MAX_BYTES, read_text};

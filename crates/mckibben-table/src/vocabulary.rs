@@ -68,9 +68,6 @@ pub enum Meaning {
     TrueStress2,
     /// σ1 − σ2.
     TrueStressDifference,
-    /// Strain energy per volume of rubber.
-    EnergyDensity,
-    Cycles,
 }
 
 impl Meaning {
@@ -286,31 +283,6 @@ pub(crate) const LOADS: Vocabulary = Vocabulary {
         Need { wanted: "forces", any_of: &[Meaning::Force], names: "force_n, Force [kN] or Force [lbf]" },
     ],
     entries: POINTS.entries,
-};
-
-/// Cycles to failure of a rubber.
-pub(crate) const LIVES: Vocabulary = Vocabulary {
-    what: "a life curve of a rubber",
-    needed: &[
-        Need {
-            wanted: "stretches or energies",
-            any_of: &[Meaning::Stretch, Meaning::Strain, Meaning::EnergyDensity],
-            names: "stretch, strain_percent or energy_density_mpa (1 MPa is 1 mJ/mm³)",
-        },
-        Need { wanted: "cycles", any_of: &[Meaning::Cycles], names: "cycles" },
-    ],
-    entries: &[
-        STRETCH,
-        of(Meaning::Strain, "strain", Some(Dimension::Ratio), &["strain", "strain_percent"], "strain"),
-        of(
-            Meaning::EnergyDensity,
-            "energy_density",
-            Some(Dimension::Pressure),
-            &["energy_density_mpa"],
-            "energy_density",
-        ),
-        of(Meaning::Cycles, "cycles", None, &["cycles"], "cycles"),
-    ],
 };
 
 /// Measured points of a muscle.

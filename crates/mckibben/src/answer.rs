@@ -201,7 +201,7 @@ pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
     }
     warnings.extend(of_response(model.muscle(), &response));
     let largest = model.muscle().max_ideal_contraction();
-    let beyond = slack && contraction > largest && model.muscle().ends().sealed_mm2() == 0.0;
+    let beyond = slack && contraction > largest;
     warnings.extend(beyond.then_some(Warning::BeyondBraid { contraction, largest }));
     let asked = (pressure_mpa, contraction);
     let parts = uncertainty(model, workspace, asked, response.force_n, options.direction);

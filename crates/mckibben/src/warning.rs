@@ -174,7 +174,7 @@ impl fmt::Display for Warning {
             ),
             Self::Buckles { push_n, bears_n } => write!(
                 f,
-                "the muscle buckles between two joints: it pushes with {push_n:.1} N, and its wall alone bears {bears_n:.1} N; guide it in a tube or on a rod, or make it shorter"
+                "the muscle buckles between two joints: it pushes with {push_n:.1} N, and its wall alone bears {bears_n:.1} N; guide it in a tube, or make it shorter"
             ),
             Self::RubberStretch { stretch, limit, rubber } => write!(
                 f,
@@ -234,8 +234,7 @@ pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
     out
 }
 
-/// The push in N at which a muscle that extends buckles between two joints, by its wall alone; `None` of a muscle that contracts, of one on a core rod
-/// through a seal, and where the infinitely long muscle has no answer.
+/// The push in N at which a muscle that extends buckles between two joints, by its wall alone; `None` of a muscle that contracts, and where the infinitely long muscle has no answer.
 pub fn buckling_load_n(muscle: &Muscle, response: &Response) -> Option<f64> {
     let model = muscle.is_extensile().then(|| ThickWall::new(muscle))?;
     let (sliding, _) = model.buckling_n(response.pressure_mpa, response.contraction).ok()?;

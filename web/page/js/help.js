@@ -39,7 +39,7 @@ function book(place) {
 export function helpLink() {
   let page = "muscle";
   const open = () =>
-    dialog(`Help: ${pageOf(page).text}`, (close) => [
+    dialog(`Help: ${pageOf(page).text}`, () => [
       el("p", {}, pageOf(page).about),
       el("ul", {}, ...(HOW[page] ?? []).map((text) => el("li", {}, text))),
       el("p", {},
@@ -51,10 +51,6 @@ export function helpLink() {
         : el("p", { class: "small soft" }, "The book comes with the program: ",
           el("code", {}, `docs/${pageOf(page).help.split("#")[0]}.md`), ". On the command line: ",
           el("code", {}, "mckibben help"), "."),
-      el("p", { class: "row" }, el("button", { type: "button", onclick: async () => {
-        close();
-        (await import("./tour.js")).startTour();
-      } }, "Take the tour (30 s)")),
     ]);
   const element = el("button", { type: "button", onclick: open }, "Help");
   return { element, show(/** @type {string} */ name) {

@@ -1,6 +1,6 @@
 // Use without a network. The service worker keeps the page and what was used; what is large and was not used yet (the
 // whole engine, the library of maps) is fetched for an installed app, for who comes back, or when one asks for it: the
-// first visit does not pay for it.
+// first visit does not pay for it. The page of a server computes nothing without it, and is not kept.
 import { engine } from "./ask.js";
 
 const PREFIX = "mckibben-page";
@@ -26,7 +26,8 @@ async function lacking() {
   return large().filter((_, i) => !there[i]);
 }
 
-const canKeep = () => "serviceWorker" in navigator && window.isSecureContext && "caches" in window;
+const canKeep = () =>
+  engine().files.length > 0 && "serviceWorker" in navigator && window.isSecureContext && "caches" in window;
 /** Whether every page is kept; there is no answer where the browser keeps nothing. */
 export async function isKept() {
   if (!canKeep() || !(await navigator.serviceWorker.getRegistration())) throw new Error("This browser keeps no files.");

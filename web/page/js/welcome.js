@@ -1,4 +1,4 @@
-// The first view: muscles to begin with, and a tour; until somebody hides it.
+// The first view: muscles to begin with; until somebody hides it.
 import { byId, el } from "./dom.js";
 import { gallery } from "./gallery.js";
 import { noticeProblem } from "./notice.js";
@@ -28,10 +28,7 @@ export function welcome(on) {
   if (!box.childElementCount) {
     box.append(
       el("div", { class: "row" }, el("h2", { class: "grow" }, "Begin with a muscle"),
-        el("button", { type: "button", class: "main", onclick: async () => {
-          hide();
-          (await import("./tour.js")).startTour();
-        } }, "Take the tour (30 s)"), el("button", { type: "button", onclick: hide }, "Hide this")),
+        el("button", { type: "button", onclick: hide }, "Hide this")),
       gallery(noticeProblem, () => {
         box.hidden = true;
       }, 1500),

@@ -140,9 +140,6 @@ pub struct SearchedAnswer {
     /// Largest strain of the strands, where there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max_strand_strain: Option<f64>,
-    /// Largest stretch of the rubber, also between the strands, at which it lasts as long as required, where that was asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub life_stretch: Option<f64>,
     /// Share of muscles that meet the requirement by the ±, where that was asked for: 0.95 for its lower end.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub guaranteed: Option<f64>,
@@ -378,7 +375,6 @@ impl SearchedAnswer {
                 _ => has_strength(spec.base.braid()),
             },
             max_strand_strain: spec.limits.strand_strain,
-            life_stretch: spec.limits.life_stretch,
             bundle: None,
             guaranteed: spec.guaranteed,
         }

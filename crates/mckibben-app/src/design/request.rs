@@ -2,7 +2,6 @@
 
 use super::policy::ModelPolicy;
 use crate::fields::{MeshFields, ModelFields, MuscleFields, NamedFields, Stiffness, TextFile};
-use crate::life::life_curve;
 use crate::liquid::LiquidFields;
 use crate::load::LoadFields;
 use crate::model::{Model, Purpose};
@@ -10,7 +9,6 @@ use crate::muscle::{rubber, sleeve};
 use crate::point::{finite, given, ratio};
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
-use mckibben::analysis::life::LifeLevel;
 use mckibben::muscle::measures::{LENGTH, STRAND_MODULUS};
 use mckibben::muscle::{Braid, Muscle, Tube};
 use mckibben::sleeve::{SleeveEntry, library};
@@ -72,15 +70,6 @@ pub struct DesignRequest {
     /// Largest stretch of the rubber at the operating points (2 means twice its length); default: the largest stretch of the data
     /// behind the rubber's law.
     pub max_stretch: Option<f64>,
-    /// Smallest number of cycles of the rubber from rest to the operating points, by its own `life_curve` and with its `scatter`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub min_life_cycles: Option<f64>,
-    /// The life of the rubber that you measured: a table of largest stretches and cycles to failure.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub life_curve: Option<TextFile>,
-    /// Factor within which its cycles scatter.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub scatter: Option<f64>,
     /// Largest strain of the strands at the maximum pressure, not shortened and at the operating points; default 0.06,
     /// the validated range.
     pub max_strand_strain: Option<f64>,
@@ -264,7 +253,6 @@ impl DesignRequest {
                 bulged_diameter_mm: self.bulged_diameter_mm()?,
                 burst_margin: Some(self.min_burst_margin.unwrap_or(SAFETY)).filter(|m| *m != 0.0),
                 stretch: self.max_stretch,
-                life_stretch: self.life_stretch()?,
                 fitted_stretch: true,
                 buckling: !self.guided,
                 strand_strain: Some(self.max_strand_strain.unwrap_or(VALIDATED_STRAND_STRAIN)),
@@ -289,37 +277,6 @@ impl DesignRequest {
             Choice::One(_) | Choice::Between { .. } => 1,
         });
         (wanted + named + listed.sum::<usize>()) as f64
-    }
-
-    /// The stretch at which the rubber lasts as long as required.
-    fn life_stretch(&self) -> Result<Option<f64>, Problem> {
-        let Some(cycles) = self.min_life_cycles else {
-            let why = "it belongs to `min_life_cycles`, and none is given";
-            let given = [("life_curve", self.life_curve.is_some()), ("scatter", self.scatter.is_some())];
-            Problem::refuse_unused(&given, why)?;
-            return Ok(None);
-        };
-        if !(cycles.is_finite() && cycles > 0.0) {
-            let message = format!("{cycles} is not a number of cycles, which lies above zero");
-            return Err(Problem::new(ProblemKind::Quantity, message, "").in_field("min_life_cycles"));
-        }
-        let table = "a life curve of your rubber (stretch and cycles): no other number of cycles is known";
-        let file = self.life_curve.as_ref().ok_or_else(|| Problem::missing("life_curve", table))?;
-        let scatter = self.scatter.ok_or_else(|| {
-            Problem::missing(
-                "scatter",
-                "the factor within which the cycles of equal strips scatter, such as 3",
-            )
-        })?;
-        let (curve, _) = life_curve(file, Some(scatter))?;
-        let wrong = |message: String| {
-            Problem::new(ProblemKind::Specification, format!("{}: {message}", file.name), "")
-                .in_field("min_life_cycles")
-        };
-        if curve.of() != LifeLevel::LargestStretch {
-            return Err(wrong("a search needs the cycles over the largest stretch".into()));
-        }
-        curve.level(cycles * scatter).map(Some).map_err(|e| wrong(e.to_string()))
     }
 
     /// The share of muscles that meet the requirement, checked.

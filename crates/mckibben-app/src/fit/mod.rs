@@ -21,9 +21,6 @@ use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use table::Points;
 
-/// Largest number of terms of the method `global`.
-const MOST_TERMS: usize = 48;
-
 /// A table of points, and how the formula is made.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
@@ -36,8 +33,6 @@ pub struct FitRequest {
     pub method: FitMethod,
     /// Diameters D0 in mm to leave out of the fit, to test it.
     pub hold_out_mm: Vec<f64>,
-    /// Largest number of terms of `global`; default 48.
-    pub terms: Option<usize>,
     /// Treatment of thick walls of thin muscles at low pressure, in the paper's method.
     pub thin_rule: ThinRule,
     /// Treatment of points where the muscle would have to push, in the paper's method.
@@ -122,18 +117,14 @@ pub fn fit(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer, P
 fn section(request: &FitRequest) -> Result<FitAnswer, Problem> {
     let method = match request.method {
         FitMethod::Paper => Method::Paper(Rules { thin: request.thin_rule, slack: request.slack_rule }),
-        _ => Method::Global(request.terms.unwrap_or(MOST_TERMS).clamp(1, MOST_TERMS)),
+        _ => Method::Global,
     };
-    match method {
-        Method::Paper(_) => Problem::refuse_unused(
-            &[("terms", request.terms.is_some())],
-            "`method` paper has a fixed number of terms",
-        )?,
-        Method::Global(_) => request.check_rules("global")?,
-    }
-    if let (Method::Global(_), true) = (method, request.tables) {
-        let message = "the method global has no intermediate tables";
-        return Err(Problem::new(ProblemKind::Usage, message, "take `method` paper").in_field("tables"));
+    if method == Method::Global {
+        request.check_rules("global")?;
+        if request.tables {
+            let message = "the method global has no intermediate tables";
+            return Err(Problem::new(ProblemKind::Usage, message, "take `method` paper").in_field("tables"));
+        }
     }
     request.check_name()?;
     request.hold_out_mm.iter().try_for_each(|&d| finite("hold_out_mm", d).map(drop))?;
@@ -141,7 +132,7 @@ fn section(request: &FitRequest) -> Result<FitAnswer, Problem> {
     let made_for = made_for.map_or_else(|| request.made_for(), Ok)?;
     let usual = match method {
         Method::Paper(_) => "paper-method",
-        Method::Global(_) => "global",
+        Method::Global => "global",
     };
     let fitted = make(&Request {
         points: &points,
@@ -253,10 +244,6 @@ impl FitRequest {
             ("muscle", self.muscle.is_some()),
         ];
         self.check_rules("universal")?;
-        Problem::refuse_unused(
-            &[("terms", self.terms.is_some())],
-            "`method` universal has a fixed set of terms",
-        )?;
         let Some((field, _)) = foreign.into_iter().find(|f| f.1) else { return Ok(()) };
         let message = "the methods universal and universal-small do not use it";
         let hint = "leave it out; a campaign states all data of its muscles";

@@ -3,7 +3,7 @@
 use crate::problem::{Problem, ProblemKind};
 use mckibben::progress::Progress;
 use mckibben_campaign::fit::FitError;
-use mckibben_campaign::fit::results::{Results, paper_formula, results};
+use mckibben_campaign::fit::results::{Results, results};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -18,9 +18,6 @@ pub struct FitReportAnswer {
     /// Comparisons, constants, and models on random muscles.
     #[serde(flatten)]
     pub results: Results,
-    /// Seconds from nothing to the paper's formula with its errors, where there is a clock.
-    #[serde(rename = "seconds_to_the_papers_formula", skip_serializing_if = "Option::is_none")]
-    pub seconds: Option<f64>,
 }
 
 impl FitReportAnswer {
@@ -32,15 +29,7 @@ impl FitReportAnswer {
 
 /// Computes the paper's campaign, the formulas of it, and their errors.
 pub fn fit_report(_: &FitReportRequest, progress: &dyn Progress) -> Result<FitReportAnswer, Problem> {
-    // Without an operating system there may be no clock.
-    #[cfg(feature = "files")]
-    let start = std::time::Instant::now();
-    let ours = paper_formula()?;
-    #[cfg(feature = "files")]
-    let seconds = Some(start.elapsed().as_secs_f64());
-    #[cfg(not(feature = "files"))]
-    let seconds = None;
-    Ok(FitReportAnswer { results: results(&ours, progress)?, seconds })
+    Ok(FitReportAnswer { results: results(progress)? })
 }
 
 impl From<FitError> for Problem {

@@ -3,7 +3,6 @@
 use crate::burst::PressureLimits;
 use crate::muscle::MuscleSummary;
 use mckibben::joint::{JointMap, ShutStiffness};
-use mckibben::model::BendState;
 use mckibben::uncertainty::UncertaintyParts;
 use mckibben::warning::Warning;
 use mckibben_report::Figure;
@@ -60,12 +59,6 @@ pub struct JointRow {
     /// Moment arm of the second muscle, mm.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub arm_2_mm: Option<f64>,
-    /// What the bend does to the first muscle, where it lies on its pulley (`wrap_angle`) and is not slack. `force_1_n` then is its torque over `arm_1_mm`, the radius of its axis at rest.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub bend_1: Option<BendState>,
-    /// What the bend does to the second muscle, likewise.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub bend_2: Option<BendState>,
     /// Whether the first muscle is slack.
     pub slack_1: bool,
     /// Whether the second muscle is slack.

@@ -1,10 +1,8 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a muscle against a spring, or of two against each other.
 
 pub(crate) mod answer;
-mod bend;
 
 pub use answer::{JointAnswer, JointRow, RestWord};
-pub use bend::bend_lines;
 
 use crate::burst::{PressureLimits, burst_of, put_first, said_of};
 use crate::fields::{ModelFields, MuscleFields, TextFile};
@@ -105,7 +103,7 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
     let mut models: Vec<Box<dyn ForceModel>> = vec![];
     for m in joint.muscles() {
         named.admit(&m.muscle, &budget)?;
-        models.push(m.model(named.build(&m.muscle)?));
+        models.push(named.build(&m.muscle)?);
     }
     let model = JointModel::new(&joint, models.iter().map(|m| &**m).collect(), request.extrapolate)?;
     let mut asked = Asked { model: &model, workspaces: model.workspaces(progress), said: vec![] };
@@ -147,7 +145,6 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
     };
     let said: Vec<Warning> =
         bursts.iter().enumerate().flat_map(|(i, found)| said_of(found, highest(i), 0.0)).collect();
-    asked.said.extend(bend::warnings(&joint, &rows).into_iter().map(Warning::from));
     let mut warnings = Warning::gravest(&asked.said);
     put_first(&mut warnings, said);
     let mut answer = JointAnswer {
@@ -285,7 +282,7 @@ impl Asked<'_> {
 
     fn row(&mut self, point: JointPoint, rest: Option<RestWord>) -> Result<JointRow, Problem> {
         let muscles = self.model.joint().muscles();
-        let known = muscles.iter().any(|m| m.muscle.friction().is_some() || bend::rubs(m));
+        let known = muscles.iter().any(|m| m.muscle.friction().is_some());
         let mut turning = |turning| -> Result<Option<f64>, Problem> {
             if !known {
                 return Ok(None);
@@ -318,8 +315,6 @@ impl Asked<'_> {
             contraction_2: second.map(|m| response(m).contraction),
             arm_1_mm: first.map_or(0.0, |m| m.arm_mm),
             arm_2_mm: second.map(|m| m.arm_mm),
-            bend_1: first.and_then(|m| m.bend),
-            bend_2: second.and_then(|m| m.bend),
             slack_1: first.is_some_and(|m| m.answer.slack),
             slack_2: second.map(|m| m.answer.slack),
             start_pressure_1_mpa: None,

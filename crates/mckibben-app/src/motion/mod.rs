@@ -65,11 +65,8 @@ impl MotionRequest {
             }
             Subject::Joint(_) => {
                 let joint = self.joint.resolve()?;
-                let models = joint
-                    .muscles()
-                    .iter()
-                    .map(|m| Ok(m.model(build(&m.muscle)?)))
-                    .collect::<Result<_, Problem>>()?;
+                let models =
+                    joint.muscles().iter().map(|m| build(&m.muscle)).collect::<Result<_, Problem>>()?;
                 Ok(Moved { choice, joint: Some(joint), models })
             }
         }

@@ -65,8 +65,7 @@ impl Moved {
         let last = run.motion.series.muscles.first()?.contraction.last().copied();
         let contraction = run.motion.equilibrium_contraction.or(last)?;
         let length_mm = model.muscle().length_mm();
-        let stop = model.info().range.stop.unwrap_or(f64::INFINITY);
-        let (low, high) = (file.stops_mm.0 / length_mm, (file.stops_mm.1 / length_mm).min(stop));
+        let (low, high) = (file.stops_mm.0 / length_mm, file.stops_mm.1 / length_mm);
         if contraction <= low + ON_STOP || contraction >= high - ON_STOP {
             return None;
         }

@@ -4,8 +4,6 @@ use super::Moved;
 use crate::words::{number, percent};
 use mckibben_motion::{Coordinate, DriveFile, Motion, Moves};
 
-const RUBS: &str = "the friction of a muscle on its pulley (`wrap_friction`) is not part of the motion; `joint` gives the torques with it";
-
 /// Suction in MPa that a tube bears, where a thin one begins to collapse.
 const SUCTION_MPA: f64 = 1e-3;
 
@@ -23,9 +21,7 @@ fn suction(motion: &Motion) -> Option<String> {
 
 impl Moved {
     pub(super) fn warnings_of_muscles(&self) -> impl Iterator<Item = String> {
-        let rubs = self.models.iter().any(|m| m.extensions().bend.is_some_and(|bend| bend.friction() > 0.0));
-        let rubs = rubs.then(|| RUBS.to_owned());
-        self.models.iter().flat_map(|model| model.muscle().warnings()).chain(rubs)
+        self.models.iter().flat_map(|model| model.muscle().warnings())
     }
 
     pub(super) fn warnings(&self, motion: &Motion, file: &DriveFile) -> Vec<String> {

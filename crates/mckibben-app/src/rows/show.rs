@@ -134,17 +134,9 @@ fn derived(answer: &MuscleShowAnswer, u: &Units) -> Vec<Row> {
         ("strand length", mm(m.strand_length_mm())),
         ("turns of a strand", number(m.turns(), 4)),
         ("strand length per turn", mm(m.strand_length_per_turn_mm())),
-        ("largest ideal contraction", percent(m.free_ideal_contraction())),
-        ("cavity at rest", u.volume.show(m.rest_air_mm3())),
+        ("largest ideal contraction", percent(m.max_ideal_contraction())),
+        ("cavity at rest", u.volume.show(m.rest_volume_mm3())),
     ];
-    let rod = &answer.derived;
-    rows.extend(rod.rod_area_mm2.map(|area| {
-        let per_bar = number(0.1 * area, 4);
-        ("core rod", format!("leaves through a seal: {per_bar} N more pull per bar"))
-    }));
-    rows.extend(rod.rod_stop_contraction.map(|stop| {
-        ("core rod", format!("ends inside: meets the other plug at a contraction of {}", percent(stop)))
-    }));
     let mass = |g: f64| ("mass of the rubber", format!("{} g, without braid and terminals", number(g, 4)));
     let both = |g: f64| ("mass of tube and sleeve", format!("{} g, without terminals", number(g, 4)));
     rows.extend(answer.summary.mass_g.map(both).or(answer.summary.rubber_mass_g.map(mass)));

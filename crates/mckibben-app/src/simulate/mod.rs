@@ -271,7 +271,7 @@ fn written_deck(
     };
     if ends.give() {
         return Err(wrong(
-            "an input deck cannot describe seating, slip or grip of the terminals, nor a core rod: leave them out".into(),
+            "an input deck cannot describe seating, slip or grip of the terminals: leave them out".into(),
         ));
     }
     let contractions: Vec<f64> = questions

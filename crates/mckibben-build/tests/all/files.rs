@@ -121,29 +121,3 @@ fn all_files_are_written_with_their_mark() {
         assert!(readme.contains("Proof test with water") && readme.contains("0.5 MPa (5 bar)"), "{readme}");
     }
 }
-
-/// A core rod is in bill, cut list and steps; its seat carries P A, by hand 0.25 MPa π 5²/4 = 4.909 N. Without one nothing names a rod.
-#[test]
-fn a_core_rod_is_named_with_what_its_plug_needs() {
-    let text = |rod: &str| {
-        format!("[tube]\nouter_diameter = 10\nwall_thickness = 1.5\nlength = 200\n[terminals]\n{rod}\n")
-    };
-    let readme = |rod: &str| {
-        let plan = plan_from(&text(rod), &Wishes::default());
-        let all = files(&plan).unwrap();
-        let Content::Text(readme) = &all.iter().find(|f| f.name == "README.md").unwrap().content else {
-            panic!("no text")
-        };
-        (plan.parts.last().unwrap().clone(), readme.clone())
-    };
-    let (part, inside) = readme("rod_diameter = 5\nrod_length = 150");
-    assert_eq!((part.number, part.amount.as_str()), (8, "150 mm in the cavity"));
-    assert!(
-        inside.contains("\n| core rod, ⌀ 5 mm | 150 mm | from the face of its plug")
-            && inside.contains("with 4.91 N")
-    );
-    assert!(inside.contains("stops the muscle at a contraction of 25"), "{inside}");
-    let (_, through) = readme("rod_diameter = 5");
-    assert!(through.contains("rod seal") && through.contains("adds 4.91 N to the pull"), "{through}");
-    assert!(!readme("").1.contains("rod, ⌀"));
-}

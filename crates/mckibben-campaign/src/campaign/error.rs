@@ -1,8 +1,5 @@
 //! Why a campaign does not run, or a store cannot be read.
 
-use super::Cost;
-#[cfg(feature = "store")]
-use super::ShardError;
 use mckibben::muscle::file::FileError;
 use mckibben::threads::ThreadsError;
 #[cfg(feature = "store")]
@@ -35,12 +32,6 @@ pub enum CampaignError {
         theirs: String,
         /// This version.
         ours: String,
-    },
-    /// The store was made when tables had other columns.
-    #[error("{} has other columns than this version of mckibben writes", .path.display())]
-    OtherColumns {
-        /// The store, or the file in it.
-        path: PathBuf,
     },
     /// Another process writes to the store.
     #[error("another process is writing to {}", .path.display())]
@@ -138,24 +129,9 @@ pub enum CampaignError {
     /// A table cannot be encoded.
     #[error("cannot write the table: {0}")]
     Encode(String),
-    /// It is so large that it is begun only on request.
-    #[error("the campaign has {} points: about {:.0} GB and {:.1} days", .0.points, .0.bytes / 1e9, .0.seconds / 86_400.0)]
-    Large(Cost),
     /// The caller wanted it to end.
     #[error("the campaign was stopped before its end")]
     Stopped,
-    /// The environment names no share.
-    #[cfg(feature = "store")]
-    #[error(transparent)]
-    Shard(#[from] ShardError),
-    /// A command of an engine failed.
-    #[error("`{command}` failed: {why}")]
-    Engine {
-        /// The command.
-        command: String,
-        /// What it says.
-        why: String,
-    },
     /// No threads to be had.
     #[error(transparent)]
     Threads(#[from] ThreadsError),
@@ -172,7 +148,7 @@ impl CampaignError {
             Self::OtherPlan { .. } => {
                 "write to another place, or replace it with `overwrite`; any change of a plan's text makes another plan"
             }
-            Self::OtherVersion { .. } | Self::OtherColumns { .. } => {
+            Self::OtherVersion { .. } => {
                 "write to another place, continue with that version, or replace it with `overwrite`"
             }
             Self::Foreign { .. } => "write to another place, move it away, or replace it with `overwrite`",
@@ -204,12 +180,6 @@ impl CampaignError {
             }
             Self::Write { .. } | Self::Encode(_) => {
                 "what was written before is a valid store; the same command continues from there"
-            }
-            Self::Large(_) => "reduce the muscles or points, use shards, or start it with `yes`",
-            #[cfg(feature = "store")]
-            Self::Shard(error) => error.hint(),
-            Self::Engine { .. } => {
-                "the engine's programs must be on this machine; a dry run shows the script and the commands"
             }
             Self::Threads(_) => "take fewer threads; the table does not depend on them",
             _ => "",

@@ -18,9 +18,6 @@ pub struct Merged {
     pub points: u64,
     /// Parts that it was made of.
     pub parts: u64,
-    /// Parts that were found more than once, all alike.
-    #[serde(rename = "parts_found_twice")]
-    pub doubles: u64,
     /// SHA-256 of the plan's text.
     pub plan_sha256: String,
 }
@@ -69,11 +66,8 @@ pub(super) fn write_whole(
 }
 
 /// All parts of some folders; none may be missing.
-pub(super) fn gather(
-    folders: &[PathBuf],
-) -> Result<(Provenance, BTreeMap<u64, PathBuf>, u64), CampaignError> {
+pub(super) fn gather(folders: &[PathBuf]) -> Result<(Provenance, BTreeMap<u64, PathBuf>), CampaignError> {
     let mut found: BTreeMap<u64, PathBuf> = BTreeMap::new();
-    let mut doubles = 0;
     for folder in folders {
         for (number, path) in Folder::parts(folder)? {
             match found.get(&number) {
@@ -86,7 +80,6 @@ pub(super) fn gather(
                     if seals(one)? != seals(&path)? {
                         return Err(CampaignError::Conflict { one: one.clone(), other: path });
                     }
-                    doubles += 1;
                 }
             }
         }
@@ -105,7 +98,7 @@ pub(super) fn gather(
     if let Some((_, path)) = found.range(parts..).next() {
         return Err(CampaignError::damaged(path, format!("the plan has only {parts} parts")));
     }
-    Ok((provenance, found, doubles))
+    Ok((provenance, found))
 }
 
 /// Merges the parts in some folders into one file, the same bytes as those of a single run. A file of the same plan is replaced,
@@ -114,7 +107,7 @@ pub fn merge(folders: &[PathBuf], out: &Path, overwrite: bool) -> Result<Merged,
     if !is_file_name(out) {
         return Err(CampaignError::OtherFormat { path: out.into() });
     }
-    let (provenance, found, doubles) = gather(folders)?;
+    let (provenance, found) = gather(folders)?;
     let there = out.exists();
     if there && !overwrite {
         of_this_plan(&provenance, out)?;
@@ -126,7 +119,6 @@ pub fn merge(folders: &[PathBuf], out: &Path, overwrite: bool) -> Result<Merged,
         muscles: provenance.muscles,
         points: provenance.points(),
         parts: provenance.parts(),
-        doubles,
         plan_sha256: provenance.plan_sha256,
     })
 }

@@ -9,6 +9,8 @@
 mod cost;
 mod error;
 #[cfg(feature = "store")]
+mod marker;
+#[cfg(feature = "store")]
 mod merge;
 #[cfg(feature = "store")]
 mod outcome;
@@ -23,22 +25,15 @@ mod run;
 mod shard;
 mod solve;
 #[cfg(feature = "store")]
-mod state;
-#[cfg(feature = "store")]
 mod status;
 #[cfg(feature = "store")]
 mod store;
 #[cfg(feature = "store")]
-mod submit;
-#[cfg(feature = "store")]
 mod summary;
-#[cfg(feature = "store")]
-mod timing;
 
 #[cfg(all(test, feature = "store"))]
 mod tests;
 
-pub use cost::Cost;
 pub use error::CampaignError;
 #[cfg(feature = "store")]
 pub use merge::{Merged, merge};
@@ -50,15 +45,11 @@ pub use read::{Rows, read, rows};
 #[cfg(feature = "store")]
 pub use run::{RunOptions, run};
 #[cfg(feature = "store")]
-pub use shard::{ENGINES, Engine, Shard, ShardChoice, ShardError};
+pub use shard::Shard;
 pub use solve::compute;
 #[cfg(feature = "store")]
 pub use status::{CampaignStatus, ShardState, ShardStatus, status};
 #[cfg(feature = "store")]
 pub use store::Provenance;
 #[cfg(feature = "store")]
-pub use submit::{CancelledJobs, SubmitEngine, SubmitOptions, Submitted, cancel, submit};
-#[cfg(feature = "store")]
 pub use summary::{Extent, Failed, Summary, summary};
-#[cfg(feature = "store")]
-pub use timing::Timing;

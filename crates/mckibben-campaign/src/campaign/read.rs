@@ -57,7 +57,7 @@ impl Iterator for Rows {
 pub fn rows(path: impl AsRef<Path>) -> Result<Rows, CampaignError> {
     let path = path.as_ref();
     let (provenance, tables): (_, Box<dyn Iterator<Item = _>>) = if path.is_dir() {
-        let (provenance, found, _) = gather(&[PathBuf::from(path)])?;
+        let (provenance, found) = gather(&[PathBuf::from(path)])?;
         let of = provenance.clone();
         let mut parts = found.into_iter();
         let next = move || parts.next().map(|(n, path)| part_tables(&of, n, path));

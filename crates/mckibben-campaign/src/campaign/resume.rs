@@ -101,9 +101,6 @@ pub(super) fn belongs(theirs: &Provenance, ours: &Provenance, path: &Path) -> Re
         let (theirs, ours) = (theirs.version.clone(), ours.version.clone());
         return Err(CampaignError::OtherVersion { path: path.into(), theirs, ours });
     }
-    if theirs.layout != ours.layout {
-        return Err(CampaignError::OtherColumns { path: path.into() });
-    }
     if theirs == ours {
         Ok(())
     } else {

@@ -1,10 +1,10 @@
 //! Runs a plan into a store.
 
+use super::marker::Marker;
 use super::merge::write_whole;
 use super::outcome::{Counts, Outcome};
 use super::plan::Plan;
 use super::resume::{finished, there};
-use super::state::{Alive, Marker};
 use super::store::{Folder, PartSource, Provenance, Table, check_name, is_file_name, part, part_name};
 use super::{CampaignError, Shard, solve};
 use mckibben::progress::Progress;
@@ -26,8 +26,6 @@ pub struct RunOptions {
     pub threads: Option<usize>,
     /// What is there and is not of this plan is replaced.
     pub overwrite: bool,
-    /// Start even if the plan needs more than 10 GB or one day.
-    pub yes: bool,
 }
 
 /// What a thread hands over.
@@ -78,14 +76,10 @@ pub fn run(
         drop(folder);
         return finished(&provenance, out, &store);
     }
-    if one_file {
-        return in_folder(plan, &provenance, out, folder, options, progress);
+    if !one_file {
+        Marker::claim(&store, &provenance, options.overwrite)?;
     }
-    Marker::claim(&store, &provenance, options.overwrite)?;
-    let alive = Alive::begin(&folder, options.shard.unwrap_or(Shard::WHOLE));
-    let done = in_folder(plan, &provenance, out, folder, options, progress);
-    alive.end(&done);
-    done
+    in_folder(plan, &provenance, out, folder, options, progress)
 }
 
 /// Computes what is missing in a folder; of a campaign that is to be one file it writes the file at the end.
@@ -113,11 +107,6 @@ fn in_folder(
     let report = |c: &Counts| progress.report(c.muscles as usize, c.of as usize);
     report(&counts);
 
-    let left: u64 = missing.iter().map(|&p| muscles(p)).sum();
-    let cost = plan.cost(left, threads.count());
-    if cost.is_large() && !options.yes {
-        return Err(CampaignError::Large(cost));
-    }
     let mut pending = vec![];
     let mut error = None;
     let mut flushed = Instant::now();

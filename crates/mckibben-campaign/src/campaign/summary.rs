@@ -43,8 +43,6 @@ pub struct Summary {
     pub answered: u64,
     /// Rows without an answer by their status.
     pub failed: BTreeMap<Status, Failed>,
-    /// Newton iterations of all rows.
-    pub iterations: u64,
     /// Smallest and largest value of what was asked and of what came out, in the order of the columns.
     pub ranges: Vec<Extent>,
     /// Bytes on the disk.
@@ -67,7 +65,6 @@ impl Summary {
             complete: false,
             answered: 0,
             failed: BTreeMap::new(),
-            iterations: 0,
             ranges: vec![],
             bytes: 0,
             missing_parts: 0,
@@ -78,7 +75,6 @@ impl Summary {
 
     fn add(&mut self, mut row: PointRow, fields: &[Field]) {
         self.points += 1;
-        self.iterations += u64::from(row.iterations);
         if row.status.is_ok() {
             self.answered += 1;
         } else {

@@ -58,8 +58,8 @@ struct Problem {
     values: DVector<f64>,
 }
 
-/// Fits at most `most` terms.
-pub fn global(points: &[FitPoint], most: usize) -> Result<GlobalFit, FitError> {
+/// Fits at most [`MOST_TERMS`] terms.
+pub fn global(points: &[FitPoint]) -> Result<GlobalFit, FitError> {
     let all = compared(points, |_| 0.0)?;
     let used: Vec<Compared> = all.into_iter().filter(|c| c.point.force_n > 0.0).collect();
     if used.is_empty() {
@@ -78,14 +78,13 @@ pub fn global(points: &[FitPoint], most: usize) -> Result<GlobalFit, FitError> {
     // A power takes one value more than it is high, that of d one more for what s/D0 says of D0 already.
     let counts = [walls.len(), pressures.len() + 1, contractions.len(), diameters.len().saturating_sub(1)];
     let candidates = candidates(counts);
-    let most = most.min(MOST_TERMS);
     ended()?;
     let full = problem(&used, &candidates, &scales);
-    let chosen = select(&full, most);
+    let chosen = select(&full);
     // What was chosen when the work was ended is no choice.
     ended()?;
     let (coefficients, rms) = nested(&full, &chosen);
-    let left_out = leave_out(&used, &candidates, &scales, &diameters, most);
+    let left_out = leave_out(&used, &candidates, &scales, &diameters);
     ended()?;
     let steps: Vec<Step> = (1..=chosen.len())
         .map(|terms| Step {
@@ -139,14 +138,14 @@ fn problem(used: &[Compared], candidates: &[[u8; 4]], scales: &Scales) -> Proble
 }
 
 /// Forward selection by modified Gram–Schmidt: the order in which terms are chosen.
-fn select(problem: &Problem, most: usize) -> Vec<usize> {
+fn select(problem: &Problem) -> Vec<usize> {
     let mut columns: Vec<DVector<f64>> = problem.matrix.column_iter().map(|c| c.into_owned()).collect();
     let lengths: Vec<f64> = columns.iter().map(DVector::norm_squared).collect();
     let (mut rest, all) = (problem.values.clone(), problem.values.norm_squared());
     let mut free: Vec<usize> = (0..columns.len()).collect();
     let mut chosen = vec![];
     let budget = Budget::current();
-    while chosen.len() < most.min(problem.values.len())
+    while chosen.len() < MOST_TERMS.min(problem.values.len())
         && rest.norm_squared() > MET * all
         && budget.check().is_ok()
     {
@@ -196,20 +195,19 @@ fn leave_out(
     candidates: &[[u8; 4]],
     scales: &Scales,
     diameters: &[f64],
-    most: usize,
 ) -> Option<Vec<f64>> {
     let inner = diameters.get(1..diameters.len().checked_sub(1)?)?;
     if inner.is_empty() || diameters.len() < 4 {
         return None;
     }
-    let mut sums = vec![0.0; most];
-    let (mut rows, mut length) = (0, most);
+    let mut sums = vec![0.0; MOST_TERMS];
+    let (mut rows, mut length) = (0, MOST_TERMS);
     for &d in inner {
         let (out, kept): (Vec<Compared>, Vec<Compared>) =
             used.iter().partition(|c| same(c.point.outer_diameter_mm, d));
         ended().ok()?;
         let kept = problem(&kept, candidates, scales);
-        let chosen = select(&kept, most);
+        let chosen = select(&kept);
         ended().ok()?;
         let (coefficients, _) = nested(&kept, &chosen);
         let out = problem(&out, candidates, scales);

@@ -37,7 +37,7 @@ pub fn cases() -> Vec<VerificationRow> {
         section.force_n(p.pressure_mpa, p.contraction) - p.force_n
     };
     vec![
-        row("global formula", "fe", 0.004, by(Method::GLOBAL)),
+        row("global formula", "fe", 0.004, by(Method::Global)),
         row("formula by the paper's method", "fe", 0.06, by(Method::Paper(Rules::default()))),
         row("published formula", "fe", 0.08, largest(&published)),
     ]

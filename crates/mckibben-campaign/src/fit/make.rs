@@ -16,14 +16,11 @@ use mckibben::muscle::Muscle;
 pub enum Method {
     /// The paper's seven steps.
     Paper(Rules),
-    /// One least-squares problem with at most so many terms.
-    Global(usize),
+    /// One least-squares problem with at most as many terms as the paper has coefficients.
+    Global,
 }
 
 impl Method {
-    /// `global` with as many terms as the paper has coefficients.
-    pub const GLOBAL: Method = Method::Global(MOST_TERMS);
-
     /// The method with its rules, in words.
     pub fn text(self) -> String {
         match self {
@@ -40,8 +37,8 @@ impl Method {
                 };
                 format!("paper (seven steps; curves at 0.05 MPa of D0 < 35, s > 3: {thin}; force {slack})")
             }
-            Method::Global(most) => format!(
-                "global (forward selection, at most {most} terms, number by diameters left out one at a time; points where the muscle pulls)"
+            Method::Global => format!(
+                "global (forward selection, at most {MOST_TERMS} terms, number by diameters left out one at a time; points where the muscle pulls)"
             ),
         }
     }
@@ -92,8 +89,8 @@ pub fn make(request: &Request<'_>) -> Result<FittedFormula, FitError> {
             let steps = paper_method(&fitted, rules)?;
             (Body::Paper(Box::new(steps.coefficients)), Some(steps), None)
         }
-        Method::Global(most) => {
-            let fit = global(&fitted, most)?;
+        Method::Global => {
+            let fit = global(&fitted)?;
             (Body::Global(fit.terms.clone()), None, Some(fit))
         }
     };

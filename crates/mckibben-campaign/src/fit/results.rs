@@ -76,19 +76,10 @@ impl Findings {
     }
 }
 
-/// The paper's campaign and the formula by the paper's method, with its errors: what a front end may take the time of.
-pub fn paper_formula() -> Result<(Vec<FitPoint>, Formula), FitError> {
-    let campaign = paper_campaign(&Muscle::prototype());
-    let formula = fitted(&campaign, Method::Paper(Rules::default()), &[])?;
-    Ok((campaign, formula))
-}
-
-/// Computes everything else anew from [`paper_formula`].
-pub fn results(
-    (campaign, ours): &(Vec<FitPoint>, Formula),
-    progress: &dyn Progress,
-) -> Result<Results, FitError> {
+/// Computes everything anew.
+pub fn results(progress: &dyn Progress) -> Result<Results, FitError> {
     let base = Muscle::prototype();
+    let campaign = &paper_campaign(&base);
     let published = Coefficients::published();
     let step = |done: usize| {
         progress.report(done, STEPS);
@@ -140,7 +131,7 @@ pub fn results(
     step(3)?;
     let steps = pressure_steps(1);
     let full = compute(&base, &DIAMETERS, &WALLS, &CONTRACTIONS, &steps);
-    let global = fitted(&full, Method::GLOBAL, &[])?;
+    let global = fitted(&full, Method::Global, &[])?;
     let held = compute(&base, &[HELD_OUT], &WALLS, &CONTRACTIONS, &steps);
     let difference = |p: &FitPoint| of_formula(&global, p) - p.force_n;
     out.add("global vs FE, all of the range (P by .01 MPa)", Some(0.004), &full, difference, |_| true)?;
@@ -153,7 +144,7 @@ pub fn results(
     let between = compute(&base, &half(30.0, 2.5, 8), &half(1.0, 0.5, 8), &halves, &steps);
     out.add("global vs FE between the points too (half steps)", None, &between, difference, |_| true)?;
     let finer = compute(&base, &DIAMETERS, &WALLS, &halves, &steps);
-    let of_finer = fitted(&finer, Method::GLOBAL, &[])?;
+    let of_finer = fitted(&finer, Method::Global, &[])?;
     let difference = |p: &FitPoint| of_formula(&of_finer, p) - p.force_n;
     let name = "global of a campaign with ε by 2.5 % vs FE, between the points too";
     out.add(name, Some(0.004), &between, difference, |_| true)?;
@@ -166,7 +157,8 @@ pub fn results(
     out.add("published formula vs FE, D0 35", None, &all, difference, |p| {
         same(p.outer_diameter_mm, HELD_OUT)
     })?;
-    let difference = |p: &FitPoint| of_formula(ours, p) - p.force_n;
+    let ours = fitted(campaign, Method::Paper(Rules::default()), &[])?;
+    let difference = |p: &FitPoint| of_formula(&ours, p) - p.force_n;
     out.add("paper's method on our FE vs FE, the campaign", None, campaign, difference, |_| true)?;
     out.add("paper's method on our FE vs FE, D0 35", None, &all, difference, |p| {
         same(p.outer_diameter_mm, HELD_OUT)

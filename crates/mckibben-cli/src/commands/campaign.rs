@@ -1,7 +1,7 @@
-//! `campaign`, `campaign run|show|merge|status|submit|cancel`.
+//! `campaign`, `campaign run|show|merge|status`.
 
-mod cluster;
 mod show;
+mod status;
 
 use crate::clean;
 use crate::failure::{Failure, NOT_CONVERGED};
@@ -12,11 +12,11 @@ use crate::output::text::{number, place};
 use crate::output::{Target, emit, json, show as print, warn};
 use crate::progress::{self, Bar, INTERRUPTED, stopped};
 use clap::{Args, Subcommand};
-use cluster::{CancelArgs, StatusArgs, SubmitArgs};
 use mckibben::progress::Progress;
 use mckibben_app::{CampaignMergeRequest, CampaignRequest, ProblemKind, campaign_merge};
-use mckibben_campaign::campaign::{Outcome, ShardChoice};
+use mckibben_campaign::campaign::{Outcome, Shard};
 use show::CampaignShowArgs;
+use status::StatusArgs;
 use std::io::Write;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -57,16 +57,12 @@ pub struct CampaignRunArgs {
     /// Output table: one file, FILE.parquet, or a folder of parts, DIR/. The same command continues an interrupted run
     #[arg(short, long, value_name = "FILE.parquet or DIR", required = true)]
     pub output: Option<PathBuf>,
-    /// Compute only share i of n of the plan, as parts in a folder; `campaign merge` joins them. `auto` takes the share from the environment
-    /// variables of a cluster's engine, `auto/N` where it gives no number of shares
-    #[arg(long, value_name = "i/n|auto|auto/N")]
-    pub shard: Option<ShardChoice>,
+    /// Compute only share i of n of the plan, as parts in a folder; `campaign merge` joins them
+    #[arg(long, value_name = "i/n")]
+    pub shard: Option<Shard>,
     /// Number of threads [one per core]; the table does not depend on it
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// Start even if the plan needs more than 10 GB or one day
-    #[arg(long)]
-    pub yes: bool,
     /// Print neither progress nor summary
     #[arg(short, long)]
     pub quiet: bool,
@@ -86,15 +82,9 @@ pub enum CampaignCommand {
     /// Join folders of parts into one file, identical to that of a single run
     #[command(after_help = MERGE_EXAMPLES)]
     Merge(CampaignMergeArgs),
-    /// How far a folder of parts is, shard by shard: done, running, waiting, failed, missing; exit code 1 where a shard failed or is missing
-    #[command(after_help = cluster::STATUS_EXAMPLES)]
+    /// How far a folder of parts is, shard by shard: done, running, missing; exit code 1 where a shard is missing
+    #[command(after_help = status::EXAMPLES)]
     Status(StatusArgs),
-    /// Submit what is missing of a plan to a cluster's engine, and a merge after it
-    #[command(after_help = cluster::SUBMIT_EXAMPLES)]
-    Submit(SubmitArgs),
-    /// Cancel the jobs that were submitted for a folder; what was computed stays
-    #[command(after_help = cluster::CANCEL_EXAMPLES)]
-    Cancel(CancelArgs),
 }
 
 /// `campaign merge`.
@@ -114,9 +104,7 @@ pub fn run(args: &CampaignArgs, format: Format) -> Result<u8, Failure> {
     match &args.command {
         None => plan(&args.run, format),
         Some(CampaignCommand::Run(args)) => plan(args, format),
-        Some(CampaignCommand::Status(args)) => cluster::status(args, format),
-        Some(CampaignCommand::Submit(args)) => cluster::submit(args, format),
-        Some(CampaignCommand::Cancel(args)) => cluster::cancel(args, format),
+        Some(CampaignCommand::Status(args)) => status::run(args, format),
         Some(CampaignCommand::Show(args)) => show::run(args, format),
         Some(CampaignCommand::Merge(args)) => merge(args, format),
     }
@@ -140,18 +128,7 @@ fn plan(args: &CampaignRunArgs, format: Format) -> Result<u8, Failure> {
         shard: args.shard.map(|shard| shard.to_string()),
         threads: args.threads.map(usize::from),
         overwrite: args.replace.overwrite,
-        yes: args.yes,
     };
-    if !args.quiet && format == Format::Text {
-        let cost = mckibben_app::campaign_cost(&request, &bar)?;
-        let _ = writeln!(
-            std::io::stderr(),
-            "{} points: about {} and {}",
-            cost.points,
-            size(cost.bytes),
-            duration(cost.seconds)
-        );
-    }
     let outcome = mckibben_app::campaign(&request, &bar)?;
     let ended = progress::ended();
     let interrupted = bar.cancelled() && !outcome.complete;
@@ -178,30 +155,6 @@ fn plan(args: &CampaignRunArgs, format: Format) -> Result<u8, Failure> {
     } else {
         0
     })
-}
-
-fn size(bytes: f64) -> String {
-    let (unit, name) = if bytes < 1e6 {
-        (1e3, "kB")
-    } else if bytes < 1e9 {
-        (1e6, "MB")
-    } else {
-        (1e9, "GB")
-    };
-    format!("{} {name}", number((bytes / unit).max(1.0), 2))
-}
-
-fn duration(seconds: f64) -> String {
-    let (unit, name) = if seconds < 120.0 {
-        (1.0, "s")
-    } else if seconds < 7200.0 {
-        (60.0, "min")
-    } else if seconds < 172_800.0 {
-        (3600.0, "h")
-    } else {
-        (86_400.0, "days")
-    };
-    format!("{} {name}", number((seconds / unit).max(1.0), 2))
 }
 
 fn as_text(outcome: &Outcome, time: Duration) -> String {

@@ -129,27 +129,6 @@ pub struct DesignArgs {
         help_heading = "Limits"
     )]
     pub max_stretch: Option<String>,
-    /// Smallest number of cycles of the rubber by its --life-curve, such as 1e6
-    #[arg(
-        long,
-        value_name = "CYCLES",
-        allow_hyphen_values = true,
-        hide_short_help = true,
-        help_heading = "Limits"
-    )]
-    pub min_life: Option<String>,
-    /// Life of the rubber that you measured: stretch and cycles to failure
-    #[arg(long, value_name = "FILE.csv", hide_short_help = true, help_heading = "Limits")]
-    pub life_curve: Option<PathBuf>,
-    /// Factor within which the cycles of --life-curve scatter, such as 3
-    #[arg(
-        long,
-        value_name = "FACTOR",
-        allow_hyphen_values = true,
-        hide_short_help = true,
-        help_heading = "Limits"
-    )]
-    pub scatter: Option<String>,
     /// Largest strain of the strands at the supply pressure [6 %: the validated range]
     #[arg(
         long,
@@ -317,9 +296,6 @@ fn request(args: &DesignArgs, figure: Option<Units>) -> Result<DesignRequest, Fa
         pitch_mm: length("--pitch", &args.pitch)?,
         min_burst_margin: ratio("--safety", args.safety.as_deref())?,
         max_stretch: ratio("--max-stretch", args.max_stretch.as_deref())?,
-        min_life_cycles: ratio("--min-life", args.min_life.as_deref())?,
-        life_curve: args.life_curve.as_deref().map(files::table).transpose()?,
-        scatter: ratio("--scatter", args.scatter.as_deref())?,
         max_strand_strain: ratio("--max-strand-strain", args.max_strand_strain.as_deref())?,
         guided: args.guided,
         guaranteed: ratio("--guaranteed", args.guaranteed.as_deref())?,

@@ -37,7 +37,7 @@ pub struct FitArgs {
     #[arg(value_name = "FILE", required_unless_present = "report", conflicts_with = "report")]
     pub file: Option<PathBuf>,
     /// Compute the paper's campaign again and print all comparisons, without a table
-    #[arg(long, conflicts_with_all = ["method", "hold_out", "terms", "thin_rule", "slack_rule", "name", "rubber", "stiffness", "muscle", "tables", "plots"])]
+    #[arg(long, conflicts_with_all = ["method", "hold_out", "thin_rule", "slack_rule", "name", "rubber", "stiffness", "muscle", "tables", "plots"])]
     pub report: bool,
     /// Fitting method
     #[arg(long, value_parser = word::<FitMethod>(), default_value = "paper")]
@@ -57,9 +57,6 @@ pub struct FitArgs {
     /// Muscle file with the rubber and the braid
     #[arg(long, value_name = "FILE", help_heading = "Muscle")]
     pub muscle: Option<PathBuf>,
-    /// Largest number of terms of `global` [48]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=48), hide_short_help = true, help_heading = "Advanced")]
-    pub terms: Option<u8>,
     /// Treatment of thick walls of thin muscles at low pressure, in the paper's method
     #[arg(long, value_parser = word::<ThinRule>(), default_value = "leave-out", hide_short_help = true, help_heading = "Advanced")]
     pub thin_rule: ThinRule,
@@ -109,7 +106,6 @@ fn request(args: &FitArgs, path: &Path) -> Result<FitRequest, Failure> {
         method: args.method,
         hold_out_mm: points("--hold-out", args.hold_out.as_deref(), Dimension::Length, 1)?
             .unwrap_or_default(),
-        terms: args.terms.map(usize::from),
         thin_rule: args.thin_rule,
         slack_rule: args.slack_rule,
         name: args.name.clone(),

@@ -13,9 +13,7 @@ use crate::shown;
 use clap::Args;
 use mckibben::units::Dimension;
 use mckibben_app::rows::limit_rows;
-use mckibben_app::{
-    JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, TextFile, bend_lines, joint,
-};
+use mckibben_app::{JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, TextFile, joint};
 use std::path::{Path, PathBuf};
 
 pub const EXAMPLES: &str = "Examples:
@@ -129,8 +127,6 @@ fn as_text(answer: &JointAnswer, u: &Units) -> String {
     }
     if !answer.points.is_empty() {
         text += &format!("\n{}", rows(&answer.points, u));
-        let bend = bend_lines(&answer.points, u);
-        text += &if bend.is_empty() { bend } else { format!("\n{bend}") };
         text += &answer.uncertainty_text.as_ref().map_or_else(String::new, |said| format!("\n{said}\n"));
     }
     if let Some(map) = &answer.map {

@@ -15,7 +15,6 @@ pub mod help;
 pub mod identify;
 pub mod joint;
 pub mod library;
-pub mod life;
 pub mod mcp;
 pub mod models;
 pub mod motion;

@@ -5,11 +5,10 @@ use crate::format::Format;
 use crate::output::{emit, warn};
 use crate::progress;
 use clap::Args;
-use mckibben::budget::Resource;
 use mckibben_app::ProblemKind;
-use mckibben_server::{Config, ServeError, Server};
+use mckibben_server::Config;
 use std::io::ErrorKind;
-use std::net::{IpAddr, Ipv4Addr, SocketAddr, TcpListener};
+use std::net::{Ipv4Addr, TcpListener};
 
 pub const EXAMPLES: &str = "Example:
   mckibben serve --port 0
@@ -25,33 +24,15 @@ pub struct ServeArgs {
     /// Open the page in the browser
     #[arg(long)]
     pub open: bool,
-    /// Address to listen on; any address other than this computer's own requires --host-name, and opens the server to everyone on that network
-    #[arg(long, value_name = "ADDRESS", default_value_t = IpAddr::V4(Ipv4Addr::LOCALHOST))]
-    pub address: IpAddr,
-    /// Host name of this computer that the server accepts besides localhost; may be repeated
-    #[arg(long, value_name = "NAME")]
-    pub host_name: Vec<String>,
 }
 
 /// Serves until a signal ends it.
-pub fn run(args: ServeArgs, format: Format, limits: &[(Resource, f64)]) -> Result<u8, Failure> {
-    if !args.address.is_loopback() && args.host_name.is_empty() {
-        let message = format!("--address: {} requires --host-name", args.address);
-        let hint = "give the name or address that clients use, such as --host-name bench.local";
-        return Err(Failure::input(ProblemKind::Usage, message, hint));
-    }
+pub fn run(args: ServeArgs, format: Format) -> Result<u8, Failure> {
     // Signals are taken over before anybody can know that the server is there.
     progress::stopped();
-    let at = SocketAddr::new(args.address, args.port);
-    let listener = TcpListener::bind(at).map_err(|e| unbound(at, &e))?;
-    let address = listener.local_addr().map_err(|e| unbound(at, &e))?;
+    let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, args.port)).map_err(|e| unbound(args.port, &e))?;
+    let address = listener.local_addr().map_err(|e| unbound(args.port, &e))?;
     let address = format!("http://{address}");
-    let mut config = Config { host_names: args.host_name, ..Config::default() };
-    config.limits = progress::with(config.limits, limits);
-    config.jobs.limits = progress::with(config.jobs.limits, limits);
-    let cannot = |e: ServeError| Failure::input(ProblemKind::Output, e.to_string(), "");
-    // Nobody learns of a server that cannot answer.
-    let server = Server::new(config).map_err(cannot)?;
     let line = match format {
         Format::Json => serde_json::json!({ "address": address }).to_string(),
         Format::Text | Format::Csv => address.clone(),
@@ -62,16 +43,15 @@ pub fn run(args: ServeArgs, format: Format, limits: &[(Resource, f64)]) -> Resul
     {
         warn(format!("no browser can be opened ({error}): open {address} yourself"));
     }
-    server.run(listener, progress::stopped).map_err(cannot)?;
+    mckibben_server::run(listener, Config::default(), progress::stopped)
+        .map_err(|e| Failure::input(ProblemKind::Output, format!("the server cannot run: {e}"), ""))?;
     Ok(0)
 }
 
-fn unbound(at: SocketAddr, error: &std::io::Error) -> Failure {
-    let (message, hint) = match error.kind() {
-        ErrorKind::AddrInUse => {
-            (format!("port {} is in use by another program", at.port()), "--port 0 takes any free port")
-        }
-        _ => (format!("cannot listen at {at}: {error}"), "--port 0 takes any free port"),
+fn unbound(port: u16, error: &std::io::Error) -> Failure {
+    let message = match error.kind() {
+        ErrorKind::AddrInUse => format!("port {port} is in use by another program"),
+        _ => format!("cannot listen at port {port}: {error}"),
     };
-    Failure::input(ProblemKind::Usage, message, hint)
+    Failure::input(ProblemKind::Usage, message, "--port 0 takes any free port")
 }

@@ -17,7 +17,6 @@ const LARGE: &str = "[sampling]\nmethod = \"sobol\"\nsamples = 65536\n[vary]\ntu
 #[test]
 fn what_does_not_fit_is_refused_with_an_estimate_and_the_name_of_the_limit() {
     let dir = folder();
-    std::fs::write(dir.path().join("large.toml"), LARGE).unwrap();
     let alphas = ["2.0"; 2000].join(",");
     let law = format!(
         "[tube.material]\nlaw = \"ogden\"\nmu = [{}]\nalpha = [{alphas}]\n",
@@ -35,16 +34,12 @@ fn what_does_not_fit_is_refused_with_an_estimate_and_the_name_of_the_limit() {
             "bytes, and the limit",
         ),
         ("force --muscle ogden.toml -p 0.2", "at most 20 terms"),
-        ("campaign large.toml -o large.parquet", "points: about"),
         ("force -p 0.2 --limit apples=3", "points, elements, bytes, factorisations, seconds"),
     ] {
         let run = bounded(dir.path(), line);
         assert_eq!(run.code, 2, "{line}: {run:?}");
         assert!(run.err.contains(says), "{line}: {}", run.err);
     }
-    let large = bounded(dir.path(), "campaign large.toml -o large.parquet");
-    assert!(large.err.contains("GB") && large.err.contains("--yes"), "{}", large.err);
-    assert!(!dir.path().join("large.parquet").exists());
 }
 
 /// A hundred thousand points in 300 MB of addresses, printed as they are computed.

@@ -106,26 +106,6 @@ fn ctrl_c_leaves_a_valid_store_and_the_same_command_goes_on() {
     assert!(std::fs::read(dir.path().join("c.parquet")).unwrap() == expected);
 }
 
-#[test]
-fn a_second_process_is_refused_while_the_first_writes() {
-    let dir = with_plan();
-    let expected = reference(dir.path());
-    let mut first = started(dir.path(), "c.parquet");
-    let lock = dir.path().join("c.parquet.parts/.lock");
-    let from = Instant::now();
-    while !lock.exists() && from.elapsed() < Duration::from_secs(20) {
-        std::thread::sleep(Duration::from_millis(5));
-    }
-    std::thread::sleep(Duration::from_millis(50));
-    let second = campaign(dir.path(), "plan.toml -o c.parquet --format json");
-    assert_eq!(second.code, 2, "{second:?}");
-    let error = second.error();
-    assert_eq!(error["kind"], "locked");
-    assert!(error["message"].as_str().unwrap().contains("another process is writing to c.parquet.parts"));
-    assert!(first.wait().unwrap().success());
-    assert!(std::fs::read(dir.path().join("c.parquet")).unwrap() == expected);
-}
-
 /// A limit on the size of files stands for the full disk: writing fails in the middle of a file.
 #[test]
 fn a_full_disk_ends_in_a_clear_error_with_a_valid_store() {
@@ -159,7 +139,7 @@ fn a_full_disk_ends_in_a_clear_error_with_a_valid_store() {
 }
 
 #[test]
-fn damaged_parts_are_named_and_other_plans_refused() {
+fn damaged_parts_are_named_and_wrong_words_refused() {
     let dir = with_plan();
     std::fs::write(dir.path().join("small.toml"), PLAN.replace("120", "3").replace("true", "false")).unwrap();
     campaign(dir.path(), "small.toml -o parts").ok();
@@ -176,12 +156,6 @@ fn damaged_parts_are_named_and_other_plans_refused() {
         again.err
     );
     assert_eq!(std::fs::read(&part).unwrap(), whole);
-
-    let other = campaign(dir.path(), "plan.toml -o parts --format json");
-    assert_eq!((other.code, &other.error()["kind"]), (2, &"other_plan".into()));
-    let shard = campaign(dir.path(), "plan.toml -o x.parquet --shard 1/2");
-    assert_eq!(shard.code, 2);
-    assert!(shard.err.contains("hint: give a folder"), "{}", shard.err);
     for wrong in [
         "plan.toml",
         "-o x.parquet",
@@ -266,7 +240,7 @@ fn the_status_names_a_shard_that_died_and_the_same_shard_fills_the_gap() {
     child.kill().unwrap();
     child.wait().unwrap();
     let died = status(1);
-    assert_eq!((state(&died, 2).0, &died["shards_failed"]), ("failed", &1.into()), "{died}");
+    assert_eq!((state(&died, 2).0, &died["shards_missing"]), ("missing", &2.into()), "{died}");
 
     // A part that was cut on its way is missing, and is named.
     let part = dir.path().join("parts/part-000000.parquet");
@@ -283,7 +257,6 @@ fn the_status_names_a_shard_that_died_and_the_same_shard_fills_the_gap() {
         (&true.into(), &3.into(), &120.into())
     );
     assert_eq!(std::fs::read(&part).unwrap(), whole);
-    campaign(dir.path(), "status parts --watch=1").ok();
 }
 
 #[test]
@@ -307,44 +280,4 @@ fn a_worker_with_another_plan_or_version_is_refused_before_it_computes() {
             .count(),
         2
     );
-}
-
-#[test]
-fn the_share_is_that_of_the_environment() {
-    let dir = with_plan();
-    let with = |variables: &[(&str, &str)], choice: &str| {
-        let mut command = command(dir.path());
-        command.args(["campaign", "plan.toml", "-o", "parts", "--shard", choice, "--format", "json"]);
-        ran(command.envs(variables.iter().copied()).output().unwrap())
-    };
-    let third =
-        with(&[("SGE_TASK_ID", "30"), ("SGE_TASK_FIRST", "1"), ("SGE_TASK_LAST", "40")], "auto").ok().json();
-    assert_eq!((&third["shard"], &third["muscles"]), (&"30/40".into(), &3.into()));
-    let two = with(&[("JOB_COMPLETION_INDEX", "3"), ("PMI_RANK", "1"), ("PMI_SIZE", "4")], "auto");
-    assert_eq!((two.code, &two.error()["field"]), (2, &"shard".into()));
-    assert!(two.err.contains("PMI_RANK") && two.err.contains("JOB_COMPLETION_INDEX"), "{}", two.err);
-    assert!(with(&[], "auto").err.contains("no engine has set its variables"));
-}
-
-/// Without Slurm's programs: what would be submitted, and an error that names the command.
-#[test]
-fn a_dry_run_shows_the_script_and_the_commands() {
-    let dir = with_plan();
-    let shown =
-        campaign(dir.path(), "submit plan.toml -o parts --shards 4 --dry-run --format json").ok().json();
-    let commands = shown["commands"].as_array().unwrap();
-    assert!(
-        commands[0].as_str().unwrap().contains("--array=1-4")
-            && commands[1].as_str().unwrap().contains("--dependency=afterany:JOB")
-    );
-    let script = shown["script"].as_str().unwrap();
-    assert!(script.contains("--shard \"$SLURM_ARRAY_TASK_ID/4\"") && !script.contains('@'), "{script}");
-    assert!(!dir.path().join("parts").exists());
-    let mut command = command(dir.path());
-    let command =
-        command.args(["campaign", "submit", "plan.toml", "-o", "parts", "--shards", "4"]).env("PATH", "");
-    let refused = ran(command.args(["--format", "json"]).output().unwrap());
-    assert_eq!((refused.code, &refused.error()["kind"]), (2, &"engine".into()));
-    assert!(campaign(dir.path(), "cancel parts").ok().text().contains("No job is left"));
-    assert_eq!(campaign(dir.path(), "cancel nothing").code, 2);
 }

@@ -164,9 +164,7 @@ fn wrong_tables_and_formulas_are_named() {
         }
     }
     let table = table();
-    for extra in
-        [["--hold-out", "36"], ["--method", "cubic"], ["--terms", "49"], ["--name", "paper"], ["--name", " "]]
-    {
+    for extra in [["--hold-out", "36"], ["--method", "cubic"], ["--name", "paper"], ["--name", " "]] {
         assert_eq!(run_in(dir.path(), &[&["fit", &table][..], &extra[..]].concat()).code, 2, "{extra:?}");
     }
     let tables = run_in(dir.path(), &["fit", &table, "--method", "global", "--tables", "t"]);

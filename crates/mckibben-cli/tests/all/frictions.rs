@@ -313,7 +313,6 @@ fn what_would_be_ignored_is_refused_and_both_are_named() {
         ("rubber fit t.csv --law yeoh --terms 2", "--terms", "--law"),
         ("rubber fit t.csv --area 8mm2", "--area", "force"),
         ("rubber fit t.csv --gauge-length 25mm", "--gauge-length", "extension"),
-        ("fit data/campaign/paper.csv --terms 8", "--terms", "--method"),
         ("fit data/campaign/paper.csv --method global --thin-rule whole", "--thin-rule", "--method"),
         ("fit --report --hold-out 35", "--report", "--hold-out"),
         ("report my.toml -p 6bar --format csv", "--format csv", "report"),

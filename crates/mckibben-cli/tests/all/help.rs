@@ -41,7 +41,6 @@ fn the_long_help_has_every_flag_in_the_same_groups() {
         ("fit", &["Question", "Muscle", "Advanced", "Output"]),
         ("report", &["Question", "Muscle", "Advanced", "Output"]),
         ("joint", &["Question", "Advanced", "Output"]),
-        ("life", &["Question", "Muscle", "Advanced", "Output"]),
         ("motion", &["Question", "Advanced", "Output"]),
     ] {
         let help = at_80(&format!("{name} --help"));

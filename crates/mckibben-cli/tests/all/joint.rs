@@ -157,23 +157,3 @@ fn a_joint_that_was_designed_holds_its_torque() {
         assert!(held > 0.9999, "{angle}: {held}");
     }
 }
-
-/// The torque is the pull on the arm of the axis at rest and the spring; what the bend takes is the difference from a rope on that arm.
-#[test]
-fn a_muscle_on_its_pulley_says_what_its_bend_takes() {
-    let found = json("joint examples/knee.toml -p 3bar --angle 5deg --model thick-wall");
-    let point = &found["points"][0];
-    let n = |key: &str| point[key].as_f64().unwrap();
-    let bend = |key: &str| point["bend_1"][key].as_f64().unwrap();
-    assert_eq!(n("arm_1_mm"), 70.0);
-    let spring = 40.0 * 5f64.to_radians();
-    assert!((n("torque_nm") - (0.07 * n("force_1_n") - spring)).abs() < 1e-9);
-    assert!((bend("wrap_deg") - 55.0).abs() < 1e-9 && bend("axis_mm") > 60.0);
-    let straight =
-        json(&format!("force -p 3bar -e {} examples/biceps.toml --model thick-wall", n("contraction_1")));
-    let lost = straight["force_n"].as_f64().unwrap() - n("force_1_n");
-    assert!((lost - bend("pull_lost_n")).abs() < 1e-6, "{lost}");
-    assert!(n("torque_turning_plus_nm") < n("torque_nm") && n("torque_turning_minus_nm") > n("torque_nm"));
-    let parts = point["uncertainty_parts_nm"]["bend"].as_f64().unwrap();
-    assert!((parts - 0.07 * bend("pull_lost_uncertainty_n")).abs() < 1e-9);
-}

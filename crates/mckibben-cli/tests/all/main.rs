@@ -21,7 +21,6 @@ mod help;
 mod identify;
 mod joint;
 mod library;
-mod life;
 mod mcp;
 mod measured;
 mod motion;

@@ -119,7 +119,7 @@ impl body::Body for Body {
     fn guess_contraction(&mut self, force: f64, pressure: f64) -> Result<f64, FemError> {
         let Some(endless) = &self.endless else { return Ok(0.0) };
         let pull = |e: f64| endless.force_n(&mut Workspace::new(), pressure, e).ok();
-        let end = 1.2 * endless.muscle().free_ideal_contraction();
+        let end = 1.2 * endless.muscle().max_ideal_contraction();
         let (mut low, mut high) = (end.min(-0.05), end.max(0.05));
         if pull(low).is_none() {
             return Ok(0.0);

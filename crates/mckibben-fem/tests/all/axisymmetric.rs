@@ -246,17 +246,6 @@ fn questions_without_an_answer_end_in_typed_errors() {
     assert!(matches!(Axisymmetric::with_mesh(&Muscle::prototype(), &mesh), Err(FemError::Mesh { .. })));
 }
 
-#[test]
-fn threads_share_a_model() {
-    let model = prototype();
-    let pull = |p: f64| model.force_n(&mut Workspace::new(), p, 0.1).unwrap();
-    let (a, b) = std::thread::scope(|s| {
-        let other = s.spawn(|| pull(0.1));
-        (pull(0.2), other.join().unwrap())
-    });
-    assert_eq!((a, b), (pull(0.2), pull(0.1)));
-}
-
 /// The muscle of the numbers below.
 fn narrow() -> Muscle {
     parse_muscle(

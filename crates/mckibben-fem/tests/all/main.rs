@@ -17,5 +17,4 @@ mod small_angles;
 mod temperature;
 mod three_dimensional;
 mod universal_small;
-mod verification;
 mod vtu;

@@ -1,4 +1,4 @@
-//! Ends that seat, slip and hold a rod: the muscle between them, its slopes and its energies.
+//! Ends that seat and slip: the muscle between them, its slopes and its energies.
 
 use mckibben::model::{Response, Workspace};
 use mckibben::muscle::{Muscle, Terminals};
@@ -178,84 +178,4 @@ fn the_energy_of_ends_that_slip_is_part_of_the_balance() {
     let gained = stored(STEPS) - stored(0);
     let of_ends = places[STEPS].energies.ends_n_mm - places[0].energies.ends_n_mm;
     assert!((gained / work - 1.0).abs() < 1e-5 && of_ends > 0.05 * work, "{gained} {work} {of_ends}");
-}
-
-fn cored(rod_length_mm: Option<f64>, slip_mm_per_n: Option<f64>) -> Muscle {
-    let terminals =
-        Terminals { rod_diameter_mm: Some(16.0), rod_length_mm, slip_mm_per_n, ..Terminals::default() };
-    Muscle::prototype().with_terminals(terminals).unwrap()
-}
-
-/// A = π 8² = 201.0619 mm²: pull, volume, searches and curves of a muscle with a rod through a seal are those of the muscle without it and P A, A (1 − ε) L0; and the energies of
-/// rubber, strands and ends rise by ∫ P dV of the air that is left.
-#[test]
-fn a_rod_through_a_seal_adds_the_pressure_on_its_section() {
-    const AREA_MM2: f64 = 201.061_929_829_746_77;
-    let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-7, "{a} {b}");
-    for slip in [None, Some(4e-3)] {
-        let (whole, w) = (fe(&cored(None, slip)), &mut Workspace::new());
-        let terminals = Terminals { slip_mm_per_n: slip, ..Terminals::default() };
-        let plain = with_ends(terminals);
-        let (p, e) = (0.2, 0.08);
-        let without = plain.solve(&mut Workspace::new(), Given::at(p, e)).unwrap().response;
-        let found = whole.solve(w, Given::at(p, e)).unwrap().response;
-        close(found.force_n, without.force_n + p * AREA_MM2);
-        close(found.volume_mm3.unwrap(), without.volume_mm3.unwrap() - AREA_MM2 * 0.92 * 285.0);
-        close(whole.force_n(w, p, e).unwrap(), found.force_n);
-        close(found.volume_per_contraction_mm3.unwrap(), 285.0 * found.force_per_pressure_mm2.unwrap());
-        searches_and_curves_meet(&*whole, (p, e), &found, 1e-7);
-        let names = ["terminals.rod_diameter".to_owned(), "braid.stiffness".into()];
-        let slopes = whole.extensions().slopes.unwrap().force_by(w, p, e, &names).unwrap().unwrap();
-        close(slopes[0], p * std::f64::consts::PI * 8.0);
-        let bare = plain.extensions().slopes.unwrap();
-        close(slopes[1], bare.force_by(&mut Workspace::new(), p, e, &names[1..]).unwrap().unwrap()[0]);
-        // The free contraction: further than without the rod.
-        let free = free_contraction(&*whole, w, p).unwrap();
-        assert!(free > free_contraction(&*plain, w, p).unwrap() + 0.01, "{free}");
-        // At constant pressure E₁ − E₀ = P (V₁ − V₀) − ∫ F dx, x the shortening.
-        let stored = |s: &mckibben_fem::results::Solution| {
-            let of = s.energies;
-            of.rubber_n_mm + of.braid_n_mm + of.ends_n_mm - of.pressure_n_mm
-        };
-        let mut at = |e: f64| whole.solve(w, Given::at(p, e)).unwrap();
-        let places: Vec<_> = (0..=8).map(|i| at(0.01 * f64::from(i))).collect();
-        let weight = |i: usize| if i == 0 || i == 8 { 1.0 } else { [2.0, 4.0][i % 2] };
-        let work: f64 =
-            (0..=8).map(|i| weight(i) * places[i].response.force_n).sum::<f64>() * 0.01 * 285.0 / 3.0;
-        let fallen = stored(&places[0]) - stored(&places[8]);
-        assert!((fallen / work - 1.0).abs() < 1e-5, "{fallen} {work}");
-    }
-}
-
-/// A rod of 200 of 285 mm ends inside: the pull of the muscle without it, π 8² 200 mm³ less air, and 85/285 as the end of its way.
-#[test]
-fn a_rod_that_ends_inside_stops_the_muscle() {
-    let (inside, plain, w) = (fe(&cored(Some(200.0), None)), fe(&Muscle::prototype()), &mut Workspace::new());
-    let at = Given::at(0.2, 0.1);
-    let (found, without) = (inside.solve(w, at).unwrap().response, plain.solve(w, at).unwrap().response);
-    assert!((found.force_n / without.force_n - 1.0).abs() < 1e-9);
-    let less = without.volume_mm3.unwrap() - found.volume_mm3.unwrap();
-    assert!((less - 201.061_929_829_746_77 * 200.0).abs() < 1e-3, "{less}");
-    let beyond = inside.solve(w, Given::at(0.2, 0.3)).unwrap_err();
-    assert!(
-        matches!(beyond, mckibben_fem::FemError::RodStop { stop, .. } if stop == 85.0 / 285.0),
-        "{beyond}"
-    );
-    assert!(inside.reach(w, pull(0.2, 0.0)).is_ok_and(|found| found.contraction < 85.0 / 285.0));
-}
-
-/// A muscle that extends onto its rod is refused with the bore that it would have, by the infinitely long muscle.
-#[test]
-fn a_tube_on_its_rod_is_refused() {
-    use mckibben::muscle::measures::{ANGLE, ROD_DIAMETER};
-    let m = Muscle::prototype().with(&ANGLE, 62.0).unwrap().with(&ROD_DIAMETER, 23.0).unwrap();
-    let m = m.with(&mckibben::muscle::measures::ROD_LENGTH, 200.0).unwrap();
-    let model = fe(&m);
-    let w = &mut Workspace::new();
-    assert!(model.force_n(w, 0.1, 0.0).is_ok());
-    let refused = model.force_n(w, 0.002, -0.15).unwrap_err();
-    assert!(
-        matches!(refused, mckibben::model::ModelError::OnRod { bore_mm, rod_mm, .. } if bore_mm < rod_mm),
-        "{refused}"
-    );
 }

@@ -9,4 +9,3 @@ mod measured;
 mod one_axis;
 mod prestretch;
 mod tables;
-mod tondu;

@@ -6,9 +6,10 @@ mod liquid;
 mod mechanics;
 mod vessel;
 
-pub use liquid::liquid;
-pub use mechanics::{crossings, mechanics};
-pub use vessel::{Vessel, after, pressure, vessel};
+use liquid::liquid;
+use mechanics::mechanics;
+use vessel::vessel;
+pub use vessel::{Vessel, after, pressure};
 
 use crate::drive::Drive;
 use crate::motion::Motion;

@@ -127,19 +127,3 @@ fn measures_without_bounds_are_refused() {
     close(both.conductance_l_per_s_bar(), 1e-119, 1e-9);
     assert!((both.critical_ratio() - 0.3).abs() < 1e-9);
 }
-
-/// A rod of 0.85 of the length ends inside: the load rests on its stop at a shortening of 0.15, where the muscle still pulls more.
-#[test]
-fn a_core_rod_that_ends_inside_is_a_stop() {
-    let m = note_muscle();
-    let rod_length_mm = Some(0.85 * m.length_mm());
-    let ends = Terminals { rod_diameter_mm: Some(8.0), rod_length_mm, ..m.terminals().clone() };
-    let model = ModelKind::ThickWall.build(&m.with_terminals(ends).unwrap()).unwrap();
-    let load = SingleMuscle { damping_n_s_per_m: 300.0, ..SingleMuscle::hanging(&*model, 2.0) };
-    assert!((load.stops_mm.1 - 0.15 * m.length_mm()).abs() < 1e-9);
-    let drive =
-        Drive::new(&load, vec![Actuated::new(&*model, valve())], steps(&[(0.0, 0.0), (0.05, 0.3)]), 3.0);
-    let motion = ran(&drive);
-    close(*motion.series.coordinate.last().unwrap(), 0.15 * m.length_mm(), 1e-9);
-    assert!(model.force_n(&mut Workspace::new(), 0.3, 0.15).unwrap() > 2.0 * 9.806_65);
-}

@@ -47,22 +47,6 @@ fn closed_form_of_the_note_closed_valve_by_finite_elements() {
 }
 
 #[test]
-fn closed_form_of_the_note_is_what_the_simulated_mass_does() {
-    let (fe, universal) =
-        (Axisymmetric::new(&note_muscle()).unwrap(), ModelKind::Universal.build(&note_muscle()).unwrap());
-    let load = SingleMuscle::hanging(&fe, 10.0);
-    close(verification::crossings(&shut(&fe, &load, Heat::Isothermal), 2.0).unwrap(), 4.7031, 1e-4);
-    for heat in [Heat::Isothermal, Heat::Adiabatic] {
-        let drive = shut(&*universal, &load, heat);
-        close(
-            verification::crossings(&drive, 10.0).unwrap(),
-            Linear::new(&drive).unwrap().oscillation().unwrap().0,
-            1e-4,
-        );
-    }
-}
-
-#[test]
 fn bandwidth_is_where_a_simulated_sine_falls_to_its_root_half() {
     let model = ModelKind::Universal.build(&Muscle::prototype()).unwrap();
     let load = SingleMuscle { damping_n_s_per_m: 600.0, ..SingleMuscle::hanging(&*model, 10.0) };

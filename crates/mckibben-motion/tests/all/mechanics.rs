@@ -23,29 +23,6 @@ fn identity_a_cycle_stores_nothing_in_rubber_and_braid() {
     }
 }
 
-#[test]
-fn identity_a_slow_loop_has_the_static_pull_plus_and_minus_friction() {
-    // At the same contraction the pulls of the branches differ by 2 C P^β about the model's.
-    let muscle = note_muscle();
-    let model = Ideal::new(&muscle);
-    let spring = SingleMuscle {
-        damping_n_s_per_m: 100.0,
-        added_mass_kg: 1.0,
-        ..SingleMuscle::new(&model, Load::Spring { rate_n_per_mm: 5.0, preload_n: 0.0 })
-    };
-    let mut driven = Actuated::new(&model, regulator(0.02));
-    driven.friction = Some(Hysteresis::of(&Friction::power_law(30.0, 0.7), Some(&Presliding::of(0.05))));
-    let ramps = Command::Ramps(vec![(0.0, 0.1), (20.0, 0.4), (40.0, 0.1)]);
-    let drive = Drive::new(&spring, vec![driven], Target::Pressure(vec![ramps]), 40.0);
-    let motion = ran(&drive);
-    for (t, sign) in [(10.0, -1.0), (30.0, 1.0)] {
-        let i = motion.series.time_s.iter().position(|x| *x >= t).unwrap();
-        let (p, e) = (motion.series.muscles[0].pressure_mpa[i], motion.series.muscles[0].contraction[i]);
-        let expected = model.pull(p, e) + sign * 30.0 * p.powf(0.7);
-        close(motion.series.muscles[0].force_n[i], expected, 1e-6);
-    }
-}
-
 /// Half the width C P^β + μw G of the static branches, by models with and without a contact of their own; ends that slip.
 #[test]
 fn identity_a_slow_loop_lies_on_the_static_branches() {

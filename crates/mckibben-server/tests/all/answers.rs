@@ -1,141 +1,144 @@
-//! Answers and problems are those of the application layer.
+//! The page, answers of the application layer, and who gets them.
 
-use crate::common::{Client, asked, posted};
+use crate::{Client, posted};
 use axum::body::Body;
-use axum::http::{Method, StatusCode};
+use axum::http::Request;
 use mckibben::progress::Silent;
-use mckibben_app::{COMMANDS, ask, ask_packed};
-use serde_json::{Value, json};
-
-const ASKED: [(&str, &str); 14] = [
-    ("force", r#"{"pressure_mpa": 0.2, "contraction": 0.1}"#),
-    ("pressure", r#"{"force_n": 100, "contraction": 0.1, "model": "ideal"}"#),
-    ("contraction", r#"{"force_n": 100, "pressure_mpa": 0.2, "model": "thick-wall"}"#),
-    ("curve", r#"{"test": "isobaric", "model": "ideal", "figure": "bar"}"#),
-    ("compare", r#"{"models": ["ideal", "paper"]}"#),
-    ("shape", r#"{"pressure_mpa": 0.2, "contraction": 0.1}"#),
-    ("muscle-show", "{}"),
-    ("braid-list", "{}"),
-    ("muscle-measures", "{}"),
-    ("rubber-show", r#"{"name": "dragon-skin-30"}"#),
-    ("formula-show", r#"{"name": "universal"}"#),
-    ("quantities", r#"{"texts": []}"#),
-    ("units", "{}"),
-    ("models", "{}"),
-];
+use mckibben_app::{ask, ask_packed};
 
 #[tokio::test]
-async fn answers_are_those_of_the_application_layer_byte_for_byte() {
+async fn the_page_is_that_of_a_server() {
     let client = Client::usual();
-    for (name, request) in ASKED {
-        let answer = client.post(&format!("/api/v1/{name}"), request).await;
-        match ask(name, request, &Silent) {
-            Ok(text) => {
-                assert_eq!(answer.status, 200, "{name}: {answer:?}");
-                assert_eq!(answer.header("content-type"), "application/json");
-                assert!(answer.bytes == text, "{name}");
-            }
-            Err(problem) => panic!("{name}: {problem}"),
-        }
+    for path in mckibben_web::paths().filter(|path| path != mckibben_web::KIND) {
+        let answer = client.get(&format!("/{path}")).await;
+        assert_eq!(answer.status, 200, "{path}");
+        assert!(answer.bytes == *mckibben_web::file(&path).unwrap(), "{path}");
+    }
+    assert!(client.get("/").await.bytes == *mckibben_web::file("index.html").unwrap());
+    let kind = client.get(&format!("/{}", mckibben_web::KIND)).await;
+    assert!(kind.bytes == mckibben_web::KIND_OF_SERVER.as_bytes());
+    for (path, kind) in [
+        ("/", "text/html; charset=utf-8"),
+        ("/js/main.js", "text/javascript; charset=utf-8"),
+        ("/style.css", "text/css; charset=utf-8"),
+        ("/manifest.webmanifest", "application/manifest+json"),
+        ("/examples/prototype.toml", "text/plain; charset=utf-8"),
+    ] {
+        assert_eq!(client.get(path).await.header("content-type"), kind);
     }
 }
 
 #[tokio::test]
-async fn answers_are_packed_where_bytes_are_accepted() {
-    let (name, request) = ASKED[5];
-    let asked = posted("/api/v1/shape").header("accept", "application/octet-stream");
-    let answer = Client::usual().send(asked.body(Body::from(request)).unwrap()).await;
-    assert_eq!(answer.header("content-type"), "application/octet-stream");
-    assert!(answer.bytes == ask_packed(name, request, &Silent).unwrap());
+async fn what_a_browser_has_is_not_sent_again_and_the_rest_is_compressed() {
+    let client = Client::usual();
+    let tag = client.get("/").await.header("etag").to_owned();
+    let known = Request::get("/").header("host", "localhost").header("if-none-match", tag);
+    let again = client.send(known, Body::empty()).await;
+    assert!(again.status == 304 && again.bytes.is_empty(), "{again:?}");
+    let charts = Request::get("/js/plotly.js").header("host", "localhost").header("accept-encoding", "gzip");
+    let charts = client.send(charts, Body::empty()).await;
+    assert_eq!(charts.header("content-encoding"), "gzip");
+    assert!(charts.bytes.len() < mckibben_web::charts().len() / 2);
 }
 
 #[tokio::test]
-async fn long_packed_answers_are_compressed_and_short_ones_are_not() {
-    let packed = |name: &str, request: &'static str| {
-        let asked = posted(&format!("/api/v1/{name}")).header("accept", "application/octet-stream");
-        asked.header("accept-encoding", "gzip").body(Body::from(request)).unwrap()
-    };
+async fn no_path_leads_to_the_disk() {
     let client = Client::usual();
-    let long = client.send(packed("parts-list", "{}")).await;
-    assert_eq!(long.header("content-encoding"), "gzip");
-    assert!(4 * long.bytes.len() < ask_packed("parts-list", "{}", &Silent).unwrap().len());
-    let (name, request) = ASKED[5];
-    let short = client.send(packed(name, request)).await;
-    assert!(short.bytes == ask_packed(name, request, &Silent).unwrap());
+    for path in [
+        "/../../etc/passwd",
+        "/%2e%2e/%2e%2e/etc/passwd",
+        "/js/../../src/lib.rs",
+        "/examples/../../Cargo.toml",
+        "/js/..%2f..%2fsrc/lib.rs",
+        "//etc/passwd",
+        "/index.html%00",
+        "/api/",
+        "/api/force/more",
+    ] {
+        client.get(path).await.problem(404);
+    }
+}
+
+#[tokio::test]
+async fn answers_are_those_of_the_application_layer_byte_for_byte() {
+    let client = Client::usual();
+    for (name, request) in [
+        ("force", r#"{"pressure_mpa": 0.2, "contraction": 0.1}"#),
+        ("contraction", r#"{"force_n": 100, "pressure_mpa": 0.2, "model": "thick-wall"}"#),
+        ("curve", r#"{"test": "isobaric", "model": "ideal", "figure": "bar"}"#),
+        ("compare", r#"{"models": ["ideal", "paper"]}"#),
+        ("units", "{}"),
+    ] {
+        let answer = client.post(name, request).await;
+        assert_eq!(answer.header("content-type"), "application/json");
+        assert!(answer.bytes == ask(name, request, &Silent).unwrap(), "{name}");
+    }
+    let request = r#"{"pressure_mpa": 0.2, "contraction": 0.1}"#;
+    let packed = client.send(posted("shape").header("accept", "application/octet-stream"), request).await;
+    assert!(packed.bytes == ask_packed("shape", request, &Silent).unwrap());
 }
 
 #[tokio::test]
 async fn problems_have_their_status_and_their_words() {
     let client = Client::usual();
-    for (path, request, status, kind) in [
+    let deep = "[".repeat(100_000);
+    for (name, request, status, kind) in [
         ("force", r#"{"outer_diameter_mm": -1, "pressure_mpa": 0.2}"#, 422, "muscle"),
-        ("force", r#"{"pressure_mpa": "a lot"}"#, 422, "usage"),
         ("force", "[]", 422, "usage"),
         ("pressure", r#"{"force_n": 1e9, "contraction": 0.1, "model": "ideal"}"#, 422, "no_answer"),
-        ("rubber-show", r#"{"name": "chewing-gum"}"#, 422, "rubber"),
         ("force", r#"{"pressure_mpa": NaN}"#, 400, "usage"),
         ("force", r#"{"pressure_mpa": 1e999}"#, 400, "usage"),
-        ("force", "{", 400, "usage"),
         ("force", "", 400, "usage"),
+        ("force", &deep, 400, "usage"),
         ("no-such-command", "{}", 404, "usage"),
-        ("%ff", "{}", 404, "usage"),
+        // What touches the disk.
+        ("campaign", r#"{"plan": {"name": "plan", "text": ""}, "output": "x.parquet"}"#, 403, "usage"),
+        ("fit", r#"{"campaign": null, "campaign": "/etc/passwd"}"#, 403, "usage"),
     ] {
-        let problem = client.post(&format!("/api/v1/{path}"), request).await.problem(status);
+        let problem = client.post(name, request.to_owned()).await.problem(status);
         assert_eq!(problem["kind"], kind, "{problem}");
     }
-    let deep = "[".repeat(100_000);
-    client.post("/api/v1/force", deep).await.problem(400);
-    client.post("/api/v1/force", vec![b'"', 0xff, b'"']).await.problem(400);
-    let unreached =
-        client.post("/api/v1/pressure", r#"{"force_n": 1e9, "contraction": 0.1}"#).await.problem(422);
-    assert!(unreached["nearest"]["force_n"].is_number(), "{unreached}");
-    let unknown = client.post("/api/v1/force", r#"{"presure_mpa": 0.2}"#).await.problem(422);
-    assert_eq!(
-        (&unknown["hint"], &unknown["field"]),
-        (&json!("did you mean `pressure_mpa`?"), &json!("presure_mpa"))
-    );
-    for (method, path, allowed) in [
-        (Method::GET, "/api/v1/force", "POST"),
-        (Method::PUT, "/api/v1/health", "GET,HEAD"),
-        (Method::DELETE, "/", "GET, HEAD"),
-    ] {
-        let answer = client.send(asked(method, path).body(Body::empty()).unwrap()).await;
-        answer.problem(405);
-        assert_eq!(answer.header("allow"), allowed);
+    let unknown = client.post("force", r#"{"presure_mpa": 0.2}"#).await.problem(422);
+    assert_eq!(unknown["hint"], "did you mean `pressure_mpa`?");
+}
+
+async fn status(headers: &[(&str, &str)]) -> u16 {
+    let mut request = Request::post("/api/units");
+    for (name, value) in headers {
+        request = request.header(*name, *value);
     }
+    let answer = Client::usual().send(request, "{}").await;
+    let policy = answer.header("content-security-policy");
+    assert!(policy.contains("default-src 'self'") && policy.contains("frame-ancestors 'none'"), "{policy}");
+    assert!(answer.headers.get("access-control-allow-origin").is_none());
+    answer.status.as_u16()
 }
 
 #[tokio::test]
-async fn every_command_has_its_route_and_its_schema() {
-    let client = Client::usual();
-    let list = client.get("/api/v1").await.json();
-    for (command, entry) in COMMANDS.iter().zip(list["commands"].as_array().unwrap()) {
-        let name = command.name;
-        assert_eq!((&entry["name"], &entry["long"]), (&json!(name), &json!(command.long)));
-        assert!(!entry["about"].as_str().unwrap().is_empty(), "{name}");
-        let schema = client.get(entry["links"]["schema"].as_str().unwrap()).await;
-        assert_eq!(schema.json(), mckibben_app::schema(name).unwrap());
-        let answer = client.post(entry["links"]["ask"].as_str().unwrap(), r#"{"no such field": 1}"#).await;
-        let refused = if command.touches_disk(&Value::Null) { 403 } else { 422 };
-        // A request without fields has none that are wrong.
-        assert!(answer.status == refused || answer.status == 200, "{name}: {answer:?}");
+async fn only_names_of_this_computer_its_own_page_and_json_are_answered() {
+    let json = ("content-type", "application/json");
+    for host in ["localhost", "LOCALHOST:1", "127.0.0.1:8080", "[::1]", "[::1]:8080"] {
+        assert_eq!(status(&[("host", host), json]).await, 200, "{host}");
     }
-    assert_eq!(client.get("/api/v1/schema/no").await.status, StatusCode::NOT_FOUND);
-    assert_eq!(client.get("/api/v1/health").await.json()["version"], env!("CARGO_PKG_VERSION"));
-}
-
-#[tokio::test]
-async fn what_touches_the_disk_is_refused() {
-    let client = Client::usual();
-    for (name, request) in [
-        ("campaign", r#"{"plan": {"name": "plan", "text": ""}, "output": "/tmp/x.parquet"}"#),
-        ("campaign-show", r#"{"campaign": "/etc/passwd"}"#),
-        ("campaign-merge", "{}"),
-        ("fit", r#"{"campaign": "/etc/passwd", "method": "global"}"#),
-        ("fit", r#"{"campaign": null, "campaign": "/etc/passwd"}"#),
+    for host in [
+        "",
+        "evil.example",
+        "localhost.evil.example:80",
+        "127.0.0.1:",
+        "127.0.0.2",
+        "[::1",
+        "localhost:99999",
     ] {
-        for path in ["/api/v1", "/api/v1/jobs"] {
-            client.post(&format!("{path}/{name}"), request).await.problem(403);
-        }
+        assert_eq!(status(&[("host", host), json]).await, 403, "{host}");
     }
+    assert_eq!(status(&[json]).await, 403);
+    let host = ("host", "localhost:8080");
+    assert_eq!(status(&[host, json, ("origin", "http://localhost:8080")]).await, 200);
+    for origin in ["http://localhost:8081", "http://127.0.0.1:8080", "http://evil.example", "null", ""] {
+        assert_eq!(status(&[host, json, ("origin", origin)]).await, 403, "{origin}");
+    }
+    for kind in ["text/plain", "application/x-www-form-urlencoded", "multipart/form-data", ""] {
+        assert_eq!(status(&[host, ("content-type", kind)]).await, 415, "{kind}");
+    }
+    assert_eq!(status(&[host]).await, 415);
 }

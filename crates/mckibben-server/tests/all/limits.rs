@@ -1,184 +1,112 @@
-//! What would take too much is refused, and nobody is kept waiting by it.
+//! What takes too much is refused, and work ends with its caller.
 
-use crate::common::{Client, PATIENCE, Server, endless, posted};
-use axum::body::Body;
-use mckibben::budget::{Limits, Resource};
-use mckibben_server::Config;
+use crate::Client;
+use mckibben_server::{Config, run};
 use serde_json::json;
-use std::future::Future;
-use std::io::Write;
-use std::pin::pin;
-use std::task::Poll;
+use std::io::{Read, Write};
+use std::net::{SocketAddr, TcpListener, TcpStream};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-/// The most memory that this process ever had, in MB.
-fn peak_mb() -> Option<u64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find(|l| l.starts_with("VmHWM"))?;
-    Some(line.split_whitespace().nth(1)?.parse::<u64>().ok()? / 1000)
-}
+/// Work whose caller has left ends within so long, on a busy machine.
+const LATE: Duration = Duration::from_millis(1500);
 
-#[tokio::test]
-async fn what_does_not_fit_is_refused_before_memory_is_taken() {
-    let client = Client::usual();
-    let many: Vec<f64> = (0..31_623).map(|i| f64::from(i) * 1e-6).collect();
-    let drive = |until: f64| json!({ "valve": "1 L/(s bar)", "load": "mass:1kg", "pressure_mpa": 0.2, "until_s": until });
-    let muscle = json!({ "name": "m.toml", "text": "" });
-    for (name, request) in [
-        // 10⁹ points of a curve, which are 400 kB of a request.
+/// Requests that take minutes.
+fn dear() -> [(&'static str, String); 3] {
+    let steps = |to: f64, n: i32| -> Vec<f64> { (1..=n).map(|i| to * f64::from(i) / f64::from(n)).collect() };
+    let points: Vec<_> =
+        steps(0.1, 19_000).iter().map(|e| json!({ "force_n": 300.0 - e, "contraction": e })).collect();
+    [
         (
-            "curve",
-            json!({ "test": "isobaric", "model": "ideal", "pressures_mpa": many, "contractions": many }),
+            "simulate",
+            json!({ "test": "isometric", "model": "fe3d", "pressures_mpa": steps(0.2, 3000), "contractions": [0.1] }),
         ),
-        ("simulate", json!({ "test": "isobaric", "model": "fe3d", "mesh": "16x256x2048" })),
-        ("compare", json!({ "models": ["ideal", "paper"], "pressures_mpa": many, "contractions": many })),
-        ("motion", json!({ "step": drive(1e9), "muscle": muscle, "model": "ideal" })),
-        ("sweep", json!({ "muscles": 1_000_000_000 })),
-        ("sweep", json!({ "muscles": u64::MAX })),
-    ] {
-        let problem = client.post(&format!("/api/v1/{name}"), request.to_string()).await.problem(422);
-        assert_eq!(problem["kind"], "budget", "{name}: {problem}");
-        assert!(problem["hint"].as_str().is_some_and(|hint| hint.contains("limit")), "{problem}");
-    }
-    assert!(peak_mb().is_none_or(|mb| mb < 1000), "{:?}", peak_mb());
+        (
+            "compare",
+            json!({ "models": ["fe"], "pressures_mpa": steps(0.25, 100), "contractions": steps(0.15, 190) }),
+        ),
+        ("design", json!({ "points": points, "model": "thick-wall", "max_pressure_mpa": 0.5 })),
+    ]
+    .map(|(command, request)| (command, request.to_string()))
 }
 
 #[tokio::test]
-async fn time_and_work_are_limited() {
-    for resource in [Resource::Seconds, Resource::Factorisations] {
-        let limits = Limits::default().with(resource, if resource == Resource::Seconds { 0.3 } else { 20.0 });
-        let client = Client::new(Config { limits, ..Config::default() });
-        let problem = client.post("/api/v1/simulate", endless()).await.problem(422);
-        assert_eq!(problem["kind"], "budget");
-        assert!(problem["message"].as_str().is_some_and(|m| m.contains(resource.name())), "{problem}");
-    }
-}
-
-#[tokio::test]
-async fn long_bodies_are_refused_stated_or_not() {
+async fn time_and_length_are_limited() {
+    let client = Client::new(Config { time: Duration::from_millis(300), ..Config::default() });
+    let [(command, request), ..] = dear();
+    assert_eq!(client.post(command, request).await.problem(504)["kind"], "cancelled");
     let client = Client::new(Config { body_bytes: 1000, ..Config::default() });
-    let long = "x".repeat(1001);
-    let stated =
-        posted("/api/v1/force").header("content-length", "1001").body(Body::from(long.clone())).unwrap();
-    assert_eq!(client.send(stated).await.problem(413)["kind"], "budget");
-    client.post("/api/v1/force", long).await.problem(413);
-    let little = Client::new(Config { memory_bytes: 10, ..Config::default() });
-    little.post("/api/v1/units", "{}").await.problem(429);
+    assert_eq!(client.post("force", " ".repeat(1001)).await.problem(413)["kind"], "usage");
 }
 
-#[test]
-fn a_hundred_megabytes_are_not_taken_in() {
-    let server = Server::new(Config::default());
-    let head = format!("Host: {}\r\nContent-Type: application/json\r\n", server.address);
-    let mut stream =
-        server.sent(&format!("POST /api/v1/force HTTP/1.1\r\n{head}Content-Length: 104857600\r\n\r\n"));
-    let block = [b'x'; 1 << 16];
-    // The server stops to listen at some time.
-    let _ = (0..1600).try_for_each(|_| stream.write_all(&block));
-    drop(stream);
-    let chunked = format!("POST /api/v1/force HTTP/1.1\r\n{head}Transfer-Encoding: chunked\r\n\r\n");
-    let mut stream = server.sent(&chunked);
-    let _ = (0..1600).try_for_each(|_| {
-        stream.write_all(b"10000\r\n")?;
-        stream.write_all(&block)?;
-        stream.write_all(b"\r\n")
-    });
-    assert_eq!(server.ask("GET", "/api/v1/health", "").0, 200);
-    assert!(peak_mb().is_none_or(|mb| mb < 1000), "{:?}", peak_mb());
+/// A server on a socket.
+struct Server {
+    address: SocketAddr,
+    stop: Arc<AtomicBool>,
+    thread: JoinHandle<std::io::Result<()>>,
 }
 
-fn narrow() -> Config {
-    Config { workers: 1, waiting: 1, ..Config::default() }
-}
-
-#[tokio::test]
-async fn a_full_queue_says_when_to_come_again_and_who_leaves_makes_room() {
-    let client = Client::new(narrow());
-    {
-        let mut first = pin!(client.post("/api/v1/simulate", endless()));
-        let mut second = pin!(client.post("/api/v1/units", "{}"));
-        for request in [first.as_mut() as std::pin::Pin<&mut dyn Future<Output = _>>, second.as_mut()] {
-            let mut request = request;
-            // Each is begun and takes its place.
-            std::future::poll_fn(|c| {
-                assert!(request.as_mut().poll(c).is_pending());
-                Poll::Ready(())
-            })
-            .await;
-        }
-        let third = client.post("/api/v1/units", "{}").await;
-        assert_eq!(third.problem(429)["kind"], "budget");
-        assert_eq!(third.header("retry-after"), "1");
+impl Server {
+    fn new(config: Config) -> Self {
+        let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+        let address = listener.local_addr().unwrap();
+        let stop = Arc::new(AtomicBool::new(false));
+        let wish = Arc::clone(&stop);
+        let stopped = move || wish.load(Ordering::Relaxed);
+        Self { address, stop, thread: std::thread::spawn(move || run(listener, config, stopped)) }
     }
-    // Both have left, and their work ends.
-    let answer = tokio::time::timeout(PATIENCE, async {
-        loop {
-            let answer = client.post("/api/v1/units", "{}").await;
-            if answer.status != 429 {
-                return answer;
-            }
-            tokio::time::sleep(Duration::from_millis(20)).await;
-        }
-    });
-    assert_eq!(answer.await.unwrap().status, 200);
-}
 
-#[test]
-fn the_work_of_a_client_that_leaves_ends() {
-    let server = Server::new(Config { workers: 1, waiting: 0, ..Config::default() });
-    let from = Instant::now();
-    let until = |status: u16| {
-        while server.ask("POST", "/api/v1/units", "{}").0 != status {
-            assert!(from.elapsed() < PATIENCE, "{status}");
+    /// A connection with a request on it.
+    fn sent(&self, command: &str, body: &str) -> TcpStream {
+        let mut stream = TcpStream::connect(self.address).unwrap();
+        let (host, length) = (self.address, body.len());
+        write!(
+            stream,
+            "POST /api/{command} HTTP/1.1\r\nHost: {host}\r\nContent-Type: application/json\r\nContent-Length: {length}\r\n\
+             Connection: close\r\n\r\n{body}"
+        )
+        .unwrap();
+        stream
+    }
+
+    /// Waits until a short request has this status.
+    fn until(&self, status: &str, patience: Duration) {
+        let from = Instant::now();
+        loop {
+            let mut text = String::new();
+            self.sent("units", "{}").read_to_string(&mut text).unwrap();
+            if text.starts_with(&format!("HTTP/1.1 {status} ")) {
+                return;
+            }
+            assert!(from.elapsed() < patience, "{text}");
             std::thread::sleep(Duration::from_millis(20));
         }
-    };
-    for _ in 0..3 {
-        let leaving = server.request("POST", "/api/v1/simulate", &endless());
-        // Whichever comes first has the only place.
+    }
+}
+
+#[test]
+fn a_full_server_answers_503_and_the_work_of_a_caller_that_leaves_ends() {
+    let server = Server::new(Config { at_once: 1, ..Config::default() });
+    for (command, request) in dear() {
+        let leaving = server.sent(command, &request);
+        server.until("503", Duration::from_secs(60));
         std::thread::sleep(Duration::from_millis(300));
-        until(429);
         drop(leaving);
-        until(200);
+        server.until("200", LATE);
     }
 }
 
-/// One that is asked for half a megabyte of numbers by a few bytes, and JSON that is much larger in memory than as text.
-#[tokio::test]
-async fn what_expands_is_refused_before_memory_is_taken() {
-    let client = Client::usual();
-    let typed = json!({ "kind": "pressure", "text": "0..0.999999:1e-6", "list": true });
-    let problem = client.post("/api/v1/quantities", json!({ "texts": vec![typed; 100] }).to_string()).await;
-    let problem = problem.problem(422);
-    assert_eq!(problem["kind"], "budget", "{problem}");
-    let deep = "[".repeat(100) + &"]".repeat(100);
-    let nested = format!("[{}]", vec![deep.as_str(); 41_000].join(","));
-    assert!(nested.len() < 8 << 20);
-    client.post("/api/v1/force", nested.clone()).await.problem(413);
-    client.post("/api/v1/compare", nested).await.problem(400);
-    let many = |what: &str| format!("[{}]", vec![what; (8 << 20) / (what.len() + 1) - 1].join(","));
-    for what in [r#"{"":0}"#, "[]", "0", "[[[[0]]]]"] {
-        let problem = client.post("/api/v1/compare", many(what)).await.problem(413);
-        assert_eq!(problem["kind"], "budget", "{what}: {problem}");
-    }
-    client.post("/api/v1/force", format!("{{\"model\": \"{}\"}}", "x".repeat(300_000))).await.problem(413);
-    assert!(peak_mb().is_none_or(|mb| mb < 1000), "{:?}", peak_mb());
-}
-
-/// The memory for requests and answers is limited in total.
-#[tokio::test]
-async fn memory_is_given_back() {
-    let client = Client::new(Config { memory_bytes: 100_000, ..Config::default() });
-    for _ in 0..50 {
-        assert_eq!(client.post("/api/v1/units", "{}").await.status, 200);
-        assert_eq!(client.post("/api/v1/units", "{").await.status, 400);
-    }
-    // An answer that there is no room for.
-    client
-        .post(
-            "/api/v1/quantities",
-            r#"{"texts": [{"kind": "pressure", "text": "0..1:0.00006", "list": true}]}"#,
-        )
-        .await
-        .problem(429);
+#[test]
+fn the_server_ends_within_two_seconds_whatever_it_does() {
+    let server = Server::new(Config::default());
+    let [(command, request), ..] = dear();
+    let _open = server.sent(command, &request);
+    server.until("200", Duration::from_secs(60));
+    let from = Instant::now();
+    server.stop.store(true, Ordering::Relaxed);
+    server.thread.join().unwrap().unwrap();
+    assert!(from.elapsed() < Duration::from_secs(2), "{:?}", from.elapsed());
+    assert!(TcpStream::connect(server.address).is_err(), "nobody listens any more");
 }

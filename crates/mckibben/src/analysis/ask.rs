@@ -49,27 +49,6 @@ fn friction_n<M: ForceModel + ?Sized>(
     Ok(rule + direction.sign() * friction.lever_mm * pivoting)
 }
 
-/// N/N₀ of the friction on a pulley, where the muscle lies on one, and its slope in the contraction.
-fn on_pulley<M: ForceModel + ?Sized>(
-    model: &M,
-    contraction: f64,
-    direction: Direction,
-) -> Option<(f64, f64)> {
-    let bend = model.extensions().bend.filter(|bend| !direction.is_mean() && bend.friction() > 0.0);
-    bend.map(|bend| bend.friction_factor(contraction, direction))
-}
-
-/// Half the width of the hysteresis loop by the friction on a pulley, in N; 0 where the muscle lies on none.
-pub fn pulley_friction_half_width_n<M: ForceModel + ?Sized>(
-    model: &M,
-    workspace: &mut Workspace,
-    pressure_mpa: f64,
-    contraction: f64,
-) -> Result<f64, ModelError> {
-    let Some((factor, _)) = on_pulley(model, contraction, Direction::Elongation) else { return Ok(0.0) };
-    Ok((factor - 1.0) * model.force_n(workspace, pressure_mpa, contraction)?.max(0.0))
-}
-
 /// Half the width of the hysteresis loop by the friction that the muscle states, C P^β + μw G, in N; 0 where it states none.
 pub fn friction_half_width_n<M: ForceModel + ?Sized>(
     model: &M,
@@ -93,14 +72,6 @@ pub fn response_on<M: ForceModel + ?Sized>(
     let found = model.response(workspace, pressure_mpa, contraction)?;
     // The point is the one that was asked for, to the last bit: a model may compute with 1 − ε.
     let mut response = Response { pressure_mpa, contraction, ..found };
-    if let Some((factor, slope)) = on_pulley(model, contraction, direction).filter(|_| response.force_n > 0.0)
-    {
-        response.stiffness_n_per_mm = response
-            .stiffness_n_per_mm
-            .map(|k| k * factor - response.force_n * slope / model.muscle().length_mm());
-        response.force_per_pressure_mm2 = response.force_per_pressure_mm2.map(|f| f * factor);
-        response.force_n *= factor;
-    }
     if let Some(friction) = friction(model, direction) {
         /// Of the pressure (relative) and the contraction, for differences of G.
         const STEP: f64 = 1e-4;
@@ -134,10 +105,7 @@ pub fn force_on<M: ForceModel + ?Sized>(
     direction: Direction,
 ) -> Result<f64, ModelError> {
     workspace.budget().check().map_err(ModelError::Exceeded)?;
-    let mut force_n = model.force_n(workspace, pressure_mpa, contraction)?;
-    if let Some((factor, _)) = on_pulley(model, contraction, direction).filter(|_| force_n > 0.0) {
-        force_n *= factor;
-    }
+    let force_n = model.force_n(workspace, pressure_mpa, contraction)?;
     Ok(force_n + friction_n(model, workspace, (pressure_mpa, contraction), direction)?)
 }
 

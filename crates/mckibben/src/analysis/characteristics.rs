@@ -32,19 +32,6 @@ pub fn free_contraction<M: ForceModel + ?Sized>(
     contraction_at(model, workspace, 0.0, pressure_mpa, options)
 }
 
-/// Where a muscle without a load ends: at its free contraction, or where its core rod meets the other plug.
-pub fn unloaded_contraction<M: ForceModel + ?Sized>(
-    model: &M,
-    workspace: &mut Workspace,
-    pressure_mpa: f64,
-    options: Options,
-) -> Result<f64, AnalysisError> {
-    match free_contraction(model, workspace, pressure_mpa, options) {
-        Err(AnalysisError::NoContraction { rod_stops_at: Some(stop), .. }) => Ok(stop),
-        found => found.map(|free| model.info().range.stop.map_or(free, |stop| free.min(stop))),
-    }
-}
-
 /// Dead pressure P′ in MPa: below it the muscle does not pull at this contraction. Zero where it pulls from the start.
 ///
 /// # Errors

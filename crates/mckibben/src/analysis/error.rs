@@ -27,7 +27,7 @@ pub enum AnalysisError {
         braid_stops_at: Option<f64>,
     },
     /// No contraction gives this pull at this pressure.
-    #[error("{}", no_contraction(model, *.force_n, *.pressure_mpa, (*.nearest_contraction, *.nearest_force_n), *.at_rest_n, *.rod_stops_at))]
+    #[error("{}", no_contraction(model, *.force_n, *.pressure_mpa, (*.nearest_contraction, *.nearest_force_n), *.at_rest_n))]
     NoContraction {
         /// The model's name.
         model: String,
@@ -41,8 +41,6 @@ pub enum AnalysisError {
         nearest_contraction: f64,
         /// The pull in N at the length at rest, where the model answers there.
         at_rest_n: Option<f64>,
-        /// The contraction at which a core rod meets the other plug, where that is why there is none.
-        rod_stops_at: Option<f64>,
     },
     /// The model does not know a quantity that the question needs.
     #[error("the {model} model does not give {quantity}")]
@@ -96,16 +94,8 @@ fn no_contraction(
     pressure_mpa: f64,
     (nearest, nearest_n): (f64, f64),
     at_rest_n: Option<f64>,
-    rod_stops_at: Option<f64>,
 ) -> String {
     let asked = format!("no contraction gives {} N at {} MPa", short(force_n, 4), short(pressure_mpa, 6));
-    if let Some(stop) = rod_stops_at {
-        return format!(
-            "{asked}: the muscle still pulls {} N at a contraction of {}, where its core rod meets the other plug",
-            short(nearest_n, 1),
-            percent(stop)
-        );
-    }
     let rest = match at_rest_n {
         Some(f) if nearest < 0.0 => format!("at its length at rest the muscle pulls {} N, and ", short(f, 1)),
         _ => String::new(),

@@ -73,19 +73,13 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
     let apart = |v: f64| (pulled(v) - force_n).abs();
     let none = |(nearest_pressure_mpa, v): (f64, f64)| {
         let ideal = model.muscle().max_ideal_contraction();
-        // With a core rod through a seal it is not the braid that ends the pull.
-        let ends = model.muscle().ends().sealed_mm2() == 0.0;
         AnalysisError::NoPressure {
             model: info.name.to_string(),
             force_n,
             contraction,
             nearest_force_n: pulled(v),
             nearest_pressure_mpa,
-            braid_stops_at: (ends
-                && ideal > 0.0
-                && pulled(v) <= 0.0
-                && force_n >= 0.0
-                && contraction >= ideal)
+            braid_stops_at: (ideal > 0.0 && pulled(v) <= 0.0 && force_n >= 0.0 && contraction >= ideal)
                 .then_some(ideal),
         }
     };
@@ -362,7 +356,7 @@ fn contraction_down_to<M: ForceModel + ?Sized>(
     let start = info.range.contraction.0.max(0.0);
     // Past the ideal maximum nothing pulls, and strands that are straight hold; those that stretch reach a little further.
     let shortest =
-        (model.muscle().free_ideal_contraction() * 1.3 + 0.05).min(0.95).clamp(start, range.1.max(start));
+        (model.muscle().max_ideal_contraction() * 1.3 + 0.05).min(0.95).clamp(start, range.1.max(start));
     let straight = straight_strands(model.muscle()).max(range.0).min(start);
     let lowest = match stretch {
         Stretch::None => start,
@@ -379,7 +373,6 @@ fn contraction_down_to<M: ForceModel + ?Sized>(
         nearest_force_n: pulled(v),
         nearest_contraction,
         at_rest_n: at_rest.filter(|_| start == 0.0).map(pulled),
-        rod_stops_at: info.range.stop.filter(|stop| nearest_contraction >= stop - LAST_BITS && v > 0.0),
     };
     if let Some(companion) = can.companion {
         let ws = &mut Workspace::within(workspace.budget().clone());

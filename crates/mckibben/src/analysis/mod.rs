@@ -7,20 +7,16 @@ mod characteristics;
 mod error;
 mod golden;
 mod inverse;
-pub mod life;
 mod root;
 mod sought;
 mod sweep;
 
 pub use air::{ATMOSPHERE_MPA, Air, HEAT_RATIO, air_per_stroke, litres_anr, normal_litres};
 pub use ask::{
-    Options, force_on, friction_half_width_n, pulley_friction_half_width_n, response_on, slope_by_pressure,
-    source_of, stiffness_of,
+    Options, force_on, friction_half_width_n, response_on, slope_by_pressure, source_of, stiffness_of,
 };
 pub use burst::{Burst, FailureMode, FailurePressure, NoBurst, SAFETY, burst};
-pub use characteristics::{
-    blocked_force_n, free_contraction, start_pressure_mpa, unloaded_contraction, work_per_stroke_j,
-};
+pub use characteristics::{blocked_force_n, free_contraction, start_pressure_mpa, work_per_stroke_j};
 pub use error::AnalysisError;
 pub use golden::{Abscissa, golden};
 pub use inverse::pressure_up_to;

@@ -45,38 +45,6 @@ pub enum JointError {
         /// The radius in mm.
         radius_mm: f64,
     },
-    /// A muscle that leaves its pulley within the joint's range.
-    #[error(
-        "muscle {muscle}: it lies on its pulley over {angle_deg} deg at the neutral angle, and the joint's range unwinds {unwound_deg} deg; a larger wrap_angle or a narrower range keeps it there"
-    )]
-    LeavesPulley {
-        /// Which muscle, from 1.
-        muscle: usize,
-        /// Angle on the pulley at the neutral angle, in degrees.
-        angle_deg: f64,
-        /// What the range unwinds, in degrees.
-        unwound_deg: f64,
-    },
-    /// A muscle that is too short for its arc.
-    #[error(
-        "muscle {muscle}: an arc of {angle_deg} deg is {short_mm:.1} mm longer than the muscle at the neutral angle; a smaller wrap_angle or radius leaves a straight part"
-    )]
-    AllOnPulley {
-        /// Which muscle, from 1.
-        muscle: usize,
-        /// Angle on the pulley at the neutral angle, in degrees.
-        angle_deg: f64,
-        /// What is missing, in mm.
-        short_mm: f64,
-    },
-    /// The model of a straight muscle for one that lies on a pulley.
-    #[error(
-        "muscle {muscle} lies on its pulley: JointMuscle::model makes its model of that of the straight muscle"
-    )]
-    NotBent {
-        /// Which muscle, from 1.
-        muscle: usize,
-    },
     /// Attachment points that meet.
     #[error(
         "muscle {muscle}: its two attachment points meet at {angle_deg:.1} deg; narrow the joint's range or move them"

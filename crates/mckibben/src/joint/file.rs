@@ -1,7 +1,6 @@
 //! Joint files: TOML in the muscle file's manner.
 
-use super::{Joint, JointError, JointMuscle, JointSpring, Link, Path, Wrap};
-use crate::model::Strands;
+use super::{Joint, JointError, JointMuscle, JointSpring, Link, Path};
 use crate::muscle::Muscle;
 use crate::muscle::file::{FileError, Problem, Section, Source};
 use crate::units::{Dimension, Values};
@@ -9,16 +8,7 @@ use crate::units::{Dimension, Values};
 const TOP: &[&str] = &["joint", "link", "muscle_1", "muscle_2", "spring", "name", "notes"];
 const JOINT: &[&str] = &["radius", "range", "inertia", "damping"];
 const LINK: &[&str] = &["mass", "centre", "inclination", "payload", "payload_at"];
-const MUSCLE: &[&str] = &[
-    "file",
-    "contraction_at_neutral",
-    "radius",
-    "origin",
-    "insertion",
-    "wrap_angle",
-    "wrap_friction",
-    "wrap_strands",
-];
+const MUSCLE: &[&str] = &["file", "contraction_at_neutral", "radius", "origin", "insertion"];
 const SPRING: &[&str] =
     &["rate", "preload", "angular_rate", "preload_torque", "radius", "origin", "insertion"];
 const ALL: &[&str] = &[
@@ -35,9 +25,6 @@ const ALL: &[&str] = &[
     "muscle_1.contraction_at_neutral",
     "muscle_1.origin",
     "muscle_1.insertion",
-    "muscle_1.wrap_angle",
-    "muscle_1.wrap_friction",
-    "muscle_1.wrap_strands",
     "spring.rate",
     "spring.preload",
     "spring.angular_rate",
@@ -63,12 +50,10 @@ impl JointFile {
     /// The joint with its muscles, in the order of [`JointFile::files`].
     pub fn with(&self, muscles: Vec<Muscle>) -> Result<Joint, JointError> {
         let given = muscles.len();
-        let at = |(muscle, &(_, path, contraction_at_neutral)): (Muscle, &(String, Path, f64))| {
-            let path = match path {
-                Path::Wrap(wrap) => Path::Wrap(wrap.of(&muscle)),
-                path => path,
-            };
-            JointMuscle { muscle, path, contraction_at_neutral }
+        let at = |(muscle, &(_, path, contraction_at_neutral)): (Muscle, &(String, Path, f64))| JointMuscle {
+            muscle,
+            path,
+            contraction_at_neutral,
         };
         let list: Vec<JointMuscle> = muscles.into_iter().zip(&self.muscles).map(at).collect();
         if given != self.muscles.len() {
@@ -124,7 +109,7 @@ pub fn parse_joint(text: &str) -> Result<JointFile, FileError> {
         let file = section.text("file", "the path of a muscle file, in quotes")?;
         let file = file.ok_or_else(|| section.missing("file", None, "which muscle it is"))?;
         let contraction = section.quantity("contraction_at_neutral", Dimension::Ratio)?.unwrap_or(0.0);
-        muscles.push((file.to_owned(), wrapped(&section, path(&section, radius, sign)?)?, contraction));
+        muscles.push((file.to_owned(), path(&section, radius, sign)?, contraction));
     }
     let spring = spring(&root.section("spring", "spring")?, radius)?;
     let link = link(&root.section("link", "link")?, &joint)?;
@@ -163,43 +148,6 @@ fn path(section: &Section<'_>, radius: Option<f64>, sign: f64) -> Result<Path, F
             Ok(Path::Pulley { radius_mm: sign * radius })
         }
     }
-}
-
-/// The muscle itself on the pulley of its path, where the file says so.
-fn wrapped(section: &Section<'_>, path: Path) -> Result<Path, FileError> {
-    let angle = positive(section, "wrap_angle", Dimension::Angle)?;
-    let friction = section.number("wrap_friction")?;
-    let strands = section.text("wrap_strands", "\"sliding\" or \"fixed\"")?;
-    let Some(angle_deg) = angle else {
-        for (key, given) in [("wrap_friction", friction.is_some()), ("wrap_strands", strands.is_some())] {
-            if given {
-                return Err(section.missing(
-                    "wrap_angle",
-                    Some(key),
-                    "the angle over which the muscle lies on its pulley",
-                ));
-            }
-        }
-        return Ok(path);
-    };
-    let Path::Pulley { radius_mm } = path else {
-        let said = "the muscle lies on a pulley: give radius, not origin and insertion";
-        return Err(section.error("wrap_angle", Problem::Said(said.into())));
-    };
-    let strands = match strands {
-        None => None,
-        Some("sliding") => Some(Strands::Sliding),
-        Some("fixed") => Some(Strands::Fixed),
-        Some(_) => {
-            let said = "must be \"sliding\" (along their length on the tube) or \"fixed\" (to the tube); left out, between both";
-            return Err(section.error("wrap_strands", Problem::Said(said.into())));
-        }
-    };
-    let friction = friction.unwrap_or(0.0);
-    if friction < 0.0 {
-        return Err(section.error("wrap_friction", Problem::Said("must not be below zero".into())));
-    }
-    Ok(Path::Wrap(Wrap { radius_mm, outer_radius_mm: 0.0, angle_deg, friction, strands }))
 }
 
 fn spring(section: &Section<'_>, radius: Option<f64>) -> Result<Option<JointSpring>, FileError> {

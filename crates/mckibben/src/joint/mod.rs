@@ -20,8 +20,6 @@ mod sought;
 mod tests;
 mod uncertainty;
 pub mod verification;
-mod wrap;
-mod wrapped;
 
 pub use error::JointError;
 pub use file::{JointFile, parse_joint};
@@ -31,7 +29,6 @@ pub use model::{JointModel, JointPoint, MuscleState, Turning};
 pub use path::{Path, Shortening};
 pub use rest::Rest;
 pub use shut::ShutStiffness;
-pub use wrap::Wrap;
 
 use crate::load::GRAVITY_M_PER_S2;
 use crate::muscle::Muscle;
@@ -155,7 +152,6 @@ impl Joint {
                 return Err(JointError::Contraction { muscle: i + 1, contraction: e });
             }
             self.check_path(i, &m.path)?;
-            m.check_wrap(i, self.range_deg)?;
             let apart = m.path.length_mm(0.0);
             let long = m.muscle.length_mm() * (1.0 - e);
             if matches!(m.path, Path::Points { .. }) && apart < long {
@@ -167,7 +163,7 @@ impl Joint {
 
     /// The two points of a muscle do not meet, and a pulley has a radius.
     fn check_path(&self, i: usize, path: &Path) -> Result<(), JointError> {
-        if let Path::Pulley { radius_mm } | Path::Wrap(Wrap { radius_mm, .. }) = path
+        if let Path::Pulley { radius_mm } = path
             && !(radius_mm.is_finite() && *radius_mm != 0.0)
         {
             return Err(JointError::Radius { muscle: i + 1, radius_mm: *radius_mm });

@@ -1,11 +1,11 @@
 //! Torque and stiffness at pressures and an angle.
 
-use super::{Joint, JointError, Path, ShutStiffness};
+use super::{Joint, JointError, ShutStiffness};
 use crate::analysis::{
     AnalysisError, Options, free_contraction, response_on, start_pressure_mpa, stiffness_of,
 };
 use crate::answer::{self, Answer, SlackState};
-use crate::model::{BendState, ForceModel, Workspace};
+use crate::model::{ForceModel, Workspace};
 use crate::muscle::Direction;
 use crate::uncertainty::UncertaintyParts;
 use serde::{Deserialize, Serialize};
@@ -44,8 +44,6 @@ pub struct MuscleState {
     pub arm_mm: f64,
     /// d²Δ/dφ² in mm.
     pub arm_by_angle_mm: f64,
-    /// Of a muscle that lies on its pulley and is not slack: what the bend does.
-    pub bend: Option<BendState>,
 }
 
 /// A joint at pressures and an angle.
@@ -93,17 +91,12 @@ impl<'m> JointModel<'m> {
     /// A joint with a model of each of its muscles.
     ///
     /// # Errors
-    /// [`JointError::Muscles`] where these are not as many; [`JointError::NotBent`] of a straight model for a muscle on a pulley.
+    /// [`JointError::Muscles`] where these are not as many.
     pub fn new(
         joint: &'m Joint,
         models: Vec<&'m dyn ForceModel>,
         extrapolate: bool,
     ) -> Result<Self, JointError> {
-        let wraps = |i: usize| joint.muscles().get(i).is_some_and(|m| matches!(m.path, Path::Wrap(_)));
-        let straight = |(i, m): &(usize, &&dyn ForceModel)| wraps(*i) && m.extensions().bend.is_none();
-        if let Some((i, _)) = models.iter().enumerate().find(straight) {
-            return Err(JointError::NotBent { muscle: i + 1 });
-        }
         if models.len() == joint.muscles().len() {
             let mut digests = joint.muscles().iter().map(|m| m.muscle.digest());
             let alike = digests.next().is_some_and(|first| digests.all(|other| other == first));
@@ -211,10 +204,7 @@ impl<'m> JointModel<'m> {
             };
             torque += 1e-3 * force * s.arm_mm;
             stiffness += 1e-3 * (k * s.arm_mm * s.arm_mm - force * s.arm_by_angle_mm);
-            let bend = model.extensions().bend.filter(|_| !answer.slack);
-            let bend = bend.map(|bend| bend.state(workspace, p, contraction)).transpose();
-            let bend = bend.map_err(JointError::model(i))?;
-            muscles.push(MuscleState { answer, arm_mm: s.arm_mm, arm_by_angle_mm: s.arm_by_angle_mm, bend });
+            muscles.push(MuscleState { answer, arm_mm: s.arm_mm, arm_by_angle_mm: s.arm_by_angle_mm });
         }
         let parts = self.torque_uncertainty(workspaces, &muscles);
         Ok(JointPoint {

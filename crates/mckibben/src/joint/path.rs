@@ -1,7 +1,5 @@
 //! How a joint's angle shortens what pulls at it.
 
-use super::Wrap;
-
 /// The way of a muscle (with its rope) or a spring about a joint in a plane.
 ///
 /// Δ(φ) is how far it is shortened against the neutral angle φ = 0, in mm; dΔ/dφ is its moment arm, positive where a pull turns
@@ -13,8 +11,6 @@ pub enum Path {
         /// r in mm.
         radius_mm: f64,
     },
-    /// The muscle itself lies on a pulley: Δ = (R + Ro) φ.
-    Wrap(Wrap),
     /// Between a point a of the fixed link and a point c of the moving one; the axis is the origin, x and y in mm as they stand at
     /// φ = 0, angles counterclockwise. l² = |a|² + |c|² − 2 a·R(φ)c, Δ = l(0) − l(φ).
     Points {
@@ -43,10 +39,6 @@ impl Path {
             Self::Pulley { radius_mm } => {
                 Shortening { mm: radius_mm * angle_rad, arm_mm: radius_mm, arm_by_angle_mm: 0.0 }
             }
-            Self::Wrap(wrap) => {
-                let arm_mm = wrap.arm_mm();
-                Shortening { mm: arm_mm * angle_rad, arm_mm, arm_by_angle_mm: 0.0 }
-            }
             Self::Points { origin_mm: a, insertion_mm: c } => {
                 let (sin, cos) = angle_rad.sin_cos();
                 let now = [cos * c[0] - sin * c[1], sin * c[0] + cos * c[1]];
@@ -63,7 +55,7 @@ impl Path {
     /// Distance of both points in mm; of a pulley only its change is known, and this is nil.
     pub fn length_mm(&self, angle_rad: f64) -> f64 {
         match *self {
-            Self::Pulley { .. } | Self::Wrap(_) => 0.0,
+            Self::Pulley { .. } => 0.0,
             Self::Points { origin_mm: a, insertion_mm: c } => {
                 let (sin, cos) = angle_rad.sin_cos();
                 let now = [cos * c[0] - sin * c[1], sin * c[0] + cos * c[1]];

@@ -45,7 +45,6 @@ impl JointModel<'_> {
             fit: joined(|p| p.fit, f64::hypot),
             transfer: joined(|p| p.transfer, f64::hypot),
             length_transfer: joined(|p| p.length_transfer, f64::hypot),
-            bend: joined(|p| p.bend, f64::hypot),
             friction_is_stated: each.iter().all(|(parts, _)| parts.friction_is_stated),
         })
     }

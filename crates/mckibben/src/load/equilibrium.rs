@@ -95,7 +95,6 @@ pub fn balances<M: ForceModel + ?Sized>(
     let free = if extends { None } else { free_contraction(model, workspace, pressure_mpa, one_sided).ok() };
     let ends = [
         (free.unwrap_or(f64::INFINITY), ""),
-        (model.info().range.stop.unwrap_or(f64::INFINITY), "the way of the core rod"),
         (if options.extrapolate && free.is_some() { f64::INFINITY } else { range.1 }, "the model's range"),
         (reach.1 / length, "the table of the load"),
         (0.95, "what any muscle reaches"),

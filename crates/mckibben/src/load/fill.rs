@@ -121,10 +121,6 @@ pub fn fill<M: ForceModel + ?Sized>(
     if let Some(contraction) = filling.held_at.filter(|e| sign * e < 0.0) {
         return Err(FillError::HeldBehind { contraction, extends });
     }
-    // A core rod that ends inside holds the muscle where it meets the other plug.
-    let stop = range.stop.filter(|_| !extends);
-    let held_at = filling.held_at.into_iter().chain(stop).reduce(f64::min);
-    let filling = &Filling { held_at, ..*filling };
     let rest_mm3 = cavity_mm3(model, w, 0.0, 0.0)?;
     // The way begins without pressure, which may be outside of the range; where it ends is checked.
     let along = Options { extrapolate: options.extrapolate || range.pressure_mpa.0 > 0.0, ..options };
@@ -152,7 +148,7 @@ pub fn fill<M: ForceModel + ?Sized>(
     } else {
         let known = if options.extrapolate { f64::INFINITY } else { range.contraction.1 };
         // Beyond the ideal muscle's largest contraction nothing pulls but strands that stretch a little.
-        known.min(reach.1 / length_mm).min(1.3 * model.muscle().free_ideal_contraction() + 0.05).min(0.95)
+        known.min(reach.1 / length_mm).min(1.3 * model.muscle().max_ideal_contraction() + 0.05).min(0.95)
     };
     let stop = filling.held_at.filter(|e| sign * e <= sign * most);
     let mut legs = vec![(Leg::At(0.0), 0.0, lifted_mpa.unwrap_or(highest_mpa))];

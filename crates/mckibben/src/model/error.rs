@@ -56,20 +56,6 @@ pub enum ModelError {
         /// The upper end.
         highest: f64,
     },
-    /// A tube that lies on a core rod, in a model without their contact.
-    #[error(
-        "at {pressure_mpa} MPa and a contraction of {contraction} the tube lies on its core rod: the bore would have {bore_mm:.2} mm, and terminals.rod_diameter is {rod_mm} mm; the thick-wall model, with strands that stretch, computes this contact"
-    )]
-    OnRod {
-        /// Pressure in MPa.
-        pressure_mpa: f64,
-        /// Contraction ratio.
-        contraction: f64,
-        /// The bore in mm that the tube would have without the rod.
-        bore_mm: f64,
-        /// Diameter of the rod in mm.
-        rod_mm: f64,
-    },
     /// Strands so soft, or a pressure so high, that no equilibrium exists.
     #[error(
         "no equilibrium at {pressure_mpa} MPa and contraction {contraction}: the strands would stretch past {strand_stretch:.2} times their length; lower the pressure or take a stiffer braid"
@@ -155,7 +141,6 @@ impl ModelError {
         matches!(
             self,
             Self::Geometry { .. }
-                | Self::OnRod { .. }
                 | Self::Overstretched { .. }
                 | Self::Locked { .. }
                 | Self::NoEquilibrium { .. }

@@ -1,6 +1,6 @@
 //! What some models can do besides answering: one trait each, reached by [`ForceModel::extensions`].
 
-use super::{Bent, Bounds, ForceModel, ModelError, ThickWall, Workspace};
+use super::{Bounds, ForceModel, ModelError, ThickWall, Workspace};
 
 /// What a model can do besides answering; nothing by default.
 #[derive(Clone, Copy, Default)]
@@ -13,12 +13,8 @@ pub struct Extensions<'m> {
     pub mesh: Option<&'m dyn Mesh>,
     /// It computes how the strands press on each other.
     pub contact: Option<&'m dyn Contact>,
-    /// It computes the contact of the tube with a core rod.
-    pub rod_contact: bool,
     /// It has a way for lists of points that all lie within bounds.
     pub lists: Option<&'m dyn Lists>,
-    /// It is that of a muscle that lies on a pulley.
-    pub bend: Option<&'m Bent>,
     /// A model with nearly the same answers at a fraction of the cost, by which a pull that no pressure gives is refused at once.
     pub companion: Option<&'m dyn ForceModel>,
 }

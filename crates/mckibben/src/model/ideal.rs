@@ -50,11 +50,6 @@ impl Ideal {
         self.area * pressure_mpa * (3.0 * l * l * self.cos2 - 1.0)
     }
 
-    /// Formula (1.2), in the angle the strands have now.
-    pub fn pull_from_angle(&self, pressure_mpa: f64, angle_rad: f64) -> f64 {
-        self.area * pressure_mpa * (3.0 * angle_rad.cos().powi(2) - 1.0)
-    }
-
     /// Volume (B² − L²) L/(4π N²) of the cylinder in mm³.
     pub fn volume(&self, contraction: f64) -> f64 {
         let l = 1.0 - contraction;

@@ -6,7 +6,6 @@
 
 mod accuracy;
 mod belforte;
-mod bent;
 mod bounds;
 mod chou_hannaford;
 mod conical_ends;
@@ -34,9 +33,7 @@ mod rounded_ends;
 mod seated;
 mod thick_wall;
 mod tondu_lopez;
-mod tondu_pressures;
 mod universal;
-pub mod verification;
 mod wall;
 mod wall_energy;
 mod wall_mooney;
@@ -44,7 +41,6 @@ mod workspace;
 
 pub use accuracy::{Accuracy, BlockedAt, Reference, Specimen, Where};
 pub use belforte::Belforte;
-pub use bent::{BendState, Bent};
 pub use bounds::{Bounds, pulls_within};
 pub use chou_hannaford::ChouHannaford;
 pub use conical_ends::ConicalEnds;
@@ -70,9 +66,8 @@ pub use response::Response;
 pub(crate) use root::rising_root;
 pub use rounded_ends::RoundedEnds;
 pub use seated::{Seated, with_ends};
-pub use thick_wall::{BendingStiffness, BentMuscle, BentSection, BentState, OnPulley, Strands, ThickWall};
+pub use thick_wall::{BendingStiffness, ThickWall};
 pub use tondu_lopez::TonduLopez;
-pub use tondu_pressures::{largest_pressure_mpa, smallest_pressure_mpa};
 pub use universal::{EndPoint, Universal};
 pub use wall::Wall;
 pub use wall_energy::WallEnergy;

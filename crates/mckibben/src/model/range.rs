@@ -20,8 +20,6 @@ pub struct ModelRange {
     /// Parts of the muscle that differ from what the model was made for and are not numbers
     /// ("the rubber is dragon-skin-30, the formula is for `paper`").
     pub make: Vec<String>,
-    /// Contraction at which a core rod meets the other plug.
-    pub stop: Option<f64>,
 }
 
 impl Serialize for ModelRange {
@@ -45,7 +43,6 @@ impl ModelRange {
             measures: vec![],
             muscle: vec![],
             make: vec![],
-            stop: None,
         }
     }
 
@@ -104,11 +101,6 @@ impl ModelRange {
         if violations.is_empty() && self.make.is_empty() {
             return Ok(());
         }
-        let mut make = self.make.clone();
-        let meets = self.stop.filter(|stop| contraction > *stop).map(|stop| {
-            format!("the core rod meets the other plug at a contraction of {:.1} %", 100.0 * stop)
-        });
-        make.extend(meets);
-        Err(ModelError::OutOfRange { model: model.into(), violations, make })
+        Err(ModelError::OutOfRange { model: model.into(), violations, make: self.make.clone() })
     }
 }

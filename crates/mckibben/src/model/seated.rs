@@ -1,13 +1,13 @@
-//! Ends: any model of a muscle whose terminals state a seating, a slip, a grip or a core rod.
+//! Ends: any model of a muscle whose terminals state a seating, a slip or a grip.
 //!
-//!   F(P, ε) = F₀(P, x) + P A,   x of ε by [`Ends`], A of a core rod in a seal ([`Rod`](crate::muscle::Rod)),
+//!   F(P, ε) = F₀(P, x),   x of ε by [`Ends`],
 //!
 //! F₀ of the model of the muscle between its ends. One muscle cannot tell a seating from an error in the zero of its length; muscles of several
 //! lengths can.
 
 use super::{
     Contact, Extensions, ForceModel, Inverse, Mesh, ModelError, ModelId, ModelInfo, ModelRange, Response,
-    Slopes, ThickWall, Workspace, blocked_scale_n, pivoting_n_per_mm,
+    Slopes, Workspace, blocked_scale_n, pivoting_n_per_mm,
 };
 use crate::differences::slope;
 use crate::muscle::{EndState, Ends, InnerPull, Muscle};
@@ -19,8 +19,6 @@ pub struct Seated<M: ForceModel + ?Sized> {
     id: ModelId,
     info: ModelInfo,
     ends: Ends,
-    /// The infinitely long muscle in place of a model that does not compute the contact with a core rod: it tells where there is one.
-    touching: Option<Box<ThickWall>>,
 }
 
 /// The model of a whole muscle: `build` makes that of the muscle between its ends, which is the model itself where nothing is said of them.
@@ -46,14 +44,11 @@ impl<M: ForceModel + ?Sized> Seated<M> {
         // The displacement of a slip is left out of the contractions.
         let whole = |x: f64| ends.whole(x, ends.seating_mm);
         let (low, high) = of_inner.range.contraction;
-        let stop = ends.stop();
-        let contraction = (whole(low).max(-1.0), whole(high).min(stop.unwrap_or(f64::INFINITY)));
-        let range = ModelRange { contraction, stop, ..of_inner.range.clone() };
-        let touching = (ends.rod.is_some() && !inner.extensions().rod_contact)
-            .then(|| Box::new(ThickWall::new(&of_inner.muscle)));
+        let contraction = (whole(low).max(-1.0), whole(high));
+        let range = ModelRange { contraction, ..of_inner.range.clone() };
         let muscle = Arc::new(muscle.clone());
         let info = ModelInfo { muscle, range, ..of_inner.clone() };
-        Self { id: ModelId::new(), info, inner, ends, touching }
+        Self { id: ModelId::new(), info, inner, ends }
     }
 
     /// The model of the muscle between its ends.
@@ -70,24 +65,20 @@ impl<M: ForceModel + ?Sized> Seated<M> {
     pub fn whole(&self, at: &EndState, inner: Response) -> Response {
         let (ends, k) = (&self.ends, at.stiffness_n_per_mm);
         let (slip, bore, series) = (ends.slip_mm_per_n, ends.bore_mm2(), ends.series_factor(k));
-        let sealed = ends.sealed_mm2();
-        let by_pressure =
-            inner.force_per_pressure_mm2.map(|slope| (slope - k * slip * bore) / series + sealed);
+        let by_pressure = inner.force_per_pressure_mm2.map(|slope| (slope - k * slip * bore) / series);
         let by_contraction = inner.volume_per_contraction_mm3.map(|slope| {
             slope * (ends.length_mm / ends.active_mm()) / series - slip * bore * k * ends.length_mm / series
-                + sealed * ends.length_mm
         });
         let volume_by_pressure = inner.volume_per_pressure_mm3_per_mpa.and_then(|slope| {
             if slip == 0.0 {
                 return Some(slope);
             }
-            let by = slip * (by_pressure? - sealed + bore);
+            let by = slip * (by_pressure? + bore);
             Some(slope + (inner.volume_per_contraction_mm3? / ends.active_mm() + bore) * by)
         });
         Response {
             contraction: at.whole,
-            force_n: ends.whole_n(inner.pressure_mpa, inner.force_n),
-            volume_mm3: inner.volume_mm3.map(|v| v + slip * bore * at.load_n - ends.rod_mm3(at.whole)),
+            volume_mm3: inner.volume_mm3.map(|v| v + slip * bore * at.load_n),
             volume_per_pressure_mm3_per_mpa: volume_by_pressure,
             volume_per_contraction_mm3: by_contraction,
             stiffness_n_per_mm: inner.stiffness_n_per_mm.map(|k| k / series),
@@ -128,7 +119,6 @@ impl<M: ForceModel + ?Sized> Seated<M> {
             iterations: Ends::STEPS,
             residual: f64::NAN,
         })?;
-        self.check_rod(p, state.between, e)?;
         Ok((state, response))
     }
 
@@ -152,18 +142,6 @@ impl<M: ForceModel + ?Sized> Seated<M> {
             workspace.keep(&self.id, state);
         }
         found
-    }
-
-    /// Whether the tube is clear of the core rod, where the model does not compute their contact: by the infinitely long muscle.
-    ///
-    /// # Errors
-    /// [`ModelError::OnRod`] with the bore that there would be.
-    pub fn check_rod(&self, p: f64, x: f64, e: f64) -> Result<(), ModelError> {
-        let bore_mm = self.touching.as_ref().and_then(|long| long.bore_on_rod_mm(p, x));
-        bore_mm.map_or(Ok(()), |bore_mm| {
-            let rod_mm = self.ends.rod.map_or(0.0, |rod| rod.diameter_mm);
-            Err(ModelError::OnRod { pressure_mpa: p, contraction: e, bore_mm, rod_mm })
-        })
     }
 
     /// x of a point with its pull.
@@ -210,13 +188,10 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
 
     fn force_n(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<f64, ModelError> {
         if self.ends.slip_mm_per_n > 0.0 {
-            return Ok(self.ends.whole_n(p, self.end_state(workspace, p, e)?.1.force_n));
+            return Ok(self.end_state(workspace, p, e)?.1.force_n);
         }
         let x = self.between(p, e, 0.0);
-        let inner =
-            self.inner.force_n(workspace, p, x).map_err(|error| self.for_whole_muscle(error, e, x))?;
-        self.check_rod(p, x, e)?;
-        Ok(self.ends.whole_n(p, inner))
+        self.inner.force_n(workspace, p, x).map_err(|error| self.for_whole_muscle(error, e, x))
     }
 
     fn extensions(&self) -> Extensions<'_> {
@@ -233,19 +208,16 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
 
 impl<M: ForceModel + ?Sized> Inverse for Seated<M> {
     fn pressure_at_pull(&self, workspace: &mut Workspace, force_n: f64, e: f64) -> Option<f64> {
-        if self.ends.slip_mm_per_n > 0.0 || self.ends.sealed_mm2() > 0.0 {
+        if self.ends.slip_mm_per_n > 0.0 {
             return None;
         }
         let x = self.between(0.0, e, force_n);
-        let p = self.inner.extensions().inverse?.pressure_at_pull(workspace, force_n, x)?;
-        self.check_rod(p, x, e).is_ok().then_some(p)
+        self.inner.extensions().inverse?.pressure_at_pull(workspace, force_n, x)
     }
 
     fn contraction_at_pull(&self, workspace: &mut Workspace, force_n: f64, p: f64) -> Option<f64> {
-        let inner_n = self.ends.inner_n(p, force_n);
-        let x = self.inner.extensions().inverse?.contraction_at_pull(workspace, inner_n, p)?;
-        let e = self.ends.whole(x, self.ends.end_displacement_mm(p, force_n));
-        self.check_rod(p, x, e).is_ok().then_some(e)
+        let x = self.inner.extensions().inverse?.contraction_at_pull(workspace, force_n, p)?;
+        Some(self.ends.whole(x, self.ends.end_displacement_mm(p, force_n)))
     }
 }
 
@@ -291,8 +263,7 @@ impl<M: ForceModel + ?Sized> Mesh for Seated<M> {
         blocked_n: f64,
     ) -> Option<f64> {
         let x = self.between(p, e, force_n);
-        let inner_n = self.ends.inner_n(p, force_n);
-        self.inner.extensions().mesh?.mesh_error_n(workspace, p, x, inner_n, blocked_n)
+        self.inner.extensions().mesh?.mesh_error_n(workspace, p, x, force_n, blocked_n)
     }
 
     fn findings(&self, workspace: &Workspace) -> Vec<String> {

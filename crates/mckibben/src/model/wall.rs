@@ -55,11 +55,6 @@ impl Wall {
         Self { prestretch: tube.prestretch, ..Self::with_panels(ro, ri, panels, points) }
     }
 
-    /// The wall between two radii in mm with a chosen number of integration points.
-    pub fn with_points(ro: f64, ri: f64, points: usize) -> Self {
-        Self::with_panels(ro, ri, 1, points)
-    }
-
     fn with_panels(ro: f64, ri: f64, panels: usize, points: usize) -> Self {
         let y0 = 2.0 * ri.ln();
         let half = (ro / ri).ln() / panels as f64;
@@ -131,20 +126,6 @@ impl Wall {
         let thinnest = 1.0 / (lambda * inside.min(outside));
         inside.max(outside).max(lambda).max(thinnest)
     }
-
-    /// Largest energy density in the wall in MPa (mJ/mm³), at the bore or at the outer surface.
-    pub fn largest_energy_density_mpa(
-        &self,
-        law: &Law,
-        axial_stretch: f64,
-        outer_radius_mm: f64,
-    ) -> Option<f64> {
-        let lambda = self.prestretch * axial_stretch;
-        let inside = (self.bore2(axial_stretch, outer_radius_mm) / self.ri2).max(0.0).sqrt();
-        let outside = outer_radius_mm / self.ro2.sqrt();
-        let at = |hoop: f64| law.principal([hoop, lambda, 1.0 / (hoop * lambda)]).w;
-        Some(at(inside).max(at(outside))).filter(|w| w.is_finite())
-    }
 }
 
 struct Integral<'a> {
@@ -201,7 +182,7 @@ mod tests {
         {
             let mut tube = Tube::prototype();
             (tube.outer_diameter_mm, tube.wall_mm) = (2.0 * ro, ro - ri);
-            let (chosen, fine) = (Wall::new(&tube), Wall::with_points(ro, ri, 40));
+            let (chosen, fine) = (Wall::new(&tube), Wall::with_panels(ro, ri, 1, 40));
             for law in laws() {
                 for (lambda, bulge) in [(1.0, 1.0), (0.8, 1.6), (0.7, 1.9)] {
                     let (a, b) = (
@@ -222,7 +203,7 @@ mod tests {
     fn the_closed_form_is_the_integral() {
         let law = &laws()[0];
         for (ro, ri) in [(25.0, 24.9), (25.0, 24.0), (15.0, 12.0), (5.0, 2.0)] {
-            let wall = Wall::with_points(ro, ri, 40);
+            let wall = Wall::with_panels(ro, ri, 1, 40);
             for (l, bulge) in [(1.0, 1.0), (1.1, 0.97), (0.8, 1.6), (0.7, 1.9)] {
                 let (a, b) = (wall.energy(law, l, bulge * ro), wall.integrated(law, l, bulge * ro));
                 let scale = 0.24 * wall.section();
@@ -260,7 +241,7 @@ mod tests {
 
     #[test]
     fn derivatives_are_those_of_finite_differences() {
-        let wall = Wall::with_points(9.5, 8.0, 12);
+        let wall = Wall::with_panels(9.5, 8.0, 1, 12);
         for law in laws() {
             let (l, r, h) = (0.85, 13.0, 1e-5);
             let at = |l, r| wall.energy(&law, l, r);

@@ -15,13 +15,10 @@
 //!
 //! and by all else ∂F₀/(1 + c K₀), with −K c P ∂(π Ri²) where the bore changes. L0 ∂F/∂P = ∂V/∂ε holds as it does for F₀ and V₀.
 //!
-//! A core rod ([`Rod`]) is part of the ends: with A of one that leaves through a seal, F is F₀ + P A, N = F + (π Ri² − A) P = F₀ + π Ri² P, and its volume is
-//! taken off V; all slopes keep their form, but ∂F/∂P with A and ∂V/∂ε with A L0 added.
-//!
 //! Range: the slip is a spring; strands that slip for good, and only one way, are none. It goes on where a clamp would be pressed (N below 0). In the grip
 //! tube and braid have the plug in them and stay as they are.
 
-use super::{Muscle, Rod};
+use super::Muscle;
 use std::borrow::Cow;
 
 /// The ends of a muscle.
@@ -37,8 +34,6 @@ pub struct Ends {
     pub slip_mm_per_n: f64,
     /// Ri at rest in mm, or the radius of the plugs where it is stated.
     pub bore_radius_mm: f64,
-    /// The core rod, where there is one.
-    pub rod: Option<Rod>,
     stated: bool,
 }
 
@@ -80,15 +75,11 @@ impl Muscle {
             seating_mm: t.seating_mm.unwrap_or(0.0),
             slip_mm_per_n: t.slip_mm_per_n.unwrap_or(0.0),
             bore_radius_mm: self.parts.plug_radius_mm(),
-            rod: self.rod(),
-            stated: t.grip_mm.is_some()
-                || t.seating_mm.is_some()
-                || t.slip_mm_per_n.is_some()
-                || t.rod_diameter_mm.is_some(),
+            stated: t.grip_mm.is_some() || t.seating_mm.is_some() || t.slip_mm_per_n.is_some(),
         }
     }
 
-    /// The muscle between its ends, which hold: itself where nothing is said of them. A core rod stays in it, for models of the tube's contact with it.
+    /// The muscle between its ends, which hold: itself where nothing is said of them.
     pub fn between_ends(&self) -> Cow<'_, Self> {
         let ends = self.ends();
         if !ends.give() {
@@ -121,35 +112,9 @@ impl Ends {
         std::f64::consts::PI * self.bore_radius_mm * self.bore_radius_mm
     }
 
-    /// A of a rod that leaves through a seal, in mm²; 0 of another and without one.
-    pub fn sealed_mm2(&self) -> f64 {
-        self.rod.map_or(0.0, |rod| rod.sealed_mm2())
-    }
-
-    /// F in N where the muscle between the ends pulls with F₀ in N.
-    pub fn whole_n(&self, pressure_mpa: f64, inner_n: f64) -> f64 {
-        inner_n + self.sealed_mm2() * pressure_mpa
-    }
-
-    /// F₀ in N of a pull in N.
-    pub fn inner_n(&self, pressure_mpa: f64, force_n: f64) -> f64 {
-        force_n - self.sealed_mm2() * pressure_mpa
-    }
-
-    /// Volume of the rod between the plugs in mm³.
-    pub fn rod_mm3(&self, contraction: f64) -> f64 {
-        let between_mm = self.active_mm() - contraction * self.length_mm;
-        self.rod.map_or(0.0, |rod| rod.area_mm2() * rod.length_mm.unwrap_or(between_mm))
-    }
-
-    /// The contraction at which a rod that ends inside meets the other plug.
-    pub fn stop(&self) -> Option<f64> {
-        Some((self.active_mm() - self.rod?.length_mm?) / self.length_mm)
-    }
-
     /// N in N at a pressure in MPa and a pull in N.
     pub fn load_n(&self, pressure_mpa: f64, force_n: f64) -> f64 {
-        force_n + (self.bore_mm2() - self.sealed_mm2()) * pressure_mpa
+        force_n + self.bore_mm2() * pressure_mpa
     }
 
     /// u in mm at a pressure in MPa and a pull in N.
@@ -190,13 +155,12 @@ impl Ends {
         start_mm: Option<f64>,
         mut pull: impl FnMut(f64) -> Result<InnerPull, E>,
     ) -> Result<Option<EndState>, E> {
-        let mut displacement = start_mm
-            .unwrap_or_else(|| self.end_displacement_mm(pressure_mpa, self.whole_n(pressure_mpa, 0.0)));
+        let mut displacement = start_mm.unwrap_or_else(|| self.end_displacement_mm(pressure_mpa, 0.0));
         for _ in 0..Self::STEPS {
             let between = self.between(contraction, displacement);
             let inner = pull(between)?;
             let (k, slip) = (inner.stiffness_n_per_mm, self.slip_mm_per_n);
-            let force_n = self.whole_n(pressure_mpa, inner.force_n);
+            let force_n = inner.force_n;
             let miss = self.end_displacement_mm(pressure_mpa, force_n) - displacement;
             if slip == 0.0 || miss.abs() <= 1e-9 * (1.0 + displacement.abs()) {
                 let by_pressure = |slope: f64| (slope + self.bore_mm2()) / self.series_factor(k);
@@ -223,10 +187,6 @@ impl Ends {
     pub fn slope(&self, at: &EndState, name: &str, inner: f64) -> f64 {
         let k = at.stiffness_n_per_mm;
         let wider = k * self.slip_mm_per_n * at.pressure_mpa * std::f64::consts::PI * self.bore_radius_mm;
-        if let ("terminals.rod_diameter", Some(rod)) = (name, self.rod) {
-            // ∂A/∂d = 2 A/d
-            return 2.0 * at.pressure_mpa * rod.sealed_mm2() / rod.diameter_mm;
-        }
         let held = match name {
             "terminals.seating" => -k,
             "terminals.slip" => -k * at.load_n,
@@ -242,7 +202,7 @@ impl Ends {
     /// Of which constant of the muscle between its ends [`Ends::slope`] needs ∂F₀; `None` for those of the ends alone.
     pub fn inner_name(name: &str) -> Option<&str> {
         match name {
-            "terminals.seating" | "terminals.slip" | "terminals.rod_diameter" => None,
+            "terminals.seating" | "terminals.slip" => None,
             "terminals.grip" => Some("tube.length"),
             name => Some(name),
         }

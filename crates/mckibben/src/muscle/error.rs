@@ -63,29 +63,6 @@ pub enum MuscleError {
         /// Bore at rest in mm.
         bore_mm: f64,
     },
-    /// A rod that does not go into the bore.
-    #[error(
-        "terminals.rod_diameter is {rod_mm} mm; it must be below the bore of tube and plugs, {bore_mm} mm"
-    )]
-    RodTooThick {
-        /// Diameter of the rod in mm.
-        rod_mm: f64,
-        /// Bore at rest in mm.
-        bore_mm: f64,
-    },
-    /// A rod that ends inside, as long as the way between the plugs.
-    #[error(
-        "terminals.rod_length is {rod_mm} mm; a rod that ends inside must be shorter than the {between_mm} mm between the plugs (leave the length out for a rod that passes through a seal)"
-    )]
-    RodTooLong {
-        /// Length of the rod in mm.
-        rod_mm: f64,
-        /// Length between the plugs at rest in mm.
-        between_mm: f64,
-    },
-    /// The length of a rod without its diameter.
-    #[error("terminals.rod_length needs terminals.rod_diameter")]
-    RodLengthAlone,
     /// A presliding length without a friction.
     #[error(
         "friction.presliding needs the friction itself: friction.lever, or friction.coefficient and friction.exponent"
@@ -271,9 +248,6 @@ impl MuscleError {
             }
             MuscleError::WallTooThick { .. } => vec!["tube.wall_thickness", "tube.outer_diameter"],
             MuscleError::PreslidingAlone => vec!["friction.presliding"],
-            MuscleError::RodTooThick { .. } => vec!["terminals.rod_diameter", "tube.outer_diameter"],
-            MuscleError::RodTooLong { .. } => vec!["terminals.rod_length", "tube.length"],
-            MuscleError::RodLengthAlone => vec!["terminals.rod_length"],
             MuscleError::PlugDiameter { .. } => vec!["terminals.plug_diameter", "tube.outer_diameter"],
             MuscleError::Angle { .. } | MuscleError::Extends { .. } | MuscleError::Contracts { .. } => {
                 vec!["braid.angle"]

@@ -1,6 +1,6 @@
 //! Which way a muscle moves under pressure.
 
-use super::{Muscle, MuscleError};
+use super::{Muscle, MuscleError, NEUTRAL_ANGLE_DEG};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -8,7 +8,7 @@ use std::fmt;
 pub const LARGEST_ANGLE_DEG: f64 = 75.0;
 
 /// Which way a muscle moves under pressure: strands at θ0 to the axis turn towards the neutral angle 54.7°, at which the ideal muscle
-/// has its largest volume; with a core rod through a seal a little further ([`Rod`](super::Rod)), so that a thick one makes a muscle contract.
+/// has its largest volume.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -36,7 +36,7 @@ impl Muscle {
 
     /// Whether it lengthens and pushes under pressure.
     pub fn is_extensile(&self) -> bool {
-        self.braid().angle_rad() >= self.free_angle_rad()
+        self.braid().angle_rad() >= NEUTRAL_ANGLE_DEG.to_radians()
     }
 
     /// For calculations of muscles that pull.

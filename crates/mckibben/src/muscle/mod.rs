@@ -16,7 +16,6 @@ mod lay;
 pub mod measures;
 mod presliding;
 mod reach;
-mod rod;
 mod rubber;
 mod sleeve;
 mod terminals;
@@ -37,7 +36,6 @@ pub use lay::StrandLay;
 pub use measures::{Measure, Parts};
 pub use presliding::{Presliding, PreslidingElement};
 pub use reach::largest_stretch;
-pub use rod::Rod;
 pub use terminals::{EndFactor, Terminals};
 pub use tube::Tube;
 
@@ -104,7 +102,6 @@ impl Muscle {
         if !(least * bore_mm..=largest * bore_mm).contains(&plug_mm) {
             return Err(MuscleError::PlugDiameter { plug_mm, bore_mm });
         }
-        parts.check_rod()?;
         let reach = parts.reach();
         parts.tube.rubber = library::following(parts.tube.rubber, reach);
         let warm =
@@ -181,7 +178,6 @@ impl Muscle {
         own.chain(self.bench_warning())
             .chain(self.extensile_warning())
             .chain(self.temperature_warning())
-            .chain(self.seal_warning())
             .collect()
     }
 
@@ -189,14 +185,6 @@ impl Muscle {
     fn extensile_warning(&self) -> Option<String> {
         self.is_extensile().then(|| {
             "this muscle extends: its pushes and extensions are below zero; no measured muscle of this kind is known here, and the ± is that of muscles that contract".to_owned()
-        })
-    }
-
-    /// A core rod in a seal.
-    fn seal_warning(&self) -> Option<String> {
-        self.rod().filter(|rod| rod.length_mm.is_none()).map(|_| {
-            "the core rod leaves through a seal, whose friction is part neither of the pull nor of its ±"
-                .to_owned()
         })
     }
 

@@ -1,9 +1,9 @@
 //! How far a muscle stretches its rubber.
 
-use super::{Braid, Muscle, Parts, Tube};
+use super::{Braid, Muscle, NEUTRAL_ANGLE_DEG, Parts, Tube};
 
 /// Largest principal stretch of the rubber of a tube in a braid, from rest to the free contraction of the ideal muscle: strands
-/// that do not stretch, at θ = 54.7° (cos²θ = 1/3; with a core rod through a seal at [`Muscle::free_angle_rad`]), where no pressure contracts it further.
+/// that do not stretch, at θ = 54.7° (cos²θ = 1/3), where no pressure contracts it further.
 ///
 ///   λz = cos54.7°/cosθ0 = 1/(√3 cosθ0),   ro = Ro sin54.7°/sinθ0,   ri² = ro² − (Ro² − Ri²)/λz,   λ = ri/Ri
 ///
@@ -11,9 +11,9 @@ use super::{Braid, Muscle, Parts, Tube};
 /// the axis at rest; braids of some thickness and wide sleeves as [`StrandLay`](super::StrandLay) has them. λ is the hoop stretch at the bore, which is the largest: the wall grows thinner on its way out, so that
 /// ri/Ri ≥ ro/Ro. For a thin wall it is sin54.7°/sinθ0. It follows from the measures alone, not from a pressure.
 /// Of a tube that was mounted with a stretch λp it is ri/(Ri √λp), or λp where that is more.
-pub fn largest_stretch(tube: &Tube, braid: &Braid, free_angle_rad: f64) -> f64 {
+pub fn largest_stretch(tube: &Tube, braid: &Braid) -> f64 {
     let (sin, cos) = braid.angle_rad().sin_cos();
-    let (sin_neutral, cos_neutral) = free_angle_rad.sin_cos();
+    let (sin_neutral, cos_neutral) = NEUTRAL_ANGLE_DEG.to_radians().sin_cos();
     let (outer, inner, lay) = (tube.outer_radius_mm(), tube.inner_radius_mm(), braid.lay(tube));
     let (axial, hoop) = (cos_neutral / cos, sin_neutral / sin);
     let bore = lay.outer_radius_mm(hoop).powi(2) - (outer * outer - inner * inner) / axial;
@@ -24,7 +24,7 @@ pub fn largest_stretch(tube: &Tube, braid: &Braid, free_angle_rad: f64) -> f64 {
 impl Parts {
     /// [`largest_stretch`] of a muscle of these parts.
     pub(super) fn reach(&self) -> f64 {
-        largest_stretch(&self.tube, &self.braid, self.free_angle_rad())
+        largest_stretch(&self.tube, &self.braid)
     }
 }
 
@@ -38,11 +38,10 @@ impl Muscle {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::muscle::NEUTRAL_ANGLE_DEG;
 
     fn reach(outer_diameter_mm: f64, wall_mm: f64, angle_deg: f64) -> f64 {
         let tube = Tube { outer_diameter_mm, wall_mm, ..Tube::prototype() };
-        largest_stretch(&tube, &Braid { angle_deg, ..Braid::paper() }, NEUTRAL_ANGLE_DEG.to_radians())
+        largest_stretch(&tube, &Braid { angle_deg, ..Braid::paper() })
     }
 
     /// The limit of a thin wall: the strands turn from θ0 to 54.7°, sin54.7° = √(2/3).

@@ -48,10 +48,6 @@ pub struct Terminals {
     pub grip_mm: Option<f64>,
     /// Outer diameter in mm of the plugs on which tube and braid are clamped, where it is not the bore of the tube.
     pub plug_diameter_mm: Option<f64>,
-    /// Diameter in mm of a core rod in the cavity ([`Rod`](super::Rod)), where there is one.
-    pub rod_diameter_mm: Option<f64>,
-    /// Length in mm of a core rod that stands on one plug and ends inside; none of one that leaves through the other plug in a seal.
-    pub rod_length_mm: Option<f64>,
     /// Axial load in N at which a clamp lets go of tube and braid, where it is known.
     pub pull_off_n: Option<f64>,
     /// Pressure in MPa for which plugs and fittings are rated, where it is known.

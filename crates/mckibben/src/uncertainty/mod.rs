@@ -24,8 +24,6 @@
 //!   the blocked force at the same pressure, which the pulls of the same hose with other fittings, measured in two laboratories, give.
 //! - `length_transfer`, beside the others, of a muscle whose constants were identified at other lengths ([`Muscle::off_identified_lengths`]): a share of the
 //!   blocked force at the same pressure, in proportion to |Δ(D0/L0)|, which the three lengths of a DMSP-10 hose give.
-//! - `bend`, beside the others, of a muscle that lies on a pulley ([`Bent`](crate::model::Bent)): half the difference between strands that slide on the tube and
-//!   strands that are fixed to it.
 //!
 //! a, b and c come from four sets of measured muscles (hand-made, 20°; DMSP-20-300; DMSP-10-250; DMSP-10 hose in three lengths), each
 //! with its rubber (and, of the three bought ones, the angle) identified from its own points: they hold at least 95 % of the points of
@@ -45,7 +43,7 @@ mod shifts;
 
 pub use shifts::{ONE_AXIS, Shifts};
 
-use crate::analysis::{friction_half_width_n, pulley_friction_half_width_n};
+use crate::analysis::friction_half_width_n;
 use crate::model::{Accuracy, BlockedAt, ForceModel, Reference, Workspace, blocked_scale_n};
 use crate::muscle::{Bench, Direction, Muscle};
 use crate::rubber::RubberLaw;
@@ -124,9 +122,6 @@ pub struct UncertaintyParts {
     /// Another length of the muscle against those that were identified.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub length_transfer: Option<f64>,
-    /// Of a muscle that lies on a pulley: strands that slide on the tube against strands that are fixed to it.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub bend: Option<f64>,
     /// Whether the muscle states its friction.
     #[serde(skip)]
     pub friction_is_stated: bool,
@@ -145,7 +140,6 @@ impl UncertaintyParts {
             ("fit", self.fit),
             ("another specimen", self.transfer),
             ("another length", self.length_transfer),
-            ("bend", self.bend),
         ];
         all.into_iter().filter_map(|(name, part)| Some((name, part?)))
     }
@@ -174,8 +168,6 @@ pub fn uncertainty<M: ForceModel + ?Sized>(
 ) -> Option<UncertaintyParts> {
     let at = (pressure_mpa, contraction);
     let own = of_specimen(model, workspace, at, force_n, direction)?;
-    let bend = model.extensions().bend.and_then(|bend| bend.state(workspace, pressure_mpa, contraction).ok());
-    let own = UncertaintyParts { bend: bend.map(|bend| bend.pull_lost_uncertainty_n), ..own };
     // A formula of a bought muscle was held against measured pulls.
     let of_product = matches!(model.info().accuracy.reference, Reference::ForceMap { .. });
     let (transfer, length) = (transfer_share(model.muscle()), length_share(model.muscle()));
@@ -251,7 +243,6 @@ fn general<M: ForceModel + ?Sized>(
         fit: None,
         transfer: None,
         length_transfer: None,
-        bend: None,
         friction_is_stated: muscle.friction().is_some(),
     })
 }
@@ -346,7 +337,6 @@ fn between(inside: &UncertaintyParts, outside: &UncertaintyParts, x: f64) -> Unc
         fit: part(|p| p.fit),
         transfer: None,
         length_transfer: None,
-        bend: None,
         friction_is_stated: inside.friction_is_stated,
     }
 }
@@ -359,14 +349,12 @@ pub fn friction_n<M: ForceModel + ?Sized>(
     direction: Direction,
     blocked_n: f64,
 ) -> f64 {
-    let on_pulley = pulley_friction_half_width_n(model, workspace, pressure_mpa, contraction);
-    let on_pulley = on_pulley.unwrap_or(0.0) * if direction.is_mean() { 1.0 } else { 0.0 };
-    let unknown = FRICTION * blocked_n + on_pulley;
+    let unknown = FRICTION * blocked_n;
     if model.muscle().friction().is_none() {
         return unknown;
     }
     match friction_half_width_n(model, workspace, pressure_mpa, contraction) {
-        Ok(half) if direction.is_mean() => (1.0 + FRICTION_LAW) * half + on_pulley,
+        Ok(half) if direction.is_mean() => (1.0 + FRICTION_LAW) * half,
         Ok(half) => FRICTION_LAW * half,
         Err(_) => unknown,
     }

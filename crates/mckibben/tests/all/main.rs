@@ -5,9 +5,6 @@
 mod burst;
 mod fuzz_parsers;
 mod inverses;
-mod life;
 mod literature;
 mod models;
-mod rods;
 mod temperature;
-mod wrap;

@@ -13,7 +13,7 @@ const CHECKED = "checked";
 
 /** What works without a network, and a button for the rest. */
 function withoutNetwork() {
-  const text = el("span", {}), own = engine().files.length > 0;
+  const text = el("span", {});
   const keep = el("button", { type: "button", onclick: async () => {
     keep.disabled = true;
     text.textContent = "Fetching …";
@@ -26,8 +26,7 @@ function withoutNetwork() {
   const say = async () => {
     const all = await isKept();
     keep.hidden = all;
-    if (own) text.textContent = all ? "Every page works." : "The page Muscle works; the other pages need more.";
-    else text.textContent = `The page opens${all ? "" : ", without its maps"}; only its server computes.`;
+    text.textContent = all ? "Every page works." : "The page Muscle works; the other pages need more.";
     element.hidden = false;
   };
   // Where the browser keeps nothing there is nothing to say.

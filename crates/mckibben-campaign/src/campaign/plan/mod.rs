@@ -13,7 +13,6 @@
 mod axis;
 mod read;
 mod sampling;
-mod sobol;
 mod vary;
 
 #[cfg(test)]
@@ -49,7 +48,6 @@ pub struct Testing {
 #[derive(Debug, Clone)]
 pub struct Plan {
     text: String,
-    name: Option<String>,
     base: Muscle,
     axes: Vec<Axis>,
     sampling: Sampling,
@@ -66,10 +64,6 @@ impl Plan {
     /// SHA-256 of its text, in hexadecimal digits.
     pub fn hash(&self) -> String {
         hash::hex(self.text.as_bytes())
-    }
-
-    pub fn name(&self) -> Option<&str> {
-        self.name.as_deref()
     }
 
     /// The muscle that is varied.

@@ -1,7 +1,6 @@
 //! Text → plan.
 
-use super::sampling::{Design, MOST_MUSCLES, MOST_STRATA, Sampling};
-use super::sobol::MOST_DIMENSIONS;
+use super::sampling::{Design, MOST_MUSCLES, MOST_SOBOL, MOST_STRATA, Sampling};
 use super::{Plan, Testing, axis, vary};
 use mckibben::muscle::file::{FileError, Problem, Section, Source, parse_muscle_beside, read_text};
 use mckibben::units::{Dimension, Values};
@@ -53,7 +52,6 @@ fn plan(text: &str) -> Result<Plan, FileError> {
     let base = parse_muscle_beside(text, TABLES)?;
     let source = Source::parse(text)?;
     let root = source.root();
-    let name = root.text("name", "a text in quotes")?.map(str::to_owned);
     let sampling = sampling(&root.section("sampling", "sampling")?)?;
     let axes = vary::axes(&root, &base, &sampling, &ALL)?;
     let testing = testing(&root.section("test", "test")?)?;
@@ -65,17 +63,12 @@ fn plan(text: &str) -> Result<Plan, FileError> {
         let why = format!("a {} plan needs something to vary: add [vary]", sampling.name());
         return Err(source.error("sampling.method", Problem::Said(why)));
     }
-    if matches!(sampling, Sampling::Sobol { .. }) && axes.len() > MOST_DIMENSIONS {
-        let why =
-            format!("has {} quantities; a Sobol sequence has at most {MOST_DIMENSIONS} here", axes.len());
-        return Err(source.error("vary", Problem::Said(why)));
-    }
     let design = Design::new(&sampling, &axes);
     if design.len() > MOST_MUSCLES {
         let why = format!("makes {} muscles, more than {MOST_MUSCLES}", design.len());
         return Err(source.error("vary", Problem::Said(why)));
     }
-    let plan = Plan { text: text.to_owned(), name, base, axes, sampling, design, testing };
+    let plan = Plan { text: text.to_owned(), base, axes, sampling, design, testing };
     some_muscle(&plan).map_err(|why| source.error("vary", Problem::Said(why)))?;
     Ok(plan)
 }
@@ -105,7 +98,7 @@ fn sampling(section: &Section<'_>) -> Result<Sampling, FileError> {
     section.only(SAMPLING, &ALL)?;
     let method = section.text("method", METHODS)?.unwrap_or("factorial").trim();
     let sobol = method == "sobol";
-    let samples = whole(section, "samples", if sobol { MOST_MUSCLES } else { MOST_STRATA })?;
+    let samples = whole(section, "samples", if sobol { MOST_SOBOL } else { MOST_STRATA })?;
     let seed = whole(section, "seed", u64::from(u32::MAX))?;
     if method == "factorial" {
         return match ["samples", "seed"].into_iter().find(|k| section.has(k)) {

@@ -1,7 +1,6 @@
 //! How the axes of a plan are sampled.
 
 use super::axis::Axis;
-use super::sobol;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
@@ -9,8 +8,8 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 pub(super) const MOST_MUSCLES: u64 = 20_000_000;
 /// The most of a Latin hypercube, whose order is held in memory: 8 MB for each quantity.
 pub(super) const MOST_STRATA: u64 = 1_000_000;
-/// Up to so many samples the sequence is that of the library, to which the numbers of existing plans belong.
-const LIBRARY: u64 = 1 << 16;
+/// The most of Sobol's sequence: the library has 16 direction numbers of each dimension.
+pub(super) const MOST_SOBOL: u64 = 1 << 16;
 
 /// A way of sampling.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -87,9 +86,6 @@ impl Design {
                 axes[axis].level(number / faster % levels[axis])
             }
             Self::Points { shares, .. } => axes[axis].at(shares[axis][number as usize]),
-            Self::Sobol { muscles, seed } if *muscles > LIBRARY => {
-                axes[axis].at(sobol::sample(number as u32, axis, *seed))
-            }
             Self::Sobol { seed, .. } => {
                 axes[axis].at(f64::from(sobol_burley::sample(number as u32, axis as u32, *seed)))
             }

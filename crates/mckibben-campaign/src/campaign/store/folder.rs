@@ -8,13 +8,11 @@ use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::time::{Duration, SystemTime};
 
 const LOCK: &str = ".lock";
 /// The file that names the plan.
 pub(crate) const MARKER: &str = ".campaign.json";
-/// What names of states of shards begin with.
-pub(crate) const STATE: &str = ".shard-";
 
 /// The file name of a part.
 pub(crate) fn part_name(number: u64) -> String {
@@ -43,6 +41,10 @@ pub(crate) fn check_name(path: &Path) -> Result<(), CampaignError> {
     Ok(())
 }
 
+fn lock_name(shard: Shard) -> String {
+    format!("{LOCK}-{}", shard.file_name())
+}
+
 /// A folder of parts.
 #[derive(Debug)]
 pub(crate) struct Folder {
@@ -59,7 +61,7 @@ impl Folder {
         folder.lock(LOCK, shard.is_some())?;
         match shard {
             Some(shard) => {
-                folder.lock(&format!("{LOCK}-{}", shard.file_name()), false)?;
+                folder.lock(&lock_name(shard), false)?;
                 folder.sweep_shard(shard)?;
             }
             // Nobody else is writing: what is unfinished stays so.
@@ -83,6 +85,8 @@ impl Folder {
         }
         match locked {
             Ok(()) => {
+                // Tells which shard began last.
+                let _ = file.set_modified(SystemTime::now());
                 self.locks.push(file);
                 Ok(())
             }
@@ -93,17 +97,23 @@ impl Folder {
         }
     }
 
-    /// Whether a process of this machine holds the lock of a shard; `None` where there is none, or the file system has no locks.
-    pub(crate) fn is_locked(path: &Path, shard: Shard) -> Option<bool> {
-        let own = path.join(format!("{LOCK}-{}", shard.file_name()));
-        // A run of the whole plan holds the lock of the folder.
-        let whole = || (shard.count() == 1).then(|| File::open(path.join(LOCK)).ok()).flatten();
-        let file = File::open(own).ok().or_else(whole)?;
-        match file.try_lock_shared() {
-            Ok(()) => Some(false),
-            Err(TryLockError::WouldBlock) => Some(true),
-            Err(TryLockError::Error(_)) => None,
-        }
+    /// Whether a process holds the lock of a shard, or that of the whole plan.
+    pub(crate) fn is_locked(path: &Path, shard: Shard) -> bool {
+        let held = |name: &str| {
+            let file = File::open(path.join(name));
+            file.is_ok_and(|file| matches!(file.try_lock_shared(), Err(TryLockError::WouldBlock)))
+        };
+        held(LOCK) || held(&lock_name(shard))
+    }
+
+    /// Of how many shards that is which began last.
+    pub(crate) fn shards(path: &Path) -> Result<u64, CampaignError> {
+        let begun = |name: String| {
+            let shard = Shard::of_file_name(name.strip_prefix(LOCK)?.strip_prefix('-')?)?;
+            Some((path.join(name).metadata().ok()?.modified().ok()?, shard.count()))
+        };
+        let folder = Self { path: path.into(), locks: vec![] };
+        Ok(folder.names()?.into_iter().filter_map(begun).max().map_or(1, |newest| newest.1))
     }
 
     /// Removes what killed processes left of the parts of a shard, whose lock is held.
@@ -175,7 +185,7 @@ impl Folder {
         let names = self.names()?;
         // Some systems do not remove what is open.
         self.locks.clear();
-        let ours = [LOCK, Unfinished::PREFIX, MARKER, STATE];
+        let ours = [LOCK, Unfinished::PREFIX, MARKER];
         for name in names.iter().filter(|n| ours.iter().any(|prefix| n.starts_with(prefix))) {
             remove(self.path.join(name))?;
         }

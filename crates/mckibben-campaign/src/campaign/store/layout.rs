@@ -5,7 +5,7 @@ use crate::campaign::Plan;
 use crate::columns::{COLUMNS, Column, Role, Slot};
 use mckibben_parquet::{Column as Values, Packing};
 
-/// Which columns a table has: those of the plan, less those that a table of an older program lacks.
+/// Which columns a table has.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Layout {
     /// Constants of the law: `c10_mpa`.
@@ -14,8 +14,6 @@ pub struct Layout {
     pub(crate) measures: Vec<String>,
     /// Keys of the sensitivities: `tube.material.c10`.
     pub(crate) sensitivities: Vec<String>,
-    /// Columns that it does not have; they read as nothing.
-    pub(crate) lacking: Vec<&'static str>,
 }
 
 /// One column of a layout.
@@ -73,11 +71,7 @@ impl Field {
 impl Layout {
     /// The columns of a plan's table.
     pub(crate) fn of(plan: &Plan) -> Self {
-        Self { measures: plan.measures(), ..Self::new(plan.constants(), plan.sensitivities()) }
-    }
-
-    pub(crate) fn new(constants: Vec<String>, sensitivities: Vec<String>) -> Self {
-        Self { constants, sensitivities, ..Self::default() }
+        Self { constants: plan.constants(), measures: plan.measures(), sensitivities: plan.sensitivities() }
     }
 
     pub(crate) fn fields(&self) -> Vec<Field> {
@@ -93,34 +87,11 @@ impl Layout {
                 _ => vec![one(column.name.into(), None)],
             }
         };
-        let there = COLUMNS.iter().filter(|c| !self.lacking.contains(&c.name));
-        there.flat_map(of).collect()
+        COLUMNS.iter().flat_map(of).collect()
     }
 
-    /// Notes which columns a table lacks that has those of `names`.
-    pub(crate) fn found(&mut self, names: &[&str]) -> Result<(), String> {
-        for field in self.fields().into_iter().filter(|f| !names.contains(&f.name.as_str())) {
-            match field.slot(&mut PointRow::default()) {
-                Slot::Optional(_) => self.lacking.push(field.column.name),
-                _ => return Err(field.name),
-            }
-        }
-        Ok(())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_table_may_lack_answers_and_nothing_else() {
-        let mut layout = Layout::new(vec!["c10_mpa".into()], vec![]);
-        let fields = layout.fields();
-        let names =
-            |but: &str| fields.iter().map(|f| f.name.as_str()).filter(|n| *n != but).collect::<Vec<_>>();
-        assert_eq!(layout.found(&names("wall_mm")), Err("wall_mm".into()));
-        assert_eq!(layout.found(&names("c10_mpa")), Err("c10_mpa".into()));
-        assert_eq!((layout.found(&names("max_stretch")), layout.lacking), (Ok(()), vec!["max_stretch"]));
+    /// The first of its columns that is not among some names.
+    pub(crate) fn lacks(&self, names: &[&str]) -> Option<String> {
+        self.fields().into_iter().map(|f| f.name).find(|name| !names.contains(&name.as_str()))
     }
 }

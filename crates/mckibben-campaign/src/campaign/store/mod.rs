@@ -12,7 +12,7 @@ pub use provenance::Provenance;
 
 pub(super) use decode::Opened;
 pub(super) use encode::{part, whole};
-pub(super) use folder::{Folder, MARKER, STATE, check_name, is_file_name, part_name};
+pub(super) use folder::{Folder, MARKER, check_name, is_file_name, part_name};
 pub(super) use layout::Field;
 #[cfg(test)]
 pub(super) use layout::Layout;

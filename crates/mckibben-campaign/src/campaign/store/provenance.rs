@@ -102,6 +102,7 @@ impl Provenance {
             ("points_per_muscle", self.points_per_muscle.to_string()),
             ("muscles_per_part", self.block.to_string()),
             ("constants", self.layout.constants.join(",")),
+            ("measures", self.layout.measures.join(",")),
             ("sensitivities", self.layout.sensitivities.join(",")),
         ];
         pairs.extend(self.seed.map(|seed| ("seed", seed.to_string())));
@@ -129,7 +130,11 @@ impl Provenance {
             muscles: number(text("muscles")?)?,
             points_per_muscle: number(text("points_per_muscle")?)?,
             block: number(text("muscles_per_part")?)?.max(1),
-            layout: Layout::new(list(text("constants")?), list(text("sensitivities")?)),
+            layout: Layout {
+                constants: list(text("constants")?),
+                measures: list(text("measures")?),
+                sensitivities: list(text("sensitivities")?),
+            },
         };
         if hash::hex(out.plan.as_bytes()) != out.plan_sha256 {
             return Err("the plan in its metadata does not match its hash".into());

@@ -325,37 +325,3 @@ fn what_the_system_does_not_read_is_not_called_damaged() {
         assert!(!error.hint().contains("remove"));
     }
 }
-
-#[test]
-fn parts_of_an_older_program_are_read_and_merged_and_not_gone_on_with() {
-    let dir = folder();
-    let store = dir.path().join("store");
-    run_to(&store);
-    let newer = read(&store).unwrap();
-    let mut older = Provenance::of(&plan());
-    older.layout.lacking = vec!["braid_tension_n", "strand_tension_n", "bulged_diameter_mm", "max_stretch"];
-    for number in 0..12 {
-        let mut table = Table::new(&older.layout);
-        newer.iter().filter(|r| r.muscle == number).for_each(|row| table.push(row.clone()));
-        std::fs::write(part(&store, number), encode(&older, number, &table).unwrap()).unwrap();
-    }
-    let rows = read(&store).unwrap();
-    for (row, newer) in rows.iter().zip(&newer) {
-        assert_eq!((row.bulged_diameter_mm, row.max_stretch, row.force_n), (None, None, newer.force_n));
-    }
-    let merged = dir.path().join("merged.parquet");
-    merge(std::slice::from_ref(&store), &merged, false).unwrap();
-    assert_eq!(read(&merged).unwrap(), rows);
-    assert!(summary(&merged).unwrap().complete);
-    for out in [&store, &merged] {
-        let error = run(&plan(), out, &RunOptions::default(), &Silent).unwrap_err();
-        assert!(matches!(error, CampaignError::OtherColumns { .. }), "{error}");
-        assert!(error.hint().contains("write to another place"));
-    }
-    // A part of each makes no table.
-    std::fs::remove_file(part(&store, 3)).unwrap();
-    let (number, mut table) = (3, Table::new(&Layout::of(&plan())));
-    newer.iter().filter(|r| r.muscle == number).for_each(|row| table.push(row.clone()));
-    std::fs::write(part(&store, number), encode(&Provenance::of(&plan()), number, &table).unwrap()).unwrap();
-    assert!(read(&store).is_err());
-}

@@ -143,3 +143,13 @@ fn rows_of_a_plan_with_fe3d_are_what_that_model_says() {
         assert!((row.force_n.unwrap() / force - 1.0).abs() < 1e-8);
     }
 }
+
+/// What varies without a column in every table has one of its own, in files as in memory.
+#[test]
+fn measures_that_vary_are_in_the_file() {
+    let rows = run_plan(
+        "[vary]\nterminals.seating = \"0,1 mm\"\n[test]\ncontractions = 0\npressures = 0.1\nmesh = \"3\"\n",
+    );
+    let seating: Vec<_> = rows.into_iter().map(|r| r.measures).collect();
+    assert_eq!(seating, [0.0, 1.0].map(|mm| vec![("seating_mm".to_owned(), mm)]));
+}

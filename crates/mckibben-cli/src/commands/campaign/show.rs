@@ -38,7 +38,6 @@ fn as_text(s: &Summary) -> String {
         s.failed.iter().map(|(status, f)| (status.to_string(), f.points.to_string())).collect();
     head.extend(failed.iter().map(|(status, points)| (status.as_str(), points.clone())));
     head.extend([
-        ("iterations", format!("{} a point", number(s.iterations as f64 / s.points.max(1) as f64, 3))),
         ("size", format!("{} kB", number(1e-3 * s.bytes as f64, 3))),
         ("model", p.model.clone()),
         (

@@ -207,9 +207,7 @@ fn safety(searched: &SearchedAnswer) -> String {
         ),
         None => "no limit on burst".into(),
     };
-    let life = searched.life_stretch;
-    let life = life.map(|v| format!("rubber stretched by at most {}, by its life curve", number(v, 4)));
-    format!("Safety: {}\n", strain.into_iter().chain([burst]).chain(life).collect::<Vec<_>>().join("; "))
+    format!("Safety: {}\n", strain.into_iter().chain([burst]).collect::<Vec<_>>().join("; "))
 }
 
 fn thousandth(share: f64) -> f64 {

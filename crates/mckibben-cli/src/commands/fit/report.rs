@@ -16,7 +16,7 @@ pub fn run(format: Format, output: Target<'_>) -> Result<u8, Failure> {
 }
 
 fn text(answer: &FitReportAnswer) -> String {
-    let (r, seconds) = (&answer.results, answer.seconds.unwrap_or_default());
+    let r = &answer.results;
     let rows = r.findings.iter().map(|f| {
         let (e, w) = (&f.errors, &f.errors.worst);
         vec![
@@ -51,10 +51,7 @@ fn text(answer: &FitReportAnswer) -> String {
         shipped.stiffness_at_40_n_per_mm,
         shipped.exponent
     ));
-    out.push_str(&format!(
-        "Time for campaign, fit and errors of the paper's formula: {:.3} s; global has {} terms\n",
-        seconds, r.global_terms
-    ));
+    out.push_str(&format!("global has {} terms\n", r.global_terms));
     out.push_str(
         "\nRandom muscles of any size and material, where they pull, in % of the blocked force at the same pressure\n\n",
     );

@@ -28,6 +28,8 @@ An assistant starts this program, and asks it over standard input and output.";
 
 /// Questions that may wait.
 const WAITING: usize = 64;
+/// The longest message in bytes.
+const LONGEST: u64 = 8 << 20;
 
 /// `mcp`.
 #[derive(Debug, Args)]
@@ -51,7 +53,7 @@ pub fn run(args: &McpArgs, limits: &[(Resource, f64)], root: &Command) -> Result
             .spawn_scoped(scope, move || work(&asked, desk, open))
             .map_err(|e| Failure::input(ProblemKind::Output, format!("no thread can be started: {e}"), ""))?;
         let mut input = std::io::stdin().lock();
-        while let Some(line) = line(&mut input, desk.longest())? {
+        while let Some(line) = line(&mut input, LONGEST)? {
             let reply = match line.map_err(|why| (Value::Null, why)).and_then(|text| messages::read(&text)) {
                 Err((id, (code, why))) => Some(refusal(&id, code, &why)),
                 Ok(message) => match route(message, desk, open, root) {
@@ -107,7 +109,7 @@ fn route(message: Message, desk: &Desk, open: &Open, root: &Command) -> Next {
         "resources/templates/list" => Ok(json!({ "resourceTemplates": [] })),
         "resources/read" => resources::read(&params, root),
         "tools/call" => {
-            let budget = desk.budget(&params);
+            let budget = desk.budget();
             locked(open).insert(id.0.to_string(), budget.clone());
             return Next::Ask(Question { id, params, budget });
         }

@@ -1,4 +1,4 @@
-//! Tools: commands of the application layer, by their schemas and within the budgets of the server.
+//! Tools: commands of the application layer, by their schemas and within a budget.
 
 use super::messages::{PARAMS, Wrong};
 use crate::failure::Failure;
@@ -10,7 +10,6 @@ use mckibben::budget::{Budget, Limits, Resource};
 use mckibben::progress::Progress;
 use mckibben_app::{BuiltFile, CommandEntry, Problem, find};
 use mckibben_report::Figure;
-use mckibben_server::Config;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -48,7 +47,7 @@ pub fn list() -> Vec<Value> {
 pub struct Desk {
     /// Where `export` may write.
     folder: Option<PathBuf>,
-    config: Config,
+    limits: Limits,
 }
 
 /// The work of a question, within its budget.
@@ -67,29 +66,18 @@ impl Progress for Within<'_> {
 }
 
 impl Desk {
-    /// With the budgets of the server, and others in their place.
+    /// With other limits than the usual ones.
     pub fn new(folder: Option<&Path>, limits: &[(Resource, f64)]) -> Result<Self, Failure> {
-        let mut config = Config::default();
-        config.limits = with(config.limits, limits);
-        config.jobs.limits = with(config.jobs.limits, limits);
+        let limits = with(Limits::default(), limits);
         if let Some(folder) = folder {
             std::fs::create_dir_all(folder).map_err(|e| Failure::unwritable(folder, &e))?;
         }
-        Ok(Self { folder: folder.map(Path::to_owned), config })
-    }
-
-    /// The longest message in bytes.
-    pub fn longest(&self) -> u64 {
-        self.config.body_bytes as u64
+        Ok(Self { folder: folder.map(Path::to_owned), limits })
     }
 
     /// What a call may cost.
-    pub fn budget(&self, params: &Value) -> Budget {
-        let limits: Limits = match command(params) {
-            Some(entry) if entry.long => self.config.jobs.limits,
-            _ => self.config.limits,
-        };
-        Budget::new(limits)
+    pub fn budget(&self) -> Budget {
+        Budget::new(self.limits)
     }
 
     /// Calls a tool. A problem is a result of the tool, so that the assistant reads it; only a call of no tool is an error.

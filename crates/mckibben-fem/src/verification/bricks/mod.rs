@@ -14,20 +14,9 @@ mod terminal;
 mod torsion;
 mod tube;
 
-pub use cook::{cook, cook_fine};
-pub use homogeneous::homogeneous;
-pub use limit::limit;
-pub use muscle::muscle;
-pub use numerics::numerics;
-pub use paths::paths;
-pub use pressure::follower_pressure;
-pub use shear::shear;
-pub use snap::snap;
-pub use terminal::terminal;
-pub use torsion::torsion;
-pub use tube::thick_tube;
+pub use cook::cook_fine;
 
-use super::case::VerificationCase;
+use super::Case;
 use crate::solver::body::Control;
 use crate::solver::continuation::Continuation;
 use crate::solver::newton::{self, Effort, NewtonOptions};
@@ -39,19 +28,19 @@ use mckibben::muscle::Muscle;
 const BRICKS: [(Brick, &str); 2] = [(Brick::Linear, "8-node brick"), (Brick::Quadratic, "27-node brick")];
 
 /// Every case with bricks.
-pub(super) const CASES: [VerificationCase; 12] = [
-    homogeneous,
-    shear,
-    thick_tube,
-    torsion,
-    follower_pressure,
-    terminal,
-    snap,
-    cook,
-    numerics,
-    paths,
-    limit,
-    muscle,
+pub(super) const CASES: [Case; 12] = [
+    homogeneous::homogeneous,
+    shear::shear,
+    tube::thick_tube,
+    torsion::torsion,
+    pressure::follower_pressure,
+    terminal::terminal,
+    snap::snap,
+    cook::cook,
+    numerics::numerics,
+    paths::paths,
+    limit::limit,
+    muscle::muscle,
 ];
 
 fn body(problem: Problem) -> Option<Body> {

@@ -11,7 +11,7 @@ use crate::analysis::error::AnalysisError;
 use crate::analysis::root::{RootError, find_root};
 use crate::budget::Budget;
 use crate::model::{ModelError, ModelKind, Workspace};
-use crate::muscle::Muscle;
+use crate::muscle::{Muscle, NEUTRAL_ANGLE_DEG};
 use crate::rubber::{RubberLaw, library};
 
 /// Where the search ends if nothing else fails before, in MPa.
@@ -40,7 +40,7 @@ pub fn tearing(
         return Ok(FailurePressure::Unknown(NoBurst::NoElongation));
     };
     // At the neutral angle, with strands that give way.
-    if Radii::of(muscle).largest_stretch(muscle.free_angle_rad(), 1.0 + STRAND_STRAIN) < breaks {
+    if Radii::of(muscle).largest_stretch(NEUTRAL_ANGLE_DEG.to_radians(), 1.0 + STRAND_STRAIN) < breaks {
         return Ok(FailurePressure::None);
     }
     let (model, mut workspace) = (ModelKind::ThickWall.build(muscle)?, Workspace::within(budget.clone()));

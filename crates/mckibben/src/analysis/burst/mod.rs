@@ -5,7 +5,7 @@
 //! | [`strands`]: a strand breaks | T(P, 0) = T_max | number and strength of the strands |
 //! | [`mesh`]: the tube bulges through an opening of the braid | P = 1.84 μ t/a | strands per carrier, their diameter |
 //! | [`bladder`]: the rubber tears in the unloaded muscle | largest stretch = that at break | elongation at break |
-//! | [`ends`]: tube and braid are pulled off the plug | F(P, 0) + (π Ri² − A) P = T_clamp, A of a core rod in a seal | the clamps' pull-off force |
+//! | [`ends`]: tube and braid are pulled off the plug | F(P, 0) + π Ri² P = T_clamp | the clamps' pull-off force |
 //!
 //! Measured hand-made muscles with polyester sleeves failed at a tenth of what their strands bear: the least of the four counts. All are those
 //! of new parts under a slow rise of the pressure: abrasion, fatigue and ageing are no part of them. The allowed pressure is the least of each divided by its

@@ -231,19 +231,3 @@ fn a_muscle_that_extends_grows_longer() {
     let asked = Filling { load: Some(&WEIGHT), ..asked };
     assert_eq!(fill(&model, w, &asked, Options::default()).unwrap_err(), FillError::Extends);
 }
-
-/// Closed form: around a rod of 20 mm that ends inside, 200 of 285 mm long, the ideal muscle is held at 85/285 and the liquid is compressed there: P = K ln((V0 − V_rod + ΔV)/(V − V_rod)).
-#[test]
-fn a_core_rod_that_ends_inside_holds_the_muscle() {
-    let ends = Terminals { rod_diameter_mm: Some(20.0), rod_length_mm: Some(200.0), ..Terminals::default() };
-    let muscle = Muscle::prototype().with_terminals(ends).unwrap();
-    let (model, ideal) = (ModelKind::Ideal.build(&muscle).unwrap(), Ideal::new(&muscle));
-    let (w, water) = (&mut Workspace::new(), Liquid::named("water", 0.0).unwrap());
-    let (stop, of_rod) = (85.0 / 285.0, std::f64::consts::PI * 100.0 * 200.0);
-    let room = ideal.volume(stop) - ideal.volume(0.0);
-    let found = fill(&*model, w, &filling(&water, room + 50.0), Options::default()).unwrap();
-    let r = &found.answer.response;
-    assert_eq!((found.state, r.contraction), (FillState::Held, stop));
-    let p = 2179.0 * (50.0 / (ideal.volume(stop) - of_rod)).ln_1p();
-    assert!((r.pressure_mpa / p - 1.0).abs() < 1e-9, "{found:?} {p}");
-}

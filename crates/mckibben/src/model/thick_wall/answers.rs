@@ -17,9 +17,6 @@ impl ForceModel for ThickWall {
         contraction: f64,
     ) -> Result<Response, ModelError> {
         let (l, l_eps, l_p) = self.stretch(pressure_mpa, contraction);
-        if let Some(parted) = self.parted(pressure_mpa, l)? {
-            return Ok(self.parted_response(&parted, (pressure_mpa, contraction), (l_eps, l_p)));
-        }
         let s = self.state(pressure_mpa, l)?;
         let length = self.info.muscle.length_mm();
         let by_stretch = PI * length * (s.r * s.r + 2.0 * s.r * s.r_by[0] * l);
@@ -42,14 +39,11 @@ impl ForceModel for ThickWall {
 
     fn force_n(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
         let (l, _, _) = self.stretch(pressure_mpa, contraction);
-        Ok(match self.parted(pressure_mpa, l)? {
-            Some(parted) => parted.force(),
-            None => self.state(pressure_mpa, l)?.force,
-        })
+        Ok(self.state(pressure_mpa, l)?.force)
     }
 
     fn extensions(&self) -> Extensions<'_> {
-        Extensions { inverse: Some(self), contact: Some(self), rod_contact: true, ..Extensions::default() }
+        Extensions { inverse: Some(self), contact: Some(self), ..Extensions::default() }
     }
 }
 

@@ -13,28 +13,11 @@
 //! - strands that are fixed to the tube: wall and braid. Where they do not stretch, β = −κ λ rb cos²θ0 λ/(sin²θ0 rb/Rs²), and the ideal muscle
 //!   has EI = π P λ r⁴ cos²θ (1 + 2 cos²θ)/sin⁴θ.
 //!
-//! A muscle between two joints buckles at F = π² EI/(λ² L0²) (Euler), EI here per length now. A rigid core rod that ends inside leaves the length
-//! b = L − l of L to bend; it turns about the joint of its plug, so that
-//!
-//!   F = EI z²/b²,   tan z = −z l/b,   π/2 < z ≤ π,
-//!
-//! and one that leaves through a seal guides the muscle: it does not buckle. The play of the rod in the bore is left out, and so is shear. Derived here; no measured muscle is known to
-//! compare with.
+//! A muscle between two joints buckles at F = π² EI/(λ² L0²) (Euler), EI here per length now. Shear is left out. Derived here; no measured muscle is known to compare with.
 
 use super::ThickWall;
 use crate::model::{ForceModel, ModelError, WallEnergy};
-use crate::muscle::Rod;
-use std::f64::consts::{FRAC_PI_2, PI};
-
-/// z of tan z = −z q, between π/2 and π: bisection of sin z + q z cos z, which falls there.
-fn half_wave(q: f64) -> f64 {
-    let (mut low, mut high) = (FRAC_PI_2, PI);
-    for _ in 0..60 {
-        let z = 0.5 * (low + high);
-        if z.sin() + q * z * z.cos() > 0.0 { low = z } else { high = z }
-    }
-    high
-}
+use std::f64::consts::PI;
 
 /// Stiffness against bending at a state, in N mm².
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,20 +87,10 @@ impl ThickWall {
         Ok(BendingStiffness { sliding_n_mm2: sliding / l, fixed_n_mm2: fixed / l })
     }
 
-    /// The push in N at which a muscle between two joints buckles, of strands that slide and of strands that are fixed to the tube; infinite on a
-    /// core rod through a seal, which guides it.
+    /// The push in N at which a muscle between two joints buckles, of strands that slide and of strands that are fixed to the tube.
     pub fn buckling_n(&self, pressure_mpa: f64, contraction: f64) -> Result<(f64, f64), ModelError> {
-        let muscle = &self.info().muscle;
-        let length_mm = (1.0 - contraction) * muscle.length_mm();
-        let curvature2 = match muscle.rod() {
-            None => (PI / length_mm).powi(2),
-            Some(Rod { length_mm: None, .. }) => return Ok((f64::INFINITY, f64::INFINITY)),
-            Some(Rod { length_mm: Some(rigid_mm), .. }) => {
-                let free_mm = (length_mm - rigid_mm).max(f64::MIN_POSITIVE);
-                (half_wave(rigid_mm / free_mm) / free_mm).powi(2)
-            }
-        };
-        let of = |stiffness: f64| curvature2 * stiffness;
+        let length_mm = (1.0 - contraction) * self.info().muscle.length_mm();
+        let of = |stiffness: f64| (PI / length_mm).powi(2) * stiffness;
         let BendingStiffness { sliding_n_mm2, fixed_n_mm2 } = self.bending(pressure_mpa, contraction)?;
         Ok((of(sliding_n_mm2), of(fixed_n_mm2)))
     }
@@ -125,8 +98,8 @@ impl ThickWall {
 
 #[cfg(test)]
 mod tests {
-    use crate::model::{ForceModel, ThickWall};
-    use crate::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
+    use crate::model::ThickWall;
+    use crate::muscle::{Braid, BraidStiffness, Muscle, Rubber, Tube};
     use crate::rubber::{Law, NeoHookean};
     use std::f64::consts::PI;
 
@@ -140,26 +113,6 @@ mod tests {
         let m = Muscle::prototype().with_tube(tube).unwrap();
         let braid = Braid { angle_deg, stiffness, ..m.braid().clone() };
         ThickWall::new(&m.with_braid(braid).unwrap())
-    }
-
-    /// Roots of tan z = −z q by `brentq` of SciPy 1.17, and the column without a rod.
-    #[test]
-    fn a_rod_that_ends_inside_leaves_the_rest_to_buckle() {
-        for (q, exact) in [(0.0, PI), (0.25, 2.570_431_6), (1.0, 2.028_757_8), (9.0, 1.638_505_2)] {
-            assert!((super::half_wave(q) - exact).abs() < 1e-6, "{q} {}", super::half_wave(q));
-        }
-        let plain = model(0.4, 2.0, 60.0, BraidStiffness::NewtonPerMm(100.0));
-        let muscle = plain.info().muscle.clone();
-        let cored = |length: Option<f64>| {
-            let ends =
-                Terminals { rod_diameter_mm: Some(12.0), rod_length_mm: length, ..Terminals::default() };
-            ThickWall::new(&muscle.with_terminals(ends).unwrap()).buckling_n(0.1, -0.02).unwrap().0
-        };
-        let free = plain.buckling_n(0.1, -0.02).unwrap().0;
-        assert!((cored(Some(1e-9)) / free - 1.0).abs() < 1e-9);
-        // Half of the length now on the rod: (2.0287578/(π/2))².
-        assert!((cored(Some(0.51 * 285.0)) / free - 4.0 * (2.028_757_8 / PI).powi(2)).abs() < 1e-5);
-        assert_eq!(cored(None), f64::INFINITY);
     }
 
     /// A beam of incompressible rubber at rest: E I = 3 μ π (Ro⁴ − Ri⁴)/4, at any wall.

@@ -106,18 +106,13 @@ impl ThickWall {
         self.state_near(p, l, None)
     }
 
-    /// The same from a guess of the outer radius; not below a core rod through the bore.
+    /// The same from a guess of the outer radius.
     pub(in crate::model) fn state_near(
         &self,
         p: f64,
         l: f64,
         near: Option<f64>,
     ) -> Result<State, ModelError> {
-        self.state_on_rod(p, l, near)
-    }
-
-    /// The same without a rod.
-    pub(super) fn free_state(&self, p: f64, l: f64, near: Option<f64>) -> Result<State, ModelError> {
         let contraction = 1.0 - l;
         let straight = 1.0 / self.cos2.sqrt();
         if !(l > 0.0 && l.is_finite()) || (self.k.is_none() && l >= straight) {
@@ -320,7 +315,7 @@ impl ThickWall {
             let p = (force - rest.force) / rest.force_p;
             let tight = 2.0 * PI * taut * l * p >= w.r || self.compression;
             let found = rest.force_p > 0.0 && p >= 0.0 && p.is_finite() && tight;
-            return (found && self.is_clear(l, taut)).then_some(p);
+            return found.then_some(p);
         };
         let mut r = taut * 1.002;
         for _ in 0..25 {
@@ -339,7 +334,7 @@ impl ThickWall {
                 let b = self.braid(k, l, r);
                 let p = (w.r + b.r) / (2.0 * PI * r * l);
                 let stable = w.rr + b.rr > 2.0 * PI * l * p && b.strain < LARGEST_STRAND_STRETCH - 1.0;
-                return (b.strain > 0.0 && stable && p >= 0.0 && self.is_clear(l, r)).then_some(p);
+                return (b.strain > 0.0 && stable && p >= 0.0).then_some(p);
             }
         }
         None

@@ -12,28 +12,22 @@
 //!   F = F_ideal(outer D0) + dW/dλ.
 //!
 //! Strands carry no compression unless the braid says so: where the tube alone would not reach the braid, they are left
-//! out. A core rod in the bore bounds it ([`rod`]). Sources: Liu & Rahn (2003) \[liu2003\]; Soleymani & Khajehsaeid (2020) \[soleymani2020\] for inextensible strands; derived here for strands
+//! out. Sources: Liu & Rahn (2003) \[liu2003\]; Soleymani & Khajehsaeid (2020) \[soleymani2020\] for inextensible strands; derived here for strands
 //! that stretch.
 
 mod answers;
 mod bending;
-mod bent;
 mod equilibrium;
-mod rod;
-mod rod_in_bore;
 mod square;
 #[cfg(test)]
 mod tests;
 
 pub use bending::BendingStiffness;
-pub use bent::{BentMuscle, BentSection, BentState, OnPulley, Strands};
 pub(super) use equilibrium::State;
-use rod_in_bore::RodInBore;
 
 use super::{Accuracy, ModelEntry, ModelError, ModelInfo, ModelRange, Reference, Wall, Where, notes};
 use crate::muscle::{Crimp, EndFactor, Muscle};
 use crate::rubber::Law;
-use std::f64::consts::PI;
 use std::sync::Arc;
 
 pub(super) const ENTRY: ModelEntry = ModelEntry {
@@ -62,7 +56,6 @@ pub struct ThickWall {
     cos2: f64,
     /// k of one family; `None`: inextensible
     k: Option<f64>,
-    rod: Option<RodInBore>,
     compression: bool,
 }
 
@@ -100,7 +93,6 @@ impl ThickWall {
             sin2: sin * sin,
             cos2: cos * cos,
             k,
-            rod: RodInBore::of(muscle),
             compression: muscle.braid().compression,
         }
     }
@@ -144,14 +136,6 @@ impl ThickWall {
     /// Largest principal stretch of the wall at an axial stretch and outer radius.
     pub(super) fn largest_stretch(&self, l: f64, r: f64) -> f64 {
         self.wall.largest_stretch(l, r)
-    }
-
-    /// Contact pressure between tube and braid in MPa, at a pressure and contraction, for strands that do not stretch.
-    pub fn contact_pressure_mpa(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
-        let l = 1.0 - contraction;
-        let s = self.state(pressure_mpa, l)?;
-        let w = self.wall.energy(&self.law, l, s.r);
-        Ok(pressure_mpa - w.r / (2.0 * PI * s.r * l))
     }
 
     /// G of the strands' contact in N/mm: (4π/3) pc r cotθ for strands that do not stretch.

@@ -6,6 +6,7 @@ use crate::model::Workspace;
 use crate::muscle::measures::PRESTRETCH;
 use crate::muscle::{Braid, BraidStiffness, Crimp, Rubber, Terminals, Tube};
 use crate::rubber::{MooneyRivlin, RubberLaw};
+use std::f64::consts::PI;
 
 fn muscle(stiffness: BraidStiffness) -> Muscle {
     let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 });
@@ -19,20 +20,18 @@ fn muscle(stiffness: BraidStiffness) -> Muscle {
 fn verification_g_rigid_strands() {
     let model = ThickWall::new(&muscle(BraidStiffness::Inextensible));
     let rows = [
-        (1.00, 697.295254, 0.30000000, 8.0, 9.5),
-        (0.95, 535.363511, 0.27769901, 10.15312534, 11.43317686),
-        (0.90, 415.638252, 0.26911405, 11.82975661, 13.00422270),
-        (0.80, 214.347501, 0.26045986, 14.38249226, 15.48123327),
-        (0.75, 124.603748, 0.25724553, 15.38944717, 16.48742200),
+        (1.00, 697.295254, 8.0, 9.5),
+        (0.95, 535.363511, 10.15312534, 11.43317686),
+        (0.90, 415.638252, 11.82975661, 13.00422270),
+        (0.80, 214.347501, 14.38249226, 15.48123327),
+        (0.75, 124.603748, 15.38944717, 16.48742200),
     ];
-    for (l, force, contact, a, b) in rows {
+    for (l, force, a, b) in rows {
         let response = model.response(&mut Workspace::new(), 0.3, 1.0 - l).unwrap();
         assert!((response.force_n - force).abs() < 1e-6, "λ {l}: {}", response.force_n);
         let r = 0.5 * response.bulged_diameter_mm.unwrap();
         assert!((r - b).abs() < 1e-8, "λ {l}: b {r}");
         assert!((model.wall.bore2(l, r).sqrt() - a).abs() < 1e-8, "λ {l}: a");
-        let q = model.contact_pressure_mpa(0.3, 1.0 - l).unwrap();
-        assert!((q - contact).abs() < 1e-8, "λ {l}: contact {q}");
     }
     assert!(model.force_n(&mut Workspace::new(), 0.3, 1.0 - 0.67479861).unwrap().abs() < 1e-5);
 }

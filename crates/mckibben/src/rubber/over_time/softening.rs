@@ -85,11 +85,6 @@ impl OgdenRoxburgh {
         let left = erf_integral((w_max_mpa - w0_mpa).max(0.0) / s);
         w0_mpa - s / self.r * (erf_integral(w_max_mpa / s) - left)
     }
-
-    /// ∫₀^(W_m) (1 − η) dW0 in MPa: what a cycle from rest to the largest energy and back loses.
-    pub fn lost_mpa(&self, w_max_mpa: f64) -> f64 {
-        w_max_mpa - self.energy_mpa(w_max_mpa, w_max_mpa)
-    }
 }
 
 /// A law that has seen the energy `w_max_mpa`: a law again, with exact tangent. The state is held while it is evaluated; beyond `w_max_mpa` it is the law

@@ -30,8 +30,6 @@ pub static MEASURES: &[&Measure] = &[
     &SLIP,
     &GRIP,
     &PLUG_DIAMETER,
-    &ROD_DIAMETER,
-    &ROD_LENGTH,
     &PULL_OFF,
     &RATED_PRESSURE,
     &END_FACTOR,

@@ -114,41 +114,6 @@ pub static PLUG_DIAMETER: Measure = Measure {
     ..Measure::BASE
 };
 
-/// d of a core rod
-pub static ROD_DIAMETER: Measure = Measure {
-    key: "terminals.rod_diameter",
-    field: Some("rod_diameter_mm"),
-    has_flag: false,
-    bounds: Bounds::Positive,
-    symbol: "dr",
-    about: "Diameter of a core rod in the cavity, which leaves through one plug in a sliding seal where no length is stated",
-    label: "diameter of the core rod",
-    is_shown: true,
-    comment: "of a core rod in the cavity",
-    digested: true,
-    get: |p| p.terminals.rod_diameter_mm,
-    set: |p, v| p.terminals.rod_diameter_mm = Some(v),
-    ..Measure::BASE
-};
-
-/// l of a core rod
-pub static ROD_LENGTH: Measure = Measure {
-    key: "terminals.rod_length",
-    field: Some("rod_length_mm"),
-    has_flag: false,
-    bounds: Bounds::Positive,
-    symbol: "lr",
-    about: "Length of a core rod that stands on one plug and ends inside of the cavity, from that plug",
-    label: "length of the core rod",
-    is_shown: true,
-    comment: "from its plug, where it ends inside; left out for a rod through a seal in the other plug",
-    beside: Some(("terminals.rod_diameter", "the diameter of the rod, such as \"8 mm\"")),
-    digested: true,
-    get: |p| p.terminals.rod_length_mm,
-    set: |p, v| p.terminals.rod_length_mm = Some(v),
-    ..Measure::BASE
-};
-
 /// Pull-off force of a clamp
 pub static PULL_OFF: Measure = Measure {
     key: "terminals.pull_off",

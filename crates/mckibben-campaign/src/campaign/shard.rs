@@ -11,8 +11,6 @@ pub struct Shard {
 }
 
 impl Shard {
-    pub const WHOLE: Self = Self { index: 1, count: 1 };
-
     /// Share `index` of `count`, from 1; `None` where there is no such share.
     pub fn new(index: u64, count: u64) -> Option<Self> {
         (index >= 1 && index <= count).then_some(Self { index, count })
@@ -21,11 +19,6 @@ impl Shard {
     /// Whether a block belongs to it.
     pub fn holds(self, block: u64) -> bool {
         block % self.count == self.index - 1
-    }
-
-    /// Its number, from 1.
-    pub fn index(self) -> u64 {
-        self.index
     }
 
     pub fn count(self) -> u64 {
@@ -61,7 +54,7 @@ impl FromStr for Shard {
         let pair = text.split_once('/');
         let shard = pair.and_then(|(i, n)| Self::new(i.trim().parse().ok()?, n.trim().parse().ok()?));
         shard.ok_or_else(|| {
-            format!("\"{text}\" is not a valid share; expected i/n with i from 1 to n, such as 2/8, or auto, or auto/8")
+            format!("\"{text}\" is not a valid share; expected i/n with i from 1 to n, such as 2/8")
         })
     }
 }

@@ -1,0 +1,69 @@
+//! `POST /api/COMMAND`.
+
+use crate::refusal::Refusal;
+use axum::Json;
+use axum::extract::rejection::JsonRejection;
+use axum::extract::{Path, State};
+use axum::http::header::{ACCEPT, CONTENT_TYPE};
+use axum::http::{HeaderMap, StatusCode};
+use axum::response::{IntoResponse, Response};
+use mckibben::budget::Budget;
+use mckibben::progress::Silent;
+use mckibben::threads::Threads;
+use mckibben_app::Problem;
+use serde_json::Value;
+use std::sync::{Arc, LazyLock};
+use tokio::sync::Semaphore;
+use tokio::task::spawn_blocking;
+
+/// The content type of packed answers.
+const PACKED: &str = "application/octet-stream";
+
+/// Long work has threads of its own, so that the parts of a short request do not wait behind those of a long one. Where the system gives no
+/// more of them, it works alone.
+static LONG: LazyLock<Threads> =
+    LazyLock::new(|| Threads::new(Threads::shared().count()).unwrap_or_default());
+
+/// The work ends with its caller: whoever leaves drops the future of the answer.
+struct EndsWith(Budget);
+
+impl Drop for EndsWith {
+    fn drop(&mut self) {
+        self.0.cancel();
+    }
+}
+
+pub async fn ask(
+    State(places): State<Arc<Semaphore>>,
+    Path(command): Path<String>,
+    headers: HeaderMap,
+    request: Result<Json<Value>, JsonRejection>,
+) -> Result<Response, Refusal> {
+    let command = mckibben_app::find(&command)
+        .map_err(|problem| Refusal { status: StatusCode::NOT_FOUND, problem: Box::new(problem) })?;
+    let Json(request) = request.map_err(|e| Refusal::new(e.status(), e.body_text(), ""))?;
+    if command.touches_disk(&request) {
+        let hint = format!("on the command line it is `mckibben {}`", command.name.replace('-', " "));
+        return Err(Refusal::new(StatusCode::FORBIDDEN, "the server touches no files", hint));
+    }
+    let place = places.try_acquire_owned().map_err(|_| {
+        let message = "too many requests are worked on";
+        Refusal::new(StatusCode::SERVICE_UNAVAILABLE, message, "send the request again in a second")
+    })?;
+    let kind = headers.get(ACCEPT).is_some_and(|v| v == PACKED).then_some(PACKED);
+    let budget = Budget::default();
+    let _ends = EndsWith(budget.clone());
+    let work = move || {
+        let (_place, _entered) = (place, budget.enter());
+        let answer = command.read(request)?.answer(&Silent)?;
+        Ok::<_, Problem>(match kind {
+            Some(_) => mckibben_app::packed(answer),
+            None => answer.to_string().into_bytes(),
+        })
+    };
+    let done = spawn_blocking(move || if command.long { LONG.within(work) } else { work() });
+    let internal = |e: tokio::task::JoinError| {
+        Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, e.to_string(), "please report this")
+    };
+    Ok(([(CONTENT_TYPE, kind.unwrap_or("application/json"))], done.await.map_err(internal)??).into_response())
+}
