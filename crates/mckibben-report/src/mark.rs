@@ -4,7 +4,7 @@
 #[cfg(any(feature = "png", test))]
 pub(crate) const PNG_TEXT: &[u8] = b"\0\0\0\x11tEXtSoftware\0mckibben\x47\xe5\x26\x9b";
 /// The program that wrote a PDF, as a string of it.
-#[cfg(any(feature = "png", test))]
+#[cfg(feature = "png")]
 pub(crate) const PDF_PRODUCER: &str = "(mckibben figure)";
 /// What the root of every drawing has.
 const DRAWING: &str = "font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\" role=\"img\" aria-label=\"";
