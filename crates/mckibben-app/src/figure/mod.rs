@@ -20,7 +20,7 @@ pub(crate) use design::design;
 pub(crate) use fit::fitted;
 pub(crate) use identify::identified;
 pub(crate) use joint::joint;
-pub(crate) use measured::{library, measured};
+pub(crate) use measured::measured;
 pub(crate) use motion::motion;
 pub(crate) use picture::picture;
 pub(crate) use simulate::simulate;

@@ -7,21 +7,19 @@ use mckibben::progress::Silent;
 use mckibben_app::{COMMANDS, ask, ask_packed};
 use serde_json::{Value, json};
 
-const ASKED: [(&str, &str); 14] = [
+const ASKED: [(&str, &str); 12] = [
     ("force", r#"{"pressure_mpa": 0.2, "contraction": 0.1}"#),
     ("pressure", r#"{"force_n": 100, "contraction": 0.1, "model": "ideal"}"#),
     ("contraction", r#"{"force_n": 100, "pressure_mpa": 0.2, "model": "thick-wall"}"#),
     ("curve", r#"{"test": "isobaric", "model": "ideal", "figure": "bar"}"#),
     ("compare", r#"{"models": ["ideal", "paper"]}"#),
     ("shape", r#"{"pressure_mpa": 0.2, "contraction": 0.1}"#),
-    ("muscle-show", "{}"),
-    ("braid-list", "{}"),
-    ("muscle-measures", "{}"),
-    ("rubber-show", r#"{"name": "dragon-skin-30"}"#),
-    ("formula-show", r#"{"name": "universal"}"#),
+    ("check", "{}"),
+    ("measures", "{}"),
+    ("parts-show", r#"{"name": "dragon-skin-30"}"#),
+    ("check-formula", r#"{"name": "universal"}"#),
     ("quantities", r#"{"texts": []}"#),
     ("units", "{}"),
-    ("models", "{}"),
 ];
 
 #[tokio::test]
@@ -72,7 +70,7 @@ async fn problems_have_their_status_and_their_words() {
         ("force", r#"{"pressure_mpa": "a lot"}"#, 422, "usage"),
         ("force", "[]", 422, "usage"),
         ("pressure", r#"{"force_n": 1e9, "contraction": 0.1, "model": "ideal"}"#, 422, "no_answer"),
-        ("rubber-show", r#"{"name": "chewing-gum"}"#, 422, "rubber"),
+        ("parts-show", r#"{"name": "chewing-gum"}"#, 422, "usage"),
         ("force", r#"{"pressure_mpa": NaN}"#, 400, "usage"),
         ("force", r#"{"pressure_mpa": 1e999}"#, 400, "usage"),
         ("force", "{", 400, "usage"),

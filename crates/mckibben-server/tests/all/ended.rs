@@ -99,7 +99,7 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
         ],
         "validate" => vec![json!({ "all": true })],
         "sweep" => vec![json!({ "muscles": 19_000 })],
-        "measured" | "library-check" => vec![json!({})],
+        "measured" => vec![json!({})],
         "compare" => vec![
             json!({ "models": ["fe", "thick-wall"], "pressures_mpa": pressures, "contractions": contractions }),
             json!({ "models": ["fe"], "data": bench, "fit": ["modulus", "stiffness"] }),
@@ -123,8 +123,8 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
         "fit-report" => vec![json!({})],
         "plan" => vec![json!({ "plan": plan })],
         "campaign" => vec![json!({ "plan": plan, "output": folder.join("c.parquet") })],
-        "report" => vec![json!({ "length_mm": 30000 })],
-        "rubber-fit" => {
+        "build" => vec![json!({ "length_mm": 30000, "report": true })],
+        "rubber" => {
             let row = |t: f64| {
                 let l = 1.0 + 4.0 * t;
                 format!("{l},{}", 0.4 * (l - 1.0 / (l * l)) + 0.01 * (900.0 * t).sin() + 0.002 * l.powi(4))
@@ -141,10 +141,9 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
             ]
         }
         "export" => vec![json!({ "length_mm": 30000, "target": "csv", "model": "fe", "mesh": "8x400" })],
-        "build" | "export-list" | "formula-show" | "campaign-show" | "campaign-merge" | "muscle-show"
-        | "muscle-measures" | "parts-list" | "parts-show" | "library-list" | "library-show"
-        | "campaign-status" | "campaign-submit" | "campaign-cancel" | "doctor" | "braid-list"
-        | "braid-show" | "rubber-list" | "rubber-show" | "quantities" | "units" | "models" => {
+        "export-list" | "check" | "check-formula" | "measures" | "campaign-show" | "campaign-merge"
+        | "parts-list" | "parts-show" | "campaign-status" | "campaign-submit" | "campaign-cancel"
+        | "quantities" | "units" => {
             vec![]
         }
         other => panic!("say what a dear request of {other} is, or that there is none"),

@@ -174,7 +174,7 @@ async fn ids_cannot_be_guessed() {
 async fn what_is_no_request_of_a_command_begins_no_job() {
     let client = Client::usual();
     for (command, request) in [
-        ("braid-list", "[]"),
+        ("measures", "[]"),
         ("validate", "[null, null]"),
         ("compare", r#"{"models": 3}"#),
         ("sweep", r#"{"muscles": 0, "seed": -1}"#),

@@ -129,7 +129,7 @@ type Kind = (&'static str, String, fn(Value) -> Value);
 
 fn kinds() -> Vec<Kind> {
     let formula =
-        mckibben_app::ask_value("formula-show", json!({ "name": "universal" }), &Within(Budget::default()))
+        mckibben_app::ask_value("check-formula", json!({ "name": "universal" }), &Within(Budget::default()))
             .unwrap();
     let tension = "mode,stretch,stress_mpa\nuniaxial,1.1,0.1\nuniaxial,1.5,0.3\nuniaxial,2,0.5\nuniaxial,3,0.9\nbiaxial,1.2,0.3\n";
     let history = "time_s,stretch,stress_mpa\n0,1,0\n1,1.5,0.4\n2,2,0.7\n3,1.5,0.3\n4,1,0\n5,1.5,0.35\n6,2,0.65\n7,2.2,0.8\n";
@@ -147,7 +147,7 @@ fn kinds() -> Vec<Kind> {
             example("examples/prototype.toml"),
             |t| json!({ "muscle": named("m.toml", t), "pressure_mpa": 0.2, "contraction": 0.1, "model": "thick-wall" }),
         ),
-        ("muscle-show", example("examples/festo-dmsp-20.toml"), |t| json!({ "muscle": named("m.toml", t) })),
+        ("check", example("examples/festo-dmsp-20.toml"), |t| json!({ "muscle": named("m.toml", t), "only_data": true })),
         ("joint", example("examples/elbow.toml"), |t| {
             let muscle = named("biceps.toml", example("examples/biceps.toml").into());
             json!({ "joint": named("j.toml", t), "muscles": [muscle, muscle], "model": "ideal", "pressures_mpa": [0.2, 0.1] })
@@ -158,7 +158,7 @@ fn kinds() -> Vec<Kind> {
             |t| json!({ "drive": named("d.toml", t), "muscle": named("prototype.toml", example("examples/prototype.toml").into()), "model": "ideal" }),
         ),
         ("plan", plan.into(), |t| json!({ "plan": named("p.toml", t) })),
-        ("formula-show", formula.to_string(), |t| json!({ "file": named("f.json", t) })),
+        ("check-formula", formula.to_string(), |t| json!({ "file": named("f.json", t) })),
         (
             "force",
             formula.to_string(),
@@ -180,9 +180,9 @@ fn kinds() -> Vec<Kind> {
             "stretch,cycles\n1.2,1e7\n2,1e5\n3,1e4\n".into(),
             |t| json!({ "model": "thick-wall", "pressures_mpa": [0.1, 0.2], "contractions": [0, 0.1], "life_curve": named("l.csv", t), "scatter": 3 }),
         ),
-        ("rubber-fit", tension.into(), |t| json!({ "data": named("t.csv", t), "laws": ["yeoh"] })),
+        ("rubber", tension.into(), |t| json!({ "data": named("t.csv", t), "laws": ["yeoh"] })),
         (
-            "rubber-fit",
+            "rubber",
             history.into(),
             |t| json!({ "data": named("h.csv", t), "laws": ["neo-hookean"], "softening": true }),
         ),
