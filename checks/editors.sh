@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# Editors and assistants: every example file against its schema by a TOML language server, with files that are wrong; `mckibben mcp` with the
-# official Python client.
+# Editors: every example file against its schema by a TOML language server, with files that are wrong.
 # checks/editors.sh PROGRAM
 set -euo pipefail
 program=$(realpath "$1")
@@ -38,8 +37,3 @@ done <<'END'
 ^outer_diameter = .*:outer_diameter = -3
 END
 echo "taplo: $count files are what their schemas say, and three wrong ones are not"
-
-cd - >/dev/null
-test -x "$target/venv-mcp/bin/python" || python3 -m venv "$target/venv-mcp"
-"$target/venv-mcp/bin/python" -m pip install --quiet "mcp>=2,<3"
-"$target/venv-mcp/bin/python" checks/mcp_client.py "$program"

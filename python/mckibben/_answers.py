@@ -13,8 +13,8 @@ from ._record import Record
 ROWS = {
     "build": "parts", "export": "files", "export-list": "targets",
     "simulate": "points", "design": "candidates", "joint": "points", "study": "points", "validate": "cases", "measured": "results", "compare": "models",
-    "identify": "parameters", "rubber-fit": "laws", "rubber-list": "rubbers", "braid-list": "braids", "muscle-measures": "measures", "models": "models",
-    "motion": "series", "fit-report": "findings", "units": "kinds", "braid-show": "points", "parts-list": "tubes", "library-list": "muscles", "library-check": "checks", "rubber-show": "fits",
+    "identify": "parameters", "rubber": "laws", "measures": "measures",
+    "motion": "series", "fit-report": "findings", "units": "kinds", "parts-list": "tubes",
 }
 
 

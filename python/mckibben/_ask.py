@@ -18,7 +18,7 @@ def ask(command: str, request: dict[str, Any] | None = None, *, progress: Progre
     Parameters
     ----------
     command
-        Its name: the words of the command line, joined by a hyphen, such as ``force`` or ``muscle-show``.
+        Its name: the words of the command line, joined by a hyphen, such as ``force`` or ``parts-list``.
     request
         What ``mckibben schema`` says, numbers in mm, MPa, N and degrees.
     progress

@@ -17,7 +17,7 @@ from ._plain import muscle_text, tube_for
 from ._problem import warned
 
 # Commands that are no function of the package: they serve pages and the command line.
-LEFT_OUT = {"quantities", "report", "campaign-show", "campaign-merge", "campaign-status", "campaign", "units"}
+LEFT_OUT = {"quantities", "campaign-show", "campaign-merge", "campaign-status", "campaign", "units"}
 # What may be given without its keyword, in this order.
 POSITIONAL = {
     "build": ["muscle", "pressure_mpa"],
@@ -33,29 +33,24 @@ POSITIONAL = {
     "motion": ["drive"],
     "fit": ["table"],
     "plan": ["plan"],
-    "rubber-fit": ["data"],
-    "rubber-show": ["name"],
-    "braid-show": ["name"],
+    "rubber": ["data"],
     "parts-list": ["kind"],
     "parts-show": ["name"],
-    "library-show": ["name"],
-    "library-check": ["cases"],
-    "models": ["model"],
-    "formula-show": ["file"],
+    "check-formula": ["file"],
     "identify": ["muscle", "data"],
     "sweep": ["muscles"],
 }
 DEFAULTS = {("curve", "test"): "isobaric", ("simulate", "test"): "isobaric", ("sweep", "muscles"): 100}
 # The answers that have a class of their own around that of the schema, by command.
-OWN_CLASS = {"build": "Build", "export": "Export", "curve": "Curve", "plan": "Plan", "design": "Design", "fit": "Fitted", "shape": "Shape", "identify": "Identification", "rubber-fit": "RubberFit"}
+OWN_CLASS = {"build": "Build", "export": "Export", "curve": "Curve", "plan": "Plan", "design": "Design", "fit": "Fitted", "shape": "Shape", "identify": "Identification", "rubber": "RubberFit"}
 # Commands that take a muscle and are none of its methods.
-NO_METHOD = {"design", "fit", "motion", "rubber-fit"}
+NO_METHOD = {"design", "fit", "motion", "rubber"}
 # Methods of a muscle with names of their own: the whole point is its state.
-METHODS = {"muscle-show": "show", "force": "state"}
+METHODS = {"force": "state"}
 # What a muscle must be given.
 GEOMETRY = ("outer_diameter_mm", "wall_mm", "length_mm")
 # Commands that fit measured tables, with the argument of these; tests of a rubber have columns of their own.
-MEASURED = {"identify": "data", "compare": "data", "fit": "table", "rubber-fit": "data"}
+MEASURED = {"identify": "data", "compare": "data", "fit": "table", "rubber": "data"}
 NAN = "Rows that lack a number which is needed (empty, NaN, masked): ``raise``, or ``omit`` to leave these out."
 PROGRESS = "True for a progress bar (tqdm, where it is installed), or a function that is called with (done, total)."
 # Types of what may be given for fields, by their names.
@@ -191,7 +186,7 @@ def _function(command: str, owner: str = "") -> Callable[..., Any]:
         if nan not in ("raise", "omit"):
             raise ValueError(f'nan: "raise" or "omit", not {nan!r}')
         if nan == "omit" and (table := values.get(MEASURED[command])) is not None:
-            values[MEASURED[command]] = without_gaps(table, values.get("columns") or {}, command == "rubber-fit")
+            values[MEASURED[command]] = without_gaps(table, values.get("columns") or {}, command == "rubber")
         muscle = {"muscle": values.pop("self")} if owner else {}
         return answered(command, {**muscle, **{names[name]: value for name, value in values.items()}}, answer, progress)
 

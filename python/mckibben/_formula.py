@@ -47,7 +47,7 @@ class Formula(Fixed):
     _text: str
 
     def __init__(self, text: str, name: str | None = None) -> None:
-        shown = _native.ask("formula-show", {"file": {"name": name or "the formula", "text": text}})
+        shown = _native.ask("check-formula", {"file": {"name": name or "the formula", "text": text}})
         object.__setattr__(self, "_text", text)
         object.__setattr__(self, "_name", name or str(shown["name"]))
 
@@ -121,11 +121,11 @@ class Formula(Fixed):
         """Writes its file. One that is there is replaced where it is a formula, any other only with ``overwrite``."""
         put({path: self._text}, Formula.load, overwrite)
 
-    def show(self) -> _answers.FormulaShowAnswer:
+    def show(self) -> _answers.CheckFormulaAnswer:
         """The formula with its equation in LaTeX, its range and its errors."""
-        from ._commands import formula_show
+        from ._commands import check_formula
 
-        return formula_show(self, latex=True)
+        return check_formula(self, latex=True)
 
     def model(self, muscle: MuscleLike | None = None, **options: Option) -> Model:
         """The formula of a muscle; the arguments are those of :class:`Model`."""

@@ -218,8 +218,8 @@ class Muscle(MuscleFields, MuscleCommands):
         """A report of the muscle as one HTML page for reading offline; written to ``path`` if one is given. A file that is there is replaced where it
         is such a page, any other only with ``overwrite``.
         """
-        request = _plain.request("report", {"muscle": self, "pressure_mpa": pressure_mpa, "contraction": contraction, "units": units})
-        with listening(progress, "report") as heard:
+        request = _plain.request("build", {"muscle": self, "report": True, "pressure_mpa": pressure_mpa, "contraction": contraction, "units": units})
+        with listening(progress, "build") as heard:
             page = _native.report_html(request, heard)
         if path is not None:
             put({path: page}, lambda there: _native.is_page(head(there)), overwrite)
@@ -227,7 +227,7 @@ class Muscle(MuscleFields, MuscleCommands):
 
     def _measures(self) -> dict[str, Any]:
         if self._summary is None:
-            object.__setattr__(self, "_summary", _native.ask("muscle-show", {"muscle": {"name": "muscle", "text": self._text}}))
+            object.__setattr__(self, "_summary", _native.ask("check", {"muscle": {"name": "muscle", "text": self._text}, "only_data": True}))
         return self._summary or {}
 
     @property

@@ -170,7 +170,7 @@ class Braid(BraidFields, _Measured):
     _own = ("braid",)
 
     def __str__(self) -> str:
-        return str(_native.ask("muscle-show", {"muscle": {"name": "braid", "text": self._text + _native.toml_text(tube_for(self._values))}})["braid"])
+        return str(_native.ask("check", {"muscle": {"name": "braid", "text": self._text + _native.toml_text(tube_for(self._values))}, "only_data": True})["braid"])
 
     def __eq__(self, other: object) -> bool:
         if isinstance(other, str):
@@ -295,15 +295,15 @@ class Rubber(_Part):
 
     @staticmethod
     def fit(data: TableLike, **options: Option) -> Rubber:
-        """The law that :func:`rubber_fit` recommends for tests of a rubber, with its constants.
+        """The law that :func:`rubber` recommends for tests of a rubber, with its constants.
 
         Parameters
         ----------
         data
             Table of a tension test (and others): a path, a data frame, or columns by name.
         options
-            Those of :func:`rubber_fit`.
+            Those of :func:`rubber`.
         """
         from . import _commands
 
-        return _commands.rubber_fit(data, **_any(options)).rubber()
+        return _commands.rubber(data, **_any(options)).rubber()

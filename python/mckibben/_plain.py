@@ -107,7 +107,7 @@ def muscle_text(values: dict[str, Any]) -> str:
         if twice:
             raise InputError(f"`{twice[0]}` is given, and so is a whole `{name}`", kind="usage", field=twice[0], hint=f"give it to the {name}, or all of its values by themselves")
         parts.append((table, part.to_toml()))
-    fields = _schema.request("muscle-show")
+    fields = _schema.request("check")
     return _native.muscle_text({name: field(name, value, fields[name]) for name, value in values.items()}, parts)
 
 
@@ -122,7 +122,7 @@ def tube_for(braid: Mapping[str, Any]) -> dict[str, Any]:
     if own is not None:
         diameter = own
     elif braid.get("name") is not None and diameter is None:
-        points = _native.ask("braid-show", {"name": braid["name"]})["points"]
+        points = (_native.ask("parts-show", {"name": braid["name"]}).get("sleeve") or {"points": []})["points"]
         diameter = points[len(points) // 2]["outer_diameter_mm"] if points else None
     elif diameter is not None:
         diameter *= 0.9

@@ -85,7 +85,7 @@ def figure_in(command: str, units: str) -> str | bool | None:
 @cache
 def muscle() -> dict[str, Schema]:
     """The fields of a muscle besides its file."""
-    return {name: field for name, field in request("muscle-show").items() if field.get("x-group") == "muscle" and name != "muscle"}
+    return {name: field for name, field in request("check").items() if field.get("x-group") == "muscle" and name != "muscle"}
 
 
 # Fields of a muscle that are no measures, by the part to which they belong.

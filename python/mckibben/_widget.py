@@ -49,7 +49,7 @@ class MuscleWidget(anywidget.AnyWidget):
     @classmethod
     def _of(cls, muscle: MuscleLike, pressure_mpa: Number, contraction: Number, measures: Sequence[str] | Mapping[str, tuple[float, float] | None]) -> MuscleWidget:
         base = muscle if isinstance(muscle, Muscle) else Muscle(muscle)
-        rows = {row["field"]: row for row in _native.ask("muscle-measures", {})["measures"]}
+        rows = {row["field"]: row for row in _native.ask("measures", {})["measures"]}
         p, e = number("pressure_mpa", pressure_mpa), number("contraction", contraction)
         sliders = [_slider("pressure_mpa", "Pressure P", "MPa", 0.0, max(0.6, 2 * p)), _slider("contraction", "Contraction ε", "", 0.0, max(0.35, 2 * e))]
         values = {}

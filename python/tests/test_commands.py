@@ -95,7 +95,7 @@ def test_a_measured_muscle_is_a_folder_or_its_files(root: Path) -> None:
 
 def test_a_rubber_from_its_tensile_test(root: Path) -> None:
     """Treloar (1944): the small-strain shear modulus of his vulcanised rubber is 0.39 MPa (Treloar 1975, chapter 5)."""
-    found = mk.rubber_fit(root / "data/treloar/tension.csv")
+    found = mk.rubber(root / "data/treloar/tension.csv")
     rubber = found.rubber()
     assert rubber == mk.Rubber.fit(root / "data/treloar/tension.csv")
     law = next(law for law in found.laws if law.name == found.recommended)
@@ -153,11 +153,11 @@ def test_muscles_of_a_joint_and_a_drive_are_objects(root: Path) -> None:
 def test_compare_and_study_and_lists(root: Path) -> None:
     compared = mk.compare(root / "examples/tondu2012.toml", models=["ideal"], data=root / "data/tondu2012/static_force_20deg.csv")
     assert compared.models[0].rms_n == pytest.approx(95.2, abs=0.1)
-    assert "paper" in mk.rubber_list().to_pandas()["name"].tolist()
-    assert len(mk.braid_list().braids) > 3 and "fe" in [m.name for m in mk.models().models]
-    story = mk.models("ideal").story
-    assert story is not None and story.source
-    shown = mk.Muscle().show(pressure_mpa=0.25)
+    parts = mk.parts_list()
+    assert "paper" in [r.name for r in parts.rubbers] and len(parts.sleeves) > 3 and "fe" in [m.name for m in parts.models]
+    ideal = mk.parts_show("ideal").model
+    assert ideal is not None and ideal.source
+    shown = mk.Muscle().check(pressure_mpa=0.25)
     assert shown.characteristics is not None
     assert shown.characteristics.blocked_force_n == pytest.approx(mk.Muscle().model().force(0.25), rel=1e-9)
 

@@ -44,7 +44,7 @@ from mckibben import _problem, _schema
         (lambda: mk.design(force_n=1e9, contraction=0.1, max_pressure_mpa=0.2).best, mk.NoAnswerError),
         (lambda: mk.design(), mk.MckibbenError),
         (lambda: mk.identify(data={"pressure_mpa": [0.1], "contraction": [0.1], "force_n": [1.0]}), mk.MckibbenError),
-        (lambda: mk.rubber_fit({"strain": [0.1], "stress_mpa": [1.0]}), mk.MckibbenError),
+        (lambda: mk.rubber({"strain": [0.1], "stress_mpa": [1.0]}), mk.MckibbenError),
         (lambda: mk.fit({"a": [1.0]}), mk.MckibbenError),
         (lambda: mk.Formula("{}"), mk.InputError),
         (lambda: mk.Rubber("wood", e=1), mk.FileError),
@@ -143,7 +143,7 @@ def test_files_that_are_none(tmp_path: Path) -> None:
         with pytest.raises(mk.MckibbenError):
             mk.Muscle(path)
         with pytest.raises(mk.MckibbenError):
-            mk.rubber_fit(path)
+            mk.rubber(path)
 
 
 def test_a_name_that_is_not_there() -> None:
@@ -202,7 +202,7 @@ for i in range(1000):
     request = {name: random.choice(odd) for name in random.sample(names, 4)}
     request.setdefault("model", random.choice(["ideal", "universal", "thick-wall", "paper"]))
     try:
-        mk.ask(random.choice(["force", "pressure", "contraction", "muscle-show"]), {k: v for k, v in request.items() if v is not None})
+        mk.ask(random.choice(["force", "pressure", "contraction", "check"]), {k: v for k, v in request.items() if v is not None})
         end = "answer"
     except mk.MckibbenError as error:
         end = error.kind

@@ -77,13 +77,13 @@ def test_a_field_of_a_muscle_is_given_replaced_and_read_back(name: str) -> None:
     # The area of a round strand is what a muscle file holds.
     assert getattr(muscle, name) == (pytest.approx(value, rel=1e-15) if name == "strand_diameter_mm" else value)
     assert mk.Muscle().replace(**given(value)) == muscle == mk.Muscle.from_toml(muscle.to_toml())
-    assert mk.muscle_show(**given(value)).to_dict() == muscle.show().to_dict()
+    assert mk.check(**given(value), only_data=True).to_dict() == muscle.check(only_data=True).to_dict()
     for same in (text, f"{value!r} {unit}" if unit else ""):
         if same:
             assert mk.Muscle(**given(same)) == muscle == mk.Muscle().replace(**given(same))
     # A text in a unit of another kind of quantity.
     other = "1 mm2" if unit != "mm2" else "1 N"
-    for call in (lambda: mk.Muscle(**given(other)), lambda: mk.Muscle().replace(**given(other)), lambda: mk.muscle_show(**given(other))):
+    for call in (lambda: mk.Muscle(**given(other)), lambda: mk.Muscle().replace(**given(other)), lambda: mk.check(**given(other))):
         with pytest.raises(mk.MckibbenError):
             call()
     # Documented with its unit, as an argument and as an attribute.
@@ -176,10 +176,10 @@ def test_documentation_has_the_units_of_the_schemas(root: Path, monkeypatch: pyt
 
 
 def test_signatures_are_those_of_the_schemas() -> None:
-    for command in ("force", "pressure", "contraction", "curve", "muscle-show", "design"):
+    for command in ("force", "pressure", "contraction", "curve", "check", "design"):
         given = set(inspect.signature(getattr(mk, command.replace("-", "_"))).parameters)
         assert set(_schema.request(command)) <= given, command
-    assert str(inspect.signature(mk.braid_show)).startswith("(name: 'str | None' = None, *, outer_diameter_mm: 'Number | None' = None, ")
+    assert str(inspect.signature(mk.parts_show)).startswith("(name: 'str | None' = None)")
     curve = inspect.signature(mk.Muscle.curve)
     assert list(curve.parameters)[:2] == ["self", "test"] and curve.parameters["test"].default == "isobaric" and not set(_schema.muscle()) & set(curve.parameters)
     assert inspect.signature(mk.sweep).parameters["muscles"].default == 100 and inspect.signature(mk.force).parameters["two_sided"].default is False

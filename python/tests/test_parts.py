@@ -22,7 +22,7 @@ STRANDS: dict[str, Any] = {"strands": 48, "strand_area_mm2": 0.3, "strand_modulu
 def test_the_arguments_of_the_parts_are_the_measures_of_the_table() -> None:
     """Every measure of a muscle belongs to one part, the one that the table of measures names."""
     seen = []
-    for row in mk.muscle_measures().measures:
+    for row in mk.measures().measures:
         names = {field: name for name, field in _schema.part(row.group).items()}
         name = names[str(row.field)]
         assert name in inspect.signature(KINDS[row.group]).parameters and isinstance(getattr(KINDS[row.group], name), property)
@@ -30,12 +30,12 @@ def test_the_arguments_of_the_parts_are_the_measures_of_the_table() -> None:
     assert {*seen, "rubber", "rubber_file", "braid", "strand_diameter_mm"} == set(_schema.muscle())
 
 
-@pytest.mark.parametrize("measure", [row.field for row in mk.muscle_measures().measures])
+@pytest.mark.parametrize("measure", [row.field for row in mk.measures().measures])
 def test_a_part_says_the_same_as_the_fields_of_a_muscle(measure: str) -> None:
     """An identity: a measure given by its part is that of the muscle with the field."""
     from test_fields import FIELDS
 
-    row = next(row for row in mk.muscle_measures().measures if row.field == measure)
+    row = next(row for row in mk.measures().measures if row.field == measure)
     table, names = row.group, {field: name for name, field in _schema.part(row.group).items()}
     schema = _schema.muscle()[measure]
     low, high, usual = (schema.get(key, other) for key, other in (("x-minimum", 0.0), ("x-maximum", 2.0), ("default", 1.0)))
@@ -120,7 +120,7 @@ def test_a_braid_is_still_a_text() -> None:
     muscle = mk.Muscle.prototype()
     strands = muscle.replace(outer_diameter_mm=50, braid=mk.Braid(25, **STRANDS))
     # By the words of the answers, for the stiffness on this very tube.
-    assert str(strands.braid) == strands.show().braid != str(strands.replace(outer_diameter_mm=30).braid)
+    assert str(strands.braid) == strands.check(only_data=True).braid != str(strands.replace(outer_diameter_mm=30).braid)
     assert str(muscle.braid) == "paper" and str(mk.Braid(stiffness="inextensible")) == "inextensible"
     with pytest.warns(DeprecationWarning, match="str"):
         assert muscle.braid == "paper"

@@ -43,14 +43,9 @@ def bench(root: Path) -> dict[str, str]:
 
 # A call for every command of the package; `root` is the repository.
 CALLS: dict[str, Callable[[Path], Any]] = {
-    "braid_list": lambda root: mk.braid_list(),
     "parts_list": lambda root: mk.parts_list(),
     "parts_show": lambda root: mk.parts_show("latex-1/4x3/8in"),
-    "library_list": lambda root: mk.library_list(),
-    "library_show": lambda root: mk.library_show("dmsp-20-300"),
-    "library_check": lambda root: mk.library_check(name="dmsp-10-250"),
-    "muscle_measures": lambda root: mk.muscle_measures(),
-    "braid_show": lambda root: mk.braid_show(mk.braid_list().braids[0].name),
+    "measures": lambda root: mk.measures(),
     "build": lambda root: mk.build(**MUSCLE),
     "export": lambda root: mk.export(**MUSCLE, target="c", model="thick-wall"),
     "export_list": lambda root: mk.export_list(),
@@ -61,19 +56,15 @@ CALLS: dict[str, Callable[[Path], Any]] = {
     "fit": lambda root: mk.fit(root / "data/campaign/paper.csv", tables=True),
     "fit_report": lambda root: mk.fit_report(),
     "force": lambda root: mk.force(**MUSCLE, pressure_mpa=0.2, contraction=0.1, model="thick-wall"),
-    "formula_show": lambda root: mk.formula_show(mk.fit(root / "data/campaign/paper.csv").formula),
+    "check_formula": lambda root: mk.check_formula(mk.fit(root / "data/campaign/paper.csv").formula),
     "identify": lambda root: mk.identify(root / "examples/bench.toml", root / "examples/bench.csv", model="thick-wall"),
     "joint": lambda root: mk.joint(root / "examples/elbow.toml", pressures_mpa=[[0.2, 0.1]], angles_deg=[0.0, 10.0], model="universal"),
     "measured": lambda root: mk.measured(cases=[bench(root)]),
-    "models": lambda root: mk.models(),
     "motion": lambda root: mk.motion(root / "examples/drive.toml", model="universal"),
-    "doctor": lambda root: mk.doctor(**MUSCLE, model="ideal", pressure_mpa=0.2),
-    "muscle_show": lambda root: mk.muscle_show(**MUSCLE, model="ideal", pressure_mpa=0.2),
+    "check": lambda root: mk.check(**MUSCLE, model="ideal", pressure_mpa=0.2),
     "plan": lambda root: mk.plan({"name": "small.toml", "text": PLAN}),
     "pressure": lambda root: mk.pressure(**MUSCLE, force_n=700, contraction=0.1, model="universal"),
-    "rubber_fit": lambda root: mk.rubber_fit(root / "data/treloar/tension.csv"),
-    "rubber_list": lambda root: mk.rubber_list(),
-    "rubber_show": lambda root: mk.rubber_show("dragon-skin-30"),
+    "rubber": lambda root: mk.rubber(root / "data/treloar/tension.csv"),
     "fill": lambda root: mk.fill(**MUSCLE, volume_mm3=20_000, load="mass:5kg", model="thick-wall"),
     "shape": lambda root: mk.shape(**MUSCLE, pressure_mpa=0.2, contraction=0.1),
     "simulate": lambda root: mk.simulate(**MUSCLE, pressures_mpa=[0.2], contractions=[0.1]),
@@ -138,8 +129,8 @@ def test_a_result_with_a_table_gives_it_to_data_frames(results: dict[str, Any], 
 def test_what_differs_is_not_equal(root: Path, results: dict[str, Any]) -> None:
     assert results["curve"] != mk.curve(**MUSCLE, model="universal", pressures_mpa=[0.1])
     assert results["identify"] != mk.identify(root / "examples/bench.toml", root / "examples/bench.csv", model="thick-wall", two_sided=True, loss="huber")
-    assert results["rubber_fit"].laws[0] != results["rubber_fit"].laws[1]
-    assert results["rubber_fit"].rubber() == mk.Rubber.fit(root / "data/treloar/tension.csv") and len({results["rubber_fit"].rubber(), mk.Rubber.fit(root / "data/treloar/tension.csv")}) == 1
+    assert results["rubber"].laws[0] != results["rubber"].laws[1]
+    assert results["rubber"].rubber() == mk.Rubber.fit(root / "data/treloar/tension.csv") and len({results["rubber"].rubber(), mk.Rubber.fit(root / "data/treloar/tension.csv")}) == 1
     assert results["fit"].formula == mk.fit(root / "data/campaign/paper.csv").formula
 
 

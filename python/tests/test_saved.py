@@ -33,7 +33,7 @@ def test_a_fit_is_that_of_least_squares(found: Any) -> None:
 
 
 def test_results_muscles_and_rubbers_are_saved_and_loaded(found: Any, thin: mk.Muscle, root: Path, tmp_path: Path) -> None:
-    fitted = mk.rubber_fit(root / "data/treloar/tension.csv")
+    fitted = mk.rubber(root / "data/treloar/tension.csv")
     ogden = mk.Rubber("ogden", mu=[0.4, 0.01], alpha=[2, 5])
     design = mk.design(force_n=700, contraction=0.15, max_pressure_mpa=0.25, model="universal")
     things = [found, fitted, design, thin.curve(model="universal"), thin.state(0.2, 0.1), thin, ogden, mk.Braid("25 deg", strands=48, strand_area_mm2=0.3, strand_modulus_mpa=2500), mk.fit(root / "data/campaign/paper.csv").formula]

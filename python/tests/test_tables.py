@@ -65,7 +65,7 @@ def test_a_data_frame_is_its_file(root: Path, form: str) -> None:
     assert mk.identify(muscle, frames[bench], model="thick-wall").parameters == mk.identify(muscle, bench, model="thick-wall").parameters
     tondu = root / "examples/tondu2012.toml"
     assert mk.compare(tondu, models=["ideal"], data=frames[static]).models == mk.compare(tondu, models=["ideal"], data=static).models
-    assert mk.rubber_fit(frames[tension]).laws == mk.rubber_fit(tension).laws
+    assert mk.rubber(frames[tension]).laws == mk.rubber(tension).laws
 
 
 def test_several_data_frames_are_several_tables(root: Path) -> None:
@@ -114,7 +114,7 @@ def test_what_is_no_table() -> None:
     bads: list[Any] = [3, object(), [1, 2], {"a": np.zeros((2, 2))}, {"a": [1.0], "b": [1.0, 2.0]}, pd.DataFrame([[1, 2]], columns=["a", "a"]), b"a,b"]
     for bad in bads:
         with pytest.raises((TypeError, ValueError)):
-            mk.rubber_fit(bad)
+            mk.rubber(bad)
 
 
 def test_a_table_is_nobody_elses() -> None:
@@ -174,11 +174,11 @@ def test_rows_with_gaps_are_left_out_where_that_is_said(root: Path, tmp_path: Pa
 def test_tests_of_a_rubber_may_have_gaps(root: Path) -> None:
     columns = numbers(read(root / "data/treloar/tension.csv"))
     gaps = {name: np.concatenate([values[:3], [np.nan], values[3:]]) if isinstance(values, np.ndarray) else [*values[:3], values[0], *values[3:]] for name, values in columns.items()}
-    assert mk.rubber_fit(gaps, nan="omit").laws == mk.rubber_fit(columns).laws
+    assert mk.rubber(gaps, nan="omit").laws == mk.rubber(columns).laws
     with pytest.raises(mk.InputError):
-        mk.rubber_fit(gaps)
+        mk.rubber(gaps)
     with pytest.raises(ValueError, match="omit"):
-        mk.rubber_fit(columns, nan="drop")  # type: ignore[arg-type]
+        mk.rubber(columns, nan="drop")  # type: ignore[arg-type]
 
 
 def test_a_formula_of_a_table_with_gaps(root: Path) -> None:

@@ -104,7 +104,7 @@ inBrowser(({ name, url, open, blank }) => {
 
   test("a button that is pressed before the link is read computes the muscle of the link", async () => {
     const { page, context } = await blank();
-    await page.route(/api\/v1\/(quantities|muscle-show)/, async (route) => {
+    await page.route(/api\/v1\/(quantities|check)/, async (route) => {
       await new Promise((resolve) => setTimeout(resolve, 700));
       await route.continue();
     });
@@ -166,7 +166,7 @@ inBrowser(({ name, url, open, blank }) => {
       for (const kind of ["dragover", "drop"])
         document.querySelector("#bar")?.dispatchEvent(new DragEvent(kind, { dataTransfer: data, bubbles: true, cancelable: true }));
     }, readFileSync(`${root}data/treloar/tension.csv`, "utf8"));
-    const said = ask("rubber", "fit", `${root}data/treloar/tension.csv`);
+    const said = ask("rubber", `${root}data/treloar/tension.csv`);
     await page.getByRole("heading", { name: `Recommended: ${said.recommended}` }).waitFor({ timeout: 120_000 });
     const row = page.getByRole("row", { name: said.recommended }).first();
     for (const { name: constant, value } of said.parameters)

@@ -59,9 +59,9 @@ test("fields of all forms are fields of their requests, with their quantity, the
   const tolerance = kinds(of("design").tolerance)[0].properties, step = kinds(of("motion").step)[0].properties;
   /** @type {[string, Field[], any][]} */
   const forms = [["design", [...design.WANTED, ...design.choices()], of("design")], ["tolerance", design.SPREADS, tolerance],
-    ["motion", motion.STEP.filter(({ field }) => field !== "model"), step], ["rubber-fit", rubber.FIELDS, of("rubber-fit")],
+    ["motion", motion.STEP.filter(({ field }) => field !== "model"), step], ["rubber", rubber.FIELDS, of("rubber")],
     ["identify", data.FIELDS.filter(({ field }) => field === "free"), of("identify")], ["compare", data.FIELDS.filter(({ field }) => field === "models"), of("compare")],
-    ["fit", formula.HOW.filter(({ field }) => field !== "at"), of("fit")], ["report", files.TITLE, of("report")], ["export", files.BOX, of("export")]];
+    ["fit", formula.HOW.filter(({ field }) => field !== "at"), of("fit")], ["build", files.TITLE, of("build")], ["export", files.BOX, of("export")]];
   let count = 0;
   for (const [where, fields, properties] of forms) for (const field of fields) { check(field, properties, where); count++; }
   assert.ok(count > 45, `${count} fields`);

@@ -112,7 +112,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.getByText("Ends", { exact: true }).first().click();
     await page.getByText("More measures", { exact: true }).click();
     await page.screenshot({ path: `${shots}/more-${name}.png`, fullPage: true });
-    const { measures } = ask("muscle", "measures"), labels = () => page.locator(".quantity label").allTextContents();
+    const { measures } = await page.evaluate(async () => (await import(new URL("js/ask.js", document.baseURI).href)).engine().ask("measures", {})), labels = () => page.locator(".quantity label").allTextContents();
     const of = (/** @type {string} */ key) => {
       const { label, symbol } = measures.find((/** @type {any} */ m) => m.key === key);
       return `${label.charAt(0).toUpperCase()}${label.slice(1)}${symbol ? ` ${symbol}` : ""}`;

@@ -127,7 +127,7 @@ inBrowser(({ name, url, open, blank }) => {
     assert.equal(nameIn(saved.text), 'Left "calf"');
     const path = join(mkdtempSync(join(tmpdir(), "bar-")), saved.name);
     writeFileSync(path, saved.text);
-    assert.equal(ask("muscle", "show", path).outer_diameter_mm, 45);
+    assert.equal(ask("check", path).outer_diameter_mm, 45);
     // A reload on any page has it again.
     await page.reload();
     await reads(page, ".muscle-bar", "D0 45 mm, s 3 mm, L0 200 mm");

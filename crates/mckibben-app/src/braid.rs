@@ -1,25 +1,10 @@
-//! `braid list` and `braid show`: the sleeves of the library, and what each is on a tube.
+//! Sleeves of the library, and what each is on a tube.
 
-use crate::muscle::sleeve;
 use crate::problem::Problem;
 use mckibben::muscle::NEUTRAL_ANGLE_DEG;
-use mckibben::sleeve::{Material, Sleeve, SleeveEntry, library};
+use mckibben::sleeve::{Sleeve, SleeveEntry, library};
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-/// All named sleeves.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(default)]
-pub struct BraidListRequest {}
-
-/// All named sleeves.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct BraidListAnswer {
-    /// The sleeves, in the order of the library.
-    pub braids: Vec<BraidSummary>,
-    /// What strands are made of.
-    pub materials: Vec<MaterialSummary>,
-}
+use serde::Serialize;
 
 /// A sleeve in a line.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -46,38 +31,9 @@ pub struct BraidSummary {
     pub source: String,
 }
 
-/// A material of strands.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct MaterialSummary {
-    /// Its name.
-    pub name: String,
-    /// What it is.
-    pub title: String,
-    /// Young's modulus, MPa.
-    pub modulus_mpa: f64,
-    /// Where the modulus comes from.
-    pub source: String,
-    /// What else one should know.
-    pub note: Option<String>,
-}
-
-/// One sleeve.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(default)]
-pub struct BraidShowRequest {
-    /// Its name.
-    pub name: String,
-    /// Only on this outer diameter of a tube, mm.
-    pub outer_diameter_mm: Option<f64>,
-    /// Diameter of a strand, where its source does not state it, mm.
-    pub strand_diameter_mm: Option<f64>,
-    /// Young's modulus of a strand, where its source does not state it, MPa.
-    pub strand_modulus_mpa: Option<f64>,
-}
-
 /// A sleeve, its source and terms, and what it is on tubes.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct BraidShowAnswer {
+pub struct BraidDetails {
     /// Its name.
     pub name: String,
     /// What it is.
@@ -150,7 +106,7 @@ fn unstated(sleeve: &Sleeve) -> Vec<&'static str> {
     sleeve.missing().into_iter().chain(estimated).collect()
 }
 
-pub fn braid_list(_: &BraidListRequest) -> Result<BraidListAnswer, Problem> {
+pub(crate) fn sleeves() -> Result<Vec<BraidSummary>, Problem> {
     let one = |entry: &SleeveEntry| {
         let (least_diameter_mm, largest_diameter_mm) = entry.sleeve.shape.tubes_mm();
         Ok(BraidSummary {
@@ -166,30 +122,16 @@ pub fn braid_list(_: &BraidListRequest) -> Result<BraidListAnswer, Problem> {
             source: entry.source.clone(),
         })
     };
-    let material = |m: &Material| MaterialSummary {
-        name: m.name.clone(),
-        title: m.title.clone(),
-        modulus_mpa: m.modulus_mpa,
-        source: m.source.clone(),
-        note: m.note.clone(),
-    };
-    Ok(BraidListAnswer {
-        braids: library::entries()?.iter().map(one).collect::<Result<_, Problem>>()?,
-        materials: library::materials()?.iter().map(material).collect(),
-    })
+    library::entries()?.iter().map(one).collect()
 }
 
-pub fn braid_show(request: &BraidShowRequest) -> Result<BraidShowAnswer, Problem> {
-    let entry = library::entry(&request.name)?;
-    let known = sleeve(&request.name)?;
-    let sleeve = known.with_strands(request.strand_diameter_mm, request.strand_modulus_mpa)?;
-    let diameters = match request.outer_diameter_mm {
-        Some(diameter) => vec![diameter],
-        None => round_diameters(sleeve.shape.tubes_mm()),
-    };
+/// A sleeve; `None` where there is none of that name.
+pub(crate) fn sleeve_details(name: &str) -> Result<Option<BraidDetails>, Problem> {
+    let Ok(entry) = library::entry(name) else { return Ok(None) };
+    let sleeve = &entry.sleeve;
+    let diameters = round_diameters(sleeve.shape.tubes_mm());
     let (least_diameter_mm, largest_diameter_mm) = sleeve.diameters();
-    let modulus_of = entry.modulus_of.filter(|_| request.strand_modulus_mpa.is_none());
-    Ok(BraidShowAnswer {
+    Ok(Some(BraidDetails {
         name: sleeve.name().into(),
         title: entry.title.clone(),
         material: entry.material.clone(),
@@ -204,7 +146,7 @@ pub fn braid_show(request: &BraidShowRequest) -> Result<BraidShowAnswer, Problem
         filaments: sleeve.filaments,
         strand_diameter_mm: sleeve.strand_diameter_mm,
         strand_modulus_mpa: sleeve.strand_modulus_mpa,
-        modulus_source: modulus_of.map(|m| match &m.note {
+        modulus_source: entry.modulus_of.map(|m| match &m.note {
             Some(note) => format!("{}: {}. {note}", m.title, m.source),
             None => format!("{}: {}", m.title, m.source),
         }),
@@ -214,11 +156,11 @@ pub fn braid_show(request: &BraidShowRequest) -> Result<BraidShowAnswer, Problem
         stiffness_factor: sleeve.stiffness_factor(),
         estimate: entry.modulus_of.filter(|_| !sleeve.estimated.is_empty()).and_then(|m| m.estimate.clone()),
         price: entry.price.clone(),
-        points: diameters.iter().map(|d| point(&sleeve, *d)).collect::<Result<_, Problem>>()?,
+        points: diameters.iter().map(|d| point(sleeve, *d)).collect::<Result<_, Problem>>()?,
         source: entry.source.clone(),
         terms: entry.terms.clone(),
         note: entry.note.clone(),
-    })
+    }))
 }
 
 fn point(sleeve: &Sleeve, outer_diameter_mm: f64) -> Result<BraidPoint, Problem> {

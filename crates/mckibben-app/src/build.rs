@@ -1,4 +1,4 @@
-//! `build`: from a muscle to drawing, plugs, cut list, bill of materials, steps and test sheet.
+//! `build`: from a muscle to report, drawing, plugs, cut list, bill of materials, steps and test sheet.
 
 use crate::burst::{PressureLimits, burst_of, said_of, usual_mpa};
 use crate::fields::{ModelFields, MuscleFields};
@@ -6,7 +6,9 @@ use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
 use crate::point::finite;
 use crate::problem::{Problem, ProblemKind};
+use crate::report::{TitleBlock, report};
 use crate::shape::ShapeRequest;
+use crate::units::Units;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use mckibben::analysis::{Burst, blocked_force_n, free_contraction};
@@ -14,6 +16,7 @@ use mckibben::answer::{Options, check_range};
 use mckibben::model::Workspace;
 use mckibben::progress::Progress;
 use mckibben_build::{BuildError, BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, Wishes};
+use mckibben_report::Document;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -33,10 +36,19 @@ pub struct BuildRequest {
     pub bolt_mm: Option<f64>,
     /// Diameter of the sleeve as it comes off the roll, mm; default that as which it is sold, where it is known.
     pub sleeve_diameter_mm: Option<f64>,
+    /// Add the report to the files.
+    pub report: bool,
+    /// Contraction ratio ε of the state in the report; default half the free contraction.
+    pub contraction: Option<f64>,
+    /// Units of the report: `bar`, or `psi,lbf,in`.
+    pub units: Units,
+    /// Title block of the report.
+    #[serde(flatten)]
+    pub title_block: TitleBlock,
 }
 
 /// All that is needed to build a muscle.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct BuildAnswer {
     /// The muscle.
     pub muscle: MuscleSummary,
@@ -76,7 +88,13 @@ pub struct BuildAnswer {
     pub files: Vec<BuiltFile>,
     /// Warnings, in sentences.
     pub warnings: Vec<String>,
+    /// The report, where it was asked for.
+    #[serde(skip)]
+    pub document: Option<Document>,
 }
+
+/// The file of the report.
+pub const REPORT: &str = "report.html";
 
 /// A file that a command makes.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
@@ -119,10 +137,27 @@ impl From<File> for BuiltFile {
 
 /// All that is needed to build a muscle.
 pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAnswer, Problem> {
+    let fields = [
+        ("contraction", request.contraction.is_some()),
+        ("name", request.title_block != TitleBlock::default()),
+    ];
+    if !request.report {
+        Problem::refuse_unused(&fields, "it stands in the report, and no `report` is asked for")?;
+    }
     let (plan, burst) = planned(request, progress)?;
     let said = said_of(&burst, plan.operating.pressure_mpa, 0.0);
     let files = mckibben_build::files(&plan)
         .map_err(|e| Problem::new(ProblemKind::Internal, format!("the drawing cannot be drawn: {e}"), ""))?;
+    let mut files: Vec<BuiltFile> = files.into_iter().map(BuiltFile::from).collect();
+    let document = request.report.then(|| report(request, (&plan, &burst), progress)).transpose()?;
+    if let Some(document) = &document {
+        let html = document.to_html("").map_err(|e| Problem::new(ProblemKind::Plot, e.to_string(), ""))?;
+        files.push(BuiltFile::new(
+            REPORT,
+            "all that is known of the muscle, for reading and printing",
+            Ok(html),
+        ));
+    }
     let warnings = said.iter().map(ToString::to_string);
     Ok(BuildAnswer {
         muscle: (&plan.muscle).into(),
@@ -138,7 +173,8 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
         mass_g: plan.mass_g(),
         limits: (&burst).into(),
         warnings: warnings.chain(plan.muscle.warnings()).chain(plan.warnings()).collect(),
-        files: files.into_iter().map(BuiltFile::from).collect(),
+        files,
+        document,
         cut: plan.cut,
         parts: plan.parts,
         test: plan.test,
@@ -147,7 +183,7 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
 }
 
 /// The plan of a muscle, and the pressures at which it fails.
-pub(crate) fn planned(request: &BuildRequest, progress: &dyn Progress) -> Result<(Plan, Burst), Problem> {
+fn planned(request: &BuildRequest, progress: &dyn Progress) -> Result<(Plan, Burst), Problem> {
     let muscle = request.muscle.resolve()?;
     let fitting = request.fitting.as_deref().map(str::parse).transpose();
     let fitting = fitting.map_err(|e: mckibben_build::UnknownFitting| {

@@ -12,7 +12,7 @@ use serde::Serialize;
 use std::sync::Mutex;
 
 /// Pressure in MPa up to which a single point or a curve says nothing of a burst pressure that is not known: that of a usual supply. Whoever
-/// builds (`design`, `muscle show`, `joint`, `motion`, `report`) reads of it at any pressure.
+/// builds (`design`, `check`, `joint`, `motion`, `build`) reads of it at any pressure.
 pub(crate) const QUIET_MPA: f64 = 0.6;
 /// Muscles whose burst pressure is kept.
 const KEPT: usize = 32;

@@ -1,11 +1,9 @@
 //! `identify`: constants of rubber, braid and friction from measured or published points.
 
-use crate::build::BuiltFile;
 use crate::curve::{check_count, contractions, list, steps};
 use crate::fields::{MeshFields, MuscleFields, UnderstoodTable};
 use crate::figure;
 use crate::identify_request::{Branches, IdentifyRequest};
-use crate::library_folder::{self, Told};
 use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
 use crate::point::finite;
@@ -58,9 +56,6 @@ pub struct IdentifyAnswer {
     /// Fit of each rubber law, the best first; empty if it was not requested.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub laws: Vec<LawRow>,
-    /// The files of the folder for a library, where it was asked for.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub library_folder: Vec<BuiltFile>,
     /// Warnings: contradictions, parameters that are not identifiable, missing measurements.
     pub warnings: Vec<String>,
     /// The figure, where it was asked for.
@@ -199,9 +194,6 @@ fn muscle_file(data: &str, model: &str, found: &Identification, measured: bool) 
 pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<IdentifyAnswer, Problem> {
     let muscle = request.muscle.resolve()?;
     let model = Model::choose(&request.model, Purpose::Answer)?;
-    if request.to_library.is_some() {
-        library_folder::refuse(request, &model)?;
-    }
     let Data { points, origin, understood } = request.points(&muscle)?;
     progress.budget().admit(Resource::Points, points.len() as f64)?;
     let (free, fixed) = request.parameters(&muscle)?;
@@ -220,12 +212,6 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         identify_default(&asked, &build, progress)?
     } else {
         identify_with(&asked, &build, progress)?
-    };
-    let told =
-        Told { muscle: &muscle, free: &free, fixed: &fixed, points: &points, parameters: &found.parameters };
-    let library_folder = match &request.to_library {
-        Some(name) => library_folder::files(name, &told, progress)?,
-        None => vec![],
     };
     let laws = if request.laws {
         let sought: Vec<Parameter> = found
@@ -254,7 +240,6 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         understood,
         muscle: summary,
         laws,
-        library_folder,
         warnings: model.seal_warning().into_iter().chain(self::warnings(request, &found, beyond)).collect(),
         figure,
         points: std::mem::take(&mut found.points),

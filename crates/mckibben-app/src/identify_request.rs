@@ -47,9 +47,6 @@ pub struct IdentifyRequest {
     pub loss: Loss,
     /// Fit every rubber law, with all its constants free, together with the other free parameters.
     pub laws: bool,
-    /// Name of a folder for a library of muscles: its files are added to the answer, for `library check`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub to_library: Option<String>,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
 }

@@ -14,10 +14,11 @@ pub(crate) fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
         let message = "the library of muscles needs the full engine; this is a reduced one";
         return Err(Problem::new(ProblemKind::File, message, ""));
     }
-    library::file(name).map(Cow::Owned).map_err(|error| unknown(&error))
-}
-
-/// Why there is no muscle of that name.
-pub(crate) fn unknown(error: &library::UnknownMuscle) -> Problem {
-    Problem::new(ProblemKind::File, error.to_string(), "`library list` shows them with their sources")
+    library::file(name).map(Cow::Owned).map_err(|error| {
+        Problem::new(
+            ProblemKind::File,
+            error.to_string(),
+            "`parts list muscles` shows them with their sources",
+        )
+    })
 }

@@ -165,7 +165,7 @@ pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<Me
         return Err(Problem::new(
             ProblemKind::Usage,
             message,
-            "`rubber_fit` draws a rubber's laws over its points",
+            "`rubber` draws a rubber's laws over its points",
         ));
     }
     let points: usize = cases.iter().map(|case| case.points.len() * case.fits.len()).sum();
@@ -188,7 +188,7 @@ pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<Me
     })
 }
 
-pub(crate) fn read(folder: &MeasuredFolder) -> Result<Measurement, Problem> {
+fn read(folder: &MeasuredFolder) -> Result<Measurement, Problem> {
     let MeasuredFolder { name, case, muscle, points, identified } = folder.clone();
     Measurement::read(&CaseFiles { name, case, muscle, points, identified }).map_err(|error| (&error).into())
 }

@@ -1,4 +1,4 @@
-//! `muscle measures`: every number that describes a muscle, for forms and for readers.
+//! `measures`: every number that describes a muscle, for forms and for readers.
 
 use crate::muscle_fields::STIFFNESS_FIELD;
 use crate::problem::Problem;

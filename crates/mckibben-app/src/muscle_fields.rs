@@ -33,7 +33,7 @@ pub struct NamedFields {
     /// A rubber: NAME or NAME:LAW of the library, a hardness such as `shore:30A`, or a stress at 100 % such as `s100:0.6MPa`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rubber: Option<String>,
-    /// A muscle file (TOML) whose rubber is taken, such as `rubber fit` writes.
+    /// A muscle file (TOML) whose rubber is taken, such as `rubber` writes.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rubber_file: Option<TextFile>,
     /// A sleeve of the library: its angle on this diameter, its strands.

@@ -1,19 +1,20 @@
-//! `parts list` and `parts show`: tubes, sleeves and rubbers that one can buy or cast.
+//! `parts list` and `parts show`: everything with a name: tubes, sleeves and rubbers that one can buy or cast, measured muscles, force models.
 
-use crate::braid::{
-    BraidListRequest, BraidShowAnswer, BraidShowRequest, BraidSummary, braid_list, braid_show,
-};
+use crate::braid::{BraidDetails, BraidSummary, sleeve_details, sleeves};
 use crate::fields::TextFile;
+use crate::library::{LibraryDetails, LibraryMuscle, library_details, library_muscles};
+use crate::model::Model;
+use crate::models::{ModelDetails, model_details};
 use crate::problem::{Problem, ProblemKind};
-use crate::rubber::{
-    RubberListRequest, RubberShowAnswer, RubberShowRequest, RubberSummary, rubber_list, rubber_show,
-};
+use crate::rubber::{RubberDetails, RubberSummary, rubber_details, rubbers};
+use mckibben::model::ModelEntry;
 use mckibben::nearest::nearest;
 use mckibben_design::tubes::{self, TubePart};
+use mckibben_fit::validation::library::names;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A kind of part.
+/// What has a name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum PartKind {
@@ -23,19 +24,23 @@ pub enum PartKind {
     Sleeves,
     /// Rubbers.
     Rubbers,
+    /// Muscles that were identified from measured points.
+    Muscles,
+    /// Force models.
+    Models,
 }
 
-/// The catalogue of parts.
+/// Everything with a name.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct PartsListRequest {
-    /// Only one kind of part.
+    /// Only one kind.
     pub kind: Option<PartKind>,
     /// Tubes of your own (TOML, as the catalogue), in place of the catalogue's.
     pub parts: Option<TextFile>,
 }
 
-/// The catalogue of parts.
+/// Everything with a name.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct PartsListAnswer {
     /// Tubes.
@@ -44,9 +49,13 @@ pub struct PartsListAnswer {
     pub sleeves: Vec<BraidSummary>,
     /// Rubbers.
     pub rubbers: Vec<RubberSummary>,
+    /// Muscles that were identified from measured points.
+    pub muscles: Vec<LibraryMuscle>,
+    /// Force models.
+    pub models: Vec<ModelEntry>,
 }
 
-/// One part.
+/// What has a name.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct PartShowRequest {
@@ -54,61 +63,68 @@ pub struct PartShowRequest {
     pub name: String,
 }
 
-/// One part: a tube, a sleeve or a rubber.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+/// All that have this name.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
 pub struct PartShowAnswer {
     /// A tube.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tube: Option<TubePart>,
     /// A sleeve.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub sleeve: Option<BraidShowAnswer>,
+    pub sleeve: Option<BraidDetails>,
     /// A rubber.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub rubber: Option<RubberShowAnswer>,
+    pub rubber: Option<RubberDetails>,
+    /// A muscle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub muscle: Option<LibraryDetails>,
+    /// A force model.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model: Option<ModelDetails>,
 }
 
 fn unread(error: tubes::TubeError) -> Problem {
     Problem::new(ProblemKind::Specification, error.to_string(), "")
 }
 
-/// The catalogue of parts.
+/// Everything with a name, or one kind of it.
 pub fn parts_list(request: &PartsListRequest) -> Result<PartsListAnswer, Problem> {
     let wants = |kind| request.kind.is_none_or(|only| only == kind);
+    // The reduced engine has neither tubes nor muscles.
+    let whole = cfg!(feature = "whole");
     let tubes: Vec<TubePart> = match &request.parts {
-        _ if !wants(PartKind::Tubes) => vec![],
+        _ if !whole || !wants(PartKind::Tubes) => vec![],
         Some(file) => tubes::read(&file.text).map_err(|e| unread(e).in_field("parts"))?,
         None => tubes::catalogue().map_err(unread)?.to_vec(),
     };
-    let sleeves = if wants(PartKind::Sleeves) { braid_list(&BraidListRequest {})?.braids } else { vec![] };
-    let rubbers = if wants(PartKind::Rubbers) { rubber_list(&RubberListRequest {})?.rubbers } else { vec![] };
-    Ok(PartsListAnswer { tubes, sleeves, rubbers })
+    Ok(PartsListAnswer {
+        tubes,
+        sleeves: if wants(PartKind::Sleeves) { sleeves()? } else { vec![] },
+        rubbers: if wants(PartKind::Rubbers) { rubbers()? } else { vec![] },
+        muscles: if whole && wants(PartKind::Muscles) { library_muscles()? } else { vec![] },
+        models: if wants(PartKind::Models) { Model::all() } else { vec![] },
+    })
 }
 
 pub fn part_show(request: &PartShowRequest) -> Result<PartShowAnswer, Problem> {
     let tubes = tubes::catalogue().map_err(unread)?;
     let name = request.name.as_str();
-    let none = PartShowAnswer { tube: None, sleeve: None, rubber: None };
-    if let Ok(tube) = tubes::find(tubes, name) {
-        return Ok(PartShowAnswer { tube: Some(tube), ..none });
+    let found = PartShowAnswer {
+        tube: tubes::find(tubes, name).ok(),
+        sleeve: sleeve_details(name)?,
+        rubber: rubber_details(name)?,
+        muscle: library_details(name)?,
+        model: model_details(name)?,
+    };
+    if found != PartShowAnswer::default() {
+        return Ok(found);
     }
-    if let Ok(sleeve) = braid_show(&BraidShowRequest { name: name.into(), ..BraidShowRequest::default() }) {
-        return Ok(PartShowAnswer { sleeve: Some(sleeve), ..none });
-    }
-    if let Ok(rubber) = rubber_show(&RubberShowRequest { name: name.into() }) {
-        return Ok(PartShowAnswer { rubber: Some(rubber), ..none });
-    }
-    let (sleeves, rubbers) =
-        (braid_list(&BraidListRequest {})?.braids, rubber_list(&RubberListRequest {})?.rubbers);
-    let names = tubes.iter().map(|t| t.name.as_str());
-    let names =
-        names.chain(sleeves.iter().map(|s| s.name.as_str())).chain(rubbers.iter().map(|r| r.name.as_str()));
-    let meant = nearest(name, names).map_or_else(String::new, |n| format!(" (did you mean {n}?)"));
+    let (sleeves, rubbers, muscles) = (sleeves()?, rubbers()?, names());
+    let all = tubes.iter().map(|t| t.name.as_str()).chain(sleeves.iter().map(|s| s.name.as_str()));
+    let all = all.chain(rubbers.iter().map(|r| r.name.as_str())).chain(muscles.iter().map(String::as_str));
+    let all = all.chain(Model::all().into_iter().map(|m| m.name));
+    let meant = nearest(name, all).map_or_else(String::new, |n| format!(" (did you mean {n}?)"));
     let given: String = name.chars().take(60).collect();
-    Err(Problem::new(
-        ProblemKind::Usage,
-        format!("there is no part named \"{given}\"{meant}"),
-        "`parts list` lists them",
-    )
-    .in_field("name"))
+    let message = format!("there is no part named \"{given}\"{meant}");
+    Err(Problem::new(ProblemKind::Usage, message, "`parts list` lists them"))
 }

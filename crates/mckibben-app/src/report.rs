@@ -1,48 +1,28 @@
-//! `report`: all that is known of a muscle, as one document.
+//! The report of `build`: all that is known of a muscle, as one document.
 
 mod workshop;
 
-use crate::burst::PressureLimits;
+use crate::build::BuildRequest;
+use crate::check::{CheckAnswer, CheckRequest, check};
 use crate::compare::{CompareRequest, compare};
 use crate::curve::{CurveRequest, curve};
-use crate::fields::{AskFields, MuscleFields};
+use crate::fields::AskFields;
 use crate::many::PointQuantity;
-use crate::muscle::MuscleSummary;
-use crate::point::{ForceRequest, PointAnswer, force, given, ratio};
-use crate::problem::{Problem, ProblemKind};
+use crate::point::{ForceRequest, PointAnswer, force, ratio};
+use crate::problem::Problem;
 use crate::rows::{Row, characteristic_rows, muscle_sheets, point_rows};
 use crate::shape::{ShapeRequest, shape};
-use crate::show::{MuscleShowAnswer, MuscleShowRequest, muscle_show};
 use crate::units::Units;
 use crate::words::{number, percent};
+use mckibben::analysis::Burst;
 use mckibben::curve::Test;
 use mckibben::muscle::file::to_toml;
 use mckibben::progress::Progress;
 use mckibben::warning::is_of_burst;
+use mckibben_build::Plan;
 use mckibben_report::{Body, Document, Figure, Part};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use workshop::Workshop;
-
-/// A muscle to be reported on.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(default)]
-pub struct ReportRequest {
-    /// The muscle.
-    #[serde(flatten)]
-    pub muscle: MuscleFields,
-    /// Gauge pressure P in MPa; default 0.25.
-    pub pressure_mpa: Option<f64>,
-    /// Contraction ratio ε of the state that is shown; default half the free contraction.
-    pub contraction: Option<f64>,
-    /// Units: `bar`, or `psi,lbf,in`.
-    pub units: Units,
-    /// Title block.
-    #[serde(flatten)]
-    pub title_block: TitleBlock,
-    /// Add the report as one HTML page to the answer, without the script that shows the muscle.
-    pub html: bool,
-}
 
 /// What a report states of itself; what is empty is a field to fill in by hand.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
@@ -77,43 +57,29 @@ impl TitleBlock {
     }
 }
 
-/// A report.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
-pub struct ReportAnswer {
-    /// The muscle.
-    pub muscle: MuscleSummary,
-    /// The pressures that the muscle bears.
-    #[serde(flatten)]
-    pub limits: PressureLimits,
-    /// Warnings, in sentences.
-    pub warnings: Vec<String>,
-    /// The report.
-    pub document: Document,
-    /// The report as one HTML page, where it was asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub html: Option<String>,
-}
-
 /// Models that are compared.
 const MODELS: [&str; 4] = ["fe", "universal", "thick-wall", "ideal"];
 
-/// A report of a muscle, by `fe`.
-pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<ReportAnswer, Problem> {
+/// A report of a muscle whose plan is made, by `fe`.
+pub(crate) fn report(
+    request: &BuildRequest,
+    (plan, burst): (&Plan, &Burst),
+    progress: &dyn Progress,
+) -> Result<Document, Problem> {
     let step = |done| {
         progress.report(done, 5);
         if progress.cancelled() { Err(Problem::cancelled()) } else { Ok(()) }
     };
-    let pressure_mpa = given("pressure_mpa", request.pressure_mpa.or(Some(0.25)), "a pressure")?;
-    let show = MuscleShowRequest {
+    let pressure_mpa = plan.operating.pressure_mpa;
+    let asked = CheckRequest {
         muscle: request.muscle.clone(),
         pressure_mpa: Some(pressure_mpa),
-        ..MuscleShowRequest::default()
+        ..CheckRequest::default()
     };
-    let shown = muscle_show(&show)?;
+    let shown = check(&asked, progress)?;
     step(1)?;
-    let free = shown.characteristics.as_ref().and_then(|c| c.free_contraction);
     // To a whole percent: a state that one can set.
-    let usual = (50.0 * free.unwrap_or(0.2)).round() / 100.0;
+    let usual = (50.0 * plan.operating.free_contraction).round() / 100.0;
     let contraction = ratio(request.contraction.unwrap_or(usual))?;
     let point = force(
         &ForceRequest {
@@ -126,8 +92,8 @@ pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<Report
     )?;
     step(2)?;
     let units = &request.units;
-    let burst = shown.warnings.iter().filter(|w| is_of_burst(w)).cloned().map(Part::Text);
-    let mut parts: Vec<Part> = burst.chain(state(&shown, &point, units)).collect();
+    let said = shown.warnings.iter().filter(|w| is_of_burst(w)).cloned().map(Part::Text);
+    let mut parts: Vec<Part> = said.chain(state(&shown, &point, units)).collect();
     let of = ShapeRequest {
         muscle: request.muscle.clone(),
         pressure_mpa: Some(pressure_mpa),
@@ -136,8 +102,7 @@ pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<Report
     };
     parts.push(body_of(&of, progress)?);
     step(3)?;
-    let workshop = Workshop::of(&request.muscle, pressure_mpa, progress)?;
-    parts.extend(workshop.front(units));
+    parts.extend(workshop::front(plan, burst, units));
     parts.push(Part::Heading("Curves".into()));
     for test in [Test::Isobaric, Test::Isometric] {
         parts.extend(curves(request, test, pressure_mpa, progress)?.map(|f| Part::Figure(Box::new(f))));
@@ -148,12 +113,12 @@ pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<Report
         parts.extend([Part::Heading(heading.into()), table(rows)]);
     }
     parts.extend(limits(&shown, &point));
-    parts.extend(workshop.back(units));
+    parts.extend(workshop::test_sheet(plan, units));
     let file = to_toml(&shown.muscle);
     let hash = mckibben_campaign::sha256(file.as_bytes());
     parts.extend([Part::Heading("Muscle file".into()), Part::Code(file)]);
     let version = env!("CARGO_PKG_VERSION");
-    let document = Document {
+    Ok(Document {
         title: format!("McKibben muscle: {}", shown.summary.line(units)),
         title_block: request.title_block.fields(),
         lead: format!(
@@ -164,11 +129,7 @@ pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<Report
         ),
         parts,
         footer: format!("mckibben {version}. Muscle file: SHA-256 {hash}."),
-    };
-    let limits = shown.characteristics.as_ref().map(|c| c.limits).unwrap_or_default();
-    let html = request.html.then(|| document.to_html("")).transpose();
-    let html = html.map_err(|e| Problem::new(ProblemKind::Plot, e.to_string(), ""))?;
-    Ok(ReportAnswer { muscle: shown.summary, limits, warnings: shown.warnings, document, html })
+    })
 }
 
 fn table(rows: Vec<Row>) -> Part {
@@ -179,7 +140,7 @@ fn table(rows: Vec<Row>) -> Part {
 }
 
 /// The state and what the muscle can do at this pressure, in numbers.
-fn state(shown: &MuscleShowAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
+fn state(shown: &CheckAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
     let mut rows = point_rows(point, PointQuantity::Force, u);
     // The title and the lead say these.
     rows.retain(|(name, _)| !["muscle", "model", "pressure", "contraction"].contains(name));
@@ -208,7 +169,7 @@ fn body_of(request: &ShapeRequest, progress: &dyn Progress) -> Result<Part, Prob
 }
 
 fn curves(
-    request: &ReportRequest,
+    request: &BuildRequest,
     test: Test,
     pressure_mpa: f64,
     progress: &dyn Progress,
@@ -230,7 +191,7 @@ fn curves(
 }
 
 /// What other models say.
-fn models(request: &ReportRequest, pressure_mpa: f64, progress: &dyn Progress) -> Result<Vec<Part>, Problem> {
+fn models(request: &BuildRequest, pressure_mpa: f64, progress: &dyn Progress) -> Result<Vec<Part>, Problem> {
     let asked = CompareRequest {
         models: MODELS.map(str::to_owned).to_vec(),
         muscle: request.muscle.clone(),
@@ -255,7 +216,7 @@ fn models(request: &ReportRequest, pressure_mpa: f64, progress: &dyn Progress) -
     Ok(parts)
 }
 
-fn limits(shown: &MuscleShowAnswer, point: &PointAnswer) -> Vec<Part> {
+fn limits(shown: &CheckAnswer, point: &PointAnswer) -> Vec<Part> {
     let mut list = vec![
         "The tube is bonded to rigid terminals; the strands move with its outer surface and turn freely at their crossings, with friction only where the muscle file states it.".to_owned(),
         "The braid has no thickness and lies on the tube from the start; the rubber has no relaxation and no softening.".to_owned(),

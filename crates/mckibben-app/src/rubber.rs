@@ -1,4 +1,4 @@
-//! `rubber list` and `rubber show`: the rubbers of the library.
+//! Rubbers of the library.
 
 use crate::muscle::rubber;
 use crate::problem::{Problem, ProblemKind};
@@ -7,20 +7,8 @@ use mckibben::rubber::library::{
 };
 use mckibben::rubber::{Law, RubberLaw};
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
-
-/// All named rubbers.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(default)]
-pub struct RubberListRequest {}
-
-/// All named rubbers.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct RubberListAnswer {
-    /// The rubbers, in the order of the library.
-    pub rubbers: Vec<RubberSummary>,
-}
 
 /// A rubber in a line.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -43,17 +31,9 @@ pub struct RubberSummary {
     pub source: String,
 }
 
-/// One rubber.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(default)]
-pub struct RubberShowRequest {
-    /// NAME or NAME:LAW.
-    pub name: String,
-}
-
 /// A rubber with its laws, its source and its terms.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct RubberShowAnswer {
+pub struct RubberDetails {
     /// Its name.
     pub name: String,
     /// What it is.
@@ -132,7 +112,7 @@ pub struct FittedToCurve {
     pub planar_difference: f64,
 }
 
-pub fn rubber_list(_: &RubberListRequest) -> Result<RubberListAnswer, Problem> {
+pub(crate) fn rubbers() -> Result<Vec<RubberSummary>, Problem> {
     let one = |entry: &RubberEntry| {
         let law = rubber(&entry.name)?.law;
         Ok(RubberSummary {
@@ -146,17 +126,18 @@ pub fn rubber_list(_: &RubberListRequest) -> Result<RubberListAnswer, Problem> {
             source: entry.source.clone(),
         })
     };
-    Ok(RubberListAnswer { rubbers: library::entries()?.iter().map(one).collect::<Result<_, Problem>>()? })
+    library::entries()?.iter().map(one).collect()
 }
 
-pub fn rubber_show(request: &RubberShowRequest) -> Result<RubberShowAnswer, Problem> {
-    let found = rubber(&request.name)?;
-    let plain = request.name.split(':').next().unwrap_or_default();
-    let entry = library::entry(plain)?;
+/// A rubber by NAME or NAME:LAW; `None` where there is none of that name.
+pub(crate) fn rubber_details(name: &str) -> Result<Option<RubberDetails>, Problem> {
+    let plain = name.split(':').next().unwrap_or_default();
+    let Ok(entry) = library::entry(plain) else { return Ok(None) };
+    let found = rubber(name)?;
     let word = found.name.clone().unwrap_or_else(|| entry.name.clone());
     let fitted = entry.windows.iter().flat_map(|w| w.laws.iter().map(|l| of_curve(&word, w, l)));
     let published = entry.fits.iter().map(|fit| as_published(&word, entry, fit));
-    Ok(RubberShowAnswer {
+    Ok(Some(RubberDetails {
         name: entry.name.clone(),
         title: entry.title.clone(),
         max_strain: entry.max_strain,
@@ -169,7 +150,7 @@ pub fn rubber_show(request: &RubberShowRequest) -> Result<RubberShowAnswer, Prob
         note: entry.note.clone(),
         warnings: library::warnings(&found).iter().map(ToString::to_string).collect(),
         rubber: word,
-    })
+    }))
 }
 
 /// Whether a law with data up to a stretch is what a word means for muscles that reach so far; where that is not known, in the prototype.

@@ -1,4 +1,4 @@
-//! `rubber fit`: laws from tension tests.
+//! `rubber`: laws from tension tests.
 
 use crate::fields::{Columns, TextFile, UnderstoodTable};
 use crate::figure;

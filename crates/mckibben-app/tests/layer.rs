@@ -5,18 +5,16 @@
 mod annotate;
 #[path = "layer/braid.rs"]
 mod braid;
+#[path = "layer/check.rs"]
+mod check;
 #[path = "layer/colours.rs"]
 mod colours;
 #[path = "layer/contract.rs"]
 mod contract;
-#[path = "layer/doctor.rs"]
-mod doctor;
 #[path = "layer/expected.rs"]
 mod expected;
 #[path = "layer/file_schema.rs"]
 mod file_schema;
-#[path = "layer/library_folder.rs"]
-mod library_folder;
 #[path = "layer/liquid.rs"]
 mod liquid;
 #[path = "layer/many.rs"]
@@ -96,42 +94,46 @@ fn words_of_the_contract_are_fields() {
         asked("curve", json!({ "test": "isobaric", "pressures_mpa": [0.2], "contractions": [0, 0.1] }));
     assert_eq!(curve["points"].as_array().unwrap().len(), 2);
     let file = "[tube]\nouter_diameter = \"50 mm\"\nwall_thickness = \"1 mm\"\n";
-    let shown =
-        asked("muscle-show", json!({ "muscle": { "name": "mine.toml", "text": file }, "wall_mm": 2 }));
+    let shown = asked(
+        "check",
+        json!({ "only_data": true, "muscle": { "name": "mine.toml", "text": file }, "wall_mm": 2 }),
+    );
     assert_eq!((&shown["outer_diameter_mm"], &shown["wall_mm"]), (&json!(50.0), &json!(2.0)));
 }
 
 #[test]
 fn a_named_sleeve_gives_angle_and_stiffness_of_the_tube_that_it_is_on() {
-    let braid = json!({ "outer_diameter_mm": 12, "wall_mm": 1, "braid": "flexo-overexpanded-0.38in", "strand_diameter_mm": 0.25 });
-    let shown = asked("muscle-show", braid.clone());
-    let sleeve = asked(
-        "braid-show",
-        json!({ "name": "flexo-overexpanded-0.38in", "outer_diameter_mm": 12, "strand_diameter_mm": 0.25 }),
-    );
-    let point = &sleeve["points"][0];
+    let name = "flexo-overexpanded-0.38in";
+    let braid = json!({ "only_data": true, "outer_diameter_mm": 12, "wall_mm": 1, "braid": name });
+    let shown = asked("check", braid.clone());
+    let sleeve = asked("parts-show", json!({ "name": name }))["sleeve"].take();
+    let points = sleeve["points"].as_array().unwrap();
+    let point = points.iter().find(|point| point["outer_diameter_mm"] == 12.0).unwrap();
     for key in ["angle_deg", "stiffness_n_per_mm"] {
         let (a, b) = (shown[key].as_f64().unwrap(), point[key].as_f64().unwrap());
         assert!((a / b - 1.0).abs() < 1e-12, "{key}: {a} {b}");
     }
-    assert!(shown["braid"].as_str().unwrap().starts_with("flexo-overexpanded-0.38in, 232 strands, "));
+    let mut thin = braid;
+    thin["strand_diameter_mm"] = 0.25.into();
+    let thin = asked("check", thin);
+    assert!(thin["braid"].as_str().unwrap().starts_with("flexo-overexpanded-0.38in, 232 strands, "));
     assert_eq!(sleeve["strands_stated"], false);
     // Another tube over a file's sleeve.
     let file =
         "[tube]\nouter_diameter = 12\nwall_thickness = 1\n[braid]\nname = \"nfl-19\"\nstiffness = 300\n";
     let text = file.replace("= 12", "= 20");
     let wider = asked(
-        "muscle-show",
-        json!({ "muscle": { "name": "m.toml", "text": text }, "outer_diameter_mm": 25 }),
+        "check",
+        json!({ "only_data": true, "muscle": { "name": "m.toml", "text": text }, "outer_diameter_mm": 25 }),
     );
     assert!((wider["angle_deg"].as_f64().unwrap() - 41.04).abs() < 0.01, "{wider}");
-    let problem = |request: Value| ask("muscle-show", &request.to_string(), &Silent).unwrap_err();
+    let problem = |request: Value| ask("check", &request.to_string(), &Silent).unwrap_err();
     let refused = problem(json!({ "muscle": { "name": "m.toml", "text": file } }));
     assert!(
         refused.message.contains("m.toml:5:8: braid.name") && refused.message.contains("from 15 to 35 mm")
     );
     // What its seller does not state is an estimate, and marked as one.
-    let estimated = asked("muscle-show", json!({ "outer_diameter_mm": 20, "braid": "nfl-19" }));
+    let estimated = asked("check", json!({ "only_data": true, "outer_diameter_mm": 20, "braid": "nfl-19" }));
     assert_eq!(estimated["stiffness_factor"], 3.0);
     let refused =
         problem(json!({ "outer_diameter_mm": 20, "braid": "nfl-19", "stiffness": 300, "angle_deg": 28 }));
@@ -146,13 +148,13 @@ fn fields_of_strands_ends_and_friction_are_those_of_a_muscle_file() {
     let fields = json!({
         "strands": 96, "strand_area_mm2": 0.05, "strand_modulus_mpa": 8500, "strand_strength_n": 40, "braid_thickness_mm": 0.4,
         "braid_diameter_mm": 31, "crimp": 0.01, "crimp_stiffness": 0.2, "insertion_mm": 15, "friction_coefficient": 40,
-        "friction_exponent": 0.7, "friction_lever_mm": 2, "muscle_file": true,
+        "friction_exponent": 0.7, "friction_lever_mm": 2, "muscle_file": true, "only_data": true,
     });
-    let file = |text: &str| json!({ "muscle": { "name": "m.toml", "text": text }, "muscle_file": true });
-    let shown = |request: &Value| asked("muscle-show", request.clone());
+    let file = |text: &str| json!({ "muscle": { "name": "m.toml", "text": text }, "muscle_file": true, "only_data": true });
+    let shown = |request: &Value| asked("check", request.clone());
     let (mine, theirs) = (shown(&fields), shown(&file(text)));
     assert_eq!(mine, theirs);
-    for (field, value) in fields.as_object().unwrap().iter().filter(|(name, _)| *name != "muscle_file") {
+    for (field, value) in fields.as_object().unwrap().iter().filter(|f| f.1.is_number()) {
         assert_eq!(mine[field].as_f64(), value.as_f64(), "{field}");
     }
     let over = |field: &str, value: f64| {
@@ -169,7 +171,7 @@ fn fields_of_strands_ends_and_friction_are_those_of_a_muscle_file() {
     ] {
         assert_eq!(over(field, value), shown(&file(&text.replace(was, now))), "{field}");
     }
-    let problem = |request: Value| ask("muscle-show", &request.to_string(), &Silent).unwrap_err();
+    let problem = |request: Value| ask("check", &request.to_string(), &Silent).unwrap_err();
     for (request, field, said) in [
         (json!({ "strand_modulus_mpa": 3000 }), Some("strands"), "`strands` is missing"),
         (json!({ "strands": 96, "strand_area_mm2": 0.05 }), Some("strand_modulus_mpa"), "is missing"),
@@ -210,8 +212,8 @@ fn the_papers_braid_on_a_small_tube_is_a_warning_everywhere() {
     let mut named = small.clone();
     named["stiffness"] = json!("inextensible");
     assert_eq!(said(&asked("force", named)), 0);
-    assert_eq!(said(&asked("muscle-show", json!({ "outer_diameter_mm": 60 }))), 1);
-    assert_eq!(said(&asked("muscle-show", json!({ "outer_diameter_mm": 50 }))), 0);
+    assert_eq!(said(&asked("check", json!({ "only_data": true, "outer_diameter_mm": 60 }))), 1);
+    assert_eq!(said(&asked("check", json!({ "only_data": true, "outer_diameter_mm": 50 }))), 0);
     let curve = asked(
         "curve",
         json!({ "outer_diameter_mm": 20, "wall_mm": 1.5, "test": "isobaric", "pressures_mpa": [0.2], "contractions": [0, 0.1], "model": "thick-wall" }),

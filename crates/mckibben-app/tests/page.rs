@@ -3,6 +3,7 @@
 
 use mckibben::progress::Silent;
 use mckibben_app::{ProblemKind, ask, ask_packed};
+use mckibben_report::Part;
 use serde_json::{Value, json};
 
 fn asked(command: &str, request: Value) -> Value {
@@ -146,18 +147,26 @@ fn what_names_files_of_the_machine_is_known() {
 
 #[test]
 fn a_report_holds_the_answers_of_its_commands() {
-    let request = json!({ "outer_diameter_mm": 38, "wall_mm": 1, "pressure_mpa": 0.2, "contraction": 0.1, "units": "bar" });
-    let report = asked("report", request);
-    let parts = report["document"]["parts"].as_array().unwrap();
+    let request = json!({ "outer_diameter_mm": 38, "wall_mm": 1, "pressure_mpa": 0.2, "contraction": 0.1, "units": "bar", "report": true });
+    let request = serde_json::from_value(request).unwrap();
+    let report = mckibben_app::build(&request, &Silent).unwrap().document.unwrap();
     let force = asked(
         "force",
         json!({ "outer_diameter_mm": 38, "wall_mm": 1, "pressure_mpa": 0.2, "contraction": 0.1 }),
     );
-    let pull = parts.iter().find_map(|p| p["table"]["rows"].as_array()).unwrap()[0][1].as_str().unwrap();
+    let row = |part: &Part| match part {
+        Part::Table { rows, .. } => Some(rows[0][1].clone()),
+        _ => None,
+    };
+    let pull = report.parts.iter().find_map(row).unwrap();
     // To the second digit of the ±: tens of newtons.
     let shown: f64 = pull.split(' ').next().unwrap().parse().unwrap();
     assert!((shown - force["force_n"].as_f64().unwrap()).abs() <= 5.0 && pull.contains(" ± "), "{pull}");
-    let headings: Vec<&str> = parts.iter().filter_map(|p| p["heading"].as_str()).collect();
+    let heading = |part: &Part| match part {
+        Part::Heading(text) => Some(text.clone()),
+        _ => None,
+    };
+    let headings: Vec<String> = report.parts.iter().filter_map(heading).collect();
     assert_eq!(
         headings,
         [
@@ -173,10 +182,10 @@ fn a_report_holds_the_answers_of_its_commands() {
             "Muscle file"
         ]
     );
-    assert!(report["document"]["footer"].as_str().unwrap().contains("SHA-256"));
+    assert!(report.footer.contains("SHA-256"));
 }
 
-/// Identity: the file that `muscle-show` writes of a file and fields is the same muscle again, and pulls the same.
+/// Identity: the file that `check` writes of a file and fields is the same muscle again, and pulls the same.
 #[test]
 fn a_written_muscle_file_is_file_and_fields_in_one() {
     let file = "[tube]\nouter_diameter = \"20 mm\"\nwall_thickness = \"1.5 mm\"\nlength = \"150 mm\"\n[tube.material]\n\
@@ -184,7 +193,8 @@ fn a_written_muscle_file_is_file_and_fields_in_one() {
     let fields = json!({ "muscle": { "name": "mine.toml", "text": file }, "length_mm": 160.2, "grip_mm": 2 });
     let shown = |mut request: Value| {
         request["muscle_file"] = true.into();
-        asked("muscle-show", request)
+        request["only_data"] = true.into();
+        asked("check", request)
     };
     let first = shown(fields.clone());
     let written = first["muscle_file"].clone();
@@ -202,7 +212,7 @@ fn a_written_muscle_file_is_file_and_fields_in_one() {
     };
     assert!((pull(&again) / pull(&fields) - 1.0).abs() < 1e-12);
     // Where nobody asks for it, there is none.
-    assert!(asked("muscle-show", fields).get("muscle_file").is_none());
+    assert!(asked("check", fields).get("muscle_file").is_none());
 }
 
 /// Identity: each isobaric curve names its free contraction from its first slack point on, and no pull is left there.

@@ -1,30 +1,22 @@
 //! The commands. Each command's flags stand in its own file; help, completions and parsing come from there.
 
 use crate::commands;
-use crate::commands::braid::{BraidListArgs, BraidShowArgs};
 use crate::commands::build::BuildArgs;
 use crate::commands::campaign::CampaignArgs;
+use crate::commands::check::CheckArgs;
 use crate::commands::compare::CompareArgs;
 use crate::commands::curve::CurveArgs;
 use crate::commands::design::DesignArgs;
-use crate::commands::doctor::DoctorArgs;
 use crate::commands::export::ExportArgs;
 use crate::commands::fill::FillArgs;
 use crate::commands::fit::FitArgs;
-use crate::commands::formula::FormulaShowArgs;
 use crate::commands::help::{HelpArgs, ManArgs};
 use crate::commands::identify::IdentifyArgs;
 use crate::commands::joint::JointArgs;
-use crate::commands::library::{LibraryCheckArgs, LibraryListArgs, LibraryShowArgs};
-use crate::commands::mcp::McpArgs;
-use crate::commands::models::ModelsArgs;
 use crate::commands::motion::MotionArgs;
-use crate::commands::muscle::{MuscleMeasuresArgs, MuscleShowArgs};
 use crate::commands::parts::{PartShowArgs, PartsListArgs};
 use crate::commands::point::{ContractionArgs, ForceArgs, PressureArgs};
-use crate::commands::report::ReportArgs;
-use crate::commands::rubber::{RubberListArgs, RubberShowArgs};
-use crate::commands::rubber_fit::RubberFitArgs;
+use crate::commands::rubber::RubberArgs;
 use crate::commands::schema::SchemaArgs;
 use crate::commands::serve::ServeArgs;
 use crate::commands::simulate::SimulateArgs;
@@ -133,18 +125,15 @@ pub enum Command {
     /// One finite-element test with all results: curves, shape, strands, stretches, sensitivities
     #[command(after_help = commands::simulate::EXAMPLES)]
     Simulate(Box<SimulateArgs>),
-    /// Whether a muscle is plausible, what of it is not known, and what to measure first
-    #[command(after_help = commands::doctor::EXAMPLES)]
-    Doctor(Box<DoctorArgs>),
-    /// Build a muscle: drawing, plugs, cut list, bill of materials, steps, test sheet
+    /// What is known of a muscle, whether it is plausible, what it bears, and what to measure first; or a formula's file
+    #[command(after_help = commands::check::EXAMPLES)]
+    Check(Box<CheckArgs>),
+    /// Build a muscle: report, drawing, plugs, cut list, bill of materials, steps, test sheet
     #[command(after_help = commands::build::EXAMPLES)]
     Build(Box<BuildArgs>),
     /// The muscle for a controller or simulator: C, Python, MuJoCo, FMI, OpenSim
     #[command(after_help = commands::export::EXAMPLES)]
     Export(Box<ExportArgs>),
-    /// Report of a muscle as one HTML file, for reading offline and for printing
-    #[command(after_help = commands::report::EXAMPLES)]
-    Report(Box<ReportArgs>),
     /// Many finite-element tests from a plan into one Parquet table; an interrupted run continues
     #[command(after_help = commands::campaign::EXAMPLES)]
     Campaign(Box<CampaignArgs>),
@@ -160,33 +149,15 @@ pub enum Command {
     /// Fit a formula to a table of finite-element points, with its errors and its range
     #[command(after_help = commands::fit::EXAMPLES)]
     Fit(Box<FitArgs>),
-    /// Fitted formulas
-    #[command(subcommand)]
-    Formula(FormulaCommand),
-    /// Muscle data, derived quantities and build sheet
-    #[command(subcommand)]
-    Muscle(MuscleCommand),
-    /// Muscles that were identified from measured points: a library that you can add to
-    #[command(subcommand)]
-    Library(LibraryCommand),
-    /// Parts that one can buy or cast: tubes, sleeves, rubbers
+    /// Everything with a name: tubes, sleeves, rubbers, muscles, models
     #[command(subcommand)]
     Parts(PartsCommand),
-    /// Named rubbers
-    #[command(subcommand)]
-    Rubber(RubberCommand),
-    /// Named sleeves: braids on sale
-    #[command(subcommand)]
-    Braid(BraidCommand),
-    /// Force models: method, source and range
-    #[command(after_help = crate::commands::models::EXAMPLES)]
-    Models(ModelsArgs),
+    /// Rubber laws from tension tests: constants with their errors, range of stability
+    #[command(after_help = commands::rubber::EXAMPLES)]
+    Rubber(Box<RubberArgs>),
     /// Local web server: the workbench in a browser, and every command over HTTP
     #[command(after_help = commands::serve::EXAMPLES)]
     Serve(ServeArgs),
-    /// Commands for assistants over standard input and output (Model Context Protocol)
-    #[command(after_help = commands::mcp::EXAMPLES)]
-    Mcp(McpArgs),
     /// JSON Schema of requests, answers and files
     #[command(
         after_help = "Examples:\n  mckibben schema force\n  mckibben schema --file muscle -o muscle.schema.json"
@@ -208,72 +179,13 @@ pub enum Command {
 
 // Lines of at most 78 characters, continued by a backslash: the help is wrapped to the terminal, and a wrapped command
 // cannot be pasted.
-/// `muscle …`.
-#[derive(Debug, Subcommand)]
-pub enum MuscleCommand {
-    /// Show a muscle: its data, derived quantities, build sheet
-    #[command(
-        after_help = "Examples:\n  mckibben muscle show examples/prototype.toml\n  mckibben muscle show -D 40 -s 2 --rubber dragon-skin-30"
-    )]
-    Show(Box<MuscleShowArgs>),
-    /// All numbers that describe a muscle: keys of the muscle file, flags, units, bounds
-    #[command(after_help = "Example:\n  mckibben muscle measures")]
-    Measures(MuscleMeasuresArgs),
-}
-
-/// `formula …`.
-#[derive(Debug, Subcommand)]
-pub enum FormulaCommand {
-    /// Show a formula: its terms, range, errors and origin
-    #[command(after_help = commands::formula::EXAMPLES)]
-    Show(FormulaShowArgs),
-}
-/// `library …`.
-#[derive(Debug, Subcommand)]
-pub enum LibraryCommand {
-    /// All muscles: size, force with its ±, source
-    #[command(after_help = commands::library::LIST)]
-    List(LibraryListArgs),
-    /// One muscle: what is known of it, its errors, terms, and its muscle file
-    #[command(after_help = commands::library::SHOW)]
-    Show(LibraryShowArgs),
-    /// Fit the points of folders again: are their muscles those that the points give?
-    #[command(after_help = commands::library::CHECK)]
-    Check(LibraryCheckArgs),
-}
-
 /// `parts …`.
 #[derive(Debug, Subcommand)]
 pub enum PartsCommand {
-    /// All parts, or those of one kind
+    /// All of them, or those of one kind
     #[command(after_help = "Example:\n  mckibben parts list tubes")]
     List(PartsListArgs),
-    /// One part: its sizes, source, price and use
+    /// What has a name: its data, source and terms
     #[command(after_help = commands::parts::EXAMPLES)]
     Show(PartShowArgs),
-}
-
-/// `braid …`.
-#[derive(Debug, Subcommand)]
-pub enum BraidCommand {
-    /// All named sleeves, and moduli of strands
-    #[command(after_help = "Example:\n  mckibben braid list")]
-    List(BraidListArgs),
-    /// One sleeve: its data, source and terms; angle, stiffness and contraction over its diameters
-    #[command(after_help = commands::braid::EXAMPLES)]
-    Show(BraidShowArgs),
-}
-
-/// `rubber …`.
-#[derive(Debug, Subcommand)]
-pub enum RubberCommand {
-    /// All named rubbers
-    #[command(after_help = "Example:\n  mckibben rubber list")]
-    List(RubberListArgs),
-    /// One rubber: its laws, constants, source and terms
-    #[command(after_help = "Example:\n  mckibben rubber show dragon-skin-30")]
-    Show(RubberShowArgs),
-    /// Fit rubber laws to tension tests: constants with their errors, range of stability
-    #[command(after_help = commands::rubber_fit::EXAMPLES)]
-    Fit(Box<RubberFitArgs>),
 }

@@ -257,11 +257,9 @@ impl From<Problem> for Failure {
         problem.hint = in_flags(&problem.hint);
         if problem.hint.is_empty() {
             problem.hint = match problem.kind {
-                ProblemKind::Rubber => "`mckibben rubber list` shows all names",
-                ProblemKind::Braid => {
-                    "`mckibben braid list` shows all sleeves, `mckibben braid show NAME` one"
-                }
-                ProblemKind::Model => "`mckibben models` describes them",
+                ProblemKind::Rubber => "`mckibben parts list rubbers` shows all names",
+                ProblemKind::Braid => "`mckibben parts list sleeves` shows all sleeves",
+                ProblemKind::Model => "`mckibben parts list models` shows them",
                 ProblemKind::Formula => "`mckibben fit` writes such files",
                 ProblemKind::Parameter => "`mckibben identify --help` shows the forms",
                 _ => "",

@@ -123,7 +123,7 @@ impl ColumnsFlag {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Advanced")]
 pub struct ModelFlags {
-    /// Force model (`mckibben models`) [fe]
+    /// Force model (`mckibben parts list models`) [fe]
     ///
     /// A name, or the JSON file of a fitted formula.
     #[arg(long, value_name = "NAME", value_parser = MODELS, hide_possible_values = true)]

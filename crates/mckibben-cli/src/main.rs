@@ -11,6 +11,7 @@ mod failure;
 mod files;
 mod flags;
 mod format;
+mod gone;
 mod muscle_flags;
 mod names;
 mod output;
@@ -36,7 +37,7 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     panics_are_problems();
     let args: Vec<String> = std::env::args_os().map(|arg| arg.to_string_lossy().into_owned()).collect();
-    if let Err(failure) = quotes::check_quotes(&args) {
+    if let Err(failure) = gone::check(&args).and_then(|()| quotes::check_quotes(&args)) {
         return report(&failure, if json_wanted() { Format::Json } else { Format::Text });
     }
     progress::no_signal_for_long_files();

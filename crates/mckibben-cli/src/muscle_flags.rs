@@ -26,7 +26,7 @@ pub struct MuscleFlags {
 struct FileFlags {
     /// Muscle file; flags override its values
     ///
-    /// lib:NAME is a muscle of the library (`mckibben library list`), `paper` that of the paper.
+    /// lib:NAME is a muscle of the library (`mckibben parts list muscles`), `paper` that of the paper.
     #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle", display_order = 0)]
     file: Option<PathBuf>,
     /// Muscle file, same as [MUSCLE.toml]
@@ -38,12 +38,12 @@ struct FileFlags {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Muscle")]
 struct NameFlags {
-    /// Rubber (`mckibben rubber list`) [paper]
+    /// Rubber (`mckibben parts list rubbers`) [paper]
     ///
     /// NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 % (s100:0.6MPa), or the rubber of a FILE.toml.
     #[arg(long, value_name = "NAME", value_parser = RUBBERS, hide_possible_values = true)]
     rubber: Option<String>,
-    /// Sleeve (`mckibben braid list`) [none]
+    /// Sleeve (`mckibben parts list sleeves`) [none]
     ///
     /// NAME of the library; it gives the angle and the strands.
     #[arg(long, value_name = "NAME", value_parser = SLEEVES, hide_possible_values = true)]

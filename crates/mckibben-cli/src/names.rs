@@ -26,7 +26,12 @@ pub const RUBBERS: Names =
 pub const SLEEVES: Names = Names(|| {
     sleeve::library::entries().unwrap_or_default().iter().map(|e| e.sleeve.shape.name.clone()).collect()
 });
-pub const MUSCLES: Names = Names(library::names);
+/// Everything with a name.
+pub const NAMES: Names = Names(|| {
+    let tubes = mckibben_design::tubes::catalogue().unwrap_or_default().iter().map(|t| t.name.clone());
+    let lists = [SLEEVES, RUBBERS, MODELS].into_iter().flat_map(|names| (names.0)());
+    tubes.chain(lists).chain(library::names()).collect()
+});
 
 impl TypedValueParser for Names {
     type Value = String;
@@ -51,7 +56,7 @@ mod tests {
             (TARGETS, "opensim"),
             (RUBBERS, "dragon-skin-30"),
             (SLEEVES, "s-muscle-20"),
-            (MUSCLES, "dmsp-20-300"),
+            (NAMES, "dmsp-20-300"),
         ] {
             assert!(names.possible_values().unwrap().any(|v| v.get_name() == one), "{one}");
             let parsed = names.parse_ref(&Command::new("mckibben"), None, OsStr::new("formula.json"));

@@ -9,7 +9,7 @@ use mckibben_report::DATA_HEAD;
 use std::path::Path;
 
 /// Flags that name files that are written; every other flag that names a file reads it.
-const WRITTEN: [&str; 5] = ["output", "plot", "plot_data", "pdf", "export_inp"];
+const WRITTEN: [&str; 5] = ["output", "plot", "plot_data", "report", "export_inp"];
 
 /// Refuses a command line that names one file as an input and as an output, or as a figure what is none, but with `--overwrite`.
 pub fn check(matches: &ArgMatches) -> Result<(), Failure> {

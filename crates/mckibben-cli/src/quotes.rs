@@ -46,9 +46,7 @@ mod tests {
         assert!(text.contains("write -p 2bar or -p '2 bar'"), "{text}");
         assert!(said("joint x.toml --torque 2 N m").contains("write --torque '2 N m'"));
         assert!(said("curve isobaric -p 0..2.5:0.1 bar -e 0").contains("'0..2.5:0.1 bar'"));
-        for line in
-            ["force -p 2bar", "force -p 2 my.toml", "rubber fit x.csv --terms 2", "force --top 5 -p 1"]
-        {
+        for line in ["force -p 2bar", "force -p 2 my.toml", "rubber x.csv --terms 2", "force --top 5 -p 1"] {
             assert!(check_quotes(&args(line)).is_ok(), "{line}");
         }
     }

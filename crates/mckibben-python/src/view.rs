@@ -2,7 +2,7 @@
 
 use crate::error::Wrong;
 use crate::{run, value};
-use mckibben_app::{Problem, ProblemKind, ReportRequest, ShapeRequest, body, report, understood};
+use mckibben_app::{BuildRequest, Problem, ProblemKind, ShapeRequest, body, build, understood};
 use mckibben_report::Document;
 use pyo3::prelude::*;
 
@@ -45,7 +45,7 @@ pub fn report_html(
 ) -> PyResult<String> {
     let request = value::request(request)?;
     Ok(run::long(py, progress, |progress| {
-        let request: ReportRequest = understood(request)?;
-        page(&report(&request, progress)?.document)
+        let request: BuildRequest = understood(request)?;
+        page(&build(&request, progress)?.document.unwrap_or_default())
     })?)
 }

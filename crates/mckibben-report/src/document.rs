@@ -2,11 +2,9 @@
 
 use crate::xml::escape;
 use crate::{Figure, FigureError};
-use serde::Serialize;
 use std::fmt::Write as _;
 
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Document {
     pub title: String,
     /// Its title block: names of fields and what they hold; an empty one is filled in by hand.
@@ -20,9 +18,7 @@ pub struct Document {
 }
 
 /// A part of a report.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Part {
     Heading(String),
     Text(String),
@@ -43,8 +39,7 @@ pub enum Part {
 }
 
 /// A body in space: what a script turns it from.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Body {
     /// What the script gets, as JSON.
     pub data: String,

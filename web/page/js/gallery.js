@@ -53,14 +53,14 @@ export async function openEntry({ file, page = "muscle", words = {}, joint, data
   location.hash = address(page, { ...words, file: text, joint: jointText });
 }
 
-/** @typedef {import("../../types/commands").Commands["muscle-show"]["answer"]} Shown */
+/** @typedef {import("../../types/commands").Commands["check"]["answer"]} Shown */
 /** What the engine says of the files, once. @type {Map<string, Promise<Shown>>} */ const asked = new Map();
 /** @param {string} file */
 function measures(file) {
   const known = asked.get(file);
   if (known) return known;
   const answer = example(file).then((text) =>
-    engine().ask("muscle-show", { muscle: { name: file, text } }, { lane: "read" })
+    engine().ask("check", { muscle: { name: file, text }, only_data: true }, { lane: "read" })
   );
   answer.catch(() => asked.delete(file));
   asked.set(file, answer);

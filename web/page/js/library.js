@@ -5,12 +5,12 @@ import { muscle } from "./muscle.js";
 import { show } from "./units.js";
 import { visit } from "./visit.js";
 
-/** @typedef {import("../../types/commands").Commands["library-list"]["answer"]["muscles"][number]} Entry */
+/** @typedef {import("../../types/commands").Commands["parts-list"]["answer"]["muscles"][number]} Entry */
 
 /** Opens one on the page Muscle. @param {string} name */
 async function open(name) {
-  const { muscle_file: file } = await engine().ask("library-show", { name });
-  await muscle.take(file.text);
+  const { muscle: found } = await engine().ask("parts-show", { name });
+  await muscle.take(found?.muscle_file.text ?? "");
   return visit("muscle", {});
 }
 
@@ -33,7 +33,7 @@ function card(entry, opened, fail) {
  */
 export function library(fail, opened) {
   const box = el("div", { class: "gallery" }, el("span", { class: "small soft" }, "The library is being read."));
-  engine().ask("library-list", {}).then(
+  engine().ask("parts-list", { kind: "muscles" }).then(
     ({ muscles }) => box.replaceChildren(...muscles.map((entry) => card(entry, opened, fail))),
     fail,
   );

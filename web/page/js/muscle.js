@@ -12,15 +12,15 @@ const measure = (/** @type {string} */ key) => MEASURES.find((m) => m.key === ke
 
 /** The measures that the program has; before a page asks for one. */
 export async function loadMeasures() {
-  const answer = await engine().ask("muscle-measures", {}, { lane: "read" });
+  const answer = await engine().ask("measures", {}, { lane: "read" });
   takeMeasures(answer);
   learn(MEASURES);
 }
 
 /**
- * What the engine read: all of `muscle-show`, or the measures of another answer.
+ * What the engine read: all of `check`, or the measures of another answer.
  * @typedef {import("../../types/commands").Commands} Commands
- * @typedef {Commands["force"]["answer"]["muscle"] & Partial<Commands["muscle-show"]["answer"]>} Shown
+ * @typedef {Commands["force"]["answer"]["muscle"] & Partial<Commands["check"]["answer"]>} Shown
  */
 export class MuscleState {
   /** @type {import("./state.js").State} */ #state = prototype();
@@ -200,19 +200,19 @@ export class MuscleState {
 
   /** The sleeves of the library, once. */
   async known() {
-    if (!this.sleeves.length) this.sleeves = (await engine().ask("braid-list", {}, { lane: "read" })).braids;
+    if (!this.sleeves.length) this.sleeves = (await engine().ask("parts-list", { kind: "sleeves" }, { lane: "read" })).sleeves;
   }
 
   /** What the engine reads of file and fields. */
   async look() {
-    this.shown = await engine().ask("muscle-show", this.fields(), { lane: "read" });
+    this.shown = await engine().ask("check", { ...this.fields(), only_data: true }, { lane: "read" });
     return this.shown;
   }
 
   /** A muscle file in place of everything else; refused as a whole where it is none. @param {string} text */
   async take(text) {
     const next = opened(this.state, text);
-    const shown = await engine().ask("muscle-show", fields(next), { lane: "read" });
+    const shown = await engine().ask("check", { ...fields(next), only_data: true }, { lane: "read" });
     await pack(text);
     Object.assign(this, { state: next, shown, called: "", wrong: new Map() });
     return shown;

@@ -32,7 +32,7 @@ const STRAND_DIAMETER = { key: "sd", field: "strand_diameter_mm", group: "braid"
 /** @typedef {import("../../types/commands").Commands} Commands */
 /**
  * The muscle in a request: fields of measures, rubber, sleeve, file.
- * @typedef {Omit<Commands["muscle-show"]["request"], "pressure_mpa" | "model" | "muscle_file">} Fields
+ * @typedef {Omit<Commands["check"]["request"], "pressure_mpa" | "model" | "muscle_file" | "only_data">} Fields
  */
 /** Measures of the muscle, as the program lists them. */
 export let MEASURES = /** @type {Measure[]} */ ([]);
@@ -43,7 +43,7 @@ export let MEASURES = /** @type {Measure[]} */ ([]);
 export let QUANTITIES = MEASURES, STRANDS = MEASURES, ENDS = MEASURES, MORE = MEASURES;
 export let STIFFNESS = STRAND_DIAMETER;
 
-/** @param {import("../../types/commands").Commands["muscle-measures"]["answer"]} answer */
+/** @param {import("../../types/commands").Commands["measures"]["answer"]} answer */
 export function takeMeasures({ measures }) {
   MEASURES = measures.flatMap(
     ({ key, group, field, label, quantity, unit, symbol, about, above, minimum, maximum, default: usual }) => {
@@ -155,12 +155,12 @@ export const point = ({ p, e, F }) => ({ pressure_mpa: p, ...(F === undefined ? 
 
 /**
  * The muscle file that says the same: the file itself where nothing is said over it.
- * @param {State} state @param {(command: "muscle-show", request: Fields & { muscle_file: true }) =>
- *   Promise<Commands["muscle-show"]["answer"]>} ask
+ * @param {State} state @param {(command: "check", request: Fields & { muscle_file: true, only_data: true }) =>
+ *   Promise<Commands["check"]["answer"]>} ask
  */
 export async function canonical(state, ask) {
   if (state.file && !Object.keys(state.said).length) return state.file;
-  return /** @type {string} */ ((await ask("muscle-show", { ...fields(state), muscle_file: true })).muscle_file);
+  return /** @type {string} */ ((await ask("check", { ...fields(state), muscle_file: true, only_data: true })).muscle_file);
 }
 
 /**

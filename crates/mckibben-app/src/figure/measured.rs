@@ -37,14 +37,6 @@ pub(crate) fn measured(
     figure.columns(2)
 }
 
-/// Measured points of muscles of the library, and lines of `fe` with what was identified from them.
-pub(crate) fn library(muscles: &[(&MuscleCase, &Muscle)], build: &Build<'_>, u: &Units) -> Figure {
-    let about = "Dots: measured, means of the branches; lines: fe with the identified muscle, over ε at constant pressure";
-    let figure = Figure::new("Muscles of the library").caption(caption(about)).palette(Palette::Sequential);
-    let all = muscles.iter().fold(figure, |figure, (case, muscle)| panels(figure, case, muscle, build, u));
-    all.columns(2)
-}
-
 /// A panel for each length of a muscle.
 fn panels(mut figure: Figure, case: &MuscleCase, muscle: &Muscle, build: &Build<'_>, u: &Units) -> Figure {
     let means = mean_of_data(&case.points);

@@ -19,7 +19,7 @@ pub(crate) use design::design;
 pub(crate) use fit::fitted;
 pub(crate) use identify::identified;
 pub(crate) use joint::joint;
-pub(crate) use measured::{library, measured};
+pub(crate) use measured::measured;
 pub(crate) use motion::motion;
 pub(crate) use simulate::simulate;
 pub(crate) use study::study;

@@ -1,4 +1,4 @@
-//! `fit` and `formula show`: from a table of points to a formula, and a formula shown.
+//! `fit`, and `check` of a formula: from a table of points to a formula, and a formula shown.
 
 mod report;
 pub(crate) mod table;
@@ -273,10 +273,10 @@ impl FitRequest {
     }
 }
 
-/// A formula to be shown.
+/// A formula to be checked.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
-pub struct FormulaShowRequest {
+pub struct CheckFormulaRequest {
     /// The formula's file.
     pub file: Option<TextFile>,
     /// A built-in formula in its place: `universal` or `universal-small`.
@@ -287,7 +287,7 @@ pub struct FormulaShowRequest {
 
 /// A formula with its data.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct FormulaShowAnswer {
+pub struct CheckFormulaAnswer {
     /// The formula, as its file holds it.
     #[serde(flatten)]
     pub formula: Document,
@@ -299,7 +299,7 @@ pub struct FormulaShowAnswer {
     pub warnings: Vec<String>,
 }
 
-pub fn formula_show(request: &FormulaShowRequest) -> Result<FormulaShowAnswer, Problem> {
+pub fn check_formula(request: &CheckFormulaRequest) -> Result<CheckFormulaAnswer, Problem> {
     let formula = match (&request.file, request.name.as_deref()) {
         (Some(file), _) => Document::parse(&file.text).map_err(|e| e.in_file(Path::new(&file.name)))?,
         (None, Some(name)) => built_in(name)?,
@@ -310,7 +310,7 @@ pub fn formula_show(request: &FormulaShowRequest) -> Result<FormulaShowAnswer, P
         Document::Universal(f) => f.to_latex(),
     });
     let warnings = formula.seal().warning(formula.name()).into_iter().collect();
-    Ok(FormulaShowAnswer { formula, latex, warnings })
+    Ok(CheckFormulaAnswer { formula, latex, warnings })
 }
 
 fn built_in(name: &str) -> Result<Document, Problem> {

@@ -1,62 +1,16 @@
 //! What a report takes from the plan of a build: the drawing, the margins of safety, the sheet of the first test.
 
-use crate::build::{BuildRequest, planned};
-use crate::fields::MuscleFields;
-use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
 use crate::words::{fixed, number, percent};
 use mckibben::analysis::{Burst, FailurePressure, SAFETY};
 use mckibben::muscle::Direction;
-use mckibben::progress::{CancelOnly, Progress};
 use mckibben_build::{Plan, drawing_svg};
 use mckibben_report::Part;
 
-/// The plan of the muscle, or why it cannot be built as it is.
-pub(super) enum Workshop {
-    Planned { plan: Box<Plan>, burst: Burst },
-    Not(String),
-}
-
-impl Workshop {
-    /// The plan at the pressure of a report.
-    pub(super) fn of(
-        muscle: &MuscleFields,
-        pressure_mpa: f64,
-        progress: &dyn Progress,
-    ) -> Result<Self, Problem> {
-        let asked = BuildRequest {
-            muscle: muscle.clone(),
-            pressure_mpa: Some(pressure_mpa).filter(|p| *p > 0.0),
-            ..BuildRequest::default()
-        };
-        match planned(&asked, &CancelOnly(progress)) {
-            Ok((plan, burst)) => Ok(Self::Planned { plan: Box::new(plan), burst }),
-            Err(problem) if matches!(problem.kind, ProblemKind::Budget | ProblemKind::Cancelled) => {
-                Err(problem)
-            }
-            Err(problem) => Ok(Self::Not(problem.message)),
-        }
-    }
-
-    pub(super) fn front(&self, units: &Units) -> Vec<Part> {
-        match self {
-            Self::Planned { plan, burst } => {
-                let drawing = drawing_svg(plan).ok().map(Part::Drawing);
-                margins(plan, burst, units).into_iter().chain(drawing).collect()
-            }
-            Self::Not(why) => {
-                vec![Part::Text(format!("This muscle has no drawing and no test sheet: {why}."))]
-            }
-        }
-    }
-
-    /// The sheet of the first test.
-    pub(super) fn back(&self, units: &Units) -> Vec<Part> {
-        match self {
-            Self::Planned { plan, .. } => test_sheet(plan, units),
-            Self::Not(_) => vec![],
-        }
-    }
+/// The margins of safety, and the drawing.
+pub(super) fn front(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
+    let drawing = drawing_svg(plan).ok().map(Part::Drawing);
+    margins(plan, burst, units).into_iter().chain(drawing).collect()
 }
 
 /// The pressure of each failure over the working pressure, beside what is required.
@@ -96,7 +50,7 @@ fn margins(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
 }
 
 /// The points of the first test, with a column to fill in.
-fn test_sheet(plan: &Plan, units: &Units) -> Vec<Part> {
+pub(super) fn test_sheet(plan: &Plan, units: &Units) -> Vec<Part> {
     let length_mm = plan.muscle.length_mm();
     let mut rows: Vec<Vec<String>> = vec![];
     for (i, point) in plan.test.iter().enumerate() {

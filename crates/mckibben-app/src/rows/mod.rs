@@ -1,10 +1,10 @@
 //! Answers as labelled rows: the terminal and the report print these.
 
+mod check;
 mod point;
-mod show;
 
+pub use check::{characteristic_rows, limit_rows, muscle_sheets};
 pub use point::point_rows;
-pub use show::{characteristic_rows, limit_rows, muscle_sheets};
 
 use crate::muscle::MuscleSummary;
 

@@ -1,6 +1,6 @@
 //! `force`, `pressure`, `contraction` as rows.
 
-use super::show::limit_rows;
+use super::check::limit_rows;
 use super::{Row, estimated};
 use crate::many::PointQuantity;
 use crate::point::PointAnswer;

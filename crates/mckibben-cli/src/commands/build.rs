@@ -1,22 +1,27 @@
-//! `build`: a folder with all that a workshop needs.
+//! `build`: a folder with all that a workshop needs, or its report alone.
+
+mod pdf;
 
 use crate::failure::Failure;
 use crate::flags::{MuscleFlags, OverwriteFlag, UnitsFlag};
 use crate::format::Format;
 use crate::output::text::{number, pairs, place, table};
-use crate::output::{Content, FLAT, Target, burst_first, save_all, show};
+use crate::output::{Content, FLAT, Target, burst_first, check, ending, save, save_all, show};
 use crate::progress::Bar;
-use crate::quantities::quantity;
+use crate::quantities::{contraction, quantity};
 use crate::shown;
 use clap::Args;
 use mckibben::units::Dimension;
-use mckibben_app::{BuildAnswer, BuildRequest, build};
-use std::path::{Path, PathBuf};
+use mckibben_app::{BuildAnswer, BuildRequest, REPORT, TitleBlock, build};
+use std::path::PathBuf;
 
 pub const EXAMPLES: &str = "Examples:
   mckibben build examples/prototype.toml -o build
   mckibben build --rubber latex --braid flexo-overexpanded-0.25in \\
-    -D 0.375in -s 0.0625in -L 200mm -p 2bar --fitting barb:4 -o build";
+    -D 0.375in -s 0.0625in -L 200mm -p 2bar --fitting barb:4 -o build
+  mckibben build examples/prototype.toml -e 15% --report muscle.html";
+
+const TITLE_BLOCK: &str = "Title block of the report";
 
 /// `build`.
 #[derive(Debug, Args)]
@@ -35,6 +40,24 @@ pub struct BuildArgs {
     /// Diameter of the sleeve as it comes off the roll [as which it is sold]
     #[arg(long, value_name = "DIAMETER", allow_hyphen_values = true)]
     pub sleeve_diameter: Option<String>,
+    /// Contraction of the state in the report [half of the free contraction]
+    #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
+    pub contraction: Option<String>,
+    /// Name of the muscle in the title block
+    #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true, help_heading = TITLE_BLOCK)]
+    pub name: String,
+    /// Project [a field to fill in]
+    #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true, help_heading = TITLE_BLOCK)]
+    pub project: String,
+    /// Number of the document [a field to fill in]
+    #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true, help_heading = TITLE_BLOCK)]
+    pub number: String,
+    /// Revision of the document [a field to fill in]
+    #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true, help_heading = TITLE_BLOCK)]
+    pub revision: String,
+    /// Date of the document [a field to fill in]
+    #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true, help_heading = TITLE_BLOCK)]
+    pub date: String,
     #[command(flatten)]
     pub muscle: MuscleFlags,
     #[command(flatten)]
@@ -42,24 +65,54 @@ pub struct BuildArgs {
     /// Folder for the files; without it only the numbers are printed
     #[arg(short, long, value_name = "DIR", help_heading = "Output")]
     pub output: Option<PathBuf>,
+    /// Write the report alone: FILE.html, or FILE.pdf, which needs an installed Chromium
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
+    pub report: Option<PathBuf>,
     #[command(flatten)]
     pub replace: OverwriteFlag,
 }
 
 pub fn run(args: &BuildArgs, format: Format) -> Result<u8, Failure> {
     let length = |flag: &str, text: &Option<String>| quantity(flag, text.as_deref(), Dimension::Length);
+    let is_pdf = args.report.as_deref().and_then(ending).is_some_and(|end| end == "pdf");
+    let content_of_report = if is_pdf { Content::Pdf } else { Content::Page };
+    let target = Target { path: args.report.as_deref(), overwrite: args.replace.overwrite };
+    check(target, &content_of_report)?;
+    let browser = is_pdf.then(pdf::browser).transpose()?;
     let request = BuildRequest {
         muscle: args.muscle.fields()?,
         pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
         fitting: args.fitting.clone(),
         bolt_mm: length("--bolt", &args.bolt)?,
         sleeve_diameter_mm: length("--sleeve-diameter", &args.sleeve_diameter)?,
+        report: args.output.is_some() || args.report.is_some(),
+        contraction: contraction("--contraction", args.contraction.as_deref())?,
+        units: shown::units(),
+        title_block: TitleBlock {
+            name: args.name.clone(),
+            project: args.project.clone(),
+            number: args.number.clone(),
+            revision: args.revision.clone(),
+            date: args.date.clone(),
+        },
     };
-    let answer = build(&request, &Bar::new("parts"))?;
+    let mut answer = build(&request, &Bar::new("parts"))?;
+    if let Some(document) = answer.document.take() {
+        // With the view that the reader turns.
+        let page = document.to_html(&mckibben_web::viewer())?.into_bytes();
+        match browser {
+            Some(browser) => {
+                save(target, content_of_report, &pdf::printed(browser, &document.to_html("")?)?)?
+            }
+            None => save(target, content_of_report, &page)?,
+        }
+        let file = answer.files.iter_mut().find(|file| file.name == REPORT);
+        file.into_iter().for_each(|file| file.content.clone_from(&page));
+    }
     if let Some(folder) = &args.output {
         save_all(&answer.files, folder, args.replace.overwrite, content)?;
     }
-    show(&answer, format, FLAT, || text(&answer, args.output.as_deref()), Target::STDOUT)?;
+    show(&answer, format, FLAT, || text(&answer, args), Target::STDOUT)?;
     Ok(0)
 }
 
@@ -68,11 +121,12 @@ fn content(name: &str) -> Content {
     match name {
         "muscle.toml" => Content::Muscle,
         "test.csv" => Content::EmptySheet,
+        REPORT => Content::Page,
         _ => Content::Built,
     }
 }
 
-fn text(answer: &BuildAnswer, folder: Option<&Path>) -> String {
+fn text(answer: &BuildAnswer, args: &BuildArgs) -> String {
     let u = shown::units();
     let known = |pressure: Option<f64>| pressure.map_or_else(|| "not known".into(), |p| u.pressure.show(p));
     let (cut, safety) = (&answer.cut, &answer.safety);
@@ -104,11 +158,14 @@ fn text(answer: &BuildAnswer, folder: Option<&Path>) -> String {
         vec![part.part.clone(), part.amount.clone(), part.sold_as.clone().unwrap_or_else(dash), mass]
     };
     out += &table(&["part", "amount", "sold as", "mass [g]"], answer.parts.iter().map(row).collect());
-    out += &match folder {
-        Some(folder) => {
-            format!("\n{} files are in {}; begin with README.md.\n", answer.files.len(), place(folder))
-        }
-        None => "\n-o DIR writes drawing, plugs, steps and test sheet into a folder.\n".into(),
-    };
+    if let Some(folder) = &args.output {
+        out += &format!("\n{} files are in {}; begin with README.md.\n", answer.files.len(), place(folder));
+    }
+    if let Some(report) = &args.report {
+        out += &format!("\nThe report is in {}.\n", place(report));
+    }
+    if args.output.is_none() && args.report.is_none() {
+        out += "\n-o DIR writes report, drawing, plugs, steps and test sheet into a folder; --report FILE.html the report alone.\n";
+    }
     out
 }

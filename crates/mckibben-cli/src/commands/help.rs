@@ -10,7 +10,7 @@ use std::path::PathBuf;
 
 pub const EXAMPLES: &str = "Examples:
   mckibben help force
-  mckibben help muscle show";
+  mckibben help parts show";
 
 pub const MAN_EXAMPLES: &str = "Examples:
   mckibben man -o man/man1
@@ -22,7 +22,7 @@ Where `man` finds them by itself: mckibben man -o ~/.local/share/man/man1";
 /// `help`.
 #[derive(Debug, Args)]
 pub struct HelpArgs {
-    /// Command, such as `force` or `muscle show` [mckibben]
+    /// Command, such as `force` or `parts show` [mckibben]
     #[arg(value_name = "COMMAND")]
     pub command: Vec<String>,
 }
@@ -67,34 +67,6 @@ pub fn man(args: &ManArgs, root: Command) -> Result<u8, Failure> {
         left.extend(command.get_subcommands());
     }
     Ok(0)
-}
-
-/// Every command of a root without commands below it: its words, and what it does.
-pub fn helps(root: &Command) -> Vec<(String, String)> {
-    fn below(command: &Command, path: &str, out: &mut Vec<(String, String)>) {
-        for inner in command.get_subcommands() {
-            let path = format!("{path} {}", inner.get_name());
-            if inner.has_subcommands() {
-                below(inner, &path, out);
-            } else {
-                let about = inner.get_about().map(ToString::to_string).unwrap_or_default();
-                out.push((path.trim().to_owned(), about));
-            }
-        }
-    }
-    let mut out = vec![];
-    below(root, "", &mut out);
-    out
-}
-
-/// The help of a command of a root with all flags.
-pub fn long_help(root: &Command, words: &str) -> Option<String> {
-    let mut root = built(root.clone());
-    let mut found = &mut root;
-    for word in words.split_whitespace() {
-        found = found.find_subcommand_mut(word)?;
-    }
-    Some(found.render_long_help().to_string())
 }
 
 /// The command line with all that it inherits.

@@ -8,7 +8,7 @@ use crate::flags::{ColumnsFlag, MuscleFlags, OverwriteOrForceFlag, PlotFlag, Uni
 use crate::format::Format;
 use crate::names::MODELS;
 use crate::output::text::place;
-use crate::output::{Content, Target, check, save, save_all, show};
+use crate::output::{Content, Target, check, save, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, pressures, ratio};
@@ -17,9 +17,9 @@ use crate::word::word;
 use clap::Args;
 use mckibben::muscle::Measure;
 use mckibben::muscle::measures::{OUTER_DIAMETER, WALL};
-use mckibben_app::{Branches, IdentifyRequest, MeshFields, ModelFields, ProblemKind};
+use mckibben_app::{Branches, IdentifyRequest, MeshFields, ModelFields};
 use mckibben_fit::least_squares::Loss;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 pub const EXAMPLES: &str = "Examples:
   mckibben identify examples/bench.toml --data examples/bench.csv
@@ -103,9 +103,6 @@ pub struct IdentifyArgs {
     /// Write the muscle with the identified values as a muscle file
     #[arg(short, long, value_name = "FILE.toml", help_heading = "Output")]
     pub output: Option<PathBuf>,
-    /// Write a folder for a library of muscles, which `mckibben library check DIR` checks
-    #[arg(long, value_name = "DIR", help_heading = "Output")]
-    pub to_library: Option<PathBuf>,
     #[command(flatten)]
     pub replace: OverwriteOrForceFlag,
 }
@@ -114,42 +111,18 @@ pub fn run(args: &IdentifyArgs, format: Format) -> Result<u8, Failure> {
     plot::check(&args.plot)?;
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
     check(target, &Content::Muscle)?;
-    is_free(args)?;
     let mut answer = mckibben_app::identify(&request(args)?, &Bar::new("points"))?;
     plot::save(answer.figure.take(), &args.plot)?;
     save(target, Content::Muscle, answer.muscle_file.as_bytes())?;
-    if let Some(folder) = &args.to_library {
-        save_all(&answer.library_folder, folder, true, |_| Content::Built)?;
-    }
     let text = || {
         let mut text = text::of(&answer, &shown::units());
         if let Some(path) = &args.output {
             text.push_str(&format!("\nThe muscle is in {}.\n", place(path)));
         }
-        if let Some(folder) = &args.to_library {
-            let folder = place(folder);
-            text.push_str(&format!(
-                "\nThe folder for a library is {folder}. Write source and terms into its case.toml; then: mckibben library check {folder}\n"
-            ));
-        }
         text
     };
     show(&answer, format, "points", text, Target::STDOUT)?;
     Ok(0)
-}
-
-/// Refuses a folder with files of a library, before any work is done: their author may have written into them.
-fn is_free(args: &IdentifyArgs) -> Result<(), Failure> {
-    let Some(folder) = args.to_library.as_ref().filter(|_| !args.replace.overwrite) else { return Ok(()) };
-    let files = ["case.toml", "muscle.toml", "points.csv", "identified.toml"];
-    match files.into_iter().map(|name| folder.join(name)).find(|path| path.exists()) {
-        Some(path) => {
-            let message = format!("{} would be overwritten", path.display());
-            let hint = "name another folder, or replace it with --overwrite";
-            Err(Failure::input(ProblemKind::Output, message, hint))
-        }
-        None => Ok(()),
-    }
 }
 
 fn request(args: &IdentifyArgs) -> Result<IdentifyRequest, Failure> {
@@ -183,13 +156,7 @@ fn request(args: &IdentifyArgs) -> Result<IdentifyRequest, Failure> {
         fix: args.fix.clone(),
         bounds: args.bounds.clone(),
         laws: args.laws,
-        to_library: args.to_library.as_deref().map(name_of),
         loss: if args.robust { Loss::Huber } else { args.loss },
         figure: args.plot.plot.as_ref().map(|_| shown::units()),
     })
-}
-
-/// The name of a folder, without the folders above it.
-fn name_of(folder: &Path) -> String {
-    folder.file_name().unwrap_or(folder.as_os_str()).to_string_lossy().into_owned()
 }

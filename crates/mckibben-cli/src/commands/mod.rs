@@ -1,29 +1,21 @@
 //! One file a command.
 
-pub mod braid;
 pub mod build;
 pub mod campaign;
+pub mod check;
 pub mod compare;
 pub mod curve;
 pub mod design;
-pub mod doctor;
 pub mod export;
 pub mod fill;
 pub mod fit;
-pub mod formula;
 pub mod help;
 pub mod identify;
 pub mod joint;
-pub mod library;
-pub mod mcp;
-pub mod models;
 pub mod motion;
-pub mod muscle;
 pub mod parts;
 pub mod point;
-pub mod report;
 pub mod rubber;
-pub mod rubber_fit;
 pub mod schema;
 pub mod serve;
 pub mod simulate;

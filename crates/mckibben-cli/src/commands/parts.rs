@@ -1,12 +1,17 @@
 //! `parts list|show`.
 
-use super::{braid, rubber};
+mod model;
+mod muscle;
+mod rubber;
+mod sleeve;
+
 use crate::failure::Failure;
 use crate::files;
 use crate::flags::OutputFlags;
 use crate::format::Format;
-use crate::output::show as print;
+use crate::names::NAMES;
 use crate::output::text::{number, pairs, table};
+use crate::output::{show as print, warn};
 use crate::shown;
 use crate::word::word;
 use clap::Args;
@@ -16,14 +21,14 @@ use mckibben_app::{
 use std::path::PathBuf;
 
 pub const EXAMPLES: &str = "Examples:
-  mckibben parts list tubes
   mckibben parts show latex-1/4x3/8in
+  mckibben parts show dragon-skin-30
   mckibben design -F 60N -e 15% -p 4bar --tube latex-1/4x3/8in";
 
 /// `parts list`.
 #[derive(Debug, Args)]
 pub struct PartsListArgs {
-    /// Only one kind of part: tubes, sleeves or rubbers
+    /// Only one kind: tubes, sleeves, rubbers, muscles or models
     #[arg(value_name = "KIND", value_parser = word::<PartKind>())]
     pub kind: Option<PartKind>,
     /// Tubes of your own: a file of the catalogue's form
@@ -36,7 +41,8 @@ pub struct PartsListArgs {
 /// `parts show`.
 #[derive(Debug, Args)]
 pub struct PartShowArgs {
-    /// Name
+    /// Name; of a rubber also NAME:LAW
+    #[arg(value_parser = NAMES, hide_possible_values = true)]
     pub name: String,
     #[command(flatten)]
     pub output: OutputFlags,
@@ -48,7 +54,9 @@ pub fn list(args: &PartsListArgs, format: Format) -> Result<u8, Failure> {
     let rows = match args.kind {
         Some(PartKind::Sleeves) => "sleeves",
         Some(PartKind::Rubbers) => "rubbers",
-        _ => "tubes",
+        Some(PartKind::Muscles) => "muscles",
+        Some(PartKind::Models) => "models",
+        Some(PartKind::Tubes) | None => "tubes",
     };
     print(&answer, format, rows, || list_text(&answer), args.output.target())?;
     Ok(0)
@@ -70,22 +78,32 @@ fn list_text(answer: &PartsListAnswer) -> String {
         out.push(table(&header, answer.tubes.iter().map(row).collect()));
     }
     if !answer.sleeves.is_empty() {
-        out.push(braid::sleeves(&answer.sleeves));
+        out.push(sleeve::list(&answer.sleeves));
     }
     if !answer.rubbers.is_empty() {
-        let row = |r: &mckibben_app::RubberSummary| vec![r.name.clone(), r.title.clone()];
-        out.push(table(&["rubber", ""], answer.rubbers.iter().map(row).collect()));
+        out.push(rubber::list(&answer.rubbers));
+    }
+    if !answer.muscles.is_empty() {
+        out.push(muscle::list(&answer.muscles));
+    }
+    if !answer.models.is_empty() {
+        out.push(model::list(&answer.models));
     }
     out.join("\n") + "\n`mckibben parts show NAME` shows source, price and use.\n"
 }
 
 pub fn show(args: &PartShowArgs, format: Format) -> Result<u8, Failure> {
     let answer = part_show(&PartShowRequest { name: args.name.clone() })?;
-    let text = || match (&answer.tube, &answer.sleeve, &answer.rubber) {
-        (Some(tube), ..) => tube_text(tube),
-        (_, Some(sleeve), _) => braid::show_text(sleeve),
-        (_, _, Some(rubber)) => rubber::show_text(rubber),
-        _ => String::new(),
+    let text = || {
+        answer.rubber.iter().flat_map(|r| &r.warnings).for_each(warn);
+        let all = [
+            answer.tube.as_ref().map(tube_text),
+            answer.sleeve.as_ref().map(sleeve::details),
+            answer.rubber.as_ref().map(rubber::details),
+            answer.muscle.as_ref().map(muscle::details),
+            answer.model.as_ref().map(model::details),
+        ];
+        all.into_iter().flatten().collect::<Vec<_>>().join("\n")
     };
     print(&answer, format, "", text, args.output.target())?;
     Ok(0)

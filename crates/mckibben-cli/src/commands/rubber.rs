@@ -1,174 +1,193 @@
-//! `rubber list|show`.
+//! `rubber`: laws from tension tests.
 
-use crate::failure::Failure;
-use crate::flags::OutputFlags;
+mod text;
+
+use crate::failure::{Failure, in_flags};
+use crate::files;
+use crate::flags::{ColumnsFlag, OverwriteOrForceFlag, PlotFlag};
 use crate::format::Format;
-use crate::names::RUBBERS;
-use crate::output::text::{law_text, number, or_dash, pairs, percent, table};
-use crate::output::{show as print, warn};
+use crate::output::{Content, Target, check, save, show, warn};
+use crate::plot;
+use crate::progress::Bar;
+use crate::quantities::{quantity, ratio};
+use crate::word::word_or;
 use clap::Args;
-use mckibben::rubber::library::TABLE_OF_FITS;
-use mckibben_app::{
-    LibraryFit, RubberListAnswer, RubberListRequest, RubberShowAnswer, RubberShowRequest, rubber_list,
-    rubber_show,
-};
+use mckibben::units::Dimension;
+use mckibben_app::{ConstantRow, ProblemKind, RubberFitRequest, rubber_fit};
+use mckibben_fit::rubber::{Form, Mode};
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
 
-/// `rubber list`.
+pub const EXAMPLES: &str = "Examples:
+  mckibben rubber data/treloar/tension.csv --law yeoh --relative
+  mckibben rubber data/silicones/dragon_skin_30.csv --up-to 200% \\
+    --plot rubber.svg -o silicone.toml
+  mckibben force --muscle silicone.toml -p 2bar -e 10%";
+
+/// Help of `--law`.
+fn laws() -> String {
+    let mut words: Vec<String> = Form::words();
+    // Numbers of terms are shown as a range.
+    let terms: Vec<String> = words.extract_if(.., |w| w.ends_with(|c: char| c.is_ascii_digit())).collect();
+    let range = match (terms.first(), terms.last()) {
+        (Some(first), Some(last)) => format!(" (or {first} to {last})"),
+        _ => String::new(),
+    };
+    format!("Laws: {}{range}, or `all` [all that the points determine]", words.join(", "))
+}
+
+/// `rubber`.
 #[derive(Debug, Args)]
-pub struct RubberListArgs {
+#[command(next_help_heading = "Question")]
+pub struct RubberArgs {
+    /// Tension tests: a table of stretches, strains or extensions, and of stresses or forces, with units
+    pub file: PathBuf,
     #[command(flatten)]
-    pub output: OutputFlags,
-}
-
-/// `rubber show`.
-#[derive(Debug, Args)]
-pub struct RubberShowArgs {
-    /// Name, or NAME:LAW
-    #[arg(value_parser = RUBBERS, hide_possible_values = true)]
-    pub name: String,
+    pub columns: ColumnsFlag,
+    #[arg(long, value_name = "LIST", value_delimiter = ',', help = laws())]
+    pub law: Vec<String>,
+    /// How the specimens were stretched, where the file has no column `mode`
+    #[arg(long, value_parser = word_or::<Mode>(&[("planar", "pure-shear"), ("equibiaxial", "biaxial")]), default_value = "uniaxial")]
+    pub mode: Mode,
+    /// Cross-section of the specimen at rest, for a column of forces
+    #[arg(long, value_name = "AREA", allow_hyphen_values = true)]
+    pub area: Option<String>,
+    /// Length of the specimen at rest, for a column of extensions or lengths
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub gauge_length: Option<String>,
+    /// Leave out points beyond this stretch (3) or strain (200%)
+    #[arg(long, value_name = "STRETCH", allow_hyphen_values = true)]
+    pub up_to: Option<String>,
+    /// Also fit a Prony series of N branches; needs a column of times
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=8))]
+    pub relaxation: Option<u8>,
+    /// Also fit Ogden–Roxburgh softening; needs a column of times that begins with the first loading
+    #[arg(long)]
+    pub softening: bool,
+    /// Muscle file that receives the rubber, for -o [the prototype]
+    #[arg(long, value_name = "FILE", help_heading = "Muscle")]
+    pub muscle: Option<PathBuf>,
+    /// Name of the rubber in the muscle file [that of the data file]
+    #[arg(long, help_heading = "Muscle")]
+    pub name: Option<String>,
+    /// Terms of `ogden` [1, 2 and 3]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=3), hide_short_help = true, help_heading = "Advanced")]
+    pub terms: Option<u8>,
+    /// Fit only these modes; hold out the others and show the errors of the laws there
+    #[arg(long, value_name = "LIST", hide_short_help = true, help_heading = "Advanced")]
+    pub fit_mode: Option<String>,
+    /// Minimise relative differences: small stretches count as much as large ones
+    #[arg(long, hide_short_help = true, help_heading = "Advanced")]
+    pub relative: bool,
+    /// Give every mode the same weight [every point has the same weight]
+    #[arg(long, hide_short_help = true, help_heading = "Advanced")]
+    pub balance: bool,
+    /// Weights of the modes, such as uniaxial=1,equibiaxial=2
+    #[arg(long, value_name = "LIST", hide_short_help = true, help_heading = "Advanced")]
+    pub weights: Option<String>,
+    /// Fit only laws that stay stable in a muscle (C01 not below 0)
+    #[arg(long, hide_short_help = true, help_heading = "Advanced")]
+    pub stable: bool,
+    /// Hoop stretch of the muscle up to which a law must be stable
+    #[arg(
+        long,
+        value_name = "STRETCH",
+        default_value = "3",
+        allow_hyphen_values = true,
+        hide_short_help = true,
+        help_heading = "Advanced"
+    )]
+    pub hoop_stretch: String,
     #[command(flatten)]
-    pub output: OutputFlags,
+    pub plot: PlotFlag,
+    /// Write a muscle file with the recommended law
+    #[arg(short, long, value_name = "FILE", help_heading = "Output")]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub replace: OverwriteOrForceFlag,
 }
 
-pub fn list(args: &RubberListArgs, format: Format) -> Result<u8, Failure> {
-    let answer = rubber_list(&RubberListRequest {})?;
-    print(&answer, format, "rubbers", || list_text(&answer), args.output.target())?;
-    Ok(0)
+/// The constants of all laws, as a table.
+#[derive(Serialize, JsonSchema)]
+struct Constants {
+    constants: Vec<ConstantRow>,
 }
 
-fn list_text(answer: &RubberListAnswer) -> String {
-    let width = answer.rubbers.iter().map(|r| r.name.chars().count()).max().unwrap_or(0);
-    let mut out = format!("  {:<width$}   μ [MPa]   law              breaks at   title\n", "name");
-    for rubber in &answer.rubbers {
-        let breaks = or_dash(rubber.max_strain, |s| format!("{} %", (100.0 * s).round()));
-        let law = format!("{}{}", rubber.law, if rubber.curve { " *" } else { "" });
-        out.push_str(&format!(
-            "  {:<width$}   {:>7}   {law:<15}   {breaks:>8}   {}\n",
-            rubber.name,
-            number(rubber.shear_modulus_mpa, 3),
-            rubber.title
-        ));
+pub fn run(args: &RubberArgs, format: Format) -> Result<u8, Failure> {
+    plot::check(&args.plot)?;
+    let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
+    check(target, &Content::Muscle)?;
+    let request = request(args)?;
+    let mut answer = rubber_fit(&request, &Bar::hidden())?;
+    if target.path.is_some() {
+        save(target, Content::Muscle, answer.muscle_file(&request)?.as_bytes())?;
     }
-    out.push_str(
-        "\nμ: shear modulus at rest of the law that the name means in the prototype.\n\
-         *: fitted to its curve, up to the stretches in the prototype: another muscle may use another law.\n\
-         `mckibben rubber show NAME` shows the details; NAME:LAW selects another law.\n",
-    );
-    out
-}
-
-pub fn show(args: &RubberShowArgs, format: Format) -> Result<u8, Failure> {
-    let answer = rubber_show(&RubberShowRequest { name: args.name.clone() })?;
+    plot::save(answer.figure.take(), &args.plot)?;
+    if format == Format::Csv {
+        let table = Constants { constants: answer.constants() };
+        show(&table, format, "constants", String::new, Target::STDOUT)?;
+        return Ok(0);
+    }
     let text = || {
-        answer.warnings.iter().for_each(warn);
-        show_text(&answer)
+        answer.warnings.iter().chain(&answer.failed).for_each(|w| warn(in_flags(w)));
+        text::of(&answer, &request, args.output.as_deref())
     };
-    print(&answer, format, "fits", text, args.output.target())?;
+    show(&answer, format, "", text, Target::STDOUT)?;
     Ok(0)
 }
 
-pub(super) fn show_text(answer: &RubberShowAnswer) -> String {
-    let mut head = vec![("name", answer.name.clone()), ("title", answer.title.clone())];
-    if let Some(strain) = answer.max_strain {
-        let stress = or_dash(answer.max_stress_mpa, |s| format!(" at {} MPa", number(s, 3)));
-        head.push(("breaks at", format!("{} strain{stress}", percent(strain))));
-    }
-    if let Some(data) = &answer.data {
-        let from = if data == TABLE_OF_FITS { "as the published fits have it: " } else { "" };
-        head.push(("curve", format!("{from}data/{data}")));
-    }
-    head.extend([("source", answer.source.clone()), ("terms", answer.terms.clone())]);
-    if let Some(note) = &answer.note {
-        head.push(("note", note.clone()));
-    }
-    let mut out = pairs(&head);
-    let curve: Vec<&LibraryFit> = answer.fits.iter().filter(|f| f.fitted.is_some()).collect();
-    if curve.is_empty() {
-        return out + "\n" + &published_text(answer);
-    }
-    out.push_str(&format!("\n{}\n{}", by_reach_text(answer, &curve), others_text(answer, &curve)));
-    let published: Vec<_> = answer.fits.iter().filter(|f| f.fitted.is_none()).map(published_row).collect();
-    out.push_str(&format!("\nPublished, for comparison:\n{}", table(&PUBLISHED, published)));
-    out
+fn request(args: &RubberArgs) -> Result<RubberFitRequest, Failure> {
+    // A strain is in percent; a bare number is a stretch.
+    let strain = args.up_to.as_deref().is_some_and(|text| text.trim().ends_with('%'));
+    let up_to = ratio("--up-to", args.up_to.as_deref())?;
+    Ok(RubberFitRequest {
+        laws: args.law.clone(),
+        terms: args.terms.map(usize::from),
+        mode: args.mode,
+        area_mm2: quantity("--area", args.area.as_deref(), Dimension::Area)?,
+        gauge_length_mm: quantity("--gauge-length", args.gauge_length.as_deref(), Dimension::Length)?,
+        fit_modes: modes(args.fit_mode.as_deref())?,
+        up_to_stretch: up_to.map(|v| if strain { 1.0 + v } else { v }),
+        relative: args.relative,
+        balance: args.balance,
+        weights: weights(args.weights.as_deref())?,
+        stable: args.stable,
+        hoop_stretch: ratio("--hoop-stretch", Some(&args.hoop_stretch))?,
+        relaxation: args.relaxation.map(usize::from),
+        softening: args.softening,
+        name: args.name.clone(),
+        muscle: args.muscle.as_deref().map(files::muscle).transpose()?,
+        data: Some(files::table(&args.file)?),
+        columns: args.columns.fields()?,
+        figure: args.plot.plot.is_some(),
+    })
 }
 
-const PUBLISHED: [&str; 5] = ["", "law and constants", "μ [MPa]", "fitted up to", "R²"];
-
-fn published_row(fit: &LibraryFit) -> Vec<String> {
-    vec![
-        if fit.by_reach { "→".into() } else { String::new() },
-        law_text(&fit.fit),
-        number(fit.shear_modulus_mpa, 3),
-        or_dash(fit.up_to_strain, percent),
-        or_dash(fit.r_squared, |r| number(r, 5)),
-    ]
-}
-
-/// A rubber without a curve.
-fn published_text(answer: &RubberShowAnswer) -> String {
-    let rows: Vec<_> = answer.fits.iter().map(published_row).collect();
-    let taken = answer.fits.iter().filter(|f| f.by_reach).count();
-    let which = if taken > 1 { ", each for muscles whose stretches it covers" } else { "" };
-    format!("{}\n→ is taken for --rubber {}{which}\n", table(&PUBLISHED, rows), answer.rubber)
-}
-
-/// What the name means, from the smallest range of stretches to the widest.
-fn by_reach_text(answer: &RubberShowAnswer, curve: &[&LibraryFit]) -> String {
-    let taken: Vec<&&LibraryFit> = curve.iter().filter(|f| f.by_reach).collect();
-    let row = |(i, fit): (usize, &&&LibraryFit)| {
-        let known = fit.fitted.as_ref()?;
-        let of_range = |f: &&&LibraryFit| f.reach_up_to == fit.reach_up_to && f.name != fit.name;
-        let equal =
-            curve.iter().filter(of_range).filter(|f| standing(f) != "behind").map(|f| f.name.as_str());
-        let equal = equal.collect::<Vec<_>>().join(", ");
-        Some(vec![
-            if i + 1 == taken.len() { "any".into() } else { or_dash(fit.reach_up_to, |r| number(r, 3)) },
-            or_dash(fit.up_to_strain, |s| number(1.0 + s, 3)),
-            known.points.to_string(),
-            law_text(&fit.fit),
-            number(fit.shear_modulus_mpa, 3),
-            number(1000.0 * known.rms_mpa, 2),
-            if equal.is_empty() { "–".into() } else { equal },
-        ])
+fn modes(text: Option<&str>) -> Result<Vec<Mode>, Failure> {
+    let one = |word: &str| {
+        let short: String = word.trim().chars().take(60).collect();
+        let message = format!("--fit-mode: \"{short}\" is not a valid mode; expected one of {}", Mode::WORDS);
+        Mode::parse(word).ok_or_else(|| Failure::input(ProblemKind::Usage, message, "write uniaxial,planar"))
     };
-    let header =
-        ["reach", "data to", "points", "law and constants", "μ [MPa]", "rms [kPa]", "as good or better"];
-    format!(
-        "--rubber {} means, for muscles that stretch their rubber up to the reach (`mckibben muscle show`):\n{}",
-        answer.rubber,
-        table(&header, taken.iter().enumerate().filter_map(row).collect())
-    )
+    text.into_iter().flat_map(|t| t.split(',')).map(one).collect()
 }
 
-fn standing(fit: &LibraryFit) -> &str {
-    fit.fitted.as_ref().map_or("", |f| f.standing.as_str())
-}
-
-/// The laws that can be asked for, with the farthest that they come from the recommended one.
-fn others_text(answer: &RubberShowAnswer, curve: &[&LibraryFit]) -> String {
-    let ends: Vec<f64> =
-        curve.iter().filter(|f| standing(f) == "recommended").filter_map(|f| f.up_to_strain).collect();
-    let row = |name: &String| {
-        let mut cells = vec![format!("{}:{name}", answer.name)];
-        cells.extend(ends.iter().map(|end| {
-            let of = |f: &&&LibraryFit| f.up_to_strain == Some(*end) && f.name == *name;
-            let known = curve.iter().find(of).and_then(|f| f.fitted.as_ref());
-            or_dash(known, |f| match f.standing.as_str() {
-                "recommended" => "→".into(),
-                standing => {
-                    let mark = if standing == "equal" { " =" } else { "" };
-                    format!("{} %{mark}", number(100.0 * f.planar_difference, 2))
-                }
-            })
-        }));
-        cells
-    };
-    let mut header = vec!["law".to_owned()];
-    header.extend(ends.iter().map(|end| format!("to {}", number(1.0 + end, 3))));
-    let header: Vec<&str> = header.iter().map(String::as_str).collect();
-    format!(
-        "Available laws, and their largest difference from the recommended one (→) in planar tension, up to the end of the data\n\
-         (=: the data do not distinguish it from the recommended one):\n{}",
-        table(&header, answer.laws.iter().map(row).collect())
-    )
+fn weights(text: Option<&str>) -> Result<BTreeMap<Mode, f64>, Failure> {
+    let mut out = BTreeMap::new();
+    for entry in text.into_iter().flat_map(|t| t.split(',')) {
+        let short: String = entry.trim().chars().take(60).collect();
+        let bad = |why: String| {
+            Failure::input(ProblemKind::Usage, format!("--weights: {why}"), "write uniaxial=1,equibiaxial=2")
+        };
+        let (word, value) = entry.split_once('=').ok_or_else(|| bad(format!("\"{short}\" has no =")))?;
+        let mode = Mode::parse(word).ok_or_else(|| {
+            bad(format!("\"{short}\" is not a valid mode; expected one of {}", Mode::WORDS))
+        })?;
+        if out.insert(mode, ratio("--weights", Some(value))?.unwrap_or(1.0)).is_some() {
+            return Err(bad(format!("{mode} is given twice")));
+        }
+    }
+    Ok(out)
 }

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 /// `schema`.
 #[derive(Debug, Args)]
 pub struct SchemaArgs {
-    /// Command, its words joined by a hyphen (force, rubber-fit) [all commands in one document with shared `$defs`]
+    /// Command, its words joined by a hyphen (force, parts-list) [all commands in one document with shared `$defs`]
     #[arg(value_name = "COMMAND")]
     pub command: Option<String>,
     /// Schema of a file that people write: muscle, joint, drive or plan

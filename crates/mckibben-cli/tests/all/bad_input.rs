@@ -82,7 +82,7 @@ const FLAGS: &[Case] = &[
     ("wall below zero", "force -p 0.2 -s -1mm", 2, "muscle", "wall_thickness is -1 mm"),
     ("no wall", "force -p 0.2 -s 0", 2, "muscle", "must be above zero"),
     ("a wall without bore", "force -p 0.2 -s 15", 2, "muscle", "thinner than the radius"),
-    ("a wall past the axis", "muscle show -D 10 -s 6", 2, "muscle", "thinner than the radius"),
+    ("a wall past the axis", "check -D 10 -s 6", 2, "muscle", "thinner than the radius"),
     ("no length", "force -p 0.2 -L 0", 2, "muscle", "length is 0 mm"),
     ("an angle that is too large", "force -p 0.2 --angle 80", 2, "muscle", "between 0 and 75"),
     ("no angle at all", "force -p 0.2 --angle 90", 2, "muscle", "between 0 and 75"),
@@ -99,11 +99,11 @@ const FLAGS: &[Case] = &[
         "rubber",
         "did you mean dragon-skin-30?",
     ),
-    ("a rubber without that law", "rubber show paper:yeoh", 2, "rubber", "it has mooney-rivlin"),
-    ("no rubber", "rubber show nothing-like-it-at-all", 2, "rubber", "known: paper"),
+    ("a rubber without that law", "parts show paper:yeoh", 2, "rubber", "it has mooney-rivlin"),
+    ("no part", "parts show nothing-like-it-at-all", 2, "usage", "there is no part named"),
     ("an unknown sleeve", "force -p 0.2 --braid nfl19", 2, "braid", "did you mean nfl-19?"),
-    ("no sleeve", "braid show nothing-like-it-at-all", 2, "braid", "known: s-muscle-13"),
-    ("a tube too wide", "braid show nfl-19 -D 36", 2, "braid", "fits tubes from 15 to 35 mm"),
+    ("no sleeve", "force -p 0.2 --braid nothing-like-it-at-all", 2, "braid", "known: s-muscle-13"),
+    ("a tube too wide", "check -D 36 --braid nfl-19", 2, "braid", "fits tubes from 15 to 35 mm"),
     (
         "a tube too narrow",
         "force -p 0.2 -D 14 --braid nfl-19 --stiffness 300",
@@ -111,7 +111,7 @@ const FLAGS: &[Case] = &[
         "braid",
         "from 15 to 35 mm",
     ),
-    ("a tube at which nothing contracts", "braid show nfl-19 -D 32", 2, "braid", "below 54.7356 deg only"),
+    ("a tube at which nothing contracts", "check -D 32 --braid nfl-19", 2, "braid", "below 54.7356 deg only"),
     (
         "an angle that the sleeve does not have",
         "force -p 0.2 -D 20 --braid nfl-19 --stiffness 300 --angle 28",
@@ -122,7 +122,7 @@ const FLAGS: &[Case] = &[
     ("strands of no sleeve", "force -p 0.2 --strand-diameter 0.2", 2, "usage", "complete a named --braid"),
     (
         "strands below zero",
-        "braid show nfl-19 --strand-diameter -1mm",
+        "check -D 20 --braid nfl-19 --strand-diameter -1mm",
         2,
         "braid",
         "--strand-diameter is -1; it must be above zero",
@@ -374,8 +374,8 @@ const FLAGS: &[Case] = &[
     ("no points file", "compare --data DIR/none.csv", 2, "file", "cannot be read"),
     ("a folder of points", "compare --data DIR", 2, "file", "is a directory"),
     // Muscle files that are none.
-    ("no muscle file", "muscle show DIR/none.toml", 2, "file", "cannot be read"),
-    ("a folder of muscles", "muscle show DIR", 2, "file", "is a directory"),
+    ("no muscle file", "check DIR/none.toml", 2, "file", "cannot be read"),
+    ("a folder of muscles", "check DIR", 2, "file", "is a directory"),
     ("a folder as --muscle", "force -p 0.2 --muscle DIR", 2, "file", "is a directory"),
     // Output.
     ("result into a missing folder", "models -o DIR/none/x.json", 2, "output", "none does not exist"),
@@ -485,7 +485,7 @@ fn muscle_files() {
     let word = path.to_str().unwrap();
     for (name, bytes, kind, fragment) in MUSCLES {
         std::fs::write(&path, bytes).unwrap();
-        both(name, &["muscle", "show", word], 2, kind, fragment);
+        both(name, &["check", word], 2, kind, fragment);
         both(name, &["force", "-p", "0.2", "--muscle", word], 2, kind, fragment);
         both(
             name,
@@ -592,7 +592,7 @@ fn devices_are_no_files() {
         if !Path::new(device).exists() {
             continue;
         }
-        both(device, &["muscle", "show", device], 2, "file", "regular file");
+        both(device, &["check", device], 2, "file", "regular file");
         both(device, &["force", "-p", "0.2", "--muscle", device], 2, "file", "regular file");
         both(device, &["compare", "--data", device], 2, "file", "regular file");
     }
@@ -605,12 +605,20 @@ fn a_full_disk_is_an_error_and_no_panic() {
         return;
     }
     let full = || std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
-    for line in ["models", "force -p 0.2", "curve isobaric", "completions bash", "completions fish"] {
+    for line in
+        ["parts list models", "force -p 0.2", "curve isobaric", "completions bash", "completions fish"]
+    {
         let mut command = command(&root());
         let result = ran(command.args(line.split(' ')).stdout(full()).output().unwrap());
         check(line, &result, 2, "cannot write to standard output");
     }
-    both("into /dev/full", &["models", "-o", "/dev/full"], 2, "output", "cannot write /dev/full");
+    both(
+        "into /dev/full",
+        &["parts", "list", "models", "-o", "/dev/full"],
+        2,
+        "output",
+        "cannot write /dev/full",
+    );
     // Warnings that nobody can read do not spoil the result.
     let mut silent = command(&root());
     let args = "force -p 0.3 --model paper --extrapolate".split(' ');

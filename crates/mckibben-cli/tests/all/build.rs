@@ -90,7 +90,7 @@ fn a_folder_is_renewed_and_what_is_not_of_a_build_stays() {
     assert!(svg.exists());
 }
 
-/// Relation of the standard: a proof at twice the working pressure; the limits are those of `muscle show`, an identity.
+/// Relation of the standard: a proof at twice the working pressure; the limits are those of `check`, an identity.
 #[test]
 fn pressures_are_in_the_ratios_of_hoses() {
     let answer = json(MUSCLE);
@@ -99,7 +99,7 @@ fn pressures_are_in_the_ratios_of_hoses() {
         (pressure("pressure_mpa") - 0.2).abs() < 1e-12
             && (pressure("proof_pressure_mpa") - 0.4).abs() < 1e-12
     );
-    let shown = json(&MUSCLE.replacen("build", "muscle show", 1));
+    let shown = json(&MUSCLE.replacen("build", "check", 1));
     for key in ["burst_pressure_mpa", "allowed_pressure_mpa"] {
         assert_eq!(answer[key], shown["characteristics"][key], "{key}");
     }

@@ -39,8 +39,7 @@ const MOTION: &str =
 fn one_burst_pressure_in_every_command_to_the_last_digit() {
     let dir = with(STRENGTH);
     let dir = dir.path();
-    let burst =
-        as_json(dir, "muscle show hose.toml -p 6bar")["characteristics"]["burst_pressure_mpa"].clone();
+    let burst = as_json(dir, "check hose.toml -p 6bar")["characteristics"]["burst_pressure_mpa"].clone();
     let there = as_json(dir, &format!("force hose.toml -p {burst}MPa"));
     let tension = there["strand_tension_n"].as_f64().unwrap();
     assert!((tension / 40.0 - 1.0).abs() < 1e-8, "{tension} at {burst}");
@@ -71,7 +70,7 @@ fn a_pressure_beyond_the_burst_pressure_is_said_before_all_else() {
     let dir = with(STRENGTH);
     let dir = dir.path();
     for words in [
-        "muscle show hose.toml -p 60bar",
+        "check hose.toml -p 60bar",
         "force hose.toml -p 60bar",
         "force hose.toml -p 22bar",
         "curve isobaric hose.toml -p 22bar -e 0,5%",
@@ -102,14 +101,14 @@ fn a_pressure_beyond_the_burst_pressure_is_said_before_all_else() {
     assert!(!asked(dir, "force hose.toml -p 5bar").text().contains("ALLOWED"));
 }
 
-/// Of muscles of a list every one is looked at once: their burst pressures by `muscle show` say which of them burst too early.
+/// Of muscles of a list every one is looked at once: their burst pressures by `check` say which of them burst too early.
 #[test]
 fn where_nothing_fits_the_answer_says_what_burst_has_to_do_with_it() {
     let dir = with(STRENGTH);
     let dir = dir.path();
     let diameters = [12.0, 14.0, 16.0, 18.0];
     let margin = |d: f64| {
-        let shown = as_json(dir, &format!("muscle show hose.toml -D {d} --model thick-wall -p 6bar"));
+        let shown = as_json(dir, &format!("check hose.toml -D {d} --model thick-wall -p 6bar"));
         shown["characteristics"]["burst_pressure_mpa"].as_f64().unwrap() / 0.6
     };
     let margins: Vec<f64> = diameters.iter().map(|d| margin(*d)).collect();
@@ -151,12 +150,12 @@ fn a_burst_pressure_that_is_not_known_is_said_with_the_number_that_is_missing() 
     let dir = with("");
     let dir = dir.path();
     for (words, missing) in [
-        ("muscle show hose.toml -p 3bar", "strand_strength"),
+        ("check hose.toml -p 3bar", "strand_strength"),
         ("joint joint.toml -p 3bar,1bar --angle 0", "strand_strength"),
         (&format!("{MOTION} -p 3bar"), "strand_strength"),
         ("design hose.toml -F 300N -e 5% -p 4bar -s 2", "strand_strength"),
         ("design -F 700N -e 15% -p 3bar --continuous", "`strands` (how many)"),
-        ("muscle show -p 3bar", "`strands` (how many)"),
+        ("check -p 3bar", "`strands` (how many)"),
         ("force hose.toml -p 7bar", "strand_strength"),
     ] {
         let text = asked(dir, words);
@@ -164,7 +163,7 @@ fn a_burst_pressure_that_is_not_known_is_said_with_the_number_that_is_missing() 
         assert!(first.starts_with("BURST NOT CHECKED: ") && first.contains(missing), "{words}: {first}");
         assert!(first_warning(&as_json(dir, words)).starts_with("BURST NOT CHECKED: "), "{words}");
     }
-    assert!(asked(dir, "report hose.toml -p 3bar").text().contains("BURST NOT CHECKED: "));
+    assert!(asked(dir, "build hose.toml -p 3bar").text().contains("BURST NOT CHECKED: "));
     // A single point says nothing at the pressure of a usual supply; its key is there all the same.
     let answer = as_json(dir, "force hose.toml -p 6bar");
     assert!(answer["warnings"].as_array().unwrap().is_empty(), "{answer}");

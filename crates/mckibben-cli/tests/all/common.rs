@@ -82,6 +82,7 @@ fn schema_name(words: &[&str]) -> Option<String> {
         "curve" if words.contains(&"--study") => "study".into(),
         "validate" if words.contains(&"--sweep") => "sweep".into(),
         "validate" if words.contains(&"--measured") => "measured".into(),
+        "check" if second.ends_with(".json") || second.starts_with("universal") => "check-formula".into(),
         "fit" if words.contains(&"--report") => "fit-report".into(),
         other => {
             let two = format!("{first}-{second}");

@@ -354,7 +354,7 @@ fn the_winner_is_a_muscle_file() {
         let file = file.to_str().unwrap();
         let found = json(&format!("{SPEC}{more} -o {file}"));
         let winner = &found["candidates"][0];
-        let shown = json(&format!("muscle show {file}"));
+        let shown = json(&format!("check {file}"));
         for key in ["outer_diameter_mm", "wall_mm", "length_mm", "angle_deg"] {
             assert_eq!(number(winner, key), number(&shown, key), "{key}");
         }
@@ -403,40 +403,31 @@ fn comparisons_carry_their_errors() {
 
 #[test]
 fn muscles_rubbers_and_models() {
-    let muscle = json("muscle show examples/prototype.toml");
+    let muscle = json("check examples/prototype.toml");
     numbers(&muscle, &["outer_diameter_mm", "wall_mm", "length_mm", "angle_deg"]);
     numbers(&muscle, &["shear_modulus_mpa", "stiffness_n_per_mm"]);
     numbers(&muscle["derived"], &["inner_diameter_mm", "strand_length_mm", "turns", "volume_mm3"]);
     numbers(&muscle["build_sheet"], &["tube_cut_mm", "braid_cut_mm", "plug_diameter_mm"]);
     assert_units(&muscle);
     // The prototype is what holds where nothing is said.
-    assert_eq!(muscle, json("muscle show"));
-    // Each measure has a field, and a flag of `force` where it says so.
-    let measures = json("muscle measures");
-    let (text, help) = (mckibben("muscle measures").ok(), mckibben("force --help").ok());
-    for measure in measures["measures"].as_array().unwrap() {
-        assert!(text.text().contains(measure["key"].as_str().unwrap()) && measure["field"].is_string());
-        let flag = measure["flag"].as_str().unwrap_or("--muscle");
-        assert!(help.text().contains(&format!("{flag} <")), "{flag}");
-    }
-    let list = json("rubber list");
+    assert_eq!(muscle, json("check"));
+    let list = json("parts list rubbers");
     let rubbers = list["rubbers"].as_array().unwrap();
     assert!(rubbers.len() > 10);
     for rubber in rubbers {
         let name = rubber["name"].as_str().unwrap();
-        let one = json(&format!("rubber show {name}"));
+        let one = json(&format!("parts show {name}"))["rubber"].take();
         assert_eq!(one["name"], name);
         assert!(!one["source"].as_str().unwrap().is_empty());
         let fits = one["fits"].as_array().unwrap();
         assert_eq!(fits.iter().filter(|f| f["taken"] == true).count(), 1, "{name}");
         assert!(fits.iter().all(|f| f["shear_modulus_mpa"].as_f64().is_some_and(|mu| mu > 0.0)), "{name}");
-        json(&format!("muscle show --rubber {name}"));
+        json(&format!("check --rubber {name}"));
     }
-    let list = json("braid list");
-    assert!(list["materials"].as_array().unwrap().len() >= 4);
-    for braid in list["braids"].as_array().unwrap() {
+    let list = json("parts list sleeves");
+    for braid in list["sleeves"].as_array().unwrap() {
         let name = braid["name"].as_str().unwrap();
-        let one = json(&format!("braid show {name}"));
+        let one = json(&format!("parts show {name}"))["sleeve"].take();
         assert_eq!(one["name"], name);
         assert_units(&one);
         assert!(!one["source"].as_str().unwrap().is_empty() && !one["terms"].as_str().unwrap().is_empty());
@@ -445,9 +436,9 @@ fn muscles_rubbers_and_models() {
         numbers(&points[0], &["outer_diameter_mm", "angle_deg", "largest_contraction"]);
         let diameter = points[0]["outer_diameter_mm"].as_f64().unwrap();
         let wall = diameter / 10.0;
-        json(&format!("muscle show -D {diameter} -s {wall} --braid {name} --stiffness inextensible"));
+        json(&format!("check -D {diameter} -s {wall} --braid {name} --stiffness inextensible"));
     }
-    let models = json("models");
+    let models = json("parts list models");
     for model in models["models"].as_array().unwrap() {
         assert!(!model["description"].as_str().unwrap().is_empty());
         let name = model["name"].as_str().unwrap();
@@ -468,12 +459,9 @@ fn nothing_is_printed_that_is_no_number() {
         "curve isotonic -F 0,20 -p 0..1:0.1 --model chou-hannaford",
         "curve --study thickness --model thick-wall",
         "compare --models ideal,thick-wall,klute-hannaford",
-        "rubber list",
-        "braid list",
-        "braid show s-muscle-20 --strand-modulus 5GPa",
-        "braid show nfl-19 -D 20mm",
-        "muscle show",
-        "muscle measures",
+        "parts list",
+        "parts show s-muscle-20",
+        "check",
     ]) {
         for format in ["text", "json", "csv"] {
             let result = mckibben(&format!("{line} --format {format}"));
@@ -591,7 +579,7 @@ fn fe_answers_unless_another_model_is_named() {
     }
     assert_eq!(json("pressure -F 100 -e 0.1")["model"], "fe");
     assert_eq!(json("contraction -F 100 -p 0.2")["model"], "fe");
-    assert_eq!(json("muscle show -p 0.2")["characteristics"]["model"], "fe");
+    assert_eq!(json("check -p 0.2")["characteristics"]["model"], "fe");
     assert_eq!(json("compare")["reference"], "fe");
     assert_eq!(json("curve --study thickness")["model"], "fe");
 }

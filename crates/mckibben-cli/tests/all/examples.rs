@@ -244,7 +244,7 @@ fn the_example_muscles_are_muscles() {
                 mckibben(&format!("motion {} --model thick-wall", path.display())).ok();
                 continue;
             }
-            mckibben(&format!("muscle show {}", path.display())).ok();
+            mckibben(&format!("check {}", path.display())).ok();
             mckibben(&format!("force --muscle {} -p 1bar -e 5%", path.display())).ok();
             count += 1;
         }

@@ -24,13 +24,13 @@ const READERS: [&str; 10] = [
     "fit X.csv",
     "fit X.parquet",
     "fit X.parquet --method universal",
-    "formula show X.json",
+    "check X.json",
     "force -p 0.1 -e 0.1 --model X.json",
     "campaign show X.parquet",
     "campaign X.toml -o out.parquet",
     "compare --data X.csv",
     "identify --data X.csv",
-    "rubber fit X.csv",
+    "rubber X.csv",
 ];
 
 fn are_refused(dir: &Path, name: &str, says: &str) {
@@ -115,7 +115,7 @@ const ANSWERS: [&str; 7] = [
     "curve isobaric -D 40 -s 2 -p 0.2 -e 0,0.1 --model X",
     "compare -D 40 -s 2 -p 0.2 -e 0,0.1 --models paper,X",
     "design -F 300 -e 10% --max-pressure 2.5bar -D 30..50:10 -s 1,2 --verify none --model X",
-    "formula show X",
+    "check X",
 ];
 
 fn warnings(dir: &Path, line: &str, says: &str) -> usize {
@@ -155,7 +155,7 @@ fn a_formula_that_was_changed_says_so_in_every_answer() {
     assert!(answer("f.json")["uncertainty_n"].is_number());
     assert!(answer("edited.json")["uncertainty_n"].is_null());
     // What is shown of a changed file is no sealed file.
-    let shown = run_in(dir.path(), &["formula", "show", "edited.json", "--format", "json"]).ok();
+    let shown = run_in(dir.path(), &["check", "edited.json", "--format", "json"]).ok();
     assert!(shown.json()["seal"].is_null());
 }
 
@@ -191,7 +191,7 @@ fn a_file_of_another_kind_is_replaced_only_where_that_is_asked_for() {
     let paper = root().join("data/campaign/paper.csv");
     let tension = root().join("data/treloar/tension.csv");
     let table = format!("fit {} -o ", paper.display());
-    let rubber = format!("rubber fit {} --law neo-hookean -o ", tension.display());
+    let rubber = format!("rubber {} --law neo-hookean -o ", tension.display());
     let curve = "curve isobaric --model ideal -p 0.1 -e 0,0.1 -o ";
     for (command, file, flag) in [
         (DESIGN, "winner.toml", "--overwrite"),
@@ -224,7 +224,7 @@ fn a_foreign_file_is_replaced_by_no_text_table_or_figure() {
     let at = |name: &str| dir.path().join(name);
     let measured = "pressure_bar,contraction,force_n\n1,0,100\n";
     let curve = "curve isobaric --model ideal -p 0.1 -e 0,0.1 ";
-    let show = "formula show universal --latex -o ";
+    let show = "check universal --latex -o ";
     for (command, file, foreign) in [
         (format!("{curve}-o "), "t.txt", "notes of mine"),
         (format!("{curve}-o "), "t.csv", measured),
@@ -309,29 +309,29 @@ fn names_do_not_steer_the_terminal() {
     let out = format!("{STEERS}-winner.toml");
     let design = [&DESIGN.split_whitespace().collect::<Vec<_>>()[..], &[&out]].concat();
     for words in [
-        vec!["muscle", "show", &toml],
-        vec!["muscle", "show", STEERS],
+        vec!["check", &toml],
+        vec!["check", STEERS],
         vec!["force", "-p", STEERS],
         vec!["force", "-p", "0.1", "--model", STEERS],
         vec!["force", "-p", "0.1", "--rubber", STEERS],
         vec![STEERS],
         vec!["campaign", "show", STEERS],
         vec!["compare", "--models", "ideal", "--data", &csv],
-        vec!["rubber", "fit", &csv],
-        vec!["models", "-o", STEERS],
+        vec!["rubber", &csv],
+        vec!["parts", "list", "models", "-o", STEERS],
         design,
     ] {
         let result = run_in(dir.path(), &words);
         assert!(!steers(&result), "{words:?}: {result:?}");
     }
-    let result = run_in(dir.path(), &["muscle", "show", &toml]);
+    let result = run_in(dir.path(), &["check", &toml]);
     assert!(
         result.err.starts_with("error: a\\u{1b}[31m\\u{202e}b\\nc.toml:2:10: tube.length"),
         "{}",
         result.err
     );
     // Programs get the name as it is.
-    let error = run_in(dir.path(), &["muscle", "show", &toml, "--format", "json"]).error();
+    let error = run_in(dir.path(), &["check", &toml, "--format", "json"]).error();
     assert!(error["message"].as_str().unwrap().starts_with(STEERS), "{error}");
 }
 
@@ -343,7 +343,7 @@ fn a_formula_of_a_name_that_steers_the_terminal_is_refused() {
     assert!(result.code == 2 && !steers(&result), "{result:?}");
     let text = fitted(dir.path()).replacen("\"paper-method\"", "\"a\\u001b[31mb\"", 1);
     fs::write(dir.path().join("f.json"), text).unwrap();
-    let result = run_in(dir.path(), &["formula", "show", "f.json"]);
+    let result = run_in(dir.path(), &["check", "f.json"]);
     assert!(result.code == 2 && result.err.contains("control characters") && !steers(&result), "{result:?}");
 }
 
@@ -367,7 +367,7 @@ fn an_input_is_no_output() {
         "compare bench.toml --data bench.csv -o ./link.csv",
         "compare bench.toml --data other.csv -o bench.csv",
         "identify bench.toml --data bench.csv -o bench.toml",
-        "rubber fit bench.csv --muscle bench.toml -o bench.toml",
+        "rubber bench.csv --muscle bench.toml -o bench.toml",
         "fit paper.csv -o paper.csv",
         "simulate bench.toml -p 0.1 --export-inp bench.toml",
         "design -F 300 -e 10% -p 2.5bar --muscle bench.toml -o bench.toml",

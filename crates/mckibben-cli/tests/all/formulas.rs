@@ -42,11 +42,11 @@ fn a_fitted_formula_is_a_model_of_every_command() {
         format!("contraction {muscle} -F 300N -p 0.2 --model ./g.json"),
         format!("curve isobaric {muscle} --model g.json"),
         format!("compare {muscle} --models fe,g.json,paper -p 0.1,0.2"),
-        format!("muscle show {muscle} -p 0.2 --model g.json"),
+        format!("check {muscle} -p 0.2 --model g.json"),
         "design --force 700N --contraction 15% --max-pressure 2.5bar --model g.json".into(),
-        "formula show g.json".into(),
-        "formula show g.json --latex".into(),
-        "formula show g.json --format csv".into(),
+        "check g.json".into(),
+        "check g.json --latex".into(),
+        "check g.json --format csv".into(),
     ] {
         let text = asked(dir.path(), &line).ok();
         assert_finite(text.text());
@@ -76,7 +76,7 @@ fn the_papers_method_writes_its_tables_and_figures() {
     let rows =
         |name: &str| std::fs::read_to_string(dir.path().join("t/x").join(name)).unwrap().lines().count();
     assert_eq!((rows("steps_1_2_abc.csv"), rows("steps_6_7_table2.csv")), (101, 19));
-    let formula = asked(dir.path(), "formula show f.json --format json").ok().json();
+    let formula = asked(dir.path(), "check f.json --format json").ok().json();
     assert_eq!(formula["terms"].as_array().unwrap().len(), 48);
     assert!(number(&formula["errors"]["held_out"], "max_of_blocked") < 0.06);
 }
@@ -148,7 +148,7 @@ fn wrong_tables_and_formulas_are_named() {
         ("fit twice.csv", "data", ["wall_mm", "could all be wall"]),
         ("fit none.csv", "file", ["none.csv", "cannot be read"]),
         ("fit .", "file", ["is not a campaign", "no part"]),
-        ("formula show cut.json", "formula", ["cut.json", "is not valid JSON"]),
+        ("check cut.json", "formula", ["cut.json", "is not valid JSON"]),
         ("force -p 0.1 --model cut.json", "formula", ["cut.json", "is not valid JSON"]),
         ("force -p 0.1 --model key.json", "formula", ["key.json", "`range` is missing"]),
         ("force -p 0.1 --model nan.json", "formula", ["nan.json", "is not valid JSON"]),

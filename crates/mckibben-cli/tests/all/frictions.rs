@@ -63,7 +63,7 @@ fn a_file_is_what_its_ending_says() {
         ("report my.toml -p 6bar --pdf rr.html", "end it in .pdf"),
         ("report my.toml -p 6bar --format json -o rr.html", "end it in .json"),
         ("design -F 300N -e 10% -p 3bar -o x.png", "end it in .toml"),
-        ("rubber fit t.csv -o x.json", "end it in .toml"),
+        ("rubber t.csv -o x.json", "end it in .toml"),
         ("identify my.toml --data t.csv -o x.csv", "end it in .toml"),
         ("fit t.csv -o x.parquet", "end it in .json"),
         ("simulate my.toml --export-inp x.svg", "end it in .inp"),
@@ -152,7 +152,7 @@ fn what_people_read_is_in_the_unit_of_the_first_pressure_that_was_typed() {
         &format!("motion {muscle} -p 3bar --supply 2bar {motion}"),
         &format!("motion {muscle} -p 2bar {motion}"),
         "curve isobaric my.toml -p 2,4bar --model thick-wall",
-        "muscle show my.toml -p 60bar --model thick-wall",
+        "check my.toml -p 60bar --model thick-wall",
         "simulate my.toml -p -1,2bar",
         "design my.toml -F 700N -e 15% -p 6bar --model thick-wall --verify none",
         "design my.toml -F 700N -e 15% -p -6bar",
@@ -235,8 +235,8 @@ fn tables_have_the_same_columns_whatever_the_values() {
             "compare my.toml --models ideal,thick-wall -p 1bar -e 0,5%",
             "compare my.toml --models ideal,thick-wall --data bench.csv --fit modulus",
         ],
-        &["muscle show my.toml", "muscle show my.toml -p 2bar --model ideal", "muscle show -D 40 -s 2"],
-        &["braid show nfl-19", "braid show s-muscle-20"],
+        &["check my.toml", "check my.toml -p 2bar --model ideal", "check -D 40 -s 2"],
+        &["parts show nfl-19", "parts show s-muscle-20"],
         &[
             "design -F 300N -e 10% -p 4bar --model thick-wall --verify none",
             "design my.toml -F 100N -e 5% -p 4bar -D 14,16 -s 1 --model thick-wall --verify none",
@@ -308,14 +308,12 @@ fn what_would_be_ignored_is_refused_and_both_are_named() {
         ("compare my.toml --models ideal,thick-wall --mesh 8", "--mesh", "fe"),
         ("compare my.toml --models ideal --columns pressure=P1", "--columns", "--data"),
         ("compare my.toml --models ideal --branch contraction", "--branch", "friction"),
-        ("muscle show my.toml --model ideal", "--model", "--pressure"),
-        ("muscle show my.toml --two-sided", "--two-sided", "--pressure"),
-        ("rubber fit t.csv --law yeoh --terms 2", "--terms", "--law"),
-        ("rubber fit t.csv --area 8mm2", "--area", "force"),
-        ("rubber fit t.csv --gauge-length 25mm", "--gauge-length", "extension"),
+        ("rubber t.csv --law yeoh --terms 2", "--terms", "--law"),
+        ("rubber t.csv --area 8mm2", "--area", "force"),
+        ("rubber t.csv --gauge-length 25mm", "--gauge-length", "extension"),
         ("fit data/campaign/paper.csv --method global --thin-rule whole", "--thin-rule", "--method"),
         ("fit --report --hold-out 35", "--report", "--hold-out"),
-        ("report my.toml -p 6bar --format csv", "--format csv", "report"),
+        ("build my.toml -p 4bar -e 10%", "--contraction", "report"),
     ] {
         let at_root = words.starts_with("fit ") || words.contains("JOINT") || words.contains("DRIVE");
         let words = words.replace("JOINT", "examples/elbow.toml").replace("DRIVE", "examples/drive.toml");
@@ -330,14 +328,14 @@ fn tables_of_tension_machines_are_read() {
     // Zwick's export: a line of the specimen, travel and force under their German names, a line of units.
     let zwick = line(
         &root(),
-        "rubber fit crates/mckibben-cli/tests/tension/zwick.csv --gauge-length 25mm --area 8mm2 --law yeoh",
+        "rubber crates/mckibben-cli/tests/tension/zwick.csv --gauge-length 25mm --area 8mm2 --law yeoh",
     );
     let zwick = zwick.ok();
     assert!(zwick.text().contains("14 points"), "{}", zwick.text());
     assert!(zwick.text().contains("Standardweg → extension (mm"), "{}", zwick.text());
     assert!(zwick.text().contains("Standardkraft → force (N"), "{}", zwick.text());
     // Columns by blanks, and blanks within the headings.
-    let astm = line(&root(), "rubber fit crates/mckibben-cli/tests/tension/blanks.txt --law yeoh").ok();
+    let astm = line(&root(), "rubber crates/mckibben-cli/tests/tension/blanks.txt --law yeoh").ok();
     assert!(astm.text().contains("Elongation (%) → strain (%)"), "{}", astm.text());
     assert!(astm.text().contains("Engineering Stress (psi) → nominal_stress (psi)"), "{}", astm.text());
 }
@@ -388,7 +386,7 @@ fn an_answer_ends_at_the_second_digit_of_its_uncertainty() {
         let significant = digits.collect::<String>();
         assert!(significant.trim_end_matches('0').len() <= 2, "{row}");
     }
-    let air = line(dir.path(), "muscle show my.toml -p 4bar --model thick-wall").ok();
+    let air = line(dir.path(), "check my.toml -p 4bar --model thick-wall").ok();
     assert!(air.text().contains("L (ANR)") && !air.text().contains("nL"), "{}", air.text());
 }
 

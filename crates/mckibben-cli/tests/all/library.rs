@@ -1,15 +1,14 @@
-//! The library of muscles: by name wherever a muscle file may stand, its folders made and checked.
+//! The library of muscles: by name wherever a muscle file may stand, and in lists.
 
-use crate::common::{folder, json, mckibben, number, run, run_in};
-use serde_json::Value;
+use crate::common::{folder, json, mckibben, number, run_in};
 use std::fs;
 
 /// An identity: a name is its muscle file, in a command, in a joint file, and under flags.
 #[test]
 fn a_name_stands_for_its_muscle_file() {
     let (made, place) = (folder(), |name: &str| name.to_owned());
-    let shown = json("library show dmsp-20-300");
-    let text = shown["muscle_file"]["text"].as_str().unwrap();
+    let shown = json("parts show dmsp-20-300");
+    let text = shown["muscle"]["muscle_file"]["text"].as_str().unwrap();
     fs::write(made.path().join("mine.toml"), text).unwrap();
     let point = |muscle: String| {
         let all = ["force", &muscle, "-p", "5bar", "-e", "10%", "--model", "thick-wall", "--format", "json"];
@@ -34,18 +33,17 @@ fn a_name_stands_for_its_muscle_file() {
 
 #[test]
 fn a_name_that_is_not_there_names_the_nearest() {
-    for line in ["force lib:dmsp-20-30 -p 1bar", "library show dmsp-20-30", "library check --name dmsp-20-30"]
-    {
+    for line in ["force lib:dmsp-20-30 -p 1bar", "parts show lib:dmsp-20-30"] {
         let error = mckibben(&format!("{line} --format json"));
         assert_eq!(error.code, 2, "{line}");
         let message = error.error()["message"].as_str().unwrap().to_owned();
-        assert!(message.contains("did you mean lib:dmsp-20-300?"), "{line}: {message}");
+        assert!(message.contains("dmsp-20-300?"), "{line}: {message}");
     }
 }
 
 #[test]
 fn the_list_has_every_muscle_with_its_terms_and_uncertainty() {
-    let list = json("library list");
+    let list = json("parts list muscles");
     let muscles = list["muscles"].as_array().unwrap();
     assert!(muscles.len() >= 5, "{muscles:#?}");
     for m in muscles {
@@ -56,60 +54,11 @@ fn the_list_has_every_muscle_with_its_terms_and_uncertainty() {
     }
 }
 
-/// A regression, and an identity: constants of the kept muscle are those of a refit, and the points of its bench lie within its ±.
+/// An identity: the folder that the book shows is a case of the validation too.
 #[test]
-fn a_built_in_folder_holds() {
-    let check = &json("library check --name dmsp-10-250")["checks"][0];
-    assert_eq!(check["ok"], true, "{check:#}");
-    let agreement = &check["agreement"];
-    assert!(number(agreement, "held") >= 0.95 && number(agreement, "bench_points") >= 20.0, "{agreement:#}");
-}
-
-/// The points of `examples/bench.csv` were computed with μ = 0.4 MPa: the refit is within its ± of it.
-#[test]
-fn a_folder_of_ones_own_points_is_made_and_checked() {
-    let made = folder();
-    let path = made.path().join("mine");
-    let at = path.to_str().unwrap().to_owned();
-    let identify = ["identify", "examples/bench.toml", "--data", "examples/bench.csv", "--to-library", &at];
-    assert!(run(&identify).ok().text().contains("library check"));
-    // Its author may have written into it.
-    let again = run(&identify);
-    assert!(again.code == 2 && again.err.contains("would be overwritten"), "{}", again.err);
-    let check = |code: i32| -> Value {
-        let ran = run(&["library", "check", &at, "--format", "json"]);
-        assert_eq!(ran.code, code, "{}", ran.err);
-        ran.json()["checks"][0].clone()
-    };
-    let first = check(1);
-    let constants = first["constants"].as_array().unwrap();
-    assert!(constants.iter().all(|c| c["agrees"] == true), "{first:#}");
-    let mu = constants.iter().find(|c| c["name"] == "tube.material.mu").unwrap();
-    assert!((number(mu, "value") - 0.4).abs() < number(mu, "half_width_95"), "{mu:#}");
-    let faults: Vec<&str> = first["faults"].as_array().unwrap().iter().filter_map(Value::as_str).collect();
-    assert!(faults.len() == 4 && faults.iter().all(|f| f.contains("still to be written")), "{faults:?}");
-    let case = fs::read_to_string(path.join("case.toml")).unwrap().replace("TO WRITE", "known");
-    fs::write(path.join("case.toml"), case).unwrap();
-    assert_eq!(check(0)["ok"], true);
-    // A muscle that somebody changed by hand is not the one of its points.
-    let muscle = fs::read_to_string(path.join("identified.toml")).unwrap();
-    let line = muscle.lines().find(|line| line.starts_with("mu = ")).unwrap();
-    fs::write(path.join("identified.toml"), muscle.replace(line, "mu = \"0.5 MPa\"")).unwrap();
-    let changed = check(1);
-    let faults: Vec<&str> = changed["faults"].as_array().unwrap().iter().filter_map(Value::as_str).collect();
-    assert!(
-        faults[0].starts_with("tube.material.mu differs") && faults[1].contains("was changed"),
-        "{faults:?}"
-    );
-    run(&["library", "check", &at, "--write"]).ok();
-    assert_eq!(check(0)["ok"], true);
-    // For others it is another specimen.
-    let muscle = fs::read_to_string(path.join("identified.toml")).unwrap();
-    assert!(muscle.contains("laboratory = \"known\""), "{muscle}");
-    // The same folder is a case of the validation.
-    let measured =
-        run(&["validate", "--measured", made.path().to_str().unwrap(), "--format", "json"]).ok().json();
-    assert_eq!(measured["cases"][0]["title"], "mine");
+fn the_pattern_of_a_folder_is_a_case_of_the_validation() {
+    let measured = json("validate --measured examples/library");
+    assert_eq!(measured["cases"][0]["name"], "bench", "{measured:#}");
 }
 
 /// A requirement that a DMSP-20 meets (570 ± 330 N at 5 bar and 10 %, a regression), and one that none meets.

@@ -54,7 +54,7 @@ fn what_is_no_case_is_told() {
     assert!(message.contains("mine/case.toml: `unknwon` is not known"), "{message}");
 }
 
-/// The validation report of a rubber agrees with `rubber fit` of the same points, mode by mode, and over time branch by branch.
+/// The validation report of a rubber agrees with `rubber` of the same points, mode by mode, and over time branch by branch.
 #[test]
 fn a_rubber_leaves_what_rubber_fit_says() {
     let number = |v: &Value| v.as_f64().unwrap();
@@ -64,21 +64,21 @@ fn a_rubber_leaves_what_rubber_fit_says() {
     );
     let stresses = answer["stresses"].as_array().unwrap();
     let of = |fit: &str| -> Vec<&Value> { stresses.iter().filter(|s| s["fit"] == fit).collect() };
-    let fitted = json("rubber fit data/treloar/tension.csv --law yeoh --up-to 3");
+    let fitted = json("rubber data/treloar/tension.csv --law yeoh --up-to 3");
     let modes = fitted["laws"][0]["modes"].as_array().unwrap();
     for mode in modes {
         let ours = of("yeoh, all modes").into_iter().find(|s| s["of"] == mode["mode"]).unwrap();
         assert_eq!((&ours["points"], &ours["rms_mpa"]), (&mode["points"], &mode["rms_mpa"]));
         assert_eq!(ours["blind"], false);
     }
-    let one_axis = json("rubber fit data/treloar/tension.csv --law yeoh --up-to 3 --fit-mode uniaxial");
+    let one_axis = json("rubber data/treloar/tension.csv --law yeoh --up-to 3 --fit-mode uniaxial");
     let planar = one_axis["laws"][0]["held_out"].as_array().unwrap().iter().find(|h| h["mode"] == "planar");
     let ours = of("yeoh, one axis").into_iter().find(|s| s["of"] == "planar").unwrap();
     assert_eq!((ours["blind"].as_bool(), &ours["rms_mpa"]), (Some(true), &planar.unwrap()["rms_mpa"]));
     let relaxing = of("yeoh, relaxing");
     let squares: f64 = relaxing.iter().map(|s| number(&s["points"]) * number(&s["rms_mpa"]).powi(2)).sum();
     let points: f64 = relaxing.iter().map(|s| number(&s["points"])).sum();
-    let over_time = json("rubber fit data/hnbr50/stepwise_relaxation.csv --law yeoh --relaxation 3");
+    let over_time = json("rubber data/hnbr50/stepwise_relaxation.csv --law yeoh --relaxation 3");
     let expected = number(&over_time["relaxation"]["rms_mpa"]);
     assert!(((squares / points).sqrt() / expected - 1.0).abs() < 1e-9, "{squares} {points} {expected}");
     let branches: Vec<&str> = relaxing.iter().map(|s| s["of"].as_str().unwrap()).collect();

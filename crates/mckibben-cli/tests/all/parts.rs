@@ -63,14 +63,14 @@ fn a_guaranteed_design_meets_the_requirement_with_the_lower_end_of_its_uncertain
 #[test]
 fn rubbers_come_from_names_hardness_data_sheets_and_files() {
     let dir = folder();
-    let text = run_in(dir.path(), &["muscle", "show", "--rubber", "dragon-skin-30", "-o", "x.json"]);
+    let text = run_in(dir.path(), &["check", "--rubber", "dragon-skin-30", "-o", "x.json"]);
     assert!(text.err.is_empty(), "{}", text.err);
     std::fs::write(dir.path().join("mine.toml"), "[tube]\nrubber = \"dragon-skin-30\"\n").unwrap();
     let of = |rubber: &str| json(dir.path(), &format!("force -p 2bar -e 10% --rubber {rubber}"));
     assert_eq!(of("mine.toml")["force_n"], of("dragon-skin-30")["force_n"]);
     // μ = 0.1025 exp(0.0552·30)/3 = 0.17896 MPa and 0.6/1.75 = 0.34286 MPa by hand.
     for (rubber, mu) in [("shore:30A", 0.178_96), ("s100:0.6MPa", 0.342_86), ("latex", 0.37)] {
-        let shown = json(dir.path(), &format!("muscle show --rubber {rubber}"));
+        let shown = json(dir.path(), &format!("check --rubber {rubber}"));
         assert!((number(&shown["shear_modulus_mpa"]) / mu - 1.0).abs() < 2e-4, "{rubber}");
         assert!(number(&of(rubber)["uncertainty_parts_n"]["rubber"]) > 0.0, "{rubber}");
     }

@@ -183,7 +183,7 @@ fn a_rubber_test_of_an_old_machine_is_the_same_test() {
     std::fs::write(dir.path().join("plain.csv"), plain).unwrap();
     std::fs::write(dir.path().join("old.csv"), latin).unwrap();
     let fit = |words: &[&str]| {
-        let common = ["rubber", "fit", "--law", "yeoh", "--up-to", "3", "--format", "json"];
+        let common = ["rubber", "--law", "yeoh", "--up-to", "3", "--format", "json"];
         run_in(dir.path(), &[&common[..], words].concat()).ok().json()
     };
     let wanted = fit(&["plain.csv"]);
@@ -200,5 +200,5 @@ fn a_rubber_test_of_an_old_machine_is_the_same_test() {
     let understood = &found["understood"][0];
     assert_eq!((&understood["heading_line"], &understood["units_line"]), (&3.into(), &4.into()));
     assert_eq!(understood["columns"][1]["note"], "over 8 mm²");
-    assert_eq!(run(&["rubber", "fit", "data/treloar/tension.csv", "--columns", "mode"]).code, 2);
+    assert_eq!(run(&["rubber", "data/treloar/tension.csv", "--columns", "mode"]).code, 2);
 }

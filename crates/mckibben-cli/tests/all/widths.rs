@@ -18,13 +18,13 @@ fn widest(text: &str) -> usize {
 const WIDE: [&str; 9] = [
     "force -p 2.5bar -e 10% --model thick-wall",
     "contraction -p 2.5bar --load mass:20kg --model thick-wall",
-    "muscle show -p 2bar --model thick-wall",
+    "check -p 2bar --model thick-wall",
     "design -F 700N -e 15% -p 2.5bar --model thick-wall --verify none",
     "design -F 700N -e 15% -p 100bar -D 20,30 -s 1,2 --model thick-wall --verify none",
     "curve isobaric -p 0.5..2.5:0.25bar -e 0..30%:10% --model thick-wall",
     "joint examples/elbow.toml -p 2bar,1bar -p 3bar,1bar --model thick-wall",
-    "rubber fit crates/mckibben-cli/tests/tension/zwick.csv --gauge-length 25mm --area 8mm2",
-    "models fe",
+    "rubber crates/mckibben-cli/tests/tension/zwick.csv --gauge-length 25mm --area 8mm2",
+    "parts show fe",
 ];
 
 #[test]

@@ -10,7 +10,7 @@ const ENDS: [f64; 6] = [1.25, 1.5, 2.0, 2.5, 3.0, 4.0];
 /// as much as 2.8 times.
 const FEWEST_POINTS: usize = 10;
 
-/// Fits every law to the points up to each of the windows' ends, as `rubber fit` does with nothing else said.
+/// Fits every law to the points up to each of the windows' ends, as `rubber` does with nothing else said.
 pub fn windows_of(points: &[TensionPoint]) -> Result<Vec<Window>, TensionFitError> {
     let mut windows: Vec<Window> = vec![];
     for end in ENDS.map(Some).into_iter().chain([None]) {

@@ -1,31 +1,20 @@
 //! The library of muscles: folders of measured muscles ([`case`](super::case)) that also hold the muscle that was identified from their points.
 //!
 //! `identified.toml` is the muscle file that one fit of `case.toml` (`library_fit`, else the first) gives by finite elements, with the bench
-//! that states its ±. [`refit`] makes it again; [`constants`] compares the constants of both. A constant agrees where it differs by at most
-//! 10⁻⁴ of its value, or by a thousandth of its ±: a constant that the points hardly determine may differ by more between machines, and the pull
-//! does not change with it.
+//! that states its ±. The tests make it again, and compare the constants of both. A constant agrees where it differs by at most 10⁻⁴ of its value, or
+//! by a thousandth of its ±: a constant that the points hardly determine may differ by more between machines, and the pull does not change with it.
 
 use super::case::{CaseError, CaseFit, IDENTIFIED, MuscleCase, muscles, text_of, with_file};
 use super::held_out::points_of;
 use super::residual::{Left, residuals};
-use crate::identify::{
-    Build, Identification, Identified, IdentifyError, Request, Target, identify_with, own_value,
-};
-use crate::least_squares::Loss;
+use crate::identify::Build;
 use crate::measured::DataPoint;
 use mckibben::muscle::Muscle;
 use mckibben::nearest::nearest;
-use mckibben::progress::Progress;
-use mckibben::rubber::RubberLaw;
 use thiserror::Error;
 
 /// What stands before the name of a muscle of the library, where a muscle file may stand: `lib:dmsp-20-300`.
 pub const PREFIX: &str = "lib:";
-
-/// Relative difference of two constants that agree.
-pub const AGREES: f64 = 1e-4;
-/// The same over the half-width of the constant's 95 % interval.
-const AGREES_BY_HALF_WIDTH: f64 = 1e-3;
 
 /// Why there is no such muscle.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -76,57 +65,6 @@ impl MuscleCase {
     }
 }
 
-/// Identifies the muscle of a folder again; its muscle has the bench that states its ±.
-pub fn refit(
-    case: &MuscleCase,
-    build: &Build<'_>,
-    progress: &dyn Progress,
-) -> Result<(Muscle, Identification), IdentifyError> {
-    let Some(fit) = case.fit_of_library() else { return Err(IdentifyError::NothingFree) };
-    let request = Request {
-        muscle: &fit.muscle,
-        free: &fit.free,
-        fixed: &[],
-        points: &points_of(case, fit),
-        loss: Loss::Squares,
-        two_sided: false,
-        history: false,
-    };
-    let found = identify_with(&request, build, progress)?;
-    let muscle = match &found.bench {
-        Some(bench) => found.muscle.clone().with_bench(bench.clone()),
-        None => found.muscle.clone(),
-    };
-    Ok((muscle, found))
-}
-
-/// A constant of the library's muscle beside the one that its points give.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Constant<'a> {
-    /// What the refit gives.
-    pub refit: &'a Identified,
-    /// What `identified.toml` has; `None` where it has none.
-    pub kept: Option<f64>,
-}
-
-impl Constant<'_> {
-    pub fn agrees(&self) -> bool {
-        let half = if self.refit.half_width.is_finite() { self.refit.half_width } else { 0.0 };
-        let most = (AGREES * self.refit.value.abs()).max(AGREES_BY_HALF_WIDTH * half);
-        self.kept.is_some_and(|kept| (kept - self.refit.value).abs() <= most)
-    }
-}
-
-/// The constants of a refit beside those of the muscle that is kept. A factor on all moduli is compared as the modulus that it gives.
-pub fn constants<'a>(found: &'a Identification, kept: Option<&Muscle>) -> Vec<Constant<'a>> {
-    let modulus = |m: &Muscle| m.tube().rubber.law.shear_modulus_mpa();
-    let of = |p: &Identified, muscle: &Muscle| match p.target {
-        Target::Modulus => Some(p.value * modulus(muscle) / modulus(&found.muscle)),
-        target => own_value(muscle, target),
-    };
-    found.parameters.iter().map(|p| Constant { refit: p, kept: kept.and_then(|m| of(p, m)) }).collect()
-}
-
 /// What a muscle leaves of the points that its folder fits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Agreement {
@@ -169,8 +107,69 @@ pub fn agreement(case: &MuscleCase, muscle: &Muscle, build: &Build<'_>) -> Agree
 mod tests {
     use super::super::elements;
     use super::*;
+    use crate::identify::{
+        Identification, Identified, IdentifyError, Request, Target, identify_with, own_value,
+    };
+    use crate::least_squares::Loss;
     use mckibben::muscle::file::parse_muscle;
-    use mckibben::progress::Silent;
+    use mckibben::progress::{Progress, Silent};
+    use mckibben::rubber::RubberLaw;
+
+    /// Relative difference of two constants that agree.
+    const AGREES: f64 = 1e-4;
+    /// The same over the half-width of the constant's 95 % interval.
+    const AGREES_BY_HALF_WIDTH: f64 = 1e-3;
+
+    /// Identifies the muscle of a folder again; its muscle has the bench that states its ±.
+    fn refit(
+        case: &MuscleCase,
+        build: &Build<'_>,
+        progress: &dyn Progress,
+    ) -> Result<(Muscle, Identification), IdentifyError> {
+        let Some(fit) = case.fit_of_library() else { return Err(IdentifyError::NothingFree) };
+        let request = Request {
+            muscle: &fit.muscle,
+            free: &fit.free,
+            fixed: &[],
+            points: &points_of(case, fit),
+            loss: Loss::Squares,
+            two_sided: false,
+            history: false,
+        };
+        let found = identify_with(&request, build, progress)?;
+        let muscle = match &found.bench {
+            Some(bench) => found.muscle.clone().with_bench(bench.clone()),
+            None => found.muscle.clone(),
+        };
+        Ok((muscle, found))
+    }
+
+    /// A constant of the library's muscle beside the one that its points give.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    struct Constant<'a> {
+        /// What the refit gives.
+        refit: &'a Identified,
+        /// What `identified.toml` has; `None` where it has none.
+        kept: Option<f64>,
+    }
+
+    impl Constant<'_> {
+        fn agrees(&self) -> bool {
+            let half = if self.refit.half_width.is_finite() { self.refit.half_width } else { 0.0 };
+            let most = (AGREES * self.refit.value.abs()).max(AGREES_BY_HALF_WIDTH * half);
+            self.kept.is_some_and(|kept| (kept - self.refit.value).abs() <= most)
+        }
+    }
+
+    /// The constants of a refit beside those of the muscle that is kept. A factor on all moduli is compared as the modulus that it gives.
+    fn constants<'a>(found: &'a Identification, kept: Option<&Muscle>) -> Vec<Constant<'a>> {
+        let modulus = |m: &Muscle| m.tube().rubber.law.shear_modulus_mpa();
+        let of = |p: &Identified, muscle: &Muscle| match p.target {
+            Target::Modulus => Some(p.value * modulus(muscle) / modulus(&found.muscle)),
+            target => own_value(muscle, target),
+        };
+        found.parameters.iter().map(|p| Constant { refit: p, kept: kept.and_then(|m| of(p, m)) }).collect()
+    }
 
     /// A regression: the kept muscles are those of this program, and nobody else has identified them. That ± holds 90 % of the points or more
     /// is by its construction.

@@ -1,4 +1,4 @@
-//! Rubbers with a curve: the law is that of `rubber fit` for the stretches of the muscle.
+//! Rubbers with a curve: the law is that of `rubber` for the stretches of the muscle.
 
 use mckibben::muscle::file::{parse_muscle, to_toml};
 use mckibben::muscle::{Braid, Bulk, Muscle, Rubber, Tube};
@@ -40,7 +40,7 @@ fn same(a: &Law, b: &Law) -> bool {
     a.name() == b.name() && a.values().iter().zip(&b.values()).all(close)
 }
 
-/// What the file says is what `rubber fit` finds on the shipped curve cut there: the law that is recommended, those of equal standing,
+/// What the file says is what `rubber` finds on the shipped curve cut there: the law that is recommended, those of equal standing,
 /// and each law where it alone is asked for. (Three windows; `cargo xtask golds --check` compares all.)
 #[test]
 fn a_named_rubber_is_what_rubber_fit_recommends_on_its_data() {

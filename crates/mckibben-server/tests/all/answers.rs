@@ -86,6 +86,7 @@ async fn problems_have_their_status_and_their_words() {
         ("force", r#"{"outer_diameter_mm": -1, "pressure_mpa": 0.2}"#, 422, "muscle"),
         ("force", "[]", 422, "usage"),
         ("pressure", r#"{"force_n": 1e9, "contraction": 0.1, "model": "ideal"}"#, 422, "no_answer"),
+        ("parts-show", r#"{"name": "chewing-gum"}"#, 422, "usage"),
         ("force", r#"{"pressure_mpa": NaN}"#, 400, "usage"),
         ("force", r#"{"pressure_mpa": 1e999}"#, 400, "usage"),
         ("force", "", 400, "usage"),

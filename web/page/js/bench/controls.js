@@ -71,7 +71,7 @@ export function controlsView(store, fail) {
     controls.F.reach(0, Math.max(10, niceUp(blocked ?? 1000)));
   });
   engine()
-    .ask("rubber-list", {})
+    .ask("parts-list", { kind: "rubbers" })
     .then(
       (answer) => picks.rubber.options(answer.rubbers.map(({ name }) => name)),
       () => {},

@@ -20,7 +20,7 @@ export const OWN = ["test", "show", "cut", "over"];
  */
 /**
  * `start`: P′; `said`: what `force` has to say of a state.
- * @typedef {Partial<Commands["muscle-show"]["answer"]> & { start?: number | null,
+ * @typedef {Partial<Commands["check"]["answer"]> & { start?: number | null,
  *   said?: { state: unknown, warnings: string[], words?: Commands["force"]["answer"]["uncertainty_words"] } }} Facts
  */
 
@@ -102,7 +102,7 @@ export class Store {
   /** What comes after: P′, and what the muscle does at this pressure. */
   follow() {
     const { state } = muscle;
-    this.slots.fact.ask("muscle-show", { ...muscle.fields(), pressure_mpa: state.p }, (answer) => {
+    this.slots.fact.ask("check", { ...muscle.fields(), pressure_mpa: state.p }, (answer) => {
       this.facts = { ...answer, start: this.facts.start, said: this.facts.said };
       if (muscle.state.said === state.said) { muscle.shown = answer; this.tell("sync"); }
       this.tell("facts");

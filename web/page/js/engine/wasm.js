@@ -6,8 +6,9 @@ import { Problem, gone } from "./problem.js";
 /** @typedef {import("../../../types/commands").Commands} Commands */
 
 /** Commands of the small module; it has no `fe3d`, and reads no files of formulas and loads. */
-const LIVE = ["force", "pressure", "contraction", "curve", "shape", "muscle-show", "muscle-measures", "braid-list",
-  "rubber-list", "models", "quantities", "units"];
+const LIVE = ["force", "pressure", "contraction", "curve", "shape", "check", "measures", "quantities", "units"];
+/** What it lists. */
+const LISTED = ["sleeves", "rubbers", "models"];
 
 /** @typedef {"state" | "read" | "side" | "curves"} LaneName */
 
@@ -157,9 +158,11 @@ export class Engine {
    * @returns {Promise<Commands[K]["answer"]>}
    */
   async ask(command, request, { lane = "side", signal } = {}) {
-    const of = /** @type {{ model?: string, formulas?: object[], load_tables?: object[] }} */ (request);
+    const of =
+      /** @type {{ model?: string, formulas?: object[], load_tables?: object[], kind?: string }} */ (request);
     const files = of.formulas?.length || of.load_tables?.length;
-    const small = LIVE.includes(command) && of.model !== "fe3d" && !files;
+    const known = LIVE.includes(command) || (command === "parts-list" && LISTED.includes(of.kind ?? ""));
+    const small = known && of.model !== "fe3d" && !files;
     return this.lanes[small ? lane : "whole"].ask(command, request, { signal });
   }
 

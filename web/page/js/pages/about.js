@@ -80,7 +80,7 @@ export function mount(main) {
         "The command line, Rust, Python and HTTP offer the same commands under the same names: `mckibben --help`.")),
   );
   const ranBefore = () => Boolean(fileOf(CHECKED));
-  engine().ask("models", {}).then(
+  engine().ask("parts-list", { kind: "models" }).then(
     (answer) =>
       models.replaceChildren(
         table(["model", "what it is"], answer.models.map((m) => [m.name, m.description]), {

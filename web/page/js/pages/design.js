@@ -117,10 +117,10 @@ function specification(submit) {
   };
 }
 
-/** Prices of tubes and sleeves; asked once. @type {Promise<Map<string, string>> | undefined} */ let prices;
-const priced = () => (prices ??= engine().ask("parts-list", {}).then(
-  (parts) =>
-    new Map([...parts.tubes, ...parts.sleeves].flatMap((part) => {
+/** Prices of tubes; asked once. @type {Promise<Map<string, string>> | undefined} */ let prices;
+const priced = () => (prices ??= engine().ask("parts-list", { kind: "tubes" }).then(
+  ({ tubes }) =>
+    new Map(tubes.flatMap((part) => {
       const { price } = /** @type {{ price?: string | null }} */ (part);
       return price ? [/** @type {[string, string]} */ ([part.name, price])] : [];
     })),

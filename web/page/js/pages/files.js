@@ -42,15 +42,15 @@ const card = (title, about, ...parts) =>
 /** The report. @param {() => void} place */
 function reportCard(place) {
   const title = form(TITLE, () => go.run()), done = el("div", {});
-  const go = job("Make the report", "report", async () => {
+  const go = job("Make the report", "build", async () => {
     place();
     const read = await title.read();
     if (!read) return undefined;
     done.replaceChildren();
-    return { ...muscle.fields(), pressure_mpa: muscle.p, contraction: muscle.e, units: units(), name: muscle.name,
-      ...read, html: true };
+    return { ...muscle.fields(), ...(muscle.p > 0 ? { pressure_mpa: muscle.p } : {}), contraction: muscle.e,
+      units: units(), name: muscle.name, ...read, report: true };
   }, async (answer) => {
-    const html = await withViewer(answer.html ?? "");
+    const html = await withViewer(answer.files.find(({ name }) => name === "report.html")?.text ?? "");
     const name = fileName(muscle.name, "-report.html"), save = () => download(name, html, "text/html");
     done.replaceChildren(warnings(answer.warnings), el("p", {},
       el("button", { type: "button", class: "main", onclick: save }, `Save ${name}`), " ",

@@ -193,7 +193,10 @@ export function mount(main) {
       fits.box.checked = params.has("fits");
       cast.box.checked = params.has("sold");
       try {
-        parts ??= await engine().ask("parts-list", {});
+        if (!parts) {
+          const kinds = await Promise.all(KINDS.map(([kind]) => engine().ask("parts-list", { kind })));
+          parts = { ...kinds[0], sleeves: kinds[1].sleeves, rubbers: kinds[2].rubbers };
+        }
         paint();
       } catch (problem) {
         list.replaceChildren(problemBox(problem));

@@ -10,7 +10,7 @@ import { muscle } from "../muscle.js";
 import { fileName } from "../name.js";
 import { number, onUnits, show } from "../units.js";
 
-/** @typedef {import("../../../types/commands").Commands["rubber-fit"]["answer"]} Answer */
+/** @typedef {import("../../../types/commands").Commands["rubber"]["answer"]} Answer */
 /** @typedef {Answer["laws"][number]} Law */
 /** @type {import("../form.js").Field[]} */
 export const FIELDS = [
@@ -47,7 +47,7 @@ export function mount(main) {
   let data = fileOf("rubber");
   const fields = form(FIELDS, () => fit.run()), figures = new Figures("rubber");
   const understood = el("p", { class: "soft" }, BEGIN), laws = el("div", {});
-  const fit = job("Fit", "rubber-fit", async () => {
+  const fit = job("Fit", "rubber", async () => {
     const read = await fields.read();
     if (!read) return undefined;
     place();

@@ -128,7 +128,7 @@ impl Text {
         self.table("braid");
         let sleeve = named_sleeve(braid, outer_diameter_mm);
         if let Some(sleeve) = &sleeve {
-            self.key("name", &text(sleeve.name()), "a sleeve: `mckibben braid show`");
+            self.key("name", &text(sleeve.name()), "a sleeve: `mckibben parts show`");
         }
         let own = braid.clone().on_diameter(outer_diameter_mm).map(|b| b.angle_deg);
         if sleeve.is_none() || own != Ok(braid.angle_deg) {

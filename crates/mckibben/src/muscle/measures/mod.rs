@@ -133,7 +133,7 @@ pub struct Measure {
     pub comment: &'static str,
     /// Its name, in a few words.
     pub label: &'static str,
-    /// Whether `muscle show` has a line for it where it is stated; others are shown by rules of their own.
+    /// Whether `check` has a line for it where it is stated; others are shown by rules of their own.
     pub is_shown: bool,
     /// Models that use it, where not all of them may.
     pub models: &'static [&'static str],

@@ -1,6 +1,6 @@
 //! Named rubbers, from `data/rubbers.toml`, which states source and terms of each.
 //!
-//! What a name means follows from the muscle alone, not from what is asked of it: `dragon-skin-30` is the law that `rubber fit`
+//! What a name means follows from the muscle alone, not from what is asked of it: `dragon-skin-30` is the law that `rubber`
 //! recommends for the data up to the smallest of the [`Window`]s that covers the stretches which this muscle reaches
 //! ([`Muscle::reach`](crate::muscle::Muscle::reach)), beyond the data for all of them; `dragon-skin-30:yeoh` is that law on the same data. Of
 //! rubbers without a measured curve the data are those that their table of fits stands for ([`TABLE_OF_FITS`]). [`warnings`] says what to

@@ -1,66 +1,20 @@
-//! `doctor`: whether a muscle is plausible, what of it is not known, how far it is from measured muscles, and what to measure first.
+//! What is unusual, unknown or uncertain of a muscle, and what to measure first.
 
-use crate::burst::{PressureLimits, said_of, usual_mpa};
-use crate::fields::{AskFields, ModelFields, MuscleFields};
-use crate::muscle::MuscleSummary;
-use crate::point::finite;
+use super::{Characteristics, CheckAnswer};
 use crate::problem::Problem;
-use crate::question::Question;
-use crate::uncertainty::UncertaintyWords;
 use crate::units::Units;
 use crate::words::{number, percent};
 use mckibben::analysis::{Burst, FailurePressure};
-use mckibben::answer;
 use mckibben::muscle::Muscle;
-use mckibben::progress::Progress;
-use mckibben::rubber::library;
 use mckibben::uncertainty::UncertaintyParts;
+use mckibben::warning::is_of_burst;
 use mckibben_fit::validation::case::{MuscleCase, muscles};
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-/// A muscle to be examined.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(default)]
-pub struct DoctorRequest {
-    /// The muscle.
-    #[serde(flatten)]
-    pub muscle: MuscleFields,
-    /// The model.
-    #[serde(flatten)]
-    pub model: ModelFields,
-    /// How it is asked.
-    #[serde(flatten)]
-    pub asking: AskFields,
-    /// Working pressure, MPa; 0.25 MPa, or the allowed pressure where that is lower.
-    pub pressure_mpa: Option<f64>,
-}
-
-/// What was found on a muscle.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct DoctorAnswer {
-    /// The model.
-    pub model: String,
-    /// The muscle.
-    pub muscle: MuscleSummary,
-    /// Working pressure, MPa.
-    pub pressure_mpa: f64,
-    /// Blocked force there, N.
-    pub blocked_force_n: f64,
-    /// Half-width of its 95 % interval, N.
-    pub blocked_force_uncertainty_n: Option<f64>,
-    /// The same in words.
-    pub uncertainty_words: UncertaintyWords,
-    /// The pressures that the muscle bears.
-    #[serde(flatten)]
-    pub limits: PressureLimits,
-    /// What was found, the gravest kind first; what to measure in the order of its effect.
-    pub findings: Vec<DoctorFinding>,
-}
+use serde::Serialize;
 
 /// Something that was found.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct DoctorFinding {
+pub struct Finding {
     /// Its kind.
     pub kind: FindingKind,
     /// In a sentence.
@@ -93,53 +47,34 @@ const WIDE: f64 = 0.3;
 /// A muscle that contracts less than this even without wall and load hardly moves.
 const LITTLE: f64 = 0.1;
 
-pub fn doctor(request: &DoctorRequest, progress: &dyn Progress) -> Result<DoctorAnswer, Problem> {
-    let mut question = Question::new(&request.muscle, &request.model, request.asking, &progress.budget())?;
-    let burst = question.burst()?;
-    let pressure_mpa = match request.pressure_mpa {
-        Some(pressure_mpa) => finite("pressure_mpa", pressure_mpa)?,
-        None => usual_mpa(&burst),
-    };
-    let (model, workspace) = (&*question.model, &mut question.workspace);
-    let point = answer::force(model, workspace, pressure_mpa, 0.0, question.options)?;
-    let words = UncertaintyWords::of(point.uncertainty_parts_n, model, workspace, pressure_mpa);
-    let (pull, half) = (point.response.force_n, point.uncertainty_n);
-    let mut findings = implausible(&question.muscle, &burst, pressure_mpa, (pull, half));
-    findings.extend(unknown(&burst));
-    findings.extend(outside(&question.muscle, pressure_mpa)?);
-    findings.extend(point.uncertainty_parts_n.iter().flat_map(|parts| measure(parts, &words)));
-    Ok(DoctorAnswer {
-        model: point.model.to_string(),
-        muscle: (&question.muscle).into(),
-        pressure_mpa,
-        blocked_force_n: pull,
-        blocked_force_uncertainty_n: half,
-        uncertainty_words: words,
-        limits: (&burst).into(),
-        findings,
-    })
+/// What was found of a muscle beyond its warnings.
+pub(super) fn of(
+    muscle: &Muscle,
+    burst: &Burst,
+    values: &Characteristics,
+    parts: Option<UncertaintyParts>,
+) -> Result<Vec<Finding>, Problem> {
+    let mut findings = implausible(muscle, values);
+    findings.extend(unknown(burst));
+    // The measured muscles are no part of the reduced engine.
+    if cfg!(feature = "whole") {
+        findings.extend(outside(muscle, values.pressure_mpa)?);
+    }
+    findings.extend(parts.iter().flat_map(|parts| measure(parts, values)));
+    Ok(findings)
 }
 
-impl DoctorFinding {
+impl Finding {
     fn new(kind: FindingKind, text: impl Into<String>) -> Self {
         Self { kind, text: text.into(), left_n: None }
     }
 }
 
-fn implausible(
-    muscle: &Muscle,
-    burst: &Burst,
-    pressure_mpa: f64,
-    (pull, half): (f64, Option<f64>),
-) -> Vec<DoctorFinding> {
-    let tube = muscle.tube();
+fn implausible(muscle: &Muscle, values: &Characteristics) -> Vec<Finding> {
+    let (pull, half) = (values.blocked_force_n, values.blocked_force_uncertainty_n);
     let (slender, wall) =
-        (muscle.length_mm() / tube.outer_diameter_mm, muscle.wall_mm() / muscle.inner_diameter_mm());
-    // What of a burst is not known is among the unknown.
-    let said = said_of(burst, pressure_mpa, f64::INFINITY);
-    let mut found: Vec<String> = said.iter().map(ToString::to_string).collect();
-    found.extend(muscle.warnings());
-    found.extend(library::warnings(&tube.rubber).iter().map(ToString::to_string));
+        (muscle.length_mm() / muscle.tube().outer_diameter_mm, muscle.wall_mm() / muscle.inner_diameter_mm());
+    let mut found: Vec<String> = vec![];
     if pull <= 0.0 {
         found.push("the muscle does not pull at this pressure and its rest length: the pressure is too low for its wall, or its angle is above 54.7°".into());
     }
@@ -162,24 +97,17 @@ fn implausible(
             percent(wall)
         ));
     }
-    if let Some(limit) = tube.rubber.fitted_to_stretch.filter(|limit| muscle.reach() > *limit) {
-        found.push(format!(
-            "free to contract, the muscle stretches its rubber to {} at the bore; its constants were fitted up to {}",
-            number(muscle.reach(), 3),
-            number(limit, 3)
-        ));
-    }
     if let Some(share) = half.map(|half| half / pull).filter(|share| pull > 0.0 && *share > WIDE) {
         found.push(format!(
             "the ± is {} of the blocked force: measure before you rely on the pull",
             percent((100.0 * share).round() / 100.0)
         ));
     }
-    found.into_iter().map(|text| DoctorFinding::new(FindingKind::Implausible, text)).collect()
+    found.into_iter().map(|text| Finding::new(FindingKind::Implausible, text)).collect()
 }
 
 /// Failures whose pressure cannot be computed, with what is missing.
-fn unknown(burst: &Burst) -> Vec<DoctorFinding> {
+fn unknown(burst: &Burst) -> Vec<Finding> {
     let mut found: Vec<String> = vec![];
     for (mode, pressure) in burst.modes() {
         if let FailurePressure::Unknown(why) = pressure {
@@ -189,14 +117,14 @@ fn unknown(burst: &Burst) -> Vec<DoctorFinding> {
     if burst.rated_mpa.is_none() {
         found.push("the pressure for which plugs and fittings are rated; give `rated_pressure` in [terminals] of the muscle file".into());
     }
-    found.into_iter().map(|text| DoctorFinding::new(FindingKind::Unknown, text)).collect()
+    found.into_iter().map(|text| Finding::new(FindingKind::Unknown, text)).collect()
 }
 
 /// A size: its name, its unit, and how it is taken of a muscle.
 type Sized<'a> = (&'static str, &'static str, &'a dyn Fn(&Muscle) -> f64);
 
 /// Where the muscle lies outside of the measured ones, on which the ± is founded.
-fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<DoctorFinding>, Problem> {
+fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<Finding>, Problem> {
     let cases = muscles().map_err(Problem::from)?;
     let among = |of: &dyn Fn(&Muscle) -> f64| {
         let all = cases.iter().flat_map(|case| built(case)).map(|muscle| of(&muscle));
@@ -226,7 +154,7 @@ fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<DoctorFinding>, Pro
         let (own, most) = (number(pressure_mpa, 3), number(highest_mpa, 3));
         found.push(format!("the pressure is {own} MPa; muscles were measured up to {most} MPa"));
     }
-    Ok(found.into_iter().map(|text| DoctorFinding::new(FindingKind::Outside, text)).collect())
+    Ok(found.into_iter().map(|text| Finding::new(FindingKind::Outside, text)).collect())
 }
 
 /// The muscles of a case, one for each size that its points state.
@@ -249,7 +177,7 @@ const MEASURABLE: [(&str, &str); 5] = [
         "friction unknown",
         "pulls while the muscle shortens and while it lengthens (`identify` finds the friction, and the rubber beside it)",
     ),
-    ("rubber", "a tension test of the rubber (`rubber fit`), or pulls at several pressures (`identify`)"),
+    ("rubber", "a tension test of the rubber (`rubber`), or pulls at several pressures (`identify`)"),
     (
         "stiffness of the braid",
         "number, diameter and modulus of the strands, or the blocked force at a high pressure (`identify`)",
@@ -258,7 +186,7 @@ const MEASURABLE: [(&str, &str); 5] = [
     ("formula", "nothing: the model `fe` does without this part"),
 ];
 
-fn measure(parts: &UncertaintyParts, words: &UncertaintyWords) -> Vec<DoctorFinding> {
+fn measure(parts: &UncertaintyParts, values: &Characteristics) -> Vec<Finding> {
     let total = parts.total();
     let mut named: Vec<(&str, f64)> = parts.named().collect();
     named.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -266,13 +194,14 @@ fn measure(parts: &UncertaintyParts, words: &UncertaintyWords) -> Vec<DoctorFind
         let (_, how) = MEASURABLE.iter().find(|known| known.0 == name)?;
         let left = (total * total - part * part).max(0.0).sqrt();
         // A part that changes nothing that is shown.
-        (left < 0.98 * total).then(|| DoctorFinding {
+        (left < 0.98 * total).then(|| Finding {
             kind: FindingKind::Measure,
             text: format!("{name}: {how}"),
             left_n: Some(left),
         })
     });
-    let whole = words.bench_uncertainty_n.map(|left| DoctorFinding {
+    let words = &values.uncertainty_words;
+    let whole = words.bench_uncertainty_n.map(|left| Finding {
         kind: FindingKind::Measure,
         text: words.bench.clone().unwrap_or_default(),
         left_n: Some(left),
@@ -280,25 +209,26 @@ fn measure(parts: &UncertaintyParts, words: &UncertaintyWords) -> Vec<DoctorFind
     whole.into_iter().chain(each).collect()
 }
 
-impl DoctorAnswer {
-    /// The findings of a kind, in sentences with units.
+impl CheckAnswer {
+    /// The findings of a kind, in sentences with units; warnings are of the implausible, but for those of the burst pressure.
     pub fn said(&self, kind: FindingKind, u: &Units) -> Vec<String> {
+        let words = self.characteristics.as_ref().map(|c| &c.uncertainty_words);
+        let warnings = self.warnings.iter().filter(|w| kind == FindingKind::Implausible && !is_of_burst(w));
         let of_kind = self.findings.iter().filter(|finding| finding.kind == kind);
-        of_kind
-            .map(|finding| match finding.left_n {
-                Some(left) if Some(left) == self.uncertainty_words.bench_uncertainty_n => {
-                    self.uncertainty_words.bench_in(u).unwrap_or_default()
-                }
-                Some(left) => {
-                    format!(
-                        "{}; no less than ± {} {} would be left",
-                        finding.text,
-                        u.force.half_width(left),
-                        u.force.name
-                    )
-                }
-                None => finding.text.clone(),
-            })
-            .collect()
+        let sentences = of_kind.map(|finding| match finding.left_n {
+            Some(left) if Some(left) == words.and_then(|w| w.bench_uncertainty_n) => {
+                words.and_then(|w| w.bench_in(u)).unwrap_or_default()
+            }
+            Some(left) => {
+                format!(
+                    "{}; no less than ± {} {} would be left",
+                    finding.text,
+                    u.force.half_width(left),
+                    u.force.name
+                )
+            }
+            None => finding.text.clone(),
+        });
+        warnings.cloned().chain(sentences).collect()
     }
 }

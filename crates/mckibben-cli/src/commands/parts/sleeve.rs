@@ -1,59 +1,10 @@
-//! `braid list|show`.
+//! Sleeves as text.
 
-use crate::failure::Failure;
-use crate::flags::OutputFlags;
-use crate::format::Format;
-use crate::names::SLEEVES;
-use crate::output::show as print;
 use crate::output::text::{number, or_dash, pairs, percent, table};
-use crate::quantities::quantity;
-use clap::Args;
-use mckibben::units::Dimension;
-use mckibben_app::{
-    BraidListAnswer, BraidListRequest, BraidPoint, BraidShowAnswer, BraidShowRequest, BraidSummary,
-    MaterialSummary, braid_list, braid_show,
-};
-
-pub const EXAMPLES: &str = "Examples:
-  mckibben braid show nfl-19
-  mckibben braid show flexo-overexpanded-0.38in --strand-diameter 0.25mm
-  mckibben force -D 20 -s 1 -p 2bar -e 10% --braid nfl-19 \\
-    --stiffness inextensible";
-
-/// `braid list`.
-#[derive(Debug, Args)]
-pub struct BraidListArgs {
-    #[command(flatten)]
-    pub output: OutputFlags,
-}
-
-/// `braid show`.
-#[derive(Debug, Args)]
-pub struct BraidShowArgs {
-    /// Name
-    #[arg(value_parser = SLEEVES, hide_possible_values = true)]
-    pub name: String,
-    /// Show it only on a tube of this outer diameter
-    #[arg(short = 'D', long, value_name = "DIAMETER", allow_hyphen_values = true)]
-    pub outer_diameter: Option<String>,
-    /// Diameter of one strand, if the source does not state it
-    #[arg(long, value_name = "DIAMETER", allow_hyphen_values = true)]
-    pub strand_diameter: Option<String>,
-    /// Young's modulus of a strand, if the source does not state it
-    #[arg(long, value_name = "MODULUS", allow_hyphen_values = true)]
-    pub strand_modulus: Option<String>,
-    #[command(flatten)]
-    pub output: OutputFlags,
-}
-
-pub fn list(args: &BraidListArgs, format: Format) -> Result<u8, Failure> {
-    let answer = braid_list(&BraidListRequest {})?;
-    print(&answer, format, "braids", || list_text(&answer), args.output.target())?;
-    Ok(0)
-}
+use mckibben_app::{BraidDetails, BraidPoint, BraidSummary};
 
 /// Sleeves, a line each.
-pub(super) fn sleeves(list: &[BraidSummary]) -> String {
+pub(super) fn list(list: &[BraidSummary]) -> String {
     let row = |b: &BraidSummary| {
         vec![
             b.name.clone(),
@@ -70,39 +21,15 @@ pub(super) fn sleeves(list: &[BraidSummary]) -> String {
     };
     let header = ["sleeve", "D0 [mm]", "θ0 from", "strands", "k within", "title"];
     table(&header, list.iter().map(row).collect())
+        + "D0: tubes on which a muscle of it contracts. k within: factor within which the stiffness is known, because its seller does not state all of its strands.\n"
 }
 
-fn list_text(answer: &BraidListAnswer) -> String {
-    let sleeves = sleeves(&answer.braids);
-    let row = |m: &MaterialSummary| vec![m.name.clone(), number(m.modulus_mpa * 1e-3, 4), m.title.clone()];
-    let materials = table(&["strands of", "E [GPa]", ""], answer.materials.iter().map(row).collect());
-    format!(
-        "{sleeves}\n{materials}\nD0: tubes on which a muscle of it contracts. k within: factor within which the stiffness is known, because its seller does not state all of its strands. `mckibben braid show NAME` shows the details.\n"
-    )
-}
-
-pub fn show(args: &BraidShowArgs, format: Format) -> Result<u8, Failure> {
-    let length = |flag, text: &Option<String>| quantity(flag, text.as_deref(), Dimension::Length);
-    let answer = braid_show(&BraidShowRequest {
-        name: args.name.clone(),
-        outer_diameter_mm: length("--outer-diameter", &args.outer_diameter)?,
-        strand_diameter_mm: length("--strand-diameter", &args.strand_diameter)?,
-        strand_modulus_mpa: quantity(
-            "--strand-modulus",
-            args.strand_modulus.as_deref(),
-            Dimension::Pressure,
-        )?,
-    })?;
-    print(&answer, format, "points", || show_text(&answer), args.output.target())?;
-    Ok(0)
-}
-
-fn strands(answer: &BraidShowAnswer) -> String {
+fn strands(answer: &BraidDetails) -> String {
     let bound = if answer.strands_stated { "" } else { " at most (as many as touch each other at its ends)" };
     or_dash(answer.strands, |n| format!("{n}{bound}"))
 }
 
-pub(super) fn show_text(answer: &BraidShowAnswer) -> String {
+pub(super) fn details(answer: &BraidDetails) -> String {
     let mm = |v: f64| format!("{} mm", number(v, 5));
     let range = format!(
         "{} … {}; a muscle of it contracts below {}",

@@ -1,10 +1,10 @@
-//! `rubber fit`: what it prints and writes, and what it refuses.
+//! `rubber`: what it prints and writes, and what it refuses.
 
 use crate::common::{assert_finite, folder, json, mckibben, number, root, run_in};
 use serde_json::Value;
 
-const TRELOAR: &str = "rubber fit data/treloar/tension.csv";
-const SILICONE: &str = "rubber fit data/silicones/dragon_skin_30.csv --up-to 200%";
+const TRELOAR: &str = "rubber data/treloar/tension.csv";
+const SILICONE: &str = "rubber data/silicones/dragon_skin_30.csv --up-to 200%";
 
 fn law<'a>(found: &'a Value, name: &str, constrained: bool) -> &'a Value {
     let laws = found["laws"].as_array().unwrap();
@@ -51,8 +51,7 @@ fn the_written_muscle_is_read_by_force() {
     let dir = folder();
     let data = root().join("data/silicones/dragon_skin_30.csv");
     let data = data.to_str().unwrap();
-    let fit =
-        ["rubber", "fit", data, "--up-to", "3", "-o", "m.toml", "--name", "my silicone", "--plot", "f.svg"];
+    let fit = ["rubber", data, "--up-to", "3", "-o", "m.toml", "--name", "my silicone", "--plot", "f.svg"];
     run_in(dir.path(), &fit).ok();
     assert!(std::fs::read_to_string(dir.path().join("f.svg")).unwrap().contains("no points"));
     let text = std::fs::read_to_string(dir.path().join("m.toml")).unwrap();
@@ -60,7 +59,7 @@ fn the_written_muscle_is_read_by_force() {
         text.contains("name = \"my silicone\"") && text.contains("fitted_to_stretch = 2.9545 "),
         "{text}"
     );
-    let shown = run_in(dir.path(), &["muscle", "show", "m.toml", "--format", "json"]).ok().json();
+    let shown = run_in(dir.path(), &["check", "m.toml", "--format", "json"]).ok().json();
     let found = json(&format!("{SILICONE} --law yeoh"));
     for p in found["parameters"].as_array().unwrap() {
         assert_eq!(number(&shown["constants_mpa"], p["name"].as_str().unwrap()), number(p, "value"));
@@ -75,9 +74,9 @@ fn everything_that_is_printed_is_a_number() {
     for line in [
         TRELOAR,
         SILICONE,
-        "rubber fit data/treloar/tension.csv --balance --relative --up-to 3 --weights equibiaxial=2",
-        "rubber fit data/silicones/ecoflex_00-50.csv --mode equibiaxial --relative",
-        "rubber fit data/silicones/rtv615.csv --stable --hoop-stretch 2",
+        "rubber data/treloar/tension.csv --balance --relative --up-to 3 --weights equibiaxial=2",
+        "rubber data/silicones/ecoflex_00-50.csv --mode equibiaxial --relative",
+        "rubber data/silicones/rtv615.csv --stable --hoop-stretch 2",
     ] {
         for format in ["text", "json", "csv"] {
             assert_finite(mckibben(&format!("{line} --format {format}")).ok().text());
@@ -141,7 +140,7 @@ fn files_that_are_no_tests_are_refused_with_line_and_column() {
     let dir = folder();
     for &(content, code, kind, fragment) in FILES {
         std::fs::write(dir.path().join("t.csv"), content).unwrap();
-        let result = run_in(dir.path(), &["rubber", "fit", "t.csv", "--format", "json", "-o", "m.toml"]);
+        let result = run_in(dir.path(), &["rubber", "t.csv", "--format", "json", "-o", "m.toml"]);
         let shown = String::from_utf8_lossy(content);
         assert_eq!(result.code, code, "{shown}: {}", result.err);
         let error = result.error();
@@ -149,9 +148,9 @@ fn files_that_are_no_tests_are_refused_with_line_and_column() {
         assert!(error.to_string().contains(fragment), "{shown}: {error}");
         assert!(!dir.path().join("m.toml").exists());
     }
-    let missing = run_in(dir.path(), &["rubber", "fit", "no.csv", "--format", "json"]);
+    let missing = run_in(dir.path(), &["rubber", "no.csv", "--format", "json"]);
     assert_eq!((missing.code, &missing.error()["kind"]), (2, &"file".into()));
-    let folder = run_in(dir.path(), &["rubber", "fit", ".", "--format", "json"]);
+    let folder = run_in(dir.path(), &["rubber", ".", "--format", "json"]);
     assert_eq!(folder.code, 2, "{}", folder.err);
 }
 
@@ -166,7 +165,7 @@ fn points_after_a_rupture_are_left_out() {
     }
     text.push_str("205,100\n206,2\n210,0\n");
     std::fs::write(dir.path().join("t.csv"), text).unwrap();
-    let words = ["rubber", "fit", "t.csv", "--law", "neo-hookean", "--format", "json"];
+    let words = ["rubber", "t.csv", "--law", "neo-hookean", "--format", "json"];
     let found = run_in(dir.path(), &words).ok().json();
     assert_eq!((number(&found, "points"), number(&found, "left_out")), (21.0, 3.0));
     assert!((number(&found["parameters"][0], "value") - 0.3).abs() < 1e-9, "{found}");
@@ -183,12 +182,12 @@ fn a_law_that_is_not_stable_is_not_written_but_its_neighbour_is() {
         text.push_str(&format!("{l},{}\n", 0.3 * (l - 1.0) - 0.05 * (l - 1.0f64).powi(2)));
     }
     std::fs::write(dir.path().join("t.csv"), text).unwrap();
-    let words = ["rubber", "fit", "t.csv", "--law", "yeoh", "--format", "json", "-o", "m.toml"];
+    let words = ["rubber", "t.csv", "--law", "yeoh", "--format", "json", "-o", "m.toml"];
     let found = run_in(dir.path(), &words).ok().json();
     assert_eq!(law(&found, "yeoh", false)["stable"], false);
     let held = law(&found, "yeoh", true);
     assert_eq!((&held["stable"], &held["parameters"]), (&true.into(), &found["parameters"]));
-    let shown = run_in(dir.path(), &["muscle", "show", "m.toml", "--format", "json"]).ok().json();
+    let shown = run_in(dir.path(), &["check", "m.toml", "--format", "json"]).ok().json();
     assert_eq!(number(&shown["constants_mpa"], "c20"), number(&held["parameters"][1], "value"));
 }
 
@@ -240,7 +239,7 @@ fn sheets_are_fitted_with_all_other_modes() {
 /// S. Lee's test of nitrile rubber: shares below one, moduli at once and after long in their ratio.
 #[test]
 fn relaxation_says_the_law_at_once_and_after_a_long_time() {
-    let found = json("rubber fit data/hnbr50/stepwise_relaxation.csv --law yeoh --relaxation 3");
+    let found = json("rubber data/hnbr50/stepwise_relaxation.csv --law yeoh --relaxation 3");
     let relaxation = &found["relaxation"];
     let shares: f64 = relaxation["branches"].as_array().unwrap().iter().map(|b| number(b, "share")).sum();
     assert!(shares > 0.0 && shares < 1.0, "{relaxation}");
@@ -249,8 +248,7 @@ fn relaxation_says_the_law_at_once_and_after_a_long_time() {
     assert!(number(relaxation, "rms_mpa") < 0.2 * number(relaxation, "elastic_rms_mpa"), "{relaxation}");
     let dir = folder();
     let data = root().join("data/hnbr50/stepwise_relaxation.csv");
-    let words =
-        ["rubber", "fit", data.to_str().unwrap(), "--law", "yeoh", "--relaxation", "3", "-o", "m.toml"];
+    let words = ["rubber", data.to_str().unwrap(), "--law", "yeoh", "--relaxation", "3", "-o", "m.toml"];
     run_in(dir.path(), &words).ok();
     let written =
         mckibben::muscle::file::read_muscle(dir.path().join("m.toml")).unwrap().tube().rubber.clone();
@@ -263,7 +261,7 @@ fn relaxation_says_the_law_at_once_and_after_a_long_time() {
     }
     let mckibben::rubber::Law::Yeoh(law) = written.law else { panic!("no Yeoh") };
     assert_eq!((kept.len(), law.c10_mpa), (3, number(&relaxation["instantaneous"], "c10_mpa")));
-    let text = mckibben("rubber fit data/hnbr50/stepwise_relaxation.csv --law yeoh --relaxation 1").ok();
+    let text = mckibben("rubber data/hnbr50/stepwise_relaxation.csv --law yeoh --relaxation 1").ok();
     assert!(text.text().contains("after long"), "{}", text.text());
     let without = mckibben(&format!("{TRELOAR} --relaxation 2 --format json"));
     assert!(
@@ -293,7 +291,7 @@ fn softening_is_found_from_a_test_with_its_first_loading() {
     }
     let dir = folder();
     std::fs::write(dir.path().join("t.csv"), text).unwrap();
-    let words = ["rubber", "fit", "t.csv", "--law", "neo-hookean", "--softening", "--format", "json"];
+    let words = ["rubber", "t.csv", "--law", "neo-hookean", "--softening", "--format", "json"];
     let found = run_in(dir.path(), &words).ok().json();
     let softening = &found["softening"];
     for (name, value) in [("r", r), ("m_mpa", m), ("beta", beta)] {
@@ -302,7 +300,7 @@ fn softening_is_found_from_a_test_with_its_first_loading() {
     assert!((number(&softening["first_loading"], "mu_mpa") - mu).abs() < 1e-9, "{softening}");
     let shown = run_in(dir.path(), &words[..6]).ok();
     assert!(shown.text().contains("Softening of neo-hookean"), "{}", shown.text());
-    let written = ["rubber", "fit", "t.csv", "--law", "neo-hookean", "--softening", "-o", "m.toml"];
+    let written = ["rubber", "t.csv", "--law", "neo-hookean", "--softening", "-o", "m.toml"];
     run_in(dir.path(), &written).ok();
     let rubber =
         mckibben::muscle::file::read_muscle(dir.path().join("m.toml")).unwrap().tube().rubber.clone();

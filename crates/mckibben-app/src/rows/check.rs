@@ -1,8 +1,8 @@
-//! `muscle show` as rows.
+//! `check` as rows.
 
 use super::{Row, estimated};
 use crate::burst::PressureLimits;
-use crate::show::{Characteristics, MuscleShowAnswer};
+use crate::check::{Characteristics, CheckAnswer};
 use crate::units::Units;
 use crate::words::{air, braid_name, law_text, number, percent, rubber_name};
 use mckibben::analysis::SAFETY;
@@ -13,7 +13,7 @@ use mckibben::rubber::RubberLaw;
 pub type Sheet = (&'static str, Vec<Row>);
 
 /// What was understood of a muscle, what follows from it, and how to build it.
-pub fn muscle_sheets(answer: &MuscleShowAnswer, u: &Units) -> [Sheet; 3] {
+pub fn muscle_sheets(answer: &CheckAnswer, u: &Units) -> [Sheet; 3] {
     [
         ("Muscle", understood(answer, u)),
         ("Derived", derived(answer, u)),
@@ -67,7 +67,7 @@ fn reach(m: &Muscle) -> String {
     format!("{} {place}{known}", number(m.reach(), 3))
 }
 
-fn understood(answer: &MuscleShowAnswer, u: &Units) -> Vec<Row> {
+fn understood(answer: &CheckAnswer, u: &Units) -> Vec<Row> {
     let m = &answer.muscle;
     let mm = |v: f64| u.length.show(v);
     let rubber = &m.tube().rubber;
@@ -125,7 +125,7 @@ fn understood(answer: &MuscleShowAnswer, u: &Units) -> Vec<Row> {
     rows
 }
 
-fn derived(answer: &MuscleShowAnswer, u: &Units) -> Vec<Row> {
+fn derived(answer: &CheckAnswer, u: &Units) -> Vec<Row> {
     let m = &answer.muscle;
     let mm = |v: f64| u.length.show(v);
     let mut rows = vec![
@@ -144,7 +144,7 @@ fn derived(answer: &MuscleShowAnswer, u: &Units) -> Vec<Row> {
 }
 
 /// What to cut and clamp.
-fn build_rows(answer: &MuscleShowAnswer, u: &Units) -> Vec<Row> {
+fn build_rows(answer: &CheckAnswer, u: &Units) -> Vec<Row> {
     let m = &answer.muscle;
     let mm = |v: f64| u.length.show(v);
     let sheet = &answer.build_sheet;

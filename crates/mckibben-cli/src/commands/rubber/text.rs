@@ -1,4 +1,4 @@
-//! What `rubber fit` tells people.
+//! What `rubber` tells people.
 
 use crate::output::text::{number, or_dash, pairs, percent, place, table, understood};
 use mckibben::rubber::{Law, MUSCLE_HOOP_STRETCH};

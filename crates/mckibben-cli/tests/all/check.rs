@@ -1,22 +1,23 @@
-//! `doctor`, `schema --file`, and the numbers of figures.
+//! `check`, `schema --file`, and the numbers of figures.
 
 use crate::common::{folder, json, mckibben, number, run_in};
 
 #[test]
-fn the_doctor_names_what_to_measure_first() {
-    let answer = json("doctor examples/prototype.toml -p 2bar");
+fn a_check_names_what_to_measure_first() {
+    let answer = json("check examples/prototype.toml -p 2bar");
     let kinds: Vec<&str> =
         answer["findings"].as_array().unwrap().iter().map(|f| f["kind"].as_str().unwrap()).collect();
     for kind in ["unknown", "outside", "measure"] {
         assert!(kinds.contains(&kind), "{kinds:?}");
     }
-    // The blocked force and its ± are those of `muscle show`.
-    let shown = json("muscle show examples/prototype.toml -p 2bar");
-    assert_eq!(number(&answer, "blocked_force_n"), number(&shown["characteristics"], "blocked_force_n"));
-    let text = mckibben("doctor examples/prototype.toml -p 2bar").ok();
+    // An identity: the blocked force and its ± are those of `force`.
+    let (values, force) = (&answer["characteristics"], json("force examples/prototype.toml -p 2bar -e 0"));
+    assert_eq!(number(values, "blocked_force_n"), number(&force, "force_n"));
+    assert_eq!(number(values, "blocked_force_uncertainty_n"), number(&force, "uncertainty_n"));
+    let text = mckibben("check examples/prototype.toml -p 2bar").ok();
     assert!(text.text().contains("10 points on both branches at 0.8 bar and 2 bar"), "{}", text.text());
     // A muscle whose friction was measured need not measure it again.
-    let tondu = mckibben("doctor examples/tondu2012.toml -p 3bar").ok();
+    let tondu = mckibben("check examples/tondu2012.toml -p 3bar").ok();
     assert!(!tondu.text().contains("friction unknown:"), "{}", tondu.text());
 }
 

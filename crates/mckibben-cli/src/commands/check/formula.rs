@@ -1,45 +1,28 @@
-//! `formula show`: a fitted formula.
+//! `check` of a formula's file.
 
-use super::fit::{error_rows, errors_table, made_text, range_text, universal_text};
+use super::CheckArgs;
+use crate::commands::fit::{error_rows, errors_table, made_text, range_text, universal_text};
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::OutputFlags;
 use crate::format::Format;
 use crate::output::text::{number, pairs, table};
 use crate::output::{Content, check, emit, show as print, warn};
-use clap::Args;
 use mckibben::formula::{Body, Document, Formula, paper_terms};
-use mckibben_app::{FormulaShowRequest, Model, ProblemKind, formula_show};
-use std::path::PathBuf;
+use mckibben_app::{CheckFormulaRequest, Model, ProblemKind, check_formula};
 
-pub const EXAMPLES: &str = "Examples:
-  mckibben fit data/campaign/paper.csv --method global -o formula.json
-  mckibben formula show formula.json
-  mckibben formula show formula.json --latex";
-
-/// `formula show`.
-#[derive(Debug, Args)]
-pub struct FormulaShowArgs {
-    /// The formula (JSON), or the built-in `universal` or `universal-small`
-    #[arg(value_name = "FILE.json")]
-    pub file: PathBuf,
-    /// Print the equation with its numbers as LaTeX
-    #[arg(long)]
-    pub latex: bool,
-    #[command(flatten)]
-    pub output: OutputFlags,
-}
-
-pub fn show(args: &FormulaShowArgs, format: Format) -> Result<u8, Failure> {
-    let word = args.file.to_string_lossy();
-    let built_in = Model::is_taken(&word);
-    let file = if built_in { None } else { files::formula(&word)? };
+/// Shows a formula: a file, or one that is built in.
+pub(super) fn show(word: &str, args: &CheckArgs, format: Format) -> Result<u8, Failure> {
+    let built_in = Model::is_taken(word);
+    let file = if built_in { None } else { files::formula(word)? };
     if file.is_none() && !built_in {
         let message = format!("{word}: cannot be read: there is no such file");
         return Err(Failure::input(ProblemKind::Formula, message, "`mckibben fit` writes such files"));
     }
-    let request = FormulaShowRequest { file, name: built_in.then(|| word.into_owned()), latex: args.latex };
-    let answer = formula_show(&request)?;
+    if args.pressure.is_some() {
+        return Err(Failure::input(ProblemKind::Usage, "--pressure is of a muscle, not of a formula", ""));
+    }
+    let request = CheckFormulaRequest { file, name: built_in.then(|| word.to_owned()), latex: args.latex };
+    let answer = check_formula(&request)?;
     answer.warnings.iter().for_each(warn);
     match answer.latex.as_ref().filter(|_| format == Format::Text) {
         Some(latex) => {

@@ -1,27 +1,33 @@
-//! `muscle show`: what was understood of a muscle, what follows from it, and how to build it.
+//! `check`: the data of a muscle and what follows from them, what it does at its working pressure, whether it is plausible, what of it is
+//! not known, how far it is from measured muscles, and what to measure first.
 
-use crate::burst::{PressureLimits, burst_of, said_of};
+mod findings;
+
+pub use findings::{Finding, FindingKind};
+
+use crate::burst::{PressureLimits, said_of, usual_mpa};
 use crate::fields::{AskFields, MeshFields, ModelFields, MuscleFields};
-use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
 use crate::muscle_fields::Stated;
 use crate::point::finite;
 use crate::problem::Problem;
-use mckibben::analysis::{Burst, air_per_stroke, blocked_force_n, free_contraction, work_per_stroke_j};
-use mckibben::answer::check_range;
-use mckibben::model::Workspace;
+use crate::question::Question;
+use crate::uncertainty::UncertaintyWords;
+use mckibben::analysis::{air_per_stroke, free_contraction, work_per_stroke_j};
+use mckibben::answer;
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{BuildSheet, Bulk, Muscle, MuscleKind};
+use mckibben::progress::Progress;
 use mckibben::rubber::{RubberLaw, library};
-use mckibben::uncertainty::uncertainty;
+use mckibben::warning::Warning;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// A muscle to be shown.
+/// A muscle to be checked.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
-pub struct MuscleShowRequest {
+pub struct CheckRequest {
     /// The muscle.
     #[serde(flatten)]
     pub muscle: MuscleFields,
@@ -31,16 +37,19 @@ pub struct MuscleShowRequest {
     /// How it is asked.
     #[serde(flatten)]
     pub asking: AskFields,
-    /// Also give its values at this pressure, MPa.
+    /// Working pressure, MPa; 0.25 MPa, or the allowed pressure where that is lower.
     pub pressure_mpa: Option<f64>,
+    /// Only its data and what follows from them: no model is asked.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub only_data: bool,
     /// Add the equivalent muscle file to the answer.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub muscle_file: bool,
 }
 
-/// The data of a muscle, and derived quantities.
+/// What is known of a muscle, and what is not.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct MuscleShowAnswer {
+pub struct CheckAnswer {
     /// The muscle.
     #[serde(flatten)]
     pub summary: MuscleSummary,
@@ -65,9 +74,11 @@ pub struct MuscleShowAnswer {
     pub build_sheet: BuildSheet,
     /// Warnings, in sentences.
     pub warnings: Vec<String>,
-    /// Its values at the given pressure.
+    /// Its values at the working pressure.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub characteristics: Option<Characteristics>,
+    /// What was found beyond the warnings, the gravest kind first; what to measure in the order of its effect.
+    pub findings: Vec<Finding>,
     /// The equivalent muscle file (TOML), if requested: file and fields of the request in one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub muscle_file: Option<String>,
@@ -109,6 +120,8 @@ pub struct Characteristics {
     /// Half-width of the 95 % interval of the blocked force, N.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub blocked_force_uncertainty_n: Option<f64>,
+    /// The same in words.
+    pub uncertainty_words: UncertaintyWords,
     /// Contraction without pull.
     pub free_contraction: Option<f64>,
     /// Work from rest to there, J.
@@ -122,25 +135,33 @@ pub struct Characteristics {
     pub limits: PressureLimits,
 }
 
-/// The data of a muscle, and derived quantities.
-pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Problem> {
-    let muscle = request.muscle.resolve()?;
-    if request.pressure_mpa.is_none() {
+/// Values at the working pressure, what is said of the burst pressure, and what was found.
+type Asked = (Characteristics, Vec<Warning>, Vec<Finding>);
+
+/// What is known of a muscle, and what is not.
+pub fn check(request: &CheckRequest, progress: &dyn Progress) -> Result<CheckAnswer, Problem> {
+    let (muscle, asked) = if request.only_data {
         let (model, asking) = (&request.model, request.asking);
         let fields = [
+            ("pressure_mpa", request.pressure_mpa.is_some()),
             ("model", model.model.is_some()),
             ("mesh", model.mesh != MeshFields::default()),
             ("extrapolate", asking.extrapolate),
             ("two_sided", asking.two_sided),
             ("direction", !asking.direction.is_mean()),
         ];
-        let why = "the model is used only for values at a pressure, and no `pressure_mpa` is given";
-        Problem::refuse_unused(&fields, why)
-            .map_err(|p| p.with_hint("give `pressure_mpa`, such as 0.2 MPa"))?;
-    }
-    let asked = request.pressure_mpa.map(|p| characteristics(request, &muscle, p)).transpose()?;
-    let said = asked.as_ref().map(|(c, found)| said_of(found, c.pressure_mpa, 0.0)).unwrap_or_default();
-    let characteristics = asked.map(|a| a.0);
+        Problem::refuse_unused(&fields, "`only_data` asks no model")?;
+        (request.muscle.resolve()?, None)
+    } else {
+        let mut question =
+            Question::new(&request.muscle, &request.model, request.asking, &progress.budget())?;
+        let asked = asked(&mut question, request.pressure_mpa)?;
+        (question.muscle, Some(asked))
+    };
+    let (characteristics, said, findings) = match asked {
+        Some((values, said, findings)) => (Some(values), said, findings),
+        None => (None, vec![], vec![]),
+    };
     let rubber = &muscle.tube().rubber;
     let (law, reach) = (&rubber.law, muscle.reach());
     let warnings = library::warnings(rubber);
@@ -150,7 +171,7 @@ pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Prob
             rubber.name.as_deref().unwrap_or("this rubber")
         )
     });
-    Ok(MuscleShowAnswer {
+    Ok(CheckAnswer {
         summary: (&muscle).into(),
         law: law.name().into(),
         constants_mpa: law.constants().into_iter().map(|c| (c.name, c.value)).collect(),
@@ -181,43 +202,31 @@ pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Prob
             .chain(beyond)
             .collect(),
         characteristics,
+        findings,
         muscle_file: request.muscle_file.then(|| to_toml(&muscle)),
         muscle,
     })
 }
 
-fn characteristics(
-    request: &MuscleShowRequest,
-    muscle: &Muscle,
-    pressure_mpa: f64,
-) -> Result<(Characteristics, Burst), Problem> {
-    let pressure_mpa = finite("pressure_mpa", pressure_mpa)?;
-    let options = request.asking.options(muscle)?;
-    let choice = Model::choose(&request.model, Purpose::Answer)?;
-    let model = choice.build(muscle)?;
-    let (model, w) = (&*model, &mut Workspace::new());
-    check_range(model, pressure_mpa, 0.0, options)?;
-    let blocked_force_n = blocked_force_n(model, w, pressure_mpa, options)?;
+fn asked(question: &mut Question, pressure_mpa: Option<f64>) -> Result<Asked, Problem> {
+    let burst = question.burst()?;
+    let pressure_mpa = finite("pressure_mpa", pressure_mpa.unwrap_or_else(|| usual_mpa(&burst)))?;
+    let (model, options, w) = (&*question.model, question.options, &mut question.workspace);
+    let point = answer::point(model, w, pressure_mpa, 0.0, options)?;
     let free = free_contraction(model, w, pressure_mpa, options).ok();
     let air = free.and_then(|e| air_per_stroke(model, w, pressure_mpa, e).ok());
-    let found = burst_of(&choice, model, w.budget())?;
-    let characteristics = Characteristics {
-        model: model.info().name.to_string(),
+    let values = Characteristics {
+        model: point.model.to_string(),
         pressure_mpa,
-        blocked_force_n,
-        blocked_force_uncertainty_n: uncertainty(
-            model,
-            w,
-            (pressure_mpa, 0.0),
-            blocked_force_n,
-            options.direction,
-        )
-        .map(|parts| parts.total()),
+        blocked_force_n: point.response.force_n,
+        blocked_force_uncertainty_n: point.uncertainty_n,
+        uncertainty_words: UncertaintyWords::of(point.uncertainty_parts_n, model, w, pressure_mpa),
         free_contraction: free,
         work_j: free.and_then(|e| work_per_stroke_j(model, w, pressure_mpa, 0.0, e, options).ok()),
         volume_mm3: air.map(|a| a.volume_mm3),
         air_normal_litres: air.map(|a| a.normal_litres),
-        limits: (&found).into(),
+        limits: (&burst).into(),
     };
-    Ok((characteristics, found))
+    let findings = findings::of(&question.muscle, &burst, &values, point.uncertainty_parts_n)?;
+    Ok((values, said_of(&burst, pressure_mpa, 0.0), findings))
 }

@@ -1,0 +1,101 @@
+//! `check`: what is known of a muscle, whether it is plausible, what is not known, and what to measure first; or a formula's file.
+
+mod formula;
+
+use crate::failure::Failure;
+use crate::flags::{ModelFlags, MuscleFlags, OutputFlags};
+use crate::format::Format;
+use crate::output::text::pairs;
+use crate::output::{FLAT, burst_first, show};
+use crate::progress::Bar;
+use crate::quantities::quantity;
+use crate::shown;
+use clap::Args;
+use mckibben::units::Dimension;
+use mckibben::warning::is_of_burst;
+use mckibben_app::rows::{characteristic_rows, muscle_sheets};
+use mckibben_app::{CheckAnswer, CheckRequest, FindingKind, ProblemKind, check};
+use std::path::Path;
+
+pub const EXAMPLES: &str = "Examples:
+  mckibben check examples/prototype.toml -p 2bar
+  mckibben check -D 40 -s 2 --rubber dragon-skin-30
+  mckibben check universal --latex";
+
+/// `check`.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Question")]
+pub struct CheckArgs {
+    /// Working pressure [2.5bar, or the allowed pressure where that is lower]
+    #[arg(short, long, value_name = "PRESSURE", allow_hyphen_values = true)]
+    pub pressure: Option<String>,
+    /// Of a formula (FILE.json, universal, universal-small): print its equation with its numbers as LaTeX
+    #[arg(long)]
+    pub latex: bool,
+    #[command(flatten)]
+    pub muscle: MuscleFlags,
+    #[command(flatten)]
+    pub model: ModelFlags,
+    #[command(flatten)]
+    pub output: OutputFlags,
+}
+
+/// Whether a word is a formula in place of a muscle.
+fn is_formula(word: &str) -> bool {
+    ["universal", "universal-small"].contains(&word)
+        || Path::new(word).extension().is_some_and(|end| end.eq_ignore_ascii_case("json"))
+}
+
+pub fn run(args: &CheckArgs, format: Format) -> Result<u8, Failure> {
+    let word = args.muscle.file().map(|file| file.to_string_lossy());
+    if let Some(word) = word.filter(|word| is_formula(word)) {
+        return formula::show(&word, args, format);
+    }
+    if args.latex {
+        let message = "--latex is of a formula, not of a muscle";
+        return Err(Failure::input(ProblemKind::Usage, message, "`mckibben check formula.json --latex`"));
+    }
+    let request = CheckRequest {
+        muscle: args.muscle.fields()?,
+        model: args.model.fields()?,
+        asking: args.model.asking.fields(),
+        pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
+        ..CheckRequest::default()
+    };
+    let answer = check(&request, &Bar::hidden())?;
+    show(&answer, format, FLAT, || text(&answer), args.output.target())?;
+    Ok(0)
+}
+
+/// The kinds, each with its heading, and what is said where nothing was found.
+const HEADINGS: [(FindingKind, &str, &str); 4] = [
+    (FindingKind::Implausible, "Is it plausible?", "nothing unusual was found"),
+    (FindingKind::Unknown, "What is not known", "nothing is missing"),
+    (
+        FindingKind::Outside,
+        "Outside of the measured muscles",
+        "it lies within the sizes and pressures of measured muscles",
+    ),
+    (FindingKind::Measure, "What to measure first", "no measurement would reduce the ± much"),
+];
+
+fn text(answer: &CheckAnswer) -> String {
+    let u = shown::units();
+    let burst: Vec<&String> = answer.warnings.iter().filter(|w| is_of_burst(w)).collect();
+    let sheets = muscle_sheets(answer, &u).map(|(head, rows)| format!("{head}\n{}\n", pairs(&rows)));
+    let mut out = burst_first(&burst) + &sheets.concat();
+    if let Some(c) = &answer.characteristics {
+        let at = u.pressure.show(c.pressure_mpa);
+        out += &format!("At {at}, model {}\n{}", c.model, pairs(&characteristic_rows(c, &u)));
+        out.extend(c.uncertainty_words.text_in(&u).map(|parts| parts + "\n"));
+    }
+    for (kind, heading, none) in HEADINGS {
+        let mut said = answer.said(kind, &u);
+        if said.is_empty() {
+            said.push(none.into());
+        }
+        out += &format!("\n{heading}\n");
+        out.extend(said.iter().map(|line| format!("  - {line}\n")));
+    }
+    out
+}
