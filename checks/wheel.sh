@@ -38,7 +38,7 @@ program=${CARGO_TARGET_DIR:-$PWD/target}/debug/mckibben
 MCKIBBEN=$program MCKIBBEN_ROOT=$PWD PYTHONSAFEPATH=1 python -m pytest -q -p no:cacheprovider "$work/tests"
 "$PYTHON" -m venv "$work/bare"
 "$work/bare/bin/python" -m pip install --quiet "$work"/dist/*.whl
-(cd "$work" && "$work/bare/bin/python" -c 'import mckibben as mk; assert mk.Muscle().model().force(0.2, [0.0, 0.1])[0] > 0')
+(cd "$work" && "$work/bare/bin/python" -c 'import mckibben as mk; assert mk.Muscle.prototype().model().force(0.2, [0.0, 0.1])[0] > 0')
 version=$(sed -n '/^\[workspace.package\]/,/^\[/s/^version = "\(.*\)"/\1/p' Cargo.toml)
 test "$(cd "$work" && python -c 'import mckibben; print(mckibben.__version__)')" = "$version"
 

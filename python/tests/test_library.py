@@ -29,11 +29,3 @@ def test_a_joint_file_may_name_it(tmp_path: Path) -> None:
     joint.write_text(f'[joint]\nradius = "20 mm"\nrange = "-45..45 deg"\n{muscles}', "utf-8")
     point = mk.joint(joint, pressures_mpa=[[0.3, 0.2]], angles_deg=[0.0], model="thick-wall").points[0]
     assert point.torque_nm > 0
-
-
-def test_a_folder_of_ones_own_points_is_checked(root: Path) -> None:
-    check = mk.library_check(cases=root / "examples/library/bench").checks[0]
-    assert check.ok and all(constant.agrees for constant in check.constants)
-    found = mk.identify(root / "examples/bench.toml", root / "examples/bench.csv", to_library="mine")
-    assert found.library_folder is not None
-    assert [file.name for file in found.library_folder] == ["case.toml", "muscle.toml", "points.csv", "identified.toml"]

@@ -84,18 +84,10 @@ def test_an_interrupted_campaign_is_read(tmp_path: Path, root: Path) -> None:
     with pytest.raises(KeyboardInterrupt):
         campaign.run(threads=1, progress=stop)
     part = campaign.to_pandas()
-    assert 0 < len(part) == len(campaign.to_polars()) == campaign.to_arrow().num_rows == campaign.summary().points
+    assert 0 < len(part) == campaign.summary().points
     campaign.run(threads=2)
     whole = campaign.to_pandas()
     assert len(whole) > len(part) and set(map(tuple, part[["muscle", "force_n"]].to_numpy())) <= set(map(tuple, whole[["muscle", "force_n"]].to_numpy()))
-
-
-def test_no_field_of_a_record_has_numbers_of_another() -> None:
-    """The contractions of a curve are those that were asked for, to the last bit, and a slack muscle has a volume."""
-    asked = np.linspace(0.0, 0.4, 31)
-    curve = mk.Muscle.prototype().curve("isobaric", pressures_mpa=[0.1, 0.2], contractions=asked)
-    assert np.array_equal(np.unique(curve.contraction), asked)
-    assert curve.slack.any() and np.isfinite(curve.volume_mm3).all()
 
 
 def test_a_quantity_is_given_by_its_name_without_the_unit() -> None:
