@@ -35,6 +35,11 @@ impl Random {
     }
 }
 
+/// How many random cases a test takes: `few`, times `MCKIBBEN_TIMES` where that is set (the nightly checks set 10).
+pub fn rounds(few: usize) -> usize {
+    few * std::env::var("MCKIBBEN_TIMES").ok().and_then(|times| times.parse().ok()).unwrap_or(1)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -4,7 +4,7 @@ use super::{exported, fe};
 use mckibben::analysis::force_on;
 use mckibben::model::Workspace;
 use mckibben::muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube};
-use mckibben::random::Random;
+use mckibben::random::{Random, rounds};
 use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
 use mckibben_export::{CONTRACTION_OUTSIDE, Form, NO_ANSWER, OK, PRESSURE_OUTSIDE, SLACK};
 use std::f64::consts::TAU;
@@ -170,11 +170,6 @@ fn random(index: u64, law: impl Fn(&mut Random) -> Law) -> (Muscle, f64) {
     (Muscle::new(tube, braid, Terminals::default(), None).unwrap(), r.between(0.25, 0.6))
 }
 
-/// How many muscles: `MCKIBBEN_ROUNDS`, or a few.
-fn rounds(few: u64, most: u64) -> u64 {
-    std::env::var("MCKIBBEN_ROUNDS").ok().and_then(|r| r.parse().ok()).unwrap_or(few).min(most)
-}
-
 /// Fits each, holds it to the goal, and prints what they err by.
 fn within_the_goal(muscles: impl Iterator<Item = (Muscle, f64)>) {
     let mut shares: [Vec<f64>; 3] = Default::default();
@@ -197,16 +192,16 @@ fn within_the_goal(muscles: impl Iterator<Item = (Muscle, f64)>) {
 }
 
 /// The goal, over the box from −5 %: at most 0.3 % of the blocked force at 95 % of the points that the form was not fitted to, 1 % at worst.
-/// `MCKIBBEN_ROUNDS=200` for the whole set. The form's nodes were chosen on muscles 0 to 199; these are others.
+/// `MCKIBBEN_TIMES=50` for the whole set. The form's nodes were chosen on muscles 0 to 199; these are others.
 #[test]
 fn random_muscles_are_within_three_thousandths_at_95_percent_of_points_and_one_percent_at_worst() {
-    within_the_goal((1000..1000 + rounds(4, 200)).map(|index| random(index, neo_hookean)));
+    within_the_goal((1000..1000 + rounds(4) as u64).map(|index| random(index, neo_hookean)));
 }
 
 /// The same for rubber of Mooney and Rivlin, Yeoh, Ogden and Gent in turn.
 #[test]
 fn random_muscles_of_other_rubbers_are_within_the_same() {
-    let muscles = (2000..2000 + rounds(4, 200)).map(|index| random(index, |r| other_law(r, index)));
+    let muscles = (2000..2000 + rounds(4) as u64).map(|index| random(index, |r| other_law(r, index)));
     within_the_goal(muscles);
 }
 

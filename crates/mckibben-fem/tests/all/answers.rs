@@ -7,7 +7,7 @@ use mckibben::answer::{Options, force, point};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::file::parse_muscle;
 use mckibben::muscle::{Braid, Muscle, Tube};
-use mckibben::random::Random;
+use mckibben::random::{Random, rounds};
 use mckibben_fem::axisymmetric::{Axisymmetric, sweep};
 
 /// P and ε for which a muscle that was thrown pulls, with its model.
@@ -23,7 +23,7 @@ fn pulling(count: usize) -> Vec<(Axisymmetric, f64, f64)> {
 
 #[test]
 fn every_muscle_that_pulls_has_a_pressure_at_which_it_starts_to() {
-    for (model, p, e) in pulling(60) {
+    for (model, p, e) in pulling(rounds(15)) {
         let answer = force(&model, &mut Workspace::new(), p, e, Options::default()).unwrap();
         let muscle = model.muscle();
         let start = answer.start_pressure_mpa.unwrap_or_else(|| panic!("no P′ at {p} MPa, {e}: {muscle:?}"));
@@ -35,7 +35,7 @@ fn every_muscle_that_pulls_has_a_pressure_at_which_it_starts_to() {
 
 #[test]
 fn both_inverses_come_back() {
-    for (model, p, e) in pulling(60) {
+    for (model, p, e) in pulling(rounds(15)) {
         let w = &mut Workspace::new();
         let pull = model.force_n(w, p, e).unwrap();
         let contraction = contraction_at(&model, &mut Workspace::new(), pull, p, Options::default()).unwrap();
@@ -50,7 +50,7 @@ fn both_inverses_come_back() {
 
 #[test]
 fn past_its_free_contraction_a_muscle_hangs_slack() {
-    for (model, p, _) in pulling(40) {
+    for (model, p, _) in pulling(rounds(10)) {
         let w = &mut Workspace::new();
         let free = free_contraction(&model, w, p, Options::default()).unwrap();
         for past in [1.0 + 1e-9, 1.02, 1.2, 1.6] {

@@ -5,7 +5,7 @@ use super::universal_small::random;
 use mckibben::model::{ForceModel, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::measures::{LENGTH, PLUG_DIAMETER};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
-use mckibben::random::Random;
+use mckibben::random::{Random, rounds};
 use mckibben::rubber::{Law, NeoHookean};
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fem::three_dimensional::ThreeDimensional;
@@ -109,13 +109,12 @@ fn an_impossible_plug_is_refused() {
 }
 
 /// The computed ends of `universal` against finite elements, at up to three contractions of random muscles with plugs of 0.8 to 1.3 times the bore:
-/// the ± covers 95 % of the points, and without the plug the error is more than five times as large. `MCKIBBEN_ROUNDS` takes more muscles.
+/// the ± covers 95 % of the points, and without the plug the error is more than five times as large.
 #[test]
 fn universal_has_the_plugs_of_finite_elements() {
-    let rounds = std::env::var("MCKIBBEN_ROUNDS").ok().and_then(|n| n.parse().ok()).unwrap_or(300);
     let mut r = Random(11);
     let (mut errors, mut without, mut covered) = (vec![], vec![], 0);
-    for _ in 0..rounds {
+    for _ in 0..rounds(300) {
         let factor = r.between(0.8, 1.3);
         let Some((plain, p, _)) = random(&mut r) else { continue };
         let plug_mm = factor * 2.0 * plain.tube().inner_radius_mm();

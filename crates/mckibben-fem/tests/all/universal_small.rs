@@ -2,7 +2,7 @@
 
 use mckibben::model::{ForceModel, ModelKind, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
-use mckibben::random::Random;
+use mckibben::random::{Random, rounds};
 use mckibben::rubber::{Law, NeoHookean};
 use mckibben_fem::axisymmetric::Axisymmetric;
 
@@ -46,7 +46,7 @@ fn errors(count: usize, seed: u64) -> Vec<Point> {
 
 #[test]
 fn the_half_width_of_universal_small_holds_95_percent_of_random_muscles() {
-    let all = errors(std::env::var("MCKIBBEN_ROUNDS").ok().and_then(|n| n.parse().ok()).unwrap_or(400), 3);
+    let all = errors(rounds(400), 3);
     let list = |chosen: &dyn Fn(&Point) -> bool| -> Vec<f64> {
         all.iter().filter(|point| chosen(point)).map(|point| point.2).collect()
     };
