@@ -11,9 +11,7 @@ Lengths are in mm, pressures in MPa (gauge), forces in N, angles in degrees; a q
 
 from __future__ import annotations
 
-from difflib import get_close_matches
 from importlib import import_module
-from importlib.util import find_spec
 
 # What checkers of types know as true; `typing` itself takes longer to import than all else here.
 TYPE_CHECKING = False
@@ -43,9 +41,13 @@ def __getattr__(name: str) -> Any:
     front = import_module("._front", __name__)
     if name == "__all__" or name in front.__all__:
         return globals().setdefault(name, getattr(front, name))
+    from difflib import get_close_matches
+
     near = get_close_matches(name, front.__all__, 1)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}" + (f"; did you mean {near[0]!r}?" if near else ""))
 
 
 def __dir__() -> list[str]:
+    from importlib.util import find_spec
+
     return sorted({*import_module("._front", __name__).__all__, "__version__", *(["jax"] if find_spec("jax") else [])})

@@ -195,7 +195,7 @@ def _function(command: str, owner: str = "") -> Callable[..., Any]:
         return answered(command, {**muscle, **{names[name]: value for name, value in values.items()}}, answer, progress)
 
     own = [Parameter("self", Parameter.POSITIONAL_OR_KEYWORD)] if owner else []
-    signature = Signature([*own, *parameters], return_annotation=f"{'_results' if command in OWN_CLASS else '_answers'}.{answer}")
+    signature = Signature([*own, *parameters], return_annotation=f"{'_muscle' if command in ('design', 'identify') else '_results' if command in OWN_CLASS else '_answers'}.{answer}")
     return _called(signature, METHODS.get(command, command.replace("-", "_")) if owner else command.replace("-", "_"), "\n\n".join(about), owner, ask)
 
 

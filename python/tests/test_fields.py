@@ -75,17 +75,17 @@ def test_a_field_of_a_muscle_is_given_replaced_and_read_back(name: str) -> None:
     def given(of: Any) -> dict[str, Any]:
         return {**beside, name: of}
 
-    muscle = mk.Muscle(**given(value))
+    muscle = mk.Muscle.prototype(**given(value))
     # The area of a round strand is what a muscle file holds.
     assert getattr(muscle, name) == (pytest.approx(value, rel=1e-15) if name == "strand_diameter_mm" else value)
     assert mk.Muscle.prototype().replace(**given(value)) == muscle == mk.Muscle.from_toml(muscle.to_toml())
     assert mk.muscle_show(**given(value)).to_dict() == muscle.show().to_dict()
     for same in (text, f"{value!r} {unit}" if unit else ""):
         if same:
-            assert mk.Muscle(**given(same)) == muscle == mk.Muscle.prototype().replace(**given(same))
+            assert mk.Muscle.prototype(**given(same)) == muscle == mk.Muscle.prototype().replace(**given(same))
     # A text in a unit of another kind of quantity.
     other = "1 mm2" if unit != "mm2" else "1 N"
-    for call in (lambda: mk.Muscle(**given(other)), lambda: mk.Muscle.prototype().replace(**given(other)), lambda: mk.muscle_show(**given(other))):
+    for call in (lambda: mk.Muscle.prototype(**given(other)), lambda: mk.Muscle.prototype().replace(**given(other)), lambda: mk.muscle_show(**given(other))):
         with pytest.raises(mk.MckibbenError):
             call()
     # Documented with its unit, as an argument and as an attribute.
@@ -130,7 +130,7 @@ def test_what_a_field_holds_is_said_where_something_else_is_given() -> None:
         assert said in str(caught.value) and caught.value.field == "end_factor"
     for name in ("cone_factor", "turns"):
         with pytest.raises(mk.InputError, match=f"`{name}` is a number without a unit"):
-            mk.Muscle(None, **{name: "1 mm"})  # type: ignore[arg-type]
+            mk.Muscle.prototype(**{name: "1 mm"})  # type: ignore[arg-type]
     with pytest.raises(mk.InputError, match="`model` is a text, not 5"):
         mk.Muscle.prototype().model(5)  # type: ignore[arg-type]
 

@@ -135,7 +135,7 @@ def test_tables_become_those_of_others(things: dict[str, Any]) -> None:
     design = things["design"].to_pandas()
     assert list(design["outer_diameter_mm"]) == [c.outer_diameter_mm for c in things["design"].candidates]
     assert pa.table(things["design"]).num_rows == len(design)
-    assert pd.read_csv(io.StringIO(curve.to_table().to_csv()), float_precision="round_trip")["force_n"].tolist() == curve.force_n.tolist()
+    assert pd.read_csv(io.StringIO(curve.to_table().to_csv()))["force_n"].tolist() == curve.force_n.tolist()
     assert pa.table(mk.Table({})).num_rows == 0
     with pytest.raises(ValueError):
         mk.Table({"a": [1], "b": [1, 2]})
