@@ -99,7 +99,7 @@ def answers() -> Iterator[str]:
     from mckibben import _answers
 
     yield HEAD + "\nfrom typing import Any, Literal\n\nfrom ._record import Record\n"
-    yield f"__all__ = {_answers.__all__}"
+    yield f"OWN: dict[str, type[Record]]\n\ndef kind(name: str) -> type[Record]: ...\n\n__all__ = {_answers.__all__}"
     for name in _answers.__all__:
         made = getattr(_answers, name)
         fields = "".join(f"\n    {field}: {kind}" for field, kind in made.__annotations__.items() if not keyword.iskeyword(field))

@@ -123,7 +123,7 @@ class Campaign(Fixed):
 
     def fit(self, method: str | None = None, *, progress: Progress = None, **options: Option) -> Fitted:
         """The formula that a method makes of the table; the other arguments are those of :func:`fit`."""
-        found: Fitted = _commands.fit(campaign=self._table, progress=progress, **{**options, "method": method})
+        found: Fitted = _commands.fit(campaign=self._table, progress=progress, **dict[str, Any]({**options, "method": method}))
         return found
 
     def to_pandas(self) -> pandas.DataFrame:

@@ -276,7 +276,7 @@ class Model(Asked, Fixed):
             return out[..., 0] if shape else float(out[0]), out[..., 1:]
         return out if shape else float(out)
 
-    def _by_measures(self, wanted: str, a_name: str, a: Any, b_name: str, b: Any, names: list[str], errors: str | None, progress: Progress) -> Any:
+    def _by_measures(self, wanted: str, a_name: str, a: Any, b_name: str, b: Any, names: list[str], nan: bool, progress: Progress) -> Any:
         """With derivatives by measures of the muscle: all parameters that follow a measure change with it."""
         rows = [self._muscle._follows(name) if name in MEASURES else {name: 1.0} for name in names]
         own = list(dict.fromkeys(parameter for row in rows for parameter in row))

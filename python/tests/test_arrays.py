@@ -138,7 +138,7 @@ def test_wrong_shapes_and_types(thin: mk.Muscle) -> None:
     with pytest.raises(mk.InputError):
         model.force("3 mm", 0.1)
     with pytest.raises(ValueError):
-        model.force(0.1, 0.1, errors="ignore")  # type: ignore[call-overload]
+        model.force(0.1, 0.1, errors="ignore")
     with pytest.raises(mk.InputError):
         model.force(0.1, 0.1, jac=["tube.material.c99"])
     with pytest.raises(mk.InputError, match="contraction ratio"):

@@ -100,7 +100,7 @@ def test_what_a_muscle_does_not_have_is_none_and_what_no_muscle_has_is_an_error(
     with pytest.raises(TypeError, match="grip_nm"):
         muscle.replace(grip_nm=1)  # type: ignore[call-arg,unused-ignore]
     with pytest.raises(AttributeError):
-        muscle.grip_nm  # type: ignore[attr-defined]
+        muscle.grip_nm
 
 
 def test_texts_have_the_unit_of_the_field() -> None:
@@ -130,9 +130,9 @@ def test_what_a_field_holds_is_said_where_something_else_is_given() -> None:
         assert said in str(caught.value) and caught.value.field == "end_factor"
     for name in ("cone_factor", "turns"):
         with pytest.raises(mk.InputError, match=f"`{name}` is a number without a unit"):
-            mk.Muscle.prototype(**{name: "1 mm"})  # type: ignore[arg-type]
+            mk.Muscle.prototype(**{name: "1 mm"})
     with pytest.raises(mk.InputError, match="`model` is a text, not 5"):
-        mk.Muscle.prototype().model(5)  # type: ignore[arg-type]
+        mk.Muscle.prototype().model(5)
 
 
 def test_kinds_by_name_are_those_of_the_schemas() -> None:

@@ -21,7 +21,7 @@ PRESSURES, CONTRACTIONS = np.linspace(0.02, 0.6, 150), np.linspace(0, 0.25, 60)
 
 def long_work(progress: object = None) -> None:
     model = mk.Muscle.prototype(wall_mm=4).model(mesh="2x24", two_sided=True)
-    model.force(PRESSURES[:, None], CONTRACTIONS, jac=["tube.wall_thickness"], errors="nan", progress=progress)  # type: ignore[call-overload]
+    model.force(PRESSURES[:, None], CONTRACTIONS, jac=["tube.wall_thickness"], errors="nan", progress=progress)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals")

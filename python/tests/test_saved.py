@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+import csv
 import json
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pandas as pd
 import pytest
 from conftest import ROOT
 
@@ -49,7 +49,7 @@ def test_results_muscles_and_rubbers_are_saved_and_loaded(found: Any, thin: mk.M
     assert "best D0 25 mm" in repr(design) and "± 227" in repr(design) and "burst margin" in repr(design) and "extended-tube: gc" in repr(fitted)
     solution = thin.solve([0.1, 0.2], 0.1, model="universal")
     solution.save(tmp_path / "s.csv")
-    assert pd.read_csv(tmp_path / "s.csv")["force_n"].tolist() == solution.force_n.tolist()
+    assert [float(row["force_n"]) for row in csv.DictReader((tmp_path / "s.csv").open())] == solution.force_n.tolist()
 
 
 def test_another_file_is_not_replaced(thin: mk.Muscle, root: Path, tmp_path: Path) -> None:
@@ -72,7 +72,8 @@ def test_another_file_is_not_replaced(thin: mk.Muscle, root: Path, tmp_path: Pat
     with pytest.raises(FileExistsError):
         files.save(tmp_path / "files")
     assert files.save(tmp_path / "files", overwrite=True).read_text() != "mine"
-    for missing in (lambda: thin.save(tmp_path / "no" / "m.toml"), lambda: mk.Rubber.load(tmp_path / "no.toml")):
+    missing_places: list[Any] = [lambda: thin.save(tmp_path / "no" / "m.toml"), lambda: mk.Rubber.load(tmp_path / "no.toml")]
+    for missing in missing_places:
         with pytest.raises(FileNotFoundError):
             missing()
     with pytest.raises(mk.FileError, match="directory"):
@@ -92,7 +93,7 @@ def test_a_muscle_is_made_of_its_dict_again(path: Path) -> None:
     """The same muscle, by plain values that JSON holds."""
     muscle = mk.Muscle(path)
     given = json.loads(json.dumps(muscle.to_dict()))
-    assert mk.Muscle(**given) == muscle == mk.Muscle.prototype(**given) and mk.Muscle(**given).to_dict() == muscle.to_dict()
+    assert mk.Muscle(**given) == muscle and mk.Muscle(**given).to_dict() == muscle.to_dict()
 
 
 def test_stress_of_a_rubber_is_that_of_treloar() -> None:
@@ -100,10 +101,10 @@ def test_stress_of_a_rubber_is_that_of_treloar() -> None:
     stretch = np.array([[0.8, 1.0], [1.5, 3.0]])
     rubber = mk.Rubber("neo-hookean", mu="400 kPa")
     for mode, power in (("uniaxial", 2), ("planar", 3), ("equibiaxial", 5)):
-        assert np.allclose(rubber.stress(mode, stretch), 0.4 * (stretch - stretch**-power), rtol=1e-12)  # type: ignore[arg-type]
+        assert np.allclose(rubber.stress(mode, stretch), 0.4 * (stretch - stretch**-power), rtol=1e-12)
     rivlin = mk.Rubber("mooney-rivlin", c10=0.2, c01=0.1)
     assert rivlin.stress("uniaxial", 2.0) == pytest.approx(2 * (0.2 + 0.1 / 2) * (2 - 2**-2))
     with pytest.raises(ValueError):
-        rubber.stress("shear", 2.0)  # type: ignore[arg-type]
+        rubber.stress("shear", 2.0)
     with pytest.raises(mk.InputError):
         rubber.stress("uniaxial", [1.0, -1.0])
