@@ -38,7 +38,7 @@ def points(n: int) -> tuple[np.ndarray, np.ndarray]:
 
 def python() -> dict[str, float]:
     """Seconds by case."""
-    muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=2)
+    muscle = mk.Muscle.prototype(outer_diameter_mm=50, wall_mm=2)
     out = {}
     for name, n, rounds in [("paper", 10_000, 300), ("paper", 1_000_000, 40), ("universal", 100_000, 5)]:
         model, (p, e) = muscle.model(name), points(n)

@@ -38,8 +38,8 @@ def broadcast() -> None:
 
 
 def isobars() -> None:
-    """Isobars with ± bands, drawn"""
-    mk.plot.isobars(MUSCLE, [0.1, 0.2, 0.3], units="bar", model="universal").figure.savefig(FOLDER / "isobars.png")
+    """Isobars with their ±, drawn"""
+    MUSCLE.curve("isobaric", pressures_mpa=[0.1, 0.2, 0.3], model="universal").plot(units="bar").figure.savefig(FOLDER / "isobars.png")
 
 
 def table() -> None:
@@ -60,7 +60,7 @@ def identify() -> None:
 
 def rubber() -> None:
     """A rubber from tension data, used in a muscle"""
-    MUSCLE.replace(rubber=mk.Rubber.fit("data/treloar/tension.csv")).force(0.2, 0.1)
+    MUSCLE.replace(rubber=mk.rubber("data/treloar/tension.csv").rubber()).force(0.2, 0.1)
 
 
 def formula() -> None:
@@ -90,14 +90,6 @@ def jax_batch() -> None:
     jax.vmap(jax.value_and_grad(force))(np.linspace(0.1, 0.3, 1000), np.full(1000, 0.1))
 
 
-def torch_batch() -> None:
-    """The same by PyTorch"""
-    import torch
-
-    p = torch.linspace(0.1, 0.3, 1000, dtype=torch.float64, requires_grad=True)
-    mk.torch.force(MUSCLE.model("universal"))(p, torch.full((1000,), 0.1, dtype=torch.float64)).sum().backward()
-
-
 def optimise() -> None:
     """The wall for 1000 N at 2 bar and 10 %, by SciPy"""
     from scipy.optimize import brentq
@@ -113,7 +105,7 @@ def saved() -> None:
 
 FORMULA: mk.Fit | None = None
 JOBS: list[Callable[[], None]] = [
-    one_point, broadcast, isobars, table, design, identify, rubber, formula, elbow, loop, jax_batch, torch_batch, optimise, saved,
+    one_point, broadcast, isobars, table, design, identify, rubber, formula, elbow, loop, jax_batch, optimise, saved,
 ]
 
 

@@ -10,7 +10,7 @@ PYTHON=${PYTHON:-python3}
 target=${CARGO_TARGET_DIR:-$PWD/target}
 
 test -x "$target/venv/bin/python" || "$PYTHON" -m venv "$target/venv"
-"$target/venv/bin/python" -m pip install --quiet pytest numpy pandas polars pyarrow pint matplotlib plotly scipy tqdm jax anywidget xarray gymnasium
+"$target/venv/bin/python" -m pip install --quiet pytest numpy pandas polars pyarrow pint matplotlib scipy jax xarray gymnasium
 if [ "${1:-}" = install ]; then exit; fi
 
 # Modules come from a copy: the sources are left as they are.

@@ -13,8 +13,8 @@ step() { printf '== %s (%d s)\n' "$*" "$SECONDS"; }
 step "tools"
 "$PYTHON" -m venv "$work/venv"
 export PATH="$work/venv/bin:$PATH"
-python -m pip install --quiet "maturin>=1.12,<2" mypy pytest numpy pandas polars pyarrow pint matplotlib plotly scipy tqdm jax anywidget \
-    nbclient nbformat ipykernel pandas-stubs types-tqdm
+python -m pip install --quiet "maturin>=1.12,<2" mypy pytest numpy pandas polars pyarrow pint matplotlib scipy jax \
+    nbclient nbformat ipykernel pandas-stubs
 
 step "types of what is made from the schema"
 cargo build --quiet --workspace --all-targets --profile test --locked
@@ -38,7 +38,7 @@ program=${CARGO_TARGET_DIR:-$PWD/target}/debug/mckibben
 MCKIBBEN=$program MCKIBBEN_ROOT=$PWD PYTHONSAFEPATH=1 python -m pytest -q -p no:cacheprovider "$work/tests"
 "$PYTHON" -m venv "$work/bare"
 "$work/bare/bin/python" -m pip install --quiet "$work"/dist/*.whl
-(cd "$work" && "$work/bare/bin/python" -c 'import mckibben as mk; assert mk.Muscle().model().force(0.2, [0.0, 0.1])[0] > 0')
+(cd "$work" && "$work/bare/bin/python" -c 'import mckibben as mk; assert mk.Muscle.prototype().model().force(0.2, [0.0, 0.1])[0] > 0')
 version=$(sed -n '/^\[workspace.package\]/,/^\[/s/^version = "\(.*\)"/\1/p' Cargo.toml)
 test "$(cd "$work" && python -c 'import mckibben; print(mckibben.__version__)')" = "$version"
 

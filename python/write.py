@@ -27,19 +27,18 @@ from unittest.mock import MagicMock
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGE = ROOT / "python" / "mckibben"
-BRIDGES = ("jax", "torch")
 HEAD = "# Written by python/write.py from the schema.\n"
 TYPES = """
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Literal
 
-from . import _answers, _results
+from . import _answers, _muscle, _results
 from ._ask import Progress
 from ._drives import Drive, Joint
 from ._formula import Formula
 from ._inputs import Choice, FileLike, FormulaLike, Measured, MuscleLike, Number, Numbers, Plain, TableLike
 from ._muscle import Muscle
-from ._parts import Braid, Friction, Rubber, Terminals, Tube
+from ._rubber import Rubber
 """
 
 
@@ -100,7 +99,7 @@ def answers() -> Iterator[str]:
     from mckibben import _answers
 
     yield HEAD + "\nfrom typing import Any, Literal\n\nfrom ._record import Record\n"
-    yield f"__all__ = {_answers.__all__}"
+    yield f"OWN: dict[str, type[Record]]\n\ndef kind(name: str) -> type[Record]: ...\n\n__all__ = {_answers.__all__}"
     for name in _answers.__all__:
         made = getattr(_answers, name)
         fields = "".join(f"\n    {field}: {kind}" for field, kind in made.__annotations__.items() if not keyword.iskeyword(field))
@@ -119,8 +118,6 @@ def classes(module: Any) -> Iterator[tuple[str, Any]]:
         names = module.__all__
     else:
         names = [node.name for node in ast.parse(inspect.getsource(module)).body if isinstance(node, (ast.FunctionDef, ast.ClassDef))]
-    if made == "_points":
-        names = ["Found", "Solution", "errstate"]
     for name in names:
         # Functions that the modules have for each other are not described.
         own = inspect.isfunction(getattr(module, name)) and made.startswith("_") and name not in listed()
@@ -130,22 +127,23 @@ def classes(module: Any) -> Iterator[tuple[str, Any]]:
 
 def members(made: type) -> Iterator[tuple[str, Any]]:
     """What a class has itself, and what a muscle has of its fields."""
-    for part in (made, *(base for base in made.__mro__ if base.__name__.endswith(("Fields", "Tabled")))):
+    for part in (made, *(base for base in made.__mro__ if base.__name__.endswith(("Fields", "Asked", "Tabled")))):
         for name, value in vars(part).items():
             value = value.__func__ if isinstance(value, (classmethod, staticmethod)) else value
             if not name.startswith("_") and (inspect.isfunction(value) or isinstance(value, property)) and value.__doc__:
                 yield name, value
 
 
-PARTS = {"Objects": "_muscle _parts _model _points _drives _simulation _formula _campaign _table", "Commands": "_commands", "Figures": "plot _notebook", "Answers": "_columns _results _record _load", "Exceptions": "_problem"}
+PARTS = {"Objects": "_muscle _rubber _model _points _drives _simulation _formula _campaign _table", "Commands": "_commands", "Answers": "_results _record _load", "Exceptions": "_errors", "For JAX": "jax"}
 
 
 def parts() -> Iterator[tuple[str, str, str, Any]]:
     """What is documented: the page, the module, the name, and what it is."""
     from importlib import import_module
 
-    bridges = " ".join(name for name in BRIDGES if name in sys.modules or find_spec(name))
-    for title, modules in [*PARTS.items(), ("For JAX and PyTorch", bridges)]:
+    for title, modules in PARTS.items():
+        if modules == "jax" and "jax" not in sys.modules and not find_spec("jax"):
+            continue
         for module in modules.split():
             yield from ((title, module, name, made) for name, made in classes(import_module(f"mckibben.{module}")))
 
@@ -162,7 +160,7 @@ def reference() -> str:
         last, text = title, inspect.getdoc(made) or ""
         if name == "Muscle":
             text = text.replace("Examples\n", f"{fields}\n\nExamples\n")
-        out += entry(f"{module}.{name}" if module in BRIDGES else name, made, text, "###")
+        out += entry(f"jax.{name}" if module == "jax" else name, made, text, "###")
         if inspect.isclass(made):
             for member, value in members(made):
                 out += entry(f"{name}.{member}", value, inspect.getdoc(value) or "", "####")
@@ -240,9 +238,9 @@ def main() -> None:
         return stubs(args.place)
     if args.what == "pages":
         return pages(args.place)
-    for name in (name for name in BRIDGES if not find_spec(name)):
+    if not find_spec("jax"):
         # What it would be called with is described where it is not installed, too.
-        sys.modules.update({name: MagicMock(), f"{name}.numpy": MagicMock()})
+        sys.modules.update({"jax": MagicMock(), "jax.numpy": MagicMock()})
     args.place.write_text(reference(), "utf-8")
 
 

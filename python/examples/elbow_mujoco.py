@@ -30,7 +30,7 @@ def torque_nm(model: mk.Model, pressures_mpa: tuple[float, float], angle_rad: fl
     """The muscles pull on a pulley, each on its side: F1 r − F2 r."""
     length = model.muscle.length_mm or 1.0
     pulls = [model.force(p, AT_NEUTRAL + sign * RADIUS_MM * angle_rad / length) for p, sign in zip(pressures_mpa, (1, -1))]
-    return 1e-3 * RADIUS_MM * (pulls[0] - pulls[1])
+    return float(1e-3 * RADIUS_MM * (pulls[0] - pulls[1]))
 
 
 def main(pressures_mpa: tuple[float, float] = (0.2, 0.1)) -> float:

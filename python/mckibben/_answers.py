@@ -6,9 +6,10 @@ from functools import partial
 from typing import Any
 
 from . import _schema
-from ._docs import entries, wrapped
 from ._record import Record
 
+# Classes around those of the schema, by their names.
+OWN: dict[str, type[Record]] = {}
 # The list of an answer that is its table, by command.
 ROWS = {
     "build": "parts", "export": "files", "export-list": "targets",
@@ -26,7 +27,7 @@ def _answers() -> dict[str, tuple[str, _schema.Schema]]:
 
 def _record(name: str, schema: _schema.Schema, rows: str | None) -> type[Record]:
     fields, always = _schema.properties(schema), _schema.required(schema)
-    if taken := {"keys", "plot", "to_arrow", "to_dict", "to_pandas", "to_polars", "to_table"} & set(fields):
+    if taken := {"keys", "plot", "to_dict", "to_pandas", "to_table"} & set(fields):
         raise TypeError(f"{name}: {taken} are methods of every answer")
     kinds = {field: _schema.answer_type(value) for field, value in fields.items()}
     for field, kind in kinds.items():
@@ -35,7 +36,7 @@ def _record(name: str, schema: _schema.Schema, rows: str | None) -> type[Record]
     return type(name, (Record,), {
         "__slots__": (),
         "__module__": __name__,
-        "__doc__": "\n\n".join([wrapped(_schema.doc(schema) or name), *entries("Attributes", fields)]),
+        "__doc__": "\n\n".join([_schema.wrapped(_schema.doc(schema) or name), *_schema.entries("Attributes", fields)]),
         "__annotations__": kinds,
         "_fields_": tuple(fields),
         "_nested_": {field: partial(_kind, found) for field, value in fields.items() if (found := _schema.record_of(value))},
@@ -44,9 +45,14 @@ def _record(name: str, schema: _schema.Schema, rows: str | None) -> type[Record]
 
 
 def _kind(name: str) -> type[Record]:
-    """A record by its name."""
+    """A record of the schema by its name."""
     made: type[Record] = globals().get(name) or __getattr__(name)
     return made
+
+
+def kind(name: str) -> type[Record]:
+    """The class of an answer by its name."""
+    return OWN.get(name) or _kind(name)
 
 
 def _all() -> list[str]:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, Union
 
-from . import _native, _plain, _quantity, _schema
+from . import _answers, _native, _plain, _quantity, _schema
 
 Progress = Union[bool, Callable[[int, int], object], None]
 
@@ -22,7 +22,7 @@ def ask(command: str, request: dict[str, Any] | None = None, *, progress: Progre
     request
         What ``mckibben schema`` says, numbers in mm, MPa, N and degrees.
     progress
-        True for a progress bar, or a function that is called with (done, total).
+        True for a line on standard error, or a function that is called with (done, total).
 
     Returns
     -------
@@ -40,17 +40,12 @@ def ask(command: str, request: dict[str, Any] | None = None, *, progress: Progre
 
 def answered(command: str, values: dict[str, Any], answer: str, progress: Progress = None) -> Any:
     """The answer to a request of keywords, as an object."""
-    from . import _answers, _results
-
     request = _plain.request(command, values)
     # With its figure, as the answer takes longer than to draw. A curve is drawn when it is wanted, and so are measured muscles, which may be rubbers alone.
     if command not in ("curve", "measured") and (figure := _schema.figure_in(command, "MPa")) is not None:
         request.setdefault("figure", figure)
-    own = getattr(_results, answer, None)
     with listening(progress, command) as heard:
-        if own is not None:
-            return own._asked_for(command, request, heard)
-        return getattr(_answers, answer)(_native.ask(command, request, heard), (command, request))
+        return _answers.kind(answer)._asked_for(command, request, heard)
 
 
 def units(system: object = None) -> Any:
@@ -75,46 +70,11 @@ def units(system: object = None) -> Any:
 
 @contextmanager
 def listening(progress: Progress, what: str) -> Iterator[Callable[[int, int], object] | None]:
-    """The function that hears of progress: the caller's own, or that of a bar which is closed at the end."""
-    if progress is None or progress is False:
-        yield None
-    elif callable(progress):
-        yield progress
-    else:
-        bar = Bar(what)
+    """The function that hears of progress: the caller's own, or one that writes a line on standard error."""
+    if progress is True:
         try:
-            yield bar.moved
+            yield lambda done, total: print(f"\r{what}: {done} of {total}", end="", file=sys.stderr, flush=True)
         finally:
-            bar.close()
-
-
-class Bar:
-    """A progress bar: that of tqdm, or a line on standard error where it is not installed."""
-
-    def __init__(self, what: str) -> None:
-        self.what = what
-        self.bar: Any = None
-        try:
-            from tqdm.auto import tqdm
-        except ImportError:
-            self.tqdm: Any = None
-        else:
-            self.tqdm = tqdm
-
-    def moved(self, done: int, total: int) -> None:
-        """So many of so many."""
-        if self.tqdm is None:
-            print(f"\r{self.what}: {done} of {total}", end="", file=sys.stderr, flush=True)
-            return
-        if self.bar is None:
-            self.bar = self.tqdm(total=total or None, desc=self.what)
-        if self.bar.total != total and total:
-            self.bar.total = total
-        self.bar.update(max(0, done - self.bar.n))
-
-    def close(self) -> None:
-        """The end."""
-        if self.bar is not None:
-            self.bar.close()
-        elif self.tqdm is None:
             print(file=sys.stderr)
+    else:
+        yield progress or None

@@ -7,14 +7,12 @@ import time
 import uuid
 from typing import TYPE_CHECKING, Any
 
-from . import _answers, _files, _native, _problem
+from . import _answers, _commands, _errors, _files, _native
 from ._ask import Progress, listening
-from ._base import Fixed, _any
+from ._table import Fixed
 
 if TYPE_CHECKING:
     import pandas
-    import polars
-    import pyarrow
 
     from concurrent.futures import Executor, Future
     from os import PathLike
@@ -71,7 +69,7 @@ class Campaign(Fixed):
         overwrite
             Overwrite a file at ``output`` that is not of this plan.
         progress
-            True for a progress bar, or a function that is called with (done, total).
+            True for a line on standard error, or a function that is called with (done, total).
 
         Returns
         -------
@@ -104,31 +102,14 @@ class Campaign(Fixed):
 
     def fit(self, method: str | None = None, *, progress: Progress = None, **options: Option) -> Fitted:
         """The formula that a method makes of the table; the other arguments are those of :func:`fit`."""
-        from ._commands import fit
-
-        return fit(campaign=self._table, progress=progress, **_any({**options, "method": method}))
-
-    def to_arrow(self) -> pyarrow.Table:
-        """The table as a ``pyarrow.Table``."""
-        import pyarrow.parquet as pq
-
-        return pq.read_table(self._table)
+        found: Fitted = _commands.fit(campaign=self._table, progress=progress, **dict[str, Any]({**options, "method": method}))
+        return found
 
     def to_pandas(self) -> pandas.DataFrame:
         """The table as a ``pandas.DataFrame`` (by pyarrow or fastparquet)."""
         import pandas as pd
 
         return pd.read_parquet(self._table)
-
-    def to_polars(self) -> polars.DataFrame:
-        """The table as a ``polars.DataFrame``."""
-        import polars as pl
-
-        path = self._table
-        return pl.read_parquet(os.path.join(path, "**", "*.parquet") if os.path.isdir(path) else path)
-
-    def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
-        return self.to_arrow().__arrow_c_stream__(requested_schema)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Campaign) and (self._output, self._plan) == (other._output, other._plan)
@@ -189,7 +170,7 @@ def _shard(request: dict[str, Any], stop: str) -> None:
             return
         except KeyboardInterrupt:
             return
-        except _problem.MckibbenError as error:
+        except _errors.MckibbenError as error:
             # Another worker computes it, for a client that has left: what it leaves is computed after it.
             if error.kind != "locked":
                 raise
@@ -212,7 +193,7 @@ def campaign(plan: FileLike, output: str | PathLike[str], *, executor: Executor 
     threads
         Threads of each task; one where there is an executor, else as many as cores.
     progress
-        True for a progress bar, or a function that is called with (done, total); on an executor in shards.
+        True for a line on standard error, or a function that is called with (done, total); on an executor in shards.
 
     Returns
     -------

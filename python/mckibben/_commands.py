@@ -5,16 +5,15 @@ from __future__ import annotations
 import keyword
 import re
 from collections.abc import Callable, Iterable
-from functools import partial
 from inspect import Parameter, Signature
 from typing import Any
 
-from . import _native, _quantity, _schema
+from . import _quantity, _schema
 from ._ask import answered
-from ._docs import entry, section, wrapped
+from ._errors import InputError
 from ._files import FORMULAS, TABLES, without_gaps
-from ._plain import muscle_text, tube_for
-from ._problem import warned
+from ._plain import muscle_text
+from ._schema import entry, section, wrapped
 
 # Commands that are no function of the package: they serve pages and the command line.
 LEFT_OUT = {"quantities", "campaign-show", "campaign-merge", "campaign-status", "campaign", "units"}
@@ -52,14 +51,13 @@ GEOMETRY = ("outer_diameter_mm", "wall_mm", "length_mm")
 # Commands that fit measured tables, with the argument of these; tests of a rubber have columns of their own.
 MEASURED = {"identify": "data", "compare": "data", "fit": "table", "rubber": "data"}
 NAN = "Rows that lack a number which is needed (empty, NaN, masked): ``raise``, or ``omit`` to leave these out."
-PROGRESS = "True for a progress bar (tqdm, where it is installed), or a function that is called with (done, total)."
+PROGRESS = "True for a line on standard error, or a function that is called with (done, total)."
 # Types of what may be given for fields, by their names.
 GIVEN = {
     "muscle": "MuscleLike | None",
     "muscles": "Mapping[str, MuscleLike] | Sequence[FileLike] | None",
     "cases": "FileLike | Sequence[FileLike] | None",
     "rubber": "str | Rubber | Mapping[str, Plain] | None",
-    "braid": "str | Braid | Mapping[str, Plain] | None",
     "model": "str | Formula | None",
     "models": "Sequence[str | Formula] | None",
     "figure": "str | None",
@@ -147,7 +145,7 @@ def _called(signature: Signature, name: str, about: str, owner: str, ask: Callab
                 raise TypeError(f"{name}() {error}") from None
         return ask(given)
 
-    called.__name__, called.__qualname__, called.__module__, called.__doc__ = name, owner + name, __name__, about
+    called.__name__, called.__qualname__, called.__module__, called.__doc__ = name, owner + name, __name__ if owner else __package__, about
     called.__signature__ = signature  # type: ignore[attr-defined]
     called.__annotations__ = {p.name: p.annotation for p in signature.parameters.values() if p.annotation is not p.empty} | {"return": signature.return_annotation}
     return called
@@ -191,7 +189,7 @@ def _function(command: str, owner: str = "") -> Callable[..., Any]:
         return answered(command, {**muscle, **{names[name]: value for name, value in values.items()}}, answer, progress)
 
     own = [Parameter("self", Parameter.POSITIONAL_OR_KEYWORD)] if owner else []
-    signature = Signature([*own, *parameters], return_annotation=f"{'_results' if command in OWN_CLASS else '_answers'}.{answer}")
+    signature = Signature([*own, *parameters], return_annotation=f"{'_muscle' if command in ('design', 'identify') else '_results' if command in OWN_CLASS else '_answers'}.{answer}")
     return _called(signature, METHODS.get(command, command.replace("-", "_")) if owner else command.replace("-", "_"), "\n\n".join(about), owner, ask)
 
 
@@ -202,106 +200,50 @@ def _muscle_commands() -> type:
     return type("MuscleCommands", (), {"__slots__": (), "__module__": __name__, "__doc__": "What a muscle is asked: every command that takes one.", **methods})
 
 
-# What may be given as an object too; a muscle has these under names of its own.
-OBJECTS = {"rubber": " Or a :class:`Rubber`.", "braid": " Or a :class:`Braid`."}
-# The parts of a muscle, with their classes.
-WHOLE = {"tube": "Tube", "braid": "Braid", "terminals": "Terminals", "friction": "Friction"}
-COMPRESSION = "Whether strands carry compression."
-
-
-def _attributes(names: dict[str, str]) -> dict[str, property]:
+def _attributes(names: Iterable[str]) -> dict[str, property]:
     """Fields of a muscle as attributes by their names."""
     # What every answer says of its muscle is never missing.
     always = _schema.required({"$ref": "#/$defs/MuscleSummary"})
 
-    def attribute(name: str, of: str) -> property:
-        field = _schema.muscle()[of]
+    def attribute(name: str) -> property:
+        field = _schema.muscle()[name]
 
         def get(self: Any) -> Any:
             return self._field(name)
 
-        kind = "str | Rubber" if name == "rubber" else "str" if _schema.request_type(field).startswith("str") else "float | str" if _schema.reference(field) or _schema.options(field) else "float"
-        get.__annotations__ = {"return": kind if of in always and of != "braid" else f"{kind} | None"}
+        kind = "str" if _schema.request_type(field).startswith("str") else "float | str" if _schema.reference(field) or _schema.options(field) else "float"
+        get.__annotations__ = {"return": kind if name in always else f"{kind} | None"}
         return property(get, doc=" ".join(_schema.doc(field).split()))
 
-    return {name: attribute(name, of) for name, of in names.items() if of != "rubber_file"}
-
-
-def _of_fields(owner: str, own: list[Parameter], listed: list[str], make: Callable[[dict[str, Any]], None], returns: str, attributes: dict[str, property]) -> type:
-    """A class that is made of fields: `own` are its arguments behind self, those with a default are values that `replace` has too."""
-    me = Parameter("self", Parameter.POSITIONAL_OR_KEYWORD)
-
-    def other(given: dict[str, Any]) -> Any:
-        return given.pop("self")._with(given)
-
-    changes = [Parameter(p.name, Parameter.KEYWORD_ONLY, default=None, annotation=p.annotation if str(p.annotation).endswith("None") else f"{p.annotation} | None") for p in own if p.name != "base"]
-    init = _called(Signature([me, *own], return_annotation="None"), "__init__", *section("Parameters", listed), f"{owner}.", make)
-    about = "\n\n".join(["The same with other values.", *section("Parameters", [line for line in listed if not line.startswith("base\n")])])
-    replace = _called(Signature([me, *changes], return_annotation=returns), "replace", about, f"{owner}.", other)
-    return type(owner, (), {"__slots__": (), "__module__": __name__, "__doc__": "By its fields.", "__init__": init, "replace": replace, **attributes})
+    return {name: attribute(name) for name in names}
 
 
 def _muscle_fields() -> type:
-    """What makes a muscle of its fields and parts, and the fields as attributes."""
-    fields = _schema.muscle()
+    """What makes a muscle of its fields, and the fields as attributes."""
+    fields, me = _schema.muscle(), Parameter("self", Parameter.POSITIONAL_OR_KEYWORD)
 
     def make(given: dict[str, Any]) -> None:
         muscle, base = given.pop("self"), given.pop("base", None)
-        if base is None and given.get("tube") is None and (missing := [name for name in GEOMETRY if given.get(name) is None]):
-            text = f"{', '.join(missing)} of the paper's prototype (D0 30 mm, s 3 mm, L0 285 mm) {'is' if len(missing) == 1 else 'are'} used; give every measure, or say Muscle.prototype(…)"
-            warned(text, DeprecationWarning)
+        if base is None and (missing := [name for name in GEOMETRY if given.get(name) is None]):
+            raise InputError(f"{', '.join(missing)} missing", kind="usage", field=missing[0], hint="Muscle.prototype(…) has the paper's: D0 30 mm, s 3 mm, L0 285 mm")
         muscle._hold(muscle_text({"muscle": base, **given}))
 
-    own = [Parameter("base", Parameter.POSITIONAL_OR_KEYWORD, default=None, annotation=GIVEN["muscle"])]
-    own += [Parameter(name, Parameter.KEYWORD_ONLY, default=None, annotation=_given(name, field)) for name, field in fields.items()]
-    own += [Parameter(name, Parameter.KEYWORD_ONLY, default=None, annotation=f"{kind} | None") for name, kind in WHOLE.items() if name not in fields]
-    listed = [entry("base", "A muscle, or the path of a muscle file (TOML), whose values the other arguments replace.")]
-    listed += [entry(name, _schema.doc(field) + OBJECTS.get(name, ""), _schema.unit(field)) for name, field in fields.items()]
-    listed += [entry(name, f"All of the {name} as a :class:`{kind}`, in place of its values.") for name, kind in WHOLE.items() if name not in fields]
+    def other(given: dict[str, Any]) -> Any:
+        muscle = given.pop("self")
+        return type(muscle)(muscle, **given)
 
-    def part(table: str, kind: str) -> property:
-        def get(self: Any) -> Any:
-            return self._part(table)
-
-        get.__annotations__ = {"return": kind}
-        return property(get, doc=f"Its {table}, all of it.")
-
-    attributes = {**_attributes({name: name for name in fields if name not in OBJECTS}), **{table: part(table, kind) for table, kind in WHOLE.items()}}
-    return _of_fields("MuscleFields", own, listed, make, "Muscle", attributes)
+    base = Parameter("base", Parameter.POSITIONAL_OR_KEYWORD, default=None, annotation=GIVEN["muscle"])
+    own = [Parameter(name, Parameter.KEYWORD_ONLY, default=None, annotation=_given(name, field)) for name, field in fields.items()]
+    listed = [entry(name, _schema.doc(field) + (" Or a :class:`Rubber`." if name == "rubber" else ""), _schema.unit(field)) for name, field in fields.items()]
+    of_base = entry("base", "A muscle, or the path of a muscle file (TOML), whose values the other arguments replace.")
+    init = _called(Signature([me, base, *own], return_annotation="None"), "__init__", *section("Parameters", [of_base, *listed]), "MuscleFields.", make)
+    about = "\n\n".join(["The same with other values.", *section("Parameters", listed)])
+    replace = _called(Signature([me, *own], return_annotation="Muscle"), "replace", about, "MuscleFields.", other)
+    attributes = _attributes(name for name in fields if name not in ("rubber", "rubber_file", "braid"))
+    return type("MuscleFields", (), {"__slots__": (), "__module__": __name__, "__doc__": "By its fields.", "__init__": init, "replace": replace, **attributes})
 
 
-def _part_fields(table: str) -> type:
-    """What makes a part of a muscle of its fields, and these as attributes."""
-    names, fields = _schema.part(table), _schema.muscle()
-    kind = table.capitalize()
-
-    def make(given: dict[str, Any]) -> None:
-        part, carries = given.pop("self"), given.pop("compression", None)
-        values = {names[name]: value for name, value in given.items() if value is not None}
-        own = {**(tube_for(given) if table == "braid" else {}), **({} if carries is None else {"braid": {"compression": bool(carries)}})}
-        base = {"name": table, "text": _native.toml_text(own)} if own else None
-        part._read(muscle_text({"muscle": base, **values}), alone=True)
-
-    def compression(self: Any) -> bool:
-        return bool(self._field("compression"))
-
-    compression.__annotations__ = {"return": "bool"}
-    first = [name for name in ("angle_deg",) if name in names]
-    own = [_parameter("", name, fields[names[name]], name not in first) for name in [*first, *(n for n in names if n not in first)]]
-    own = [p.replace(default=p.empty, annotation=str(p.annotation).removesuffix(" | None")) if p.name in GEOMETRY else p.replace(annotation=GIVEN["rubber"] if p.name == "rubber" else "str | None" if p.name == "name" else p.annotation) for p in own]
-    listed = [entry(p.name, _schema.doc(fields[names[p.name]]) + (OBJECTS["rubber"] if p.name == "rubber" else ""), _schema.unit(fields[names[p.name]])) for p in own]
-    attributes = _attributes(names)
-    if table == "braid":
-        own.append(Parameter("compression", Parameter.KEYWORD_ONLY, default=None, annotation="bool | None"))
-        listed.append(entry("compression", COMPRESSION))
-        attributes["compression"] = property(compression, doc=COMPRESSION)
-    return _of_fields(f"{kind}Fields", own, listed, make, kind, attributes)
-
-
-CLASSES: dict[str, Callable[[], type]] = {
-    "MuscleCommands": _muscle_commands, "MuscleFields": _muscle_fields,
-    **{f"{table.capitalize()}Fields": partial(_part_fields, table) for table in WHOLE},
-}
+CLASSES: dict[str, Callable[[], type]] = {"MuscleCommands": _muscle_commands, "MuscleFields": _muscle_fields}
 
 
 def __getattr__(name: str) -> Any:

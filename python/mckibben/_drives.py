@@ -1,4 +1,4 @@
-"""Joints, valves and drives: the files that ``joint``, ``motion`` and :class:`Simulation` take, as objects.
+"""Joints and drives: the files that ``joint``, ``motion`` and :class:`Simulation` take, as objects.
 
 Keys are those of the files (docs/joints.md, docs/motion.md). A number carries its unit in the keyword (``radius_mm=25``), a text or a quantity of pint by
 the same word without it (``radius="25 mm"``); a tuple of two is bounds, a list is values.
@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Union
 
 from . import _files, _native, _quantity
-from ._base import Fixed
 from ._muscle import Muscle
+from ._table import Fixed
 
 if TYPE_CHECKING:
     from typing import TypeAlias
@@ -60,8 +60,7 @@ class _File(Fixed):
     __slots__ = ("_beside", "_tables")
     _tables: dict[str, Any]
     _beside: dict[str, Any]
-    # Of a file that has one.
-    _schema: ClassVar[str] = ""
+    _schema: ClassVar[str]
 
     def _hold(self, tables: Mapping[str, Any], beside: Mapping[str, Any]) -> Self:
         object.__setattr__(self, "_tables", {name: value for name, value in tables.items() if value not in (None, {})})
@@ -69,9 +68,8 @@ class _File(Fixed):
         return self
 
     def to_toml(self) -> str:
-        """The text of its file; that of a joint or drive names its schema, for editors."""
-        text = _native.toml_text(self._tables)
-        return f"#:schema {self._schema}.schema.json\n\n{text}" if self._schema else text
+        """The text of its file, which names its schema for editors."""
+        return f"#:schema {self._schema}.schema.json\n\n{_native.toml_text(self._tables)}"
 
     def to_dict(self) -> dict[str, Any]:
         """Its tables as plain dicts; under ``files`` the texts of the files that it names."""
@@ -79,16 +77,14 @@ class _File(Fixed):
         return {**self._tables, **({"files": files} if files else {})}
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Writes its file, and beside it the files that it names. A file that is there is replaced where it is such a one, those that it names only where they
-        are the same; others with ``overwrite``.
-        """
+        """Writes its file, and beside it the files that it names. Other files that are there are replaced only with ``overwrite``."""
         place = Path(path)
         files = dict(self.to_dict().get("files", {}))
         for of in self._beside.values():
             if isinstance(of, _File):
                 files |= of.to_dict().get("files", {})
         beside = {place.parent / name: text for name, text in files.items()}
-        _files.put({**beside, place: self.to_toml()}, lambda there: Path(there) == place and _files.holds(type(self))(there), overwrite)
+        _files.put({**beside, place: self.to_toml()}, overwrite)
 
     def __eq__(self, other: object) -> bool:
         return type(self) is type(other) and isinstance(other, _File) and (self._tables, self._beside) == (other._tables, other._beside)
@@ -105,34 +101,6 @@ class _File(Fixed):
 
 def _restored(kind: type[_File], tables: dict[str, Any], beside: dict[str, Any]) -> _File:
     return object.__new__(kind)._hold(tables, beside)
-
-
-class Valve(_File):
-    """A valve: one of the library by its name, or by its sonic conductance.
-
-    Parameters
-    ----------
-    name
-        Such as ``festo-mh2``.
-    keys
-        Those of ``[valve]``: ``sonic_conductance``, ``critical_ratio``, ``exhaust_conductance``, ``kind``, ``lag_s``, ``hysteresis_mpa``, ``hose_length_mm``, …
-
-    Examples
-    --------
-    >>> Valve(sonic_conductance="0.5 L/(s bar)", critical_ratio=0.3)
-    Valve(sonic_conductance='0.5 L/(s bar)', critical_ratio=0.3)
-    """
-
-    __slots__ = ()
-
-    def __init__(self, name: str | None = None, **keys: Key | None) -> None:
-        self._hold({"name": name, **_table(keys)}, {})
-
-    @classmethod
-    def load(cls, path: str | os.PathLike[str]) -> Valve:
-        """The valve that :meth:`save` wrote, or that a drive file has."""
-        held = _native.toml(os.fspath(path), _native.read_text(os.fspath(path)))
-        return cls(**held.get("valve", held))
 
 
 class Joint(_File):
@@ -209,7 +177,7 @@ class Drive(_File):
     of
         A muscle or a :class:`Joint`.
     valve
-        A :class:`Valve`, or the name of one.
+        The name of a valve of the library such as ``festo-mh2``, or keys of ``[valve]``: ``sonic_conductance``, ``critical_ratio``, …
     command
         Keys of ``[command]``: ``pressure_mpa``, ``pressure_1_mpa``, ``valve``, ``volume_mm3``, ``position_deg``, …: a value, pairs of times in s and values, or a text
         such as ``"ramp 0..3 bar in 2 s"``; and ``until_s``, ``output_step_s``.
@@ -233,7 +201,7 @@ class Drive(_File):
         self,
         of: Muscle | Joint,
         *,
-        valve: Valve | str | None = None,
+        valve: Keys | str | None = None,
         command: Keys,
         supply: Keys | None = None,
         air: Keys | None = None,
@@ -248,10 +216,10 @@ class Drive(_File):
         tables: Mapping[str, TableLike] | None = None,
     ) -> None:
         subject = "joint" if isinstance(of, Joint) else "muscle"
-        valve = Valve(valve) if isinstance(valve, str) else valve
-        given = {"supply": supply, "air": air, "liquid": liquid, "pump": pump, "syringe": syringe, "load": load, "friction": friction, "rubber": rubber}
+        valve = {"name": valve} if isinstance(valve, str) else valve
+        given = {"valve": valve, "supply": supply, "air": air, "liquid": liquid, "pump": pump, "syringe": syringe, "load": load, "friction": friction, "rubber": rubber}
         given |= {"controller": controller, "regulator": regulator, "command": command}
-        held = {subject: f"{subject}.toml", "valve": None if valve is None else valve._tables, **{name: _table(keys or {}) for name, keys in given.items()}}
+        held = {subject: f"{subject}.toml", **{name: _table(keys or {}) for name, keys in given.items()}}
         self._hold(held, {f"{subject}.toml": of, **{name: {**_files.table(data), "name": name} for name, data in (tables or {}).items()}})
 
     @property
@@ -259,11 +227,6 @@ class Drive(_File):
         """The muscle or joint that it moves."""
         held: Muscle | Joint = self._beside[str(self._tables.get("joint") or self._tables["muscle"])]
         return held
-
-    @property
-    def valve(self) -> Valve | None:
-        """Its valve."""
-        return Valve(**self._tables["valve"]) if "valve" in self._tables else None
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Drive:

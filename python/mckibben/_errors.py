@@ -1,22 +1,120 @@
-"""The exceptions, and the names that they had: one for each kind of problem."""
+"""The exceptions and warnings of the package."""
 
 from __future__ import annotations
 
-from ._problem import FileError, InputError, InternalError, MckibbenError, NoAnswerError, NotConvergedError, OutOfRangeError, OutsideWarning, UnitWarning, of, warned
+import sys
+import warnings
+from typing import Any
 
-__all__ = ["FileError", "InputError", "InternalError", "MckibbenError", "NoAnswerError", "NotConvergedError", "OutOfRangeError", "OutsideWarning", "UnitWarning"]
+
+def warned(text: str, kind: type[Warning]) -> None:
+    """Warns at the line outside of the package that called it."""
+    level, frame = 2, sys._getframe(1)
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("mckibben"):
+        level, frame = level + 1, frame.f_back
+    warnings.warn(text, kind, stacklevel=level)
 
 
-def __getattr__(name: str) -> type[MckibbenError]:
-    import re
+class UnitWarning(UserWarning):
+    """A bare number that was likely meant in another unit."""
 
-    from . import _schema
-    from ._problem import KINDS
 
-    word = re.sub(r"(?<!^)(?=[A-Z])", "_", name.removesuffix("Error")).lower()
-    kinds = {kind["const"] for kind in _schema.bundle()["$defs"]["ProblemKind"]["oneOf"]} if name.endswith("Error") else set()
-    if word not in kinds | {"wrong_input"}:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    kind = KINDS.get(word, InputError)
-    warned(f"{name} is {kind.__name__} now" + ("" if word == "wrong_input" else f'; its kind is "{word}"'), DeprecationWarning)
-    return kind
+class MckibbenError(Exception):
+    """Why a call has no answer. Its classes are :class:`InputError`, :class:`OutOfRangeError`, :class:`FileError`, :class:`NoAnswerError`,
+    :class:`NotConvergedError` and :class:`InternalError`; each is one of Python's own too.
+
+    Attributes
+    ----------
+    message
+        What is wrong, in a sentence.
+    hint
+        What to do about it; may be empty.
+    field
+        The argument that is to blame, where it is one.
+    kind
+        A word for programs, such as ``quantity``: finer than the classes.
+    nearest
+        The nearest answer there is, where it is known: a dict with ``force_n``, ``pressure_mpa``, ``contraction``.
+    index
+        The place in the flattened arrays, where the question was for arrays.
+    """
+
+    def __init__(
+        self,
+        message: str = "",
+        *,
+        kind: str = "internal",
+        hint: str = "",
+        field: str | None = None,
+        nearest: dict[str, float | None] | None = None,
+        index: int | None = None,
+    ) -> None:
+        self.message: str = message
+        self.kind: str = kind
+        self.hint: str = hint
+        self.field: str | None = field
+        self.nearest: dict[str, float | None] | None = nearest
+        self.index: int | None = index
+        place = f"{field}: " if field else ""
+        at = f"point {index}: " if index is not None else ""
+        super().__init__(f"{at}{place}{message}" + (f" ({hint})" if hint else ""))
+
+    def at(self, index: int) -> MckibbenError:
+        """The same of another place in the flattened arrays."""
+        kind, message, values = self.__reduce__()[1]
+        return _restored(kind, message, {**values, "index": index})
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        values = {"kind": self.kind, "hint": self.hint, "field": self.field, "nearest": self.nearest, "index": self.index}
+        return _restored, (type(self), self.message, values)
+
+
+def _restored(kind: type[MckibbenError], message: str, values: dict[str, Any]) -> MckibbenError:
+    return kind(message, **values)
+
+
+class InputError(MckibbenError, ValueError):
+    """The input is wrong: a quantity, a name, an argument."""
+
+
+class OutOfRangeError(InputError):
+    """Outside of the range for which a model was made."""
+
+
+class FileError(InputError, OSError):
+    """A file is not what it should be; one that does not exist is a ``FileNotFoundError`` too."""
+
+
+class MissingFileError(FileError, FileNotFoundError):
+    """A file that does not exist."""
+
+
+class ExistingFileError(FileError, FileExistsError):
+    """A file that would be lost."""
+
+
+class NoAnswerError(MckibbenError, ValueError):
+    """No answer exists; ``nearest`` is the nearest one there is."""
+
+
+class NotConvergedError(MckibbenError, ArithmeticError):
+    """The computation did not converge, or was cancelled."""
+
+
+class InternalError(MckibbenError, RuntimeError):
+    """The program itself is at fault."""
+
+
+# Words of JSON whose class is not InputError.
+KINDS = {
+    "out_of_range": OutOfRangeError, "no_answer": NoAnswerError, "not_converged": NotConvergedError, "cancelled": NotConvergedError,
+    "internal": InternalError, **dict.fromkeys(("file", "damaged", "locked", "output", "incomplete", "other_plan"), FileError),
+}
+
+
+def of(values: dict[str, Any]) -> MckibbenError:
+    """The exception of a problem, as the compiled half hands it over."""
+    kind = KINDS.get(str(values["kind"]), InputError)
+    if kind is FileError and any(words in str(values["message"]) for words in ("(os error 2)", "does not exist")):
+        kind = MissingFileError
+    return kind(**values)

@@ -3,45 +3,26 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from . import _native
-from ._base import named
-from ._problem import ExistingFileError, InputError
+from ._errors import ExistingFileError, InputError
+from ._table import Table
 
 # Fields of requests whose files are tables, and those whose files are formulas.
 TABLES = ("data", "table", "tables", "load_tables")
 FORMULAS = ("formulas", "file")
 
 
-def put(files: Mapping[str | os.PathLike[str], str | bytes], ours: Callable[[Any], object], overwrite: bool = False) -> None:
-    """Puts files at their places, each whole or not at all, and none where a file would be lost: one that is there is replaced where it is empty, the
-    same, or `ours` says so of its path.
-    """
+def put(files: Mapping[str | os.PathLike[str], str | bytes], overwrite: bool = False) -> None:
+    """Puts files at their places, each whole or not at all, and none where another file would be lost: one that is neither empty nor the same."""
     contents = {os.fspath(path): content.encode() if isinstance(content, str) else content for path, content in files.items()}
     for path, content in contents.items():
-        if overwrite or not os.path.isfile(path) or os.path.getsize(path) == 0 or _is(path, content):
-            continue
-        try:
-            replaced = bool(ours(path))
-        except Exception:  # What cannot be read is none of ours.
-            replaced = False
-        if not replaced:
+        if not (overwrite or not os.path.isfile(path) or os.path.getsize(path) == 0 or _is(path, content)):
             raise ExistingFileError(f"{path} is another file and would be overwritten", kind="output", field="path", hint="name another place, or replace it with overwrite=True")
     for path, content in contents.items():
         _native.write_file(path, content)
-
-
-def holds(kind: type) -> Callable[[Any], bool]:
-    """Whether a file holds an object of a class, by :func:`load`."""
-    return lambda there: type(named("load")(there)) is kind
-
-
-def head(path: str) -> bytes:
-    """The first bytes of a file, as many as tell what it is."""
-    with open(path, "rb") as file:
-        return file.read(4096)
 
 
 def _is(path: str, content: bytes) -> bool:
@@ -87,8 +68,6 @@ def table(value: Any) -> dict[str, str]:
         return {"name": path, "text": _native.read_table(path)}
     if isinstance(value, Mapping) and set(value) == {"name", "text"}:
         return {"name": str(value["name"]), "text": str(value["text"])}
-    from ._table import Table
-
     # Numbers with as many digits as it takes to read back the same.
     return {"name": "data", "text": Table.of(value).to_csv()}
 

@@ -3,27 +3,25 @@
 from __future__ import annotations
 
 import json
+import os
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
-from . import _native
-from ._arrays import array
-from ._base import Fixed, _any
+from . import _commands, _native
+from ._errors import OutOfRangeError
 from ._files import put
-from ._points import Outside, outside
-from ._problem import OutOfRangeError, OutsideWarning, warned
-from ._quantity import dressed
+from ._quantity import array, dressed
+from ._table import Fixed
 
 if TYPE_CHECKING:
     from os import PathLike
 
     from numpy.typing import NDArray
 
-    from . import _answers
-    from ._inputs import Floats, MuscleLike, Option
-    from ._model import Model
+    from ._inputs import Floats
+    from ._model import Errors
 
 # What it is a function of.
 POINT = ("pressure_mpa", "contraction", "wall_mm", "outer_diameter_mm")
@@ -31,7 +29,7 @@ compiled = lru_cache(64)(_native.Formula)
 
 
 class Formula(Fixed):
-    """A fitted formula, as :func:`fit` makes it and its file (JSON) holds it. It is a model: ``muscle.model(formula)``; and a function of pressures,
+    """A fitted formula, as :func:`fit` makes it and its file (JSON) holds it. It is a model: ``muscle.force(0.2, 0.1, model=formula)``; and a function of pressures,
     contractions, walls and diameters: ``formula(pressure_mpa, contraction, wall_mm, outer_diameter_mm)``.
 
     Parameters
@@ -52,23 +50,16 @@ class Formula(Fixed):
         object.__setattr__(self, "_name", name or str(shown["name"]))
 
     @classmethod
-    def from_file(cls, path: str | PathLike[str]) -> Formula:
-        """The formula of a file."""
-        import os
-
+    def load(cls, path: str | PathLike[str]) -> Formula:
+        """The formula of a file, such as :meth:`save` wrote."""
         return cls(_native.read_formula(os.fspath(path)))
 
-    @classmethod
-    def load(cls, path: str | PathLike[str]) -> Formula:
-        """The formula that :meth:`save` wrote."""
-        return cls.from_file(path)
-
     @overload
-    def __call__(self, pressure_mpa: float, contraction: float, wall_mm: float, outer_diameter_mm: float, *, two_sided: bool = ..., extrapolate: bool = ..., errors: Outside | None = ...) -> float: ...  # type: ignore[overload-overlap]
+    def __call__(self, pressure_mpa: float, contraction: float, wall_mm: float, outer_diameter_mm: float, *, two_sided: bool = ..., extrapolate: bool = ..., errors: Errors = ...) -> float: ...  # type: ignore[overload-overlap]
     @overload
-    def __call__(self, pressure_mpa: Floats, contraction: Floats, wall_mm: Floats, outer_diameter_mm: Floats, *, two_sided: bool = ..., extrapolate: bool = ..., errors: Outside | None = ...) -> NDArray[np.float64]: ...
+    def __call__(self, pressure_mpa: Floats, contraction: Floats, wall_mm: Floats, outer_diameter_mm: Floats, *, two_sided: bool = ..., extrapolate: bool = ..., errors: Errors = ...) -> NDArray[np.float64]: ...
 
-    def __call__(self, pressure_mpa: Any, contraction: Any, wall_mm: Any, outer_diameter_mm: Any, *, two_sided: bool = False, extrapolate: bool = False, errors: Outside | None = None) -> Any:
+    def __call__(self, pressure_mpa: Any, contraction: Any, wall_mm: Any, outer_diameter_mm: Any, *, two_sided: bool = False, extrapolate: bool = False, errors: Errors = "raise") -> Any:
         """The pull of many muscles at once, in N; 0 where a muscle is slack. The rubber, the braid and the length are those for which it was made.
 
         Parameters
@@ -84,7 +75,7 @@ class Formula(Fixed):
         extrapolate
             Answer outside of its range.
         errors
-            Outside of its range: ``warn`` (where it is left out: NaN and one warning), ``nan`` or ``raise``.
+            Outside of its range: ``raise``, or ``nan`` for NaN.
 
         Returns
         -------
@@ -94,14 +85,12 @@ class Formula(Fixed):
         given = np.broadcast_arrays(*(array(name, value) for name, value in zip(POINT, (pressure_mpa, contraction, wall_mm, outer_diameter_mm))))
         points, formula = np.stack([values.ravel() for values in given]), compiled(self._name, self._text)
         out = np.empty(points.shape[1])
-        first, does = formula.fill(points, out, extrapolate, two_sided), outside(errors, "warn")
-        if first is not None and does != "nan":
+        first = formula.fill(points, out, extrapolate, two_sided)
+        if first is not None and errors != "nan":
             where = [(name, value, ends) for name, value, ends in zip(POINT, points[:, first].tolist(), formula.range) if not ends[0] <= value <= ends[1]]
             name, value, (low, high) = where[0]
             text = f"{value:g} is outside of the formula's range, {low:g} to {high:g}"
-            if does == "raise":
-                raise OutOfRangeError(text, kind="out_of_range", field=name, index=first, hint="extrapolate=True computes it all the same")
-            warned(f"{np.isnan(out).sum()} of {out.size} points have no answer; point {first}: {name}: {text}", OutsideWarning)
+            raise OutOfRangeError(text, kind="out_of_range", field=name, index=first, hint="extrapolate=True computes it all the same")
         return dressed("force_n", out.reshape(given[0].shape) if given[0].shape else float(out[0]))
 
     @property
@@ -118,20 +107,8 @@ class Formula(Fixed):
         return dict(json.loads(self._text))
 
     def save(self, path: str | PathLike[str], *, overwrite: bool = False) -> None:
-        """Writes its file. One that is there is replaced where it is a formula, any other only with ``overwrite``."""
-        put({path: self._text}, Formula.load, overwrite)
-
-    def show(self) -> _answers.CheckFormulaAnswer:
-        """The formula with its equation in LaTeX, its range and its errors."""
-        from ._commands import check_formula
-
-        return check_formula(self, latex=True)
-
-    def model(self, muscle: MuscleLike | None = None, **options: Option) -> Model:
-        """The formula of a muscle; the arguments are those of :class:`Model`."""
-        from ._model import Model
-
-        return Model(muscle, self, **_any(options))
+        """Writes its file. Another one that is there is replaced only with ``overwrite``."""
+        put({path: self._text}, overwrite)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Formula) and self._name == other._name and self.to_dict() == other.to_dict()
@@ -146,5 +123,5 @@ class Formula(Fixed):
         return f"Formula({self._name!r})"
 
     def _repr_latex_(self) -> str | None:
-        latex = self.show().latex
+        latex = _commands.check_formula(self, latex=True).latex
         return f"$${latex}$$" if latex and "\\begin{document}" not in latex else None

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from ._formula import Formula
     from ._muscle import Muscle
-    from ._parts import Braid, Rubber
+    from ._rubber import Rubber
 
 
 class Measured(Protocol):
@@ -34,7 +34,7 @@ Choice = Union[Number, Numbers, Mapping[str, Number]]
 # What a table of a request, and an option, may hold.
 Plain = Union[None, bool, Number, "NDArray[np.floating[Any]]", Sequence["Plain"], Mapping[str, "Plain"]]
 # An option of a command: besides these a formula, a path, a muscle or a rubber, and a function that is called with the progress.
-Option = Union[Plain, "Formula", "PathLike[str]", "Muscle", "Braid", "Rubber", Sequence[Union["Formula", "PathLike[str]", str]], Callable[[int, int], object]]
+Option = Union[Plain, "Formula", "PathLike[str]", "Muscle", "Rubber", Sequence[Union["Formula", "PathLike[str]", str]], Callable[[int, int], object]]
 # What a model is asked for: anything that NumPy reads as numbers, texts with a unit, quantities of pint.
 Floats = Union["ArrayLike", Number, Numbers]
 # A path, or the content of the file as {"name": …, "text": …}.

@@ -1,36 +1,35 @@
-"""Muscles."""
+"""Muscles, and the answers that hold some."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Literal, overload
+from collections.abc import Iterator, Mapping
+from functools import lru_cache
+from html import escape
+from typing import TYPE_CHECKING, Any
 
-from . import _native, _plain, _schema
-from ._ask import Progress, answered, listening
-from ._base import _any, named
-from ._commands import MuscleCommands, MuscleFields, spelled
-from ._files import head, holds, put
-from ._problem import InputError
+import numpy as np
+
+from . import _answers, _native, _plain, _schema
+from ._ask import Progress, listening
+from ._commands import MuscleCommands, MuscleFields
+from ._errors import InputError, NoAnswerError
+from ._files import put
+from ._model import Asked, Model
+from ._points import Solution, solved
+from ._results import Fit
+from ._table import Fixed
 
 if TYPE_CHECKING:
     from os import PathLike
 
-    import numpy as np
     from numpy.typing import NDArray
 
     from ._formula import Formula
-    from ._inputs import Floats, MuscleLike, Number, Option
-    from ._model import Model
-    from ._parts import Friction, Terminals, Tube
-    from ._points import Found, Outside, Solution
+    from ._inputs import Floats, Number, Option
+    from ._results import Heard
 
 
-def _title(command: str) -> str:
-    """The class of a command's answer."""
-    return str(_schema.bundle()[command]["answer"]["title"])
-
-
-class Muscle(MuscleFields, MuscleCommands):
+class Muscle(MuscleFields, MuscleCommands, Asked, Fixed):
     """A McKibben muscle: a rubber tube in a braid between two terminals. Diameter, wall and length are to be given; :meth:`prototype` is that
     of the paper. Angle 28°, rubber and braid ``paper`` where they are left out.
 
@@ -58,14 +57,9 @@ class Muscle(MuscleFields, MuscleCommands):
         return (self._own or {}).get(name)
 
     @classmethod
-    def prototype(cls, **changes: Option | Tube | Terminals | Friction) -> Muscle:
+    def prototype(cls, **changes: Option) -> Muscle:
         """The paper's prototype (D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid ``paper``), with changes by the names of :meth:`replace`."""
-        return cls({"name": "prototype", "text": _native.muscle_text({})}, **_any(changes))
-
-    @classmethod
-    def from_file(cls, path: str | PathLike[str]) -> Muscle:
-        """The muscle of a muscle file (TOML)."""
-        return cls(path)
+        return cls({"name": "prototype", "text": _native.muscle_text({})}, **dict[str, Any](changes))
 
     @classmethod
     def from_toml(cls, text: str) -> Muscle:
@@ -76,103 +70,37 @@ class Muscle(MuscleFields, MuscleCommands):
         """The text of its muscle file; reading it gives the same muscle to the last bit."""
         return self._text
 
-    @classmethod
-    def load(cls, path: str | PathLike[str]) -> Muscle:
-        """The muscle that :meth:`save` wrote."""
-        return cls(path)
-
     def to_dict(self) -> dict[str, Any]:
         """What is stated of it by the names of fields: ``Muscle(**muscle.to_dict())`` is the same muscle. A rubber that is none of the library is a dict of
-        its law and constants, and a braid whose strands carry compression one of its fields. Where fields do not state all of it (a muscle with an
-        identification, an end factor that depends on the pressure), it is the text of its muscle file.
+        its law and constants. Where fields do not state all of it (a muscle with an identification, an end factor that depends on the pressure, strands
+        that carry compression), it is the text of its muscle file.
         """
-        out: dict[str, Any] = {}
+        held = _native.toml("muscle", self._text)
+        stated = {("terminals" if table == "model" else table, key) for table, value in held.items() for key in _keys(value)}
+        out = {name: self._field(name) for name, field in _schema.muscle().items() if tuple(field.get("x-key", "").split(".")) in stated}
+        own = held.get("tube", {}).get("material")
+        words = {"rubber": own or (("tube", "rubber") in stated and self._field("rubber")), "braid": ("braid", "name") in stated and self._field("braid")}
+        out.update({name: value for name, value in words.items() if value})
         try:
-            for table in ("tube", "braid", "terminals", "friction"):
-                own, names = self._part(table).to_dict(), _schema.part(table)
-                out.update({table: own} if "compression" in own else {names[name]: value for name, value in own.items()})
-            whole = Muscle(**_any(out)) == self
+            whole = Muscle(**out) == self
         except InputError:
             whole = False
         return out if whole else {"base": {"name": "muscle", "text": self._text}}
 
     def save(self, path: str | PathLike[str], *, overwrite: bool = False) -> None:
-        """Writes its muscle file. One that is there is replaced where it is a muscle file, any other only with ``overwrite``."""
-        put({path: self._text}, holds(Muscle), overwrite)
+        """Writes its muscle file. Another file that is there is replaced only with ``overwrite``."""
+        put({path: self._text}, overwrite)
 
     def model(self, model: str | Formula | PathLike[str] | None = None, **options: Option) -> Model:
         """A model of this muscle, to be asked for arrays; the arguments are those of :class:`Model`."""
-        made: Model = named("Model")(self, model, **_any(options))
-        return made
+        return Model(self, model, **dict[str, Any](options))
 
-    @overload
-    def force(self, pressure_mpa: Number | None = ..., contraction: Number = ..., *, errors: Outside | None = ..., **options: Option) -> Found: ...  # type: ignore[overload-overlap]
-    @overload
-    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Option) -> NDArray[np.float64]: ...  # type: ignore[overload-overlap]
-    @overload
-    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Option) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
-
-    def force(self, pressure_mpa: Any = None, contraction: Any = None, *, jac: Any = False, errors: Outside | None = None, **options: Any) -> Any:
-        """F(P, ε): the pull, in N; 0 where the muscle is slack.
-
-        Parameters
-        ----------
-        pressure_mpa : MPa
-            Gauge pressure P: a number, a text such as ``"2.5 bar"``, a quantity of pint, or an array of numbers.
-        contraction : ratio
-            Contraction ratio ε = ΔL/L0, or an array that is broadcast against the pressures.
-        jac
-            As in :meth:`Model.force`: True for a pair with the derivatives.
-        errors
-            At points of arrays without an answer: ``warn`` (where it is left out: NaN and one warning), ``nan`` or ``raise``.
-        options
-            Those of :class:`Model` for arrays, of :meth:`state` for one point: ``model``, ``mesh``, ``extrapolate``, ``direction``, …
-
-        Returns
-        -------
-        float or numpy.ndarray
-            The pull. That of one point has the whole point with it: ``.state``, ``.uncertainty_n``, ``.stiffness_n_per_mm``, …
-        """
-        return self._asked("force", ("pressure_mpa", pressure_mpa), ("contraction", contraction), jac, errors, options)
-
-    @overload
-    def pressure(self, force_n: Number | None = ..., contraction: Number = ..., *, errors: Outside | None = ..., **options: Option) -> Found: ...  # type: ignore[overload-overlap]
-    @overload
-    def pressure(self, force_n: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Option) -> NDArray[np.float64]: ...  # type: ignore[overload-overlap]
-    @overload
-    def pressure(self, force_n: Floats, contraction: Floats = ..., *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Option) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
-
-    def pressure(self, force_n: Any = None, contraction: Any = None, *, jac: Any = False, errors: Outside | None = None, **options: Any) -> Any:
-        """P(F, ε): the gauge pressure that gives a pull, in MPa. Arguments as in :meth:`force`, the pull in N first."""
-        return self._asked("pressure", ("force_n", force_n), ("contraction", contraction), jac, errors, options)
-
-    @overload
-    def contraction(self, force_n: Number | None = ..., pressure_mpa: Number | None = ..., *, errors: Outside | None = ..., **options: Option) -> Found: ...  # type: ignore[overload-overlap]
-    @overload
-    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: Literal[False] = ..., errors: Outside | None = ..., **options: Option) -> NDArray[np.float64]: ...  # type: ignore[overload-overlap]
-    @overload
-    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: bool | Sequence[str], errors: Outside | None = ..., **options: Option) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
-
-    def contraction(self, force_n: Any = None, pressure_mpa: Any = None, *, jac: Any = False, errors: Outside | None = None, **options: Any) -> Any:
-        """ε(F, P): the contraction ratio at which a pressure gives a pull. Arguments as in :meth:`force`, the pull in N first."""
-        return self._asked("contraction", ("force_n", force_n), ("pressure_mpa", pressure_mpa), jac, errors, options)
-
-    def _asked(self, wanted: str, first: tuple[str, Any], second: tuple[str, Any], jac: Any, errors: str | None, options: dict[str, Any]) -> Any:
-        from ._points import Found, model_of, outside, several
-
-        (a_name, _), (b_name, _) = first, second
-        known = [name for name in _schema.request(wanted) if name != "muscle" and name not in _schema.muscle()]
-        given = spelled(wanted, {name: value for name, value in (first, second, *options.items()) if value is not None}, known)
-        if unknown := [name for name in given if name not in known]:
-            raise TypeError(f"Muscle.{wanted}() got an unexpected keyword argument {unknown[0]!r}")
-        a, b = given.pop(a_name, None), given.pop(b_name, None)
-        options = given
-        if several(a, b) or jac is not False:
-            return getattr(model_of(self, options), wanted)(a, 0.0 if b is None else b, jac=jac, errors=outside(errors, "warn"))
-        state = answered(wanted, {"muscle": self, a_name: a, b_name: b, **options}, _title(wanted))
-        value = state._data.get({"force": "force_n", "pressure": "pressure_mpa", "contraction": "contraction"}[wanted])
-        # Against a load the answer is more than a number.
-        return state if value is None else Found(value, state)
+    def _bound(self, options: dict[str, Any]) -> Model:
+        try:
+            return _model(self, tuple(sorted(options.items())))
+        except TypeError:
+            # Options that cannot be hashed, or are none: this says which.
+            return self.model(**options)
 
     def solve(self, pressure_mpa: Floats, contraction: Floats = 0.0, **options: Option) -> Solution:
         """All that is known of many points: pulls, their ±, volumes, stiffness, strand tension, … as arrays.
@@ -186,8 +114,6 @@ class Muscle(MuscleFields, MuscleCommands):
         options
             Those of :meth:`curve`: ``model``, ``extrapolate``, …
         """
-        from ._points import solved
-
         return solved(self, pressure_mpa, contraction, options)
 
     @property
@@ -215,14 +141,14 @@ class Muscle(MuscleFields, MuscleCommands):
         return muscle
 
     def report(self, path: str | PathLike[str] | None = None, *, pressure_mpa: Number | None = None, contraction: Number | None = None, units: str = "MPa", overwrite: bool = False, progress: Progress = None) -> str:
-        """A report of the muscle as one HTML page for reading offline; written to ``path`` if one is given. A file that is there is replaced where it
-        is such a page, any other only with ``overwrite``.
+        """A report of the muscle as one HTML page for reading offline; written to ``path`` if one is given. Another file that is there is replaced only
+        with ``overwrite``.
         """
         request = _plain.request("build", {"muscle": self, "report": True, "pressure_mpa": pressure_mpa, "contraction": contraction, "units": units})
         with listening(progress, "build") as heard:
             page = _native.report_html(request, heard)
         if path is not None:
-            put({path: page}, lambda there: _native.is_page(head(there)), overwrite)
+            put({path: page}, overwrite)
         return page
 
     def _measures(self) -> dict[str, Any]:
@@ -235,16 +161,10 @@ class Muscle(MuscleFields, MuscleCommands):
         """The rubber, by name or law."""
         return str(self._measures()["rubber"])
 
-    def _part(self, table: str) -> Any:
-        from ._parts import PARTS
-
-        return PARTS[table]._of(self._text)
-
-    def _with(self, changes: dict[str, Any]) -> Muscle:
-        return Muscle(self, **_any(changes))
-
-    def __setattr__(self, name: str, value: object) -> None:
-        raise AttributeError(f"a muscle does not change: {name}; replace({name}=…) gives another one")
+    @property
+    def braid(self) -> str:
+        """The braid: its name, its stiffness or its strands."""
+        return str(self._measures()["braid"])
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Muscle) and self._text == other._text
@@ -261,9 +181,107 @@ class Muscle(MuscleFields, MuscleCommands):
         return f"Muscle({measures}, rubber={m['rubber']!r}, braid={m['braid']!r})"
 
     def _repr_html_(self) -> str:
-        from html import escape
-
         m = self._measures()
         names = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "rubber", "braid")
         rows = "".join(f"<tr><th style='text-align:left'>{n}</th><td>{escape(f'{m[n]:.6g}' if isinstance(m[n], float) else str(m[n]))}</td></tr>" for n in names)
         return f"<table><caption>Muscle</caption>{rows}</table>" + self.shape(0.0, 0.0)._frame()
+
+
+@lru_cache(64)
+def _model(muscle: Muscle, options: tuple[tuple[str, Any], ...]) -> Model:
+    """Kept for the next question."""
+    return muscle.model(**dict(options))
+
+
+def _keys(table: Mapping[str, Any]) -> Iterator[str]:
+    """The keys in a table of a muscle file, and in those below it."""
+    for name, value in table.items():
+        if isinstance(value, dict):
+            yield from _keys(value)
+        else:
+            yield name
+
+
+class Design(_answers.DesignAnswer):
+    """Ranked muscles, and why others fail. Its table has one row for each candidate, best first."""
+
+    __slots__ = ("_muscles",)
+    _muscles: list[str]
+
+    @classmethod
+    def _asked_for(cls, command: str, request: dict[str, Any], heard: Heard) -> Design:
+        data, muscles = _native.design(request, heard)
+        return _design(data, (command, request), muscles)
+
+    @property
+    def muscles(self) -> list[Muscle]:
+        """The candidates as muscles, best first."""
+        return [Muscle.from_toml(text) for text in self._muscles]
+
+    @property
+    def best(self) -> Muscle:
+        """The first of them."""
+        if not self._muscles:
+            raise NoAnswerError("no muscle fits", kind="no_answer", hint="`closest` and `rejected` say why")
+        return self.muscles[0]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _design, (self._data, self._asked, self._muscles)
+
+    def _state(self) -> dict[str, Any]:
+        return {**super()._state(), "muscles": self._muscles}
+
+    def __repr__(self) -> str:
+        if not self.candidates:
+            return f"Design({self.model}: none of {self.looked_at} muscles fits)"
+        best = self._data["candidates"][0]
+        said = f"D0 {best['outer_diameter_mm']:.4g} mm, s {best['wall_mm']:.3g} mm, {best['rubber']}, {best['braid']}"
+        point = (best.get("points") or [{}])[0]
+        pull = f"; {point['force_n']:.4g} N" + (f" ± {point['uncertainty_n']:.3g} N" if point.get("uncertainty_n") else "") if point.get("force_n") else ""
+        limits = f"; limited by {str(best['binds']).replace('_', ' ')}" if best.get("binds") else ""
+        return f"Design({self.model}: {self.fitting} of {self.looked_at} fit; best {said}, {best['pressure_mpa']:.3g} MPa{pull}{limits})"
+
+
+def _design(data: dict[str, Any], asked: Any, muscles: list[str]) -> Design:
+    design = Design(data, asked)
+    object.__setattr__(design, "_muscles", muscles)
+    return design
+
+
+class Identification(Fit, _answers.IdentifyAnswer):
+    """Constants found in measured points, with their errors. Its table has one row for each constant.
+
+    Examples
+    --------
+    ``found.x``, ``found.names``, ``found.stderr``, ``found.cov`` and ``found.residuals`` are arrays; ``print(found.summary())`` is for reading.
+    """
+
+    __slots__ = ()
+
+    @property
+    def cov(self) -> NDArray[np.float64]:
+        """Their covariance, in the units of the values."""
+        correlation = np.array(self._data["correlation"], dtype=np.float64).reshape(len(self.x), len(self.x))
+        return correlation * np.outer(self.stderr, self.stderr)
+
+    @property
+    def residuals(self) -> NDArray[np.float64]:
+        """Model less measurement of each point, in N."""
+        return np.array([p["residual_n"] for p in self._data["points"]], dtype=np.float64)
+
+    def summary(self) -> str:
+        """What was found, in lines for reading."""
+        head = f"{self.model}: {len(self.residuals)} points, rms {self.rms_n:.3g} N (before {self.rms_before_n:.3g} N), largest {self.max_n:.3g} N"
+        errors = "± half width of 95 %, " + ("by the stated errors" if self.errors_stated else f"by the residuals, {self.degrees_of_freedom} degrees of freedom")
+        return "\n".join([head, *(f"  {word}" for word in self._words()), errors, *(f"note: {text}" for text in self.warnings)])
+
+    def __repr__(self) -> str:
+        return f"Identification({self.model}: {', '.join(self._words())}; rms {self.rms_n:.3g} N of {len(self.residuals)} points)"
+
+    @property
+    def identified(self) -> Muscle:
+        """The muscle with the values found."""
+        return Muscle.from_toml(str(self.muscle_file))
+
+
+_answers.OWN.update({kind.__name__: kind for kind in (Design, Identification)})

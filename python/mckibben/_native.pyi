@@ -11,7 +11,7 @@ from _typeshed import SupportsGetItem
 from os import PathLike
 from typing import Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Formula", "Model", "Simulation", "arrow_stream", "ask", "body_html", "choice", "curve", "design", "drive_files", "is_page", "joint_files", "muscle_fields", "muscle_text", "muscle_with", "parameters", "plan", "quantity", "read_formula", "read_table", "read_text", "report_html", "rubber_stress", "schema", "toml", "toml_text", "unit_of", "values", "widget_script", "without_gaps", "write_file"]
+__all__ = ["VERSION", "Formula", "Model", "Simulation", "arrow_stream", "ask", "body_html", "choice", "curve", "design", "drive_files", "joint_files", "muscle_fields", "muscle_text", "muscle_with", "parameters", "plan", "quantity", "read_formula", "read_table", "read_text", "report_html", "rubber_stress", "schema", "toml", "toml_text", "unit_of", "values", "without_gaps", "write_file"]
 
 VERSION: Final[str]
 """
@@ -65,16 +65,6 @@ class Model:
     def one(self, /, wanted: str, first: SupportsFloat | SupportsIndex, second: SupportsFloat | SupportsIndex, nan: bool) -> float:
         """
         The answer to one pair of numbers; NaN where it has none and `nan` is true.
-        """
-    @property
-    def range(self, /) -> tuple[tuple[float, float], tuple[float, float]]:
-        """
-        Lowest and highest pressure in MPa and contraction for which it was made.
-        """
-    @property
-    def source(self, /) -> str:
-        """
-        Where its formula comes from: author, year, equation.
         """
 
 @final
@@ -158,11 +148,6 @@ def drive_files(name: str, text: str) -> tuple[str, str, list[str]]:
     What a drive file names: `muscle` or `joint`, the name of its file, and its tables.
     """
 
-def is_page(head: "bytes") -> bool:
-    """
-    Whether a file with these first bytes is a page that this module makes.
-    """
-
 def joint_files(name: str, text: str) -> list[str]:
     """
     The muscle files that a joint file names.
@@ -173,10 +158,9 @@ def muscle_fields(text: "str") -> "dict[str, typing.Any]":
     The fields by which a muscle is given, of this one; those that it does not have are left out.
     """
 
-def muscle_text(request: "dict[str, typing.Any]", parts: "list[tuple[str, str]]" = ...) -> str:
+def muscle_text(request: "dict[str, typing.Any]", rubber: str | None = None) -> str:
     """
-    The muscle that a muscle file, parts and fields describe, as the text of a muscle file. Parts are tables of one by their names, in the order
-    `tube`, `tube.material`, `braid`, `terminals`, `friction`; each takes the place of the whole part.
+    The muscle that a muscle file and fields describe, as the text of a muscle file; with a rubber, the table `tube.material` of one.
     """
 
 def muscle_with(text: "str", values: "dict[str, float]") -> str:
@@ -247,11 +231,6 @@ def unit_of(name: "str") -> "tuple[str | None, str] | None":
 def values(text: str, kind: str, field: str | None = None) -> list[float]:
     """
     A text such as `0..2.5:0.5bar` or `1,2,3 bar` as numbers; an interval without a step is cut into 20 parts.
-    """
-
-def widget_script() -> str:
-    """
-    The script of the muscle in a notebook.
     """
 
 def without_gaps(name: str, text: str, columns: dict[str, str], tests: bool) -> str:

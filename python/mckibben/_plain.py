@@ -7,13 +7,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from . import _native, _schema
-from ._base import named
+from ._errors import InputError
 from ._files import FORMULAS, TABLES, beside, formula, measured, table, text
-from ._problem import InputError
 from ._quantity import number, numbers
-
-# What a muscle is made of, in the order in which one part depends on another.
-PARTS = ("tube", "rubber", "braid", "terminals", "friction")
 
 
 def field(name: str, value: Any, schema: _schema.Schema) -> Any:
@@ -84,7 +80,7 @@ def request(command: str, values: dict[str, Any]) -> dict[str, Any]:
     values = {name: value for name, value in values.items() if value is not None}
     models(values)
     beside(values)
-    if not isinstance(values.get("rubber", ""), str) or not isinstance(values.get("braid", ""), str):
+    if not isinstance(values.get("rubber", ""), str):
         muscle = {name: values.pop(name) for name in ("muscle", *_schema.muscle()) if name in values}
         values["muscle"] = {"name": "muscle", "text": muscle_text(muscle)}
     fields = _schema.request(command)
@@ -94,37 +90,30 @@ def request(command: str, values: dict[str, Any]) -> dict[str, Any]:
 def muscle_text(values: dict[str, Any]) -> str:
     """The text of the muscle file that says all of this."""
     values = {name: value for name, value in values.items() if value is not None}
-    parts = []
-    for name in PARTS:
-        if name not in values or isinstance(values[name], str) and name in _schema.muscle():
-            continue
-        part, table = values.pop(name), "tube.material" if name == "rubber" else name
-        if isinstance(part, Mapping):
-            part = named(name.capitalize())(**part)
-        if getattr(part, "_table", "") != table:
-            raise TypeError(f"{name}: a {name.capitalize()}{' or a name' if name in _schema.muscle() else ''}, not {type(part).__name__}")
-        twice = [field for field in ("rubber_file" if name == "rubber" else "", *_schema.part(name).values()) if field in values]
-        if twice:
-            raise InputError(f"`{twice[0]}` is given, and so is a whole `{name}`", kind="usage", field=twice[0], hint=f"give it to the {name}, or all of its values by themselves")
-        parts.append((table, part.to_toml()))
+    rubber = None
+    if not isinstance(values.get("rubber", ""), str):
+        rubber = values.pop("rubber")
+        if "rubber_file" in values:
+            raise InputError("`rubber_file` is given, and so is a whole `rubber`", kind="usage", field="rubber_file", hint="give one of them")
+        if not isinstance(rubber, Mapping) and getattr(rubber, "_table", "") != "tube.material":
+            raise TypeError(f"rubber: a Rubber or a name, not {type(rubber).__name__}")
+        rubber = material(rubber) if isinstance(rubber, Mapping) else rubber.to_toml()
     fields = _schema.request("check")
-    return _native.muscle_text({name: field(name, value, fields[name]) for name, value in values.items()}, parts)
+    request = {name: field(name, value, fields[name]) for name, value in values.items()}
+    return _native.muscle_text(request, rubber)
 
 
-def tube_for(braid: Mapping[str, Any]) -> dict[str, Any]:
-    """A tube that a braid fits, as a table: on which it is read by itself."""
+def material(values: Mapping[str, Any]) -> str:
+    """The table of a rubber of its law and constants."""
+    return _native.toml_text({"tube": {"material": {name: constant(value) for name, value in values.items() if value is not None}}})
 
-    def size(name: str) -> float | None:
-        value = braid.get(name, braid.get(f"{name}_mm"))
-        return None if value is None else number(f"{name}_mm", value)
 
-    own, diameter, strand = size("outer_diameter"), size("diameter"), size("strand_length")
-    if own is not None:
-        diameter = own
-    elif braid.get("name") is not None and diameter is None:
-        points = (_native.ask("parts-show", {"name": braid["name"]}).get("sleeve") or {"points": []})["points"]
-        diameter = points[len(points) // 2]["outer_diameter_mm"] if points else None
-    elif diameter is not None:
-        diameter *= 0.9
-    diameter = 30.0 if diameter is None else diameter
-    return {"tube": {"outer_diameter": diameter, "wall_thickness": 0.05 * diameter, "length": 285.0 if strand is None else 0.8 * strand}}
+def constant(value: Any) -> Any:
+    """A constant of a law: a text, a number, or several."""
+    if hasattr(value, "magnitude"):
+        value = value.to("dimensionless" if value.dimensionless else "MPa").magnitude
+    if isinstance(value, (str, bool)) or value is None:
+        return value
+    if isinstance(value, Mapping):
+        return {name: constant(v) for name, v in value.items()}
+    return tuple(map(constant, value)) if hasattr(value, "__iter__") and getattr(value, "shape", None) != () else float(value)

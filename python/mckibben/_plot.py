@@ -1,4 +1,4 @@
-"""Figures of answers on the axes of matplotlib, or as figures of plotly."""
+"""Figures of answers on the axes of matplotlib."""
 
 from __future__ import annotations
 
@@ -8,16 +8,6 @@ from typing import Any
 _COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"]
 _DASHES = ["-", "--", "-.", ":"]
 _STYLES = {"line": "-", "dashed": "--", "dotted": ":", "dash-dot": "-."}
-_PLOTLY = {"-": "solid", "--": "dash", "-.": "dashdot", ":": "dot"}
-
-
-def drawn(figure: dict[str, Any], ax: Any, engine: str) -> Any:
-    """The figure by an engine."""
-    if engine == "matplotlib":
-        return _matplotlib(figure, ax)
-    if engine == "plotly":
-        return _plotly(figure)
-    raise ValueError(f'engine: "matplotlib" or "plotly", not {engine!r}')
 
 
 def _looks(panel: dict[str, Any], palette: str) -> list[tuple[str, str, str | None]]:
@@ -55,7 +45,8 @@ def _points(series: dict[str, Any]) -> tuple[list[float], list[float]]:
     return [nan if x is None else x for x, _ in points], [nan if y is None else y for _, y in points]
 
 
-def _matplotlib(figure: dict[str, Any], ax: Any) -> Any:
+def drawn(figure: dict[str, Any], ax: Any) -> Any:
+    """The axes with the figure on them."""
     panels = figure["panels"]
     if ax is None:
         import matplotlib.pyplot as plt
@@ -92,25 +83,3 @@ def _matplotlib(figure: dict[str, Any], ax: Any) -> Any:
         if any(_label(series) for series in panel["series"]):
             axis.legend(fontsize="small")
     return axes[0] if len(panels) == 1 else axes[: len(panels)]
-
-
-def _plotly(figure: dict[str, Any]) -> Any:
-    from plotly.graph_objects import Scatter
-    from plotly.subplots import make_subplots
-
-    panels = figure["panels"]
-    columns = max(1, min(figure.get("columns") or 1, len(panels)))
-    rows = -(-len(panels) // columns)
-    out = make_subplots(rows=rows, cols=columns, subplot_titles=[panel["title"] for panel in panels])
-    for i, panel in enumerate(panels):
-        place = {"row": i // columns + 1, "col": i % columns + 1}
-        for series, (colour, line, marker) in zip(panel["series"], _looks(panel, figure.get("palette", "categorical"))):
-            x, y = _points(series)
-            mode = "+".join(part for part in ("lines" if line else "", "markers" if marker else "") if part)
-            out.add_trace(Scatter(x=x, y=y, mode=mode, name=_label(series), showlegend=bool(_label(series)), line={"color": colour, "dash": _PLOTLY.get(line, "solid")}), **place)
-        for mark in panel.get("marks", []):
-            out.add_trace(Scatter(x=[mark["x"]], y=[mark["y"]], mode="markers+text", text=[mark["label"]], textposition="top right", showlegend=False, marker={"color": "black"}), **place)
-        out.update_xaxes(title_text=panel["x"]["label"], range=panel["x"].get("range"), **place)
-        out.update_yaxes(title_text=panel["y"]["label"], range=panel["y"].get("range"), rangemode="tozero" if panel["y"].get("from_zero") else "normal", **place)
-    out.update_layout(title=figure["title"], template="plotly_white")
-    return out

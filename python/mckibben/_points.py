@@ -1,150 +1,24 @@
-"""Points of a muscle: one with all that is known of it, and many as arrays."""
+"""Points of a muscle as arrays, with all that is known of them."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from contextvars import ContextVar
-from functools import lru_cache
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _quantity
-from ._arrays import array
-from ._base import Tabled
-from ._files import head, put
-from ._problem import InputError
-from ._record import Record
-from ._table import Table
+from ._errors import InputError
+from ._files import put
+from ._quantity import array
+from ._table import Table, Tabled
 
 if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
 
-    from ._model import Model
     from ._muscle import Muscle
-
-Outside = Literal["raise", "warn", "nan"]
-_OUTSIDE: ContextVar[Outside | None] = ContextVar("outside", default=None)
-
-
-@contextmanager
-def errstate(outside: Outside) -> Iterator[None]:
-    """What arrays do at points without an answer, within a ``with``: ``raise``, ``warn`` (NaN and one warning) or ``nan``.
-
-    Examples
-    --------
-    >>> with errstate("nan"):
-    ...     Muscle.prototype().force([0.1, 900.0], 0.1, model="ideal").round(1)
-    array([227.6,   nan])
-    """
-    if outside not in ("raise", "warn", "nan"):
-        raise ValueError(f'outside: "raise", "warn" or "nan", not {outside!r}')
-    token = _OUTSIDE.set(outside)
-    try:
-        yield
-    finally:
-        _OUTSIDE.reset(token)
-
-
-def outside(given: str | None, usual: str) -> str:
-    """What is done at points without an answer."""
-    chosen = given or _OUTSIDE.get() or usual
-    if chosen not in ("raise", "warn", "nan"):
-        raise ValueError(f'errors: "raise", "warn" or "nan", not {chosen!r}')
-    return chosen
-
-
-class Found(float):
-    """A number with the whole point that it belongs to, ``state``: its fields are attributes of the number too."""
-
-    __slots__ = ("_state",)
-    _state: Record
-
-    def __new__(cls, value: float, state: Record) -> Found:
-        found = super().__new__(cls, value)
-        found._state = state
-        return found
-
-    @property
-    def state(self) -> Record:
-        """The whole point, as :meth:`Muscle.state` has it."""
-        return self._state
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("__") or name == "_state":
-            raise AttributeError(name)
-        return getattr(self._state, name)
-
-    def __getitem__(self, name: str) -> Any:
-        return self._state[name]
-
-    def __contains__(self, name: object) -> bool:
-        return name in self._state
-
-    def __eq__(self, other: object) -> bool:
-        if isinstance(other, (Found, Record)):
-            return self._state == (other._state if isinstance(other, Found) else other)
-        return float.__eq__(self, other)
-
-    def __ne__(self, other: object) -> bool:
-        equal = self.__eq__(other)
-        return equal if equal is NotImplemented else not equal
-
-    def __hash__(self) -> int:
-        return float.__hash__(self)
-
-    def __dir__(self) -> list[str]:
-        return sorted({*super().__dir__(), *dir(self._state)})
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return Found, (float(self), self._state)
-
-    def __repr__(self) -> str:
-        return said(self._state, float(self))
-
-    def __str__(self) -> str:
-        return float.__repr__(self)
-
-
-def said(state: Record, value: float) -> str:
-    """A number of a point in words: with its unit, its ± and its model."""
-    data = state._data
-    command = state._asked[0] if state._asked else "force"
-    name = {"force": "force_n", "pressure": "pressure_mpa", "contraction": "contraction"}.get(command, "")
-    unit = {"force_n": " N", "pressure_mpa": " MPa"}.get(name, "")
-    own = {"force_n": "uncertainty_n", "pressure_mpa": "pressure_uncertainty_mpa", "contraction": "contraction_uncertainty"}.get(name, "")
-    error = f" ± {data[own]:.3g}{unit}" if isinstance(data.get(own), float) else ""
-    return f"{value:.6g}{unit}{error} ({data.get('model', '')}" + (", slack)" if data.get("slack") else ")")
-
-
-def several(*values: Any) -> bool:
-    """Whether one of these is more than one number."""
-    for value in values:
-        value = getattr(value, "magnitude", value)
-        if isinstance(value, str):
-            if ".." in value or "," in value:
-                return True
-        elif isinstance(value, (list, tuple, range)) or getattr(value, "ndim", None):
-            return True
-    return False
-
-
-@lru_cache(64)
-def _bound(muscle: Muscle, options: tuple[tuple[str, Any], ...]) -> Model:
-    return muscle.model(**dict(options))
-
-
-def model_of(muscle: Muscle, options: dict[str, Any]) -> Model:
-    """The model of a muscle, kept for the next question."""
-    try:
-        return _bound(muscle, tuple(sorted(options.items())))
-    except TypeError:
-        # Options that cannot be hashed, or are none: this says which.
-        return muscle.model(**options)
-
 
 class Solution(Tabled):
     """Points of a muscle as arrays of the shape that pressures and contractions have together: ``force_n``, ``uncertainty_n`` (its ±),
@@ -191,9 +65,8 @@ class Solution(Tabled):
         return {name: values.tolist() for name, values in self._columns.items()}
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Writes its points as CSV. A file that is there is replaced where it has the same columns, any other only with ``overwrite``."""
-        text = self.to_table().to_csv()
-        put({path: text}, lambda there: head(there).splitlines()[0] == text.encode()[:4096].splitlines()[0], overwrite)
+        """Writes its points as CSV. Another file that is there is replaced only with ``overwrite``."""
+        put({path: self.to_table().to_csv()}, overwrite)
 
     def to_table(self) -> Table:
         """A row for each point, in the order of the last index."""

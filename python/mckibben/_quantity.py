@@ -6,10 +6,15 @@ import math
 import re
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from . import _native
-from ._problem import InputError, UnitWarning, warned
+from ._errors import InputError, UnitWarning, warned
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 # Kind of quantity and unit of a field.
 Kind = tuple["str | None", str]
@@ -68,7 +73,7 @@ def number(name: str, value: Any, kind: Kind | None = None) -> float:
     if isinstance(value, bool) or not hasattr(value, "__float__"):
         raise TypeError(f"{name}: a number, a text with its unit or a quantity of pint, not {type(value).__name__}")
     if getattr(value, "shape", ()) != ():
-        raise TypeError(f"{name}: one number, not an array; for arrays ask a model: muscle.model(…).force(pressures, contractions)")
+        raise TypeError(f"{name}: one number, not an array; muscle.force(pressures, contractions) takes arrays")
     out = float(value)
     if not math.isfinite(out):
         raise wrong(name, f"{out} is not a finite number")
@@ -125,3 +130,33 @@ def numbers(name: str, value: Any, kind: Kind | None = None) -> list[Any]:
     if not isinstance(value, Iterable) or isinstance(value, (bytes, Mapping)):
         return [number(name, value, kind)]
     return [numbers(name, item, kind) if isinstance(item, (list, tuple)) else number(name, item, kind) for item in value]
+
+
+# One object; to compare it with another type takes longer than all else of a call.
+FLOAT = np.dtype(np.float64)
+
+
+def array(name: str, value: Any) -> NDArray[np.float64]:
+    """Numbers in the unit of a name, without a copy where they are such already; masked ones stay masked."""
+    if type(value) is np.ndarray and value.dtype is FLOAT:
+        if name == "pressure_mpa" and value.size:
+            likely(name, max(value.item(0), value.item(-1)))
+        # Numbers between others in a record may lie anywhere.
+        return value if value.flags.aligned else value.copy()
+    if isinstance(value, str):
+        several = ".." in value or "," in value
+        return np.asarray(numbers(name, value) if several else number(name, value))
+    value = unpinted(name, value)
+    if isinstance(value, (list, tuple)) and any(isinstance(v, str) or hasattr(v, "magnitude") for v in value):
+        value = numbers(name, value)
+    masked = isinstance(value, np.ma.MaskedArray)
+    array: NDArray[Any] = value if masked else np.asarray(value)
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"{name}: numbers, a text with its unit or quantities of pint, not {array.dtype}")
+    if masked:
+        return array.astype(np.float64)
+    array = np.asarray(array, dtype=np.float64)
+    if name == "pressure_mpa" and array.size:
+        # In another unit they are all too large: the ends are enough.
+        likely(name, max(array.item(0), array.item(-1)))
+    return array if array.flags.aligned else array.copy()

@@ -6,17 +6,17 @@ import copy
 import json
 import os
 from collections.abc import Callable, Iterator, Sequence
+from difflib import get_close_matches
 from html import escape
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from . import _native, _quantity, _schema
-from ._base import Fixed, Tabled
-from ._files import holds, put
+from ._files import put
+from ._plot import drawn
+from ._table import Fixed, Table, Tabled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-    from ._table import Table
 
 
 def restored(kind: type[Record], data: dict[str, Any], asked: tuple[str, dict[str, Any]] | None) -> Record:
@@ -28,7 +28,7 @@ class Record(Fixed, Tabled):
     """An answer: its fields are attributes; what an answer does not have is None.
 
     Two records are equal where their fields are. ``to_dict()`` gives plain dicts and lists, the same as the JSON of the command line.
-    Where an answer holds a table, ``to_table()``, ``to_pandas()``, ``to_polars()``, ``to_arrow()`` and the Arrow interface of Python give it.
+    Where an answer holds a table, ``to_table()``, ``to_pandas()`` and the Arrow interface of Python give it.
     """
 
     __slots__ = ("_asked", "_data")
@@ -42,6 +42,10 @@ class Record(Fixed, Tabled):
         object.__setattr__(self, "_data", data)
         object.__setattr__(self, "_asked", asked)
 
+    @classmethod
+    def _asked_for(cls, command: str, request: dict[str, Any], heard: Callable[[int, int], object] | None) -> Any:
+        return cls(_native.ask(command, request, heard), (command, request))
+
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
             raise AttributeError(name)
@@ -49,9 +53,7 @@ class Record(Fixed, Tabled):
             return self._shown(name)
         if name in self._fields_:
             return None
-        from difflib import get_close_matches
-
-        near = get_close_matches(name, self._fields_, 1)
+        near = get_close_matches(name, {*self._fields_, *self._data}, 1)
         raise AttributeError(f"{type(self).__name__} has no field {name!r}" + (f"; did you mean {near[0]!r}?" if near else ""))
 
     def _shown(self, name: str) -> Any:
@@ -80,11 +82,8 @@ class Record(Fixed, Tabled):
         return copy.deepcopy(self._data)
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Writes it as JSON, from which :func:`load` reads the same again. A file that is there is replaced where it holds such an answer, any other
-        only with ``overwrite``.
-        """
-        text = json.dumps({"mckibben": type(self).__name__, **self._state()}, ensure_ascii=False)
-        put({path: text}, holds(type(self)), overwrite)
+        """Writes it as JSON, from which :func:`load` reads the same again. Another file that is there is replaced only with ``overwrite``."""
+        put({path: json.dumps({"mckibben": type(self).__name__, **self._state()}, ensure_ascii=False)}, overwrite)
 
     def _state(self) -> dict[str, Any]:
         return {"data": self._data, "asked": self._asked}
@@ -122,36 +121,29 @@ class Record(Fixed, Tabled):
         own = f"<table><caption>{type(self).__name__}</caption>{out}</table>"
         return own + (self.to_table()._repr_html_() if self._rows_ and self._data.get(self._rows_) else "")
 
-    # The table of an answer.
-
     def to_table(self) -> Table:
         """The answer's table, its columns named as the fields of its rows."""
-        from ._table import Table
-
         if self._rows_ is None:
             raise AttributeError(f"{type(self).__name__} holds no table")
         held = self._data.get(self._rows_)
-        return Table.from_columns(held) if isinstance(held, dict) else Table.from_rows(held or [])
+        # Of lists by name; what is no list is left out.
+        return Table({name: values for name, values in held.items() if isinstance(values, list)}) if isinstance(held, dict) else Table.from_rows(held or [])
 
-    def plot(self, *, units: str | None = None, ax: Axes | Sequence[Axes] | None = None, engine: str = "matplotlib") -> Any:
-        """Draws the figure of this answer, the same as ``--plot`` of the command line.
+    def plot(self, *, units: str | None = None, ax: Axes | Sequence[Axes] | None = None) -> Any:
+        """Draws the figure of this answer with matplotlib, the same as ``--plot`` of the command line.
 
         Parameters
         ----------
         units
             Units to draw in: ``bar``, or ``psi,lbf,in``; MPa, N and mm where they are left out.
         ax
-            Axes of matplotlib to draw on, or a list of them, one for each panel; new ones where they are left out.
-        engine
-            ``matplotlib`` or ``plotly``.
+            Axes to draw on, or a list of them, one for each panel; new ones where they are left out.
 
         Returns
         -------
-        matplotlib.axes.Axes or list of them, or plotly.graph_objects.Figure
+        matplotlib.axes.Axes or list of them
         """
-        from ._plot import drawn
-
-        return drawn(self._figure(units), ax, engine)
+        return drawn(self._figure(units), ax)
 
     def _figure(self, units: str | None) -> dict[str, Any]:
         figure = self._data.get("figure")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import json
 import os
 from collections.abc import Callable
 from html import escape
@@ -12,83 +13,113 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _answers, _native
-from ._base import named
-from ._columns import Curve as Curve
-from ._columns import Plan as Plan
+from ._errors import NoAnswerError
 from ._files import put
-from ._problem import NoAnswerError
+from ._formula import Formula
 from ._record import Record
+from ._rubber import Rubber
 from ._table import Table
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from ._formula import Formula
-    from ._inputs import Floats
-    from ._muscle import Muscle
-    from ._parts import Rubber
-    from ._points import Outside
-
 Heard = Callable[[int, int], object] | None
 
 
-class Design(_answers.DesignAnswer):
-    """Ranked muscles, and why others fail. Its table has one row for each candidate, best first."""
+class _Columned(Record):
+    """An answer whose points are columns of numbers; each is an attribute."""
 
-    __slots__ = ("_muscles",)
-    _muscles: list[str]
-
-    @classmethod
-    def _asked_for(cls, command: str, request: dict[str, Any], heard: Heard) -> Design:
-        data, muscles = _native.design(request, heard)
-        return _design(data, (command, request), muscles)
-
-    @property
-    def muscles(self) -> list[Muscle]:
-        """The candidates as muscles, best first."""
-        return [named("Muscle").from_toml(text) for text in self._muscles]
-
-    @property
-    def best(self) -> Muscle:
-        """The first of them."""
-        if not self._muscles:
-            raise NoAnswerError("no muscle fits", kind="no_answer", hint="`closest` and `rejected` say why", exit_code=1)
-        return self.muscles[0]
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return _design, (self._data, self._asked, self._muscles)
-
-    def _state(self) -> dict[str, Any]:
-        return {**super()._state(), "muscles": self._muscles}
-
-    def __repr__(self) -> str:
-        if not self.candidates:
-            return f"Design({self.model}: none of {self.looked_at} muscles fits)"
-        best = self._data["candidates"][0]
-        said = f"D0 {best['outer_diameter_mm']:.4g} mm, s {best['wall_mm']:.3g} mm, {best['rubber']}, {best['braid']}"
-        point = (best.get("points") or [{}])[0]
-        pull = f"; {point['force_n']:.4g} N" + (f" ± {point['uncertainty_n']:.3g} N" if point.get("uncertainty_n") else "") if point.get("force_n") else ""
-        limits = f"; limited by {str(best['binds']).replace('_', ' ')}" if best.get("binds") else ""
-        return f"Design({self.model}: {self.fitting} of {self.looked_at} fit; best {said}, {best['pressure_mpa']:.3g} MPa{pull}{limits})"
-
-
-def _design(data: dict[str, Any], asked: Any, muscles: list[str]) -> Design:
-    design = Design(data, asked)
-    object.__setattr__(design, "_muscles", muscles)
-    return design
-
-
-class _Plain(Record):
-    """How an answer comes about that has nothing to itself but methods."""
-
-    __slots__ = ()
+    __slots__ = ("_points",)
+    _points: Table
 
     @classmethod
     def _asked_for(cls, command: str, request: dict[str, Any], heard: Heard) -> Any:
-        return cls(_native.ask(command, request, heard), (command, request))
+        head, columns = getattr(_native, command)(request, heard)
+        return _columned(cls, head, (command, request), Table._of(columns))
+
+    def to_table(self) -> Table:
+        """The points as a table."""
+        return self._points
+
+    def __getattr__(self, name: str) -> Any:
+        if not name.startswith("_") and name not in self._data and name in self._points:
+            return self._points[name]
+        return super().__getattr__(name)
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self._points.columns})
+
+    def _key(self) -> Any:
+        return super()._key(), self._points._key()
+
+    def _state(self) -> dict[str, Any]:
+        def plain(values: Any) -> list[Any]:
+            return [None if v != v else v for v in (values.tolist() if isinstance(values, np.ndarray) else values)]
+
+        return {**super()._state(), "points": {name: plain(self._points[name]) for name in self._points}}
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _columned, (type(self), self._data, self._asked, self._points)
+
+    def _repr_html_(self) -> str:
+        return f"<p>{escape(repr(self))}</p>{self._points._repr_html_()}"
 
 
-class Fitted(_Plain, _answers.FitAnswer):
+def _columned(kind: type[_Columned], data: dict[str, Any], asked: Any, points: Table) -> _Columned:
+    answer = kind(data, asked)
+    object.__setattr__(answer, "_points", points)
+    return answer
+
+
+class Curve(_Columned, _answers.CurveAnswer):
+    """A family of curves, its points as columns of numbers.
+
+    Every column of its points is an attribute: ``curve.pressure_mpa``, ``curve.contraction``, ``curve.force_n``, ``curve.volume_mm3``, …
+    are NumPy arrays over all points, curve after curve; a point without an answer is NaN, and ``curve.status`` and ``curve.cause``
+    say why. ``curve.grid("force_n")`` has one row for each curve.
+    """
+
+    __slots__ = ()
+
+    @property
+    def points(self) -> list[_answers.PointRow]:  # type: ignore[override]
+        """The points as records, which are made anew each time; the columns are faster."""
+        return [_answers.PointRow(row) for row in self._points.rows()]
+
+    def grid(self, column: str) -> NDArray[np.float64]:
+        """A column with one row for each curve."""
+        values: NDArray[np.float64] = np.asarray(self._points[column])
+        return values.reshape(-1, len(self._points) // max(1, len(np.unique(self._points["fixed"])) if not self.fixed else len(self.fixed)))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain dicts and lists, the points as rows."""
+        return {**super().to_dict(), "points": self._points.rows()}
+
+    def __repr__(self) -> str:
+        return f"Curve({self.test}, model={self.model!r}, {len(self.fixed or [])} curves, {len(self._points)} points)"
+
+
+class Plan(_Columned, _answers.PlanAnswer):
+    """A plan that was computed, its points as columns: ``plan.pressure_mpa``, ``plan.force_n``, ``plan.status``, … ``fit(plan)`` makes a
+    formula of them.
+    """
+
+    __slots__ = ()
+
+    @property
+    def table(self) -> _answers.TextFile:  # type: ignore[override]
+        """The points as the text of a file (CSV)."""
+        return _answers.TextFile({**self._data["table"], "text": self._points.to_csv()})
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain dicts and lists, the points as the text of a file."""
+        return {**super().to_dict(), "table": self.table.to_dict()}
+
+    def __repr__(self) -> str:
+        return f"Plan({self.muscles} muscles, {self._data['points']} points, {self.failed} failed)"
+
+
+class Fitted(_answers.FitAnswer):
     """A fitted formula with all that is known of it."""
 
     __slots__ = ()
@@ -101,15 +132,8 @@ class Fitted(_Plain, _answers.FitAnswer):
     @property
     def formula(self) -> Formula:
         """The formula, which is a model and a file."""
-        import json
-
         text = json.dumps({n: v for n, v in self._data.items() if n not in ("tables", "figures")}, ensure_ascii=False, indent=2)
-        formula: Formula = named("Formula")(text + "\n", str(self._data["name"]))
-        return formula
-
-    def __call__(self, pressure_mpa: Floats, contraction: Floats, wall_mm: Floats, outer_diameter_mm: Floats, *, two_sided: bool = False, extrapolate: bool = False, errors: Outside | None = None) -> NDArray[np.float64]:
-        """The pull of many muscles at once, in N: :meth:`Formula.__call__` of the formula."""
-        return self.formula(pressure_mpa, contraction, wall_mm, outer_diameter_mm, two_sided=two_sided, extrapolate=extrapolate, errors=errors)
+        return Formula(text + "\n", str(self._data["name"]))
 
     def table(self, name: str) -> Table:
         """One of the intermediate tables that ``fit(…, tables=True)`` asks for, by its name."""
@@ -119,7 +143,7 @@ class Fitted(_Plain, _answers.FitAnswer):
         return Table(dict(zip(held[name]["header"], zip(*held[name]["rows"]))))
 
 
-class Fit(_Plain):
+class Fit(Record):
     """Values found by least squares, as other packages name them."""
 
     __slots__ = ()
@@ -152,56 +176,17 @@ class Fit(_Plain):
         return [word(p, np.nan if h is None else h) for p, h in zip(self._found(), half)]
 
 
-class Identification(Fit, _answers.IdentifyAnswer):
-    """Constants found in measured points, with their errors. Its table has one row for each constant.
-
-    Examples
-    --------
-    ``found.x``, ``found.names``, ``found.stderr``, ``found.cov`` and ``found.residuals`` are arrays; ``print(found.summary())`` is for reading.
-    """
-
-    __slots__ = ()
-
-    @property
-    def cov(self) -> NDArray[np.float64]:
-        """Their covariance, in the units of the values."""
-        correlation = np.array(self._data["correlation"], dtype=np.float64).reshape(len(self.x), len(self.x))
-        return correlation * np.outer(self.stderr, self.stderr)
-
-    @property
-    def residuals(self) -> NDArray[np.float64]:
-        """Model less measurement of each point, in N."""
-        return np.array([p["residual_n"] for p in self._data["points"]], dtype=np.float64)
-
-    def summary(self) -> str:
-        """What was found, in lines for reading."""
-        head = f"{self.model}: {len(self.residuals)} points, rms {self.rms_n:.3g} N (before {self.rms_before_n:.3g} N), largest {self.max_n:.3g} N"
-        errors = "± half width of 95 %, " + ("by the stated errors" if self.errors_stated else f"by the residuals, {self.degrees_of_freedom} degrees of freedom")
-        return "\n".join([head, *(f"  {word}" for word in self._words()), errors, *(f"note: {text}" for text in self.warnings)])
-
-    def __repr__(self) -> str:
-        return f"Identification({self.model}: {', '.join(self._words())}; rms {self.rms_n:.3g} N of {len(self.residuals)} points)"
-
-    @property
-    def identified(self) -> Muscle:
-        """The muscle with the values found."""
-        muscle: Muscle = named("Muscle").from_toml(str(self.muscle_file))
-        return muscle
-
-
-class _Files(_Plain):
+class _Files(Record):
     """An answer of files."""
 
     __slots__ = ()
 
     def save(self, folder: str | os.PathLike[str], *, overwrite: bool = False) -> Path:  # type: ignore[override]
-        """Writes the files into a folder, and gives the one to begin with. A file that is there is replaced where it is the same, any other only with
-        ``overwrite``.
-        """
+        """Writes the files into a folder, and gives the one to begin with. Another file that is there is replaced only with ``overwrite``."""
         place = Path(folder)
         contents: dict[str | os.PathLike[str], str | bytes] = {place / file.name: base64.b64decode(file.base64) if file.base64 is not None else str(file.text) for file in self.files}
         place.mkdir(parents=True, exist_ok=True)
-        put(contents, lambda there: False, overwrite)
+        put(contents, overwrite)
         return Path(next(iter(contents)))
 
 
@@ -239,7 +224,7 @@ class RubberFit(Fit, _answers.RubberFitAnswer):
         """A law with its constants; the recommended one where none is named."""
         name = law or self.recommended
         if name is None:
-            raise NoAnswerError("no law is stable in a muscle", kind="no_answer", hint="name one", exit_code=1)
+            raise NoAnswerError("no law is stable in a muscle", kind="no_answer", hint="name one")
         for found in self.laws:
             if name in (found.name, found.law):
                 constants: dict[str, Any] = {}
@@ -250,12 +235,11 @@ class RubberFit(Fit, _answers.RubberFitAnswer):
                         constants.setdefault(constant.rstrip("0123456789"), []).append(p.value)
                     else:
                         constants[constant] = p.value
-                rubber: Rubber = named("Rubber")(found.law, **constants)
-                return rubber
+                return Rubber(found.law, **constants)
         raise KeyError(name)
 
 
-class Shape(_Plain, _answers.ShapeAnswer):
+class Shape(_answers.ShapeAnswer):
     """The deformed muscle. In a notebook it is shown in space."""
 
     __slots__ = ()
@@ -271,18 +255,12 @@ class Shape(_Plain, _answers.ShapeAnswer):
             raise AttributeError("a shape that was not asked for has no page")
         return _native.body_html(self._asked[1])
 
-    def to_svg(self) -> str:
-        """The section through the axis as a picture (SVG)."""
-        r, z = (self.array(name) for name in ("r_mm", "z_mm"))
-        at = np.concatenate([-z[:0:-1], z]), np.concatenate([r[:0:-1], r])
-        wall = [*zip(at[0][:, -1], at[1][:, -1]), *zip(at[0][::-1, 0], at[1][::-1, 0])]
-        drawn = "".join(f'<polygon points="{" ".join(f"{x:.2f},{sign * y:.2f}" for x, y in wall)}"/>' for sign in (1, -1))
-        x, y = 1.05 * abs(z).max(), 1.3 * r.max()
-        return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{-x:.2f} {-y:.2f} {2 * x:.2f} {2 * y:.2f}" width="720" role="img" aria-label="Section of the deformed muscle"><g fill="#9a8f86" stroke="#333" stroke-width="0.3">{drawn}</g></svg>'
-
     def _frame(self) -> str:
         page = escape(self.to_html(), quote=True)
         return f'<iframe srcdoc="{page}" style="width:100%;max-width:760px;height:430px;border:0" sandbox="allow-scripts" title="muscle"></iframe>'
 
     def _repr_html_(self) -> str:
         return self._frame() + super()._repr_html_()
+
+
+_answers.OWN.update({kind.__name__: kind for kind in (Curve, Plan, Fitted, Build, Export, RubberFit, Shape)})

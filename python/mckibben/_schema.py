@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import json
 import re
+import textwrap
 from collections.abc import Callable
 from functools import cache
 from typing import Any
+
+from . import _native
 
 Schema = Any
 
@@ -14,8 +17,6 @@ Schema = Any
 @cache
 def bundle() -> dict[str, Any]:
     """Request, answer and error of each command, and in ``$defs`` what they refer to."""
-    from . import _native
-
     return _native.schema()
 
 
@@ -86,23 +87,6 @@ def figure_in(command: str, units: str) -> str | bool | None:
 def muscle() -> dict[str, Schema]:
     """The fields of a muscle besides its file."""
     return {name: field for name, field in request("check").items() if field.get("x-group") == "muscle" and name != "muscle"}
-
-
-# Fields of a muscle that are no measures, by the part to which they belong.
-_NAMED = {"rubber": "tube", "rubber_file": "tube", "braid": "braid", "strand_diameter_mm": "braid"}
-
-
-@cache
-def part(table: str) -> dict[str, str]:
-    """The fields of a part of a muscle by the names of its arguments: of the braid, ``diameter_mm`` is ``braid_diameter_mm``."""
-    own = [name for name, field in muscle().items() if (field.get("x-key", "").split(".")[0] or _NAMED[name]) == table]
-    return {"name" if name == table else name.removeprefix(f"{table}_"): name for name in own}
-
-
-@cache
-def keys(table: str) -> dict[str, str]:
-    """The keys of a part in a muscle file by the names of its arguments."""
-    return {name: key.split(".")[1] for name, field in part(table).items() if (key := muscle()[field].get("x-key"))}
 
 
 def is_record(schema: Schema) -> bool:
@@ -198,3 +182,24 @@ def request_type(schema: Schema) -> str:
         return known or ("Mapping[str, Plain]" if target.get("type") == "object" and not words(target) else request_type(target))
 
     return type_of(schema, named)
+
+
+@cache
+def wrapped(text: str, indent: str = "", width: int = 114) -> str:
+    """Paragraphs in lines of a width."""
+    return "\n\n".join(textwrap.fill(" ".join(p.split()), width, initial_indent=indent, subsequent_indent=indent) for p in text.split("\n\n"))
+
+
+def entry(name: str, text: str, unit: str = "") -> str:
+    """A name with its unit, and what it is below."""
+    return name + (f" : {unit}" if unit else "") + "\n" + wrapped(text or "See the documentation.", "    ")
+
+
+def section(title: str, lines: list[str]) -> list[str]:
+    """A part with its heading, where it has lines."""
+    return ["\n".join([title, "-" * len(title), *lines])] if lines else []
+
+
+def entries(title: str, fields: dict[str, Schema]) -> list[str]:
+    """A part that lists fields with their units."""
+    return section(title, [entry(name, doc(schema), unit(schema)) for name, schema in fields.items()])

@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from . import _native, _plain, _quantity
-from ._base import Tabled
-from ._table import Table
+from ._record import Record
+from ._table import Table, Tabled
 
 if TYPE_CHECKING:
     from ._drives import Drive, Joint
@@ -18,45 +18,12 @@ if TYPE_CHECKING:
 _COMMANDS = {"pressure": "pressure_mpa", "opening": None, "volume": "volume_mm3", "position": "contraction"}
 
 
-class State:
+class State(Record):
     """Where a simulation is: ``time_s``; of a joint ``angle_deg``, ``velocity_deg_per_s``, ``pressure_1_mpa``, ``force_1_n``, …; of a muscle
     ``velocity_mm_per_s``, ``pressure_mpa``, ``contraction``, ``force_n``, ``volume_mm3``, ``opening``, ``command``, …
     """
 
-    __slots__ = ("_names", "_values")
-    _names: dict[str, int]
-    _values: list[float]
-
-    def __init__(self, names: dict[str, int], values: list[float]) -> None:
-        self._names, self._values = names, values
-
-    def __getattr__(self, name: str) -> float:
-        if name.startswith("_") or name not in self._names:
-            raise AttributeError(f"the state has {', '.join(self._names)}, not {name}" if not name.startswith("_") else name)
-        return self._values[self._names[name]]
-
-    def __getitem__(self, name: str) -> float:
-        return self._values[self._names[name]]
-
-    def keys(self) -> list[str]:
-        """The names of its numbers."""
-        return list(self._names)
-
-    def __dir__(self) -> list[str]:
-        return sorted({*super().__dir__(), *self._names})
-
-    def to_dict(self) -> dict[str, float]:
-        """Its numbers by name."""
-        return dict(zip(self._names, self._values))
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, State) and self.to_dict() == other.to_dict()
-
-    def __hash__(self) -> int:
-        return hash(tuple(self._values))
-
-    def __repr__(self) -> str:
-        return f"State({', '.join(f'{name}={value:.6g}' for name, value in self.to_dict().items())})"
+    __slots__ = ()
 
 
 class Simulation(Tabled):
@@ -107,7 +74,7 @@ class Simulation(Tabled):
     def _hold(self, native: _native.Simulation, dt: float) -> None:
         self._native, self._dt = native, dt
         self._kind, self._count, self._joint = native.commands
-        self._names = {name: i for i, name in enumerate(native.names)}
+        self._names = native.names
 
     @property
     def dt(self) -> float:
@@ -143,12 +110,12 @@ class Simulation(Tabled):
         name = _COMMANDS[self._kind]
         if name is not None and any(isinstance(value, str) for value in command):
             command = [_quantity.number(name, value) for value in command]
-        return State(self._names, self._native.step([float(value) for value in command], float(torque_nm if self._joint else force_n)))
+        return State(dict(zip(self._names, self._native.step([float(value) for value in command], float(torque_nm if self._joint else force_n)))))
 
     @property
     def state(self) -> State:
         """Where it is."""
-        return State(self._names, self._native.last())
+        return State(dict(zip(self._names, self._native.last())))
 
     @property
     def events(self) -> list[dict[str, Any]]:
@@ -157,7 +124,7 @@ class Simulation(Tabled):
 
     def reset(self) -> State:
         """Back to the start, with nothing recorded."""
-        return State(self._names, self._native.reset())
+        return State(dict(zip(self._names, self._native.reset())))
 
     def copy(self) -> Simulation:
         """Another one in the same state, which goes its own way."""
@@ -174,7 +141,7 @@ class Simulation(Tabled):
     def to_table(self) -> Table:
         """What was recorded: the start, and the end of each step."""
         rows = self._native.rows()
-        return Table({name: rows[:, i] for name, i in self._names.items()})
+        return Table({name: rows[:, i] for i, name in enumerate(self._names)})
 
     def __repr__(self) -> str:
         return f"Simulation({'joint' if self._joint else 'muscle'}, {self._count} {self._kind} commands, dt={self._dt:g} s, at {self.state.time_s:g} s)"

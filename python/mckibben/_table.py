@@ -1,4 +1,4 @@
-"""Columns with names."""
+"""Columns with names, and data frames of any library as such."""
 
 from __future__ import annotations
 
@@ -10,16 +10,40 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._base import Fixed, Tabled
+from . import _native, _quantity
 
 if TYPE_CHECKING:
     import pandas
-    import polars
-    import pyarrow
-    from numpy.typing import NDArray
 
 # Rows that a notebook shows.
 _SHOWN = 20
+
+
+class Fixed:
+    """An object that does not change."""
+
+    __slots__ = ()
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"a {type(self).__name__} does not change: {name}")
+
+
+class Tabled:
+    """What has a table, and gives it to data frames."""
+
+    __slots__ = ()
+
+    def to_table(self) -> Table:
+        """The table."""
+        raise NotImplementedError
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The table as a ``pandas.DataFrame``."""
+        return self.to_table().to_pandas()
+
+    def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
+        return self.to_table().__arrow_c_stream__(requested_schema)
+
 
 
 def _column(values: Any) -> Any:
@@ -45,7 +69,7 @@ def _column(values: Any) -> Any:
 class Table(Fixed):
     """Columns with names, all of one length: NumPy arrays of numbers, lists of texts.
 
-    pandas, Polars and Arrow take it over by the Arrow interface of Python (``__arrow_c_stream__``): numbers are not copied, NaN is null.
+    ``polars.DataFrame(table)`` and ``pyarrow.table(table)`` take it over by the Arrow interface of Python: numbers are not copied, NaN is null.
     """
 
     __slots__ = ("_columns",)
@@ -76,37 +100,15 @@ class Table(Fixed):
         """The table of a data frame (pandas, Polars, Arrow, any that has ``__arrow_c_stream__``), of an answer, or of columns by name, in
         which a single value applies to all rows.
         """
-        from ._frames import columns_of
-
         if isinstance(data, Tabled):
             return data.to_table()
         return data if isinstance(data, Table) else cls(columns_of(data))
-
-    @classmethod
-    def from_columns(cls, columns: Mapping[str, Any]) -> Table:
-        """The table of lists by name; what is no list is left out."""
-        return cls({name: values for name, values in columns.items() if isinstance(values, (list, tuple, np.ndarray)) or hasattr(values, "__array__")})
 
     @classmethod
     def from_rows(cls, rows: Sequence[Mapping[str, Any]]) -> Table:
         """The table of rows; values that are lists or maps themselves are left out."""
         names = dict.fromkeys(name for row in rows for name, value in row.items() if not isinstance(value, (list, dict)))
         return cls({name: [row.get(name) for row in rows] for name in names})
-
-    @classmethod
-    def from_csv(cls, text: str) -> Table:
-        """The table of a text in CSV with a head."""
-        lines = list(csv.reader(io.StringIO(text)))
-        head, rows = (lines[0], lines[1:]) if lines else ([], [])
-
-        def column(i: int) -> list[Any]:
-            texts = [row[i] if i < len(row) else "" for row in rows]
-            try:
-                return [float(t) if t else None for t in texts]
-            except ValueError:
-                return [t or None for t in texts]
-
-        return cls({name: column(i) for i, name in enumerate(head)})
 
     @property
     def columns(self) -> list[str]:
@@ -140,18 +142,6 @@ class Table(Fixed):
 
         return pd.DataFrame({name: values.copy() if isinstance(values, np.ndarray) else values for name, values in self._columns.items()})
 
-    def to_polars(self) -> polars.DataFrame:
-        """The same as a ``polars.DataFrame``."""
-        import polars as pl
-
-        return pl.DataFrame(self)
-
-    def to_arrow(self) -> pyarrow.Table:
-        """The same as a ``pyarrow.Table``."""
-        import pyarrow as pa
-
-        return pa.table(self)
-
     def to_csv(self) -> str:
         """The same as CSV."""
         out = io.StringIO()
@@ -163,8 +153,6 @@ class Table(Fixed):
         return out.getvalue()
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
-        from . import _native
-
         return _native.arrow_stream(self._columns)
 
     def _key(self) -> Any:
@@ -195,3 +183,57 @@ class Table(Fixed):
         rows = "".join("<tr>" + "".join(f"<td>{cell(v)}</td>" for v in row) + "</tr>" for row in zip(*lists))
         more = f"<p>{len(self) - _SHOWN} rows more</p>" if len(self) > _SHOWN else ""
         return f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>{more}"
+
+
+def columns_of(data: Any) -> dict[str, Any]:
+    """The columns of a data frame, of an answer, or of a map in which a single value applies to all rows."""
+    if isinstance(data, np.ndarray) and data.dtype.names:
+        # Records, and those with masks.
+        return {name: data[name] for name in data.dtype.names}
+    if isinstance(data, Mapping):
+        return _spread({str(name): _values(str(name), values) for name, values in data.items()})
+    if hasattr(data, "columns") and hasattr(data, "items"):
+        if not data.columns.is_unique:
+            raise ValueError("two columns of one name")
+        if any(name is not None for name in data.index.names):
+            # An index with a name is a column.
+            data = data.reset_index()
+        return {str(name): _of_pandas(values) for name, values in data.items()}
+    if hasattr(data, "get_columns"):
+        return {column.name: column.to_list() for column in data.get_columns()}
+    if hasattr(data, "to_pydict"):
+        return dict(data.to_pydict())
+    if hasattr(data, "__arrow_c_stream__"):
+        try:
+            import pyarrow as pa
+
+            return dict(pa.table(data).to_pydict())
+        except ImportError:
+            import polars as pl
+
+            return dict(pl.DataFrame(data).to_dict(as_series=False))
+    raise TypeError(f"a table is a path, a data frame or columns by name, not {type(data).__name__}")
+
+
+def _of_pandas(values: Any) -> Any:
+    if isinstance(values.dtype, np.dtype) and values.dtype.kind in "fiub":
+        return values.to_numpy()
+    return values.astype(object).where(values.notna(), None).tolist()
+
+
+def _values(name: str, values: Any) -> Any:
+    """Several values of a column as a list or an array; a single one as it is."""
+    values = _quantity.unpinted(name, values)
+    if isinstance(values, (str, bytes)) or not hasattr(values, "__iter__") or getattr(values, "shape", None) == ():
+        return values
+    if hasattr(values, "notna"):
+        return _of_pandas(values)
+    if getattr(values, "ndim", 1) != 1:
+        raise ValueError(f"{name}: a column has one dimension, not {values.ndim}")
+    return values if isinstance(values, np.ndarray) else [_quantity.unpinted(name, value) for value in values]
+
+
+def _spread(columns: dict[str, Any]) -> dict[str, Any]:
+    several = {name: len(values) for name, values in columns.items() if isinstance(values, (list, np.ndarray))}
+    rows = max(several.values(), default=1)
+    return {name: values if name in several else [values] * rows for name, values in columns.items()}

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -23,9 +22,3 @@ def root() -> Path:
 def thin() -> mk.Muscle:
     """The muscle of the paper's Table 1: D0 50, s 1."""
     return mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
-
-
-@pytest.fixture(scope="session")
-def validation() -> Any:
-    """The table of verification and validation: it takes long, and is computed once."""
-    return mk.validate()

@@ -27,7 +27,7 @@ def test_code_of_pages_runs(page: str, root: Path, monkeypatch: pytest.MonkeyPat
         assert out.getvalue().splitlines() == expected, block
 
 
-@pytest.mark.parametrize("module", ["mckibben", "mckibben._model", "mckibben._muscle", "mckibben._parts", "mckibben._drives"])
+@pytest.mark.parametrize("module", ["mckibben", "mckibben._model", "mckibben._muscle", "mckibben._rubber", "mckibben._drives"])
 def test_examples_of_docstrings(module: str) -> None:
     found = importlib.import_module(module)
     result = doctest.testmod(found, extraglobs={"Muscle": importlib.import_module("mckibben").Muscle})

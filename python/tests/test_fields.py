@@ -59,7 +59,7 @@ def each(schema: Any, path: str = "") -> Iterator[tuple[str, str, Any]]:
 
 def test_every_field_of_a_muscle_is_an_argument_of_it() -> None:
     names = {"rubber", "braid", *FIELDS}
-    assert names <= set(_schema.muscle()) and set(inspect.signature(mk.Muscle).parameters) == {"base", "tube", "terminals", "friction", *_schema.muscle()}
+    assert names <= set(_schema.muscle()) and set(inspect.signature(mk.Muscle).parameters) == {"base", *_schema.muscle()}
 
 
 @pytest.mark.parametrize("name", [name for name in _schema.muscle() if name not in ("rubber", "rubber_file", "braid")])
@@ -73,17 +73,17 @@ def test_a_field_of_a_muscle_is_given_replaced_and_read_back(name: str) -> None:
     def given(of: Any) -> dict[str, Any]:
         return {**beside, name: of}
 
-    muscle = mk.Muscle(**given(value))
+    muscle = mk.Muscle.prototype(**given(value))
     # The area of a round strand is what a muscle file holds.
     assert getattr(muscle, name) == (pytest.approx(value, rel=1e-15) if name == "strand_diameter_mm" else value)
-    assert mk.Muscle().replace(**given(value)) == muscle == mk.Muscle.from_toml(muscle.to_toml())
+    assert mk.Muscle.prototype().replace(**given(value)) == muscle == mk.Muscle.from_toml(muscle.to_toml())
     assert mk.check(**given(value), only_data=True).to_dict() == muscle.check(only_data=True).to_dict()
     for same in (text, f"{value!r} {unit}" if unit else ""):
         if same:
-            assert mk.Muscle(**given(same)) == muscle == mk.Muscle().replace(**given(same))
+            assert mk.Muscle.prototype(**given(same)) == muscle == mk.Muscle.prototype().replace(**given(same))
     # A text in a unit of another kind of quantity.
     other = "1 mm2" if unit != "mm2" else "1 N"
-    for call in (lambda: mk.Muscle(**given(other)), lambda: mk.Muscle().replace(**given(other)), lambda: mk.check(**given(other))):
+    for call in (lambda: mk.Muscle.prototype(**given(other)), lambda: mk.Muscle.prototype().replace(**given(other)), lambda: mk.check(**given(other))):
         with pytest.raises(mk.MckibbenError):
             call()
     # Documented with its unit, as an argument and as an attribute.
@@ -92,13 +92,13 @@ def test_a_field_of_a_muscle_is_given_replaced_and_read_back(name: str) -> None:
 
 
 def test_what_a_muscle_does_not_have_is_none_and_what_no_muscle_has_is_an_error() -> None:
-    muscle = mk.Muscle()
+    muscle = mk.Muscle.prototype()
     assert (muscle.seating_mm, muscle.slip_mm_per_n, muscle.grip_mm, muscle.turns) == (None, None, None, None)
-    assert muscle.stiffness == "paper" and mk.Muscle(stiffness="inextensible").stiffness == "inextensible"
+    assert muscle.stiffness == "paper" and mk.Muscle.prototype(stiffness="inextensible").stiffness == "inextensible"
     with pytest.raises(TypeError, match="grip_nm"):
         muscle.replace(grip_nm=1)  # type: ignore[call-arg,unused-ignore]
     with pytest.raises(AttributeError):
-        muscle.grip_nm  # type: ignore[attr-defined]
+        muscle.grip_nm
 
 
 def test_texts_have_the_unit_of_the_field() -> None:
@@ -116,8 +116,8 @@ def test_what_a_field_holds_is_said_where_something_else_is_given() -> None:
     """In plain words, with what was given: of a muscle, of a model, of a command, of every plain number of each of them."""
     said = '`end_factor` is a number without a unit, not the text "1 mm"'
     calls: list[Any] = [
-        lambda: mk.Muscle(end_factor="1 mm"),
-        lambda: mk.Muscle().replace(end_factor="1 mm"),
+        lambda: mk.Muscle.prototype(end_factor="1 mm"),
+        lambda: mk.Muscle.prototype().replace(end_factor="1 mm"),
         lambda: mk.force(pressure_mpa=0.2, end_factor="1 mm"),
         lambda: mk.ask("force", {"pressure_mpa": 0.2, "end_factor": "1 mm"}),
         lambda: mk.curve(test="isobaric", pressures_mpa=[0.2], end_factor="1 mm"),
@@ -128,9 +128,9 @@ def test_what_a_field_holds_is_said_where_something_else_is_given() -> None:
         assert said in str(caught.value) and caught.value.field == "end_factor"
     for name in ("cone_factor", "turns"):
         with pytest.raises(mk.InputError, match=f"`{name}` is a number without a unit"):
-            mk.Muscle(None, **{name: "1 mm"})  # type: ignore[arg-type]
+            mk.Muscle.prototype(**{name: "1 mm"})
     with pytest.raises(mk.InputError, match="`model` is a text, not 5"):
-        mk.Muscle().model(5)  # type: ignore[arg-type]
+        mk.Muscle.prototype().model(5)
 
 
 def test_kinds_by_name_are_those_of_the_schemas() -> None:

@@ -20,8 +20,8 @@ PRESSURES, CONTRACTIONS = np.linspace(0.02, 0.6, 150), np.linspace(0, 0.25, 60)
 
 
 def long_work(progress: object = None) -> None:
-    model = mk.Muscle(wall_mm=4).model(mesh="2x24", two_sided=True)
-    model.force(PRESSURES[:, None], CONTRACTIONS, jac=["tube.wall_thickness"], errors="nan", progress=progress)  # type: ignore[call-overload]
+    model = mk.Muscle.prototype(wall_mm=4).model(mesh="2x24", two_sided=True)
+    model.force(PRESSURES[:, None], CONTRACTIONS, jac=["tube.wall_thickness"], errors="nan", progress=progress)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals")
@@ -38,7 +38,7 @@ def test_ctrl_c_ends_the_work_at_once() -> None:
         signal.signal(signal.SIGINT, usual)
     assert time.monotonic() - begun < 3.0
     # And what comes after it works.
-    assert mk.Muscle().model().force(0.2, 0.1) > 0
+    assert mk.Muscle.prototype().model().force(0.2, 0.1) > 0
 
 
 # What takes minutes where nobody ends it: a search line by line, where a line alone takes long, with points and torques without number.
@@ -64,7 +64,7 @@ sent = []
 def send():
     sent.append(time.monotonic())
     os.kill(os.getpid(), signal.SIGINT)
-mk.Muscle().force(0.2, 0.1)
+mk.Muscle.prototype().force(0.2, 0.1)
 threading.Timer(0.5, send).start()
 try:
     {LONG[work]}
@@ -95,7 +95,7 @@ def test_progress_is_told_and_may_end_the_work() -> None:
 
 
 def test_a_bar_moves(capsys: pytest.CaptureFixture[str]) -> None:
-    mk.Muscle().model().force(np.linspace(0.01, 0.2, 200)[:, None], np.linspace(0, 0.1, 10), progress=True)
+    mk.Muscle.prototype().model().force(np.linspace(0.01, 0.2, 200)[:, None], np.linspace(0, 0.1, 10), progress=True)
     assert "2000" in capsys.readouterr().err
 
 
@@ -111,7 +111,7 @@ def test_the_interpreter_is_free() -> None:
     thread = threading.Thread(target=counting)
     thread.start()
     begun = time.monotonic()
-    mk.Muscle().model(mesh="2x16").force(PRESSURES[:, None], CONTRACTIONS[:12])
+    mk.Muscle.prototype().model(mesh="2x16").force(PRESSURES[:, None], CONTRACTIONS[:12])
     elapsed = time.monotonic() - begun
     stop.set()
     thread.join()
@@ -123,7 +123,7 @@ def test_a_process_that_was_forked_off_has_threads_of_its_own() -> None:
     """multiprocessing forks on Linux before Python 3.14; the child has none of the parent's threads, and must not wait for them."""
     code = """
 import multiprocessing, numpy as np, mckibben as mk
-model = mk.Muscle().model()
+model = mk.Muscle.prototype().model()
 def work(p):
     return float(model.force(np.full(100, p), np.linspace(0, 0.1, 100)).sum())
 alone = work(0.2)

@@ -1,4 +1,4 @@
-"""A muscle in the losses of SciPy, JAX and PyTorch: the examples find the constants that made the forces."""
+"""A muscle in the losses of SciPy and JAX: the examples find the constants that made the forces."""
 
 from __future__ import annotations
 
@@ -12,18 +12,16 @@ import pytest
 import mckibben as mk
 
 
-@pytest.mark.parametrize("name, needs, rel", [("identify_scipy", "scipy", 1e-6), ("identify_jax", "jax", 1e-4), ("identify_torch", "torch", 1e-4)])
+@pytest.mark.parametrize("name, needs, rel", [("identify_scipy", "scipy", 1e-6), ("identify_jax", "jax", 1e-4)])
 def test_an_example_identifies_a_muscle(name: str, needs: str, rel: float, root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip(needs)
     monkeypatch.syspath_prepend(str(root / "python" / "examples"))
     assert importlib.import_module(name).main() == pytest.approx([0.15, 700.0], rel=rel)
 
 
-def test_jax_derivatives() -> None:
+def test_jax_derivatives(jax: Any) -> None:
     """∂F/∂θ by jax.grad against differences, along a direction, and over several points at once."""
-    jax = pytest.importorskip("jax")
-    jax.config.update("jax_enable_x64", True)
-    muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=3)
+    muscle = mk.Muscle.prototype(outer_diameter_mm=50, wall_mm=3)
     names = ["tube.material.c10", "braid.stiffness"]
     pull, theta = mk.jax.force(muscle.model(), names), np.array([0.112, 590.0])
     contractions = np.array([0.0, 0.05, 0.1])
@@ -44,68 +42,12 @@ def test_jax_derivatives() -> None:
         pull(0.2, 0.1)
 
 
-@pytest.fixture(params=["jax", "torch"])
-def library(request: pytest.FixtureRequest) -> Any:
-    """The functions for a library, and its gradient and matrix of second derivatives of a function of one vector."""
-    library = pytest.importorskip(request.param)
-    functions: Any = getattr(mk, request.param)
-    if request.param == "jax":
-        library.config.update("jax_enable_x64", True)
-        return functions, lambda f: lambda x: np.asarray(library.grad(f)(np.asarray(x))), lambda f: lambda x: np.asarray(library.hessian(f)(np.asarray(x)))
-
-    def grad(f: Any) -> Any:
-        def of(x: Any) -> Any:
-            at = library.tensor(x, dtype=library.float64, requires_grad=True)
-            return library.autograd.grad(f(at), at)[0].numpy()
-
-        return of
-
-    return functions, grad, lambda f: lambda x: library.autograd.functional.hessian(f, library.as_tensor(x)).numpy()
-
-
-def test_torch_derivatives() -> None:
-    torch = pytest.importorskip("torch")
-    muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=3)
-    pressures = torch.tensor([[0.1], [0.2]], dtype=torch.float64, requires_grad=True)
-    contractions = torch.tensor([0.0, 0.1, 0.15], dtype=torch.float64, requires_grad=True)
-    pull = mk.torch.force(muscle.model())
-    assert torch.autograd.gradcheck(pull, (pressures, contractions), eps=1e-5, atol=1e-2, rtol=1e-5)
-    assert pull(0.2, 0).dtype == pull(torch.tensor(0.2, dtype=torch.float64), torch.tensor(0)).dtype == torch.float64 and pull(torch.tensor(0.2), 0.1).dtype == torch.float32
-    by = mk.torch.force(muscle.model("universal"), ["tube.material.c10"])
-    thetas = torch.tensor([[[0.1]], [[0.112]]], dtype=torch.float64, requires_grad=True)
-    inside = (contractions.detach() + 0.02).requires_grad_()
-    for follow in ("gradcheck", "gradgradcheck"):
-        assert getattr(torch.autograd, follow)(by, (pressures[1], inside, thetas), eps=1e-5, atol=1e-2, rtol=1e-4)
-
-
-def test_torch_asks_once_for_a_batch(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A call asks the model once, with its derivatives where they are followed; points with θ of their own are a loop with the same numbers."""
-    torch = pytest.importorskip("torch")
-    asked = counted(monkeypatch)
-    model = mk.Muscle.prototype().model("universal")
-    pull, p, e = mk.torch.force(model), torch.linspace(0.05, 0.2, 40, dtype=torch.float64), torch.linspace(0.0, 0.15, 40, dtype=torch.float64)
-    assert np.array_equal(pull(p[:, None], e), model.force(p.numpy()[:, None], e.numpy())) and asked == [False, False]
-    asked.clear()
-    pull(p.requires_grad_(), e).sum().backward()
-    assert asked == [True] and np.allclose(p.grad, model.force(p.detach().numpy(), e.numpy(), jac=True)[1][:, 0], rtol=1e-12)
-    asked.clear()
-    by, thetas = mk.torch.force(model, ["tube.material.c10"]), torch.tensor([[[0.1]], [[0.112]], [[0.13]]], dtype=torch.float64)
-    many = by(0.2, e, thetas)
-    assert many.shape == (3, 40) and asked == [False] * 3
-    for row, theta in zip(many, thetas.ravel().tolist()):
-        assert np.array_equal(row, model.of(model.muscle.with_parameters({"tube.material.c10": theta})).force(0.2, e.numpy()))
-    assert np.array_equal(by(p[:3].detach(), e[:3], thetas[:, 0]), many.new_tensor([by(p[i], e[i], thetas[i, 0]).item() for i in range(3)]))
-    if not hasattr(torch, "func"):
-        return
-    asked.clear()
-    vmap, grad, q = torch.func.vmap, torch.func.grad, p.detach()
-    assert np.array_equal(vmap(pull)(q, e), model.force(q.numpy(), e.numpy())) and asked == [False, False]
-    assert np.array_equal(vmap(lambda a: vmap(lambda b: pull(a, b))(e))(q), model.force(q.numpy()[:, None], e.numpy()))
-    assert np.array_equal(vmap(lambda a: pull(a, e))(q), model.force(q.numpy()[:, None], e.numpy())) and np.array_equal(vmap(lambda t: by(0.2, e, t))(thetas[:, 0]), many)
-    assert np.allclose(torch.func.jvp(lambda t: by(q, e, t), (thetas[0, 0].detach(),), (torch.ones(1, dtype=torch.float64),))[1], torch.func.jacrev(lambda t: by(q, e, t))(thetas[0, 0].detach())[:, 0], rtol=1e-12)
-    x = torch.tensor([0.2, 0.1, 0.112], dtype=torch.float64)
-    assert np.array_equal(torch.func.hessian(lambda x: by(x[0], x[1], x[2:]))(x), torch.autograd.functional.hessian(lambda x: by(x[0], x[1], x[2:]), x))
-    assert np.allclose(vmap(grad(pull))(q, e), p.grad, rtol=1e-12) and np.allclose(grad(lambda a: vmap(pull)(a, e).sum())(q), p.grad, rtol=1e-12)
+@pytest.fixture
+def jax() -> Any:
+    """JAX with 64 bits."""
+    jax = pytest.importorskip("jax")
+    jax.config.update("jax_enable_x64", True)
+    return jax
 
 
 def counted(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
@@ -123,10 +65,8 @@ def counted(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
     return asked
 
 
-def test_jax_asks_once_for_a_batch(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_jax_asks_once_for_a_batch(jax: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """vmap of a function of points asks the model once, a value asks for no derivatives; over θ it is a loop with the same numbers."""
-    jax = pytest.importorskip("jax")
-    jax.config.update("jax_enable_x64", True)
     asked = counted(monkeypatch)
     model = mk.Muscle.prototype().model("universal")
     pull, p, e = mk.jax.force(model), np.linspace(0.05, 0.2, 40), np.linspace(0.0, 0.15, 40)
@@ -145,30 +85,29 @@ def test_jax_asks_once_for_a_batch(monkeypatch: pytest.MonkeyPatch) -> None:
         assert np.array_equal(row, model.of(model.muscle.with_parameters({"tube.material.c10": theta[0]})).force(0.2, e))
 
 
-def test_inverses_measures_and_samplers(library: Any) -> None:
+def test_inverses_measures_and_samplers(jax: Any) -> None:
     """Identities: P(F(P, ε), ε) = P, and the slope of an inverse is one over that of the function; measures by differences of replace()."""
-    of, grad, hessian = library
     model = mk.Muscle(outer_diameter_mm=50, wall_mm=2, length_mm=285).model("universal")
-    pull, back, along = of.force(model), of.pressure(model), of.contraction(model)
+    pull, back, along = mk.jax.force(model), mk.jax.pressure(model), mk.jax.contraction(model)
     f = float(pull(0.2, 0.1))
     assert float(back(f, 0.1)) == pytest.approx(0.2, rel=1e-9) and float(along(f, 0.2)) == pytest.approx(0.1, rel=1e-7)
-    assert grad(lambda x: back(x[0], 0.1))([f]) * grad(lambda x: pull(x[0], 0.1))([0.2]) == pytest.approx(1, rel=1e-6)
-    of_d = of.force(model, wrt=["outer_diameter_mm", "tube.material.c10"])
+    assert jax.grad(back)(f, 0.1) * jax.grad(pull)(0.2, 0.1) == pytest.approx(1, rel=1e-6)
+    of_d = mk.jax.force(model, wrt=["outer_diameter_mm", "tube.material.c10"])
     theta = np.array([50.0, 0.112])
-    slope = grad(lambda t: of_d(0.2, 0.1, t))(theta)
+    slope = jax.grad(lambda t: of_d(0.2, 0.1, t))(theta)
     for i in range(2):
         h = np.eye(2)[i] * 1e-4 * theta
         assert slope[i] == pytest.approx(float((of_d(0.2, 0.1, theta + h) - of_d(0.2, 0.1, theta - h)) / (2 * h[i])), rel=1e-5)
     assert slope[0] == pytest.approx(model.force(0.2, 0.1, jac=["outer_diameter_mm"])[1][2])
     with pytest.raises(ValueError, match="wall_mm"):
-        of.force(model, wrt=["wal_mm"])
+        mk.jax.force(model, wrt=["wal_mm"])
     with pytest.raises(ValueError, match="theta"):
         of_d(0.2, 0.1)
-    safe = of.force(model, wrt=["wall_mm"], errors="nan")
-    assert np.isnan(grad(lambda t: safe(0.2, 0.1, t))([30.0])).all() and np.isnan(hessian(lambda t: safe(0.2, 0.1, t))(np.array([30.0]))).all()
-    assert np.isnan(float(of.force(model, errors="nan")(90.0, 0.1)))
+    safe = mk.jax.force(model, wrt=["wall_mm"], errors="nan")
+    assert np.isnan(jax.grad(lambda t: safe(0.2, 0.1, t))(np.array([30.0]))).all() and np.isnan(jax.hessian(lambda t: safe(0.2, 0.1, t))(np.array([30.0]))).all()
+    assert np.isnan(float(mk.jax.force(model, errors="nan")(90.0, 0.1)))
     with pytest.raises(Exception, match="wall"):
-        float(of.force(model, wrt=["wall_mm"])(0.2, 0.1, np.array([30.0])))
+        float(mk.jax.force(model, wrt=["wall_mm"])(0.2, 0.1, np.array([30.0])))
 
 
 def ideal_second(muscle: mk.Muscle, p: float, e: float) -> Any:
@@ -177,18 +116,15 @@ def ideal_second(muscle: mk.Muscle, p: float, e: float) -> Any:
     return scale * np.array([[0.0, e - 1], [e - 1, p]])
 
 
-def test_second_derivatives_of_the_ideal_muscle(library: Any) -> None:
-    of, _, hessian = library
+def test_second_derivatives_of_the_ideal_muscle(jax: Any) -> None:
     muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
-    ideal = of.force(muscle.model("ideal"))
+    ideal = mk.jax.force(muscle.model("ideal"))
     for p, e in ((0.2, 0.1), (1e-3, 0.0), (1e-4, 0.05)):
-        assert np.allclose(hessian(lambda x: ideal(x[0], x[1]))(np.array([p, e])), ideal_second(muscle, p, e), rtol=1e-6, atol=0.02), (p, e)
-    assert not np.any(hessian(lambda x: ideal(x[0], x[1]))(np.array([0.2, 0.9]))), "a slack muscle"
+        assert np.allclose(jax.hessian(lambda x: ideal(x[0], x[1]))(np.array([p, e])), ideal_second(muscle, p, e), rtol=1e-6, atol=0.02), (p, e)
+    assert not np.any(jax.hessian(lambda x: ideal(x[0], x[1]))(np.array([0.2, 0.9]))), "a slack muscle"
 
 
-def test_jax_second_derivatives_of_a_batch() -> None:
-    jax = pytest.importorskip("jax")
-    jax.config.update("jax_enable_x64", True)
+def test_jax_second_derivatives_of_a_batch(jax: Any) -> None:
     muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
     ideal = mk.jax.force(muscle.model("ideal"))
     points = np.array([[0.1, 0.0], [0.2, 0.1], [0.3, 0.2]])
@@ -196,44 +132,32 @@ def test_jax_second_derivatives_of_a_batch() -> None:
     assert np.allclose(both(points), [ideal_second(muscle, *x) for x in points], rtol=1e-6, atol=0.02)
 
 
-def test_second_derivatives_of_models_measures_and_inverses(library: Any) -> None:
+def test_second_derivatives_of_models_measures_and_inverses(jax: Any) -> None:
     """Against differences of first derivatives, and an identity: P(F(P, ε), ε) = P twice differentiated, p' = 1/f', p'' = −f''/f'³."""
-    of, grad, hessian = library
     muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=2, length_mm=285)
     model = muscle.model("universal")
-    pull = of.force(model, wrt=["outer_diameter_mm", "tube.material.c10"])
+    pull = mk.jax.force(model, wrt=["outer_diameter_mm", "tube.material.c10"])
 
     def at_once(x: Any) -> Any:
         return pull(x[0], x[1], x[2:])
 
     at = np.array([0.2, 0.1, 50.0, 0.112])
-    found, slope = hessian(at_once)(at), grad(at_once)
+    found, slope = jax.hessian(at_once)(at), jax.grad(at_once)
     assert np.array_equal(found, found.T)
     for i in range(4):
         h = np.eye(4)[i] * 1e-3 * at
         assert np.allclose(found[i], (slope(at + h) - slope(at - h)) / (2 * h[i]), rtol=1e-3, atol=1e-3 * abs(found[i]).max()), i
-    f, p = of.force(model), of.pressure(model)
-    first, curvature = (found(lambda x: f(x[0], 0.1))(np.array([0.2])).item() for found in (grad, hessian))
-    assert hessian(lambda x: p(x[0], 0.1))(np.array([float(f(0.2, 0.1))])).item() == pytest.approx(-curvature / first**3, rel=1e-4)
-    elements = of.force(muscle.model())
+    f, p = mk.jax.force(model), mk.jax.pressure(model)
+    first, curvature = (found(lambda x: f(x[0], 0.1))(np.array([0.2])).item() for found in (jax.grad, jax.hessian))
+    assert jax.hessian(lambda x: p(x[0], 0.1))(np.array([float(f(0.2, 0.1))])).item() == pytest.approx(-curvature / first**3, rel=1e-4)
+    elements = mk.jax.force(muscle.model())
     with pytest.raises(NotImplementedError, match="finite elements have first derivatives only"):
-        hessian(lambda x: elements(x[0], 0.1))(np.array([0.2]))
+        jax.hessian(lambda x: elements(x[0], 0.1))(np.array([0.2]))
 
 
-def test_jax_has_no_third_derivatives() -> None:
-    jax = pytest.importorskip("jax")
+def test_jax_has_no_third_derivatives(jax: Any) -> None:
     with pytest.raises(NotImplementedError, match="first and second"):
         jax.grad(jax.grad(jax.grad(mk.jax.force(mk.Muscle.prototype().model("universal")))))(0.2, 0.1)
-
-
-def test_torch_has_no_third_derivatives() -> None:
-    torch = pytest.importorskip("torch")
-    x = torch.tensor(0.2, dtype=torch.float64, requires_grad=True)
-    found = mk.torch.force(mk.Muscle.prototype().model("universal"))(x, 0.1)
-    for _ in range(2):
-        (found,) = torch.autograd.grad(found, x, create_graph=True)
-    with pytest.raises(NotImplementedError, match="first and second"):
-        torch.autograd.grad(found, x)
 
 
 def posterior(made: Any, found: Any, points: list[Any]) -> tuple[Any, Any]:

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import copy
+import csv
+import io
 import pickle
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import polars as pl
+import pyarrow as pa
 import pytest
 
 import mckibben as mk
@@ -76,9 +80,9 @@ CALLS: dict[str, Callable[[Path], Any]] = {
 
 
 @pytest.fixture(scope="module")
-def results(root: Path, validation: Any) -> dict[str, Any]:
+def results(root: Path) -> dict[str, Any]:
     # In the order of the calls.
-    return {name: validation if name == "validate" else call(root) for name, call in CALLS.items()}
+    return {name: call(root) for name, call in CALLS.items()}
 
 
 def test_every_command_is_asked() -> None:
@@ -115,22 +119,18 @@ def test_a_result_with_a_table_gives_it_to_data_frames(results: dict[str, Any], 
         with pytest.raises(AttributeError):
             thing.to_table()
         return
-    import polars as pl
-    import pyarrow as pa
-
     table = thing.to_table()
     arrow = pa.table(thing)
-    assert arrow.num_rows == len(table) == len(thing.to_pandas()) == len(thing.to_polars()) == len(pl.DataFrame(thing)) > 0
+    assert arrow.num_rows == len(table) == len(thing.to_pandas()) == len(pl.DataFrame(thing)) > 0
     assert arrow.column_names == table.columns == list(thing.to_pandas().columns)
     # An identity: what a frame gives back is the table again.
-    assert mk.Table.of(arrow) == mk.Table.of(thing.to_polars()) == mk.Table.of(table) == mk.Table.of(thing)
+    assert mk.Table.of(arrow) == mk.Table.of(pl.DataFrame(thing)) == mk.Table.of(table) == mk.Table.of(thing)
 
 
 def test_what_differs_is_not_equal(root: Path, results: dict[str, Any]) -> None:
     assert results["curve"] != mk.curve(**MUSCLE, model="universal", pressures_mpa=[0.1])
     assert results["identify"] != mk.identify(root / "examples/bench.toml", root / "examples/bench.csv", model="thick-wall", two_sided=True, loss="huber")
     assert results["rubber"].laws[0] != results["rubber"].laws[1]
-    assert results["rubber"].rubber() == mk.Rubber.fit(root / "data/treloar/tension.csv") and len({results["rubber"].rubber(), mk.Rubber.fit(root / "data/treloar/tension.csv")}) == 1
     assert results["fit"].formula == mk.fit(root / "data/campaign/paper.csv").formula
 
 
@@ -146,10 +146,9 @@ def test_campaigns_give_results_that_are_pickled(tmp_path: Path) -> None:
 def test_a_plan_is_columns(root: Path) -> None:
     plan = mk.plan({"name": "small.toml", "text": PLAN})
     assert plan._data["points"] == len(plan.to_table()) == 8 and plan.failed == 0 and plan.muscles == 2
-    assert plan.to_arrow()["force_n"].chunk(0).buffers()[1].address == plan.force_n.ctypes.data
-    own = mk.Muscle(outer_diameter_mm=40, wall_mm=1).model().force([0.1, 0.2], [[0.0], [0.1]])
+    assert pa.table(plan)["force_n"].chunk(0).buffers()[1].address == plan.force_n.ctypes.data
+    own = mk.Muscle.prototype(outer_diameter_mm=40, wall_mm=1).model().force([0.1, 0.2], [[0.0], [0.1]])
     assert np.allclose(plan.force_n[:4], own.ravel(), rtol=1e-9)
     # What the command line writes is the same table, to the last bit.
     text = mk.ask("plan", {"plan": {"name": "small.toml", "text": PLAN}})["table"]
-    assert text["name"] == plan.table.name and mk.Table.from_csv(text["text"]) == plan.to_table()
-    assert mk.Table.from_csv(plan.table.text) == plan.to_table()
+    assert text["name"] == plan.table.name and [float(row["force_n"]) for row in csv.DictReader(io.StringIO(text["text"]))] == plan.force_n.tolist()

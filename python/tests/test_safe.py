@@ -22,9 +22,8 @@ def test_two_in_a_tuple_are_bounds_and_a_list_is_its_values() -> None:
 
 
 def test_a_muscle_is_given_its_geometry() -> None:
-    with pytest.warns(DeprecationWarning, match="wall_mm, length_mm of the paper's prototype") as caught:
+    with pytest.raises(mk.InputError, match="wall_mm, length_mm missing"):
         mk.Muscle(outer_diameter_mm=20)
-    assert caught[0].filename == __file__
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         muscle = mk.Muscle.prototype()
@@ -84,20 +83,12 @@ def test_an_interrupted_campaign_is_read(tmp_path: Path, root: Path) -> None:
     with pytest.raises(KeyboardInterrupt):
         campaign.run(threads=1, progress=stop)
     part = campaign.to_pandas()
-    assert 0 < len(part) == len(campaign.to_polars()) == campaign.to_arrow().num_rows == campaign.summary().points
+    assert 0 < len(part) == campaign.summary().points
     campaign.run(threads=2)
     whole = campaign.to_pandas()
     assert len(whole) > len(part) and set(map(tuple, part[["muscle", "force_n"]].to_numpy())) <= set(map(tuple, whole[["muscle", "force_n"]].to_numpy()))
     assert campaign.run().points_computed == 0
     assert campaign.fit().formula.model(mk.Muscle()).force(0.2, 0.1) > 0
-
-
-def test_no_field_of_a_record_has_numbers_of_another() -> None:
-    """The contractions of a curve are those that were asked for, to the last bit, and a slack muscle has a volume."""
-    asked = np.linspace(0.0, 0.4, 31)
-    curve = mk.Muscle.prototype().curve("isobaric", pressures_mpa=[0.1, 0.2], contractions=asked)
-    assert np.array_equal(np.unique(curve.contraction), asked)
-    assert curve.slack.any() and np.isfinite(curve.volume_mm3).all()
 
 
 def test_a_quantity_is_given_by_its_name_without_the_unit() -> None:

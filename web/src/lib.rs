@@ -45,19 +45,10 @@ pub const fn charts() -> &'static [u8] {
 
 /// The script that turns the muscle in a report: the page's own view, in one piece.
 pub fn viewer() -> String {
-    with_view(file("js/report-viewer.js").unwrap_or_default())
-}
-
-/// The script of the muscle in a notebook: a module for anywidget, with the page's own view, in one piece.
-pub fn widget() -> String {
-    with_view(Cow::Borrowed(include_bytes!("../widget.js"))) + "export default { render };\n"
-}
-
-/// A script behind the modules of the view, which it imports.
-fn with_view(script: Cow<'static, [u8]>) -> String {
-    let modules = ["js/dom.js", "js/shaders.js", "js/view3d.js"].into_iter().filter_map(file);
+    let modules =
+        ["js/dom.js", "js/shaders.js", "js/view3d.js", "js/report-viewer.js"].into_iter().filter_map(file);
     let mut out = String::new();
-    for module in modules.chain([script]) {
+    for module in modules {
         let text = String::from_utf8_lossy(&module).replace("\nexport ", "\n");
         out.extend(text.lines().filter(|line| !line.starts_with("import ")).flat_map(|line| [line, "\n"]));
     }

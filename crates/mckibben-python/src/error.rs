@@ -49,7 +49,6 @@ impl From<Wrong> for PyErr {
 fn raised(py: Python<'_>, problem: &Problem, index: Option<usize>) -> PyResult<PyErr> {
     let values = PyDict::new(py);
     values.set_item("kind", problem.kind.to_string())?;
-    values.set_item("exit_code", problem.kind.ending() as i32)?;
     values.set_item("message", &problem.message)?;
     values.set_item("hint", &problem.hint)?;
     values.set_item("field", &problem.field)?;

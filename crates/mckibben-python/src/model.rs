@@ -45,19 +45,6 @@ impl Model {
         self.bound.is_elements()
     }
 
-    /// Where its formula comes from: author, year, equation.
-    #[getter]
-    fn source(&self) -> &str {
-        &self.bound.model().info().source
-    }
-
-    /// Lowest and highest pressure in MPa and contraction for which it was made.
-    #[getter]
-    fn range(&self) -> ((f64, f64), (f64, f64)) {
-        let range = &self.bound.model().info().range;
-        (range.pressure_mpa, range.contraction)
-    }
-
     /// Answers every pair of two arrays, spread over the shape of `out`, into it; with slopes `out` has one axis more at its end, of the
     /// numbers of a point. Returns how many points have no answer (theirs are NaN where `nan` is true, else the first one raises).
     #[pyo3(signature = (wanted, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes, parameters, nan, progress: "collections.abc.Callable[[int, int], object] | None" = None))]

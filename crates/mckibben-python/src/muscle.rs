@@ -4,7 +4,6 @@ use crate::error::Wrong;
 use crate::{run, value};
 use mckibben::muscle::Muscle;
 use mckibben::muscle::file::to_toml;
-use mckibben::muscle::measures::{LENGTH, OUTER_DIAMETER};
 use mckibben::rubber::RubberLaw;
 use mckibben_app::{
     DesignRequest, MuscleFields, Problem, ProblemKind, TextFile, design as designed, muscle_of, understood,
@@ -14,15 +13,10 @@ use mckibben_fit::identify::{Target, own_value};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// The muscle that a muscle file, parts and fields describe, as the text of a muscle file. Parts are tables of one by their names, in the order
-/// `tube`, `tube.material`, `braid`, `terminals`, `friction`; each takes the place of the whole part.
+/// The muscle that a muscle file and fields describe, as the text of a muscle file; with a rubber, the table `tube.material` of one.
 #[pyfunction]
-#[pyo3(signature = (request: "dict[str, typing.Any]", parts: "list[tuple[str, str]]" = vec![]))]
-pub fn muscle_text(
-    py: Python<'_>,
-    request: &Bound<'_, PyAny>,
-    parts: Vec<(String, String)>,
-) -> PyResult<String> {
+#[pyo3(signature = (request: "dict[str, typing.Any]", rubber = None))]
+pub fn muscle_text(py: Python<'_>, request: &Bound<'_, PyAny>, rubber: Option<String>) -> PyResult<String> {
     let request = value::request(request)?;
     Ok(run::quick(py, |_| {
         let request: MuscleFields = understood(request)?;
@@ -30,25 +24,10 @@ pub fn muscle_text(
             Some(file) => muscle_of(file)?,
             None => Muscle::prototype(),
         };
+        let Some(text) = rubber else { return Ok(to_toml(&request.over(&base)?)) };
         let mut made = base.parts().clone();
-        for (name, text) in parts {
-            // A sleeve has its angle on the tube that it will be on.
-            let size = |measure, own| request.measures.get(measure).unwrap_or(own);
-            let diameter = size(&OUTER_DIAMETER, made.tube.outer_diameter_mm);
-            let (wall, length) = (0.05 * diameter, size(&LENGTH, made.tube.length_mm));
-            let tube = format!(
-                "[tube]\nouter_diameter = {diameter:?}\nwall_thickness = {wall:?}\nlength = {length:?}\n"
-            );
-            let text = if name.starts_with("tube") { text } else { tube + &text };
-            let other = muscle_of(&TextFile { name: name.clone(), text })?.parts().clone();
-            match name.as_str() {
-                "tube" => made.tube = other.tube,
-                "tube.material" => made.tube.rubber = other.tube.rubber,
-                "braid" => made.braid = other.braid,
-                "terminals" => made.terminals = other.terminals,
-                _ => made.friction = other.friction,
-            }
-        }
+        made.tube.rubber =
+            muscle_of(&TextFile { name: "tube.material".into(), text })?.parts().tube.rubber.clone();
         let base = Muscle::from_parts(made).map_err(Problem::from)?.with_bench_of(&base);
         Ok(to_toml(&request.over(&base)?))
     })?)
