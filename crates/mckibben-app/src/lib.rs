@@ -102,7 +102,7 @@ pub use export::*;
 pub use fields::*;
 pub use figure::model_colour;
 #[cfg(all(feature = "schema", feature = "whole"))]
-pub use file_schema::{file_kinds, file_schema};
+pub use file_schema::file_schema;
 pub use fill::*;
 pub use fit::*;
 pub use identify::*;

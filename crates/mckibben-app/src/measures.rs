@@ -30,9 +30,6 @@ pub struct MeasureEntry {
     /// Field of requests.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field: Option<&'static str>,
-    /// Flag of the command line.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub flag: Option<String>,
     /// Its name, in a few words.
     pub label: &'static str,
     /// Its symbol.
@@ -68,7 +65,6 @@ impl From<&'static Measure> for MeasureEntry {
             key: m.key,
             group: m.section(),
             field: m.field.or(named.then_some(STIFFNESS_FIELD)),
-            flag: m.flag().or(named.then(|| STIFFNESS_FIELD.to_owned())).map(|flag| format!("--{flag}")),
             label: m.label,
             symbol: Some(m.symbol).filter(|s| !s.is_empty()),
             // A strain may be a percentage.

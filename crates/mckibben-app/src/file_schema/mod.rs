@@ -24,7 +24,7 @@ const KINDS: [Kind; 4] = [
 ];
 
 /// Names of the kinds of files that have a schema.
-pub fn file_kinds() -> impl Iterator<Item = &'static str> {
+fn file_kinds() -> impl Iterator<Item = &'static str> {
     KINDS.iter().map(|kind| kind.0)
 }
 
