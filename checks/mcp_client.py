@@ -25,7 +25,7 @@ def command_line(*words):
 
 
 async def main(folder: Path) -> None:
-    server = StdioServerParameters(command=PROGRAM, args=["mcp", "--folder", str(folder), "--limit", "seconds=120"])
+    server = StdioServerParameters(command=PROGRAM, args=["mcp", "--folder", str(folder)])
     async with Client(server) as client:
         tools = {tool.name: tool for tool in (await client.list_tools()).tools}
         assert sorted(tools) == sorted(["design", "state", "curve", "identify", "compare", "parts", "joint", "export"]), tools

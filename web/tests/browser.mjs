@@ -29,7 +29,7 @@ export async function statically(folder) {
 /** `mckibben serve`; with PAGE=FOLDER in the environment, that folder's page in front of it. @param {string} program */
 export async function served(program) {
   // Builds with little optimisation take longer than a user would wait.
-  const child = spawn(program, ["serve", "--port", "0", "--limit", "seconds=120"], { stdio: ["ignore", "pipe", "inherit"] });
+  const child = spawn(program, ["serve", "--port", "0"], { stdio: ["ignore", "pipe", "inherit"] });
   const url = await new Promise((resolve, reject) => {
     child.stdout.on("data", (data) => { const found = /http:\/\/\S+/.exec(String(data)); if (found) resolve(found[0].replace(/\/?$/, "/")); });
     child.on("exit", (code) => reject(new Error(`serve ended with ${code}`)));

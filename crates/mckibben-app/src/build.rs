@@ -11,6 +11,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use mckibben::analysis::{Burst, blocked_force_n, unloaded_contraction};
 use mckibben::answer::{Options, check_range};
+use mckibben::cancel;
 use mckibben::model::Workspace;
 use mckibben::progress::Progress;
 use mckibben_build::{BuildError, BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, Wishes};
@@ -118,8 +119,8 @@ impl From<File> for BuiltFile {
 }
 
 /// All that is needed to build a muscle.
-pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAnswer, Problem> {
-    let (plan, burst) = planned(request, progress)?;
+pub fn build(request: &BuildRequest, _progress: &dyn Progress) -> Result<BuildAnswer, Problem> {
+    let (plan, burst) = planned(request)?;
     let said = said_of(&burst, plan.operating.pressure_mpa, 0.0);
     let files = mckibben_build::files(&plan)
         .map_err(|e| Problem::new(ProblemKind::Internal, format!("the drawing cannot be drawn: {e}"), ""))?;
@@ -147,7 +148,7 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
 }
 
 /// The plan of a muscle, and the pressures at which it fails.
-pub(crate) fn planned(request: &BuildRequest, progress: &dyn Progress) -> Result<(Plan, Burst), Problem> {
+pub(crate) fn planned(request: &BuildRequest) -> Result<(Plan, Burst), Problem> {
     let muscle = request.muscle.resolve()?;
     let fitting = request.fitting.as_deref().map(str::parse).transpose();
     let fitting = fitting.map_err(|e: mckibben_build::UnknownFitting| {
@@ -166,7 +167,7 @@ pub(crate) fn planned(request: &BuildRequest, progress: &dyn Progress) -> Result
         sleeve_diameter_mm: above_zero("sleeve_diameter_mm", request.sleeve_diameter_mm)?,
     };
     let pressure_mpa = above_zero("pressure_mpa", request.pressure_mpa)?;
-    let (operating, burst) = operating(request, &muscle, pressure_mpa, progress)?;
+    let (operating, burst) = operating(request, &muscle, pressure_mpa)?;
     let plan = Plan::new(muscle, operating, &wishes).map_err(|error| {
         let field = match error {
             BuildError::Insertion { .. } => "insertion_mm",
@@ -183,15 +184,13 @@ fn operating(
     request: &BuildRequest,
     muscle: &mckibben::muscle::Muscle,
     asked_mpa: Option<f64>,
-    progress: &dyn Progress,
 ) -> Result<(Operating, Burst), Problem> {
     let choice = Model::choose(&ModelFields::default(), Purpose::Answer)?;
-    let budget = progress.budget();
-    choice.admit(muscle, &budget)?;
+    choice.admit(muscle)?;
     let model = choice.build(muscle)?;
     let (model, options) = (&*model, Options::default());
-    let w = &mut Workspace::within(budget.clone());
-    let burst = burst_of(&choice, model, &budget)?;
+    let w = &mut Workspace::new();
+    let burst = burst_of(&choice, model)?;
     let allowed_mpa = burst.allowed().map(|a| a.0);
     let pressure_mpa = finite("pressure_mpa", asked_mpa.unwrap_or(usual_mpa(&burst)))?;
     check_range(model, pressure_mpa, 0.0, options)?;
@@ -200,7 +199,7 @@ fn operating(
     for p in Plan::test_pressures_mpa(pressure_mpa) {
         // Below the pressure at which it begins to pull there is nothing to test.
         free_contractions.extend(unloaded_contraction(model, w, p, options).ok().map(|free| (p, free)));
-        budget.ended()?;
+        cancel::check()?;
     }
     let blocked_force_n = blocked_force_n(model, w, pressure_mpa, options)?;
     let shape = ShapeRequest {
@@ -209,7 +208,7 @@ fn operating(
         contraction: Some(free),
         ..ShapeRequest::default()
     };
-    let (shape, _) = shaped(&shape, progress)?;
+    let (shape, _) = shaped(&shape)?;
     let array = |name: &str| shape.arrays.get(name).map_or(&[][..], Vec::as_slice);
     let (r, z, across) = (array("r_mm"), array("z_mm"), shape.across.max(1));
     let outer = r.iter().zip(z).skip(across - 1).step_by(across);

@@ -5,10 +5,9 @@ use crate::annotate::annotate;
 use crate::border::within;
 #[cfg(feature = "schema")]
 use crate::expected::Expected;
-use crate::json_size::JsonSize;
 use crate::problem::{Problem, ProblemKind};
 use crate::*;
-use mckibben::budget::Resource;
+use mckibben::cancel::Cancel;
 use mckibben::nearest::nearest;
 use mckibben::progress::Progress;
 #[cfg(feature = "files")]
@@ -45,9 +44,9 @@ type Work = dyn FnOnce(&dyn Progress) -> Result<Value, Problem> + Send;
 pub struct Ready(Box<Work>);
 
 impl Ready {
-    /// Answers it, within the caller's budget.
+    /// Answers it, until the flag of this thread ends the work.
     pub fn answer(self, progress: &dyn Progress) -> Result<Value, Problem> {
-        within(&progress.budget(), || (self.0)(progress))
+        within(&Cancel::current(), || (self.0)(progress))
     }
 }
 
@@ -216,7 +215,7 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         #[cfg(feature = "whole")]
         command!(long "rubber-fit", RubberFitRequest => RubberFitAnswer, |r, progress| rubber_fit(&r, progress)),
         command!("shape", ShapeRequest => ShapeAnswer, |r, progress| shape(&r, progress)),
-        command!("quantities", QuantitiesRequest => QuantitiesAnswer, |r, progress| quantities(&r, progress)),
+        command!("quantities", QuantitiesRequest => QuantitiesAnswer, |r, _progress| quantities(&r)),
         command!("units", UnitsRequest => UnitsAnswer, |r, _progress| units(&r)),
         command!("models", ModelsRequest => ModelsAnswer, |r, _progress| models(&r)),
     ]
@@ -243,12 +242,12 @@ pub fn schema(command: &str) -> Result<Value, Problem> {
 /// # Ok::<(), mckibben_app::Problem>(())
 /// ```
 pub fn ask(command: &str, request: &str, progress: &dyn Progress) -> Result<String, Problem> {
-    within(&progress.budget(), || Ok(of_text(command, request, progress)?.to_string()))
+    within(&Cancel::current(), || Ok(of_text(command, request, progress)?.to_string()))
 }
 
 /// The same for front ends whose language has lists and maps of its own: no text on the way.
 pub fn ask_value(command: &str, request: Value, progress: &dyn Progress) -> Result<Value, Problem> {
-    within(&progress.budget(), || of_value(command, request, progress))
+    within(&Cancel::current(), || of_value(command, request, progress))
 }
 
 /// The same for front ends that draw: numbers of the answer's `arrays` (those of `shape`) as bytes.
@@ -257,7 +256,7 @@ pub fn ask_value(command: &str, request: Value, progress: &dyn Progress) -> Resu
 /// `arrays` is the count of its numbers in place of the numbers, then all numbers (32 bits each), array after array. All of it
 /// little-endian.
 pub fn ask_packed(command: &str, request: &str, progress: &dyn Progress) -> Result<Vec<u8>, Problem> {
-    within(&progress.budget(), || Ok(packed(of_text(command, request, progress)?)))
+    within(&Cancel::current(), || Ok(packed(of_text(command, request, progress)?)))
 }
 
 /// An answer as [`ask_packed`] gives it.
@@ -280,12 +279,10 @@ pub fn packed(mut answer: Value) -> Vec<u8> {
 }
 
 fn of_text(command: &str, request: &str, progress: &dyn Progress) -> Result<Value, Problem> {
-    let size = JsonSize::of(request)?;
-    progress.budget().admit(Resource::Bytes, size.bytes())?;
     of_value(command, parsed(request)?, progress)
 }
 
-/// A request in JSON that [`JsonSize::of`] let through, as a value.
+/// A request in JSON as a value.
 pub fn parsed(request: &str) -> Result<Value, Problem> {
     serde_json::from_str(request).map_err(|e| not_understood(&e))
 }

@@ -93,8 +93,8 @@ const WIDE: f64 = 0.3;
 /// A muscle that contracts less than this even without wall and load hardly moves.
 const LITTLE: f64 = 0.1;
 
-pub fn doctor(request: &DoctorRequest, progress: &dyn Progress) -> Result<DoctorAnswer, Problem> {
-    let mut question = Question::new(&request.muscle, &request.model, request.asking, &progress.budget())?;
+pub fn doctor(request: &DoctorRequest, _progress: &dyn Progress) -> Result<DoctorAnswer, Problem> {
+    let mut question = Question::new(&request.muscle, &request.model, request.asking)?;
     let burst = question.burst()?;
     let pressure_mpa = match request.pressure_mpa {
         Some(pressure_mpa) => finite("pressure_mpa", pressure_mpa)?,

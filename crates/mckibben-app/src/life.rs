@@ -12,6 +12,7 @@ use mckibben::analysis::life::measured::{MeasuredLife, lives};
 use mckibben::analysis::life::{LifeCurve, LifeLevel, Turning, Wear, turning, wear};
 use mckibben::analysis::{NoBurst, free_contraction};
 use mckibben::answer::{Answer, point};
+use mckibben::cancel;
 use mckibben::load::LoadError;
 use mckibben::model::{ForceModel, Response, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
@@ -249,13 +250,11 @@ pub fn life(request: &LifeRequest, progress: &dyn Progress) -> Result<LifeAnswer
     let (mut muscles, mut warnings, mut model) = (vec![], vec![], String::new());
     for (i, (name, fields)) in all.iter().enumerate() {
         progress.report(i, all.len());
-        if progress.cancelled() {
-            return Err(Problem::cancelled());
-        }
-        let mut question = Question::new(fields, &request.model, request.asking, &progress.budget())?;
+        progress.check()?;
+        let mut question = Question::new(fields, &request.model, request.asking)?;
         model = question.model.info().name.to_string();
         let found = request.of_muscle(name, &mut question, curve.as_ref().map(|c| &c.0));
-        question.workspace.budget().ended()?;
+        cancel::check()?;
         let (muscle, said) = found.map_err(|mut problem| {
             if all.len() > 1 {
                 problem.message = format!("{name}: {}", problem.message);
@@ -461,7 +460,7 @@ fn state(question: &Question, answer: &Answer, from_thick_wall: &mut bool) -> (L
 fn from_terminal(question: &Question, pressure_mpa: f64, contraction: f64) -> Option<f64> {
     let Model::Elements(elements) = &question.choice else { return None };
     let model = elements.build(&question.muscle).ok()?;
-    let workspace = &mut Workspace::within(question.workspace.budget().clone());
+    let workspace = &mut Workspace::new();
     let solution = model.solve(workspace, Given::at(pressure_mpa, contraction)).ok()?;
     Some((0.5 * question.muscle.between_ends().length_mm() - solution.max_stretch.rest_mm[1]).max(0.0))
 }

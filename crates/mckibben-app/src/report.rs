@@ -104,7 +104,7 @@ const MODELS: [&str; 4] = ["fe", "universal", "thick-wall", "ideal"];
 pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<ReportAnswer, Problem> {
     let step = |done| {
         progress.report(done, 5);
-        if progress.cancelled() { Err(Problem::cancelled()) } else { Ok(()) }
+        progress.check()
     };
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa.or(Some(0.25)), "a pressure")?;
     let show = MuscleShowRequest {
@@ -137,9 +137,9 @@ pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<Report
         contraction: Some(contraction),
         ..ShapeRequest::default()
     };
-    parts.push(body_of(&of, units, progress)?);
+    parts.push(body_of(&of, units)?);
     step(3)?;
-    let workshop = Workshop::of(&request.muscle, pressure_mpa, progress)?;
+    let workshop = Workshop::of(&request.muscle, pressure_mpa)?;
     parts.extend(workshop.front(units));
     parts.push(Part::Heading("Curves".into()));
     for test in [Test::Isobaric, Test::Isometric] {
@@ -195,14 +195,14 @@ fn state(shown: &MuscleShowAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> 
 }
 
 /// The deformed muscle by itself, without the picture for paper (of 600 kB), for front ends that show many.
-pub fn body(request: &ShapeRequest, progress: &dyn Progress) -> Result<Document, Problem> {
-    let (answer, _) = shaped(request, progress)?;
+pub fn body(request: &ShapeRequest, _progress: &dyn Progress) -> Result<Document, Problem> {
+    let (answer, _) = shaped(request)?;
     let part = Part::Body(Body { data: data_of(answer), picture: None });
     Ok(Document { title: "The deformed muscle".into(), parts: vec![part], ..Document::default() })
 }
 
-fn body_of(request: &ShapeRequest, units: &Units, progress: &dyn Progress) -> Result<Part, Problem> {
-    let (answer, section) = shaped(request, progress)?;
+fn body_of(request: &ShapeRequest, units: &Units) -> Result<Part, Problem> {
+    let (answer, section) = shaped(request)?;
     let wanted = PictureFields { units: units.clone(), ..PictureFields::default() };
     let picture =
         figure::picture(&wanted, "fe", &answer.muscle, &Shape::of_section(&section), &answer.point.response)?;

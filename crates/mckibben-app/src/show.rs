@@ -208,7 +208,7 @@ fn characteristics(
     let blocked_force_n = blocked_force_n(model, w, pressure_mpa, options)?;
     let free = unloaded_contraction(model, w, pressure_mpa, options).ok();
     let air = free.and_then(|e| air_per_stroke(model, w, pressure_mpa, e).ok());
-    let found = burst_of(&choice, model, w.budget())?;
+    let found = burst_of(&choice, model)?;
     let characteristics = Characteristics {
         model: model.info().name.to_string(),
         pressure_mpa,

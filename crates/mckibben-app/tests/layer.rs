@@ -11,12 +11,12 @@ mod colours;
 mod contract;
 #[path = "layer/doctor.rs"]
 mod doctor;
+#[path = "layer/ended.rs"]
+mod ended;
 #[path = "layer/expected.rs"]
 mod expected;
 #[path = "layer/file_schema.rs"]
 mod file_schema;
-#[path = "layer/json_size.rs"]
-mod json_size;
 #[path = "layer/library_folder.rs"]
 mod library_folder;
 #[path = "layer/liquid.rs"]

@@ -12,10 +12,9 @@ use crate::commands::{
 use crate::failure::Failure;
 use crate::format::Format;
 use crate::output::emit;
-use mckibben::budget::Resource;
 
-/// Runs a command; the exit code where it ends well. What its answer may cost is set already, but for `serve`, which answers many.
-pub fn run(asked: Command, format: Format, limits: &[(Resource, f64)]) -> Result<u8, Failure> {
+/// Runs a command; the exit code where it ends well.
+pub fn run(asked: Command, format: Format) -> Result<u8, Failure> {
     match asked {
         Command::Design(args) => design::run(&args, format),
         Command::Force(args) => point::force(&args, format),
@@ -52,8 +51,8 @@ pub fn run(asked: Command, format: Format, limits: &[(Resource, f64)]) -> Result
         Command::Report(args) => report::run(&args, format),
         Command::Models(args) => models::run(&args, format),
         Command::Schema(args) => schema::run(&args),
-        Command::Serve(args) => serve::run(args, format, limits),
-        Command::Mcp(args) => mcp::run(&args, limits, &command()),
+        Command::Serve(args) => serve::run(args, format),
+        Command::Mcp(args) => mcp::run(&args, &command()),
         Command::Help(args) => help::run(&args, command()),
         Command::Man(args) => help::man(&args, command()),
         Command::Completions { shell } => {

@@ -120,7 +120,6 @@ const FIELDS: &[&str] = &[
     "sleeve_diameter_mm",
     "output",
     "overwrite",
-    "limit",
     "life_curve",
     "scatter",
     "yes",

@@ -5,7 +5,6 @@ use crate::results::{Sensitivity, Solution};
 use crate::simulation::{Detail, Given, Simulation};
 use crate::solver::curve::{Curve, CurvePoint, Test};
 use mckibben::analysis::{AnalysisError, Options, pressure_at};
-use mckibben::budget::Exceeded;
 use mckibben::model::{ForceModel, ModelError, Response, Seated, Workspace};
 use mckibben::muscle::{EndState, Ends, InnerPull, Muscle};
 use mckibben::progress::{Progress, Silent};
@@ -131,7 +130,7 @@ fn given_between(of: &Whole, w: &mut Workspace, given: Given) -> Result<(Given, 
 
 fn no_pressure(of: &Whole, force_n: f64, error: AnalysisError) -> FemError {
     match error {
-        AnalysisError::Model(ModelError::Exceeded(exceeded)) => FemError::Exceeded(exceeded),
+        AnalysisError::Model(ModelError::Cancelled(cancelled)) => FemError::Cancelled(cancelled),
         AnalysisError::Model(error) => FemError::OnRod(Box::new(error)),
         AnalysisError::NoPressure { nearest_force_n, nearest_pressure_mpa, contraction, .. } => {
             FemError::OutOfReach { force_n, pressure_mpa: nearest_pressure_mpa, nearest_force_n, contraction }
@@ -199,7 +198,7 @@ fn slipped(
     let mut found: Vec<(usize, Result<CurvePoint, FemError>)> = vec![];
     for i in test.order(values) {
         progress.report(found.len(), values.len());
-        let ended = if progress.cancelled() { Err(Exceeded::Cancelled) } else { progress.budget().check() };
+        let ended = progress.check();
         let (p, held) = match test {
             Test::Isobaric(p) => (p, values[i]),
             Test::Isometric(held) | Test::Isotonic(held) => (values[i], held),

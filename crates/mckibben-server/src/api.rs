@@ -105,9 +105,8 @@ pub async fn ask(
     let work = worked(
         state.gate.enter()?,
         state.stopping.clone(),
-        state.config.limits,
         |_, _| {},
-        move |progress| answer(asked.read(&progress.budget())?, packed, progress),
+        move |progress| answer(asked.read()?, packed, progress),
     );
     let kind = if packed { PACKED } else { "application/json" };
     Ok(([(CONTENT_TYPE, kind)], state.room.keep(work.await?)?).into_response())
@@ -122,9 +121,8 @@ pub async fn start(
     let asked = asked(&state, command, &headers, body).await?;
     let place = state.jobs.enter()?;
     // A wrong request is refused at once; it does not become a failed job.
-    let read = move |progress: &dyn Progress| asked.read(&progress.budget());
-    let question =
-        worked(state.gate.enter()?, state.stopping.clone(), state.config.limits, |_, _| {}, read).await?;
+    let read = move |_: &dyn Progress| asked.read();
+    let question = worked(state.gate.enter()?, state.stopping.clone(), |_, _| {}, read).await?;
     let id = state.jobs.start(place, state.stopping.clone(), question)?;
     let at = format!("/api/v1/jobs/{id}");
     let links = json!({ "id": id, "events": format!("{at}/events"), "answer": at });

@@ -1,6 +1,5 @@
 //! What the server allows.
 
-use mckibben::budget::Limits;
 use std::num::NonZero;
 use std::time::Duration;
 
@@ -14,9 +13,6 @@ pub struct Config {
     pub workers: usize,
     /// Requests that may wait for their turn.
     pub waiting: usize,
-    /// What one request may cost: ten seconds, or half a million tangents of `fe`, whichever comes first; of `fe3d` so many
-    /// elements that the end of the time is seen within a second.
-    pub limits: Limits,
     /// Connections at once; more wait to be accepted.
     pub connections: usize,
     /// Length of a request's body to a command that takes tables.
@@ -44,8 +40,6 @@ pub struct JobConfig {
     pub workers: usize,
     /// Jobs that may wait for their turn.
     pub waiting: usize,
-    /// What one may cost: half an hour.
-    pub limits: Limits,
     /// Finished jobs that are kept; the oldest goes first.
     pub kept: usize,
     /// Bytes of the answers that are kept; the newest answer is, whatever its length.
@@ -62,7 +56,6 @@ impl Default for Config {
             host_names: vec![],
             workers,
             waiting: 64,
-            limits: Limits { points: 20e3, elements: 4e3, bytes: 2e8, factorisations: 5e5, seconds: 10.0 },
             connections: 512,
             body_bytes: 8 << 20,
             small_body_bytes: 256 << 10,
@@ -81,13 +74,6 @@ impl Default for JobConfig {
         Self {
             workers: cores().div_ceil(2),
             waiting: 16,
-            limits: Limits {
-                points: 100e3,
-                elements: 20e3,
-                bytes: 1e9,
-                factorisations: 1e8,
-                seconds: 1800.0,
-            },
             kept: 32,
             kept_bytes: 64 << 20,
             kept_for: Duration::from_secs(600),

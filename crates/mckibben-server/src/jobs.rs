@@ -190,7 +190,7 @@ impl Jobs {
                 waited
             });
         };
-        let work = worked(place, stopping, self.config.limits, report, move |progress| {
+        let work = worked(place, stopping, report, move |progress| {
             let bytes = threads().within(|| answer(question, false, progress))?;
             String::from_utf8(bytes)
                 .map_err(|e| Problem::new(ProblemKind::Internal, e.to_string(), "").into())

@@ -21,7 +21,6 @@ impl Refusal {
     /// Something that only a client of the server can do wrong.
     pub fn new(status: StatusCode, message: impl Into<String>, hint: impl Into<String>) -> Self {
         let kind = match status {
-            StatusCode::PAYLOAD_TOO_LARGE | StatusCode::TOO_MANY_REQUESTS => ProblemKind::Budget,
             StatusCode::SERVICE_UNAVAILABLE => ProblemKind::Cancelled,
             StatusCode::INTERNAL_SERVER_ERROR => ProblemKind::Internal,
             _ => ProblemKind::Usage,

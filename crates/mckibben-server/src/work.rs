@@ -1,18 +1,13 @@
-//! Work on requests: its turn, its budget, its end.
+//! Work on requests: its turn, its end.
 
 use crate::refusal::Refusal;
 use crate::room::Held;
 use axum::http::StatusCode;
-use mckibben::budget::{Budget, Exceeded, Limits, Resource};
+use mckibben::cancel::Cancel;
 use mckibben::progress::Progress;
-use mckibben_app::{CommandEntry, JsonSize, Problem, ProblemKind, Ready, parsed};
+use mckibben_app::{CommandEntry, Problem, ProblemKind, Ready, parsed};
 use std::sync::Arc;
-use std::time::Duration;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
-use tokio::time::sleep;
-
-/// Work has this long to see that its time is over.
-const LATE: Duration = Duration::from_secs(2);
 
 /// A bounded queue: so many at work, so many waiting, no more.
 #[derive(Debug)]
@@ -53,7 +48,7 @@ impl QueueSlot {
 }
 
 /// The work ends with its caller: a client that left, a job that was cancelled.
-struct EndsWith(Budget);
+struct EndsWith(Cancel);
 
 impl Drop for EndsWith {
     fn drop(&mut self) {
@@ -61,23 +56,12 @@ impl Drop for EndsWith {
     }
 }
 
-/// Progress within a budget.
-struct Within<R> {
-    budget: Budget,
-    report: R,
-}
+/// Reported progress.
+struct Reported<R>(R);
 
-impl<R: Fn(usize, usize) + Sync> Progress for Within<R> {
+impl<R: Fn(usize, usize) + Sync> Progress for Reported<R> {
     fn report(&self, done: usize, total: usize) {
-        (self.report)(done, total);
-    }
-
-    fn cancelled(&self) -> bool {
-        self.budget.check().is_err()
-    }
-
-    fn budget(&self) -> Budget {
-        self.budget.clone()
+        (self.0)(done, total);
     }
 }
 
@@ -100,17 +84,9 @@ pub struct Question {
 
 impl Asked {
     /// The request, where it is one at all, and none that touches the disk.
-    pub fn read(mut self, budget: &Budget) -> Result<Question, Refusal> {
-        let no_request = |problem: Problem| {
-            let status = match problem.kind {
-                ProblemKind::Budget => StatusCode::PAYLOAD_TOO_LARGE,
-                _ => StatusCode::BAD_REQUEST,
-            };
-            Refusal { status, problem: Box::new(problem) }
-        };
-        let size = JsonSize::of(&self.text).map_err(no_request)?;
-        budget.admit(Resource::Bytes, size.bytes()).map_err(|e| no_request(e.into()))?;
-        self.held.grow(size.bytes() as usize)?;
+    pub fn read(self) -> Result<Question, Refusal> {
+        let no_request =
+            |problem: Problem| Refusal { status: StatusCode::BAD_REQUEST, problem: Box::new(problem) };
         let request = parsed(&self.text).map_err(no_request)?;
         if self.command.touches_disk(&request) {
             let hint =
@@ -126,7 +102,6 @@ impl Asked {
 pub async fn worked<T: Send + 'static>(
     mut place: QueueSlot,
     mut stopping: watch::Receiver<bool>,
-    limits: Limits,
     report: impl Fn(usize, usize) + Send + Sync + 'static,
     work: impl FnOnce(&dyn Progress) -> Result<T, Refusal> + Send + 'static,
 ) -> Result<T, Refusal> {
@@ -135,28 +110,21 @@ pub async fn worked<T: Send + 'static>(
         Ok(_) = stopping.wait_for(|s| *s) => return Err(Refusal::ending()),
     }
     report(0, 0);
-    let budget = Budget::new(limits);
-    let _ends = EndsWith(budget.clone());
+    let cancel = Cancel::default();
+    let _ends = EndsWith(cancel.clone());
     let handle = tokio::task::spawn_blocking(move || {
-        let done = work(&Within { budget: budget.clone(), report });
+        let _entered = cancel.enter();
+        let done = work(&Reported(report));
         drop(place);
-        match (done, budget.exceeded()) {
-            (Err(refusal), _) if refusal.problem.kind == ProblemKind::Internal => Err(refusal),
+        match done {
+            Err(refusal) if refusal.problem.kind == ProblemKind::Internal => Err(refusal),
             // What work says that was ended on its way is neither an answer nor a reason.
-            (_, Some(exceeded)) => Err(Problem::from(exceeded).into()),
-            (done, None) => done,
+            done => cancel.check().map_err(|cancelled| Problem::from(cancelled).into()).and(done),
         }
     });
-    let late =
-        limits.seconds.is_finite().then(|| Duration::from_secs_f64(limits.seconds.clamp(0.0, 1e9)) + LATE);
     tokio::select! {
         done = handle => done.unwrap_or_else(|e| Err(Problem::new(ProblemKind::Internal, e.to_string(), "").into())),
         Ok(_) = stopping.wait_for(|s| *s) => Err(Refusal::ending()),
-        // Work that looks at no clock has its place until it ends, but nobody waits for it.
-        () = sleep(late.unwrap_or_default()), if late.is_some() => {
-            let spent = Exceeded::Spent { resource: Resource::Seconds, limit: limits.seconds };
-            Err(Problem::from(spent).into())
-        }
     }
 }
 

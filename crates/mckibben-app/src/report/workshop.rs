@@ -7,7 +7,6 @@ use crate::units::Units;
 use crate::words::{fixed, number, percent};
 use mckibben::analysis::{Burst, FailurePressure, SAFETY};
 use mckibben::muscle::Direction;
-use mckibben::progress::{CancelOnly, Progress};
 use mckibben_build::{Plan, drawing_svg};
 use mckibben_report::Part;
 
@@ -19,21 +18,15 @@ pub(super) enum Workshop {
 
 impl Workshop {
     /// The plan at the pressure of a report.
-    pub(super) fn of(
-        muscle: &MuscleFields,
-        pressure_mpa: f64,
-        progress: &dyn Progress,
-    ) -> Result<Self, Problem> {
+    pub(super) fn of(muscle: &MuscleFields, pressure_mpa: f64) -> Result<Self, Problem> {
         let asked = BuildRequest {
             muscle: muscle.clone(),
             pressure_mpa: Some(pressure_mpa).filter(|p| *p > 0.0),
             ..BuildRequest::default()
         };
-        match planned(&asked, &CancelOnly(progress)) {
+        match planned(&asked) {
             Ok((plan, burst)) => Ok(Self::Planned { plan: Box::new(plan), burst }),
-            Err(problem) if matches!(problem.kind, ProblemKind::Budget | ProblemKind::Cancelled) => {
-                Err(problem)
-            }
+            Err(problem) if problem.kind == ProblemKind::Cancelled => Err(problem),
             Err(problem) => Ok(Self::Not(problem.message)),
         }
     }

@@ -3,6 +3,7 @@
 use super::Cost;
 #[cfg(feature = "store")]
 use super::ShardError;
+use mckibben::cancel::Cancelled;
 use mckibben::muscle::file::FileError;
 use mckibben::threads::ThreadsError;
 #[cfg(feature = "store")]
@@ -142,8 +143,8 @@ pub enum CampaignError {
     #[error("the campaign has {} points: about {:.0} GB and {:.1} days", .0.points, .0.bytes / 1e9, .0.seconds / 86_400.0)]
     Large(Cost),
     /// The caller wanted it to end.
-    #[error("the campaign was stopped before its end")]
-    Stopped,
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// The environment names no share.
     #[cfg(feature = "store")]
     #[error(transparent)]

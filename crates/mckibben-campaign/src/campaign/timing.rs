@@ -36,9 +36,7 @@ impl Plan {
             for row in solve::rows(self, number) {
                 table.push(row);
             }
-            if progress.cancelled() {
-                return Err(CampaignError::Stopped);
-            }
+            progress.check()?;
             muscles += 1;
         }
         let seconds = from.elapsed().as_secs_f64();

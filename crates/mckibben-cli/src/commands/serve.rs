@@ -5,7 +5,6 @@ use crate::format::Format;
 use crate::output::{emit, warn};
 use crate::progress;
 use clap::Args;
-use mckibben::budget::Resource;
 use mckibben_app::ProblemKind;
 use mckibben_server::{Config, ServeError, Server};
 use std::io::ErrorKind;
@@ -34,7 +33,7 @@ pub struct ServeArgs {
 }
 
 /// Serves until a signal ends it.
-pub fn run(args: ServeArgs, format: Format, limits: &[(Resource, f64)]) -> Result<u8, Failure> {
+pub fn run(args: ServeArgs, format: Format) -> Result<u8, Failure> {
     if !args.address.is_loopback() && args.host_name.is_empty() {
         let message = format!("--address: {} requires --host-name", args.address);
         let hint = "give the name or address that clients use, such as --host-name bench.local";
@@ -46,9 +45,7 @@ pub fn run(args: ServeArgs, format: Format, limits: &[(Resource, f64)]) -> Resul
     let listener = TcpListener::bind(at).map_err(|e| unbound(at, &e))?;
     let address = listener.local_addr().map_err(|e| unbound(at, &e))?;
     let address = format!("http://{address}");
-    let mut config = Config { host_names: args.host_name, ..Config::default() };
-    config.limits = progress::with(config.limits, limits);
-    config.jobs.limits = progress::with(config.jobs.limits, limits);
+    let config = Config { host_names: args.host_name, ..Config::default() };
     let cannot = |e: ServeError| Failure::input(ProblemKind::Output, e.to_string(), "");
     // Nobody learns of a server that cannot answer.
     let server = Server::new(config).map_err(cannot)?;

@@ -97,15 +97,6 @@ fn a_browser_is_opened_at_the_address() {
     assert_eq!(std::fs::read_to_string(opened).unwrap().trim(), line.trim());
 }
 
-#[test]
-fn the_limits_of_the_command_line_are_those_of_its_requests() {
-    let (child, line) = started(&root(), &["--port", "0", "--format", "json", "--limit", "factorisations=2"]);
-    let line: serde_json::Value = serde_json::from_str(&line).unwrap();
-    let refused = answer(line["address"].as_str().unwrap(), "POST /api/v1/force\n\n{\"pressure_mpa\": 0.2}");
-    assert!(refused.starts_with("HTTP/1.1 422") && refused.contains("2 factorisations"), "{refused}");
-    ended(child);
-}
-
 /// Nobody gets the address of a server that cannot answer: it says why, or it answers. (The unoptimised program has 53 MB itself: with less the
 /// system does not load it.)
 #[cfg(target_os = "linux")]

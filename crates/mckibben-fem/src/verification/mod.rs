@@ -28,7 +28,6 @@ use crate::FemError;
 use crate::axisymmetric::{Body, BraidSpec, Discretisation, Ends, Mesh, Problem};
 use crate::solver::body::Control;
 use crate::solver::continuation::Continuation;
-use mckibben::budget::Exceeded;
 use mckibben::muscle::Bulk;
 use mckibben::progress::Progress;
 use mckibben::rubber::{Law, MooneyRivlin};
@@ -52,7 +51,7 @@ const SECTION: [VerificationCase; 10] = [
 /// Every case, one after the other.
 ///
 /// # Errors
-/// [`FemError::Exceeded`] where the caller wanted it to end.
+/// [`FemError::Cancelled`] where the caller wanted it to end.
 pub fn cases(progress: &dyn Progress) -> Result<Vec<VerificationRow>, FemError> {
     let all: Vec<VerificationCase> = SECTION.into_iter().chain(bricks::CASES).collect();
     run(&all, progress)
@@ -61,14 +60,12 @@ pub fn cases(progress: &dyn Progress) -> Result<Vec<VerificationRow>, FemError> 
 /// Some cases, one after the other.
 ///
 /// # Errors
-/// [`FemError::Exceeded`] where the caller wanted it to end.
+/// [`FemError::Cancelled`] where the caller wanted it to end.
 pub fn run(cases: &[VerificationCase], progress: &dyn Progress) -> Result<Vec<VerificationRow>, FemError> {
     let mut rows = vec![];
     for (done, case) in cases.iter().enumerate() {
         progress.report(done, cases.len());
-        if progress.cancelled() {
-            return Err(FemError::Exceeded(Exceeded::Cancelled));
-        }
+        progress.check()?;
         rows.extend(case());
     }
     progress.report(cases.len(), cases.len());

@@ -4,7 +4,6 @@ use crate::common::{Answer, Client, asked, endless};
 use axum::body::Body;
 use axum::http::Method;
 use http_body_util::BodyExt;
-use mckibben::budget::{Limits, Resource};
 use mckibben::progress::Silent;
 use mckibben_app::ask;
 use mckibben_server::{Config, JobConfig};
@@ -113,15 +112,6 @@ async fn there_are_so_many_jobs_at_once_and_short_requests_go_on() {
     for job in &jobs {
         assert_eq!(delete(&client, job).await.status, 204);
     }
-}
-
-#[tokio::test]
-async fn a_job_has_a_budget() {
-    let limits = Limits::default().with(Resource::Factorisations, 20.0);
-    let client = with(JobConfig { limits, ..JobConfig::default() });
-    let job = client.job("simulate", endless()).await;
-    let state = client.once(&job, |s| s["state"] == "failed").await;
-    assert_eq!(state["problem"]["kind"], "budget");
 }
 
 #[tokio::test]

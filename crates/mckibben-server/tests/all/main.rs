@@ -5,7 +5,6 @@
 mod answers;
 mod common;
 mod door;
-mod ended;
 mod jobs;
 mod limits;
 mod mutated;

@@ -1,6 +1,5 @@
 //! Messages of the protocol: JSON-RPC 2.0, and the handshake.
 
-use mckibben_app::JsonSize;
 use serde_json::{Value, json};
 
 /// Codes of JSON-RPC.
@@ -33,8 +32,6 @@ pub struct Message {
 
 /// Reads a message; its id, where it has one, goes with what is wrong.
 pub fn read(text: &str) -> Result<Message, (Value, Wrong)> {
-    let small = JsonSize::of(text).map_err(|problem| (Value::Null, (REFUSED, problem.message)))?;
-    debug_assert!(small.text_bytes == text.len());
     let mut value: Value = serde_json::from_str(text)
         .map_err(|e| (Value::Null, (UNREADABLE, format!("this is no JSON: {e}"))))?;
     let id = value.get_mut("id").map(Value::take).filter(|id| id.is_string() || id.is_number());

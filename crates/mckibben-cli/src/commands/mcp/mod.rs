@@ -10,7 +10,7 @@ mod tools;
 use crate::failure::Failure;
 use crate::progress;
 use clap::{Args, Command};
-use mckibben::budget::{Budget, Resource};
+use mckibben::cancel::Cancel;
 use mckibben_app::ProblemKind;
 use messages::{Id, Message, REFUSED, UNREADABLE, answer, refusal};
 use serde_json::{Value, json};
@@ -28,6 +28,8 @@ An assistant starts this program, and asks it over standard input and output.";
 
 /// Questions that may wait.
 const WAITING: usize = 64;
+/// The longest message in bytes.
+const LONGEST: u64 = 8 << 20;
 
 /// `mcp`.
 #[derive(Debug, Args)]
@@ -37,12 +39,12 @@ pub struct McpArgs {
     pub folder: Option<PathBuf>,
 }
 
-/// Questions that wait or are being answered, each with the budget that ends it.
-type Open = Mutex<HashMap<String, Budget>>;
+/// Questions that wait or are being answered, each with the flag that ends it.
+type Open = Mutex<HashMap<String, Cancel>>;
 
 /// Answers until the client closes its end; `root` is the command line with all commands.
-pub fn run(args: &McpArgs, limits: &[(Resource, f64)], root: &Command) -> Result<u8, Failure> {
-    let desk = Desk::new(args.folder.as_deref(), limits)?;
+pub fn run(args: &McpArgs, root: &Command) -> Result<u8, Failure> {
+    let desk = Desk::new(args.folder.as_deref())?;
     let open = Open::default();
     let (desk, open) = (&desk, &open);
     let (ask, asked) = sync_channel(WAITING);
@@ -51,10 +53,10 @@ pub fn run(args: &McpArgs, limits: &[(Resource, f64)], root: &Command) -> Result
             .spawn_scoped(scope, move || work(&asked, desk, open))
             .map_err(|e| Failure::input(ProblemKind::Output, format!("no thread can be started: {e}"), ""))?;
         let mut input = std::io::stdin().lock();
-        while let Some(line) = line(&mut input, desk.longest())? {
+        while let Some(line) = line(&mut input, LONGEST)? {
             let reply = match line.map_err(|why| (Value::Null, why)).and_then(|text| messages::read(&text)) {
                 Err((id, (code, why))) => Some(refusal(&id, code, &why)),
-                Ok(message) => match route(message, desk, open, root) {
+                Ok(message) => match route(message, open, root) {
                     Next::Reply(reply) => reply,
                     Next::Ask(question) => ask.try_send(question).err().map(|full| {
                         let (std::sync::mpsc::TrySendError::Full(q)
@@ -67,7 +69,7 @@ pub fn run(args: &McpArgs, limits: &[(Resource, f64)], root: &Command) -> Result
             reply.map_or(Ok(()), |reply| send(&reply))?;
         }
         // What is still being answered ends with its client.
-        locked(open).values().for_each(Budget::cancel);
+        locked(open).values().for_each(Cancel::cancel);
         drop(ask);
         Ok(0)
     });
@@ -86,16 +88,16 @@ enum Next {
 struct Question {
     id: Id,
     params: Value,
-    budget: Budget,
+    cancel: Cancel,
 }
 
-fn route(message: Message, desk: &Desk, open: &Open, root: &Command) -> Next {
+fn route(message: Message, open: &Open, root: &Command) -> Next {
     let Message { id, method, params } = message;
     let Some(id) = id else {
         if method == "notifications/cancelled"
-            && let Some(budget) = locked(open).get(&params["requestId"].to_string())
+            && let Some(cancel) = locked(open).get(&params["requestId"].to_string())
         {
-            budget.cancel();
+            cancel.cancel();
         }
         return Next::Reply(None);
     };
@@ -107,9 +109,9 @@ fn route(message: Message, desk: &Desk, open: &Open, root: &Command) -> Next {
         "resources/templates/list" => Ok(json!({ "resourceTemplates": [] })),
         "resources/read" => resources::read(&params, root),
         "tools/call" => {
-            let budget = desk.budget(&params);
-            locked(open).insert(id.0.to_string(), budget.clone());
-            return Next::Ask(Question { id, params, budget });
+            let cancel = Cancel::default();
+            locked(open).insert(id.0.to_string(), cancel.clone());
+            return Next::Ask(Question { id, params, cancel });
         }
         _ => Err(messages::unknown(&method)),
     };
@@ -120,8 +122,9 @@ fn route(message: Message, desk: &Desk, open: &Open, root: &Command) -> Next {
 }
 
 fn work(asked: &Receiver<Question>, desk: &Desk, open: &Open) {
-    for Question { id, params, budget } in asked {
-        let reply = match desk.call(&params, &budget) {
+    for Question { id, params, cancel } in asked {
+        let _entered = cancel.enter();
+        let reply = match desk.call(&params) {
             Ok(result) => answer(&id.0, result),
             Err((code, why)) => refusal(&id.0, code, &why),
         };
@@ -135,7 +138,7 @@ fn forget(open: &Open, id: &Id) {
     locked(open).remove(&id.0.to_string());
 }
 
-fn locked(open: &Open) -> std::sync::MutexGuard<'_, HashMap<String, Budget>> {
+fn locked(open: &Open) -> std::sync::MutexGuard<'_, HashMap<String, Cancel>> {
     // Whoever panicked with the map left it whole.
     open.lock().unwrap_or_else(PoisonError::into_inner)
 }

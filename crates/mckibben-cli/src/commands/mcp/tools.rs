@@ -1,16 +1,13 @@
-//! Tools: commands of the application layer, by their schemas and within the budgets of the server.
+//! Tools: commands of the application layer, by their schemas.
 
 use super::messages::{PARAMS, Wrong};
 use crate::failure::Failure;
 use crate::output::{Content, save_all};
-use crate::progress::with;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use mckibben::budget::{Budget, Limits, Resource};
-use mckibben::progress::Progress;
+use mckibben::progress::Silent;
 use mckibben_app::{BuiltFile, CommandEntry, Problem, find};
 use mckibben_report::Figure;
-use mckibben_server::Config;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -48,57 +45,24 @@ pub fn list() -> Vec<Value> {
 pub struct Desk {
     /// Where `export` may write.
     folder: Option<PathBuf>,
-    config: Config,
-}
-
-/// The work of a question, within its budget.
-struct Within<'a>(&'a Budget);
-
-impl Progress for Within<'_> {
-    fn report(&self, _: usize, _: usize) {}
-
-    fn cancelled(&self) -> bool {
-        self.0.check().is_err()
-    }
-
-    fn budget(&self) -> Budget {
-        self.0.clone()
-    }
 }
 
 impl Desk {
-    /// With the budgets of the server, and others in their place.
-    pub fn new(folder: Option<&Path>, limits: &[(Resource, f64)]) -> Result<Self, Failure> {
-        let mut config = Config::default();
-        config.limits = with(config.limits, limits);
-        config.jobs.limits = with(config.jobs.limits, limits);
+    /// Makes the folder, where one is named.
+    pub fn new(folder: Option<&Path>) -> Result<Self, Failure> {
         if let Some(folder) = folder {
             std::fs::create_dir_all(folder).map_err(|e| Failure::unwritable(folder, &e))?;
         }
-        Ok(Self { folder: folder.map(Path::to_owned), config })
-    }
-
-    /// The longest message in bytes.
-    pub fn longest(&self) -> u64 {
-        self.config.body_bytes as u64
-    }
-
-    /// What a call may cost.
-    pub fn budget(&self, params: &Value) -> Budget {
-        let limits: Limits = match command(params) {
-            Some(entry) if entry.long => self.config.jobs.limits,
-            _ => self.config.limits,
-        };
-        Budget::new(limits)
+        Ok(Self { folder: folder.map(Path::to_owned) })
     }
 
     /// Calls a tool. A problem is a result of the tool, so that the assistant reads it; only a call of no tool is an error.
-    pub fn call(&self, params: &Value, budget: &Budget) -> Result<Value, Wrong> {
+    pub fn call(&self, params: &Value) -> Result<Value, Wrong> {
         let Some(entry) = command(params) else {
             let names = TOOLS.map(|tool| tool.0).join(", ");
             return Err((PARAMS, format!("there is no tool {}; the tools are {names}", params["name"])));
         };
-        let done = self.answer(entry, params["arguments"].clone(), budget);
+        let done = self.answer(entry, params["arguments"].clone());
         Ok(done.unwrap_or_else(|problem| {
             json!({
                 "isError": true,
@@ -107,7 +71,7 @@ impl Desk {
         }))
     }
 
-    fn answer(&self, entry: &CommandEntry, arguments: Value, budget: &Budget) -> Result<Value, Problem> {
+    fn answer(&self, entry: &CommandEntry, arguments: Value) -> Result<Value, Problem> {
         let request = if arguments.is_null() { json!({}) } else { arguments };
         if entry.touches_disk(&request) {
             return Err(Problem::new(
@@ -116,7 +80,7 @@ impl Desk {
                 "hand the text over",
             ));
         }
-        let mut answer = entry.read(request)?.answer(&Within(budget))?;
+        let mut answer = entry.read(request)?.answer(&Silent)?;
         let figure = answer.as_object_mut().and_then(|fields| fields.remove("figure"));
         let mut content = vec![];
         if let Some(figure) = figure.and_then(|figure| serde_json::from_value::<Figure>(figure).ok()) {
