@@ -1,7 +1,7 @@
 //! The border that no panic crosses: a fault of the program itself becomes a [`Problem`] as well.
 
 use crate::problem::{Problem, ProblemKind};
-use mckibben::budget::Budget;
+use mckibben::cancel::Cancel;
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 use std::sync::{Mutex, PoisonError};
@@ -18,17 +18,14 @@ pub fn guarded<T, E: From<Problem>>(work: impl FnOnce() -> Result<T, E>) -> Resu
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|cause| Err(internal(&*cause).into()))
 }
 
-/// Does the work of a request within its budget: on whichever thread it is done and whatever it calls, it ends with the budget. What came
-/// out of work that the budget ended is neither an answer nor a reason: the answer is then that the budget is used up, or that the work was
-/// cancelled. A panic is a [`Problem`], as in [`guarded`].
-pub fn within<T, E: From<Problem>>(budget: &Budget, work: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
+/// Does the work of a request until it is cancelled, on whichever thread it is done and whatever it calls. What came out of cancelled work
+/// is neither an answer nor a reason. A panic is a [`Problem`], as in [`guarded`].
+pub fn within<T, E: From<Problem>>(cancel: &Cancel, work: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
     guarded(|| {
-        let _entered = budget.enter();
+        let _entered = cancel.enter();
         let done = work();
-        match budget.exceeded() {
-            Some(exceeded) => Err(Problem::from(exceeded).into()),
-            None => done,
-        }
+        cancel.check().map_err(Problem::from)?;
+        done
     })
 }
 

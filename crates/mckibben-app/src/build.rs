@@ -13,8 +13,9 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use mckibben::analysis::{Burst, blocked_force_n, free_contraction};
 use mckibben::answer::{Options, check_range};
+use mckibben::cancel;
 use mckibben::model::Workspace;
-use mckibben::progress::Progress;
+use mckibben::progress::{Progress, Silent};
 use mckibben_build::{BuildError, BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, Wishes};
 use mckibben_report::Document;
 use schemars::JsonSchema;
@@ -144,7 +145,7 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
     if !request.report {
         Problem::refuse_unused(&fields, "it stands in the report, and no `report` is asked for")?;
     }
-    let (plan, burst) = planned(request, progress)?;
+    let (plan, burst) = planned(request)?;
     let said = said_of(&burst, plan.operating.pressure_mpa, 0.0);
     let files = mckibben_build::files(&plan)
         .map_err(|e| Problem::new(ProblemKind::Internal, format!("the drawing cannot be drawn: {e}"), ""))?;
@@ -183,7 +184,7 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
 }
 
 /// The plan of a muscle, and the pressures at which it fails.
-fn planned(request: &BuildRequest, progress: &dyn Progress) -> Result<(Plan, Burst), Problem> {
+fn planned(request: &BuildRequest) -> Result<(Plan, Burst), Problem> {
     let muscle = request.muscle.resolve()?;
     let fitting = request.fitting.as_deref().map(str::parse).transpose();
     let fitting = fitting.map_err(|e: mckibben_build::UnknownFitting| {
@@ -202,7 +203,7 @@ fn planned(request: &BuildRequest, progress: &dyn Progress) -> Result<(Plan, Bur
         sleeve_diameter_mm: above_zero("sleeve_diameter_mm", request.sleeve_diameter_mm)?,
     };
     let pressure_mpa = above_zero("pressure_mpa", request.pressure_mpa)?;
-    let (operating, burst) = operating(request, &muscle, pressure_mpa, progress)?;
+    let (operating, burst) = operating(request, &muscle, pressure_mpa)?;
     let plan = Plan::new(muscle, operating, &wishes).map_err(|error| {
         let field = match error {
             BuildError::Insertion { .. } => "insertion_mm",
@@ -219,15 +220,13 @@ fn operating(
     request: &BuildRequest,
     muscle: &mckibben::muscle::Muscle,
     asked_mpa: Option<f64>,
-    progress: &dyn Progress,
 ) -> Result<(Operating, Burst), Problem> {
     let choice = Model::choose(&ModelFields::default(), Purpose::Answer)?;
-    let budget = progress.budget();
-    choice.admit(muscle, &budget)?;
+    choice.admit(muscle)?;
     let model = choice.build(muscle)?;
     let (model, options) = (&*model, Options::default());
-    let w = &mut Workspace::within(budget.clone());
-    let burst = burst_of(&choice, model, &budget)?;
+    let w = &mut Workspace::new();
+    let burst = burst_of(&choice, model)?;
     let allowed_mpa = burst.allowed().map(|a| a.0);
     let pressure_mpa = finite("pressure_mpa", asked_mpa.unwrap_or(usual_mpa(&burst)))?;
     check_range(model, pressure_mpa, 0.0, options)?;
@@ -236,7 +235,7 @@ fn operating(
     for p in Plan::test_pressures_mpa(pressure_mpa) {
         // Below the pressure at which it begins to pull there is nothing to test.
         free_contractions.extend(free_contraction(model, w, p, options).ok().map(|free| (p, free)));
-        budget.ended()?;
+        cancel::check()?;
     }
     let blocked_force_n = blocked_force_n(model, w, pressure_mpa, options)?;
     let shape = ShapeRequest {
@@ -245,7 +244,7 @@ fn operating(
         contraction: Some(free),
         ..ShapeRequest::default()
     };
-    let shape = crate::shape::shape(&shape, progress)?;
+    let shape = crate::shape::shape(&shape, &Silent)?;
     let array = |name: &str| shape.arrays.get(name).map_or(&[][..], Vec::as_slice);
     let (r, z, across) = (array("r_mm"), array("z_mm"), shape.across.max(1));
     let outer = r.iter().zip(z).skip(across - 1).step_by(across);

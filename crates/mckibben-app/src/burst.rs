@@ -3,8 +3,8 @@
 use crate::model::Model;
 use crate::problem::Problem;
 use mckibben::analysis::{AnalysisError, Burst, FailureMode, NoBurst, burst};
-use mckibben::budget::Budget;
-use mckibben::model::{ForceModel, ModelError, Workspace};
+use mckibben::cancel;
+use mckibben::model::{ForceModel, ModelError};
 use mckibben::muscle::Muscle;
 use mckibben::warning::Warning;
 use schemars::JsonSchema;
@@ -21,19 +21,19 @@ const KEPT: usize = 32;
 static KNOWN: Mutex<Vec<(Model, Muscle, Burst)>> = Mutex::new(vec![]);
 
 /// The burst pressure of a muscle by the model that answers.
-pub(crate) fn burst_of(choice: &Model, model: &dyn ForceModel, budget: &Budget) -> Result<Burst, Problem> {
+pub(crate) fn burst_of(choice: &Model, model: &dyn ForceModel) -> Result<Burst, Problem> {
     // Whoever panicked with the list left it whole.
     let list = || KNOWN.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
     let of = |known: &&(Model, Muscle, Burst)| known.0 == *choice && known.1 == *model.muscle();
     if let Some(known) = list().iter().find(of) {
         return Ok(known.2);
     }
-    let found = match burst(model, &Workspace::within(budget.clone())) {
+    let found = match burst(model) {
         Ok(found) => found,
-        Err(AnalysisError::Model(ModelError::Exceeded(exceeded))) => return Err(exceeded.into()),
+        Err(AnalysisError::Model(ModelError::Cancelled(cancelled))) => return Err(cancelled.into()),
         Err(_) => Burst::unknown(NoBurst::NoAnswer { up_to_mpa: 0.0 }),
     };
-    budget.ended()?;
+    cancel::check()?;
     let mut list = list();
     if list.len() >= KEPT {
         list.remove(0);

@@ -28,7 +28,7 @@ pub struct CampaignRequest {
 pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<Outcome, Problem> {
     let plan = request.read()?;
     let out = request.output.as_ref().ok_or_else(|| Problem::missing("output", "a file or a folder"))?;
-    plan.admit(&progress.budget())?;
+    plan.admit()?;
     let shard = request.shard()?;
     let options = RunOptions { shard, threads: request.threads, overwrite: request.overwrite };
     Ok(campaign::run(&plan, out, &options, progress)?)

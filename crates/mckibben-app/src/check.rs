@@ -139,7 +139,7 @@ pub struct Characteristics {
 type Asked = (Characteristics, Vec<Warning>, Vec<Finding>);
 
 /// What is known of a muscle, and what is not.
-pub fn check(request: &CheckRequest, progress: &dyn Progress) -> Result<CheckAnswer, Problem> {
+pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAnswer, Problem> {
     let (muscle, asked) = if request.only_data {
         let (model, asking) = (&request.model, request.asking);
         let fields = [
@@ -153,8 +153,7 @@ pub fn check(request: &CheckRequest, progress: &dyn Progress) -> Result<CheckAns
         Problem::refuse_unused(&fields, "`only_data` asks no model")?;
         (request.muscle.resolve()?, None)
     } else {
-        let mut question =
-            Question::new(&request.muscle, &request.model, request.asking, &progress.budget())?;
+        let mut question = Question::new(&request.muscle, &request.model, request.asking)?;
         let asked = asked(&mut question, request.pressure_mpa)?;
         (question.muscle, Some(asked))
     };

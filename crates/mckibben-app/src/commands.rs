@@ -7,6 +7,7 @@ use crate::border::within;
 use crate::expected::Expected;
 use crate::problem::{Problem, ProblemKind};
 use crate::*;
+use mckibben::cancel::Cancel;
 use mckibben::nearest::nearest;
 use mckibben::progress::Progress;
 #[cfg(feature = "files")]
@@ -43,9 +44,9 @@ type Work = dyn FnOnce(&dyn Progress) -> Result<Value, Problem> + Send;
 pub struct Ready(Box<Work>);
 
 impl Ready {
-    /// Answers it, within the caller's budget.
+    /// Answers it, until the flag of this thread ends the work.
     pub fn answer(self, progress: &dyn Progress) -> Result<Value, Problem> {
-        within(&progress.budget(), || (self.0)(progress))
+        within(&Cancel::current(), || (self.0)(progress))
     }
 }
 
@@ -168,14 +169,7 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         command!("campaign-merge", CampaignMergeRequest => Merged, |r, _progress| campaign_merge(&r)),
         #[cfg(feature = "files")]
         command!("campaign-status", CampaignStatusRequest => CampaignStatus, |r, _progress| campaign_status(&r)),
-        #[cfg(feature = "whole")]
         command!("check", CheckRequest => CheckAnswer, |r, progress| check(&r, progress)),
-        #[cfg(feature = "whole")]
-        command!("build", BuildRequest => BuildAnswer, |r, progress| build(&r, progress)),
-        #[cfg(feature = "whole")]
-        command!(long "export", ExportRequest => ExportAnswer, |r, progress| export(&r, progress)),
-        #[cfg(feature = "whole")]
-        command!("export-list", ExportListRequest => ExportListAnswer, |r, _progress| export_list(&r)),
         #[cfg(feature = "whole")]
         command!("check-formula", CheckFormulaRequest => CheckFormulaAnswer, |r, _progress| check_formula(&r)),
         command!("measures", MeasuresRequest => MeasuresAnswer, |r, _progress| measures(&r)),
@@ -191,7 +185,7 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         #[cfg(feature = "whole")]
         command!("export-list", ExportListRequest => ExportListAnswer, |r, _progress| export_list(&r)),
         command!("shape", ShapeRequest => ShapeAnswer, |r, progress| shape(&r, progress)),
-        command!("quantities", QuantitiesRequest => QuantitiesAnswer, |r, progress| quantities(&r, progress)),
+        command!("quantities", QuantitiesRequest => QuantitiesAnswer, |r, _progress| quantities(&r)),
         command!("units", UnitsRequest => UnitsAnswer, |r, _progress| units(&r)),
     ]
 });
@@ -217,12 +211,12 @@ pub fn schema(command: &str) -> Result<Value, Problem> {
 /// # Ok::<(), mckibben_app::Problem>(())
 /// ```
 pub fn ask(command: &str, request: &str, progress: &dyn Progress) -> Result<String, Problem> {
-    within(&progress.budget(), || Ok(of_text(command, request, progress)?.to_string()))
+    within(&Cancel::current(), || Ok(of_text(command, request, progress)?.to_string()))
 }
 
 /// The same for front ends whose language has lists and maps of its own: no text on the way.
 pub fn ask_value(command: &str, request: Value, progress: &dyn Progress) -> Result<Value, Problem> {
-    within(&progress.budget(), || of_value(command, request, progress))
+    within(&Cancel::current(), || of_value(command, request, progress))
 }
 
 /// The same for front ends that draw: numbers of the answer's `arrays` (those of `shape`) as bytes.
@@ -231,7 +225,7 @@ pub fn ask_value(command: &str, request: Value, progress: &dyn Progress) -> Resu
 /// `arrays` is the count of its numbers in place of the numbers, then all numbers (32 bits each), array after array. All of it
 /// little-endian.
 pub fn ask_packed(command: &str, request: &str, progress: &dyn Progress) -> Result<Vec<u8>, Problem> {
-    within(&progress.budget(), || Ok(packed(of_text(command, request, progress)?)))
+    within(&Cancel::current(), || Ok(packed(of_text(command, request, progress)?)))
 }
 
 /// An answer as [`ask_packed`] gives it.

@@ -10,11 +10,11 @@ use crate::units::Units;
 use crate::warnings;
 use crate::words::number;
 use mckibben::answer::{Options, point};
-use mckibben::budget::{Budget, Resource};
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::muscle::measures::END_FACTOR;
 use mckibben::progress::Progress;
+use mckibben::size;
 use mckibben::warning::Warning;
 use mckibben_fit::compare::{
     Comparison, MeasuredPoint, VolumeComparison, compare as errors_of, compare_volumes, mean_of_branches,
@@ -223,22 +223,20 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
     if measured.is_none() && !request.fit.is_empty() {
         return Err(Problem::missing("data", "measured points to fit to"));
     }
-    let (pressures, contractions) = grid(request, measured.as_deref(), &progress.budget())?;
+    let (pressures, contractions) = grid(request, measured.as_deref())?;
     let mut reference = measured.clone();
     let (mut compared, mut skipped, mut first) = (vec![], vec![], None);
     for (i, model) in models.iter().enumerate() {
         progress.report(i, models.len());
-        if progress.cancelled() {
-            return Err(Problem::cancelled());
-        }
+        progress.check()?;
         let one = || -> Result<(Compared, Vec<MeasuredPoint>), Problem> {
             let (muscle, fitted) = match &measured {
                 Some(points) => fitted(model, &muscle, options.direction, &request.fit, points)?,
                 None => (muscle.clone(), vec![]),
             };
-            model.admit(&muscle, &progress.budget())?;
+            model.admit(&muscle)?;
             let bound = model.build(&muscle)?;
-            let mut workspace = Workspace::within(progress.budget());
+            let mut workspace = Workspace::new();
             // Without measured points, the first model that answers is what the others are held against.
             let points = match &reference {
                 Some(points) => points.clone(),
@@ -345,15 +343,14 @@ impl CompareRequest {
 fn grid(
     request: &CompareRequest,
     measured: Option<&[MeasuredPoint]>,
-    budget: &Budget,
 ) -> Result<(Vec<f64>, Vec<f64>), Problem> {
     let Some(points) = measured else {
         let pressures = list("pressures_mpa", &request.pressures_mpa, || steps(5, 0.05, 0.25))?;
         let contractions = contractions(&request.contractions, || steps(21, 0.0, 0.2))?;
-        budget.admit(Resource::Points, pressures.len() as f64 * contractions.len() as f64)?;
+        size::points("pressures_mpa", pressures.len() as f64 * contractions.len() as f64)?;
         return Ok((pressures, contractions));
     };
-    budget.admit(Resource::Points, points.len() as f64)?;
+    size::points("data", points.len() as f64)?;
     let mut pressures: Vec<f64> = points.iter().map(|m| m.pressure_mpa).collect();
     pressures.sort_by(f64::total_cmp);
     pressures.dedup();

@@ -106,7 +106,7 @@ pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer, Pro
 }
 
 /// A muscle as files.
-pub fn export(request: &ExportRequest, progress: &dyn Progress) -> Result<ExportAnswer, Problem> {
+pub fn export(request: &ExportRequest, _progress: &dyn Progress) -> Result<ExportAnswer, Problem> {
     let Some(target) = request.target.as_deref() else {
         let message = "`target` is missing: what the muscle is exported for";
         let hint = format!("one of {}", Target::names());
@@ -115,11 +115,10 @@ pub fn export(request: &ExportRequest, progress: &dyn Progress) -> Result<Export
     let target = Target::named(target).map_err(|e| Problem::from(e).in_field("target"))?;
     let muscle = request.muscle.resolve()?;
     let choice = Model::choose(&request.model, Purpose::Answer)?;
-    let budget = progress.budget();
-    choice.admit(&muscle, &budget)?;
+    choice.admit(&muscle)?;
     let model = choice.build(&muscle)?;
     let model = &*model;
-    let burst = burst_of(&choice, model, &budget)?;
+    let burst = burst_of(&choice, model)?;
     let supply_mpa = finite("pressure_mpa", request.pressure_mpa.unwrap_or(usual_mpa(&burst)))?;
     if supply_mpa <= 0.0 {
         let message = format!("`pressure_mpa` is {supply_mpa}; it must be above zero");
@@ -136,7 +135,7 @@ pub fn export(request: &ExportRequest, progress: &dyn Progress) -> Result<Export
             .map_or_else(|| "muscle".into(), |stem| stem.to_string_lossy().into_owned())
     });
     let wanted = Wanted { supply_mpa, contraction_low, contraction_high: high };
-    let exported = ExportedMuscle::fit(model, &name, wanted, &budget)?;
+    let exported = ExportedMuscle::fit(model, &name, wanted)?;
     let artefact = exported.to(target)?;
     let mut warnings = exported.warnings();
     warnings.extend(said_of(&burst, supply_mpa, QUIET_MPA).iter().map(ToString::to_string));
@@ -169,7 +168,7 @@ impl From<ExportError> for Problem {
         match error {
             ExportError::Model(error) => error.into(),
             ExportError::Analysis(error) => error.into(),
-            ExportError::Exceeded(exceeded) => exceeded.into(),
+            ExportError::Cancelled(cancelled) => cancelled.into(),
             ExportError::Target { .. } => Self::new(ProblemKind::Usage, message, ""),
             ExportError::Muscle(error) => error.into(),
             ExportError::Box { .. } => Self::new(ProblemKind::OutOfRange, message, ""),

@@ -10,6 +10,7 @@ use crate::problem::{Problem, ProblemKind};
 use crate::question::Question;
 use crate::uncertainty::UncertaintyWords;
 use mckibben::analysis::source_of;
+use mckibben::cancel;
 use mckibben::liquid::{Liquid, LiquidSupply};
 use mckibben::load::{Fill, FillError, Filling, fill as filled};
 use mckibben::progress::Progress;
@@ -78,16 +79,16 @@ impl From<FillError> for Problem {
 }
 
 /// A volume of liquid pushed into a muscle.
-pub fn fill(request: &FillRequest, progress: &dyn Progress) -> Result<FillAnswer, Problem> {
+pub fn fill(request: &FillRequest, _progress: &dyn Progress) -> Result<FillAnswer, Problem> {
     let volume_mm3 =
         volume("volume_mm3", given("volume_mm3", request.volume_mm3, "a volume, such as 20 mL")?)?;
     let LiquidSupply { liquid, dead_volume_mm3 } = request.liquid.supply()?;
     let held_at = request.contraction.map(ratio).transpose()?;
-    let mut question = Question::new(&request.muscle, &request.model, request.asking, &progress.budget())?;
+    let mut question = Question::new(&request.muscle, &request.model, request.asking)?;
     let load = request.load.resolve(question.muscle.length_mm())?;
     let asked = Filling { liquid: &liquid, volume_mm3, dead_volume_mm3, load: load.as_ref(), held_at };
     let found = filled(&*question.model, &mut question.workspace, &asked, question.options);
-    question.workspace.budget().ended()?;
+    cancel::check()?;
     let mut fill = found?;
     let burst = question.burst()?;
     let pressure_mpa = fill.answer.response.pressure_mpa;

@@ -12,11 +12,11 @@ use crate::units::Units;
 use crate::warnings::largest_stretch;
 use crate::words::number;
 use mckibben::answer::Options;
-use mckibben::budget::Resource;
 use mckibben::model::Workspace;
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
+use mckibben::size;
 use mckibben::warning::Warning;
 use mckibben_fit::identify::{
     Identification, Identified, IdentifyError, LawTrial, Parameter, ParameterError, PointFit, Request,
@@ -195,7 +195,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
     let muscle = request.muscle.resolve()?;
     let model = Model::choose(&request.model, Purpose::Answer)?;
     let Data { points, origin, understood } = request.points(&muscle)?;
-    progress.budget().admit(Resource::Points, points.len() as f64)?;
+    size::points("data", points.len() as f64)?;
     let (free, fixed) = request.parameters(&muscle)?;
     let asked = Request {
         muscle: &muscle,
@@ -206,7 +206,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         two_sided: request.two_sided,
         history: request.branches == Branches::History,
     };
-    model.admit(&muscle, &progress.budget())?;
+    model.admit(&muscle)?;
     let build = |m: &Muscle| model.build(m);
     let mut found = if free.is_empty() {
         identify_default(&asked, &build, progress)?
@@ -407,7 +407,7 @@ impl From<IdentifyError> for Problem {
     fn from(error: IdentifyError) -> Self {
         let message = error.to_string();
         let (kind, hint) = match error {
-            IdentifyError::Cancelled => return Self::cancelled(),
+            IdentifyError::Cancelled(cancelled) => return cancelled.into(),
             IdentifyError::Model(model) => return model.into(),
             IdentifyError::Estimate(EstimateError::NoMinimum { .. } | EstimateError::Start)
             | IdentifyError::Start { .. } => (ProblemKind::NotConverged, ""),

@@ -3,6 +3,7 @@
 use crate::fields::TextFile;
 use crate::problem::{Problem, ProblemKind};
 use mckibben::answer::Options;
+use mckibben::cancel;
 use mckibben::load::{Balance, Cycle, Load, LoadError, LoadTable, balances, cycle};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::units::short_numbers;
@@ -107,7 +108,7 @@ pub(crate) fn loaded(
     let mut at = vec![];
     for &pressure_mpa in pressures_mpa {
         let found = balances(model, workspace, &load, pressure_mpa, options);
-        workspace.budget().ended()?;
+        cancel::check()?;
         let (found, error) = match found {
             Ok(found) => (found, None),
             Err(error) => (vec![], Some(error)),

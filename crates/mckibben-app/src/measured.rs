@@ -6,9 +6,9 @@ use crate::measured_rubber::{MeasuredRubber, MeasuredStress, rubbers};
 use crate::model::Model;
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
-use mckibben::budget::Resource;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
+use mckibben::size;
 use mckibben_fit::identify::Identified;
 pub use mckibben_fit::validation::case::Facts as MeasuredFacts;
 use mckibben_fit::validation::case::{CaseError, CaseFiles, Measurement, MuscleCase, measurements};
@@ -170,7 +170,7 @@ pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<Me
     }
     let points: usize = cases.iter().map(|case| case.points.len() * case.fits.len()).sum();
     let stresses: usize = stretched.iter().map(|case| case.len() * case.fits.len()).sum();
-    progress.budget().admit(Resource::Points, (points + stresses) as f64)?;
+    size::points("cases", (points + stresses) as f64)?;
     let model = Model::named(request.model.as_deref().unwrap_or("fe"), &[], &MeshFields::default())?;
     let build = |muscle: &Muscle| model.build(muscle);
     let found = report(&cases, &build, progress)?;
@@ -253,7 +253,7 @@ impl From<&CaseError> for Problem {
 impl From<ReportError> for Problem {
     fn from(error: ReportError) -> Self {
         match error {
-            ReportError::Cancelled => Self::cancelled(),
+            ReportError::Cancelled(cancelled) => cancelled.into(),
             ReportError::Fit { case, fit, fitted_to, error } => {
                 let problem = Self::from(error);
                 let message = format!("{case}, fit \"{fit}\" on {fitted_to}: {}", problem.message);

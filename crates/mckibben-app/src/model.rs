@@ -2,7 +2,6 @@
 
 use crate::fields::{Direction, Keep, MeshFields, ModelFields, Terminal, TerminalMaterial, TextFile};
 use crate::problem::{Problem, ProblemKind};
-use mckibben::budget::Budget;
 use mckibben::formula::{Document, Formula, UniversalFormula};
 use mckibben::model::{
     ForceModel, FormulaModel, ModelEntry, ModelError, ModelKind, Paper, Universal, UnknownModel, with_ends,
@@ -119,10 +118,10 @@ impl Model {
         }
     }
 
-    /// Refuses what would not fit into a budget with this muscle.
-    pub fn admit(&self, muscle: &Muscle, budget: &Budget) -> Result<(), ModelError> {
+    /// Refuses what would not fit into memory with this muscle.
+    pub fn admit(&self, muscle: &Muscle) -> Result<(), ModelError> {
         match self {
-            Self::Elements(elements) => Ok(elements.admit(muscle, budget)?),
+            Self::Elements(elements) => Ok(elements.admit(muscle)?),
             _ => Ok(()),
         }
     }

@@ -4,7 +4,6 @@ use crate::fields::TextFile;
 use crate::fit::table::COLUMNS;
 use crate::many::{AnswerColumns, Column};
 use crate::problem::{Problem, ProblemKind};
-use mckibben::budget::Resource;
 use mckibben::progress::Progress;
 use mckibben_campaign::PointRow;
 use mckibben_campaign::campaign::{self, Plan};
@@ -80,12 +79,11 @@ fn computed(request: &PlanRequest, progress: &dyn Progress) -> Result<(PlanAnswe
     if points > MOST_POINTS {
         let message = format!("{points} points exceed the limit of {MOST_POINTS} points in memory");
         return Err(Problem::new(
-            ProblemKind::Budget,
+            ProblemKind::Range,
             message,
             "`campaign` computes plans of any size, into files",
         ));
     }
-    progress.budget().admit(Resource::Points, points as f64)?;
     let rows = campaign::compute(&plan, progress)?;
     let name = Path::new(&file.name).file_stem().map_or("plan".into(), |stem| stem.to_string_lossy());
     let answer = PlanAnswer {

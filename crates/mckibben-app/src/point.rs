@@ -10,6 +10,7 @@ use crate::question::Question;
 use crate::uncertainty::UncertaintyWords;
 use mckibben::analysis::source_of;
 use mckibben::answer::{self, Answer, Options};
+use mckibben::cancel;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Direction;
 use mckibben::progress::Progress;
@@ -116,8 +117,8 @@ pub struct ModelAbout {
 }
 
 /// F(P, ε).
-pub fn force(request: &ForceRequest, progress: &dyn Progress) -> Result<PointAnswer, Problem> {
-    let question = Question::new(&request.muscle, &request.model, request.asking, &progress.budget())?;
+pub fn force(request: &ForceRequest, _progress: &dyn Progress) -> Result<PointAnswer, Problem> {
+    let question = Question::new(&request.muscle, &request.model, request.asking)?;
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
     let contraction = ratio(request.contraction.unwrap_or(0.0))?;
     answered(question, request.both, |model, workspace, options| {
@@ -126,8 +127,8 @@ pub fn force(request: &ForceRequest, progress: &dyn Progress) -> Result<PointAns
 }
 
 /// P(F, ε).
-pub fn pressure(request: &PressureRequest, progress: &dyn Progress) -> Result<PointAnswer, Problem> {
-    let question = Question::new(&request.muscle, &request.model, request.asking, &progress.budget())?;
+pub fn pressure(request: &PressureRequest, _progress: &dyn Progress) -> Result<PointAnswer, Problem> {
+    let question = Question::new(&request.muscle, &request.model, request.asking)?;
     let force_n = given("force_n", request.force_n, "a force, such as 300 N")?;
     pull(force_n, question.options)?;
     let contraction = ratio(request.contraction.unwrap_or(0.0))?;
@@ -137,8 +138,8 @@ pub fn pressure(request: &PressureRequest, progress: &dyn Progress) -> Result<Po
 }
 
 /// ε(F, P).
-pub fn contraction(request: &ContractionRequest, progress: &dyn Progress) -> Result<PointAnswer, Problem> {
-    let question = Question::new(&request.muscle, &request.model, request.asking, &progress.budget())?;
+pub fn contraction(request: &ContractionRequest, _progress: &dyn Progress) -> Result<PointAnswer, Problem> {
+    let question = Question::new(&request.muscle, &request.model, request.asking)?;
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
     let force_n = finite("force_n", request.force_n.unwrap_or(0.0))?;
     pull(force_n, question.options)?;
@@ -185,7 +186,7 @@ fn answered(
         Ok((point, branches))
     };
     let found = all();
-    question.workspace.budget().ended()?;
+    cancel::check()?;
     let (mut point, branches) = found?;
     let found = question.burst()?;
     let all = std::iter::once(&point).chain(&branches);

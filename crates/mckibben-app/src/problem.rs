@@ -1,11 +1,12 @@
 //! Why a request has no answer: one type for every front end.
 
 use mckibben::analysis::AnalysisError;
-use mckibben::budget::{Exceeded, Resource};
+use mckibben::cancel::Cancelled;
 use mckibben::formula::FormulaError;
 use mckibben::model::ModelError;
 use mckibben::muscle::MuscleError;
 use mckibben::muscle::file::FileError;
+use mckibben::size::TooLarge;
 use mckibben::study::StudyError;
 use mckibben::units::short_numbers;
 use mckibben_campaign::campaign::CampaignError;
@@ -50,8 +51,6 @@ pub enum ProblemKind {
     NotConverged,
     /// The caller wanted the work to end.
     Cancelled,
-    /// It would take, or has taken, more than its budget allows.
-    Budget,
     /// A specification that cannot be searched for.
     Specification,
     /// Tolerances that no muscle can have.
@@ -187,7 +186,7 @@ impl Problem {
 
     /// The caller wanted the work to end.
     pub fn cancelled() -> Self {
-        Self::new(ProblemKind::Cancelled, Exceeded::Cancelled.to_string(), "")
+        Cancelled.into()
     }
 }
 
@@ -202,22 +201,15 @@ impl fmt::Display for Problem {
 
 impl std::error::Error for Problem {}
 
-impl From<Exceeded> for Problem {
-    fn from(exceeded: Exceeded) -> Self {
-        let resource = match exceeded {
-            Exceeded::Cancelled => return Self::cancelled(),
-            Exceeded::Estimate { resource, .. } | Exceeded::Spent { resource, .. } => resource,
-        };
-        let hint = match resource {
-            Resource::Points => "take larger steps, or",
-            Resource::Elements | Resource::Bytes => "take a coarser mesh, or",
-            Resource::Factorisations | Resource::Seconds => "reduce the request, or",
-        };
-        Self::new(
-            ProblemKind::Budget,
-            exceeded.to_string(),
-            format!("{hint} raise the `limit` of {resource}"),
-        )
+impl From<Cancelled> for Problem {
+    fn from(cancelled: Cancelled) -> Self {
+        Self::new(ProblemKind::Cancelled, cancelled.to_string(), "")
+    }
+}
+
+impl From<TooLarge> for Problem {
+    fn from(large: TooLarge) -> Self {
+        Self::new(ProblemKind::Range, large.to_string(), "")
     }
 }
 
@@ -240,7 +232,7 @@ impl From<ModelError> for Problem {
                 Self::new(ProblemKind::MissingInput, message, hint)
             }
             ModelError::Elements { .. } => Self::new(ProblemKind::Mesh, message, ""),
-            ModelError::Exceeded(exceeded) => exceeded.into(),
+            ModelError::Cancelled(cancelled) => cancelled.into(),
             ModelError::NotConverged { .. } | ModelError::Stopped { .. } => {
                 Self::new(ProblemKind::NotConverged, message, "")
             }
@@ -278,10 +270,7 @@ impl From<AnalysisError> for Problem {
 
 impl From<FemError> for Problem {
     fn from(error: FemError) -> Self {
-        match error {
-            FemError::Exceeded(exceeded) => exceeded.into(),
-            other => ModelError::from(other).into(),
-        }
+        ModelError::from(error).into()
     }
 }
 
@@ -300,7 +289,7 @@ impl From<FileError> for Problem {
 impl From<SpecError> for Problem {
     fn from(error: SpecError) -> Self {
         match error {
-            SpecError::Cancelled => Self::cancelled(),
+            SpecError::Cancelled(cancelled) => cancelled.into(),
             error @ SpecError::NoLiquid { .. } => {
                 Self::new(ProblemKind::Usage, error.to_string(), "").in_field("max_liquid_volume_mm3")
             }
@@ -347,7 +336,7 @@ impl From<StudyError> for Problem {
 impl From<CampaignError> for Problem {
     fn from(error: CampaignError) -> Self {
         let kind = match error {
-            CampaignError::Stopped => return Self::cancelled(),
+            CampaignError::Cancelled(cancelled) => return cancelled.into(),
             CampaignError::OtherPlan { .. } | CampaignError::OtherVersion { .. } => ProblemKind::OtherPlan,
             CampaignError::Locked { .. } => ProblemKind::Locked,
             CampaignError::Damaged { .. } | CampaignError::Conflict { .. } => ProblemKind::Damaged,

@@ -1,9 +1,8 @@
 //! `quantities` and `units`: what a user typed, as numbers, and the units there are.
 
 use crate::problem::{Problem, ProblemKind};
-use mckibben::budget::Resource;
-use mckibben::progress::Progress;
-use mckibben::units::{Dimension, MAX_POINTS, RangeError, Values, parse_at_most, parse_quantity};
+use mckibben::size;
+use mckibben::units::{Dimension, RangeError, Values, parse_quantity, parse_values};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -61,10 +60,8 @@ pub enum Reading {
 /// Parts of an interval without a step.
 const DIVISIONS: usize = 20;
 
-/// Texts of a user as numbers; at most as many numbers as the budget allows.
-pub fn quantities(request: &QuantitiesRequest, progress: &dyn Progress) -> Result<QuantitiesAnswer, Problem> {
-    let budget = progress.budget();
-    let most = budget.limits().points;
+/// Texts of a user as numbers, of which there may be [`MAX_POINTS`](mckibben::units::MAX_POINTS).
+pub fn quantities(request: &QuantitiesRequest) -> Result<QuantitiesAnswer, Problem> {
     let mut points = 0.0;
     let wrong = |kind, message: String| Reading::Wrong { problem: Problem::new(kind, message, "") };
     let mut read = |typed: &Typed| {
@@ -73,8 +70,7 @@ pub fn quantities(request: &QuantitiesRequest, progress: &dyn Progress) -> Resul
                 Ok(value) => Reading::One { value },
                 Err(error) => wrong(ProblemKind::Quantity, error.to_string()),
             },
-            // What there is no room for is not even made.
-            true => match parse_at_most(&typed.text, typed.kind, (most - points).max(1.0) as usize) {
+            true => match parse_values(&typed.text, typed.kind) {
                 Ok(values) => Reading::Many {
                     values: values.sampled(DIVISIONS),
                     interval: match values {
@@ -82,12 +78,6 @@ pub fn quantities(request: &QuantitiesRequest, progress: &dyn Progress) -> Resul
                         Values::List(_) => None,
                     },
                 },
-                Err(error @ RangeError::TooMany { points: more, .. }) => {
-                    if more <= MAX_POINTS as f64 {
-                        budget.admit(Resource::Points, points + more)?;
-                    }
-                    wrong(ProblemKind::Range, error.to_string())
-                }
                 Err(error @ RangeError::Quantity(_)) => wrong(ProblemKind::Quantity, error.to_string()),
                 Err(error) => wrong(ProblemKind::Range, error.to_string()),
             },
@@ -96,7 +86,7 @@ pub fn quantities(request: &QuantitiesRequest, progress: &dyn Progress) -> Resul
             Reading::Many { values, .. } => values.len() as f64,
             Reading::One { .. } | Reading::Wrong { .. } => 1.0,
         };
-        budget.admit(Resource::Points, points)?;
+        size::points("texts", points)?;
         Ok(reading)
     };
     Ok(QuantitiesAnswer { readings: request.texts.iter().map(&mut read).collect::<Result<_, Problem>>()? })

@@ -6,7 +6,6 @@ use crate::model::{Model, Purpose, check_direction};
 use crate::problem::Problem;
 use mckibben::analysis::Burst;
 use mckibben::answer::Options;
-use mckibben::budget::Budget;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 
@@ -25,21 +24,20 @@ impl Question {
         muscle: &MuscleFields,
         model: &ModelFields,
         asking: AskFields,
-        budget: &Budget,
     ) -> Result<Self, Problem> {
         let muscle = muscle.resolve()?;
         let options = asking.options(&muscle)?;
         let choice = Model::choose(model, Purpose::Answer)?;
-        choice.admit(&muscle, budget)?;
+        choice.admit(&muscle)?;
         let model = choice.build(&muscle)?;
-        Ok(Self { muscle, choice, model, workspace: Workspace::within(budget.clone()), options })
+        Ok(Self { muscle, choice, model, workspace: Workspace::new(), options })
     }
 }
 
 impl Question {
     /// The burst pressure of its muscle.
     pub(crate) fn burst(&self) -> Result<Burst, Problem> {
-        burst_of(&self.choice, &*self.model, self.workspace.budget())
+        burst_of(&self.choice, &*self.model)
     }
 }
 

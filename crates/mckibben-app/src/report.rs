@@ -68,7 +68,7 @@ pub(crate) fn report(
 ) -> Result<Document, Problem> {
     let step = |done| {
         progress.report(done, 5);
-        if progress.cancelled() { Err(Problem::cancelled()) } else { Ok(()) }
+        progress.check()
     };
     let pressure_mpa = plan.operating.pressure_mpa;
     let asked = CheckRequest {

@@ -5,10 +5,10 @@ use crate::figure;
 use crate::muscle::muscle_of;
 use crate::point::finite;
 use crate::problem::{Problem, ProblemKind};
-use mckibben::budget::Resource;
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Muscle, Rubber};
 use mckibben::progress::Progress;
+use mckibben::size;
 use mckibben_fit::rubber::{
     FitSettings, FittedLaw, Form, LawQuality, Measure, Mode, Parameter, ReadOptions, TensionFitError,
     fit_tension_with, read_tests,
@@ -203,7 +203,7 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
     let gauge = request.gauge_length_mm.is_some() && !has(&["extension", "length"]);
     let why = "the table has stretches or strains, and no `columns` of extensions or lengths";
     Problem::refuse_unused(&[("gauge_length_mm", gauge)], why)?;
-    progress.budget().admit(Resource::Points, points.len() as f64)?;
+    size::points("data", points.len() as f64)?;
     let fit = fit_tension_with(&points, &settings, progress)?;
     let taken = fit.recommended.and_then(|i| fit.laws.get(i));
     let form = || match (settings.forms.as_slice(), taken) {
@@ -328,7 +328,7 @@ impl RubberFitRequest {
 impl From<TensionFitError> for Problem {
     fn from(error: TensionFitError) -> Self {
         let (kind, hint) = match error {
-            TensionFitError::Ended(exceeded) => return exceeded.into(),
+            TensionFitError::Cancelled(cancelled) => return cancelled.into(),
             TensionFitError::NotConverged { .. } => (ProblemKind::NotConverged, ""),
             TensionFitError::NoBetter { .. } => (ProblemKind::NoAnswer, "take `terms` with a smaller number"),
             TensionFitError::TooFew { .. } => {

@@ -7,6 +7,7 @@ use crate::point::{finite, given, pull, ratio};
 use crate::problem::{Problem, ProblemKind};
 use mckibben::analysis::contraction_or_stretch_at;
 use mckibben::answer::{self, Answer, Options};
+use mckibben::cancel;
 use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
@@ -63,11 +64,10 @@ pub struct ShapeAnswer {
     pub arrays: BTreeMap<String, Vec<f64>>,
 }
 
-pub fn shape(request: &ShapeRequest, progress: &dyn Progress) -> Result<ShapeAnswer, Problem> {
+pub fn shape(request: &ShapeRequest, _progress: &dyn Progress) -> Result<ShapeAnswer, Problem> {
     let muscle = request.muscle.resolve()?;
     let model = Model::named("fe", &[], &request.mesh)?;
-    let budget = progress.budget();
-    model.admit(&muscle, &budget)?;
+    model.admit(&muscle)?;
     let Model::Elements(Elements::Axisymmetric(mesh)) = &model else {
         return Err(Problem::new(ProblemKind::Model, "the shape is always computed by `fe`", ""));
     };
@@ -78,9 +78,9 @@ pub fn shape(request: &ShapeRequest, progress: &dyn Progress) -> Result<ShapeAns
     }
     let fe = Axisymmetric::with_mesh(&muscle.between_ends(), mesh)
         .map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
-    let workspace = &mut Workspace::within(budget.clone());
+    let workspace = &mut Workspace::new();
     let found = at((&fe, &muscle), workspace, pressure_mpa, request);
-    budget.ended()?;
+    cancel::check()?;
     let (point, shape_contraction, section) = found?;
     let stations = Stations::of(&section);
     let count = stations.nodes.first().map_or(0, |(_, list)| list.len()) / stations.across.max(1);

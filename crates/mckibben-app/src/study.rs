@@ -8,6 +8,7 @@ use crate::muscle::MuscleSummary;
 use crate::problem::Problem;
 use crate::units::Units;
 use crate::warnings;
+use mckibben::cancel;
 use mckibben::curve::Test;
 use mckibben::muscle::measures::{LENGTH, OUTER_DIAMETER, WALL, fields};
 use mckibben::progress::Progress;
@@ -72,7 +73,7 @@ pub struct StudyRow {
     pub wall_mm: Option<f64>,
 }
 
-pub fn study(request: &StudyRequest, progress: &dyn Progress) -> Result<StudyAnswer, Problem> {
+pub fn study(request: &StudyRequest, _progress: &dyn Progress) -> Result<StudyAnswer, Problem> {
     let m = &request.muscle;
     let own = fields()
         .filter(|(_, measure)| [&OUTER_DIAMETER, &WALL, &LENGTH].contains(measure))
@@ -83,10 +84,9 @@ pub fn study(request: &StudyRequest, progress: &dyn Progress) -> Result<StudyAns
     let base = m.resolve()?;
     let options = request.asking.options(&base)?;
     let model = Model::choose(&request.model, Purpose::Answer)?;
-    let budget = progress.budget();
-    model.admit(&base, &budget)?;
-    let study = thickness(&base, options, &budget, |m| model.build(m));
-    budget.ended()?;
+    model.admit(&base)?;
+    let study = thickness(&base, options, |m| model.build(m));
+    cancel::check()?;
     let study = study?;
     let figure = request.figure.as_ref().map(|unit| {
         let MuscleSummary { angle_deg, rubber, .. } = (&base).into();

@@ -2,10 +2,10 @@
 
 use crate::model::Model;
 use crate::problem::Problem;
-use mckibben::budget::Resource;
 use mckibben::joint;
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
+use mckibben::size;
 use mckibben::threads;
 use mckibben::verification::VerificationRow;
 use mckibben_campaign::fit::held_out;
@@ -98,7 +98,7 @@ impl SweepAnswer {
 
 /// Asks random muscles one question each, on all cores.
 pub fn sweep(request: &SweepRequest, progress: &dyn Progress) -> Result<SweepAnswer, Problem> {
-    progress.budget().admit(Resource::Points, request.muscles as f64)?;
+    size::points("muscles", request.muscles as f64)?;
     let done = AtomicUsize::new(0);
     let one = |&i: &usize| {
         if progress.cancelled() {
@@ -110,9 +110,7 @@ pub fn sweep(request: &SweepRequest, progress: &dyn Progress) -> Result<SweepAns
     };
     let numbers: Vec<usize> = (0..request.muscles).collect();
     let rows: Vec<SweepRow> = threads::map(&numbers, one).into_iter().flatten().collect();
-    if progress.cancelled() {
-        return Err(Problem::cancelled());
-    }
+    progress.check()?;
     let sweep = Sweep { rows };
     let ((required_answered, required), (others_answered, others)) = (sweep.required(), sweep.others());
     let unanswered = sweep.rows.iter().filter(|r| r.required).filter_map(|r| r.answer.as_ref().err());

@@ -11,6 +11,8 @@ mod check;
 mod colours;
 #[path = "layer/contract.rs"]
 mod contract;
+#[path = "layer/ended.rs"]
+mod ended;
 #[path = "layer/expected.rs"]
 mod expected;
 #[path = "layer/file_schema.rs"]

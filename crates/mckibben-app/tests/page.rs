@@ -129,7 +129,7 @@ fn a_plan_in_memory_is_a_table_of_what_fe_says() {
     let large = PLAN.replace("30,40 mm", "30..50:0.001 mm").replace("0.1,0.2", "0..0.2:0.001");
     let refused =
         ask("plan", &json!({ "plan": { "name": "large.toml", "text": large } }).to_string(), &Silent);
-    assert_eq!(refused.unwrap_err().kind, ProblemKind::Budget);
+    assert_eq!(refused.unwrap_err().kind, ProblemKind::Range);
 }
 
 #[test]

@@ -23,7 +23,6 @@ use crate::commands::simulate::SimulateArgs;
 use crate::commands::validate::ValidateArgs;
 use crate::format::Format;
 use clap::{ArgAction, CommandFactory, Parser, Subcommand};
-use mckibben::budget::Resource;
 
 const ABOUT: &str = "Design McKibben pneumatic muscles: from a specification to a muscle that you can build.
 
@@ -44,9 +43,6 @@ pub struct Cli {
     /// Text for reading: aligned, with units. For programs json, one object, or csv, one row per point; keys and columns carry their unit.
     #[arg(long, value_enum, global = true, default_value_t = Format::Text, hide_default_value = true, hide_possible_values = true, display_order = 900, help_heading = "Output")]
     pub format: Format,
-    /// Limit of the work: points, elements, bytes, factorisations or seconds [points=1e6, elements=250000, bytes=4e9]
-    #[arg(long, value_name = "NAME=NUMBER", global = true, value_parser = limit, hide_short_help = true, display_order = 901, help_heading = "Output")]
-    pub limit: Vec<(Resource, f64)>,
     /// Help: -h in short, --help with all flags
     #[arg(short, long, global = true, action = ArgAction::Help, display_order = 902, help_heading = "Output")]
     // clap answers it.
@@ -85,14 +81,6 @@ fn first_example(all: &str) -> String {
         seen < 2
     });
     lines.collect::<Vec<_>>().join("\n").replacen("Examples:", "Example:", 1)
-}
-
-fn limit(text: &str) -> Result<(Resource, f64), String> {
-    let names = Resource::ALL.map(Resource::name).join(", ");
-    let (name, number) = text.split_once('=').ok_or("expected a name and a number, such as seconds=60")?;
-    let resource = Resource::ALL.into_iter().find(|r| r.name() == name.trim());
-    let number = number.trim().parse::<f64>().ok().filter(|n| *n > 0.0);
-    Ok((resource.ok_or(format!("the limits are {names}"))?, number.ok_or("expected a number above zero")?))
 }
 
 /// The commands.

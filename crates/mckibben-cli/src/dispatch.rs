@@ -2,16 +2,15 @@
 
 use crate::cli::{Command, PartsCommand, command};
 use crate::commands::{
-    build, campaign, check, compare, curve, design, export, fill, fit, help, identify, joint, motion,
-    parts, point, rubber, schema, serve, simulate, study, validate,
+    build, campaign, check, compare, curve, design, export, fill, fit, help, identify, joint, motion, parts,
+    point, rubber, schema, serve, simulate, study, validate,
 };
 use crate::failure::Failure;
 use crate::format::Format;
 use crate::output::emit;
-use mckibben::budget::Resource;
 
-/// Runs a command; the exit code where it ends well. What its answer may cost is set already, but for `serve`, which answers many.
-pub fn run(asked: Command, format: Format, _limits: &[(Resource, f64)]) -> Result<u8, Failure> {
+/// Runs a command; the exit code where it ends well.
+pub fn run(asked: Command, format: Format) -> Result<u8, Failure> {
     match asked {
         Command::Design(args) => design::run(&args, format),
         Command::Force(args) => point::force(&args, format),

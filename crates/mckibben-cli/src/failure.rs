@@ -116,7 +116,6 @@ const FIELDS: &[&str] = &[
     "sleeve_diameter_mm",
     "output",
     "overwrite",
-    "limit",
 ];
 
 /// The flag of a request's field.

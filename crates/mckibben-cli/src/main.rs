@@ -61,11 +61,10 @@ fn main() -> ExitCode {
             return ExitCode::from(code);
         }
     };
-    progress::limit(&cli.limit);
     let done = guarded(|| {
-        let _entered = progress::budget().enter();
+        let _entered = progress::cancel().enter();
         overlap::check(&matches)?;
-        dispatch::run(cli.command, cli.format, &cli.limit)
+        dispatch::run(cli.command, cli.format)
     });
     threads::shortage().into_iter().for_each(output::warn);
     match progress::last_word(done) {

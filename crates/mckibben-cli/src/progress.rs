@@ -3,34 +3,23 @@
 use crate::failure::Failure;
 use crate::output::text::number;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
-use mckibben::budget::{Budget, Limits, Resource};
+use mckibben::cancel::Cancel;
 use mckibben::progress::Progress;
 use mckibben_app::Problem;
 use signal_hook::{consts, flag};
 use std::fmt::Write;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, LazyLock, Mutex, Once, OnceLock, PoisonError};
+use std::sync::{Arc, LazyLock, Mutex, Once, PoisonError};
 use std::time::{Duration, Instant};
 
 /// Set by Ctrl-C and the signals that end a process, which are taken over when the first bar is made.
-static STOPPED: LazyLock<Arc<AtomicBool>> = LazyLock::new(|| {
-    let stopped = Arc::new(AtomicBool::new(false));
-    for signal in ENDING {
-        // In this order: the first one sets the flag, and a later one finds it set. Where signals cannot be taken over, they
-        // end the program as ever.
-        let _ = flag::register_conditional_shutdown(signal, i32::from(INTERRUPTED), Arc::clone(&stopped))
-            .and_then(|_| flag::register(signal, Arc::clone(&stopped)));
-    }
-    stopped
-});
+static STOPPED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 /// The signals that end a process.
 #[cfg(unix)]
 const ENDING: [i32; 3] = [consts::SIGINT, consts::SIGTERM, consts::SIGHUP];
 #[cfg(not(unix))]
 const ENDING: [i32; 2] = [consts::SIGINT, consts::SIGTERM];
 
-/// What the answer may cost; its flag ends the work.
-static BUDGET: OnceLock<Budget> = OnceLock::new();
 /// After the wish to end, work has this long to leave everything in order.
 const GRACE: Duration = Duration::from_millis(700);
 /// What takes less time has no bar.
@@ -38,23 +27,17 @@ const SOON: Duration = Duration::from_millis(500);
 /// The wish is looked for this often.
 const TICK: Duration = Duration::from_millis(50);
 
-/// Sets what the answer may cost.
-pub fn limit(limits: &[(Resource, f64)]) {
-    // Once, at the start of the program.
-    let _ = BUDGET.set(Budget::new(with(Limits::default(), limits)));
+/// The flag that ends the work.
+pub fn cancel() -> Cancel {
+    Arc::clone(&STOPPED).into()
 }
 
-/// What the answer may cost.
-pub fn budget() -> Budget {
-    BUDGET.get().cloned().unwrap_or_default()
-}
-
-/// Whether the work came to its own end: what came out of work that the budget ended is no answer, and is not written.
+/// Whether the work came to its own end: what came out of cancelled work is no answer, and is not written.
 pub fn ended() -> Result<(), Failure> {
-    Ok(budget().ended().map_err(Problem::from)?)
+    Ok(cancel().check().map_err(Problem::from)?)
 }
 
-/// How a command ended: what it says that failed in work that the budget ended is no reason.
+/// How a command ended: what it says that failed in cancelled work is no reason.
 pub fn last_word(done: Result<u8, Failure>) -> Result<u8, Failure> {
     match done {
         Err(failure) if !failure.is_internal() => ended().and(Err(failure)),
@@ -69,24 +52,25 @@ pub fn no_signal_for_long_files() {
     let _ = flag::register(consts::SIGXFSZ, Arc::default());
 }
 
-/// Limits with others in their place.
-pub fn with(all: Limits, limits: &[(Resource, f64)]) -> Limits {
-    limits.iter().fold(all, |all, &(resource, limit)| all.with(resource, limit))
-}
-
 /// Whether a signal asked for the end. From the first call on the first signal no longer ends the program by itself; the
 /// second one does.
 pub fn stopped() -> bool {
+    static TAKEN: Once = Once::new();
+    TAKEN.call_once(|| {
+        for signal in ENDING {
+            // In this order: the first one sets the flag, and a later one finds it set. Where signals cannot be taken over, they
+            // end the program as ever.
+            let _ = flag::register_conditional_shutdown(signal, i32::from(INTERRUPTED), Arc::clone(&STOPPED))
+                .and_then(|_| flag::register(signal, Arc::clone(&STOPPED)));
+        }
+    });
     STOPPED.load(Ordering::Relaxed)
 }
 
-/// Ends work that does not look for the wish itself, and at last the program: files appear whole or not at all.
+/// Ends at last the program: files appear whole or not at all.
 fn watch() {
     while !STOPPED.load(Ordering::Relaxed) {
         std::thread::sleep(TICK);
-    }
-    if let Some(budget) = BUDGET.get() {
-        budget.cancel();
     }
     std::thread::sleep(GRACE);
     std::process::exit(i32::from(INTERRUPTED));
@@ -113,7 +97,7 @@ impl Bar {
 
     fn drawn(things: &str, from: Option<Instant>) -> Self {
         static WATCHED: Once = Once::new();
-        LazyLock::force(&STOPPED);
+        stopped();
         // Where there is no thread for it, work ends as soon as it looks.
         WATCHED.call_once(|| drop(std::thread::Builder::new().spawn(watch)));
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
@@ -154,14 +138,6 @@ impl Progress for Bar {
         }
         bar.set_length(total as u64);
         bar.set_position(done as u64);
-    }
-
-    fn cancelled(&self) -> bool {
-        stopped() || budget().check().is_err()
-    }
-
-    fn budget(&self) -> Budget {
-        budget()
     }
 }
 

@@ -148,7 +148,7 @@ pub(super) fn candidate(
         from_thick_wall.push("free contraction");
         free_contraction(thick_wall, workspace, max, options).ok()
     });
-    let burst = burst(model, workspace).ok();
+    let burst = burst(model).ok();
     if burst.is_some_and(|b| b.from_thick_wall) {
         from_thick_wall.push("burst pressure");
     }

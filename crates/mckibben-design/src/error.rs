@@ -1,5 +1,6 @@
 //! Why a specification cannot be searched.
 
+use mckibben::cancel::Cancelled;
 use mckibben::muscle::MuscleError;
 use thiserror::Error;
 
@@ -68,8 +69,8 @@ pub enum SpecError {
     #[error("none of the combinations is a muscle: {0}")]
     NoMuscle(MuscleError),
     /// The caller wanted the search to end.
-    #[error("cancelled before the end")]
-    Cancelled,
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// Too many combinations.
     #[error("{0:.3e} combinations are too many; at most 5 million: take larger steps or fewer values")]
     TooMany(f64),

@@ -8,6 +8,7 @@ use super::run::{Outcome, design_with};
 use super::search::{Search, nice_steps};
 use super::spec::{Build, Spec};
 use mckibben::analysis::golden;
+use mckibben::cancel::Cancelled;
 use mckibben::model::ModelKind;
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben::units::Values;
@@ -76,7 +77,7 @@ pub fn design_joint(
     let best = best.filter(|&i| samples[i].1 != Merit::NONE);
     let Some(i) = best else {
         return match first_error {
-            _ if progress.cancelled() => Err(SpecError::Cancelled),
+            _ if progress.cancelled() => Err(Cancelled.into()),
             Some(error) => Err(error),
             // No muscle at all: the search of the first radius says why.
             None => {
@@ -93,7 +94,7 @@ pub fn design_joint(
             let (low, high) = radius_mm.bounds();
             let about = [1.0 / BESIDE, 1.0, BESIDE].map(|share| (found.0 * share).clamp(low, high));
             let near = about.map(|r| tried(r, models));
-            let Some(i) = best_of(&near) else { return Err(SpecError::Cancelled) };
+            let Some(i) = best_of(&near) else { return Err(Cancelled.into()) };
             let (left, right) = (about[i.saturating_sub(1)], about[(i + 1).min(2)]);
             found = golden(left, near[i], right, NEAR - 3, |t| t.1, &mut |r| tried(r, models));
         }

@@ -9,6 +9,7 @@ use mckibben::analysis::burst::{ends, mesh};
 use mckibben::analysis::{
     AnalysisError, FailureMode, FailurePressure, burst, force_on, pressure_at, pressure_up_to,
 };
+use mckibben::cancel;
 use mckibben::model::{ForceModel, ModelError, ModelKind, Response, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::uncertainty::uncertainty;
@@ -95,7 +96,7 @@ pub(super) fn probe_with(
 ) -> Result<Probe, ModelError> {
     let workspace = &mut Workspace::new();
     // Of what is to end, not even the model is made.
-    workspace.budget().check()?;
+    cancel::check()?;
     let model = build(muscle)?;
     let model = model.as_ref();
     let (max, direction) = (spec.max_pressure_mpa, spec.options().direction);
@@ -229,7 +230,7 @@ pub(super) fn strands(
 /// The decisive failure of a muscle, and its pressure over the maximum pressure and its share of the margin, solved for: where the margin is missed, that of its check is in proportion to the
 /// strands' tension alone.
 pub(super) fn burst_margin(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<(FailureMode, f64)> {
-    let solved = burst(build(muscle).ok()?.as_ref(), &Workspace::new()).ok()?;
+    let solved = burst(build(muscle).ok()?.as_ref()).ok()?;
     let (by, pressure_mpa) = solved.decisive()?;
     Some((by, pressure_mpa / spec.max_pressure_mpa))
 }
@@ -268,7 +269,7 @@ pub(super) fn full_response(
     p: f64,
     contraction: f64,
 ) -> Result<(Response, Vec<&'static str>), ModelError> {
-    workspace.budget().check()?;
+    cancel::check()?;
     let mut r = model.response(workspace, p, contraction)?;
     let mut filled = vec![];
     if r.bulged_diameter_mm.is_some() && r.volume_mm3.is_some() && r.max_stretch.is_some() {

@@ -68,9 +68,7 @@ pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> 
         return Err(SpecError::NoMuscle(error));
     }
     let candidates = settled(&search, models, &result);
-    if progress.cancelled() {
-        return Err(SpecError::Cancelled);
-    }
+    progress.check()?;
     let decides = models.settle.unwrap_or(models.search);
     let mut misses: Vec<(Muscle, Reason)> = vec![];
     for &(_, pick) in result.misses.iter() {

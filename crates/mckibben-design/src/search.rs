@@ -437,7 +437,7 @@ impl<'a> Search<'a> {
                 let (by, value) = solved.unwrap_or((worst.by, worst.value));
                 Some(Check { by, value, ..worst }.reason(self.spec))
             }
-            Err(error @ ModelError::Exceeded(_)) => Some(Reason::Model(error)),
+            Err(error @ ModelError::Cancelled(_)) => Some(Reason::Model(error)),
             Err(error) => Some(self.overstretched(muscle).unwrap_or(Reason::Model(error))),
         }
     }

@@ -1,7 +1,7 @@
 //! Why a muscle cannot be exported.
 
 use mckibben::analysis::AnalysisError;
-use mckibben::budget::Exceeded;
+use mckibben::cancel::Cancelled;
 use mckibben::model::ModelError;
 use mckibben::muscle::MuscleError;
 use thiserror::Error;
@@ -67,7 +67,7 @@ pub enum ExportError {
     /// The model has no answer.
     #[error(transparent)]
     Analysis(#[from] AnalysisError),
-    /// It takes more than it may.
+    /// The caller wanted the work to end.
     #[error(transparent)]
-    Exceeded(#[from] Exceeded),
+    Cancelled(#[from] Cancelled),
 }

@@ -7,7 +7,7 @@
 use crate::error::ExportError;
 use crate::form::{FUNCTIONS, Form, functions};
 use mckibben::analysis::{Options, blocked_force_n, force_on, free_contraction};
-use mckibben::budget::Budget;
+use mckibben::cancel;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Direction;
 use mckibben::threads;
@@ -80,9 +80,9 @@ fn nodes(low: f64, high: f64) -> Vec<f64> {
     stretched.into_iter().chain(shortened).collect()
 }
 
-pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted, budget: &Budget) -> Result<Fitted, ExportError> {
+pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted) -> Result<Fitted, ExportError> {
     let (low, supply) = (wanted.contraction_low, wanted.supply_mpa);
-    let w = &mut Workspace::within(budget.clone());
+    let w = &mut Workspace::new();
     let options = Options::extrapolating();
     model.muscle().check_contracts()?;
     let blocked_n = blocked_force_n(model, w, supply, options)?;
@@ -96,11 +96,10 @@ pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted, budget: &Budget) -> Re
     let even = |n: usize, a: f64, b: f64| (0..n).map(move |i| a + (b - a) * i as f64 / (n - 1) as f64);
     let mut contractions: Vec<f64> = even(11, low, 0.0).take(if low < 0.0 { 10 } else { 0 }).collect();
     contractions.extend(SHARES.map(|share| share * high));
-    let at = sample(model, (&PRESSURES, &contractions), supply, blocked_n, budget)?;
+    let at = sample(model, (&PRESSURES, &contractions), supply, blocked_n)?;
     let mut held: Vec<f64> = even(13, low, high).chain((low < 0.0).then_some(0.0)).collect();
     held.sort_by(f64::total_cmp);
-    let held_out =
-        sample(model, (&even(10, 0.0, 1.0).collect::<Vec<_>>(), &held), supply, blocked_n, budget)?;
+    let held_out = sample(model, (&even(10, 0.0, 1.0).collect::<Vec<_>>(), &held), supply, blocked_n)?;
     // A muscle without pressure at its length at rest pulls nothing, unless its tube is stretched: exactly.
     let at_rest = force_on(model, w, 0.0, 0.0, Direction::Mean).is_ok_and(|f| f.abs() < 1e-6 * blocked_n);
     let mut form = Form {
@@ -127,15 +126,14 @@ fn sample(
     (pressures, contractions): (&[f64], &[f64]),
     supply_mpa: f64,
     blocked_n: f64,
-    budget: &Budget,
 ) -> Result<Vec<Sample>, ExportError> {
     let rows = threads::map(pressures, |&q| {
-        let w = &mut Workspace::within(budget.clone());
+        let w = &mut Workspace::new();
         let (mut row, mut slack) = (vec![], false);
         for &contraction in contractions {
             let mut point = Sample { q, contraction, pull: None, volume_m3: None };
             if !slack {
-                budget.check()?;
+                cancel::check()?;
                 match model.response(w, q * supply_mpa, contraction) {
                     Ok(found) => {
                         slack = found.force_n < -1e-3 * blocked_n;

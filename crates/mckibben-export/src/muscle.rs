@@ -4,7 +4,6 @@ use crate::MARK;
 use crate::error::ExportError;
 use crate::fit::{Fitted, FormErrors, Sample, Wanted, fit};
 use crate::form::Form;
-use mckibben::budget::Budget;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{Direction, file::to_toml};
 use mckibben::uncertainty::uncertainty;
@@ -51,22 +50,17 @@ const GOAL: [f64; 2] = [0.003, 0.01];
 
 impl ExportedMuscle {
     /// Fits the form to a model of the muscle named so.
-    pub fn fit(
-        model: &dyn ForceModel,
-        name: &str,
-        wanted: Wanted,
-        budget: &Budget,
-    ) -> Result<Self, ExportError> {
+    pub fn fit(model: &dyn ForceModel, name: &str, wanted: Wanted) -> Result<Self, ExportError> {
         let (low, high) = (wanted.contraction_low, wanted.contraction_high);
         if !((-0.2..=0.0).contains(&low) && high.is_none_or(|high| high > 0.0 && high < 0.5)) {
             return Err(ExportError::Box { low, high: high.unwrap_or(0.0) });
         }
-        let Fitted { form, errors, blocked_n, held_out } = fit(model, wanted, budget)?;
+        let Fitted { form, errors, blocked_n, held_out } = fit(model, wanted)?;
         if errors.force_worst_ratio > LIMIT {
             let percent = 100.0 * errors.force_worst_ratio;
             return Err(ExportError::Misses { percent, limit: 100.0 * LIMIT });
         }
-        let w = &mut Workspace::within(budget.clone());
+        let w = &mut Workspace::new();
         let half = uncertainty(model, w, (wanted.supply_mpa, 0.0), blocked_n, Direction::Mean);
         let muscle_file = to_toml(model.muscle());
         let (version, model) = (env!("CARGO_PKG_VERSION"), model.info().name.to_string());

@@ -5,7 +5,6 @@ use crate::axisymmetric::{self, Axisymmetric, MeshSpec};
 use crate::seated::with_ends;
 use crate::simulation::Simulation;
 use crate::three_dimensional::{self, BrickMesh, BrickSpec, ThreeDimensional, estimate};
-use mckibben::budget::Budget;
 use mckibben::model::{ModelEntry, UnknownModel};
 use mckibben::muscle::Muscle;
 use std::fmt;
@@ -68,14 +67,14 @@ impl Elements {
         }
     }
 
-    /// Refuses a mesh of a muscle that does not fit into a budget, before anything is allocated. The section's is small whatever it is.
+    /// Refuses a mesh of a muscle that does not fit into memory, before anything is allocated. The section's is small whatever it is.
     ///
     /// # Errors
-    /// [`FemError`]: the budget's, or where the numbers give no valid mesh.
-    pub fn admit(&self, muscle: &Muscle, budget: &Budget) -> Result<(), FemError> {
+    /// [`FemError::Large`], or where the numbers give no valid mesh.
+    pub fn admit(&self, muscle: &Muscle) -> Result<(), FemError> {
         match self {
             Self::Axisymmetric(_) => Ok(()),
-            Self::ThreeDimensional(spec) => estimate::admit(spec, muscle, budget),
+            Self::ThreeDimensional(spec) => estimate::admit(spec, muscle),
         }
     }
 

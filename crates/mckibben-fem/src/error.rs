@@ -1,8 +1,9 @@
 //! Why there is no answer.
 
 use crate::solver::newton::Stopped;
-use mckibben::budget::Exceeded;
+use mckibben::cancel::Cancelled;
 use mckibben::model::ModelError;
+use mckibben::size;
 use mckibben::status::Status;
 use thiserror::Error;
 
@@ -135,16 +136,19 @@ pub enum FemError {
         /// Contraction at which it stands; below zero the muscle is stretched.
         contraction: f64,
     },
-    /// The budget of the request does not allow it, or the caller wanted the work to end.
+    /// The caller wanted the work to end.
     #[error(transparent)]
-    Exceeded(#[from] Exceeded),
+    Cancelled(#[from] Cancelled),
+    /// A mesh of more elements or bytes than are allowed.
+    #[error(transparent)]
+    Large(#[from] size::TooLarge),
 }
 
 impl FemError {
-    /// Why there is no equilibrium with a pull in N; a budget that is used up is no property of that pull.
+    /// Why there is no equilibrium with a pull in N; that the caller wanted to end is no property of that pull.
     pub(crate) fn at_force(force_n: f64, reason: Stopped) -> Self {
         match reason {
-            Stopped::Exceeded(exceeded) => Self::Exceeded(exceeded),
+            Stopped::Cancelled(cancelled) => Self::Cancelled(cancelled),
             reason => Self::Force { force_n, reason },
         }
     }
@@ -216,8 +220,9 @@ impl From<FemError> for ModelError {
             | FemError::Element { .. }
             | FemError::NotInBricks { .. }
             | FemError::Conditioning { .. }
-            | FemError::TooLarge { .. } => Self::Elements { reason: error.to_string() },
-            FemError::Exceeded(exceeded) => Self::Exceeded(exceeded),
+            | FemError::TooLarge { .. }
+            | FemError::Large(_) => Self::Elements { reason: error.to_string() },
+            FemError::Cancelled(cancelled) => Self::Cancelled(cancelled),
             FemError::Force { .. } | FemError::OutOfReach { .. } | FemError::Ends { .. } => {
                 Self::NoEquilibrium { reason: error.to_string() }
             }

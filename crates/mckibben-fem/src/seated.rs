@@ -4,7 +4,6 @@ use crate::FemError;
 use crate::results::{Sensitivity, Solution};
 use crate::simulation::{Detail, Given, Simulation};
 use crate::solver::curve::{Curve, CurvePoint, Test};
-use mckibben::budget::Exceeded;
 use mckibben::model::{Response, Seated, Workspace};
 use mckibben::muscle::{EndState, Ends, InnerPull, Muscle};
 use mckibben::progress::{Progress, Silent};
@@ -155,7 +154,7 @@ fn slipped(
     let mut found: Vec<(usize, Result<CurvePoint, FemError>)> = vec![];
     for i in test.order(values) {
         progress.report(found.len(), values.len());
-        let ended = if progress.cancelled() { Err(Exceeded::Cancelled) } else { progress.budget().check() };
+        let ended = progress.check();
         let (p, held) = match test {
             Test::Isobaric(p) => (p, values[i]),
             Test::Isometric(held) | Test::Isotonic(held) => (values[i], held),

@@ -6,7 +6,6 @@ use crate::error::MotionError;
 use crate::member::Member;
 use crate::valve::ValveKind;
 use mckibben::analysis::{RootError, find_root};
-use mckibben::budget::Budget;
 use mckibben::model::ModelError;
 
 /// A static equilibrium.
@@ -25,7 +24,7 @@ pub struct Equilibrium {
 pub fn equilibrium(drive: &Drive<'_>, pressures_mpa: &[f64]) -> Result<Equilibrium, MotionError> {
     drive.check()?;
     let members: Vec<Member<'_>> =
-        drive.muscles.iter().map(|m| Member::new(m, &Budget::current(), drive.tolerance.relative)).collect();
+        drive.muscles.iter().map(|m| Member::new(m, drive.tolerance.relative)).collect();
     at_pressures(drive, &members, pressures_mpa)
 }
 
@@ -41,7 +40,7 @@ pub(crate) fn net(
         let lever = drive.mechanism.lever(i, q);
         let force = match member.at_rest(*p, lever.contraction) {
             Ok(answer) => answer.force_n,
-            Err(ModelError::Exceeded(e)) => return Err(e.into()),
+            Err(ModelError::Cancelled(e)) => return Err(e.into()),
             Err(_) if member.slack(*p).is_ok_and(|h| lever.contraction >= h.contraction) => 0.0,
             Err(error) => return Err(MotionError::model(error, 0.0, i, *p, lever.contraction)),
         };
@@ -79,7 +78,7 @@ pub(crate) fn at_pressures(
         let next = (q + way * stride).max(low).min(high);
         let after = match net(drive, members, pressures, next) {
             Ok(after) => after,
-            Err(MotionError::Exceeded(e)) => return Err(e.into()),
+            Err(MotionError::Cancelled(e)) => return Err(e.into()),
             Err(_) => return Err(MotionError::NoEquilibrium { position: q, net: before }),
         };
         if after * way <= 0.0 {

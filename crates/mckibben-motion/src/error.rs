@@ -1,9 +1,10 @@
 //! Why there is no motion.
 
 use crate::command::CommandError;
-use mckibben::budget::Exceeded;
+use mckibben::cancel::Cancelled;
 use mckibben::model::ModelError;
 use mckibben::muscle::MuscleError;
+use mckibben::size::TooLarge;
 use thiserror::Error;
 
 /// Why a motion was refused, or ended early.
@@ -195,9 +196,12 @@ pub enum MotionError {
         /// How many the state has.
         needed: usize,
     },
-    /// The budget of the request, or the caller's wish.
+    /// The caller wanted the work to end.
     #[error(transparent)]
-    Exceeded(#[from] Exceeded),
+    Cancelled(#[from] Cancelled),
+    /// More points than are allowed.
+    #[error(transparent)]
+    Large(#[from] TooLarge),
 }
 
 impl MotionError {
@@ -210,7 +214,7 @@ impl MotionError {
         contraction: f64,
     ) -> Self {
         match error {
-            ModelError::Exceeded(exceeded) => Self::Exceeded(exceeded),
+            ModelError::Cancelled(cancelled) => Self::Cancelled(cancelled),
             error => {
                 Self::Model { time_s, muscle: muscle + 1, pressure_mpa, contraction, error: Box::new(error) }
             }

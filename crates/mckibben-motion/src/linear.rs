@@ -4,7 +4,6 @@ use crate::drive::Drive;
 use crate::error::MotionError;
 use crate::integrate::Equations;
 use crate::system::System;
-use mckibben::budget::Budget;
 use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::TAU;
 
@@ -38,7 +37,7 @@ impl Linear {
     /// # Errors
     /// As [`crate::equilibrium`]; [`MotionError::NotAtRest`] on a stop, or where nothing moves.
     pub fn new(drive: &Drive<'_>) -> Result<Self, MotionError> {
-        let system = System::new(drive, &Budget::current())?;
+        let system = System::new(drive)?;
         let start = system.initial_state()?;
         let (y, coordinate) = (start.to_vec(), start.coordinate);
         if system.modes.borrow().stop.is_some() {

@@ -3,7 +3,6 @@
 use crate::drive::Actuated;
 use crate::friction::Hysteresis;
 use mckibben::analysis::{Options, free_contraction};
-use mckibben::budget::Budget;
 use mckibben::model::{ForceModel, Ideal, ModelError, ThickWall, Workspace, pivoting_n_per_mm};
 use std::cell::{Cell, OnceCell, RefCell};
 
@@ -163,15 +162,15 @@ impl<'a> Member<'a> {
         }
     }
 
-    /// A member with what its model may cost and the relative tolerance of the motion.
-    pub fn new(muscle: &Actuated<'a>, budget: &Budget, tolerance: f64) -> Self {
+    /// A member with the relative tolerance of the motion.
+    pub fn new(muscle: &Actuated<'a>, tolerance: f64) -> Self {
         let model = muscle.model;
         Self {
             model,
             near: tolerance,
             length_mm: model.muscle().length_mm(),
             ideal: Ideal::new(model.muscle()),
-            workspace: RefCell::new(Workspace::within(budget.clone())),
+            workspace: RefCell::new(Workspace::new()),
             kept: RefCell::new([None; 8]),
             next: Cell::new(0),
             clamp_slack: Cell::new(None),

@@ -9,8 +9,8 @@ use crate::motion::Motion;
 use crate::series::{MotionSeries, MuscleSeries};
 use crate::state::State;
 use crate::system::System;
-use mckibben::budget::{Budget, Exceeded, Resource};
 use mckibben::progress::Progress;
+use mckibben::size;
 
 /// Runs a drive to its end.
 ///
@@ -28,12 +28,11 @@ pub fn run(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion, MotionE
 /// has [`Motion::never_lifted`].
 ///
 /// # Errors
-/// [`MotionError`] where there is nothing of it: for a drive that is none, no beginning, or a budget that is spent.
+/// [`MotionError`] where there is nothing of it: for a drive that is none, no beginning, or more points than are allowed.
 pub fn run_as_far(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion, MotionError> {
     drive.check()?;
-    let budget = progress.budget();
-    budget.admit(Resource::Points, drive.until_s / drive.output_step_s)?;
-    let system = System::new(drive, &budget)?;
+    size::points("output_step", drive.until_s / drive.output_step_s)?;
+    let system = System::new(drive)?;
     let mut integration = Integration::begin(&system, progress)?;
     let ended = match integration.go() {
         Ok(()) => None,
@@ -60,7 +59,6 @@ pub(crate) struct Cycle {
 pub(crate) struct Integration<'s, 'd> {
     pub system: &'s System<'d>,
     progress: &'s dyn Progress,
-    budget: Budget,
     pub t: f64,
     pub state: State,
     pub first: State,
@@ -114,7 +112,6 @@ impl<'s, 'd> Integration<'s, 'd> {
         Self {
             system,
             progress,
-            budget: progress.budget(),
             t,
             first: state.clone(),
             air: (0.0, 0.0),
@@ -220,7 +217,7 @@ impl<'s, 'd> Integration<'s, 'd> {
             let failed = system.failed.borrow_mut().take();
             let accepted = failed.is_none() && matches!(tried, Ok(true));
             if !accepted {
-                if let Some(MotionError::Exceeded(error)) = failed {
+                if let Some(MotionError::Cancelled(error)) = failed {
                     return Err(error.into());
                 }
                 let h = if failed.is_some() || tried.is_err() {
@@ -275,17 +272,14 @@ impl<'s, 'd> Integration<'s, 'd> {
         method.within(t).map(|numbers| self.system.layout.state(&numbers)).transpose()
     }
 
-    /// Looks at the budget before a step.
+    /// Looks whether the work is to end, before a step.
     fn pause(&mut self, end: f64) -> Result<(), MotionError> {
         self.steps += 1;
         if self.steps > self.system.drive.tolerance.steps {
             let (time_s, steps, step_s) = (self.t, self.steps, end - self.t);
             return Err(MotionError::Steps { time_s, steps, step_s, what: "the limit of steps is reached" });
         }
-        if self.progress.cancelled() {
-            return Err(Exceeded::Cancelled.into());
-        }
-        self.budget.check()?;
+        self.progress.check()?;
         let share = (1000.0 * self.t / self.system.drive.until_s) as usize;
         self.progress.report(share.min(1000), 1000);
         Ok(())

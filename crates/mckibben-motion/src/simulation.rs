@@ -81,7 +81,7 @@ impl Simulation {
     /// # Errors
     /// [`MotionError`] for a drive that is none, or has no beginning.
     pub fn new(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Self, MotionError> {
-        let system = System::new(drive, &progress.budget())?;
+        let system = System::new(drive)?;
         let mut at = Integration::begin(&system, progress)?;
         system.within.set(0.5 * drive.output_step_s);
         at.record(0.0, at.state.clone())?;
@@ -94,7 +94,7 @@ impl Simulation {
     /// One step on. A step that fails leaves it as it was.
     pub fn step(&mut self, drive: &Drive<'_>, progress: &dyn Progress) -> Result<(), MotionError> {
         let (from, end) = (self.time_s(drive), drive.output_step_s * (self.done + 1) as f64);
-        let mut system = System::new(drive, &progress.budget())?;
+        let mut system = System::new(drive)?;
         system.layout.check_state(&mut self.state)?;
         for (member, memory) in system.members.iter_mut().zip(std::mem::take(&mut self.memories)) {
             member.recall(memory);

@@ -8,7 +8,6 @@ use crate::fluid::Fluid;
 use crate::integrate::Equations;
 use crate::member::{Answer, Member, SlackState, Substitute};
 use crate::state::{ControllerState, Layout, MuscleState, State};
-use mckibben::budget::Budget;
 use std::cell::{Cell, RefCell};
 
 /// What an on–off valve does.
@@ -87,10 +86,10 @@ pub(crate) struct System<'a> {
 }
 
 impl<'a> System<'a> {
-    pub fn new(drive: &'a Drive<'a>, budget: &Budget) -> Result<Self, MotionError> {
+    pub fn new(drive: &'a Drive<'a>) -> Result<Self, MotionError> {
         drive.check()?;
         let members: Vec<Member<'a>> =
-            drive.muscles.iter().map(|m| Member::new(m, budget, drive.tolerance.relative)).collect();
+            drive.muscles.iter().map(|m| Member::new(m, drive.tolerance.relative)).collect();
         let layout = Layout::new(drive);
         let scale = sizes(drive, &members, &layout);
         let room = (layout.filled(0.0), Point::default());

@@ -25,11 +25,11 @@ impl Model {
     #[pyo3(signature = (muscle: "str", request: "dict[str, typing.Any]"))]
     fn new(py: Python<'_>, muscle: String, request: &Bound<'_, PyAny>) -> PyResult<Self> {
         let request = value::request(request)?;
-        Ok(run::quick(py, |progress| {
+        Ok(run::quick(py, |_| {
             let muscle = muscle_of(&TextFile { name: "muscle".into(), text: muscle })?;
             let (model, asking): (ModelFields, AskFields) =
                 (understood(request.clone())?, understood(request)?);
-            Ok(Self { bound: BoundModel::new(&muscle, &model, asking, progress)? })
+            Ok(Self { bound: BoundModel::new(&muscle, &model, asking)? })
         })?)
     }
 

@@ -5,7 +5,7 @@
 //! was raised is what the call ends with.
 
 use crate::error::Wrong;
-use mckibben::budget::Budget;
+use mckibben::cancel::Cancel;
 use mckibben::progress::Progress;
 use mckibben_app::{Problem, ProblemKind, within};
 use pyo3::prelude::*;
@@ -22,7 +22,7 @@ const STACK_BYTES: usize = 8 << 20;
 /// What the work tells, and the wish to end it.
 #[derive(Default)]
 struct Watched {
-    budget: Budget,
+    cancel: Cancel,
     done: AtomicUsize,
     total: AtomicUsize,
 }
@@ -32,14 +32,6 @@ impl Progress for Watched {
         self.done.store(done, Ordering::Relaxed);
         self.total.store(total, Ordering::Relaxed);
     }
-
-    fn cancelled(&self) -> bool {
-        self.budget.check().is_err()
-    }
-
-    fn budget(&self) -> Budget {
-        self.budget.clone()
-    }
 }
 
 /// Work of a moment.
@@ -48,7 +40,7 @@ pub fn quick<T: Send>(
     work: impl FnOnce(&dyn Progress) -> Result<T, Wrong> + Send,
 ) -> Result<T, Wrong> {
     let watched = Watched::default();
-    py.detach(|| within(&watched.budget, || work(&watched)))
+    py.detach(|| within(&watched.cancel, || work(&watched)))
 }
 
 /// Work that may take long. `progress(done, total)` is called now and then, and once at the end.
@@ -62,7 +54,7 @@ pub fn long<T: Send>(
     py.detach(|| {
         thread::scope(|scope| {
             let (sender, receiver) = sync_channel(1);
-            let at_work = || within(&watched.budget, || work(&watched));
+            let at_work = || within(&watched.cancel, || work(&watched));
             let body = move || drop(sender.send(at_work()));
             let started = thread::Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, body);
             if let Err(error) = started {
@@ -78,7 +70,7 @@ pub fn long<T: Send>(
                         let heard =
                             Python::attach(|py| listen(py, &watched, progress.as_ref(), &mut reported));
                         if let Err(error) = heard {
-                            watched.budget.cancel();
+                            watched.cancel.cancel();
                             raised.get_or_insert(error);
                         }
                     }

@@ -7,7 +7,7 @@ use axum::extract::{Path, State};
 use axum::http::header::{ACCEPT, CONTENT_TYPE};
 use axum::http::{HeaderMap, StatusCode};
 use axum::response::{IntoResponse, Response};
-use mckibben::budget::Budget;
+use mckibben::cancel::Cancel;
 use mckibben::progress::Silent;
 use mckibben::threads::Threads;
 use mckibben_app::Problem;
@@ -25,7 +25,7 @@ static LONG: LazyLock<Threads> =
     LazyLock::new(|| Threads::new(Threads::shared().count()).unwrap_or_default());
 
 /// The work ends with its caller: whoever leaves drops the future of the answer.
-struct EndsWith(Budget);
+struct EndsWith(Cancel);
 
 impl Drop for EndsWith {
     fn drop(&mut self) {
@@ -51,10 +51,10 @@ pub async fn ask(
         Refusal::new(StatusCode::SERVICE_UNAVAILABLE, message, "send the request again in a second")
     })?;
     let kind = headers.get(ACCEPT).is_some_and(|v| v == PACKED).then_some(PACKED);
-    let budget = Budget::default();
-    let _ends = EndsWith(budget.clone());
+    let cancel = Cancel::default();
+    let _ends = EndsWith(cancel.clone());
     let work = move || {
-        let (_place, _entered) = (place, budget.enter());
+        let (_place, _entered) = (place, cancel.enter());
         let answer = command.read(request)?.answer(&Silent)?;
         Ok::<_, Problem>(match kind {
             Some(_) => mckibben_app::packed(answer),

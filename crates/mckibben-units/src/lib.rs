@@ -19,6 +19,6 @@ pub use convert::tidy;
 pub use dimension::Dimension;
 pub use name::NamedUnit;
 pub use quantity::{BOUNDS, QuantityError, parse_quantity, plausible};
-pub use range::{MAX_POINTS, RangeError, Values, parse_at_most, parse_values};
+pub use range::{MAX_POINTS, RangeError, Values, parse_values};
 pub use short::short_numbers;
 pub use unit::Unit;

@@ -92,12 +92,6 @@ pub enum RangeError {
 /// # Ok::<(), mckibben_units::RangeError>(())
 /// ```
 pub fn parse_values(text: &str, dimension: Dimension) -> Result<Values, RangeError> {
-    parse_at_most(text, dimension, MAX_POINTS)
-}
-
-/// The same of at most so many points: more are [`RangeError::TooMany`], before any of them is made.
-pub fn parse_at_most(text: &str, dimension: Dimension, most: usize) -> Result<Values, RangeError> {
-    let most = most.min(MAX_POINTS);
     let text = text.trim();
     let parsed = if let Some((low, rest)) = text.split_once("..") {
         let (high, step) = match rest.split_once(':') {
@@ -108,12 +102,12 @@ pub fn parse_at_most(text: &str, dimension: Dimension, most: usize) -> Result<Va
         if let Some(step) = step {
             parts.push(split(step, dimension)?);
         }
-        range(&parts, text, dimension, most)?
+        range(&parts, text, dimension)?
     } else if text.contains(':') {
         return Err(RangeError::StepWithoutRange { text: text.into() });
     } else {
         let count = text.bytes().filter(|b| *b == b',').count() + 1;
-        if count > most {
+        if count > MAX_POINTS {
             return Err(RangeError::TooMany { text: shortened(text), points: count as f64 });
         }
         let parts = text.split(',').map(|p| split(p, dimension)).collect::<Result<Vec<_>, _>>()?;
@@ -135,7 +129,7 @@ pub fn parse_at_most(text: &str, dimension: Dimension, most: usize) -> Result<Va
     }
 }
 
-fn range(parts: &[(f64, &str)], text: &str, dimension: Dimension, most: usize) -> Result<Values, RangeError> {
+fn range(parts: &[(f64, &str)], text: &str, dimension: Dimension) -> Result<Values, RangeError> {
     let factors = factors(parts, text, dimension)?;
     let value = |i: usize| convert(parts[i].0, factors[i]);
     let (low, high) = (value(0), value(1));
@@ -150,7 +144,7 @@ fn range(parts: &[(f64, &str)], text: &str, dimension: Dimension, most: usize) -
         return Err(RangeError::Step { text: text.into() });
     }
     let steps = (high - low) / step;
-    if steps.is_nan() || steps >= most as f64 {
+    if steps.is_nan() || steps >= MAX_POINTS as f64 {
         return Err(RangeError::TooMany { text: text.into(), points: steps + 1.0 });
     }
     // Counted in the step's own unit, so that the points are the decimals the user had in mind.

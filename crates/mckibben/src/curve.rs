@@ -6,6 +6,7 @@
 
 use crate::analysis::AnalysisError;
 use crate::answer::{self, Answer, Options, SlackState};
+use crate::cancel;
 use crate::model::{ForceModel, ModelError, Workspace};
 use serde::{Deserialize, Serialize};
 
@@ -90,7 +91,7 @@ fn point<M: ForceModel + ?Sized>(
     hanging: &mut Option<SlackState>,
 ) -> CurvePoint {
     // A search asks the model many times before it gives up: of what is to end, not once.
-    let open = workspace.budget().check().map_err(|e| AnalysisError::from(ModelError::Exceeded(e)));
+    let open = cancel::check().map_err(|e| AnalysisError::from(ModelError::Cancelled(e)));
     match test {
         Test::Isotonic => CurvePoint {
             pressure_mpa: x,

@@ -36,7 +36,7 @@
 
 pub mod analysis;
 pub mod answer;
-pub mod budget;
+pub mod cancel;
 pub mod catalogue;
 pub mod curve;
 pub mod differences;
@@ -50,6 +50,7 @@ pub mod prelude;
 pub mod progress;
 pub mod random;
 pub mod rubber;
+pub mod size;
 pub mod sleeve;
 pub mod status;
 pub mod study;

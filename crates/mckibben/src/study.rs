@@ -5,7 +5,6 @@
 //! D0 = 30 mm. The paper's findings are computed from the curves, each with a verdict; they do not all hold.
 
 use crate::analysis::{AnalysisError, Options, contraction_at, force_on, start_pressure_mpa};
-use crate::budget::Budget;
 use crate::curve::{Curve, Test, curves};
 use crate::model::{ForceModel, Ideal, ModelError, Workspace};
 use crate::muscle::{Direction, Muscle, MuscleError, Tube};
@@ -79,11 +78,11 @@ pub enum StudyError {
     Analysis(#[from] AnalysisError),
 }
 
-/// Makes the study on `base` (its rubber and braid) with the model that `build` makes; what the budget ended is no study.
+/// Makes the study on `base` (its rubber and braid) with the model that `build` makes.
 ///
 /// # Errors
 /// [`StudyError`] where the model does not take the muscles at all; single points without answer stay in the curves.
-pub fn thickness<B>(base: &Muscle, options: Options, budget: &Budget, build: B) -> Result<Study, StudyError>
+pub fn thickness<B>(base: &Muscle, options: Options, build: B) -> Result<Study, StudyError>
 where
     B: Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError>,
 {
@@ -92,7 +91,7 @@ where
     };
     let models: Vec<Box<dyn ForceModel>> =
         WALLS_MM.iter().map(|&s| Ok(build(&with(30.0, s)?)?)).collect::<Result<_, StudyError>>()?;
-    let mut workspaces: Vec<Workspace> = models.iter().map(|_| Workspace::within(budget.clone())).collect();
+    let mut workspaces: Vec<Workspace> = models.iter().map(|_| Workspace::new()).collect();
     let ideals = [24.0, 30.0].map(|d0| with(d0, 1.0).map(|m| (d0, Ideal::new(&m))));
     let ideals: Vec<(f64, Ideal)> = ideals.into_iter().collect::<Result<_, _>>()?;
     let pressures: Vec<f64> = (0..=25).map(|i| f64::from(i) / 100.0).collect();
@@ -232,7 +231,7 @@ mod tests {
     #[test]
     fn ideal_figures_of_the_study() {
         let build = |m: &Muscle| Ok(Box::new(ThickWall::new(m)) as Box<dyn ForceModel>);
-        let study = thickness(&Muscle::prototype(), Options::default(), &Budget::default(), build).unwrap();
+        let study = thickness(&Muscle::prototype(), Options::default(), build).unwrap();
         assert_eq!(study.panels.len(), 6);
         let force = |panel: usize, curve: usize| {
             let curve = &study.panels[panel].curves[curve].curve;

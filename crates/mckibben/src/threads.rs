@@ -5,9 +5,9 @@
 //!
 //! There are as many threads as cores; `RAYON_NUM_THREADS` in the environment sets another number, up to 64 or four for each core.
 //! Inside of a pool of rayon ([`rayon::ThreadPool::install`]) the work stays in that pool. The parts of some work have its
-//! [budget](Budget::current), on whichever thread.
+//! [flag](Cancel::current), on whichever thread.
 
-use crate::budget::Budget;
+use crate::cancel::Cancel;
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::num::NonZero;
@@ -47,9 +47,9 @@ impl Threads {
 
     /// Does work whose parts stay on these threads: that of others does not wait behind it.
     pub fn within<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
-        let budget = Budget::current();
+        let cancel = Cancel::current();
         let within = || {
-            let _entered = budget.enter();
+            let _entered = cancel.enter();
             work()
         };
         match &self.0 {
@@ -73,9 +73,9 @@ impl Threads {
 
     /// Does the work of every place, 0 to `count` − 1.
     fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
-        let budget = Budget::current();
+        let cancel = Cancel::current();
         let side_by_side =
-            || (0..count).into_par_iter().for_each_init(|| budget.enter(), |_entered, i| work(i));
+            || (0..count).into_par_iter().for_each_init(|| cancel.enter(), |_entered, i| work(i));
         match &self.0 {
             _ if rayon::current_thread_index().is_some() => side_by_side(),
             Some(pool) => pool.install(side_by_side),
@@ -90,10 +90,10 @@ impl Threads {
         if out.len() <= places {
             return out.chunks_mut(places).enumerate().for_each(one);
         }
-        let budget = Budget::current();
+        let cancel = Cancel::current();
         let side_by_side = |out: &mut [T]| {
             let parts = out.par_chunks_mut(places).enumerate();
-            parts.for_each_init(|| budget.enter(), |_entered, part| one(part));
+            parts.for_each_init(|| cancel.enter(), |_entered, part| one(part));
         };
         match &self.0 {
             _ if rayon::current_thread_index().is_some() => side_by_side(out),
@@ -115,12 +115,12 @@ impl Threads {
             return items.iter().for_each(|item| take(Some(work(item))));
         };
         let (sender, receiver) = sync_channel(4 * pool.current_num_threads());
-        let budget = Budget::current();
+        let cancel = Cancel::current();
         pool.in_place_scope(|scope| {
-            let (work, budget) = (&work, &budget);
+            let (work, cancel) = (&work, &cancel);
             scope.spawn(move |_| {
                 let give = |sender: &mut SyncSender<R>, item: &T| {
-                    let _entered = budget.enter();
+                    let _entered = cancel.enter();
                     // Nobody listens any more only where `take` panicked.
                     drop(sender.send(work(item)));
                 };

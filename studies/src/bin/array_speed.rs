@@ -52,7 +52,6 @@ fn main() -> Result<(), Box<dyn Error>> {
             &muscle,
             &ModelFields { model: Some(model.info().name.to_string()), ..Default::default() },
             AskFields::default(),
-            &Silent,
         )?;
         let many = Many {
             wanted: PointQuantity::Force,

@@ -17,11 +17,12 @@ use crate::units::Units;
 use crate::warnings;
 use mckibben::analysis::free_contraction;
 use mckibben::answer::{Answer, Options};
-use mckibben::budget::Resource;
+use mckibben::cancel;
 use mckibben::curve::{Curve, Test, curves};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
+use mckibben::size;
 use mckibben::units::Values;
 use mckibben::warning::Warning;
 use schemars::JsonSchema;
@@ -95,9 +96,8 @@ fn each(
     held_bytes: f64,
     take: &mut dyn FnMut(Curve) -> Result<(), Problem>,
 ) -> Result<CurveAnswer, Problem> {
-    let budget = progress.budget();
     check_test(request.test, request.contractions.is_some(), request.forces_n.is_some())?;
-    let mut question = Question::new(&request.muscle, &request.model, request.asking, &budget)?;
+    let mut question = Question::new(&request.muscle, &request.model, request.asking)?;
     let isobaric = request.test == Test::Isobaric;
     let pressures = list("pressures_mpa", &request.pressures_mpa, || {
         if isobaric { steps(5, 0.05, 0.25) } else { steps(26, 0.0, 0.25) }
@@ -125,8 +125,8 @@ fn each(
         &[question.options.direction]
     };
     let all = fixed.len().saturating_mul(along.len()).saturating_mul(branches.len());
-    budget.admit(Resource::Points, all as f64)?;
-    budget.admit(Resource::Bytes, held_bytes * all as f64)?;
+    size::points("pressures_mpa", all as f64)?;
+    size::bytes("pressures_mpa", held_bytes * all as f64)?;
     let (model, workspace) = (&*question.model, &mut question.workspace);
     let loaded = match (&request.load.load, isobaric) {
         (None, _) => None,
@@ -144,11 +144,9 @@ fn each(
             let options = Options { direction, ..question.options };
             let found =
                 curves(&*question.model, &mut question.workspace, request.test, &[value], &along, options);
-            budget.ended()?;
+            cancel::check()?;
             for curve in found {
-                if progress.cancelled() {
-                    return Err(Problem::cancelled());
-                }
+                progress.check()?;
                 said.extend(warnings::of_points(answered([&curve])));
                 said = Warning::gravest(&said);
                 answers |= answered([&curve]).next().is_some();

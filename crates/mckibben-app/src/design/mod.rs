@@ -22,13 +22,12 @@ use crate::problem::Problem;
 use crate::uncertainty::UncertaintyWords;
 use mckibben::analysis::{force_on, pressure_at};
 use mckibben::answer::Options;
-use mckibben::budget::{Exceeded, Resource};
+use mckibben::cancel::Cancelled;
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben::uncertainty::uncertainty;
 use mckibben::units::Values;
-use mckibben::warning::Warning;
 use mckibben_design::{
     Build, Candidate, CandidatePoint, Models, Outcome, Spec, Spread, Sure, Tolerances, design_joint,
     design_with, fits, is_doubtful, spread, to_be_sure,
@@ -41,15 +40,13 @@ const DRAWN: usize = 3;
 
 /// Ranked muscles that fit, the reasons why others do not, and, where nothing fits, what would have to give.
 pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<DesignAnswer, Problem> {
-    let budget = progress.budget();
-    budget.admit(Resource::Points, request.points_held())?;
     if let Some(tolerances) = &request.tolerance {
         tolerances.check()?;
     }
     let Search { spec, models: model, radius_mm } = request.search()?;
     // A mesh that one muscle has no room for is no reason against each of them.
-    model.decide(&spec.base, &budget)?;
-    let (look, decide) = (|m: &Muscle| model.look(m, &budget), |m: &Muscle| model.decide(m, &budget));
+    model.decide(&spec.base)?;
+    let (look, decide) = (|m: &Muscle| model.look(m), |m: &Muscle| model.decide(m));
     let settle: Option<&Build<'_>> =
         if matches!(model, ModelPolicy::Named(_)) { None } else { Some(&decide) };
     let models = Models { search: &look, settle };
@@ -79,14 +76,7 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     if let (Some(closest), Some(hint)) = (&mut answer.closest, hint) {
         closest.hint = Some(closest.hint.take().map_or(hint.clone(), |first| format!("{first} {hint}")));
     }
-    match sure {
-        Ok(sure) => answer.to_be_sure = sure.as_ref().map(Into::into),
-        Err(Exceeded::Cancelled) => return Err(Problem::cancelled()),
-        // What was searched is an answer without it.
-        Err(spent) => answer
-            .warnings
-            .push(Warning::from(format!("the specification that covers the ± was not computed: {spent}"))),
-    }
+    answer.to_be_sure = sure?.as_ref().map(Into::into);
     let uncertainty_words = words(&spec, &decide, winner);
     let bundle = bundle::of(request, &spec, &decide, winner);
     let bought = bought::bought(request, &spec);
@@ -103,7 +93,7 @@ fn sure(
     radius_mm: Option<&Values>,
     models: Models<'_>,
     progress: &dyn Progress,
-) -> Result<Option<Sure>, Exceeded> {
+) -> Result<Option<Sure>, Cancelled> {
     if !outcome.candidates.first().is_some_and(is_doubtful) {
         return Ok(None);
     }
@@ -114,12 +104,7 @@ fn sure(
         None => quick(s),
     };
     let found = to_be_sure(spec, outcome, &whole, &quick);
-    let budget = progress.budget();
-    budget.check()?;
-    budget.ended()?;
-    if progress.cancelled() {
-        return Err(Exceeded::Cancelled);
-    }
+    progress.check()?;
     // A specification that cannot be searched with more than was wanted: nothing is sure.
     Ok(found.unwrap_or_default())
 }

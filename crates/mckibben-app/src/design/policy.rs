@@ -1,7 +1,6 @@
 //! Which model looks at the muscles of a search, and which one decides.
 
 use crate::model::Model;
-use mckibben::budget::Budget;
 use mckibben::model::{ForceModel, ModelError};
 use mckibben::muscle::Muscle;
 
@@ -61,19 +60,19 @@ impl ModelPolicy {
     }
 
     /// The model that looks at a muscle in the search.
-    pub(super) fn look(&self, muscle: &Muscle, budget: &Budget) -> Result<Box<dyn ForceModel>, ModelError> {
+    pub(super) fn look(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
         match self {
             Self::Fastest { universal, .. } if near_the_box(muscle) => universal.build(muscle),
             Self::Extensile { thick_wall, .. } => thick_wall.build(muscle),
-            _ => self.decide(muscle, budget),
+            _ => self.decide(muscle),
         }
     }
 
-    pub(super) fn decide(&self, muscle: &Muscle, budget: &Budget) -> Result<Box<dyn ForceModel>, ModelError> {
+    pub(super) fn decide(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
         let (Self::Named(model)
         | Self::Fastest { elements: model, .. }
         | Self::Extensile { elements: model, .. }) = self;
-        model.admit(muscle, budget)?;
+        model.admit(muscle)?;
         model.build(muscle)
     }
 }

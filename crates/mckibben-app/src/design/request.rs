@@ -266,19 +266,6 @@ impl DesignRequest {
         Ok(Search { spec, models, radius_mm })
     }
 
-    /// Operating points and values of the search that are held at once.
-    pub(super) fn points_held(&self) -> f64 {
-        let wanted = self.points.len() + self.torques.len();
-        let named = self.braids.len() + self.rubbers.len() + self.strand_length_per_turn_mm.len();
-        let axes =
-            [&self.outer_diameter_mm, &self.wall_mm, &self.angle_deg, &self.length_mm, &self.radius_mm];
-        let listed = axes.into_iter().flatten().map(|choice| match choice {
-            Choice::Several(list) => list.len(),
-            Choice::One(_) | Choice::Between { .. } => 1,
-        });
-        (wanted + named + listed.sum::<usize>()) as f64
-    }
-
     /// The share of muscles that meet the requirement, checked.
     fn guaranteed(&self) -> Result<Option<f64>, Problem> {
         match self.guaranteed {

@@ -206,7 +206,7 @@ fn no_files() -> Problem {
 /// Why a table gives no formula.
 fn no_fit(name: &str, error: FitError) -> Problem {
     match error {
-        FitError::Stopped => Problem::cancelled(),
+        FitError::Cancelled(cancelled) => cancelled.into(),
         error => Problem::new(ProblemKind::Fit, format!("{name}: {error}"), ""),
     }
 }

@@ -35,7 +35,7 @@ pub fn fit_report(_: &FitReportRequest, progress: &dyn Progress) -> Result<FitRe
 impl From<FitError> for Problem {
     fn from(error: FitError) -> Self {
         match error {
-            FitError::Stopped => Self::cancelled(),
+            FitError::Cancelled(cancelled) => cancelled.into(),
             error => Self::new(ProblemKind::Fit, error.to_string(), ""),
         }
     }

@@ -15,11 +15,12 @@ use crate::uncertainty::breakdown;
 use crate::units::{Scale, Units};
 use crate::warnings;
 use crate::words::number;
-use mckibben::budget::Resource;
+use mckibben::cancel;
 use mckibben::joint::{Joint, JointError, JointModel, JointPoint, Rest, Turning, parse_joint};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
+use mckibben::size;
 use mckibben::threads;
 use mckibben::units::short_numbers;
 use mckibben::warning::Warning;
@@ -99,29 +100,28 @@ const MAP_POINT_BYTES: f64 = 500.0;
 pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAnswer, Problem> {
     let joint = request.joint.resolve()?;
     let named = Model::choose(&request.model, Purpose::Answer)?;
-    let budget = progress.budget();
     let mut models: Vec<Box<dyn ForceModel>> = vec![];
     for m in joint.muscles() {
-        named.admit(&m.muscle, &budget)?;
+        named.admit(&m.muscle)?;
         models.push(named.build(&m.muscle)?);
     }
     let model = JointModel::new(&joint, models.iter().map(|m| &**m).collect(), request.extrapolate)?;
-    let mut asked = Asked { model: &model, workspaces: model.workspaces(progress), said: vec![] };
+    let mut asked = Asked { model: &model, workspaces: model.workspaces(), said: vec![] };
     let rows = asked.rows(request, progress);
-    budget.ended()?;
+    cancel::check()?;
     let mut rows = rows?;
     if !request.without_start_pressures {
-        add_start_pressures(&model, &mut rows, progress);
-        budget.ended()?;
+        add_start_pressures(&model, &mut rows);
+        cancel::check()?;
     }
     let map = match request.map {
         None => None,
         Some(count) => {
             let points = (count as f64).powi(joint.muscles().len() as i32);
-            budget.admit(Resource::Points, points)?;
-            budget.admit(Resource::Bytes, MAP_POINT_BYTES * points)?;
+            size::points("map", points)?;
+            size::bytes("map", MAP_POINT_BYTES * points)?;
             let supply = supply(request)?;
-            asked.said.extend(model.outside(supply, progress)?.into_iter().map(Warning::from));
+            asked.said.extend(model.outside(supply)?.into_iter().map(Warning::from));
             let map = model.map(supply, count, progress)?;
             let first = map.gaps.first();
             asked.said.extend(first.map(|gap| gaps(map.gaps.len(), map.points.len(), "points", &gap.reason)));
@@ -137,7 +137,7 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
         ));
     }
     let summaries: Vec<MuscleSummary> = joint.muscles().iter().map(|m| (&m.muscle).into()).collect();
-    let bursts = models.iter().map(|m| burst_of(&named, &**m, &budget)).collect::<Result<Vec<_>, _>>()?;
+    let bursts = models.iter().map(|m| burst_of(&named, &**m)).collect::<Result<Vec<_>, _>>()?;
     let supplied = if map.is_some() { supply(request)? } else { 0.0 };
     let highest = |i: usize| {
         let of = |row: &JointRow| if i == 0 { Some(row.pressure_1_mpa) } else { row.pressure_2_mpa };
@@ -207,7 +207,7 @@ impl Asked<'_> {
             finite("angles_deg", angle)?;
         }
         let all = families.len().max(1) * angles.map_or(1, <[f64]>::len);
-        progress.budget().admit(Resource::Points, all as f64)?;
+        size::points("angles_deg", all as f64)?;
         let mut rows = vec![];
         match (families.is_empty(), angles) {
             (true, None) if request.torque_nm.or(request.stiffness_nm_per_rad).is_some() => {
@@ -245,9 +245,7 @@ impl Asked<'_> {
             (false, Some(angles)) => {
                 for (i, pressures) in families.iter().enumerate() {
                     progress.report(i, families.len());
-                    if progress.cancelled() {
-                        return Err(Problem::cancelled());
-                    }
+                    progress.check()?;
                     let points = self.model.along(&mut self.workspaces, pressures, angles);
                     let gap = |e: &Result<_, JointError>| e.as_ref().is_err_and(JointError::is_of_point);
                     // A family goes on beside angles at which a muscle has no state.
@@ -340,7 +338,7 @@ fn key(kind: usize, contraction: f64) -> (usize, i64) {
 }
 
 /// Adds P′ to rows: each contraction of each kind of muscle once, on all threads.
-fn add_start_pressures(model: &JointModel<'_>, rows: &mut [JointRow], progress: &dyn Progress) {
+fn add_start_pressures(model: &JointModel<'_>, rows: &mut [JointRow]) {
     let digests: Vec<String> = model.joint().muscles().iter().map(|m| m.muscle.digest()).collect();
     let kind = |i: usize| digests.iter().position(|d| Some(d) == digests.get(i)).unwrap_or(i);
     let kinds = [kind(0), kind(1)];
@@ -351,9 +349,8 @@ fn add_start_pressures(model: &JointModel<'_>, rows: &mut [JointRow], progress: 
         wanted.extend(known.map(|(kind, e)| (key(kind, e), e)));
     }
     let wanted: Vec<((usize, i64), f64)> = wanted.into_iter().collect();
-    let budget = progress.budget();
     let found = threads::map(&wanted, |&((kind, _), contraction)| {
-        model.start_pressure_mpa(kind, &mut Workspace::within(budget.clone()), contraction)
+        model.start_pressure_mpa(kind, &mut Workspace::new(), contraction)
     });
     let found: BTreeMap<(usize, i64), Option<f64>> =
         wanted.into_iter().map(|(key, _)| key).zip(found).collect();
@@ -377,7 +374,7 @@ impl From<JointError> for Problem {
     fn from(error: JointError) -> Self {
         let message = error.to_string();
         match error {
-            JointError::Cancelled => Self::cancelled(),
+            JointError::Cancelled(cancelled) => cancelled.into(),
             JointError::Muscle { error, .. } => {
                 let inner = Self::from(error);
                 Self { message: short_numbers(&message).into_owned(), ..inner }

@@ -3,9 +3,9 @@
 use crate::curve::{CurveRequest, curve_by_curve};
 use crate::problem::{Problem, ProblemKind};
 use mckibben::answer::Answer;
-use mckibben::budget::Resource;
 use mckibben::curve::{Curve, CurvePoint};
 use mckibben::progress::Progress;
+use mckibben::size;
 use mckibben::status::Status;
 use serde_json::Value;
 
@@ -55,9 +55,8 @@ const POINT_BYTES: f64 = 266.0;
 /// A family of curves as columns, curve after curve; columns without any number are left out.
 pub fn curve_columns(request: &CurveRequest, progress: &dyn Progress) -> Result<AnswerColumns, Problem> {
     let mut table = Table::default();
-    let budget = progress.budget();
     let mut answer = curve_by_curve(request, progress, &mut |curve: Curve| {
-        budget.admit(Resource::Bytes, POINT_BYTES * (table.pressures.len() + curve.points.len()) as f64)?;
+        size::bytes("pressures_mpa", POINT_BYTES * (table.pressures.len() + curve.points.len()) as f64)?;
         curve.points.iter().for_each(|point| table.push(curve.fixed, point));
         Ok(())
     })?;

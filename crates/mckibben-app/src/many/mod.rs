@@ -49,15 +49,10 @@ impl std::fmt::Debug for BoundModel {
 
 impl BoundModel {
     /// The model that a request names, of this muscle.
-    pub fn new(
-        muscle: &Muscle,
-        model: &ModelFields,
-        asking: AskFields,
-        progress: &dyn Progress,
-    ) -> Result<Self, Problem> {
+    pub fn new(muscle: &Muscle, model: &ModelFields, asking: AskFields) -> Result<Self, Problem> {
         let options = asking.options(muscle)?;
         let choice = Model::choose(model, Purpose::Answer)?;
-        choice.admit(muscle, &progress.budget())?;
+        choice.admit(muscle)?;
         let model = choice.build(muscle)?;
         Ok(Self { model, options, choice })
     }
@@ -124,7 +119,6 @@ impl BoundModel {
             _ if self.is_polynomial() => SHARE_OF_POLYNOMIALS,
             _ => BLOCK,
         };
-        let budget = progress.budget();
         let (done, failed, first) = (AtomicUsize::new(0), AtomicUsize::new(0), AtomicUsize::new(usize::MAX));
         let reason: Mutex<Option<ArrayError>> = Mutex::new(None);
         let refuse = |index: usize, problem: Problem| {
@@ -136,12 +130,12 @@ impl BoundModel {
             }
         };
         let work = |place: usize, part: &mut [f64]| {
-            let mut workspace = Workspace::within(budget.clone());
+            let mut workspace = Workspace::new();
             let mut room = [vec![], vec![]];
             for (i, places) in part.chunks_mut(BLOCK * width).enumerate() {
                 let (from, length) = (place / width + i * BLOCK, places.len() / width);
                 // What is behind a point without an answer is not asked for.
-                if from > first.load(Ordering::Relaxed) || progress.cancelled() || budget.check().is_err() {
+                if from > first.load(Ordering::Relaxed) || progress.cancelled() {
                     return;
                 }
                 match self.block(pairs.block(from, length, &mut room), many, &mut workspace, places) {
@@ -157,10 +151,7 @@ impl BoundModel {
         } else {
             Threads::shared().fill(out, share * width, work)
         }
-        if progress.cancelled() {
-            return Err(Problem::cancelled().into());
-        }
-        budget.ended().map_err(Problem::from)?;
+        progress.check().map_err(Problem::from)?;
         match reason.into_inner() {
             Ok(Some(reason)) => Err(reason),
             _ => Ok(failed.into_inner()),

@@ -5,6 +5,7 @@ use crate::point::{finite, ratio};
 use crate::problem::{Problem, ProblemKind};
 use mckibben::analysis::{contraction_or_stretch_at, force_on, pressure_at};
 use mckibben::answer;
+use mckibben::cancel;
 use mckibben::model::{Bounds, ModelError, Workspace, pulls_within};
 use std::f64::consts::PI;
 
@@ -32,9 +33,7 @@ impl BoundModel {
             match self.one((a, b), many, workspace, &mut free, places) {
                 Ok(()) => {}
                 // Work that is to end says so of every point.
-                Err(problem)
-                    if many.unanswered == Unanswered::Refused || workspace.budget().check().is_err() =>
-                {
+                Err(problem) if many.unanswered == Unanswered::Refused || cancel::check().is_err() => {
                     return Err((index, problem));
                 }
                 Err(_) => {
@@ -153,7 +152,7 @@ impl BoundModel {
                 point.response.force_n
             }
         };
-        workspace.budget().ended()?;
+        cancel::check()?;
         Ok(force)
     }
 

@@ -41,11 +41,10 @@ impl MotionRequest {
         drive_names(&drive.text).map_err(|e| Problem::from(e.of(Path::new(&drive.name))))
     }
 
-    fn moved(&self, progress: &dyn Progress) -> Result<Moved, Problem> {
+    fn moved(&self) -> Result<Moved, Problem> {
         let choice = Model::choose(&self.model, Purpose::Answer)?;
-        let budget = progress.budget();
         let build = |muscle: &mckibben::muscle::Muscle| -> Result<Box<dyn ForceModel>, Problem> {
-            choice.admit(muscle, &budget)?;
+            choice.admit(muscle)?;
             Ok(choice.build(muscle)?)
         };
         let subject = match (&self.drive, &self.step) {
@@ -103,7 +102,7 @@ impl MotionRequest {
 }
 
 pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<MotionAnswer, Problem> {
-    let moved = request.moved(progress)?;
+    let moved = request.moved()?;
     let drives = request.drives(moved.length_mm())?;
     let mut sized = None;
     let mut runs = vec![];
@@ -126,13 +125,12 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
             moved.warnings(&motion, drive).into_iter().map(|text| Warning::Said(with.clone() + &text)),
         );
         let mut run = MotionRun { value: value.clone(), motion, end: EndUncertainty::default() };
-        moved.end_uncertainty(&mut run, drive, progress);
+        moved.end_uncertainty(&mut run, drive);
         runs.push(run);
     }
     said.extend(moved.warnings_of_muscles().map(Warning::from));
     let mut warnings = Warning::gravest(&said);
-    let budget = progress.budget();
-    let bursts = moved.models.iter().map(|m| burst_of(&moved.choice, &**m, &budget));
+    let bursts = moved.models.iter().map(|m| burst_of(&moved.choice, &**m));
     let bursts = bursts.collect::<Result<Vec<_>, _>>()?;
     let burst = bursts.iter().zip(&highest_mpa).flat_map(|(found, highest)| said_of(found, *highest, 0.0));
     put_first(&mut warnings, burst.collect::<Vec<_>>());
@@ -252,7 +250,8 @@ impl Moved {
 impl From<MotionError> for Problem {
     fn from(error: MotionError) -> Self {
         let kind = match &error {
-            MotionError::Exceeded(exceeded) => return (*exceeded).into(),
+            MotionError::Cancelled(cancelled) => return (*cancelled).into(),
+            MotionError::Large(large) => return (*large).into(),
             MotionError::Muscle(error) => return error.clone().into(),
             MotionError::Model { error: model, .. } => Self::from((**model).clone()).kind,
             MotionError::Diverged { .. } | MotionError::Steps { .. } | MotionError::Chatter { .. } => {

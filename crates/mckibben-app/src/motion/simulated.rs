@@ -59,7 +59,7 @@ impl Setup {
 impl SimulatedDrive {
     /// A drive at the start, at rest where its first commands hold it, with steps of a length in s.
     pub fn new(request: &MotionRequest, step_s: f64, progress: &dyn Progress) -> Result<Self, Problem> {
-        let moved = request.moved(progress)?;
+        let moved = request.moved()?;
         let drives = request.drives(moved.length_mm())?;
         let Some((_, mut file)) = drives.into_iter().next() else {
             return Err(Problem::missing("drive", "a drive file"));

@@ -6,7 +6,6 @@ use mckibben::answer::Options;
 use mckibben::joint::{JointModel, Turning};
 use mckibben::load::balances;
 use mckibben::model::Workspace;
-use mckibben::progress::Progress;
 use mckibben_motion::{DriveFile, Target};
 
 /// A contraction that is nearer to a stop than this is on it.
@@ -14,7 +13,7 @@ const ON_STOP: f64 = 1e-6;
 
 impl Moved {
     /// The ± of the end of a motion.
-    pub(super) fn end_uncertainty(&self, run: &mut MotionRun, file: &DriveFile, progress: &dyn Progress) {
+    pub(super) fn end_uncertainty(&self, run: &mut MotionRun, file: &DriveFile) {
         let controlled = matches!(file.target, Target::Position { .. });
         if run.motion.end.is_none() || controlled {
             return;
@@ -26,26 +25,21 @@ impl Moved {
         };
         let found = match (&self.joint, pressures) {
             (_, None) => None,
-            (Some(_), Some(pressures)) => self.end_of_joint(run, &pressures, progress),
-            (None, Some(pressures)) => self.end_of_muscle(run, file, &pressures, progress),
+            (Some(_), Some(pressures)) => self.end_of_joint(run, &pressures),
+            (None, Some(pressures)) => self.end_of_muscle(run, file, &pressures),
         };
         run.end = found.unwrap_or_default();
         run.end.uncertainty_text = run.uncertainty_in(&Units::default());
     }
 
-    fn end_of_joint(
-        &self,
-        run: &MotionRun,
-        pressures_mpa: &[f64],
-        progress: &dyn Progress,
-    ) -> Option<EndUncertainty> {
+    fn end_of_joint(&self, run: &MotionRun, pressures_mpa: &[f64]) -> Option<EndUncertainty> {
         let joint = self.joint.as_ref()?;
         let last = run.motion.series.degrees().and_then(|[angle, _]| angle.last().copied());
         let angle_deg = run.motion.equilibrium_angle_deg.or(last)?;
         let (low, high) = joint.range_deg();
         let models = self.models.iter().map(|m| &**m).collect();
         let model = JointModel::new(joint, models, true).ok()?;
-        let workspaces = &mut model.workspaces(progress);
+        let workspaces = &mut model.workspaces();
         let pressures_mpa = pressures_mpa.get(..self.models.len())?;
         let point = model.at(workspaces, pressures_mpa, angle_deg.clamp(low, high), Turning::Mean).ok()?;
         let inside = angle_deg > low && angle_deg < high;
@@ -59,7 +53,6 @@ impl Moved {
         run: &MotionRun,
         file: &DriveFile,
         pressures_mpa: &[f64],
-        progress: &dyn Progress,
     ) -> Option<EndUncertainty> {
         let (model, load) = (self.models.first()?, file.load.as_ref()?);
         let last = run.motion.series.muscles.first()?.contraction.last().copied();
@@ -69,7 +62,7 @@ impl Moved {
         if contraction <= low + ON_STOP || contraction >= high - ON_STOP {
             return None;
         }
-        let workspace = &mut Workspace::within(progress.budget());
+        let workspace = &mut Workspace::new();
         let options = Options { extrapolate: true, ..Options::default() };
         let found = balances(&**model, workspace, load, *pressures_mpa.first()?, options).ok()?;
         let far = |e: f64| (e - contraction).abs();

@@ -20,6 +20,7 @@ use crate::muscle::MuscleSummary;
 use crate::problem::{Problem, ProblemKind};
 use crate::warnings;
 use mckibben::answer::Options;
+use mckibben::cancel;
 use mckibben::curve::Test;
 use mckibben::model::{ModelError, Response, Workspace, notes_of};
 use mckibben::muscle::{Ends, Muscle};
@@ -116,12 +117,11 @@ pub fn simulate(
             format!("a test needs a finite-element model, and \"{model}\" is not one; give fe or fe3d");
         return Err(Problem::new(ProblemKind::Model, message, "`curve` draws the curves of every model"));
     };
-    let budget = progress.budget();
-    model.admit(&muscle, &budget)?;
+    model.admit(&muscle)?;
     let (ends, inner) = (muscle.ends(), muscle.between_ends());
     let meshed =
         Meshed::of(elements, &inner).map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
-    let (simulation, workspace) = (meshed.simulation(&muscle), &mut Workspace::within(budget.clone()));
+    let (simulation, workspace) = (meshed.simulation(&muscle), &mut Workspace::new());
     let questions = request.questions(&*simulation, workspace)?;
     let deck =
         if request.deck { Some(written_deck(&meshed, &ends, request.test, &questions)?) } else { None };
@@ -132,15 +132,13 @@ pub fn simulate(
     let mut simulated = Vec::with_capacity(questions.len());
     for (i, &(pressure_mpa, held)) in questions.iter().enumerate() {
         progress.report(i, questions.len());
-        if progress.cancelled() {
-            return Err(Problem::cancelled());
-        }
+        progress.check()?;
         let given = match held {
             Held::Contraction(contraction) => Given::at(pressure_mpa, contraction),
             Held::Force(force_n) => Given::PressureAndPull { pressure_mpa, force_n },
         };
         let solution = simulation.solve(workspace, given);
-        budget.ended()?;
+        cancel::check()?;
         if let (Ok(solution), Some(shapes)) = (&solution, &mut shapes) {
             let shape = meshed.shape(workspace, &ends, &solution.response, shapes.extent())?;
             shapes.add(shape, &solution.response)?;
@@ -153,7 +151,7 @@ pub fn simulate(
     let figure = figure.map(|unit| figure::simulate(&summary, request.test, &simulated, unit));
     let pulling = simulated.iter().filter(|s| !s.slack).filter_map(|s| s.solution.as_ref().ok());
     let mut warnings = warnings::of_responses(&muscle, pulling.map(|s| &s.response));
-    let found = burst_of(&model, &*simulation, &budget)?;
+    let found = burst_of(&model, &*simulation)?;
     let highest_mpa = questions.iter().map(|q| q.0).fold(0.0, f64::max);
     put_first(&mut warnings, said_of(&found, highest_mpa, QUIET_MPA));
     Ok(SimulateAnswer {

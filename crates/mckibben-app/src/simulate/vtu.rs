@@ -5,9 +5,9 @@ use crate::build::BuiltFile;
 use crate::muscle::MuscleSummary;
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
-use mckibben::budget::{Budget, Resource};
 use mckibben::model::Response;
 use mckibben::progress::Progress;
+use mckibben::size;
 use mckibben_fem::output::{Extent, Shape, VtuFile, VtuSeries};
 
 /// The files of the points so far.
@@ -15,7 +15,6 @@ struct Kept {
     series: VtuSeries,
     files: Vec<BuiltFile>,
     bytes: usize,
-    budget: Budget,
 }
 
 impl Kept {
@@ -44,7 +43,7 @@ impl Shapes for Kept {
         // The list comes once, when all points are known.
         files.pop();
         self.bytes += files.iter().map(|file| file.text.len()).sum::<usize>();
-        self.budget.admit(Resource::Bytes, self.bytes as f64)?;
+        size::bytes("vtu", self.bytes as f64)?;
         self.files.extend(files.into_iter().map(Self::file));
         Ok(())
     }
@@ -63,7 +62,7 @@ pub(crate) fn with_files(
         return simulate(request, progress, None);
     }
     let series = VtuSeries::new("");
-    let mut kept = Kept { series, files: vec![], bytes: 0, budget: progress.budget() };
+    let mut kept = Kept { series, files: vec![], bytes: 0 };
     let mut answer = simulate(request, progress, Some(&mut kept))?;
     answer.files = vec![Kept::file(kept.series.list())];
     answer.files.append(&mut kept.files);

@@ -1,8 +1,8 @@
 //! Arrays of points.
 
-use mckibben::budget::Budget;
+use mckibben::cancel::Cancel;
 use mckibben::muscle::measures::{OUTER_DIAMETER, WALL};
-use mckibben::progress::{Progress, Silent};
+use mckibben::progress::Silent;
 use mckibben_app::{
     ArrayError, AskFields, BoundModel, ForceRequest, Many, ModelFields, MuscleFields, Pairs, PointQuantity,
     ProblemKind, Unanswered, force, with_parameters,
@@ -18,7 +18,7 @@ fn named(model: &str) -> ModelFields {
 }
 
 fn bound(model: &str) -> BoundModel {
-    BoundModel::new(&fields().resolve().unwrap(), &named(model), AskFields::default(), &Silent).unwrap()
+    BoundModel::new(&fields().resolve().unwrap(), &named(model), AskFields::default()).unwrap()
 }
 
 fn many(slopes: bool, parameters: Vec<Target>) -> Many {
@@ -76,7 +76,7 @@ fn derivatives_are_those_of_differences() {
         let value = mckibben_fit::identify::own_value(&muscle, of.parameter(name).unwrap()).unwrap();
         let at = |value: f64| {
             let other = with_parameters(&muscle, &[(name.into(), value)]).unwrap();
-            let of = BoundModel::new(&other, &named("fe"), AskFields::default(), &Silent).unwrap();
+            let of = BoundModel::new(&other, &named("fe"), AskFields::default()).unwrap();
             asked(&of, &many(false, vec![]), &[0.2], &[0.1]).unwrap()[0]
         };
         let by = (at(value * (1.0 + h)) - at(value * (1.0 - h))) / (2.0 * h * value);
@@ -107,17 +107,13 @@ fn the_first_point_without_an_answer_ends_the_work() {
 
 #[test]
 fn work_that_is_cancelled_says_so() {
-    struct Ended(Budget);
-    impl Progress for Ended {
-        fn budget(&self) -> Budget {
-            self.0.clone()
-        }
-    }
-    let ended = Ended(Budget::default());
-    ended.0.cancel();
+    let cancel = Cancel::default();
+    cancel.cancel();
+    let _entered = cancel.enter();
     let (p, e) = (vec![0.2; 100], vec![0.1; 100]);
     for model in ["fe", "universal"] {
-        let found = bound(model).fill(&Pairs::Lists([&p, &e]), &many(false, vec![]), &mut [0.0; 100], &ended);
+        let found =
+            bound(model).fill(&Pairs::Lists([&p, &e]), &many(false, vec![]), &mut [0.0; 100], &Silent);
         assert_eq!(found.unwrap_err().problem.kind, ProblemKind::Cancelled);
     }
 }

@@ -1,7 +1,7 @@
-//! Whether a plan fits into a budget, and how many of its points are computed in a second.
+//! Whether a plan fits into memory.
 
 use super::plan::Plan;
-use mckibben::budget::{Budget, Limits, Resource};
+use mckibben::size::TooLarge;
 use mckibben_fem::FemError;
 use mckibben_fem::elements::Elements;
 
@@ -28,19 +28,14 @@ impl Plan {
         }
     }
 
-    /// Refuses what does not fit into a budget: points where their number is limited further than that of those that are held at once, and
-    /// the meshes of some of the muscles.
-    pub fn admit(&self, budget: &Budget) -> Result<(), FemError> {
-        if budget.limits().points < Limits::default().points {
-            let points = self.muscles() as f64 * self.points_per_muscle() as f64;
-            budget.admit(Resource::Points, points)?;
-        }
+    /// Refuses meshes that do not fit into memory, of some of the muscles.
+    pub fn admit(&self) -> Result<(), TooLarge> {
         let step = (self.muscles() / LOOKED_AT).max(1);
         for number in (0..LOOKED_AT.min(self.muscles())).map(|i| i * step) {
             let Ok(muscle) = self.inputs(number).muscle() else { continue };
             // What is no mesh is a row without an answer.
-            if let Err(FemError::Exceeded(exceeded)) = self.testing().elements.admit(&muscle, budget) {
-                return Err(exceeded.into());
+            if let Err(FemError::Large(large)) = self.testing().elements.admit(&muscle) {
+                return Err(large);
             }
         }
         Ok(())

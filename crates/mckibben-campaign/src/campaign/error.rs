@@ -1,5 +1,6 @@
 //! Why a campaign does not run, or a store cannot be read.
 
+use mckibben::cancel::Cancelled;
 use mckibben::threads::ThreadsError;
 #[cfg(feature = "store")]
 use std::path::Path;
@@ -126,8 +127,8 @@ pub enum CampaignError {
     #[error("cannot write the table: {0}")]
     Encode(String),
     /// The caller wanted it to end.
-    #[error("the campaign was stopped before its end")]
-    Stopped,
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// No threads to be had.
     #[error(transparent)]
     Threads(#[from] ThreadsError),

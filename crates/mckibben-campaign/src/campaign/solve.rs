@@ -3,6 +3,7 @@
 use super::CampaignError;
 use super::plan::{Inputs, Plan, constants, rounded};
 use crate::PointRow;
+use mckibben::cancel::Cancelled;
 use mckibben::model::Workspace;
 use mckibben::progress::{Progress, Silent};
 use mckibben::status::Status;
@@ -15,19 +16,16 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// All rows of a plan, in its order and in memory: for plans of a moderate size, and where there are no files.
 pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<PointRow>, CampaignError> {
     let (done, total) = (AtomicUsize::new(0), plan.muscles() as usize);
-    let one = |&number: &u64| {
-        if progress.cancelled() {
-            return Err(CampaignError::Stopped);
-        }
+    let one = |&number: &u64| -> Result<Vec<PointRow>, Cancelled> {
+        progress.check()?;
         let rows = rows(plan, number);
-        if progress.cancelled() {
-            return Err(CampaignError::Stopped);
-        }
+        progress.check()?;
         progress.report(done.fetch_add(1, Ordering::Relaxed) + 1, total);
         Ok(rows)
     };
     let numbers: Vec<u64> = (0..plan.muscles()).collect();
-    let all: Vec<Vec<PointRow>> = threads::map(&numbers, one).into_iter().collect::<Result<_, _>>()?;
+    let all: Vec<Vec<PointRow>> =
+        threads::map(&numbers, one).into_iter().collect::<Result<_, Cancelled>>()?;
     Ok(all.concat())
 }
 

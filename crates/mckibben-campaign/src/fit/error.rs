@@ -1,5 +1,6 @@
 //! Why a table gives no formula.
 
+use mckibben::cancel::Cancelled;
 use thiserror::Error;
 
 /// Why a table gives no formula.
@@ -51,8 +52,8 @@ pub enum FitError {
         wall_mm: f64,
     },
     /// The caller wanted it to end.
-    #[error("the fit was stopped before its end")]
-    Stopped,
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// Least squares without a finite answer.
     #[error("least squares have no finite answer for {0}")]
     Singular(String),

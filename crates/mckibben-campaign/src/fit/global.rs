@@ -15,7 +15,7 @@
 use super::data::{FULL_PRESSURE, FitPoint, distinct, same};
 use super::error::FitError;
 use super::errors::{Compared, compared};
-use mckibben::budget::Budget;
+use mckibben::cancel;
 use mckibben::formula::{GlobalTerms, Scales, Term};
 use nalgebra::{DMatrix, DVector};
 
@@ -101,7 +101,7 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit, FitError> {
 }
 
 fn ended() -> Result<(), FitError> {
-    Budget::current().check().map_err(|_| FitError::Stopped)
+    Ok(cancel::check()?)
 }
 
 /// All products of powers that the values in the table can tell apart.
@@ -144,10 +144,9 @@ fn select(problem: &Problem) -> Vec<usize> {
     let (mut rest, all) = (problem.values.clone(), problem.values.norm_squared());
     let mut free: Vec<usize> = (0..columns.len()).collect();
     let mut chosen = vec![];
-    let budget = Budget::current();
     while chosen.len() < MOST_TERMS.min(problem.values.len())
         && rest.norm_squared() > MET * all
-        && budget.check().is_ok()
+        && cancel::check().is_ok()
     {
         let gain = |&j: &usize| {
             let square = columns[j].norm_squared();

@@ -213,7 +213,7 @@ fn parabolas(d: f64, lines: &[LineFit]) -> Result<WallFit, FitError> {
         let points: Vec<(f64, f64)> = lines.iter().map(|l| (l.wall_mm, l.lines[k].coefficients[j])).collect();
         fit::<3>(&points).ok_or_else(|| FitError::Singular(place()))
     };
-    let pair = |k| Ok([of(k, 0)?, of(k, 1)?]);
+    let pair = |k| Ok::<_, FitError>([of(k, 0)?, of(k, 1)?]);
     Ok(WallFit { outer_diameter_mm: d, parabolas: [pair(0)?, pair(1)?, pair(2)?] })
 }
 

@@ -83,7 +83,7 @@ pub fn results(progress: &dyn Progress) -> Result<Results, FitError> {
     let published = Coefficients::published();
     let step = |done: usize| {
         progress.report(done, STEPS);
-        if progress.cancelled() { Err(FitError::Stopped) } else { Ok(()) }
+        progress.check()
     };
     step(0)?;
     let mut out = Findings(vec![]);

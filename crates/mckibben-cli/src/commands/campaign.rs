@@ -10,7 +10,7 @@ use crate::flags::OverwriteOrForceFlag;
 use crate::format::Format;
 use crate::output::text::{number, place};
 use crate::output::{Target, emit, json, show as print, warn};
-use crate::progress::{self, Bar, INTERRUPTED, stopped};
+use crate::progress::{Bar, INTERRUPTED};
 use clap::{Args, Subcommand};
 use mckibben::progress::Progress;
 use mckibben_app::{CampaignMergeRequest, CampaignRequest, ProblemKind, campaign_merge};
@@ -129,7 +129,6 @@ fn plan(args: &CampaignRunArgs, format: Format) -> Result<u8, Failure> {
         overwrite: args.replace.overwrite,
     };
     let outcome = mckibben_app::campaign(&request, &bar)?;
-    let ended = progress::ended();
     let interrupted = bar.cancelled() && !outcome.complete;
     drop(bar);
     for file in &outcome.recomputed {
@@ -142,9 +141,6 @@ fn plan(args: &CampaignRunArgs, format: Format) -> Result<u8, Failure> {
             Format::Text | Format::Csv => as_text(&outcome, from.elapsed()),
         };
         emit(clean::lines(&out).as_bytes(), None)?;
-    }
-    if interrupted && !stopped() {
-        ended?;
     }
     let c = outcome.counts;
     Ok(if interrupted {

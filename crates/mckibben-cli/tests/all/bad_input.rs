@@ -198,7 +198,7 @@ const FLAGS: &[Case] = &[
     ("a step without range", "curve isobaric -p 0.2:0.1", 2, "range", "low..high:step"),
     ("a thousand million points", "curve isobaric -p 0..1:1e-9", 2, "range", "1.000e9 points"),
     ("points without end", "curve isobaric -p 0..1:1e-300", 2, "range", "take a larger step"),
-    ("many times many", "curve isobaric -p 0..0.25:1e-5 -e 0..0.2:1e-5", 2, "budget", "larger steps"),
+    ("many times many", "curve isobaric -p 0..0.25:1e-5 -e 0..0.2:1e-5", 2, "range", "larger steps"),
     ("NaN in a range", "curve isobaric -p 0..NaN", 2, "quantity", "not a finite number"),
     ("mixed units", "curve isobaric -p 1bar,2,3bar", 2, "range", "put one unit after the last"),
     ("a wrong unit in a range", "curve isobaric -p 0..3:1mm", 2, "quantity", "a length"),

@@ -105,7 +105,7 @@ fn what_no_joint_or_load_can_do_is_an_error_with_its_words() {
             "N m/rad",
         ),
         ("joint examples/elbow.toml --stiffness 5".into(), 2, "usage", "--angle"),
-        ("joint examples/elbow.toml --map 60000 --model universal".into(), 2, "budget", "points"),
+        ("joint examples/elbow.toml --map 60000 --model universal".into(), 2, "range", "points"),
         (
             "joint examples/elbow.toml --map 5 --max-pressure 40bar --model universal".into(),
             2,

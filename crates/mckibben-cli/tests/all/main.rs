@@ -3,10 +3,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod bad_input;
-mod budget;
 mod build;
 mod burst;
 mod campaign;
+mod cancelled;
 mod check;
 mod common;
 mod contract;

@@ -97,7 +97,7 @@ fn what_does_not_move_is_an_error_with_its_words() {
         (format!("{head}{valve}{tail}"), 2, "file", "[load]"),
         (format!("{head}[load]\nmass = '5 kg'\n{tail}"), 2, "file", "[regulator]"),
         (format!("{head}{valve}[load]\nmass = '5 kg'\n[command]\npressure = [['1 s', '1 bar'], ['0 s', '2 bar']]\nuntil = '1 s'\n"), 2, "file", "must increase"),
-        (format!("{head}{valve}[load]\nmass = '5 kg'\n[command]\npressure = '2 bar'\nuntil = '1e9 s'\noutput_step = '1 ms'\n"), 2, "budget", "points"),
+        (format!("{head}{valve}[load]\nmass = '5 kg'\n[command]\npressure = '2 bar'\nuntil = '1e9 s'\noutput_step = '1 ms'\n"), 2, "range", "points"),
         ("muscle = 'nowhere.toml'\n[valve]\nname = 'festo-mh2'\n[command]\npressure = '2 bar'\nuntil = '1 s'\n".into(), 2, "file", "nowhere"),
     ] {
         let path = dir.path().join("drive.toml");

@@ -6,7 +6,6 @@ mod files;
 mod form;
 mod refused;
 
-use mckibben::budget::Budget;
 use mckibben::model::ForceModel;
 use mckibben::muscle::Muscle;
 use mckibben_export::{ExportError, ExportedMuscle, Wanted};
@@ -22,5 +21,5 @@ pub fn fe(muscle: &Muscle) -> Box<dyn ForceModel> {
 pub fn exported(muscle: &Muscle, supply_mpa: f64) -> Result<ExportedMuscle, ExportError> {
     let model = fe(muscle);
     let wanted = Wanted { supply_mpa, contraction_low: Wanted::LOW, contraction_high: None };
-    ExportedMuscle::fit(&*model, "prototype", wanted, &Budget::default())
+    ExportedMuscle::fit(&*model, "prototype", wanted)
 }

@@ -1,6 +1,5 @@
 //! Models that cannot be exported: each is refused with its numbers and what to do.
 
-use mckibben::budget::Budget;
 use mckibben::model::{ForceModel, Ideal, ModelError, ModelInfo, Response, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben_export::{ExportError, ExportedMuscle, Wanted};
@@ -23,7 +22,7 @@ impl ForceModel for Changed {
 /// Why the changed muscle is refused.
 fn refused(change: fn(&mut Response), wanted: Wanted) -> ExportError {
     let model = Changed(Ideal::new(&Muscle::prototype()), change);
-    ExportedMuscle::fit(&model, "changed", wanted, &Budget::default()).unwrap_err()
+    ExportedMuscle::fit(&model, "changed", wanted).unwrap_err()
 }
 
 const WANTED: Wanted = Wanted { supply_mpa: 0.25, contraction_low: Wanted::LOW, contraction_high: None };

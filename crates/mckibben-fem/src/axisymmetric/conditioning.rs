@@ -36,7 +36,7 @@ impl Memory {
     ) -> Result<Option<Self>, FemError> {
         let Some((softening, pressure_mpa)) = muscle.rubber().conditioned() else { return Ok(None) };
         let failed = |error| match error {
-            FemError::Exceeded(_) => error,
+            FemError::Cancelled(_) => error,
             error => FemError::Conditioning { pressure_mpa, reason: Box::new(error) },
         };
         let mut memory = Self::new(softening, d);

@@ -123,12 +123,9 @@ impl Discretised for Axisymmetric {
     type Body = Body;
 
     fn continuation<'w>(&self, workspace: &'w mut Workspace) -> Result<&'w mut Continuation<Body>, FemError> {
-        let budget = workspace.budget().clone();
-        let c = workspace.of(&self.id, || {
+        Ok(workspace.of(&self.id, || {
             Continuation::new(Body::of_muscle(self.discretisation.clone(), self.thick_wall.clone()))
-        });
-        c.budget = budget;
-        Ok(c)
+        }))
     }
 
     fn known<'w>(&self, workspace: &'w Workspace) -> Option<&'w Continuation<Body>> {

@@ -3,7 +3,6 @@
 use super::model::Axisymmetric;
 use crate::FemError;
 use crate::simulation::Discretised;
-use mckibben::budget::Exceeded;
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::progress::Progress;
@@ -129,14 +128,12 @@ pub fn case(seed: u64, index: usize) -> Option<SweepCase> {
 /// contraction up to 95 % of the ideal maximum.
 ///
 /// # Errors
-/// [`FemError::Exceeded`] where the caller wanted it to end.
+/// [`FemError::Cancelled`] where the caller wanted it to end.
 pub fn sweep(n: usize, seed: u64, progress: &dyn Progress) -> Result<Sweep, FemError> {
     let mut rows = Vec::with_capacity(n);
     for i in 0..n {
         progress.report(i, n);
-        if progress.cancelled() {
-            return Err(FemError::Exceeded(Exceeded::Cancelled));
-        }
+        progress.check()?;
         rows.extend(question(seed, i));
     }
     progress.report(n, n);

@@ -2,7 +2,6 @@
 
 use super::newton::{NewtonOptions, NewtonSystem};
 use crate::error::FemError;
-use mckibben::budget::Budget;
 use std::f64::consts::PI;
 
 /// The state of a body: unknowns, variables that are carried along, and the loads under which it stands.
@@ -165,9 +164,6 @@ pub trait Body: NewtonSystem {
 
     /// Says what the next solve holds.
     fn hold(&mut self, control: Control);
-
-    /// Takes the budget of the request, for a body whose tangent takes long: it looks at it inside of a factorisation.
-    fn spend_from(&mut self, _budget: &Budget) {}
 
     /// Half the length at rest in mm.
     fn half_length(&self) -> f64;

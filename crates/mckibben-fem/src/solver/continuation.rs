@@ -19,7 +19,7 @@ use super::descent::Descent;
 use super::newton::{self, Effort, NewtonOptions, Stopped};
 use super::trail::{Along, Trail};
 use crate::error::FemError;
-use mckibben::budget::Budget;
+use mckibben::cancel;
 use mckibben::status::Status;
 
 /// Strands are taut at this multiple of the pressure at which the muscle is expected to begin to pull.
@@ -66,8 +66,6 @@ pub struct Continuation<B: Body> {
     pub newton: NewtonOptions,
     /// Cost so far.
     pub effort: Effort,
-    /// What the request may cost.
-    pub budget: Budget,
     /// Where the present question's factorisations are counted from, and how many it may cost.
     allowed: Option<(usize, usize)>,
     kept: Vec<State>,
@@ -91,7 +89,6 @@ impl<B: Body> Continuation<B> {
             body,
             newton: B::SETTINGS.newton,
             effort: Effort::default(),
-            budget: Budget::current(),
             allowed: None,
             kept: Vec::with_capacity(B::SETTINGS.kept),
             oldest: 0,
@@ -170,8 +167,8 @@ impl<B: Body> Continuation<B> {
 
     /// The same, and under a held pull also that a longer muscle pulls harder.
     pub fn stable_under(&mut self, control: Control) -> bool {
-        // A stiffness that the budget did not leave time for is none.
-        let stiff = |c: &mut Self| c.body.terminal_stiffness() > 0.0 && c.budget.check().is_ok();
+        // A stiffness of cancelled work is none.
+        let stiff = |c: &mut Self| c.body.terminal_stiffness() > 0.0 && cancel::check().is_ok();
         self.stable() && (!matches!(control, Control::Force(_)) || stiff(self))
     }
 
@@ -195,7 +192,7 @@ impl<B: Body> Continuation<B> {
 
     fn solve_by(&mut self, control: Control, mut options: NewtonOptions) -> Result<(), Stopped> {
         // Of what is to end, not even the first tangent is assembled: a search tries many ways before it gives up.
-        self.budget.check()?;
+        cancel::check()?;
         if let Some((start, budget)) = self.allowed {
             let factorisations = self.effort.factorisations - start;
             if factorisations >= budget {
@@ -204,7 +201,7 @@ impl<B: Body> Continuation<B> {
             options.factorisations = budget - factorisations;
         }
         self.body.hold(control);
-        newton::solve(&mut self.body, &options, &mut self.effort, |_| Ok(self.budget.factorise()?))
+        newton::solve(&mut self.body, &options, &mut self.effort, |_| Ok(cancel::check()?))
     }
 
     /// Finds the equilibrium at a pressure in MPa and a contraction.
@@ -285,8 +282,8 @@ impl<B: Body> Continuation<B> {
         self.allow(None);
         self.steps = None;
         found.map_err(|(Interrupted { reason, last }, other_n)| {
-            if let Stopped::Exceeded(exceeded) = reason {
-                return FemError::Exceeded(exceeded);
+            if let Stopped::Cancelled(cancelled) = reason {
+                return FemError::Cancelled(cancelled);
             }
             let pulls = self.body.expected_pull(pressure_mpa, contraction).is_some_and(|force| force > 0.0);
             let status = match other_n {

@@ -7,7 +7,7 @@ use super::newton::Effort;
 use super::trail::Along;
 use crate::error::FemError;
 use crate::results::Sensitivity;
-use mckibben::budget::Exceeded;
+use mckibben::cancel::Cancelled;
 use mckibben::model::Response;
 use mckibben::progress::Progress;
 
@@ -119,7 +119,7 @@ pub(crate) fn run<B: Body>(
     complete: impl Fn(&mut Continuation<B>, &mut CurvePoint) -> Result<(), FemError>,
 ) -> Curve {
     let order = test.order(values);
-    let mut out: Curve = vec![Err(FemError::Exceeded(Exceeded::Cancelled)); values.len()];
+    let mut out: Curve = vec![Err(FemError::Cancelled(Cancelled)); values.len()];
     let mut running = false;
     for (turn, &i) in order.iter().enumerate() {
         if progress.cancelled() {

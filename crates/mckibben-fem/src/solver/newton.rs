@@ -4,7 +4,7 @@
 //! alone, and where a little is left the old tangent corrects once more. Nothing is allocated.
 
 use super::Singular;
-use mckibben::budget::Exceeded;
+use mckibben::cancel::Cancelled;
 use thiserror::Error;
 
 /// A system of equations at its present iterate.
@@ -65,9 +65,9 @@ pub enum Stopped {
         /// Factorisations done.
         factorisations: usize,
     },
-    /// The budget of the request is used up, or it was cancelled.
+    /// The caller wanted the work to end.
     #[error(transparent)]
-    Exceeded(#[from] Exceeded),
+    Cancelled(#[from] Cancelled),
     /// Corrections beyond any sense.
     #[error("the iteration for the deformed shape diverged")]
     Diverged {
@@ -79,7 +79,7 @@ pub enum Stopped {
 impl Stopped {
     /// Whether further attempts are useless: the allowed work is done.
     pub fn is_final(&self) -> bool {
-        matches!(self, Self::Budget { .. } | Self::Exceeded(_))
+        matches!(self, Self::Budget { .. } | Self::Cancelled(_))
     }
 }
 

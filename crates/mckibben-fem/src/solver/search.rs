@@ -6,6 +6,7 @@ use super::body::{Body, Control};
 use super::continuation::{Continuation, Interrupted, LARGEST_CONTRACTION};
 use super::newton::Stopped;
 use crate::error::FemError;
+use mckibben::cancel;
 
 /// Single equilibria on the way to a given pull.
 const SEARCH_STEPS: usize = 12;
@@ -31,7 +32,7 @@ impl<B: Body> Continuation<B> {
         let mut refused = FemError::Force { force_n: force, reason: NOT_FOUND };
         for _ in 0..SEARCH_STEPS {
             if let Err(error) = self.reach(pressure, contraction) {
-                self.budget.ended()?;
+                cancel::check()?;
                 // Too far: where a muscle would push there may be no equilibrium. Its pulling ones lie nearer to rest.
                 refused = error;
                 contraction *= NEARER;
@@ -67,7 +68,7 @@ impl<B: Body> Continuation<B> {
         let mut with = None;
         for _ in 0..SEARCH_STEPS {
             if let Err(error) = self.reach(pressure, contraction) {
-                self.budget.ended()?;
+                cancel::check()?;
                 refused = error;
                 without = without.max(pressure);
                 pressure = with.map_or(pressure.abs() / NEARER + scale, |p: f64| 0.5 * (p + pressure));

@@ -12,7 +12,6 @@ use super::substitution::Factor;
 use super::supernodal::{Ended, Lower, Numeric};
 use super::symbolic::Symbolic;
 use crate::element::lanes::Width;
-use mckibben::budget::Budget;
 use std::sync::Arc;
 use thiserror::Error;
 
@@ -88,16 +87,16 @@ impl SparseCholesky {
         (0..s.count()).flat_map(column).sum()
     }
 
-    /// Factorises the lower half of a matrix with the pattern, as long as the budget allows it.
+    /// Factorises the lower half of a matrix with the pattern.
     ///
     /// # Errors
-    /// [`Stopped::Singular`] where a pivot is zero or no number, [`Stopped::Exceeded`].
-    pub fn factorise(&mut self, values: &[f64], budget: &Budget) -> Result<(), Stopped> {
+    /// [`Stopped::Singular`] where a pivot is zero or no number, [`Stopped::Cancelled`].
+    pub fn factorise(&mut self, values: &[f64]) -> Result<(), Stopped> {
         let Analysis { pattern, symbolic } = &*self.analysis;
         let lower = Lower { columns: &pattern.columns, rows: &pattern.rows, values };
         (self.negative, self.form) = (0, None);
         for form in [Form::Positive, Form::Indefinite] {
-            match self.numeric.factorise(form, symbolic, lower, &mut self.factor, &|| budget.check()) {
+            match self.numeric.factorise(form, symbolic, lower, &mut self.factor) {
                 Ok(()) => {
                     self.form = Some(form);
                     if form == Form::Indefinite {
@@ -105,7 +104,7 @@ impl SparseCholesky {
                     }
                     return Ok(());
                 }
-                Err(Ended::Exceeded(exceeded)) => return Err(exceeded.into()),
+                Err(Ended::Cancelled(cancelled)) => return Err(cancelled.into()),
                 Err(Ended::Pivot { supernode: block, pivot }) if form == Form::Indefinite => {
                     return Err(Singular { block, pivot }.into());
                 }

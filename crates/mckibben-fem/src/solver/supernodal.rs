@@ -8,7 +8,7 @@ use super::kernel::{Kernel, Matrix, Shape};
 use super::panel::Panel;
 use super::symbolic::Symbolic;
 use crate::element::lanes::Width;
-use mckibben::budget::Exceeded;
+use mckibben::cancel::{self, Cancelled};
 use std::ops::Range;
 
 /// Columns, rows and depth of a product: 10⁹ operations, some tenths of a second at the most.
@@ -33,8 +33,8 @@ pub(super) struct Lower<'a> {
 pub(super) enum Ended {
     /// A pivot that is not positive (L Lᵀ) or zero.
     Pivot { supernode: usize, pivot: usize },
-    /// The budget is used up.
-    Exceeded(Exceeded),
+    /// The caller wanted the work to end.
+    Cancelled(Cancelled),
 }
 
 /// Memory of a factorisation.
@@ -62,14 +62,12 @@ impl Numeric {
     }
 
     /// Fills `factor`, supernode after supernode: its memory comes as it is needed, since zeros for all of it take a second and more.
-    /// `go_on` is asked after every piece of work.
     pub fn factorise(
         &mut self,
         form: Form,
         s: &Symbolic,
         lower: Lower<'_>,
         factor: &mut Vec<f64>,
-        go_on: &dyn Fn() -> Result<(), Exceeded>,
     ) -> Result<(), Ended> {
         factor.clear();
         for i in 0..s.count() {
@@ -77,7 +75,7 @@ impl Numeric {
             let all = columns.clone().chain(s.below(i).iter().map(|r| *r as usize));
             all.enumerate().for_each(|(k, row)| self.local[row] = k as u32);
             factor.resize(s.values(i).end, 0.0);
-            self.worked(columns.len() * height, go_on)?;
+            self.worked(columns.len() * height)?;
             let (head, own) = factor.split_at_mut(s.values(i).start);
             for (j, column) in columns.clone().zip(own.chunks_exact_mut(height)) {
                 for k in lower.columns[j] as usize..lower.columns[j + 1] as usize {
@@ -90,9 +88,9 @@ impl Numeric {
                 let first = rows.partition_point(|r| (*r as usize) < columns.start);
                 let inside = first + rows[first..].partition_point(|r| (*r as usize) < columns.end);
                 let from = (&head[s.values(d)], s.columns(d).len());
-                self.take_off(form, from, (rows, first..inside), (own, height), go_on)?;
+                self.take_off(form, from, (rows, first..inside), (own, height))?;
             }
-            self.eliminate(form, (own, height, columns.len()), go_on).map_err(|ended| match ended {
+            self.eliminate(form, (own, height, columns.len())).map_err(|ended| match ended {
                 Ended::Pivot { pivot, .. } => Ended::Pivot { supernode: i, pivot },
                 ended => ended,
             })?;
@@ -100,11 +98,11 @@ impl Numeric {
         Ok(())
     }
 
-    fn worked(&mut self, work: usize, go_on: &dyn Fn() -> Result<(), Exceeded>) -> Result<(), Ended> {
+    fn worked(&mut self, work: usize) -> Result<(), Ended> {
         self.work += work;
         if self.work > PIECE {
             self.work = 0;
-            go_on().map_err(Ended::Exceeded)?;
+            cancel::check().map_err(Ended::Cancelled)?;
         }
         Ok(())
     }
@@ -116,7 +114,6 @@ impl Numeric {
         (from, wide): (&[f64], usize),
         (names, inside): (&[u32], Range<usize>),
         (own, height): (&mut [f64], usize),
-        go_on: &dyn Fn() -> Result<(), Exceeded>,
     ) -> Result<(), Ended> {
         let stride = wide + names.len();
         let part = |row: usize, column: usize| Matrix { values: &from[column * stride + row..], stride };
@@ -133,7 +130,7 @@ impl Numeric {
                     let (keep, depth) = (depth.start > 0, depth.len());
                     let shape = Shape { rows: size, columns: count, depth, keep, lower };
                     self.kernel.product((&mut self.product, size), left, right, d, shape);
-                    self.worked(count * size * depth, go_on)?;
+                    self.worked(count * size * depth)?;
                 }
                 self.places.clear();
                 self.places.extend(names[rows.clone()].iter().map(|r| self.local[*r as usize]));
@@ -154,7 +151,6 @@ impl Numeric {
         &mut self,
         form: Form,
         (own, height, width): (&mut [f64], usize, usize),
-        go_on: &dyn Fn() -> Result<(), Exceeded>,
     ) -> Result<(), Ended> {
         for columns in pieces(0..width, COLUMNS) {
             let (first, count) = (columns.start, columns.len());
@@ -169,7 +165,7 @@ impl Numeric {
                     let (size, depth, lower) = (rows.len(), depth.len(), rows.start == first);
                     let shape = Shape { rows: size, columns: count, depth, keep: true, lower };
                     self.kernel.product((&mut own[rows.start..], height), left, right, d, shape);
-                    self.worked(count * size * depth, go_on)?;
+                    self.worked(count * size * depth)?;
                 }
             }
             let mut panel = Panel { form, values: &mut own[first..], stride: height, count };
@@ -179,7 +175,7 @@ impl Numeric {
                 let work = count * count * rows.len();
                 let pivot = |index: usize| Ended::Pivot { supernode: 0, pivot: first + index };
                 panel.factorise(&mut self.kernel, rows).map_err(pivot)?;
-                self.worked(work, go_on)?;
+                self.worked(work)?;
             }
         }
         Ok(())
@@ -192,7 +188,7 @@ mod tests {
     use super::super::sparse::{Analysis, Pattern, SparseCholesky};
     use super::Symbolic;
     use crate::element::lanes::tests::each_width;
-    use mckibben::budget::{Budget, Exceeded};
+    use mckibben::cancel::{Cancel, Cancelled};
     use mckibben::random::Random;
     use nalgebra::{DMatrix, DVector};
     use std::sync::Arc;
@@ -215,12 +211,9 @@ mod tests {
         (Pattern { columns, rows }, values)
     }
 
-    fn factorised(
-        (pattern, values): &(Pattern, Vec<f64>),
-        budget: &Budget,
-    ) -> Result<SparseCholesky, Stopped> {
+    fn factorised((pattern, values): &(Pattern, Vec<f64>)) -> Result<SparseCholesky, Stopped> {
         let mut cholesky = SparseCholesky::new(Arc::new(Analysis::new(pattern.clone()).unwrap())).unwrap();
-        cholesky.factorise(values, budget).map(|()| cholesky)
+        cholesky.factorise(values).map(|()| cholesky)
     }
 
     /// K x for a known x gives x back, and by Sylvester's law a dominant matrix has as many negative pivots as negative diagonal entries.
@@ -229,7 +222,7 @@ mod tests {
         for (blocks, last, negative) in [(5, 20, 0), (4, 700, 0), (5, 20, 7), (4, 700, 7)] {
             let of = matrix(blocks, last, negative);
             let (pattern, values) = &of;
-            let mut cholesky = factorised(&of, &Budget::default()).unwrap();
+            let mut cholesky = factorised(&of).unwrap();
             let n = pattern.dimension();
             let wanted: Vec<f64> = (0..n).map(|i| (i as f64).sin()).collect();
             let mut b = vec![0.0; n];
@@ -251,14 +244,15 @@ mod tests {
         }
     }
 
-    /// Some 10⁸ multiplications are asked more than once whether to go on; a budget that is used up ends them.
+    /// Some 10⁸ multiplications look at the flag more than once.
     #[test]
-    fn a_factorisation_ends_where_its_budget_does() {
+    fn a_factorisation_that_is_cancelled_ends() {
         let of = matrix(4, 700, 0);
-        let budget = Budget::default();
-        assert!(factorised(&of, &budget).is_ok());
-        budget.cancel();
-        assert_eq!(factorised(&of, &budget).unwrap_err(), Stopped::Exceeded(Exceeded::Cancelled));
+        assert!(factorised(&of).is_ok());
+        let cancel = Cancel::default();
+        cancel.cancel();
+        let _entered = cancel.enter();
+        assert_eq!(factorised(&of).unwrap_err(), Stopped::Cancelled(Cancelled));
     }
 
     /// The lower half of a matrix where `meets(i, j)` says so; the diagonal dominates, its sign by row.
@@ -309,7 +303,7 @@ mod tests {
             let wanted = full.clone().lu().solve(&b).unwrap();
             let negative = full.symmetric_eigenvalues().iter().filter(|x| **x < 0.0).count();
             each_width(|width| {
-                let mut cholesky = factorised(&of, &Budget::default()).unwrap();
+                let mut cholesky = factorised(&of).unwrap();
                 let mut x = b.as_slice().to_vec();
                 cholesky.solve(&mut x);
                 let off = x.iter().zip(&wanted).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
@@ -326,8 +320,7 @@ mod tests {
         for value in [0.0, f64::NAN] {
             let mut values = values.clone();
             values[pattern.columns[33] as usize] = value;
-            let Err(Stopped::Singular(at)) = factorised(&(pattern.clone(), values), &Budget::default())
-            else {
+            let Err(Stopped::Singular(at)) = factorised(&(pattern.clone(), values)) else {
                 panic!("a pivot of {value}");
             };
             let s = Symbolic::of(&pattern).unwrap();

@@ -15,10 +15,10 @@ use crate::element::truss::Truss;
 use crate::load::cavity_faces::{FacePoint, points4, points9, skew, volume};
 use crate::solver::body::{State, Totals};
 use crate::solver::newton::Stopped;
-use mckibben::budget::Budget;
+use mckibben::cancel;
 use std::ops::Range;
 
-/// Bricks between two looks at the budget: some tenths of a second at the most. A multiple of all widths of lanes.
+/// Bricks between two looks at the flag that ends work: some tenths of a second at the most. A multiple of all widths of lanes.
 const PIECE: usize = 1024;
 
 /// What an assembly fills.
@@ -66,7 +66,6 @@ pub fn assemble<const TANGENT: bool>(
     d: &Discretisation,
     s: &State,
     work: &mut Assembled,
-    budget: &Budget,
 ) -> Result<Totals, Stopped> {
     work.force.fill(0.0);
     work.cavity.fill(0.0);
@@ -77,7 +76,7 @@ pub fn assemble<const TANGENT: bool>(
     for m in &d.materials {
         let (start, end) = (m.bricks.start, m.bricks.end);
         for first in (start..end).step_by(PIECE) {
-            budget.check()?;
+            cancel::check()?;
             let of = (d, m, first..(first + PIECE).min(end));
             let inverted = with(&m.law, |law| bricks::<TANGENT>(of, s, law, work, &mut totals));
             if let Some((element, smallest_j)) = inverted {

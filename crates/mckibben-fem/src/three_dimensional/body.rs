@@ -12,7 +12,7 @@ use crate::FemError;
 use crate::solver::body::{Control, State, Totals};
 use crate::solver::newton::{NewtonSystem, Stopped};
 use crate::solver::sparse::SparseCholesky;
-use mckibben::budget::Budget;
+use mckibben::cancel;
 use std::sync::Arc;
 
 /// Tolerances of conjugate gradients: inside of Newton's method, and for derivatives.
@@ -39,8 +39,6 @@ pub struct Body {
     pub tolerance: f64,
     /// Back-substitutions so far.
     pub substitutions: usize,
-    /// What the request may cost: looked at inside of every assembly, factorisation and solution.
-    pub budget: Budget,
     cholesky: SparseCholesky,
     step: State,
 }
@@ -73,7 +71,6 @@ impl Body {
             totals: Totals::default(),
             tolerance: LOOSE,
             substitutions: 0,
-            budget: Budget::default(),
             cholesky,
             state,
             discretisation,
@@ -87,20 +84,19 @@ impl Body {
 
     /// Residual of the present state, without a tangent.
     pub fn evaluate(&mut self) -> Result<Totals, Stopped> {
-        self.totals =
-            assemble::<false>(&self.discretisation, &self.state, &mut self.assembled, &self.budget)?;
+        self.totals = assemble::<false>(&self.discretisation, &self.state, &mut self.assembled)?;
         Ok(self.totals)
     }
 
     /// Residual and tangent of the present state.
     pub fn assemble(&mut self) -> Result<Totals, Stopped> {
-        self.totals = assemble::<true>(&self.discretisation, &self.state, &mut self.assembled, &self.budget)?;
+        self.totals = assemble::<true>(&self.discretisation, &self.state, &mut self.assembled)?;
         Ok(self.totals)
     }
 
     /// Factorises the last assembled tangent.
     pub fn factorise_assembled(&mut self) -> Result<(), Stopped> {
-        self.cholesky.factorise(&self.assembled.values, &self.budget)
+        self.cholesky.factorise(&self.assembled.values)
     }
 
     /// Residual and factorised tangent of the present state.
@@ -121,8 +117,8 @@ impl Body {
         (&self.assembled.values[entries..entries + n], self.assembled.values[entries + n])
     }
 
-    /// The step that the last tangent predicts, and by how much ∂Π/∂w changes. Where the budget is used up on the way neither is right: who
-    /// makes an answer of them asks the budget afterwards.
+    /// The step that the last tangent predicts, and by how much ∂Π/∂w changes. Where the work is cancelled on the way neither is right: who
+    /// makes an answer of them looks at the flag afterwards.
     fn respond(&mut self, cause: Cause, out: &mut State, tolerance: f64) -> f64 {
         let d = &self.discretisation;
         let dw = match cause {
@@ -157,8 +153,7 @@ impl Body {
             out.u[i as usize] = dw;
         }
         let constraints = Constraints { d, assembled: &self.assembled };
-        let cholesky = (&mut self.cholesky, &self.budget);
-        self.substitutions += constraints.solve(cholesky, &mut b, &mut out.u, &mut dm, tolerance);
+        self.substitutions += constraints.solve(&mut self.cholesky, &mut b, &mut out.u, &mut dm, tolerance);
         gather(d, &out.u, &mut b);
         let (column, _) = self.terminal_column();
         let mut change = own * dw + dot(column, &b);
@@ -275,7 +270,7 @@ impl NewtonSystem for Body {
                 step.add((0.25 * force - reaction - change) / per, &unit);
             }
         }
-        self.budget.check()?;
+        cancel::check()?;
         self.state.add(1.0, &step);
         let largest = step.u.iter().fold(0.0_f64, |a, x| a.max(x.abs()));
         let size = largest / self.discretisation.radius;

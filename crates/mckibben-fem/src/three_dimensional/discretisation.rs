@@ -13,13 +13,13 @@ use crate::element::hexahedron::{points8, points27};
 use crate::element::lanes::Width;
 use crate::solver::body::State;
 use crate::solver::sparse::{Analysis, Pattern};
-use mckibben::budget::{Budget, Exceeded};
+use mckibben::cancel::{self, Cancelled};
 use mckibben::muscle::Bulk;
 use mckibben::rubber::{Law, RubberLaw};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Elements or unknowns between two looks at the budget.
+/// Elements or unknowns between two looks at the flag that ends work.
 const PIECE: usize = 4096;
 /// γ over the shear modulus: the share of the bulk modulus that is condensed; what is above it is iterated.
 const AUGMENT: f64 = 2000.0;
@@ -118,19 +118,18 @@ impl Discretisation {
     ///
     /// # Errors
     /// [`FemError::Element`] where an element is turned inside out at rest, [`FemError::TooLarge`] without enough memory,
-    /// [`FemError::Exceeded`] where the [budget](Budget::current) of this thread's work ends before.
+    /// [`FemError::Cancelled`] where the work is cancelled.
     pub fn new(problem: Problem) -> Result<Self, FemError> {
-        let budget = Budget::current();
         let (per_brick, count) = match problem.brick {
             Brick::Linear => (8, 1),
             Brick::Quadratic => (27, 4),
         };
         let connectivity: Vec<u32> = problem.bricks.concat();
-        let rest = rest_modes(&problem, count, &budget)?;
+        let rest = rest_modes(&problem, count)?;
         let (unknown, place, terminal) = number(&problem);
         let free = place.len();
-        let pattern = pattern(&problem, &unknown, free, &budget)?;
-        budget.check()?;
+        let pattern = pattern(&problem, &unknown, free)?;
+        cancel::check()?;
         let analysis = Analysis::new(pattern);
         let analysis = Arc::new(analysis.map_err(|e| FemError::TooLarge { unknowns: e.dimension })?);
         let shear = problem.law.shear_modulus_mpa();
@@ -176,8 +175,8 @@ impl Discretisation {
             width: Width::here(),
             problem,
         };
-        budget.check()?;
-        out.map(&budget)?;
+        cancel::check()?;
+        out.map()?;
         Ok(out)
     }
 
@@ -221,13 +220,13 @@ impl Discretisation {
         }
     }
 
-    fn map(&mut self, budget: &Budget) -> Result<(), Exceeded> {
+    fn map(&mut self) -> Result<(), Cancelled> {
         let nn = self.per_brick;
         let nothing = (self.pattern().entries() + self.free + 1) as u32;
         let mut map = Vec::with_capacity(self.bricks() * self.per_map());
         let mut twice = Vec::new();
         for (e, nodes) in self.problem.bricks.iter().enumerate() {
-            look(e, budget)?;
+            look(e)?;
             let start = map.len();
             for a in 0..nn {
                 let ua = self.unknown[nodes[a] as usize];
@@ -284,9 +283,9 @@ impl Discretisation {
     }
 }
 
-/// Looks at the budget now and then.
-fn look(number: usize, budget: &Budget) -> Result<(), Exceeded> {
-    if number.is_multiple_of(PIECE) { budget.check() } else { Ok(()) }
+/// Looks at the flag now and then.
+fn look(number: usize) -> Result<(), Cancelled> {
+    if number.is_multiple_of(PIECE) { cancel::check() } else { Ok(()) }
 }
 
 /// Forces that come of rounding places (some ulp of the greatest one): stiffness times area over height of a brick.
@@ -299,23 +298,22 @@ fn rounding(stiff: &[Material], rest: &[Modes], greatest: f64) -> f64 {
     stiff.iter().map(one).fold(0.0, f64::max)
 }
 
-fn rest_modes(problem: &Problem, count: usize, budget: &Budget) -> Result<Vec<Modes>, FemError> {
+fn rest_modes(problem: &Problem, count: usize) -> Result<Vec<Modes>, FemError> {
     fn all<const NN: usize>(
         problem: &Problem,
         points: &[crate::element::brick::ShapePoint<NN>],
         count: usize,
-        budget: &Budget,
     ) -> Result<Vec<Modes>, FemError> {
         let element = |(e, nodes): (usize, &Vec<u32>)| {
-            look(e, budget)?;
+            look(e)?;
             let places: [[f64; 3]; NN] = std::array::from_fn(|a| problem.rest(e, nodes[a]));
             modes(points, &places, count).ok_or(FemError::Element { element: e })
         };
         problem.bricks.iter().enumerate().map(element).collect()
     }
     match problem.brick {
-        Brick::Linear => all(problem, &points8(), count, budget),
-        Brick::Quadratic => all(problem, &points27(), count, budget),
+        Brick::Linear => all(problem, &points8(), count),
+        Brick::Quadratic => all(problem, &points27(), count),
     }
 }
 
@@ -349,15 +347,10 @@ fn number(problem: &Problem) -> (Vec<[u32; 3]>, Vec<u32>, Vec<u32>) {
 }
 
 /// The lower half: unknowns of a node meet those of every node with which it shares a brick or a strand.
-fn pattern(
-    problem: &Problem,
-    unknown: &[[u32; 3]],
-    free: usize,
-    budget: &Budget,
-) -> Result<Pattern, Exceeded> {
+fn pattern(problem: &Problem, unknown: &[[u32; 3]], free: usize) -> Result<Pattern, Cancelled> {
     let mut near: Vec<Vec<u32>> = vec![vec![]; problem.nodes.len()];
     for (e, nodes) in problem.bricks.iter().enumerate() {
-        look(e, budget)?;
+        look(e)?;
         for &a in nodes {
             near[a as usize].extend(nodes);
         }
@@ -369,7 +362,7 @@ fn pattern(
     let mut columns = vec![0u32; free + 1];
     let mut lists: Vec<Vec<u32>> = vec![vec![]; free];
     for (node, around) in near.iter_mut().enumerate() {
-        look(node, budget)?;
+        look(node)?;
         around.sort_unstable();
         around.dedup();
         for &c in unknown[node].iter().filter(|c| (**c as usize) < free) {

@@ -6,8 +6,8 @@
 
 use super::mesh::{Brick, BrickMesh, BrickSpec, Match};
 use crate::FemError;
-use mckibben::budget::Limits;
 use mckibben::muscle::Muscle;
+use mckibben::size::MAX_ELEMENTS;
 
 /// By how much the ideal blocked force of the mesh's angle may differ from that of the braid's.
 const MOST_OFF: f64 = 0.1;
@@ -35,7 +35,7 @@ impl BrickMesh {
         let affordable = |around: usize, along: usize| {
             let bricks = [through, around, along].map(|n| n as f64);
             let known = Self::check(&BrickSpec { along: Some(along), ..*spec }).is_ok();
-            known && bricks.iter().product::<f64>() <= Limits::default().elements
+            known && bricks.iter().product::<f64>() <= MAX_ELEMENTS
         };
         let fits = |around: usize, along: usize| {
             affordable(around, along) && stands_for(meshed(around, along), angle)

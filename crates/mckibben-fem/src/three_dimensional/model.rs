@@ -6,7 +6,6 @@ use super::muscle::{MuscleInBricks, MuscleMesh};
 use crate::FemError;
 use crate::axisymmetric::Axisymmetric;
 use crate::simulation::{Discretised, Given, MuscleBody, Simulation};
-use crate::solver::body::Body;
 use crate::solver::continuation::Continuation;
 use mckibben::model::{
     Accuracy, Extensions, ForceModel, Inverse, Mesh, ModelEntry, ModelError, ModelId, ModelInfo, ModelRange,
@@ -83,11 +82,7 @@ impl Discretised for ThreeDimensional {
         &self,
         workspace: &'w mut Workspace,
     ) -> Result<&'w mut Continuation<MuscleInBricks>, FemError> {
-        let budget = workspace.budget().clone();
-        let c = workspace.try_of(&self.id, || self.divided.at_rest().map(Continuation::new))?;
-        c.body.spend_from(&budget);
-        c.budget = budget;
-        Ok(c)
+        workspace.try_of(&self.id, || self.divided.at_rest().map(Continuation::new))
     }
 
     fn known<'w>(&self, workspace: &'w Workspace) -> Option<&'w Continuation<MuscleInBricks>> {

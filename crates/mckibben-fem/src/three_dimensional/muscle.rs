@@ -14,7 +14,6 @@ use crate::simulation::{Discretised, MuscleBody};
 use crate::solver::body::{self, Control, Settings, State, Totals};
 use crate::solver::continuation::Continuation;
 use crate::solver::newton::{NewtonOptions, NewtonSystem, Stopped};
-use mckibben::budget::Budget;
 use mckibben::model::{ForceModel, Response, Workspace};
 use mckibben::muscle::{BraidStiffness, Muscle};
 use std::f64::consts::PI;
@@ -175,13 +174,6 @@ impl body::Body for MuscleInBricks {
 
     fn hold(&mut self, control: Control) {
         self.bricks.control = control;
-    }
-
-    fn spend_from(&mut self, budget: &Budget) {
-        self.bricks.budget = budget.clone();
-        if let Some((_, section)) = &mut self.section {
-            section.budget = budget.clone();
-        }
     }
 
     fn rest(&mut self) {

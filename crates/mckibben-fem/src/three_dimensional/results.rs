@@ -10,6 +10,7 @@ use crate::FemError;
 use crate::element::brick::ShapePoint;
 use crate::element::hexahedron::{at8, at27};
 use crate::results::{Energies, ProfilePoint, Solution, StrandState, StretchAt, StretchOf, largest_of_most};
+use mckibben::cancel;
 use mckibben::model::Response;
 use mckibben::muscle::Muscle;
 use std::f64::consts::{FRAC_PI_4, PI};
@@ -59,7 +60,7 @@ pub fn response(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<Re
     // By Maxwell's relation ∂F/∂P = −∂V/∂L.
     let (stiffness, force_per_pressure) = body.terminal_response();
     let volume_per_pressure = body.volume_per_pressure();
-    body.budget.check()?;
+    cancel::check()?;
     let largest = strands(body, mesh, muscle).iter().map(|s| s.tension_n_per_mm).fold(0.0, f64::max);
     let (cos, count) = (muscle.braid().angle_rad().cos(), muscle.braid().strands.map(|s| s.count));
     let all = 2.0 * PI * muscle.outer_diameter_mm() * cos * largest;

@@ -15,7 +15,7 @@ use super::discretisation::Discretisation;
 use super::share::share;
 use crate::solver::body::State;
 use crate::solver::sparse::SparseCholesky;
-use mckibben::budget::Budget;
+use mckibben::cancel;
 
 const ITERATIONS: usize = 60;
 
@@ -88,11 +88,11 @@ impl Constraints<'_> {
     }
 
     /// Solves; `b` holds b + Σ (γ/V) G d of the unknowns, `du` the displacements that are given (the terminal's), and
-    /// takes the solution; `dm` holds d and takes the multipliers. Gives the number of back-substitutions. Where the budget is used up
+    /// takes the solution; `dm` holds d and takes the multipliers. Gives the number of back-substitutions. Where the work is cancelled
     /// what is there is no solution.
     pub fn solve(
         &self,
-        (cholesky, budget): (&mut SparseCholesky, &Budget),
+        cholesky: &mut SparseCholesky,
         b: &mut [f64],
         du: &mut [f64],
         dm: &mut [f64],
@@ -114,7 +114,7 @@ impl Constraints<'_> {
         dm.fill(0.0);
         if self.iterated() {
             let mut r = left(du);
-            count += self.conjugate_gradients((cholesky, budget), &shares, du, &mut r, dm, tolerance);
+            count += self.conjugate_gradients(cholesky, &shares, du, &mut r, dm, tolerance);
         }
         // Those that were condensed follow.
         let r = left(du);
@@ -130,7 +130,7 @@ impl Constraints<'_> {
     /// constraints with β = 0 have no part.
     fn conjugate_gradients(
         &self,
-        (cholesky, budget): (&mut SparseCholesky, &Budget),
+        cholesky: &mut SparseCholesky,
         shares: &[f64],
         du: &mut [f64],
         r: &mut [f64],
@@ -153,7 +153,7 @@ impl Constraints<'_> {
         let first = rz;
         for iteration in 0..ITERATIONS {
             let close = rz <= tolerance * tolerance * first || first == 0.0;
-            if rz.is_nan() || close || budget.check().is_err() {
+            if rz.is_nan() || close || cancel::check().is_err() {
                 return iteration;
             }
             // w = K⁻¹ β Gᵀ p, s = V/k p + G w

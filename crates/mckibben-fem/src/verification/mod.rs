@@ -26,7 +26,6 @@ use crate::FemError;
 use crate::axisymmetric::{Body, BraidSpec, Discretisation, Ends, Mesh, Problem};
 use crate::solver::body::Control;
 use crate::solver::continuation::Continuation;
-use mckibben::budget::Exceeded;
 use mckibben::muscle::Bulk;
 use mckibben::progress::Progress;
 use mckibben::rubber::{Law, MooneyRivlin};
@@ -53,15 +52,13 @@ const SECTION: [Case; 10] = [
 /// Every case, one after the other.
 ///
 /// # Errors
-/// [`FemError::Exceeded`] where the caller wanted it to end.
+/// [`FemError::Cancelled`] where the caller wanted it to end.
 pub fn cases(progress: &dyn Progress) -> Result<Vec<VerificationRow>, FemError> {
     let cases: Vec<Case> = SECTION.into_iter().chain(bricks::CASES).collect();
     let mut rows = vec![];
     for (done, case) in cases.iter().enumerate() {
         progress.report(done, cases.len());
-        if progress.cancelled() {
-            return Err(FemError::Exceeded(Exceeded::Cancelled));
-        }
+        progress.check()?;
         rows.extend(case());
     }
     progress.report(cases.len(), cases.len());

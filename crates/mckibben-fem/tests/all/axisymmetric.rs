@@ -1,6 +1,6 @@
 //! The axisymmetric muscle as a user meets it.
 
-use mckibben::budget::Exceeded;
+use mckibben::cancel::Cancelled;
 use mckibben::joint::{Joint, JointModel, JointMuscle, Link, Path, Turning};
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::file::parse_muscle;
@@ -171,8 +171,8 @@ fn a_curve_and_a_sweep_can_be_cancelled() {
         &impatient(),
     );
     assert_eq!(curve.iter().filter(|p| p.is_ok()).count(), 4);
-    assert!(curve[0] == Err(FemError::Exceeded(Exceeded::Cancelled)) && curve[25].is_ok());
-    assert_eq!(sweep(5, 1, &impatient()).unwrap_err(), FemError::Exceeded(Exceeded::Cancelled));
+    assert!(curve[0] == Err(FemError::Cancelled(Cancelled)) && curve[25].is_ok());
+    assert_eq!(sweep(5, 1, &impatient()).unwrap_err(), FemError::Cancelled(Cancelled));
 }
 
 #[test]

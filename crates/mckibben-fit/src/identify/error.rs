@@ -1,6 +1,7 @@
 //! Why nothing was identified.
 
 use crate::least_squares::EstimateError;
+use mckibben::cancel::Cancelled;
 use mckibben::model::ModelError;
 use mckibben::muscle::MuscleError;
 use thiserror::Error;
@@ -12,8 +13,8 @@ pub enum IdentifyError {
     #[error("nothing is free: name at least one parameter to identify")]
     NothingFree,
     /// The caller wanted it to end.
-    #[error("cancelled before a minimum was found")]
-    Cancelled,
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// A parameter twice.
     #[error("{name} is named twice, free or fixed: name it once")]
     Twice {

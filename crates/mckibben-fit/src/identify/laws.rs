@@ -13,6 +13,7 @@ use super::request::Request;
 use super::result::Identification;
 use super::run::identify_with;
 use crate::least_squares::aicc;
+use mckibben::cancel::Cancelled;
 use mckibben::muscle::{Rubber, Tube};
 use mckibben::progress::Progress;
 use mckibben::rubber::{Law, LawKind, RubberLaw};
@@ -43,8 +44,8 @@ pub fn try_laws(
     let mut trials = vec![];
     for kind in Law::KINDS.iter().filter(|kind| !kind.is_sum) {
         if let Some(trial) = trial(request, kind, build, progress) {
-            if matches!(trial.found, Err(IdentifyError::Cancelled)) {
-                return Err(IdentifyError::Cancelled);
+            if matches!(trial.found, Err(IdentifyError::Cancelled(_))) {
+                return Err(Cancelled.into());
             }
             trials.push(trial);
         }

@@ -226,7 +226,7 @@ impl<'a> Problem<'a> {
             }
             let muscle = candidate.of_section(&chunk.section).ok()?;
             let model = (self.build)(&muscle).ok()?;
-            let mut w = Workspace::within(self.progress.budget());
+            let mut w = Workspace::new();
             Some(chunk.rows.iter().map(|&i| one(model.as_ref(), &mut w, i)).collect())
         };
         let lists = threads::map(&self.chunks, of_chunk);
@@ -284,7 +284,7 @@ impl<'a> Problem<'a> {
             let point = self.points.first()?;
             let model = (self.build)(&candidate.of_section(&point.section).ok()?).ok()?;
             let e = point.at.contraction + candidate.contraction_offset;
-            let w = &mut Workspace::within(self.progress.budget());
+            let w = &mut Workspace::new();
             model.extensions().slopes?.force_by(w, point.at.pressure_mpa, e, &names)?.ok()
         };
         probe().is_some()

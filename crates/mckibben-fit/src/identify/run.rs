@@ -12,6 +12,7 @@ use super::result::{Identification, Identified, PointFit, spread, spreads};
 use super::signs;
 use crate::least_squares::{Estimate, EstimateError, Known, Residuals, Unknown, estimate};
 use crate::measured::{DataPoint, Quantity};
+use mckibben::cancel::Cancelled;
 use mckibben::model::ModelError;
 use mckibben::muscle::Direction;
 use mckibben::muscle::Muscle;
@@ -98,7 +99,7 @@ pub fn identify_with(
     let found = search(request, &flipped, build, progress);
     match found {
         // A model without an answer and a caller who has gone look alike to the search.
-        _ if progress.cancelled() => Err(IdentifyError::Cancelled),
+        _ if progress.cancelled() => Err(Cancelled.into()),
         Err(IdentifyError::Estimate(_) | IdentifyError::NoRubber { .. } | IdentifyError::Start { .. })
             if !flipped.is_empty() =>
         {

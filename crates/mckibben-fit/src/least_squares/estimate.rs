@@ -10,7 +10,7 @@
 use super::bounds::Unknown;
 use super::student::t95;
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
-use mckibben::budget::Budget;
+use mckibben::cancel;
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
@@ -254,7 +254,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Inner<'_> {
 
     fn residuals(&self) -> Option<DVector<f64>> {
         // Not even a wall: the iteration ends.
-        Budget::current().check().ok()?;
+        cancel::check().ok()?;
         match self.residuals.at(&self.x(&self.u)) {
             Some(r) => Some(self.weighted(r)),
             // A step to where the model has no answer is a bad step: the next one is shorter.

@@ -1,6 +1,6 @@
 //! Why there is no fit.
 
-use mckibben::budget::Exceeded;
+use mckibben::cancel::Cancelled;
 use thiserror::Error;
 
 /// Why there is no fit.
@@ -42,7 +42,7 @@ pub enum TensionFitError {
     },
     /// The work was ended.
     #[error(transparent)]
-    Ended(#[from] Exceeded),
+    Cancelled(#[from] Cancelled),
     /// No minimum was found.
     #[error("{law}: no fit was found: {why}")]
     NotConverged {

@@ -49,6 +49,7 @@ pub use table_of_fits::curve_of_fits;
 pub use warning::TensionWarning;
 pub use windows::windows_of;
 
+use mckibben::cancel;
 use mckibben::progress::{Progress, Silent};
 use problem::Problem;
 
@@ -61,7 +62,7 @@ pub fn fit_tension(points: &[TensionPoint], settings: &FitSettings) -> Result<Te
     fit_tension_with(points, settings, &Silent)
 }
 
-/// The same with progress over the laws, an end when the caller wants one, and within a budget.
+/// The same with progress over the laws, and an end when the caller wants one.
 pub fn fit_tension_with(
     points: &[TensionPoint],
     settings: &FitSettings,
@@ -74,8 +75,7 @@ pub fn fit_tension_with(
     let within = sorted.kept.into_iter().filter(|p| p.plane_stretch() <= limit);
     let is_fitted = |p: &TensionPoint| settings.fit_modes.is_empty() || settings.fit_modes.contains(&p.mode);
     let (used, held_out): (Vec<TensionPoint>, Vec<TensionPoint>) = within.partition(is_fitted);
-    let problem =
-        Problem::new(used, settings.measure, settings.balance, &settings.mode_weights, progress.budget());
+    let problem = Problem::new(used, settings.measure, settings.balance, &settings.mode_weights);
     let count = problem.counting();
     let forms = chosen(settings, count)?;
     if !(problem.modulus_mpa > 0.0 && problem.modulus_mpa.is_finite()) {
@@ -85,14 +85,12 @@ pub fn fit_tension_with(
     let (mut laws, mut failed) = (vec![], vec![]);
     for (done, form) in forms.iter().enumerate() {
         progress.report(done, forms.len());
-        if progress.cancelled() && problem.budget.check().is_ok() {
-            problem.budget.cancel();
-        }
+        progress.check()?;
         match fitted::laws(*form, &problem, settings) {
             Ok(found) => laws.push(found),
             Err(error) => failed.push(error),
         }
-        problem.budget.ended()?;
+        cancel::check()?;
     }
     // Free and stable of one law stay together.
     laws.sort_by(|a, b| a[0].quality.aicc.total_cmp(&b[0].quality.aicc));

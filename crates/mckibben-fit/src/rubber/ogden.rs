@@ -10,6 +10,7 @@ use super::error::TensionFitError;
 use super::problem::Problem;
 use super::raw::Raw;
 use crate::least_squares::{Estimate, Loss, Residuals, Unknown, estimate};
+use mckibben::cancel;
 use mckibben::rubber::Form;
 use mckibben::rubber::{Law, Ogden};
 
@@ -73,7 +74,7 @@ fn starts(count: usize, problem: &Problem) -> Vec<Start> {
     let (all, right) = normal(&columns, &measured, &problem.weights);
     let mut out = vec![];
     for places in sets(columns.len(), count) {
-        if problem.budget.check().is_err() {
+        if cancel::check().is_err() {
             break;
         }
         let (n, d) = (all.select_rows(&places).select_columns(&places), right.select_rows(&places));

@@ -2,7 +2,7 @@
 
 use super::mode::Mode;
 use super::point::TensionPoint;
-use mckibben::budget::Budget;
+use mckibben::cancel;
 use mckibben::rubber::{Law, RubberLaw};
 use serde::{Deserialize, Serialize};
 
@@ -30,22 +30,14 @@ pub(super) struct Problem {
     pub modulus_mpa: f64,
     /// The same by absolute differences: what relative errors of general tests are relative to.
     pub reference_modulus_mpa: f64,
-    /// What the fit may cost: no residuals are found beyond it, so that solvers come to their end.
-    pub budget: Budget,
 }
 
 impl Problem {
-    pub fn new(
-        points: Vec<TensionPoint>,
-        measure: Measure,
-        balance: bool,
-        modes: &[(Mode, f64)],
-        budget: Budget,
-    ) -> Self {
+    pub fn new(points: Vec<TensionPoint>, measure: Measure, balance: bool, modes: &[(Mode, f64)]) -> Self {
         let (divisors, weights) = (vec![1.0; points.len()], vec![1.0; points.len()]);
-        let alike = Self { points, divisors, weights, modulus_mpa: 0.0, reference_modulus_mpa: 0.0, budget };
+        let alike = Self { points, divisors, weights, modulus_mpa: 0.0, reference_modulus_mpa: 0.0 };
         let reference_modulus_mpa = alike.neo_hookean_modulus();
-        let Self { points, budget, .. } = alike;
+        let points = alike.points;
         let relative_to = |p: &TensionPoint| p.reference_mpa(reference_modulus_mpa).filter(|r| *r > 0.0);
         let counts = |p: &TensionPoint| measure == Measure::Absolute || relative_to(p).is_some();
         let divisor = |p: &TensionPoint| match measure {
@@ -63,7 +55,7 @@ impl Problem {
             if counts(p) { own * even } else { 0.0 }
         };
         let weights: Vec<f64> = points.iter().map(weight).collect();
-        let mut out = Self { points, divisors, weights, modulus_mpa: 0.0, reference_modulus_mpa, budget };
+        let mut out = Self { points, divisors, weights, modulus_mpa: 0.0, reference_modulus_mpa };
         out.modulus_mpa = out.neo_hookean_modulus();
         out
     }
@@ -97,7 +89,8 @@ impl Problem {
     }
 
     pub fn residuals(&self, law: &Law) -> Option<Vec<f64>> {
-        self.budget.check().ok()?;
+        // No residuals of cancelled work: solvers come to their end.
+        cancel::check().ok()?;
         let model = self.scaled_stresses(law)?;
         Some(model.iter().zip(self.measured()).map(|(a, b)| a - b).collect())
     }

@@ -5,7 +5,7 @@ use super::residual::{Left, Residual, compared, fitted, residuals};
 use crate::identify::Build;
 use crate::identify::IdentifyError;
 use crate::measured::mean_of_data;
-use mckibben::budget::Exceeded;
+use mckibben::cancel::Cancelled;
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben::threads;
 use mckibben::verification::{CaseKind, Measure, VerificationRow};
@@ -14,7 +14,7 @@ use mckibben::verification::{CaseKind, Measure, VerificationRow};
 pub const COVERAGE: f64 = 0.95;
 
 /// What share of the points of each set the ± holds, of the means of the branches and of the single branches.
-pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
+pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Cancelled> {
     let sets = match muscles() {
         Ok(sets) => sets,
         // Measurements that are built in and cannot be read: a case that fails.
@@ -22,9 +22,7 @@ pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<Verifi
     };
     let found =
         threads::map(&sets, |set| of_first_fit(set, elements, &CancelOnly(progress)).unwrap_or_default());
-    if progress.cancelled() {
-        return Err(Exceeded::Cancelled);
-    }
+    progress.check()?;
     let mut rows = vec![];
     for (set, all) in sets.into_iter().zip(found) {
         let left = |mean| Left::of(all.iter().filter(|r| r.branch.is_mean() == mean));

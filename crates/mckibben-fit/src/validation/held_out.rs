@@ -6,7 +6,7 @@ use super::residual::{fitted, identified};
 use crate::identify::{Build, IdentifyError};
 use crate::measured::{DataPoint, mean_of_data};
 use mckibben::analysis::force_on;
-use mckibben::budget::Exceeded;
+use mckibben::cancel::Cancelled;
 use mckibben::model::Workspace;
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben::threads;
@@ -124,16 +124,14 @@ pub fn share(list: &[HeldOut]) -> Option<f64> {
 }
 
 /// The share of the held-out points of each set that the ± of its fit holds.
-pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
+pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Cancelled> {
     let sets: Vec<&MuscleCase> = muscles().unwrap_or_default();
     let of = |set: &&MuscleCase| -> Vec<HeldOut> {
         let found = set.fits.first().map(|fit| of_fit(set, fit, elements, &CancelOnly(progress)));
         found.and_then(Result::ok).unwrap_or_default()
     };
     let found = threads::map(&sets, of);
-    if progress.cancelled() {
-        return Err(Exceeded::Cancelled);
-    }
+    progress.check()?;
     Ok(sets.into_iter().zip(found).map(|(set, list)| row(set, &list)).collect())
 }
 

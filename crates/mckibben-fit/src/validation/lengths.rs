@@ -9,7 +9,7 @@ use super::residual::{Left, identified, residuals};
 use super::split::{same, trainings};
 use crate::identify::{Build, IdentifyError};
 use crate::measured::{DataPoint, mean_of_data};
-use mckibben::budget::Exceeded;
+use mckibben::cancel::Cancelled;
 use mckibben::muscle::Muscle;
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben::threads;
@@ -28,7 +28,7 @@ pub struct OtherLength {
 }
 
 /// Every fit of the constants of a first fit to some lengths of a set.
-pub fn other_lengths(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<OtherLength>, Exceeded> {
+pub fn other_lengths(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<OtherLength>, Cancelled> {
     let mut tasks = vec![];
     for set in muscles().unwrap_or_default() {
         let (means, first) = (mean_of_data(&set.points), set.fits.first());
@@ -47,9 +47,7 @@ pub fn other_lengths(elements: &Build<'_>, progress: &dyn Progress) -> Result<Ve
         let muscle = muscle_of(fit, inside, elements, &CancelOnly(progress));
         muscle.map_or_else(|_| vec![], |muscle| of(set, fit, label, &muscle, outside, elements))
     });
-    if progress.cancelled() {
-        return Err(Exceeded::Cancelled);
-    }
+    progress.check()?;
     Ok(found.into_iter().flatten().collect())
 }
 
@@ -88,7 +86,7 @@ fn of(
 }
 
 /// The share of the points of each length that the ± holds.
-pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
+pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Cancelled> {
     Ok(other_lengths(elements, progress)?.iter().map(row).collect())
 }
 

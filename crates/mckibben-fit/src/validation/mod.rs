@@ -32,7 +32,7 @@ use crate::identify::{Build, Parameter, Request, Target, identify};
 use crate::least_squares::Loss;
 use crate::measured::{DataPoint, MeasuredPoint, mean_of_branches, read_measured};
 use mckibben::analysis::Options;
-use mckibben::budget::Exceeded;
+use mckibben::cancel::Cancelled;
 use mckibben::model::{ForceModel, Ideal, ModelError, ThickWall, Workspace};
 use mckibben::muscle::measures::END_FACTOR;
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
@@ -55,7 +55,7 @@ fn muscle() -> Option<Muscle> {
 }
 
 /// Every comparison with a measured muscle, whose finite elements `elements` builds.
-pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
+pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Cancelled> {
     let mut rows = hand_made(elements, progress)?;
     rows.extend(coverage::cases(elements, progress)?);
     rows.extend(held_out::cases(elements, progress)?);
@@ -66,7 +66,7 @@ pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<Verifi
 }
 
 /// Models beside the 20° muscle.
-fn hand_made(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Exceeded> {
+fn hand_made(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Cancelled> {
     let points = read_measured(POINTS.as_bytes()).map(|p| mean_of_branches(&p)).unwrap_or_default();
     let thick: &Builder<'_> = &|m| Ok(Box::new(ThickWall::new(m)));
     let ideal: &Builder<'_> = &|m| Ok(Box::new(Ideal::new(m)));
@@ -80,9 +80,7 @@ fn hand_made(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<Verifi
     let mut rows = vec![];
     for (done, (name, build, parameters, allowed)) in cases.into_iter().enumerate() {
         progress.report(done, cases.len());
-        if progress.cancelled() {
-            return Err(Exceeded::Cancelled);
-        }
+        progress.check()?;
         rows.push(row(name, build, parameters, &points, allowed));
     }
     progress.report(cases.len(), cases.len());

@@ -76,9 +76,7 @@ fn run(
     build: &Build<'_>,
     progress: &dyn Progress,
 ) -> Result<FitResult, ReportError> {
-    if progress.cancelled() {
-        return Err(ReportError::Cancelled);
-    }
+    progress.check()?;
     let fit = &case.fits[fit_number];
     let source = if fit.both_branches { &case.points } else { means };
     let (training_points, others): (Vec<DataPoint>, Vec<DataPoint>) =
@@ -86,7 +84,7 @@ fn run(
     let label = training.label(&training_points, &fit.muscle);
     let (muscle, parameters) =
         fitted(fit, &training_points, build, progress).map_err(|error| match error {
-            IdentifyError::Cancelled => ReportError::Cancelled,
+            IdentifyError::Cancelled(cancelled) => cancelled.into(),
             error => ReportError::Fit {
                 case: case.facts.name.clone(),
                 fit: fit.name.clone(),
@@ -147,6 +145,7 @@ mod tests {
     use super::super::case::muscles;
     use super::super::elements;
     use super::*;
+    use mckibben::cancel::Cancelled;
     use mckibben::progress::Silent;
 
     /// Constants from 1 to 3 bar predict 4 and 5 bar; a law that stiffens at large stretch does so better on the hand-made muscle, whose
@@ -177,6 +176,6 @@ mod tests {
                 true
             }
         }
-        assert_eq!(report(&muscles().unwrap(), &elements, &Gone).unwrap_err(), ReportError::Cancelled);
+        assert_eq!(report(&muscles().unwrap(), &elements, &Gone).unwrap_err(), Cancelled.into());
     }
 }

@@ -2,14 +2,15 @@
 
 use crate::identify::IdentifyError;
 use crate::rubber_over_time::OverTimeFitError;
+use mckibben::cancel::Cancelled;
 use thiserror::Error;
 
 /// Why there is no validation report.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ReportError {
     /// The caller wanted it to end.
-    #[error("cancelled before every fit was made")]
-    Cancelled,
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// A fit that cannot be made.
     #[error("{case}, fit \"{fit}\" on {fitted_to}: {error}")]
     Fit {

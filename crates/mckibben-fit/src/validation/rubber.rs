@@ -94,9 +94,7 @@ pub fn report(cases: &[&RubberCase], progress: &dyn Progress) -> Result<Vec<Rubb
     let mut out = vec![];
     for (number, case) in cases.iter().enumerate() {
         for (k, fit) in case.fits.iter().enumerate() {
-            if progress.cancelled() {
-                return Err(ReportError::Cancelled);
-            }
+            progress.check()?;
             let found = case.run(fit, progress).map_err(|error| {
                 let (case, fit) = (case.facts.name.clone(), fit.name.clone());
                 ReportError::Rubber { case, fit, error }

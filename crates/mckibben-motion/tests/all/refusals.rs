@@ -1,10 +1,10 @@
 //! What is refused, and how it is said.
 
 use crate::support::{note_muscle, regulator, steps, valve};
-use mckibben::budget::{Budget, Limits, Resource};
+use mckibben::cancel::Cancel;
 use mckibben::load::Load;
 use mckibben::model::ModelKind;
-use mckibben::progress::{Progress, Silent};
+use mckibben::progress::Silent;
 use mckibben_motion::verification::Vessel;
 use mckibben_motion::*;
 
@@ -44,24 +44,20 @@ fn what_cannot_be_is_said_with_its_values() {
     assert!(matches!(refused(&drive), MotionError::NoVolume { .. }), "{}", refused(&drive));
 }
 
-struct Ended(Budget);
-
-impl Progress for Ended {
-    fn budget(&self) -> Budget {
-        self.0.clone()
-    }
-}
-
 #[test]
-fn a_run_ends_with_its_budget_and_its_steps() {
+fn a_run_ends_where_it_is_cancelled_too_long_or_too_slow() {
     let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
     let load = SingleMuscle { stops_mm: (0.0, 90.0), ..SingleMuscle::hanging(&*model, 5.0) };
     let target = steps(&[(0.0, 0.0), (0.1, 0.2)]);
     let mut drive = Drive::new(&load, vec![Actuated::new(&*model, valve())], target, 0.5);
-    let spent = Ended(Budget::new(Limits::default().with(Resource::Seconds, 0.0)));
-    assert!(matches!(run(&drive, &spent), Err(MotionError::Exceeded(_))));
+    let cancel = Cancel::default();
+    cancel.cancel();
+    {
+        let _entered = cancel.enter();
+        assert!(matches!(run(&drive, &Silent), Err(MotionError::Cancelled(_))));
+    }
     let many = Drive { output_step_s: 1e-12, ..drive.clone() };
-    assert!(matches!(run(&many, &Silent), Err(MotionError::Exceeded(_))));
+    assert!(matches!(run(&many, &Silent), Err(MotionError::Large(_))));
     drive.tolerance.steps = 20;
     let error = run(&drive, &Silent).unwrap_err();
     assert!(matches!(error, MotionError::Steps { steps: 21, .. }), "{error}");

@@ -1,5 +1,6 @@
 //! How a model is asked, and what it says on a branch of the hysteresis loop.
 
+use crate::cancel;
 use crate::model::{ForceModel, ModelError, Response, Workspace, pivoting_n_per_mm};
 use crate::muscle::{Direction, Friction, Muscle};
 use serde::{Deserialize, Serialize};
@@ -68,7 +69,7 @@ pub fn response_on<M: ForceModel + ?Sized>(
     contraction: f64,
     direction: Direction,
 ) -> Result<Response, ModelError> {
-    workspace.budget().check().map_err(ModelError::Exceeded)?;
+    cancel::check().map_err(ModelError::Cancelled)?;
     let found = model.response(workspace, pressure_mpa, contraction)?;
     // The point is the one that was asked for, to the last bit: a model may compute with 1 − ε.
     let mut response = Response { pressure_mpa, contraction, ..found };
@@ -104,7 +105,7 @@ pub fn force_on<M: ForceModel + ?Sized>(
     contraction: f64,
     direction: Direction,
 ) -> Result<f64, ModelError> {
-    workspace.budget().check().map_err(ModelError::Exceeded)?;
+    cancel::check().map_err(ModelError::Cancelled)?;
     let force_n = model.force_n(workspace, pressure_mpa, contraction)?;
     Ok(force_n + friction_n(model, workspace, (pressure_mpa, contraction), direction)?)
 }

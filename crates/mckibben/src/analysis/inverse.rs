@@ -12,6 +12,7 @@ use super::error::AnalysisError;
 use super::golden::golden;
 use super::sought::{Along, Sought};
 use super::sweep::Sweep;
+use crate::cancel;
 use crate::model::{ForceModel, ModelError, Workspace};
 use crate::muscle::Muscle;
 
@@ -84,7 +85,7 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
         }
     };
     if let Some(companion) = can.companion {
-        let ws = &mut Workspace::within(workspace.budget().clone());
+        let ws = &mut Workspace::new();
         let found = pressure_at(companion, ws, force_n, contraction, options);
         if let Err(AnalysisError::NoPressure { nearest_force_n, nearest_pressure_mpa, .. }) = found
             && (force_n - nearest_force_n).abs() > NEARLY * nearest_force_n.abs()
@@ -96,7 +97,7 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
         Some(_) => None,
         None => can.inverse.and_then(|own| own.pressure_at_pull(workspace, force_n, contraction)),
     };
-    workspace.budget().check().map_err(ModelError::from)?;
+    cancel::check().map_err(ModelError::from)?;
     if let Some(p) = direct {
         let bits = LAST_BITS * p.abs().max(1.0);
         if p >= lowest - bits && p <= highest + bits {
@@ -115,7 +116,7 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
     let (first, refused) = match force_on(model, workspace, lowest, contraction, direction) {
         Ok(first) => (Some(first - force_n), None),
         Err(
-            error @ (ModelError::OutOfRange { .. } | ModelError::Geometry { .. } | ModelError::Exceeded(_)),
+            error @ (ModelError::OutOfRange { .. } | ModelError::Geometry { .. } | ModelError::Cancelled(_)),
         ) => {
             return Err(error.into());
         }
@@ -375,7 +376,7 @@ fn contraction_down_to<M: ForceModel + ?Sized>(
         at_rest_n: at_rest.filter(|_| start == 0.0).map(pulled),
     };
     if let Some(companion) = can.companion {
-        let ws = &mut Workspace::within(workspace.budget().clone());
+        let ws = &mut Workspace::new();
         let found = contraction_down_to(companion, ws, force_n, pressure_mpa, options, stretch);
         if let Err(AnalysisError::NoContraction { nearest_force_n, nearest_contraction, at_rest_n, .. }) =
             found
@@ -388,7 +389,7 @@ fn contraction_down_to<M: ForceModel + ?Sized>(
     let sought = Sought { along: Along::Contraction { pressure_mpa }, force_n, direction };
     let (at_start, refused) = match force_on(model, workspace, pressure_mpa, start, direction) {
         Ok(force) => (Some(force - force_n), None),
-        Err(error) if info.costly || matches!(error, ModelError::Exceeded(_)) => {
+        Err(error) if info.costly || matches!(error, ModelError::Cancelled(_)) => {
             return Err(error.into());
         }
         Err(error) => (None, Some(error)),

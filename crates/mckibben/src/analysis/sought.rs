@@ -3,6 +3,7 @@
 use super::ask::{force_on, response_on};
 use super::error::AnalysisError;
 use super::root::{RootError, find_root};
+use crate::cancel;
 use crate::model::{ForceModel, ModelError, Workspace, rising_root};
 use crate::muscle::Direction;
 
@@ -45,12 +46,12 @@ impl Sought {
         workspace: &mut Workspace,
         x: f64,
     ) -> Result<Option<f64>, AnalysisError> {
-        workspace.budget().check().map_err(ModelError::from)?;
+        cancel::check().map_err(ModelError::from)?;
         let (p, e) = self.question(x);
         match force_on(model, workspace, p, e, self.direction) {
             Ok(force) if force.is_finite() => Ok(Some(force - self.force_n)),
-            Err(error @ ModelError::Exceeded(_)) => Err(error.into()),
-            _ => workspace.budget().ended().map(|()| None).map_err(|e| ModelError::from(e).into()),
+            Err(error @ ModelError::Cancelled(_)) => Err(error.into()),
+            _ => cancel::check().map(|()| None).map_err(|e| ModelError::from(e).into()),
         }
     }
 
@@ -126,7 +127,7 @@ impl Sought {
 
 /// Keeps why a model had no answer; work that is to end does so.
 fn keep(error: ModelError, lost: &mut Option<ModelError>) -> Result<Option<f64>, AnalysisError> {
-    if let ModelError::Exceeded(_) = error {
+    if let ModelError::Cancelled(_) = error {
         return Err(error.into());
     }
     *lost = Some(error);

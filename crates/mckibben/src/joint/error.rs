@@ -1,6 +1,7 @@
 //! Why a joint has no answer.
 
 use crate::analysis::AnalysisError;
+use crate::cancel::Cancelled;
 use crate::model::ModelError;
 use crate::muscle::MuscleError;
 use thiserror::Error;
@@ -141,8 +142,8 @@ pub enum JointError {
         error: AnalysisError,
     },
     /// The caller wanted the work to end.
-    #[error("cancelled before the end")]
-    Cancelled,
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }
 
 impl JointError {

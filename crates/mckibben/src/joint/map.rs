@@ -73,22 +73,20 @@ impl JointModel<'_> {
         count: usize,
         progress: &dyn Progress,
     ) -> Result<JointMap, JointError> {
-        self.outside(max_pressure_mpa, progress)?;
+        self.outside(max_pressure_mpa)?;
         let count = count.max(2);
         let grid: Vec<f64> = (0..count).map(|i| max_pressure_mpa * i as f64 / (count - 1) as f64).collect();
         let two = self.joint().muscles().len() == 2;
         // What a muscle's free contraction depends on is its pressure alone.
-        let workspaces = &mut self.workspaces(progress);
+        let workspaces = &mut self.workspaces();
         let mut free = vec![];
         for (i, workspace) in workspaces.iter_mut().enumerate() {
             free.push(grid.iter().map(|p| self.free(i, workspace, *p)).collect::<Result<Vec<_>, _>>()?);
         }
         type Rest = Result<Option<MapPoint>, (Vec<f64>, JointError)>;
         let row = |&i: &usize| -> Result<Vec<Rest>, JointError> {
-            if progress.cancelled() {
-                return Err(JointError::Cancelled);
-            }
-            let mut workspaces = self.workspaces(progress);
+            progress.check()?;
+            let mut workspaces = self.workspaces();
             // The last two angles.
             let (mut near, mut before): (Option<f64>, Option<f64>) = (None, None);
             (0..if two { count } else { 1 })
@@ -128,7 +126,7 @@ impl JointModel<'_> {
             rows.into_iter().map(|row| row.into_iter().map(|found| found.ok().flatten()).collect()).collect();
         let border = if two { around(&rows) } else { rows.iter().flatten().flatten().cloned().collect() };
         Ok(JointMap {
-            torques: self.torques(max_pressure_mpa, progress)?,
+            torques: self.torques(max_pressure_mpa)?,
             points: rows.into_iter().flatten().collect(),
             gaps,
             border,
@@ -141,10 +139,10 @@ impl JointModel<'_> {
     ///
     /// # Errors
     /// [`JointError::Muscle`] with the range, unless the joint extrapolates.
-    pub fn outside(&self, max_pressure_mpa: f64, progress: &dyn Progress) -> Result<Vec<String>, JointError> {
+    pub fn outside(&self, max_pressure_mpa: f64) -> Result<Vec<String>, JointError> {
         let (low, high) = self.joint().range_deg();
         let mut said = vec![];
-        for (i, workspace) in self.workspaces(progress).iter_mut().enumerate() {
+        for (i, workspace) in self.workspaces().iter_mut().enumerate() {
             let angle = |k: usize| (low + (high - low) * k as f64 / (ANGLES - 1) as f64).to_radians();
             let all = || (0..ANGLES).filter_map(|k| Some(self.joint().contraction(i, angle(k))?.0));
             let (least, most) =
@@ -173,8 +171,8 @@ impl JointModel<'_> {
     }
 
     /// Workspaces for its muscles.
-    pub fn workspaces(&self, progress: &dyn Progress) -> Vec<Workspace> {
-        self.joint().muscles().iter().map(|_| Workspace::within(progress.budget())).collect()
+    pub fn workspaces(&self) -> Vec<Workspace> {
+        self.joint().muscles().iter().map(|_| Workspace::new()).collect()
     }
 
     /// The stable rest nearest to an angle.
@@ -234,8 +232,8 @@ impl JointModel<'_> {
         Ok(Some(point(angle, slope, shut, matches!(rest, Rest::Limit { .. }))))
     }
 
-    fn torques(&self, max_mpa: f64, progress: &dyn Progress) -> Result<Vec<(f64, f64, f64)>, JointError> {
-        let mut workspaces = self.workspaces(progress);
+    fn torques(&self, max_mpa: f64) -> Result<Vec<(f64, f64, f64)>, JointError> {
+        let mut workspaces = self.workspaces();
         let (low, high) = self.joint().range_deg();
         let two = self.joint().muscles().len() == 2;
         let ends: &[&[f64]] = if two { &[&[max_mpa, 0.0], &[0.0, max_mpa]] } else { &[&[max_mpa], &[0.0]] };

@@ -271,11 +271,11 @@ fn a_map_outside_of_a_models_range_is_refused_or_said() {
             "{error}"
         );
         let open = JointModel::new(joint, list(), true).unwrap();
-        assert!(open.outside(supply, &Silent).unwrap().iter().any(|s| s.contains(said)));
+        assert!(open.outside(supply).unwrap().iter().any(|s| s.contains(said)));
     }
     let models = models(&within, ModelKind::Universal);
     let strict = JointModel::new(&within, models.iter().map(|m| &**m).collect(), false).unwrap();
-    assert!(strict.outside(0.25, &Silent).unwrap().is_empty() && strict.map(0.25, 3, &Silent).is_ok());
+    assert!(strict.outside(0.25).unwrap().is_empty() && strict.map(0.25, 3, &Silent).is_ok());
 }
 
 #[test]

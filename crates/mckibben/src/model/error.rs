@@ -1,7 +1,7 @@
 //! Why a model has no answer.
 
 use super::RangeViolation;
-use crate::budget::Exceeded;
+use crate::cancel::Cancelled;
 use crate::status::Status;
 use thiserror::Error;
 
@@ -108,9 +108,9 @@ pub enum ModelError {
         /// The reason in words, with the last equilibrium of the path.
         reason: String,
     },
-    /// The budget of the request does not allow it, or the caller wanted the work to end.
+    /// The caller wanted the work to end.
     #[error(transparent)]
-    Exceeded(#[from] Exceeded),
+    Cancelled(#[from] Cancelled),
     /// Finite elements that cannot be made.
     #[error("the muscle cannot be divided into elements: {reason}")]
     Elements {

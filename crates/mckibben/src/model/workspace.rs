@@ -1,6 +1,5 @@
 //! What changes while a model answers.
 
-use crate::budget::Budget;
 use std::any::Any;
 use std::convert::Infallible;
 use std::fmt;
@@ -42,36 +41,20 @@ impl PartialEq for ModelId {
 /// });
 /// # Ok::<(), mckibben::model::ModelError>(())
 /// ```
+#[derive(Default)]
 pub struct Workspace {
     content: Option<(ModelId, Box<dyn Any + Send>)>,
     /// The last states of models that are built on another one: ends, a bend.
     last: Vec<(ModelId, Box<dyn Any + Send>)>,
-    budget: Budget,
 }
 
 /// A muscle on a pulley whose ends slip has two models that are built on another one.
 const LAST: usize = 2;
 
-impl Default for Workspace {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
 impl Workspace {
-    /// An empty one, within the [budget](Budget::current) of the work that this thread does.
+    /// An empty one.
     pub fn new() -> Self {
-        Self::within(Budget::current())
-    }
-
-    /// An empty one for work that may cost so much.
-    pub fn within(budget: Budget) -> Self {
-        Self { content: None, last: vec![], budget }
-    }
-
-    /// What the work may cost.
-    pub fn budget(&self) -> &Budget {
-        &self.budget
+        Self::default()
     }
 
     /// The content that belongs to a model, made by `make` where this workspace has none of that model.

@@ -33,7 +33,7 @@ fn closed_form_of_rigid_strands_without_rubber() {
         let (b, n) = (m.strand_length_mm(), m.turns());
         let theta = f64::to_radians(angle);
         let expected = strength * 2.0 * PI * f64::from(count) * n * n / (b * b * theta.cos());
-        let found = burst(&ThickWall::new(&m), &Workspace::new()).unwrap().pressure_mpa().unwrap();
+        let found = burst(&ThickWall::new(&m)).unwrap().pressure_mpa().unwrap();
         assert!((found / expected - 1.0).abs() < 1e-6, "{found} {expected}");
     }
 }
@@ -44,7 +44,7 @@ fn there_the_most_loaded_strand_carries_its_strength() {
     let m = muscle(14.0, 2.0, 200.0, 22.0, 1.2, strands(96, Some((0.0491, 8500.0)), 40.0));
     for kind in ModelKind::ALL {
         let Ok(model) = kind.build(&m) else { continue };
-        let Ok(found) = burst(&*model, &Workspace::new()) else { continue };
+        let Ok(found) = burst(&*model) else { continue };
         let Burst { strands: FailurePressure::At(pressure_mpa), from_thick_wall, .. } = found else {
             panic!("{kind}: {found:?}")
         };
@@ -57,8 +57,6 @@ fn there_the_most_loaded_strand_carries_its_strength() {
             thick.strand_tension_n.unwrap()
         });
         assert!((tension / 40.0 - 1.0).abs() < 1e-8, "{kind}: {tension}");
-        // A workspace that was used has no part in it.
-        assert_eq!(burst(&*model, w).unwrap(), found);
     }
 }
 
@@ -76,7 +74,7 @@ fn no_contraction_loads_the_strands_more_than_none() {
         let braid = strands(count, section, random.log(5.0, 200.0));
         let m = muscle(d, wall, l, angle, random.log(0.05, 3.0), braid);
         let (model, w) = (ThickWall::new(&m), &mut Workspace::new());
-        let Ok(found) = burst(&model, w) else { continue };
+        let Ok(found) = burst(&model) else { continue };
         let Some(p) = found.pressure_mpa() else { continue };
         let Ok(end) = free_contraction(&model, w, p, Options::extrapolating()) else { continue };
         let mut tension = |e: f64| model.response(w, p, e).unwrap().strand_tension_n.unwrap();
@@ -92,7 +90,7 @@ fn no_contraction_loads_the_strands_more_than_none() {
 
 #[test]
 fn what_is_not_stated_is_not_known() {
-    let of = |m: &Muscle| burst(&ThickWall::new(m), &Workspace::new()).unwrap();
+    let of = |m: &Muscle| burst(&ThickWall::new(m)).unwrap();
     let missing = FailurePressure::Unknown;
     assert_eq!(of(&Muscle::prototype()).strands, missing(NoBurst::NoStrands));
     assert_eq!(of(&Muscle::prototype()).first(), None);
@@ -113,7 +111,7 @@ fn the_tube_bulges_through_the_widest_opening() {
     let tube = Tube::new(9.525, 1.5875, 200.0, Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 0.37 })));
     let braid = library::find("flexo-overexpanded-0.38in").unwrap().on(9.525).unwrap();
     let m = Muscle::new(tube.clone(), braid.clone(), Terminals::default(), None).unwrap();
-    let found = burst(&ThickWall::new(&m), &Workspace::new()).unwrap();
+    let found = burst(&ThickWall::new(&m)).unwrap();
     let mesh = found.mesh.mpa().unwrap();
     assert!((mesh / 0.76768 - 1.0).abs() < 1e-3, "{mesh}");
     // Before its strands break; half of it is allowed, or what the fittings are rated for.
@@ -122,12 +120,12 @@ fn the_tube_bulges_through_the_widest_opening() {
     assert_eq!(found.allowed(), Some((2.0 * mesh / SAFETY, Some(FailureMode::Mesh))));
     let rated = Terminals { rated_pressure_mpa: Some(0.1), ..Terminals::default() };
     let m = Muscle::new(tube.clone(), braid.clone(), rated, None).unwrap();
-    let found = burst(&ThickWall::new(&m), &Workspace::new()).unwrap();
+    let found = burst(&ThickWall::new(&m)).unwrap();
     assert_eq!(found.allowed(), Some((0.1, None)));
     // Strands that touch leave no opening.
     let strands = braid.strands.map(|s| Strands { count: 2000, ..s });
     let m = Muscle::new(tube, Braid { strands, ..braid }, Terminals::default(), None).unwrap();
-    assert_eq!(burst(&ThickWall::new(&m), &Workspace::new()).unwrap().mesh, FailurePressure::None);
+    assert_eq!(burst(&ThickWall::new(&m)).unwrap().mesh, FailurePressure::None);
 }
 
 /// Rigid strands, next to no rubber: F + π Ri² P = π P (Ro² (2 cot²θ − 1) + Ri²).
@@ -140,7 +138,7 @@ fn closed_form_of_clamps_that_let_go() {
         let cot2 = f64::to_radians(angle).tan().powi(-2);
         let (ro, ri) = (0.5 * d, 0.5 * d - wall);
         let expected = bears / (PI * (ro * ro * (2.0 * cot2 - 1.0) + ri * ri));
-        let found = burst(&ThickWall::new(&m), &Workspace::new()).unwrap();
+        let found = burst(&ThickWall::new(&m)).unwrap();
         let (by, p) = found.first().unwrap();
         assert!(by == FailureMode::Ends && (p / expected - 1.0).abs() < 1e-6, "{p} {expected}");
     }
@@ -153,7 +151,7 @@ fn the_rubber_tears_where_its_stretch_is_that_at_break() {
         let braid = Braid { angle_deg: angle, ..strands(96, Some((0.0491, 8500.0)), 1e6) };
         let tube = Tube::new(10.0, 2.0, 200.0, mckibben::rubber::library::find(name).unwrap());
         let m = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
-        let found = burst(&ThickWall::new(&m), &Workspace::new()).unwrap().bladder;
+        let found = burst(&ThickWall::new(&m)).unwrap().bladder;
         (m, found)
     };
     // RTV 615 breaks at 193 %.

@@ -3,7 +3,7 @@
 use mckibben::analysis::{
     AnalysisError, Options, contraction_at, contraction_or_stretch_at, force_on, pressure_at,
 };
-use mckibben::budget::{Budget, Limits, Resource};
+use mckibben::cancel::Cancel;
 use mckibben::model::{ForceModel, ModelError, ModelKind, Workspace};
 use mckibben::muscle::{
     Braid, BraidStiffness, Direction, EndFactor, Friction, MeasuredStrand, Muscle, Terminals, Tube,
@@ -277,10 +277,12 @@ fn beyond_the_braid_the_refusal_says_where_it_stops() {
 }
 
 #[test]
-fn a_search_ends_with_its_budget() {
+fn a_search_that_is_cancelled_ends() {
     let model = ModelKind::Universal.build(&Muscle::prototype()).unwrap();
-    let w = &mut Workspace::within(Budget::new(Limits::default().with(Resource::Seconds, 0.0)));
-    let spent = |e: AnalysisError| matches!(e, AnalysisError::Model(ModelError::Exceeded(_)));
-    assert!(pressure_at(&*model, w, 1e6, 0.1, Options::default()).is_err_and(spent));
-    assert!(contraction_at(&*model, w, 1e6, 0.2, Options::default()).is_err_and(spent));
+    let (w, cancel) = (&mut Workspace::new(), Cancel::default());
+    cancel.cancel();
+    let _entered = cancel.enter();
+    let cancelled = |e: AnalysisError| matches!(e, AnalysisError::Model(ModelError::Cancelled(_)));
+    assert!(pressure_at(&*model, w, 1e6, 0.1, Options::default()).is_err_and(cancelled));
+    assert!(contraction_at(&*model, w, 1e6, 0.2, Options::default()).is_err_and(cancelled));
 }

@@ -72,7 +72,7 @@ fn rows_in_memory_are_those_of_the_file_and_a_wish_to_stop_ends_them() {
     let path = dir.path().join("c.parquet");
     run_to(&path);
     assert_eq!(compute(&plan(), &Silent).unwrap(), read(&path).unwrap());
-    assert!(matches!(compute(&plan(), &StopsAfter::new(1)), Err(CampaignError::Stopped)));
+    assert!(matches!(compute(&plan(), &StopsAfter::new(1)), Err(CampaignError::Cancelled(_))));
 }
 
 #[test]

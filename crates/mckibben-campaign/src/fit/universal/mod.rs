@@ -84,7 +84,7 @@ pub fn universal(
     let steps = FOLDS as usize + 2;
     let step = |done: usize| {
         progress.report(done, steps);
-        if progress.cancelled() { Err(FitError::Stopped) } else { Ok(()) }
+        progress.check()
     };
     let products = products(request.form);
     let method = match request.form {

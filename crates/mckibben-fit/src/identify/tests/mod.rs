@@ -4,6 +4,7 @@ mod history;
 use super::*;
 use crate::least_squares::Loss;
 use crate::measured::MeasuredPoint;
+use mckibben::cancel::Cancelled;
 use mckibben::model::{ForceModel, ModelError, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube};
 use mckibben::progress::{Progress, Silent};
@@ -119,7 +120,7 @@ fn whoever_no_longer_wants_the_answer_gets_none() {
         two_sided: false,
         history: false,
     };
-    assert_eq!(identify_with(&request, &thick, &Gone).unwrap_err(), IdentifyError::Cancelled);
+    assert_eq!(identify_with(&request, &thick, &Gone).unwrap_err(), IdentifyError::Cancelled(Cancelled));
 }
 
 fn values(m: &Muscle, names: &[&str], points: &[DataPoint]) -> Vec<f64> {

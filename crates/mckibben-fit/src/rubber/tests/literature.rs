@@ -31,7 +31,7 @@ fn three_terms_follow_treloars_rubber_at_least_as_well_as_ogdens_own() {
     for measure in [Measure::Absolute, Measure::Relative] {
         let settings = FitSettings { measure, ..only(named("ogden-3")) };
         let found = fit_tension(&data, &settings).unwrap();
-        let problem = Problem::new(data.clone(), measure, false, &[], Default::default());
+        let problem = Problem::new(data.clone(), measure, false, &[]);
         let (ours, his) = (problem.squares(&found.laws[0].law).unwrap(), problem.squares(&own).unwrap());
         assert!(ours <= his, "{measure:?}: {ours} against {his}, {:?}", found.laws[0].law);
     }

@@ -1,5 +1,5 @@
 use super::*;
-use mckibben::budget::Exceeded;
+use mckibben::cancel::{Cancel, Cancelled};
 use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, RubberLaw, Stability, Yeoh};
 use std::fs::File;
 
@@ -303,16 +303,9 @@ fn a_modulus_that_no_rubber_has_is_asked_about() {
     assert!(found.warnings[0].to_string().contains("in kPa or psi"), "{:?}", found.warnings);
 }
 
-/// Neither a cancelled fit nor one whose time is over is an answer, and neither goes on.
+/// A cancelled fit is no answer, and does not go on.
 #[test]
-fn a_fit_ends_when_its_caller_or_its_budget_does() {
-    use mckibben::budget::{Budget, Limits, Resource};
-    struct Ending(Budget);
-    impl Progress for Ending {
-        fn budget(&self) -> Budget {
-            self.0.clone()
-        }
-    }
+fn a_fit_ends_when_its_caller_does() {
     let data = points(
         &Law::Yeoh(Yeoh { c10_mpa: 0.1, c20_mpa: 0.01, c30_mpa: 0.001 }),
         &[Mode::Uniaxial],
@@ -320,17 +313,9 @@ fn a_fit_ends_when_its_caller_or_its_budget_does() {
         2000,
         |_| 0.0,
     );
-    let late = Budget::new(Limits::default().with(Resource::Seconds, 0.0));
-    let cancelled = Budget::default();
-    cancelled.cancel();
-    for (budget, resource) in [(late, Some(Resource::Seconds)), (cancelled, None)] {
-        let error = fit_tension_with(&data, &FitSettings::default(), &Ending(budget)).unwrap_err();
-        match (error, resource) {
-            (TensionFitError::Ended(Exceeded::Spent { resource: r, .. }), Some(wanted)) => {
-                assert_eq!(r, wanted)
-            }
-            (TensionFitError::Ended(Exceeded::Cancelled), None) => {}
-            (other, _) => panic!("{other}"),
-        }
-    }
+    let cancel = Cancel::default();
+    cancel.cancel();
+    let _entered = cancel.enter();
+    let error = fit_tension_with(&data, &FitSettings::default(), &Silent).unwrap_err();
+    assert_eq!(error, TensionFitError::Cancelled(Cancelled));
 }

@@ -9,7 +9,6 @@ use crate::analysis::ask::Options;
 use crate::analysis::characteristics::free_contraction;
 use crate::analysis::error::AnalysisError;
 use crate::analysis::root::{RootError, find_root};
-use crate::budget::Budget;
 use crate::model::{ModelError, ModelKind, Workspace};
 use crate::muscle::{Muscle, NEUTRAL_ANGLE_DEG};
 use crate::rubber::{RubberLaw, library};
@@ -31,11 +30,7 @@ pub fn stretch_at_break(muscle: &Muscle) -> Option<f64> {
 }
 
 /// The pressure at which the rubber of the unloaded muscle tears, below one at which another part fails.
-pub fn tearing(
-    muscle: &Muscle,
-    below_mpa: Option<f64>,
-    budget: &Budget,
-) -> Result<FailurePressure, AnalysisError> {
+pub fn tearing(muscle: &Muscle, below_mpa: Option<f64>) -> Result<FailurePressure, AnalysisError> {
     let Some(breaks) = stretch_at_break(muscle) else {
         return Ok(FailurePressure::Unknown(NoBurst::NoElongation));
     };
@@ -43,7 +38,7 @@ pub fn tearing(
     if Radii::of(muscle).largest_stretch(NEUTRAL_ANGLE_DEG.to_radians(), 1.0 + STRAND_STRAIN) < breaks {
         return Ok(FailurePressure::None);
     }
-    let (model, mut workspace) = (ModelKind::ThickWall.build(muscle)?, Workspace::within(budget.clone()));
+    let (model, mut workspace) = (ModelKind::ThickWall.build(muscle)?, Workspace::new());
     let mut over = |p: f64| -> Result<f64, AnalysisError> {
         let free = free_contraction(&*model, &mut workspace, p, Options::extrapolating())?;
         Ok(model.response(&mut workspace, p, free)?.max_stretch.unwrap_or(1.0) - breaks)
@@ -62,9 +57,7 @@ pub fn tearing(
                 };
             }
             Ok(_) => (low, high) = (high, GROWTH * high),
-            Err(AnalysisError::Model(ModelError::Exceeded(spent))) => {
-                return Err(ModelError::Exceeded(spent).into());
-            }
+            Err(error @ AnalysisError::Model(ModelError::Cancelled(_))) => return Err(error),
             // Not taut yet, or beyond the last equilibrium.
             Err(_) if low == 0.0 => (low, high) = (high, GROWTH * high),
             Err(_) => {

@@ -8,7 +8,6 @@
 use super::failure::{FailurePressure, NoBurst};
 use super::strands::overloaded;
 use crate::analysis::error::AnalysisError;
-use crate::budget::Budget;
 use crate::model::ForceModel;
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
@@ -16,16 +15,13 @@ use std::f64::consts::PI;
 /// The pressure at which the clamps of a model's muscle let go.
 ///
 /// # Errors
-/// [`AnalysisError`] where the budget is spent, or the model has no answer at all.
-pub fn pull_off<M: ForceModel + ?Sized>(
-    model: &M,
-    budget: &Budget,
-) -> Result<FailurePressure, AnalysisError> {
+/// [`AnalysisError`] where the work is cancelled, or the model has no answer at all.
+pub fn pull_off<M: ForceModel + ?Sized>(model: &M) -> Result<FailurePressure, AnalysisError> {
     let muscle = model.muscle();
     let Some(bears) = muscle.terminals().pull_off_n else {
         return Ok(FailurePressure::Unknown(NoBurst::NoPullOff));
     };
-    Ok(overloaded(model, budget, &|r| Some(clamp_load_n(muscle, r.force_n, r.pressure_mpa)), bears)?.0)
+    Ok(overloaded(model, &|r| Some(clamp_load_n(muscle, r.force_n, r.pressure_mpa)), bears)?.0)
 }
 
 /// What each clamp carries at a pull in N and a pressure in MPa, in N.

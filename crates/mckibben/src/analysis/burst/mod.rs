@@ -22,18 +22,18 @@ pub mod strands;
 pub use failure::{Burst, FailureMode, FailurePressure, NoBurst, SAFETY};
 
 use super::error::AnalysisError;
-use crate::model::{ForceModel, Workspace};
+use crate::model::ForceModel;
 
-/// The burst pressure of a model's muscle. The answer does not depend on what the workspace was used for before.
+/// The burst pressure of a model's muscle.
 ///
 /// # Errors
-/// [`AnalysisError`] where the budget is spent, or the model has no answer at all.
-pub fn burst<M: ForceModel + ?Sized>(model: &M, workspace: &Workspace) -> Result<Burst, AnalysisError> {
-    let (muscle, budget) = (model.muscle(), workspace.budget());
-    let (strands, from_thick_wall) = strands::breaking(model, budget)?;
-    let (mesh, ends) = (mesh::herniation(muscle), ends::pull_off(model, budget)?);
+/// [`AnalysisError`] where the work is cancelled, or the model has no answer at all.
+pub fn burst<M: ForceModel + ?Sized>(model: &M) -> Result<Burst, AnalysisError> {
+    let muscle = model.muscle();
+    let (strands, from_thick_wall) = strands::breaking(model)?;
+    let (mesh, ends) = (mesh::herniation(muscle), ends::pull_off(model)?);
     let least = [strands, mesh, ends].into_iter().filter_map(FailurePressure::mpa).reduce(f64::min);
-    let bladder = bladder::tearing(muscle, least, budget)?;
+    let bladder = bladder::tearing(muscle, least)?;
     let rated_mpa = muscle.terminals().rated_pressure_mpa;
     Ok(Burst { strands, mesh, bladder, ends, rated_mpa, from_thick_wall })
 }

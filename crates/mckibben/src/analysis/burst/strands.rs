@@ -14,7 +14,6 @@
 use super::failure::{Burst, FailurePressure, NoBurst};
 use crate::analysis::error::AnalysisError;
 use crate::analysis::root::{RootError, find_root};
-use crate::budget::Budget;
 use crate::model::{ForceModel, ModelError, ModelKind, Response, Workspace};
 
 /// Pressures in MPa up to which a burst is sought.
@@ -27,13 +26,10 @@ const EDGE: f64 = 1e-6;
 /// The pressure at which the strands of a model's muscle break, and whether the thick-wall model gave it.
 ///
 /// # Errors
-/// [`AnalysisError`] where the budget is spent, or the model has no answer at all.
-pub fn breaking<M: ForceModel + ?Sized>(
-    model: &M,
-    budget: &Budget,
-) -> Result<(FailurePressure, bool), AnalysisError> {
+/// [`AnalysisError`] where the work is cancelled, or the model has no answer at all.
+pub fn breaking<M: ForceModel + ?Sized>(model: &M) -> Result<(FailurePressure, bool), AnalysisError> {
     match (Burst::missing(model.muscle()), model.muscle().braid().strands.and_then(|s| s.strength_n)) {
-        (None, Some(strength)) => overloaded(model, budget, &|r| r.strand_tension_n, strength),
+        (None, Some(strength)) => overloaded(model, &|r| r.strand_tension_n, strength),
         (missing, _) => Ok((FailurePressure::Unknown(missing.unwrap_or(NoBurst::NoStrength)), false)),
     }
 }
@@ -44,18 +40,16 @@ pub(super) type Load<'a> = dyn Fn(&Response) -> Option<f64> + 'a;
 /// The pressure at which a part of the blocked muscle carries what it bears, in N, and whether the thick-wall model gave it.
 pub(super) fn overloaded<M: ForceModel + ?Sized>(
     model: &M,
-    budget: &Budget,
     load: &Load<'_>,
     bears: f64,
 ) -> Result<(FailurePressure, bool), AnalysisError> {
     let thick = ModelKind::ThickWall.build(model.muscle())?;
-    let workspace = || Workspace::within(budget.clone());
     // Of the infinitely long muscle: where the other begins to search.
-    let mut of_thick = Blocked { model: &*thick, workspace: workspace(), load, bears };
+    let mut of_thick = Blocked { model: &*thick, workspace: Workspace::new(), load, bears };
     let near = of_thick.fails_near(1.0);
     let found = match model.extensions().companion {
-        Some(model) => Blocked { model, workspace: workspace(), load, bears }.fails_near(guess(&near)),
-        None => Blocked { model, workspace: workspace(), load, bears }.fails_near(guess(&near)),
+        Some(model) => Blocked { model, workspace: Workspace::new(), load, bears }.fails_near(guess(&near)),
+        None => Blocked { model, workspace: Workspace::new(), load, bears }.fails_near(guess(&near)),
     };
     match found {
         Err(AnalysisError::Unknown { .. }) => Ok((closed(near?, &mut of_thick), true)),
@@ -119,9 +113,7 @@ impl<M: ForceModel + ?Sized> Blocked<'_, M> {
             match self.over(p) {
                 Ok(over) if over >= 0.0 => high = Some((p, over)),
                 Ok(over) => low = Some((p, over)),
-                Err(AnalysisError::Model(ModelError::Exceeded(exceeded))) => {
-                    return Err(ModelError::Exceeded(exceeded).into());
-                }
+                Err(error @ AnalysisError::Model(ModelError::Cancelled(_))) => return Err(error),
                 Err(error @ AnalysisError::Unknown { .. }) => return Err(error),
                 Err(error) => {
                     without = p;

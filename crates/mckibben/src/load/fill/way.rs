@@ -66,7 +66,7 @@ impl<M: ForceModel + ?Sized> Way<'_, M> {
         }
         let wanted = self.filling.volume_mm3;
         let mut left = |at: f64| self.pushed_mm3(w, leg, at).map(|pushed| pushed - wanted);
-        let ended = |e: &AnalysisError| matches!(e, AnalysisError::Model(ModelError::Exceeded(_)));
+        let ended = |e: &AnalysisError| matches!(e, AnalysisError::Model(ModelError::Cancelled(_)));
         let (mut near, mut beyond) = (from, None);
         for i in 1..=STEPS {
             let at = if i == STEPS { to } else { from + (to - from) * (i as f64 / STEPS as f64).powi(2) };

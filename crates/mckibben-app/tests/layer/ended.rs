@@ -1,0 +1,180 @@
+//! Every command ends at most a second after its caller left.
+
+use mckibben::cancel::Cancel;
+use mckibben::progress::Silent;
+use mckibben::threads::Threads;
+use mckibben_app::{COMMANDS, ProblemKind, ask_value};
+use serde_json::{Value, json};
+use std::fmt::Write;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// A second, and half of one for the scheduler: other tests run meanwhile, and the thread that looks at its flag waits for its turn.
+const LATE: Duration = Duration::from_millis(1500);
+
+fn text_file(name: &str) -> Value {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
+    json!({ "name": name, "text": std::fs::read_to_string(path).unwrap() })
+}
+
+fn table(name: &str, head: &str, rows: usize, row: impl Fn(f64) -> String) -> Value {
+    let mut text = format!("{head}\n");
+    for i in 0..rows {
+        writeln!(text, "{}", row(i as f64 / rows as f64)).unwrap();
+    }
+    json!({ "name": name, "text": text })
+}
+
+fn steps(from: f64, to: f64, count: usize) -> Vec<f64> {
+    (0..count).map(|i| from + (to - from) * i as f64 / count as f64).collect()
+}
+
+/// A request of each command that takes much longer than these tests give it; none where every answer takes a moment.
+fn dear(command: &str, folder: &Path) -> Vec<Value> {
+    let (pressures, contractions) = (steps(0.05, 0.25, 100), steps(0.0, 0.15, 190));
+    let points = |n| -> Vec<Value> {
+        steps(0.01, 0.1, n).iter().map(|e| json!({ "force_n": 300.0 - e, "contraction": e })).collect()
+    };
+    let torques = |n| -> Vec<Value> {
+        steps(0.0, 40.0, n).iter().map(|a| json!({ "torque_nm": 5.0, "angle_deg": a })).collect()
+    };
+    let plan = json!({ "name": "plan.toml", "text": "[sampling]\nmethod = \"sobol\"\nsamples = 64\n\
+        [vary]\ntube.outer_diameter = \"20..60 mm\"\n[test]\ncontractions = \"0..15:1%\"\npressures = \"0.05..2.5:0.2bar\"\n" });
+    let bench = table("bench.csv", "pressure_bar,contraction,force_n", 5000, |t| {
+        format!("{},{},{}", 1.0 + 1.5 * t, 0.15 * (37.0 * t).fract(), 600.0 * t + 50.0)
+    });
+    let slim = json!({ "model": "fe", "length_mm": 30000, "mesh": "2x1024", "pressure_mpa": 0.2, "contraction": 0.1, "force_n": 300 });
+    match command {
+        "design" => vec![
+            json!({ "points": points(19_000), "model": "thick-wall", "max_pressure_mpa": 0.5 }),
+            json!({ "torques": torques(19_000), "model": "thick-wall", "max_pressure_mpa": 0.5 }),
+            json!({ "points": points(3), "angle_deg": { "low": 20, "high": 35 }, "length_mm": { "low": 200, "high": 400 },
+                    "model": "fe", "max_pressure_mpa": 0.5 }),
+        ],
+        "pressure" | "contraction" | "force" | "shape" => {
+            let kept: &[&str] =
+                if command == "shape" { &["length_mm", "mesh"] } else { &["model", "length_mm", "mesh"] };
+            let asked: &[&str] = match command {
+                "pressure" => &["force_n", "contraction"],
+                "contraction" | "shape" => &["force_n", "pressure_mpa"],
+                _ => &["pressure_mpa", "contraction"],
+            };
+            let own =
+                |(key, _): &(&String, &Value)| kept.contains(&key.as_str()) || asked.contains(&key.as_str());
+            vec![slim.as_object().unwrap().iter().filter(own).map(|(k, v)| (k.clone(), v.clone())).collect()]
+        }
+        "fill" => vec![
+            json!({ "model": "fe", "length_mm": 30000, "mesh": "2x1024", "volume_mm3": 6e6, "load": "mass:5kg" }),
+        ],
+        "curve" => vec![
+            json!({ "test": "isobaric", "model": "fe", "pressures_mpa": pressures, "contractions": contractions }),
+            json!({ "test": "isotonic", "model": "thick-wall", "pressures_mpa": pressures, "forces_n": steps(10.0, 300.0, 190),
+                    "muscle": text_file("held.toml") }),
+        ],
+        "joint" => {
+            let muscle = text_file("biceps.toml");
+            vec![
+                json!({ "joint": text_file("elbow.toml"), "muscles": [muscle, muscle], "model": "fe", "map": 60,
+                         "max_pressure_mpa": 0.3 }),
+            ]
+        }
+        "motion" => vec![json!({
+            "step": { "valve": "1 L/(s bar)", "load": "mass:1kg", "pressure_mpa": 0.2, "until_s": 500 },
+            "muscle": text_file("prototype.toml"), "model": "fe",
+        })],
+        "study" => vec![json!({ "model": "fe", "mesh": "4x512" })],
+        "simulate" => vec![
+            json!({ "test": "isometric", "model": "fe3d", "pressures_mpa": steps(0.01, 0.2, 3000), "contractions": [0.1] }),
+        ],
+        "validate" => vec![json!({ "all": true })],
+        "sweep" => vec![json!({ "muscles": 19_000 })],
+        "measured" => vec![json!({})],
+        "compare" => vec![
+            json!({ "models": ["fe", "thick-wall"], "pressures_mpa": pressures, "contractions": contractions }),
+            json!({ "models": ["fe"], "data": bench, "fit": ["modulus", "stiffness"] }),
+        ],
+        "identify" => vec![json!({ "muscle": text_file("bench.toml"), "data": [bench], "model": "fe",
+                                   "free": ["tube.material.mu", "braid.stiffness"] })],
+        "fit" => {
+            let row = |t: f64| {
+                let (d, s, p) = (
+                    30.0 + 5.0 * (4.99 * t).floor(),
+                    1.0 + (24.95 * t).floor() % 5.0,
+                    0.01 + 0.01 * ((624.0 * t).floor() % 25.0),
+                );
+                let e = 0.2 * ((19_000.0 * t).round() % 31.0) / 31.0;
+                format!("{d},{s},285,28,{p},{e},{},ok", p * d * d * (1.0 - 4.0 * e))
+            };
+            let head =
+                "outer_diameter_mm,wall_mm,length_mm,angle_deg,pressure_mpa,contraction,force_n,status";
+            vec![json!({ "table": table("points.csv", head, 19_000, row), "method": "global" })]
+        }
+        "fit-report" => vec![json!({})],
+        "plan" => vec![json!({ "plan": plan })],
+        "campaign" => vec![json!({ "plan": plan, "output": folder.join("c.parquet") })],
+        "build" => vec![json!({ "length_mm": 30000, "report": true })],
+        "rubber" => {
+            let row = |t: f64| {
+                let l = 1.0 + 4.0 * t;
+                format!("{l},{}", 0.4 * (l - 1.0 / (l * l)) + 0.01 * (900.0 * t).sin() + 0.002 * l.powi(4))
+            };
+            let over_time = |t: f64| {
+                format!("{},{},{}", 100.0 * t, 1.0 + (20.0 * t).sin().abs(), 0.4 * (20.0 * t).sin().abs())
+            };
+            let data = table("tension.csv", "stretch,stress_mpa", 19_000, row);
+            let history = table("history.csv", "time_s,stretch,stress_mpa", 19_000, over_time);
+            vec![
+                json!({ "data": data }),
+                json!({ "data": history, "laws": ["yeoh"], "relaxation": 6 }),
+                json!({ "data": history, "laws": ["yeoh"], "softening": true }),
+            ]
+        }
+        "export" => vec![json!({ "length_mm": 30000, "target": "c", "model": "fe", "mesh": "8x400" })],
+        "export-list" | "check" | "check-formula" | "campaign-show" | "campaign-merge"
+        | "campaign-status" | "measures" | "parts-list" | "parts-show" | "quantities" | "units" => vec![],
+        other => panic!("say what a dear request of {other} is, or that there is none"),
+    }
+}
+
+/// The kind of what a command ended with, and when. It has threads of its own: on those of the process its parts would wait
+/// behind the parts of other tests, which may take seconds each.
+fn ended(command: &str, request: Value, cancel: &Cancel) -> (Result<Value, (ProblemKind, String)>, Duration) {
+    let threads = Threads::new(Threads::shared().count()).unwrap();
+    let from = Instant::now();
+    let _entered = cancel.enter();
+    let answer = threads.within(|| ask_value(command, request, &Silent));
+    (answer.map_err(|p| (p.kind, p.message)), from.elapsed())
+}
+
+#[test]
+fn a_caller_that_leaves_ends_every_command_within_a_second() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let stays = Duration::from_millis(300);
+    for command in COMMANDS.iter().map(|c| c.name) {
+        for request in dear(command, folder) {
+            let cancel = Cancel::default();
+            let leaves = cancel.clone();
+            let leaving = std::thread::spawn(move || {
+                std::thread::sleep(stays);
+                leaves.cancel();
+            });
+            let (answer, took) = ended(command, request, &cancel);
+            leaving.join().unwrap();
+            eprintln!("{command}: {:.2} s after its caller left", took.as_secs_f64() - stays.as_secs_f64());
+            let (kind, message) = answer.map(|_| ()).expect_err(command);
+            assert_eq!(kind, ProblemKind::Cancelled, "{command}: {message}");
+            assert!(took < stays + LATE, "{command}: {took:?}");
+        }
+    }
+}
+
+#[test]
+fn what_is_cancelled_already_gives_no_answer() {
+    for command in COMMANDS.iter().map(|c| c.name) {
+        let cancel = Cancel::default();
+        cancel.cancel();
+        let (answer, took) = ended(command, json!({}), &cancel);
+        assert_eq!(answer.map(|_| ()).expect_err(command).0, ProblemKind::Cancelled, "{command}");
+        assert!(took < LATE, "{command}: {took:?}");
+    }
+}
