@@ -132,7 +132,7 @@ fn closed_form(model: &dyn ForceModel, drive: &Drive<'_>, index: f64) -> Option<
 }
 
 /// The frequency in Hz by the falling crossings of some periods after a displacement of a hundredth of a mm.
-pub fn crossings(drive: &Drive<'_>, periods: f64) -> Option<f64> {
+fn crossings(drive: &Drive<'_>, periods: f64) -> Option<f64> {
     let linear = Linear::new(drive).ok()?;
     let (f, _) = linear.oscillation()?;
     let mut drive = drive.clone();

@@ -6,9 +6,6 @@ mod liquid;
 mod mechanics;
 mod vessel;
 
-use liquid::liquid;
-use mechanics::mechanics;
-use vessel::vessel;
 pub use vessel::{Vessel, after, pressure};
 
 use crate::drive::Drive;
@@ -19,9 +16,9 @@ use mckibben::verification::VerificationRow;
 
 /// Every case, one after the other.
 pub fn cases() -> Vec<VerificationRow> {
-    let mut rows = vessel();
-    rows.extend(mechanics());
-    rows.extend(liquid());
+    let mut rows = vessel::vessel();
+    rows.extend(mechanics::mechanics());
+    rows.extend(liquid::liquid());
     rows
 }
 

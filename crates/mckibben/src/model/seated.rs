@@ -130,7 +130,7 @@ impl<M: ForceModel + ?Sized> Seated<M> {
         e: f64,
         mut pull: impl FnMut(&mut Workspace, f64) -> Result<InnerPull, E>,
     ) -> Result<Option<EndState>, E> {
-        let start = workspace.last(&self.id).map(|last| self.ends.displacement_near_mm(last, p, e));
+        let start = workspace.last_ends(&self.id).map(|last| self.ends.displacement_near_mm(last, p, e));
         let mut from =
             |start, w: &mut Workspace| self.ends.solve_end_displacement(p, e, start, |x| pull(w, x));
         let mut found = from(start, workspace);
@@ -139,7 +139,7 @@ impl<M: ForceModel + ?Sized> Seated<M> {
         }
         if let Some(state) = found.as_ref().ok().copied().flatten().filter(|_| self.ends.slip_mm_per_n > 0.0)
         {
-            workspace.keep(&self.id, state);
+            workspace.keep_ends(&self.id, state);
         }
         found
     }

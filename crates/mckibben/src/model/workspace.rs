@@ -1,5 +1,6 @@
 //! What changes while a model answers.
 
+use crate::muscle::EndState;
 use std::any::Any;
 use std::convert::Infallible;
 use std::fmt;
@@ -44,12 +45,9 @@ impl PartialEq for ModelId {
 #[derive(Default)]
 pub struct Workspace {
     content: Option<(ModelId, Box<dyn Any + Send>)>,
-    /// The last states of models that are built on another one: ends, a bend.
-    last: Vec<(ModelId, Box<dyn Any + Send>)>,
+    /// The last state of the ends of a muscle that slip.
+    last: Option<(ModelId, EndState)>,
 }
-
-/// A muscle on a pulley whose ends slip has two models that are built on another one.
-const LAST: usize = 2;
 
 impl Workspace {
     /// An empty one.
@@ -80,22 +78,14 @@ impl Workspace {
         Ok(content.unwrap_or_else(|| unreachable!("the content was made or found just before")))
     }
 
-    /// The last state of a model that is built on another one, where this workspace has one.
-    pub fn last<T: Any>(&self, id: &ModelId) -> Option<&T> {
-        self.last.iter().find(|(of, _)| of == id)?.1.downcast_ref()
+    /// The last state of a model's ends, where this workspace has one.
+    pub(super) fn last_ends(&self, id: &ModelId) -> Option<&EndState> {
+        self.last.as_ref().filter(|(of, _)| of == id).map(|(_, state)| state)
     }
 
-    /// Keeps the last state of a model that is built on another one, whose content this workspace has.
-    pub fn keep<T: Any + Send>(&mut self, id: &ModelId, state: T) {
-        let own = self.last.iter_mut().find(|(of, _)| of == id);
-        if let Some(place) = own.and_then(|(_, kept)| kept.downcast_mut()) {
-            *place = state;
-            return;
-        }
-        if self.last.len() == LAST {
-            self.last.remove(0);
-        }
-        self.last.push((id.clone(), Box::new(state)));
+    /// Keeps the last state of a model's ends beside the content of the model between them.
+    pub(super) fn keep_ends(&mut self, id: &ModelId, state: EndState) {
+        self.last = Some((id.clone(), state));
     }
 
     /// The content that belongs to a model, where this workspace has one.
