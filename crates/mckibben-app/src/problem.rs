@@ -380,9 +380,7 @@ impl From<CampaignError> for Problem {
             CampaignError::Shard(_) => {
                 return Self::new(ProblemKind::Usage, error.to_string(), error.hint()).in_field("shard");
             }
-            CampaignError::Plan(_) | CampaignError::NoCampaign { .. } | CampaignError::Codec { .. } => {
-                ProblemKind::File
-            }
+            CampaignError::Plan(_) | CampaignError::NoCampaign { .. } => ProblemKind::File,
             #[cfg(feature = "files")]
             CampaignError::Read { .. } => ProblemKind::File,
         };

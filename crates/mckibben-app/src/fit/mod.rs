@@ -307,9 +307,6 @@ pub struct FormulaShowAnswer {
     /// The equation with its numbers as LaTeX (amsmath), where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub latex: Option<String>,
-    /// Warnings about the file, if any.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub warnings: Vec<String>,
 }
 
 pub fn formula_show(request: &FormulaShowRequest) -> Result<FormulaShowAnswer, Problem> {
@@ -322,8 +319,7 @@ pub fn formula_show(request: &FormulaShowRequest) -> Result<FormulaShowAnswer, P
         Document::Section(f) => f.to_latex(),
         Document::Universal(f) => f.to_latex(),
     });
-    let warnings = formula.seal().warning(formula.name()).into_iter().collect();
-    Ok(FormulaShowAnswer { formula, latex, warnings })
+    Ok(FormulaShowAnswer { formula, latex })
 }
 
 fn built_in(name: &str) -> Result<Document, Problem> {

@@ -4,7 +4,6 @@ use super::CampaignError;
 use super::resume::{belongs, of_this_plan};
 use super::store::{Folder, Opened, PartSource, Provenance, Table, Which, is_file_name, part_name, whole};
 use mckibben_files::{Unfinished, sync};
-use mckibben_parquet::seal_of;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::io::ErrorKind;
@@ -82,8 +81,8 @@ pub(super) fn gather(
                     // Both are checked, so that neither hides behind the other.
                     let (a, b) = (Opened::file(one)?, Opened::file(&path)?);
                     belongs(&b.provenance, &a.provenance, &path)?;
-                    let seals = |p: &Path| seal_of(p).map_err(CampaignError::read(p));
-                    if seals(one)? != seals(&path)? {
+                    let bytes = |p: &Path| std::fs::read(p).map_err(CampaignError::read(p));
+                    if bytes(one)? != bytes(&path)? {
                         return Err(CampaignError::Conflict { one: one.clone(), other: path });
                     }
                     doubles += 1;
