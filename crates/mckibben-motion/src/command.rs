@@ -48,15 +48,20 @@ pub enum Command {
     Ramps(Vec<(f64, f64)>),
     /// mean + amplitude sin(2π f t + phase).
     Sine {
+        /// Mean.
         mean: f64,
+        /// Amplitude.
         amplitude: f64,
         /// f in Hz.
         frequency_hz: f64,
+        /// Phase in rad.
         phase_rad: f64,
     },
     /// A sine whose frequency grows linearly from one to the other within a time, and stays.
     Chirp {
+        /// Mean.
         mean: f64,
+        /// Amplitude.
         amplitude: f64,
         /// First frequency in Hz.
         from_hz: f64,

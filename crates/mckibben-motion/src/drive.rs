@@ -136,7 +136,12 @@ pub enum Target {
     /// Volumes in mm³ that syringes push out, one for each muscle; 0 at the start.
     Volume(Vec<Command>),
     /// The position: contraction of a single muscle, angle of a joint in rad.
-    Position { command: Command, pid: Pid },
+    Position {
+        /// The command.
+        command: Command,
+        /// The controller.
+        pid: Pid,
+    },
 }
 
 impl Target {

@@ -36,6 +36,7 @@ pub enum Coordinate {
 /// Generalised forces are in N (q in mm) or N mm (q in rad), I in N s²/mm (10⁻³ kg) or N mm s² (10³ kg m²), energies in mJ.
 /// Two antagonists about a joint have levers of opposite sign. [`SingleMuscle`] and [`Joint`] are mechanisms.
 pub trait Mechanism: Send + Sync {
+    /// How many muscles it has.
     fn muscles(&self) -> usize;
 
     /// Contraction of a muscle and its derivative.
@@ -78,6 +79,9 @@ pub trait Mechanism: Send + Sync {
     }
 
     /// Whether the numbers make a mechanism that can move.
+    ///
+    /// # Errors
+    /// [`MotionError::Value`].
     fn check(&self) -> Result<(), MotionError>;
 }
 

@@ -79,9 +79,11 @@ pub enum Warning {
     },
     /// The rubber is stretched further than its law has data.
     RubberStretch {
+        /// The stretch.
         stretch: f64,
         /// That of the data.
         limit: f64,
+        /// The rubber.
         rubber: String,
     },
 }

@@ -14,6 +14,7 @@ pub const MOST: usize = 8;
 pub trait Real:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + AddAssign + Send + Sync + 'static
 {
+    /// Lanes.
     const LANES: usize;
     /// The same number in every lane.
     fn splat(x: f64) -> Self;
@@ -21,7 +22,9 @@ pub trait Real:
     fn mul_add(self, a: Self, b: Self) -> Self;
     /// 1/self
     fn recip(self) -> Self;
+    /// The number of one lane.
     fn lane(&self, lane: usize) -> f64;
+    /// Sets the number of one lane.
     fn set_lane(&mut self, lane: usize, x: f64);
     /// The smaller one, lane by lane.
     fn min(self, other: Self) -> Self;

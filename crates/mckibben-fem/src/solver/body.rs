@@ -152,6 +152,7 @@ pub trait Body: NewtonSystem {
     /// How many times the part that is computed makes up the muscle.
     const COPIES: f64;
 
+    /// The present iterate.
     fn state(&self) -> &State;
 
     /// The same, to be changed.
@@ -210,6 +211,9 @@ pub trait Body: NewtonSystem {
     fn taut_pressure(&self, contraction: f64) -> f64;
 
     /// The contraction at which a pull in N is expected at a pressure in MPa.
+    ///
+    /// # Errors
+    /// [`FemError`] where nothing carries that pull.
     fn guess_contraction(&mut self, _force: f64, _pressure: f64) -> Result<f64, FemError> {
         Ok(0.0)
     }

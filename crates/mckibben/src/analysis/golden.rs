@@ -36,6 +36,7 @@ pub fn golden<S: Abscissa, M: PartialOrd>(
 
 /// Something at a place of an axis.
 pub trait Abscissa {
+    /// The place.
     fn place(&self) -> f64;
 }
 

@@ -18,6 +18,7 @@ pub enum Path {
     /// Between a point a of the fixed link and a point c of the moving one; the axis is the origin, x and y in mm as they stand at
     /// φ = 0, angles counterclockwise. l² = |a|² + |c|² − 2 a·R(φ)c, Δ = l(0) − l(φ).
     Points {
+        /// a
         origin_mm: [f64; 2],
         /// c
         insertion_mm: [f64; 2],

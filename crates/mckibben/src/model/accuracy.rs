@@ -25,7 +25,9 @@ pub enum Reference {
     Equations,
     /// The static force map of a bought muscle (Martens & Boblan 2017).
     ForceMap {
+        /// Its name.
         muscle: &'static str,
+        /// Points compared.
         points: u32,
         /// Root mean square of the error in N.
         rms_n: f64,

@@ -171,6 +171,7 @@ struct States {
     at: (f64, f64),
     /// On the pulley, by both limits of its strands.
     limits: [BentState; 2],
+    /// Without a bend.
     straight: BentState,
 }
 

@@ -9,6 +9,7 @@ pub enum EndFactor {
     Constant(f64),
     /// k(P) = a·e^(−P) + b, P in bar as in Tondu & Lopez (2000) \[tondu2000\].
     OfPressure {
+        /// a
         a: f64,
         /// b
         b: f64,

@@ -107,6 +107,7 @@ struct Middle {
     strand_stretch: f64,
     axial_stretch: f64,
     outer_radius_mm: f64,
+    /// rb
     braid_radius_mm: f64,
 }
 

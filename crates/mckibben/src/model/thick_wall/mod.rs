@@ -52,6 +52,7 @@ pub struct ThickWall {
     info: ModelInfo,
     wall: Wall,
     law: Law,
+    /// Ro
     ro: f64,
     /// Rs and t/2 of [`crate::muscle::StrandLay`]
     rs: f64,
