@@ -21,7 +21,7 @@ pub(crate) struct Drawing {
 impl Drawing {
     /// The drawing in its true size, as DXF.
     pub(crate) fn to_dxf(&self) -> String {
-        self.sheet.to_dxf(1.0 / self.scale, &format!("{}, lengths in mm, 1:1", crate::mark::MARK))
+        self.sheet.to_dxf(1.0 / self.scale, &format!("{}, lengths in mm, 1:1", crate::MARK))
     }
 }
 

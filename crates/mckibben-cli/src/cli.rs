@@ -56,6 +56,9 @@ pub struct Cli {
     /// Limit of the work: points, elements, bytes, factorisations or seconds [points=1e6, elements=250000, bytes=4e9]
     #[arg(long, value_name = "NAME=NUMBER", global = true, value_parser = limit, hide_short_help = true, display_order = 901, help_heading = "Output")]
     pub limit: Vec<(Resource, f64)>,
+    /// Overwrite existing files
+    #[arg(long, global = true, hide_short_help = true, display_order = 901, help_heading = "Output")]
+    pub overwrite: bool,
     /// Help: -h in short, --help with all flags
     #[arg(short, long, global = true, action = ArgAction::Help, display_order = 902, help_heading = "Output")]
     // clap answers it.

@@ -14,7 +14,6 @@ mod format;
 mod muscle_flags;
 mod names;
 mod output;
-mod overlap;
 mod plot;
 mod progress;
 mod quantities;
@@ -63,7 +62,7 @@ fn main() -> ExitCode {
     progress::limit(&cli.limit);
     let done = guarded(|| {
         let _entered = progress::budget().enter();
-        overlap::check(&matches)?;
+        output::check_named(&matches, cli.overwrite)?;
         dispatch::run(cli.command, cli.format, &cli.limit)
     });
     threads::shortage().into_iter().for_each(output::warn);

@@ -49,9 +49,9 @@ impl Reader {
         self.metadata().schema_descr().columns().iter().map(|c| c.name()).collect()
     }
 
-    /// Number of rows, as the metadata say.
+    /// Number of rows of all groups.
     pub fn rows(&self) -> i64 {
-        self.metadata().num_rows()
+        self.file.metadata().row_groups().iter().map(|g| g.num_rows()).fold(0, i64::saturating_add)
     }
 
     /// Number of row groups.

@@ -44,7 +44,7 @@ mod _native {
     #[pymodule_export]
     use crate::simulation::Simulation;
     #[pymodule_export]
-    use crate::view::{body_html, is_page, report_html, widget_script};
+    use crate::view::{body_html, report_html, widget_script};
 
     /// The version of the crates, and of the package.
     #[pymodule_export]

@@ -28,13 +28,6 @@ pub fn widget_script() -> String {
     mckibben_web::widget()
 }
 
-/// Whether a file with these first bytes is a page that this module makes.
-#[pyfunction]
-#[pyo3(signature = (head: "bytes"))]
-pub fn is_page(head: &[u8]) -> bool {
-    mckibben_report::is_page(head)
-}
-
 /// A page with all that is known of a muscle.
 #[pyfunction]
 #[pyo3(signature = (request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None))]

@@ -121,8 +121,8 @@ pub enum CampaignError {
         /// What it is.
         why: String,
     },
-    /// A file that was not there when the campaign began.
-    #[error("{} was created after the campaign began and would be overwritten", .path.display())]
+    /// A file where that of the campaign would be written.
+    #[error("{} exists and would be overwritten", .path.display())]
     Appeared {
         /// The file.
         path: PathBuf,

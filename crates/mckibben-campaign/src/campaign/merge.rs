@@ -1,7 +1,7 @@
 //! Parts → one file.
 
 use super::CampaignError;
-use super::resume::{belongs, of_this_plan};
+use super::resume::belongs;
 use super::store::{Folder, Opened, PartSource, Provenance, Table, Which, is_file_name, part_name, whole};
 use mckibben_files::{Unfinished, sync};
 use serde::Serialize;
@@ -107,19 +107,18 @@ pub(super) fn gather(
     Ok((provenance, found, doubles))
 }
 
-/// Merges the parts in some folders into one file, the same bytes as those of a single run. A file of the same plan is replaced,
-/// any other only with `overwrite`.
+/// Merges the parts in some folders into one file, the same bytes as those of a single run. An existing file is replaced only
+/// with `overwrite`.
 pub fn merge(folders: &[PathBuf], out: &Path, overwrite: bool) -> Result<Merged, CampaignError> {
     if !is_file_name(out) {
         return Err(CampaignError::OtherFormat { path: out.into() });
     }
-    let (provenance, found, doubles) = gather(folders)?;
-    let there = out.exists();
-    if there && !overwrite {
-        of_this_plan(&provenance, out)?;
+    if out.exists() && !overwrite {
+        return Err(CampaignError::Appeared { path: out.into() });
     }
+    let (provenance, found, doubles) = gather(folders)?;
     let places = found.into_iter().map(|(n, path)| (n, PartSource::File(path))).collect();
-    write_whole(&provenance, places, out, there || overwrite)?;
+    write_whole(&provenance, places, out, overwrite)?;
     Ok(Merged {
         output: out.into(),
         muscles: provenance.muscles,

@@ -1,10 +1,10 @@
 //! `build`: a folder with all that a workshop needs.
 
 use crate::failure::Failure;
-use crate::flags::{MuscleFlags, OverwriteFlag, UnitsFlag};
+use crate::flags::{MuscleFlags, UnitsFlag};
 use crate::format::Format;
 use crate::output::text::{number, pairs, place, table};
-use crate::output::{Content, FLAT, Target, burst_first, save_all, show};
+use crate::output::{FLAT, burst_first, save_all, show};
 use crate::progress::Bar;
 use crate::quantities::quantity;
 use crate::shown;
@@ -42,8 +42,6 @@ pub struct BuildArgs {
     /// Folder for the files; without it only the numbers are printed
     #[arg(short, long, value_name = "DIR", help_heading = "Output")]
     pub output: Option<PathBuf>,
-    #[command(flatten)]
-    pub replace: OverwriteFlag,
 }
 
 pub fn run(args: &BuildArgs, format: Format) -> Result<u8, Failure> {
@@ -57,19 +55,10 @@ pub fn run(args: &BuildArgs, format: Format) -> Result<u8, Failure> {
     };
     let answer = build(&request, &Bar::new("parts"))?;
     if let Some(folder) = &args.output {
-        save_all(&answer.files, folder, args.replace.overwrite, content)?;
+        save_all(&answer.files, folder)?;
     }
-    show(&answer, format, FLAT, || text(&answer, args.output.as_deref()), Target::STDOUT)?;
+    show(&answer, format, FLAT, || text(&answer, args.output.as_deref()), None)?;
     Ok(0)
-}
-
-/// What a file of the folder is, by its name.
-fn content(name: &str) -> Content {
-    match name {
-        "muscle.toml" => Content::Muscle,
-        "test.csv" => Content::EmptySheet,
-        _ => Content::Built,
-    }
 }
 
 fn text(answer: &BuildAnswer, folder: Option<&Path>) -> String {

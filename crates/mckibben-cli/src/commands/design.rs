@@ -5,12 +5,12 @@ mod text;
 use crate::clean;
 use crate::failure::{Failure, NO_ANSWER};
 use crate::files;
-use crate::flags::{LiquidFlags, LoadFlag, OverwriteFlag, PlotFlag, StrandFlags, UnitsFlag};
+use crate::flags::{LiquidFlags, LoadFlag, PlotFlag, StrandFlags, UnitsFlag};
 use crate::format::Format;
 use crate::names::{MODELS, RUBBERS, SLEEVES};
 use crate::output::text::{Units, place};
 use crate::output::width;
-use crate::output::{Content, Target, burst_first, check, colour, emit, save, show};
+use crate::output::{burst_first, check_ending, colour, emit, save, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contraction as contraction_ratio, quantity, ratio, values};
@@ -256,14 +256,12 @@ pub struct DesignArgs {
     /// Write the best muscle as a muscle file
     #[arg(short, long, value_name = "FILE.toml", help_heading = "Output")]
     pub output: Option<PathBuf>,
-    #[command(flatten)]
-    pub replace: OverwriteFlag,
 }
 
 pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
     plot::check(&args.plot)?;
-    let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
-    check(target, &Content::Muscle)?;
+    let target = args.output.as_deref();
+    check_ending(target, &["toml"])?;
     let unit = shown::units();
     let chart = format == Format::Text && !args.no_chart;
     let request = request(args, (chart || args.plot.plot.is_some()).then(|| unit.clone()))?;
@@ -271,10 +269,10 @@ pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
     let figure = answer.figure.take();
     let winner = answer.muscle_files.first();
     if let Some(winner) = winner {
-        save(target, Content::Muscle, winner.text.as_bytes())?;
+        save(target, winner.text.as_bytes())?;
     }
     let text = || burst_first(&answer.warnings) + &text::of(&answer, args.output.as_deref(), &unit);
-    show(&answer, format, "candidates", text, Target::STDOUT)?;
+    show(&answer, format, "candidates", text, None)?;
     if let Some(figure) = figure.as_ref().filter(|_| chart) {
         let columns = width::of_tables().min(100);
         emit(format!("\n{}\n", clean::chart(&figure.to_text(columns, 24, colour()))), None)?;

@@ -6,7 +6,7 @@ use crate::files;
 use crate::flags::OutputFlags;
 use crate::format::Format;
 use crate::output::text::{number, pairs, table};
-use crate::output::{Content, check, emit, show as print};
+use crate::output::{emit, show as print};
 use clap::Args;
 use mckibben::formula::{Body, Document, Formula, paper_terms};
 use mckibben_app::{FormulaShowRequest, Model, ProblemKind, formula_show};
@@ -41,10 +41,7 @@ pub fn show(args: &FormulaShowArgs, format: Format) -> Result<u8, Failure> {
     let request = FormulaShowRequest { file, name: built_in.then(|| word.into_owned()), latex: args.latex };
     let answer = formula_show(&request)?;
     match answer.latex.as_ref().filter(|_| format == Format::Text) {
-        Some(latex) => {
-            check(args.output.target(), &Content::text(latex.as_bytes()))?;
-            emit(latex, args.output.output.as_deref())?;
-        }
+        Some(latex) => emit(latex, args.output.target())?,
         None => print(&answer, format, "terms", || text(&answer.formula), args.output.target())?,
     }
     Ok(0)

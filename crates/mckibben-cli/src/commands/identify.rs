@@ -4,11 +4,11 @@ mod text;
 
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{ColumnsFlag, MuscleFlags, OverwriteOrForceFlag, PlotFlag, UnitsFlag};
+use crate::flags::{ColumnsFlag, MuscleFlags, PlotFlag, UnitsFlag};
 use crate::format::Format;
 use crate::names::MODELS;
 use crate::output::text::place;
-use crate::output::{Content, Target, check, save, save_all, show};
+use crate::output::{check, check_ending, save, save_all, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, pressures, ratio};
@@ -17,7 +17,7 @@ use crate::word::word;
 use clap::Args;
 use mckibben::muscle::Measure;
 use mckibben::muscle::measures::{OUTER_DIAMETER, WALL};
-use mckibben_app::{Branches, IdentifyRequest, MeshFields, ModelFields, ProblemKind};
+use mckibben_app::{Branches, IdentifyRequest, MeshFields, ModelFields};
 use mckibben_fit::least_squares::Loss;
 use std::path::{Path, PathBuf};
 
@@ -106,20 +106,19 @@ pub struct IdentifyArgs {
     /// Write a folder for a library of muscles, which `mckibben library check DIR` checks
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub to_library: Option<PathBuf>,
-    #[command(flatten)]
-    pub replace: OverwriteOrForceFlag,
 }
 
 pub fn run(args: &IdentifyArgs, format: Format) -> Result<u8, Failure> {
     plot::check(&args.plot)?;
-    let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
-    check(target, &Content::Muscle)?;
-    is_free(args)?;
+    let target = args.output.as_deref();
+    check_ending(target, &["toml"])?;
+    // Before any work is done: its author may have written into it.
+    args.to_library.as_ref().map_or(Ok(()), |folder| check(&folder.join("case.toml")))?;
     let mut answer = mckibben_app::identify(&request(args)?, &Bar::new("points"))?;
     plot::save(answer.figure.take(), &args.plot)?;
-    save(target, Content::Muscle, answer.muscle_file.as_bytes())?;
+    save(target, answer.muscle_file.as_bytes())?;
     if let Some(folder) = &args.to_library {
-        save_all(&answer.library_folder, folder, true, |_| Content::Built)?;
+        save_all(&answer.library_folder, folder)?;
     }
     let text = || {
         let mut text = text::of(&answer, &shown::units());
@@ -134,22 +133,8 @@ pub fn run(args: &IdentifyArgs, format: Format) -> Result<u8, Failure> {
         }
         text
     };
-    show(&answer, format, "points", text, Target::STDOUT)?;
+    show(&answer, format, "points", text, None)?;
     Ok(0)
-}
-
-/// Refuses a folder with files of a library, before any work is done: their author may have written into them.
-fn is_free(args: &IdentifyArgs) -> Result<(), Failure> {
-    let Some(folder) = args.to_library.as_ref().filter(|_| !args.replace.overwrite) else { return Ok(()) };
-    let files = ["case.toml", "muscle.toml", "points.csv", "identified.toml"];
-    match files.into_iter().map(|name| folder.join(name)).find(|path| path.exists()) {
-        Some(path) => {
-            let message = format!("{} would be overwritten", path.display());
-            let hint = "name another folder, or replace it with --overwrite";
-            Err(Failure::input(ProblemKind::Output, message, hint))
-        }
-        None => Ok(()),
-    }
 }
 
 fn request(args: &IdentifyArgs) -> Result<IdentifyRequest, Failure> {

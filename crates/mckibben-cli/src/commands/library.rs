@@ -6,7 +6,7 @@ use crate::flags::{OutputFlags, PlotFlag};
 use crate::format::Format;
 use crate::names::MUSCLES;
 use crate::output::text::{number, or_dash, pairs, percent, percents, place, table};
-use crate::output::{Content, Target, save, show as print};
+use crate::output::{put, show as print};
 use crate::progress::Bar;
 use crate::{plot, shown};
 use clap::Args;
@@ -161,7 +161,7 @@ pub fn check(args: &LibraryCheckArgs, format: Format) -> Result<u8, Failure> {
     if let Some(folder) = args.folder.as_deref().filter(|_| args.write) {
         for check in answer.checks.iter().filter(|c| c.is_outdated) {
             let path = place_of(folder, &check.name).join(&check.muscle_file.name);
-            save(Target::file(&path, true), Content::Muscle, check.muscle_file.text.as_bytes())?;
+            put(&path, check.muscle_file.text.as_bytes())?;
             written.push(path);
         }
     }

@@ -1,9 +1,9 @@
 //! `report`: all that is known of a muscle, as one file.
 
 use crate::failure::Failure;
-use crate::flags::{MuscleFlags, OverwriteFlag, UnitsFlag};
+use crate::flags::{MuscleFlags, UnitsFlag};
 use crate::format::Format;
-use crate::output::{Content, Target, check, emit, ending, json, save, warn};
+use crate::output::{check_ending, emit, ending, json, save, warn};
 use crate::progress::Bar;
 use crate::quantities::{contraction, quantity};
 use crate::shown;
@@ -55,25 +55,22 @@ pub struct ReportArgs {
     /// Also write a PDF (needs an installed Chromium)
     #[arg(long, value_name = "FILE.pdf", help_heading = "Output")]
     pub pdf: Option<PathBuf>,
-    #[command(flatten)]
-    pub replace: OverwriteFlag,
 }
 
 pub fn run(args: &ReportArgs, format: Format) -> Result<u8, Failure> {
-    let target = |path| Target { path, overwrite: args.replace.overwrite };
     let printed_too = args.output.as_deref().filter(|path| ending(path).as_deref() == Some("pdf"));
     let page = args.output.as_deref().filter(|_| printed_too.is_none());
-    let content = match format {
-        Format::Text => Content::Page,
-        Format::Json => Content::Json { key: "muscle".to_owned() },
+    let endings: &[&str] = match format {
+        Format::Text => &["html", "htm"],
+        Format::Json => &["json"],
         Format::Csv => {
             let message = "--format csv: a report is a page, and has no table";
             return Err(Failure::input(ProblemKind::Usage, message, "leave it out, or take json"));
         }
     };
-    check(target(page), &content)?;
+    check_ending(page, endings)?;
     let pdfs: Vec<&Path> = args.pdf.as_deref().into_iter().chain(printed_too).collect();
-    pdfs.iter().try_for_each(|path| check(target(Some(path)), &Content::Pdf))?;
+    pdfs.iter().try_for_each(|path| check_ending(Some(path), &["pdf"]))?;
     let browser = pdfs.first().map(|_| browser()).transpose()?;
     let request = ReportRequest {
         muscle: args.muscle.fields()?,
@@ -93,19 +90,16 @@ pub fn run(args: &ReportArgs, format: Format) -> Result<u8, Failure> {
     answer.warnings.iter().filter(|w| is_of_burst(w)).for_each(warn);
     if let Some(browser) = browser {
         let bytes = printed(browser, &answer.document.to_html("")?)?;
-        pdfs.iter().try_for_each(|path| save(target(Some(path)), Content::Pdf, &bytes))?;
+        pdfs.iter().try_for_each(|path| save(Some(path), &bytes))?;
     }
     if page.is_none() && !pdfs.is_empty() {
         return Ok(0);
     }
-    let bytes = match content {
-        Content::Json { .. } => format!("{:#}\n", json(&answer)?).into_bytes(),
-        _ => answer.document.to_html(&mckibben_web::viewer())?.into_bytes(),
+    let text = match format {
+        Format::Json => format!("{:#}\n", json(&answer)?),
+        _ => answer.document.to_html(&mckibben_web::viewer())?,
     };
-    match page {
-        Some(_) => save(target(page), content, &bytes)?,
-        None => emit(&bytes, None)?,
-    }
+    emit(text, page)?;
     Ok(0)
 }
 

@@ -4,8 +4,8 @@ use crate::failure::{Failure, NO_ANSWER};
 use crate::files;
 use crate::flags::OutputFlags;
 use crate::format::Format;
+use crate::output::show;
 use crate::output::text::{number, place, table};
-use crate::output::{Target, show};
 use crate::progress::{Bar, INTERRUPTED};
 use clap::Args;
 use mckibben::progress::Progress;
@@ -157,7 +157,7 @@ pub fn submit(args: &SubmitArgs, format: Format) -> Result<u8, Failure> {
         dry_run: args.dry_run,
     };
     let submitted = campaign_submit(&request, &bar)?;
-    show(&submitted, format, "", || submitted_as_text(&submitted, args.dry_run), Target::STDOUT)?;
+    show(&submitted, format, "", || submitted_as_text(&submitted, args.dry_run), None)?;
     Ok(0)
 }
 
@@ -185,6 +185,6 @@ pub fn cancel(args: &CancelArgs, format: Format) -> Result<u8, Failure> {
         [] => "No job is left\n".to_owned(),
         jobs => format!("Cancelled: {}\n", jobs.join(", ")),
     };
-    show(&cancelled, format, "", text, Target::STDOUT)?;
+    show(&cancelled, format, "", text, None)?;
     Ok(0)
 }

@@ -2,7 +2,7 @@
 
 use super::messages::{PARAMS, Wrong};
 use crate::failure::Failure;
-use crate::output::{Content, save_all};
+use crate::output::save_all;
 use crate::progress::with;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -155,7 +155,7 @@ fn written(answer: &Value, folder: &Path) -> Result<String, Problem> {
     // Made by the program, and digits.
     let own = ["target", "hash"].map(|key| answer[key].as_str().unwrap_or_default()).join("-");
     let folder = &folder.join(own);
-    save_all(&files, folder, false, |_| Content::Exported).map_err(|failure| unwritten(failure.to_text()))?;
+    save_all(&files, folder).map_err(|failure| unwritten(failure.to_text()))?;
     let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
     Ok(format!("{} files are in {}: {}", files.len(), folder.display(), names.join(", ")))
 }
