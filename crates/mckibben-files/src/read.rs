@@ -9,16 +9,10 @@ use std::path::Path;
 pub enum ReadError {
     /// A directory, a device, a pipe.
     #[error("is {what}; it must be a regular file")]
-    NotAFile {
-        /// What it is.
-        what: &'static str,
-    },
+    NotAFile { what: &'static str },
     /// Longer than a file of its kind may be.
     #[error("is longer than {limit} bytes, too long for such a file")]
-    TooLarge {
-        /// The limit in bytes.
-        limit: u64,
-    },
+    TooLarge { limit: u64 },
     /// It is not there, may not be read, or the system fails.
     #[error("cannot be read: {0}")]
     System(#[from] Error),
