@@ -10,10 +10,8 @@ use parquet::errors::{ParquetError, Result};
 use parquet::file::metadata::FileMetaData;
 use parquet::file::reader::{ChunkReader, FileReader};
 use parquet::file::serialized_reader::SerializedFileReader;
-use std::cell::Cell;
 use std::fs::File;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::Once;
 
 /// A file whose metadata are read.
 pub struct Reader {
@@ -119,27 +117,10 @@ impl PageReader for Pages {
     }
 }
 
-thread_local! {
-    /// Whether a panic of this thread is one of the decoder, which nobody shall read of.
-    static GUARDED: Cell<bool> = const { Cell::new(false) };
-}
-
-/// Runs the decoder; a panic of it is an error, and silent.
+/// Runs the decoder, which panics on damaged pages: that is an error of the file.
 fn guarded<T>(work: impl FnOnce() -> Result<T>) -> Result<T> {
-    static HOOK: Once = Once::new();
-    HOOK.call_once(|| {
-        let usual = std::panic::take_hook();
-        std::panic::set_hook(Box::new(move |info| {
-            if !GUARDED.get() {
-                usual(info);
-            }
-        }));
-    });
-    let before = GUARDED.replace(true);
     // What the decoder held is dropped with its error.
-    let done = catch_unwind(AssertUnwindSafe(work));
-    GUARDED.set(before);
-    done.unwrap_or_else(|_| wrong("the decoder of Parquet gives up on it"))
+    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| wrong("the decoder of Parquet gives up on it"))
 }
 
 fn column(kind: &Column, reader: ColumnReader, rows: usize) -> Result<Column> {

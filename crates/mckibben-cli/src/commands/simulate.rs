@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::flags::{MuscleFlags, OutputFlags, PlotFlag, mesh_fields};
 use crate::format::Format;
 use crate::output::text::{Units, aligned, columns, number, percent, percents, place};
-use crate::output::{burst_first, check, check_ending, ending, save, show};
+use crate::output::{burst_first, check, check_ending, ending, put, save, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, forces, points};
@@ -172,7 +172,7 @@ struct Folder {
 impl Folder {
     fn write(&self, file: &VtuFile) -> Result<PathBuf, Problem> {
         let path = self.path.join(&file.name);
-        save(Some(&path), file.text.as_bytes()).map_err(Failure::into_problem)?;
+        put(&path, file.text.as_bytes()).map_err(Failure::into_problem)?;
         Ok(path)
     }
 }
@@ -180,6 +180,8 @@ impl Folder {
 impl Shapes for Folder {
     fn begin(&mut self, muscle: &MuscleSummary) -> Result<(), Problem> {
         self.series = VtuSeries::new(&muscle.line(&Units::default()));
+        // Its list, which is written again with each point.
+        check(&self.path.join(self.series.list().name)).map_err(Failure::into_problem)?;
         std::fs::create_dir_all(&self.path).map_err(|e| {
             let message = format!("the folder {} cannot be made: {e}", self.path.display());
             Problem::new(ProblemKind::Output, message, "give the name of a new folder or of one that exists")

@@ -51,6 +51,12 @@ impl Opened {
         Ok(Self { provenance, which, path: path.into(), fields, reader })
     }
 
+    /// The same, if all its groups are read without an error.
+    pub(crate) fn checked(self) -> Result<Self, CampaignError> {
+        (0..self.groups()).try_for_each(|index| self.group(index).map(drop))?;
+        Ok(self)
+    }
+
     /// Number of row groups.
     pub(crate) fn groups(&self) -> usize {
         self.reader.groups()

@@ -47,6 +47,10 @@ fn a_run_recomputes_damaged_parts_and_names_them() {
     std::fs::write(part(&store, 5), &whole[..whole.len() / 2]).unwrap();
     std::fs::write(part(&store, 7), b"").unwrap();
     std::fs::write(part(&store, 8), b"PAR1hello").unwrap();
+    // The header of its first page.
+    let mut page = bytes(&part(&store, 9));
+    page[4..12].fill(0xff);
+    std::fs::write(part(&store, 9), page).unwrap();
     // The name says otherwise.
     std::fs::copy(part(&store, 1), part(&store, 2)).unwrap();
 
@@ -56,13 +60,13 @@ fn a_run_recomputes_damaged_parts_and_names_them() {
     assert!(!merged.exists(), "nothing half-written");
     assert!(read(&store).is_err());
     let shown = summary(&store).unwrap();
-    assert_eq!((shown.muscles, shown.missing_parts, shown.damaged.len()), (8, 4, 4));
+    assert_eq!((shown.muscles, shown.missing_parts, shown.damaged.len()), (7, 5, 5));
 
     let outcome = run_to(&store);
     let named: Vec<_> = outcome.recomputed.iter().map(|d| d.file.file_name().unwrap().to_owned()).collect();
-    let expected_names = [2, 5, 7, 8].map(|n| part(&store, n).file_name().unwrap().to_owned());
+    let expected_names = [2, 5, 7, 8, 9].map(|n| part(&store, n).file_name().unwrap().to_owned());
     assert_eq!(named, expected_names);
-    assert_eq!(outcome.counts.points, 4 * 6);
+    assert_eq!(outcome.counts.points, 5 * 6);
     merge(&[store], &merged, false).unwrap();
     assert!(bytes(&merged) == expected);
 }
