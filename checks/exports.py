@@ -32,7 +32,7 @@ def run(*words, cwd=None, ok=True, timeout=300):
 def export(target, *words):
     """The folder of a target, its answer, and the seconds that the export took."""
     folder, begun = work / "".join([target, *words]), time.monotonic()
-    done = run(program, "export", MUSCLE, "--as", target, *words, "-o", folder, "--format", "json")
+    done = run(program, "export", MUSCLE, "--as", target, *words, "-o", folder, "--overwrite", "--format", "json")
     return folder, json.loads(done.stdout), time.monotonic() - begun
 
 

@@ -73,7 +73,7 @@ fn figures(check: bool) -> Done {
     for page in DRAWN {
         let text = fs::read_to_string(page).map_err(|e| format!("{page}: {e}"))?;
         for line in text.lines().filter(|line| line.starts_with("mckibben ") && writes(line)) {
-            quiet(Command::new(&program).args(into_folder(line, &made)))?;
+            quiet(Command::new(&program).args(into_folder(line, &made)).arg("--overwrite"))?;
         }
         for figure in text.split("](figures/").skip(1).filter_map(|rest| rest.split(')').next()) {
             keep(&made.join(figure), &Path::new("docs/figures").join(figure), check)?;

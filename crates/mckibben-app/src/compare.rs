@@ -272,8 +272,7 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         Warning::of_stretch(&c.model.muscle().tube().rubber, stretch)
     });
     let said = muscle.warnings().into_iter().map(Warning::from);
-    let seals = models.iter().filter_map(Model::seal_warning).map(Warning::from);
-    let warned: Vec<Warning> = seals.chain(said).chain(beyond).collect();
+    let warned: Vec<Warning> = said.chain(beyond).collect();
     let figure = request.figure.as_ref().map(|unit| {
         let fits = compared.iter().filter(|c| !c.row.fitted().is_empty());
         let fits: String = fits.map(|c| format!(". {} fitted: {}", c.row.model, c.row.fitted())).collect();

@@ -9,7 +9,7 @@ use crate::point::finite;
 use crate::problem::{Problem, ProblemKind};
 use mckibben::answer::{Options, check_range};
 use mckibben::progress::Progress;
-use mckibben_export::{ExportBox, ExportError, ExportedMuscle, Form, FormErrors, MARK, Target, Wanted};
+use mckibben_export::{ExportBox, ExportError, ExportedMuscle, Form, FormErrors, Target, Wanted};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -158,9 +158,6 @@ pub fn export(request: &ExportRequest, _progress: &dyn Progress) -> Result<Expor
         warnings,
     })
 }
-
-/// What every file of `export` has in its first bytes.
-pub const EXPORT_MARK: &str = MARK;
 
 impl From<ExportError> for Problem {
     fn from(error: ExportError) -> Self {

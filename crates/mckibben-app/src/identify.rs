@@ -240,7 +240,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         understood,
         muscle: summary,
         laws,
-        warnings: model.seal_warning().into_iter().chain(self::warnings(request, &found, beyond)).collect(),
+        warnings: self::warnings(request, &found, beyond),
         figure,
         points: std::mem::take(&mut found.points),
         found,

@@ -100,15 +100,6 @@ impl Model {
         }
     }
 
-    /// What belongs into every answer of a formula whose file was changed or carries no seal.
-    pub(crate) fn seal_warning(&self) -> Option<String> {
-        match self {
-            Self::Formula(f) => f.seal.warning(&f.name),
-            Self::Universal(f) => f.seal.warning(&f.name),
-            _ => None,
-        }
-    }
-
     /// Outer diameters and walls in mm that it was made for, where it is bound to some.
     pub fn sections(&self) -> Option<((f64, f64), (f64, f64))> {
         match self {

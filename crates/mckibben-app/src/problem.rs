@@ -347,7 +347,7 @@ impl From<CampaignError> for Problem {
             | CampaignError::Foreign { .. }
             | CampaignError::Appeared { .. } => ProblemKind::Output,
             CampaignError::ShardOfFile { .. } | CampaignError::OtherFormat { .. } => ProblemKind::Usage,
-            CampaignError::NoCampaign { .. } | CampaignError::Codec { .. } => ProblemKind::File,
+            CampaignError::NoCampaign { .. } => ProblemKind::File,
             #[cfg(feature = "files")]
             CampaignError::Read { .. } => ProblemKind::File,
         };

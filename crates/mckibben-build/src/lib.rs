@@ -14,7 +14,6 @@ mod cut;
 mod drawing;
 mod fitting;
 mod frame;
-mod mark;
 mod material;
 mod mesh;
 mod operating;
@@ -32,7 +31,9 @@ mod view;
 pub use clamps::Clamps;
 pub use cut::{Cut, SleeveCut, SleeveLength};
 pub use fitting::{Fitting, UnknownFitting};
-pub use mark::MARK;
+
+/// What made a file, in its first line.
+const MARK: &str = "mckibben build";
 pub use material::BuildPart;
 pub use mesh::Mesh;
 pub use operating::Operating;

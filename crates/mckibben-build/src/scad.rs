@@ -25,7 +25,7 @@ fn variables(plan: &Plan, stem: &Stem, what: &str) -> String {
          groove_depth = {depth};\n\
          collar_diameter = {collar};\n\
          collar = {thickness};          // thickness\n",
-        mark = crate::mark::MARK,
+        mark = crate::MARK,
         bore = mm(stem.diameter_mm - stem.interference_mm),
         exact = n(stem.diameter_mm - stem.interference_mm),
         interference = n(stem.interference_mm),

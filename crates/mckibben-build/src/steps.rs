@@ -3,7 +3,6 @@
 use crate::clamps::Clamps;
 use crate::cut::SleeveLength;
 use crate::fitting::Fitting;
-use crate::mark::MARK;
 use crate::plan::Plan;
 use crate::text::{fixed, mm, percent, pressure, significant};
 use mckibben_files::File;
@@ -13,7 +12,7 @@ use std::fmt::Write as _;
 pub(crate) fn markdown(plan: &Plan, files: &[File]) -> String {
     let (muscle, found) = (&plan.muscle, &plan.operating);
     let mut out = format!(
-        "<!-- {MARK} -->\n# McKibben muscle {} × {} mm\n\n![Drawing of the muscle](drawing.svg)\n\n",
+        "# McKibben muscle {} × {} mm\n\n![Drawing of the muscle](drawing.svg)\n\n",
         mm(muscle.outer_diameter_mm()),
         mm(muscle.length_mm())
     );

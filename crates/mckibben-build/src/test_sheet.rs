@@ -12,7 +12,7 @@ pub(crate) fn csv(plan: &Plan) -> String {
          # elongation while it falls. The pressure stays at or below {}.\n\
          # Then: mckibben identify muscle.toml --data test.csv -o found.toml\n\
          pressure_mpa,contraction,force_n,branch,distance between the clamps (mm)\n",
-        crate::mark::MARK,
+        crate::MARK,
         mm(length_mm),
         pressure(plan.operating.pressure_mpa)
     );

@@ -43,6 +43,9 @@ pub struct Cli {
     /// Text for reading: aligned, with units. For programs json, one object, or csv, one row per point; keys and columns carry their unit.
     #[arg(long, value_enum, global = true, default_value_t = Format::Text, hide_default_value = true, hide_possible_values = true, display_order = 900, help_heading = "Output")]
     pub format: Format,
+    /// Overwrite existing files
+    #[arg(long, global = true, hide_short_help = true, display_order = 901, help_heading = "Output")]
+    pub overwrite: bool,
     /// Help: -h in short, --help with all flags
     #[arg(short, long, global = true, action = ArgAction::Help, display_order = 902, help_heading = "Output")]
     // clap answers it.

@@ -5,21 +5,7 @@ use mckibben::muscle::file;
 use mckibben_app::{Model, Problem, TextFile};
 use mckibben_fit::validation::library;
 use mckibben_table::{MAX_BYTES, read_text};
-use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
-
-/// What this command has read.
-static READ: Mutex<Vec<PathBuf>> = Mutex::new(vec![]);
-
-/// Notes that a file was read, so that no result takes its place.
-pub fn note(path: &Path) {
-    READ.lock().unwrap_or_else(PoisonError::into_inner).push(path.to_owned());
-}
-
-/// Whether this command has read a file, by whatever name.
-pub fn was_read(path: &Path) -> bool {
-    READ.lock().unwrap_or_else(PoisonError::into_inner).iter().any(|read| mckibben_files::is_same(read, path))
-}
+use std::path::Path;
 
 /// The name of the paper's muscle in place of a file's.
 const PAPER: &str = "paper";
@@ -27,7 +13,6 @@ const PAPER: &str = "paper";
 /// A file written by hand: a joint, a plan.
 pub fn text(path: &Path) -> Result<TextFile, Failure> {
     let text = file::read_text(path).map_err(|e| Problem::from(e.of(path)))?;
-    note(path);
     Ok(TextFile { name: path.display().to_string(), text })
 }
 
@@ -49,7 +34,6 @@ pub fn muscle_beside(folder: &Path, name: &str) -> Result<TextFile, Failure> {
 pub fn table(path: &Path) -> Result<TextFile, Failure> {
     let name = path.display().to_string();
     let bytes = mckibben_files::read(path, MAX_BYTES as u64).map_err(|e| Failure::unread(path, &e))?;
-    note(path);
     let text = read_text(bytes.as_slice()).map_err(|error| Problem::of_table(&name, &error))?;
     Ok(TextFile { name, text })
 }
@@ -60,7 +44,6 @@ pub fn formula(word: &str) -> Result<Option<TextFile>, Failure> {
     let path = Path::new(word);
     if word.to_ascii_lowercase().ends_with(".json") || (!Model::is_taken(word) && path.is_file()) {
         let text = mckibben::formula::read_text(path).map_err(|e| Problem::from(e.in_file(path)))?;
-        note(path);
         return Ok(Some(TextFile { name: word.into(), text }));
     }
     Ok(None)

@@ -252,32 +252,13 @@ pub struct OutputFlags {
     /// Instead of standard output. The ending selects the format: .txt, .json, .csv, .parquet.
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    #[command(flatten)]
-    pub replace: OverwriteFlag,
 }
 
 impl OutputFlags {
     /// Where the result goes.
     pub fn target(&self) -> Target<'_> {
-        Target { path: self.output.as_deref(), overwrite: self.replace.overwrite }
+        self.output.as_deref()
     }
-}
-
-/// Whether an existing file may be overwritten. `--force` is the pull in newtons where a command takes one, so this is its name
-/// everywhere.
-#[derive(Debug, Clone, Default, Args)]
-pub struct OverwriteFlag {
-    /// Overwrite any existing file [only files written by this program]
-    #[arg(long, hide_short_help = true, help_heading = "Output")]
-    pub overwrite: bool,
-}
-
-/// The same, of commands in which `--force` means nothing else.
-#[derive(Debug, Clone, Default, Args)]
-pub struct OverwriteOrForceFlag {
-    /// Overwrite any existing file [only files written by this program]
-    #[arg(long, visible_alias = "force", hide_short_help = true, help_heading = "Output")]
-    pub overwrite: bool,
 }
 
 /// A figure.

@@ -15,7 +15,6 @@ mod gone;
 mod muscle_flags;
 mod names;
 mod output;
-mod overlap;
 mod plot;
 mod progress;
 mod quantities;
@@ -63,7 +62,7 @@ fn main() -> ExitCode {
     };
     let done = guarded(|| {
         let _entered = progress::cancel().enter();
-        overlap::check(&matches)?;
+        output::check_named(&matches, cli.overwrite)?;
         dispatch::run(cli.command, cli.format)
     });
     threads::shortage().into_iter().for_each(output::warn);

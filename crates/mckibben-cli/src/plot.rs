@@ -1,9 +1,8 @@
 //! Figures into files.
 
 use crate::failure::Failure;
-use crate::files;
 use crate::flags::PlotFlag;
-use crate::output::{emit, ending, of_input};
+use crate::output::{check as check_free, emit, ending};
 use crate::quantities::quantity;
 use mckibben::units::Dimension;
 use mckibben_app::ProblemKind;
@@ -28,7 +27,6 @@ pub fn check(flag: &PlotFlag) -> Result<(), Failure> {
 pub fn save(figure: Option<Figure>, flag: &PlotFlag) -> Result<(), Failure> {
     let (Some(mut figure), Some(path)) = (figure, &flag.plot) else { return Ok(()) };
     if let Some(path) = &flag.plot_data {
-        unread(path)?;
         emit(figure.to_csv(), Some(path))?;
     }
     if let Some(width_mm) = width_mm(flag)? {
@@ -39,7 +37,7 @@ pub fn save(figure: Option<Figure>, flag: &PlotFlag) -> Result<(), Failure> {
 
 /// Writes a figure to a file.
 pub fn save_as(figure: Figure, path: &Path) -> Result<(), Failure> {
-    unread(path)?;
+    check_free(path)?;
     Ok(figure.save(path)?)
 }
 
@@ -52,11 +50,6 @@ fn width_mm(flag: &PlotFlag) -> Result<Option<f64>, Failure> {
         }
         None => Ok(width),
     }
-}
-
-/// Refuses a file that this command has read, by any name. Other existing files were checked before the work (`overlap`).
-pub fn unread(path: &Path) -> Result<(), Failure> {
-    if files::was_read(path) { Err(of_input(path)) } else { Ok(()) }
 }
 
 impl From<FigureError> for Failure {

@@ -20,8 +20,8 @@ pub use mckibben_files::{Content, File};
 pub use muscle::{ExportBox, ExportedMuscle};
 pub use targets::Target;
 
-/// What every text of this crate has in it, so that a later run knows it.
-pub const MARK: &str = "exported by mckibben";
+/// What made a file.
+const MARK: &str = "exported by mckibben";
 
 /// What a target makes of a muscle.
 #[derive(Debug, Clone, PartialEq)]

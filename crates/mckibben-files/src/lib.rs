@@ -11,6 +11,6 @@ mod read;
 mod write;
 
 pub use made::{Content, File};
-pub use read::{ReadError, is_same, open, read};
+pub use read::{ReadError, open, read};
 #[cfg(feature = "write")]
 pub use write::{Unfinished, check_writable, replace, sync};

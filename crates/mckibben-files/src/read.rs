@@ -9,16 +9,10 @@ use std::path::Path;
 pub enum ReadError {
     /// A directory, a device, a pipe.
     #[error("is {what}; it must be a regular file")]
-    NotAFile {
-        /// What it is.
-        what: &'static str,
-    },
+    NotAFile { what: &'static str },
     /// Longer than a file of its kind may be.
     #[error("is longer than {limit} bytes, too long for such a file")]
-    TooLarge {
-        /// The limit in bytes.
-        limit: u64,
-    },
+    TooLarge { limit: u64 },
     /// It is not there, may not be read, or the system fails.
     #[error("cannot be read: {0}")]
     System(#[from] Error),
@@ -54,21 +48,6 @@ pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, ReadError> {
     if bytes.len() as u64 > limit { Err(ReadError::TooLarge { limit }) } else { Ok(bytes) }
 }
 
-/// Whether two paths lead to one file, by whatever names and links; false where one of them is not there.
-pub fn is_same(one: &Path, other: &Path) -> bool {
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::MetadataExt as _;
-        let number = |path: &Path| std::fs::metadata(path).map(|m| (m.dev(), m.ino())).ok();
-        number(one).is_some_and(|one| number(other) == Some(one))
-    }
-    #[cfg(not(unix))]
-    {
-        let place = |path: &Path| std::fs::canonicalize(path).ok();
-        place(one).is_some_and(|one| place(other) == Some(one))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -88,21 +67,6 @@ mod tests {
         let missing = read(&folder.path().join("b"), 9).unwrap_err();
         assert!(matches!(missing, ReadError::System(e) if e.kind() == ErrorKind::NotFound));
         assert!(matches!(read(folder.path(), 9), Err(ReadError::NotAFile { what: "a directory" })));
-    }
-
-    #[cfg(unix)]
-    #[test]
-    fn a_file_is_itself_behind_links_and_by_other_names() {
-        let folder = tempfile::tempdir().unwrap();
-        let at = |name: &str| folder.path().join(name);
-        std::fs::write(at("a"), "x").unwrap();
-        std::fs::write(at("b"), "x").unwrap();
-        std::os::unix::fs::symlink("a", at("soft")).unwrap();
-        std::fs::hard_link(at("a"), at("hard")).unwrap();
-        for name in ["a", "soft", "hard", "./a"] {
-            assert!(is_same(&at("a"), &at(name)), "{name}");
-        }
-        assert!(!is_same(&at("a"), &at("b")) && !is_same(&at("c"), &at("c")));
     }
 
     #[cfg(unix)]

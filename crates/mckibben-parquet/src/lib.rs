@@ -1,33 +1,26 @@
 //! Tables of named columns in Parquet files. The only crate that has to do with the library `parquet`, so that its generic code is compiled
 //! once, and with nothing else of this program.
 //!
-//! [`Writer`] writes a table group by group into any [`Sink`], sealed where a later reader shall see whether it is as it was written;
-//! [`Reader`] reads sealed files, and believes no number in them before it was compared with the bytes that are there.
+//! [`Writer`] writes a table group by group, with keys and values of metadata; [`Reader`] reads such files.
 //!
 //! ```
-//! use mckibben_parquet::{Column, Field, Packing, Sealed, Writer};
+//! use mckibben_parquet::{Column, Field, Packing, Writer};
 //! let fields = [Field { name: "force_n".into(), kind: Column::Optional(vec![]), packing: Packing::Repeated }];
-//! let mut bytes = std::io::Cursor::new(vec![]);
-//! let mut writer = Writer::new(&mut bytes, "table", "mckibben", &fields, Sealed::No)?;
+//! let mut bytes = vec![];
+//! let mut writer = Writer::new(&mut bytes, "table", "mckibben", &fields, vec![])?;
 //! writer.group(&[Column::Optional(vec![Some(1.5), None])])?;
 //! writer.finish()?;
-//! assert!(bytes.into_inner().ends_with(b"PAR1"));
+//! assert!(bytes.ends_with(b"PAR1"));
 //! # Ok::<(), mckibben_parquet::TableError>(())
 //! ```
 
-mod bytes;
 mod column;
 mod read;
-mod seal;
-mod sink;
-mod thrift;
 mod write;
 
 pub use column::{Column, Field, Packing, Text};
-pub use read::{OpenError, Reader};
-pub use seal::{Broken, has_ends, seal_of};
-pub use sink::Sink;
-pub use write::{GROUP, Sealed, Writer};
+pub use read::Reader;
+pub use write::{GROUP, Writer};
 
 use parquet::errors::ParquetError;
 use thiserror::Error;

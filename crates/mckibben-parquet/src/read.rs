@@ -1,95 +1,60 @@
 //! Parquet → tables.
 
 use crate::TableError;
-use crate::bytes::{Pages, Source, foreign_codec, guarded, rows_of, wrong};
 use crate::column::Column;
-use crate::seal::{self, Broken};
+use crate::write::GROUP;
+use parquet::column::page::{Page, PageMetadata, PageReader};
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl, get_column_reader};
-use parquet::data_type::{ByteArray, DataType, DoubleType};
+use parquet::data_type::{DataType, DoubleType};
 use parquet::errors::{ParquetError, Result};
-use parquet::file::metadata::ParquetMetaData;
-use parquet::file::serialized_reader::SerializedPageReader;
+use parquet::file::metadata::FileMetaData;
+use parquet::file::reader::{ChunkReader, FileReader};
+use parquet::file::serialized_reader::SerializedFileReader;
 use std::fs::File;
-use std::sync::Arc;
-use thiserror::Error;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// The longest text of a cell in bytes: causes are sentences.
-const TEXT: usize = 4096;
-
-/// Why a file is not opened.
-#[derive(Debug, Error)]
-pub enum OpenError {
-    /// The system.
-    #[error(transparent)]
-    Io(#[from] std::io::Error),
-    /// A Parquet file of something else.
-    #[error("it is a Parquet file of something else")]
-    Foreign,
-    /// Not as it was written.
-    #[error("{}", .0.words())]
-    Broken(Broken),
-    /// Its metadata.
-    #[error(transparent)]
-    Table(#[from] TableError),
-}
-
-/// A file whose bytes have been checked.
+/// A file whose metadata are read.
 pub struct Reader {
-    source: Arc<Source>,
-    metadata: ParquetMetaData,
+    file: Box<dyn FileReader>,
 }
 
 impl Reader {
-    /// Opens a sealed file whose metadata are `ours`; no number in it is believed before its seal was compared.
-    pub fn sealed(mut file: File, ours: impl Fn(&[u8]) -> bool) -> std::result::Result<Self, OpenError> {
-        let length = file.metadata()?.len();
-        let ends = seal::check_ends(&mut file, length)?;
-        let source = Source::File { file: file.try_clone()?, length };
-        if matches!(ends, Err(Broken::Cut)) && source.begins_with_a_page() {
-            return Err(OpenError::Foreign);
-        }
-        ends.map_err(OpenError::Broken)?;
-        let footer = source.footer().map_err(TableError::from)?;
-        if !ours(&footer) {
-            return Err(OpenError::Foreign);
-        }
-        let metadata = source.metadata(&footer).map_err(TableError::from)?;
-        seal::check(&mut file)?.map_err(OpenError::Broken)?;
-        Ok(Self { source: source.into(), metadata })
+    pub fn file(file: File) -> std::result::Result<Self, TableError> {
+        Self::open(file)
     }
 
     /// Opens what was just written to memory.
     pub fn bytes(bytes: Vec<u8>) -> std::result::Result<Self, TableError> {
-        let source = Source::Memory(bytes.into());
-        let footer = source.footer()?;
-        let metadata = source.metadata(&footer)?;
-        Ok(Self { source: source.into(), metadata })
+        Self::open(bytes::Bytes::from(bytes))
+    }
+
+    fn open(source: impl ChunkReader + 'static) -> std::result::Result<Self, TableError> {
+        Ok(guarded(|| Ok(Self { file: Box::new(SerializedFileReader::new(source)?) }))?)
+    }
+
+    fn metadata(&self) -> &FileMetaData {
+        self.file.metadata().file_metadata()
     }
 
     /// Keys and values of its metadata.
     pub fn pairs(&self) -> Vec<(String, String)> {
-        let pairs = self.metadata.file_metadata().key_value_metadata().into_iter().flatten();
+        let pairs = self.metadata().key_value_metadata().into_iter().flatten();
         pairs.filter_map(|pair| Some((pair.key.clone(), pair.value.clone()?))).collect()
-    }
-
-    /// A codec that is not built in, of some column.
-    pub fn foreign_codec(&self) -> Option<String> {
-        foreign_codec(&self.metadata).map(|codec| codec.to_string())
     }
 
     /// Names of its columns.
     pub fn names(&self) -> Vec<&str> {
-        self.metadata.file_metadata().schema_descr().columns().iter().map(|c| c.name()).collect()
+        self.metadata().schema_descr().columns().iter().map(|c| c.name()).collect()
     }
 
-    /// Number of rows, as the metadata say.
+    /// Number of rows of all groups.
     pub fn rows(&self) -> i64 {
-        self.metadata.file_metadata().num_rows()
+        self.file.metadata().row_groups().iter().map(|g| g.num_rows()).fold(0, i64::saturating_add)
     }
 
     /// Number of row groups.
     pub fn groups(&self) -> usize {
-        self.metadata.num_row_groups()
+        self.file.num_row_groups()
     }
 
     /// Columns of a group, and its number of rows.
@@ -99,20 +64,63 @@ impl Reader {
         columns: impl Iterator<Item = (&'n str, Column)>,
     ) -> std::result::Result<(Vec<Column>, usize), TableError> {
         Ok(guarded(|| {
-            let group = self.metadata.row_group(index);
-            let rows = rows_of(group)?;
-            let schema = group.schema_descr();
+            let group = self.file.get_row_group(index)?;
+            let rows = match usize::try_from(group.metadata().num_rows()) {
+                Ok(rows) if rows <= GROUP => rows,
+                _ => return wrong(format!("a group has more than {GROUP} rows")),
+            };
+            let schema = self.metadata().schema_descr();
             let mut out = vec![];
             for (name, kind) in columns {
                 let at = schema.columns().iter().position(|c| c.name() == name);
                 let at = at.ok_or_else(|| ParquetError::General(format!("no column {name}")))?;
-                let pages = SerializedPageReader::new(self.source.clone(), group.column(at), rows, None)?;
-                let reader = get_column_reader(schema.column(at), Box::new(Pages { inner: pages, rows }));
-                out.push(column(&kind, reader, rows)?);
+                let pages = Pages(group.get_column_page_reader(at)?);
+                out.push(column(&kind, get_column_reader(schema.column(at), Box::new(pages)), rows)?);
             }
             Ok((out, rows))
         })?)
     }
+}
+
+fn wrong<T>(why: impl Into<String>) -> Result<T> {
+    Err(ParquetError::General(why.into()))
+}
+
+/// Pages of a column. The library makes room for as many values as a dictionary says that it has, up to 64 GB; each takes four bytes at least.
+struct Pages(Box<dyn PageReader>);
+
+impl Iterator for Pages {
+    type Item = Result<Page>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        self.get_next_page().transpose()
+    }
+}
+
+impl PageReader for Pages {
+    fn get_next_page(&mut self) -> Result<Option<Page>> {
+        let page = self.0.get_next_page()?;
+        match &page {
+            Some(Page::DictionaryPage { buf, num_values, .. }) if *num_values as usize > buf.len() / 4 => {
+                wrong(format!("a dictionary of {num_values} values in {} bytes", buf.len()))
+            }
+            _ => Ok(page),
+        }
+    }
+
+    fn peek_next_page(&mut self) -> Result<Option<PageMetadata>> {
+        self.0.peek_next_page()
+    }
+
+    fn skip_next_page(&mut self) -> Result<()> {
+        self.0.skip_next_page()
+    }
+}
+
+/// Runs the decoder, which panics on damaged pages: that is an error of the file.
+fn guarded<T>(work: impl FnOnce() -> Result<T>) -> Result<T> {
+    // What the decoder held is dropped with its error.
+    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| wrong("the decoder of Parquet gives up on it"))
 }
 
 fn column(kind: &Column, reader: ColumnReader, rows: usize) -> Result<Column> {
@@ -120,17 +128,10 @@ fn column(kind: &Column, reader: ColumnReader, rows: usize) -> Result<Column> {
         (Column::Int64(_), ColumnReader::Int64ColumnReader(r)) => Column::Int64(values(r, rows)?),
         (Column::Int32(_), ColumnReader::Int32ColumnReader(r)) => Column::Int32(values(r, rows)?),
         (Column::Double(_), ColumnReader::DoubleColumnReader(r)) => Column::Double(values(r, rows)?),
-        (Column::Text(_), ColumnReader::ByteArrayColumnReader(r)) => Column::Text(texts(values(r, rows)?)?),
+        (Column::Text(_), ColumnReader::ByteArrayColumnReader(r)) => Column::Text(values(r, rows)?),
         (Column::Optional(_), ColumnReader::DoubleColumnReader(r)) => Column::Optional(optional(r, rows)?),
         _ => return wrong("a column is of another kind"),
     })
-}
-
-fn texts(list: Vec<ByteArray>) -> Result<Vec<ByteArray>> {
-    match list.iter().map(ByteArray::len).max() {
-        Some(longest) if longest > TEXT => wrong(format!("a text of {longest} bytes in a cell")),
-        _ => Ok(list),
-    }
 }
 
 fn ended(read: usize, rows: usize) -> Result<()> {

@@ -2,8 +2,6 @@
 
 use crate::TableError;
 use crate::column::{Column, Field, Packing};
-use crate::seal::{Output, SEAL};
-use crate::sink::Sink;
 use parquet::basic::{Compression, Encoding};
 use parquet::column::writer::ColumnWriter;
 use parquet::errors::{ParquetError, Result};
@@ -12,34 +10,26 @@ use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::parser::parse_message_type;
 use parquet::schema::types::ColumnPath;
+use std::io::Write;
 use std::sync::Arc;
 
 /// Most rows of a row group.
 pub const GROUP: usize = 1 << 16;
 /// How columns are compressed; in Rust alone, so that no compiler of C is needed.
-pub(crate) const CODEC: Compression = Compression::LZ4_RAW;
-
-/// Whether a file is sealed.
-#[derive(Debug)]
-pub enum Sealed {
-    /// A table for anybody.
-    No,
-    /// With the hash of its bytes behind Parquet's first four, keys and values of metadata, and without an index of its pages.
-    With(Vec<(String, String)>),
-}
+const CODEC: Compression = Compression::LZ4_RAW;
 
 pub struct Writer<'a> {
-    out: SerializedFileWriter<Output<'a>>,
+    out: SerializedFileWriter<&'a mut (dyn Write + Send)>,
 }
 
 impl<'a> Writer<'a> {
-    /// Begins the file of a table; `program` is noted as what made it.
+    /// Begins the file of a table; `program` is noted as what made it, with keys and values of metadata.
     pub fn new(
-        sink: &'a mut dyn Sink,
+        sink: &'a mut (dyn Write + Send),
         table: &str,
         program: &str,
         fields: &[Field],
-        sealed: Sealed,
+        pairs: Vec<(String, String)>,
     ) -> std::result::Result<Self, TableError> {
         let mut properties =
             WriterProperties::builder().set_created_by(program.into()).set_compression(CODEC);
@@ -50,8 +40,7 @@ impl<'a> Writer<'a> {
                 properties = properties.set_column_encoding(path, Encoding::BYTE_STREAM_SPLIT);
             }
         }
-        let is_sealed = matches!(sealed, Sealed::With(_));
-        if let Sealed::With(pairs) = sealed {
+        if !pairs.is_empty() {
             let pairs = pairs.into_iter().map(|(key, value)| KeyValue::new(key, value)).collect();
             properties = properties
                 .set_statistics_enabled(EnabledStatistics::Chunk)
@@ -64,11 +53,7 @@ impl<'a> Writer<'a> {
         };
         let lines: String = fields.iter().map(line).collect();
         let schema = parse_message_type(&format!("message {table} {{\n{lines}}}"))?;
-        let sink = Output::new(sink, is_sealed);
-        let mut out = SerializedFileWriter::new(sink, Arc::new(schema), Arc::new(properties.build()))?;
-        if is_sealed {
-            out.write_all(&[0; SEAL]).map_err(TableError::Io)?;
-        }
+        let out = SerializedFileWriter::new(sink, Arc::new(schema), Arc::new(properties.build()))?;
         Ok(Self { out })
     }
 
@@ -85,7 +70,7 @@ impl<'a> Writer<'a> {
     }
 
     pub fn finish(self) -> std::result::Result<(), TableError> {
-        self.out.into_inner()?.finish().map_err(TableError::Io)
+        self.out.into_inner()?.flush().map_err(TableError::Io)
     }
 }
 
@@ -123,7 +108,6 @@ mod tests {
     use crate::column::Text;
     use parquet::file::reader::{FileReader, SerializedFileReader};
     use parquet::record::Field as Cell;
-    use std::io::Cursor;
 
     #[test]
     fn what_is_written_is_read_again_by_the_library_itself() {
@@ -133,8 +117,8 @@ mod tests {
             field("slack", Column::Flag(vec![])),
             field("status", Column::OptionalText(vec![])),
         ];
-        let mut bytes = Cursor::new(vec![]);
-        let mut writer = Writer::new(&mut bytes, "table", "mckibben 0", &fields, Sealed::No).unwrap();
+        let mut bytes = vec![];
+        let mut writer = Writer::new(&mut bytes, "table", "mckibben 0", &fields, vec![]).unwrap();
         let texts = ["ok", "failed"].map(|text| Some(Text::from(text)));
         let columns = [
             Column::Optional(vec![Some(1.5), None]),
@@ -143,7 +127,7 @@ mod tests {
         ];
         writer.group(&columns).unwrap();
         writer.finish().unwrap();
-        let reader = SerializedFileReader::new(::bytes::Bytes::from(bytes.into_inner())).unwrap();
+        let reader = SerializedFileReader::new(::bytes::Bytes::from(bytes)).unwrap();
         let rows: Vec<_> = reader.get_row_iter(None).unwrap().map(Result::unwrap).collect();
         let cells = |i: usize| rows[i].get_column_iter().map(|c| c.1.clone()).collect::<Vec<_>>();
         assert_eq!(cells(0), [Cell::Double(1.5), Cell::Bool(false), Cell::Str("ok".into())]);

@@ -3,9 +3,6 @@
 use crate::{Figure, Style};
 use std::fmt::Write;
 
-/// The first line of the table.
-pub const DATA_HEAD: &str = "panel,series,style,x_axis,y_axis,x,y";
-
 impl Figure {
     /// Every point that is drawn, as CSV: the panel (from 1, with its title), the series by the text that names it in the figure, how it is
     /// drawn, both axes with their units, and both numbers with all digits. A band is its outline. A gap in a line is a row without numbers.
@@ -17,7 +14,7 @@ impl Figure {
     /// assert_eq!(table.lines().nth(1), Some("1,0.3 MPa,line,ε [–],F [N],0.1,190"));
     /// ```
     pub fn to_csv(&self) -> String {
-        let mut out = format!("{DATA_HEAD}\n");
+        let mut out = String::from("panel,series,style,x_axis,y_axis,x,y\n");
         for (i, panel) in self.panels.iter().enumerate() {
             let title = Some(panel.title.as_str()).filter(|title| !title.is_empty());
             let place = title.map_or_else(|| (i + 1).to_string(), |title| format!("{} {title}", i + 1));

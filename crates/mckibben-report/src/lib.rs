@@ -23,7 +23,6 @@ mod labels;
 mod layout;
 mod legend;
 mod line_labels;
-mod mark;
 #[cfg(feature = "png")]
 mod outlines;
 mod palette;
@@ -43,11 +42,9 @@ mod svg;
 mod ticks;
 mod xml;
 
-pub use data::DATA_HEAD;
 pub use document::{Body, Document, Part};
 pub use error::FigureError;
 pub use figure::{Axis, Figure, Mark, Palette, Panel, Series, Style};
-pub use mark::{is_figure, is_page};
 #[cfg(feature = "png")]
 pub use outlines::texts_as_outlines;
 pub use sheet::{Anchor, Item, Pen, Sheet};

@@ -8,7 +8,6 @@ use flate2::write::ZlibEncoder;
 use resvg::tiny_skia::{PathSegment, Point};
 use resvg::usvg::{self, Fill, FillRule, Group, LineCap, LineJoin, Node, Paint, Stroke, Transform};
 
-use crate::mark::PDF_PRODUCER;
 use crate::{Figure, FigureError, texts_as_outlines};
 
 /// Points (1/72 in) for each pixel of CSS (1/96 in).
@@ -39,7 +38,7 @@ pub(crate) fn render(svg: &str, title: &str) -> Result<Vec<u8>, FigureError> {
         .map(|(i, (fill, stroke))| format!("/G{i} << /ca {} /CA {} >> ", number(*fill), number(*stroke)));
     let title: String = title.encode_utf16().map(|unit| format!("{unit:04X}")).collect();
     let objects: [Vec<u8>; 5] = [
-        format!("<< /Producer {PDF_PRODUCER} /Title <FEFF{title}> >>").into(),
+        format!("<< /Producer (mckibben figure) /Title <FEFF{title}> >>").into(),
         b"<< /Type /Catalog /Pages 3 0 R >>".into(),
         b"<< /Type /Pages /Kids [4 0 R] /Count 1 >>".into(),
         format!(

@@ -2,7 +2,6 @@
 
 use resvg::{tiny_skia, usvg};
 
-use crate::mark::PNG_TEXT;
 use crate::{Figure, FigureError, texts_as_outlines};
 
 /// Pixels for each unit of the drawing (a millimetre has four units): 254 dots per inch.
@@ -39,9 +38,5 @@ fn drawn(svg: &str) -> Result<tiny_skia::Pixmap, FigureError> {
 }
 
 fn encoded(pixels: &tiny_skia::Pixmap) -> Result<Vec<u8>, FigureError> {
-    let mut png = pixels.encode_png().map_err(|e| raster(e.to_string()))?;
-    // Behind the signature and the first chunk, which have a fixed length.
-    let place = 33.min(png.len());
-    png.splice(place..place, PNG_TEXT.iter().copied());
-    Ok(png)
+    pixels.encode_png().map_err(|e| raster(e.to_string()))
 }

@@ -23,16 +23,10 @@ pub enum ColumnsError {
     #[error(
         "\"{text}\" is not a choice of a column; write quantity=\"heading:unit\", such as pressure=\"P1:kPa\""
     )]
-    Form {
-        /// The text.
-        text: String,
-    },
+    Form { text: String },
     /// A quantity twice.
     #[error("{name} is chosen twice")]
-    Twice {
-        /// The quantity.
-        name: String,
-    },
+    Twice { name: String },
 }
 
 impl Columns {

@@ -185,156 +185,42 @@ struct Kind {
     end_of_name: Option<&'static str>,
 }
 
+macro_rules! kinds {
+    ($($dimension:ident $units:ident $noun:literal $expectation:literal $end_of_name:expr;)*) => {
+        [$(Kind {
+            dimension: Dimension::$dimension,
+            units: $units,
+            noun: $noun,
+            expectation: $expectation,
+            end_of_name: $end_of_name,
+        }),*]
+    };
+}
+
 /// One entry a dimension, in their order.
-const KINDS: [Kind; 21] = [
-    Kind {
-        dimension: Dimension::Length,
-        units: LENGTHS,
-        noun: "a length",
-        expectation: "a length such as 30mm, 3cm or 1.2in (a bare number is mm)",
-        end_of_name: Some("mm"),
-    },
-    Kind {
-        dimension: Dimension::Pressure,
-        units: PRESSURES,
-        noun: "a pressure",
-        expectation: "a pressure such as 2.5bar, 0.25MPa, 250kPa or 36psi (a bare number is MPa)",
-        end_of_name: Some("mpa"),
-    },
-    Kind {
-        dimension: Dimension::Angle,
-        units: ANGLES,
-        noun: "an angle",
-        expectation: "an angle such as 28deg or 0.49rad (a bare number is degrees)",
-        end_of_name: Some("deg"),
-    },
-    Kind {
-        dimension: Dimension::Force,
-        units: FORCES,
-        noun: "a force",
-        expectation: "a force such as 700N or 0.7kN (a bare number is N)",
-        end_of_name: Some("n"),
-    },
-    Kind {
-        dimension: Dimension::Ratio,
-        units: RATIOS,
-        noun: "a ratio",
-        expectation: "a ratio such as 15% or 0.15",
-        end_of_name: None,
-    },
-    Kind {
-        dimension: Dimension::Stiffness,
-        units: STIFFNESSES,
-        noun: "a strand-family stiffness",
-        expectation: "a stiffness such as 467N/mm (a bare number is N/mm)",
-        end_of_name: Some("n_per_mm"),
-    },
-    Kind {
-        dimension: Dimension::Compliance,
-        units: COMPLIANCES,
-        noun: "a compliance",
-        expectation: "a compliance such as 0.003mm/N or 3mm/kN (a bare number is mm/N)",
-        end_of_name: Some("mm_per_n"),
-    },
-    Kind {
-        dimension: Dimension::Area,
-        units: AREAS,
-        noun: "an area",
-        expectation: "an area such as 0.3mm2 (a bare number is mm²)",
-        end_of_name: Some("mm2"),
-    },
-    Kind {
-        dimension: Dimension::Mass,
-        units: MASSES,
-        noun: "a mass",
-        expectation: "a mass such as 20kg or 500g (a bare number is kg)",
-        end_of_name: Some("kg"),
-    },
-    Kind {
-        dimension: Dimension::Torque,
-        units: TORQUES,
-        noun: "a torque",
-        expectation: "a torque such as 8Nm or \"8 N m\" (a bare number is N m)",
-        end_of_name: Some("nm"),
-    },
-    Kind {
-        dimension: Dimension::AngularStiffness,
-        units: ANGULAR_STIFFNESSES,
-        noun: "a stiffness of a joint",
-        expectation: "a stiffness of a joint such as 5Nm/rad (a bare number is N m/rad)",
-        end_of_name: Some("nm_per_rad"),
-    },
-    Kind {
-        dimension: Dimension::Inertia,
-        units: INERTIAS,
-        noun: "a moment of inertia",
-        expectation: "a moment of inertia such as \"0.02 kg m2\" (a bare number is kg m²)",
-        end_of_name: Some("kg_m2"),
-    },
-    Kind {
-        dimension: Dimension::Time,
-        units: TIMES,
-        noun: "a time",
-        expectation: "a time such as 0.3s or 20ms (a bare number is s)",
-        end_of_name: Some("s"),
-    },
-    Kind {
-        dimension: Dimension::Frequency,
-        units: FREQUENCIES,
-        noun: "a frequency",
-        expectation: "a frequency such as 2Hz (a bare number is Hz)",
-        end_of_name: Some("hz"),
-    },
-    Kind {
-        dimension: Dimension::Temperature,
-        units: TEMPERATURES,
-        noun: "a temperature",
-        expectation: "a temperature such as 20degC (a bare number is °C)",
-        end_of_name: Some("degc"),
-    },
-    Kind {
-        dimension: Dimension::Conductance,
-        units: CONDUCTANCES,
-        noun: "a sonic conductance",
-        expectation: "a sonic conductance such as \"0.5 L/(s bar)\" (a bare number is L/(s bar))",
-        end_of_name: Some("l_per_s_bar"),
-    },
-    Kind {
-        dimension: Dimension::Damping,
-        units: DAMPINGS,
-        noun: "a damping constant",
-        expectation: "a damping constant such as \"400 N s/m\" (a bare number is N s/m)",
-        end_of_name: Some("n_s_per_m"),
-    },
-    Kind {
-        dimension: Dimension::AngularDamping,
-        units: ANGULAR_DAMPINGS,
-        noun: "a damping constant of a joint",
-        expectation: "a damping constant of a joint such as \"0.2 N m s/rad\" (a bare number is N m s/rad)",
-        end_of_name: Some("nm_s_per_rad"),
-    },
-    Kind {
-        dimension: Dimension::Volume,
-        units: VOLUMES,
-        noun: "a volume",
-        expectation: "a volume such as 10cm3 or 0.2L (a bare number is mm³)",
-        end_of_name: Some("mm3"),
-    },
-    Kind {
-        dimension: Dimension::Density,
-        units: DENSITIES,
-        noun: "a density",
-        expectation: "a density such as 930kg/m3 or 0.93g/cm3 (a bare number is kg/m³)",
-        end_of_name: Some("kg_per_m3"),
-    },
-    Kind {
-        dimension: Dimension::Flow,
-        units: FLOWS,
-        noun: "a volume flow",
-        expectation: "a volume flow such as \"0.5 L/min\", \"0.1 m3/h\" or \"5 mL/s\" (a bare number is mm³/s)",
-        end_of_name: Some("mm3_per_s"),
-    },
-];
+const KINDS: [Kind; 21] = kinds! {
+    Length LENGTHS "a length" "a length such as 30mm, 3cm or 1.2in (a bare number is mm)" Some("mm");
+    Pressure PRESSURES "a pressure" "a pressure such as 2.5bar, 0.25MPa, 250kPa or 36psi (a bare number is MPa)" Some("mpa");
+    Angle ANGLES "an angle" "an angle such as 28deg or 0.49rad (a bare number is degrees)" Some("deg");
+    Force FORCES "a force" "a force such as 700N or 0.7kN (a bare number is N)" Some("n");
+    Ratio RATIOS "a ratio" "a ratio such as 15% or 0.15" None;
+    Stiffness STIFFNESSES "a strand-family stiffness" "a stiffness such as 467N/mm (a bare number is N/mm)" Some("n_per_mm");
+    Compliance COMPLIANCES "a compliance" "a compliance such as 0.003mm/N or 3mm/kN (a bare number is mm/N)" Some("mm_per_n");
+    Area AREAS "an area" "an area such as 0.3mm2 (a bare number is mm²)" Some("mm2");
+    Mass MASSES "a mass" "a mass such as 20kg or 500g (a bare number is kg)" Some("kg");
+    Torque TORQUES "a torque" "a torque such as 8Nm or \"8 N m\" (a bare number is N m)" Some("nm");
+    AngularStiffness ANGULAR_STIFFNESSES "a stiffness of a joint" "a stiffness of a joint such as 5Nm/rad (a bare number is N m/rad)" Some("nm_per_rad");
+    Inertia INERTIAS "a moment of inertia" "a moment of inertia such as \"0.02 kg m2\" (a bare number is kg m²)" Some("kg_m2");
+    Time TIMES "a time" "a time such as 0.3s or 20ms (a bare number is s)" Some("s");
+    Frequency FREQUENCIES "a frequency" "a frequency such as 2Hz (a bare number is Hz)" Some("hz");
+    Temperature TEMPERATURES "a temperature" "a temperature such as 20degC (a bare number is °C)" Some("degc");
+    Conductance CONDUCTANCES "a sonic conductance" "a sonic conductance such as \"0.5 L/(s bar)\" (a bare number is L/(s bar))" Some("l_per_s_bar");
+    Damping DAMPINGS "a damping constant" "a damping constant such as \"400 N s/m\" (a bare number is N s/m)" Some("n_s_per_m");
+    AngularDamping ANGULAR_DAMPINGS "a damping constant of a joint" "a damping constant of a joint such as \"0.2 N m s/rad\" (a bare number is N m s/rad)" Some("nm_s_per_rad");
+    Volume VOLUMES "a volume" "a volume such as 10cm3 or 0.2L (a bare number is mm³)" Some("mm3");
+    Density DENSITIES "a density" "a density such as 930kg/m3 or 0.93g/cm3 (a bare number is kg/m³)" Some("kg_per_m3");
+    Flow FLOWS "a volume flow" "a volume flow such as \"0.5 L/min\", \"0.1 m3/h\" or \"5 mL/s\" (a bare number is mm³/s)" Some("mm3_per_s");
+};
 
 impl Dimension {
     pub const ALL: [Dimension; KINDS.len()] = {

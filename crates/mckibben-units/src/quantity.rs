@@ -9,40 +9,21 @@ use thiserror::Error;
 pub enum QuantityError {
     /// Nothing was written.
     #[error("the value is empty; expected {}", .expected.expectation())]
-    Empty {
-        /// What was asked for.
-        expected: Dimension,
-    },
+    Empty { expected: Dimension },
     /// No number at the start.
     #[error("\"{text}\" does not start with a number; expected {}", .expected.expectation())]
-    NotANumber {
-        /// The text as written.
-        text: String,
-        /// What was asked for.
-        expected: Dimension,
-    },
+    NotANumber { text: String, expected: Dimension },
     /// `NaN`, `inf`, or a number too large for a double.
     #[error("\"{text}\" is not a finite number; expected {}", .expected.expectation())]
-    NotFinite {
-        /// The text as written.
-        text: String,
-        /// What was asked for.
-        expected: Dimension,
-    },
+    NotFinite { text: String, expected: Dimension },
     /// A number so large or so small that its powers leave the range of a double.
     #[error("\"{text}\" is outside the allowed range ({BOUNDS}); expected {}", .expected.expectation())]
-    Beyond {
-        /// The text as written.
-        text: String,
-        /// What was asked for.
-        expected: Dimension,
-    },
+    Beyond { text: String, expected: Dimension },
     /// A comma within the number: decimals, thousands, or a list where one value is wanted.
     #[error(
         "\"{text}\" is not one number: a point begins the decimals and a comma separates the values of a list; write {meant}"
     )]
     Comma {
-        /// The text as written.
         text: String,
         /// What may be meant.
         meant: String,
@@ -50,23 +31,14 @@ pub enum QuantityError {
     /// A unit of another kind of quantity, such as `30bar` for a length.
     #[error("\"{text}\" is {}; expected {}", .found.noun(), .expected.expectation())]
     WrongDimension {
-        /// The text as written.
         text: String,
         /// What the unit says it is.
         found: Dimension,
-        /// What was asked for.
         expected: Dimension,
     },
     /// A unit that is not known.
     #[error("\"{unit}\" in \"{text}\" is not a known unit; expected {}", .expected.expectation())]
-    UnknownUnit {
-        /// The text as written.
-        text: String,
-        /// The unit as written.
-        unit: String,
-        /// What was asked for.
-        expected: Dimension,
-    },
+    UnknownUnit { text: String, unit: String, expected: Dimension },
 }
 
 /// The sizes of quantities that are computed with, beside 0, in words.

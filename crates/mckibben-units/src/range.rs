@@ -48,38 +48,21 @@ pub enum RangeError {
     Quantity(#[from] QuantityError),
     /// The first end lies above the second.
     #[error("the range \"{text}\" is reversed: write the smaller value first")]
-    Reversed {
-        /// The text as written.
-        text: String,
-    },
+    Reversed { text: String },
     /// A step of zero or below.
     #[error("the step in \"{text}\" must be above zero")]
-    Step {
-        /// The text as written.
-        text: String,
-    },
+    Step { text: String },
     /// A step behind a list or a single value.
     #[error("\"{text}\" has a step but no range: write low..high:step")]
-    StepWithoutRange {
-        /// The text as written.
-        text: String,
-    },
+    StepWithoutRange { text: String },
     /// More points than [`MAX_POINTS`].
     #[error("\"{text}\" makes {points:.3e} points, more than {MAX_POINTS}: take a larger step")]
-    TooMany {
-        /// The text as written.
-        text: String,
-        /// How many points it would make.
-        points: f64,
-    },
+    TooMany { text: String, points: f64 },
     /// A list in which some but not all carry a unit.
     #[error(
         "in \"{text}\" some values carry a unit and some do not: put one unit after the last value, or one after each"
     )]
-    MixedUnits {
-        /// The text as written.
-        text: String,
-    },
+    MixedUnits { text: String },
 }
 
 /// Reads a number, a list `1,2,3`, a range `0..0.25` or a range with a step `0..0.25:0.01`. A unit behind the

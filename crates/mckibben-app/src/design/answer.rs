@@ -327,10 +327,7 @@ impl DesignAnswer {
                 .candidates
                 .first()
                 .map(|c| warnings(c, spec.max_pressure_mpa))
-                .unwrap_or_else(|| not_checked(outcome, spec.max_pressure_mpa))
-                .into_iter()
-                .chain(model.seal_warning().map(Warning::from))
-                .collect(),
+                .unwrap_or_else(|| not_checked(outcome, spec.max_pressure_mpa)),
             tolerance,
             to_be_sure: None,
             bundle: None,

@@ -33,14 +33,6 @@ fn near_the_box(muscle: &Muscle) -> bool {
 }
 
 impl ModelPolicy {
-    /// What belongs into every answer of a formula whose file was changed or carries no seal.
-    pub(super) fn seal_warning(&self) -> Option<String> {
-        match self {
-            Self::Named(model) => model.seal_warning(),
-            Self::Fastest { .. } | Self::Extensile { .. } => None,
-        }
-    }
-
     /// The name of the model that decides, whose numbers are printed.
     pub(super) fn name(&self) -> &str {
         match self {

@@ -294,9 +294,6 @@ pub struct CheckFormulaAnswer {
     /// The equation with its numbers as LaTeX (amsmath), where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub latex: Option<String>,
-    /// Warnings about the file, if any.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub warnings: Vec<String>,
 }
 
 pub fn check_formula(request: &CheckFormulaRequest) -> Result<CheckFormulaAnswer, Problem> {
@@ -309,8 +306,7 @@ pub fn check_formula(request: &CheckFormulaRequest) -> Result<CheckFormulaAnswer
         Document::Section(f) => f.to_latex(),
         Document::Universal(f) => f.to_latex(),
     });
-    let warnings = formula.seal().warning(formula.name()).into_iter().collect();
-    Ok(CheckFormulaAnswer { formula, latex, warnings })
+    Ok(CheckFormulaAnswer { formula, latex })
 }
 
 fn built_in(name: &str) -> Result<Document, Problem> {

@@ -101,14 +101,6 @@ pub enum CampaignError {
         /// Why.
         source: mckibben_files::ReadError,
     },
-    /// A codec that is not built in.
-    #[error("{} is compressed with {codec}, which this version of mckibben does not read", .path.display())]
-    Codec {
-        /// The file.
-        path: PathBuf,
-        /// The codec.
-        codec: String,
-    },
     /// Something that is not of this campaign is where a file of it would.
     #[error("{} is not a file of a campaign ({why}) and would be overwritten", .path.display())]
     Foreign {
@@ -117,8 +109,8 @@ pub enum CampaignError {
         /// What it is.
         why: String,
     },
-    /// A file that was not there when the campaign began.
-    #[error("{} was created after the campaign began and would be overwritten", .path.display())]
+    /// A file where that of the campaign would be written.
+    #[error("{} exists and would be overwritten", .path.display())]
     Appeared {
         /// The file.
         path: PathBuf,
@@ -151,9 +143,6 @@ impl CampaignError {
             Self::Foreign { .. } => "write to another place, move it away, or replace it with `overwrite`",
             Self::Appeared { .. } => {
                 "move it away, and the same command continues from here; `overwrite` replaces it"
-            }
-            Self::Codec { .. } => {
-                "an older version wrote it: run its plan again, or read it with that version"
             }
             #[cfg(feature = "store")]
             Self::Read { source: mckibben_files::ReadError::System(error), .. }

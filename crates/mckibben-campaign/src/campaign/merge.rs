@@ -1,10 +1,9 @@
 //! Parts → one file.
 
 use super::CampaignError;
-use super::resume::{belongs, of_this_plan};
+use super::resume::belongs;
 use super::store::{Folder, Opened, PartSource, Provenance, Table, Which, is_file_name, part_name, whole};
 use mckibben_files::{Unfinished, sync};
-use mckibben_parquet::seal_of;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::io::ErrorKind;
@@ -76,8 +75,8 @@ pub(super) fn gather(folders: &[PathBuf]) -> Result<(Provenance, BTreeMap<u64, P
                     // Both are checked, so that neither hides behind the other.
                     let (a, b) = (Opened::file(one)?, Opened::file(&path)?);
                     belongs(&b.provenance, &a.provenance, &path)?;
-                    let seals = |p: &Path| seal_of(p).map_err(CampaignError::read(p));
-                    if seals(one)? != seals(&path)? {
+                    let bytes = |p: &Path| std::fs::read(p).map_err(CampaignError::read(p));
+                    if bytes(one)? != bytes(&path)? {
                         return Err(CampaignError::Conflict { one: one.clone(), other: path });
                     }
                 }
@@ -101,19 +100,18 @@ pub(super) fn gather(folders: &[PathBuf]) -> Result<(Provenance, BTreeMap<u64, P
     Ok((provenance, found))
 }
 
-/// Merges the parts in some folders into one file, the same bytes as those of a single run. A file of the same plan is replaced,
-/// any other only with `overwrite`.
+/// Merges the parts in some folders into one file, the same bytes as those of a single run. An existing file is replaced only
+/// with `overwrite`.
 pub fn merge(folders: &[PathBuf], out: &Path, overwrite: bool) -> Result<Merged, CampaignError> {
     if !is_file_name(out) {
         return Err(CampaignError::OtherFormat { path: out.into() });
     }
-    let (provenance, found) = gather(folders)?;
-    let there = out.exists();
-    if there && !overwrite {
-        of_this_plan(&provenance, out)?;
+    if out.exists() && !overwrite {
+        return Err(CampaignError::Appeared { path: out.into() });
     }
+    let (provenance, found) = gather(folders)?;
     let places = found.into_iter().map(|(n, path)| (n, PartSource::File(path))).collect();
-    write_whole(&provenance, places, out, there || overwrite)?;
+    write_whole(&provenance, places, out, overwrite)?;
     Ok(Merged {
         output: out.into(),
         muscles: provenance.muscles,

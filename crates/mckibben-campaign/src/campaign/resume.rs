@@ -67,16 +67,17 @@ pub(super) fn there(
     };
     let parts: Vec<(u64, PathBuf)> =
         Folder::parts(&folder.path)?.into_iter().filter(&mut looked_at).collect();
-    let cause = |(number, path): &(u64, PathBuf)| match of_this_plan(provenance, path) {
-        Ok(opened) => {
-            let right = opened.which == Which::Part(*number);
-            Ok((!right).then(|| "it contains a different part from its name".to_owned()))
-        }
-        Err(CampaignError::Damaged { why, .. }) => Ok(Some(why)),
-        Err(error @ CampaignError::Read { .. }) => Err(error),
-        Err(error) if overwrite => Ok(Some(error.to_string())),
-        Err(error) => Err(error),
-    };
+    let cause =
+        |(number, path): &(u64, PathBuf)| match of_this_plan(provenance, path).and_then(Opened::checked) {
+            Ok(opened) => {
+                let right = opened.which == Which::Part(*number);
+                Ok((!right).then(|| "it contains a different part from its name".to_owned()))
+            }
+            Err(CampaignError::Damaged { why, .. }) => Ok(Some(why)),
+            Err(error @ CampaignError::Read { .. }) => Err(error),
+            Err(error) if overwrite => Ok(Some(error.to_string())),
+            Err(error) => Err(error),
+        };
     let checked = threads.map(&parts, cause);
     let (mut whole, mut damaged) = (BTreeMap::new(), vec![]);
     for ((number, path), checked) in parts.into_iter().zip(checked) {

@@ -3,8 +3,10 @@
 use super::marker::Marker;
 use super::store::{Folder, Opened};
 use super::{CampaignError, Shard};
+use mckibben_files::ReadError;
 use serde::Serialize;
 use std::collections::BTreeSet;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -59,7 +61,7 @@ pub struct CampaignStatus {
     /// Shards that nothing computes.
     pub shards_missing: u64,
     pub shards: Vec<ShardStatus>,
-    /// Parts that are cut off; they count as missing.
+    /// Parts that are damaged; they count as missing.
     pub damaged: Vec<PathBuf>,
     /// SHA-256 of the plan's text.
     pub plan_sha256: String,
@@ -82,12 +84,13 @@ pub fn status(folder: &Path) -> Result<CampaignStatus, CampaignError> {
     let mut there = BTreeSet::new();
     let mut damaged = vec![];
     for (number, path) in parts.into_iter().filter(|part| part.0 < marker.parts) {
-        match mckibben_parquet::has_ends(&path) {
-            Ok(true) => drop(there.insert(number)),
-            Ok(false) => damaged.push(path),
+        match Opened::file(&path) {
+            Ok(_) => drop(there.insert(number)),
             // Another process has just replaced or removed it.
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => {}
-            Err(error) => return Err(CampaignError::read(&path)(error)),
+            Err(CampaignError::Read { source: ReadError::System(e), .. })
+                if e.kind() == ErrorKind::NotFound => {}
+            Err(error @ CampaignError::Read { .. }) => return Err(error),
+            Err(_) => damaged.push(path),
         }
     }
     let count = Folder::shards(folder)?;

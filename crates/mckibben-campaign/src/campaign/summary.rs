@@ -126,7 +126,7 @@ pub fn summary(path: impl AsRef<Path>) -> Result<Summary, CampaignError> {
     }
     let (mut out, mut damaged, mut there): (Option<Summary>, _, u64) = (None, vec![], 0);
     for (number, part) in Folder::parts(path)? {
-        match Opened::file(&part) {
+        match Opened::file(&part).and_then(Opened::checked) {
             Ok(opened) => {
                 let out = out.get_or_insert_with(|| Summary::new(opened.provenance.clone()));
                 super::resume::belongs(&opened.provenance, &out.provenance, &part)?;

@@ -8,7 +8,6 @@ use super::paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method}
 use crate::hash;
 use mckibben::formula::{
     Body, ErrorSummary, Formula, FormulaErrors, FormulaRange, HeldOut, Made, Provenance, RegionErrors,
-    SealState,
 };
 use mckibben::muscle::Muscle;
 
@@ -114,7 +113,6 @@ pub fn make(request: &Request<'_>) -> Result<FittedFormula, FitError> {
             seed: request.seed,
             ..Provenance::default()
         },
-        seal: SealState::default(),
     };
     let list = compared(&points, |p| {
         formula.force_n(p.outer_diameter_mm, p.wall_mm, p.pressure_mpa, p.contraction) - p.force_n

@@ -3,10 +3,10 @@
 mod pdf;
 
 use crate::failure::Failure;
-use crate::flags::{MuscleFlags, OverwriteFlag, UnitsFlag};
+use crate::flags::{MuscleFlags, UnitsFlag};
 use crate::format::Format;
 use crate::output::text::{number, pairs, place, table};
-use crate::output::{Content, FLAT, Target, burst_first, check, ending, save, save_all, show};
+use crate::output::{FLAT, burst_first, check_ending, ending, save, save_all, show};
 use crate::progress::Bar;
 use crate::quantities::{contraction, quantity};
 use crate::shown;
@@ -68,16 +68,13 @@ pub struct BuildArgs {
     /// Write the report alone: FILE.html, or FILE.pdf, which needs an installed Chromium
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub report: Option<PathBuf>,
-    #[command(flatten)]
-    pub replace: OverwriteFlag,
 }
 
 pub fn run(args: &BuildArgs, format: Format) -> Result<u8, Failure> {
     let length = |flag: &str, text: &Option<String>| quantity(flag, text.as_deref(), Dimension::Length);
     let is_pdf = args.report.as_deref().and_then(ending).is_some_and(|end| end == "pdf");
-    let content_of_report = if is_pdf { Content::Pdf } else { Content::Page };
-    let target = Target { path: args.report.as_deref(), overwrite: args.replace.overwrite };
-    check(target, &content_of_report)?;
+    let target = args.report.as_deref();
+    check_ending(target, &["html", "htm", "pdf"])?;
     let browser = is_pdf.then(pdf::browser).transpose()?;
     let request = BuildRequest {
         muscle: args.muscle.fields()?,
@@ -101,29 +98,17 @@ pub fn run(args: &BuildArgs, format: Format) -> Result<u8, Failure> {
         // With the view that the reader turns.
         let page = document.to_html(&mckibben_web::viewer())?.into_bytes();
         match browser {
-            Some(browser) => {
-                save(target, content_of_report, &pdf::printed(browser, &document.to_html("")?)?)?
-            }
-            None => save(target, content_of_report, &page)?,
+            Some(browser) => save(target, &pdf::printed(browser, &document.to_html("")?)?)?,
+            None => save(target, &page)?,
         }
         let file = answer.files.iter_mut().find(|file| file.name == REPORT);
         file.into_iter().for_each(|file| file.content.clone_from(&page));
     }
     if let Some(folder) = &args.output {
-        save_all(&answer.files, folder, args.replace.overwrite, content)?;
+        save_all(&answer.files, folder)?;
     }
-    show(&answer, format, FLAT, || text(&answer, args), Target::STDOUT)?;
+    show(&answer, format, FLAT, || text(&answer, args), None)?;
     Ok(0)
-}
-
-/// What a file of the folder is, by its name.
-fn content(name: &str) -> Content {
-    match name {
-        "muscle.toml" => Content::Muscle,
-        "test.csv" => Content::EmptySheet,
-        REPORT => Content::Page,
-        _ => Content::Built,
-    }
 }
 
 fn text(answer: &BuildAnswer, args: &BuildArgs) -> String {

@@ -6,10 +6,9 @@ mod status;
 use crate::clean;
 use crate::failure::{Failure, NOT_CONVERGED};
 use crate::files;
-use crate::flags::OverwriteOrForceFlag;
 use crate::format::Format;
 use crate::output::text::{number, place};
-use crate::output::{Target, emit, json, show as print, warn};
+use crate::output::{emit, json, overwrite, show as print, warn};
 use crate::progress::{Bar, INTERRUPTED};
 use clap::{Args, Subcommand};
 use mckibben::progress::Progress;
@@ -65,8 +64,6 @@ pub struct CampaignRunArgs {
     /// Print neither progress nor summary
     #[arg(short, long)]
     pub quiet: bool,
-    #[command(flatten)]
-    pub replace: OverwriteOrForceFlag,
 }
 
 /// `campaign …`.
@@ -95,8 +92,6 @@ pub struct CampaignMergeArgs {
     /// The file
     #[arg(short, long, value_name = "FILE.parquet")]
     pub output: PathBuf,
-    #[command(flatten)]
-    pub replace: OverwriteOrForceFlag,
 }
 
 pub fn run(args: &CampaignArgs, format: Format) -> Result<u8, Failure> {
@@ -126,7 +121,7 @@ fn plan(args: &CampaignRunArgs, format: Format) -> Result<u8, Failure> {
         output: args.output.clone(),
         shard: args.shard.map(|shard| shard.to_string()),
         threads: args.threads.map(usize::from),
-        overwrite: args.replace.overwrite,
+        overwrite: overwrite(),
     };
     let outcome = mckibben_app::campaign(&request, &bar)?;
     let interrupted = bar.cancelled() && !outcome.complete;
@@ -185,13 +180,13 @@ fn merge(args: &CampaignMergeArgs, format: Format) -> Result<u8, Failure> {
     let request = CampaignMergeRequest {
         folders: args.folders.clone(),
         output: args.output.clone(),
-        overwrite: args.replace.overwrite,
+        overwrite: overwrite(),
     };
     let merged = campaign_merge(&request)?;
     let text = || {
         let out = place(&merged.output);
         format!("{} points of {} muscles are in {out}\n", merged.points, merged.muscles)
     };
-    print(&merged, format, "", text, Target::STDOUT)?;
+    print(&merged, format, "", text, None)?;
     Ok(0)
 }

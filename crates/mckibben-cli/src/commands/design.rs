@@ -4,11 +4,11 @@ mod text;
 
 use crate::failure::{Failure, NO_ANSWER};
 use crate::files;
-use crate::flags::{LiquidFlags, LoadFlag, OverwriteFlag, PlotFlag, StrandFlags, UnitsFlag};
+use crate::flags::{LiquidFlags, LoadFlag, PlotFlag, StrandFlags, UnitsFlag};
 use crate::format::Format;
 use crate::names::{MODELS, RUBBERS, SLEEVES};
 use crate::output::text::{Units, place};
-use crate::output::{Content, Target, burst_first, check, emit, save, show};
+use crate::output::{burst_first, check_ending, emit, save, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contraction as contraction_ratio, quantity, ratio, values};
@@ -230,23 +230,21 @@ pub struct DesignArgs {
     /// Write the best muscle as a muscle file
     #[arg(short, long, value_name = "FILE.toml", help_heading = "Output")]
     pub output: Option<PathBuf>,
-    #[command(flatten)]
-    pub replace: OverwriteFlag,
 }
 
 pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
     plot::check(&args.plot)?;
-    let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
-    check(target, &Content::Muscle)?;
+    let target = args.output.as_deref();
+    check_ending(target, &["toml"])?;
     let unit = shown::units();
     let request = request(args, args.plot.plot.as_ref().map(|_| unit.clone()))?;
     let mut answer = mckibben_app::design(&request, &Bar::new("muscles"))?;
     let winner = answer.muscle_files.first();
     if let Some(winner) = winner {
-        save(target, Content::Muscle, winner.text.as_bytes())?;
+        save(target, winner.text.as_bytes())?;
     }
     let text = || burst_first(&answer.warnings) + &text::of(&answer, args.output.as_deref(), &unit);
-    show(&answer, format, "candidates", text, Target::STDOUT)?;
+    show(&answer, format, "candidates", text, None)?;
     if let (Some(path), Some(_), Format::Text) = (&args.output, winner, format) {
         emit(format!("\nThe winner is in {}.\n", place(path)), None)?;
     }

@@ -1,11 +1,11 @@
 //! `export`: a folder with a muscle for a controller or a simulator.
 
 use crate::failure::Failure;
-use crate::flags::{ModelFlags, MuscleFlags, OverwriteFlag, UnitsFlag};
+use crate::flags::{ModelFlags, MuscleFlags, UnitsFlag};
 use crate::format::Format;
 use crate::names::TARGETS;
 use crate::output::text::{pairs, place, table};
-use crate::output::{Content, FLAT, Target, save_all, show};
+use crate::output::{FLAT, save_all, show};
 use crate::progress::Bar;
 use crate::quantities::quantity;
 use crate::shown;
@@ -52,14 +52,12 @@ pub struct ExportArgs {
     /// Folder for the files; without it only their names are printed
     #[arg(short, long, value_name = "DIR", help_heading = "Output")]
     pub output: Option<PathBuf>,
-    #[command(flatten)]
-    pub replace: OverwriteFlag,
 }
 
 pub fn run(args: &ExportArgs, format: Format) -> Result<u8, Failure> {
     if args.list {
         let answer = export_list(&ExportListRequest {})?;
-        show(&answer, format, "targets", || list_text(&answer), Target::STDOUT)?;
+        show(&answer, format, "targets", || list_text(&answer), None)?;
         return Ok(0);
     }
     let ratio = |flag: &str, text: &Option<String>| quantity(flag, text.as_deref(), Dimension::Ratio);
@@ -74,9 +72,9 @@ pub fn run(args: &ExportArgs, format: Format) -> Result<u8, Failure> {
     };
     let answer = export(&request, &Bar::new("points"))?;
     if let Some(folder) = &args.output {
-        save_all(&answer.files, folder, args.replace.overwrite, |_| Content::Exported)?;
+        save_all(&answer.files, folder)?;
     }
-    show(&answer, format, FLAT, || text(&answer, args.output.as_deref()), Target::STDOUT)?;
+    show(&answer, format, FLAT, || text(&answer, args.output.as_deref()), None)?;
     Ok(0)
 }
 

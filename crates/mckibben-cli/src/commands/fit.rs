@@ -6,9 +6,9 @@ mod text;
 pub use text::{error_rows, errors_table, made_text, range_text, universal as universal_text};
 
 use crate::failure::Failure;
-use crate::flags::{OverwriteOrForceFlag, stiffness};
+use crate::flags::stiffness;
 use crate::format::Format;
-use crate::output::{Content, Target, check, json, save, show};
+use crate::output::{check_ending, json, save, show};
 use crate::progress::Bar;
 use crate::quantities::points;
 use crate::word::word;
@@ -72,28 +72,25 @@ pub struct FitArgs {
     /// Write the formula
     #[arg(short, long, value_name = "FILE.json", help_heading = "Output")]
     pub output: Option<PathBuf>,
-    #[command(flatten)]
-    pub replace: OverwriteOrForceFlag,
 }
 
 pub fn run(args: &FitArgs, format: Format) -> Result<u8, Failure> {
-    let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
+    let target = args.output.as_deref();
     let Some(path) = &args.file else { return report::run(format, target) };
-    check(target, &Content::Formula)?;
+    check_ending(target, &["json"])?;
     let mut answer = mckibben_app::fit(&request(args, path)?, &Bar::new("steps"))?;
     if let Some(folder) = &args.tables {
-        write_tables(folder, &mut answer, target.overwrite)?;
+        write_tables(folder, &mut answer)?;
     }
     if let Some(folder) = &args.plots {
         make(folder)?;
         for named in std::mem::take(&mut answer.figures) {
             let file = folder.join(format!("{}.svg", named.name));
-            check(Target::file(&file, target.overwrite), &Content::Figure)?;
             plot::save_as(named.figure, &file)?;
         }
     }
-    save(target, Content::Formula, answer.formula_file().as_bytes())?;
-    show(&answer, format, "terms", || text::of(&answer, args.output.as_deref()), Target::STDOUT)?;
+    save(target, answer.formula_file().as_bytes())?;
+    show(&answer, format, "terms", || text::of(&answer, args.output.as_deref()), None)?;
     Ok(0)
 }
 
@@ -128,17 +125,16 @@ struct Tables<'a> {
     tables: Map<String, Value>,
 }
 
-fn write_tables(folder: &Path, answer: &mut FitAnswer, overwrite: bool) -> Result<(), Failure> {
+fn write_tables(folder: &Path, answer: &mut FitAnswer) -> Result<(), Failure> {
     make(folder)?;
     let mut tables = Map::new();
     for table in std::mem::take(&mut answer.tables) {
         let file = folder.join(format!("{}.csv", table.name));
-        let content = Content::Table { head: table.header.join(",") };
-        save(Target::file(&file, overwrite), content, table.to_csv().as_bytes())?;
+        save(Some(&file), table.to_csv().as_bytes())?;
         tables.insert(table.name.into(), table.to_value());
     }
     let method = answer.fitted.as_ref().map_or("", |f| &f.formula.provenance.method);
     let file = folder.join("tables.json");
     let text = format!("{:#}\n", json(&Tables { method, tables })?);
-    save(Target::file(&file, overwrite), Content::json(text.as_bytes()), text.as_bytes())
+    save(Some(&file), text.as_bytes())
 }

@@ -1,8 +1,7 @@
 //! `help COMMAND` and `man`: the flags of the commands as text and as manual pages.
 
 use crate::failure::Failure;
-use crate::flags::OverwriteFlag;
-use crate::output::{Content, Target, emit, save};
+use crate::output::{emit, save};
 use clap::{Args, Command};
 use clap_mangen::Man;
 use mckibben_app::ProblemKind;
@@ -36,8 +35,6 @@ pub struct ManArgs {
     /// Write the pages of all commands into a folder
     #[arg(short, long, value_name = "DIR", help_heading = "Output")]
     pub output: Option<PathBuf>,
-    #[command(flatten)]
-    pub replace: OverwriteFlag,
 }
 
 /// Prints the help of a command.
@@ -63,7 +60,7 @@ pub fn man(args: &ManArgs, root: Command) -> Result<u8, Failure> {
     let mut left = vec![&root];
     while let Some(command) = left.pop() {
         let path = folder.join(Man::new(command.clone()).get_filename());
-        save(Target::file(&path, args.replace.overwrite), Content::Manual, &page(command)?)?;
+        save(Some(&path), &page(command)?)?;
         left.extend(command.get_subcommands());
     }
     Ok(0)

@@ -4,11 +4,11 @@ mod text;
 
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{ColumnsFlag, MuscleFlags, OverwriteOrForceFlag, PlotFlag, UnitsFlag};
+use crate::flags::{ColumnsFlag, MuscleFlags, PlotFlag, UnitsFlag};
 use crate::format::Format;
 use crate::names::MODELS;
 use crate::output::text::place;
-use crate::output::{Content, Target, check, save, show};
+use crate::output::{check_ending, save, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, pressures, ratio};
@@ -103,17 +103,15 @@ pub struct IdentifyArgs {
     /// Write the muscle with the identified values as a muscle file
     #[arg(short, long, value_name = "FILE.toml", help_heading = "Output")]
     pub output: Option<PathBuf>,
-    #[command(flatten)]
-    pub replace: OverwriteOrForceFlag,
 }
 
 pub fn run(args: &IdentifyArgs, format: Format) -> Result<u8, Failure> {
     plot::check(&args.plot)?;
-    let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
-    check(target, &Content::Muscle)?;
+    let target = args.output.as_deref();
+    check_ending(target, &["toml"])?;
     let mut answer = mckibben_app::identify(&request(args)?, &Bar::new("points"))?;
     plot::save(answer.figure.take(), &args.plot)?;
-    save(target, Content::Muscle, answer.muscle_file.as_bytes())?;
+    save(target, answer.muscle_file.as_bytes())?;
     let text = || {
         let mut text = text::of(&answer, &shown::units());
         if let Some(path) = &args.output {
@@ -121,7 +119,7 @@ pub fn run(args: &IdentifyArgs, format: Format) -> Result<u8, Failure> {
         }
         text
     };
-    show(&answer, format, "points", text, Target::STDOUT)?;
+    show(&answer, format, "points", text, None)?;
     Ok(0)
 }
 

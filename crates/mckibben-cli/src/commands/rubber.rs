@@ -4,9 +4,9 @@ mod text;
 
 use crate::failure::{Failure, in_flags};
 use crate::files;
-use crate::flags::{ColumnsFlag, OverwriteOrForceFlag, PlotFlag};
+use crate::flags::{ColumnsFlag, PlotFlag};
 use crate::format::Format;
-use crate::output::{Content, Target, check, save, show, warn};
+use crate::output::{check_ending, save, show, warn};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{quantity, ratio};
@@ -105,8 +105,6 @@ pub struct RubberArgs {
     /// Write a muscle file with the recommended law
     #[arg(short, long, value_name = "FILE", help_heading = "Output")]
     pub output: Option<PathBuf>,
-    #[command(flatten)]
-    pub replace: OverwriteOrForceFlag,
 }
 
 /// The constants of all laws, as a table.
@@ -117,24 +115,24 @@ struct Constants {
 
 pub fn run(args: &RubberArgs, format: Format) -> Result<u8, Failure> {
     plot::check(&args.plot)?;
-    let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
-    check(target, &Content::Muscle)?;
+    let target = args.output.as_deref();
+    check_ending(target, &["toml"])?;
     let request = request(args)?;
     let mut answer = rubber_fit(&request, &Bar::hidden())?;
-    if target.path.is_some() {
-        save(target, Content::Muscle, answer.muscle_file(&request)?.as_bytes())?;
+    if target.is_some() {
+        save(target, answer.muscle_file(&request)?.as_bytes())?;
     }
     plot::save(answer.figure.take(), &args.plot)?;
     if format == Format::Csv {
         let table = Constants { constants: answer.constants() };
-        show(&table, format, "constants", String::new, Target::STDOUT)?;
+        show(&table, format, "constants", String::new, None)?;
         return Ok(0);
     }
     let text = || {
         answer.warnings.iter().chain(&answer.failed).for_each(|w| warn(in_flags(w)));
         text::of(&answer, &request, args.output.as_deref())
     };
-    show(&answer, format, "", text, Target::STDOUT)?;
+    show(&answer, format, "", text, None)?;
     Ok(0)
 }
 

@@ -1,11 +1,10 @@
 //! `schema`: the JSON Schema of requests, answers and files.
 
 use crate::failure::Failure;
-use crate::flags::OverwriteFlag;
-use crate::output::{Content, Target, emit, save};
+use crate::output::{check_ending, emit};
 use clap::Args;
 use mckibben_app::{COMMANDS, bundle, file_schema, schema};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// `schema`.
 #[derive(Debug, Args)]
@@ -21,28 +20,23 @@ pub struct SchemaArgs {
     /// Write to a file instead of standard output; without COMMAND: into a folder, one file per command
     #[arg(short, long, value_name = "FILE", help_heading = "Output")]
     pub output: Option<PathBuf>,
-    #[command(flatten)]
-    pub replace: OverwriteFlag,
 }
 
 pub fn run(args: &SchemaArgs) -> Result<u8, Failure> {
-    let put = |path: &Path, text: &str| {
-        save(Target::file(path, args.replace.overwrite), Content::json(text.as_bytes()), text.as_bytes())
-    };
     if args.command.is_some() || args.file.is_some() {
+        check_ending(args.output.as_deref(), &["json"])?;
         let text = match (&args.file, &args.command) {
             (Some(kind), _) => format!("{:#}\n", file_schema(kind)?),
             (None, command) => text(command.as_deref().unwrap_or_default())?,
         };
-        let written = args.output.as_ref().map_or_else(|| emit(&text, None), |path| put(path, &text));
-        return written.map(|()| 0);
+        return emit(&text, args.output.as_deref()).map(|()| 0);
     }
     let Some(folder) = &args.output else {
         return emit(format!("{:#}\n", bundle()), None).map(|()| 0);
     };
     std::fs::create_dir_all(folder).map_err(|e| Failure::unwritable(folder, &e))?;
     for command in COMMANDS.iter() {
-        put(&folder.join(format!("{}.json", command.name)), &text(command.name)?)?;
+        emit(text(command.name)?, Some(&folder.join(format!("{}.json", command.name))))?;
     }
     Ok(0)
 }

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::flags::{MuscleFlags, OutputFlags, PlotFlag, mesh_fields};
 use crate::format::Format;
 use crate::output::text::{Units, aligned, columns, number, percent, percents, place};
-use crate::output::{Content, Target, burst_first, check, save, show};
+use crate::output::{burst_first, check, check_ending, put, save, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, forces, points};
@@ -85,8 +85,7 @@ pub struct SimulateArgs {
 
 pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
     plot::check(&args.plot)?;
-    let deck = args.export_inp.as_deref();
-    check(Target { path: deck, overwrite: args.output.replace.overwrite }, &Content::Deck)?;
+    check_ending(args.export_inp.as_deref(), &["inp"])?;
     let unit = shown::units();
     let request = SimulateRequest {
         test: args.test,
@@ -104,17 +103,12 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
         figure: args.plot.plot.as_ref().map(|_| unit.clone()),
     };
     let extent = if args.whole { Extent::Whole } else { Extent::Eighth };
-    let mut folder = args.vtu.clone().map(|path| Folder {
-        path,
-        series: VtuSeries::new(""),
-        extent,
-        overwrite: args.output.replace.overwrite,
-    });
+    let mut folder = args.vtu.clone().map(|path| Folder { path, series: VtuSeries::new(""), extent });
     let shapes = folder.as_mut().map(|f| f as &mut dyn Shapes);
     let mut answer = mckibben_app::simulate(&request, &Bar::new("points"), shapes)?;
     let opened = folder.map(|f| f.write(&f.series.list())).transpose()?;
-    if let (Some(path), Some(deck)) = (&args.export_inp, answer.deck.take()) {
-        save(Target::file(path, args.output.replace.overwrite), Content::Deck, deck.as_bytes())?;
+    if let Some(deck) = answer.deck.take() {
+        save(args.export_inp.as_deref(), deck.as_bytes())?;
     }
     plot::save(answer.figure.take(), &args.plot)?;
     if let Some(problem) = answer.problem.take_if(|_| format == Format::Text) {
@@ -129,10 +123,8 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
     Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))
 }
 
-/// A folder of files for ParaView. Files of an older series in it are replaced one by one; the list names none of them. What is no such
-/// file stays.
+/// A folder of files for ParaView.
 struct Folder {
-    overwrite: bool,
     path: PathBuf,
     series: VtuSeries,
     extent: Extent,
@@ -141,10 +133,7 @@ struct Folder {
 impl Folder {
     fn write(&self, file: &VtuFile) -> Result<PathBuf, Problem> {
         let path = self.path.join(&file.name);
-        check(Target::file(&path, self.overwrite), &Content::Vtk).map_err(Failure::into_problem)?;
-        mckibben_files::replace(&path, file.text.as_bytes()).map_err(|e| {
-            Problem::new(ProblemKind::Output, format!("{} cannot be written: {e}", path.display()), "")
-        })?;
+        put(&path, file.text.as_bytes()).map_err(Failure::into_problem)?;
         Ok(path)
     }
 }
@@ -152,6 +141,8 @@ impl Folder {
 impl Shapes for Folder {
     fn begin(&mut self, muscle: &MuscleSummary) -> Result<(), Problem> {
         self.series = VtuSeries::new(&muscle.line(&Units::default()));
+        // Its list, which is written again with each point.
+        check(&self.path.join(self.series.list().name)).map_err(Failure::into_problem)?;
         std::fs::create_dir_all(&self.path).map_err(|e| {
             let message = format!("the folder {} cannot be made: {e}", self.path.display());
             Problem::new(ProblemKind::Output, message, "give the name of a new folder or of one that exists")

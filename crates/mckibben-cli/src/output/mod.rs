@@ -2,21 +2,20 @@
 
 mod columns;
 mod csv;
-mod guard;
 pub mod loaded;
 mod parquet;
 mod rows;
 mod stream;
-mod target;
 pub mod text;
 pub mod width;
 mod write;
 
 pub use columns::FLAT;
-pub use guard::{Content, check, ending, of_input};
 pub use stream::streamed;
-pub use target::Target;
-pub use write::{burst_first, complain, emit, save, save_all, warn, warn_behind};
+pub use write::{
+    burst_first, check, check_ending, check_named, complain, emit, ending, overwrite, put, save, save_all,
+    warn, warn_behind,
+};
 
 use crate::clean;
 use crate::failure::Failure;
@@ -33,6 +32,9 @@ pub fn json<T: Serialize>(answer: &T) -> Result<Value, Failure> {
     serde_json::to_value(answer)
         .map_err(|e| Failure::input(ProblemKind::Output, format!("cannot make JSON: {e}"), ""))
 }
+
+/// The file that a result goes to; else standard output.
+pub type Target<'a> = Option<&'a Path>;
 
 /// The forms in which an answer is written.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -84,11 +86,11 @@ impl Answer<'_> {
         text: Box<dyn FnOnce() -> String + '_>,
         target: Target<'_>,
     ) -> Result<(), Failure> {
-        let form = form(target.path, format)?;
+        let form = form(target, format)?;
         let out = match form {
             Form::Text => {
                 unit_hint().into_iter().for_each(warn);
-                if target.path.is_some() {
+                if target.is_some() {
                     width::in_file();
                 }
                 width::broken(&clean::lines(&text())).into_bytes()
@@ -103,14 +105,7 @@ impl Answer<'_> {
             let all = value.get("warnings").and_then(Value::as_array).into_iter().flatten();
             all.filter_map(Value::as_str).filter(|w| is_of_burst(w)).for_each(warn);
         }
-        let content = match form {
-            Form::Text => Content::text(&out),
-            Form::Json => Content::json(&out),
-            Form::Csv => Content::table(&out),
-            Form::Parquet => Content::Parquet,
-        };
-        check(target, &content)?;
-        emit(&out, target.path)?;
+        emit(&out, target)?;
         warn_behind();
         Ok(())
     }
@@ -118,12 +113,12 @@ impl Answer<'_> {
 
 /// Whether an answer is wanted as JSON.
 pub fn is_json(target: Target<'_>, format: Format) -> Result<bool, Failure> {
-    Ok(form(target.path, format)? == Form::Json)
+    Ok(form(target, format)? == Form::Json)
 }
 
 /// Whether an answer is wanted as text.
 pub fn is_text(target: Target<'_>, format: Format) -> Result<bool, Failure> {
-    Ok(form(target.path, format)? == Form::Text)
+    Ok(form(target, format)? == Form::Text)
 }
 
 /// The form of a file by its ending; without one, or for standard output, that of `--format`.

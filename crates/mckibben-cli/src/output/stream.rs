@@ -1,6 +1,6 @@
 //! JSON row by row: to standard output what does not fit into memory.
 
-use super::{Content, Target, check, emit, json};
+use super::{Target, emit, json};
 use crate::failure::Failure;
 use crate::progress;
 use mckibben_app::{Problem, ProblemKind};
@@ -17,10 +17,9 @@ pub fn streamed<R: Serialize, A: Serialize, T>(
     target: Target<'_>,
     make: impl FnOnce(TakeRow<'_, R>) -> Result<(A, T), Problem>,
 ) -> Result<T, Failure> {
-    check(target, &Content::Json { key: rows.to_owned() })?;
     // A file appears whole: its text is collected.
     let mut file = vec![];
-    let mut out: Box<dyn Write> = match target.path {
+    let mut out: Box<dyn Write> = match target {
         Some(_) => Box::new(&mut file),
         None => Box::new(BufWriter::new(std::io::stdout().lock())),
     };
@@ -57,8 +56,8 @@ pub fn streamed<R: Serialize, A: Serialize, T>(
     };
     rest().map_err(|error| Failure::stdout(&error))?;
     drop(out);
-    if target.path.is_some() {
-        emit(&file, target.path)?;
+    if target.is_some() {
+        emit(&file, target)?;
     }
     Ok(more)
 }

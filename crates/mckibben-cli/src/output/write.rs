@@ -1,32 +1,76 @@
-//! Where results go: standard output, or a file that appears whole or not at all.
+//! Where results go: standard output, or a file that appears whole or not at all. An existing file is overwritten only with `--overwrite`.
 
-use super::guard::{Content, check};
-use super::target::Target;
 use super::width;
-use crate::clean;
 use crate::failure::{Failure, in_flags};
-use crate::shown;
+use crate::{clean, progress, shown};
 use anstyle::{AnsiColor, Style};
+use clap::ArgMatches;
 use mckibben::units::short_numbers;
 use mckibben::warning::is_of_burst;
-use mckibben_app::BuiltFile;
+use mckibben_app::{BuiltFile, ProblemKind};
 use mckibben_files::Unfinished;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Writes all files of an answer into a folder, or none if one of them would be lost for it. `content` says by the name of a file what it is.
-pub fn save_all(
-    files: &[BuiltFile],
-    folder: &Path,
-    overwrite: bool,
-    content: impl Fn(&str) -> Content,
-) -> Result<(), Failure> {
+/// Whether existing files are overwritten.
+static OVERWRITE: AtomicBool = AtomicBool::new(false);
+
+/// Flags that name files that are written.
+const WRITTEN: [&str; 5] = ["output", "plot", "plot_data", "report", "export_inp"];
+
+pub fn overwrite() -> bool {
+    OVERWRITE.load(Ordering::Relaxed)
+}
+
+/// Refuses a command line that names an existing file for a result, before any work is done for it. A campaign goes on with its own file.
+pub fn check_named(matches: &ArgMatches, overwrite: bool) -> Result<(), Failure> {
+    OVERWRITE.store(overwrite, Ordering::Relaxed);
+    let (mut leaf, mut command) = (matches, "");
+    while let Some((name, inner)) = leaf.subcommand() {
+        (leaf, command) = (inner, name);
+    }
+    let written = WRITTEN.iter().filter(|flag| **flag != "output" || !["campaign", "run"].contains(&command));
+    let paths = written.flat_map(|flag| leaf.try_get_raw(flag).ok().flatten().into_iter().flatten());
+    paths.map(Path::new).try_for_each(check)
+}
+
+/// Refuses to write what is no answer, and to overwrite a file.
+pub fn check(path: &Path) -> Result<(), Failure> {
+    progress::ended()?;
+    // What is no regular file is written in place, or refused when it is written.
+    if !path.is_file() {
+        return Ok(());
+    }
+    mckibben_files::check_writable(path).map_err(|e| Failure::unwritable(path, &e))?;
+    if overwrite() {
+        return Ok(());
+    }
+    let message = format!("{} exists and would be overwritten", path.display());
+    Err(Failure::input(ProblemKind::Output, message, "name another file, or replace it with --overwrite"))
+}
+
+/// The ending of a name in lower case.
+pub fn ending(path: &Path) -> Option<String> {
+    path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase())
+}
+
+/// Refuses a name whose ending promises another format than the one that is written.
+pub fn check_ending(path: Option<&Path>, endings: &[&str]) -> Result<(), Failure> {
+    let Some((path, ending)) = path.and_then(|path| Some((path, ending(path)?))) else { return Ok(()) };
+    if endings.contains(&ending.as_str()) {
+        return Ok(());
+    }
+    let message = format!("{} ends in .{ending}, which is another format", path.display());
+    Err(Failure::input(ProblemKind::Output, message, format!("end it in .{}", endings.join(" or ."))))
+}
+
+/// Writes all files of an answer into a folder, or none if one of them exists.
+pub fn save_all(files: &[BuiltFile], folder: &Path) -> Result<(), Failure> {
     std::fs::create_dir_all(folder).map_err(|e| Failure::unwritable(folder, &e))?;
     let paths: Vec<PathBuf> = files.iter().map(|file| folder.join(&file.name)).collect();
-    for (file, path) in files.iter().zip(&paths) {
-        check(Target::file(path, overwrite), &content(&file.name))?;
-    }
+    paths.iter().try_for_each(|path| check(path))?;
     let mut whole = vec![];
     for (file, path) in files.iter().zip(&paths) {
         let written = Unfinished::beside(path).and_then(|mut beside| {
@@ -42,13 +86,11 @@ pub fn save_all(
 
 /// Writes to `path`, or to standard output.
 pub fn emit(bytes: impl AsRef<[u8]>, path: Option<&Path>) -> Result<(), Failure> {
-    match path {
-        Some(path) => put(path, bytes.as_ref()),
-        None => {
-            let mut out = std::io::stdout().lock();
-            out.write_all(bytes.as_ref()).and_then(|()| out.flush()).map_err(|e| Failure::stdout(&e))
-        }
+    if path.is_some() {
+        return save(path, bytes.as_ref());
     }
+    let mut out = std::io::stdout().lock();
+    out.write_all(bytes.as_ref()).and_then(|()| out.flush()).map_err(|e| Failure::stdout(&e))
 }
 
 /// Style of the word before an error, a warning, a hint.
@@ -96,13 +138,14 @@ pub fn complain(text: &str) {
     let _ = writeln!(anstream::stderr(), "{}", styled(text, "\n  hint:", HINT));
 }
 
-/// Writes a file of some content in the place of one that may be lost.
-pub fn save(target: Target<'_>, content: Content, bytes: &[u8]) -> Result<(), Failure> {
-    check(target, &content)?;
-    target.path.map_or(Ok(()), |path| put(path, bytes))
+/// Writes a file, where one is named.
+pub fn save(path: Option<&Path>, bytes: &[u8]) -> Result<(), Failure> {
+    let Some(path) = path else { return Ok(()) };
+    check(path)?;
+    put(path, bytes)
 }
 
-/// Writes a file that appears whole or not at all.
-fn put(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+/// Writes a file that appears whole or not at all, in the place of an older one.
+pub fn put(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     mckibben_files::replace(path, bytes).map_err(|e| Failure::unwritable(path, &e))
 }

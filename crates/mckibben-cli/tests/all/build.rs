@@ -73,17 +73,17 @@ fn the_test_sheet_is_read_back_by_identify() {
 }
 
 #[test]
-fn a_folder_is_renewed_and_what_is_not_of_a_build_stays() {
+fn a_folder_is_renewed_where_that_is_asked_for() {
     let folder = folder();
     build_into(folder.path(), &[]).ok();
-    build_into(folder.path(), &["--fitting", "g1/8"]).ok();
+    build_into(folder.path(), &["--fitting", "g1/8", "--overwrite"]).ok();
     let readme = folder.path().join("README.md");
     assert!(fs::read_to_string(&readme).unwrap().contains("G1/8"));
     let svg = folder.path().join("drawing.svg");
     fs::remove_file(&svg).unwrap();
     fs::write(&readme, "my notes\n").unwrap();
     let refused = build_into(folder.path(), &[]);
-    assert!(refused.code == 2 && refused.err.contains("not a file that `build` wrote"), "{}", refused.err);
+    assert!(refused.code == 2 && refused.err.contains("would be overwritten"), "{}", refused.err);
     // None of the files was written.
     assert!(!svg.exists() && fs::read_to_string(&readme).unwrap() == "my notes\n");
     build_into(folder.path(), &["--overwrite"]).ok();

@@ -148,7 +148,7 @@ fn damaged_parts_are_named_and_wrong_words_refused() {
     std::fs::write(&part, &whole[..1000]).unwrap();
     let merged = campaign(dir.path(), "merge parts -o m.parquet --format json");
     assert_eq!((merged.code, &merged.error()["kind"]), (2, &"damaged".into()));
-    assert!(merged.err.contains("part-000001.parquet is damaged: it is cut off"), "{}", merged.err);
+    assert!(merged.err.contains("part-000001.parquet is damaged"), "{}", merged.err);
     let again = campaign(dir.path(), "small.toml -o parts").ok();
     assert!(
         again.err.contains("warning: parts/part-000001.parquet was damaged and is recomputed"),

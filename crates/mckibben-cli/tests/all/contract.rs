@@ -241,7 +241,7 @@ fn a_curve_is_data_for_compare() {
     assert!(number(&same["models"][0], "rms_n") < 1e-6);
     assert!(number(&same["models"][1], "rms_n") > 1.0);
     // Points without answer are left out.
-    mckibben(&format!("curve isobaric -p 0.2,0.3 --model paper --format csv -o {file}")).ok();
+    mckibben(&format!("curve isobaric -p 0.2,0.3 --model paper --format csv -o {file} --overwrite")).ok();
     let some = json(&format!("compare --models paper --data {file}"));
     assert_eq!(some["points"], 21);
 }

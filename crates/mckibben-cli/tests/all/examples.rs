@@ -56,10 +56,12 @@ fn words(line: &str) -> Vec<String> {
 /// Runs a command as shown, `mckibben` and what follows.
 fn works(folder: &Path, place: &str, line: &str) {
     let words = words(line);
-    let words: Vec<&str> = words.iter().skip(1).map(String::as_str).collect();
+    let mut words: Vec<&str> = words.iter().skip(1).map(String::as_str).collect();
     if let ["serve", more @ ..] = &words[..] {
         return crate::serve::works(folder, more);
     }
+    // Examples of help texts are run in one folder.
+    words.extend((place == "help").then_some("--overwrite"));
     let result = ran(command(folder).args(words).output().unwrap());
     assert_eq!(result.code, 0, "{place}: {line}\n{}", result.err);
 }

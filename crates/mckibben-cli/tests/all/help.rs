@@ -64,7 +64,7 @@ fn help_and_a_command_print_the_help_of_the_command() {
 }
 
 #[test]
-fn every_command_has_a_manual_page_that_is_not_written_over_the_file_of_another() {
+fn every_command_has_a_manual_page_that_is_not_written_over_an_older_one() {
     let dir = folder();
     let man = |dir: &Path| crate::common::run_in(dir, &["man", "-o", "man1"]);
     man(dir.path()).ok();
@@ -88,8 +88,5 @@ fn every_command_has_a_manual_page_that_is_not_written_over_the_file_of_another(
         assert!(page.contains(part), "{part}: {page}");
     }
     assert_eq!(mckibben("man force").ok().text(), page);
-    // Again: ours are replaced, another's is not.
-    man(dir.path()).ok();
-    std::fs::write(dir.path().join("man1/mckibben-force.1"), "notes of mine").unwrap();
     assert_eq!(man(dir.path()).code, 2);
 }

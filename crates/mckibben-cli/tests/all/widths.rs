@@ -51,7 +51,7 @@ fn a_file_is_the_same_whatever_the_terminal() {
     let dir = folder();
     let text = |columns: &str| {
         let path = dir.path().join("out.txt");
-        let words = format!("force -p 2.5bar -e 10% --model thick-wall -o {}", path.display());
+        let words = format!("force -p 2.5bar -e 10% --model thick-wall --overwrite -o {}", path.display());
         with_columns(&words, Some(columns)).ok();
         std::fs::read_to_string(path).unwrap()
     };

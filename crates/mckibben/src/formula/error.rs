@@ -53,32 +53,6 @@ pub enum Problem {
         /// Which term.
         term: String,
     },
-    /// Forces that no muscle has.
-    #[error(
-        "its numbers are not plausible: at D0 {outer_diameter_mm} mm, s {wall_mm} mm, {pressure_mpa} MPa and contraction {contraction} they give {force_n:.3e} N"
-    )]
-    Senseless {
-        /// The force in N.
-        force_n: f64,
-        /// D0 in mm.
-        outer_diameter_mm: f64,
-        /// s in mm.
-        wall_mm: f64,
-        /// P in MPa.
-        pressure_mpa: f64,
-        /// ε
-        contraction: f64,
-    },
-    /// Terms that are as they were written, and do not give the force that was written with them.
-    #[error(
-        "its check point states {written_n} N, but this version of mckibben computes {force_n} N there: fit the formula again"
-    )]
-    CheckPoint {
-        /// What was written, in N.
-        written_n: f64,
-        /// What is computed, in N.
-        force_n: f64,
-    },
 }
 
 impl Problem {

@@ -9,16 +9,12 @@
 //!
 //! F in N, P in MPa, lengths in mm. A third kind, `universal`, is for muscles of every make: it holds the terms of the end deficit
 //! of [`crate::model::Universal`], over a dimensionless range ([`UniversalFormula`]). [`Document`] is any of them.
-//!
-//! A file carries a seal, so that an answer of numbers that were changed since the fit says so ([`SealState`]).
 
 mod error;
 mod errors;
 mod file;
 mod made;
 mod paper;
-mod seal;
-mod seal_state;
 mod show;
 mod terms;
 mod universal;
@@ -27,7 +23,6 @@ pub use error::FormulaError;
 pub use errors::{ErrorSummary, FormulaErrors, HeldOut, RegionErrors};
 pub use made::{Made, MadeBraid, MadeRubber, NamedBraid};
 pub use paper::{Coefficients, Section};
-pub use seal_state::SealState;
 pub use terms::{GlobalSection, GlobalTerms, PAPER_UNITS, Scales, Term, paper_terms};
 pub use universal::{
     Deficit, Form, UniversalErrors, UniversalFormula, UniversalRange, UniversalSummary, UniversalTerm,
@@ -121,8 +116,6 @@ pub struct Formula {
     pub errors: FormulaErrors,
     /// Where it comes from.
     pub provenance: Provenance,
-    /// Whether it is as it was written.
-    pub seal: SealState,
 }
 
 /// The longest file of a formula in bytes.
@@ -145,14 +138,6 @@ impl Document {
     /// [`FormulaError`] names the file and the key.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, FormulaError> {
         from_file(path.as_ref(), Self::parse)
-    }
-
-    /// Its name.
-    pub fn name(&self) -> &str {
-        match self {
-            Document::Section(f) => &f.name,
-            Document::Universal(f) => &f.name,
-        }
     }
 }
 

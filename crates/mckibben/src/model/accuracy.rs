@@ -110,7 +110,7 @@ impl fmt::Display for Reference {
                 )
             }
             Self::HeldOut => f.write_str(
-                "covers 95 % of the points of its campaign on muscles left out of the fit, against axisymmetric finite elements",
+                "covers 95 % of the points of its campaign on muscles left out of the fit, against axisymmetric finite elements, as stated in the formula's file",
             ),
             Self::OwnTable => f.write_str(
                 "covers 95 % of the points of its own table, and of the muscles held out of it, as stated in the formula's file",

@@ -32,20 +32,18 @@ impl FormulaModel {
             Body::Paper(c) => Bound::Paper(c.section(d, s)),
             Body::Global(t) => Bound::Global(t.section(d, s)),
         };
-        let accuracy = Accuracy {
-            share_of_blocked: Some(formula.errors.half_width()),
-            blocked_at: BlockedAt::Pressure(formula.range.pressure_mpa.1),
-            reference: Reference::OwnTable,
-        };
-        let left_out = notes::of_a_simple_tube(&formula.name, muscle);
         let info = ModelInfo {
             name: formula.name.clone().into(),
             source: format!("a fitted formula, method {}", formula.provenance.method).into(),
             muscle: Arc::new(muscle.clone()),
             range: range(formula, muscle),
-            accuracy: if formula.seal.is_intact() { accuracy } else { Accuracy::UNKNOWN },
+            accuracy: Accuracy {
+                share_of_blocked: Some(formula.errors.half_width()),
+                blocked_at: BlockedAt::Pressure(formula.range.pressure_mpa.1),
+                reference: Reference::OwnTable,
+            },
             costly: false,
-            notes: formula.seal.warning(&formula.name).into_iter().chain(left_out).collect(),
+            notes: notes::of_a_simple_tube(&formula.name, muscle),
         };
         Self { info, bound }
     }

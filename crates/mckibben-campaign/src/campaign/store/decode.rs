@@ -1,15 +1,19 @@
-//! Sealed Parquet files → rows.
+//! Parquet files → rows.
 
 use super::layout::Field;
 use super::provenance::{Provenance, Which};
 use super::table::Table;
 use crate::PointRow;
 use crate::campaign::CampaignError;
-use mckibben_parquet::{Broken, OpenError, Reader, TableError};
+use mckibben_files::ReadError;
+use mckibben_parquet::{Reader, TableError};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// A file of a store whose bytes have been checked.
+/// The longest file of a campaign in bytes.
+const MAX_BYTES: u64 = 64 << 30;
+
+/// A file of a store whose metadata are read.
 pub(crate) struct Opened {
     pub(crate) provenance: Provenance,
     pub(crate) which: Which,
@@ -19,18 +23,12 @@ pub(crate) struct Opened {
 }
 
 impl Opened {
-    /// Opens a file; no number in it is believed before its seal was compared.
     pub(crate) fn file(path: &Path) -> Result<Self, CampaignError> {
         let file = mckibben_files::open(path).map_err(CampaignError::unread(path))?;
-        let reader = Reader::sealed(file, Provenance::is_in).map_err(|error| match error {
-            OpenError::Io(error) => CampaignError::unread(path)(error.into()),
-            OpenError::Foreign | OpenError::Broken(Broken::NotParquet) => {
-                CampaignError::NoCampaign { path: path.into(), why: error.to_string() }
-            }
-            OpenError::Broken(broken) => CampaignError::damaged(path, broken.words()),
-            OpenError::Table(error) => failed(error, path),
-        })?;
-        Self::new(reader, path)
+        if file.metadata().map_err(CampaignError::read(path))?.len() > MAX_BYTES {
+            return Err(CampaignError::unread(path)(ReadError::TooLarge { limit: MAX_BYTES }));
+        }
+        Self::new(Reader::file(file).map_err(|error| failed(error, path))?, path)
     }
 
     /// Opens a part that has not been written yet.
@@ -41,9 +39,6 @@ impl Opened {
     fn new(reader: Reader, path: &Path) -> Result<Self, CampaignError> {
         let none = |why| CampaignError::NoCampaign { path: path.into(), why };
         let (provenance, which) = Provenance::read(&reader.pairs()).map_err(none)?;
-        if let Some(codec) = reader.foreign_codec() {
-            return Err(CampaignError::Codec { path: path.into(), codec });
-        }
         if let Some(name) = provenance.layout.lacks(&reader.names()) {
             return Err(none(format!("its table lacks the column {name}; run the plan again")));
         }
@@ -53,6 +48,12 @@ impl Opened {
         }
         let fields = provenance.layout.fields().into();
         Ok(Self { provenance, which, path: path.into(), fields, reader })
+    }
+
+    /// The same, if all its groups are read without an error.
+    pub(crate) fn checked(self) -> Result<Self, CampaignError> {
+        (0..self.groups()).try_for_each(|index| self.group(index).map(drop))?;
+        Ok(self)
     }
 
     /// Number of row groups.

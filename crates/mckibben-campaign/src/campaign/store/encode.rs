@@ -1,11 +1,11 @@
-//! Rows → sealed Parquet files.
+//! Rows → Parquet files.
 
 use super::provenance::{Provenance, VERSION, Which};
 use super::table::Table;
 use crate::campaign::CampaignError;
-use mckibben_parquet::{GROUP, Sealed, Sink, TableError, Writer};
+use mckibben_parquet::{GROUP, TableError, Writer};
 use std::fs::File;
-use std::io::Cursor;
+use std::io::Write;
 use std::path::Path;
 
 /// A file of a campaign that is being written, row group by row group.
@@ -15,10 +15,14 @@ struct Encoder<'a> {
 }
 
 impl<'a> Encoder<'a> {
-    fn new(sink: &'a mut dyn Sink, provenance: &Provenance, which: Which) -> Result<Self, TableError> {
+    fn new(
+        sink: &'a mut (dyn Write + Send),
+        provenance: &Provenance,
+        which: Which,
+    ) -> Result<Self, TableError> {
         let fields: Vec<_> = provenance.layout.fields().iter().map(|f| f.parquet()).collect();
-        let sealed = Sealed::With(provenance.write(which));
-        let out = Writer::new(sink, "campaign", &format!("mckibben {VERSION}"), &fields, sealed)?;
+        let pairs = provenance.write(which);
+        let out = Writer::new(sink, "campaign", &format!("mckibben {VERSION}"), &fields, pairs)?;
         Ok(Self { out, group: Table::new(&provenance.layout) })
     }
 
@@ -52,14 +56,14 @@ impl<'a> Encoder<'a> {
 
 /// A part as the bytes of its file.
 pub(crate) fn part(provenance: &Provenance, number: u64, table: &Table) -> Result<Vec<u8>, CampaignError> {
-    let mut bytes = Cursor::new(vec![]);
+    let mut bytes = vec![];
     let mut encode = || {
         let mut encoder = Encoder::new(&mut bytes, provenance, Which::Part(number))?;
         encoder.add(table)?;
         encoder.finish()
     };
     encode().map_err(|error: TableError| CampaignError::Encode(error.to_string()))?;
-    Ok(bytes.into_inner())
+    Ok(bytes)
 }
 
 /// The whole table into an empty file, group by group; how the tables are cut does not matter.

@@ -1,4 +1,4 @@
-//! The store: tables in sealed Parquet files, one file or a folder of parts.
+//! The store: tables in Parquet files, one file or a folder of parts.
 
 mod decode;
 mod encode;

@@ -62,11 +62,6 @@ impl Provenance {
         }
     }
 
-    /// Whether metadata as they stand in a file are those of some campaign.
-    pub(crate) fn is_in(metadata: &[u8]) -> bool {
-        metadata.windows(PREFIX.len()).any(|bytes| bytes == PREFIX.as_bytes())
-    }
-
     pub fn parts(&self) -> u64 {
         self.muscles.div_ceil(self.block.max(1))
     }

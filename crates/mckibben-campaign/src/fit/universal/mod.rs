@@ -23,8 +23,8 @@ pub use terms::products;
 use super::error::FitError;
 use crate::hash;
 use mckibben::formula::{
-    Deficit, Form, Provenance, SealState, UniversalErrors, UniversalFormula, UniversalRange,
-    UniversalSummary, UniversalTerm,
+    Deficit, Form, Provenance, UniversalErrors, UniversalFormula, UniversalRange, UniversalSummary,
+    UniversalTerm,
 };
 use mckibben::model::{EndPoint, ForceModel, Universal};
 use mckibben::progress::Progress;
@@ -108,7 +108,6 @@ pub fn universal(
             seed: request.seed,
             ..Provenance::default()
         },
-        seal: SealState::default(),
     };
     step(0)?;
     let equations = equations(samples, &empty, &products);

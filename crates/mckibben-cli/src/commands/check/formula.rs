@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::format::Format;
 use crate::output::text::{number, pairs, table};
-use crate::output::{Content, check, emit, show as print, warn};
+use crate::output::{emit, show as print};
 use mckibben::formula::{Body, Document, Formula, paper_terms};
 use mckibben_app::{CheckFormulaRequest, Model, ProblemKind, check_formula};
 
@@ -23,12 +23,8 @@ pub(super) fn show(word: &str, args: &CheckArgs, format: Format) -> Result<u8, F
     }
     let request = CheckFormulaRequest { file, name: built_in.then(|| word.to_owned()), latex: args.latex };
     let answer = check_formula(&request)?;
-    answer.warnings.iter().for_each(warn);
     match answer.latex.as_ref().filter(|_| format == Format::Text) {
-        Some(latex) => {
-            check(args.output.target(), &Content::text(latex.as_bytes()))?;
-            emit(latex, args.output.output.as_deref())?;
-        }
+        Some(latex) => emit(latex, args.output.target())?,
         None => print(&answer, format, "terms", || text(&answer.formula), args.output.target())?,
     }
     Ok(0)

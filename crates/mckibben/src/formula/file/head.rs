@@ -1,8 +1,6 @@
-//! What every file of a formula has: its format, its kind, its seal.
+//! What every file of a formula has: its format and its kind.
 
 use crate::formula::error::{FormulaError, Problem};
-use crate::formula::seal::{CheckPoint, Seal};
-use crate::formula::seal_state::SealState;
 use serde::de::{DeserializeOwned, IgnoredAny};
 use serde::{Deserialize, Serialize};
 
@@ -31,11 +29,6 @@ struct Head {
     /// Whatever else there is; with it a list is not taken for an object.
     #[serde(flatten)]
     _rest: IgnoredAny,
-}
-
-/// The seal of a file that is as it was written.
-pub(super) fn sealed(state: SealState, file: &impl Serialize, check: Option<CheckPoint>) -> Option<Seal> {
-    (state == SealState::Sealed).then(|| Seal::of(file, check)).flatten()
 }
 
 /// What is read, or why it is no formula.

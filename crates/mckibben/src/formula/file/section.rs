@@ -1,12 +1,11 @@
 //! The files of formulas for muscles of one make: the paper's, and sums of products of powers.
 
 use super::check::{is_zero, name, up_to};
-use super::head::{Format, Kind, Read, read, sealed};
+use super::head::{Format, Kind, Read, read};
 use crate::formula::error::Problem;
-use crate::formula::seal::Seal;
 use crate::formula::{
-    Body, Coefficients, Formula, FormulaErrors, FormulaRange, GlobalTerms, Made, Provenance, Scales,
-    SealState, Term, paper_terms,
+    Body, Coefficients, Formula, FormulaErrors, FormulaRange, GlobalTerms, Made, Provenance, Scales, Term,
+    paper_terms,
 };
 use serde::{Deserialize, Serialize};
 
@@ -28,8 +27,6 @@ pub struct SectionFile<T> {
     range: FormulaRange,
     errors: FormulaErrors,
     provenance: Provenance,
-    #[serde(skip_deserializing, skip_serializing_if = "Option::is_none")]
-    seal: Option<Seal>,
 }
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -76,8 +73,7 @@ impl Formula {
         scales: Option<Scales>,
         terms: Vec<T>,
     ) -> SectionFile<T> {
-        let (state, check) = (self.seal, self.check_point());
-        let mut file = SectionFile {
+        SectionFile {
             format: Format::One,
             kind,
             equation: self.equation(),
@@ -88,10 +84,7 @@ impl Formula {
             range: self.range,
             errors: self.errors,
             provenance: self.provenance,
-            seal: None,
-        };
-        file.seal = sealed(state, &file, check);
-        file
+        }
     }
 }
 
@@ -112,7 +105,7 @@ pub fn global_list(t: &GlobalTerms) -> Vec<GlobalTerm> {
 
 fn section<T>(file: SectionFile<T>, body: Body) -> Formula {
     let SectionFile { name, made_for, range, errors, provenance, .. } = file;
-    Formula { name, body, made_for, range, errors, provenance, seal: SealState::default() }
+    Formula { name, body, made_for, range, errors, provenance }
 }
 
 pub fn paper(text: &str) -> Read<Formula> {

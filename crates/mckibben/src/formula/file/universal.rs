@@ -1,11 +1,10 @@
 //! The file of a formula for muscles of every make.
 
 use super::check::{is_zero, name, up_to};
-use super::head::{Format, Kind, Read, read, sealed};
+use super::head::{Format, Kind, Read, read};
 use crate::formula::error::Problem;
-use crate::formula::seal::Seal;
 use crate::formula::{
-    Deficit, Form, Provenance, SealState, UniversalErrors, UniversalFormula, UniversalRange, UniversalTerm,
+    Deficit, Form, Provenance, UniversalErrors, UniversalFormula, UniversalRange, UniversalTerm,
 };
 use serde::{Deserialize, Serialize};
 
@@ -25,8 +24,6 @@ pub struct UniversalFile {
     range: UniversalRange,
     errors: UniversalErrors,
     provenance: Provenance,
-    #[serde(skip_deserializing, skip_serializing_if = "Option::is_none")]
-    seal: Option<Seal>,
 }
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -91,8 +88,7 @@ impl From<UniversalFormula> for UniversalFile {
             unit: "1",
             value: t.value,
         };
-        let (state, check) = (formula.seal, formula.check_point());
-        let mut file = Self {
+        Self {
             format: Format::One,
             kind: Kind::Universal,
             equation: formula.equation(),
@@ -102,10 +98,7 @@ impl From<UniversalFormula> for UniversalFile {
             range: formula.range,
             errors: formula.errors,
             provenance: formula.provenance,
-            seal: None,
-        };
-        file.seal = sealed(state, &file, check);
-        file
+        }
     }
 }
 
@@ -121,8 +114,7 @@ pub fn built_in(text: &str) -> Read<UniversalFormula> {
 fn formula(file: UniversalFile) -> Read<UniversalFormula> {
     let UniversalFile { name, form, terms, range, errors, provenance, .. } = file;
     let deficit = Deficit { form, terms: vec![] };
-    let seal = SealState::default();
-    let mut formula = UniversalFormula { name, deficit, range, errors, provenance, seal };
+    let mut formula = UniversalFormula { name, deficit, range, errors, provenance };
     for (i, EndTerm { powers, value, .. }) in terms.into_iter().enumerate() {
         let foreign = || Problem::Wrong {
             key: format!("terms[{i}].powers"),

@@ -6,8 +6,8 @@ mod range;
 pub use form::{Deficit, Form, UniversalTerm};
 pub use range::UniversalRange;
 
+use super::Provenance;
 use super::file::check::share;
-use super::{Provenance, SealState};
 use serde::{Deserialize, Serialize};
 use std::sync::{Arc, LazyLock};
 
@@ -67,8 +67,6 @@ pub struct UniversalFormula {
     pub errors: UniversalErrors,
     /// Where it comes from.
     pub provenance: Provenance,
-    /// Whether it is as it was written.
-    pub seal: SealState,
 }
 
 static LARGE: LazyLock<Option<Arc<UniversalFormula>>> =
@@ -156,7 +154,6 @@ mod tests {
             (UniversalFormula::small(), include_str!("../../../data/universal-small.json")),
         ] {
             assert_eq!(formula.unwrap().to_json(), text);
-            assert_eq!(UniversalFormula::parse(text).unwrap().seal, SealState::Sealed);
         }
     }
 

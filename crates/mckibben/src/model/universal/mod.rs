@@ -143,7 +143,6 @@ fn info(formula: &UniversalFormula, muscle: &Arc<Muscle>, angle: f64) -> ModelIn
     };
     let end_factor = muscle.terminals().end_factor.is_some();
     let left_out = [
-        formula.seal.warning(name),
         notes::incompressible(name, muscle),
         end_factor.then(|| format!("{name} computes the ends; the end factor is not used")),
         notes::first_inflation(name, muscle),
@@ -157,7 +156,7 @@ fn info(formula: &UniversalFormula, muscle: &Arc<Muscle>, angle: f64) -> ModelIn
         source: format!("{SOURCE}; {}", formula.provenance.method).into(),
         muscle: Arc::clone(muscle),
         range: range::of(&formula.range, muscle),
-        accuracy: if formula.seal.is_intact() { accuracy } else { Accuracy::UNKNOWN },
+        accuracy,
         costly: false,
         notes: left_out.into_iter().flatten().collect(),
     }
