@@ -30,13 +30,13 @@ SHORT = ("golds", "figures", "programs", "server", "page", "exports")
 # Name: what it checks, files that it guards (patterns of whole paths), text that a file must hold as well, commands.
 PARTS = {
     "golds": ("tables and formulas that the program makes itself", [
-        r"crates/mckibben(-units|-table|-fit|-fem|-campaign|-parquet)?/(src|data|examples)/.*", r"plans/.*", r"data/(campaign|silicones|treloar)/.*",
+        r"crates/mckibben(-io|-fit|-fem|-campaign)?/(src|data|examples)/.*", r"plans/.*", r"data/(campaign|silicones|treloar)/.*",
     ], None, ["cargo xtask golds --check"]),
     "figures": ("figures of README and docs", [
         r"crates/.*/src/.*", r"crates/.*/data/.*", r"docs/figures/.*", r"examples/.*", r"data/.*\.csv", r"xtask/.*",
     ], None, ["cargo xtask figures --check"]),
     "programs": ("other programs read what is written", [
-        r"crates/mckibben-(fem|motion|campaign|parquet|report)/src/.*", r"crates/mckibben-app/src/(figure|simulate)/.*", r"checks/.*\.py",
+        r"crates/mckibben-(fem|motion|campaign|io|report)/src/.*", r"crates/mckibben-app/src/(figure|simulate)/.*", r"checks/.*\.py",
     ], None, ["bash checks/programs.sh"]),
     "server": ("the server: two hundred clients", [
         r"crates/mckibben-(server|app)/src/.*", r"checks/server.*",
@@ -55,7 +55,7 @@ PARTS = {
         r"crates/mckibben-export/templates/mckibben_muscle\.py", r"checks/(exports_)?torch\..*",
     ], None, ["bash checks/torch.sh"]),
     "campaigns": ("campaigns on Slurm, Dask and process pools", [
-        r"crates/mckibben-campaign/src/campaign/.*", r"crates/mckibben-(files|parquet)/src/.*", r"crates/mckibben-cli/src/commands/campaign.*",
+        r"crates/mckibben-campaign/src/campaign/.*", r"crates/mckibben-io/src/.*", r"crates/mckibben-cli/src/commands/campaign.*",
         r"python/mckibben/_campaign\.py", r"python/tests/test_executors\.py", r"checks/(slurm|campaigns)\.sh", r"docs/campaigns-engines\.md",
     ], None, ["bash checks/campaigns.sh \"$MCKIBBEN\""]),
     "editors": ("schemas of files in a TOML language server", [
@@ -90,7 +90,7 @@ PARTS = {
         r"crates/mckibben-fem/src/(three_dimensional|element|output)/.*", r"benches/peers/.*", r"data/peers/.*",
     ], None, ["cargo xtask peers --check"]),
     "mutations": ("made-up and damaged input at length", [
-        r"crates/mckibben-table/src/.*", r"crates/mckibben/src/muscle/file/.*", r"crates/mckibben-(server|files)/src/.*", r"crates/mckibben-campaign/src/campaign/store/.*", r"crates/mckibben-parquet/src/.*",
+        r"crates/mckibben-io/src/.*", r"crates/mckibben/src/muscle/file/.*", r"crates/mckibben-server/src/.*", r"crates/mckibben-campaign/src/campaign/store/.*",
     ], None, ["MCKIBBEN_ROUNDS=2000 cargo test --workspace --locked --test all mutat"]),
 }
 

@@ -3,7 +3,7 @@
 # with the compiler that Debian keeps for its browsers, which brings the source of the standard library.
 set -euo pipefail
 
-crates=(mckibben-units mckibben-table mckibben mckibben-fem mckibben-fit mckibben-design mckibben-motion mckibben-campaign mckibben-report mckibben-build mckibben-export mckibben-app mckibben-wasm)
+crates=(mckibben-io mckibben mckibben-fem mckibben-fit mckibben-design mckibben-motion mckibben-campaign mckibben-report mckibben-build mckibben-export mckibben-app mckibben-wasm)
 
 # Called by cargo in place of that compiler: it is older than the one this workspace asks for, and what was not stable
 # then has to be named.

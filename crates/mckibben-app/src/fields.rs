@@ -3,7 +3,7 @@
 pub use crate::muscle_fields::{MuscleFields, NamedFields};
 pub use mckibben::muscle::Direction;
 pub use mckibben::muscle::measures::MeasureValues;
-pub use mckibben_table::{Columns, Understood, UnderstoodColumn};
+pub use mckibben_io::table::{Columns, Understood, UnderstoodColumn};
 use schemars::transform::Transform;
 use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Serialize};

@@ -7,7 +7,7 @@ use mckibben::cancel;
 use mckibben::load::{Balance, Cycle, Load, LoadError, LoadTable, balances, cycle};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::units::short_numbers;
-use mckibben_table::read_load;
+use mckibben_io::table::read_load;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
 use std::collections::BTreeMap;

@@ -12,7 +12,7 @@ use mckibben::units::short_numbers;
 use mckibben_campaign::campaign::CampaignError;
 use mckibben_design::{SpecError, SpreadError, ToleranceError};
 use mckibben_fem::FemError;
-use mckibben_table::TableError;
+use mckibben_io::table::TableError;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::fmt;

@@ -15,6 +15,7 @@ pub struct Cut {
     pub tube_wall_mm: f64,
     /// Volume of the rubber in mm³.
     pub rubber_mm3: f64,
+    /// The sleeve.
     pub sleeve: SleeveCut,
 }
 

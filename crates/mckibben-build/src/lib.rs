@@ -42,7 +42,7 @@ pub use plug::{AirPlug, EyePlug, Stem};
 pub use safety::Safety;
 pub use test_points::TestPoint;
 
-pub use mckibben_files::{Content, File};
+pub use mckibben_io::files::{Content, File};
 use mckibben_report::FigureError;
 
 /// The drawing of the muscle as SVG.

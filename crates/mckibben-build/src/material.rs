@@ -21,6 +21,7 @@ const SAME_MM: f64 = 0.011;
 pub struct BuildPart {
     /// Number in the drawing.
     pub number: u32,
+    /// What it is.
     pub part: String,
     /// How much of it.
     pub amount: String,

@@ -5,7 +5,7 @@ use crate::cut::SleeveLength;
 use crate::fitting::Fitting;
 use crate::plan::Plan;
 use crate::text::{fixed, mm, percent, pressure, significant};
-use mckibben_files::File;
+use mckibben_io::files::File;
 use std::fmt::Write as _;
 
 /// The whole page, with links to the other files.

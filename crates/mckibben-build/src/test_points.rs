@@ -3,11 +3,13 @@
 use crate::operating::Operating;
 use mckibben::muscle::Direction;
 
+/// A point of the test.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct TestPoint {
     /// Pressure in MPa.
     pub pressure_mpa: f64,
+    /// Contraction.
     pub contraction: f64,
     /// Whether the pressure rises to it or falls to it.
     pub branch: Direction,

@@ -3,7 +3,7 @@
 use crate::{clean, shown, typed};
 use mckibben::muscle::Measure;
 use mckibben_app::{Ending, Problem, ProblemKind};
-use mckibben_files::ReadError;
+use mckibben_io::files::ReadError;
 use std::path::Path;
 
 /// A problem as a user of the command line meets it.

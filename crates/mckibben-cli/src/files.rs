@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use mckibben::muscle::file;
 use mckibben_app::{Model, Problem, TextFile};
 use mckibben_fit::validation::library;
-use mckibben_table::{MAX_BYTES, read_text};
+use mckibben_io::table::{MAX_BYTES, read_text};
 use std::path::Path;
 
 /// The name of the paper's muscle in place of a file's.
@@ -33,7 +33,7 @@ pub fn muscle_beside(folder: &Path, name: &str) -> Result<TextFile, Failure> {
 /// A table, whatever program wrote it. Such files may be long.
 pub fn table(path: &Path) -> Result<TextFile, Failure> {
     let name = path.display().to_string();
-    let bytes = mckibben_files::read(path, MAX_BYTES as u64).map_err(|e| Failure::unread(path, &e))?;
+    let bytes = mckibben_io::files::read(path, MAX_BYTES as u64).map_err(|e| Failure::unread(path, &e))?;
     let text = read_text(bytes.as_slice()).map_err(|error| Problem::of_table(&name, &error))?;
     Ok(TextFile { name, text })
 }

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+/// A kind of limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -15,21 +15,26 @@ use serde::Serialize;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "RelaxationAnswer"))]
 #[serde(tag = "relax", rename_all = "snake_case")]
 pub enum Relaxation {
+    /// Supply this pressure.
     MaxPressure {
+        /// MPa.
         pressure_mpa: f64,
         /// The model had to be asked outside of its range.
         extrapolated: bool,
     },
+    /// Accept these pulls.
     Force {
         /// The points that fall short, as they could be.
         points: Vec<OperatingPoint>,
     },
+    /// Accept these contractions.
     Contraction {
         /// The points that fall short, as they could be.
         points: Vec<OperatingPoint>,
     },
     /// Take a wider tube with the same wall.
     OuterDiameter {
+        /// mm.
         outer_diameter_mm: f64,
         /// The model that says so.
         model: String,

@@ -25,6 +25,7 @@ pub enum Objective {
     /// Smallest outer diameter at rest.
     #[default]
     Diameter,
+    /// Lowest pressure needed.
     Pressure,
     /// Least air per stroke; with a liquid, least liquid volume.
     Air,

@@ -16,6 +16,7 @@ pub struct Tolerances {
     /// Measures of the muscle.
     #[serde(flatten)]
     pub measures: MeasureValues,
+    /// Pressure, MPa.
     pub pressure_mpa: f64,
     /// All moduli of the rubber, as a share.
     #[cfg_attr(feature = "schema", schemars(extend("x-quantity" = "ratio")))]
@@ -89,6 +90,7 @@ pub enum ToleranceError {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "SpreadAnswer"))]
 pub struct Spread {
+    /// The operating point.
     #[serde(flatten)]
     pub wanted: OperatingPoint,
     pub pressure_mpa: f64,

@@ -29,8 +29,11 @@ pub struct TubePart {
     pub name: String,
     /// Bore, mm.
     pub inner_diameter_mm: f64,
+    /// Outer diameter, mm.
     pub outer_diameter_mm: f64,
+    /// Wall, mm.
     pub wall_mm: f64,
+    /// Its rubber.
     #[serde(serialize_with = "name_of")]
     #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub rubber: Rubber,

@@ -44,6 +44,7 @@ pub struct FormErrors {
     pub volume_rms: f64,
     /// Largest of the volume, share of the largest volume.
     pub volume_worst_ratio: f64,
+    /// Number of points.
     pub points: usize,
 }
 

@@ -16,7 +16,7 @@ mod template;
 pub use error::ExportError;
 pub use fit::{FormErrors, Wanted};
 pub use form::{CONTRACTION_OUTSIDE, Form, OK, PRESSURE_OUTSIDE, Point, SLACK};
-pub use mckibben_files::{Content, File};
+pub use mckibben_io::files::{Content, File};
 pub use muscle::{ExportBox, ExportedMuscle};
 pub use targets::Target;
 

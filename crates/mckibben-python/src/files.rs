@@ -4,7 +4,7 @@ use crate::error::Wrong;
 use crate::value;
 use mckibben::{formula, muscle};
 use mckibben_app::{JointFields, MotionRequest, Problem, ProblemKind, Subject, TextFile};
-use mckibben_table as table;
+use mckibben_io::table;
 use pyo3::prelude::*;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -21,8 +21,10 @@ pub fn read_text(path: PathBuf) -> PyResult<String> {
 #[pyfunction]
 pub fn read_table(path: PathBuf) -> PyResult<String> {
     let name = path.display().to_string();
-    let unread = |e: mckibben_files::ReadError| Problem::new(ProblemKind::File, format!("{name} {e}"), "");
-    let bytes = mckibben_files::read(&path, table::MAX_BYTES as u64).map_err(|e| Wrong::from(unread(e)))?;
+    let unread =
+        |e: mckibben_io::files::ReadError| Problem::new(ProblemKind::File, format!("{name} {e}"), "");
+    let bytes =
+        mckibben_io::files::read(&path, table::MAX_BYTES as u64).map_err(|e| Wrong::from(unread(e)))?;
     let text = table::read_text(bytes.as_slice());
     Ok(text.map_err(|e| Wrong::from(Problem::of_table(&name, &e)))?)
 }
@@ -38,7 +40,7 @@ pub fn read_formula(path: PathBuf) -> PyResult<String> {
 pub fn write_file(path: PathBuf, content: &[u8]) -> PyResult<()> {
     let hint = "nothing was written; an existing file is as it was";
     let wrong = |e| Problem::new(ProblemKind::Output, format!("cannot write {}: {e}", path.display()), hint);
-    Ok(mckibben_files::replace(&path, content).map_err(|e| Wrong::from(wrong(e)))?)
+    Ok(mckibben_io::files::replace(&path, content).map_err(|e| Wrong::from(wrong(e)))?)
 }
 
 /// The muscle files that a joint file names.

@@ -4,8 +4,10 @@ use crate::xml::escape;
 use crate::{Figure, FigureError};
 use std::fmt::Write as _;
 
+/// A report.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Document {
+    /// Its title.
     pub title: String,
     /// Its title block: names of fields and what they hold; an empty one is filled in by hand.
     pub title_block: Vec<(String, String)>,
@@ -20,15 +22,20 @@ pub struct Document {
 /// A part of a report.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Part {
+    /// A heading.
     Heading(String),
+    /// A paragraph.
     Text(String),
     /// Sentences, one below the other.
     List(Vec<String>),
+    /// A table.
     Table {
         /// Its head; empty for pairs of names and values.
         head: Vec<String>,
+        /// Its rows.
         rows: Vec<Vec<String>>,
     },
+    /// A figure.
     Figure(Box<Figure>),
     /// A drawing as SVG, on a page of its own.
     Drawing(String),

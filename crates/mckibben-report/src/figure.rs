@@ -56,7 +56,9 @@ pub enum Palette {
 pub struct Panel {
     /// Title above the axes; may be empty.
     pub title: String,
+    /// The horizontal axis.
     pub x: Axis,
+    /// The vertical axis.
     pub y: Axis,
     /// The series, drawn in this order.
     pub series: Vec<Series>,
@@ -64,6 +66,7 @@ pub struct Panel {
     pub marks: Vec<Mark>,
 }
 
+/// An axis.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(default)]
@@ -112,8 +115,11 @@ pub enum Style {
     /// in a print without colour (number 0 is solid).
     #[default]
     Auto,
+    /// A solid line.
     Line,
+    /// A dashed line.
     Dashed,
+    /// A dotted line.
     Dotted,
     /// A line of dashes and dots.
     DashDot,

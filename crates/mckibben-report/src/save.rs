@@ -33,7 +33,7 @@ impl Figure {
             "html" | "htm" => self.to_html()?.into_bytes(),
             _ => return Err(FigureError::UnknownExtension { path: path.to_owned() }),
         };
-        mckibben_files::replace(path, &bytes)
+        mckibben_io::files::replace(path, &bytes)
             .map_err(|source| FigureError::Write { path: path.to_owned(), source })
     }
 }

@@ -59,8 +59,8 @@ pub mod uncertainty;
 pub mod verification;
 pub mod warning;
 
-pub use mckibben_units as units;
-pub use mckibben_units::nearest;
+pub use mckibben_io::units;
+pub use mckibben_io::units::nearest;
 
 /// The paper whose formula (11) is [`model::Paper`] and whose method makes formulas from campaigns; equation numbers in
 /// code and documents are its. Sources are cited by their key in `literature.bib`.

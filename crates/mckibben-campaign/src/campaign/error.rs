@@ -99,7 +99,7 @@ pub enum CampaignError {
         /// The file.
         path: PathBuf,
         /// Why.
-        source: mckibben_files::ReadError,
+        source: mckibben_io::files::ReadError,
     },
     /// Something that is not of this campaign is where a file of it would.
     #[error("{} is not a file of a campaign ({why}) and would be overwritten", .path.display())]
@@ -145,7 +145,7 @@ impl CampaignError {
                 "move it away, and the same command continues from here; `overwrite` replaces it"
             }
             #[cfg(feature = "store")]
-            Self::Read { source: mckibben_files::ReadError::System(error), .. }
+            Self::Read { source: mckibben_io::files::ReadError::System(error), .. }
                 if error.kind() != std::io::ErrorKind::NotFound =>
             {
                 "the operating system refused to read it; it is not necessarily damaged"
@@ -186,7 +186,7 @@ impl CampaignError {
         move |source| unread(source.into())
     }
 
-    pub(super) fn unread(path: &Path) -> impl FnOnce(mckibben_files::ReadError) -> Self {
+    pub(super) fn unread(path: &Path) -> impl FnOnce(mckibben_io::files::ReadError) -> Self {
         let path = path.to_path_buf();
         move |source| Self::Read { path, source }
     }

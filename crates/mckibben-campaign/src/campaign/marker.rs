@@ -3,7 +3,7 @@
 use super::CampaignError;
 use super::resume::belongs;
 use super::store::{Folder, MARKER, Opened, Provenance};
-use mckibben_files::{Unfinished, read};
+use mckibben_io::files::{Unfinished, read};
 use serde::{Deserialize, Serialize};
 use std::io::{ErrorKind, Write as _};
 use std::path::Path;

@@ -3,17 +3,21 @@
 use super::CampaignError;
 use super::resume::belongs;
 use super::store::{Folder, Opened, PartSource, Provenance, Table, Which, is_file_name, part_name, whole};
-use mckibben_files::{Unfinished, sync};
+use mckibben_io::files::{Unfinished, sync};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
+/// What was merged.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Merged {
+    /// The file.
     pub output: PathBuf,
+    /// Muscles in it.
     pub muscles: u64,
+    /// Points in it.
     pub points: u64,
     /// Parts that it was made of.
     pub parts: u64,

@@ -28,6 +28,7 @@ pub struct Counts {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Recomputed {
+    /// The file.
     pub file: PathBuf,
     /// What was wrong with it.
     pub cause: String,

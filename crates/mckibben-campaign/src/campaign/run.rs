@@ -9,7 +9,7 @@ use super::store::{Folder, PartSource, Provenance, Table, check_name, is_file_na
 use super::{CampaignError, Shard, solve};
 use mckibben::progress::Progress;
 use mckibben::threads::Threads;
-use mckibben_files::check_writable;
+use mckibben_io::files::check_writable;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};

@@ -3,12 +3,13 @@
 use super::marker::Marker;
 use super::store::{Folder, Opened};
 use super::{CampaignError, Shard};
-use mckibben_files::ReadError;
+use mckibben_io::files::ReadError;
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
+/// How a shard is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
@@ -31,11 +32,13 @@ impl ShardState {
     }
 }
 
+/// One shard.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ShardStatus {
     /// The share, i/n.
     pub shard: String,
+    /// How it is.
     pub state: ShardState,
     /// Parts that are there.
     pub parts: u64,
@@ -47,6 +50,7 @@ pub struct ShardStatus {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CampaignStatus {
+    /// The folder.
     pub output: PathBuf,
     /// Whether all parts are there.
     pub complete: bool,
@@ -54,12 +58,15 @@ pub struct CampaignStatus {
     pub parts: u64,
     /// Parts of the plan.
     pub parts_wanted: u64,
+    /// Number of shards.
     pub shards_wanted: u64,
+    /// Shards that are done.
     pub shards_done: u64,
     /// Shards that a process computes.
     pub shards_running: u64,
     /// Shards that nothing computes.
     pub shards_missing: u64,
+    /// Every shard.
     pub shards: Vec<ShardStatus>,
     /// Parts that are damaged; they count as missing.
     pub damaged: Vec<PathBuf>,

@@ -13,8 +13,11 @@ use std::path::Path;
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Failed {
+    /// How many.
     pub points: u64,
+    /// Number of the first muscle.
     pub first_muscle: u64,
+    /// Its cause.
     pub first_cause: String,
 }
 
@@ -22,8 +25,11 @@ pub struct Failed {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Extent {
+    /// The column.
     pub name: String,
+    /// Smallest value.
     pub smallest: f64,
+    /// Largest value.
     pub largest: f64,
 }
 

@@ -16,6 +16,7 @@ pub struct Errors {
     /// The share that 95 % of the points do not exceed.
     #[serde(rename = "p95_of_blocked")]
     pub p95: f64,
+    /// Largest, likewise.
     #[serde(rename = "max_of_blocked")]
     pub max: f64,
     /// Largest difference in N.

@@ -17,6 +17,7 @@ use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use serde::Serialize;
 
+/// One comparison.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Finding {
@@ -27,6 +28,7 @@ pub struct Finding {
     pub at_most: Option<f64>,
     /// Whether the goal is met.
     pub ok: bool,
+    /// What came out.
     #[serde(flatten)]
     pub errors: Errors,
 }
@@ -35,6 +37,7 @@ pub struct Finding {
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Results {
+    /// The comparisons.
     pub findings: Vec<Finding>,
     /// The fitted constants of the paper's finite elements.
     #[serde(rename = "fitted_constants")]

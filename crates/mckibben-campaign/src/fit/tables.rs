@@ -11,7 +11,9 @@ use serde_json::{Map, Value};
 pub struct Table {
     /// Name of the file without its ending.
     pub name: &'static str,
+    /// Columns.
     pub header: Vec<&'static str>,
+    /// Rows.
     pub rows: Vec<Vec<Value>>,
 }
 

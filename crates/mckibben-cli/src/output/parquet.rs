@@ -4,7 +4,7 @@ use super::columns::Kind;
 use super::rows::{Table, text};
 use crate::failure::Failure;
 use mckibben_app::ProblemKind;
-use mckibben_parquet::{Column, Field, Packing, TableError, Text, Writer};
+use mckibben_io::parquet::{Column, Field, Packing, TableError, Text, Writer};
 use serde_json::Value;
 
 /// A table as the bytes of a Parquet file.

@@ -8,7 +8,7 @@ use clap::ArgMatches;
 use mckibben::units::short_numbers;
 use mckibben::warning::is_of_burst;
 use mckibben_app::{BuiltFile, ProblemKind};
-use mckibben_files::Unfinished;
+use mckibben_io::files::Unfinished;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -43,7 +43,7 @@ pub fn check(path: &Path) -> Result<(), Failure> {
     if !path.is_file() {
         return Ok(());
     }
-    mckibben_files::check_writable(path).map_err(|e| Failure::unwritable(path, &e))?;
+    mckibben_io::files::check_writable(path).map_err(|e| Failure::unwritable(path, &e))?;
     if overwrite() {
         return Ok(());
     }
@@ -147,5 +147,5 @@ pub fn save(path: Option<&Path>, bytes: &[u8]) -> Result<(), Failure> {
 
 /// Writes a file that appears whole or not at all, in the place of an older one.
 pub fn put(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    mckibben_files::replace(path, bytes).map_err(|e| Failure::unwritable(path, &e))
+    mckibben_io::files::replace(path, bytes).map_err(|e| Failure::unwritable(path, &e))
 }

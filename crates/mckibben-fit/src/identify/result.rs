@@ -10,12 +10,14 @@ use serde::{Serialize, Serializer};
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Identified {
+    /// What.
     #[serde(skip)]
     pub target: Target,
     /// Its name, as in the muscle file.
     pub name: String,
     /// Where the search began.
     pub start: f64,
+    /// Its value.
     pub value: f64,
     /// Its unit; empty for a plain number.
     pub unit: &'static str,
@@ -55,8 +57,10 @@ pub struct PointFit {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Spread {
+    /// Of which points.
     #[serde(rename = "of")]
     pub label: String,
+    /// How many.
     pub points: usize,
     /// In N.
     pub rms_n: f64,

@@ -38,6 +38,7 @@ impl<F: Fn(&[f64]) -> Option<Vec<f64>>> Residuals for F {
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "LossWord"))]
 pub enum Loss {
+    /// Sum of squares.
     #[default]
     Squares,
     // By the square up to 1.345 robust deviations (1.4826 times the median of |r|), and linearly beyond (Huber 1964 [huber1964]).

@@ -3,7 +3,7 @@
 use super::data::{DataPoint, Quantity, Section};
 use super::point::MeasuredPoint;
 use mckibben::muscle::Direction;
-use mckibben_table::{
+use mckibben_io::table::{
     Column, Columns, Meaning, POINTS, Table, TableError, Understood, is_absolute, read_text,
 };
 use std::io::Read;
@@ -32,7 +32,7 @@ pub fn read_measured(input: impl Read) -> Result<Vec<MeasuredPoint>, TableError>
     Ok(read_data(input)?.into_iter().map(|p| p.at).collect())
 }
 
-/// Reads points from a table in any common form ([`table`](mckibben_table)), and says what was understood of it.
+/// Reads points from a table in any common form ([`table`](mckibben_io::table)), and says what was understood of it.
 ///
 /// Needed are pressures, contractions (or shortenings, or lengths that vary, with L0) and pulls, each with its unit:
 /// `pressure_mpa`, `Druck in bar`, `p (psi)`; `contraction` is a ratio. Understood are also `branch`, `measured` (force,

@@ -6,7 +6,7 @@ mod sheet;
 use super::mode::Mode;
 use super::point::TensionPoint;
 use cell::{LARGEST_STRETCH, STRESS, STRETCH, mode, nominal};
-use mckibben_table::{Column, Columns, Meaning, TESTS, Table, TableError, Understood, read_text};
+use mckibben_io::table::{Column, Columns, Meaning, TESTS, Table, TableError, Understood, read_text};
 use std::io::Read;
 
 /// What the file does not say.
@@ -31,7 +31,7 @@ pub fn read_tension(input: impl Read, options: ReadOptions) -> Result<Vec<Tensio
     Ok(read_tests(input, options, &Columns::default())?.0)
 }
 
-/// Reads points in the order of a table in any common form ([`table`](mckibben_table)), and says what was understood of it.
+/// Reads points in the order of a table in any common form ([`table`](mckibben_io::table)), and says what was understood of it.
 pub fn read_tests(
     input: impl Read,
     options: ReadOptions,

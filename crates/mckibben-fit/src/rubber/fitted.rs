@@ -14,11 +14,13 @@ use mckibben::rubber::{
 };
 use serde::{Serialize, Serializer};
 
+/// A constant.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Parameter {
     /// As in muscle files; `mu1`, `alpha1` for terms.
     pub name: String,
+    /// Its value.
     pub value: f64,
     /// `MPa` or nothing.
     pub unit: &'static str,
@@ -33,7 +35,9 @@ pub struct Parameter {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ModeError {
+    /// Which test.
     pub mode: Mode,
+    /// Its points.
     pub points: usize,
     /// Largest stretch of them in the plane of the specimen.
     pub to_stretch: f64,
@@ -44,9 +48,11 @@ pub struct ModeError {
     pub stable_to_stretch: Option<f64>,
 }
 
+/// A fitted law.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "LawAnswer"))]
 pub struct FittedLaw {
+    /// Which law.
     #[serde(flatten, serialize_with = "names")]
     #[cfg_attr(feature = "schema", schemars(with = "FormNames"))]
     pub form: Form,
@@ -55,7 +61,9 @@ pub struct FittedLaw {
     /// Quality of the fit.
     #[serde(flatten)]
     pub quality: LawQuality,
+    /// Its constants.
     pub parameters: Vec<Parameter>,
+    /// Its errors by mode.
     pub modes: Vec<ModeError>,
     /// Its errors in modes that were held out, and over their points in whose state a muscle's wall may be.
     pub held_out: Vec<HeldOutError>,

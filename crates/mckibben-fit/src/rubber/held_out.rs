@@ -11,6 +11,7 @@ use serde::Serialize;
 pub struct HeldOutError {
     /// Which test; null for the points of all of them in whose state a muscle's wall may be.
     pub mode: Option<Mode>,
+    /// Its points.
     pub points: usize,
     /// Largest stretch of them in the plane of the specimen.
     pub to_stretch: f64,

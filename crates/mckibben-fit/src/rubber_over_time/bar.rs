@@ -8,7 +8,7 @@
 use super::OverTimeFitError;
 use mckibben::rubber::RubberLaw;
 use mckibben::rubber::over_time::{OgdenRoxburgh, Prony, Softened};
-use mckibben_table::{Columns, HISTORIES, Table, TableError, read_text};
+use mckibben_io::table::{Columns, HISTORIES, Table, TableError, read_text};
 use std::io::Read;
 
 /// A point of a history.

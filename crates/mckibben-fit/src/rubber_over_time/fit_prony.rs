@@ -21,6 +21,7 @@ use serde::Serialize;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "PronyAnswer"))]
 pub struct PronyFit {
+    /// The law.
     #[serde(rename = "law")]
     #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub form: Form,
@@ -32,6 +33,7 @@ pub struct PronyFit {
     #[serde(serialize_with = "columns")]
     #[cfg_attr(feature = "schema", schemars(with = "std::collections::BTreeMap<String, f64>"))]
     pub long_time: Law,
+    /// The Prony series.
     pub branches: Vec<BranchFit>,
     /// Root mean square of the differences of nominal stress, MPa.
     pub rms_mpa: f64,

@@ -16,6 +16,7 @@ use serde::Serialize;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "SofteningAnswer"))]
 pub struct SofteningFit {
+    /// The law.
     #[serde(rename = "law")]
     #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub form: Form,
@@ -31,6 +32,7 @@ pub struct SofteningFit {
     pub beta: f64,
     /// Standard errors of r, m and β, the law taken as known; null where the data do not determine them.
     pub standard_errors: [Option<f64>; 3],
+    /// Points of the first loading.
     pub first_loading_points: usize,
     /// Points below the largest energy so far.
     pub later_points: usize,

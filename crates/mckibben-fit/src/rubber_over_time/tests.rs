@@ -4,7 +4,7 @@ use super::*;
 use crate::rubber::Form;
 use mckibben::rubber::over_time::{Branch, Held, OgdenRoxburgh, Prony, Softened, erf};
 use mckibben::rubber::{Gent, Law, NeoHookean, Ogden, Principal, RubberLaw, Yeoh};
-use mckibben_table::Columns;
+use mckibben_io::table::Columns;
 
 const SOFTENING: OgdenRoxburgh = OgdenRoxburgh { r: 1.6, m_mpa: 0.05, beta: 0.15 };
 

@@ -2,7 +2,7 @@
 
 use crate::identify::ParameterError;
 use mckibben::muscle::file::FileError;
-use mckibben_table::TableError;
+use mckibben_io::table::TableError;
 use thiserror::Error;
 
 /// Why a folder is no case.

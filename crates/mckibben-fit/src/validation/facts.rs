@@ -9,9 +9,11 @@ pub struct Facts {
     pub name: String,
     /// Which muscle or rubber.
     pub title: String,
+    /// Who measured it.
     pub source: String,
     /// Terms of use of the points.
     pub terms: String,
+    /// What is known of it.
     pub known: String,
     /// What is not.
     pub unknown: String,

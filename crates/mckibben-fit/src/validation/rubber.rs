@@ -10,7 +10,7 @@ use super::stress::{history, tests};
 use crate::rubber::{Form, Mode, ReadOptions, TensionPoint, read_tests};
 use crate::rubber_over_time::{OverTimeFitError, TimePoint, read_history};
 use mckibben::progress::Progress;
-use mckibben_table::Columns;
+use mckibben_io::table::Columns;
 use toml_edit::Item;
 
 /// A measured rubber, and which laws are fitted to it.

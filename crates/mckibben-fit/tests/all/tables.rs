@@ -2,7 +2,7 @@
 
 use mckibben_fit::measured::{PointOptions, read_points};
 use mckibben_fit::rubber::{ReadOptions, read_tests};
-use mckibben_table::Columns;
+use mckibben_io::table::Columns;
 use proptest::prelude::*;
 
 fn both(bytes: &[u8]) {

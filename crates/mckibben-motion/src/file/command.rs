@@ -7,7 +7,7 @@ use crate::control::{Pid, PidOutput};
 use crate::drive::Target;
 use mckibben::muscle::file::{FileError, Section};
 use mckibben::units::{Dimension, Values, parse_quantity, parse_values};
-use mckibben_table::{OverTime, read_over_time};
+use mckibben_io::table::{OverTime, read_over_time};
 
 /// Keys of [command].
 pub(super) const KEYS: &[&str] = &[

@@ -17,7 +17,7 @@ use mckibben::load::{Load, LoadTable};
 use mckibben::muscle::file::{FileError, Problem, Section, Source};
 use mckibben::muscle::{Presliding, PreslidingElement};
 use mckibben::units::{Dimension, Values};
-use mckibben_table::read_load;
+use mckibben_io::table::read_load;
 use std::collections::BTreeMap;
 use std::fmt;
 

@@ -19,7 +19,7 @@ pub struct FormulaError {
 pub enum Problem {
     /// It is not read.
     #[error("{0}")]
-    Unread(Arc<mckibben_files::ReadError>),
+    Unread(Arc<mckibben_io::files::ReadError>),
     /// It is no JSON.
     #[error("is not valid JSON: {0} (JSON has no NaN; a file that ends early is truncated)")]
     Json(String),

@@ -147,7 +147,7 @@ fn from_file<T>(path: &Path, parse: impl Fn(&str) -> Result<T, FormulaError>) ->
 
 /// The text of a formula's file.
 pub fn read_text(path: &Path) -> Result<String, FormulaError> {
-    let bytes = mckibben_files::read(path, MAX_BYTES).map_err(|e| error::Problem::Unread(Arc::new(e)))?;
+    let bytes = mckibben_io::files::read(path, MAX_BYTES).map_err(|e| error::Problem::Unread(Arc::new(e)))?;
     String::from_utf8(bytes).map_err(|e| error::Problem::Json(e.to_string()).into())
 }
 

@@ -5,8 +5,8 @@ use super::provenance::{Provenance, Which};
 use super::table::Table;
 use crate::PointRow;
 use crate::campaign::CampaignError;
-use mckibben_files::ReadError;
-use mckibben_parquet::{Reader, TableError};
+use mckibben_io::files::ReadError;
+use mckibben_io::parquet::{Reader, TableError};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -24,7 +24,7 @@ pub(crate) struct Opened {
 
 impl Opened {
     pub(crate) fn file(path: &Path) -> Result<Self, CampaignError> {
-        let file = mckibben_files::open(path).map_err(CampaignError::unread(path))?;
+        let file = mckibben_io::files::open(path).map_err(CampaignError::unread(path))?;
         if file.metadata().map_err(CampaignError::read(path))?.len() > MAX_BYTES {
             return Err(CampaignError::unread(path)(ReadError::TooLarge { limit: MAX_BYTES }));
         }

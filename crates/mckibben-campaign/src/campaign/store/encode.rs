@@ -3,7 +3,7 @@
 use super::provenance::{Provenance, VERSION, Which};
 use super::table::Table;
 use crate::campaign::CampaignError;
-use mckibben_parquet::{GROUP, TableError, Writer};
+use mckibben_io::parquet::{GROUP, TableError, Writer};
 use std::fs::File;
 use std::io::Write;
 use std::path::Path;

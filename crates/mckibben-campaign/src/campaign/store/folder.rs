@@ -3,7 +3,7 @@
 //! A part appears whole or not at all: written under a temporary name, brought to the disk, renamed.
 
 use crate::campaign::{CampaignError, Shard};
-use mckibben_files::Unfinished;
+use mckibben_io::files::Unfinished;
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::Write;
@@ -167,7 +167,7 @@ impl Folder {
             file.file().write_all(&bytes).map_err(fail)?;
             file.put(true).map_err(fail)?;
         }
-        mckibben_files::sync(&self.path);
+        mckibben_io::files::sync(&self.path);
         Ok(())
     }
 

@@ -3,7 +3,7 @@
 use crate::PointRow;
 use crate::campaign::Plan;
 use crate::columns::{COLUMNS, Column, Role, Slot};
-use mckibben_parquet::{Column as Values, Packing};
+use mckibben_io::parquet::{Column as Values, Packing};
 
 /// Which columns a table has.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -42,9 +42,9 @@ impl Field {
     }
 
     /// Its column in a file: what was asked repeats few values, and answers differ.
-    pub(super) fn parquet(&self) -> mckibben_parquet::Field {
+    pub(super) fn parquet(&self) -> mckibben_io::parquet::Field {
         let packing = if self.column.role == Role::Answer { Packing::Distinct } else { Packing::Repeated };
-        mckibben_parquet::Field { name: self.name.clone(), kind: self.kind(), packing }
+        mckibben_io::parquet::Field { name: self.name.clone(), kind: self.kind(), packing }
     }
 
     /// Its key in a group.

@@ -3,7 +3,7 @@
 use super::layout::{Field, Layout};
 use crate::PointRow;
 use crate::columns::Slot;
-use mckibben_parquet::{Column, Text};
+use mckibben_io::parquet::{Column, Text};
 use std::sync::Arc;
 
 /// Adds what a row has in a field.

@@ -79,6 +79,7 @@ fn solved(number: usize, muscle: &Muscle, pressure_mpa: f64) -> Option<Sample> {
 pub struct HeldOutRow {
     /// The model, in words.
     pub model: String,
+    /// Its errors.
     #[serde(flatten)]
     pub errors: UniversalSummary,
 }

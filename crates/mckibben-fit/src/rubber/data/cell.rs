@@ -1,9 +1,9 @@
 //! Stress and mode of a row, and what no rubber can bear.
 
 use crate::rubber::mode::Mode;
-use mckibben_table::{Column, Meaning, Table, TableError};
+use mckibben_io::table::{Column, Meaning, Table, TableError};
 
-/// Groups of [`TESTS`](mckibben_table::TESTS).
+/// Groups of [`TESTS`](mckibben_io::table::TESTS).
 pub(super) const STRETCH: usize = 0;
 pub(super) const STRESS: usize = 1;
 

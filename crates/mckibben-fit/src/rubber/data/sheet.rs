@@ -4,7 +4,7 @@
 
 use super::cell::{LARGEST_STRESS_MPA, LARGEST_STRETCH, STRESS, mode, nominal};
 use crate::rubber::{Mode, TensionPoint};
-use mckibben_table::{Meaning, Table, TableError};
+use mckibben_io::table::{Meaning, Table, TableError};
 
 /// Columns beside the first stretch.
 pub(super) const MEANINGS: [Meaning; 7] = [

@@ -1,5 +1,5 @@
 use super::*;
-use mckibben_table::{Columns, TableError};
+use mckibben_io::table::{Columns, TableError};
 
 fn read_with(text: &str, options: ReadOptions) -> Result<Vec<TensionPoint>, TableError> {
     read_tension(text.as_bytes(), options)

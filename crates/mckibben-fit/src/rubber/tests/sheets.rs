@@ -1,7 +1,7 @@
 //! Specimens that are stretched along two axes, and tests that are held out.
 
 use super::*;
-use mckibben_table::TableError;
+use mckibben_io::table::TableError;
 
 /// All states of a square of stretches, two stresses each; every third one as a difference of true stresses.
 fn sheets(law: &Law) -> Vec<TensionPoint> {

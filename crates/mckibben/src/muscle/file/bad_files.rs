@@ -1,7 +1,7 @@
 //! Files with one mistake each: the line it is found in, and what the message must say.
 
 use super::{MAX_BYTES, Problem, parse_muscle, read_muscle};
-use mckibben_files::ReadError;
+use mckibben_io::files::ReadError;
 
 const BAD: &[(&str, usize, &str)] = &[
     // Values that make no muscle.

@@ -37,7 +37,7 @@ pub struct FileError {
 pub enum Problem {
     /// The file is not read.
     #[error("{0}")]
-    Unread(#[source] mckibben_files::ReadError),
+    Unread(#[source] mckibben_io::files::ReadError),
     /// A text that is too long.
     #[error("is longer than {limit} bytes, too long for such a file")]
     TooLarge {

@@ -3,8 +3,8 @@
 use super::error::{TableError, short};
 use super::heading::plain;
 use super::vocabulary::{Entry, Meaning, Vocabulary};
-use mckibben_units::Unit;
-use mckibben_units::nearest::nearest;
+use crate::units::Unit;
+use crate::units::nearest::nearest;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use thiserror::Error;

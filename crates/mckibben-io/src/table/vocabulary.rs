@@ -3,7 +3,7 @@
 //! Words are in plain form: lower case, without accents, everything that is no letter or digit as an underscore
 //! ([`plain`](super::heading::plain)). Umlauts lose their dots, so that their other spelling (`ue`) is beside them.
 
-use mckibben_units::Dimension;
+use crate::units::Dimension;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 use toml_edit::{DocumentMut, TableLike};
@@ -125,7 +125,7 @@ pub(crate) struct Need {
 
 /// The words of `data/words.toml`, of all languages together.
 static WORDS: LazyLock<BTreeMap<String, Vec<String>>> =
-    LazyLock::new(|| read(include_str!("../data/words.toml")).unwrap_or_default());
+    LazyLock::new(|| read(include_str!("../../data/words.toml")).unwrap_or_default());
 
 fn read(text: &str) -> Option<BTreeMap<String, Vec<String>>> {
     let table: DocumentMut = text.parse().ok()?;

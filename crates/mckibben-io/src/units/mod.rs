@@ -3,9 +3,6 @@
 //! Inside the library every number is in mm, MPa, N, mm², N/mm, or a plain ratio; angles are degrees where a
 //! name says `_deg` and radians elsewhere. Units exist at the edge only, here.
 
-#![warn(clippy::print_stdout, clippy::print_stderr)]
-#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
-
 mod convert;
 mod dimension;
 mod name;

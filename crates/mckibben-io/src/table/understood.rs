@@ -3,7 +3,7 @@
 use super::Table;
 use super::find::Column;
 use super::number::Decimal;
-use mckibben_units::tidy;
+use crate::units::tidy;
 use serde::{Deserialize, Serialize};
 
 /// What was understood of a table.
@@ -35,6 +35,7 @@ pub struct Understood {
 pub struct UnderstoodColumn {
     /// Its heading as written.
     pub column: String,
+    /// What it means.
     pub quantity: String,
     /// In which unit it stands; empty for ratios, words and weights.
     pub unit: String,

@@ -7,9 +7,6 @@
 //!
 //! Numbers are in mm, MPa, N, degrees, s, or plain ratios.
 
-#![warn(clippy::print_stdout, clippy::print_stderr)]
-#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
-
 mod columns;
 mod delimited;
 mod error;

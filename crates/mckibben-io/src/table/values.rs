@@ -5,7 +5,7 @@ use super::error::{TableError, short};
 use super::find::Column;
 use super::number::{self, NoNumber};
 use super::vocabulary::{Entry, Meaning, Need};
-use mckibben_units::Dimension;
+use crate::units::Dimension;
 
 impl Table {
     /// The column of a quantity.

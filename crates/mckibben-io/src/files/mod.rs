@@ -3,8 +3,6 @@
 //! In: [`open`] and [`read`] take regular files alone, up to the length that the caller allows for a file of its kind. Out:
 //! [`replace`] and [`Unfinished`] write beside the place and rename, so that a file appears whole or not at all. [`File`] is one that a crate made.
 
-#![warn(clippy::print_stdout, clippy::print_stderr)]
-
 mod made;
 mod read;
 #[cfg(feature = "write")]

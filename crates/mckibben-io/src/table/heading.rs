@@ -1,7 +1,7 @@
 //! What a heading says: a quantity and its unit, in whatever spelling.
 
 use super::vocabulary::{Entry, Meaning, Vocabulary};
-use mckibben_units::{Dimension, Unit};
+use crate::units::{Dimension, Unit};
 
 /// What a heading means.
 #[derive(Debug, Clone, PartialEq)]

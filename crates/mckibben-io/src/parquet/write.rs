@@ -1,7 +1,7 @@
 //! Tables → Parquet.
 
-use crate::TableError;
-use crate::column::{Column, Field, Packing};
+use crate::parquet::TableError;
+use crate::parquet::column::{Column, Field, Packing};
 use parquet::basic::{Compression, Encoding};
 use parquet::column::writer::ColumnWriter;
 use parquet::errors::{ParquetError, Result};
@@ -105,7 +105,7 @@ fn levels<T>(values: &[Option<T>]) -> Vec<i16> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::column::Text;
+    use crate::parquet::column::Text;
     use parquet::file::reader::{FileReader, SerializedFileReader};
     use parquet::record::Field as Cell;
 

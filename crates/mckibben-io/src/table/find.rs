@@ -7,7 +7,7 @@ use super::error::{TableError, short};
 use super::heading::{self, HeadingUnit};
 use super::number::{self, Decimal};
 use super::vocabulary::{Meaning, Vocabulary};
-use mckibben_units::Unit;
+use crate::units::Unit;
 
 /// A column with its meaning.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,0 +1,10 @@
+//! What comes in and goes out: quantities with [`units`], people's [`table`]s, [`files`], tables in Parquet files (feature `parquet`).
+
+#![warn(clippy::print_stdout, clippy::print_stderr)]
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+pub mod files;
+#[cfg(feature = "parquet")]
+pub mod parquet;
+pub mod table;
+pub mod units;
