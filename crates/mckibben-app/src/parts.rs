@@ -10,7 +10,7 @@ use crate::rubber::{RubberDetails, RubberSummary, rubber_details, rubbers};
 use mckibben::model::ModelEntry;
 use mckibben::nearest::nearest;
 use mckibben_design::tubes::{self, TubePart};
-use mckibben_fit::validation::library::names;
+use mckibben_fit::validation::library;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -119,11 +119,12 @@ pub fn part_show(request: &PartShowRequest) -> Result<PartShowAnswer, Problem> {
     if found != PartShowAnswer::default() {
         return Ok(found);
     }
-    let (sleeves, rubbers, muscles) = (sleeves()?, rubbers()?, names());
+    let (sleeves, rubbers, muscles) = (sleeves()?, rubbers()?, library::names());
     let all = tubes.iter().map(|t| t.name.as_str()).chain(sleeves.iter().map(|s| s.name.as_str()));
     let all = all.chain(rubbers.iter().map(|r| r.name.as_str())).chain(muscles.iter().map(String::as_str));
     let all = all.chain(Model::all().into_iter().map(|m| m.name));
-    let meant = nearest(name, all).map_or_else(String::new, |n| format!(" (did you mean {n}?)"));
+    let meant = nearest(library::named(name).unwrap_or(name), all)
+        .map_or_else(String::new, |n| format!(" (did you mean {n}?)"));
     let given: String = name.chars().take(60).collect();
     let message = format!("there is no part named \"{given}\"{meant}");
     Err(Problem::new(ProblemKind::Usage, message, "`parts list` lists them"))

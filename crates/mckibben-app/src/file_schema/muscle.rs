@@ -18,14 +18,14 @@ pub(super) fn tables() -> Vec<(&'static str, Value)> {
     // A damaged table of names leaves the key without them.
     let rubbers = library::entries().unwrap_or_default().iter().map(|entry| entry.name.as_str());
     let tube = measures("tube").chain([
-        ("rubber".to_owned(), named("Name of a rubber (`mckibben rubber list`), a hardness such as \"shore:30A\", or a stress such as \"s100:0.6MPa\"", rubbers)),
+        ("rubber".to_owned(), named("Name of a rubber (`mckibben parts list rubbers`), a hardness such as \"shore:30A\", or a stress such as \"s100:0.6MPa\"", rubbers)),
         ("material".to_owned(), material()),
     ]);
     let sleeves = sleeve::library::entries().unwrap_or_default().iter().map(|entry| entry.sleeve.name());
     let braid = measures("braid").chain([
         (
             "name".to_owned(),
-            named("Name of a sleeve (`mckibben braid list`); it gives angle and strands", sleeves),
+            named("Name of a sleeve (`mckibben parts list sleeves`); it gives angle and strands", sleeves),
         ),
         (
             "strand_diameter".to_owned(),
@@ -85,7 +85,7 @@ fn material() -> Value {
         [("r", number("r")), ("m", quantity(Dimension::Pressure, "m")), ("beta", number("β"))],
     );
     let common = [
-        ("law", word("The law of the rubber (`mckibben rubber list`)", Law::names())),
+        ("law", word("The law of the rubber (`mckibben parts list rubbers`)", Law::names())),
         ("name", text("Where the constants come from")),
         ("bulk_modulus", word_or(&["incompressible"], positive(Dimension::Pressure, "Bulk modulus"))),
         ("fitted_to_stretch", number("Largest stretch of the data behind the constants")),

@@ -95,7 +95,7 @@ fn text(answer: &CheckAnswer) -> String {
             said.push(none.into());
         }
         out += &format!("\n{heading}\n");
-        out.extend(said.iter().map(|line| format!("  - {line}\n")));
+        out.extend(said.iter().map(|line| format!("  - {}\n", shown::sentence(line))));
     }
     out
 }

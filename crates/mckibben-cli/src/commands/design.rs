@@ -178,7 +178,7 @@ pub struct DesignArgs {
     /// Rubbers, by name [those of the tubes]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = RUBBERS, hide_possible_values = true, help_heading = "Muscle")]
     pub rubber: Vec<String>,
-    /// Sleeves, by name (`mckibben braid list`) [all]
+    /// Sleeves, by name (`mckibben parts list sleeves`) [all]
     ///
     /// The diameter of the tube then sets angle and stiffness.
     #[arg(long, value_name = "LIST", value_delimiter = ',', conflicts_with_all = ["angle", "strand_length_per_turn"], value_parser = SLEEVES, hide_possible_values = true, help_heading = "Muscle")]

@@ -378,8 +378,8 @@ const FLAGS: &[Case] = &[
     ("a folder of muscles", "check DIR", 2, "file", "is a directory"),
     ("a folder as --muscle", "force -p 0.2 --muscle DIR", 2, "file", "is a directory"),
     // Output.
-    ("result into a missing folder", "models -o DIR/none/x.json", 2, "output", "none does not exist"),
-    ("result onto a folder", "models -o DIR", 2, "output", "is a directory"),
+    ("result into a missing folder", "parts list models -o DIR/none/x.json", 2, "output", "none does not exist"),
+    ("result onto a folder", "parts list models -o DIR", 2, "output", "is a directory"),
     (
         "table in a file of another kind",
         "curve isobaric -o DIR/lut.mat",
@@ -664,7 +664,7 @@ fn figures_onto_folders_are_refused() {
 
 #[test]
 fn an_unknown_format_is_refused() {
-    let result = mckibben("models --format xml");
+    let result = mckibben("parts list models --format xml");
     check("format", &result, 2, "[possible values: text, json, csv]");
 }
 

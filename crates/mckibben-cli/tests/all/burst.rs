@@ -53,7 +53,7 @@ fn one_burst_pressure_in_every_command_to_the_last_digit() {
         "simulate hose.toml --test isobaric -p 2bar",
         "joint joint.toml -p 3bar,1bar --angle 0",
         &format!("{MOTION} -p 3bar"),
-        "report hose.toml -p 3bar",
+        "build hose.toml -p 3bar",
     ] {
         let answer = as_json(dir, words);
         assert_eq!(answer["burst_pressure_mpa"], burst, "{words}");
@@ -86,7 +86,7 @@ fn a_pressure_beyond_the_burst_pressure_is_said_before_all_else() {
     // A table has no place for it.
     let csv = asked(dir, "force hose.toml -p 22bar --format csv");
     assert!(csv.err.contains("BURST: ") && !csv.text().contains("BURST"), "{}", csv.err);
-    let page = asked(dir, "report hose.toml -p 22bar");
+    let page = asked(dir, "build hose.toml -p 22bar");
     assert!(page.text().contains("BURST: "));
     // Below it a quarter of it, 5.298 bar, is allowed.
     for words in ["force hose.toml -p 21bar", "curve isobaric hose.toml -p 6bar -e 0,5%"] {

@@ -59,9 +59,7 @@ fn line(dir: &Path, line: &str) -> Ran {
 fn a_file_is_what_its_ending_says() {
     let dir = muscle();
     for (words, said) in [
-        ("report my.toml --model ideal -p 6bar -o rr.docx", "end it in .html or .htm"),
-        ("report my.toml -p 6bar --pdf rr.html", "end it in .pdf"),
-        ("report my.toml -p 6bar --format json -o rr.html", "end it in .json"),
+        ("build my.toml -p 4bar --report rr.docx", "end it in .html or .htm"),
         ("design -F 300N -e 10% -p 3bar -o x.png", "end it in .toml"),
         ("rubber t.csv -o x.json", "end it in .toml"),
         ("identify my.toml --data t.csv -o x.csv", "end it in .toml"),
@@ -83,7 +81,7 @@ fn a_file_is_what_its_ending_says() {
 #[test]
 fn a_report_named_pdf_is_a_pdf_or_is_refused() {
     let dir = muscle();
-    let ran = line(dir.path(), "report my.toml -p 6bar -o rr.pdf");
+    let ran = line(dir.path(), "build my.toml -p 4bar --report rr.pdf");
     let file = dir.path().join("rr.pdf");
     match ran.code {
         0 => assert!(std::fs::read(&file).unwrap().starts_with(b"%PDF-")),

@@ -23,7 +23,7 @@ fn a_design_is_of_parts_and_its_muscle_file_has_its_digits() {
     assert_eq!(tube["outer_diameter_mm"], best["outer_diameter_mm"]);
     assert_eq!(tube["rubber"], best["rubber"]);
     let sleeve = best["sleeve"].as_str().unwrap();
-    let shown = json(dir.path(), &format!("braid show {sleeve}"));
+    let shown = json(dir.path(), &format!("parts show {sleeve}"))["sleeve"].take();
     assert!(number(&shown["stiffness_factor"]) >= 1.0 && shown["missing"] == serde_json::json!([]));
     let answer = json(dir.path(), "force winner.toml -p 2.5bar -e 15%");
     assert_eq!(answer["force_n"], best["points"][0]["force_at_max_pressure_n"]);
