@@ -25,7 +25,7 @@ RECORD = ROOT / "checks/long.json"
 MANIFESTS = [r"(.*/)?Cargo\.toml", r"Cargo\.lock"]
 
 # Parts of a minute or two (the page: five; exports: four with their hosts installed), which need the build of the tests alone.
-SHORT = ("golds", "figures", "programs", "server", "page", "exports")
+SHORT = ("golds", "figures", "programs", "pages", "server", "page", "python", "wasm", "exports")
 
 # Name: what it checks, files that it guards (patterns of whole paths), text that a file must hold as well, commands.
 PARTS = {
@@ -38,20 +38,32 @@ PARTS = {
     "programs": ("other programs read what is written", [
         r"crates/mckibben-(fem|motion|campaign|io|report)/src/.*", r"crates/mckibben-app/src/(figure|simulate)/.*", r"checks/.*\.py",
     ], None, ["bash checks/programs.sh"]),
+    "pages": ("commands of all pages of the documentation", [
+        r"README\.md", r"docs/.*\.md", r"crates/mckibben-cli/src/.*",
+    ], None, ["MCKIBBEN_PAGES=1 cargo test --workspace --locked --test all the_commands_in_help_texts_and_pages_run"]),
     "server": ("the server: two hundred clients", [
         r"crates/mckibben-(server|app)/src/.*", r"checks/server.*",
     ], None, ["python3 checks/server_load.py \"$MCKIBBEN\" --sessions 200 --seconds 5"]),
     "page": ("the workbench in a browser: every page and form, axe, five minutes of use, speed", [
         r"web/(page|src|tests|vendor)/.*", r"web/.*\.(json|mjs|sh)", r"docs/contract\.txt", r"crates/mckibben-(server|wasm)/src/.*",
     ], None, ["bash web/test.sh serve"]),
+    "python": ("the Python package: all its tests", [
+        r"python/.*", r"crates/mckibben-python/.*", r"docs/contract\.txt",
+    ], None, ["bash checks/python.sh"]),
+    "wasm": ("all crates of the page for the browser", [*MANIFESTS, r"crates/mckibben-wasm/.*", r"checks/wasm\.sh"], None, ["bash checks/wasm.sh"]),
+    "documentation": ("examples and links of the crates' documentation", [r"crates/.*/src/.*", r"checks/rustdoc\.sh"], None, [
+        "RUSTDOC=$PWD/checks/rustdoc.sh cargo test --workspace --locked --doc",
+    ]),
+    "random": ("ten times as many random muscles, specifications and inputs", [
+        r"crates/mckibben(-fem|-design|-export|-io)?/(src|tests)/.*",
+    ], None, ["MCKIBBEN_TIMES=10 cargo test --workspace --locked --test all random branches answers fuzz mutat"]),
     "build": ("plugs in OpenSCAD", [
         r"crates/mckibben-build/src/.*", r"checks/build\..*",
     ], None, ["bash checks/build.sh \"$MCKIBBEN\""]),
     "exports": ("exported muscles in their hosts: compilers, emulated microcontrollers, MuJoCo, OpenSim, FMPy, Wine, JAX", [
         r"crates/mckibben-export/.*", r"crates/mckibben-app/src/export\.rs", r"checks/exports.*", r"checks/fmu.*", r"checks/mach_o\.py",
     ], None, ["bash checks/exports.sh \"$MCKIBBEN\""]),
-    "torch": ("muscles in PyTorch: the package's functions and the exported module", [
-        r"python/mckibben/(torch|_bridge|_model)\.py", r"python/tests/test_optimisers\.py", r"python/examples/identify_(torch|scipy)\.py",
+    "torch": ("the exported module in PyTorch", [
         r"crates/mckibben-export/templates/mckibben_muscle\.py", r"checks/(exports_)?torch\..*",
     ], None, ["bash checks/torch.sh"]),
     "campaigns": ("campaigns on Slurm, Dask and process pools", [
@@ -89,9 +101,6 @@ PARTS = {
     "peers": ("finite elements beside FElupe and CalculiX", [
         r"crates/mckibben-fem/src/(three_dimensional|element|output)/.*", r"benches/peers/.*", r"data/peers/.*",
     ], None, ["cargo xtask peers --check"]),
-    "mutations": ("made-up and damaged input at length", [
-        r"crates/mckibben-io/src/.*", r"crates/mckibben/src/muscle/file/.*", r"crates/mckibben-server/src/.*", r"crates/mckibben-campaign/src/campaign/store/.*",
-    ], None, ["MCKIBBEN_ROUNDS=2000 cargo test --workspace --locked --test all mutat"]),
 }
 
 

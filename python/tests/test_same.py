@@ -1,4 +1,4 @@
-"""The same muscles by the package and by the command line: the same digits. `MCKIBBEN` is the path of the program; `MCKIBBEN_ROUNDS` asks every
+"""The same muscles by the package and by the command line: the same digits. `MCKIBBEN` is the path of the program; `MCKIBBEN_TIMES` asks every
 muscle every question."""
 
 from __future__ import annotations
@@ -138,7 +138,7 @@ def same(number: int, folder: Path, tool: str) -> tuple[int, list[str]]:
     asked = questions(number, folder)
     names = list(asked)
     # Each its pull and one question more in turn; all of them on demand.
-    chosen = names if "MCKIBBEN_ROUNDS" in os.environ else ["force", names[1 + number % 5]]
+    chosen = names if "MCKIBBEN_TIMES" in os.environ else ["force", names[1 + number % 5]]
     answered, wrong = 0, []
     for name in chosen:
         flags, ask = asked[name]

@@ -3,7 +3,7 @@
 
 mod findings;
 
-pub use findings::{Finding, FindingKind};
+pub use findings::{MuscleFinding, FindingKind};
 
 use crate::burst::{PressureLimits, said_of, usual_mpa};
 use crate::fields::{AskFields, MeshFields, ModelFields, MuscleFields};
@@ -78,7 +78,7 @@ pub struct CheckAnswer {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub characteristics: Option<Characteristics>,
     /// What was found beyond the warnings, the gravest kind first; what to measure in the order of its effect.
-    pub findings: Vec<Finding>,
+    pub findings: Vec<MuscleFinding>,
     /// The equivalent muscle file (TOML), if requested: file and fields of the request in one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub muscle_file: Option<String>,
@@ -136,7 +136,7 @@ pub struct Characteristics {
 }
 
 /// Values at the working pressure, what is said of the burst pressure, and what was found.
-type Asked = (Characteristics, Vec<Warning>, Vec<Finding>);
+type Asked = (Characteristics, Vec<Warning>, Vec<MuscleFinding>);
 
 /// What is known of a muscle, and what is not.
 pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAnswer, Problem> {

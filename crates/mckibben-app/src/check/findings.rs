@@ -14,7 +14,7 @@ use serde::Serialize;
 
 /// Something that was found.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct Finding {
+pub struct MuscleFinding {
     /// Its kind.
     pub kind: FindingKind,
     /// In a sentence.
@@ -53,7 +53,7 @@ pub(super) fn of(
     burst: &Burst,
     values: &Characteristics,
     parts: Option<UncertaintyParts>,
-) -> Result<Vec<Finding>, Problem> {
+) -> Result<Vec<MuscleFinding>, Problem> {
     let mut findings = implausible(muscle, values);
     findings.extend(unknown(burst));
     // The measured muscles are no part of the reduced engine.
@@ -64,13 +64,13 @@ pub(super) fn of(
     Ok(findings)
 }
 
-impl Finding {
+impl MuscleFinding {
     fn new(kind: FindingKind, text: impl Into<String>) -> Self {
         Self { kind, text: text.into(), left_n: None }
     }
 }
 
-fn implausible(muscle: &Muscle, values: &Characteristics) -> Vec<Finding> {
+fn implausible(muscle: &Muscle, values: &Characteristics) -> Vec<MuscleFinding> {
     let (pull, half) = (values.blocked_force_n, values.blocked_force_uncertainty_n);
     let (slender, wall) =
         (muscle.length_mm() / muscle.tube().outer_diameter_mm, muscle.wall_mm() / muscle.inner_diameter_mm());
@@ -103,11 +103,11 @@ fn implausible(muscle: &Muscle, values: &Characteristics) -> Vec<Finding> {
             percent((100.0 * share).round() / 100.0)
         ));
     }
-    found.into_iter().map(|text| Finding::new(FindingKind::Implausible, text)).collect()
+    found.into_iter().map(|text| MuscleFinding::new(FindingKind::Implausible, text)).collect()
 }
 
 /// Failures whose pressure cannot be computed, with what is missing.
-fn unknown(burst: &Burst) -> Vec<Finding> {
+fn unknown(burst: &Burst) -> Vec<MuscleFinding> {
     let mut found: Vec<String> = vec![];
     for (mode, pressure) in burst.modes() {
         if let FailurePressure::Unknown(why) = pressure {
@@ -117,14 +117,14 @@ fn unknown(burst: &Burst) -> Vec<Finding> {
     if burst.rated_mpa.is_none() {
         found.push("the pressure for which plugs and fittings are rated; give `rated_pressure` in [terminals] of the muscle file".into());
     }
-    found.into_iter().map(|text| Finding::new(FindingKind::Unknown, text)).collect()
+    found.into_iter().map(|text| MuscleFinding::new(FindingKind::Unknown, text)).collect()
 }
 
 /// A size: its name, its unit, and how it is taken of a muscle.
 type Sized<'a> = (&'static str, &'static str, &'a dyn Fn(&Muscle) -> f64);
 
 /// Where the muscle lies outside of the measured ones, on which the ± is founded.
-fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<Finding>, Problem> {
+fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<MuscleFinding>, Problem> {
     let cases = muscles().map_err(Problem::from)?;
     let among = |of: &dyn Fn(&Muscle) -> f64| {
         let all = cases.iter().flat_map(|case| built(case)).map(|muscle| of(&muscle));
@@ -154,7 +154,7 @@ fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<Finding>, Problem> 
         let (own, most) = (number(pressure_mpa, 3), number(highest_mpa, 3));
         found.push(format!("the pressure is {own} MPa; muscles were measured up to {most} MPa"));
     }
-    Ok(found.into_iter().map(|text| Finding::new(FindingKind::Outside, text)).collect())
+    Ok(found.into_iter().map(|text| MuscleFinding::new(FindingKind::Outside, text)).collect())
 }
 
 /// The muscles of a case, one for each size that its points state.
@@ -186,7 +186,7 @@ const MEASURABLE: [(&str, &str); 5] = [
     ("formula", "nothing: the model `fe` does without this part"),
 ];
 
-fn measure(parts: &UncertaintyParts, values: &Characteristics) -> Vec<Finding> {
+fn measure(parts: &UncertaintyParts, values: &Characteristics) -> Vec<MuscleFinding> {
     let total = parts.total();
     let mut named: Vec<(&str, f64)> = parts.named().collect();
     named.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -194,14 +194,14 @@ fn measure(parts: &UncertaintyParts, values: &Characteristics) -> Vec<Finding> {
         let (_, how) = MEASURABLE.iter().find(|known| known.0 == name)?;
         let left = (total * total - part * part).max(0.0).sqrt();
         // A part that changes nothing that is shown.
-        (left < 0.98 * total).then(|| Finding {
+        (left < 0.98 * total).then(|| MuscleFinding {
             kind: FindingKind::Measure,
             text: format!("{name}: {how}"),
             left_n: Some(left),
         })
     });
     let words = &values.uncertainty_words;
-    let whole = words.bench_uncertainty_n.map(|left| Finding {
+    let whole = words.bench_uncertainty_n.map(|left| MuscleFinding {
         kind: FindingKind::Measure,
         text: words.bench.clone().unwrap_or_default(),
         left_n: Some(left),

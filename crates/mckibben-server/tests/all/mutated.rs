@@ -1,5 +1,5 @@
-//! Files and requests as nobody means them: an answer or a reason, in good time, and never the program's own fault. `MCKIBBEN_ROUNDS` says
-//! how many.
+//! Files and requests as nobody means them: an answer or a reason, in good time, and never the program's own fault. `MCKIBBEN_TIMES`
+//! takes more.
 
 use crate::Client;
 use mckibben_server::Config;
@@ -85,7 +85,7 @@ async fn mutated_requests_give_an_answer_or_a_reason() {
         ),
     ];
     let mut random = Random(1);
-    let rounds = std::env::var("MCKIBBEN_ROUNDS").map_or(100, |text| text.parse().unwrap());
+    let rounds = mckibben::random::rounds(100);
     for i in 0..rounds {
         let (command, text, request) = &kinds[i % kinds.len()];
         let request = if i % 3 == 0 {
