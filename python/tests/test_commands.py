@@ -104,9 +104,9 @@ def test_compare_and_study_and_lists(root: Path) -> None:
     assert "paper" in [r.name for r in parts.rubbers] and len(parts.sleeves) > 3 and "fe" in [m.name for m in parts.models]
     ideal = mk.parts_show("ideal").model
     assert ideal is not None and ideal.source
-    shown = mk.Muscle().check(pressure_mpa=0.25)
+    shown = mk.Muscle.prototype().check(pressure_mpa=0.25)
     assert shown.characteristics is not None
-    assert shown.characteristics.blocked_force_n == pytest.approx(mk.Muscle().model().force(0.25), rel=1e-9)
+    assert shown.characteristics.blocked_force_n == pytest.approx(mk.Muscle.prototype().force(0.25), rel=1e-9)
 
 
 def test_a_shape_is_a_body(root: Path) -> None:

@@ -88,7 +88,7 @@ def test_an_interrupted_campaign_is_read(tmp_path: Path, root: Path) -> None:
     whole = campaign.to_pandas()
     assert len(whole) > len(part) and set(map(tuple, part[["muscle", "force_n"]].to_numpy())) <= set(map(tuple, whole[["muscle", "force_n"]].to_numpy()))
     assert campaign.run().points_computed == 0
-    assert campaign.fit().formula.model(mk.Muscle()).force(0.2, 0.1) > 0
+    assert mk.Muscle.prototype().force(0.2, 0.1, model=campaign.fit().formula) > 0
 
 
 def test_a_quantity_is_given_by_its_name_without_the_unit() -> None:
