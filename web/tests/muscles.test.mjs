@@ -132,11 +132,11 @@ for (const [name, { start, point: within, motion }] of engines({
       const joint = page.joint(text, "", v);
       await writeFile(jointFile, joint.joint.text.replaceAll("muscle.toml", `${seed}-merged.toml`));
       const model = "thick-wall";
-      const [said, torque] = await Promise.all([
+      const [jointed, torque] = await Promise.all([
         ask("joint", jointFile, "-p", pressures.map((x) => `${x}bar`).join(), `--angle=${angle}`, "--model", model, "--extrapolate"),
         maybe(engine.ask("joint", { ...joint, model, extrapolate: true, pressures_mpa: [await Promise.all(pressures.map((x) => field("pressure", `${x}bar`)))], angles_deg: [angle] })),
       ]);
-      same(torque?.points, said?.points, Math.max(within, 1e-12), `Joint ${seed}`);
+      same(torque?.points, jointed?.points, Math.max(within, 1e-12), `Joint ${seed}`);
 
       // Motion.
       const step = { load: "mass:2kg", valve: "0.5 L/(s bar)", damping: "300 N s/m", until: "0.3 s" };
