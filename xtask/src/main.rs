@@ -12,26 +12,12 @@ type Done = Result<(), String>;
 /// Name, what it does, and how; the flag of the function is `--check`.
 type Task = (&'static str, &'static str, fn(bool) -> Done);
 
-const TASKS: [Task; 14] = [
+const TASKS: [Task; 8] = [
     ("figures", "figures of README and docs, drawn by the program; --check compares", figures),
     ("study-figures", "figures that scripts of studies/ draw; --check compares", study_figures),
     ("golds", "tables and formulas that the program computes itself; --check compares", golds),
     ("schemas", "words of requests and answers in docs/contract.txt; --check compares", schemas),
     ("checks", "outputs read by other programs (python3, ccx, chromium)", checks),
-    ("wasm", "numeric crates build for wasm32-unknown-unknown", |_| script("bash", "checks/wasm.sh")),
-    ("workbench", "the page in a browser, on both of its engines (npm, chromium)", |_| {
-        script("bash", "web/test.sh")
-    }),
-    ("targets", "the program is checked for other systems", |_| script("bash", "checks/targets.sh")),
-    ("processors", "lanes of the finite elements on lesser processors (qemu)", |_| {
-        script("bash", "checks/processors.sh")
-    }),
-    ("packages", "crates as they would be published hold all they need", |_| {
-        script("bash", "checks/package.sh")
-    }),
-    ("dependencies", "licences and sources of all crates (python3)", |_| {
-        script("python3", "checks/dependencies.py")
-    }),
     (
         "release",
         "what a release would publish, and of it what can be made here (python3, a release build)",
@@ -170,10 +156,6 @@ fn release(_: bool) -> Done {
     let name = format!("release/mckibben{}", env::consts::EXE_SUFFIX);
     let program = fs::canonicalize(target().join(name)).map_err(|e| e.to_string())?;
     run(Command::new("python3").arg("checks/release.py").arg("--binary").arg(program))
-}
-
-fn script(program: &str, path: &str) -> Done {
-    run(Command::new(program).arg(path))
 }
 
 fn benches(_: bool) -> Done {

@@ -3,7 +3,7 @@
 
 mod findings;
 
-pub use findings::{MuscleFinding, FindingKind};
+pub use findings::{FindingKind, MuscleFinding};
 
 use crate::burst::{PressureLimits, said_of, usual_mpa};
 use crate::fields::{AskFields, MeshFields, ModelFields, MuscleFields};

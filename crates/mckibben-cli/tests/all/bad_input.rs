@@ -378,7 +378,13 @@ const FLAGS: &[Case] = &[
     ("a folder of muscles", "check DIR", 2, "file", "is a directory"),
     ("a folder as --muscle", "force -p 0.2 --muscle DIR", 2, "file", "is a directory"),
     // Output.
-    ("result into a missing folder", "parts list models -o DIR/none/x.json", 2, "output", "none does not exist"),
+    (
+        "result into a missing folder",
+        "parts list models -o DIR/none/x.json",
+        2,
+        "output",
+        "none does not exist",
+    ),
     ("result onto a folder", "parts list models -o DIR", 2, "output", "is a directory"),
     (
         "table in a file of another kind",
