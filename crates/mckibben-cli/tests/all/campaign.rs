@@ -1,7 +1,7 @@
 //! Campaigns as a user runs them: killed, interrupted, twice at once, on a full disk.
 #![cfg(unix)]
 
-use crate::common::{Ran, command, folder, ran, run_in};
+use crate::common::{Ran, command, folder, names, ran, run_in};
 use mckibben::random::Random;
 use serde_json::Value;
 use std::path::Path;
@@ -21,8 +21,7 @@ fn with_plan() -> TempDir {
 }
 
 fn campaign(dir: &Path, words: &str) -> Ran {
-    let line = format!("campaign {words}");
-    run_in(dir, &line.split_whitespace().collect::<Vec<_>>())
+    run_in(dir, &format!("campaign {words}"))
 }
 
 fn started(dir: &Path, out: &str) -> Child {
@@ -126,10 +125,7 @@ fn a_full_disk_ends_in_a_clear_error_with_a_valid_store() {
         assert!(full.err.contains(&format!("error: cannot write {what}")), "{}", full.err);
         assert!(full.err.contains("the same command continues"), "{}", full.err);
         assert!(!dir.path().join("c.parquet").exists(), "nothing half-written");
-        for entry in std::fs::read_dir(dir.path()).unwrap() {
-            let name = entry.unwrap().file_name().to_string_lossy().into_owned();
-            assert!(!name.starts_with(".unfinished"), "{name} is left");
-        }
+        assert!(!names(dir.path()).iter().any(|name| name.starts_with(".unfinished")));
     }
     campaign(dir.path(), "plan.toml -o c.parquet").ok();
     campaign(dir.path(), "plan.toml -o parts/").ok();
@@ -139,7 +135,7 @@ fn a_full_disk_ends_in_a_clear_error_with_a_valid_store() {
 }
 
 #[test]
-fn damaged_parts_are_named_and_wrong_words_refused() {
+fn damaged_parts_are_named() {
     let dir = with_plan();
     std::fs::write(dir.path().join("small.toml"), PLAN.replace("120", "3").replace("true", "false")).unwrap();
     campaign(dir.path(), "small.toml -o parts").ok();
@@ -156,15 +152,6 @@ fn damaged_parts_are_named_and_wrong_words_refused() {
         again.err
     );
     assert_eq!(std::fs::read(&part).unwrap(), whole);
-    for wrong in [
-        "plan.toml",
-        "-o x.parquet",
-        "nothing.toml -o x.parquet",
-        "plan.toml -o x --shard 3/2",
-        "show nothing",
-    ] {
-        assert_eq!(campaign(dir.path(), wrong).code, 2, "{wrong}");
-    }
 }
 
 fn shard(dir: &Path, plan: &str, out: &str, share: &str) -> Child {
@@ -195,11 +182,8 @@ fn shards_killed_twenty_times_give_the_same_bytes() {
     }
     campaign(dir.path(), "merge parts -o merged.parquet").ok();
     assert!(std::fs::read(dir.path().join("merged.parquet")).unwrap() == expected);
-    let left: Vec<String> = std::fs::read_dir(dir.path().join("parts"))
-        .unwrap()
-        .map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned())
-        .filter(|name| name.starts_with(".unfinished-part"))
-        .collect();
+    let left = names(&dir.path().join("parts"));
+    let left: Vec<&String> = left.iter().filter(|name| name.starts_with(".unfinished-part")).collect();
     assert!(left.is_empty(), "what killed shards left is removed: {left:?}");
 }
 
@@ -273,11 +257,6 @@ fn a_worker_with_another_plan_or_version_is_refused_before_it_computes() {
     std::fs::write(&marker, text.replace(version, "\"version\":\"9.9.9")).unwrap();
     let older = campaign(dir.path(), "plan.toml -o parts --shard 2/60 --format json");
     assert!(older.err.contains("was written by mckibben 9.9.9"), "{}", older.err);
-    assert_eq!(
-        std::fs::read_dir(dir.path().join("parts"))
-            .unwrap()
-            .filter(|e| e.as_ref().unwrap().file_name().to_string_lossy().starts_with("part-"))
-            .count(),
-        2
-    );
+    let parts = names(&dir.path().join("parts"));
+    assert_eq!(parts.iter().filter(|name| name.starts_with("part-")).count(), 2);
 }

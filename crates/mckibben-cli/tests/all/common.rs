@@ -1,11 +1,8 @@
 //! Runs the built command, as a user would from the root of the repository.
 
 use serde_json::Value;
-use std::collections::BTreeMap;
-use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
-use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 /// No command in these tests may take longer.
@@ -62,75 +59,50 @@ pub fn ran(output: Output) -> Ran {
     Ran { code, out: output.stdout, err }
 }
 
-/// Runs with these arguments in a folder.
-pub fn run_in<S: AsRef<OsStr>>(folder: &Path, args: &[S]) -> Ran {
-    let from = Instant::now();
-    let result = ran(command(folder).args(args).output().unwrap());
-    assert!(from.elapsed() < LIMIT, "took {:?}", from.elapsed());
-    let words: Vec<&str> = args.iter().filter_map(|a| a.as_ref().to_str()).collect();
-    if words.windows(2).any(|w| w == ["--format", "json"]) {
-        assert_schema(&words, &result);
+/// The words of a shell line, with quotes; pipes, comments and redirections end it.
+pub fn words(line: &str) -> Vec<String> {
+    let mut out: Vec<String> = vec![];
+    let mut word: Option<String> = None;
+    let mut quote: Option<char> = None;
+    for c in line.chars() {
+        match (quote, c) {
+            (Some(q), c) if c == q => quote = None,
+            (Some(_), c) => word.get_or_insert_default().push(c),
+            (None, '"' | '\'') => {
+                quote = Some(c);
+                word.get_or_insert_default();
+            }
+            (None, '|' | '>' | '<' | ';' | '&') => break,
+            (None, '#') if word.is_none() => break,
+            (None, c) if c.is_whitespace() => out.extend(word.take()),
+            (None, c) => word.get_or_insert_default().push(c),
+        }
     }
+    out.extend(word);
+    out
+}
+
+/// Runs a line in a folder.
+pub fn run_in(folder: &Path, line: &str) -> Ran {
+    let from = Instant::now();
+    let result = ran(command(folder).args(words(line)).output().unwrap());
+    assert!(from.elapsed() < LIMIT, "{line} took {:?}", from.elapsed());
     result
 }
 
-/// The name of a command line's schema.
-fn schema_name(words: &[&str]) -> Option<String> {
-    let [first, second] = [words.first()?, words.get(1).unwrap_or(&"")];
-    Some(match *first {
-        "export" if words.contains(&"--list") => "export-list".into(),
-        "curve" if words.contains(&"--study") => "study".into(),
-        "validate" if words.contains(&"--sweep") => "sweep".into(),
-        "validate" if words.contains(&"--measured") => "measured".into(),
-        "check" if second.ends_with(".json") || second.starts_with("universal") => "check-formula".into(),
-        "fit" if words.contains(&"--report") => "fit-report".into(),
-        other => {
-            let two = format!("{first}-{second}");
-            if mckibben_app::find(&two).is_ok() { two } else { other.into() }
-        }
-    })
+/// The answer to a line in a folder in JSON, ended well.
+pub fn json_in(folder: &Path, line: &str) -> Value {
+    run_in(folder, &format!("{line} --format json")).ok().json()
 }
 
-/// Every answer and every error is what the schema of its command says.
-fn assert_schema(words: &[&str], result: &Ran) {
-    static KNOWN: Mutex<BTreeMap<String, Arc<[jsonschema::Validator; 2]>>> = Mutex::new(BTreeMap::new());
-    let Some(name) = schema_name(words) else { return };
-    if result.out.is_empty() && result.code == 2 && mckibben_app::schema(&name).is_err() {
-        // No command at all.
-        assert_eq!(result.error()["kind"], "usage");
-        return;
-    }
-    let known = KNOWN.lock().unwrap().get(&name).cloned();
-    let validators = known.unwrap_or_else(|| {
-        let schema = mckibben_app::schema(&name).unwrap_or_else(|e| panic!("{words:?}: {e}"));
-        let validator = |part: &str| jsonschema::validator_for(&schema[part]).unwrap();
-        let made = Arc::new([validator("answer"), validator("error")]);
-        KNOWN.lock().unwrap().insert(name.clone(), Arc::clone(&made));
-        made
-    });
-    let (validator, value) = match (result.out.is_empty(), result.err.trim()) {
-        (false, _) => (&validators[0], result.json()),
-        (true, err) if err.starts_with('{') => (&validators[1], result.error()),
-        _ => return,
-    };
-    let errors: Vec<String> =
-        validator.iter_errors(&value).map(|e| format!("{} at {}", e, e.instance_path())).take(3).collect();
-    assert!(errors.is_empty(), "{name}: {errors:?}");
-}
-
-/// Runs with these arguments at the root of the repository.
-pub fn run<S: AsRef<OsStr>>(args: &[S]) -> Ran {
-    run_in(&root(), args)
-}
-
-/// Words separated by spaces, run at the root of the repository.
+/// Runs a line at the root of the repository.
 pub fn mckibben(line: &str) -> Ran {
-    run(&line.split_whitespace().collect::<Vec<_>>())
+    run_in(&root(), line)
 }
 
-/// The same with `--format json`, ended well.
+/// The same in JSON, ended well.
 pub fn json(line: &str) -> Value {
-    mckibben(&format!("{line} --format json")).ok().json()
+    json_in(&root(), line)
 }
 
 /// A number that is there.
@@ -138,8 +110,46 @@ pub fn number(value: &Value, key: &str) -> f64 {
     value[key].as_f64().unwrap_or_else(|| panic!("{key} is not a number in {value:#}"))
 }
 
+pub fn assert_close(a: f64, b: f64, relative: f64) {
+    assert!((a - b).abs() <= relative * b.abs().max(1e-9), "{a} is not {b}");
+}
+
 pub fn folder() -> tempfile::TempDir {
     tempfile::tempdir().unwrap()
+}
+
+/// A folder with the files of the repository, and beside them those of `tests/rows`, `bench` and `tension`.
+pub fn copy() -> tempfile::TempDir {
+    let dir = folder();
+    for name in ["examples", "data", "plans"] {
+        copy_tree(&root().join(name), &dir.path().join(name));
+    }
+    let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    for (from, to) in [("rows", ""), ("bench", "bench"), ("tension", "tension")] {
+        copy_tree(&own.join(from), &dir.path().join(to));
+    }
+    dir
+}
+
+fn copy_tree(from: &Path, to: &Path) {
+    std::fs::create_dir_all(to).unwrap();
+    for entry in std::fs::read_dir(from).unwrap() {
+        let entry = entry.unwrap();
+        let target = to.join(entry.file_name());
+        if entry.file_type().unwrap().is_dir() {
+            copy_tree(&entry.path(), &target);
+        } else {
+            std::fs::copy(entry.path(), target).unwrap();
+        }
+    }
+}
+
+/// The names in a folder, sorted.
+pub fn names(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> = entries.map(|e| e.unwrap().file_name().to_string_lossy().into()).collect();
+    names.sort();
+    names
 }
 
 /// Every number in the text of a result is a number: no NaN, no infinity.

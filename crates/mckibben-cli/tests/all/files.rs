@@ -2,12 +2,11 @@
 //! steer a terminal.
 #![cfg(unix)]
 
-use crate::common::{Ran, folder, ran, root, run_in};
+use crate::common::{Ran, copy, folder, json, names, ran, root, run_in};
 use std::fs::{self, File};
 use std::os::unix::fs::{PermissionsExt, symlink};
 use std::path::Path;
 use std::process::{Command, Stdio};
-use tempfile::TempDir;
 
 /// Runs a line in a folder with four gigabytes of addresses, and no more.
 fn bounded(dir: &Path, line: &str) -> Ran {
@@ -19,12 +18,13 @@ fn bounded(dir: &Path, line: &str) -> Ran {
 }
 
 /// Commands that read a file of the name X.
-const READERS: [&str; 10] = [
+const READERS: [&str; 11] = [
     "fit X.csv",
     "fit X.parquet",
     "fit X.parquet --method universal",
     "check X.json",
     "force -p 0.1 -e 0.1 --model X.json",
+    "force -p 0.1 --muscle X.toml",
     "campaign show X.parquet",
     "campaign X.toml -o out.parquet",
     "compare --data X.csv",
@@ -80,17 +80,7 @@ fn a_file_that_claims_72_gigabytes_is_refused() {
     }
 }
 
-fn fitted(dir: &Path) -> String {
-    let table = root().join("data/campaign/paper.csv");
-    run_in(dir, &["fit", table.to_str().unwrap(), "--method", "paper", "-o", "f.json"]).ok();
-    fs::read_to_string(dir.join("f.json")).unwrap()
-}
-
 const DESIGN: &str = "design -F 300 -e 10% --max-pressure 2.5bar -D 40 -s 2 --model paper --verify none -o ";
-
-fn line(dir: &Path, line: &str) -> Ran {
-    run_in(dir, &line.split_whitespace().collect::<Vec<_>>())
-}
 
 /// One rule for every command and form, for inputs under other names too.
 #[test]
@@ -121,11 +111,11 @@ fn an_existing_file_is_overwritten_only_where_that_is_asked_for() {
         };
         fs::create_dir_all(at("out")).unwrap();
         fs::write(at(file), "notes of mine").unwrap();
-        let result = line(dir.path(), &command);
+        let result = run_in(dir.path(), &command);
         assert!(result.code == 2 && result.err.contains("would be overwritten"), "{command}: {}", result.err);
         assert!(result.err.contains("--overwrite"), "{command}: {}", result.err);
         assert_eq!(fs::read(at(file)).unwrap(), b"notes of mine", "{command}");
-        line(dir.path(), &format!("{command} --overwrite")).ok();
+        run_in(dir.path(), &format!("{command} --overwrite")).ok();
         assert_ne!(fs::read(at(file)).unwrap(), b"notes of mine", "{command}");
         fs::remove_dir_all(at("out")).unwrap();
     }
@@ -136,15 +126,15 @@ fn a_campaign_of_another_plan_is_overwritten_only_where_that_is_asked_for() {
     let dir = folder();
     let plan = "[test]\ncontractions = 0\npressures = 0.1\nmesh = \"3\"\n";
     fs::write(dir.path().join("plan.toml"), plan).unwrap();
-    line(dir.path(), "campaign plan.toml -o c.parquet").ok();
+    run_in(dir.path(), "campaign plan.toml -o c.parquet").ok();
     let before = fs::read(dir.path().join("c.parquet")).unwrap();
     // The same plan goes on with its own file.
-    line(dir.path(), "campaign plan.toml -o c.parquet").ok();
+    run_in(dir.path(), "campaign plan.toml -o c.parquet").ok();
     fs::write(dir.path().join("plan.toml"), plan.replace("0.1", "0.2")).unwrap();
-    let result = line(dir.path(), "campaign plan.toml -o c.parquet");
+    let result = run_in(dir.path(), "campaign plan.toml -o c.parquet");
     assert!(result.code == 2 && result.err.contains("--overwrite"), "{}", result.err);
     assert_eq!(fs::read(dir.path().join("c.parquet")).unwrap(), before);
-    line(dir.path(), "campaign plan.toml -o c.parquet --overwrite").ok();
+    run_in(dir.path(), "campaign plan.toml -o c.parquet --overwrite").ok();
     assert_ne!(fs::read(dir.path().join("c.parquet")).unwrap(), before);
 }
 
@@ -152,18 +142,18 @@ fn a_campaign_of_another_plan_is_overwritten_only_where_that_is_asked_for() {
 fn a_read_only_file_stays_and_a_link_is_followed() {
     let dir = folder();
     let at = |name: &str| dir.path().join(name);
-    line(dir.path(), &format!("{DESIGN}w.toml")).ok();
+    run_in(dir.path(), &format!("{DESIGN}w.toml")).ok();
     fs::set_permissions(at("w.toml"), fs::Permissions::from_mode(0o444)).unwrap();
     let before = fs::metadata(at("w.toml")).unwrap().modified().unwrap();
     for flag in ["", " --overwrite"] {
-        let result = line(dir.path(), &format!("{DESIGN}w.toml{flag}"));
+        let result = run_in(dir.path(), &format!("{DESIGN}w.toml{flag}"));
         assert!(result.code == 2 && result.err.contains("read-only"), "{}", result.err);
     }
     assert_eq!(fs::metadata(at("w.toml")).unwrap().modified().unwrap(), before);
     fs::create_dir(at("far")).unwrap();
     symlink("far/real.toml", at("link.toml")).unwrap();
     for flag in ["", " --overwrite"] {
-        line(dir.path(), &format!("{DESIGN}link.toml{flag}")).ok();
+        run_in(dir.path(), &format!("{DESIGN}link.toml{flag}")).ok();
         assert!(at("link.toml").is_symlink() && at("far/real.toml").is_file());
     }
 }
@@ -187,43 +177,70 @@ fn names_do_not_steer_the_terminal() {
         format!("pressure_mpa,contraction,force_n,\"{STEERS}\"\n0.1,0,200,1\n0.2,0,400,1\n"),
     )
     .unwrap();
-    let out = format!("{STEERS}-winner.toml");
-    let design = [&DESIGN.split_whitespace().collect::<Vec<_>>()[..], &[&out]].concat();
     for words in [
-        vec!["check", &toml],
-        vec!["check", STEERS],
-        vec!["force", "-p", STEERS],
-        vec!["force", "-p", "0.1", "--model", STEERS],
-        vec!["force", "-p", "0.1", "--rubber", STEERS],
-        vec![STEERS],
-        vec!["campaign", "show", STEERS],
-        vec!["compare", "--models", "ideal", "--data", &csv],
-        vec!["rubber", &csv],
-        vec!["parts", "list", "models", "-o", STEERS],
-        design,
+        format!("check '{toml}'"),
+        format!("force -p '{STEERS}'"),
+        format!("force -p 0.1 --model '{STEERS}'"),
+        format!("force -p 0.1 --rubber '{STEERS}'"),
+        format!("'{STEERS}'"),
+        format!("campaign show '{STEERS}'"),
+        format!("compare --models ideal --data '{csv}'"),
+        format!("rubber '{csv}'"),
+        format!("parts list models -o '{STEERS}'"),
+        format!("{DESIGN}'{STEERS}-winner.toml'"),
     ] {
         let result = run_in(dir.path(), &words);
         assert!(!steers(&result), "{words:?}: {result:?}");
     }
-    let result = run_in(dir.path(), &["check", &toml]);
+    let result = run_in(dir.path(), &format!("check '{toml}'"));
     assert!(
         result.err.starts_with("error: a\\u{1b}[31m\\u{202e}b\\nc.toml:2:10: tube.length"),
         "{}",
         result.err
     );
     // Programs get the name as it is.
-    let error = run_in(dir.path(), &["check", &toml, "--format", "json"]).error();
+    let error = run_in(dir.path(), &format!("check '{toml}' --format json")).error();
     assert!(error["message"].as_str().unwrap().starts_with(STEERS), "{error}");
 }
 
 #[test]
 fn a_formula_of_a_name_that_steers_the_terminal_is_refused() {
-    let dir: TempDir = folder();
-    let table = root().join("data/campaign/paper.csv");
-    let result = run_in(dir.path(), &["fit", table.to_str().unwrap(), "--name", STEERS]);
+    let dir = copy();
+    let result = run_in(dir.path(), &format!("fit data/campaign/paper.csv --name '{STEERS}'"));
     assert!(result.code == 2 && !steers(&result), "{result:?}");
-    let text = fitted(dir.path()).replacen("\"paper-method\"", "\"a\\u001b[31mb\"", 1);
-    fs::write(dir.path().join("f.json"), text).unwrap();
-    let result = run_in(dir.path(), &["check", "f.json"]);
+    run_in(dir.path(), "fit data/campaign/paper.csv --method paper -o f.json").ok();
+    let path = dir.path().join("f.json");
+    let text = fs::read_to_string(&path).unwrap().replacen("\"paper-method\"", "\"a\\u001b[31mb\"", 1);
+    fs::write(path, text).unwrap();
+    let result = run_in(dir.path(), "check f.json");
     assert!(result.code == 2 && result.err.contains("control characters") && !steers(&result), "{result:?}");
+}
+
+/// A folder in a file cannot be made, and an existing file stays: for every target, nothing is written.
+#[test]
+fn an_export_that_cannot_be_written_whole_is_not_begun() {
+    let line = "export examples/prototype.toml --model thick-wall --as";
+    let listed = json("export --list");
+    let listed = listed["targets"].as_array().unwrap().iter();
+    let mut targets: Vec<&str> = listed.map(|target| target["name"].as_str().unwrap()).collect();
+    for target in &targets {
+        let dir = copy();
+        fs::write(dir.path().join("file"), "mine").unwrap();
+        let refused = run_in(dir.path(), &format!("{line} {target} -o file/folder"));
+        assert!(refused.code != 0 && refused.err.contains("cannot write"), "{target}: {}", refused.err);
+        run_in(dir.path(), &format!("{line} {target} -o whole")).ok();
+        let all = names(&dir.path().join("whole"));
+        let last = all.last().unwrap();
+        fs::create_dir(dir.path().join("inside")).unwrap();
+        fs::write(dir.path().join("inside").join(last), "mine").unwrap();
+        let refused = run_in(dir.path(), &format!("{line} {target} -o inside"));
+        assert!(refused.code == 2 && refused.err.contains(last), "{target}: {}", refused.err);
+        assert_eq!(names(&dir.path().join("inside")), [&**last], "{target}");
+    }
+    let text = fs::read_to_string(root().join("docs/exports.md")).unwrap();
+    let rows = text.lines().filter_map(|line| line.strip_prefix("| `")?.split('`').next());
+    let mut rows: Vec<&str> = rows.filter(|word| !word.starts_with('-')).collect();
+    rows.sort_unstable();
+    targets.sort_unstable();
+    assert_eq!(rows, targets);
 }

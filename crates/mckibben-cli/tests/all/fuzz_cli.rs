@@ -1,6 +1,6 @@
 //! Whatever is in a flag: an answer or an error, never a panic.
 
-use crate::common::{assert_finite, mckibben, run};
+use crate::common::{assert_finite, command, mckibben, ran, root};
 use proptest::prelude::*;
 
 /// Texts that nearly are quantities, ranges or lists, and some that are nothing.
@@ -37,14 +37,14 @@ const FLAGS: [(&str, &str); 19] = [
 ];
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 600, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: mckibben::random::rounds(60) as u32, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn flags_never_panic((line, flag) in prop::sample::select(&FLAGS[..]), word in words()) {
         let value = format!("{flag}={word}");
-        let args: Vec<&str> = line.split(' ').chain([value.as_str(), "--format", "json"]).collect();
-        let result = run(&args);
-        prop_assert!((0..=3).contains(&result.code), "{args:?}: {result:?}");
+        let mut command = command(&root());
+        let result = ran(command.args(line.split(' ')).args([&value, "--format", "json"]).output().unwrap());
+        prop_assert!((0..=3).contains(&result.code), "{line} {value}: {result:?}");
         if result.code == 0 {
             assert_finite(result.text());
             result.json();
@@ -55,7 +55,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: mckibben::random::rounds(40) as u32, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn numbers_of_any_size_give_answers_or_errors(

@@ -1,0 +1,257 @@
+//! What an answer looks like: formats, units, columns, widths, figures, documents.
+
+use crate::common::{
+    Ran, assert_close, command, copy, folder, json, json_in, mckibben, names, number, ran, root, run_in,
+};
+use serde_json::Value;
+
+#[test]
+fn bare_numbers_and_units_mean_the_same() {
+    let bare = mckibben("force -D 40 -s 2 -L 285 --angle 28 -p 0.2 -e 0.1 --format json").ok();
+    let units = mckibben("force -D 4cm -s 2mm -L 0.285m --angle 28deg -p 2bar -e 10% --format json").ok();
+    assert_eq!(bare, units);
+}
+
+#[test]
+fn units_change_what_people_see_and_nothing_else() {
+    for line in ["force -p 0.2 -e 0.1", "curve isobaric -p 0.1,0.2", "design -F 300 -e 10% -p 0.25"] {
+        let bar = mckibben(&format!("{line} --units bar")).ok();
+        assert!(bar.text().contains("bar") && mckibben(line).ok().out != bar.out, "{line}");
+        for format in ["json", "csv"] {
+            let of = |more| mckibben(&format!("{line} --format {format}{more}")).ok();
+            assert_eq!(of(""), of(" --units psi"), "{line} {format}");
+        }
+    }
+}
+
+#[test]
+fn csv_columns_are_the_json_keys() {
+    for line in [
+        "curve isobaric -D 40 -s 2 -p 0.1..0.2:0.05 -e 0..0.15:0.05",
+        "curve isotonic -D 40 -s 2 -p 0.2..0.25:0.05 -F 550,600",
+    ] {
+        let csv = mckibben(&format!("{line} --format csv")).ok();
+        let points = json(line)["points"].as_array().unwrap().clone();
+        let mut reader = csv::Reader::from_reader(csv.text().as_bytes());
+        let columns: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+        let records: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+        assert_eq!(records.len(), points.len());
+        for (record, point) in records.iter().zip(&points) {
+            for (key, field) in columns.iter().zip(record.iter()) {
+                match &point[key] {
+                    Value::Null => assert_eq!(field, "", "{key}"),
+                    Value::String(s) => assert_eq!(field, s, "{key}"),
+                    Value::Number(n) => assert_close(field.parse().unwrap(), n.as_f64().unwrap(), 1e-15),
+                    other => assert_eq!(field, other.to_string(), "{key}"),
+                }
+            }
+            let lists = ["warnings", "uncertainty_parts_n"];
+            let mut keys = point.as_object().unwrap().keys();
+            assert!(keys.all(|k| lists.contains(&k.as_str()) || columns.contains(k)), "{point}");
+        }
+    }
+}
+
+#[test]
+fn points_without_answer_say_why() {
+    let curve = json("curve isobaric -p 0.2,0.3 -e 0,0.1 --model paper");
+    let points = curve["points"].as_array().unwrap();
+    let status: Vec<&str> = points.iter().map(|p| p["status"].as_str().unwrap()).collect();
+    assert_eq!(status, ["ok", "ok", "out_of_range", "out_of_range"]);
+    assert!(points[2]["cause"].as_str().unwrap().contains("0.25") && points[2].get("force_n").is_none());
+    let pressure = mckibben("pressure -F 9999 -e 0.1 --model paper --format json");
+    assert_eq!((pressure.code, &pressure.error()["kind"]), (1, &"no_answer".into()));
+    assert_close(number(&pressure.error()["nearest"], "pressure_mpa"), 0.25, 1e-9);
+}
+
+/// The user's own input carries no ±.
+#[test]
+fn the_text_of_an_inverse_has_its_uncertainty_at_what_was_asked() {
+    for (line, with, without) in [
+        ("pressure -F 500N -e 10% --units bar", "pressure", ["pull ", "contraction"]),
+        ("contraction -F 200N -p 2.5bar", "contraction", ["pull ", "pressure"]),
+        ("force -p 2.5bar -e 10%", "pull ", ["pressure", "contraction"]),
+    ] {
+        let ran = mckibben(&format!("{line} --model thick-wall")).ok();
+        let has = |name: &str| {
+            let row = ran.text().lines().find(|l| l.trim_start().starts_with(name)).unwrap();
+            row.contains(" ± ")
+        };
+        assert!(has(with) && !without.iter().any(|name| has(name)), "{}", ran.text());
+    }
+}
+
+/// A result goes to a file whole, in the format of its ending; what fails leaves an older file as it was, whatever the terminal.
+#[test]
+fn a_file_is_written_in_the_format_of_its_ending() {
+    let dir = folder();
+    let read = |name: &str| std::fs::read_to_string(dir.path().join(name)).unwrap();
+    let line = "curve isobaric --model ideal -p 0.1,0.2 -e 0,0.1";
+    for format in ["csv", "json"] {
+        let saved = run_in(dir.path(), &format!("{line} -o x.{format}")).ok();
+        assert!(saved.out.is_empty());
+        assert_eq!(read(&format!("x.{format}")), mckibben(&format!("{line} --format {format}")).text());
+    }
+    assert_eq!(run_in(dir.path(), "force -p 0.3 --model paper -o x.json --overwrite").code, 2);
+    assert_eq!(read("x.json"), mckibben(&format!("{line} --format json")).text());
+    let text = |columns: &str| {
+        let line = "force -p 2.5bar -e 10% --model thick-wall --overwrite -o out.txt";
+        let mut command = command(dir.path());
+        ran(command.args(line.split(' ')).env("COLUMNS", columns).output().unwrap()).ok();
+        read("out.txt")
+    };
+    assert_eq!(text("60"), text("200"));
+    assert_eq!(names(dir.path()), ["out.txt", "x.csv", "x.json"]);
+}
+
+/// 88 mm are 249.45 points.
+#[test]
+fn figures_are_whole_and_have_their_numbers_beside_them() {
+    let dir = folder();
+    let words = "curve isobaric -D 50 -s 1 -p 1bar,2bar -e 0..0.2:0.05 --model paper --overwrite --plot-data f.csv --plot f.";
+    let read = |ending: &str| {
+        run_in(dir.path(), &format!("{words}{ending}")).ok();
+        std::fs::read(dir.path().join(format!("f.{}", &ending[..3]))).unwrap()
+    };
+    let png = read("png");
+    assert!(png.starts_with(b"\x89PNG\r\n\x1a\n") && png.ends_with(b"IEND\xaeB`\x82"));
+    let svg = String::from_utf8(read("svg")).unwrap();
+    assert!(svg.contains("<svg") && svg.trim_end().ends_with("</svg>"));
+    for (more, points) in [("pdf", 160.0 * 72.0 / 25.4), ("pdf --plot-width 88mm", 249.45)] {
+        let pdf = read(more);
+        assert!(pdf.starts_with(b"%PDF-1.4") && pdf.ends_with(b"%%EOF\n"));
+        let text = String::from_utf8_lossy(&pdf).into_owned();
+        let size = text.split("/MediaBox [0 0 ").nth(1).unwrap().split(' ').next().unwrap();
+        assert!((size.parse::<f64>().unwrap() - points).abs() < 0.01, "{size}");
+    }
+    let table = std::fs::read_to_string(dir.path().join("f.csv")).unwrap();
+    let row = table.lines().find(|row| row.contains("line") && row.contains(",0.1,")).unwrap();
+    let force = json("force -D 50 -s 1 -p 1bar -e 0.1 --model paper");
+    assert_close(row.rsplit(',').next().unwrap().parse().unwrap(), number(&force, "force_n"), 1e-9);
+    assert_eq!(names(dir.path()), ["f.csv", "f.pdf", "f.png", "f.svg"], "no temporary files");
+}
+
+/// The data of the view that a reader can rotate are not counted.
+#[test]
+fn a_report_has_a_title_block_and_at_most_300_kb() {
+    let dir = copy();
+    let line = "build examples/bench.toml -p 2bar --number MK-012 --revision B --project 'Arm <2>' --report";
+    run_in(dir.path(), &format!("{line} r.html")).ok();
+    let html = std::fs::read_to_string(dir.path().join("r.html")).unwrap();
+    for field in [
+        "<dt>document no.</dt><dd>MK-012</dd>",
+        "<dt>revision</dt><dd>B</dd>",
+        "<dt>project</dt><dd>Arm &lt;2&gt;</dd>",
+        "<dt>date</dt><dd></dd>",
+        "counter(pages)",
+        "class=\"drawing\"",
+    ] {
+        assert!(html.contains(field), "{field}");
+    }
+    let begin = html.find("<script type=\"application/json\">").unwrap();
+    let view = html[begin..].find("</script>").unwrap();
+    assert!(html.len() - view < 300_000, "{}", html.len());
+    // By a browser, where there is one.
+    let ran = run_in(dir.path(), &format!("{line} r.pdf"));
+    let file = dir.path().join("r.pdf");
+    match ran.code {
+        0 => assert!(std::fs::read(&file).unwrap().starts_with(b"%PDF-")),
+        _ => assert!(ran.code == 2 && ran.err.contains("Chromium") && !file.exists(), "{}", ran.err),
+    }
+}
+
+#[test]
+fn the_schema_of_a_file_is_written_and_named() {
+    let dir = folder();
+    run_in(dir.path(), "schema --file muscle -o muscle.schema.json").ok();
+    let text = std::fs::read_to_string(dir.path().join("muscle.schema.json")).unwrap();
+    let schema: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(schema["properties"]["tube"]["properties"]["outer_diameter"]["exclusiveMinimum"], 0.0);
+    json_in(dir.path(), "design -F 40N -e 10% -p 2.5bar --tube latex-1/4x3/8in -o m.toml");
+    let muscle = std::fs::read_to_string(dir.path().join("m.toml")).unwrap();
+    assert_eq!(muscle.lines().nth(2), Some("#:schema muscle.schema.json"));
+    // Of all commands, into a folder that is made for them.
+    run_in(dir.path(), "schema -o new/schemas").ok();
+    assert!(dir.path().join("new/schemas/design.json").is_file());
+}
+
+fn with_columns(words: &str, columns: Option<&str>) -> Ran {
+    let mut command = command(&root());
+    command.args(words.split(' '));
+    if let Some(columns) = columns {
+        command.env("COLUMNS", columns);
+    }
+    ran(command.output().unwrap())
+}
+
+fn widest(text: &str) -> usize {
+    text.lines().map(|line| line.chars().count()).max().unwrap_or(0)
+}
+
+const WIDE: [&str; 9] = [
+    "force -p 2.5bar -e 10% --model thick-wall",
+    "contraction -p 2.5bar --load mass:20kg --model thick-wall",
+    "check -p 2bar --model thick-wall",
+    "design -F 700N -e 15% -p 2.5bar --model thick-wall --verify none",
+    "design -F 700N -e 15% -p 100bar -D 20,30 -s 1,2 --model thick-wall --verify none",
+    "curve isobaric -p 0.5..2.5:0.25bar -e 0..30%:10% --model thick-wall",
+    "joint examples/elbow.toml -p 2bar,1bar -p 3bar,1bar --model thick-wall",
+    "rubber crates/mckibben-cli/tests/tension/zwick.csv --gauge-length 25mm --area 8mm2",
+    "parts show fe",
+];
+
+#[test]
+fn text_fits_a_terminal_of_80_columns_and_tables_in_files_100() {
+    for words in WIDE {
+        let ran = with_columns(words, Some("80"));
+        assert!(widest(ran.text()) <= 80, "{words}: {} columns\n{}", widest(ran.text()), ran.text());
+        let ran = with_columns(words, None);
+        let wide = ran.text().lines().filter(|line| line.chars().count() > 100);
+        // A sentence has no columns: no two blanks stand in it.
+        let tables: Vec<&str> = wide.filter(|line| line.trim_start().contains("  ")).collect();
+        assert!(tables.is_empty(), "{words}: {tables:#?}");
+    }
+}
+
+/// A page shows this command too; it takes long, and is not run again there.
+pub const VALIDATE: &str = "validate";
+
+/// No case disappears.
+const HELD: [&str; 4] = [
+    "verification: 300 of 300 cases hold",
+    "measured pulls: 12 of 12 cases hold",
+    "other measured quantities: 3 of 3 cases hold",
+    "± of fe: 29 of 29 cases hold",
+];
+
+/// The one run of all cases of verification and validation.
+#[test]
+fn every_case_of_validate_holds_and_its_tables_fit_80_columns() {
+    let ran = with_columns(VALIDATE, Some("80"));
+    let (_, summary) = ran.text().split_once("\nSummary\n").unwrap_or_default();
+    assert!(ran.code == 0 && !summary.contains("FAILS"), "{summary}{}", ran.err);
+    for held in HELD {
+        assert!(summary.contains(held), "{held}: {summary}");
+    }
+    assert!(widest(ran.text()) <= 80, "{} columns\n{}", widest(ran.text()), ran.text());
+}
+
+/// In a terminal: one of 80 columns, made by `script`, which every Linux has.
+#[cfg(target_os = "linux")]
+#[test]
+fn in_a_terminal_no_progress_bar_appears_before_half_a_second() {
+    let program = env!("CARGO_BIN_EXE_mckibben");
+    let words = "design -F 700N -e 15% -p 2.5bar --model thick-wall --verify none";
+    let line = format!("stty rows 24 cols 80; {program} {words}");
+    let output = std::process::Command::new("script")
+        .args(["-qec", &line, "/dev/null"])
+        .current_dir(root())
+        .env("TERM", "xterm")
+        .env_remove("COLUMNS")
+        .output();
+    let Ok(output) = output else { return eprintln!("skipped: there is no `script`") };
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert!(text.contains("F blocked") && !text.contains("left") && !text.contains("a second"), "{text}");
+    let shown = text.lines().map(|line| line.trim_end_matches('\r').replace("\u{1b}[0m", ""));
+    assert!(shown.filter(|l| !l.contains('\u{1b}')).all(|l| l.chars().count() <= 80), "{text}");
+}

@@ -1,0 +1,130 @@
+//! What is typed and what is said: the tables of `tests/rows`.
+
+use crate::common::{assert_finite, copy, mckibben, names, run_in};
+use serde_json::Value;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// Words, exit code, kind of the error, parts of what is said (`!`: is not said; `^`: standard output begins with it), and the content of the file
+/// `bad.*` that the words name, in Latin-1. Kind `all`: also as JSON and CSV.
+const ROWS: &str = include_str!("../rows/rows.tsv");
+
+fn flat(text: &str) -> String {
+    text.split_whitespace().collect()
+}
+
+/// Whether a part is not said, or is although it is not to be.
+fn wrong(said: &str, out: &str, part: &str) -> bool {
+    // Moduli have their own unit, and so has a power law of the pressure.
+    let own = |l: &&str| ["modul", "1.2 MPa", "law ", "neo-hookean", "P/MPa"].iter().any(|w| l.contains(w));
+    match (part.strip_prefix('!'), part.strip_prefix('^')) {
+        (Some(part), _) => said.lines().filter(|l| !own(l)).any(|l| l.contains(part)),
+        (_, Some(part)) => !out.starts_with(part),
+        // However it is broken into lines.
+        _ => !flat(said).contains(&flat(part)),
+    }
+}
+
+fn judge(dir: &Path, row: &str) -> Result<(), String> {
+    let cells: Vec<&str> = row.split('\t').collect();
+    let [line, code, kind, parts, ..] = cells[..] else { return Err("too few cells".into()) };
+    if let Some(content) = cells.get(4) {
+        let name = line.split(' ').find(|word| word.starts_with("bad.")).unwrap();
+        let bytes: Vec<u8> = content.replace("\\n", "\n").chars().map(|c| c as u8).collect();
+        std::fs::write(dir.join(name), bytes).unwrap();
+    }
+    let (before, from) = (names(dir), Instant::now());
+    let ran = run_in(dir, line);
+    let late = kind == "range" && from.elapsed() > Duration::from_secs(5);
+    let said = format!("{}{}", ran.text(), ran.err);
+    assert_finite(ran.text());
+    let answers = kind.is_empty() || kind == "all" || kind == "-";
+    let form = answers || line.contains("--format") || (ran.err.starts_with("error: ") && ran.out.is_empty());
+    if ran.code.to_string() != code
+        || !form
+        || late
+        || (!answers && (said.len() > 1200 || names(dir) != before))
+    {
+        return Err(said);
+    }
+    if let Some(part) = parts.split(";;").find(|part| !part.is_empty() && wrong(&said, ran.text(), part)) {
+        return Err(format!("{part}: {said}"));
+    }
+    if kind == "all" {
+        for format in ["json", "csv"] {
+            assert_finite(run_in(dir, &format!("{line} --format {format}")).ok().text());
+        }
+    } else if !answers && !line.contains("--format") {
+        // A value that is missing stays the last word.
+        let (command, rest) = line.split_once(' ').unwrap_or((line, ""));
+        let ran = run_in(dir, &format!("{command} --format json {rest}"));
+        let points = |q: Value| q["points"].as_array().is_some_and(|p| p.iter().all(|q| q["status"] == kind));
+        if if ran.out.is_empty() { ran.error()["kind"] != kind } else { !points(ran.json()) } {
+            return Err(format!("{}{}", ran.text(), ran.err));
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn every_row_is_said() {
+    let dir = copy();
+    std::fs::create_dir_all(dir.path().join("folder.svg")).unwrap();
+    std::fs::create_dir_all(dir.path().join("folder")).unwrap();
+    run_in(dir.path(), "fit data/campaign/paper.csv --method global --hold-out 35 -o g.json").ok();
+    let rows = ROWS.lines().filter(|row| !row.starts_with("# "));
+    let failed = rows.filter_map(|row| Some(format!("{row}\n    {}", judge(dir.path(), row).err()?)));
+    let failed: Vec<String> = failed.collect();
+    assert!(failed.is_empty(), "{} rows:\n{}", failed.len(), failed.join("\n"));
+}
+
+/// Groups of lines between blank lines. Constants of a rubber's law are columns of their own.
+#[test]
+fn tables_have_the_same_columns_whatever_the_values() {
+    let dir = copy();
+    for group in include_str!("../rows/same_columns.txt").split("\n\n") {
+        let mut heads = group.lines().map(|line| {
+            let text = run_in(dir.path(), &format!("{line} --format csv")).ok().text().to_owned();
+            let columns = text.lines().next().unwrap_or_default().split(',').map(str::to_owned);
+            columns.filter(|c| !["c10", "c01", "mu"].contains(&c.as_str())).collect::<Vec<_>>()
+        });
+        let first = heads.next().unwrap();
+        assert!(heads.all(|head| head == first), "{group}");
+    }
+}
+
+/// Every flag of a question, with a value and with the question in which it counts: the answer becomes another one, or the flag is refused.
+#[test]
+fn every_flag_of_a_question_counts_or_is_refused() {
+    let dir = copy();
+    let counts: Vec<Vec<&str>> =
+        include_str!("../rows/counts.tsv").lines().map(|l| l.split('\t').collect()).collect();
+    let help = mckibben("force --help").ok();
+    let flags = help.text().lines().filter_map(|l| {
+        let words =
+            l.trim_start().split_once("--").filter(|(short, _)| short.is_empty() || short.len() == 4)?;
+        words.1.split([' ', '=']).next()
+    });
+    // The others say how an answer is shown.
+    let flags: Vec<&str> =
+        flags.filter(|f| !["format", "units", "output", "overwrite", "help"].contains(f)).collect();
+    assert!(flags.len() > 20, "{flags:?}");
+    for flag in flags {
+        let known = counts.iter().find(|c| c[0] == flag);
+        let [_, value, with] = known.unwrap_or_else(|| panic!("say in which question --{flag} counts"))[..]
+        else {
+            panic!("{flag}")
+        };
+        let mut base = format!("force my.toml --format json {with}");
+        for (own, usual) in
+            [("pressure", "-p 2bar"), ("contraction", "-e 5%"), ("model", "--model thick-wall")]
+        {
+            if flag != own && !with.contains(usual.split(' ').next().unwrap()) {
+                base = format!("{base} {usual}");
+            }
+        }
+        let more = format!("{base} --{flag} {value}");
+        let (without, with) = (run_in(dir.path(), &base), run_in(dir.path(), &more));
+        assert!(with.code == 2 || (with.code == 0 && with.out != without.out), "changes nothing: {more}");
+    }
+}
