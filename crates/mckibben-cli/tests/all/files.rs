@@ -76,7 +76,7 @@ fn a_file_that_claims_72_gigabytes_is_refused() {
     fs::copy(file, dir.path().join("c.parquet")).unwrap();
     for line in ["campaign show c.parquet", "fit c.parquet"] {
         let result = bounded(dir.path(), line);
-        assert!(result.code == 2 && result.err.contains("is damaged"), "{}", result.err);
+        assert!(result.code == 2 && result.err.contains("is not a campaign"), "{}", result.err);
     }
 }
 

@@ -2,6 +2,7 @@
 //! takes more.
 
 use crate::Client;
+use mckibben::random::Random;
 use mckibben_server::Config;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -26,30 +27,21 @@ const TOKENS: [&str; 16] = [
     "\n",
 ];
 
-/// Steele, Lea & Flood's SplitMix64.
-struct Random(u64);
+fn below(random: &mut Random, n: usize) -> usize {
+    (random.bits() % n.max(1) as u64) as usize
+}
 
-impl Random {
-    fn below(&mut self, n: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) % n.max(1) as u64) as usize
+/// A text with one to four changes; every other one is in a digit, as numbers are what files are made of.
+fn mutated(random: &mut Random, text: &str) -> String {
+    let mut chars: Vec<char> = text.chars().collect();
+    for _ in 0..=below(random, 4) {
+        let at = below(random, chars.len());
+        let digit = (at..chars.len()).find(|i| chars[*i].is_ascii_digit()).filter(|_| below(random, 2) == 0);
+        let (from, to) = digit.map_or((at, at + below(random, 12)), |digit| (digit, digit + 1));
+        let new = if below(random, 4) == 0 { "" } else { TOKENS[below(random, TOKENS.len())] };
+        chars.splice(from..to.min(chars.len()), new.chars()).for_each(drop);
     }
-
-    /// A text with one to four changes; every other one is in a digit, as numbers are what files are made of.
-    fn mutated(&mut self, text: &str) -> String {
-        let mut chars: Vec<char> = text.chars().collect();
-        for _ in 0..=self.below(4) {
-            let at = self.below(chars.len());
-            let digit = (at..chars.len()).find(|i| chars[*i].is_ascii_digit()).filter(|_| self.below(2) == 0);
-            let (from, to) = digit.map_or((at, at + self.below(12)), |digit| (digit, digit + 1));
-            let new = if self.below(4) == 0 { "" } else { TOKENS[self.below(TOKENS.len())] };
-            chars.splice(from..to.min(chars.len()), new.chars()).for_each(drop);
-        }
-        chars.into_iter().collect()
-    }
+    chars.into_iter().collect()
 }
 
 fn example(name: &str) -> String {
@@ -89,9 +81,9 @@ async fn mutated_requests_give_an_answer_or_a_reason() {
     for i in 0..rounds {
         let (command, text, request) = &kinds[i % kinds.len()];
         let request = if i % 3 == 0 {
-            random.mutated(&request(file("file", text.clone())).to_string())
+            mutated(&mut random, &request(file("file", text.clone())).to_string())
         } else {
-            request(file("file", random.mutated(text))).to_string()
+            request(file("file", mutated(&mut random, text))).to_string()
         };
         let answer = client.post(command, request.clone()).await;
         assert!([200, 400, 422, 504].contains(&answer.status.as_u16()), "{command} {request}: {answer:?}");

@@ -1,14 +1,10 @@
 //! What a page needs beyond the commands of a terminal: shapes, typed texts, bytes, tables in memory, documents.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+use super::asked;
 use mckibben::progress::Silent;
 use mckibben_app::{ProblemKind, ask, ask_packed};
 use mckibben_report::Part;
 use serde_json::{Value, json};
-
-fn asked(command: &str, request: Value) -> Value {
-    serde_json::from_str(&ask(command, &request.to_string(), &Silent).unwrap()).unwrap()
-}
 
 fn list(value: &Value, name: &str) -> Vec<f64> {
     value["arrays"][name].as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect()

@@ -1,37 +1,23 @@
 //! What every front end relies on: names, schemas, the default model, words.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-#[path = "layer/annotate.rs"]
 mod annotate;
-#[path = "layer/braid.rs"]
 mod braid;
-#[path = "layer/check.rs"]
 mod check;
-#[path = "layer/colours.rs"]
 mod colours;
-#[path = "layer/contract.rs"]
 mod contract;
-#[path = "layer/ended.rs"]
 mod ended;
-#[path = "layer/expected.rs"]
 mod expected;
-#[path = "layer/file_schema.rs"]
 mod file_schema;
-#[path = "layer/liquid.rs"]
 mod liquid;
-#[path = "layer/many.rs"]
 mod many;
-#[path = "layer/measures.rs"]
 mod measures;
-#[path = "layer/muscle_fields.rs"]
 mod muscle_fields;
-#[path = "layer/sizes.rs"]
+mod page;
+mod parts;
 mod sizes;
-#[path = "layer/uncertainty.rs"]
 mod uncertainty;
-#[path = "layer/units.rs"]
 mod units;
-#[path = "layer/words.rs"]
 mod words;
 
 use mckibben::progress::{Progress, Silent};
