@@ -1,28 +1,15 @@
-//! The commands. Each command's flags stand in its own file; help, completions and parsing come from there.
+//! The commands: the text of each, with its flags and examples, and what runs it.
 
-use crate::commands;
-use crate::commands::build::BuildArgs;
-use crate::commands::campaign::CampaignArgs;
-use crate::commands::check::CheckArgs;
-use crate::commands::compare::CompareArgs;
-use crate::commands::curve::CurveArgs;
-use crate::commands::design::DesignArgs;
-use crate::commands::export::ExportArgs;
-use crate::commands::fill::FillArgs;
-use crate::commands::fit::FitArgs;
-use crate::commands::help::{HelpArgs, ManArgs};
-use crate::commands::identify::IdentifyArgs;
-use crate::commands::joint::JointArgs;
-use crate::commands::motion::MotionArgs;
-use crate::commands::parts::{PartShowArgs, PartsListArgs};
-use crate::commands::point::{ContractionArgs, ForceArgs, PressureArgs};
-use crate::commands::rubber::RubberArgs;
-use crate::commands::schema::SchemaArgs;
-use crate::commands::serve::ServeArgs;
-use crate::commands::simulate::SimulateArgs;
-use crate::commands::validate::ValidateArgs;
+use crate::asked::Asked;
+use crate::commands::{
+    build, campaign, check, compare, curve, design, export, fill, fit, help, identify, joint, motion, parts,
+    point, rubber, schema, serve, simulate, validate,
+};
+use crate::failure::Failure;
 use crate::format::Format;
-use clap::{ArgAction, CommandFactory, Parser, Subcommand};
+use crate::spec::flags;
+use clap::{ArgAction, ArgMatches, Command, CommandFactory, Parser};
+use serde_json::Value;
 
 const ABOUT: &str = "Design McKibben pneumatic muscles: from a specification to a muscle that you can build.
 
@@ -31,13 +18,10 @@ or a ratio. Ranges are low..high:step (0..2.5:0.1bar), lists are 1,2,3.";
 
 const EXIT_CODES: &str = "Exit codes: 0 done; 1 no answer exists; 2 the input is wrong; 3 the computation did not converge; 130 ended by a signal.";
 
-/// The command line.
+/// What every command takes.
 #[derive(Debug, Parser)]
 #[command(name = "mckibben", version, about = ABOUT, disable_help_subcommand = true, disable_help_flag = true, max_term_width = 110, after_help = EXIT_CODES)]
 pub struct Cli {
-    /// What to do.
-    #[command(subcommand)]
-    pub command: Command,
     /// Output format: text, json or csv [text]
     ///
     /// Text for reading: aligned, with units. For programs json, one object, or csv, one row per point; keys and columns carry their unit.
@@ -53,23 +37,104 @@ pub struct Cli {
     help: Option<bool>,
 }
 
+/// Runs a command; the exit code where it ends well.
+type Run = fn(&Asked) -> Result<u8, Failure>;
+
+const COMMANDS: [(&str, Run); 28] = [
+    (design::TEXT, design::run),
+    (point::FORCE, point::force),
+    (point::PRESSURE, point::pressure),
+    (point::CONTRACTION, point::contraction),
+    (fill::TEXT, fill::run),
+    (curve::TEXT, curve::run),
+    (joint::TEXT, joint::run),
+    (motion::TEXT, motion::run),
+    (simulate::TEXT, simulate::run),
+    (check::TEXT, check::run),
+    (build::TEXT, build::run),
+    (export::TEXT, export::run),
+    (campaign::TEXT, campaign::run),
+    (campaign::SHOW, campaign::show),
+    (campaign::MERGE, campaign::merge),
+    (campaign::STATUS, campaign::status),
+    (validate::TEXT, validate::run),
+    (compare::TEXT, compare::run),
+    (identify::TEXT, identify::run),
+    (fit::TEXT, fit::run),
+    (parts::LIST, parts::list),
+    (parts::SHOW, parts::show),
+    (rubber::TEXT, rubber::run),
+    (serve::TEXT, serve::run),
+    (schema::TEXT, schema::run),
+    (help::TEXT, help::run),
+    (help::MAN, help::man),
+    (help::COMPLETIONS, help::completions),
+];
+
+/// Commands that only hold others.
+const GROUPS: [(&str, &str); 1] =
+    [("parts", "Everything with a name: tubes, sleeves, rubbers, muscles, models")];
+
 /// The command line: `-h` shows the first example and where the other flags are, `--help` all.
-pub fn command() -> clap::Command {
-    with_helps(Cli::command(), "")
+pub fn command() -> Command {
+    let mut root = Cli::command().subcommand_required(true).arg_required_else_help(true);
+    for (text, _) in &COMMANDS {
+        let (name, about) = head(text);
+        let (group, last) = name.split_once(' ').unwrap_or(("", name));
+        let one = Command::new(last).about(about).after_help(name).defer(with_flags);
+        root = match GROUPS.iter().find(|g| g.0 == group && root.find_subcommand(group).is_none()) {
+            Some((group, about)) => {
+                let holds = Command::new(*group).about(*about).subcommand_required(true);
+                root.subcommand(holds.arg_required_else_help(true).subcommand(one))
+            }
+            None if group.is_empty() => root.subcommand(one),
+            None => root.mut_subcommand(group, |holds| holds.subcommand(one)),
+        };
+    }
+    root
 }
 
-fn with_helps(command: clap::Command, above: &str) -> clap::Command {
-    let path = format!("{above}{}", command.get_name());
-    let hides = |command: &clap::Command| command.get_arguments().any(clap::Arg::is_hide_short_help_set);
-    let all = command.get_after_help().map(ToString::to_string);
-    let command = match all {
-        Some(all) if hides(&command) => {
-            let short = format!("{}\n\nAll flags, with details: {path} --help", first_example(&all));
-            command.after_help(short).after_long_help(all)
-        }
-        _ => command,
+/// The name of a command, and what it does.
+fn head(text: &'static str) -> (&'static str, &'static str) {
+    text.lines().next().and_then(|line| line.split_once(": ")).unwrap_or_default()
+}
+
+/// The text of a command, and what runs it.
+fn find(name: &str) -> Option<&'static (&'static str, Run)> {
+    COMMANDS.iter().find(|(text, _)| head(text).0 == name)
+}
+
+/// The schema of a command's request.
+fn request(name: &str) -> Value {
+    let command = mckibben_app::find(&name.replace(' ', "-"));
+    command.map_or(Value::Null, |command| command.schema()["request"].take())
+}
+
+/// Adds the flags and examples of a command, whose name stands where its examples come.
+fn with_flags(command: Command) -> Command {
+    let name = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+    let Some((text, _)) = find(&name) else { return command };
+    let all = text.find("\nExample").map_or("", |at| &text[at + 1..]);
+    let args: Vec<clap::Arg> = flags(text, &request(&name)).iter().map(|flag| flag.arg()).collect();
+    let hides = args.iter().any(clap::Arg::is_hide_short_help_set);
+    let short = if hides {
+        format!("{}\n\nAll flags, with details: mckibben {name} --help", first_example(all))
+    } else {
+        all.to_owned()
     };
-    command.mut_subcommands(|inner| with_helps(inner, &format!("{path} ")))
+    let command = command.args(args).after_help(short).after_long_help(all);
+    // What every command takes comes last, with its heading.
+    let every =
+        ["format", "overwrite", "help"].into_iter().filter(|id| has(&command, id)).collect::<Vec<_>>();
+    let command = every.into_iter().fold(command, |command, id| command.mut_arg(id, |arg| arg));
+    if command.has_subcommands() {
+        return command.args_conflicts_with_subcommands(true).subcommand_negates_reqs(true);
+    }
+    command
+}
+
+fn has(command: &Command, id: &str) -> bool {
+    command.get_arguments().any(|arg| arg.get_id() == id)
 }
 
 /// Examples up to the second one.
@@ -86,97 +151,20 @@ fn first_example(all: &str) -> String {
     lines.collect::<Vec<_>>().join("\n").replacen("Examples:", "Example:", 1)
 }
 
-/// The commands.
-#[derive(Debug, Subcommand)]
-pub enum Command {
-    /// Find muscles that meet a specification, ranked (the main command)
-    #[command(after_help = commands::design::EXAMPLES)]
-    Design(Box<DesignArgs>),
-    /// Pull at a pressure and contraction: F(P, ε)
-    #[command(after_help = "Example:\n  mckibben force -D 50 -s 1 -p 0.25 -e 0.1 --model paper")]
-    Force(Box<ForceArgs>),
-    /// Pressure that gives a pull at a contraction: P(F, ε)
-    #[command(after_help = "Example:\n  mckibben pressure -D 40 -s 2 -F 300N -e 10% --units bar")]
-    Pressure(Box<PressureArgs>),
-    /// Contraction at which a pressure gives a pull: ε(F, P)
-    #[command(after_help = "Example:\n  mckibben contraction -D 40 -s 2 -F 600N -p 2.5bar")]
-    Contraction(Box<ContractionArgs>),
-    /// Pressure, stroke and energy of a muscle that a volume of liquid is pushed into
-    #[command(after_help = commands::fill::EXAMPLES)]
-    Fill(Box<FillArgs>),
-    /// Family of curves: isometric, isotonic or isobaric
-    #[command(after_help = commands::curve::EXAMPLES)]
-    Curve(Box<CurveArgs>),
-    /// Joint with one muscle and a spring, or with two opposed muscles: torque, stiffness, rest position, pressures
-    #[command(after_help = commands::joint::EXAMPLES)]
-    Joint(Box<JointArgs>),
-    /// Motion over time of a muscle or a joint with valves
-    #[command(after_help = commands::motion::EXAMPLES)]
-    Motion(Box<MotionArgs>),
-    /// One finite-element test with all results: curves, shape, strands, stretches, sensitivities
-    #[command(after_help = commands::simulate::EXAMPLES)]
-    Simulate(Box<SimulateArgs>),
-    /// What is known of a muscle, whether it is plausible, what it bears, and what to measure first; or a formula's file
-    #[command(after_help = commands::check::EXAMPLES)]
-    Check(Box<CheckArgs>),
-    /// Build a muscle: report, drawing, plugs, cut list, bill of materials, steps, test sheet
-    #[command(after_help = commands::build::EXAMPLES)]
-    Build(Box<BuildArgs>),
-    /// The muscle for a controller or simulator: C, Python, MuJoCo, FMI, OpenSim
-    #[command(after_help = commands::export::EXAMPLES)]
-    Export(Box<ExportArgs>),
-    /// Many finite-element tests from a plan into one Parquet table; an interrupted run continues
-    #[command(after_help = commands::campaign::EXAMPLES)]
-    Campaign(Box<CampaignArgs>),
-    /// Verification against exact values and validation against measured muscles
-    #[command(after_help = commands::validate::EXAMPLES)]
-    Validate(ValidateArgs),
-    /// Compare models with each other or with measured points: errors and figure
-    #[command(after_help = commands::compare::EXAMPLES)]
-    Compare(Box<CompareArgs>),
-    /// Constants of rubber, braid and friction from measured or published curves, with their uncertainty
-    #[command(after_help = commands::identify::EXAMPLES)]
-    Identify(Box<IdentifyArgs>),
-    /// Fit a formula to a table of finite-element points, with its errors and its range
-    #[command(after_help = commands::fit::EXAMPLES)]
-    Fit(Box<FitArgs>),
-    /// Everything with a name: tubes, sleeves, rubbers, muscles, models
-    #[command(subcommand)]
-    Parts(PartsCommand),
-    /// Rubber laws from tension tests: constants with their errors, range of stability
-    #[command(after_help = commands::rubber::EXAMPLES)]
-    Rubber(Box<RubberArgs>),
-    /// Local web server: the workbench in a browser, and every command over HTTP
-    #[command(after_help = commands::serve::EXAMPLES)]
-    Serve(ServeArgs),
-    /// JSON Schema of requests, answers and files
-    #[command(
-        after_help = "Examples:\n  mckibben schema force\n  mckibben schema --file muscle -o muscle.schema.json"
-    )]
-    Schema(SchemaArgs),
-    /// Help of a command, as its flag --help prints it
-    #[command(after_help = commands::help::EXAMPLES)]
-    Help(HelpArgs),
-    /// Manual pages for `man`
-    #[command(after_help = commands::help::MAN_EXAMPLES)]
-    Man(ManArgs),
-    /// Shell completions, written to standard output
-    #[command(after_help = "Example:\n  mckibben completions bash")]
-    Completions {
-        /// The shell
-        shell: clap_complete::Shell,
-    },
-}
-
-// Lines of at most 78 characters, continued by a backslash: the help is wrapped to the terminal, and a wrapped command
-// cannot be pasted.
-/// `parts …`.
-#[derive(Debug, Subcommand)]
-pub enum PartsCommand {
-    /// All of them, or those of one kind
-    #[command(after_help = "Example:\n  mckibben parts list tubes")]
-    List(PartsListArgs),
-    /// What has a name: its data, source and terms
-    #[command(after_help = commands::parts::EXAMPLES)]
-    Show(PartShowArgs),
+/// The command that was typed: its name, its flags, and what runs it.
+pub fn asked(matches: &ArgMatches, format: Format) -> Option<(String, Asked, Run)> {
+    let (mut leaf, mut path) = (matches, vec![]);
+    while let Some((name, inner)) = leaf.subcommand() {
+        path.push(name);
+        leaf = inner;
+    }
+    let name = path.join(" ");
+    let (text, run) = find(&name)?;
+    let request = request(&name);
+    let mut flags = flags(text, &request);
+    let args = std::env::args_os().map(|arg| arg.to_string_lossy().into_owned());
+    let name_of = |arg: String| Some(arg.strip_prefix("--")?.split('=').next()?.to_owned());
+    let typed: Vec<String> = args.filter_map(name_of).collect();
+    flags.iter_mut().for_each(|flag| flag.called(&typed));
+    Some((name, Asked { format, flags, matches: leaf.clone(), request }, *run))
 }

@@ -1,10 +1,11 @@
 //! What a command ends with when it does not end well: kind, message, hint, exit code, in the words of the command line.
 
-use crate::{clean, shown, typed};
-use mckibben::muscle::Measure;
+use crate::spec::{self, Flag};
+use crate::{clean, shown};
 use mckibben_app::{Ending, Problem, ProblemKind};
 use mckibben_io::files::ReadError;
 use std::path::Path;
+use std::sync::OnceLock;
 
 /// A problem as a user of the command line meets it.
 #[derive(Debug)]
@@ -13,143 +14,17 @@ pub struct Failure {
     broken_pipe: bool,
 }
 
-/// Fields of requests whose flag is not their name without its unit: the flags that set them. The one that was typed is named, and the
-/// first where none was.
-const FLAGS: &[(&str, &[&str])] = &[
-    ("direction", &["branch", "motion", "both"]),
-    ("min_burst_margin", &["safety", "min-burst-margin"]),
-    ("max_pressure_mpa", &["max-pressure", "pressure"]),
-    ("pressures_mpa", &["pressure"]),
-    ("angles_deg", &["angle"]),
-    ("outer_diameters_mm", &["outer-diameter"]),
-    ("walls_mm", &["wall"]),
-    ("torque_nm", &["torque"]),
-    ("stiffness_nm_per_rad", &["stiffness"]),
-    ("contractions", &["contraction"]),
-    ("forces_n", &["force"]),
-    ("rubbers", &["rubber"]),
-    ("braids", &["braid"]),
-    ("tubes", &["tube"]),
-    ("points", &["at"]),
-    ("torques", &["joint"]),
-    ("models", &["models", "model"]),
-    ("loss", &["loss", "robust"]),
-    ("rise_time_s", &["rise-time"]),
-    ("supply_mpa", &["supply"]),
-    ("until_s", &["until"]),
-    ("damping_n_s_per_m", &["damping"]),
-    ("up_to_stretch", &["up-to"]),
-    ("fit_modes", &["fit-mode"]),
-    ("laws", &["law", "laws"]),
-    ("figures", &["plots"]),
-    ("area_mm2", &["area"]),
-    ("volume_mm3", &["volume"]),
-    ("dead_volume_mm3", &["dead-volume"]),
-    ("max_liquid_volume_mm3", &["max-liquid"]),
-    ("gas_share", &["gas"]),
-    ("liquid_bulk_modulus_mpa", &["bulk-modulus"]),
-];
+/// The flags of the command that runs.
+static FLAGS: OnceLock<Vec<Flag>> = OnceLock::new();
 
-/// Fields of requests that have a flag of their name, with or without their unit.
-const FIELDS: &[&str] = &[
-    "rubber",
-    "braid",
-    "strand_diameter_mm",
-    "stiffness",
-    "of_largest",
-    "both",
-    "hoop_stretch",
-    "mode",
-    "size",
-    "thin_rule",
-    "slack_rule",
-    "latex",
-    "model",
-    "load",
-    "liquid",
-    "radius_mm",
-    "largest_angle_deg",
-    "map",
-    "mesh",
-    "match",
-    "terminal",
-    "extrapolate",
-    "two_sided",
-    "pressure_mpa",
-    "contraction",
-    "force_n",
-    "stroke_mm",
-    "max_bulged_diameter_mm",
-    "max_stretch",
-    "max_strand_strain",
-    "strand_length_per_turn_mm",
-    "tolerance",
-    "objective",
-    "top",
-    "verify",
-    "data",
-    "columns",
-    "branch",
-    "fit",
-    "free",
-    "fix",
-    "bounds",
-    "weights",
-    "formula",
-    "branches",
-    "gauge_length_mm",
-    "law",
-    "stable",
-    "relative",
-    "export_inp",
-    "vtu",
-    "sweep",
-    "seed",
-    "method",
-    "hold_out_mm",
-    "tables",
-    "muscle",
-    "name",
-    "shard",
-    "fitting",
-    "bolt_mm",
-    "sleeve_diameter_mm",
-    "output",
-    "overwrite",
-];
-
-/// The flag of a request's field.
-fn flag(field: &str) -> Option<String> {
-    if let Some((_, flags)) = FLAGS.iter().find(|f| f.0 == field) {
-        let flag = flags.iter().find(|flag| typed::flag(flag)).or(flags.first())?;
-        return Some(format!("--{flag}"));
-    }
-    if let Some(flag) = Measure::of_field(field).and_then(Measure::flag) {
-        return Some(format!("--{flag}"));
-    }
-    if !FIELDS.contains(&field) {
-        return None;
-    }
-    let name =
-        ["_mpa", "_n", "_mm", "_deg"].iter().find_map(|unit| field.strip_suffix(unit)).unwrap_or(field);
-    Some(format!("--{}", name.replace('_', "-")))
+/// Takes the flags of the command that runs, for its messages.
+pub fn take_flags(flags: &[Flag]) {
+    FLAGS.get_or_init(|| flags.to_vec());
 }
 
 /// A sentence with flags in place of the fields that it names in backquotes.
 pub fn in_flags(sentence: &str) -> String {
-    let mut out = String::with_capacity(sentence.len());
-    for (i, part) in sentence.split('`').enumerate() {
-        match (i % 2, flag(part)) {
-            (1, Some(flag)) => out.push_str(&flag),
-            (1, None) => {
-                out.push('`');
-                out.push_str(part);
-                out.push('`');
-            }
-            _ => out.push_str(part),
-        }
-    }
-    out
+    spec::in_flags(sentence, FLAGS.get().map_or(&[], Vec::as_slice))
 }
 
 impl Failure {
@@ -250,7 +125,9 @@ impl From<Problem> for Failure {
             problem.message = in_flags(&problem.message);
         }
         let named = |flag: &String| problem.message.starts_with(flag.as_str());
-        if let Some(flag) = problem.field.as_deref().and_then(flag).filter(|flag| !named(flag)) {
+        let flags = FLAGS.get().map_or(&[][..], Vec::as_slice);
+        let flag = problem.field.as_deref().and_then(|field| spec::flag_of(field, flags));
+        if let Some(flag) = flag.filter(|flag| !named(flag)) {
             problem.message = format!("{flag}: {}", problem.message);
         }
         problem.hint = in_flags(&problem.hint);
@@ -280,6 +157,11 @@ mod tests {
 
     #[test]
     fn fields_become_flags() {
+        let fields = serde_json::json!({ "pressures_mpa": {}, "two_sided": {} });
+        take_flags(&spec::flags(
+            "\npressures_mpa=pressure two_sided",
+            &serde_json::json!({ "properties": fields }),
+        ));
         let problem =
             Problem::new(ProblemKind::Quantity, "`strand_length_mm` and `turns`, not `paper`", "`two_sided`");
         let failure = Failure::from(problem.in_field("pressures_mpa"));

@@ -1,18 +1,16 @@
 //! `mckibben`: design McKibben pneumatic muscles from the command line.
 //!
-//! `main` parses and dispatches; a command turns its flags into a request of the application layer (`flags`, `quantities`,
-//! `files`), asks it, and turns the answer into text, JSON or CSV (`output`) and files (`plot`).
+//! `main` parses; the flags of a command (`spec`) become a request of the application layer (`asked`), whose answer a command turns into text,
+//! JSON or CSV (`output`) and files (`plot`).
 
+mod asked;
 mod clean;
 mod cli;
 mod commands;
-mod dispatch;
 mod failure;
 mod files;
-mod flags;
 mod format;
 mod gone;
-mod muscle_flags;
 mod names;
 mod output;
 mod plot;
@@ -20,8 +18,8 @@ mod progress;
 mod quantities;
 mod quotes;
 mod shown;
+mod spec;
 mod typed;
-mod word;
 
 use clap::FromArgMatches;
 use failure::Failure;
@@ -40,10 +38,9 @@ fn main() -> ExitCode {
         return report(&failure, if json_wanted() { Format::Json } else { Format::Text });
     }
     progress::no_signal_for_long_files();
-    let parsed = cli::command().try_get_matches().and_then(|matches| {
-        shown::take(&matches);
-        cli::Cli::from_arg_matches(&matches).map(|cli| (cli, matches))
-    });
+    let parsed = cli::command()
+        .try_get_matches()
+        .and_then(|matches| cli::Cli::from_arg_matches(&matches).map(|cli| (cli, matches)));
     let (cli, matches) = match parsed {
         Ok(parsed) => parsed,
         Err(error) if error.use_stderr() && json_wanted() => {
@@ -62,8 +59,11 @@ fn main() -> ExitCode {
     };
     let done = guarded(|| {
         let _entered = progress::cancel().enter();
-        output::check_named(&matches, cli.overwrite)?;
-        dispatch::run(cli.command, cli.format)
+        let Some((name, asked, run)) = cli::asked(&matches, cli.format) else { return Ok(0) };
+        shown::take(&asked);
+        failure::take_flags(&asked.flags);
+        output::check_named(&asked, &name, cli.overwrite)?;
+        run(&asked)
     });
     threads::shortage().into_iter().for_each(output::warn);
     match progress::last_word(done) {

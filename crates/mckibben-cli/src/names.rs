@@ -6,6 +6,7 @@ use clap::error::Error;
 use clap::{Arg, Command};
 use mckibben::{rubber, sleeve};
 use mckibben_app::{ExportListRequest, Model, export_list};
+use mckibben_fit::rubber::Form;
 use mckibben_fit::validation::library;
 use std::ffi::OsStr;
 
@@ -26,12 +27,27 @@ pub const RUBBERS: Names =
 pub const SLEEVES: Names = Names(|| {
     sleeve::library::entries().unwrap_or_default().iter().map(|e| e.sleeve.shape.name.clone()).collect()
 });
+/// Laws of rubbers.
+pub const LAWS: Names = Names(|| Form::words().into_iter().chain(["all".to_owned()]).collect());
 /// Everything with a name.
 pub const NAMES: Names = Names(|| {
     let tubes = mckibben_design::tubes::catalogue().unwrap_or_default().iter().map(|t| t.name.clone());
     let lists = [SLEEVES, RUBBERS, MODELS].into_iter().flat_map(|names| (names.0)());
     tubes.chain(lists).chain(library::names()).collect()
 });
+
+/// The names for a flag.
+pub fn of(flag: &str) -> Option<Names> {
+    Some(match flag {
+        "model" | "models" => MODELS,
+        "target" => TARGETS,
+        "rubber" | "rubbers" => RUBBERS,
+        "braid" | "braids" => SLEEVES,
+        "laws" => LAWS,
+        "any" => NAMES,
+        _ => return None,
+    })
+}
 
 impl TypedValueParser for Names {
     type Value = String;

@@ -1,7 +1,7 @@
 //! Figures into files.
 
+use crate::asked::Asked;
 use crate::failure::Failure;
-use crate::flags::PlotFlag;
 use crate::output::{check as check_free, emit, ending};
 use crate::quantities::quantity;
 use mckibben::units::Dimension;
@@ -10,29 +10,29 @@ use mckibben_report::{Figure, FigureError};
 use std::path::Path;
 
 /// Refuses a figure that could not be written, before any work is done for it.
-pub fn check(flag: &PlotFlag) -> Result<(), Failure> {
-    width_mm(flag)?;
-    if let Some(path) = flag.plot_data.as_ref().filter(|path| ending(path).as_deref() != Some("csv")) {
+pub fn check(asked: &Asked) -> Result<(), Failure> {
+    width_mm(asked)?;
+    if let Some(path) = asked.path("plot_data").filter(|path| ending(path).as_deref() != Some("csv")) {
         let message = format!("--plot-data: {} must end in .csv", path.display());
         return Err(Failure::input(ProblemKind::Output, message, ""));
     }
-    let Some(path) = &flag.plot else { return Ok(()) };
-    if ending(path).is_some_and(|e| ["svg", "png", "pdf", "html", "htm"].contains(&e.as_str())) {
+    let Some(path) = asked.path("plot") else { return Ok(()) };
+    if ending(&path).is_some_and(|e| ["svg", "png", "pdf", "html", "htm"].contains(&e.as_str())) {
         return Ok(());
     }
-    Err(FigureError::UnknownExtension { path: path.to_owned() }.into())
+    Err(FigureError::UnknownExtension { path }.into())
 }
 
 /// Writes a figure, where there is one and a file is named for it.
-pub fn save(figure: Option<Figure>, flag: &PlotFlag) -> Result<(), Failure> {
-    let (Some(mut figure), Some(path)) = (figure, &flag.plot) else { return Ok(()) };
-    if let Some(path) = &flag.plot_data {
-        emit(figure.to_csv(), Some(path))?;
+pub fn save(figure: Option<Figure>, asked: &Asked) -> Result<(), Failure> {
+    let (Some(mut figure), Some(path)) = (figure, asked.path("plot")) else { return Ok(()) };
+    if let Some(path) = asked.path("plot_data") {
+        emit(figure.to_csv(), Some(&path))?;
     }
-    if let Some(width_mm) = width_mm(flag)? {
+    if let Some(width_mm) = width_mm(asked)? {
         figure = figure.width_mm(width_mm);
     }
-    save_as(figure, path)
+    save_as(figure, &path)
 }
 
 /// Writes a figure to a file.
@@ -41,15 +41,14 @@ pub fn save_as(figure: Figure, path: &Path) -> Result<(), Failure> {
     Ok(figure.save(path)?)
 }
 
-fn width_mm(flag: &PlotFlag) -> Result<Option<f64>, Failure> {
-    let width = quantity("--plot-width", flag.plot_width.as_deref(), Dimension::Length)?;
-    match width.filter(|width| !(20.0..=2000.0).contains(width)) {
-        Some(width) => {
-            let message = format!("--plot-width: {width} mm; a figure is 20 to 2000 mm wide");
-            Err(Failure::input(ProblemKind::Quantity, message, ""))
-        }
-        None => Ok(width),
+fn width_mm(asked: &Asked) -> Result<Option<f64>, Failure> {
+    let Some(text) = asked.text("plot_width") else { return Ok(None) };
+    let width = quantity("--plot-width", &text, Dimension::Length)?;
+    if (20.0..=2000.0).contains(&width) {
+        return Ok(Some(width));
     }
+    let message = format!("--plot-width: {width} mm; a figure is 20 to 2000 mm wide");
+    Err(Failure::input(ProblemKind::Quantity, message, ""))
 }
 
 impl From<FigureError> for Failure {

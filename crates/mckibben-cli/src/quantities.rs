@@ -6,11 +6,10 @@ use mckibben::units::{Dimension, RangeError, Values, parse_quantity, parse_value
 use mckibben_app::ProblemKind;
 use std::sync::OnceLock;
 
-pub fn quantity(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<Option<f64>, Failure> {
-    let wrong = |e| Failure::flag(flag, ProblemKind::Quantity, e);
-    let one =
-        |t: &str| parse_quantity(t, dimension).map_err(wrong).inspect(|_| mind_the_unit(flag, t, dimension));
-    text.map(one).transpose()
+pub fn quantity(flag: &str, text: &str, dimension: Dimension) -> Result<f64, Failure> {
+    let found = parse_quantity(text, dimension).map_err(|e| Failure::flag(flag, ProblemKind::Quantity, e))?;
+    mind_the_unit(flag, text, dimension);
+    Ok(found)
 }
 
 /// What to mind about the unit of a pressure that was typed.
@@ -34,69 +33,26 @@ fn mind_the_unit(flag: &str, text: &str, dimension: Dimension) {
     }
 }
 
-/// A plain number from a flag.
-pub fn ratio(flag: &str, text: Option<&str>) -> Result<Option<f64>, Failure> {
-    quantity(flag, text, Dimension::Ratio)
-}
-
-/// A contraction ratio from a flag. No muscle shortens by its whole length, so that `15` was meant as 15 %.
-pub fn contraction(flag: &str, text: Option<&str>) -> Result<Option<f64>, Failure> {
-    let found = ratio(flag, text)?;
-    if let (Some(e), Some(text)) = (found.filter(|e| e.abs() >= 1.0), text) {
-        return Err(no_contraction(flag, text, e));
-    }
-    Ok(found)
-}
-
-fn no_contraction(flag: &str, text: &str, e: f64) -> Failure {
+/// Refuses what is no contraction ratio. No muscle shortens by its whole length, so that `15` was meant as 15 %.
+pub fn check_contractions(flag: &str, text: &str, list: &[f64]) -> Result<(), Failure> {
+    let Some(&e) = list.iter().find(|e| e.abs() >= 1.0) else { return Ok(()) };
     let text = text.trim();
     let message = format!("{flag}: \"{text}\" is not a valid contraction ratio ΔL/L0, which lies below 1");
-    let hint = if e > 1.0 && e < 100.0 && !text.contains('%') {
+    let hint = if list.len() == 1 && e > 1.0 && e < 100.0 && !text.contains('%') {
         format!("write {e}% or {}", e / 100.0)
     } else {
         "write 15% or 0.15".to_owned()
     };
-    Failure::input(ProblemKind::Quantity, message, hint)
+    Err(Failure::input(ProblemKind::Quantity, message, hint))
 }
 
 /// A list or range from a flag.
-pub fn values(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<Option<Values>, Failure> {
+pub fn values(flag: &str, text: &str, dimension: Dimension) -> Result<Values, Failure> {
     let wrong = |e: RangeError| {
         let quantity = matches!(e, RangeError::Quantity(_));
         Failure::flag(flag, if quantity { ProblemKind::Quantity } else { ProblemKind::Range }, e)
     };
-    let all =
-        |t: &str| parse_values(t, dimension).map_err(wrong).inspect(|_| mind_the_unit(flag, t, dimension));
-    text.map(all).transpose()
-}
-
-/// A list or range as points; an interval without a step is cut into `divisions` parts.
-pub fn points(
-    flag: &str,
-    text: Option<&str>,
-    dimension: Dimension,
-    divisions: usize,
-) -> Result<Option<Vec<f64>>, Failure> {
-    Ok(values(flag, text, dimension)?.map(|v| v.sampled(divisions)))
-}
-
-/// Pressures from `--pressure`.
-pub fn pressures(text: Option<&str>, divisions: usize) -> Result<Option<Vec<f64>>, Failure> {
-    points("--pressure", text, Dimension::Pressure, divisions)
-}
-
-/// Contraction ratios from `--contraction`.
-pub fn contractions(text: Option<&str>) -> Result<Option<Vec<f64>>, Failure> {
-    let list = points("--contraction", text, Dimension::Ratio, 20)?;
-    if let (Some(list), Some(text)) = (&list, text)
-        && let Some(&e) = list.iter().find(|e| e.abs() >= 1.0)
-    {
-        return Err(no_contraction("--contraction", text, if list.len() == 1 { e } else { 0.0 }));
-    }
-    Ok(list)
-}
-
-/// Pulls from `--force`.
-pub fn forces(text: Option<&str>) -> Result<Option<Vec<f64>>, Failure> {
-    points("--force", text, Dimension::Force, 5)
+    let found = parse_values(text, dimension).map_err(wrong)?;
+    mind_the_unit(flag, text, dimension);
+    Ok(found)
 }

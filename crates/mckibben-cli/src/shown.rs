@@ -1,7 +1,8 @@
 //! The units in which this run shows quantities to people: those of `--units`; else those of the first pressure, force and length on the
 //! command line; else those of the file that asks; else MPa, N and mm. JSON and CSV have units of their own.
 
-use clap::ArgMatches;
+use crate::asked::Asked;
+use crate::spec::Flag;
 use mckibben_app::units::Units;
 use std::borrow::Cow;
 use std::sync::OnceLock;
@@ -9,45 +10,37 @@ use std::sync::OnceLock;
 /// Flags whose unit a user wants to read, too. A modulus is not among them: nobody reads pressures in GPa.
 const FLAGS: [&str; 11] = [
     "pressure",
-    "max_pressure",
+    "max-pressure",
     "supply",
     "force",
     "at",
     "stroke",
-    "outer_diameter",
+    "outer-diameter",
     "wall",
     "length",
-    "max_bulged_diameter",
+    "max-bulged-diameter",
     "radius",
 ];
 
 static ASKED: OnceLock<Units> = OnceLock::new();
 static OF_FILE: OnceLock<Units> = OnceLock::new();
 
-/// Looks at a command line that was understood.
-pub fn take(matches: &ArgMatches) {
-    let mut matches = matches;
-    while let Some((_, of_command)) = matches.subcommand() {
-        matches = of_command;
-    }
-    let asked = matches.try_get_one::<Box<Units>>("units").ok().flatten();
-    let units = asked.map(|units| (**units).clone()).or_else(|| typed(matches));
-    if let Some(units) = units {
+/// Looks at a command line that was understood: at `--units`, else at the flags in the order in which they were typed.
+pub fn take(asked: &Asked) {
+    let named = asked.matches.try_get_one::<Box<Units>>("units").ok().flatten();
+    let typed = || {
+        let flags = asked.flags.iter().filter(|flag| FLAGS.contains(&&*flag.long));
+        let one = |flag: &Flag| {
+            asked.matches.indices_of(&flag.id).into_iter().flatten().zip(asked.texts(&flag.id)).collect()
+        };
+        let mut texts: Vec<(usize, String)> = flags.flat_map(|flag| -> Vec<_> { one(flag) }).collect();
+        texts.sort();
+        Units::typed(texts.iter().map(|(_, text)| text.as_str()))
+    };
+    let units = named.map_or_else(typed, |units| (**units).clone());
+    if named.is_some() || units != Units::default() {
         ASKED.get_or_init(|| units);
     }
-}
-
-/// The units of the flags, in the order in which they were typed.
-fn typed(matches: &ArgMatches) -> Option<Units> {
-    let mut texts: Vec<(usize, String)> = vec![];
-    for flag in FLAGS {
-        let Ok(Some(values)) = matches.try_get_raw(flag) else { continue };
-        let values = values.map(|text| text.to_string_lossy().into_owned());
-        texts.extend(matches.indices_of(flag).into_iter().flatten().zip(values));
-    }
-    texts.sort();
-    let units = Units::typed(texts.iter().map(|(_, text)| text.as_str()));
-    (units != Units::default()).then_some(units)
 }
 
 /// Takes the units of a file that asks, where no flag says any: those of the quantities behind its keys `pressure`.

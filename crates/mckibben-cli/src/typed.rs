@@ -2,15 +2,6 @@
 
 use mckibben::units::{Dimension, short_numbers};
 
-/// Whether a flag was typed.
-pub fn flag(name: &str) -> bool {
-    std::env::args_os().any(|arg| {
-        let arg = arg.to_string_lossy();
-        let typed = arg.strip_prefix("--").map(|arg| arg.split('=').next().unwrap_or_default());
-        typed == Some(name)
-    })
-}
-
 /// What a bare pressure as high as no muscle bears may have been meant to be.
 pub fn meant(mpa: f64) -> String {
     /// Pressures of muscles in MPa.

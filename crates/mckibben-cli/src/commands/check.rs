@@ -2,43 +2,26 @@
 
 mod formula;
 
+use crate::asked::Asked;
 use crate::failure::Failure;
-use crate::flags::{ModelFlags, MuscleFlags, OutputFlags};
-use crate::format::Format;
 use crate::output::text::pairs;
-use crate::output::{FLAT, burst_first, show};
+use crate::output::{FLAT, burst_first};
 use crate::progress::Bar;
-use crate::quantities::quantity;
 use crate::shown;
-use clap::Args;
-use mckibben::units::Dimension;
 use mckibben::warning::is_of_burst;
 use mckibben_app::rows::{characteristic_rows, muscle_sheets};
-use mckibben_app::{CheckAnswer, CheckRequest, FindingKind, ProblemKind, check};
+use mckibben_app::{CheckAnswer, FindingKind, ProblemKind, check};
 use std::path::Path;
 
-pub const EXAMPLES: &str = "Examples:
+pub const TEXT: &str = "check: What is known of a muscle, whether it is plausible, what it bears, and what to measure first; or a formula's file
+Question:
+p/pressure_mpa | Working pressure [2.5bar, or the allowed pressure where that is lower]
+latex | Of a formula (FILE.json, universal, universal-small): print its equation with its numbers as LaTeX
+@muscle @model @output
+Examples:
   mckibben check examples/prototype.toml -p 2bar
   mckibben check -D 40 -s 2 --rubber dragon-skin-30
   mckibben check universal --latex";
-
-/// `check`.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "Question")]
-pub struct CheckArgs {
-    /// Working pressure [2.5bar, or the allowed pressure where that is lower]
-    #[arg(short, long, value_name = "PRESSURE", allow_hyphen_values = true)]
-    pub pressure: Option<String>,
-    /// Of a formula (FILE.json, universal, universal-small): print its equation with its numbers as LaTeX
-    #[arg(long)]
-    pub latex: bool,
-    #[command(flatten)]
-    pub muscle: MuscleFlags,
-    #[command(flatten)]
-    pub model: ModelFlags,
-    #[command(flatten)]
-    pub output: OutputFlags,
-}
 
 /// Whether a word is a formula in place of a muscle.
 fn is_formula(word: &str) -> bool {
@@ -46,25 +29,17 @@ fn is_formula(word: &str) -> bool {
         || Path::new(word).extension().is_some_and(|end| end.eq_ignore_ascii_case("json"))
 }
 
-pub fn run(args: &CheckArgs, format: Format) -> Result<u8, Failure> {
-    let word = args.muscle.file().map(|file| file.to_string_lossy());
+pub fn run(asked: &Asked) -> Result<u8, Failure> {
+    let word = asked.text("file").or_else(|| asked.text("muscle"));
     if let Some(word) = word.filter(|word| is_formula(word)) {
-        return formula::show(&word, args, format);
+        return formula::show(&word, asked);
     }
-    if args.latex {
+    if asked.is("latex") {
         let message = "--latex is of a formula, not of a muscle";
         return Err(Failure::input(ProblemKind::Usage, message, "`mckibben check formula.json --latex`"));
     }
-    let request = CheckRequest {
-        muscle: args.muscle.fields()?,
-        model: args.model.fields()?,
-        asking: args.model.asking.fields(),
-        pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
-        ..CheckRequest::default()
-    };
-    let answer = check(&request, &Bar::hidden())?;
-    show(&answer, format, FLAT, || text(&answer), args.output.target())?;
-    Ok(0)
+    let answer = check(&asked.request()?, &Bar::hidden())?;
+    asked.show(&answer, FLAT, || text(&answer))
 }
 
 /// The kinds, each with its heading, and what is said where nothing was found.

@@ -1,118 +1,50 @@
 //! `compare`: models, and measured points.
 
+use crate::asked::Asked;
 use crate::failure::Failure;
-use crate::files;
-use crate::flags::{AskFlags, ColumnsFlag, MuscleFlags, OutputFlags, PlotFlag};
-use crate::format::Format;
-use crate::names::MODELS;
 use crate::output::text::{Units, columns, percent, percents, place, understood};
-use crate::output::{show, warn};
-use crate::plot;
+use crate::output::warn;
 use crate::progress::Bar;
-use crate::quantities::{contractions, points};
 use crate::shown;
-use clap::Args;
-use mckibben::units::Dimension;
-use mckibben_app::{
-    AskFields, CompareAnswer, CompareRequest, ComparedModel, Direction, FitConstant, ProblemKind,
-};
-use std::path::PathBuf;
+use mckibben_app::{CompareAnswer, CompareRequest, ComparedModel, Direction};
 
-pub const EXAMPLES: &str = "Examples:
+pub const TEXT: &str = "compare: Compare models with each other or with measured points: errors and figure
+Question:
+models=models|model | Models, by name [fe,paper,thick-wall,ideal]
+data<FILE.csv>
+@columns
+fit&data | Constants to fit to the points, for each model: modulus, end-factor, stiffness
+p/pressures_mpa=pressure^data e/contractions=contraction^data
+@muscle
+Advanced: extrapolate* two_sided* @mesh branch*
+@plot @output
+Examples:
   mckibben compare --models ideal,paper,thick-wall -p 1,2bar
   mckibben compare --models ideal,thick-wall --muscle examples/tondu2012.toml \\
     --data data/tondu2012/static_force_20deg.csv --fit modulus,end-factor";
 
-/// `compare`.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "Question")]
-pub struct CompareArgs {
-    /// Models, by name [fe,paper,thick-wall,ideal]
-    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = MODELS, hide_possible_values = true)]
-    pub models: Vec<String>,
-    /// One model, same as --models with one name
-    #[arg(long, value_name = "NAME", conflicts_with = "models", value_parser = MODELS, hide_possible_values = true, hide_short_help = true)]
-    pub model: Option<String>,
-    /// Measured points: a table of pressures, contractions (or shortenings, or lengths) and forces, with units
-    #[arg(long, value_name = "FILE.csv")]
-    pub data: Option<PathBuf>,
-    #[command(flatten)]
-    pub columns: ColumnsFlag,
-    /// Constants to fit to the points, for each model: modulus, end-factor, stiffness
-    #[arg(long, value_name = "LIST", value_delimiter = ',', requires = "data")]
-    pub fit: Vec<String>,
-    /// Pressures, if there is no --data [0.05..0.25:0.05]
-    #[arg(short, long, value_name = "RANGE", allow_hyphen_values = true, conflicts_with = "data")]
-    pub pressure: Option<String>,
-    /// Contraction ratios, if there is no --data [0..0.2:0.01]
-    #[arg(short = 'e', long, value_name = "RANGE", allow_hyphen_values = true, conflicts_with = "data")]
-    pub contraction: Option<String>,
-    #[command(flatten)]
-    pub muscle: MuscleFlags,
-    #[command(flatten)]
-    pub asking: AskFlags,
-    #[command(flatten)]
-    pub plot: PlotFlag,
-    #[command(flatten)]
-    pub output: OutputFlags,
-}
-
-pub fn run(args: &CompareArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(&args.plot)?;
-    let unit = shown::units();
-    let models: Vec<String> = match &args.model {
-        Some(one) => vec![one.clone()],
-        None => args.models.clone(),
-    };
-    let mut formulas = vec![];
-    for name in &models {
-        formulas.extend(files::formula(name)?);
-    }
-    let request = CompareRequest {
-        models,
-        formulas,
-        mesh: args.asking.mesh_fields()?,
-        data: args.data.as_deref().map(files::table).transpose()?,
-        columns: args.columns.fields()?,
-        branch: args.asking.branch,
-        fit: args.fit.iter().map(|word| constant(word)).collect::<Result<_, _>>()?,
-        pressures_mpa: points("--pressure", args.pressure.as_deref(), Dimension::Pressure, 5)?,
-        contractions: contractions(args.contraction.as_deref())?,
-        muscle: args.muscle.fields()?,
-        // A muscle that states its friction answers on the branch of the points; of others it is theirs alone.
-        asking: AskFields { direction: Direction::Mean, ..args.asking.fields() },
-        figure: args.plot.plot.as_ref().map(|_| unit.clone()),
-    };
+pub fn run(asked: &Asked) -> Result<u8, Failure> {
+    let request: CompareRequest = asked.request()?;
     let mut answer = mckibben_app::compare(&request, &Bar::new("models"))?;
-    plot::save(answer.figure.take(), &args.plot)?;
+    asked.draw(&mut answer.figure)?;
     let text = || {
         answer.warnings.iter().for_each(warn);
-        as_text(args, &answer, &unit)
+        as_text(asked, &request, &answer, &shown::units())
     };
-    show(&answer, format, "models", text, args.output.target())?;
-    Ok(0)
+    asked.show(&answer, "models", text)
 }
 
-fn constant(word: &str) -> Result<FitConstant, Failure> {
-    let found = FitConstant::ALL.into_iter().find(|c| c.name() == word.trim());
-    found.ok_or_else(|| {
-        let known: Vec<&str> = FitConstant::ALL.iter().map(|c| c.name()).collect();
-        let message = format!("--fit: \"{word}\" cannot be fitted");
-        Failure::input(ProblemKind::Usage, message, format!("one of {}", known.join(", ")))
-    })
-}
-
-fn as_text(args: &CompareArgs, answer: &CompareAnswer, u: &Units) -> String {
+fn as_text(asked: &Asked, request: &CompareRequest, answer: &CompareAnswer, u: &Units) -> String {
     let mut out = understood(&answer.understood);
     out.push_str(&format!("{}\n", answer.muscle.line(u)));
-    match &args.data {
+    match asked.path("data") {
         Some(path) => {
-            let mean = args.asking.branch == Direction::Mean;
+            let mean = request.branch == Direction::Mean;
             let which = if mean { " (mean of the branches where both are given)" } else { "" };
             out.push_str(&format!(
                 "against {} points of {}{which}, largest {}\n\n",
                 answer.points,
-                place(path),
+                place(&path),
                 u.force.show(answer.largest_force_n)
             ));
         }
@@ -156,7 +88,7 @@ fn as_text(args: &CompareArgs, answer: &CompareAnswer, u: &Units) -> String {
     for m in &answered {
         if !m.fitted().is_empty() {
             out.push_str(&format!("{}: fitted {}\n", m.model, m.fitted()));
-        } else if !args.fit.is_empty() {
+        } else if !request.fit.is_empty() {
             out.push_str(&format!("{}: has no constant of --fit; used without a fit\n", m.model));
         }
         if m.unanswered > 0 {

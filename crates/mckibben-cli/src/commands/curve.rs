@@ -1,17 +1,14 @@
 //! `curve isometric|isotonic|isobaric`, and `curve --study`.
 
+use super::study;
+use crate::asked::Asked;
 use crate::failure::Failure;
-use crate::flags::{LoadFlag, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
 use crate::format::Format;
 use crate::output::loaded::loaded as text_of_load;
 use crate::output::text::{Units, columns, half_width, or_dash, percent, percents, within};
-use crate::output::{burst_first, is_json, show, streamed, warn};
-use crate::plot;
+use crate::output::{burst_first, is_json, streamed, warn};
 use crate::progress::Bar;
-use crate::quantities::{contractions, forces, pressures};
 use crate::shown;
-use crate::word::word;
-use clap::{Args, ValueEnum};
 use mckibben::answer::Answer;
 use mckibben::curve::{Curve, Test};
 use mckibben::muscle::Direction;
@@ -19,75 +16,28 @@ use mckibben::warning::Warning;
 use mckibben_app::uncertainty::breakdown;
 use mckibben_app::{CurveAnswer, CurveRequest, PointRow, curve_by_curve};
 
-pub const EXAMPLES: &str = "Examples:
+pub const TEXT: &str = "curve: Family of curves: isometric, isotonic or isobaric
+Question: :test!^study
+study<STUDY~thickness>^pressures_mpa,contractions,forces_n,load,both | Compute a study of the paper. thickness: its Figure 4, walls of 1 to 5 mm, isometric and isotonic, with its findings
+p/pressures_mpa=pressure e/contractions=contraction F/forces_n=force @load both
+@muscle @model @plot @output
+Examples:
   mckibben curve isobaric -D 50 -s 1 -p 0.05..0.25:0.05 -e 0..0.2:0.01 \\
     --plot f.svg
   mckibben curve isometric -p 0..2.5:0.1bar -e 0,10%,20% --format csv
   mckibben curve isotonic -F 20,80,150N --model thick-wall
   mckibben curve --study thickness --model thick-wall --plot study.svg";
 
-/// The studies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum StudyWord {
-    /// The paper's Figure 4: walls of 1 to 5 mm, isometric and isotonic, with its findings
-    Thickness,
-}
-
-/// `curve`.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "Question")]
-pub struct CurveArgs {
-    /// Kind of test
-    #[arg(value_parser = word::<Test>(), required_unless_present = "study", conflicts_with = "study")]
-    pub test: Option<Test>,
-    /// Compute a study of the paper
-    #[arg(long, value_enum, conflicts_with_all = ["pressure", "contraction", "force", "load"])]
-    pub study: Option<StudyWord>,
-    /// Pressures [isobaric: 0.05..0.25:0.05, else 0..0.25:0.01]
-    #[arg(short, long, value_name = "RANGE", allow_hyphen_values = true)]
-    pub pressure: Option<String>,
-    /// Contraction ratios [isometric: 0..0.2:0.05, isobaric: 0..0.2:0.01]
-    #[arg(short = 'e', long, value_name = "RANGE", allow_hyphen_values = true)]
-    pub contraction: Option<String>,
-    /// Pulls of an isotonic test [20,80,150N]
-    #[arg(short = 'F', long, value_name = "RANGE", allow_hyphen_values = true)]
-    pub force: Option<String>,
-    #[command(flatten)]
-    pub load: LoadFlag,
-    /// Both branches of the friction hysteresis
-    #[arg(long, conflicts_with = "study")]
-    pub both: bool,
-    #[command(flatten)]
-    pub muscle: MuscleFlags,
-    #[command(flatten)]
-    pub model: ModelFlags,
-    #[command(flatten)]
-    pub plot: PlotFlag,
-    #[command(flatten)]
-    pub output: OutputFlags,
-}
-
-pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(&args.plot)?;
-    // Without a study, which is another command to the program, the test must be there.
-    let test = args.test.unwrap_or(Test::Isometric);
+pub fn run(asked: &Asked) -> Result<u8, Failure> {
+    if asked.text("study").is_some() {
+        return study::run(asked);
+    }
+    let request: CurveRequest = asked.request()?;
     let unit = shown::units();
-    let request = CurveRequest {
-        test,
-        muscle: args.muscle.fields()?,
-        model: args.model.fields()?,
-        asking: args.model.asking.fields(),
-        pressures_mpa: pressures(args.pressure.as_deref(), 25)?,
-        contractions: contractions(args.contraction.as_deref())?,
-        forces_n: forces(args.force.as_deref())?,
-        load: args.load.fields()?,
-        both: args.both,
-        figure: args.plot.plot.as_ref().map(|_| unit.clone()),
-    };
     let bar = Bar::new("curves");
-    let target = args.output.target();
-    if request.figure.is_none() && is_json(target, format)? {
-        let problem = streamed("points", target, |row| {
+    let target = asked.path("output");
+    if request.figure.is_none() && is_json(target.as_deref(), asked.format)? {
+        let problem = streamed("points", target.as_deref(), |row| {
             let rows = |curve: Curve| curve.points.iter().try_for_each(|p| row(&PointRow::from(p)));
             let mut answer = curve_by_curve(&request, &bar, &mut { rows })?;
             let problem = answer.problem.take();
@@ -97,19 +47,23 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     }
     let mut answer = mckibben_app::curve(&request, &bar)?;
     drop(bar);
-    if let Some(problem) = answer.problem.take_if(|_| format == Format::Text) {
+    if let Some(problem) = answer.problem.take_if(|_| asked.format == Format::Text) {
         return Err(problem.into());
     }
-    plot::save(answer.figure.take().filter(|_| answer.problem.is_none()), &args.plot)?;
+    if answer.problem.is_none() {
+        asked.draw(&mut answer.figure)?;
+    }
+    answer.figure = None;
     let text = || {
         let burst = warnings(&answer.warnings, &answer.curves);
-        let head = burst
-            + &format!("{} test, model {}\n{}\n\n", test.name(), answer.model, answer.muscle.line(&unit));
-        head + &as_table(&answer, &unit)
+        let (test, muscle) = (answer.test.name(), answer.muscle.line(&unit));
+        burst
+            + &format!("{test} test, model {}\n{muscle}\n\n", answer.model)
+            + &as_table(&answer, &unit)
             + &doubt(answer.test, &answer.curves, &unit)
             + &answer.loaded.as_ref().map_or_else(String::new, |loaded| text_of_load(loaded, &unit))
     };
-    show(&answer, format, "points", text, target)?;
+    asked.show(&answer, "points", text)?;
     Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))
 }
 

@@ -1,81 +1,36 @@
 //! `export`: a folder with a muscle for a controller or a simulator.
 
+use crate::asked::Asked;
 use crate::failure::Failure;
-use crate::flags::{ModelFlags, MuscleFlags, UnitsFlag};
-use crate::format::Format;
-use crate::names::TARGETS;
 use crate::output::text::{pairs, place, table};
-use crate::output::{FLAT, save_all, show};
+use crate::output::{FLAT, save_all};
 use crate::progress::Bar;
-use crate::quantities::quantity;
 use crate::shown;
-use clap::Args;
-use mckibben::units::Dimension;
-use mckibben_app::{
-    ExportAnswer, ExportListAnswer, ExportListRequest, ExportRequest, export, export_list, words,
-};
-use std::path::{Path, PathBuf};
+use mckibben_app::{ExportAnswer, ExportListAnswer, ExportListRequest, export, export_list, words};
+use std::path::Path;
 
-pub const EXAMPLES: &str = "Examples:
+pub const TEXT: &str = "export: The muscle for a controller or simulator: C, Python, MuJoCo, FMI, OpenSim
+Question:
+target=as<TARGET>!^list | Target
+list | List the targets: what each is, needs and loses
+p/pressure_mpa contraction_low<CONTRACTION> contraction_high<CONTRACTION> name
+@muscle Advanced: @engine
+@units
+o/output<DIR> | Folder for the files; without it only their names are printed
+Examples:
   mckibben export --list
   mckibben export examples/prototype.toml --as c -o muscle_model
   mckibben export -D 20 -s 2 --as mjcf -p 4bar -o scene";
 
-/// `export`.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "Question")]
-pub struct ExportArgs {
-    /// Target
-    #[arg(long = "as", value_name = "TARGET", value_parser = TARGETS, required_unless_present = "list")]
-    pub target: Option<String>,
-    /// List the targets: what each is, needs and loses
-    #[arg(long)]
-    pub list: bool,
-    /// Supply pressure, the upper end of the box [0.25, or the allowed pressure where that is lower]
-    #[arg(short, long, value_name = "PRESSURE", allow_hyphen_values = true)]
-    pub pressure: Option<String>,
-    /// Lower end of the box in the contraction [-5%]
-    #[arg(long, value_name = "CONTRACTION", allow_hyphen_values = true)]
-    pub contraction_low: Option<String>,
-    /// Upper end of the box in the contraction [free contraction at the supply pressure]
-    #[arg(long, value_name = "CONTRACTION", allow_hyphen_values = true)]
-    pub contraction_high: Option<String>,
-    /// Name of the muscle in the files [that of the muscle file]
-    #[arg(long, value_name = "NAME")]
-    pub name: Option<String>,
-    #[command(flatten)]
-    pub muscle: MuscleFlags,
-    #[command(flatten)]
-    pub model: ModelFlags,
-    #[command(flatten)]
-    pub units: UnitsFlag,
-    /// Folder for the files; without it only their names are printed
-    #[arg(short, long, value_name = "DIR", help_heading = "Output")]
-    pub output: Option<PathBuf>,
-}
-
-pub fn run(args: &ExportArgs, format: Format) -> Result<u8, Failure> {
-    if args.list {
+pub fn run(asked: &Asked) -> Result<u8, Failure> {
+    if asked.is("list") {
         let answer = export_list(&ExportListRequest {})?;
-        show(&answer, format, "targets", || list_text(&answer), None)?;
-        return Ok(0);
+        return asked.print(&answer, "targets", || list_text(&answer));
     }
-    let ratio = |flag: &str, text: &Option<String>| quantity(flag, text.as_deref(), Dimension::Ratio);
-    let request = ExportRequest {
-        muscle: args.muscle.fields()?,
-        model: args.model.fields()?,
-        target: args.target.clone(),
-        pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
-        contraction_low: ratio("--contraction-low", &args.contraction_low)?,
-        contraction_high: ratio("--contraction-high", &args.contraction_high)?,
-        name: args.name.clone(),
-    };
-    let answer = export(&request, &Bar::new("points"))?;
-    if let Some(folder) = &args.output {
-        save_all(&answer.files, folder)?;
-    }
-    show(&answer, format, FLAT, || text(&answer, args.output.as_deref()), None)?;
-    Ok(0)
+    let answer = export(&asked.request()?, &Bar::new("points"))?;
+    let folder = asked.path("output");
+    folder.as_deref().map_or(Ok(()), |folder| save_all(&answer.files, folder))?;
+    asked.print(&answer, FLAT, || text(&answer, folder.as_deref()))
 }
 
 fn list_text(answer: &ExportListAnswer) -> String {

@@ -1,64 +1,27 @@
 //! `fill`: a volume of liquid pushed into a muscle.
 
+use crate::asked::Asked;
 use crate::failure::Failure;
-use crate::flags::{LiquidFlags, LoadFlag, ModelFlags, MuscleFlags, OutputFlags};
-use crate::format::Format;
 use crate::output::text::{Units, half_width, number, pairs, percent, within};
-use crate::output::{FLAT, burst_first, show};
+use crate::output::{FLAT, burst_first};
 use crate::progress::Bar;
-use crate::quantities::{contraction, quantity};
 use crate::shown;
-use clap::Args;
 use mckibben::load::FillState;
-use mckibben::units::Dimension;
+use mckibben_app::FillAnswer;
 use mckibben_app::rows::{Row, estimated, limit_rows};
-use mckibben_app::{FillAnswer, FillRequest};
 
-pub const EXAMPLES: &str = "Examples:
+pub const TEXT: &str = "fill: Pressure, stroke and energy of a muscle that a volume of liquid is pushed into
+Question: volume_mm3
+@load e/contraction liquid gas_share=gas<SHARE> dead_volume_mm3 liquid_bulk_modulus_mpa=bulk-modulus<MODULUS>*
+@muscle @model @output
+Examples:
   mckibben fill -D 30 -s 2 -L 200 --volume 20mL --load mass:10kg
   mckibben fill examples/festo-dmsp-20.toml --volume 30mL -e 10% --liquid oil --gas 1% --dead-volume 15mL";
 
-/// `fill`.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "Question")]
-pub struct FillArgs {
-    /// Volume that is pushed in, from rest length without pressure, filled without air
-    ///
-    /// Measured at atmospheric pressure: the stroke of a syringe that is empty at the end but for the dead volume.
-    #[arg(long, value_name = "VOLUME", allow_hyphen_values = true)]
-    pub volume: Option<String>,
-    #[command(flatten)]
-    pub load: LoadFlag,
-    /// Contraction ratio at which the muscle is held; with a load, where its way ends
-    #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
-    pub contraction: Option<String>,
-    #[command(flatten, next_help_heading = "Question")]
-    pub liquid: LiquidFlags,
-    #[command(flatten)]
-    pub muscle: MuscleFlags,
-    #[command(flatten)]
-    pub model: ModelFlags,
-    #[command(flatten)]
-    pub output: OutputFlags,
-}
-
-/// A volume of liquid pushed into a muscle.
-pub fn run(args: &FillArgs, format: Format) -> Result<u8, Failure> {
-    let answer = mckibben_app::fill(
-        &FillRequest {
-            muscle: args.muscle.fields()?,
-            model: args.model.fields()?,
-            asking: args.model.asking.fields(),
-            volume_mm3: quantity("--volume", args.volume.as_deref(), Dimension::Volume)?,
-            liquid: args.liquid.fields()?,
-            load: args.load.fields()?,
-            contraction: contraction("--contraction", args.contraction.as_deref())?,
-        },
-        &Bar::hidden(),
-    )?;
+pub fn run(asked: &Asked) -> Result<u8, Failure> {
+    let answer = mckibben_app::fill(&asked.request()?, &Bar::hidden())?;
     let text = || burst_first(&answer.fill.answer.warnings) + &pairs(&rows(&answer, &shown::units()));
-    show(&answer, format, FLAT, text, args.output.target())?;
-    Ok(0)
+    asked.show(&answer, FLAT, text)
 }
 
 fn rows(answer: &FillAnswer, u: &Units) -> Vec<Row> {

@@ -1,62 +1,56 @@
 //! `help COMMAND` and `man`: the flags of the commands as text and as manual pages.
 
+use crate::asked::Asked;
+use crate::cli::command;
 use crate::failure::Failure;
 use crate::output::{emit, save};
-use clap::{Args, Command};
+use clap::Command;
+use clap_complete::Shell;
 use clap_mangen::Man;
 use mckibben_app::ProblemKind;
-use std::path::PathBuf;
 
-pub const EXAMPLES: &str = "Examples:
+pub const TEXT: &str = "help: Help of a command, as its flag --help prints it
+:command<COMMAND>+ | Command, such as `force` or `parts show` [mckibben]
+Examples:
   mckibben help force
   mckibben help parts show";
 
-pub const MAN_EXAMPLES: &str = "Examples:
+pub const MAN: &str = "man: Manual pages for `man`
+:command<COMMAND>+^output | Command whose page is printed [mckibben]
+Output:
+o/output<DIR> | Write the pages of all commands into a folder
+Examples:
   mckibben man -o man/man1
   mckibben man force
 
 Read the pages of a folder with: man -M man mckibben-force
 Where `man` finds them by itself: mckibben man -o ~/.local/share/man/man1";
 
-/// `help`.
-#[derive(Debug, Args)]
-pub struct HelpArgs {
-    /// Command, such as `force` or `parts show` [mckibben]
-    #[arg(value_name = "COMMAND")]
-    pub command: Vec<String>,
-}
-
-/// `man`.
-#[derive(Debug, Args)]
-pub struct ManArgs {
-    /// Command whose page is printed [mckibben]
-    #[arg(value_name = "COMMAND", conflicts_with = "output")]
-    pub command: Vec<String>,
-    /// Write the pages of all commands into a folder
-    #[arg(short, long, value_name = "DIR", help_heading = "Output")]
-    pub output: Option<PathBuf>,
-}
+pub const COMPLETIONS: &str = "completions: Shell completions, written to standard output
+:shell<SHELL~bash/elvish/fish/powershell/zsh>! | The shell
+Example:
+  mckibben completions bash";
 
 /// Prints the help of a command.
-pub fn run(args: &HelpArgs, root: Command) -> Result<u8, Failure> {
-    let (mut root, words) = (built(root), &args.command);
+pub fn run(asked: &Asked) -> Result<u8, Failure> {
+    let (mut root, words) = (built(), asked.texts("command"));
     let mut found = &mut root;
-    for word in words {
-        found = found.find_subcommand_mut(word).ok_or_else(|| unknown(words))?;
+    for word in &words {
+        found = found.find_subcommand_mut(word).ok_or_else(|| unknown(&words))?;
     }
     found.print_long_help().map_err(|e| Failure::stdout(&e))?;
     Ok(0)
 }
 
 /// Prints one manual page, or writes all.
-pub fn man(args: &ManArgs, root: Command) -> Result<u8, Failure> {
-    let root = built(root);
-    let Some(folder) = &args.output else {
-        let found = args.command.iter().try_fold(&root, |found, word| found.find_subcommand(word));
-        emit(page(found.ok_or_else(|| unknown(&args.command))?)?, None)?;
+pub fn man(asked: &Asked) -> Result<u8, Failure> {
+    let (root, words) = (built(), asked.texts("command"));
+    let Some(folder) = asked.path("output") else {
+        let found = words.iter().try_fold(&root, |found, word| found.find_subcommand(word));
+        emit(page(found.ok_or_else(|| unknown(&words))?)?, None)?;
         return Ok(0);
     };
-    std::fs::create_dir_all(folder).map_err(|e| Failure::unwritable(folder, &e))?;
+    std::fs::create_dir_all(&folder).map_err(|e| Failure::unwritable(&folder, &e))?;
     let mut left = vec![&root];
     while let Some(command) = left.pop() {
         let path = folder.join(Man::new(command.clone()).get_filename());
@@ -66,8 +60,19 @@ pub fn man(args: &ManArgs, root: Command) -> Result<u8, Failure> {
     Ok(0)
 }
 
+/// Prints the completions of a shell.
+pub fn completions(asked: &Asked) -> Result<u8, Failure> {
+    let shell: Shell = asked.text("shell").and_then(|name| name.parse().ok()).unwrap_or(Shell::Bash);
+    // Into memory first: clap_complete panics where it cannot write.
+    let mut script = vec![];
+    clap_complete::generate(shell, &mut command(), "mckibben", &mut script);
+    emit(&script, None)?;
+    Ok(0)
+}
+
 /// The command line with all that it inherits.
-fn built(mut root: Command) -> Command {
+fn built() -> Command {
+    let mut root = command();
     root.build();
     root
 }

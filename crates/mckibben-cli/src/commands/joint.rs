@@ -1,60 +1,29 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a joint.
 
+use crate::asked::Asked;
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{ModelFlags, OutputFlags, PlotFlag};
-use crate::format::Format;
-use crate::output::text::{Units, half_width, number, table, within};
-use crate::output::{burst_first, is_text, show};
-use crate::plot;
+use crate::output::text::{Units, columns, half_width, number, or_dash, within};
+use crate::output::{burst_first, is_text};
 use crate::progress::Bar;
-use crate::quantities::{points, quantity, values};
 use crate::shown;
-use clap::Args;
-use mckibben::units::Dimension;
 use mckibben_app::rows::limit_rows;
 use mckibben_app::{JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, TextFile, joint};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-pub const EXAMPLES: &str = "Examples:
+pub const TEXT: &str = "joint: Joint with one muscle and a spring, or with two opposed muscles: torque, stiffness, rest position, pressures
+Question:
+:file<JOINT.toml>! | Joint file
+p/pressures_mpa=pressure<PRESSURES>+ | Pressures of the muscles, such as 2bar,1bar; may be repeated for a family
+angles_deg=angle torque_nm stiffness_nm_per_rad<STIFFNESS> max_pressure_mpa map<N:2..65535>
+Advanced: @engine extrapolate*
+@plot @output
+Examples:
   mckibben joint examples/elbow.toml -p 2bar,1bar --angle -45..45:5deg
   mckibben joint examples/elbow.toml -p 2bar,1bar -p 3bar,1bar
   mckibben joint examples/elbow.toml --angle 20deg --torque 2Nm --stiffness 12
   mckibben joint examples/elbow.toml --map 25 --max-pressure 4bar \\
     --model universal --plot map.svg";
-
-/// `joint`.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "Question")]
-pub struct JointArgs {
-    /// Joint file
-    #[arg(value_name = "JOINT.toml")]
-    pub file: PathBuf,
-    /// Pressures of the muscles, such as 2bar,1bar; may be repeated for a family
-    #[arg(short, long, value_name = "PRESSURES", allow_hyphen_values = true)]
-    pub pressure: Vec<String>,
-    /// Angles from the neutral angle [none: the rest position]
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
-    pub angle: Option<String>,
-    /// Required torque at the angle [0]; with pressures and without an angle: an external torque
-    #[arg(long, value_name = "TORQUE", allow_hyphen_values = true)]
-    pub torque: Option<String>,
-    /// Required stiffness at the angle [none: the lowest pressures]
-    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true)]
-    pub stiffness: Option<String>,
-    /// Supply pressure [6bar]
-    #[arg(long, value_name = "PRESSURE", allow_hyphen_values = true)]
-    pub max_pressure: Option<String>,
-    /// Map of the reachable angles and stiffnesses, with N pressures of each muscle
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..))]
-    pub map: Option<u16>,
-    #[command(flatten)]
-    pub model: ModelFlags,
-    #[command(flatten)]
-    pub plot: PlotFlag,
-    #[command(flatten)]
-    pub output: OutputFlags,
-}
 
 /// A joint file with its muscle files, which lie relative to it.
 pub fn fields(path: &Path) -> Result<JointFields, Failure> {
@@ -70,51 +39,18 @@ pub fn fields(path: &Path) -> Result<JointFields, Failure> {
     Ok(JointFields { joint: Some(joint), muscles })
 }
 
-pub fn run(args: &JointArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(&args.plot)?;
-    let unit = shown::units();
-    let asking = args.model.asking.fields();
-    if asking.two_sided {
-        let message = "--two-sided: muscles of a joint pull on ropes and do not push";
-        return Err(Failure::input(ProblemKind::Usage, message, ""));
-    }
-    if !asking.direction.is_mean() {
-        let message = "--branch: a joint answers with both branches where its muscles state their friction";
-        return Err(Failure::input(ProblemKind::Usage, message, "leave it out"));
-    }
-    let pressures = args.pressure.iter().map(|text| {
-        let list = values("--pressure", Some(text), Dimension::Pressure)?;
-        Ok(list.map_or_else(Vec::new, |v| v.sampled(1)))
-    });
-    let request = JointRequest {
-        joint: fields(&args.file)?,
-        model: args.model.fields()?,
-        pressures_mpa: pressures.collect::<Result<_, Failure>>()?,
-        angles_deg: points("--angle", args.angle.as_deref(), Dimension::Angle, 24)?,
-        torque_nm: quantity("--torque", args.torque.as_deref(), Dimension::Torque)?,
-        stiffness_nm_per_rad: quantity(
-            "--stiffness",
-            args.stiffness.as_deref(),
-            Dimension::AngularStiffness,
-        )?,
-        max_pressure_mpa: quantity("--max-pressure", args.max_pressure.as_deref(), Dimension::Pressure)?,
-        map: args.map.map(usize::from),
-        extrapolate: asking.extrapolate,
-        // Text does not show them.
-        without_start_pressures: is_text(args.output.target(), format)?,
-        figure: args.plot.plot.as_ref().map(|_| unit.clone()),
-    };
-    let bar = Bar::new("joint");
-    let mut answer = joint(&request, &bar)?;
-    drop(bar);
-    if args.plot.plot.is_some() && answer.figure.is_none() {
+pub fn run(asked: &Asked) -> Result<u8, Failure> {
+    let mut request: JointRequest = asked.request()?;
+    request.joint = fields(&asked.path("file").unwrap_or_default())?;
+    // Text does not show them.
+    request.without_start_pressures = is_text(asked.path("output").as_deref(), asked.format)?;
+    let mut answer = joint(&request, &Bar::new("joint"))?;
+    if request.figure.is_some() && answer.figure.is_none() {
         let message = "--plot: a figure of a joint has torques over angles, or a map";
         return Err(Failure::input(ProblemKind::Usage, message, "give --angle with a range, or --map"));
     }
-    plot::save(answer.figure.take(), &args.plot)?;
-    let text = || burst_first(&answer.warnings) + &as_text(&answer, &unit);
-    show(&answer, format, "points", text, args.output.target())?;
-    Ok(0)
+    asked.draw(&mut answer.figure)?;
+    asked.show(&answer, "points", || burst_first(&answer.warnings) + &as_text(&answer, &shown::units()))
 }
 
 fn as_text(answer: &JointAnswer, u: &Units) -> String {
@@ -141,101 +77,77 @@ fn as_text(answer: &JointAnswer, u: &Units) -> String {
         if at_rest.is_empty() {
             text += "\nat all of these pressures the joint rests at a limit of its range, or is loose\n";
         } else {
-            text += &format!(
-                "\nat rest it reaches {} to {} ° and {} to {} N m/rad\n",
-                number(angles.0, 4),
-                number(angles.1, 4),
-                number(stiffnesses.0, 4),
-                number(stiffnesses.1, 4)
-            );
+            let to = |(low, high): (f64, f64)| format!("{} to {}", number(low, 4), number(high, 4));
+            text += &format!("\nat rest it reaches {} ° and {} N m/rad\n", to(angles), to(stiffnesses));
         }
-        text += &format!(
-            "its torques reach from {} to {} N m over its range\n",
-            number(least, 4),
-            number(most, 4)
-        );
+        let (least, most) = (number(least, 4), number(most, 4));
+        text += &format!("its torques reach from {least} to {most} N m over its range\n");
     }
     text
 }
 
 fn rows(points: &[JointRow], u: &Units) -> String {
-    let two = points.iter().any(|q| q.pressure_2_mpa.is_some());
-    let branches = points.iter().any(|q| q.torque_turning_plus_nm.is_some());
-    let resting = points.iter().any(|q| q.rest.is_some());
-    let angle_half = points.iter().any(|q| q.angle_uncertainty_deg.is_some());
-    let halves =
-        points.iter().any(|q| q.pressure_1_uncertainty_mpa.or(q.pressure_2_uncertainty_mpa).is_some());
-    let (pressure, force) =
-        (|i: u8| u.pressure.heading(&format!("P{i}")), |i: u8| u.force.heading(&format!("F{i}")));
-    let mut header = vec!["φ [°]".to_owned()];
-    header.extend(angle_half.then(|| "± [°]".to_owned()));
-    for i in 1..=if two { 2 } else { 1 } {
-        header.push(pressure(i));
-        header.extend(halves.then(|| u.pressure.heading("±")));
-    }
-    header.extend(["τ [N m]".into(), "± [N m]".into()]);
-    if branches {
-        header.extend(["turning to +".to_owned(), "to −".into()]);
-    }
-    let stiffness_half = points.iter().any(|q| q.stiffness_uncertainty_nm_per_rad.is_some());
-    header.push("−dτ/dφ [N m/rad]".to_owned());
-    header.extend(stiffness_half.then(|| "±".to_owned()));
-    let shut = points.iter().any(|q| q.shut.isothermal_nm_per_rad.is_some());
-    header.extend(shut.then(|| "valves shut".to_owned()));
-    header.push(force(1));
-    if two {
-        header.push(force(2));
-    }
-    if resting {
-        header.push("rest".into());
-    }
     let torque = |v: f64| number(if v.abs() < 1e-9 { 0.0 } else { v }, 4);
-    let some = |v: Option<f64>| v.map_or_else(|| "–".to_owned(), torque);
+    // A value to the digits that its ± leaves, and the ±.
+    let both = |value: f64, half: Option<f64>, alone: &dyn Fn(f64) -> String| {
+        (half.map_or_else(|| alone(value), |half| within(value, half)), or_dash(half, half_width))
+    };
     // Beside the largest pull of the table: a muscle without pressure pulls by rounding alone.
     let all = points.iter().flat_map(|q| [Some(q.force_1_n), q.force_2_n]).flatten();
     let nothing = 1e-6 * all.fold(0.0, |most: f64, f| most.max(f.abs()));
     let pulls = |of: &dyn Fn(&JointRow) -> (Option<f64>, bool)| -> Vec<String> {
         let pull = |q: &JointRow| of(q).0.map(|f| if f.abs() < nothing { 0.0 } else { f });
-        let cells = u.force.column(points.iter().map(pull), 4);
-        let slack = points.iter().map(|q| of(q).1);
-        cells.into_iter().zip(slack).map(|(cell, slack)| if slack { "slack".into() } else { cell }).collect()
+        let cells = u.force.column(points.iter().map(pull), 4).into_iter().zip(points);
+        cells.map(|(cell, q)| if of(q).1 { "slack".into() } else { cell }).collect()
     };
-    let first = pulls(&|q| (Some(q.force_1_n), q.slack_1));
-    let second = pulls(&|q| (q.force_2_n, q.slack_2 == Some(true)));
-    let row = |(i, q): (usize, &JointRow)| {
-        let unknown = || "–".to_owned();
+    let mut list: Vec<(String, Vec<String>)> = vec![];
+    let mut add = |is_shown: bool, heading: &str, cells: Vec<String>| {
+        list.extend(is_shown.then(|| (heading.to_owned(), cells)));
+    };
+    let each = |of: &dyn Fn(&JointRow) -> String| points.iter().map(of).collect::<Vec<_>>();
+    let any = |has: &dyn Fn(&JointRow) -> bool| points.iter().any(has);
+    let angles = points.iter().map(|q| {
         let angle = if q.angle_deg.abs() < 1e-9 { 0.0 } else { q.angle_deg };
-        let mut row =
-            vec![q.angle_uncertainty_deg.map_or_else(|| number(angle, 5), |half| within(angle, half))];
-        row.extend(angle_half.then(|| q.angle_uncertainty_deg.map_or_else(unknown, half_width)));
-        let sought = [
-            (Some(q.pressure_1_mpa), q.pressure_1_uncertainty_mpa),
-            (q.pressure_2_mpa, q.pressure_2_uncertainty_mpa),
-        ];
-        for (p, half) in sought.into_iter().filter_map(|(p, half)| Some((p?, half))) {
-            row.push(u.pressure.within(p, half));
-            row.extend(halves.then(|| half.map_or_else(unknown, |half| u.pressure.half_width(half))));
-        }
-        let known = |half| within(q.torque_nm, half);
-        row.extend([
-            q.uncertainty_nm.map_or_else(|| torque(q.torque_nm), known),
-            q.uncertainty_nm.map_or_else(|| "–".into(), half_width),
-        ]);
-        if branches {
-            row.extend([some(q.torque_turning_plus_nm), some(q.torque_turning_minus_nm)]);
-        }
-        let half = q.stiffness_uncertainty_nm_per_rad;
-        row.push(half.map_or_else(|| torque(q.stiffness_nm_per_rad), |h| within(q.stiffness_nm_per_rad, h)));
-        row.extend(stiffness_half.then(|| half.map_or_else(unknown, half_width)));
-        let [slow, quick] = [q.shut.isothermal_nm_per_rad, q.shut.adiabatic_nm_per_rad].map(some);
-        row.extend(shut.then(|| if slow == quick { slow } else { format!("{slow} to {quick}") }));
-        row.push(first[i].clone());
-        row.extend(q.force_2_n.map(|_| second[i].clone()));
-        if resting {
-            row.push(q.rest.map_or("", mckibben_app::RestWord::name).into());
-        }
-        row
+        both(angle, q.angle_uncertainty_deg, &|angle| number(angle, 5))
+    });
+    let (angles, halves): (Vec<_>, Vec<_>) = angles.unzip();
+    add(true, "φ [°]", angles);
+    add(any(&|q| q.angle_uncertainty_deg.is_some()), "± [°]", halves);
+    let two = any(&|q| q.pressure_2_mpa.is_some());
+    let halves = any(&|q| q.pressure_1_uncertainty_mpa.or(q.pressure_2_uncertainty_mpa).is_some());
+    let first = |q: &JointRow| (Some(q.pressure_1_mpa), q.pressure_1_uncertainty_mpa);
+    let second = |q: &JointRow| (q.pressure_2_mpa, q.pressure_2_uncertainty_mpa);
+    for (name, of) in
+        [("P1", &first as &dyn Fn(&JointRow) -> _), ("P2", &second)].into_iter().take(1 + usize::from(two))
+    {
+        add(true, &u.pressure.heading(name), each(&|q| or_dash(of(q).0, |p| u.pressure.within(p, of(q).1))));
+        add(
+            halves,
+            &u.pressure.heading("±"),
+            each(&|q| or_dash(of(q).1, |half| u.pressure.half_width(half))),
+        );
+    }
+    let torques = points.iter().map(|q| both(q.torque_nm, q.uncertainty_nm, &torque));
+    let (torques, halves): (Vec<_>, Vec<_>) = torques.unzip();
+    add(true, "τ [N m]", torques);
+    add(true, "± [N m]", halves);
+    let branches = any(&|q| q.torque_turning_plus_nm.is_some());
+    add(branches, "turning to +", each(&|q| or_dash(q.torque_turning_plus_nm, torque)));
+    add(branches, "to −", each(&|q| or_dash(q.torque_turning_minus_nm, torque)));
+    let known = any(&|q| q.stiffness_uncertainty_nm_per_rad.is_some());
+    let stiffness = |q: &JointRow| both(q.stiffness_nm_per_rad, q.stiffness_uncertainty_nm_per_rad, &torque);
+    let (stiffnesses, halves): (Vec<_>, Vec<_>) = points.iter().map(stiffness).unzip();
+    add(true, "−dτ/dφ [N m/rad]", stiffnesses);
+    add(known, "±", halves);
+    let shut = |q: &JointRow| {
+        let [slow, quick] =
+            [q.shut.isothermal_nm_per_rad, q.shut.adiabatic_nm_per_rad].map(|v| or_dash(v, torque));
+        if slow == quick { slow } else { format!("{slow} to {quick}") }
     };
-    let header: Vec<&str> = header.iter().map(String::as_str).collect();
-    table(&header, points.iter().enumerate().map(row).collect())
+    add(any(&|q| q.shut.isothermal_nm_per_rad.is_some()), "valves shut", each(&shut));
+    add(true, &u.force.heading("F1"), pulls(&|q| (Some(q.force_1_n), q.slack_1)));
+    add(two, &u.force.heading("F2"), pulls(&|q| (q.force_2_n, q.slack_2 == Some(true))));
+    let rest = |q: &JointRow| q.rest.map_or("", mckibben_app::RestWord::name).to_owned();
+    add(any(&|q| q.rest.is_some()), "rest", each(&rest));
+    columns(list)
 }

@@ -1,26 +1,31 @@
 //! `motion`: a muscle or a joint on a valve, over time.
 
 use super::joint;
+use crate::asked::{Asked, load_tables};
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{ModelFlags, OutputFlags, PlotFlag};
-use crate::format::Format;
+use crate::output::burst_first;
 use crate::output::text::{Units, air, half_width, number, pairs, percent, within};
-use crate::output::{burst_first, show};
-use crate::plot;
 use crate::progress::Bar;
-use crate::quantities::quantity;
 use crate::shown;
-use clap::Args;
-use mckibben::load::Load;
-use mckibben::units::Dimension;
 use mckibben_app::rows::limit_rows;
-use mckibben_app::{
-    MotionAnswer, MotionRequest, MotionRun, MotionSweep, ProblemKind, StepFields, Subject, TextFile, motion,
-};
-use std::path::{Path, PathBuf};
+use mckibben_app::{MotionAnswer, MotionRequest, MotionRun, ProblemKind, Subject, TextFile, motion};
+use serde_json::json;
+use std::path::Path;
 
-pub const EXAMPLES: &str = "Examples:
+pub const TEXT: &str = "motion: Motion over time of a muscle or a joint with valves
+Question:
+:file<DRIVE.toml>!^muscle | Drive file; or give a muscle, a load, a valve and a pressure by the flags below
+change=sweep<KEY=VALUE,…> | Run once for each value of a key of the drive file
+size<WHAT~valve>&rise_time_s | Part to size
+rise_time_s&size | Required rise time (10 to 90 %) with the smallest valve
+Instead_of_a_drive_file:
+muscle^file&step.pressure_mpa,step.valve,step.load | Muscle file
+p/step.pressure_mpa=pressure&muscle step.load<LOAD>&muscle step.valve<VALVE>&muscle step.supply_mpa&muscle step.damping_n_s_per_m<DAMPING>&muscle
+step.until_s&muscle | End time of the run [2s]
+Advanced: @engine
+@plot @output
+Examples:
   mckibben motion examples/drive.toml --plot step.svg
   mckibben motion examples/drive.toml --model universal -o step.csv
   mckibben motion examples/drive.toml --model universal \\
@@ -31,145 +36,45 @@ pub const EXAMPLES: &str = "Examples:
   mckibben motion --muscle examples/prototype.toml --load mass:10kg -p 3bar \\
     --valve '0.5 L/(s bar)' --damping '200 N s/m'";
 
-/// `motion`.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "Question")]
-pub struct MotionArgs {
-    /// Drive file; or give a muscle, a load, a valve and a pressure by the flags below
-    #[arg(value_name = "DRIVE.toml", required_unless_present = "muscle")]
-    pub file: Option<PathBuf>,
-    /// Run once for each value of a key of the drive file
-    #[arg(long, value_name = "KEY=VALUE,…")]
-    pub sweep: Option<String>,
-    /// Part to size
-    #[arg(long, value_name = "WHAT", value_parser = ["valve"], requires = "rise_time")]
-    pub size: Option<String>,
-    /// Required rise time (10 to 90 %) with the smallest valve
-    #[arg(long, value_name = "TIME", requires = "size")]
-    pub rise_time: Option<String>,
-    #[command(flatten)]
-    pub step: StepFlags,
-    #[command(flatten)]
-    pub model: ModelFlags,
-    #[command(flatten)]
-    pub plot: PlotFlag,
-    #[command(flatten)]
-    pub output: OutputFlags,
-}
-
-/// A step of pressure without a drive file.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "Instead of a drive file")]
-pub struct StepFlags {
-    /// Muscle file
-    #[arg(long, value_name = "FILE", conflicts_with = "file", requires_all = ["pressure", "valve", "load"])]
-    pub muscle: Option<PathBuf>,
-    /// Pressure of the step
-    #[arg(short, long, value_name = "PRESSURE", requires = "muscle")]
-    pub pressure: Option<String>,
-    /// Load, as for the other commands: mass:10kg, spring:2N/mm+mass:1kg, table:load.csv
-    #[arg(long, value_name = "LOAD", requires = "muscle")]
-    pub load: Option<String>,
-    /// Valve: a name, or its sonic conductance such as 0.5L/(s bar)
-    #[arg(long, value_name = "VALVE", requires = "muscle")]
-    pub valve: Option<String>,
-    /// Supply pressure [6bar]
-    #[arg(long, value_name = "PRESSURE", requires = "muscle")]
-    pub supply: Option<String>,
-    /// Damping of the load [0]
-    #[arg(long, value_name = "DAMPING", requires = "muscle")]
-    pub damping: Option<String>,
-    /// End time of the run [2s]
-    #[arg(long, value_name = "TIME", requires = "muscle")]
-    pub until: Option<String>,
-}
-
-impl StepFlags {
-    fn fields(&self) -> Result<StepFields, Failure> {
-        Ok(StepFields {
-            pressure_mpa: quantity("--pressure", self.pressure.as_deref(), Dimension::Pressure)?,
-            supply_mpa: quantity("--supply", self.supply.as_deref(), Dimension::Pressure)?,
-            valve: self.valve.clone(),
-            load: self.load.clone(),
-            damping_n_s_per_m: quantity("--damping", self.damping.as_deref(), Dimension::Damping)?
-                .unwrap_or(0.0),
-            until_s: quantity("--until", self.until.as_deref(), Dimension::Time)?,
-        })
-    }
-}
-
-/// A request without what is asked of it.
-fn files_of(args: &MotionArgs) -> Result<MotionRequest, Failure> {
-    let named = |path: &Path, name: String| files::text(path).map(|file| TextFile { name, ..file });
-    let Some(path) = &args.file else {
-        let muscle = args.step.muscle.as_deref().map(files::muscle).transpose()?;
-        let names = args.step.load.iter().flat_map(|load| Load::tables(load));
-        let tables = names.map(|name| named(Path::new(name), name.into())).collect::<Result<_, _>>()?;
-        return Ok(MotionRequest {
-            step: Some(args.step.fields()?),
-            muscle,
-            tables,
-            ..MotionRequest::default()
-        });
-    };
+/// The files that a drive file names, in its request.
+fn add_files(request: &mut MotionRequest, path: &Path) -> Result<(), Failure> {
     let drive = files::text(path)?;
     let beside = path.parent().unwrap_or(Path::new(""));
     let names = MotionRequest::names_of(&drive)?;
-    let tables = names.tables.into_iter().map(|name| named(&beside.join(&name), name));
-    let tables = tables.collect::<Result<_, _>>()?;
-    let (mut muscle, mut fields) = (None, Default::default());
+    let table = |name: String| files::text(&beside.join(&name)).map(|file| TextFile { name, ..file });
+    request.tables = names.tables.into_iter().map(table).collect::<Result<_, _>>()?;
     match names.subject {
         Subject::Muscle(name) => {
             let file = files::muscle_beside(beside, &name)?;
-            muscle = Some(TextFile { name, ..file });
+            request.muscle = Some(TextFile { name, ..file });
         }
-        Subject::Joint(name) => fields = joint::fields(&beside.join(name))?,
+        Subject::Joint(name) => request.joint = joint::fields(&beside.join(name))?,
     }
-    Ok(MotionRequest { drive: Some(drive), muscle, tables, joint: fields, ..MotionRequest::default() })
+    request.drive = Some(drive);
+    Ok(())
 }
 
-pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(&args.plot)?;
-    let asking = args.model.asking.fields();
-    let ignored = [
-        ("--extrapolate", asking.extrapolate),
-        ("--two-sided", asking.two_sided),
-        ("--branch", !asking.direction.is_mean()),
-    ];
-    if let Some((flag, _)) = ignored.into_iter().find(|f| f.1) {
-        let message = format!("{flag} has no effect: a motion always computes friction and slack");
-        return Err(Failure::input(ProblemKind::Usage, message, "leave it out"));
+pub fn run(asked: &Asked) -> Result<u8, Failure> {
+    let file = asked.path("file");
+    if let Some(path) = &file {
+        shown::take_file(&files::text(path)?.text);
     }
-    let files = files_of(args)?;
-    files.drive.iter().for_each(|drive| shown::take_file(&drive.text));
-    let unit = shown::units();
-    let sweep = args.sweep.as_deref().map(|text| -> Result<MotionSweep, Failure> {
+    let mut fields = asked.fields()?;
+    fields.insert("tables".into(), load_tables(&asked.text("step.load").unwrap_or_default())?);
+    if let Some(text) = asked.text("change") {
         let (key, values) = text.split_once('=').ok_or_else(|| {
+            let message = format!("--sweep: \"{text}\" has no = followed by values");
             let hint = "as in --sweep 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'";
-            Failure::input(
-                ProblemKind::Usage,
-                format!("--sweep: \"{text}\" has no = followed by values"),
-                hint,
-            )
+            Failure::input(ProblemKind::Usage, message, hint)
         })?;
-        Ok(MotionSweep {
-            key: key.trim().into(),
-            values: values.split(',').map(|v| v.trim().into()).collect(),
-        })
-    });
-    let request = MotionRequest {
-        model: args.model.fields()?,
-        sweep: sweep.transpose()?,
-        rise_time_s: quantity("--rise-time", args.rise_time.as_deref(), Dimension::Time)?,
-        figure: args.plot.plot.as_ref().map(|_| unit.clone()),
-        ..files
-    };
-    let bar = Bar::new("motion");
-    let mut answer = motion(&request, &bar)?;
-    drop(bar);
-    plot::save(answer.figure.take(), &args.plot)?;
-    let text = || burst_first(&answer.warnings) + &as_text(&answer, &unit);
-    show(&answer, format, "series", text, args.output.target())?;
+        let values: Vec<&str> = values.split(',').map(str::trim).collect();
+        fields.insert("sweep".into(), json!({ "key": key.trim(), "values": values }));
+    }
+    let mut request: MotionRequest = mckibben_app::understood(fields.into())?;
+    file.map_or(Ok(()), |path| add_files(&mut request, &path))?;
+    let mut answer = motion(&request, &Bar::new("motion"))?;
+    asked.draw(&mut answer.figure)?;
+    asked.show(&answer, "series", || burst_first(&answer.warnings) + &as_text(&answer, &shown::units()))?;
     Ok(answer.problem().map_or(0, |problem| Failure::from(problem).exit()))
 }
 

@@ -5,61 +5,39 @@ mod muscle;
 mod rubber;
 mod sleeve;
 
+use crate::asked::Asked;
 use crate::failure::Failure;
-use crate::files;
-use crate::flags::OutputFlags;
-use crate::format::Format;
-use crate::names::NAMES;
 use crate::output::text::{number, pairs, table};
-use crate::output::{show as print, warn};
+use crate::output::warn;
 use crate::shown;
-use crate::word::word;
-use clap::Args;
-use mckibben_app::{
-    PartKind, PartShowRequest, PartsListAnswer, PartsListRequest, TubePart, part_show, parts_list,
-};
-use std::path::PathBuf;
+use mckibben_app::{PartKind, PartsListAnswer, PartsListRequest, TubePart, part_show, parts_list};
 
-pub const EXAMPLES: &str = "Examples:
+pub const LIST: &str = "parts list: All of them, or those of one kind
+:kind<KIND> | Only one kind: tubes, sleeves, rubbers, muscles or models
+parts<FILE.toml> | Tubes of your own: a file of the catalogue's form
+@output
+Example:
+  mckibben parts list tubes";
+
+pub const SHOW: &str = "parts show: What has a name: its data, source and terms
+:any=name<NAME>! | Name; of a rubber also NAME:LAW
+@output
+Examples:
   mckibben parts show latex-1/4x3/8in
   mckibben parts show dragon-skin-30
   mckibben design -F 60N -e 15% -p 4bar --tube latex-1/4x3/8in";
 
-/// `parts list`.
-#[derive(Debug, Args)]
-pub struct PartsListArgs {
-    /// Only one kind: tubes, sleeves, rubbers, muscles or models
-    #[arg(value_name = "KIND", value_parser = word::<PartKind>())]
-    pub kind: Option<PartKind>,
-    /// Tubes of your own: a file of the catalogue's form
-    #[arg(long, value_name = "FILE.toml")]
-    pub parts: Option<PathBuf>,
-    #[command(flatten)]
-    pub output: OutputFlags,
-}
-
-/// `parts show`.
-#[derive(Debug, Args)]
-pub struct PartShowArgs {
-    /// Name; of a rubber also NAME:LAW
-    #[arg(value_parser = NAMES, hide_possible_values = true)]
-    pub name: String,
-    #[command(flatten)]
-    pub output: OutputFlags,
-}
-
-pub fn list(args: &PartsListArgs, format: Format) -> Result<u8, Failure> {
-    let parts = args.parts.as_deref().map(files::text).transpose()?;
-    let answer = parts_list(&PartsListRequest { kind: args.kind, parts })?;
-    let rows = match args.kind {
+pub fn list(asked: &Asked) -> Result<u8, Failure> {
+    let request: PartsListRequest = asked.request()?;
+    let answer = parts_list(&request)?;
+    let rows = match request.kind {
         Some(PartKind::Sleeves) => "sleeves",
         Some(PartKind::Rubbers) => "rubbers",
         Some(PartKind::Muscles) => "muscles",
         Some(PartKind::Models) => "models",
         Some(PartKind::Tubes) | None => "tubes",
     };
-    print(&answer, format, rows, || list_text(&answer), args.output.target())?;
-    Ok(0)
+    asked.show(&answer, rows, || list_text(&answer))
 }
 
 fn list_text(answer: &PartsListAnswer) -> String {
@@ -92,9 +70,9 @@ fn list_text(answer: &PartsListAnswer) -> String {
     out.join("\n") + "\n`mckibben parts show NAME` shows source, price and use.\n"
 }
 
-pub fn show(args: &PartShowArgs, format: Format) -> Result<u8, Failure> {
-    let answer = part_show(&PartShowRequest { name: args.name.clone() })?;
-    let text = || {
+pub fn show(asked: &Asked) -> Result<u8, Failure> {
+    let answer = part_show(&asked.request()?)?;
+    asked.show(&answer, "", || {
         answer.rubber.iter().flat_map(|r| &r.warnings).for_each(warn);
         let all = [
             answer.tube.as_ref().map(tube_text),
@@ -104,9 +82,7 @@ pub fn show(args: &PartShowArgs, format: Format) -> Result<u8, Failure> {
             answer.model.as_ref().map(model::details),
         ];
         all.into_iter().flatten().collect::<Vec<_>>().join("\n")
-    };
-    print(&answer, format, "", text, args.output.target())?;
-    Ok(0)
+    })
 }
 
 fn tube_text(t: &TubePart) -> String {

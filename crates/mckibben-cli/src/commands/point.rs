@@ -1,150 +1,53 @@
 //! `force`, `pressure`, `contraction`: one point.
 
+use crate::asked::Asked;
 use crate::failure::Failure;
-use crate::flags::{LoadFlag, ModelFlags, MuscleFlags, OutputFlags};
-use crate::format::Format;
+use crate::output::burst_first;
 use crate::output::loaded::loaded;
 use crate::output::text::pairs;
-use crate::output::{burst_first, show};
 use crate::progress::Bar;
-use crate::quantities::{contraction as contraction_ratio, quantity};
 use crate::shown;
-use clap::Args;
-use mckibben::units::Dimension;
 use mckibben_app::rows::point_rows;
-use mckibben_app::{ContractionRequest, ForceRequest, PointAnswer, PointQuantity, PressureRequest};
+use mckibben_app::{PointAnswer, PointQuantity};
 
-/// `force`.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "Question")]
-pub struct ForceArgs {
-    /// Gauge pressure
-    #[arg(short, long, value_name = "PRESSURE", allow_hyphen_values = true)]
-    pub pressure: Option<String>,
-    /// Contraction ratio ΔL/L0 [0]
-    #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
-    pub contraction: Option<String>,
-    /// Both branches of the friction hysteresis
-    ///
-    /// The band between them is printed as well.
-    #[arg(long)]
-    pub both: bool,
-    #[command(flatten)]
-    pub muscle: MuscleFlags,
-    #[command(flatten)]
-    pub model: ModelFlags,
-    #[command(flatten)]
-    pub output: OutputFlags,
-}
+pub const FORCE: &str = "force: Pull at a pressure and contraction: F(P, ε)
+Question: p/pressure_mpa e/contraction both
+@muscle @model @output
+Example:
+  mckibben force -D 50 -s 1 -p 0.25 -e 0.1 --model paper";
 
-/// `pressure`.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "Question")]
-pub struct PressureArgs {
-    /// Required pull
-    #[arg(short = 'F', long, value_name = "FORCE", allow_hyphen_values = true)]
-    pub force: Option<String>,
-    /// Contraction ratio ΔL/L0 [0]
-    #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
-    pub contraction: Option<String>,
-    /// Both branches of the friction hysteresis
-    ///
-    /// The band between them is printed as well.
-    #[arg(long)]
-    pub both: bool,
-    #[command(flatten)]
-    pub muscle: MuscleFlags,
-    #[command(flatten)]
-    pub model: ModelFlags,
-    #[command(flatten)]
-    pub output: OutputFlags,
-}
+pub const PRESSURE: &str = "pressure: Pressure that gives a pull at a contraction: P(F, ε)
+Question: F/force_n e/contraction both
+@muscle @model @output
+Example:
+  mckibben pressure -D 40 -s 2 -F 300N -e 10% --units bar";
 
-/// `contraction`.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "Question")]
-pub struct ContractionArgs {
-    /// Gauge pressure
-    #[arg(short, long, value_name = "PRESSURE", allow_hyphen_values = true)]
-    pub pressure: Option<String>,
-    /// Required pull [0N: free contraction]
-    #[arg(short = 'F', long, value_name = "FORCE", allow_hyphen_values = true)]
-    pub force: Option<String>,
-    #[command(flatten)]
-    pub load: LoadFlag,
-    /// Both branches of the friction hysteresis
-    ///
-    /// The band between them is printed as well.
-    #[arg(long)]
-    pub both: bool,
-    #[command(flatten)]
-    pub muscle: MuscleFlags,
-    #[command(flatten)]
-    pub model: ModelFlags,
-    #[command(flatten)]
-    pub output: OutputFlags,
-}
+pub const CONTRACTION: &str = "contraction: Contraction at which a pressure gives a pull: ε(F, P)
+Question: p/pressure_mpa F/force_n @load both
+@muscle @model @output
+Example:
+  mckibben contraction -D 40 -s 2 -F 600N -p 2.5bar";
 
 /// F(P, ε).
-pub fn force(args: &ForceArgs, format: Format) -> Result<u8, Failure> {
-    let answer = mckibben_app::force(
-        &ForceRequest {
-            muscle: args.muscle.fields()?,
-            model: args.model.fields()?,
-            asking: args.model.asking.fields(),
-            pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
-            contraction: contraction_ratio("--contraction", args.contraction.as_deref())?,
-            both: args.both,
-        },
-        &Bar::hidden(),
-    )?;
-    print(&answer, PointQuantity::Force, format, &args.output)
+pub fn force(asked: &Asked) -> Result<u8, Failure> {
+    show(asked, mckibben_app::force(&asked.request()?, &Bar::hidden())?, PointQuantity::Force)
 }
 
 /// P(F, ε).
-pub fn pressure(args: &PressureArgs, format: Format) -> Result<u8, Failure> {
-    let answer = mckibben_app::pressure(
-        &PressureRequest {
-            muscle: args.muscle.fields()?,
-            model: args.model.fields()?,
-            asking: args.model.asking.fields(),
-            force_n: quantity("--force", args.force.as_deref(), Dimension::Force)?,
-            contraction: contraction_ratio("--contraction", args.contraction.as_deref())?,
-            both: args.both,
-        },
-        &Bar::hidden(),
-    )?;
-    print(&answer, PointQuantity::Pressure, format, &args.output)
+pub fn pressure(asked: &Asked) -> Result<u8, Failure> {
+    show(asked, mckibben_app::pressure(&asked.request()?, &Bar::hidden())?, PointQuantity::Pressure)
 }
 
 /// ε(F, P).
-pub fn contraction(args: &ContractionArgs, format: Format) -> Result<u8, Failure> {
-    let answer = mckibben_app::contraction(
-        &ContractionRequest {
-            muscle: args.muscle.fields()?,
-            model: args.model.fields()?,
-            asking: args.model.asking.fields(),
-            force_n: quantity("--force", args.force.as_deref(), Dimension::Force)?,
-            load: args.load.fields()?,
-            pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
-            both: args.both,
-        },
-        &Bar::hidden(),
-    )?;
-    print(&answer, PointQuantity::Contraction, format, &args.output)
+pub fn contraction(asked: &Asked) -> Result<u8, Failure> {
+    show(asked, mckibben_app::contraction(&asked.request()?, &Bar::hidden())?, PointQuantity::Contraction)
 }
 
-fn print(
-    answer: &PointAnswer,
-    asked: PointQuantity,
-    format: Format,
-    output: &OutputFlags,
-) -> Result<u8, Failure> {
+fn show(asked: &Asked, answer: PointAnswer, of: PointQuantity) -> Result<u8, Failure> {
     let text = || {
         let u = shown::units();
         let load = answer.loaded.as_ref().map_or_else(String::new, |load| loaded(load, &u));
-        burst_first(&answer.point.warnings) + &pairs(&point_rows(answer, asked, &u)) + &load
+        burst_first(&answer.point.warnings) + &pairs(&point_rows(&answer, of, &u)) + &load
     };
-    show(answer, format, "", text, output.target())?;
-    Ok(0)
+    asked.show(&answer, "", text)
 }

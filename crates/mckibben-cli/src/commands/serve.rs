@@ -1,44 +1,37 @@
 //! `serve`: the workbench in a browser.
 
+use crate::asked::Asked;
 use crate::failure::Failure;
 use crate::format::Format;
 use crate::output::{emit, warn};
 use crate::progress;
-use clap::Args;
 use mckibben_app::ProblemKind;
 use mckibben_server::Config;
 use std::io::ErrorKind;
 use std::net::{Ipv4Addr, TcpListener};
 
-pub const EXAMPLES: &str = "Example:
+pub const TEXT: &str = "serve: Local web server: the workbench in a browser, and every command over HTTP
+port<PORT:0..65535> | Port; 0 selects a free port [8080]
+open | Open the page in the browser
+Example:
   mckibben serve --port 0
 
 Open the address that it prints in a browser; Ctrl-C ends it.";
 
-/// `serve`.
-#[derive(Debug, Args)]
-pub struct ServeArgs {
-    /// Port; 0 selects a free port
-    #[arg(long, value_name = "PORT", default_value_t = 8080)]
-    pub port: u16,
-    /// Open the page in the browser
-    #[arg(long)]
-    pub open: bool,
-}
-
 /// Serves until a signal ends it.
-pub fn run(args: ServeArgs, format: Format) -> Result<u8, Failure> {
+pub fn run(asked: &Asked) -> Result<u8, Failure> {
     // Signals are taken over before anybody can know that the server is there.
     progress::stopped();
-    let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, args.port)).map_err(|e| unbound(args.port, &e))?;
-    let address = listener.local_addr().map_err(|e| unbound(args.port, &e))?;
+    let port = asked.text("port").and_then(|text| text.trim().parse().ok()).unwrap_or(8080);
+    let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port)).map_err(|e| unbound(port, &e))?;
+    let address = listener.local_addr().map_err(|e| unbound(port, &e))?;
     let address = format!("http://{address}");
-    let line = match format {
+    let line = match asked.format {
         Format::Json => serde_json::json!({ "address": address }).to_string(),
         Format::Text | Format::Csv => address.clone(),
     };
     emit(&(line + "\n"), None)?;
-    if args.open
+    if asked.is("open")
         && let Err(error) = open::that_detached(&address)
     {
         warn(format!("no browser can be opened ({error}): open {address} yourself"));

@@ -1,34 +1,23 @@
 //! `curve --study thickness`.
 
-use super::curve::CurveArgs;
+use crate::asked::Asked;
 use crate::failure::Failure;
-use crate::format::Format;
 use crate::output::text::{Units, columns, percents};
-use crate::output::{show, warn};
-use crate::plot;
+use crate::output::warn;
 use crate::progress::Bar;
 use crate::shown;
 use mckibben::curve::Test;
 use mckibben::study::StudyPanel;
-use mckibben_app::{StudyAnswer, StudyRequest, study};
+use mckibben_app::{StudyAnswer, study};
 
-pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
-    plot::check(&args.plot)?;
-    let unit = shown::units();
-    let request = StudyRequest {
-        muscle: args.muscle.fields()?,
-        model: args.model.fields()?,
-        asking: args.model.asking.fields(),
-        figure: args.plot.plot.as_ref().map(|_| unit.clone()),
-    };
-    let mut answer = study(&request, &Bar::hidden())?;
-    plot::save(answer.figure.take(), &args.plot)?;
+pub fn run(asked: &Asked) -> Result<u8, Failure> {
+    let mut answer = study(&asked.request()?, &Bar::hidden())?;
+    asked.draw(&mut answer.figure)?;
     let text = || {
         answer.warnings.iter().for_each(warn);
-        as_text(&answer, &unit)
+        as_text(&answer, &shown::units())
     };
-    show(&answer, format, "points", text, args.output.target())?;
-    Ok(0)
+    asked.show(&answer, "points", text)
 }
 
 fn as_text(study: &StudyAnswer, u: &Units) -> String {

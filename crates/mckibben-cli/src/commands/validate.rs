@@ -1,38 +1,42 @@
 //! `validate`: verification and validation, each with its table.
 
-mod args;
 pub mod measured;
 
-pub use args::ValidateArgs;
-
+use crate::asked::Asked;
 use crate::failure::{Failure, NO_ANSWER};
-use crate::format::Format;
-use crate::output::show;
 use crate::output::text::{aligned, number, or_dash, table};
 use crate::output::width;
 use crate::progress::Bar;
 use mckibben::verification::{CaseKind, Measure, VerificationRow};
-use mckibben_app::{ProblemKind, SweepAnswer, SweepRequest, ValidateRequest};
+use mckibben_app::{ProblemKind, SweepAnswer, SweepRequest};
 
-pub const EXAMPLES: &str = "Examples:
+pub const TEXT: &str = "validate: Verification against exact values and validation against measured muscles
+all | Also compute the finest meshes (some seconds more)
+sweep<N:1..1000000>^all | Robustness sweep over N random muscles: the share of random points with an answer
+seed<N>&sweep | Seed of the random muscles [1]
+measured<DIR?>^sweep,all | Validation report of measured muscles and rubbers: known data, fitted constants, errors at fitted points and at predicted points. Cases of DIR, one folder each [the built-in cases]
+only<NAME,…>&measured | Only these cases, by folder name
+model<NAME>&measured | Model of the measured muscles [fe]
+@plot @output
+Examples:
   mckibben validate
   mckibben validate --sweep 50
   mckibben validate --measured --only dmsp-20-300
   mckibben validate --measured --only dmsp-10-hose --model thick-wall
   mckibben validate --measured --only rubber-treloar";
 
-pub fn run(args: &ValidateArgs, format: Format) -> Result<u8, Failure> {
-    let path = args.output.target();
-    if let Some(count) = args.sweep {
-        let request = SweepRequest { muscles: count as usize, seed: args.seed };
+pub fn run(asked: &Asked) -> Result<u8, Failure> {
+    let number = |flag: &str| asked.text(flag).and_then(|text| text.trim().parse::<u64>().ok());
+    if let Some(count) = number("sweep") {
+        let request = SweepRequest { muscles: count as usize, seed: number("seed").unwrap_or(1) };
         let answer = mckibben_app::sweep(&request, &Bar::new("muscles"))?;
-        show(&answer, format, "", || sweep_text(&answer), path)?;
+        asked.show(&answer, "", || sweep_text(&answer))?;
         return Ok(if answer.ok() { 0 } else { NO_ANSWER });
     }
-    if let Some(folder) = &args.measured {
-        return measured::run(args, folder.as_deref(), format);
+    if asked.text("measured").is_some() {
+        return measured::run(asked);
     }
-    if args.plot.plot.is_some() {
+    if asked.path("plot").is_some() {
         let message = "--plot draws the measured muscles: it requires --measured";
         return Err(Failure::input(
             ProblemKind::Usage,
@@ -40,8 +44,8 @@ pub fn run(args: &ValidateArgs, format: Format) -> Result<u8, Failure> {
             "mckibben validate --measured --plot FILE.svg",
         ));
     }
-    let answer = mckibben_app::validate(&ValidateRequest { all: args.all }, &Bar::new("groups of cases"))?;
-    show(&answer, format, "cases", || as_text(&answer.cases), path)?;
+    let answer = mckibben_app::validate(&asked.request()?, &Bar::new("groups of cases"))?;
+    asked.show(&answer, "cases", || as_text(&answer.cases))?;
     Ok(if answer.ok() { 0 } else { NO_ANSWER })
 }
 

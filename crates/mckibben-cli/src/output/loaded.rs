@@ -1,6 +1,6 @@
 //! Equilibria with a load, as text.
 
-use super::text::{Units, air, half_width, number, pairs, percent, table, within};
+use super::text::{Units, air, half_width, number, or_dash, pairs, percent, table, within};
 use mckibben::load::LoadError;
 use mckibben_app::LoadAnswer;
 
@@ -28,12 +28,12 @@ pub fn loaded(answer: &LoadAnswer, u: &Units) -> String {
                     || percent(r.contraction),
                     |h| format!("{} %", within(100.0 * r.contraction, 100.0 * h)),
                 ),
-                half.map_or_else(|| "–".into(), |h| format!("{} %", half_width(100.0 * h))),
+                or_dash(half, |h| format!("{} %", half_width(100.0 * h))),
                 u.length.to(e.shortening_mm, 4),
                 u.force.within(r.force_n, e.answer.uncertainty_n),
                 u.stiffness().to(e.stiffness_n_per_mm, 4),
                 if e.stable { "stable" } else { "unstable" }.into(),
-                e.frequency_hz.map_or_else(|| "–".into(), |f| number(f, 3)),
+                or_dash(e.frequency_hz, |f| number(f, 3)),
             ]);
         }
         if let (true, Some(error)) = (at.equilibria.is_empty(), &at.error) {
@@ -42,20 +42,12 @@ pub fn loaded(answer: &LoadAnswer, u: &Units) -> String {
             rows.push(vec![pressure, dash(), dash(), dash(), dash(), dash(), not_lifted.into(), dash()]);
         }
     }
-    let header: Vec<&str> = header.iter().map(String::as_str).collect();
     let mut text = format!("\nload {}\n{}", answer.load, table(&header, rows));
     if let Some(c) = &answer.cycle {
-        let mut list = vec![(
-            "stroke",
-            format!(
-                "{} {} from {} to {}",
-                u.length.to(c.stroke_mm, 4),
-                u.length.name,
-                u.pressure.show(c.from_pressure_mpa),
-                u.pressure.show(c.to_pressure_mpa)
-            ),
-        )];
-        list.push(("work on the load", format!("{} J", number(c.work_j, 4))));
+        let (stroke, unit) = (u.length.to(c.stroke_mm, 4), &u.length.name);
+        let [from, to] = [c.from_pressure_mpa, c.to_pressure_mpa].map(|p| u.pressure.show(p));
+        let stroke = format!("{stroke} {unit} from {from} to {to}");
+        let mut list = vec![("stroke", stroke), ("work on the load", format!("{} J", number(c.work_j, 4)))];
         let filling = c.air_normal_litres.zip(c.air_exergy_j);
         list.extend(filling.map(|(litres, exergy)| {
             let text = format!("{}, exergy {} J", air(litres), number(exergy, 4));

@@ -23,8 +23,9 @@ const GAP: usize = 2;
 
 /// A table without borders: a header, aligned columns (numbers to the right). One that is wider than the text may be has narrower text
 /// columns, or goes on below, with its first column again.
-pub fn table(header: &[&str], rows: Vec<Vec<String>>) -> String {
-    table_within(width::of_tables(), header, &rows)
+pub fn table<S: AsRef<str>>(header: &[S], rows: Vec<Vec<String>>) -> String {
+    let header: Vec<&str> = header.iter().map(AsRef::as_ref).collect();
+    table_within(width::of_tables(), &header, &rows)
 }
 
 fn table_within(room: usize, header: &[&str], rows: &[Vec<String>]) -> String {
@@ -94,14 +95,15 @@ fn table_within(room: usize, header: &[&str], rows: &[Vec<String>]) -> String {
 }
 
 /// Aligned `name   value` lines; a long value goes on below.
-pub fn pairs(list: &[(&str, String)]) -> String {
+pub fn pairs<S: AsRef<str>>(list: &[(S, String)]) -> String {
     pairs_within(width::of_tables(), list)
 }
 
-fn pairs_within(room: usize, list: &[(&str, String)]) -> String {
-    let width = list.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+fn pairs_within<S: AsRef<str>>(room: usize, list: &[(S, String)]) -> String {
+    let width = list.iter().map(|(name, _)| name.as_ref().chars().count()).max().unwrap_or(0);
     let room = room.saturating_sub(width + 5).max(NARROW);
-    let one = |(name, value): &(&str, String)| {
+    let one = |(name, value): &(S, String)| {
+        let name = name.as_ref();
         let value = fold(&line(value), room).join(&format!("\n{:1$}", "", width + 5));
         format!("  {name:<width$}   {value}\n")
     };
@@ -123,7 +125,6 @@ pub fn percents(ratios: impl IntoIterator<Item = Option<f64>>, digits: usize) ->
 /// A table of columns, each with its heading.
 pub fn columns(list: impl IntoIterator<Item = (String, Vec<String>)>) -> String {
     let (header, columns): (Vec<String>, Vec<Vec<String>>) = list.into_iter().unzip();
-    let header: Vec<&str> = header.iter().map(String::as_str).collect();
     let count = columns.first().map_or(0, Vec::len);
     let row = |i: usize| columns.iter().map(|c| c.get(i).cloned().unwrap_or_default()).collect();
     table(&header, (0..count).map(row).collect())

@@ -1,10 +1,10 @@
 //! Where results go: standard output, or a file that appears whole or not at all. An existing file is overwritten only with `--overwrite`.
 
 use super::width;
+use crate::asked::Asked;
 use crate::failure::{Failure, in_flags};
 use crate::{clean, progress, shown};
 use anstyle::{AnsiColor, Style};
-use clap::ArgMatches;
 use mckibben::units::short_numbers;
 use mckibben::warning::is_of_burst;
 use mckibben_app::{BuiltFile, ProblemKind};
@@ -18,22 +18,17 @@ use std::sync::atomic::{AtomicBool, Ordering};
 static OVERWRITE: AtomicBool = AtomicBool::new(false);
 
 /// Flags that name files that are written.
-const WRITTEN: [&str; 5] = ["output", "plot", "plot_data", "report", "export_inp"];
+const WRITTEN: [&str; 5] = ["output", "plot", "plot_data", "alone", "export_inp"];
 
 pub fn overwrite() -> bool {
     OVERWRITE.load(Ordering::Relaxed)
 }
 
 /// Refuses a command line that names an existing file for a result, before any work is done for it. A campaign goes on with its own file.
-pub fn check_named(matches: &ArgMatches, overwrite: bool) -> Result<(), Failure> {
+pub fn check_named(asked: &Asked, command: &str, overwrite: bool) -> Result<(), Failure> {
     OVERWRITE.store(overwrite, Ordering::Relaxed);
-    let (mut leaf, mut command) = (matches, "");
-    while let Some((name, inner)) = leaf.subcommand() {
-        (leaf, command) = (inner, name);
-    }
-    let written = WRITTEN.iter().filter(|flag| **flag != "output" || !["campaign", "run"].contains(&command));
-    let paths = written.flat_map(|flag| leaf.try_get_raw(flag).ok().flatten().into_iter().flatten());
-    paths.map(Path::new).try_for_each(check)
+    let written = WRITTEN.iter().filter(|flag| **flag != "output" || command != "campaign");
+    written.filter_map(|flag| asked.path(flag)).try_for_each(|path| check(&path))
 }
 
 /// Refuses to write what is no answer, and to overwrite a file.

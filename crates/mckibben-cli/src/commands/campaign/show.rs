@@ -1,29 +1,22 @@
 //! `campaign show`.
 
+use crate::asked::Asked;
 use crate::failure::Failure;
-use crate::flags::OutputFlags;
-use crate::format::Format;
-use crate::output::show;
 use crate::output::text::{number, pairs, table};
-use clap::Args;
-use mckibben_app::{CampaignShowRequest, campaign_show};
+use mckibben_app::campaign_show;
 use mckibben_campaign::campaign::Summary;
-use std::path::PathBuf;
 
-/// `campaign show`.
-#[derive(Debug, Args)]
-pub struct CampaignShowArgs {
-    /// A campaign: one file, or a folder of parts
-    #[arg(value_name = "FILE.parquet or DIR")]
-    pub campaign: PathBuf,
-    #[command(flatten)]
-    pub output: OutputFlags,
-}
+pub const SHOW: &str =
+    "campaign show: Summary of a campaign: muscles, points, failures by cause, ranges, origin
+:campaign<FILE.parquet_or_DIR>! | A campaign: one file, or a folder of parts
+@output
+Example:
+  mckibben campaign plans/paper.toml -o campaign.parquet
+  mckibben campaign show campaign.parquet";
 
-pub fn run(args: &CampaignShowArgs, format: Format) -> Result<u8, Failure> {
-    let summary = campaign_show(&CampaignShowRequest { campaign: args.campaign.clone() })?;
-    show(&summary, format, "ranges", || as_text(&summary), args.output.target())?;
-    Ok(0)
+pub fn show(asked: &Asked) -> Result<u8, Failure> {
+    let summary = campaign_show(&asked.request()?)?;
+    asked.show(&summary, "ranges", || as_text(&summary))
 }
 
 fn as_text(s: &Summary) -> String {

@@ -1,32 +1,22 @@
 //! `campaign status`.
 
+use crate::asked::Asked;
 use crate::failure::{Failure, NO_ANSWER};
-use crate::flags::OutputFlags;
-use crate::format::Format;
-use crate::output::show;
 use crate::output::text::{place, table};
-use clap::Args;
 use mckibben_app::{CampaignStatusRequest, campaign_status};
 use mckibben_campaign::campaign::{CampaignStatus, ShardState, ShardStatus};
-use std::path::PathBuf;
 
-pub const EXAMPLES: &str = "Example:
+pub const STATUS: &str = "campaign status: How far a folder of parts is, shard by shard: done, running, missing; exit code 1 where a shard is missing
+:folder<DIR>! | The folder of parts
+@output
+Example:
   mckibben campaign plans/paper.toml -o parts/ --shard 1/1
   mckibben campaign status parts/";
 
-/// `campaign status`.
-#[derive(Debug, Args)]
-pub struct StatusArgs {
-    /// The folder of parts
-    #[arg(value_name = "DIR")]
-    pub folder: PathBuf,
-    #[command(flatten)]
-    pub output: OutputFlags,
-}
-
-pub fn run(args: &StatusArgs, format: Format) -> Result<u8, Failure> {
-    let status = campaign_status(&CampaignStatusRequest { output: args.folder.clone() })?;
-    show(&status, format, "shards", || as_text(&status), args.output.target())?;
+pub fn status(asked: &Asked) -> Result<u8, Failure> {
+    let request = CampaignStatusRequest { output: asked.path("folder").unwrap_or_default() };
+    let status = campaign_status(&request)?;
+    asked.show(&status, "shards", || as_text(&status))?;
     Ok(if status.shards_missing > 0 { NO_ANSWER } else { 0 })
 }
 

@@ -1,33 +1,33 @@
 //! `check` of a formula's file.
 
-use super::CheckArgs;
+use crate::asked::Asked;
 use crate::commands::fit::{error_rows, errors_table, made_text, range_text, universal_text};
 use crate::failure::Failure;
 use crate::files;
 use crate::format::Format;
+use crate::output::emit;
 use crate::output::text::{number, pairs, table};
-use crate::output::{emit, show as print};
 use mckibben::formula::{Body, Document, Formula, paper_terms};
 use mckibben_app::{CheckFormulaRequest, Model, ProblemKind, check_formula};
 
 /// Shows a formula: a file, or one that is built in.
-pub(super) fn show(word: &str, args: &CheckArgs, format: Format) -> Result<u8, Failure> {
+pub(super) fn show(word: &str, asked: &Asked) -> Result<u8, Failure> {
     let built_in = Model::is_taken(word);
     let file = if built_in { None } else { files::formula(word)? };
     if file.is_none() && !built_in {
         let message = format!("{word}: cannot be read: there is no such file");
         return Err(Failure::input(ProblemKind::Formula, message, "`mckibben fit` writes such files"));
     }
-    if args.pressure.is_some() {
+    if asked.text("pressure_mpa").is_some() {
         return Err(Failure::input(ProblemKind::Usage, "--pressure is of a muscle, not of a formula", ""));
     }
-    let request = CheckFormulaRequest { file, name: built_in.then(|| word.to_owned()), latex: args.latex };
-    let answer = check_formula(&request)?;
-    match answer.latex.as_ref().filter(|_| format == Format::Text) {
-        Some(latex) => emit(latex, args.output.target())?,
-        None => print(&answer, format, "terms", || text(&answer.formula), args.output.target())?,
+    let latex = asked.is("latex");
+    let answer =
+        check_formula(&CheckFormulaRequest { file, name: built_in.then(|| word.to_owned()), latex })?;
+    match answer.latex.as_ref().filter(|_| asked.format == Format::Text) {
+        Some(latex) => emit(latex, asked.path("output").as_deref()).map(|()| 0),
+        None => asked.show(&answer, "terms", || text(&answer.formula)),
     }
-    Ok(0)
 }
 
 fn text(formula: &Document) -> String {

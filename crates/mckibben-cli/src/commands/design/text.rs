@@ -24,20 +24,14 @@ pub fn of(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     let each = each.map_or_else(String::new, |n| format!(" of each of {n} muscles"));
     let filled = answer.liquid.as_ref().map_or_else(String::new, |l| format!(" of {}", liquid(l)));
     let mut out = format!("Required{each}: {wanted} with at most {supply}{filled}{level}\n");
-    let with = if answer.searched_with == answer.model {
-        String::new()
-    } else {
-        format!(", searched with {}", answer.searched_with)
-    };
+    let other = Some(&answer.searched_with).filter(|with| **with != answer.model);
+    let with = other.map_or_else(String::new, |with| format!(", searched with {with}"));
     let length = searched.length_mm.map_or_else(String::new, |mm| format!("L0 {}, ", u.length.show(mm)));
-    let (looked_at, fit) = (answer.looked_at, answer.fitting);
-    out.push_str(&format!(
-        "Model {}{with}; {looked_at} muscles examined, {fit} fit; {length}{}, {}\n{}",
-        answer.model,
-        searched.rubber,
-        searched.braid,
-        safety(searched)
-    ));
+    let (looked_at, fit, model) = (answer.looked_at, answer.fitting, &answer.model);
+    let (rubber, braid, safety) = (&searched.rubber, &searched.braid, safety(searched));
+    out += &format!(
+        "Model {model}{with}; {looked_at} muscles examined, {fit} fit; {length}{rubber}, {braid}\n{safety}"
+    );
     let assumed = answer.assumptions.iter().map(|sentence| format!("Assumed: {}.\n", in_flags(sentence)));
     out.extend(assumed);
     out.push('\n');
@@ -86,11 +80,8 @@ fn liquid(liquid: &Liquid) -> String {
 fn bundle(answer: &DesignAnswer, u: &Units) -> String {
     let Some(b) = &answer.bundle else { return String::new() };
     let length = |mm: f64| format!("{} {}", u.length.to(mm, 3), u.length.name);
-    let mut out = format!(
-        "\nBundle of {} of the first muscle: a circle of {} around them at rest",
-        b.muscles,
-        length(b.rest_envelope_mm)
-    );
+    let (count, rest) = (b.muscles, length(b.rest_envelope_mm));
+    let mut out = format!("\nBundle of {count} of the first muscle: a circle of {rest} around them at rest");
     if let (Some(envelope), Some(row)) = (b.envelope_mm, b.row_mm) {
         out.push_str(&format!(", {} at the bulge; {} wide in one flat row", length(envelope), length(row)));
     }
@@ -101,25 +92,17 @@ fn bundle(answer: &DesignAnswer, u: &Units) -> String {
             Some(mm3) => format!("{} mL of liquid", number(1e-3 * mm3, 3)),
             None => format!("{} L of air", or_dash(q.air_normal_litres, |v| number(litres_anr(v), 3))),
         };
-        out.push_str(&format!(
-            "  {} at {}: {} ± {half} {} at the maximum pressure, {fluid}\n",
-            u.force.show(q.force_n),
-            percent(q.contraction),
-            u.force.to(q.force_at_max_pressure_n, 4),
-            u.force.name
-        ));
+        let (force, e) = (u.force.show(q.force_n), percent(q.contraction));
+        let (most, unit) = (u.force.to(q.force_at_max_pressure_n, 4), &u.force.name);
+        out += &format!("  {force} at {e}: {most} ± {half} {unit} at the maximum pressure, {fluid}\n");
     }
     if let Some(pitch) = b.pitch_mm.filter(|_| b.muscles > 1) {
         let apart = length(pitch);
-        out.push_str(&match b.touch_contraction {
-            Some(e) => {
-                format!(
-                    "  with axes {apart} apart neighbours touch at {} at the maximum pressure\n",
-                    percent(e)
-                )
-            }
-            None => format!("  with axes {apart} apart neighbours do not touch\n"),
-        });
+        let touch = b.touch_contraction.map_or_else(
+            || "do not touch".to_owned(),
+            |e| format!("touch at {} at the maximum pressure", percent(e)),
+        );
+        out += &format!("  with axes {apart} apart neighbours {touch}\n");
     }
     out
 }
@@ -374,25 +357,17 @@ fn verified(answer: &DesignAnswer, u: &Units) -> String {
     let mut out = format!("\nBy finite elements the first muscle {holds}\n");
     for (c, q) in verified.points.iter().zip(&winner.points) {
         let (at, max) = (percent(c.contraction), u.pressure.show(answer.max_pressure_mpa));
-        let line = match (c.force_at_max_pressure_n, &c.cause) {
-            (Some(f), _) => {
-                let difference = f - q.force_at_max_pressure_n;
-                let sign = if difference < 0.0 { "less" } else { "more" };
-                let needs = c.pressure_mpa.map_or_else(String::new, |v| {
-                    format!("; {} take {}", u.force.show(c.force_n), u.pressure.show(v))
-                });
-                format!(
-                    "{} at {at} and {max}, {} {} {sign}{needs}",
-                    u.force.show(f),
-                    u.force.to(difference.abs(), 3),
-                    u.force.name
-                )
-            }
-            (None, cause) => {
-                format!("no answer at {at}: {}", u.sentence(cause.as_deref().unwrap_or("unknown")))
-            }
+        let Some(f) = c.force_at_max_pressure_n else {
+            let cause = u.sentence(c.cause.as_deref().unwrap_or("unknown"));
+            out += &format!("  no answer at {at}: {cause}\n");
+            continue;
         };
-        out.push_str(&format!("  {line}\n"));
+        let difference = f - q.force_at_max_pressure_n;
+        let sign = if difference < 0.0 { "less" } else { "more" };
+        let needs = |v| format!("; {} take {}", u.force.show(c.force_n), u.pressure.show(v));
+        let needs = c.pressure_mpa.map_or_else(String::new, needs);
+        let (force, by, unit) = (u.force.show(f), u.force.to(difference.abs(), 3), &u.force.name);
+        out += &format!("  {force} at {at} and {max}, {by} {unit} {sign}{needs}\n");
     }
     out
 }
@@ -425,19 +400,13 @@ fn too_weak(answer: &DesignAnswer) -> String {
         all if all == count => "they meet every other limit".to_owned(),
         some => format!("{some} of them meet every other limit"),
     };
-    format!(
-        "Of {} muscles {count} miss the safety factor of {}; {rest}.\n",
-        answer.looked_at,
-        number(margin, 4)
-    )
+    let (all, margin) = (answer.looked_at, number(margin, 4));
+    format!("Of {all} muscles {count} miss the safety factor of {margin}; {rest}.\n")
 }
 
 fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {
-    let mut out = format!(
-        "Nothing fits. Closest: {}: {}\n",
-        measures(&closest.rejected, u),
-        u.sentence(&closest.rejected.reason)
-    );
+    let (measures, reason) = (measures(&closest.rejected, u), u.sentence(&closest.rejected.reason));
+    let mut out = format!("Nothing fits. Closest: {measures}: {reason}\n");
     if closest.relaxations.is_empty() {
         out.push_str("No single change makes a muscle fit.\n");
         return out;
@@ -464,16 +433,12 @@ fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {
             }
             Relaxation::OuterDiameter { outer_diameter_mm, model, scaled_to } => {
                 let scaled = scaled_to.as_ref().map_or_else(String::new, |m| format!(", scaled to {m} here"));
-                format!(
-                    "take an outer diameter of {} (by the {model} model{scaled})",
-                    u.length.show(*outer_diameter_mm)
-                )
+                let diameter = u.length.show(*outer_diameter_mm);
+                format!("take an outer diameter of {diameter} (by the {model} model{scaled})")
             }
             Relaxation::MaxBulgedDiameter { bulged_diameter_mm } => {
-                format!(
-                    "allow a bulged diameter of {}",
-                    u.length.show((bulged_diameter_mm * 10.0).ceil() / 10.0)
-                )
+                let diameter = (bulged_diameter_mm * 10.0).ceil() / 10.0;
+                format!("allow a bulged diameter of {}", u.length.show(diameter))
             }
             Relaxation::MaxStretch { max_stretch } => {
                 format!("allow a stretch of {}", number((max_stretch * 100.0).ceil() / 100.0, 3))

@@ -1,17 +1,16 @@
 //! `fit --report`: the paper's campaign computed anew, and how everything compares.
 
 use super::text::errors_row;
+use crate::asked::Asked;
 use crate::failure::{Failure, NO_ANSWER};
-use crate::format::Format;
 use crate::output::text::{number, table};
-use crate::output::{Target, show};
 use crate::progress::Bar;
 use mckibben_app::{FitReportAnswer, FitReportRequest, fit_report};
 use mckibben_campaign::fit::constants::Constants;
 
-pub fn run(format: Format, output: Target<'_>) -> Result<u8, Failure> {
+pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let answer = fit_report(&FitReportRequest {}, &Bar::new("steps"))?;
-    show(&answer, format, "findings", || text(&answer), output)?;
+    asked.show(&answer, "findings", || text(&answer))?;
     Ok(if answer.ok() { 0 } else { NO_ANSWER })
 }
 

@@ -22,11 +22,8 @@ pub(super) fn list(list: &[LibraryMuscle]) -> String {
     };
     let headings = [u.length.heading("D0"), u.length.heading("L0"), u.pressure.heading("P")];
     let forces = [u.force.heading("F blocked"), u.force.heading("±")];
-    let header: Vec<&str> = ["muscle"]
-        .into_iter()
-        .chain(headings.iter().chain(&forces).map(String::as_str))
-        .chain(["ε free", "points", "", "source"])
-        .collect();
+    let last = ["ε free", "points", "", "source"].map(str::to_owned);
+    let header = [&["muscle".to_owned()], &headings[..], &forces, &last].concat();
     table(&header, list.iter().map(row).collect())
         + "P: highest pressure of the bench. F blocked, its ± (95 %) and ε free: there, by fe.\n\
            A name stands wherever a muscle file may: mckibben force lib:dmsp-20-300 -p 5bar -e 10%\n"

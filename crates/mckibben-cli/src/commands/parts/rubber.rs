@@ -117,7 +117,6 @@ fn others_text(answer: &RubberDetails, curve: &[&LibraryFit]) -> String {
     };
     let mut header = vec!["law".to_owned()];
     header.extend(ends.iter().map(|end| format!("to {}", number(1.0 + end, 3))));
-    let header: Vec<&str> = header.iter().map(String::as_str).collect();
     format!(
         "Available laws, and their largest difference from the recommended one (→) in planar tension, up to the end of the data\n\
          (=: the data do not distinguish it from the recommended one):\n{}",

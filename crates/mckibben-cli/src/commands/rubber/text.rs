@@ -76,7 +76,6 @@ pub fn of(answer: &RubberFitAnswer, request: &RubberFitRequest, written: Option<
         ]);
         row
     });
-    let header: Vec<&str> = header.iter().map(String::as_str).collect();
     let qualities = table(&header, rows.collect());
     let constants = table(
         &["law", "constant", "value", "standard error", "unit", "identifiable"],

@@ -1,9 +1,7 @@
 //! `validate --measured`: a block a muscle or rubber.
 
-use super::args::ValidateArgs;
+use crate::asked::Asked;
 use crate::failure::Failure;
-use crate::format::Format;
-use crate::output::show;
 use crate::output::text::{number, or_dash, pairs, table};
 use crate::progress::Bar;
 use crate::{files, plot, shown};
@@ -15,16 +13,20 @@ use mckibben_app::{
 use mckibben_fit::validation::case::built_in;
 use std::path::Path;
 
-pub fn run(args: &ValidateArgs, folder: Option<&Path>, format: Format) -> Result<u8, Failure> {
-    plot::check(&args.plot)?;
-    let figure = args.plot.plot.as_ref().map(|_| shown::units());
-    let cases = chosen(cases(folder)?, &args.only)?;
-    let request = MeasuredRequest { cases, model: args.model.clone(), figure };
-    let mut answer = mckibben_app::measured(&request, &Bar::new("fits"))?;
-    plot::save(answer.figure.take(), &args.plot)?;
+pub fn run(asked: &Asked) -> Result<u8, Failure> {
+    plot::check(asked)?;
+    let figure = asked.path("plot").map(|_| shown::units());
+    let folder = asked.path("measured").filter(|path| !path.as_os_str().is_empty());
+    let only: Vec<String> =
+        asked.texts("only").iter().flat_map(|t| t.split(',')).map(str::to_owned).collect();
+    let cases = chosen(cases(folder.as_deref())?, &only)?;
+    let mut answer = mckibben_app::measured(
+        &MeasuredRequest { cases, model: asked.text("model"), figure },
+        &Bar::new("fits"),
+    )?;
+    asked.draw(&mut answer.figure)?;
     let rows = if answer.results.is_empty() { "stresses" } else { "results" };
-    show(&answer, format, rows, || as_text(&answer), args.output.target())?;
-    Ok(0)
+    asked.show(&answer, rows, || as_text(&answer))
 }
 
 /// The cases of a folder, or those that are built in.
@@ -128,7 +130,6 @@ fn rubber(case: &MeasuredRubber, stresses: &[MeasuredStress]) -> String {
         (f.fit.clone(), parts.join(", "))
     };
     let found: Vec<(String, String)> = case.fits.iter().map(one).collect();
-    let found: Vec<(&str, String)> = found.iter().map(|(n, t)| (n.as_str(), t.clone())).collect();
     let header =
         ["rms [MPa]", "rms [%]", "bias [MPa]", "largest [MPa]", "points", "to stretch", "blind", "of", "fit"];
     let row = |s: &MeasuredStress| {
@@ -162,7 +163,6 @@ fn block(case: &MeasuredCase, results: &[MeasuredResult]) -> String {
         .filter(|f| !f.parameters.is_empty())
         .map(|f| (format!("{} [{}]", f.fit, f.fitted_to), values(f)))
         .collect();
-    let fits: Vec<(&str, String)> = fits.iter().map(|(name, text)| (name.as_str(), text.clone())).collect();
     let own = || results.iter().filter(|r| r.case == case.facts.name);
     let header = [
         "rms [N]",
@@ -193,13 +193,11 @@ fn block(case: &MeasuredCase, results: &[MeasuredResult]) -> String {
             (format!("{} [{}]", r.fit, r.of), r.by_branch.iter().map(one).collect::<Vec<_>>().join("; "))
         })
         .collect();
-    let by_branch: Vec<(&str, String)> = by_branch.iter().map(|(n, t)| (n.as_str(), t.clone())).collect();
     let branches = if by_branch.is_empty() {
         String::new()
     } else {
         format!("\nSingle branches, rms and bias in N\n{}", pairs(&by_branch))
     };
-    let bias: Vec<(&str, String)> = by_contraction.iter().map(|(n, t)| (n.as_str(), t.clone())).collect();
     format!(
         "\n{}, {} points that pull\n\n{}\nFound, ± 95 %\n{}\n{}\nBias in N from ε 0, 0.05, …, where fitted\n{}",
         case.facts.title,
@@ -207,7 +205,7 @@ fn block(case: &MeasuredCase, results: &[MeasuredResult]) -> String {
         facts(&case.facts),
         pairs(&fits),
         table(&header, own().map(row).collect()),
-        pairs(&bias)
+        pairs(&by_contraction)
     ) + &branches
 }
 

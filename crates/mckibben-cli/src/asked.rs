@@ -1,0 +1,311 @@
+//! A command with its flags as they were typed, and the request that they make.
+
+use crate::failure::Failure;
+use crate::files;
+use crate::format::Format;
+use crate::output;
+use crate::plot;
+use crate::quantities::{check_contractions, quantity, values};
+use crate::shown;
+use crate::spec::{Flag, Kind};
+use clap::ArgMatches;
+use mckibben::load::Load;
+use mckibben::muscle::Measure;
+use mckibben::muscle::measures::fields;
+use mckibben::units::Dimension;
+use mckibben_app::{Choice, Columns, ProblemKind, RequestFields, TextFile, understood};
+use mckibben_design::Tolerances;
+use mckibben_report::Figure;
+use schemars::JsonSchema;
+use serde::Serialize;
+use serde_json::{Map, Value, json};
+use std::path::{Path, PathBuf};
+
+/// The parts of an interval without a step.
+const DIVISIONS: usize = 20;
+
+/// A command with its flags as they were typed.
+#[derive(Debug)]
+pub struct Asked {
+    pub format: Format,
+    pub flags: Vec<Flag>,
+    pub matches: ArgMatches,
+    /// The schema of its request.
+    pub request: Value,
+}
+
+impl Asked {
+    pub fn is(&self, flag: &str) -> bool {
+        self.matches.try_get_one::<bool>(flag).ok().flatten().is_some_and(|is| *is)
+    }
+
+    pub fn texts(&self, flag: &str) -> Vec<String> {
+        let texts = self.matches.try_get_raw(flag).ok().flatten().into_iter().flatten();
+        texts.map(|text| text.to_string_lossy().into_owned()).collect()
+    }
+
+    pub fn text(&self, flag: &str) -> Option<String> {
+        self.texts(flag).into_iter().next()
+    }
+
+    pub fn path(&self, flag: &str) -> Option<PathBuf> {
+        Some(self.matches.try_get_raw(flag).ok()??.next()?.into())
+    }
+
+    /// The request that the flags make.
+    pub fn request<T: RequestFields>(&self) -> Result<T, Failure> {
+        Ok(understood(Value::Object(self.fields()?))?)
+    }
+
+    /// The fields of the request.
+    pub fn fields(&self) -> Result<Map<String, Value>, Failure> {
+        self.fields_without(&[])
+    }
+
+    /// The same where some are left to the caller.
+    pub fn fields_without(&self, others: &[&str]) -> Result<Map<String, Value>, Failure> {
+        plot::check(self)?;
+        let mut out = Map::new();
+        for flag in self.flags.iter().filter(|flag| flag.is_asked && !others.contains(&&*flag.field)) {
+            let texts = self.texts(&flag.id);
+            let value = match flag.kind {
+                Kind::Truth if self.is(&flag.id) => true.into(),
+                Kind::Truth => continue,
+                _ if texts.is_empty() => continue,
+                _ => flag.read(&texts)?,
+            };
+            match flag.field.split_once('.') {
+                Some((group, field)) => out.entry(group).or_insert_with(|| json!({}))[field] = value,
+                None => drop(out.insert(flag.field.clone(), value)),
+            }
+        }
+        self.add_files(&mut out)?;
+        let figure = &self.request["properties"]["figure"];
+        if self.path("plot").is_some() && !figure.is_null() {
+            let units = json!(shown::units());
+            out.insert("figure".into(), if figure["type"] == "boolean" { true.into() } else { units });
+        }
+        Ok(out)
+    }
+
+    /// The files that texts of a request name.
+    fn add_files(&self, out: &mut Map<String, Value>) -> Result<(), Failure> {
+        let has = |field: &str| self.request["properties"].get(field).is_some();
+        let text = |field: &str| out.get(field).and_then(Value::as_str).map(str::to_owned);
+        if let Some(path) = text("rubber")
+            .filter(|name| name.to_lowercase().ends_with(".toml"))
+            .filter(|_| has("rubber_file"))
+        {
+            out.remove("rubber");
+            out.insert("rubber_file".into(), json!(files::text(Path::new(&path))?));
+        }
+        let text = |field: &str| out.get(field).and_then(Value::as_str).map(str::to_owned);
+        let models = out.get("models").and_then(Value::as_array).into_iter().flatten();
+        let models = models.filter_map(|word| word.as_str().map(str::to_owned));
+        let words: Vec<String> = models.chain(text("model")).chain(text("formula")).collect();
+        let load = text("load").unwrap_or_default();
+        if has("formulas") {
+            let read = words.iter().map(|word| files::formula(word)).collect::<Result<Vec<_>, _>>()?;
+            out.insert("formulas".into(), read.into_iter().flatten().map(|file| json!(file)).collect());
+        }
+        if has("load_tables") {
+            out.insert("load_tables".into(), load_tables(&load)?);
+        }
+        Ok(())
+    }
+
+    /// Prints an answer where `--output` says.
+    pub fn show<T: Serialize + JsonSchema>(
+        &self,
+        answer: &T,
+        rows: &str,
+        text: impl FnOnce() -> String,
+    ) -> Result<u8, Failure> {
+        output::show(answer, self.format, rows, text, self.path("output").as_deref())?;
+        Ok(0)
+    }
+
+    /// Prints an answer beside the file that `--output` names.
+    pub fn print<T: Serialize + JsonSchema>(
+        &self,
+        answer: &T,
+        rows: &str,
+        text: impl FnOnce() -> String,
+    ) -> Result<u8, Failure> {
+        output::show(answer, self.format, rows, text, None)?;
+        Ok(0)
+    }
+
+    /// Writes the figure of an answer.
+    pub fn draw(&self, figure: &mut Option<Figure>) -> Result<(), Failure> {
+        plot::save(figure.take(), self)
+    }
+}
+
+/// The tables of a load.
+pub fn load_tables(load: &str) -> Result<Value, Failure> {
+    let read = |name: &str| -> Result<Value, Failure> {
+        Ok(json!(TextFile { name: name.into(), ..files::table(Path::new(name))? }))
+    };
+    Load::tables(load).map(read).collect()
+}
+
+impl Flag {
+    /// What was typed, as the request has it.
+    fn read(&self, texts: &[String]) -> Result<Value, Failure> {
+        let flag = self.name();
+        let text = texts.first().map_or("", String::as_str);
+        let of_contraction = |text: &str, list: &[f64]| match &*self.long {
+            "contraction" => check_contractions(&flag, text, list),
+            _ => Ok(()),
+        };
+        let numbers = |text: &str, dimension| -> Result<Value, Failure> {
+            let list = values(&flag, text, dimension)?.sampled(DIVISIONS);
+            of_contraction(text, &list)?;
+            Ok(json!(list))
+        };
+        match &*self.field {
+            "points" => return texts.iter().map(|text| at(&flag, text)).collect(),
+            "torques" => return texts.iter().map(|text| torque(&flag, text)).collect(),
+            "tolerance" => return Ok(json!(tolerances(&flag, text)?)),
+            "stiffness" => return stiffness(&flag, text),
+            "terminal" => return terminal(&flag, &text.replace("aluminum", "aluminium")),
+            "weights" if matches!(self.kind, Kind::Text) => return weights(&flag, text),
+            "columns" => {
+                let columns =
+                    Columns::parse(text).map_err(|e| Failure::flag(&flag, ProblemKind::Usage, e))?;
+                return Ok(json!(columns));
+            }
+            // A strain is in percent; a bare number is a stretch.
+            "up_to_stretch" => {
+                let strain = f64::from(u8::from(text.trim().ends_with('%')));
+                return Ok((strain + quantity(&flag, text, Dimension::Ratio)?).into());
+            }
+            _ => {}
+        }
+        Ok(match self.kind {
+            Kind::Number(dimension) => {
+                let value = quantity(&flag, text, dimension)?;
+                of_contraction(text, &[value])?;
+                value.into()
+            }
+            Kind::Numbers(dimension) => numbers(text, dimension)?,
+            Kind::Lists(dimension) => {
+                texts.iter().map(|text| numbers(text, dimension)).collect::<Result<_, _>>()?
+            }
+            Kind::Choice(dimension) => json!(Choice::from(values(&flag, text, dimension)?)),
+            Kind::Whole => json!(text.trim().parse::<u64>().ok()),
+            Kind::Texts(_) => json!(texts),
+            Kind::File => json!(self.file(text)?),
+            Kind::Files => {
+                texts.iter().map(|text| Ok(json!(self.file(text)?))).collect::<Result<_, Failure>>()?
+            }
+            Kind::Truth | Kind::Words(_) | Kind::Text => text.into(),
+        })
+    }
+
+    fn file(&self, name: &str) -> Result<TextFile, Failure> {
+        let path = Path::new(name);
+        match &*self.field {
+            "muscle" => files::muscle(path),
+            "data" | "table" => files::table(path),
+            _ => files::text(path),
+        }
+    }
+}
+
+/// A stiffness: a quantity or a word.
+fn stiffness(flag: &str, text: &str) -> Result<Value, Failure> {
+    match text.trim() {
+        word @ ("inextensible" | "paper") => Ok(word.into()),
+        other => mckibben::units::parse_quantity(other, Dimension::Stiffness).map(Value::from).map_err(|e| {
+            Failure::flag(flag, ProblemKind::Quantity, format!("{e}, or `inextensible`, or `paper`"))
+        }),
+    }
+}
+
+/// none, rigid or aluminium, with the insertion and the radius of the nose behind: `aluminium:20mm:3mm`.
+fn terminal(flag: &str, text: &str) -> Result<Value, Failure> {
+    let words: Vec<&str> = text.split(':').map(str::trim).collect();
+    let length = |at: usize| words.get(at).map(|text| quantity(flag, text, Dimension::Length)).transpose();
+    match words[..] {
+        ["none"] => Ok(Value::Null),
+        [material @ ("rigid" | "aluminium"), ..] if words.len() <= 3 => {
+            Ok(json!({ "material": material, "insertion_mm": length(1)?, "nose_mm": length(2)? }))
+        }
+        _ => {
+            let message = format!(
+                "{flag}: \"{text}\" is not a terminal; expected none, rigid or aluminium, with an optional insertion and radius of the nose (aluminium:20mm:3mm)"
+            );
+            Err(Failure::input(ProblemKind::Terminal, message, "leave it out for a rigid plane"))
+        }
+    }
+}
+
+fn weights(flag: &str, text: &str) -> Result<Value, Failure> {
+    let mut out = Map::new();
+    for entry in text.split(',') {
+        let bad = |why: &str| {
+            let short: String = entry.trim().chars().take(60).collect();
+            let message = format!("{flag}: \"{short}\" {why}");
+            Failure::input(ProblemKind::Usage, message, "write uniaxial=1,equibiaxial=2")
+        };
+        let (mode, weight) = entry.split_once('=').ok_or_else(|| bad("has no ="))?;
+        let weight = quantity(flag, weight, Dimension::Ratio)?;
+        if out.insert(mode.trim().to_owned(), weight.into()).is_some() {
+            return Err(bad("is given twice"));
+        }
+    }
+    Ok(out.into())
+}
+
+fn at(flag: &str, text: &str) -> Result<Value, Failure> {
+    let Some((force, contraction)) = text.split_once('@') else {
+        let message = format!(
+            "{flag}: \"{text}\" is not a valid operating point; expected a pull at a contraction such as 700N@15%"
+        );
+        return Err(Failure::input(ProblemKind::Quantity, message, ""));
+    };
+    let e = quantity(flag, contraction, Dimension::Ratio)?;
+    check_contractions(flag, contraction, &[e])?;
+    Ok(json!({ "force_n": quantity(flag, force.trim(), Dimension::Force)?, "contraction": e }))
+}
+
+fn torque(flag: &str, text: &str) -> Result<Value, Failure> {
+    let Some((torque, angle)) = text.split_once('@') else {
+        let message =
+            format!("{flag}: \"{text}\" is not a valid torque at an angle; expected one such as 8Nm@45deg");
+        return Err(Failure::input(ProblemKind::Quantity, message, ""));
+    };
+    // Either side: the joint is symmetric.
+    let angle = quantity(flag, angle.trim().trim_start_matches(['±', '+']), Dimension::Angle)?;
+    Ok(json!({ "torque_nm": quantity(flag, torque.trim(), Dimension::Torque)?, "angle_deg": angle }))
+}
+
+fn tolerances(flag: &str, text: &str) -> Result<Tolerances, Failure> {
+    let mut out = Tolerances::default();
+    for part in text.split(',') {
+        let wrong = || {
+            let names: Vec<String> = fields().filter_map(|(_, measure)| measure.flag()).collect();
+            let message = format!(
+                "{flag}: \"{part}\" is not a valid tolerance; expected pressure, modulus, stiffness, {} with a half-width, such as wall=0.1mm, angle=1deg or modulus=10%",
+                names.join(", ")
+            );
+            Failure::input(ProblemKind::Quantity, message, "")
+        };
+        let (name, value) = part.split_once('=').ok_or_else(wrong)?;
+        let read = |dimension| quantity(flag, value, dimension);
+        match name.trim() {
+            "pressure" => out.pressure_mpa = read(Dimension::Pressure)?,
+            "modulus" => out.modulus = read(Dimension::Ratio)?,
+            "stiffness" => out.stiffness = read(Dimension::Ratio)?,
+            name => {
+                let name = if name == "diameter" { "outer-diameter" } else { name };
+                let named = |m: &Measure| m.flag().as_deref() == Some(name);
+                let (_, measure) = fields().find(|(_, m)| named(m)).ok_or_else(wrong)?;
+                out.measures.set(measure, read(measure.dimension)?);
+            }
+        }
+    }
+    Ok(out)
+}
