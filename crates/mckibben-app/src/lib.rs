@@ -111,10 +111,7 @@ pub use joint::*;
 pub use library::*;
 pub use liquid::LiquidFields;
 pub use load::{LoadAnswer, LoadFields, LoadedAt};
-pub use many::{
-    AnswerColumns, ArrayError, BoundModel, Column, Many, Pairs, PointQuantity, Unanswered, curve_columns,
-    with_parameters,
-};
+pub use many::{ArrayError, BoundModel, Many, PointQuantity, Unanswered, with_parameters};
 pub use mckibben::model::ModelEntry;
 pub use mckibben_design::TubePart;
 pub use mckibben_motion::{Event, Subject};
