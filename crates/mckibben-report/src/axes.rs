@@ -159,12 +159,12 @@ fn end_room(panel: &Panel, axes: &Axes, metrics: &Metrics) -> f64 {
 fn room_of(panel: &Panel, axes: &Axes) -> Room {
     let frame = axes.frame();
     let mut room = Room::new(axes.plot);
-    for (i, series) in panel.series.iter().enumerate() {
+    for series in &panel.series {
         if palette::dash(series.style, 0, crate::Palette::Categorical).is_some() {
-            frame.line(&series.points).iter().for_each(|line| room.add_line(line, i));
+            frame.line(&series.points).iter().for_each(|line| room.add_line(line));
         }
         if series.style == Style::Points {
-            frame.markers(&series.points).into_iter().for_each(|spot| room.add_marker(spot, i));
+            frame.markers(&series.points).into_iter().for_each(|spot| room.add_marker(spot));
         }
     }
     labels::add_rings(&panel.marks, &frame, &mut room);
@@ -299,7 +299,7 @@ fn place_one<'a>(
             |(k, other): (usize, &crate::Series)| !other.label.trim().is_empty() && other.number(k) == number;
         let meant = s.neutral || panel.series.iter().enumerate().any(explained);
         let colour = (!meant).then_some(number);
-        Some(Ended { text: s.end_label.trim().to_owned(), colour, series: i, line })
+        Some(Ended { text: s.end_label.trim().to_owned(), colour, line })
     });
     labels.extend(line_labels::of_lines(ended.collect(), metrics, &mut room));
     let text = metrics.fit(&panel.title, PANEL_TITLE, cell.w);

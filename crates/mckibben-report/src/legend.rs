@@ -106,7 +106,7 @@ pub(crate) fn inside(entries: &[Entry], metrics: &Metrics, room: &Room) -> (Lege
         let frame = Rect { x, y, w, h };
         let over_edge = if plot.holds(&frame) { 0 } else { 10_000 };
         let over_box = if room.meets_box(&frame) { 50 } else { 0 };
-        let cost = room.drawn_under(&frame.grown(4.0), None) + over_edge + over_box;
+        let cost = room.drawn_under(&frame.grown(4.0)) + over_edge + over_box;
         if best.is_none_or(|(least, _)| cost < least) {
             best = Some((cost, frame));
         }
