@@ -25,8 +25,7 @@ impl Model {
         let request = value::request(request)?;
         Ok(run::quick(py, |_| {
             let muscle = muscle_of(&TextFile { name: "muscle".into(), text: muscle })?;
-            let (model, asking): (ModelFields, AskFields) =
-                (understood(request.clone())?, understood(request)?);
+            let (model, asking): (ModelFields, AskFields) = (understood(&request)?, understood(&request)?);
             Ok(Self { bound: BoundModel::new(&muscle, &model, asking)? })
         })?)
     }

@@ -16,7 +16,7 @@ use pyo3::types::PyDict;
 pub fn muscle_text(py: Python<'_>, request: &Bound<'_, PyAny>, rubber: Option<String>) -> PyResult<String> {
     let request = value::request(request)?;
     Ok(run::quick(py, |_| {
-        let request: MuscleFields = understood(request)?;
+        let request: MuscleFields = understood(&request)?;
         let base = match &request.named.muscle {
             Some(file) => muscle_of(file)?,
             None => Muscle::prototype(),
