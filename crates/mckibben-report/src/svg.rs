@@ -236,17 +236,6 @@ fn draw_label(out: &mut String, label: &Label, pen: &Pen<'_>) {
 
 fn draw_legend(out: &mut String, legend: &Legend, pen: &Pen<'_>) {
     out.push_str("<g>\n");
-    if legend.framed {
-        let f = legend.frame;
-        let _ = writeln!(
-            out,
-            "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"2\" fill=\"#ffffff\" fill-opacity=\"0.9\" stroke=\"#cccccc\" stroke-width=\"0.8\"/>",
-            n(f.x),
-            n(f.y),
-            n(f.w),
-            n(f.h)
-        );
-    }
     for (x, y, entry) in &legend.entries {
         let (line, markers) = if entry.style == Style::Points {
             (Vec::new(), vec![(x + legend::SAMPLE / 2.0, *y)])
