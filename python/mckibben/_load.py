@@ -10,7 +10,7 @@ from typing import Any
 from . import _answers, _native
 from ._drives import Drive, Joint
 from ._formula import Formula
-from ._muscle import Muscle, _design
+from ._muscle import Muscle
 from ._results import _columned
 from ._rubber import Rubber
 from ._table import Table
@@ -31,8 +31,6 @@ def load(path: str | os.PathLike[str]) -> Any:
         return Formula(text)
     kind: Any = _answers.kind(held["mckibben"])
     asked = tuple(held["asked"]) if held["asked"] else None
-    if "muscles" in held:
-        return _design(held["data"], asked, held["muscles"])
     if "points" in held:
         return _columned(kind, held["data"], asked, Table({name: [math.nan if v is None else v for v in values] if any(isinstance(v, float) for v in values) else values for name, values in held["points"].items()}))
     return kind(held["data"], asked)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
@@ -241,17 +240,15 @@ class Model(Asked, Fixed):
         return _restored(self._muscle, {**self._request, **options})
 
     def _fill(self, wanted: str, a_name: str, a: Any, b_name: str, b: Any, jac: bool | Sequence[str], nan: bool, progress: Progress) -> Any:
-        # Most calls have neither derivatives nor a bar: they take a microsecond, and every line here a part of one.
-        plain = jac is False and progress is None
-        if plain and type(a) is float and type(b) is float:
+        # Most calls are of two numbers: they take a microsecond, and every line here a part of one.
+        if jac is False and progress is None and type(a) is float and type(b) is float:
             if a > 5.0 and wanted == "force" or b > 5.0 and wanted == "contraction":
                 _quantity.likely("pressure_mpa", a if wanted == "force" else b)
             return self._native.one(wanted, a, b, nan)
         a, b = array(a_name, a), array(b_name, b)
         if isinstance(a, np.ma.MaskedArray) or isinstance(b, np.ma.MaskedArray):
             return self._masked(wanted, a_name, a, b_name, b, jac, nan, progress)
-        # Neither is spread here: the compiled half reads each where it lies, as often as the other needs it.
-        shape = a.shape if a.shape == b.shape or not b.shape else b.shape if not a.shape else np.broadcast_shapes(a.shape, b.shape)
+        shape = np.broadcast_shapes(a.shape, b.shape)
         names = [] if isinstance(jac, (bool, np.bool_)) else [jac] if isinstance(jac, str) else list(jac)
         if any(name in MEASURES for name in names):
             return self._by_measures(wanted, a_name, a, b_name, b, names, nan, progress)
@@ -259,19 +256,10 @@ class Model(Asked, Fixed):
         width = 3 + len(names) if slopes else 1
         if math.prod(shape) > _MOST // width:
             raise MemoryError(f"{math.prod(shape)} points are more than memory holds")
-        if plain and shape:
-            if len(shape) > 1 and a.shape == b.shape and a.flags.fnc and b.flags.fnc and not self._native.is_elements:
-                # In the order in which both lie, and the answers with them. What has no answer is asked again: the first one is that of rows.
-                out = np.empty(shape, order="F")
-                with suppress(MckibbenError):
-                    self._native.fill(wanted, a.T, b.T, out.T, False, (), nan, None)
-                    return out
-            out = np.empty(shape)
-            self._native.fill(wanted, a, b, out, False, (), nan, None)
-            return out
         out = np.empty((*shape, width) if slopes else shape)
         with listening(progress, wanted) as heard:
-            self._native.fill(wanted, a, b, out, slopes, names, nan, heard)
+            first, second = (np.broadcast_to(values, shape).ravel() for values in (a, b))
+            self._native.fill(wanted, first, second, out.reshape(-1), slopes, names, nan, heard)
         if slopes:
             return out[..., 0] if shape else float(out[0]), out[..., 1:]
         return out if shape else float(out)

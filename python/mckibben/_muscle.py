@@ -205,31 +205,19 @@ def _keys(table: Mapping[str, Any]) -> Iterator[str]:
 class Design(_answers.DesignAnswer):
     """Ranked muscles, and why others fail. Its table has one row for each candidate, best first."""
 
-    __slots__ = ("_muscles",)
-    _muscles: list[str]
-
-    @classmethod
-    def _asked_for(cls, command: str, request: dict[str, Any], heard: Heard) -> Design:
-        data, muscles = _native.design(request, heard)
-        return _design(data, (command, request), muscles)
+    __slots__ = ()
 
     @property
     def muscles(self) -> list[Muscle]:
         """The candidates as muscles, best first."""
-        return [Muscle.from_toml(text) for text in self._muscles]
+        return [Muscle.from_toml(file["text"]) for file in self._data.get("muscle_files", [])]
 
     @property
     def best(self) -> Muscle:
         """The first of them."""
-        if not self._muscles:
+        if not self.candidates:
             raise NoAnswerError("no muscle fits", kind="no_answer", hint="`closest` and `rejected` say why")
         return self.muscles[0]
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return _design, (self._data, self._asked, self._muscles)
-
-    def _state(self) -> dict[str, Any]:
-        return {**super()._state(), "muscles": self._muscles}
 
     def __repr__(self) -> str:
         if not self.candidates:
@@ -240,12 +228,6 @@ class Design(_answers.DesignAnswer):
         pull = f"; {point['force_n']:.4g} N" + (f" ± {point['uncertainty_n']:.3g} N" if point.get("uncertainty_n") else "") if point.get("force_n") else ""
         limits = f"; limited by {str(best['binds']).replace('_', ' ')}" if best.get("binds") else ""
         return f"Design({self.model}: {self.fitting} of {self.looked_at} fit; best {said}, {best['pressure_mpa']:.3g} MPa{pull}{limits})"
-
-
-def _design(data: dict[str, Any], asked: Any, muscles: list[str]) -> Design:
-    design = Design(data, asked)
-    object.__setattr__(design, "_muscles", muscles)
-    return design
 
 
 class Identification(Fit, _answers.IdentifyAnswer):

@@ -11,7 +11,7 @@ from _typeshed import SupportsGetItem
 from os import PathLike
 from typing import Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Formula", "Model", "Simulation", "arrow_stream", "ask", "body_html", "choice", "curve", "design", "drive_files", "joint_files", "muscle_fields", "muscle_text", "muscle_with", "parameters", "plan", "quantity", "read_formula", "read_table", "read_text", "report_html", "rubber_stress", "schema", "toml", "toml_text", "unit_of", "values", "without_gaps", "write_file"]
+__all__ = ["VERSION", "Formula", "Model", "Simulation", "ask", "body_html", "choice", "drive_files", "joint_files", "muscle_fields", "muscle_text", "muscle_with", "parameters", "quantity", "read_formula", "read_table", "read_text", "report_html", "rubber_stress", "schema", "toml", "toml_text", "unit_of", "values", "without_gaps", "write_file"]
 
 VERSION: Final[str]
 """
@@ -49,8 +49,7 @@ class Model:
         """
     def fill(self, /, wanted: str, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes: bool, parameters: SupportsGetItem[int, str], nan: bool, progress: "collections.abc.Callable[[int, int], object] | None" = None) -> int:
         """
-        Answers every pair of two arrays, spread over the shape of `out`, into it; with slopes `out` has one axis more at its end, of the
-        numbers of a point. Returns how many points have no answer (theirs are NaN where `nan` is true, else the first one raises).
+        Answers every pair of two lists into `out`, with slopes all numbers of a point one after the other. Returns how many points have no answer (theirs are NaN where `nan` is true, else the first one raises).
         """
     @property
     def is_elements(self, /) -> bool:
@@ -111,11 +110,6 @@ class Simulation:
         One step on, with a command for each of the drive's and a force in N or torque in N m from outside; what was recorded at its end.
         """
 
-def arrow_stream(columns: "dict[str, typing.Any]") -> "typing.Any":
-    """
-    A table of columns (NumPy arrays of float64, int64 or bool; lists of str or None) as a stream with one batch. NaN is null.
-    """
-
 def ask(command: "str", request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "dict[str, typing.Any]":
     """
     The answer to a request.
@@ -131,16 +125,6 @@ def body_html(request: "dict[str, typing.Any]") -> str:
 def choice(text: "str", kind: "str", field: "str | None" = None) -> "typing.Any":
     """
     A text such as `30..50 mm` as the values that a design searches through: one, several, or all between two.
-    """
-
-def curve(request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "tuple[dict[str, typing.Any], dict[str, typing.Any]]":
-    """
-    A family of curves: what is said of all of it, and its points as columns.
-    """
-
-def design(request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "tuple[dict[str, typing.Any], list[str]]":
-    """
-    The answer to a specification, and its candidates as texts of muscle files.
     """
 
 def drive_files(name: str, text: str) -> tuple[str, str, list[str]]:
@@ -171,11 +155,6 @@ def muscle_with(text: "str", values: "dict[str, float]") -> str:
 def parameters(text: str) -> list[tuple[str, float, str]]:
     """
     Constants and measures of a muscle by which a model has derivatives, with their values and units.
-    """
-
-def plan(request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "tuple[dict[str, typing.Any], dict[str, typing.Any]]":
-    """
-    A plan that was computed: what is said of all of it, and its points as columns.
     """
 
 def quantity(text: str, kind: str, field: str | None = None) -> float:

@@ -28,7 +28,7 @@ class Record(Fixed, Tabled):
     """An answer: its fields are attributes; what an answer does not have is None.
 
     Two records are equal where their fields are. ``to_dict()`` gives plain dicts and lists, the same as the JSON of the command line.
-    Where an answer holds a table, ``to_table()``, ``to_pandas()`` and the Arrow interface of Python give it.
+    Where an answer holds a table, ``to_table()`` and ``to_pandas()`` give it.
     """
 
     __slots__ = ("_asked", "_data")

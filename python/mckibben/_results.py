@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import base64
+import csv
+import io
 import json
 import os
 from collections.abc import Callable
@@ -34,8 +36,13 @@ class _Columned(Record):
 
     @classmethod
     def _asked_for(cls, command: str, request: dict[str, Any], heard: Heard) -> Any:
-        head, columns = getattr(_native, command)(request, heard)
-        return _columned(cls, head, (command, request), Table._of(columns))
+        data = _native.ask(command, request, heard)
+        return _columned(cls, data, (command, request), cls._read(data))
+
+    @staticmethod
+    def _read(data: dict[str, Any]) -> Table:
+        """The points, taken out of an answer."""
+        raise NotImplementedError
 
     def to_table(self) -> Table:
         """The points as a table."""
@@ -81,6 +88,16 @@ class Curve(_Columned, _answers.CurveAnswer):
 
     __slots__ = ()
 
+    @staticmethod
+    def _read(data: dict[str, Any]) -> Table:
+        rows, fixed = data.pop("points"), data["fixed"]
+        # Of both branches two curves have one value.
+        rows = [{"fixed": fixed[i * len(fixed) // len(rows)], **row} for i, row in enumerate(rows)]
+        for row in rows:
+            row.pop("model", None)
+            row.setdefault("slack", False)
+        return Table.from_rows(rows)
+
     @property
     def points(self) -> list[_answers.PointRow]:  # type: ignore[override]
         """The points as records, which are made anew each time; the columns are faster."""
@@ -106,14 +123,10 @@ class Plan(_Columned, _answers.PlanAnswer):
 
     __slots__ = ()
 
-    @property
-    def table(self) -> _answers.TextFile:  # type: ignore[override]
-        """The points as the text of a file (CSV)."""
-        return _answers.TextFile({**self._data["table"], "text": self._points.to_csv()})
-
-    def to_dict(self) -> dict[str, Any]:
-        """Plain dicts and lists, the points as the text of a file."""
-        return {**super().to_dict(), "table": self.table.to_dict()}
+    @staticmethod
+    def _read(data: dict[str, Any]) -> Table:
+        rows = list(csv.DictReader(io.StringIO(data["table"]["text"])))
+        return Table({name: [row[name] if name == "status" else float(row[name] or "nan") for row in rows] for name in (rows or [{}])[0]})
 
     def __repr__(self) -> str:
         return f"Plan({self.muscles} muscles, {self._data['points']} points, {self.failed} failed)"

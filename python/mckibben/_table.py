@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _native, _quantity
+from . import _quantity
 
 if TYPE_CHECKING:
     import pandas
@@ -41,9 +41,6 @@ class Tabled:
         """The table as a ``pandas.DataFrame``."""
         return self.to_table().to_pandas()
 
-    def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
-        return self.to_table().__arrow_c_stream__(requested_schema)
-
 
 
 def _column(values: Any) -> Any:
@@ -69,7 +66,7 @@ def _column(values: Any) -> Any:
 class Table(Fixed):
     """Columns with names, all of one length: NumPy arrays of numbers, lists of texts.
 
-    ``polars.DataFrame(table)`` and ``pyarrow.table(table)`` take it over by the Arrow interface of Python: numbers are not copied, NaN is null.
+    ``polars.DataFrame(dict(table))`` and ``pyarrow.table(dict(table))`` take it over.
     """
 
     __slots__ = ("_columns",)
@@ -87,13 +84,6 @@ class Table(Fixed):
             if isinstance(values, np.ndarray):
                 values.flags.writeable = False
         object.__setattr__(self, "_columns", columns)
-
-    @classmethod
-    def _of(cls, columns: dict[str, Any]) -> Table:
-        """The table of columns that belong to no other object, without a copy."""
-        table = object.__new__(cls)
-        table._hold(columns)
-        return table
 
     @classmethod
     def of(cls, data: Any) -> Table:
@@ -152,9 +142,6 @@ class Table(Fixed):
             writer.writerow(["" if v is None or v != v else repr(v) if isinstance(v, float) else str(v).lower() if isinstance(v, bool) else v for v in row])
         return out.getvalue()
 
-    def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
-        return _native.arrow_stream(self._columns)
-
     def _key(self) -> Any:
         # Zeros without a sign.
         kept = [(v.dtype.char, (v + 0).tobytes()) if isinstance(v, np.ndarray) else tuple(v) for v in self._columns.values()]
@@ -167,7 +154,7 @@ class Table(Fixed):
         return hash(("Table", self._key()))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Table._of, (self._columns,)
+        return Table, (self._columns,)
 
     def __repr__(self) -> str:
         return f"Table({len(self)} rows: {', '.join(self._columns)})"

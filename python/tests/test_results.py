@@ -120,11 +120,11 @@ def test_a_result_with_a_table_gives_it_to_data_frames(results: dict[str, Any], 
             thing.to_table()
         return
     table = thing.to_table()
-    arrow = pa.table(thing)
-    assert arrow.num_rows == len(table) == len(thing.to_pandas()) == len(pl.DataFrame(thing)) > 0
+    arrow, polars = pa.table(dict(table)), pl.DataFrame(dict(table))
+    assert arrow.num_rows == len(table) == len(thing.to_pandas()) == len(polars) > 0
     assert arrow.column_names == table.columns == list(thing.to_pandas().columns)
     # An identity: what a frame gives back is the table again.
-    assert mk.Table.of(arrow) == mk.Table.of(pl.DataFrame(thing)) == mk.Table.of(table) == mk.Table.of(thing)
+    assert mk.Table.of(arrow) == mk.Table.of(polars) == mk.Table.of(table) == mk.Table.of(thing)
 
 
 def test_what_differs_is_not_equal(root: Path, results: dict[str, Any]) -> None:

@@ -98,6 +98,7 @@ pub struct BuildAnswer {
 pub const REPORT: &str = "report.html";
 
 /// A file that a command makes.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct BuiltFile {
     /// Its name.
@@ -105,10 +106,8 @@ pub struct BuiltFile {
     /// What it is.
     pub about: String,
     /// What is in it, if it is text.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub text: Option<String>,
     /// What is in it, if it is not text: its bytes in base64.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub base64: Option<String>,
     /// The same as bytes.
     #[serde(skip)]

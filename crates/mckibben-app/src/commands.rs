@@ -3,19 +3,19 @@
 #[cfg(feature = "schema")]
 use crate::annotate::annotate;
 use crate::border::within;
-#[cfg(feature = "schema")]
-use crate::expected::Expected;
 use crate::problem::{Problem, ProblemKind};
 use crate::*;
 use mckibben::cancel::Cancel;
 use mckibben::nearest::nearest;
 use mckibben::progress::Progress;
+use mckibben::units::NamedUnit;
 #[cfg(feature = "files")]
 use mckibben_campaign::campaign::{CampaignStatus, Merged, Outcome, Summary};
 #[cfg(feature = "schema")]
 use schemars::{JsonSchema, Schema, SchemaGenerator, generate::SchemaSettings};
 use serde::Serialize;
-use serde_json::Value;
+use serde::de::DeserializeOwned;
+use serde_json::{Map, Value};
 #[cfg(feature = "schema")]
 use std::borrow::Cow;
 use std::sync::LazyLock;
@@ -29,12 +29,12 @@ pub struct CommandEntry {
     pub name: &'static str,
     #[cfg(feature = "schema")]
     schema: fn() -> Value,
-    read: fn(Value) -> Result<Ready, Problem>,
+    read: fn(&Value) -> Result<Ready, Problem>,
     /// Whether it may take more than a moment, and reports its progress: a job.
     pub long: bool,
-    /// What its request holds, from the schema, which is made once.
+    /// The fields of its request, from the schema, which is made once.
     #[cfg(feature = "schema")]
-    expected: OnceLock<Expected>,
+    fields: OnceLock<Vec<String>>,
 }
 
 /// The work that answers a request.
@@ -75,29 +75,25 @@ impl CommandEntry {
         (self.schema)()
     }
 
-    /// What its request holds.
-    #[cfg(feature = "schema")]
-    fn expected(&self) -> &Expected {
-        self.expected.get_or_init(|| Expected::of(&self.schema()["request"]))
-    }
-
     /// Reads a request, before any work is done for it: what is wrong with it is an error at once.
     pub fn read(&self, request: Value) -> Result<Ready, Problem> {
         #[cfg(feature = "schema")]
         self.check_fields(&request)?;
-        (self.read)(request)
+        (self.read)(&request)
     }
 
-    /// A field that no request of this kind has is an error: a mistyped one must not turn into a default. So is one with something in it
-    /// that does not belong there.
+    /// A field that no request of this kind has is an error: a mistyped one must not turn into a default.
     #[cfg(feature = "schema")]
     fn check_fields(&self, request: &Value) -> Result<(), Problem> {
-        let expected = self.expected();
-        let known = || expected.fields().iter().map(|(name, _)| name.as_str());
-        let mut given = request.as_object().into_iter().flat_map(|fields| fields.keys());
-        let unknown =
-            given.find(|field| !expected.fields().is_empty() && !known().any(|name| name == *field));
-        let Some(field) = unknown else { return expected.check(request) };
+        let known = self.fields.get_or_init(|| {
+            let schema = self.schema();
+            schema["request"]["properties"].as_object().into_iter().flat_map(Map::keys).cloned().collect()
+        });
+        let mut given = request.as_object().into_iter().flat_map(Map::keys);
+        let Some(field) = given.find(|field| !known.is_empty() && !known.contains(field)) else {
+            return Ok(());
+        };
+        let known = || known.iter().map(String::as_str);
         let hint = nearest(field, known()).map_or_else(String::new, |name| format!("did you mean `{name}`?"));
         let message = format!("there is no field \"{field}\" in this request");
         Err(Problem::new(ProblemKind::Usage, message, hint).in_field(field.clone()))
@@ -111,14 +107,14 @@ macro_rules! command {
             #[cfg(feature = "schema")]
             schema: schemas::<$request, $answer>,
             read: |value| {
-                let $r: $request = serde_json::from_value(value).map_err(|e| not_understood(&e))?;
+                let $r: $request = understood(value)?;
                 Ok(Ready(Box::new(move |$progress| {
                     let answer: $answer = $body?;
                     json(&answer)
                 })))
             },
             #[cfg(feature = "schema")]
-            expected: OnceLock::new(),
+            fields: OnceLock::new(),
             long: false,
         }
     };
@@ -248,7 +244,7 @@ pub fn packed(mut answer: Value) -> Vec<u8> {
 }
 
 fn of_text(command: &str, request: &str, progress: &dyn Progress) -> Result<Value, Problem> {
-    let request = serde_json::from_str(request).map_err(|e| not_understood(&e))?;
+    let request = serde_json::from_str(request).map_err(|e| not_understood(&e, None))?;
     of_value(command, request, progress)
 }
 
@@ -256,19 +252,16 @@ fn of_value(command: &str, value: Value, progress: &dyn Progress) -> Result<Valu
     (find(command)?.read(value)?.0)(progress)
 }
 
-/// A request, or a group of its fields.
-#[cfg(feature = "schema")]
-pub trait RequestFields: serde::de::DeserializeOwned + JsonSchema {}
-
-#[cfg(feature = "schema")]
-impl<T: serde::de::DeserializeOwned + JsonSchema> RequestFields for T {}
-
-/// A request that is asked for by its type, or a group of fields of one.
-#[cfg(feature = "schema")]
-pub fn understood<T: RequestFields>(fields: Value) -> Result<T, Problem> {
-    T::deserialize(&fields).map_err(|e| {
-        let expected = Expected::of(&schemas::<T, ()>()["request"]);
-        expected.check(&fields).err().unwrap_or_else(|| not_understood(&e))
+/// A request by its type, or a group of fields of one. To blame is the field without which something else is wrong, or nothing.
+pub fn understood<T: DeserializeOwned>(fields: &Value) -> Result<T, Problem> {
+    T::deserialize(fields).map_err(|error| {
+        let without = |name: &&String| {
+            let mut rest = fields.clone();
+            drop(rest.as_object_mut().and_then(|map| map.shift_remove(*name)));
+            T::deserialize(&rest).err().is_none_or(|e| e.to_string() != error.to_string())
+        };
+        let field = fields.as_object().into_iter().flat_map(Map::keys).find(without);
+        not_understood(&error, field.map(String::as_str))
     })
 }
 
@@ -335,8 +328,47 @@ impl Root {
     }
 }
 
-fn not_understood(error: &serde_json::Error) -> Problem {
-    Problem::new(ProblemKind::Usage, format!("the request cannot be understood: {error}"), "")
+/// Words of serde, and ours.
+const PLAIN: [(&str, &str); 12] = [
+    ("string ", "the text "),
+    ("integer ", ""),
+    ("floating point ", ""),
+    ("boolean ", ""),
+    ("sequence", "a list"),
+    ("map", "an object of fields"),
+    ("a string", "a text"),
+    ("a sequence", "a list"),
+    ("a boolean", "true or false"),
+    ("u64", "a whole number"),
+    ("u32", "a whole number"),
+    ("usize", "a whole number"),
+];
+
+/// What belongs into a field, and the beginning of what was given.
+fn not_understood(error: &serde_json::Error, field: Option<&str>) -> Problem {
+    let said = error.to_string();
+    let plain = |words: &str| {
+        let known = PLAIN.into_iter().find(|(own, _)| words.starts_with(own));
+        known.map_or_else(|| words.to_owned(), |(own, plain)| words.replacen(own, plain, 1).replace('`', ""))
+    };
+    let parts = said.strip_prefix("invalid type: ").and_then(|said| said.rsplit_once(", expected "));
+    let message = match parts {
+        Some((given, wanted)) => {
+            let wanted = match (wanted, field.and_then(NamedUnit::of_field).map_or("", |of| of.unit)) {
+                ("f64", "") => "a number without a unit".to_owned(),
+                ("f64", unit) => format!("a number in {unit}"),
+                (other, _) if other.starts_with("struct ") => "an object of fields".to_owned(),
+                (other, _) => plain(other),
+            };
+            let (given, mut start) = (plain(given), plain(given).chars().take(60).collect::<String>());
+            start += if start.len() < given.len() { "…\"" } else { "" };
+            let what = field.map_or_else(|| "a request".to_owned(), |field| format!("`{field}`"));
+            format!("{what} is {wanted}, not {start}")
+        }
+        None => format!("the request cannot be understood: {said}"),
+    };
+    let problem = Problem::new(ProblemKind::Usage, message, "");
+    if let Some(field) = field { problem.in_field(field) } else { problem }
 }
 
 fn json<A: Serialize>(answer: &A) -> Result<Value, Problem> {

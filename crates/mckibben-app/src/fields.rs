@@ -37,7 +37,7 @@ impl UnderstoodTable {
 
 /// Stiffness of one strand family.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "a number in N/mm, `inextensible` or `paper` is expected")]
 pub enum Stiffness {
     /// In N/mm.
     NewtonPerMm(f64),
@@ -86,6 +86,7 @@ pub struct ModelFields {
 }
 
 /// The mesh of finite elements.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 #[schemars(transform = InGroup("model"))]
@@ -93,13 +94,11 @@ pub struct MeshFields {
     /// Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal
     /// behind (2x8:2); of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along
     /// (2x12x39), with :quadratic or :circle behind.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub mesh: Option<String>,
     /// Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
     #[serde(rename = "match", skip_serializing_if = "is_default")]
     pub keep: Keep,
     /// Terminal of `fe3d` that is a body; without it a rigid plane.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub terminal: Option<Terminal>,
 }
 
@@ -119,15 +118,14 @@ pub enum Keep {
 }
 
 /// A terminal with a plug inside of the tube.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Terminal {
     /// What the plug is made of.
     pub material: TerminalMaterial,
     /// How far the plug reaches into the tube, mm.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub insertion_mm: Option<f64>,
     /// Radius of its nose, mm.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub nose_mm: Option<f64>,
 }
 

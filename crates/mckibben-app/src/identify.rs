@@ -19,8 +19,8 @@ use mckibben::progress::Progress;
 use mckibben::size;
 use mckibben::warning::Warning;
 use mckibben_fit::identify::{
-    Identification, Identified, IdentifyError, LawTrial, Parameter, ParameterError, PointFit, Request,
-    Target, identify_default, identify_with, try_laws,
+    Identification, Identified, IdentifyError, LawTrial, Parameter, PointFit, Request, Target,
+    identify_default, identify_with, try_laws,
 };
 use mckibben_fit::least_squares::EstimateError;
 use mckibben_fit::measured::{
@@ -64,6 +64,7 @@ pub struct IdentifyAnswer {
 }
 
 /// Fit of a rubber law to the points.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct LawRow {
     /// The law.
@@ -71,16 +72,12 @@ pub struct LawRow {
     /// What was free, with its value and error.
     pub parameters: Vec<Identified>,
     /// Root mean square of the residuals, N.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub rms_n: Option<f64>,
     /// AICc less that of the preferred law: 10 is decided where the errors of the points are independent.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub aicc_difference: Option<f64>,
     /// Correlation of neighbouring residuals on a curve: near 0 where the model follows, near 1 where it does not.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub neighbour_correlation: Option<f64>,
     /// What makes its constants implausible, or why there are none.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub doubt: Option<String>,
 }
 
@@ -110,6 +107,7 @@ impl LawRow {
 }
 
 /// A point, with the value of the model.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct IdentifiedPoint {
     /// Measures of its muscle that it states.
@@ -121,19 +119,14 @@ pub struct IdentifiedPoint {
     /// The measured quantity; the others were set. In a row of a volume the pull is 0 where none was read.
     pub measured: Quantity,
     /// Volume of the cavity, hose and fittings with it, where that was read, mm³.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub volume_mm3: Option<f64>,
     /// The model's pull where that was read, N.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub model_force_n: Option<f64>,
     /// The model's contraction ratio where that was read.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub model_contraction: Option<f64>,
     /// The model's pressure where that was read, MPa.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub model_pressure_mpa: Option<f64>,
     /// The model's volume with `dead_volume` where that was read, mm³.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub model_volume_mm3: Option<f64>,
     /// Model − measured, N.
     pub residual_n: f64,
@@ -395,12 +388,6 @@ fn in_one_line(parameters: &[Identified]) -> String {
         format!("{} {value}{bar}{unit}{doubt}", p.name)
     };
     parameters.iter().map(one).collect::<Vec<_>>().join(", ")
-}
-
-impl From<ParameterError> for Problem {
-    fn from(error: ParameterError) -> Self {
-        Self::new(ProblemKind::Parameter, error.to_string(), "")
-    }
 }
 
 impl From<IdentifyError> for Problem {

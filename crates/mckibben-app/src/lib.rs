@@ -39,8 +39,6 @@ mod commands;
 mod compare;
 mod curve;
 mod design;
-#[cfg(feature = "schema")]
-mod expected;
 mod export;
 mod fields;
 mod figure;
@@ -92,9 +90,9 @@ pub use burst::PressureLimits;
 #[cfg(feature = "files")]
 pub use campaign::*;
 pub use check::*;
-pub use commands::{COMMANDS, CommandEntry, Ready, ask, ask_packed, ask_value, find, packed};
+pub use commands::{COMMANDS, CommandEntry, Ready, ask, ask_packed, ask_value, find, packed, understood};
 #[cfg(feature = "schema")]
-pub use commands::{RequestFields, answer_schema, schema, understood};
+pub use commands::{answer_schema, schema};
 pub use compare::*;
 pub use curve::*;
 pub use design::*;
@@ -111,10 +109,7 @@ pub use joint::*;
 pub use library::*;
 pub use liquid::LiquidFields;
 pub use load::{LoadAnswer, LoadFields, LoadedAt};
-pub use many::{
-    AnswerColumns, ArrayError, BoundModel, Column, Many, Pairs, PointQuantity, Unanswered, curve_columns,
-    with_parameters,
-};
+pub use many::{ArrayError, BoundModel, Many, PointQuantity, Unanswered, with_parameters};
 pub use mckibben::model::ModelEntry;
 pub use mckibben_design::TubePart;
 pub use mckibben_motion::{Event, Subject};

@@ -6,20 +6,17 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// What a muscle is filled with.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct LiquidFields {
     /// Volume of line, fittings and what stays in the syringe, mm³; default 0.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub dead_volume_mm3: Option<f64>,
     /// Liquid: water, oil (SAE 10W) or glycol (ethylene glycol); default: water for `fill`, air for `design`.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub liquid: Option<String>,
     /// Bulk modulus of the liquid without gas in MPa, in place of that of the table.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub liquid_bulk_modulus_mpa: Option<f64>,
     /// Gas in the liquid by volume at atmospheric pressure; default 0.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub gas_share: Option<f64>,
 }
 

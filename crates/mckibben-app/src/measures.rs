@@ -21,6 +21,7 @@ pub struct MeasuresAnswer {
 }
 
 /// A measure of a muscle.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct MeasureEntry {
     /// Key in the muscle file.
@@ -28,30 +29,22 @@ pub struct MeasureEntry {
     /// Table of the muscle file.
     pub group: &'static str,
     /// Field of requests.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub field: Option<&'static str>,
     /// Its name, in a few words.
     pub label: &'static str,
     /// Its symbol.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub symbol: Option<&'static str>,
     /// What it measures; none for a plain number.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub quantity: Option<Dimension>,
     /// Unit of its numbers; none for a plain number.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<&'static str>,
     /// The muscle refuses this value and those below it.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub above: Option<f64>,
     /// Lowest value.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub minimum: Option<f64>,
     /// Highest value.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub maximum: Option<f64>,
     /// Value of a muscle that does not state it.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub default: Option<f64>,
     /// What it is, in a sentence.
     pub about: String,

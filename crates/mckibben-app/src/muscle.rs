@@ -242,6 +242,7 @@ impl From<SleeveError> for Problem {
 }
 
 /// A muscle's measures.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct MuscleSummary {
     /// Outer diameter D0 at rest, mm.
@@ -257,16 +258,12 @@ pub struct MuscleSummary {
     /// The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
     pub braid: String,
     /// Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub sleeve: Option<String>,
     /// Factor within which the stiffness of the braid is known, where that and the strength of its strands are estimates.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub stiffness_factor: Option<f64>,
     /// Mass of the rubber between the terminals, g, where its density is stated; braid and terminals are not in it.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub rubber_mass_g: Option<f64>,
     /// Mass of tube and sleeve between the terminals, g, where both are known; the terminals are not in it.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub mass_g: Option<f64>,
 }
 

@@ -23,27 +23,22 @@ pub struct MuscleFields {
 }
 
 /// What of a muscle has a name, or completes one.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 #[schemars(transform = InGroup(mckibben::muscle::measures::GROUP))]
 pub struct NamedFields {
     /// Muscle file (TOML), or a muscle of the library by its name without a text (`lib:dmsp-20-300`); the other fields override what it says.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub muscle: Option<TextFile>,
     /// A rubber: NAME or NAME:LAW of the library, a hardness such as `shore:30A`, or a stress at 100 % such as `s100:0.6MPa`.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub rubber: Option<String>,
     /// A muscle file (TOML) whose rubber is taken, such as `rubber` writes.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub rubber_file: Option<TextFile>,
     /// A sleeve of the library: its angle on this diameter, its strands.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub braid: Option<String>,
     /// Diameter of one strand, mm: in place of its cross-section, or of a named sleeve whose source does not state it.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub strand_diameter_mm: Option<f64>,
     /// Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub stiffness: Option<Stiffness>,
 }
 

@@ -64,22 +64,18 @@ pub struct PartShowRequest {
 }
 
 /// All that have this name.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
 pub struct PartShowAnswer {
     /// A tube.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub tube: Option<TubePart>,
     /// A sleeve.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub sleeve: Option<BraidDetails>,
     /// A rubber.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub rubber: Option<RubberDetails>,
     /// A muscle.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub muscle: Option<LibraryDetails>,
     /// A force model.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub model: Option<ModelDetails>,
 }
 

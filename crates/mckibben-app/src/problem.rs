@@ -115,15 +115,14 @@ impl fmt::Display for ProblemKind {
 }
 
 /// The answer nearest to the one that does not exist.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 pub struct Nearest {
     /// Its pull in N.
     pub force_n: f64,
     /// Its pressure in MPa.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pressure_mpa: Option<f64>,
     /// Its contraction ratio.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contraction: Option<f64>,
 }
 
@@ -131,6 +130,7 @@ pub struct Nearest {
 ///
 /// Message and hint name fields of the request in backquotes (`` `pressure_mpa` ``), so that a front end can put its own
 /// word for them in place.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Problem {
     /// A word for programs.
@@ -140,10 +140,8 @@ pub struct Problem {
     /// What to do about it; may be empty.
     pub hint: String,
     /// The field of the request that is to blame, where it is one.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub field: Option<String>,
     /// The nearest answer there is, where it is known.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub nearest: Option<Nearest>,
 }
 
@@ -201,16 +199,26 @@ impl fmt::Display for Problem {
 
 impl std::error::Error for Problem {}
 
-impl From<Cancelled> for Problem {
-    fn from(cancelled: Cancelled) -> Self {
-        Self::new(ProblemKind::Cancelled, cancelled.to_string(), "")
-    }
+/// Errors of the layers below whose own sentence says all.
+macro_rules! said {
+    ($($error:ty: $kind:ident, $hint:literal;)*) => {$(
+        impl From<$error> for Problem {
+            fn from(error: $error) -> Self {
+                Self::new(ProblemKind::$kind, error.to_string(), $hint)
+            }
+        }
+    )*};
 }
 
-impl From<TooLarge> for Problem {
-    fn from(large: TooLarge) -> Self {
-        Self::new(ProblemKind::Range, large.to_string(), "")
-    }
+said! {
+    Cancelled: Cancelled, "";
+    TooLarge: Range, "";
+    MuscleError: Muscle, "";
+    FileError: File, "";
+    SpreadError: Tolerance, "take smaller tolerances";
+    FormulaError: Formula, "";
+    mckibben::rubber::library::LibraryError: Rubber, "";
+    mckibben_fit::identify::ParameterError: Parameter, "";
 }
 
 impl From<ModelError> for Problem {
@@ -274,18 +282,6 @@ impl From<FemError> for Problem {
     }
 }
 
-impl From<MuscleError> for Problem {
-    fn from(error: MuscleError) -> Self {
-        Self::new(ProblemKind::Muscle, error.to_string(), "")
-    }
-}
-
-impl From<FileError> for Problem {
-    fn from(error: FileError) -> Self {
-        Self::new(ProblemKind::File, error.to_string(), "")
-    }
-}
-
 impl From<SpecError> for Problem {
     fn from(error: SpecError) -> Self {
         match error {
@@ -298,21 +294,9 @@ impl From<SpecError> for Problem {
     }
 }
 
-impl From<SpreadError> for Problem {
-    fn from(error: SpreadError) -> Self {
-        Self::new(ProblemKind::Tolerance, error.to_string(), "take smaller tolerances")
-    }
-}
-
 impl From<ToleranceError> for Problem {
     fn from(error: ToleranceError) -> Self {
         Self::new(ProblemKind::Quantity, error.to_string(), "").in_field("tolerance")
-    }
-}
-
-impl From<FormulaError> for Problem {
-    fn from(error: FormulaError) -> Self {
-        Self::new(ProblemKind::Formula, error.to_string(), "")
     }
 }
 

@@ -1,9 +1,9 @@
 //! Rubbers of the library.
 
 use crate::muscle::rubber;
-use crate::problem::{Problem, ProblemKind};
+use crate::problem::Problem;
 use mckibben::rubber::library::{
-    self, COVERING, LibraryError, RubberEntry, RubberFit, Standing, USUAL_REACH, Window, WindowLaw,
+    self, COVERING, RubberEntry, RubberFit, Standing, USUAL_REACH, Window, WindowLaw,
 };
 use mckibben::rubber::{Law, RubberLaw};
 use schemars::JsonSchema;
@@ -216,10 +216,4 @@ fn planar_difference(law: &Law, best: &Law, end: f64) -> f64 {
         (apart.max((own - best).abs()), largest.max(best.abs()))
     });
     apart / largest
-}
-
-impl From<LibraryError> for Problem {
-    fn from(error: LibraryError) -> Self {
-        Self::new(ProblemKind::Rubber, error.to_string(), "")
-    }
 }

@@ -15,16 +15,14 @@ const LOWER_PRESSURE: f64 = 0.4;
 const WORTH: f64 = 0.8;
 
 /// The ± of a pull in words, and the smallest bench that would make it smaller.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
 pub struct UncertaintyWords {
     /// The ± with its parts: `± 170 N (95 %): friction unknown 160, model against tests 50, mesh 1`.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub text: Option<String>,
     /// 95 % half-width of the pull after `identify` from the smallest bench, N; none where the muscle was measured, or where this helps little.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub bench_uncertainty_n: Option<f64>,
     /// That bench: `10 points on both branches at 0.1 MPa and 0.3 MPa would leave about ± 30 N`.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub bench: Option<String>,
     #[serde(skip)]
     parts: Option<UncertaintyParts>,

@@ -16,6 +16,7 @@ const PRINTED_G_PER_MM3: f64 = 1.27e-3;
 const SAME_MM: f64 = 0.011;
 
 /// A line of the bill.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct BuildPart {
@@ -26,16 +27,12 @@ pub struct BuildPart {
     /// How much of it.
     pub amount: String,
     /// Name as sold, where it is of the catalogue.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub sold_as: Option<String>,
     /// Mass in g, where it is known.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub mass_g: Option<f64>,
     /// Price as its source states it.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub price: Option<String>,
     /// Where name and price come from.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub source: Option<String>,
 }
 

@@ -41,12 +41,12 @@ impl CandidatePoint {
 }
 
 /// A muscle that fits.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Candidate {
     #[serde(skip)]
     pub muscle: Muscle,
     /// Name of the tube as sold or cast that it has, where tubes were searched.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub tube: Option<String>,
     /// Name of the model that all its numbers come from.
     pub model: String,
@@ -54,7 +54,6 @@ pub struct Candidate {
     #[serde(skip)]
     pub(super) score: Score,
     /// The limit that keeps it from being better: the one that is met by least, where less than 1 % of it is left.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub binds: Option<Limit>,
     /// The operating points in the order of the specification.
     pub points: Vec<CandidatePoint>,
@@ -65,10 +64,8 @@ pub struct Candidate {
     /// Blocked force at the maximum pressure, in N.
     pub blocked_force_n: f64,
     /// Free contraction at the maximum pressure.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub free_contraction: Option<f64>,
     /// Work in J from ε = 0 to the largest contraction wanted, at the maximum pressure.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub work_j: Option<f64>,
     /// The pressures at which it fails; `None` where no model answers for the blocked muscle.
     #[serde(skip)]

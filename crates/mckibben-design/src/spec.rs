@@ -50,27 +50,23 @@ pub enum BraidChoice {
 }
 
 /// Bounds on what comes out.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Limits {
     /// Largest outer diameter at any operating point, in mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub bulged_diameter_mm: Option<f64>,
     /// Least ratio of burst pressure to maximum pressure; holds where the strands' strength is known.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub burst_margin: Option<f64>,
     /// Largest principal stretch of the rubber at any operating point.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub stretch: Option<f64>,
     /// Whether a push must be below the load at which the muscle buckles as a column between two joints; not of a muscle that is guided.
     pub buckling: bool,
     /// Where `stretch` is not given: each rubber is stretched no further than its law was fitted.
     pub fitted_stretch: bool,
     /// Largest strain of the strands at the maximum pressure, not shortened and at the operating points.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub strand_strain: Option<f64>,
     /// Largest liquid volume that is pushed in from rest to any operating point, in mm³; needs a liquid.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub liquid_volume_mm3: Option<f64>,
 }
 

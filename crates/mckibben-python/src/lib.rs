@@ -5,15 +5,12 @@
 //! hears of it now and then ([`run`]): a progress bar moves, Ctrl-C ends the work. What is wrong is raised as one of the package's own
 //! exceptions ([`error`]); a panic is one of them.
 
-mod arrow;
 mod ask;
-mod columns;
 mod error;
 mod files;
 mod formula;
 mod model;
 mod muscle;
-mod pairs;
 mod run;
 mod simulation;
 mod value;
@@ -25,11 +22,7 @@ use pyo3::pymodule;
 #[pymodule(gil_used = false)]
 mod _native {
     #[pymodule_export]
-    use crate::arrow::arrow_stream;
-    #[pymodule_export]
     use crate::ask::{ask, choice, quantity, schema, unit_of, values};
-    #[pymodule_export]
-    use crate::columns::{curve, plan};
     #[pymodule_export]
     use crate::files::{
         drive_files, joint_files, read_formula, read_table, read_text, toml, toml_text, without_gaps,
@@ -40,7 +33,7 @@ mod _native {
     #[pymodule_export]
     use crate::model::Model;
     #[pymodule_export]
-    use crate::muscle::{design, muscle_fields, muscle_text, muscle_with, parameters, rubber_stress};
+    use crate::muscle::{muscle_fields, muscle_text, muscle_with, parameters, rubber_stress};
     #[pymodule_export]
     use crate::simulation::Simulation;
     #[pymodule_export]

@@ -1,14 +1,12 @@
 //! A model bound to its muscle, asked for arrays.
 
 use crate::error::Wrong;
-use crate::pairs::{Spread, lists};
 use crate::{run, value};
 use mckibben::progress::Progress;
 use mckibben_app::{
-    AskFields, BoundModel, Many, ModelFields, Pairs, PointQuantity, TextFile, Unanswered, muscle_of,
-    understood,
+    AskFields, BoundModel, Many, ModelFields, PointQuantity, TextFile, Unanswered, muscle_of, understood,
 };
-use numpy::{PyReadonlyArrayDyn, PyReadwriteArrayDyn, PyUntypedArrayMethods};
+use numpy::{PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -27,8 +25,7 @@ impl Model {
         let request = value::request(request)?;
         Ok(run::quick(py, |_| {
             let muscle = muscle_of(&TextFile { name: "muscle".into(), text: muscle })?;
-            let (model, asking): (ModelFields, AskFields) =
-                (understood(request.clone())?, understood(request)?);
+            let (model, asking): (ModelFields, AskFields) = (understood(&request)?, understood(&request)?);
             Ok(Self { bound: BoundModel::new(&muscle, &model, asking)? })
         })?)
     }
@@ -45,17 +42,16 @@ impl Model {
         self.bound.is_elements()
     }
 
-    /// Answers every pair of two arrays, spread over the shape of `out`, into it; with slopes `out` has one axis more at its end, of the
-    /// numbers of a point. Returns how many points have no answer (theirs are NaN where `nan` is true, else the first one raises).
+    /// Answers every pair of two lists into `out`, with slopes all numbers of a point one after the other. Returns how many points have no answer (theirs are NaN where `nan` is true, else the first one raises).
     #[pyo3(signature = (wanted, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes, parameters, nan, progress: "collections.abc.Callable[[int, int], object] | None" = None))]
     #[expect(clippy::too_many_arguments, reason = "called by the package alone")]
     fn fill(
         &self,
         py: Python<'_>,
         wanted: &str,
-        first: PyReadonlyArrayDyn<'_, f64>,
-        second: PyReadonlyArrayDyn<'_, f64>,
-        mut out: PyReadwriteArrayDyn<'_, f64>,
+        first: PyReadonlyArray1<'_, f64>,
+        second: PyReadonlyArray1<'_, f64>,
+        mut out: PyReadwriteArray1<'_, f64>,
         slopes: bool,
         parameters: Vec<String>,
         nan: bool,
@@ -68,19 +64,9 @@ impl Model {
             parameters: parameters.collect::<Result<_, _>>().map_err(Wrong::from)?,
             unanswered: unanswered(nan),
         };
-        let mut shape = out.shape().to_vec();
-        if slopes {
-            shape.pop();
-        }
-        let places = out.as_slice_mut().map_err(|e| PyValueError::new_err(e.to_string()))?;
-        if let Some(lists) = lists(&first, &second, &shape) {
-            return self.answer(py, &Pairs::Lists(lists), &many, places, progress);
-        }
-        let (first, second) = (first.as_array(), second.as_array());
-        let spread = Spread::new(&first, &second, &shape)
-            .ok_or_else(|| PyValueError::new_err("arrays that do not fit the answers"))?;
-        let read = |from: usize, a: &mut [f64], b: &mut [f64]| spread.read(from, a, b);
-        self.answer(py, &Pairs::Read(spread.count(), &read), &many, places, progress)
+        let wrong = |e: numpy::AsSliceError| PyValueError::new_err(e.to_string());
+        let pairs = [first.as_slice().map_err(wrong)?, second.as_slice().map_err(wrong)?];
+        self.answer(py, pairs, &many, out.as_slice_mut().map_err(wrong)?, progress)
     }
 
     /// The answer to one pair of numbers; NaN where it has none and `nan` is true.
@@ -92,7 +78,7 @@ impl Model {
             unanswered: unanswered(nan),
         };
         let mut place = [f64::NAN];
-        self.answer(py, &Pairs::Lists([&[first], &[second]]), &many, &mut place, None)?;
+        self.answer(py, [&[first], &[second]], &many, &mut place, None)?;
         let [answer] = place;
         Ok(answer)
     }
@@ -103,7 +89,7 @@ impl Model {
     fn answer(
         &self,
         py: Python<'_>,
-        pairs: &Pairs<'_>,
+        pairs: [&[f64]; 2],
         many: &Many,
         places: &mut [f64],
         progress: Option<&Bound<'_, PyAny>>,

@@ -5,10 +5,7 @@ use crate::{run, value};
 use mckibben::muscle::Muscle;
 use mckibben::muscle::file::to_toml;
 use mckibben::rubber::RubberLaw;
-use mckibben_app::{
-    DesignRequest, MuscleFields, Problem, ProblemKind, TextFile, design as designed, muscle_of, understood,
-    with_parameters,
-};
+use mckibben_app::{MuscleFields, Problem, ProblemKind, TextFile, muscle_of, understood, with_parameters};
 use mckibben_fit::identify::{Target, own_value};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -19,7 +16,7 @@ use pyo3::types::PyDict;
 pub fn muscle_text(py: Python<'_>, request: &Bound<'_, PyAny>, rubber: Option<String>) -> PyResult<String> {
     let request = value::request(request)?;
     Ok(run::quick(py, |_| {
-        let request: MuscleFields = understood(request)?;
+        let request: MuscleFields = understood(&request)?;
         let base = match &request.named.muscle {
             Some(file) => muscle_of(file)?,
             None => Muscle::prototype(),
@@ -84,23 +81,4 @@ pub fn muscle_with(text: String, values: &Bound<'_, PyDict>) -> PyResult<String>
     let values = values.iter().map(|(name, value)| Ok((name.extract()?, value.extract()?)));
     let values: Vec<(String, f64)> = values.collect::<PyResult<_>>()?;
     Ok(to_toml(&with_parameters(&muscle, &values).map_err(Wrong::from)?))
-}
-
-/// The answer to a specification, and its candidates as texts of muscle files.
-#[pyfunction]
-#[pyo3(signature = (request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "tuple[dict[str, typing.Any], list[str]]")]
-pub fn design<'py>(
-    py: Python<'py>,
-    request: &Bound<'py, PyAny>,
-    progress: Option<&Bound<'py, PyAny>>,
-) -> PyResult<(Bound<'py, PyAny>, Vec<String>)> {
-    let request = value::request(request)?;
-    let (answer, muscles) = run::long(py, progress, |progress| {
-        let request: DesignRequest = understood(request)?;
-        let answer = designed(&request, progress)?;
-        let muscles = answer.muscle_files.iter().map(|file| file.text.clone()).collect();
-        let wrong = |e: serde_json::Error| Problem::new(ProblemKind::Internal, e.to_string(), "");
-        Ok::<(_, Vec<String>), Wrong>((serde_json::to_value(&answer).map_err(wrong)?, muscles))
-    })?;
-    Ok((value::answer(py, &answer)?, muscles))
 }

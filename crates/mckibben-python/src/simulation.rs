@@ -29,7 +29,7 @@ impl Simulation {
     fn new(py: Python<'_>, request: &Bound<'_, PyAny>, step_s: f64) -> PyResult<Self> {
         let request = value::request(request)?;
         Ok(run::long(py, None, |progress| {
-            let request: MotionRequest = understood(request)?;
+            let request: MotionRequest = understood(&request)?;
             Ok(Self { drive: Mutex::new(SimulatedDrive::new(&request, step_s, progress)?) })
         })?)
     }

@@ -17,7 +17,7 @@ fn page(document: &Document) -> Result<String, Wrong> {
 pub fn body_html(py: Python<'_>, request: &Bound<'_, PyAny>) -> PyResult<String> {
     let request = value::request(request)?;
     Ok(run::long(py, None, |progress| {
-        let request: ShapeRequest = understood(request)?;
+        let request: ShapeRequest = understood(&request)?;
         page(&body(&request, progress)?)
     })?)
 }
@@ -32,7 +32,7 @@ pub fn report_html(
 ) -> PyResult<String> {
     let request = value::request(request)?;
     Ok(run::long(py, progress, |progress| {
-        let request: BuildRequest = understood(request)?;
+        let request: BuildRequest = understood(&request)?;
         page(&build(&request, progress)?.document.unwrap_or_default())
     })?)
 }

@@ -48,7 +48,6 @@ pub(crate) struct Placed<'a> {
 /// What the panels share.
 pub(crate) struct Asked<'a> {
     pub title: &'a str,
-    pub single: bool,
     /// Whether each panel has a legend of its own.
     pub own_legends: bool,
 }
@@ -159,24 +158,16 @@ fn end_room(panel: &Panel, axes: &Axes, metrics: &Metrics) -> f64 {
 fn room_of(panel: &Panel, axes: &Axes) -> Room {
     let frame = axes.frame();
     let mut room = Room::new(axes.plot);
-    for (i, series) in panel.series.iter().enumerate() {
+    for series in &panel.series {
         if palette::dash(series.style, 0, crate::Palette::Categorical).is_some() {
-            frame.line(&series.points).iter().for_each(|line| room.add_line(line, i));
+            frame.line(&series.points).iter().for_each(|line| room.add_line(line));
         }
         if series.style == Style::Points {
-            frame.markers(&series.points).into_iter().for_each(|spot| room.add_marker(spot, i));
+            frame.markers(&series.points).into_iter().for_each(|spot| room.add_marker(spot));
         }
     }
     labels::add_rings(&panel.marks, &frame, &mut room);
     room
-}
-
-/// Whether the legend of a panel in this cell finds a place that covers no data.
-pub(crate) fn legend_fits(panel: &Panel, cell: Rect, metrics: &Metrics) -> Result<bool, FigureError> {
-    let gutters = gutters(panel, cell, !panel.title.is_empty(), metrics)?;
-    let axes = axes_in(panel, cell, gutters, metrics)?;
-    let entries = legend::entries(panel);
-    Ok(entries.is_empty() || legend::inside(&entries, metrics, &room_of(panel, &axes)).1 == 0)
 }
 
 /// Puts every panel into its cell; plots of one column and of one row line up.
@@ -207,8 +198,7 @@ pub(crate) fn place<'a>(
     Ok(placed)
 }
 
-/// Room for legends below the panels of a grid: none if all find a free place inside,
-/// otherwise for every panel, since some inside and some outside look like a mistake.
+/// Room for the legends below the panels, where each has its own.
 fn legends_below(
     panels: &[Panel],
     columns: usize,
@@ -218,20 +208,12 @@ fn legends_below(
     metrics: &Metrics,
 ) -> Result<Vec<f64>, FigureError> {
     let mut below = vec![0.0; panels.len()];
-    if !asked.own_legends || asked.single {
-        return Ok(below);
-    }
-    let mut covers = false;
-    for (i, panel) in panels.iter().enumerate() {
+    for (i, panel) in panels.iter().enumerate().filter(|_| asked.own_legends) {
         let axes = axes_in(panel, cell(i), aligned(all, columns, i), metrics)?;
         let entries = legend::fitted(legend::entries(panel), metrics, 0.8 * axes.plot.w);
         if !entries.is_empty() {
-            covers |= legend::inside(&entries, metrics, &room_of(panel, &axes)).1 > 0;
             below[i] = legend::rows(&entries, metrics, 0.0, 0.0, axes.plot.w).frame.h + 4.0;
         }
-    }
-    if !covers {
-        below.fill(0.0);
     }
     Ok(below)
 }
@@ -256,32 +238,16 @@ fn place_one<'a>(
     panel: &'a Panel,
     index: usize,
     cell: Rect,
-    (mut gutters, below): (Gutters, f64),
+    (gutters, below): (Gutters, f64),
     asked: &Asked<'_>,
     metrics: &Metrics,
 ) -> Result<Placed<'a>, FigureError> {
-    let mut axes = axes_in(panel, cell, gutters, metrics)?;
+    let axes = axes_in(panel, cell, gutters, metrics)?;
     let mut room = room_of(panel, &axes);
-    let entries = if asked.own_legends { legend::entries(panel) } else { Vec::new() };
-    let entries = legend::fitted(entries, metrics, if asked.single { cell.w } else { 0.8 * axes.plot.w });
-    let mut legend = None;
-    if below > 0.0 {
-        let (x, y) = (axes.plot.x, cell.bottom() - below + 4.0);
-        legend = Some(legend::rows(&entries, metrics, x, y, axes.plot.w));
-    } else if !entries.is_empty() {
-        let (inside, covered) = legend::inside(&entries, metrics, &room);
-        if covered == 0 || !asked.single {
-            room.add_box(inside.frame);
-            legend = Some(inside);
-        } else {
-            // no free corner: the legend is beside the plot, right of the end texts
-            let shift = gutters.right;
-            gutters.right += legend::size(&entries, metrics).0 + 2.0;
-            axes = axes_in(panel, cell, gutters, metrics)?;
-            room = room_of(panel, &axes);
-            legend = Some(legend::beside(&entries, metrics, axes.plot.right() + shift, axes.plot.y - 4.0));
-        }
-    }
+    let legend = (below > 0.0).then(|| {
+        let entries = legend::fitted(legend::entries(panel), metrics, 0.8 * axes.plot.w);
+        legend::rows(&entries, metrics, axes.plot.x, cell.bottom() - below + 4.0, axes.plot.w)
+    });
     if axes.plot.w < 8.0 * PER_MM || axes.plot.h < 8.0 * PER_MM {
         return Err(FigureError::PanelTooSmall {
             title: asked.title.to_owned(),
@@ -299,7 +265,7 @@ fn place_one<'a>(
             |(k, other): (usize, &crate::Series)| !other.label.trim().is_empty() && other.number(k) == number;
         let meant = s.neutral || panel.series.iter().enumerate().any(explained);
         let colour = (!meant).then_some(number);
-        Some(Ended { text: s.end_label.trim().to_owned(), colour, series: i, line })
+        Some(Ended { text: s.end_label.trim().to_owned(), colour, line })
     });
     labels.extend(line_labels::of_lines(ended.collect(), metrics, &mut room));
     let text = metrics.fit(&panel.title, PANEL_TITLE, cell.w);

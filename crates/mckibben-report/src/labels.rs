@@ -22,11 +22,8 @@ const GAPS: [f64; 7] = [3.0, 12.0, 24.0, 40.0, 56.0, 72.0, 90.0];
 
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Label {
-    /// Left end of the text at half its height; its middle if it is turned.
+    /// Left end of the text at half its height.
     pub at: Spot,
-    /// Degrees the text is turned, clockwise, about its middle, and its width: the line
-    /// it is set into is interrupted there.
-    pub turn: Option<(f64, f64)>,
     pub text: String,
     /// Colour number; `None`: ink.
     pub colour: Option<usize>,
@@ -38,10 +35,9 @@ pub(crate) fn around(at: Spot, w: f64) -> Rect {
     Rect { x: at.0, y: at.1 - HEIGHT / 2.0, w, h: HEIGHT }
 }
 
-/// What speaks against a box: drawn lines and points under it (but those of series `own`),
-/// texts under it, leaving the plot.
-pub(crate) fn cost_of(rect: &Rect, room: &Room, within: &Rect, own: Option<usize>) -> f64 {
-    let mut cost = 2.0 * room.drawn_under(&rect.grown(1.0), own) as f64;
+/// What speaks against a box: drawn lines and points under it, texts under it, leaving the plot.
+pub(crate) fn cost_of(rect: &Rect, room: &Room, within: &Rect) -> f64 {
+    let mut cost = 2.0 * room.drawn_under(&rect.grown(1.0)) as f64;
     if room.meets_box(&rect.grown(1.0)) {
         cost += 1000.0;
     }
@@ -71,7 +67,7 @@ pub(crate) fn of_marks(marks: &[Mark], frame: &Frame<'_>, metrics: &Metrics, roo
         let at = inside(best_place(spot, w, room, &within), w, &within);
         let rect = around(at, w);
         room.add_box(rect);
-        labels.push(Label { at, text, turn: None, colour: None, leader: leader(spot, &rect) });
+        labels.push(Label { at, text, colour: None, leader: leader(spot, &rect) });
     }
     labels
 }
@@ -88,7 +84,7 @@ fn best_place(spot: Spot, w: f64, room: &Room, within: &Rect) -> Spot {
             let middle = (spot.0 + across * distance + half, spot.1 - up * (distance + HEIGHT / 2.0 - 2.0));
             let at = (middle.0 - w / 2.0, middle.1);
             let rect = around(at, w);
-            let cost = cost_of(&rect, room, within, None) + 5.0 * ring as f64 + 0.4 * turn as f64;
+            let cost = cost_of(&rect, room, within) + 5.0 * ring as f64 + 0.4 * turn as f64;
             if cost >= best.0 {
                 continue;
             }

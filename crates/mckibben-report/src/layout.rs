@@ -80,20 +80,10 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
     }
     let mut height = height_mm * PER_MM;
     let mut bottom = height - 9.0 - caption_room;
-    let common = if single { None } else { legend::shared(&figure.panels) };
-    let mut own_legends = common.is_none();
-    let mut under = common;
-    if single {
-        // a legend too broad or too long to stand beside the data goes below it
-        let panel = &figure.panels[0];
-        let entries = legend::entries(panel);
-        let (w, h) = legend::size(&entries, metrics);
-        let cell = Rect { x: MARGIN, y: top, w: inner, h: bottom - top };
-        if (w > 0.36 * inner || h > 0.8 * (bottom - top)) && !axes::legend_fits(panel, cell, metrics)? {
-            under = Some(entries);
-            own_legends = false;
-        }
-    }
+    let common =
+        if single { Some(legend::entries(&figure.panels[0])) } else { legend::shared(&figure.panels) };
+    let own_legends = common.is_none();
+    let under = common.filter(|entries| !entries.is_empty());
     let legend = under.map(|entries| {
         let entries = legend::fitted(entries, metrics, inner);
         let mut placed = legend::rows(&entries, metrics, MARGIN, 0.0, inner);
@@ -124,7 +114,7 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
         w: cell_w,
         h: cell_h,
     };
-    let asked = axes::Asked { title: &figure.title, single, own_legends };
+    let asked = axes::Asked { title: &figure.title, own_legends };
     let panels = axes::place(&figure.panels, columns, &cell, &asked, metrics)?;
     Ok(Page { width, height, left: MARGIN, title, caption, caption_y, panels, legend })
 }

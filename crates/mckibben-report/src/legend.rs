@@ -1,8 +1,7 @@
-//! The legend: its entries, its size and the place where it covers no data.
+//! The legend: its entries, and rows of them below what they explain.
 
 use crate::font::Metrics;
 use crate::rect::Rect;
-use crate::room::Room;
 use crate::{Panel, Style};
 
 /// Font size of the entries.
@@ -11,7 +10,6 @@ pub(crate) const SIZE: f64 = 10.0;
 pub(crate) const SAMPLE: f64 = 26.0;
 /// Height of a row of entries.
 pub(crate) const ROW: f64 = 14.5;
-const PAD: f64 = 6.0;
 const GAP: f64 = 6.0;
 
 /// One entry: a sample of the line and its text.
@@ -25,8 +23,6 @@ pub(crate) struct Entry {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Legend {
     pub frame: Rect,
-    /// Whether it is over the plot and needs a ground of its own.
-    pub framed: bool,
     /// Entries with the left end of their sample and the middle of their row.
     pub entries: Vec<(f64, f64, Entry)>,
 }
@@ -64,61 +60,9 @@ pub(crate) fn shared(panels: &[Panel]) -> Option<Vec<Entry>> {
 
 /// The entries with texts shortened to what fits beside a sample in a width.
 pub(crate) fn fitted(entries: Vec<Entry>, metrics: &Metrics, width: f64) -> Vec<Entry> {
-    let room = width - SAMPLE - GAP - 2.0 * PAD;
+    let room = width - SAMPLE - 3.0 * GAP;
     let short = |e: Entry| Entry { label: metrics.fit(&e.label, SIZE, room), ..e };
     entries.into_iter().map(short).collect()
-}
-
-/// Width and height of the entries one below the other.
-pub(crate) fn size(entries: &[Entry], metrics: &Metrics) -> (f64, f64) {
-    let widest = entries.iter().map(|e| metrics.width(&e.label, SIZE)).fold(0.0, f64::max);
-    (widest + SAMPLE + GAP + 2.0 * PAD, entries.len() as f64 * ROW + 2.0 * PAD - 3.0)
-}
-
-fn stacked(frame: Rect, framed: bool, entries: &[Entry]) -> Legend {
-    let rows = entries.iter().enumerate();
-    let entries =
-        rows.map(|(i, e)| (frame.x + PAD, frame.y + PAD - 1.5 + (i as f64 + 0.5) * ROW, e.clone())).collect();
-    Legend { frame, framed, entries }
-}
-
-/// Puts the legend into the plot: the place with the least drawn under it, corners first.
-/// Also tells how much lies under it.
-pub(crate) fn inside(entries: &[Entry], metrics: &Metrics, room: &Room) -> (Legend, usize) {
-    let (w, h) = size(entries, metrics);
-    let plot = room.plot();
-    let inset = 7.0;
-    let (left, right) = (plot.x + inset, plot.right() - inset - w);
-    let (top, bottom) = (plot.y + inset, plot.bottom() - inset - h);
-    let (middle, centre) = (plot.y + (plot.h - h) / 2.0, plot.x + (plot.w - w) / 2.0);
-    let places = [
-        (right, top),
-        (left, top),
-        (right, bottom),
-        (left, bottom),
-        (right, middle),
-        (centre, top),
-        (centre, bottom),
-        (left, middle),
-    ];
-    let mut best: Option<(usize, Rect)> = None;
-    for (x, y) in places {
-        let frame = Rect { x, y, w, h };
-        let over_edge = if plot.holds(&frame) { 0 } else { 10_000 };
-        let over_box = if room.meets_box(&frame) { 50 } else { 0 };
-        let cost = room.drawn_under(&frame.grown(4.0), None) + over_edge + over_box;
-        if best.is_none_or(|(least, _)| cost < least) {
-            best = Some((cost, frame));
-        }
-    }
-    let (cost, frame) = best.unwrap_or((10_000, Rect { x: right, y: top, w, h }));
-    (stacked(frame, true, entries), cost)
-}
-
-/// Puts the legend to the right of the plot, at its top.
-pub(crate) fn beside(entries: &[Entry], metrics: &Metrics, x: f64, y: f64) -> Legend {
-    let (w, h) = size(entries, metrics);
-    stacked(Rect { x, y, w, h }, false, entries)
 }
 
 /// Rows of entries set one after the other within a width; the height is that of the frame.
@@ -141,5 +85,5 @@ pub(crate) fn rows(entries: &[Entry], metrics: &Metrics, x: f64, y: f64, width: 
         at += long(entry) + 18.0;
     }
     let frame = Rect { x, y, w: width, h: count as f64 * ROW };
-    Legend { frame, framed: false, entries: placed }
+    Legend { frame, entries: placed }
 }

@@ -10,8 +10,8 @@ pub(crate) struct Room {
     plot: Rect,
     columns: usize,
     rows: usize,
-    /// One bit for each series drawn in the cell (series 64 shares the bit of series 0).
-    cells: Vec<u64>,
+    /// Whether something is drawn in the cell.
+    cells: Vec<bool>,
     boxes: Vec<Rect>,
 }
 
@@ -19,7 +19,7 @@ impl Room {
     pub fn new(plot: Rect) -> Self {
         let columns = (plot.w / CELL).ceil().max(1.0) as usize;
         let rows = (plot.h / CELL).ceil().max(1.0) as usize;
-        Self { plot, columns, rows, cells: vec![0; columns * rows], boxes: Vec::new() }
+        Self { plot, columns, rows, cells: vec![false; columns * rows], boxes: Vec::new() }
     }
 
     /// The plot this is about.
@@ -27,33 +27,33 @@ impl Room {
         self.plot
     }
 
-    /// Notes a drawn line of a series.
-    pub fn add_line(&mut self, line: &[Spot], series: usize) {
+    /// Notes a drawn line.
+    pub fn add_line(&mut self, line: &[Spot]) {
         for pair in line.windows(2) {
             let (a, b) = (pair[0], pair[1]);
             let steps = ((b.0 - a.0).abs().max((b.1 - a.1).abs()) / (0.5 * CELL)).ceil().max(1.0);
             for i in 0..=steps as usize {
                 let t = i as f64 / steps;
-                self.add_spot((a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1)), series);
+                self.add_spot((a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1)));
             }
         }
         if let [only] = line {
-            self.add_spot(*only, series);
+            self.add_spot(*only);
         }
     }
 
-    /// Notes a drawn point of a series.
-    pub fn add_spot(&mut self, (x, y): Spot, series: usize) {
+    /// Notes a drawn point.
+    pub fn add_spot(&mut self, (x, y): Spot) {
         let column = ((x - self.plot.x) / CELL).floor().clamp(0.0, (self.columns - 1) as f64) as usize;
         let row = ((y - self.plot.y) / CELL).floor().clamp(0.0, (self.rows - 1) as f64) as usize;
-        self.cells[row * self.columns + column] |= 1 << (series % 64);
+        self.cells[row * self.columns + column] = true;
     }
 
-    /// Notes a drawn marker of a series.
-    pub fn add_marker(&mut self, (x, y): Spot, series: usize) {
+    /// Notes a drawn marker.
+    pub fn add_marker(&mut self, (x, y): Spot) {
         for across in [-CELL, 0.0, CELL] {
             for down in [-CELL, 0.0, CELL] {
-                self.add_spot((x + across, y + down), series);
+                self.add_spot((x + across, y + down));
             }
         }
     }
@@ -76,14 +76,13 @@ impl Room {
         way.into_iter().any(|spot| others.iter().any(|taken| taken.has(spot)))
     }
 
-    /// How many cells with something drawn lie under a rectangle, not counting series `but`.
-    pub fn drawn_under(&self, rect: &Rect, but: Option<usize>) -> usize {
-        let counted = !but.map_or(0, |series| 1_u64 << (series % 64));
+    /// How many cells with something drawn lie under a rectangle.
+    pub fn drawn_under(&self, rect: &Rect) -> usize {
         let index = |v: f64, last: usize| (v / CELL).floor().clamp(0.0, (last - 1) as f64) as usize;
         let columns =
             index(rect.x - self.plot.x, self.columns)..=index(rect.right() - self.plot.x, self.columns);
         let rows = index(rect.y - self.plot.y, self.rows)..=index(rect.bottom() - self.plot.y, self.rows);
-        let drawn = |row: usize, column: usize| self.cells[row * self.columns + column] & counted != 0;
+        let drawn = |row: usize, column: usize| self.cells[row * self.columns + column];
         rows.map(|row| columns.clone().filter(|column| drawn(row, *column)).count()).sum()
     }
 }

@@ -230,41 +230,12 @@ fn draw_label(out: &mut String, label: &Label, pen: &Pen<'_>) {
     }
     // A white outline below keeps the text readable where it has to stand over a line.
     let halo = " stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\" aria-hidden=\"true\"";
-    match label.turn {
-        None => {
-            text(out, label.at, labels::SIZE, "#ffffff", "start", halo, &label.text);
-            text(out, label.at, labels::SIZE, &colour, "start", "", &label.text);
-        }
-        Some((degrees, width)) => {
-            let (x, y) = (n(label.at.0), n(label.at.1));
-            let _ = writeln!(
-                out,
-                "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"6\" fill=\"#ffffff\" transform=\"rotate({} {x} {y})\"/>",
-                n(label.at.0 - width / 2.0 - 2.5),
-                n(label.at.1 - 3.0),
-                n(width + 5.0),
-                n(degrees)
-            );
-            let turn = format!(" transform=\"rotate({} {x} {y})\"", n(degrees));
-            text(out, label.at, labels::SIZE, "#ffffff", "middle", &(halo.to_owned() + &turn), &label.text);
-            text(out, label.at, labels::SIZE, &colour, "middle", &turn, &label.text);
-        }
-    }
+    text(out, label.at, labels::SIZE, "#ffffff", "start", halo, &label.text);
+    text(out, label.at, labels::SIZE, &colour, "start", "", &label.text);
 }
 
 fn draw_legend(out: &mut String, legend: &Legend, pen: &Pen<'_>) {
     out.push_str("<g>\n");
-    if legend.framed {
-        let f = legend.frame;
-        let _ = writeln!(
-            out,
-            "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"2\" fill=\"#ffffff\" fill-opacity=\"0.9\" stroke=\"#cccccc\" stroke-width=\"0.8\"/>",
-            n(f.x),
-            n(f.y),
-            n(f.w),
-            n(f.h)
-        );
-    }
     for (x, y, entry) in &legend.entries {
         let (line, markers) = if entry.style == Style::Points {
             (Vec::new(), vec![(x + legend::SAMPLE / 2.0, *y)])

@@ -13,6 +13,7 @@ use crate::warning::{Warning, buckling_load_n, of_response};
 use serde::{Deserialize, Serialize};
 
 /// One answered point.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Answer {
@@ -33,25 +34,18 @@ pub struct Answer {
     #[serde(skip)]
     pub two_sided_force_n: f64,
     /// Where the muscle is slack: its free contraction at this pressure.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub free_contraction: Option<f64>,
     /// P′ at this contraction in MPa, where there is one.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub start_pressure_mpa: Option<f64>,
     /// 95 % half-width of the pull in N against a measured muscle, where the model's error is known.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uncertainty_n: Option<f64>,
     /// Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pressure_uncertainty_mpa: Option<f64>,
     /// Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contraction_uncertainty: Option<f64>,
     /// Its parts, each a 95 % half-width in N; they add as squares.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uncertainty_parts_n: Option<UncertaintyParts>,
     /// Of a muscle that extends: the push in N at which it buckles between two joints, by the bending stiffness of its wall alone.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub buckling_load_n: Option<f64>,
     /// Warnings, in sentences.
     #[cfg_attr(feature = "schema", schemars(with = "Vec<String>"))]

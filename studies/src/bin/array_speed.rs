@@ -6,7 +6,7 @@ use mckibben::model::{ForceModel, ModelError, ModelKind, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;
 use mckibben_app::{
-    AskFields, BoundModel, CurveRequest, Many, ModelFields, Pairs, Unanswered, PointQuantity,
+    AskFields, BoundModel, CurveRequest, Many, ModelFields, Unanswered, PointQuantity,
     curve,
 };
 use mckibben_fem::axisymmetric::Axisymmetric;
@@ -61,7 +61,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         };
         let seconds = best(rounds, || {
             let mut out = vec![0.0; n];
-            let filled = bound.fill(&Pairs::Lists(black_box([&p, &e])), &many, &mut out, &Silent);
+            let filled = bound.fill(black_box([&p, &e]), &many, &mut out, &Silent);
             black_box(out);
             filled.map_err(|no| no.problem)?;
             Ok(())

@@ -14,6 +14,7 @@ use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
 /// A family of curves.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct CurveAnswer {
     /// The model's name.
@@ -35,10 +36,8 @@ pub struct CurveAnswer {
     #[schemars(with = "Vec<PointRow>")]
     pub curves: Vec<Curve>,
     /// The equilibria with the load, where there is one.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loaded: Option<LoadAnswer>,
     /// The figure, where it was asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
     /// Whether every two curves are the branches of one: shortening, then lengthening.
     #[serde(skip)]
@@ -65,15 +64,14 @@ pub enum PointRow {
 }
 
 /// A point without an answer.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct FailedPoint {
     /// Pressure asked for, MPa.
     pub pressure_mpa: f64,
     /// Contraction asked for.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contraction: Option<f64>,
     /// Pull asked for, N.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wanted_force_n: Option<f64>,
     /// How it ended.
     pub status: Status,

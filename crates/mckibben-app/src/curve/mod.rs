@@ -29,6 +29,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A family of curves of one test. Isometric: ε fixed, F over P; isotonic: F fixed, ε over P; isobaric: P fixed, F over ε.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct CurveRequest {
     /// Which test.
@@ -43,14 +44,11 @@ pub struct CurveRequest {
     #[serde(flatten)]
     pub asking: AskFields,
     /// Gauge pressures P in MPa; default isobaric 0.05 to 0.25 by 0.05, else 0 to 0.25 by 0.01.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pressures_mpa: Option<Vec<f64>>,
     /// Contraction ratios ε; default: from 0 to the free contraction at the highest pressure (or the end of the
     /// model's range): isobaric by 0.01, isometric by 0.05.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contractions: Option<Vec<f64>>,
     /// Pulls F in N of an isotonic test; default 20, 80 and 150.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub forces_n: Option<Vec<f64>>,
     /// A load in an isobaric test: its equilibria at each pressure, and its line in the figure.
     #[serde(flatten)]
@@ -59,7 +57,6 @@ pub struct CurveRequest {
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub both: bool,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub figure: Option<Units>,
 }
 

@@ -25,6 +25,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Ranked muscles, and the reasons why others fail.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct DesignAnswer {
     /// The model that all numbers come from.
@@ -38,10 +39,8 @@ pub struct DesignAnswer {
     /// Search space and limits.
     pub searched: SearchedAnswer,
     /// The liquid in the place of air, where there is one.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub liquid: Option<Liquid>,
     /// The load that is lifted, as it was written.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub load: Option<String>,
     /// Assumptions for values that were not given, in sentences.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -58,12 +57,10 @@ pub struct DesignAnswer {
     /// The best muscles, best first.
     pub candidates: Vec<CandidateAnswer>,
     /// The ± of the best muscle in words, at the point where it is largest.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub uncertainty_words: Option<UncertaintyWords>,
     /// Near misses, or the muscles that come closest.
     pub rejected: Vec<RejectedAnswer>,
     /// With another model: the best muscle by finite elements.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub verification: Option<Verified>,
     /// Warnings about the best muscle; if nothing fits, whether burst was checked.
     #[schemars(with = "Vec<String>")]
@@ -72,19 +69,15 @@ pub struct DesignAnswer {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tolerance: Vec<Spread>,
     /// If the margin of the best muscle is smaller than its ±: the specification that covers the ±.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub to_be_sure: Option<SureAnswer>,
     /// If nothing fits: the muscle that comes closest.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub closest: Option<ClosestAnswer>,
     /// Of a bundle: what its muscles do together, by the best muscle.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub bundle: Option<BundleAnswer>,
     /// Muscles as sold, of the library, that would do: their pull less its ± meets the requirement. Of a bundle: so many of them.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub bought: Vec<BoughtAnswer>,
     /// The figure, where it was asked for and something fits.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
     /// The candidates as muscle files, in their order.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -120,6 +113,7 @@ pub enum DemandAnswer {
 }
 
 /// Search space and limits.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct SearchedAnswer {
     /// The rubber, or how many.
@@ -127,21 +121,16 @@ pub struct SearchedAnswer {
     /// The braid or sleeve, or how many; its stiffness may differ from muscle to muscle.
     pub braid: String,
     /// Length L0 of all muscles, mm, where it is not searched.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub length_mm: Option<f64>,
     /// Least ratio of burst pressure to maximum pressure, where there is one.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub min_burst_margin: Option<f64>,
     /// Of a bundle: how many muscles share the requirement. What is wanted, and all numbers of the candidates, are those of one of them.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub bundle: Option<u32>,
     /// Whether it was checked: the strength of the strands is known.
     pub burst_checked: bool,
     /// Largest strain of the strands, where there is one.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub max_strand_strain: Option<f64>,
     /// Share of muscles that meet the requirement by the ±, where that was asked for: 0.95 for its lower end.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub guaranteed: Option<f64>,
 }
 

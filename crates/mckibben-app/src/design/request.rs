@@ -130,7 +130,7 @@ pub struct DesignRequest {
 
 /// Values to search through: one, several, or all between two.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "a number, a list of numbers, or `low` and `high` are expected")]
 pub enum Choice {
     /// One value.
     One(f64),

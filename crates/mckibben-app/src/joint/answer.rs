@@ -10,6 +10,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A point of a joint.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct JointRow {
     /// φ from the neutral angle in degrees.
@@ -17,21 +18,16 @@ pub struct JointRow {
     /// Pressure of the first muscle, MPa.
     pub pressure_1_mpa: f64,
     /// Pressure of the second muscle, MPa.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub pressure_2_mpa: Option<f64>,
     /// Torque of muscles, spring and weight towards +, N m.
     pub torque_nm: f64,
     /// 95 % half-width of the torque against a measured joint, as far as the muscles' pulls make it, N m.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub uncertainty_nm: Option<f64>,
     /// Its parts, each a 95 % half-width in N m; they add as squares. Friction of two muscles adds fully; a rubber or braid that both share shifts both pulls at once.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub uncertainty_parts_nm: Option<UncertaintyParts>,
     /// The torque while the joint turns to +, where the muscles' friction is known, N m.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub torque_turning_plus_nm: Option<f64>,
     /// The torque while it turns to −, likewise.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub torque_turning_minus_nm: Option<f64>,
     /// −dτ/dφ at these pressures, N m/rad.
     pub stiffness_nm_per_rad: f64,
@@ -39,45 +35,34 @@ pub struct JointRow {
     #[serde(flatten)]
     pub shut: ShutStiffness,
     /// 95 % half-width of the stiffness, N m/rad.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub stiffness_uncertainty_nm_per_rad: Option<f64>,
     /// Of a joint at rest: `stable`, `unstable`, at a `limit` of its range, or `loose`: it rests at any angle near this one.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub rest: Option<RestWord>,
     /// Pull of the first muscle, N.
     pub force_1_n: f64,
     /// Pull of the second muscle, N.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub force_2_n: Option<f64>,
     /// Contraction of the first muscle.
     pub contraction_1: f64,
     /// Contraction of the second muscle.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub contraction_2: Option<f64>,
     /// Moment arm of the first muscle, mm.
     pub arm_1_mm: f64,
     /// Moment arm of the second muscle, mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub arm_2_mm: Option<f64>,
     /// Whether the first muscle is slack.
     pub slack_1: bool,
     /// Whether the second muscle is slack.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub slack_2: Option<bool>,
     /// Pressure below which the first muscle is slack at this angle, MPa.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub start_pressure_1_mpa: Option<f64>,
     /// Pressure below which the second muscle is slack at this angle, MPa.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub start_pressure_2_mpa: Option<f64>,
     /// Of a joint at rest: 95 % half-width of the angle, from that of the torque and the stiffness, degrees.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub angle_uncertainty_deg: Option<f64>,
     /// Of pressures that were sought: 95 % half-width of that of the first muscle, by which it alone makes up for that of the torque, MPa.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub pressure_1_uncertainty_mpa: Option<f64>,
     /// That of the second muscle, likewise, MPa.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub pressure_2_uncertainty_mpa: Option<f64>,
 }
 
@@ -107,6 +92,7 @@ impl RestWord {
 }
 
 /// A joint's answer.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct JointAnswer {
     /// The model's name.
@@ -121,15 +107,12 @@ pub struct JointAnswer {
     #[serde(flatten)]
     pub limits: PressureLimits,
     /// What the joint reaches, where it was asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub map: Option<JointMap>,
     /// The largest ± of the torques, in words: `at φ 20°: ± 2.0 N m (95 %): friction unknown 1.7, model against tests 0.8`.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub uncertainty_text: Option<String>,
     /// Warnings.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The figure, where it was asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
 }

@@ -6,13 +6,9 @@
 //! checked, a muscle that would have to push is slack.
 
 mod asked;
-mod columns;
-mod pairs;
 mod point;
 mod slopes;
 pub use asked::{ArrayError, Many, PointQuantity, Unanswered};
-pub use columns::{AnswerColumns, Column, curve_columns};
-pub use pairs::Pairs;
 pub use slopes::with_parameters;
 
 use crate::fields::{AskFields, ModelFields};
@@ -104,12 +100,17 @@ impl BoundModel {
     /// answer. What is found does not depend on the number of threads.
     pub fn fill(
         &self,
-        pairs: &Pairs<'_>,
+        pairs: [&[f64]; 2],
         many: &Many,
         out: &mut [f64],
         progress: &dyn Progress,
     ) -> Result<usize, ArrayError> {
-        let (width, count) = (many.width(), pairs.count()?);
+        let (width, [count, other]) = (many.width(), pairs.map(<[f64]>::len));
+        if count != other {
+            let message =
+                format!("the two lists must have the same length; they have {count} and {other} numbers");
+            return Err(Problem::new(ProblemKind::Usage, message, "").into());
+        }
         if count.checked_mul(width) != Some(out.len()) {
             let message = format!("{} places for {count} points of {width} numbers", out.len());
             return Err(Problem::new(ProblemKind::Usage, message, "").into());
@@ -131,14 +132,14 @@ impl BoundModel {
         };
         let work = |place: usize, part: &mut [f64]| {
             let mut workspace = Workspace::new();
-            let mut room = [vec![], vec![]];
             for (i, places) in part.chunks_mut(BLOCK * width).enumerate() {
                 let (from, length) = (place / width + i * BLOCK, places.len() / width);
                 // What is behind a point without an answer is not asked for.
                 if from > first.load(Ordering::Relaxed) || progress.cancelled() {
                     return;
                 }
-                match self.block(pairs.block(from, length, &mut room), many, &mut workspace, places) {
+                let pairs = pairs.map(|list| list.get(from..from + length).unwrap_or_default());
+                match self.block(pairs, many, &mut workspace, places) {
                     Ok(count) => drop(failed.fetch_add(count, Ordering::Relaxed)),
                     Err((index, problem)) => return refuse(from + index, problem),
                 }

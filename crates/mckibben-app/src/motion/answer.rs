@@ -27,16 +27,14 @@ pub struct MotionRun {
 }
 
 /// How far from its computed end a measured muscle or joint may come to rest.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
 pub struct EndUncertainty {
     /// 95 % half-width of the contraction at which a muscle's load rests in the end; none on a stop, of a controlled position, and where the command still changes.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub end_contraction_uncertainty: Option<f64>,
     /// 95 % half-width of the angle at which a joint rests in the end, likewise, degrees.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub end_angle_uncertainty_deg: Option<f64>,
     /// The ± of the pull or torque there with its parts, in words.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub uncertainty_text: Option<String>,
     /// These parts, in N or N m.
     #[serde(skip)]
@@ -53,6 +51,7 @@ impl MotionRun {
 }
 
 /// The answer to a drive: its motion, or those of a sweep.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct MotionAnswer {
     /// The model's name.
@@ -66,7 +65,6 @@ pub struct MotionAnswer {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub others: Vec<MotionRun>,
     /// Sonic conductance of the smallest valve with the rise time that was asked for, L/(s bar).
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub sonic_conductance_l_per_s_bar: Option<f64>,
     /// The pressures that its weakest muscle bears.
     #[serde(flatten)]
@@ -75,7 +73,6 @@ pub struct MotionAnswer {
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The figure, where it was asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
 }
 

@@ -15,6 +15,7 @@ use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
 /// A finite-element test with all its results.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct SimulateAnswer {
     /// `fe` or `fe3d`.
@@ -36,10 +37,8 @@ pub struct SimulateAnswer {
     #[serde(flatten)]
     pub limits: PressureLimits,
     /// The figure, where it was asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
     /// The input deck, where it was asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub deck: Option<String>,
     /// Files for ParaView, where they were asked for: `muscle.pvd`, which lists the others, comes first.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

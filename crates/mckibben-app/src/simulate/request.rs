@@ -7,6 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A finite-element test.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SimulateRequest {
     /// Which test.
@@ -15,23 +16,19 @@ pub struct SimulateRequest {
     #[serde(flatten)]
     pub muscle: MuscleFields,
     /// `fe` or `fe3d`; default `fe`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub model: Option<String>,
     /// The mesh.
     #[serde(flatten)]
     pub mesh: MeshFields,
     /// Gauge pressures P in MPa; default 0.05 to 0.25 by 0.05.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pressures_mpa: Option<Vec<f64>>,
     /// Contraction ratios ε; default: isometric 0, 0.1, 0.2, isobaric by 0.02 to the free contraction at the highest
     /// pressure.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contractions: Option<Vec<f64>>,
     /// Contractions are shares of the free contraction at the highest pressure.
     #[serde(default)]
     pub of_largest: bool,
     /// Pulls F in N of an isotonic test; default 20, 80 and 150.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub forces_n: Option<Vec<f64>>,
     /// Give the negative force, not slack, where the muscle would have to push.
     #[serde(default)]
@@ -43,6 +40,5 @@ pub struct SimulateRequest {
     #[serde(default)]
     pub vtu: bool,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub figure: Option<Units>,
 }

@@ -4,7 +4,7 @@ use mckibben::cancel::Cancel;
 use mckibben::muscle::measures::{OUTER_DIAMETER, WALL};
 use mckibben::progress::Silent;
 use mckibben_app::{
-    ArrayError, AskFields, BoundModel, ForceRequest, Many, ModelFields, MuscleFields, Pairs, PointQuantity,
+    ArrayError, AskFields, BoundModel, ForceRequest, Many, ModelFields, MuscleFields, PointQuantity,
     ProblemKind, Unanswered, force, with_parameters,
 };
 use mckibben_fit::identify::Target;
@@ -27,7 +27,7 @@ fn many(slopes: bool, parameters: Vec<Target>) -> Many {
 
 fn asked(model: &BoundModel, many: &Many, p: &[f64], e: &[f64]) -> Result<Vec<f64>, ArrayError> {
     let mut out = vec![f64::NAN; p.len() * many.width()];
-    model.fill(&Pairs::Lists([p, e]), many, &mut out, &Silent)?;
+    model.fill([p, e], many, &mut out, &Silent)?;
     Ok(out)
 }
 
@@ -98,11 +98,11 @@ fn the_first_point_without_an_answer_ends_the_work() {
     assert_eq!((refused.index, refused.problem.kind), (Some(20_001), ProblemKind::OutOfRange));
     let mut out = vec![0.0; p.len()];
     let all = Many { unanswered: Unanswered::NotANumber, ..many(false, vec![]) };
-    assert_eq!(model.fill(&Pairs::Lists([&p, &e]), &all, &mut out, &Silent), Ok(3));
+    assert_eq!(model.fill([&p, &e], &all, &mut out, &Silent), Ok(3));
     assert!(out[20_001].is_nan() && out.iter().filter(|f| f.is_nan()).count() == 3);
-    let wrong = model.fill(&Pairs::Lists([&p, &e[1..]]), &all, &mut out, &Silent).unwrap_err();
+    let wrong = model.fill([&p, &e[1..]], &all, &mut out, &Silent).unwrap_err();
     assert_eq!((wrong.index, wrong.problem.kind), (None, ProblemKind::Usage));
-    assert!(model.fill(&Pairs::Lists([&p, &e]), &all, &mut out[1..], &Silent).is_err());
+    assert!(model.fill([&p, &e], &all, &mut out[1..], &Silent).is_err());
 }
 
 #[test]
@@ -112,8 +112,7 @@ fn work_that_is_cancelled_says_so() {
     let _entered = cancel.enter();
     let (p, e) = (vec![0.2; 100], vec![0.1; 100]);
     for model in ["fe", "universal"] {
-        let found =
-            bound(model).fill(&Pairs::Lists([&p, &e]), &many(false, vec![]), &mut [0.0; 100], &Silent);
+        let found = bound(model).fill([&p, &e], &many(false, vec![]), &mut [0.0; 100], &Silent);
         assert_eq!(found.unwrap_err().problem.kind, ProblemKind::Cancelled);
     }
 }

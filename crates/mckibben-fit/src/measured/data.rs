@@ -22,21 +22,18 @@ pub enum Quantity {
 }
 
 /// Measures of the muscle that a row states; the others are the muscle file's.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Section {
     /// D0 in mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub outer_diameter_mm: Option<f64>,
     /// s in mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub wall_mm: Option<f64>,
     /// L0 in mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub length_mm: Option<f64>,
     /// θ0 in degrees.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub angle_deg: Option<f64>,
 }
 
@@ -66,6 +63,7 @@ impl Section {
 }
 
 /// One row of data.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct DataPoint {
     /// Pressure, contraction, pull, branch.
@@ -74,10 +72,8 @@ pub struct DataPoint {
     /// Which of them was read.
     pub measured: Quantity,
     /// Volume of the cavity in mm³, where it was read.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub volume_mm3: Option<f64>,
     /// Standard error of what was read, in its unit, where it is stated.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub error: Option<f64>,
     /// How much it counts; 1 where nothing is said.
     pub weight: f64,

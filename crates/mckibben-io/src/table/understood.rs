@@ -30,6 +30,7 @@ pub struct Understood {
 }
 
 /// What was understood of a column.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct UnderstoodColumn {
@@ -40,10 +41,8 @@ pub struct UnderstoodColumn {
     /// In which unit it stands; empty for ratios, words and weights.
     pub unit: String,
     /// From its smallest to its largest value, in MPa, N, mm, deg or as ratio: `0.1..0.3MPa`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub range: Option<String>,
     /// What was done with it, where that is not plain.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
 }
 

@@ -209,13 +209,6 @@ fn long_series_are_thinned_but_keep_their_peaks() {
 }
 
 #[test]
-fn a_legend_that_covers_data_moves_out_and_one_that_does_not_stays() {
-    let framed = |figure: &Figure| figure.to_svg().unwrap().contains("fill-opacity");
-    assert!(framed(&figures::models()));
-    assert!(!framed(&figures::crowded()));
-}
-
-#[test]
 fn panels_with_the_same_entries_share_one_legend() {
     let svg = figures::grid().to_svg().unwrap();
     assert_eq!(svg.matches(">thick wall<").count(), 1);

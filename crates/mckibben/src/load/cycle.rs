@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 /// Slow and at one temperature. With p = P + p_a absolute and V the cavity, a filling takes Δ(pV)/p_a of air at atmospheric pressure;
 /// its exergy at the higher pressure, p_a·(that volume)·ln(p_high/p_a), is the work that an ideal engine would draw from it
 /// \[beater2007\].
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Cycle {
@@ -25,13 +26,10 @@ pub struct Cycle {
     /// Work on the load, J.
     pub work_j: f64,
     /// Air of a filling in normal litres (0 °C, 101.325 kPa), where the model knows the cavity.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub air_normal_litres: Option<f64>,
     /// Exergy of that air at the higher pressure, J.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub air_exergy_j: Option<f64>,
     /// Work over exergy.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub efficiency: Option<f64>,
 }
 

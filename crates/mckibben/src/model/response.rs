@@ -4,6 +4,7 @@ use super::ModelError;
 use serde::{Deserialize, Serialize};
 
 /// One point of a muscle's behaviour. What a model does not have is `None`.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Response {
@@ -14,35 +15,26 @@ pub struct Response {
     /// Pull F in N, tension positive; negative where the muscle would have to push.
     pub force_n: f64,
     /// Volume of the whole cavity between the terminals in mm³.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub volume_mm3: Option<f64>,
     /// ∂V/∂P at fixed ε in mm³/MPa: how far strands and wall give way.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub volume_per_pressure_mm3_per_mpa: Option<f64>,
     /// ∂V/∂ε at fixed P in mm³; L0 ∂F/∂P where the pull has a potential.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub volume_per_contraction_mm3: Option<f64>,
     /// ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stiffness_n_per_mm: Option<f64>,
     /// ∂F/∂P at fixed ε, in mm² (N/MPa).
     #[serde(rename = "force_per_pressure_n_per_mpa", default, skip_serializing_if = "Option::is_none")]
     pub force_per_pressure_mm2: Option<f64>,
     /// Tension of all strands together in N.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub braid_tension_n: Option<f64>,
     /// Tension of one strand in N, where the number of strands is known.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub strand_tension_n: Option<f64>,
     /// Largest outer diameter in mm.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bulged_diameter_mm: Option<f64>,
     /// The largest principal stretch in the middle of the muscle, at the bore as a rule.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub middle_stretch: Option<f64>,
     /// The principal stretch below which 99 % of the rubber lies by volume; of models without ends that of the middle. (The largest of
     /// all is none: at the bonded corner it grows without bound as the mesh gets finer.)
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub max_stretch: Option<f64>,
 }
 

@@ -73,11 +73,11 @@ pub enum Conditioned {
 /// assert_eq!(serde_json::to_string(&rubber)?, text);
 /// # Ok::<(), serde_json::Error>(())
 /// ```
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Rubber {
     /// Name in the library of rubbers (`paper`, `dragon-skin-30`), where it has one. A muscle gives a rubber of the library the
     /// law for its own stretches; with other constants a name is only a name.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
     /// The law and its constants.
     #[serde(flatten)]
@@ -86,16 +86,12 @@ pub struct Rubber {
     #[serde(rename = "bulk_modulus", default)]
     pub bulk: Bulk,
     /// Largest stretch of the data the constants were fitted to, where it is known.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fitted_to_stretch: Option<f64>,
     /// How rubber that was stretched before is softer, where it is known. The law is that of the first loading.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub softening: Option<OgdenRoxburgh>,
     /// What it was stretched by before; `None` on its first inflation. The finite elements of the section have it.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub conditioned: Option<Conditioned>,
     /// How the rubber relaxes, where it is known. The law is the one at once, t → 0, in every model; [`Rubber::held`] is the one of later.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub prony: Option<Prony>,
 }
 

@@ -92,35 +92,27 @@ pub fn basis_of(accuracy: &Accuracy) -> String {
 }
 
 /// The parts of a ±, each a 95 % half-width: of a pull in N, of a torque in N m.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct UncertaintyParts {
     /// The model against finite elements (for a formula of a bought muscle: against that muscle).
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub formula: Option<f64>,
     /// Finite elements against the limit of fine meshes.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mesh: Option<f64>,
     /// What laws of equal standing disagree on, and what a rubber that is known from one axis may differ by in two.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rubber: Option<f64>,
     /// What a stiffness of the strands that is an estimate may differ by.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub braid: Option<f64>,
     /// Finite elements against measured muscles.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub measured: Option<f64>,
     /// One branch of the hysteresis loop against the answer.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<f64>,
     /// The bench that the muscle was identified from, against the fit.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fit: Option<f64>,
     /// Another specimen of the same product, with other fittings, against the one that was identified.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub transfer: Option<f64>,
     /// Another length of the muscle against those that were identified.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub length_transfer: Option<f64>,
     /// Whether the muscle states its friction.
     #[serde(skip)]
