@@ -31,7 +31,7 @@ pub use rest::Rest;
 pub use shut::ShutStiffness;
 
 use crate::load::GRAVITY_M_PER_S2;
-use crate::muscle::Muscle;
+use crate::muscle::{Direction, Muscle};
 
 /// A muscle at a joint.
 #[derive(Debug, Clone, PartialEq)]
@@ -101,11 +101,22 @@ impl Link {
     }
 }
 
+/// Friction of a muscle's rope on its pulley: a pull F arrives as F exp(∓μα) while the muscle shortens or lengthens (capstan), α the angle of wrap.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct PulleyFriction {
+    /// μ
+    coefficient: f64,
+    /// α at the neutral angle, in rad; it unwinds as the muscle shortens.
+    wrap_rad: f64,
+}
+
 /// A joint.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Joint {
     /// One or two muscles.
     muscles: Vec<JointMuscle>,
+    /// One a muscle, where a joint file states them.
+    pulleys: Vec<PulleyFriction>,
     spring: Option<JointSpring>,
     link: Link,
     /// Limits of the angle in degrees.
@@ -120,7 +131,7 @@ impl Joint {
         link: Link,
         range_deg: (f64, f64),
     ) -> Result<Self, JointError> {
-        let joint = Self { muscles, spring, link, range_deg };
+        let joint = Self { muscles, pulleys: vec![], spring, link, range_deg };
         joint.check()?;
         Ok(joint)
     }
@@ -202,6 +213,21 @@ impl Joint {
         let m = self.muscles.get(muscle)?;
         let s = m.path.shortening(angle_rad);
         Some((m.contraction_at_neutral + s.mm / m.muscle.length_mm(), s))
+    }
+
+    /// Whether the torque depends on which way it turns: by the friction in a muscle or on its pulley.
+    pub fn has_friction(&self) -> bool {
+        self.muscles.iter().any(|m| m.muscle.friction().is_some())
+            || self.pulleys.iter().any(|p| p.coefficient > 0.0)
+    }
+
+    /// Share of a muscle's pull that arrives from its pulley, and its slope in the angle.
+    fn arriving(&self, muscle: usize, angle_rad: f64, arm_mm: f64, direction: Direction) -> (f64, f64) {
+        let Some(p) = self.pulleys.get(muscle) else { return (1.0, 0.0) };
+        let wrap = p.wrap_rad - arm_mm.signum() * angle_rad;
+        let rate = direction.sign() * p.coefficient;
+        let share = (rate * wrap.max(0.0)).exp();
+        (share, if wrap > 0.0 { -share * rate * arm_mm.signum() } else { 0.0 })
     }
 
     /// Torque of spring and weight in N m at an angle, and its slope in φ.

@@ -173,6 +173,38 @@ fn the_stiffness_is_the_slope_of_the_torque_on_every_branch() {
     }
 }
 
+/// Euler–Eytelwein: exp(∓μα) of the pull at α = 70° ∓ 20° of both muscles; −dτ/dφ against differences.
+#[test]
+fn a_rope_on_its_pulley_takes_the_capstan_factor_of_the_pull() {
+    let text = |lines: &str| {
+        let muscle = format!("file = 'm'\ncontraction_at_neutral = '10%'\n{lines}");
+        parse_joint(&format!("[joint]\nradius = '25 mm'\n[muscle_1]\n{muscle}[muscle_2]\n{muscle}"))
+    };
+    let joint = |lines: &str| text(lines).unwrap().with(vec![Muscle::prototype(); 2]).unwrap();
+    let (without, with) = (joint(""), joint("wrap_angle = '70 deg'\nwrap_friction = 0.2\n"));
+    let models = models(&with, ModelKind::Ideal);
+    let w = &mut [Workspace::new(), Workspace::new()][..];
+    let mut at = |joint, deg, turning| bound(joint, &models).at(w, &[0.2, 0.1], deg, turning).unwrap();
+    let pulls = at(&without, 20.0, Turning::Plus).muscles;
+    let [first, second] = [0, 1].map(|i| 1e-3 * 25.0 * pulls[i].answer.response.force_n);
+    for (turning, sign) in [(Turning::Mean, 0.0), (Turning::Plus, -0.2), (Turning::Minus, 0.2)] {
+        let factor = |deg: f64, sign: f64| (sign * deg.to_radians()).exp();
+        let expected = first * factor(50.0, sign) - second * factor(90.0, -sign);
+        let here = at(&with, 20.0, turning);
+        assert!((here.torque_nm / expected - 1.0).abs() < 1e-12, "{turning:?} {} {expected}", here.torque_nm);
+        let h: f64 = 0.01;
+        let [before, after] = [20.0 - h, 20.0 + h].map(|deg| at(&with, deg, turning).torque_nm);
+        let slope = (before - after) / (2.0 * h.to_radians());
+        assert!((here.stiffness_nm_per_rad / slope - 1.0).abs() < 1e-6, "{turning:?} {slope}");
+    }
+    for (lines, said) in [
+        ("wrap_friction = 0.2\n", "wrap_angle"),
+        ("wrap_angle = '70 deg'\nwrap_friction = -1\n", "below zero"),
+    ] {
+        assert!(text(lines).unwrap_err().to_string().contains(said));
+    }
+}
+
 #[test]
 fn what_the_joint_cannot_do_is_said_with_what_it_can() {
     let joint = antagonists();
