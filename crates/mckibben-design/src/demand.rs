@@ -122,7 +122,9 @@ impl Demand {
                 };
                 if let Some(&TorqueWanted { torque_nm, angle_deg }) = j.torques.iter().find(senseless) {
                     let largest_deg = j.largest_angle_deg;
-                    return Err(SpecError::Refused(format!("{torque_nm} N m at {angle_deg}° is invalid: the torque must be above zero and the angle within ±{largest_deg}°")));
+                    return Err(SpecError::Refused(format!(
+                        "{torque_nm} N m at {angle_deg}° is invalid: the torque must be above zero and the angle within ±{largest_deg}°"
+                    )));
                 }
                 let bounds = [
                     ("the largest angle of the joint", j.largest_angle_deg),
@@ -136,7 +138,9 @@ impl Demand {
                 let end = way.end_mm(length_mm);
                 let (low, high) = load.reach_mm();
                 if !(low <= 0.0 && end <= high) {
-                    return Err(SpecError::Refused(format!("the load is known for shortenings from {low} to {high} mm, and the stroke goes from 0 to {end} mm")));
+                    return Err(SpecError::Refused(format!(
+                        "the load is known for shortenings from {low} to {high} mm, and the stroke goes from 0 to {end} mm"
+                    )));
                 }
             }
             Self::Points(_) => {}
@@ -151,7 +155,11 @@ impl Demand {
             !(force_n > 0.0 && force_n.is_finite() && (0.0..1.0).contains(&way))
         };
         match points.iter().find(senseless) {
-            Some(p) => Err(SpecError::Refused(format!("the operating point {force_n} N at a contraction of {contraction} is invalid: the pull must be above 0 N and the contraction from 0 to below 1; for a push of a muscle that extends, the force below 0 N and the contraction from above -1 to 0", force_n = p.force_n, contraction = p.contraction))),
+            Some(p) => Err(SpecError::Refused(format!(
+                "the operating point {force_n} N at a contraction of {contraction} is invalid: the pull must be above 0 N and the contraction from 0 to below 1; for a push of a muscle that extends, the force below 0 N and the contraction from above -1 to 0",
+                force_n = p.force_n,
+                contraction = p.contraction
+            ))),
             None => Ok(()),
         }
     }

@@ -94,6 +94,12 @@ pub enum FemError {
 }
 
 impl FemError {
+    pub(crate) fn too_large(unknowns: usize) -> Self {
+        Self::Refused(format!(
+            "mesh: there is not enough memory for {unknowns} unknowns; take fewer elements"
+        ))
+    }
+
     /// Why there is no equilibrium with a pull in N; that the caller wanted to end is no property of that pull.
     pub(crate) fn at_force(force_n: f64, reason: Stopped) -> Self {
         match reason {

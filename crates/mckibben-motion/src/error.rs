@@ -1,6 +1,5 @@
 //! Why there is no motion.
 
-use crate::command::CommandError;
 use mckibben::cancel::Cancelled;
 use mckibben::model::ModelError;
 use mckibben::muscle::MuscleError;
@@ -26,9 +25,6 @@ pub enum MotionError {
     /// A muscle that no drive moves.
     #[error(transparent)]
     Muscle(#[from] MuscleError),
-    /// The command is not one.
-    #[error(transparent)]
-    Command(#[from] CommandError),
     /// A liquid that boils.
     #[error(
         "the liquid in muscle {muscle} boils at {time_s} s: its absolute pressure falls below {absolute_mpa} MPa; raise the pressure, or move the load more slowly"

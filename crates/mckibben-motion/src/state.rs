@@ -196,7 +196,14 @@ impl Layout {
     }
 
     fn check(&self, given: usize) -> Result<(), MotionError> {
-        if given == self.len { Ok(()) } else { Err(MotionError::Refused(format!("{given} numbers were given for a state of {needed}", needed = self.len))) }
+        if given == self.len {
+            Ok(())
+        } else {
+            Err(MotionError::Refused(format!(
+                "{given} numbers were given for a state of {needed}",
+                needed = self.len
+            )))
+        }
     }
 }
 
@@ -257,13 +264,9 @@ mod tests {
         let target = Target::Pressure(vec![Command::Constant(0.1)]);
         let layout = Layout::new(&Drive::new(&load, vec![muscle], target, 1.0));
         let short = vec![0.0; layout.len - 1];
-        let error = MotionError::Refused(format!("{given} numbers were given for a state of {needed}", given = layout.len - 1, needed = layout.len));
-        assert_eq!(layout.state(&short), Err(error));
+        assert!(matches!(layout.state(&short), Err(MotionError::Refused(_))));
         // Rates of another drive.
         let mut other = State::default();
-        assert!(matches!(
-            layout.write(&mut other, &mut vec![0.0; layout.len]),
-            Err(MotionError::Refused(_))
-        ));
+        assert!(matches!(layout.write(&mut other, &mut vec![0.0; layout.len]), Err(MotionError::Refused(_))));
     }
 }

@@ -132,8 +132,12 @@ impl Discretisation {
         let mut elements = Vec::with_capacity(mesh.through * mesh.along);
         for slab in 0..mesh.along {
             for i in 0..mesh.through {
-                let mut geometry = Geometry::new(&nodes(&mesh, slab, i))
-                    .ok_or(FemError::Refused(format!("mesh: element {element} is turned inside out at rest", element = slab * mesh.through + i)))?;
+                let mut geometry = Geometry::new(&nodes(&mesh, slab, i)).ok_or_else(|| {
+                    FemError::Refused(format!(
+                        "mesh: element {element} is turned inside out at rest",
+                        element = slab * mesh.through + i
+                    ))
+                })?;
                 geometry.points = geometry.points.map(|p| p.prestretched(problem.prestretch));
                 elements.push(geometry);
             }

@@ -60,13 +60,19 @@ pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -
         return Err(DeckError::Refused("an input deck needs eight-node bricks".into()));
     }
     if mesh.plug().is_some() {
-        return Err(DeckError::Refused("an input deck has a rigid plane as the terminal: leave out `terminal`".into()));
+        return Err(DeckError::Refused(
+            "an input deck has a rigid plane as the terminal: leave out `terminal`".into(),
+        ));
     }
     if model.muscle().tube().prestretch != 1.0 {
-        return Err(DeckError::Refused("an input deck starts from unstressed rubber: leave out tube.prestretch".into()));
+        return Err(DeckError::Refused(
+            "an input deck starts from unstressed rubber: leave out tube.prestretch".into(),
+        ));
     }
     if model.muscle().terminals().plug_diameter_mm.is_some() {
-        return Err(DeckError::Refused("an input deck has plugs with the diameter of the bore: leave out terminals.plug_diameter".into()));
+        return Err(DeckError::Refused(
+            "an input deck has plugs with the diameter of the bore: leave out terminals.plug_diameter".into(),
+        ));
     }
     let steps = steps(contraction, pressures_mpa)?;
     let muscle = model.muscle();
@@ -152,7 +158,9 @@ fn steps(contraction: f64, pressures: &[f64]) -> Result<Vec<Step>, DeckError> {
         && pressures.windows(2).all(|p| p[1] > p[0])
         && pressures.iter().all(|p| p.is_finite());
     if !fine {
-        return Err(DeckError::Refused(format!("an input deck needs rising pressures above zero, the first of them {first_mpa} MPa here")));
+        return Err(DeckError::Refused(format!(
+            "an input deck needs rising pressures above zero, the first of them {first_mpa} MPa here"
+        )));
     }
     let mut out = vec![];
     if contraction == 0.0 {
@@ -181,7 +189,9 @@ fn strands(out: &mut String, model: &ThreeDimensional, before: usize) -> Result<
         let truss = trusses[members[0]].1;
         let k = truss.stiffness_n / truss.length_mm;
         if !k.is_finite() {
-            return Err(DeckError::Refused("an input deck needs strands that stretch: give the braid a stiffness".into()));
+            return Err(DeckError::Refused(
+                "an input deck needs strands that stretch: give the braid a stiffness".into(),
+            ));
         }
         let _ = writeln!(out, "*ELEMENT, TYPE=SPRINGA, ELSET=STRANDS{}", number + 1);
         for &i in members {
@@ -247,7 +257,13 @@ fn rubber(out: &mut String, law: &Law, bulk: Bulk) -> Result<(), DeckError> {
             "** the rubber is incompressible; here its bulk modulus is {BULK} times the shear modulus"
         );
     }
-    let card = law.card().ok_or(DeckError::Refused(format!("an input deck cannot describe the law \"{law}\"; it can describe {}", known(), law = law.name())))?;
+    let card = law.card().ok_or_else(|| {
+        DeckError::Refused(format!(
+            "an input deck cannot describe the law \"{law}\"; it can describe {}",
+            known(),
+            law = law.name()
+        ))
+    })?;
     // One constant of compression counts, D1 = 2/K.
     let more = std::iter::repeat_n(0.0, card.compressions.saturating_sub(1));
     let numbers: Vec<f64> = card.constants.into_iter().chain([2.0 / k]).chain(more).collect();

@@ -307,7 +307,8 @@ fn rest_modes(problem: &Problem, count: usize) -> Result<Vec<Modes>, FemError> {
         let element = |(e, nodes): (usize, &Vec<u32>)| {
             look(e)?;
             let places: [[f64; 3]; NN] = std::array::from_fn(|a| problem.rest(e, nodes[a]));
-            modes(points, &places, count).ok_or(FemError::Refused(format!("mesh: element {e} is turned inside out at rest")))
+            modes(points, &places, count)
+                .ok_or_else(|| FemError::Refused(format!("mesh: element {e} is turned inside out at rest")))
         };
         problem.bricks.iter().enumerate().map(element).collect()
     }

@@ -49,7 +49,9 @@ impl MuscleMesh {
             ("terminals.plug_diameter with meshed plugs", plug_stated && spec.plug.is_some()),
         ];
         if let Some((key, _)) = missing.into_iter().find(|(_, stated)| *stated) {
-            return Err(FemError::Refused(format!("three-dimensional elements have no {key}: their strands are trusses on the tube's surface, their rubber is that of a first inflation; take fe, or leave the key out")));
+            return Err(FemError::Refused(format!(
+                "three-dimensional elements have no {key}: their strands are trusses on the tube's surface, their rubber is that of a first inflation; take fe, or leave the key out"
+            )));
         }
         let angle = braid.angle_rad();
         // How far the plug reaches into the tube is the muscle's to say.

@@ -161,7 +161,7 @@ fn models_say_what_they_leave_out() {
     }
     assert!(Axisymmetric::new(&m).unwrap().info().notes.is_empty());
     let refused = mckibben_fem::three_dimensional::MuscleMesh::new(&m, &Default::default());
-    assert!(matches!(refused, Err(FemError::Refused(format!("three-dimensional elements have no {key}: their strands are trusses on the tube's surface, their rubber is that of a first inflation; take fe, or leave the key out", key = "tube.material.conditioned")))));
+    assert!(matches!(refused, Err(FemError::Refused(said)) if said.contains("tube.material.conditioned")));
     assert!(ThickWall::new(&muscle(yeoh(), None)).info().notes.is_empty());
 }
 

@@ -3,7 +3,6 @@
 use crate::analysis::AnalysisError;
 use crate::cancel::Cancelled;
 use crate::model::ModelError;
-use crate::muscle::MuscleError;
 use thiserror::Error;
 
 /// Why a joint has no answer.

@@ -142,7 +142,9 @@ impl Joint {
         }
         let (low, high) = self.range_deg;
         if !(low < high && low >= -180.0 && high <= 180.0) {
-            return Err(JointError::Refused(format!("the joint's range {low}..{high} deg must rise and lie between -180 and 180 deg")));
+            return Err(JointError::Refused(format!(
+                "the joint's range {low}..{high} deg must rise and lie between -180 and 180 deg"
+            )));
         }
         let link = &self.link;
         let values = [
@@ -154,19 +156,29 @@ impl Joint {
             ("damping", link.damping_nm_s_per_rad),
         ];
         if let Some((what, value)) = values.into_iter().find(|(_, v)| !(v.is_finite() && *v >= 0.0)) {
-            return Err(JointError::Refused(format!("{what} of the link is {value}; it must be zero or above")));
+            return Err(JointError::Refused(format!(
+                "{what} of the link is {value}; it must be zero or above"
+            )));
         }
         for (i, m) in self.muscles.iter().enumerate() {
-            m.muscle.check_contracts().map_err(|error| JointError::Refused(format!("muscle {} of the joint: {error}", i + 1)))?;
+            m.muscle
+                .check_contracts()
+                .map_err(|error| JointError::Refused(format!("muscle {} of the joint: {error}", i + 1)))?;
             let e = m.contraction_at_neutral;
             if !(e.is_finite() && e.abs() < 1.0) {
-                return Err(JointError::Refused(format!("muscle {muscle}: {e} is not a valid contraction at the neutral angle; it lies below 1", muscle = i + 1)));
+                return Err(JointError::Refused(format!(
+                    "muscle {muscle}: {e} is not a valid contraction at the neutral angle; it lies below 1",
+                    muscle = i + 1
+                )));
             }
             self.check_path(i, &m.path)?;
             let apart = m.path.length_mm(0.0);
             let long = m.muscle.length_mm() * (1.0 - e);
             if matches!(m.path, Path::Points { .. }) && apart < long {
-                return Err(JointError::Refused(format!("muscle {muscle}: its attachment points are {apart:.1} mm apart at the neutral angle, and the muscle is {long:.1} mm long there; move them apart, shorten the muscle or contract it further", muscle = i + 1)));
+                return Err(JointError::Refused(format!(
+                    "muscle {muscle}: its attachment points are {apart:.1} mm apart at the neutral angle, and the muscle is {long:.1} mm long there; move them apart, shorten the muscle or contract it further",
+                    muscle = i + 1
+                )));
             }
         }
         Ok(())
@@ -177,7 +189,11 @@ impl Joint {
         if let Path::Pulley { radius_mm } = path
             && !(radius_mm.is_finite() && *radius_mm != 0.0)
         {
-            return Err(JointError::Refused(format!("muscle {muscle}: a pulley of {radius_mm} mm; its radius must be above zero", muscle = i + 1, radius_mm = *radius_mm)));
+            return Err(JointError::Refused(format!(
+                "muscle {muscle}: a pulley of {radius_mm} mm; its radius must be above zero",
+                muscle = i + 1,
+                radius_mm = *radius_mm
+            )));
         }
         let (low, high) = self.range_deg;
         // Nearer than this the arm turns faster than anything that can be built.
