@@ -49,6 +49,7 @@ pub mod muscle;
 pub mod prelude;
 pub mod progress;
 pub mod random;
+pub mod refused;
 pub mod rubber;
 pub mod size;
 pub mod sleeve;

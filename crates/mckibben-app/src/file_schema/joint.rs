@@ -1,6 +1,6 @@
 //! The joint file.
 
-use super::parts::{needing, point, positive, quantity, root, table, text};
+use super::parts::{needing, number, point, positive, quantity, root, table, text};
 use mckibben::units::Dimension;
 use serde_json::Value;
 
@@ -48,6 +48,8 @@ fn muscle(about: &str) -> Value {
     let keys = [
         ("file", text("Path of the muscle file, relative to this file")),
         ("contraction_at_neutral", quantity(Dimension::Ratio, "Contraction at the neutral angle")),
+        ("wrap_angle", positive(Dimension::Angle, "Angle of the rope on its pulley, at the neutral angle")),
+        ("wrap_friction", number("Coefficient of friction between rope and pulley")),
     ];
     needing(table(about, keys.into_iter().chain(path())), &["file"])
 }

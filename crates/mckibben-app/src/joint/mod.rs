@@ -279,8 +279,7 @@ impl Asked<'_> {
     }
 
     fn row(&mut self, point: JointPoint, rest: Option<RestWord>) -> Result<JointRow, Problem> {
-        let muscles = self.model.joint().muscles();
-        let known = muscles.iter().any(|m| m.muscle.friction().is_some());
+        let known = self.model.joint().has_friction();
         let mut turning = |turning| -> Result<Option<f64>, Problem> {
             if !known {
                 return Ok(None);

@@ -2,7 +2,6 @@
 
 use mckibben::analysis::Options;
 use mckibben::liquid::{Liquid, LiquidSupply};
-use mckibben::load::liquid_per_stroke;
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::measures::{SEATING, WALL, fields};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Strands};
@@ -10,7 +9,7 @@ use mckibben::progress::Silent;
 use mckibben::units::Values;
 use mckibben_design::{
     BraidChoice, Build, Demand, JointDemand, Limit, Limits, Models, Objective, OperatingPoint, Reason,
-    Relaxation, Spec, SpecError, ToleranceError, Tolerances, TorqueWanted, design, design_joint, spread,
+    Relaxation, Spec, SpecError, Tolerances, TorqueWanted, design, design_joint, spread,
 };
 
 fn thick(muscle: &Muscle) -> Result<Box<dyn ForceModel>, mckibben::model::ModelError> {
@@ -185,31 +184,6 @@ fn the_largest_liquid_volume_binds_at_the_volume_that_is_found() {
     assert_eq!(design(&spec, BUILD).unwrap_err(), SpecError::NoLiquid { volume_mm3: limit_mm3 });
 }
 
-/// Against all muscles of a list: none that pulls enough takes less liquid than the first.
-#[test]
-fn the_objective_air_with_a_liquid_finds_the_least_liquid_of_a_list() {
-    let (diameters, walls) = (vec![24.0, 28.0, 32.0, 36.0], vec![1.0, 2.0, 3.0]);
-    let spec = Spec {
-        objective: Objective::Air,
-        outer_diameter_mm: Values::List(diameters.clone()),
-        wall_mm: Values::List(walls.clone()),
-        ..with_oil()
-    };
-    let outcome = design(&spec, BUILD).unwrap();
-    let best = outcome.candidates[0].liquid_volume_mm3().unwrap();
-    let (w, mut least) = (&mut Workspace::new(), f64::INFINITY);
-    for (d0, s) in diameters.iter().flat_map(|d0| walls.iter().map(move |s| (*d0, *s))) {
-        let model = ThickWall::new(&spec.base.with_section(d0, s).unwrap());
-        if model.force_n(w, 0.25, 0.1).unwrap() < 300.0 {
-            continue;
-        }
-        let p = mckibben::analysis::pressure_at(&model, w, 300.0, 0.1, Options::default()).unwrap();
-        let supply = spec.liquid.as_ref().unwrap();
-        least = least.min(liquid_per_stroke(&model, w, supply, p, 0.1).unwrap().volume_mm3);
-    }
-    assert!((best / least - 1.0).abs() < 1e-9, "{best} {least}");
-}
-
 /// Every relaxation, taken alone, makes the closest muscle fit.
 #[test]
 fn relaxations_keep_their_word() {
@@ -382,7 +356,7 @@ fn every_measure_may_have_a_tolerance() {
     // D0, s and θ0; the infinitely long muscle has no length, and at one length no seating.
     assert_eq!(changed, 3);
     let negative = Tolerances { measures: [(&WALL, -0.1)].into(), ..Tolerances::default() };
-    assert_eq!(negative.check(), Err(ToleranceError::HalfWidth { name: "wall_mm", value: -0.1 }));
+    assert!(negative.check().unwrap_err().to_string().starts_with("the tolerance wall_mm is -0.1"));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Joint files: TOML in the muscle file's manner.
 
-use super::{Joint, JointError, JointMuscle, JointSpring, Link, Path};
+use super::{Joint, JointError, JointMuscle, JointSpring, Link, Path, PulleyFriction};
 use crate::muscle::Muscle;
 use crate::muscle::file::{FileError, Problem, Section, Source};
 use crate::units::{Dimension, Values};
@@ -8,7 +8,8 @@ use crate::units::{Dimension, Values};
 const TOP: &[&str] = &["joint", "link", "muscle_1", "muscle_2", "spring", "name", "notes"];
 const JOINT: &[&str] = &["radius", "range", "inertia", "damping"];
 const LINK: &[&str] = &["mass", "centre", "inclination", "payload", "payload_at"];
-const MUSCLE: &[&str] = &["file", "contraction_at_neutral", "radius", "origin", "insertion"];
+const MUSCLE: &[&str] =
+    &["file", "contraction_at_neutral", "radius", "origin", "insertion", "wrap_angle", "wrap_friction"];
 const SPRING: &[&str] =
     &["rate", "preload", "angular_rate", "preload_torque", "radius", "origin", "insertion"];
 const ALL: &[&str] = &[
@@ -25,6 +26,8 @@ const ALL: &[&str] = &[
     "muscle_1.contraction_at_neutral",
     "muscle_1.origin",
     "muscle_1.insertion",
+    "muscle_1.wrap_angle",
+    "muscle_1.wrap_friction",
     "spring.rate",
     "spring.preload",
     "spring.angular_rate",
@@ -36,6 +39,7 @@ const ALL: &[&str] = &[
 pub struct JointFile {
     /// File, way about the joint and contraction at the neutral angle of each muscle.
     muscles: Vec<(String, Path, f64)>,
+    pulleys: Vec<PulleyFriction>,
     spring: Option<JointSpring>,
     link: Link,
     range_deg: (f64, f64),
@@ -59,7 +63,8 @@ impl JointFile {
         if given != self.muscles.len() {
             return Err(JointError::Muscles(given));
         }
-        Joint::new(list, self.spring, self.link, self.range_deg)
+        let joint = Joint::new(list, self.spring, self.link, self.range_deg)?;
+        Ok(Joint { pulleys: self.pulleys.clone(), ..joint })
     }
 }
 
@@ -96,7 +101,7 @@ pub fn parse_joint(text: &str) -> Result<JointFile, FileError> {
             );
         }
     };
-    let mut muscles = vec![];
+    let (mut muscles, mut pulleys) = (vec![], vec![]);
     for (name, sign) in [("muscle_1", 1.0), ("muscle_2", -1.0)] {
         let section = root.section(name, name)?;
         if !section.is_written() {
@@ -109,11 +114,13 @@ pub fn parse_joint(text: &str) -> Result<JointFile, FileError> {
         let file = section.text("file", "the path of a muscle file, in quotes")?;
         let file = file.ok_or_else(|| section.missing("file", None, "which muscle it is"))?;
         let contraction = section.quantity("contraction_at_neutral", Dimension::Ratio)?.unwrap_or(0.0);
-        muscles.push((file.to_owned(), path(&section, radius, sign)?, contraction));
+        let path = path(&section, radius, sign)?;
+        pulleys.push(pulley_friction(&section, &path)?);
+        muscles.push((file.to_owned(), path, contraction));
     }
     let spring = spring(&root.section("spring", "spring")?, radius)?;
     let link = link(&root.section("link", "link")?, &joint)?;
-    Ok(JointFile { muscles, spring, link, range_deg })
+    Ok(JointFile { muscles, pulleys, spring, link, range_deg })
 }
 
 /// A quantity above zero.
@@ -147,6 +154,26 @@ fn path(section: &Section<'_>, radius: Option<f64>, sign: f64) -> Result<Path, F
             })?;
             Ok(Path::Pulley { radius_mm: sign * radius })
         }
+    }
+}
+
+/// The friction of the rope on its pulley: both values, or neither.
+fn pulley_friction(section: &Section<'_>, path: &Path) -> Result<PulleyFriction, FileError> {
+    let angle = positive(section, "wrap_angle", Dimension::Angle)?;
+    let said = |text: &str| Err(section.error("wrap_friction", Problem::Said(text.into())));
+    match (angle, section.number("wrap_friction")?) {
+        (None, None) => Ok(PulleyFriction::default()),
+        (Some(_), None) => {
+            Err(section.missing("wrap_friction", Some("wrap_angle"), "the coefficient of friction"))
+        }
+        (None, Some(_)) => {
+            Err(section.missing("wrap_angle", Some("wrap_friction"), "the angle of the rope on its pulley"))
+        }
+        (Some(_), Some(_)) if matches!(path, Path::Points { .. }) => {
+            said("needs a pulley: give radius, not origin and insertion")
+        }
+        (Some(_), Some(coefficient)) if coefficient < 0.0 => said("must not be below zero"),
+        (Some(deg), Some(coefficient)) => Ok(PulleyFriction { coefficient, wrap_rad: deg.to_radians() }),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Which angles and stiffnesses a joint reaches.
 
 use super::model::Fixed;
-use super::{JointError, JointModel, Rest, ShutStiffness, Turning};
+use super::{JointError, JointModel, Rest, ShutStiffness};
 use crate::model::{Interval, ModelError, Quantity, Workspace};
 use crate::progress::Progress;
 use crate::threads::Threads;
@@ -97,7 +97,6 @@ impl JointModel<'_> {
                         workspaces: &mut workspaces,
                         pressures_mpa: pressures_mpa.clone(),
                         free: free.iter().zip([i, j]).map(|(list, k)| list[k]).collect(),
-                        turning: Turning::Mean,
                     };
                     let found = self.rest_near(&mut fixed, start);
                     let at = |found: &Rest| found.as_ref().ok()?.as_ref().map(|p| p.angle_deg);
@@ -239,7 +238,7 @@ impl JointModel<'_> {
         let ends: &[&[f64]] = if two { &[&[max_mpa, 0.0], &[0.0, max_mpa]] } else { &[&[max_mpa], &[0.0]] };
         let mut all = vec![vec![]; ANGLES];
         for pressures in ends {
-            let mut fixed = match self.fixed(&mut workspaces, pressures, Turning::Mean) {
+            let mut fixed = match self.fixed(&mut workspaces, pressures) {
                 Err(error) if error.is_of_point() => continue,
                 fixed => fixed?,
             };

@@ -84,7 +84,6 @@ pub(super) struct Fixed<'w> {
     pub(super) pressures_mpa: Vec<f64>,
     /// Free contractions; beyond them a muscle is slack.
     pub(super) free: Vec<Option<f64>>,
-    pub(super) turning: Turning,
 }
 
 impl<'m> JointModel<'m> {
@@ -163,14 +162,9 @@ impl<'m> JointModel<'m> {
     }
 
     /// P′ of a muscle at a contraction in MPa, where there is one.
-    pub fn start_pressure_mpa(
-        &self,
-        muscle: usize,
-        workspace: &mut Workspace,
-        contraction: f64,
-    ) -> Option<f64> {
+    pub fn start_pressure_mpa(&self, muscle: usize, w: &mut Workspace, e: f64) -> Option<f64> {
         let model = *self.models.get(muscle)?;
-        start_pressure_mpa(model, workspace, contraction, self.options(Direction::Mean)).ok()
+        start_pressure_mpa(model, w, e, self.options(Direction::Mean)).ok()
     }
 
     fn point(
@@ -202,8 +196,10 @@ impl<'m> JointModel<'m> {
                 stiffness_of(model, workspace, &answer.response, options.direction)
                     .map_err(JointError::model(i))?
             };
-            torque += 1e-3 * force * s.arm_mm;
-            stiffness += 1e-3 * (k * s.arm_mm * s.arm_mm - force * s.arm_by_angle_mm);
+            let (share, by_angle) = self.joint.arriving(i, angle, s.arm_mm, options.direction);
+            torque += share * (1e-3 * force * s.arm_mm);
+            stiffness += share * (1e-3 * (k * s.arm_mm * s.arm_mm - force * s.arm_by_angle_mm));
+            stiffness -= 1e-3 * force * s.arm_mm * by_angle;
             muscles.push(MuscleState { answer, arm_mm: s.arm_mm, arm_by_angle_mm: s.arm_by_angle_mm });
         }
         let parts = self.torque_uncertainty(workspaces, &muscles);
@@ -233,24 +229,18 @@ impl<'m> JointModel<'m> {
         &self,
         workspaces: &'w mut [Workspace],
         pressures_mpa: &[f64],
-        turning: Turning,
     ) -> Result<Fixed<'w>, JointError> {
         self.check_pressures(pressures_mpa)?;
         let each = workspaces.iter_mut().zip(pressures_mpa).enumerate();
         let free = each.map(|(i, (workspace, &p))| self.free(i, workspace, p)).collect::<Result<_, _>>()?;
-        Ok(Fixed { workspaces, pressures_mpa: pressures_mpa.to_vec(), free, turning })
+        Ok(Fixed { workspaces, pressures_mpa: pressures_mpa.to_vec(), free })
     }
 
     /// The free contraction of a muscle at a pressure; `None` where it pulls up to the end of its model's range, or has no state on the way to it: whether it
     /// is slack is then asked at each angle.
-    pub(super) fn free(
-        &self,
-        muscle: usize,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-    ) -> Result<Option<f64>, JointError> {
+    pub(super) fn free(&self, muscle: usize, w: &mut Workspace, p: f64) -> Result<Option<f64>, JointError> {
         let options = self.options(Direction::Mean);
-        match free_contraction(self.models[muscle], workspace, pressure_mpa, options) {
+        match free_contraction(self.models[muscle], w, p, options) {
             Ok(e) => Ok(Some(e)),
             Err(AnalysisError::NoContraction { .. }) => Ok(None),
             Err(AnalysisError::Model(error)) if error.is_of_point() => Ok(None),
@@ -268,17 +258,17 @@ impl<'m> JointModel<'m> {
         let mut shut = ShutStiffness::NONE;
         for i in 0..self.models.len() {
             let Some((contraction, s)) = self.joint.contraction(i, angle) else { break };
-            let direction = fixed.turning.branch(s.arm_mm);
-            if fixed.free[i].is_some_and(|free| contraction >= free) && direction.is_mean() {
+            if fixed.free[i].is_some_and(|free| contraction >= free) {
                 continue;
             }
             let (p, workspace) = (fixed.pressures_mpa[i], &mut fixed.workspaces[i]);
-            let r = response_on(self.models[i], workspace, p, contraction, direction)
+            let r = response_on(self.models[i], workspace, p, contraction, Direction::Mean)
                 .map_err(JointError::model(i))?;
             if r.force_n <= 0.0 {
                 continue;
             }
-            let k = stiffness_of(self.models[i], workspace, &r, direction).map_err(JointError::model(i))?;
+            let k =
+                stiffness_of(self.models[i], workspace, &r, Direction::Mean).map_err(JointError::model(i))?;
             torque += 1e-3 * r.force_n * s.arm_mm;
             slope += 1e-3 * (r.force_n * s.arm_by_angle_mm - k * s.arm_mm * s.arm_mm);
             shut.add(&r, self.models[i].muscle().length_mm(), s.arm_mm);

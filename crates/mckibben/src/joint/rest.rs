@@ -1,7 +1,7 @@
 //! Where a joint comes to rest.
 
 use super::model::Fixed;
-use super::{JointError, JointModel, Turning};
+use super::{JointError, JointModel};
 use crate::analysis::find_root;
 use crate::model::Workspace;
 
@@ -57,7 +57,7 @@ impl JointModel<'_> {
         pressures_mpa: &[f64],
         outside_nm: f64,
     ) -> Result<Vec<Rest>, JointError> {
-        self.rests_at(&mut self.fixed(workspaces, pressures_mpa, Turning::Mean)?, outside_nm)
+        self.rests_at(&mut self.fixed(workspaces, pressures_mpa)?, outside_nm)
     }
 
     /// The rests between neighbouring angles at which every muscle has a state.

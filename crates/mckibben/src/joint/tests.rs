@@ -17,15 +17,6 @@ fn bound<'m>(joint: &'m Joint, models: &'m [Box<dyn ForceModel>]) -> JointModel<
     JointModel::new(joint, models.iter().map(|m| &**m).collect(), true).unwrap()
 }
 
-#[test]
-fn more_pressure_in_the_first_muscle_and_a_torque_from_outside_turn_the_joint_to_plus() {
-    let joint = antagonists();
-    let models = models(&joint, ModelKind::Universal);
-    let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
-    let turned = model.rests(w, &[0.25, 0.15], 0.0).unwrap()[0].angle_deg();
-    assert!(turned > 5.0 && model.rests(w, &[0.25, 0.15], 1.0).unwrap()[0].angle_deg() > turned);
-}
-
 /// ±τ over the slopes of the torque, these by central differences: of pressures that were sought, and of the angle at rest.
 #[test]
 fn what_was_sought_has_the_uncertainty_of_the_torque_over_its_slope() {
@@ -173,6 +164,38 @@ fn the_stiffness_is_the_slope_of_the_torque_on_every_branch() {
     }
 }
 
+/// Euler–Eytelwein: exp(∓μα) of the pull at α = 70° ∓ 20° of both muscles; −dτ/dφ against differences.
+#[test]
+fn a_rope_on_its_pulley_takes_the_capstan_factor_of_the_pull() {
+    let text = |lines: &str| {
+        let muscle = format!("file = 'm'\ncontraction_at_neutral = '10%'\n{lines}");
+        parse_joint(&format!("[joint]\nradius = '25 mm'\n[muscle_1]\n{muscle}[muscle_2]\n{muscle}"))
+    };
+    let joint = |lines: &str| text(lines).unwrap().with(vec![Muscle::prototype(); 2]).unwrap();
+    let (without, with) = (joint(""), joint("wrap_angle = '70 deg'\nwrap_friction = 0.2\n"));
+    let models = models(&with, ModelKind::Ideal);
+    let w = &mut [Workspace::new(), Workspace::new()][..];
+    let mut at = |joint, deg, turning| bound(joint, &models).at(w, &[0.2, 0.1], deg, turning).unwrap();
+    let pulls = at(&without, 20.0, Turning::Plus).muscles;
+    let [first, second] = [0, 1].map(|i| 1e-3 * 25.0 * pulls[i].answer.response.force_n);
+    for (turning, sign) in [(Turning::Mean, 0.0), (Turning::Plus, -0.2), (Turning::Minus, 0.2)] {
+        let factor = |deg: f64, sign: f64| (sign * deg.to_radians()).exp();
+        let expected = first * factor(50.0, sign) - second * factor(90.0, -sign);
+        let here = at(&with, 20.0, turning);
+        assert!((here.torque_nm / expected - 1.0).abs() < 1e-12, "{turning:?} {} {expected}", here.torque_nm);
+        let h: f64 = 0.01;
+        let [before, after] = [20.0 - h, 20.0 + h].map(|deg| at(&with, deg, turning).torque_nm);
+        let slope = (before - after) / (2.0 * h.to_radians());
+        assert!((here.stiffness_nm_per_rad / slope - 1.0).abs() < 1e-6, "{turning:?} {slope}");
+    }
+    for (lines, said) in [
+        ("wrap_friction = 0.2\n", "wrap_angle"),
+        ("wrap_angle = '70 deg'\nwrap_friction = -1\n", "below zero"),
+    ] {
+        assert!(text(lines).unwrap_err().to_string().contains(said));
+    }
+}
+
 #[test]
 fn what_the_joint_cannot_do_is_said_with_what_it_can() {
     let joint = antagonists();
@@ -282,13 +305,13 @@ fn a_map_outside_of_a_models_range_is_refused_or_said() {
 fn geometry_that_cannot_be_built_is_refused() {
     let near = vec![muscle(Path::Points { origin_mm: [0.0, 200.0], insertion_mm: [30.0, 0.0] }, 0.1)];
     let error = Joint::new(near, None, Link::default(), (-60.0, 60.0)).unwrap_err();
-    assert!(matches!(error, JointError::TooNear { muscle: 1, .. }), "{error}");
+    assert!(error.to_string().contains("muscle 1: its attachment points are"), "{error}");
     let meeting = vec![muscle(Path::Points { origin_mm: [0.0, 300.0], insertion_mm: [300.0, 0.0] }, 0.1)];
     let error = Joint::new(meeting, None, Link::default(), (-90.0, 90.0)).unwrap_err();
-    assert!(matches!(error, JointError::Geometry { .. }), "{error}");
+    assert!(error.to_string().contains("attachment points meet"), "{error}");
     assert!(Joint::new(vec![], None, Link::default(), (-60.0, 60.0)).is_err());
     let one = vec![muscle(Path::Pulley { radius_mm: 20.0 }, 0.1)];
-    assert!(matches!(Joint::new(one, None, Link::default(), (60.0, -60.0)), Err(JointError::Range { .. })));
+    assert!(Joint::new(one, None, Link::default(), (60.0, -60.0)).is_err());
 }
 
 #[test]

@@ -70,6 +70,13 @@ pub struct Braid {
     pub sleeve: Option<SleeveShape>,
 }
 
+/// A braid described by its strands, without one of the lines that it takes.
+pub(super) fn strands_incomplete(missing: &str) -> MuscleError {
+    let needs = "a braid described by its strands needs `strands`, `strand_area` (or `strand_diameter`) and `strand_modulus`";
+    let keys = ["braid.strand_area", "braid.strand_modulus", "braid.strands"];
+    MuscleError::refused(keys, format!("braid: {missing} is missing; {needs}"))
+}
+
 impl Braid {
     /// Outer diameters in mm from which the stiffness `paper` comes: its muscles had these.
     pub const PAPER_DIAMETERS_MM: (f64, f64) = (30.0, 50.0);
@@ -110,7 +117,7 @@ impl Braid {
     /// This braid with an angle that somebody stated, on a tube of a diameter.
     ///
     /// # Errors
-    /// [`MuscleError::SleeveAngle`] where it is not that of the named sleeve within [`SLEEVE_ANGLE_TOLERANCE_DEG`], or
+    /// [`MuscleError::Refused`] where it is not that of the named sleeve within [`SLEEVE_ANGLE_TOLERANCE_DEG`], or
     /// [`MuscleError::Sleeve`] where the sleeve does not fit.
     pub fn with_stated_angle(self, angle_deg: f64, outer_diameter_mm: f64) -> Result<Self, MuscleError> {
         if let Some(sleeve) = &self.sleeve {
@@ -118,8 +125,13 @@ impl Braid {
             let of_sleeve_deg = sleeve.angle_deg_on(outer_diameter_mm)?;
             // A NaN is no angle, and `check` says so.
             if (angle_deg - of_sleeve_deg).abs() > SLEEVE_ANGLE_TOLERANCE_DEG {
-                let name = sleeve.name.clone();
-                return Err(MuscleError::SleeveAngle { name, angle_deg, of_sleeve_deg, outer_diameter_mm });
+                let name = &sleeve.name;
+                return Err(MuscleError::refused(
+                    ["braid.angle"],
+                    format!(
+                        "braid.angle is {angle_deg} deg, but {name} has {of_sleeve_deg:.2} deg on a tube of {outer_diameter_mm} mm: leave one of them out"
+                    ),
+                ));
             }
         }
         Ok(Self { angle_deg, ..self })
@@ -127,31 +139,39 @@ impl Braid {
 
     pub(super) fn check(&self) -> Result<(), MuscleError> {
         if !(self.angle_deg > 0.0 && self.angle_deg <= LARGEST_ANGLE_DEG) {
-            return Err(MuscleError::Angle { angle_deg: self.angle_deg });
+            return Err(MuscleError::refused(
+                ["braid.angle"],
+                format!(
+                    "braid.angle is {} deg; the angle of the strands to the axis must be between 0 and 75 deg: a muscle contracts below 54.7356 deg and extends above",
+                    self.angle_deg
+                ),
+            ));
         }
         if let BraidStiffness::NewtonPerMm(k) = self.stiffness {
             positive("braid.stiffness", k, "N/mm")?;
         }
         match (&self.strands, self.stiffness) {
-            (None, BraidStiffness::OfStrands) => {
-                return Err(MuscleError::StrandsIncomplete { missing: "strands" });
-            }
+            (None, BraidStiffness::OfStrands) => Err(strands_incomplete("strands")),
             (Some(Strands { section: None, .. }), BraidStiffness::OfStrands) => {
-                return Err(MuscleError::StrandsIncomplete { missing: "strand_area" });
+                Err(strands_incomplete("strand_area"))
             }
-            _ => {}
+            _ => Ok(()),
         }
-        Ok(())
     }
 
     /// Crimp whose measures are possible by themselves.
     pub(super) fn check_crimp(&self) -> Result<(), MuscleError> {
         match self.crimp {
             Some(Crimp { stiffness_ratio, .. }) if stiffness_ratio > 1.0 => {
-                Err(MuscleError::CrimpStiffer { stiffness_ratio })
+                let must = "; it is the share of the strands' stiffness that they have before they are straight, above 0 and at most 1";
+                Err(MuscleError::refused(
+                    ["braid.crimp_stiffness"],
+                    format!("braid.crimp_stiffness is {stiffness_ratio}{must}"),
+                ))
             }
             Some(_) if self.stiffness == BraidStiffness::Inextensible => {
-                Err(MuscleError::CrimpOfRigidStrands)
+                let message = "braid.crimp needs strands with a stiffness: it is a share of it that they have before they are straight";
+                Err(MuscleError::refused(["braid.crimp", "braid.stiffness"], message))
             }
             _ => Ok(()),
         }
@@ -161,12 +181,20 @@ impl Braid {
     pub(super) fn check_on(&self, tube: &Tube) -> Result<(), MuscleError> {
         let (thickness_mm, outer_diameter_mm) = (self.thickness_mm, tube.outer_diameter_mm);
         if thickness_mm >= outer_diameter_mm {
-            return Err(MuscleError::BraidTooThick { thickness_mm, outer_diameter_mm });
+            return Err(MuscleError::refused(
+                ["braid.thickness", "tube.outer_diameter"],
+                format!(
+                    "braid.thickness is {thickness_mm} mm; it must be below the tube's outer diameter of {outer_diameter_mm} mm (both layers of strands, not the sleeve's diameter)"
+                ),
+            ));
         }
         match self.diameter_mm {
-            Some(diameter_mm) if diameter_mm < outer_diameter_mm => {
-                Err(MuscleError::SleeveTooNarrow { diameter_mm, outer_diameter_mm })
-            }
+            Some(diameter_mm) if diameter_mm < outer_diameter_mm => Err(MuscleError::refused(
+                ["braid.diameter", "tube.outer_diameter"],
+                format!(
+                    "braid.diameter is {diameter_mm} mm, but the tube has an outer diameter of {outer_diameter_mm} mm: a sleeve that is pulled over a wider tube has the angle that it takes there; give that angle and leave the diameter out"
+                ),
+            )),
             _ => Ok(()),
         }
     }

@@ -41,13 +41,18 @@ impl Muscle {
 
     /// For calculations of muscles that pull.
     pub fn check_contracts(&self) -> Result<(), MuscleError> {
-        let angle_deg = self.braid().angle_deg;
-        if self.is_extensile() { Err(MuscleError::Extends { angle_deg }) } else { Ok(()) }
+        let said = "this muscle extends, and the calculation is for muscles that contract: take an angle below 54.7356 deg";
+        if self.is_extensile() { Err(self.wrong_way(said)) } else { Ok(()) }
     }
 
     /// For calculations of muscles that push.
     pub fn check_extends(&self) -> Result<(), MuscleError> {
+        let said = "this muscle contracts, and a push is required: take an angle above 54.7356 deg";
+        if self.is_extensile() { Ok(()) } else { Err(self.wrong_way(said)) }
+    }
+
+    fn wrong_way(&self, said: &str) -> MuscleError {
         let angle_deg = self.braid().angle_deg;
-        if self.is_extensile() { Ok(()) } else { Err(MuscleError::Contracts { angle_deg }) }
+        MuscleError::refused(["braid.angle"], format!("braid.angle is {angle_deg} deg; {said}"))
     }
 }

@@ -82,25 +82,46 @@ impl Muscle {
             && measured.strand_length_mm <= tube.length_mm
         {
             let (strand_length_mm, length_mm) = (measured.strand_length_mm, tube.length_mm);
-            return Err(MuscleError::StrandTooShort { strand_length_mm, length_mm });
+            return Err(MuscleError::refused(
+                ["braid.strand_length"],
+                format!(
+                    "braid.strand_length is {strand_length_mm} mm, not above the muscle's length of {length_mm} mm, which it must span slantwise"
+                ),
+            ));
         }
         parts.check("friction")?;
         if parts.friction.is_some_and(|f| f.presliding_mm.is_some() && f.is_zero()) {
-            return Err(MuscleError::PreslidingAlone);
+            let message = "friction.presliding needs the friction itself: friction.lever, or friction.coefficient and friction.exponent";
+            return Err(MuscleError::refused(["friction.presliding"], message));
         }
         braid.check_on(tube)?;
         let (seating_mm, length_mm) = (terminals.seating_mm.unwrap_or(0.0), tube.length_mm);
         if seating_mm >= length_mm {
-            return Err(MuscleError::SeatingTooLong { seating_mm, length_mm });
+            return Err(MuscleError::refused(
+                ["terminals.seating", "tube.length"],
+                format!(
+                    "terminals.seating is {seating_mm} mm; it must be below the muscle's length of {length_mm} mm"
+                ),
+            ));
         }
         let grip_mm = terminals.grip_mm.unwrap_or(0.0);
         if seating_mm + 2.0 * grip_mm >= length_mm {
-            return Err(MuscleError::GripTooLong { grip_mm, seating_mm, length_mm });
+            return Err(MuscleError::refused(
+                ["terminals.grip", "tube.length"],
+                format!(
+                    "terminals.grip is {grip_mm} mm at each end; twice that, with a seating of {seating_mm} mm, must be below the muscle's length of {length_mm} mm"
+                ),
+            ));
         }
         let (plug_mm, bore_mm) = (2.0 * parts.plug_radius_mm(), 2.0 * tube.inner_radius_mm());
         let (least, largest) = Terminals::PLUG_OF_BORE;
         if !(least * bore_mm..=largest * bore_mm).contains(&plug_mm) {
-            return Err(MuscleError::PlugDiameter { plug_mm, bore_mm });
+            return Err(MuscleError::refused(
+                ["terminals.plug_diameter", "tube.outer_diameter"],
+                format!(
+                    "terminals.plug_diameter is {plug_mm} mm, and the bore of the tube {bore_mm} mm: a plug has between half of the bore and twice the bore"
+                ),
+            ));
         }
         let reach = parts.reach();
         parts.tube.rubber = library::following(parts.tube.rubber, reach);
@@ -111,7 +132,10 @@ impl Muscle {
             let end = muscle.max_ideal_contraction();
             let largest = (1.0 - end) / (2.0 * end);
             if value > largest && end > 0.0 {
-                return Err(MuscleError::ConeFactor { value, largest });
+                let must = format!(
+                    "lie between 0 and {largest:.4}, or the two tips touch before the largest contraction"
+                );
+                return Err(error::must("terminals.cone_factor", value, "", &must));
             }
         }
         Ok(muscle)

@@ -22,13 +22,19 @@ impl Rubber {
                 let stretched = 1.0 + strain;
                 let first_invariant = stretched * stretched + 2.0 / stretched - 3.0;
                 if !energy.is_finite() || self.law.locks_at().is_some_and(|j| first_invariant >= j) {
-                    return Err(MuscleError::ConditionedBeyondLock { strain });
+                    return Err(MuscleError::refused(
+                        ["tube.material.conditioned"],
+                        format!(
+                            "tube.material.conditioned is a strain of {strain}, at which the rubber's law has locked: state less, or the pressure of the cycles"
+                        ),
+                    ));
                 }
             }
             None => {}
         }
         if self.conditioned.is_some() && self.softening.is_none() {
-            return Err(MuscleError::ConditionedWithoutSoftening);
+            let message = "tube.material.conditioned is stated, but the rubber has no tube.material.softening: give its r, m and beta, or leave it out";
+            return Err(MuscleError::refused(["tube.material.conditioned"], message));
         }
         if let Some(prony) = self.prony.clone() {
             prony.validated().map_err(MuscleError::Relaxation)?;

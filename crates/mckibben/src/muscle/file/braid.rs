@@ -3,6 +3,8 @@
 use super::error::{FileError, Problem};
 use super::keys::{ALL, keys, measures};
 use super::source::{Section, WordOr};
+use crate::muscle::braid::strands_incomplete;
+use crate::muscle::error::positive;
 use crate::muscle::measures::STRANDS;
 use crate::muscle::{Braid, BraidStiffness, MuscleError, Parts, Strands};
 use crate::sleeve::{Sleeve, library};
@@ -21,7 +23,16 @@ pub(super) fn read(section: &Section<'_>, parts: &mut Parts) -> Result<(), FileE
         None => strands(section).map(|(strands, described)| (strands, described, 1.0))?,
     };
     let stiffness = match (written, described) {
-        (Some(_), true) => return Err(refused(section, "stiffness", MuscleError::StiffnessTwice)),
+        (Some(_), true) => {
+            return Err(refused(
+                section,
+                "stiffness",
+                MuscleError::refused(
+                    ["braid.stiffness"],
+                    "braid: give either `stiffness`, or `strands`, `strand_area` (or `strand_diameter`) and `strand_modulus`; both are given",
+                ),
+            ));
+        }
         (Some(stiffness), false) => stiffness,
         (None, true) => BraidStiffness::OfStrands,
         // A number of strands alone says nothing about their stiffness.
@@ -90,16 +101,23 @@ fn area(section: &Section<'_>) -> Result<Option<f64>, FileError> {
     let area = section.quantity("strand_area", Dimension::Area)?;
     let diameter = section.quantity("strand_diameter", Dimension::Length)?;
     match (area, diameter) {
-        (Some(_), Some(_)) => Err(refused(section, "strand_diameter", MuscleError::SectionTwice)),
-        (_, Some(d)) if !(d.is_finite() && d > 0.0) => {
-            let error = MuscleError::NotPositive { key: "braid.strand_diameter", value: d, unit: "mm" };
-            Err(refused(section, "strand_diameter", error))
+        (Some(_), Some(_)) => Err(refused(
+            section,
+            "strand_diameter",
+            MuscleError::refused(
+                ["braid.strand_diameter"],
+                "braid: give either `strand_area` or `strand_diameter`; both are given",
+            ),
+        )),
+        (area, None) => Ok(area),
+        (None, Some(d)) => {
+            positive("braid.strand_diameter", d, "mm").map_err(|e| refused(section, "strand_diameter", e))?;
+            Ok(Some(std::f64::consts::PI * d * d / 4.0))
         }
-        (area, diameter) => Ok(area.or(diameter.map(|d| std::f64::consts::PI * d * d / 4.0))),
     }
 }
 
-fn refused(section: &Section<'_>, key: &str, error: MuscleError) -> FileError {
+pub(super) fn refused(section: &Section<'_>, key: &str, error: MuscleError) -> FileError {
     section.error(key, Problem::Muscle { error, key: section.dotted(key), default: None })
 }
 
@@ -126,16 +144,21 @@ fn strands(section: &Section<'_>) -> Result<(Option<Strands>, bool), FileError> 
     let described = area.is_some() || modulus.is_some();
     let beside =
         ["strand_area", "strand_diameter"].into_iter().find(|k| section.has(k)).unwrap_or("strand_modulus");
-    let incomplete = |missing| Err(refused(section, beside, MuscleError::StrandsIncomplete { missing }));
+    let incomplete = |missing| Err(refused(section, beside, strands_incomplete(missing)));
     match (count, area, modulus) {
         // Both at once is the more telling complaint; the caller makes it.
         _ if described && section.has("stiffness") => Ok((None, true)),
         (None, Some(_), _) | (None, _, Some(_)) => incomplete("strands"),
         (Some(_), Some(_), None) => incomplete("strand_modulus"),
         (Some(_), None, Some(_)) => incomplete("strand_area"),
-        (None, None, None) if strength_n.is_some() => {
-            Err(refused(section, "strand_strength", MuscleError::StrengthWithoutCount))
-        }
+        (None, None, None) if strength_n.is_some() => Err(refused(
+            section,
+            "strand_strength",
+            MuscleError::refused(
+                ["braid.strand_strength"],
+                "braid.strand_strength needs braid.strands: the load is shared among them",
+            ),
+        )),
         (None, None, None) => Ok((None, false)),
         (Some(count), area, modulus) => {
             Ok((Some(Strands { count, section: area.zip(modulus), strength_n }), described))

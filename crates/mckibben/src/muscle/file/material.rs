@@ -1,9 +1,11 @@
 //! What the tube is made of: `rubber = "name"`, or `[tube.material]` with a law and its constants.
 
+use super::braid::refused as of_muscle;
 use super::error::{FileError, Problem};
 use super::keys::ALL;
 use super::source::{Section, WordOr};
-use crate::muscle::{Bulk, Conditioned, MuscleError, Rubber};
+use crate::muscle::error::{not_negative, positive};
+use crate::muscle::{Bulk, Conditioned, Rubber};
 use crate::nearest::nearest;
 use crate::rubber::over_time::{Held, OgdenRoxburgh, Prony};
 use crate::rubber::{Constant, Law, LawKind, NEEDS_ALL, foreign, library, one_of_all};
@@ -17,8 +19,11 @@ pub(super) fn read(tube: &Section<'_>) -> Result<Rubber, FileError> {
     let material = tube.section("material", "tube.material")?;
     let name = tube.text("rubber", "the name of a rubber in quotes, such as \"dragon-skin-30\"")?;
     match name {
-        Some(_) if material.is_written() => Err(tube.error("rubber", Problem::RubberTwice)),
-        Some(name) => library::find(name).map_err(|e| tube.error("rubber", Problem::Rubber(e))),
+        Some(_) if material.is_written() => Err(tube.error(
+            "rubber",
+            Problem::Said("give either `rubber` or [tube.material]; both are given".into()),
+        )),
+        Some(name) => library::find(name).map_err(|e| tube.error("rubber", Problem::Said(e.to_string()))),
         None if material.is_written() => own(&material),
         None => Ok(Rubber::paper()),
     }
@@ -54,10 +59,7 @@ fn own(section: &Section<'_>) -> Result<Rubber, FileError> {
             return Err(section.missing("prony", Some("held"), "it says how the rubber relaxes"));
         }
         // Before its stresses are taken as less, the series must be one.
-        rubber.check().map_err(|error| {
-            let key = "tube.material.prony".into();
-            section.error("prony", Problem::Muscle { error, key, default: None })
-        })?;
+        rubber.check().map_err(|error| of_muscle(section, "prony", error))?;
         rubber = rubber.held(held);
     }
     // Constants that are written are those of this muscle, also where they are the library's for another one.
@@ -68,14 +70,12 @@ fn own(section: &Section<'_>) -> Result<Rubber, FileError> {
 }
 
 fn fitted_to_stretch(section: &Section<'_>) -> Result<Option<f64>, FileError> {
-    let key = "tube.material.fitted_to_stretch";
-    match section.number("fitted_to_stretch")? {
-        Some(value) if value <= 0.0 => {
-            let error = MuscleError::NotPositive { key, value, unit: "" };
-            Err(section.error("fitted_to_stretch", Problem::Muscle { error, key: key.into(), default: None }))
-        }
-        stretch => Ok(stretch),
+    let stretch = section.number("fitted_to_stretch")?;
+    if let Some(value) = stretch {
+        let key = "tube.material.fitted_to_stretch";
+        positive(key, value, "").map_err(|e| of_muscle(section, "fitted_to_stretch", e))?;
     }
+    Ok(stretch)
 }
 
 fn softening(section: &Section<'_>) -> Result<Option<OgdenRoxburgh>, FileError> {
@@ -112,11 +112,9 @@ fn held(section: &Section<'_>) -> Result<Option<Held>, FileError> {
     Ok(match section.word_or_quantity("held", &["long"], Dimension::Time, expected)? {
         None => None,
         Some(WordOr::Word(_)) => Some(Held::Long),
-        Some(WordOr::Quantity(time_s)) if time_s >= 0.0 => Some(Held::For(time_s)),
         Some(WordOr::Quantity(time_s)) => {
-            let error = MuscleError::Negative { key: "tube.material.held", value: time_s, unit: "s" };
-            return Err(section
-                .error("held", Problem::Muscle { error, key: "tube.material.held".into(), default: None }));
+            not_negative("tube.material.held", time_s, "s").map_err(|e| of_muscle(section, "held", e))?;
+            Some(Held::For(time_s))
         }
     })
 }
@@ -132,7 +130,7 @@ fn law_of(section: &Section<'_>, kind: &LawKind) -> Result<Law, FileError> {
         found.ok_or_else(|| section.missing(c.name, Some("law"), NEEDS_ALL))
     };
     let lists = kind.constants.iter().map(list).collect::<Result<Vec<_>, _>>()?;
-    kind.of_lists(&lists).map_err(|e| section.error(e.name, Problem::TermCounts(e)))
+    kind.of_lists(&lists).map_err(|e| section.error(e.name, Problem::Said(e.to_string())))
 }
 
 fn bulk(section: &Section<'_>) -> Result<Bulk, FileError> {

@@ -11,6 +11,7 @@ mod values;
 pub use table::*;
 pub use values::{GROUP, MeasureValues};
 
+use super::error::{must, not_negative, positive};
 use super::{Braid, Friction, Muscle, MuscleError, Terminals, Tube};
 use crate::units::Dimension;
 use std::borrow::Cow;
@@ -282,12 +283,14 @@ impl Measure {
         let key = self.key;
         match self.bounds {
             Bounds::OfPart => Ok(()),
-            Bounds::Positive => super::error::positive(key, value, unit),
-            Bounds::NotNegative => super::error::not_negative(key, value, unit),
+            Bounds::Positive => positive(key, value, unit),
+            Bounds::NotNegative => not_negative(key, value, unit),
             Bounds::Even if (2.0..=f64::from(u32::MAX)).contains(&value) && value % 2.0 == 0.0 => Ok(()),
-            Bounds::Even => Err(MuscleError::StrandCount { count: value }),
+            Bounds::Even => Err(must(key, value, "", "be an even whole number (half of them run each way)")),
             Bounds::Between(low, high) if (low..=high).contains(&value) => Ok(()),
-            Bounds::Between(low, high) => Err(MuscleError::OutOfBounds { key, value, unit, low, high }),
+            Bounds::Between(low, high) => {
+                Err(must(key, value, unit, &format!("lie between {low} and {high}")))
+            }
         }
     }
 }
