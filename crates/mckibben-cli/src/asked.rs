@@ -13,7 +13,7 @@ use mckibben::load::Load;
 use mckibben::muscle::Measure;
 use mckibben::muscle::measures::fields;
 use mckibben::units::Dimension;
-use mckibben_app::{Choice, Columns, ProblemKind, RequestFields, TextFile, understood};
+use mckibben_app::{Choice, Columns, ProblemKind, TextFile, understood};
 use mckibben_design::Tolerances;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -53,8 +53,8 @@ impl Asked {
     }
 
     /// The request that the flags make.
-    pub fn request<T: RequestFields>(&self) -> Result<T, Failure> {
-        Ok(understood(Value::Object(self.fields()?))?)
+    pub fn request<T: serde::de::DeserializeOwned>(&self) -> Result<T, Failure> {
+        Ok(understood(&Value::Object(self.fields()?))?)
     }
 
     /// The fields of the request.

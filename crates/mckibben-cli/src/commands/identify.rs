@@ -66,5 +66,5 @@ fn request(asked: &Asked) -> Result<IdentifyRequest, Failure> {
     if asked.is("robust") {
         fields.insert("loss".into(), "huber".into());
     }
-    Ok(mckibben_app::understood(fields.into())?)
+    Ok(mckibben_app::understood(&fields.into())?)
 }

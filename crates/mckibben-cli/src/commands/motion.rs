@@ -70,7 +70,7 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
         let values: Vec<&str> = values.split(',').map(str::trim).collect();
         fields.insert("sweep".into(), json!({ "key": key.trim(), "values": values }));
     }
-    let mut request: MotionRequest = mckibben_app::understood(fields.into())?;
+    let mut request: MotionRequest = mckibben_app::understood(&fields.into())?;
     file.map_or(Ok(()), |path| add_files(&mut request, &path))?;
     let mut answer = motion(&request, &Bar::new("motion"))?;
     asked.draw(&mut answer.figure)?;

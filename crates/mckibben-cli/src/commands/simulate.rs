@@ -43,7 +43,7 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let mut fields = asked.fields()?;
     fields.entry("test").or_insert_with(|| json!("isometric"));
     fields.insert("deck".into(), deck.is_some().into());
-    let request: SimulateRequest = mckibben_app::understood(fields.into())?;
+    let request: SimulateRequest = mckibben_app::understood(&fields.into())?;
     let extent = if asked.is("whole") { Extent::Whole } else { Extent::Eighth };
     let mut folder = asked.path("folder").map(|path| Folder { path, series: VtuSeries::new(""), extent });
     let shapes = folder.as_mut().map(|f| f as &mut dyn Shapes);
