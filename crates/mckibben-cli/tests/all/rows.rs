@@ -56,8 +56,11 @@ fn judge(dir: &Path, row: &str) -> Result<(), String> {
         }
     } else if !answers && !line.contains("--format") {
         // A value that is missing stays the last word.
-        let (command, rest) = line.split_once(' ').unwrap_or((line, ""));
-        let ran = run_in(dir, &format!("{command} --format json {rest}"));
+        let json = match line.strip_suffix(" -p") {
+            Some(command) => format!("{command} --format json -p"),
+            None => format!("{line} --format json"),
+        };
+        let ran = run_in(dir, &json);
         let points = |q: Value| q["points"].as_array().is_some_and(|p| p.iter().all(|q| q["status"] == kind));
         if if ran.out.is_empty() { ran.error()["kind"] != kind } else { !points(ran.json()) } {
             return Err(format!("{}{}", ran.text(), ran.err));
