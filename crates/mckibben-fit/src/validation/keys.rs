@@ -14,9 +14,9 @@ pub(super) struct Keys<'a> {
 impl Keys<'_> {
     pub fn wrong(&self, key: &str, expected: &'static str) -> CaseError {
         CaseError::Refused(format!(
-            "{case}/case.toml: `{key}` must be {expected}",
+            "{case}/case.toml: `{path}{key}` must be {expected}",
             case = self.case,
-            key = format!("{}{key}", self.path)
+            path = self.path
         ))
     }
 
