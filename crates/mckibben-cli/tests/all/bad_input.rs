@@ -360,7 +360,7 @@ const FLAGS: &[Case] = &[
         "compare --data data/tondu2012/static_force_20deg.csv --fit taste",
         2,
         "usage",
-        "one of modulus, end-factor",
+        "modulus, end-factor",
     ),
     (
         "grid and points",
@@ -369,7 +369,7 @@ const FLAGS: &[Case] = &[
         "usage",
         "cannot be used with",
     ),
-    ("a model and models", "compare --model ideal --models paper", 2, "usage", "cannot be used with"),
+    ("a model and models", "compare --model ideal --models paper", 2, "usage", "cannot be used"),
     ("an unknown branch", "compare --branch up", 2, "usage", "elongation"),
     ("no points file", "compare --data DIR/none.csv", 2, "file", "cannot be read"),
     ("a folder of points", "compare --data DIR", 2, "file", "is a directory"),

@@ -98,7 +98,7 @@ const REFUSED: &[(&str, i32, &str, &str)] = &[
     ("--up-to 0.1%", 2, "fit", "a modulus of 0 MPa"),
     ("--law ogden-3 --up-to 1.2", 2, "fit", "a law with fewer constants"),
     ("--weights planar", 2, "usage", "has no ="),
-    ("--weights bent=1", 2, "usage", "expected one of uniaxial"),
+    ("--weights bent=1", 2, "usage", "expected one of"),
     ("--weights planar=1,planar=2", 2, "usage", "is given twice"),
     ("--weights planar=-1", 2, "fit", "a weight is -1"),
     ("--hoop-stretch 0.9", 2, "fit", "the hoop stretch is 0.9"),
@@ -206,7 +206,7 @@ fn modes_that_are_held_out_say_how_far_a_law_is_off() {
     let text = mckibben(&format!("{TRELOAR} --up-to 3 --fit-mode uniaxial")).ok();
     assert!(text.text().contains("Held out: rms of the differences"), "{}", text.text());
     let bent = mckibben(&format!("{TRELOAR} --fit-mode bent --format json"));
-    assert!(bent.code == 2 && bent.error().to_string().contains("expected one of uniaxial"));
+    assert!(bent.code == 2 && bent.error().to_string().contains("possible values: uniaxial"));
 }
 
 /// General biaxial points of all sets, and their figure.
