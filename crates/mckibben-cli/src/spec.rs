@@ -315,7 +315,7 @@ impl Flag {
         let (first, more) = self.help.split_once(". ").unwrap_or((&self.help, ""));
         let first = first.trim_end_matches('.');
         let arg = Arg::new(self.id.clone())
-            .help(if self.short.is_some() { first.replacen(" at rest", "", 1) } else { first.to_owned() })
+            .help(first.replacen(" at rest", "", 1))
             .hide_short_help(has('*'))
             .conflicts_with_all(self.behind('^'));
         let arg = if self.heading.is_empty() { arg } else { arg.help_heading(self.heading.clone()) };
