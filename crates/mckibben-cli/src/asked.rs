@@ -12,7 +12,7 @@ use clap::ArgMatches;
 use mckibben::load::Load;
 use mckibben::muscle::Measure;
 use mckibben::muscle::measures::fields;
-use mckibben::units::Dimension;
+use mckibben::units::{Dimension, Values};
 use mckibben_app::{Choice, Columns, ProblemKind, TextFile, understood};
 use mckibben_design::Tolerances;
 use mckibben_report::Figure;
@@ -160,7 +160,12 @@ impl Flag {
             _ => Ok(()),
         };
         let numbers = |text: &str, dimension| -> Result<Value, Failure> {
-            let list = values(&flag, text, dimension)?.sampled(DIVISIONS);
+            let found = values(&flag, text, dimension)?;
+            if self.field == "strand_length_per_turn_mm" && matches!(found, Values::Interval(..)) {
+                let message = format!("{flag}: give the sleeves that are sold as a list");
+                return Err(Failure::input(ProblemKind::Range, message, "such as 90,110,130mm"));
+            }
+            let list = found.sampled(DIVISIONS);
             of_contraction(text, &list)?;
             Ok(json!(list))
         };

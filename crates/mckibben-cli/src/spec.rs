@@ -29,7 +29,7 @@ braid | Sleeve (`mckibben parts list sleeves`) [none]. NAME of the library; it g
 strand_modulus_mpa<MODULUS>* | Young's modulus of a strand of a named sleeve, if its source does not state it
 stiffness<STIFFNESS> | Stiffness of one strand family, in N/mm [paper]. Or `inextensible`, or `paper`.",
         "model" => "Advanced:
-@engine two_sided* extrapolate* direction=branch*",
+@engine two_sided* extrapolate* direction=branch|motion*",
         "engine" => {
             "model | Force model (`mckibben parts list models`) [fe]. A name, or the JSON file of a fitted formula.
 @mesh"
@@ -41,6 +41,7 @@ terminal<WORD:MM:MM>* | Terminal of `fe3d`: none (a rigid plane), rigid or alumi
         "columns" => {
             "columns<LIST> | Quantity and unit of columns: QUANTITY=\"HEADING:UNIT\",…. Of columns that the program does not recognise (#2 is the second column), such as pressure=\"P1:kPa\",contraction=\"x:mm\""
         }
+        "both" => "both | Both branches of the friction hysteresis",
         "load" => {
             "load<LOAD> | Load, such as mass:20kg or spring:12N/mm@50N. force:300N, mass:20kg, spring:12N/mm@50N, lever:5kg@300mm/40mm/-30deg, table:load.csv; several joined by +"
         }
@@ -133,7 +134,12 @@ pub fn in_flags(sentence: &str, flags: &[Flag]) -> String {
 
 /// The flag of a request's field.
 pub fn flag_of(field: &str, flags: &[Flag]) -> Option<String> {
-    let name = without_unit(field).replace('_', "-");
+    let name = match field {
+        // Of every command.
+        "overwrite" => return Some("--overwrite".into()),
+        "direction" => "branch".into(),
+        field => without_unit(field).replace('_', "-"),
+    };
     let fills = |flag: &&Flag| flag.field.rsplit('.').next() == Some(field);
     let named = |flag: &&Flag| [&name, name.trim_end_matches('s')].contains(&&*flag.long);
     let own = flags.iter().filter(|flag| !flag.is_argument);
@@ -285,9 +291,9 @@ impl Flag {
 
     /// Takes the name under which it was typed; both branches are asked for in place of one.
     pub fn called(&mut self, typed: &[String]) {
-        let both = ["both".to_owned()];
-        let others = if self.field == "direction" { &both[..] } else { &self.aliases[..] };
-        if let Some(other) = others.iter().find(|other| typed.contains(other)) {
+        let both = (self.field == "direction").then(|| "both".to_owned());
+        let mut others = self.aliases.iter().chain(&both);
+        if let Some(other) = others.find(|other| typed.contains(other)) {
             self.long.clone_from(other);
         }
     }
@@ -309,7 +315,7 @@ impl Flag {
         let (first, more) = self.help.split_once(". ").unwrap_or((&self.help, ""));
         let first = first.trim_end_matches('.');
         let arg = Arg::new(self.id.clone())
-            .help(if self.short.is_some() { first.replacen(" at rest", "", 1) } else { first.to_owned() })
+            .help(first.replacen(" at rest", "", 1))
             .hide_short_help(has('*'))
             .conflicts_with_all(self.behind('^'));
         let arg = if self.heading.is_empty() { arg } else { arg.help_heading(self.heading.clone()) };
@@ -334,6 +340,7 @@ impl Flag {
             return arg.action(ArgAction::SetTrue);
         }
         let arg = arg.action(if has('+') { ArgAction::Append } else { ArgAction::Set });
+        let arg = if self.is_argument && has('+') { arg.num_args(1..) } else { arg };
         self.valued(arg)
     }
 
@@ -372,9 +379,10 @@ impl Flag {
             Kind::Texts(words) if !words.is_empty() => {
                 arg.value_delimiter(',').value_parser(PossibleValuesParser::new(words.clone()))
             }
+            Kind::Texts(_) if self.is_argument => arg,
             Kind::Texts(_) => arg.value_delimiter(',').allow_hyphen_values(true),
             Kind::File | Kind::Files => arg,
-            Kind::Text if is_path || name == "NAME" => arg,
+            Kind::Text if is_path || self.is_argument || name == "NAME" => arg,
             _ => arg.allow_hyphen_values(true),
         }
     }

@@ -19,7 +19,7 @@ use mckibben_app::{CurveAnswer, CurveRequest, PointRow, curve_by_curve};
 pub const TEXT: &str = "curve: Family of curves: isometric, isotonic or isobaric
 Question: :test!^study
 study<STUDY~thickness>^pressures_mpa,contractions,forces_n,load,both | Compute a study of the paper. thickness: its Figure 4, walls of 1 to 5 mm, isometric and isotonic, with its findings
-p/pressures_mpa=pressure e/contractions=contraction F/forces_n=force @load both
+p/pressures_mpa=pressure e/contractions=contraction F/forces_n=force @load @both
 @muscle @model @plot @output
 Examples:
   mckibben curve isobaric -D 50 -s 1 -p 0.05..0.25:0.05 -e 0..0.2:0.01 \\

@@ -11,19 +11,19 @@ use mckibben_app::rows::point_rows;
 use mckibben_app::{PointAnswer, PointQuantity};
 
 pub const FORCE: &str = "force: Pull at a pressure and contraction: F(P, ε)
-Question: p/pressure_mpa e/contraction both
+Question: p/pressure_mpa e/contraction @both
 @muscle @model @output
 Example:
   mckibben force -D 50 -s 1 -p 0.25 -e 0.1 --model paper";
 
 pub const PRESSURE: &str = "pressure: Pressure that gives a pull at a contraction: P(F, ε)
-Question: F/force_n e/contraction both
+Question: F/force_n e/contraction @both
 @muscle @model @output
 Example:
   mckibben pressure -D 40 -s 2 -F 300N -e 10% --units bar";
 
 pub const CONTRACTION: &str = "contraction: Contraction at which a pressure gives a pull: ε(F, P)
-Question: p/pressure_mpa F/force_n @load both
+Question: p/pressure_mpa F/force_n @load @both
 @muscle @model @output
 Example:
   mckibben contraction -D 40 -s 2 -F 600N -p 2.5bar";
