@@ -122,28 +122,32 @@ impl Demand {
                 };
                 if let Some(&TorqueWanted { torque_nm, angle_deg }) = j.torques.iter().find(senseless) {
                     let largest_deg = j.largest_angle_deg;
-                    return Err(SpecError::Torque { torque_nm, angle_deg, largest_deg });
+                    return Err(SpecError::Refused(format!(
+                        "{torque_nm} N m at {angle_deg}° is invalid: the torque must be above zero and the angle within ±{largest_deg}°"
+                    )));
                 }
                 let bounds = [
                     ("the largest angle of the joint", j.largest_angle_deg),
                     ("the radius of the pulley", j.radius_mm),
                 ];
                 if let Some((name, value)) = bounds.into_iter().find(|(_, v)| !(v.is_finite() && *v > 0.0)) {
-                    return Err(SpecError::Bound { name, value });
+                    return Err(SpecError::Refused(format!("{name} is {value}; it must be above zero")));
                 }
             }
             Self::Load { load, way } => {
                 let end = way.end_mm(length_mm);
                 let (low, high) = load.reach_mm();
                 if !(low <= 0.0 && end <= high) {
-                    return Err(SpecError::LoadReach { low_mm: low, high_mm: high, stroke_mm: end });
+                    return Err(SpecError::Refused(format!(
+                        "the load is known for shortenings from {low} to {high} mm, and the stroke goes from 0 to {end} mm"
+                    )));
                 }
             }
             Self::Points(_) => {}
         }
         let points = self.points(length_mm);
         if points.is_empty() {
-            return Err(SpecError::NoPoint);
+            return Err(SpecError::Refused("no operating point: give `force_n` and `contraction`, or `points`, each a pull at a contraction, or a load that pulls".into()));
         }
         let sign = if self.extends() { -1.0 } else { 1.0 };
         let senseless = |p: &&OperatingPoint| {
@@ -151,7 +155,11 @@ impl Demand {
             !(force_n > 0.0 && force_n.is_finite() && (0.0..1.0).contains(&way))
         };
         match points.iter().find(senseless) {
-            Some(p) => Err(SpecError::Point { force_n: p.force_n, contraction: p.contraction }),
+            Some(p) => Err(SpecError::Refused(format!(
+                "the operating point {force_n} N at a contraction of {contraction} is invalid: the pull must be above 0 N and the contraction from 0 to below 1; for a push of a muscle that extends, the force below 0 N and the contraction from above -1 to 0",
+                force_n = p.force_n,
+                contraction = p.contraction
+            ))),
             None => Ok(()),
         }
     }
@@ -217,13 +225,13 @@ mod tests {
             let torques = vec![TorqueWanted { torque_nm: torque, angle_deg: angle }];
             Demand::Joint(JointDemand { torques, largest_angle_deg: most, radius_mm: radius }).check(250.0)
         };
-        assert!(matches!(joint(8.0, 70.0, 60.0, 25.0), Err(SpecError::Torque { .. })));
-        assert!(matches!(joint(0.0, 10.0, 60.0, 25.0), Err(SpecError::Torque { .. })));
-        assert!(matches!(joint(8.0, 45.0, 60.0, 0.0), Err(SpecError::Bound { .. })));
+        assert!(matches!(joint(8.0, 70.0, 60.0, 25.0), Err(SpecError::Refused(_))));
+        assert!(matches!(joint(0.0, 10.0, 60.0, 25.0), Err(SpecError::Refused(_))));
+        assert!(matches!(joint(8.0, 45.0, 60.0, 0.0), Err(SpecError::Refused(_))));
         // More than the muscle's length.
-        assert!(matches!(joint(8.0, 60.0, 60.0, 250.0), Err(SpecError::Point { .. })));
+        assert!(matches!(joint(8.0, 60.0, 60.0, 250.0), Err(SpecError::Refused(_))));
         let level = Load::Mass { mass_kg: 3.0, level: true };
         let nothing = Demand::Load { load: level, way: Lift::Stroke(10.0) };
-        assert_eq!(nothing.check(285.0), Err(SpecError::NoPoint));
+        assert_eq!(nothing.check(285.0), Err(SpecError::Refused("no operating point: give `force_n` and `contraction`, or `points`, each a pull at a contraction, or a load that pulls".into())));
     }
 }

@@ -184,7 +184,10 @@ impl Spec {
         };
         lengths.iter().try_for_each(|length| self.wanted.check(*length))?;
         if !(self.max_pressure_mpa.is_finite() && self.max_pressure_mpa > 0.0) {
-            return Err(SpecError::Pressure(self.max_pressure_mpa));
+            return Err(SpecError::Refused(format!(
+                "the maximum pressure is {} MPa; it must be above zero",
+                self.max_pressure_mpa
+            )));
         }
         let bounds = [
             ("the outer diameter", Some(self.outer_diameter_mm.bounds().0)),
@@ -198,7 +201,7 @@ impl Spec {
         ];
         for (name, value) in bounds {
             if let Some(value) = value.filter(|v| !(v.is_finite() && *v > 0.0)) {
-                return Err(SpecError::Bound { name, value });
+                return Err(SpecError::Refused(format!("{name} is {value}; it must be above zero")));
             }
         }
         if let (Some(volume_mm3), None) = (self.limits.liquid_volume_mm3, &self.liquid) {
@@ -216,6 +219,12 @@ impl Spec {
         let sections = count(&self.outer_diameter_mm) * count(&self.wall_mm);
         let lengths = self.length_mm.as_ref().map_or(1.0, count);
         let all = sections * lengths * braids * self.rubbers.len().max(1) as f64;
-        if all > 5e6 { Err(SpecError::TooMany(all)) } else { Ok(()) }
+        if all > 5e6 {
+            Err(SpecError::Refused(format!(
+                "{all:.3e} combinations are too many; at most 5 million: take larger steps or fewer values"
+            )))
+        } else {
+            Ok(())
+        }
     }
 }

@@ -46,11 +46,16 @@ impl Tolerances {
         let measures = self.measures.iter().map(|(m, value)| (m.field.unwrap_or(m.key), value));
         for (name, value) in shares.into_iter().chain(measures) {
             if !(value >= 0.0 && value.is_finite()) {
-                return Err(ToleranceError::HalfWidth { name, value });
+                return Err(ToleranceError(format!(
+                    "the tolerance {name} is {value}; a tolerance is a half-width of zero or above"
+                )));
             }
         }
         match self.varying().len() {
-            count if count > Self::MOST => Err(ToleranceError::TooMany { count }),
+            count if count > Self::MOST => Err(ToleranceError(format!(
+                "{count} quantities have a tolerance; at most {} can, because every combination is computed",
+                Self::MOST
+            ))),
             _ => Ok(()),
         }
     }
@@ -69,22 +74,8 @@ impl Tolerances {
 
 /// Tolerances that are invalid.
 #[derive(Debug, Clone, PartialEq, Error)]
-pub enum ToleranceError {
-    /// A half-width below zero.
-    #[error("the tolerance {name} is {value}; a tolerance is a half-width of zero or above")]
-    HalfWidth {
-        /// Its field.
-        name: &'static str,
-        /// Its value.
-        value: f64,
-    },
-    /// Too many corners.
-    #[error("{count} quantities have a tolerance; at most {most} can, because every combination is computed", most = Tolerances::MOST)]
-    TooMany {
-        /// How many.
-        count: usize,
-    },
-}
+#[error("{0}")]
+pub struct ToleranceError(String);
 
 /// The pull at one operating point under tolerances.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

@@ -61,29 +61,10 @@ pub fn rubbers<'a>(tubes: impl IntoIterator<Item = &'a TubePart>) -> Vec<&'a str
     names.into_iter().collect()
 }
 
-/// Why a table of tubes cannot be read.
+/// Why a table of tubes cannot be read, or a name is that of no tube.
 #[derive(Debug, Clone, PartialEq, Error)]
-pub enum TubeError {
-    /// It is not TOML, or an entry is not one.
-    #[error("the table of tubes: {0}")]
-    Table(String),
-    /// An entry whose numbers are not those of a tube.
-    #[error("the tube {name}: {problem}")]
-    Tube {
-        /// Its name.
-        name: String,
-        /// What is wrong, and what would be right.
-        problem: String,
-    },
-    /// No tube of that name.
-    #[error("there is no tube named \"{name}\"{}", .nearest.as_ref().map_or_else(|| "; `parts list tubes` lists them".into(), |n| format!(" (did you mean {n}?)")))]
-    Unknown {
-        /// The name as given.
-        name: String,
-        /// The name that was probably meant.
-        nearest: Option<String>,
-    },
-}
+#[error("{0}")]
+pub struct TubeError(String);
 
 /// All tubes of the catalogue: those that are sold, then those that are cast.
 pub fn catalogue() -> Result<&'static [TubePart], TubeError> {
@@ -99,18 +80,18 @@ pub fn find(tubes: &[TubePart], name: &str) -> Result<TubePart, TubeError> {
     }
     let rubber = plain.strip_prefix("cast-").and_then(|rest| Some(rest.split_once('-')?.1));
     let cast = rubber.and_then(|rubber| cast_of(rubber).ok()?.into_iter().find(|t| t.name == plain));
-    cast.ok_or_else(|| TubeError::Unknown {
-        name: name.chars().take(60).collect(),
-        nearest: mckibben::nearest::nearest(&plain, tubes.iter().map(|t| t.name.as_str())).map(str::to_owned),
+    cast.ok_or_else(|| {
+        let given: String = name.chars().take(60).collect();
+        let near = mckibben::nearest::nearest(&plain, tubes.iter().map(|t| t.name.as_str()));
+        let known =
+            near.map_or("; `parts list tubes` lists them".into(), |n| format!(" (did you mean {n}?)"));
+        TubeError(format!("there is no tube named \"{given}\"{known}"))
     })
 }
 
 impl From<CatalogueError> for TubeError {
     fn from(error: CatalogueError) -> Self {
-        match error {
-            CatalogueError::Syntax(what) => Self::Table(what),
-            CatalogueError::Row { name, problem } => Self::Tube { name, problem },
-        }
+        Self(format!("the table of tubes: {error}"))
     }
 }
 
@@ -169,7 +150,7 @@ fn part(
     rubber: &str,
     source: &str,
 ) -> Result<TubePart, TubeError> {
-    let wrong = |problem: String| TubeError::Tube { name: name.clone(), problem };
+    let wrong = |problem: String| TubeError(format!("the tube {name}: {problem}"));
     let wall_mm = 0.5 * (outer_diameter_mm - inner_diameter_mm);
     if !(inner_diameter_mm > 0.0 && wall_mm > 0.0 && wall_mm.is_finite()) {
         return Err(wrong("the inner diameter must be above zero and below the outer one".into()));

@@ -24,60 +24,9 @@ pub struct LastConverged {
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum FemError {
-    /// A number that no mesh can have.
-    #[error("mesh: {name} is {value}; it must lie between {low} and {high}")]
-    Mesh {
-        /// Which number: `through`, `along`, `grading`, a measure of the terminal.
-        name: &'static str,
-        /// What was given.
-        value: f64,
-        /// Least.
-        low: f64,
-        /// Most.
-        high: f64,
-    },
-    /// Divisions that make another braid than the muscle's.
-    #[error(
-        "mesh: its strands would lie at {meshed_deg:.2}°, those of the braid lie at {angle_deg:.2}°; take {fitting}, or another number of bricks around and along"
-    )]
-    MeshAngle {
-        /// Angle of the braid in degrees.
-        angle_deg: f64,
-        /// Angle of the strands of the mesh in degrees.
-        meshed_deg: f64,
-        /// Meshes that have the angle of the braid, as they are written.
-        fitting: String,
-    },
-    /// An element of the undeformed mesh that is turned inside out.
-    #[error("mesh: element {element} is turned inside out at rest")]
-    Element {
-        /// Which element.
-        element: usize,
-    },
-    /// A part of the muscle that three-dimensional elements do not have.
-    #[error(
-        "three-dimensional elements have no {key}: their strands are trusses on the tube's surface, their rubber is that of a first inflation; take fe, or leave the key out"
-    )]
-    NotInBricks {
-        /// Key of the muscle file.
-        key: &'static str,
-    },
-    /// A muscle that was cycled where it has no equilibrium.
-    #[error(
-        "the muscle cannot have been cycled at {pressure_mpa} MPa between rest length and free contraction: {reason}; state another tube.material.conditioned"
-    )]
-    Conditioning {
-        /// Pressure in MPa.
-        pressure_mpa: f64,
-        /// Why one of the two states was not found.
-        reason: Box<FemError>,
-    },
-    /// More unknowns than there is memory for.
-    #[error("mesh: there is not enough memory for {unknowns} unknowns; take fewer elements")]
-    TooLarge {
-        /// Number of unknowns.
-        unknowns: usize,
-    },
+    /// Refused: field, value, what it must be.
+    #[error("{0}")]
+    Refused(String),
     /// A question that is no number, a pressure that is not finite, a contraction of 1 or more.
     #[error("no muscle has a pressure of {pressure_mpa} MPa and a contraction of {contraction}")]
     Question {
@@ -145,6 +94,12 @@ pub enum FemError {
 }
 
 impl FemError {
+    pub(crate) fn too_large(unknowns: usize) -> Self {
+        Self::Refused(format!(
+            "mesh: there is not enough memory for {unknowns} unknowns; take fewer elements"
+        ))
+    }
+
     /// Why there is no equilibrium with a pull in N; that the caller wanted to end is no property of that pull.
     pub(crate) fn at_force(force_n: f64, reason: Stopped) -> Self {
         match reason {
@@ -215,13 +170,7 @@ impl From<FemError> for ModelError {
                 Self::Geometry { contraction, lowest: -1.0, highest: 1.0 }
             }
             FemError::Path { status, .. } => Self::Stopped { status, reason: error.to_string() },
-            FemError::Mesh { .. }
-            | FemError::MeshAngle { .. }
-            | FemError::Element { .. }
-            | FemError::NotInBricks { .. }
-            | FemError::Conditioning { .. }
-            | FemError::TooLarge { .. }
-            | FemError::Large(_) => Self::Elements { reason: error.to_string() },
+            FemError::Refused(_) | FemError::Large(_) => Self::Elements { reason: error.to_string() },
             FemError::Cancelled(cancelled) => Self::Cancelled(cancelled),
             FemError::Force { .. } | FemError::OutOfReach { .. } | FemError::Ends { .. } => {
                 Self::NoEquilibrium { reason: error.to_string() }

@@ -78,7 +78,7 @@ pub trait Discretised: ForceModel {
     /// The states and memory of this model in a workspace.
     ///
     /// # Errors
-    /// [`FemError::TooLarge`] where there is not enough memory.
+    /// [`FemError::Refused`] where there is not enough memory.
     fn continuation<'w>(
         &self,
         workspace: &'w mut Workspace,

@@ -1,41 +1,7 @@
 //! What is commanded over time.
 
+use crate::error::MotionError;
 use std::f64::consts::TAU;
-use thiserror::Error;
-
-/// Why a command is none.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum CommandError {
-    /// No point.
-    #[error("a command needs at least one time and value")]
-    Empty,
-    /// Time goes back, or stands.
-    #[error("the command's times must increase: {time_s} s follows {before_s} s (point {point})")]
-    Order {
-        /// Which point, from 1.
-        point: usize,
-        /// Its time.
-        time_s: f64,
-        /// The one before.
-        before_s: f64,
-    },
-    /// Not a number.
-    #[error("the command's {what} is {value}; it must be a finite number")]
-    NotFinite {
-        /// What.
-        what: &'static str,
-        /// What it is.
-        value: f64,
-    },
-    /// A frequency or time that is not above zero.
-    #[error("the command's {what} is {value}; it must be above zero")]
-    NotPositive {
-        /// What.
-        what: &'static str,
-        /// What it is.
-        value: f64,
-    },
-}
 
 /// A value over time: pressure in MPa, opening, or position.
 #[derive(Debug, Clone, PartialEq)]
@@ -90,38 +56,49 @@ impl Command {
     /// A sampled table of times and values.
     ///
     /// # Errors
-    /// [`CommandError`] where times do not grow strictly or a number is not finite.
-    pub fn table(points: Vec<(f64, f64)>) -> Result<Self, CommandError> {
+    /// [`MotionError::Refused`] where times do not grow strictly or a number is not finite.
+    pub fn table(points: Vec<(f64, f64)>) -> Result<Self, MotionError> {
         let table = Self::Ramps(points);
         table.check()?;
         Ok(table)
     }
 
     /// Whether it is a command.
-    pub fn check(&self) -> Result<(), CommandError> {
+    pub fn check(&self) -> Result<(), MotionError> {
         let finite = |what, value: f64| {
-            if value.is_finite() { Ok(()) } else { Err(CommandError::NotFinite { what, value }) }
+            if value.is_finite() {
+                Ok(())
+            } else {
+                Err(MotionError::Refused(format!(
+                    "the command's {what} is {value}; it must be a finite number"
+                )))
+            }
         };
         let positive = |what, value: f64| {
             finite(what, value)?;
-            if value > 0.0 { Ok(()) } else { Err(CommandError::NotPositive { what, value }) }
+            if value > 0.0 {
+                Ok(())
+            } else {
+                Err(MotionError::Refused(format!("the command's {what} is {value}; it must be above zero")))
+            }
         };
         match self {
             Self::Constant(value) => finite("value", *value),
             Self::Steps(points) | Self::Ramps(points) => {
                 if points.is_empty() {
-                    return Err(CommandError::Empty);
+                    return Err(MotionError::Refused("a command needs at least one time and value".into()));
                 }
                 points.iter().try_for_each(|p| finite("time", p.0).and(finite("value", p.1)))?;
                 for (i, pair) in points.windows(2).enumerate() {
                     if let [before, after] = pair
                         && after.0 <= before.0
                     {
-                        return Err(CommandError::Order {
-                            point: i + 2,
-                            time_s: after.0,
-                            before_s: before.0,
-                        });
+                        return Err(MotionError::Refused(format!(
+                            "the command's times must increase: {} s follows {} s (point {})",
+                            after.0,
+                            before.0,
+                            i + 2
+                        )));
                     }
                 }
                 Ok(())

@@ -214,7 +214,13 @@ impl<'a> Drive<'a> {
     pub fn check(&self) -> Result<(), MotionError> {
         let n = self.mechanism.muscles();
         let count = |given: usize, what| {
-            if given == n { Ok(()) } else { Err(MotionError::Count { muscles: n, given, what }) }
+            if given == n {
+                Ok(())
+            } else {
+                Err(MotionError::Refused(format!(
+                    "there are {n} muscles in the mechanism, and {given} {what}; give one for each"
+                )))
+            }
         };
         count(self.muscles.len(), "muscles with an actuator")?;
         self.mechanism.check()?;
@@ -238,7 +244,9 @@ impl<'a> Drive<'a> {
                     MotionError::within("a commanded pressure in MPa", low, 0.0, f64::MAX)?;
                     if high > self.supply.pressure_mpa {
                         let supply_mpa = self.supply.pressure_mpa;
-                        return Err(MotionError::Supply { command_mpa: high, supply_mpa });
+                        return Err(MotionError::Refused(format!(
+                            "the command is {high} MPa, above the supply pressure of {supply_mpa} MPa; raise the supply or lower the command"
+                        )));
                     }
                 }
             }
@@ -262,7 +270,10 @@ impl<'a> Drive<'a> {
         for (i, muscle) in self.muscles.iter().enumerate() {
             muscle.check()?;
             if opened && matches!(muscle.actuator, Actuator::Regulator { .. }) {
-                return Err(MotionError::NoOpening { muscle: i + 1 });
+                return Err(MotionError::Refused(format!(
+                    "an opening is commanded, but muscle {muscle} has a regulator; command its pressure, or give it a valve",
+                    muscle = i + 1
+                )));
             }
             let actuator = muscle.actuator.name();
             match (&muscle.actuator, volumes.get(i)) {
@@ -272,7 +283,10 @@ impl<'a> Drive<'a> {
                     MotionError::within("a commanded volume in mm³", high, 0.0, syringe.volume_mm3)?;
                 }
                 (Actuator::Syringe(_), None) | (_, Some(_)) => {
-                    return Err(MotionError::NoVolumeCommand { muscle: i + 1, actuator });
+                    return Err(MotionError::Refused(format!(
+                        "muscle {muscle} has {actuator}: a commanded volume goes with a syringe, and a syringe with a commanded volume",
+                        muscle = i + 1
+                    )));
                 }
                 _ => {}
             }
@@ -282,7 +296,10 @@ impl<'a> Drive<'a> {
                 _ => muscle.fluid.is_liquid(),
             };
             if !fits {
-                return Err(MotionError::OtherFluid { muscle: i + 1, actuator });
+                return Err(MotionError::Refused(format!(
+                    "muscle {muscle} has {actuator}, which is not for what fills it: a liquid goes with a flow coefficient, a pump, a syringe or a regulator, air with a sonic conductance or a regulator",
+                    muscle = i + 1
+                )));
             }
         }
         Ok(())

@@ -1,6 +1,5 @@
 //! Why there is no motion.
 
-use crate::command::CommandError;
 use mckibben::cancel::Cancelled;
 use mckibben::model::ModelError;
 use mckibben::muscle::MuscleError;
@@ -10,6 +9,9 @@ use thiserror::Error;
 /// Why a motion was refused, or ended early.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum MotionError {
+    /// Refused: field, value, what it must be.
+    #[error("{0}")]
+    Refused(String),
     /// A number that cannot be.
     #[error("{what} is {value}; it must be {must}")]
     Value {
@@ -23,63 +25,6 @@ pub enum MotionError {
     /// A muscle that no drive moves.
     #[error(transparent)]
     Muscle(#[from] MuscleError),
-    /// Lists of different lengths.
-    #[error("there are {muscles} muscles in the mechanism, and {given} {what}; give one for each")]
-    Count {
-        /// Of the mechanism.
-        muscles: usize,
-        /// How many were given.
-        given: usize,
-        /// Of what.
-        what: &'static str,
-    },
-    /// The supply cannot reach what is commanded.
-    #[error(
-        "the command is {command_mpa} MPa, above the supply pressure of {supply_mpa} MPa; raise the supply or lower the command"
-    )]
-    Supply {
-        /// The largest command in MPa.
-        command_mpa: f64,
-        /// The supply in MPa.
-        supply_mpa: f64,
-    },
-    /// The command is not one.
-    #[error(transparent)]
-    Command(#[from] CommandError),
-    /// A model without volume.
-    #[error("the {model} model does not give the volume of the air; use fe, universal or thick-wall")]
-    NoVolume {
-        /// The model's name.
-        model: String,
-    },
-    /// A regulator has no opening that could be commanded.
-    #[error(
-        "an opening is commanded, but muscle {muscle} has a regulator; command its pressure, or give it a valve"
-    )]
-    NoOpening {
-        /// Which muscle, from 1.
-        muscle: usize,
-    },
-    /// A syringe without a commanded volume, or a volume without a syringe.
-    #[error(
-        "muscle {muscle} has {actuator}: a commanded volume goes with a syringe, and a syringe with a commanded volume"
-    )]
-    NoVolumeCommand {
-        /// Which muscle, from 1.
-        muscle: usize,
-        /// What it has.
-        actuator: &'static str,
-    },
-    /// A liquid through a valve of air, or air through a valve, a pump or a syringe of a liquid.
-    #[error(
-        "muscle {muscle} has {actuator}, which is not for what fills it: a liquid goes with a flow coefficient, a pump, a syringe or a regulator, air with a sonic conductance or a regulator"
-    )]
-    OtherFluid {
-        /// Which muscle, from 1.
-        muscle: usize,
-        /// What it has.
-        actuator: &'static str,
-    },
     /// A liquid that boils.
     #[error(
         "the liquid in muscle {muscle} boils at {time_s} s: its absolute pressure falls below {absolute_mpa} MPa; raise the pressure, or move the load more slowly"
@@ -92,9 +37,6 @@ pub enum MotionError {
         /// The absolute pressure in MPa.
         absolute_mpa: f64,
     },
-    /// A valve that no rise time sizes.
-    #[error("only valves of air are sized by a rise time; leave it out, and try flows of the valve or pump")]
-    NotSized,
     /// No static equilibrium to begin from.
     #[error(
         "no equilibrium at the start: at a position of {position} the net force is {net} (N, or N mm about a joint), and it does not change its sign up to there; change the load or the first command, or give a stop"
@@ -187,14 +129,6 @@ pub enum MotionError {
     NotAtRest {
         /// Why.
         why: &'static str,
-    },
-    /// Numbers that are no state of the drive.
-    #[error("{given} numbers were given for a state of {needed}")]
-    Length {
-        /// How many were given.
-        given: usize,
-        /// How many the state has.
-        needed: usize,
     },
     /// The caller wanted the work to end.
     #[error(transparent)]

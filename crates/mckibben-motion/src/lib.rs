@@ -67,7 +67,7 @@ pub use air::{
     cavity_area_mm2,
 };
 pub use catalogue::{NamedValve, ValveError, conductance_of_rated_flow, valve_named, valves};
-pub use command::{Command, CommandError};
+pub use command::Command;
 pub use control::{Pid, PidOutput};
 pub use drive::{Actuated, Actuator, Drive, Supply, Target, Tolerance};
 pub use equilibrium::{Equilibrium, equilibrium};

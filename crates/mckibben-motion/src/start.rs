@@ -21,7 +21,10 @@ impl System<'_> {
             };
             let response = member.model.response(&mut mckibben::model::Workspace::new(), p, 0.0);
             if response.is_ok_and(|r| r.volume_mm3.is_none()) {
-                return Err(MotionError::NoVolume { model: member.model.info().name.to_string() });
+                return Err(MotionError::Refused(format!(
+                    "the {model} model does not give the volume of the air; use fe, universal or thick-wall",
+                    model = member.model.info().name.to_string()
+                )));
             }
         }
         let start = at_start(drive, &self.members)?;

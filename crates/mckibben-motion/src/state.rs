@@ -153,7 +153,7 @@ impl Layout {
     /// The state with these numbers.
     ///
     /// # Errors
-    /// [`MotionError::Length`] where they are not as many as the state has.
+    /// [`MotionError::Refused`] where they are not as many as the state has.
     pub fn state(&self, numbers: &[f64]) -> Result<State, MotionError> {
         let mut state = self.zero.clone();
         self.read(numbers, &mut state)?;
@@ -175,7 +175,7 @@ impl Layout {
     /// The numbers of a state, where the integrator wants them.
     ///
     /// # Errors
-    /// [`MotionError::Length`] where it has not as much room.
+    /// [`MotionError::Refused`] where it has not as much room.
     pub fn write(&self, state: &mut State, numbers: &mut [f64]) -> Result<(), MotionError> {
         self.check(numbers.len())?;
         let mut count = 0;
@@ -196,7 +196,14 @@ impl Layout {
     }
 
     fn check(&self, given: usize) -> Result<(), MotionError> {
-        if given == self.len { Ok(()) } else { Err(MotionError::Length { given, needed: self.len }) }
+        if given == self.len {
+            Ok(())
+        } else {
+            Err(MotionError::Refused(format!(
+                "{given} numbers were given for a state of {needed}",
+                needed = self.len
+            )))
+        }
     }
 }
 
@@ -257,13 +264,9 @@ mod tests {
         let target = Target::Pressure(vec![Command::Constant(0.1)]);
         let layout = Layout::new(&Drive::new(&load, vec![muscle], target, 1.0));
         let short = vec![0.0; layout.len - 1];
-        let error = MotionError::Length { given: layout.len - 1, needed: layout.len };
-        assert_eq!(layout.state(&short), Err(error));
+        assert!(matches!(layout.state(&short), Err(MotionError::Refused(_))));
         // Rates of another drive.
         let mut other = State::default();
-        assert!(matches!(
-            layout.write(&mut other, &mut vec![0.0; layout.len]),
-            Err(MotionError::Length { .. })
-        ));
+        assert!(matches!(layout.write(&mut other, &mut vec![0.0; layout.len]), Err(MotionError::Refused(_))));
     }
 }

@@ -3,21 +3,10 @@
 use thiserror::Error;
 use toml_edit::{Array, Document, Item, Table, TableLike, Value};
 
-/// Why a table of parts cannot be read.
+/// Why a table of parts cannot be read: it is not TOML, or a row lacks a key or has a value that the key may not have.
 #[derive(Debug, Clone, PartialEq, Error)]
-pub enum CatalogueError {
-    /// It is not TOML.
-    #[error("{0}")]
-    Syntax(String),
-    /// A row lacks a key, or its value is none that the key may have.
-    #[error("{name}: {problem}")]
-    Row {
-        /// Name of the row.
-        name: String,
-        /// What is wrong, and what would be right.
-        problem: String,
-    },
-}
+#[error("{0}")]
+pub struct CatalogueError(String);
 
 /// A table of parts.
 pub struct Catalogue<'t>(Document<&'t str>);
@@ -25,7 +14,7 @@ pub struct Catalogue<'t>(Document<&'t str>);
 impl<'t> Catalogue<'t> {
     /// A table from its text.
     pub fn parse(text: &'t str) -> Result<Self, CatalogueError> {
-        Document::parse(text).map(Self).map_err(|e| CatalogueError::Syntax(e.to_string()))
+        Document::parse(text).map(Self).map_err(|e| CatalogueError(e.to_string()))
     }
 
     /// The rows of a kind, `[[kind]]`; none where there is no such key.
@@ -50,7 +39,7 @@ impl<'a> Row<'a> {
     /// What is wrong with this row.
     pub fn wrong(&self, problem: impl Into<String>) -> CatalogueError {
         let name = self.optional("name").unwrap_or("a row without a name");
-        CatalogueError::Row { name: name.to_owned(), problem: problem.into() }
+        CatalogueError(format!("{name}: {}", problem.into()))
     }
 
     /// A text that must be there.

@@ -128,7 +128,7 @@ fn values(
     points: &[DataPoint],
     loss: Loss,
 ) -> Result<Vec<f64>, FitError> {
-    let failed = |e: &dyn std::fmt::Display| FitError::Singular(format!("the constants of the paper ({e})"));
+    let failed = |e: &dyn std::fmt::Display| FitError::singular(format!("the constants of the paper ({e})"));
     let (d, s) = TABLE_1_SECTION;
     let muscle = Muscle::prototype().with_section(d, s).map_err(|e| failed(&e))?;
     let parameter =
@@ -147,7 +147,7 @@ pub fn fit_constants() -> Result<Constants, FitError> {
     let both = [table.clone(), formula.clone()].concat();
     let all = values(&[(c10, 0.1), (k, 600.0), (n, 1.0)], &[], &both, Loss::Squares)?;
     let [first, ..] = all.as_slice() else {
-        return Err(FitError::Singular("the constants of the paper".into()));
+        return Err(FitError::singular("the constants of the paper"));
     };
     let c10_value = *first;
     let stiffness: f64 = values(&[(k, 600.0)], &[(c10, c10_value)], &table, Loss::Largest)?.iter().sum();

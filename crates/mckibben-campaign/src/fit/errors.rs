@@ -71,7 +71,9 @@ pub fn compared(
     }
     let one = |p: &FitPoint| {
         let (outer_diameter_mm, wall_mm) = (p.outer_diameter_mm, p.wall_mm);
-        let missing = FitError::NoBlockedForce { outer_diameter_mm, wall_mm };
+        let missing = FitError::Refused(format!(
+            "the muscle D0 {outer_diameter_mm} mm, s {wall_mm} mm has no point at contraction 0, so that its errors cannot be stated as shares of its blocked force"
+        ));
         let blocked_n = blocked.get(&key(p)).filter(|b| b.1 > 0.0).ok_or(missing)?.1;
         let isobar_n = isobars.get(&(key(p), bits(p.pressure_mpa))).copied().unwrap_or(0.0);
         Ok(Compared { point: *p, difference_n: difference_n(p), blocked_n, isobar_n })

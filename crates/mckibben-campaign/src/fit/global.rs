@@ -63,7 +63,7 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit, FitError> {
     let all = compared(points, |_| 0.0)?;
     let used: Vec<Compared> = all.into_iter().filter(|c| c.point.force_n > 0.0).collect();
     if used.is_empty() {
-        return Err(FitError::Empty(" where the muscle pulls"));
+        return Err(FitError::empty(" where the muscle pulls"));
     }
     let of = |f: fn(&FitPoint) -> f64| distinct(used.iter().map(|c| f(&c.point)));
     let (diameters, walls) = (of(|p| p.outer_diameter_mm), of(|p| p.wall_mm));
@@ -94,7 +94,7 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit, FitError> {
         })
         .collect();
     let count = enough(&steps);
-    let values = coefficients(count).ok_or_else(|| FitError::Singular("the global formula".into()))?;
+    let values = coefficients(count).ok_or_else(|| FitError::singular("the global formula"))?;
     let terms = chosen.iter().zip(values.iter()).map(|(&j, &v)| Term { powers: candidates[j], value: v });
     let terms = GlobalTerms { scales, terms: terms.collect() };
     Ok(GlobalFit { terms, steps, candidates: candidates.len(), points: used.len() })

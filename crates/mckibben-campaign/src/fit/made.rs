@@ -15,10 +15,10 @@ fn close(a: f64, b: f64) -> bool {
 /// Rubber and braid of a table's muscles; length and angle are those of its first row.
 ///
 /// # Errors
-/// [`FitError::MixedMake`] where they have more than one, [`FitError::Varies`] where a measure varies that no formula has,
-/// [`FitError::Empty`] without rows.
+/// [`FitError::Refused`] where they have more than one, where a measure varies that no formula has,
+/// [`FitError::Refused`] without rows.
 pub fn made_for(rows: &[PointRow]) -> Result<Made, FitError> {
-    let first = rows.first().ok_or(FitError::Empty(""))?;
+    let first = rows.first().ok_or_else(|| FitError::empty(""))?;
     let rubber = |r: &PointRow| MadeRubber {
         name: None,
         law: r.law.clone(),
@@ -27,10 +27,10 @@ pub fn made_for(rows: &[PointRow]) -> Result<Made, FitError> {
     };
     let ours = rubber(first);
     if !rows.iter().all(|r| rubber(r).is_like(&ours, TOLERANCE)) {
-        return Err(FitError::MixedMake("rubber"));
+        return Err(FitError::mixed_make("rubber"));
     }
     if let Some((column, _)) = rows.iter().find_map(|r| r.measures.first()) {
-        return Err(FitError::Varies(column.clone()));
+        return Err(FitError::varies(column));
     }
     let paper = Made::of(&Muscle::prototype()).rubber;
     let name = paper.name.clone().filter(|_| paper.is_like(&ours, TOLERANCE));
@@ -59,5 +59,5 @@ pub fn made_for(rows: &[PointRow]) -> Result<Made, FitError> {
             return Ok(made);
         }
     }
-    Err(FitError::MixedMake("braid"))
+    Err(FitError::mixed_make("braid"))
 }

@@ -76,7 +76,7 @@ pub struct FittedFormula {
 
 pub fn make(request: &Request<'_>) -> Result<FittedFormula, FitError> {
     if request.points.is_empty() {
-        return Err(FitError::Empty(""));
+        return Err(FitError::empty(""));
     }
     let length_mm = single(request.points, "length_mm", |p| p.length_mm)?;
     let angle_deg = single(request.points, "angle_deg", |p| p.angle_deg)?;
@@ -150,8 +150,10 @@ fn single(points: &[FitPoint], quantity: &'static str, of: fn(&FitPoint) -> f64)
     let list = distinct(points.iter().map(of));
     match list.as_slice() {
         [one] => Ok(*one),
-        [low, .., high] => Err(FitError::Mixed { quantity, low: *low, high: *high }),
-        [] => Err(FitError::Empty("")),
+        [low, .., high] => Err(FitError::Refused(format!(
+            "the table mixes muscles of different {quantity} ({low} to {high}); a formula covers only one: fit them separately"
+        ))),
+        [] => Err(FitError::empty("")),
     }
 }
 

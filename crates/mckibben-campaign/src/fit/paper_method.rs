@@ -123,7 +123,7 @@ const THIN_CONTRACTION: f64 = 0.05;
 /// The seven steps. All points count: choose pressures and diameters before.
 pub fn paper_method(points: &[FitPoint], rules: Rules) -> Result<PaperMethod, FitError> {
     if points.is_empty() {
-        return Err(FitError::Empty(" at the method's pressures"));
+        return Err(FitError::empty(" at the method's pressures"));
     }
     let diameters = distinct(points.iter().map(|p| p.outer_diameter_mm));
     enough("outer_diameter_mm", diameters.len(), 3, || "the table".into())?;
@@ -152,7 +152,14 @@ fn enough(
     needed: usize,
     place: impl Fn() -> String,
 ) -> Result<(), FitError> {
-    if found >= needed { Ok(()) } else { Err(FitError::TooFew { quantity, found, needed, place: place() }) }
+    if found >= needed {
+        Ok(())
+    } else {
+        Err(FitError::Refused(format!(
+            "{place} has {found} different values of {quantity}; {needed} are needed at least",
+            place = place()
+        )))
+    }
 }
 
 /// Step 1.
@@ -188,7 +195,7 @@ fn curve(d: f64, s: f64, p: f64, all: Vec<(f64, f64)>, rules: Rules) -> Result<C
 }
 
 fn singular(d: f64, s: f64, p: f64) -> FitError {
-    FitError::Singular(format!("the curve of D0 {d}, s {s} mm at {p} MPa"))
+    FitError::singular(format!("the curve of D0 {d}, s {s} mm at {p} MPa"))
 }
 
 /// Step 3.
@@ -199,7 +206,7 @@ fn line(d: f64, s: f64, curves: &[CurveFit]) -> Result<LineFit, FitError> {
     enough("pressure_mpa", used.len(), 2, place)?;
     let of = |k: usize| {
         let points: Vec<(f64, f64)> = used.iter().map(|(p, abc)| (*p, abc[k])).collect();
-        fit::<2>(&points).ok_or_else(|| FitError::Singular(place()))
+        fit::<2>(&points).ok_or_else(|| FitError::singular(place()))
     };
     let lines = [of(0)?, of(1)?, of(2)?];
     Ok(LineFit { outer_diameter_mm: d, wall_mm: s, lines, pressures: used.len() })
@@ -211,7 +218,7 @@ fn parabolas(d: f64, lines: &[LineFit]) -> Result<WallFit, FitError> {
     enough("wall_mm", lines.len(), 3, place)?;
     let of = |k: usize, j: usize| {
         let points: Vec<(f64, f64)> = lines.iter().map(|l| (l.wall_mm, l.lines[k].coefficients[j])).collect();
-        fit::<3>(&points).ok_or_else(|| FitError::Singular(place()))
+        fit::<3>(&points).ok_or_else(|| FitError::singular(place()))
     };
     let pair = |k| Ok::<_, FitError>([of(k, 0)?, of(k, 1)?]);
     Ok(WallFit { outer_diameter_mm: d, parabolas: [pair(0)?, pair(1)?, pair(2)?] })
@@ -225,7 +232,7 @@ fn over_diameters(walls: &[WallFit]) -> Result<(Coefficients, [[f64; 6]; 3]), Fi
         for k in 0..6 {
             let points: Vec<(f64, f64)> =
                 walls.iter().map(|w| (w.outer_diameter_mm, w.x(family)[k])).collect();
-            let failed = || FitError::Singular(format!("{}{} over D0", ["A", "B", "C"][family], k + 1));
+            let failed = || FitError::singular(format!("{}{} over D0", ["A", "B", "C"][family], k + 1));
             if family < 2 {
                 let f = fit::<3>(&points).ok_or_else(failed)?;
                 (x[family][k], r2[family][k]) = (f.coefficients, f.r2);

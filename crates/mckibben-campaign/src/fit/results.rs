@@ -72,7 +72,8 @@ impl Findings {
         difference: impl Fn(&FitPoint) -> f64,
         chosen: impl Fn(&FitPoint) -> bool,
     ) -> Result<(), FitError> {
-        let errors = errors(&compared(points, difference)?, chosen).ok_or(FitError::Empty(" to compare"))?;
+        let errors =
+            errors(&compared(points, difference)?, chosen).ok_or_else(|| FitError::empty(" to compare"))?;
         let ok = at_most.is_none_or(|most| errors.max <= most);
         self.0.push(Finding { comparison: comparison.into(), at_most, ok, errors });
         Ok(())

@@ -213,11 +213,12 @@ fn the_make_of_a_table_is_found_or_refused() {
     );
     let falling = braid(&[with(30.0, Some(50.0), 0.1), with(50.0, Some(30.0), 0.1)]);
     assert_eq!(falling, Ok(MadeBraid::TimesDiameter(1500.0)));
-    assert_eq!(
-        braid(&[with(30.0, Some(50.0), 0.1), with(50.0, Some(31.0), 0.1)]),
-        Err(FitError::MixedMake("braid"))
-    );
-    assert_eq!(braid(&[with(30.0, None, 0.1), with(50.0, None, 0.2)]), Err(FitError::MixedMake("rubber")));
+    let mixed = |rows: &[PointRow], part: &str| {
+        let error = braid(rows).unwrap_err().to_string();
+        assert!(error.contains(&format!("different {part}")), "{error}");
+    };
+    mixed(&[with(30.0, Some(50.0), 0.1), with(50.0, Some(31.0), 0.1)], "braid");
+    mixed(&[with(30.0, None, 0.1), with(50.0, None, 0.2)], "rubber");
     assert!(made_for(&[]).is_err());
 }
 

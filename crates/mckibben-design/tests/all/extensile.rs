@@ -85,10 +85,10 @@ fn a_pull_and_a_push_at_once_and_strands_of_the_wrong_angle_are_refused() {
             .into(),
         ..spec(-30.0, -0.1, Limits::default())
     };
-    assert!(matches!(design(&mixed, BUILD), Err(SpecError::Point { .. })));
+    assert!(matches!(design(&mixed, BUILD), Err(SpecError::Refused(_))));
     assert!(matches!(
         design(&spec(-30.0, 0.1, Limits::default()), BUILD),
-        Err(SpecError::Point { force_n, .. }) if force_n == -30.0
+        Err(SpecError::Refused(said)) if said.contains("-30 N")
     ));
     let steep =
         Spec { braid: BraidChoice::Angle(Values::List(vec![30.0])), ..spec(-30.0, -0.1, Limits::default()) };

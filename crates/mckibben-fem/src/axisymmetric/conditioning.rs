@@ -28,7 +28,7 @@ impl Memory {
     /// Of the rubber of a muscle that was cycled before; `None` on its first inflation.
     ///
     /// # Errors
-    /// [`FemError::Conditioning`] where the muscle has no such equilibria.
+    /// [`FemError::Refused`] where the muscle has no such equilibria.
     pub fn of(
         muscle: &Muscle,
         d: &Discretisation,
@@ -37,7 +37,10 @@ impl Memory {
         let Some((softening, pressure_mpa)) = muscle.rubber().conditioned() else { return Ok(None) };
         let failed = |error| match error {
             FemError::Cancelled(_) => error,
-            error => FemError::Conditioning { pressure_mpa, reason: Box::new(error) },
+            error => FemError::Refused(format!(
+                "the muscle cannot have been cycled at {pressure_mpa} MPa between rest length and free contraction: {reason}; state another tube.material.conditioned",
+                reason = error
+            )),
         };
         let mut memory = Self::new(softening, d);
         let mut c = Continuation::new(Body::of_muscle(Arc::new(d.clone()), endless.clone()));

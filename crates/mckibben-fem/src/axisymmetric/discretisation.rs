@@ -125,15 +125,19 @@ impl Discretisation {
     /// Divides a body.
     ///
     /// # Errors
-    /// [`FemError::Element`] where an element is turned inside out.
+    /// [`FemError::Refused`] where an element is turned inside out.
     pub fn new(mesh: Mesh, problem: Problem) -> Result<Self, FemError> {
         let multipliers = matches!(problem.braid, Some(BraidSpec { stiffness: None, .. }));
         let layout = mesh.layout(multipliers);
         let mut elements = Vec::with_capacity(mesh.through * mesh.along);
         for slab in 0..mesh.along {
             for i in 0..mesh.through {
-                let mut geometry = Geometry::new(&nodes(&mesh, slab, i))
-                    .ok_or(FemError::Element { element: slab * mesh.through + i })?;
+                let mut geometry = Geometry::new(&nodes(&mesh, slab, i)).ok_or_else(|| {
+                    FemError::Refused(format!(
+                        "mesh: element {element} is turned inside out at rest",
+                        element = slab * mesh.through + i
+                    ))
+                })?;
                 geometry.points = geometry.points.map(|p| p.prestretched(problem.prestretch));
                 elements.push(geometry);
             }

@@ -51,7 +51,9 @@ impl MeshSpec {
         ];
         for (name, value, low, high) in bounds {
             if !(low..=high).contains(&value) {
-                return Err(FemError::Mesh { name, value, low, high });
+                return Err(FemError::Refused(format!(
+                    "mesh: {name} is {value}; it must lie between {low} and {high}"
+                )));
             }
         }
         Ok((through, along, grading))

@@ -53,7 +53,7 @@ impl Axisymmetric {
     /// The model of a muscle with a mesh that is said.
     ///
     /// # Errors
-    /// [`FemError`] where the numbers give no valid mesh; [`FemError::Conditioning`] of a muscle that was cycled at a pressure at which it has
+    /// [`FemError`] where the numbers give no valid mesh; [`FemError::Refused`] of a muscle that was cycled at a pressure at which it has
     /// no equilibrium.
     pub fn with_mesh(muscle: &Muscle, spec: &MeshSpec) -> Result<Self, FemError> {
         let tube = muscle.tube();

@@ -23,33 +23,9 @@ const CONTRACTION: f64 = 0.005;
 /// Why there is no deck.
 #[derive(Debug, Error)]
 pub enum DeckError {
-    /// A law that decks do not know.
-    #[error("an input deck cannot describe the law \"{law}\"; it can describe {}", known())]
-    Law {
-        /// Its name.
-        law: &'static str,
-    },
-    /// Strands without an end to their stiffness.
-    #[error("an input deck needs strands that stretch: give the braid a stiffness")]
-    Inextensible,
-    /// Quadratic bricks.
-    #[error("an input deck needs eight-node bricks")]
-    Quadratic,
-    /// A terminal that is a body.
-    #[error("an input deck has a rigid plane as the terminal: leave out `terminal`")]
-    Plug,
-    /// A tube that is stressed at rest.
-    #[error("an input deck starts from unstressed rubber: leave out tube.prestretch")]
-    Prestretch,
-    /// A tube that is drawn on wider or narrower plugs.
-    #[error("an input deck has plugs with the diameter of the bore: leave out terminals.plug_diameter")]
-    PlugDiameter,
-    /// No pressures, or pressures that fall or are not above zero.
-    #[error("an input deck needs rising pressures above zero, the first of them {first_mpa} MPa here")]
-    Pressures {
-        /// The first one in MPa.
-        first_mpa: f64,
-    },
+    /// Refused: field, value, what it must be.
+    #[error("{0}")]
+    Refused(String),
     /// A muscle without a mesh.
     #[error(transparent)]
     Fem(#[from] FemError),
@@ -81,16 +57,22 @@ pub fn increments(contraction: f64, pressures_mpa: &[f64]) -> Result<Vec<(f64, f
 pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -> Result<String, DeckError> {
     let mesh = model.mesh();
     if mesh.brick() != Brick::Linear {
-        return Err(DeckError::Quadratic);
+        return Err(DeckError::Refused("an input deck needs eight-node bricks".into()));
     }
     if mesh.plug().is_some() {
-        return Err(DeckError::Plug);
+        return Err(DeckError::Refused(
+            "an input deck has a rigid plane as the terminal: leave out `terminal`".into(),
+        ));
     }
     if model.muscle().tube().prestretch != 1.0 {
-        return Err(DeckError::Prestretch);
+        return Err(DeckError::Refused(
+            "an input deck starts from unstressed rubber: leave out tube.prestretch".into(),
+        ));
     }
     if model.muscle().terminals().plug_diameter_mm.is_some() {
-        return Err(DeckError::PlugDiameter);
+        return Err(DeckError::Refused(
+            "an input deck has plugs with the diameter of the bore: leave out terminals.plug_diameter".into(),
+        ));
     }
     let steps = steps(contraction, pressures_mpa)?;
     let muscle = model.muscle();
@@ -176,7 +158,9 @@ fn steps(contraction: f64, pressures: &[f64]) -> Result<Vec<Step>, DeckError> {
         && pressures.windows(2).all(|p| p[1] > p[0])
         && pressures.iter().all(|p| p.is_finite());
     if !fine {
-        return Err(DeckError::Pressures { first_mpa });
+        return Err(DeckError::Refused(format!(
+            "an input deck needs rising pressures above zero, the first of them {first_mpa} MPa here"
+        )));
     }
     let mut out = vec![];
     if contraction == 0.0 {
@@ -205,7 +189,9 @@ fn strands(out: &mut String, model: &ThreeDimensional, before: usize) -> Result<
         let truss = trusses[members[0]].1;
         let k = truss.stiffness_n / truss.length_mm;
         if !k.is_finite() {
-            return Err(DeckError::Inextensible);
+            return Err(DeckError::Refused(
+                "an input deck needs strands that stretch: give the braid a stiffness".into(),
+            ));
         }
         let _ = writeln!(out, "*ELEMENT, TYPE=SPRINGA, ELSET=STRANDS{}", number + 1);
         for &i in members {
@@ -271,7 +257,13 @@ fn rubber(out: &mut String, law: &Law, bulk: Bulk) -> Result<(), DeckError> {
             "** the rubber is incompressible; here its bulk modulus is {BULK} times the shear modulus"
         );
     }
-    let card = law.card().ok_or(DeckError::Law { law: law.name() })?;
+    let card = law.card().ok_or_else(|| {
+        DeckError::Refused(format!(
+            "an input deck cannot describe the law \"{law}\"; it can describe {}",
+            known(),
+            law = law.name()
+        ))
+    })?;
     // One constant of compression counts, D1 = 2/K.
     let more = std::iter::repeat_n(0.0, card.compressions.saturating_sub(1));
     let numbers: Vec<f64> = card.constants.into_iter().chain([2.0 / k]).chain(more).collect();

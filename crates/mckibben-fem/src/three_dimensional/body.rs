@@ -58,11 +58,11 @@ impl Body {
     /// A body at rest.
     ///
     /// # Errors
-    /// [`FemError::TooLarge`] where there is not enough memory.
+    /// [`FemError::Refused`] where there is not enough memory.
     pub fn new(discretisation: impl Into<Arc<Discretisation>>) -> Result<Self, FemError> {
         let discretisation = discretisation.into();
         let cholesky = SparseCholesky::new(discretisation.analysis.clone())
-            .map_err(|e| FemError::TooLarge { unknowns: e.dimension })?;
+            .map_err(|e| FemError::too_large(e.dimension))?;
         let state = discretisation.rest();
         Ok(Self {
             assembled: Assembled::new(&discretisation),

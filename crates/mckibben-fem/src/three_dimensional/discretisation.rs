@@ -117,7 +117,7 @@ impl Discretisation {
     /// Numbers the unknowns and finds every entry's place.
     ///
     /// # Errors
-    /// [`FemError::Element`] where an element is turned inside out at rest, [`FemError::TooLarge`] without enough memory,
+    /// [`FemError::Refused`] where an element is turned inside out at rest, [`FemError::Refused`] without enough memory,
     /// [`FemError::Cancelled`] where the work is cancelled.
     pub fn new(problem: Problem) -> Result<Self, FemError> {
         let (per_brick, count) = match problem.brick {
@@ -131,7 +131,7 @@ impl Discretisation {
         let pattern = pattern(&problem, &unknown, free)?;
         cancel::check()?;
         let analysis = Analysis::new(pattern);
-        let analysis = Arc::new(analysis.map_err(|e| FemError::TooLarge { unknowns: e.dimension })?);
+        let analysis = Arc::new(analysis.map_err(|e| FemError::too_large(e.dimension))?);
         let shear = problem.law.shear_modulus_mpa();
         let materials = Material::all(&problem);
         let (compliance, augment) = (materials[0].compliance, materials[0].augment);
@@ -307,7 +307,8 @@ fn rest_modes(problem: &Problem, count: usize) -> Result<Vec<Modes>, FemError> {
         let element = |(e, nodes): (usize, &Vec<u32>)| {
             look(e)?;
             let places: [[f64; 3]; NN] = std::array::from_fn(|a| problem.rest(e, nodes[a]));
-            modes(points, &places, count).ok_or(FemError::Element { element: e })
+            modes(points, &places, count)
+                .ok_or_else(|| FemError::Refused(format!("mesh: element {e} is turned inside out at rest")))
         };
         problem.bricks.iter().enumerate().map(element).collect()
     }

@@ -52,10 +52,11 @@ impl BrickMesh {
             .collect();
         let free = if affordable(around, rows) { Some(around) } else { fewer };
         fitting.extend(free.map(|around| format!("{through}x{around}{word}")));
-        Err(FemError::MeshAngle {
-            angle_deg: angle.to_degrees(),
-            meshed_deg: meshed(around, along).to_degrees(),
-            fitting: fitting.join(" or "),
-        })
+        Err(FemError::Refused(format!(
+            "mesh: its strands would lie at {meshed_deg:.2}°, those of the braid lie at {angle_deg:.2}°; take {fitting}, or another number of bricks around and along",
+            angle_deg = angle.to_degrees(),
+            meshed_deg = meshed(around, along).to_degrees(),
+            fitting = fitting.join(" or ")
+        )))
     }
 }

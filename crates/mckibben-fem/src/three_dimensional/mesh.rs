@@ -173,7 +173,10 @@ impl BrickMesh {
         {
             let value = value.map_or(1.0, |n| n as f64);
             if !(1.0..=high).contains(&value) {
-                return Err(FemError::Mesh { name, value, low: 1.0, high });
+                return Err(FemError::Refused(format!(
+                    "mesh: {name} is {value}; it must lie between {low} and {high}",
+                    low = 1.0
+                )));
             }
         }
         Ok(())

@@ -49,7 +49,9 @@ impl MuscleMesh {
             ("terminals.plug_diameter with meshed plugs", plug_stated && spec.plug.is_some()),
         ];
         if let Some((key, _)) = missing.into_iter().find(|(_, stated)| *stated) {
-            return Err(FemError::NotInBricks { key });
+            return Err(FemError::Refused(format!(
+                "three-dimensional elements have no {key}: their strands are trusses on the tube's surface, their rubber is that of a first inflation; take fe, or leave the key out"
+            )));
         }
         let angle = braid.angle_rad();
         // How far the plug reaches into the tube is the muscle's to say.
@@ -72,7 +74,7 @@ impl MuscleMesh {
     /// The muscle at rest.
     ///
     /// # Errors
-    /// [`FemError::TooLarge`] where there is not enough memory.
+    /// [`FemError::Refused`] where there is not enough memory.
     pub fn at_rest(&self) -> Result<MuscleInBricks, FemError> {
         let section = self.axisymmetric.as_ref().map(|model| {
             let mut workspace = Workspace::new();

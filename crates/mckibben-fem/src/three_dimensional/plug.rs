@@ -91,7 +91,11 @@ impl Plug {
 }
 
 fn check(name: &'static str, value: f64, low: f64, high: f64) -> Result<(), FemError> {
-    if (low..=high).contains(&value) { Ok(()) } else { Err(FemError::Mesh { name, value, low, high }) }
+    if (low..=high).contains(&value) {
+        Ok(())
+    } else {
+        Err(FemError::Refused(format!("mesh: {name} is {value}; it must lie between {low} and {high}")))
+    }
 }
 
 /// (r, how far before the bond) from the axis to the inner surface, with intervals of `order` and as many columns as suit `around` bricks.

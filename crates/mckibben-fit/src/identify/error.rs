@@ -9,38 +9,12 @@ use thiserror::Error;
 /// Why nothing was identified. Lines are those of the data file.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum IdentifyError {
-    /// Nothing is free.
-    #[error("nothing is free: name at least one parameter to identify")]
-    NothingFree,
+    /// Refused: field, value, what it must be.
+    #[error("{0}")]
+    Refused(String),
     /// The caller wanted it to end.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
-    /// A parameter twice.
-    #[error("{name} is named twice, free or fixed: name it once")]
-    Twice {
-        /// Which.
-        name: String,
-    },
-    /// A parameter without a value to begin with.
-    #[error("{name} has no value to begin with in this muscle: write {name}=START")]
-    NoStart {
-        /// Which.
-        name: String,
-    },
-    /// A start outside of its bounds.
-    #[error(
-        "{name}: the start {start} lies outside of the bounds {low} to {high}: write {name}=START:LOW:HIGH"
-    )]
-    OutOfBounds {
-        /// Which.
-        name: String,
-        /// Start.
-        start: f64,
-        /// Lower bound.
-        low: f64,
-        /// Upper bound.
-        high: f64,
-    },
     /// Not more points than parameters.
     #[error(
         "{points} points that pull{} do not determine {parameters} parameters: at least {} are needed, and three for each parameter for a meaningful error bar; measure more, or free fewer",
@@ -57,12 +31,6 @@ pub enum IdentifyError {
     /// Data that no muscle of this size gives.
     #[error("{0}")]
     Implausible(String),
-    /// Rows with a history in which something else than the pull was read.
-    #[error("line {line}: rows in time order state a measured force, at a set pressure and length")]
-    HistoryOfForces {
-        /// A row with another quantity.
-        line: u64,
-    },
     /// A column with the wrong sign.
     #[error("{0}")]
     Flipped(String),

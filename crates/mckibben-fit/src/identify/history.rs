@@ -19,7 +19,10 @@ pub(super) fn directed(points: &[DataPoint]) -> Result<Vec<DataPoint>, IdentifyE
     let mut out: Vec<DataPoint> = vec![];
     for row in points {
         if row.measured != Quantity::Force {
-            return Err(IdentifyError::HistoryOfForces { line: row.line });
+            return Err(IdentifyError::Refused(format!(
+                "line {line}: rows in time order state a measured force, at a set pressure and length",
+                line = row.line
+            )));
         }
         let mut row = *row;
         if let Some(before) = out.last().filter(|before| continues(&row, before)) {

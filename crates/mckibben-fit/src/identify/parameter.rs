@@ -4,7 +4,7 @@ use mckibben::muscle::measures::{Identify, of_section};
 use mckibben::muscle::{Measure, Muscle};
 use mckibben::nearest::nearest;
 use mckibben::rubber::{ConstantValue, RubberLaw};
-use mckibben::units::{Dimension, QuantityError, parse_quantity};
+use mckibben::units::{Dimension, parse_quantity};
 use thiserror::Error;
 
 /// A constant or measure that data may tell.
@@ -49,46 +49,8 @@ fn measures() -> impl Iterator<Item = (&'static Measure, &'static Identify)> {
 
 /// Why a word names no parameter.
 #[derive(Debug, Clone, PartialEq, Error)]
-pub enum ParameterError {
-    /// No such name.
-    #[error("`{given}` cannot be identified{}; the parameters of this muscle are {known}", meant(.nearest.as_deref()))]
-    Unknown {
-        /// As written.
-        given: String,
-        /// What was probably meant.
-        nearest: Option<String>,
-        /// All names.
-        known: String,
-    },
-    /// A value that is no quantity.
-    #[error("{name}: {error}")]
-    Value {
-        /// Parameter.
-        name: String,
-        /// What is wrong.
-        error: QuantityError,
-    },
-    /// Not name, name=start or name=start:low:high.
-    #[error("`{given}` is not of the form name, name=start or name=start:low:high")]
-    Form {
-        /// As written.
-        given: String,
-    },
-    /// Bounds that hold no value, or not the start.
-    #[error(
-        "{name}: the start {start} must lie between the bounds {low} and {high}, and the bounds must differ"
-    )]
-    Bounds {
-        /// Parameter.
-        name: String,
-        /// Start.
-        start: f64,
-        /// Lower bound.
-        low: f64,
-        /// Upper bound.
-        high: f64,
-    },
-}
+#[error("{0}")]
+pub struct ParameterError(String);
 
 fn meant(nearest: Option<&str>) -> String {
     nearest.map_or_else(String::new, |name| format!(" (did you mean {name}?)"))
@@ -132,7 +94,11 @@ impl Target {
         let known: Vec<String> = all.iter().map(|t| t.name(muscle)).collect();
         let list: Vec<&str> = known.iter().map(String::as_str).collect();
         let nearest = nearest(given, list.iter().copied()).map(str::to_owned);
-        Err(ParameterError::Unknown { given: given.into(), nearest, known: known.join(", ") })
+        Err(ParameterError(format!(
+            "`{given}` cannot be identified{}; the parameters of this muscle are {known}",
+            meant(nearest.as_deref()),
+            known = known.join(", ")
+        )))
     }
 
     /// Its unit; empty for a plain number.
@@ -233,27 +199,37 @@ impl Parameter {
             &[start, low, high] if low < high && start >= low && start <= high => {
                 Ok(Self { target, start: Some(start), bounds: Some((low, high)) })
             }
-            &[start, low, high] => Err(ParameterError::Bounds { name: label(), start, low, high }),
-            _ => Err(ParameterError::Form { given: text.trim().into() }),
+            &[start, low, high] => Err(out_of_bounds(&label(), start, low, high)),
+            _ => Err(form(text.trim())),
         }
     }
 
     pub fn parse_bounds(text: &str, muscle: &Muscle) -> Result<(Target, (f64, f64)), ParameterError> {
-        let form = || ParameterError::Form { given: format!("{} (bounds are name=low:high)", text.trim()) };
+        let form = || form(&format!("{} (bounds are name=low:high)", text.trim()));
         let (name, values) = text.split_once('=').ok_or_else(form)?;
         let target = Target::parse(name, muscle)?;
         match *numbers(target, values, muscle)?.as_slice() {
             [low, high] if low < high => Ok((target, (low, high))),
-            [low, high] => Err(ParameterError::Bounds { name: target.name(muscle), start: low, low, high }),
+            [low, high] => Err(out_of_bounds(&target.name(muscle), low, low, high)),
             _ => Err(form()),
         }
     }
 }
 
+/// Bounds that hold no value, or not the start.
+fn out_of_bounds(name: &str, start: f64, low: f64, high: f64) -> ParameterError {
+    let must = format!("must lie between the bounds {low} and {high}, and the bounds must differ");
+    ParameterError(format!("{name}: the start {start} {must}"))
+}
+
+fn form(given: &str) -> ParameterError {
+    ParameterError(format!("`{given}` is not of the form name, name=start or name=start:low:high"))
+}
+
 fn numbers(target: Target, text: &str, muscle: &Muscle) -> Result<Vec<f64>, ParameterError> {
     let one = |t: &str| {
         parse_quantity(t, target.dimension(muscle))
-            .map_err(|error| ParameterError::Value { name: target.name(muscle), error })
+            .map_err(|error| ParameterError(format!("{}: {error}", target.name(muscle))))
     };
     text.split(':').map(one).collect()
 }

@@ -39,7 +39,10 @@ fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>, IdentifyError> {
     let mut seen: Vec<Target> = vec![];
     for target in request.free.iter().map(|p| p.target).chain(request.fixed.iter().map(|f| f.0)) {
         if seen.contains(&target) {
-            return Err(IdentifyError::Twice { name: target.name(muscle) });
+            return Err(IdentifyError::Refused(format!(
+                "{name} is named twice, free or fixed: name it once",
+                name = target.name(muscle)
+            )));
         }
         seen.push(target);
     }
@@ -53,10 +56,18 @@ fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>, IdentifyError> {
             // Inside of its bounds, and small beside the muscle.
             other => other.identify().and_then(|i| (i.start)(muscle)),
         });
-        let start = p.start.or(own).ok_or_else(|| IdentifyError::NoStart { name: name() })?;
+        let start = p.start.or(own).ok_or_else(|| {
+            IdentifyError::Refused(format!(
+                "{0} has no value to begin with in this muscle: write {0}=START",
+                name()
+            ))
+        })?;
         let (low, high) = p.bounds.unwrap_or_else(|| p.target.natural_bounds(muscle));
         if !(start >= low && start <= high && low < high) {
-            return Err(IdentifyError::OutOfBounds { name: name(), start, low, high });
+            return Err(IdentifyError::Refused(format!(
+                "{name}: the start {start} lies outside of the bounds {low} to {high}: write {name}=START:LOW:HIGH",
+                name = name()
+            )));
         }
         let scale = p.target.limit(muscle, start);
         let scale = if scale > 0.0 { scale } else { 1.0 };
@@ -116,7 +127,9 @@ fn search(
     progress: &dyn Progress,
 ) -> Result<Identification, IdentifyError> {
     if request.free.is_empty() {
-        return Err(IdentifyError::NothingFree);
+        return Err(IdentifyError::Refused(
+            "nothing is free: name at least one parameter to identify".into(),
+        ));
     }
     let muscle = request.muscle;
     let unknowns = unknowns(request)?;

@@ -76,6 +76,9 @@ pub struct Estimate {
 /// Why there is no estimate.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum EstimateError {
+    /// Refused: field, value, what it must be.
+    #[error("{0}")]
+    Refused(String),
     /// Not more points than unknowns.
     #[error("{points} points do not determine {unknowns} unknowns: at least {} are needed, and more for a meaningful error bar", .unknowns + 1)]
     TooFew {
@@ -83,17 +86,6 @@ pub enum EstimateError {
         points: usize,
         /// Unknowns.
         unknowns: usize,
-    },
-    /// Bounds or a scale that are not valid for an unknown.
-    #[error(
-        "unknown {index} cannot be fitted: its start {} and its bounds {} to {} must be numbers in order, and its scale {} above zero",
-        .unknown.start, .unknown.low, .unknown.high, .unknown.scale
-    )]
-    Unknown {
-        /// Counted from zero.
-        index: usize,
-        /// As given.
-        unknown: Unknown,
     },
     /// No answer of the model at the start.
     #[error("the model has no answer at the start for one of the points")]
@@ -304,7 +296,11 @@ pub fn estimate(
     loss: Loss,
 ) -> Result<Estimate, EstimateError> {
     if let Some(index) = unknowns.iter().position(|u| !u.is_sound()) {
-        return Err(EstimateError::Unknown { index, unknown: unknowns[index] });
+        let u = unknowns[index];
+        return Err(EstimateError::Refused(format!(
+            "unknown {index} cannot be fitted: its start {} and its bounds {} to {} must be numbers in order, and its scale {} above zero",
+            u.start, u.low, u.high, u.scale
+        )));
     }
     let points = weights.iter().filter(|w| **w > 0.0).count();
     if points <= unknowns.len() {

@@ -71,7 +71,7 @@ pub fn read_points(
         point.section.length_mm = rest[i];
     }
     if points.is_empty() {
-        return Err(TableError::Empty);
+        return Err(TableError::empty());
     }
     Ok((points, understood(&table, note)?))
 }
@@ -113,7 +113,10 @@ fn forces(table: &Table, points: &[DataPoint]) -> Result<Vec<f64>, TableError> {
 fn pressures(table: &Table) -> Result<Vec<f64>, TableError> {
     let column = table.needed(PRESSURE)?;
     if !column.chosen && is_absolute(&column.heading) {
-        return Err(TableError::Absolute { column: column.heading.clone() });
+        return Err(TableError::Refused(format!(
+            "column {column} has absolute pressures; use gauge pressures: subtract the atmospheric pressure (about 0.101 MPa)",
+            column = column.heading
+        )));
     }
     let values = table.numbers(column)?;
     match values.iter().position(|p| *p < 0.0) {
@@ -138,7 +141,7 @@ fn contractions(
             if rest.len() != raw.len() {
                 let needs =
                     "the length L0 at rest: give the muscle with its `length_mm`, or a column rest_length_mm";
-                return Err(TableError::Needs { column: column.heading.clone(), needs });
+                return Err(TableError::needs(column, needs));
             }
             let l0 = match muscle {
                 Some(l0) if !of_rows => format!("L0 {l0} mm"),
@@ -181,7 +184,9 @@ fn check_varies(column: &Column, lengths: &[f64]) -> Result<(), TableError> {
     let why = "is the same in all lines and does not give the contraction: add a column of contractions, \
                or, if it is the present length, say so with `columns` length=\"HEADING:mm\"";
     match spread(lengths.iter().copied()) < 1e-9 && !column.chosen {
-        true if !lengths.is_empty() => Err(TableError::Length { column: column.heading.clone(), why }),
+        true if !lengths.is_empty() => {
+            Err(TableError::Refused(format!("column {column} {why}", column = column.heading)))
+        }
         _ => Ok(()),
     }
 }
@@ -205,11 +210,12 @@ fn check_rest(table: &Table, rest: &[Option<f64>], contractions: &[f64]) -> Resu
         None => l / (1.0 - e),
     });
     match table.column(Meaning::RestLength) {
-        Some(column) if spread(rests.clone()) < 0.2 * spread(lengths()) => Err(TableError::Length {
-            column: column.heading.clone(),
-            why: "decreases with the contraction; together with a contraction it means the length at rest: give \
-                  the column another name (Length [mm]), and it is left out",
-        }),
+        Some(column) if spread(rests.clone()) < 0.2 * spread(lengths()) => Err(TableError::Refused(format!(
+            "column {column} {why}",
+            column = column.heading,
+            why = "decreases with the contraction; together with a contraction it means the length at rest: give \
+                  the column another name (Length [mm]), and it is left out"
+        ))),
         _ => Ok(()),
     }
 }
@@ -238,7 +244,7 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>, TableError> {
     ];
     let refused = |row: usize, meaning: Meaning, expected| match table.column(meaning) {
         Some(column) => table.impossible(row, column, expected),
-        None => TableError::Empty,
+        None => TableError::empty(),
     };
     let one = |(row, line): (usize, u64)| {
         let known = "neither \"contraction\" nor \"elongation\"";

@@ -39,16 +39,15 @@ pub fn read_tests(
 ) -> Result<(Vec<TensionPoint>, Understood), TableError> {
     let table = Table::read(&read_text(input)?, &TESTS, columns)?;
     let (stretch, stress) = (table.needed(STRETCH)?, table.needed(STRESS)?);
-    let needs = |column: &Column, needs| TableError::Needs { column: column.heading.clone(), needs };
     let gauge = match stretch.meaning {
-        Meaning::Extension | Meaning::Length => options
-            .gauge_length_mm
-            .ok_or_else(|| needs(stretch, "the length at rest: `gauge_length_mm`, such as 25 mm"))?,
+        Meaning::Extension | Meaning::Length => options.gauge_length_mm.ok_or_else(|| {
+            TableError::needs(stretch, "the length at rest: `gauge_length_mm`, such as 25 mm")
+        })?,
         _ => 1.0,
     };
     let area = match stress.meaning {
         Meaning::Force => options.area_mm2.ok_or_else(|| {
-            needs(stress, "the cross-section of the specimen at rest: `area_mm2`, such as 8 mm²")
+            TableError::needs(stress, "the cross-section of the specimen at rest: `area_mm2`, such as 8 mm²")
         })?,
         _ => 1.0,
     };
@@ -59,19 +58,25 @@ pub fn read_tests(
         points = sheet::points(&table, &lengths, area, options.mode)?;
     } else {
         if stress.meaning == Meaning::TrueStressDifference {
-            return Err(needs(stress, "the second stretch of the specimen: a column `stretch_2`"));
+            return Err(TableError::needs(
+                stress,
+                "the second stretch of the specimen: a column `stretch_2`",
+            ));
         }
         for (row, (stretch, measured)) in lengths.into_iter().zip(table.numbers(stress)?).enumerate() {
             let nominal_stress_mpa = nominal(&table, row, stress, measured, (stretch, area))?;
             let mode = mode(&table, row)?.unwrap_or(options.mode);
             if mode == Mode::General {
-                return Err(needs(stress, "the second stretch of the specimen: a column `stretch_2`"));
+                return Err(TableError::needs(
+                    stress,
+                    "the second stretch of the specimen: a column `stretch_2`",
+                ));
             }
             points.push(TensionPoint::new(mode, stretch, nominal_stress_mpa));
         }
     }
     if points.is_empty() {
-        return Err(TableError::Empty);
+        return Err(TableError::empty());
     }
     let over = match stretch.meaning {
         Meaning::Extension => Some(format!("over {gauge} mm")),

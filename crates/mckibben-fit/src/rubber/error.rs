@@ -6,6 +6,9 @@ use thiserror::Error;
 /// Why there is no fit.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum TensionFitError {
+    /// Refused: field, value, what it must be.
+    #[error("{0}")]
+    Refused(String),
     /// Not enough points for a law.
     #[error("{points} points are too few for {law}: it takes {needed} or more")]
     TooFew {
@@ -15,24 +18,6 @@ pub enum TensionFitError {
         points: usize,
         /// Points it takes.
         needed: usize,
-    },
-    /// The stress does not grow with the stretch.
-    #[error(
-        "the points give a modulus of {modulus_mpa} MPa: stress must be above zero where the stretch is above 1; check the columns and their signs"
-    )]
-    NoStiffness {
-        /// The neo-Hookean modulus that fits best.
-        modulus_mpa: f64,
-    },
-    /// An invalid setting.
-    #[error("{what} is {value}; it must be {expected}")]
-    Setting {
-        /// Which.
-        what: &'static str,
-        /// Its value.
-        value: f64,
-        /// What it should be.
-        expected: &'static str,
     },
     /// A term too many.
     #[error("{law}: this number of terms fits these data no better than fewer terms")]

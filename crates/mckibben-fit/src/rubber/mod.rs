@@ -79,7 +79,10 @@ pub fn fit_tension_with(
     let count = problem.counting();
     let forms = chosen(settings, count)?;
     if !(problem.modulus_mpa > 0.0 && problem.modulus_mpa.is_finite()) {
-        return Err(TensionFitError::NoStiffness { modulus_mpa: problem.modulus_mpa });
+        return Err(TensionFitError::Refused(format!(
+            "the points give a modulus of {} MPa: stress must be above zero where the stretch is above 1; check the columns and their signs",
+            problem.modulus_mpa
+        )));
     }
     let fitted_to_stretch = problem.fitted_to_stretch();
     let (mut laws, mut failed) = (vec![], vec![]);
@@ -118,7 +121,9 @@ pub fn fit_tension_with(
 }
 
 fn check(settings: &FitSettings) -> Result<(), TensionFitError> {
-    let bad = |what, value, expected| Err(TensionFitError::Setting { what, value, expected });
+    let bad = |what, value, expected| {
+        Err(TensionFitError::Refused(format!("{what} is {value}; it must be {expected}")))
+    };
     if let Some(limit) = settings.up_to_stretch.filter(|l| !(*l > 1.0 && l.is_finite())) {
         return bad("the largest stretch", limit, "above 1 (a stretch, or a strain such as 200%)");
     }

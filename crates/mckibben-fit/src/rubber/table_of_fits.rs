@@ -28,7 +28,7 @@ impl Range {
 
 /// The points of one-axis tension that a table of fits stands for, of the rubber with a name of the library. As many as the fits had.
 pub fn curve_of_fits(table: impl Read, name: &str) -> Result<Vec<TensionPoint>, LibraryError> {
-    let damaged = || LibraryError::Damaged { what: format!("{TABLE_OF_FITS}: {name}") };
+    let damaged = || LibraryError::damaged(format!("{TABLE_OF_FITS}: {name}"));
     let ranges = ranges(table, name).ok_or_else(damaged)?;
     let (mut from, mut before, mut points) = (0.0, 0, vec![]);
     for range in &ranges {

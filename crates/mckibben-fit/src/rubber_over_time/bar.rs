@@ -94,7 +94,9 @@ pub(super) fn check(history: &[TimePoint]) -> Result<(), OverTimeFitError> {
     for (index, p) in history.iter().enumerate() {
         let wrong = |why| {
             let &TimePoint { time_s, stretch, .. } = p;
-            Err(OverTimeFitError::History { index, time_s, stretch, why })
+            Err(OverTimeFitError::Refused(format!(
+                "point {index} of the history (time {time_s} s, stretch {stretch}) does not follow: {why}"
+            )))
         };
         if !(p.stretch > 0.02 && p.stretch < 25.0) {
             return wrong("a stretch L/L0 is 1 at rest and above 0");

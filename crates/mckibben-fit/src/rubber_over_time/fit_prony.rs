@@ -79,7 +79,9 @@ pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<P
     let points = history.len();
     let (first, last) = (history.first(), history.last());
     let duration_s = first.zip(last).map_or(0.0, |(a, b)| b.time_s - a.time_s);
-    let too_few = OverTimeFitError::TooFew { points, duration_s, branches };
+    let too_few = OverTimeFitError::Refused(format!(
+        "{points} points over {duration_s} s do not determine {branches} branches; take fewer branches or a longer test"
+    ));
     if branches == 0 || branches > 8 || points < form.fewest_points() + 4 * branches || duration_s <= 0.0 {
         return Err(too_few);
     }

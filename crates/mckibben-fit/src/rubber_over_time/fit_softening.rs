@@ -72,7 +72,9 @@ pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit, 
     let needed = form.fewest_points();
     if first.len() < needed || later < 4 {
         let (points, virgin) = (history.len(), first.len());
-        return Err(OverTimeFitError::NoVirginCycle { points, virgin, later, needed });
+        return Err(OverTimeFitError::Refused(format!(
+            "of {points} points {virgin} lie on the first loading and {later} below it: a law needs {needed} of the former, softening 4 of the latter. Give a test from the first loading on, with at least one unloading"
+        )));
     }
     let settings = FitSettings { forms: vec![form], history: true, ..FitSettings::default() };
     let fit = fit_tension(&first, &settings)?;
@@ -112,7 +114,11 @@ pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit, 
     let (squares, found) = match (best, why) {
         (Some(best), _) => best,
         (None, Some(error)) => return Err(OverTimeFitError::NotConverged { what: "softening", error }),
-        (None, None) => return Err(OverTimeFitError::TooFew { points: later, duration_s: 0.0, branches: 0 }),
+        (None, None) => {
+            return Err(OverTimeFitError::Refused(format!(
+                "{later} points do not determine the softening; give a longer test"
+            )));
+        }
     };
     let OgdenRoxburgh { r, m_mpa, beta } =
         OgdenRoxburgh { r: found.x[0], m_mpa: found.x[1], beta: found.x[2] }.validated()?;

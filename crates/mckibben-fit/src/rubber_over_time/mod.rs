@@ -21,47 +21,12 @@ use thiserror::Error;
 /// Why no constants of rubber over time were found.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum OverTimeFitError {
+    /// Refused: field, value, what it must be.
+    #[error("{0}")]
+    Refused(String),
     /// A constant that was found is invalid.
     #[error(transparent)]
     Constant(#[from] OverTimeError),
-    /// Times that go back, or stretches that are none.
-    #[error("point {index} of the history (time {time_s} s, stretch {stretch}) does not follow: {why}")]
-    History {
-        /// Counted from zero.
-        index: usize,
-        /// Its time in s.
-        time_s: f64,
-        /// Its stretch.
-        stretch: f64,
-        /// What is wrong.
-        why: &'static str,
-    },
-    /// No first loading, or nothing after it.
-    #[error(
-        "of {points} points {virgin} lie on the first loading and {later} below it: a law needs {needed} of the former, softening 4 of the latter. Give a test from the first loading on, with at least one unloading"
-    )]
-    NoVirginCycle {
-        /// All.
-        points: usize,
-        /// On the first loading.
-        virgin: usize,
-        /// Below the largest energy so far.
-        later: usize,
-        /// Fewest of the first loading.
-        needed: usize,
-    },
-    /// Not enough of a test.
-    #[error(
-        "{points} points over {duration_s} s do not determine {branches} branches; take fewer branches or a longer test"
-    )]
-    TooFew {
-        /// Its points.
-        points: usize,
-        /// From the first to the last, in s.
-        duration_s: f64,
-        /// As wanted.
-        branches: usize,
-    },
     /// The law itself has no fit.
     #[error(transparent)]
     Law(#[from] TensionFitError),

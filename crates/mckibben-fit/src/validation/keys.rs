@@ -13,7 +13,11 @@ pub(super) struct Keys<'a> {
 
 impl Keys<'_> {
     pub fn wrong(&self, key: &str, expected: &'static str) -> CaseError {
-        CaseError::Key { case: self.case.into(), key: format!("{}{key}", self.path), expected }
+        CaseError::Refused(format!(
+            "{case}/case.toml: `{key}` must be {expected}",
+            case = self.case,
+            key = format!("{}{key}", self.path)
+        ))
     }
 
     pub fn only(&self, known: &'static [&'static str]) -> Result<(), CaseError> {
@@ -21,7 +25,11 @@ impl Keys<'_> {
             None => Ok(()),
             Some((key, _)) => {
                 let key = format!("{}{key}", self.path);
-                Err(CaseError::Unknown { case: self.case.into(), key, known })
+                Err(CaseError::Refused(format!(
+                    "{case}/case.toml: `{key}` is not known; known here: {}",
+                    known.join(", "),
+                    case = self.case
+                )))
             }
         }
     }

@@ -22,8 +22,9 @@ impl Measurement {
     pub fn read(files: &CaseFiles) -> Result<Self, CaseError> {
         let case = || files.name.clone();
         let parsed = Document::parse(files.case.as_str());
-        let parsed =
-            parsed.map_err(|e| CaseError::Syntax { case: case(), message: e.message().to_owned() })?;
+        let parsed = parsed.map_err(|e| {
+            CaseError::Refused(format!("{}/case.toml: not valid TOML: {}", case(), e.message()))
+        })?;
         let table = Keys { case: &files.name, path: "", table: parsed.as_table() };
         table.only(TOP)?;
         let Some(Item::ArrayOfTables(list)) = parsed.get("fit") else {
@@ -87,7 +88,7 @@ fn identified(files: &CaseFiles) -> Result<Option<Box<Muscle>>, CaseError> {
     }
     parse_muscle(&files.identified)
         .map(|muscle| Some(Box::new(muscle)))
-        .map_err(|error| CaseError::Identified { case: files.name.clone(), error: Box::new(error) })
+        .map_err(|error| CaseError::Refused(format!("{}/identified.toml: {error}", files.name)))
 }
 
 fn fit(files: &CaseFiles, table: &Keys<'_>) -> Result<CaseFit, CaseError> {
@@ -101,7 +102,7 @@ fn fit(files: &CaseFiles, table: &Keys<'_>) -> Result<CaseFit, CaseError> {
     let muscle = parse_muscle(&with(files, table)?);
     let muscle = muscle.map_err(|error| {
         let (fit, error) = (name.clone(), Box::new(error));
-        CaseError::Muscle { case: case(), fit, error }
+        CaseError::Refused(format!("{case}/muscle.toml, fit \"{fit}\": {error}", case = case()))
     })?;
     let free = words.into_iter().map(|word| Parameter::parse(word, &muscle)).collect::<Result<_, _>>();
     let free = free.map_err(|error| CaseError::Parameter { case: case(), fit: name.clone(), error })?;

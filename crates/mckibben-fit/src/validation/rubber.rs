@@ -37,7 +37,10 @@ pub(super) fn fit(table: &Keys<'_>) -> Result<RubberCaseFit, CaseError> {
     let forms = Form::parse(&law);
     let [form] = forms[..] else {
         let case = table.case.to_owned();
-        return Err(CaseError::Law { case, fit: name, law, known: Form::words() });
+        return Err(CaseError::Refused(format!(
+            "{case}/case.toml, fit \"{name}\": there is no law \"{law}\"; known: {}",
+            Form::words().join(", ")
+        )));
     };
     let expected = "a list of modes such as [\"uniaxial\"]; the others are blind";
     let modes = match table.table.get("modes") {

@@ -83,12 +83,13 @@ impl Vocabulary {
             let entry = by_name.or_else(by_word).ok_or_else(|| {
                 let names: Vec<&str> = self.entries.iter().map(|e| e.name).collect();
                 let meant = nearest(name, names.iter().copied());
-                TableError::UnknownQuantity {
-                    what: self.what,
-                    name: short(name),
-                    meant: meant.map_or_else(String::new, |m| format!(" (did you mean {m}?)")),
-                    known: names.join(", "),
-                }
+                TableError::Refused(format!(
+                    "`columns`: {what} have no quantity \"{name}\"{meant}; they have {known}",
+                    what = self.what,
+                    name = short(name),
+                    meant = meant.map_or_else(String::new, |m| format!(" (did you mean {m}?)")),
+                    known = names.join(", ")
+                ))
             })?;
             Ok(Choice { entry, text: text.clone() })
         };
@@ -130,13 +131,12 @@ impl Choice {
         };
         let Some(index) = place else { return Ok(None) };
         let found = match unit.filter(|u| !u.is_empty()) {
-            Some(unit) => {
-                Some(vocabulary.unit_of(self.entry, unit).ok_or_else(|| TableError::ChosenUnit {
-                    unit: short(unit),
-                    name: self.entry.name,
-                    units: vocabulary.units(self.entry),
-                })?)
-            }
+            Some(unit) => Some(vocabulary.unit_of(self.entry, unit).ok_or_else(|| {
+                let (unit, name, units) = (short(unit), self.entry.name, vocabulary.units(self.entry));
+                TableError::Refused(format!(
+                    "`columns`: \"{unit}\" is not a unit of {name}; its units are {units}"
+                ))
+            })?),
             None => vocabulary.unit_in(self.entry, headings[index]),
         };
         let meaning = found.map_or(self.entry.meaning, |f| f.0);
@@ -161,11 +161,12 @@ impl Choice {
                 [] => {}
                 [one] => return Ok(Some(one)),
                 [first, ..] => {
-                    return Err(TableError::Ambiguous {
-                        name: self.entry.name,
-                        found: listed(places.iter().map(|&i| headings[i])),
-                        example: format!("#{}", first + 1),
-                    });
+                    return Err(TableError::Refused(format!(
+                        "the columns {found} could all be {name}: select one with `columns` {name}=\"{example}\"",
+                        name = self.entry.name,
+                        found = listed(places.iter().map(|&i| headings[i])),
+                        example = format!("#{}", first + 1)
+                    )));
                 }
             }
         }
@@ -174,7 +175,11 @@ impl Choice {
 
     /// That it is not there.
     pub(crate) fn missing(&self, headings: &[&str]) -> TableError {
-        TableError::NoSuchColumn { heading: short(&self.text), found: listed(headings.iter().copied()) }
+        TableError::Refused(format!(
+            "`columns`: there is no column \"{heading}\" (the columns are: {found})",
+            heading = short(&self.text),
+            found = listed(headings.iter().copied())
+        ))
     }
 }
 

@@ -127,7 +127,11 @@ impl Table {
             }
             _ => "; every line needs as many fields as the heading",
         };
-        Err(TableError::TooLong { line: row.line, found: row.len(), expected, hint })
+        Err(TableError::Refused(format!(
+            "line {line} has {found} fields and the heading {expected}{hint}",
+            line = row.line,
+            found = row.len()
+        )))
     }
 }
 
@@ -138,7 +142,10 @@ fn above(rows: &[TableRow], heading: u64) -> Result<(), TableError> {
         r.line < heading && r.len() > 1 && r.fields().filter(|f| !f.is_empty()).all(is_number)
     };
     match rows.iter().find(data) {
-        Some(row) => Err(TableError::AboveHeading { line: row.line, heading }),
+        Some(row) => Err(TableError::Refused(format!(
+            "line {line} contains numbers, but the heading is in line {heading}: put the heading first, or make the line a comment (#)",
+            line = row.line
+        ))),
         None => Ok(()),
     }
 }
@@ -188,12 +195,11 @@ fn find(
     let entry = need.any_of.first().and_then(|m| vocabulary.entry(*m));
     let (name, unit) = entry.map_or(("", ""), |e| (e.name, e.dimension.map_or("", |d| d.unit_inside().name)));
     let colon = if unit.is_empty() { "" } else { ":" };
-    Err(TableError::MissingColumn {
-        wanted: need.wanted,
-        found: listed(headings.into_iter()),
-        names: need.names,
-        example: format!("{name}=\"HEADING{colon}{unit}\""),
-    })
+    Err(TableError::missing_column(
+        need,
+        &listed(headings.into_iter()),
+        &format!("{name}=\"HEADING{colon}{unit}\""),
+    ))
 }
 
 /// A table without a heading, whose columns are chosen by number.
@@ -227,7 +233,10 @@ fn guess(
     for (i, choice) in choices.iter().enumerate() {
         match choice.find(headings, vocabulary)? {
             Some(Chosen { index, .. }) if columns.iter().any(|c| c.index == index) => {
-                return Err(TableError::ChosenTwice { heading: short(headings[index]) });
+                return Err(TableError::Refused(format!(
+                    "`columns`: the column \"{heading}\" is chosen for two quantities",
+                    heading = short(headings[index])
+                )));
             }
             Some(Chosen { meaning, index, unit }) => columns.push(Column {
                 meaning,
@@ -295,15 +304,16 @@ fn unambiguous(
             a.1.label == first.1.label && a.0.unit.is_some() && a.0.unit != first.0.unit
         };
         if !best.iter().skip(1).copied().all(|a| same(&a)) {
-            return Err(TableError::Ambiguous {
-                name: vocabulary.entry(column.meaning).map_or("", |e| e.name),
-                found: listed(best.iter().map(|a| headings[a.0.index])),
-                example: if best.iter().skip(1).any(|a| headings[a.0.index] == headings[column.index]) {
+            return Err(TableError::Refused(format!(
+                "the columns {found} could all be {name}: select one with `columns` {name}=\"{example}\"",
+                name = vocabulary.entry(column.meaning).map_or("", |e| e.name),
+                found = listed(best.iter().map(|a| headings[a.0.index])),
+                example = if best.iter().skip(1).any(|a| headings[a.0.index] == headings[column.index]) {
                     format!("#{}", column.index + 1)
                 } else {
                     short(headings[column.index])
-                },
-            });
+                }
+            )));
         }
         out.push(column.clone());
     }

@@ -10,13 +10,16 @@ pub const MAX_BYTES: usize = 32 << 20;
 /// characters are a part).
 ///
 /// # Errors
-/// [`TableError::TooLarge`] above [`MAX_BYTES`]; [`TableError::NotText`] for a spreadsheet or another file that is no text;
+/// [`TableError::Refused`] above [`MAX_BYTES`], and for a spreadsheet or another file that is no text;
 /// [`TableError::Io`].
 pub fn read_text(input: impl Read) -> Result<String, TableError> {
     let mut bytes = Vec::new();
     input.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes)?;
     if bytes.len() > MAX_BYTES {
-        return Err(TableError::TooLarge { limit: MAX_BYTES });
+        return Err(TableError::Refused(format!(
+            "the table is larger than {} MB; take fewer lines",
+            MAX_BYTES >> 20
+        )));
     }
     decode(bytes)
 }
@@ -33,7 +36,7 @@ const NO_TEXT: [(&[u8], &str); 6] = [
 
 fn decode(bytes: Vec<u8>) -> Result<String, TableError> {
     if let Some((_, what)) = NO_TEXT.iter().find(|n| bytes.starts_with(n.0)) {
-        return Err(TableError::NotText { what });
+        return Err(TableError::Refused(format!("this is not text but {what}; save the table as CSV")));
     }
     if let Some(rest) = bytes.strip_prefix(b"\xff\xfe") {
         return Ok(utf16(rest, u16::from_le_bytes));
@@ -47,7 +50,11 @@ fn decode(bytes: Vec<u8>) -> Result<String, TableError> {
     match (zeros(0), zeros(1)) {
         (0, odd) if odd > 0 && 10 * odd >= 8 * half => return Ok(utf16(&bytes, u16::from_le_bytes)),
         (even, 0) if even > 0 && 10 * even >= 8 * half => return Ok(utf16(&bytes, u16::from_be_bytes)),
-        (even, odd) if even + odd > 0 => return Err(TableError::NotText { what: "binary data" }),
+        (even, odd) if even + odd > 0 => {
+            return Err(TableError::Refused(
+                "this is not text but binary data; save the table as CSV".into(),
+            ));
+        }
         _ => {}
     }
     let text = String::from_utf8(bytes)
@@ -113,6 +120,6 @@ mod tests {
         assert!(refused(b"PK\x03\x04....").contains("spreadsheet"));
         assert!(refused(b"a\0\0\0b\x01").contains("binary"));
         let long = std::io::repeat(b'1');
-        assert!(matches!(read_text(long), Err(TableError::TooLarge { limit: MAX_BYTES })));
+        assert!(read_text(long).unwrap_err().to_string().starts_with("the table is larger than"));
     }
 }

@@ -17,12 +17,7 @@ impl Table {
     pub fn needed(&self, group: usize) -> Result<&Column, TableError> {
         let need: &Need = &self.vocabulary.needed[group];
         let all = || need.any_of.iter().filter_map(|m| self.column(*m));
-        let missing = || TableError::MissingColumn {
-            wanted: need.wanted,
-            found: self.headings.join(", "),
-            names: need.names,
-            example: String::new(),
-        };
+        let missing = || TableError::missing_column(need, &self.headings.join(", "), "");
         all().find(|c| c.chosen).or_else(|| all().next()).ok_or_else(missing)
     }
 
@@ -73,13 +68,15 @@ impl Table {
         let text = row.field(column.index);
         if text.is_empty() && row.width() <= column.index {
             let (line, found, expected) = (row.line, row.width(), self.headings.len());
-            return Err(TableError::TooShort { line, found, expected });
+            return Err(TableError::Refused(format!(
+                "line {line} has {found} fields and the heading {expected}; every line needs as many fields as the heading"
+            )));
         }
-        let not_a_number = |hint| TableError::NotANumber {
-            line: row.line,
-            column: column.heading.clone(),
-            text: short(text),
-            hint,
+        let not_a_number = |hint| {
+            let (line, heading, text) = (row.line, &column.heading, short(text));
+            TableError::Refused(format!(
+                "line {line}, column {heading}: \"{text}\" is not a finite number{hint}"
+            ))
         };
         let (value, unit) = number::number(text, self.decimal).map_err(|why| match why {
             NoNumber::Text if text.is_empty() => {
@@ -87,7 +84,7 @@ impl Table {
             }
             NoNumber::Text => not_a_number(""),
             NoNumber::Ambiguous => {
-                TableError::Thousands { line: row.line, column: column.heading.clone(), text: short(text) }
+                TableError::Refused(format!("line {line}, column {column}: \"{text}\" can be read in two ways: is its mark a decimal mark, or does it separate thousands? Write numbers without separators of thousands, with the same decimal mark in all lines", line = row.line, column = column.heading, text = short(text)))
             }
         })?;
         let dimension = self.entry(column).and_then(|e| e.dimension);
@@ -142,29 +139,28 @@ impl Table {
         }
         let found = words.iter().find(|w| w.0.eq_ignore_ascii_case(text)).map(|w| w.1);
         let name = self.entry(column).map_or("", |e| e.name);
-        found.map(Some).ok_or_else(|| TableError::Word {
-            line,
-            name,
-            text: short(text),
-            known: known.to_owned(),
-        })
+        found.map(Some).ok_or_else(|| TableError::word(line, name, text, known))
     }
 
     /// A value that cannot be.
     pub fn impossible(&self, row: usize, column: &Column, expected: &'static str) -> TableError {
         let text = self.rows.get(row).map_or("", |r| r.field(column.index));
-        TableError::Impossible {
-            line: self.rows.get(row).map_or(0, |r| r.line),
-            column: column.heading.clone(),
-            text: short(text),
-            expected,
-        }
+        TableError::Refused(format!(
+            "line {line}, column {column}: {text} {expected}",
+            line = self.rows.get(row).map_or(0, |r| r.line),
+            column = column.heading,
+            text = short(text)
+        ))
     }
 
     /// A ratio that is probably in percent.
     pub fn percent(&self, row: usize, column: &Column) -> TableError {
         let (line, text) = self.rows.get(row).map_or((0, ""), |r| (r.line, r.field(column.index)));
-        TableError::Percent { line, column: column.heading.clone(), text: short(text) }
+        TableError::Refused(format!(
+            "line {line}, column {column}: {text} is not a valid contraction ratio ΔL/L0, and its heading has no unit; write 0.15 for 15 %, name the column contraction_percent, or give `columns` contraction=\"{column}:%\" (:mm if it is a length)",
+            column = column.heading,
+            text = short(text)
+        ))
     }
 
     fn no_unit(&self, column: &Column) -> TableError {
@@ -173,24 +169,25 @@ impl Table {
             Dimension::Pressure if self.vocabulary.entry(Meaning::Pressure).is_some() => "kPa",
             d => d.unit_inside().name,
         };
-        TableError::NoUnit {
-            column: column.heading.split(['[', '(']).next().unwrap_or_default().trim().to_owned(),
-            stated: if column.unknown_unit { " (that in its brackets is not known)" } else { "" },
-            name: entry.map_or("", |e| e.name),
-            unit: entry.and_then(|e| e.dimension).map_or("", example),
-            units: entry.map_or_else(String::new, |e| self.vocabulary.units(e)),
-        }
+        let stated = if column.unknown_unit { " (that in its brackets is not known)" } else { "" };
+        let unit = entry.and_then(|e| e.dimension).map_or("", example);
+        let (name, units) = self.units_of(column);
+        let column = column.heading.split(['[', '(']).next().unwrap_or_default().trim();
+        TableError::Refused(format!(
+            "column {column} does not state its unit{stated}; write it after the heading, as {column} [{unit}], or give `columns` {name}=\"{column}:{unit}\" (units: {units})"
+        ))
+    }
+
+    /// Name and units of what a column holds.
+    fn units_of(&self, column: &Column) -> (&str, String) {
+        self.entry(column).map_or(("", String::new()), |e| (e.name, self.vocabulary.units(e)))
     }
 
     pub(super) fn wrong_unit(&self, line: u64, column: &Column, unit: &str, clash: String) -> TableError {
-        let entry = self.entry(column);
-        TableError::Unit {
-            line,
-            column: column.heading.clone(),
-            unit: short(unit),
-            name: entry.map_or("", |e| e.name),
-            clash,
-            units: entry.map_or_else(String::new, |e| self.vocabulary.units(e)),
-        }
+        let (name, units) = self.units_of(column);
+        let (column, unit) = (&column.heading, short(unit));
+        TableError::Refused(format!(
+            "line {line}, column {column}: \"{unit}\" is not a unit of {name}{clash}; its units are {units}"
+        ))
     }
 }

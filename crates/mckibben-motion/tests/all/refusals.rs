@@ -12,8 +12,9 @@ use mckibben_motion::*;
 fn commands_with_times_that_go_back_or_no_numbers_are_refused() {
     let back = Command::table(vec![(0.0, 1.0), (1.0, 2.0), (0.5, 1.0)]).unwrap_err();
     assert_eq!(back.to_string(), "the command's times must increase: 0.5 s follows 1 s (point 3)");
-    assert!(matches!(Command::table(vec![(0.0, f64::NAN)]), Err(CommandError::NotFinite { .. })));
-    assert_eq!(Command::table(vec![]), Err(CommandError::Empty));
+    for points in [vec![(0.0, f64::NAN)], vec![]] {
+        assert!(matches!(Command::table(points), Err(MotionError::Refused(_))));
+    }
 }
 
 #[test]
@@ -24,9 +25,12 @@ fn what_cannot_be_is_said_with_its_values() {
     let refused = |drive: &Drive<'_>| run(drive, &Silent).unwrap_err();
 
     let error = refused(&drive(steps(&[(0.0, 0.0), (0.1, 0.8)]), valve()));
-    assert_eq!(error, MotionError::Supply { command_mpa: 0.8, supply_mpa: 0.6 });
+    assert!(
+        error.to_string().starts_with("the command is 0.8 MPa, above the supply pressure of 0.6 MPa"),
+        "{error}"
+    );
     let error = refused(&drive(Target::Opening(vec![Command::Constant(1.0)]), regulator(0.1)));
-    assert_eq!(error, MotionError::NoOpening { muscle: 1 });
+    assert!(error.to_string().contains("muscle 1 has a regulator"), "{error}");
     assert!(matches!(refused(&drive(steps(&[(0.0, 0.0)]), regulator(0.0))), MotionError::Value { .. }));
     assert!(matches!(Orifice::new(0.0, 0.3), Err(MotionError::Value { .. })));
     assert!(matches!(Orifice::new(0.5, 1.0), Err(MotionError::Value { .. })));
@@ -41,7 +45,7 @@ fn what_cannot_be_is_said_with_its_values() {
     let mut none = Vessel::default();
     none.volume_mm3 = None;
     let drive = Drive { muscles: vec![Actuated::new(&none, valve())], ..drive };
-    assert!(matches!(refused(&drive), MotionError::NoVolume { .. }), "{}", refused(&drive));
+    assert!(matches!(refused(&drive), MotionError::Refused(_)), "{}", refused(&drive));
 }
 
 #[test]

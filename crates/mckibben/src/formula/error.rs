@@ -1,7 +1,6 @@
 //! Why a file is no formula.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use thiserror::Error;
 
 /// Why a file is no formula, with its name.
@@ -11,61 +10,43 @@ pub struct FormulaError {
     /// The file, where it is one.
     pub file: Option<PathBuf>,
     /// What is wrong.
-    pub problem: Problem,
+    pub problem: String,
 }
 
-/// What is wrong with a formula's file.
-#[derive(Debug, Clone, Error)]
-pub enum Problem {
-    /// It is not read.
-    #[error("{0}")]
-    Unread(Arc<mckibben_io::files::ReadError>),
+impl FormulaError {
+    pub(super) fn new(problem: impl Into<String>) -> Self {
+        Self { file: None, problem: problem.into() }
+    }
+
     /// It is no JSON.
-    #[error("is not valid JSON: {0} (JSON has no NaN; a file that ends early is truncated)")]
-    Json(String),
-    /// A key is missing.
-    #[error("the key `{key}` is missing")]
-    Missing {
-        /// Which.
-        key: String,
-    },
-    /// A value that is not what belongs there.
-    #[error("`{key}`: {message}")]
-    Wrong {
-        /// Which key.
-        key: String,
-        /// What is wrong, and where in the text.
-        message: String,
-    },
-    /// A word that is none of those known.
-    #[error("`{key}` is `{given}`; expected one of {known}")]
-    Unknown {
-        /// Which key.
-        key: String,
-        /// The value in the file.
-        given: String,
-        /// What may stand there.
-        known: String,
-    },
-    /// A term that stands twice.
-    #[error("`terms`: the term {term} is given twice")]
-    Twice {
-        /// Which term.
-        term: String,
-    },
-}
+    pub(super) fn json(error: impl std::fmt::Display) -> Self {
+        Self::new(format!(
+            "is not valid JSON: {error} (JSON has no NaN; a file that ends early is truncated)"
+        ))
+    }
 
-impl Problem {
+    pub(super) fn missing(key: &str) -> Self {
+        Self::new(format!("the key `{key}` is missing"))
+    }
+
+    pub(super) fn unknown(key: &str, given: &str, known: &str) -> Self {
+        Self::new(format!("`{key}` is `{given}`; expected one of {known}"))
+    }
+
+    pub(super) fn twice(term: &str) -> Self {
+        Self::new(format!("`terms`: the term {term} is given twice"))
+    }
+
     /// What serde says of the value at a path.
     pub(super) fn of(path: &str, error: &serde_json::Error) -> Self {
         if !error.is_data() {
-            return Self::Json(error.to_string());
+            return Self::json(error);
         }
         let mut message = error.to_string();
         let missing = message.strip_prefix("missing field `").and_then(|rest| rest.split_once('`'));
         if let Some((key, _)) = missing {
             let key = if path == "." { key.to_owned() } else { format!("{path}.{key}") };
-            return Self::Missing { key };
+            return Self::missing(&key);
         }
         // Words of the language this is written in, in those of its users.
         for (theirs, ours) in [
@@ -77,20 +58,11 @@ impl Problem {
             message = message.replace(&format!("expected {theirs}"), &format!("expected {ours}"));
         }
         let key = if path == "." { "the file".into() } else { path.to_owned() };
-        Self::Wrong { key, message }
+        Self::new(format!("`{key}`: {message}"))
     }
-}
-
-impl FormulaError {
     /// The same error, in a file of this name.
     pub fn in_file(mut self, path: &Path) -> Self {
         self.file = Some(path.to_owned());
         self
-    }
-}
-
-impl From<Problem> for FormulaError {
-    fn from(problem: Problem) -> Self {
-        Self { file: None, problem }
     }
 }

@@ -31,7 +31,6 @@ pub use universal::{
 use file::check::interval;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
-use std::sync::Arc;
 
 /// The terms of a formula.
 #[derive(Debug, Clone, PartialEq)]
@@ -147,8 +146,8 @@ fn from_file<T>(path: &Path, parse: impl Fn(&str) -> Result<T, FormulaError>) ->
 
 /// The text of a formula's file.
 pub fn read_text(path: &Path) -> Result<String, FormulaError> {
-    let bytes = mckibben_io::files::read(path, MAX_BYTES).map_err(|e| error::Problem::Unread(Arc::new(e)))?;
-    String::from_utf8(bytes).map_err(|e| error::Problem::Json(e.to_string()).into())
+    let bytes = mckibben_io::files::read(path, MAX_BYTES).map_err(|e| FormulaError::new(e.to_string()))?;
+    String::from_utf8(bytes).map_err(FormulaError::json)
 }
 
 impl Formula {

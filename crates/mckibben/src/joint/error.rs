@@ -3,71 +3,17 @@
 use crate::analysis::AnalysisError;
 use crate::cancel::Cancelled;
 use crate::model::ModelError;
-use crate::muscle::MuscleError;
 use thiserror::Error;
 
 /// Why a joint has no answer.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum JointError {
+    /// Refused: field, value, what it must be.
+    #[error("{0}")]
+    Refused(String),
     /// Not one or two muscles.
     #[error("a joint has one muscle or two, not {0}")]
     Muscles(usize),
-    /// Limits of the angle that are none.
-    #[error("the joint's range {low_deg}..{high_deg} deg must rise and lie between -180 and 180 deg")]
-    Range {
-        /// Lower limit in degrees.
-        low_deg: f64,
-        /// Upper limit in degrees.
-        high_deg: f64,
-    },
-    /// A measure of the link below zero.
-    #[error("{what} of the link is {value}; it must be zero or above")]
-    Negative {
-        /// Which.
-        what: &'static str,
-        /// Its value.
-        value: f64,
-    },
-    /// A contraction at the neutral angle that is none.
-    #[error(
-        "muscle {muscle}: {contraction} is not a valid contraction at the neutral angle; it lies below 1"
-    )]
-    Contraction {
-        /// Which muscle, from 1.
-        muscle: usize,
-        /// Its contraction.
-        contraction: f64,
-    },
-    /// A pulley without a radius.
-    #[error("muscle {muscle}: a pulley of {radius_mm} mm; its radius must be above zero")]
-    Radius {
-        /// Which muscle, from 1.
-        muscle: usize,
-        /// The radius in mm.
-        radius_mm: f64,
-    },
-    /// Attachment points that meet.
-    #[error(
-        "muscle {muscle}: its two attachment points meet at {angle_deg:.1} deg; narrow the joint's range or move them"
-    )]
-    Geometry {
-        /// Which muscle, from 1.
-        muscle: usize,
-        /// Where, in degrees.
-        angle_deg: f64,
-    },
-    /// Attachment points nearer than the muscle is long.
-    #[error(
-        "muscle {muscle}: its attachment points are {apart_mm:.1} mm apart at the neutral angle, and the muscle is {long_mm:.1} mm long there; move them apart, shorten the muscle or contract it further"
-    )]
-    TooNear {
-        /// Which muscle, from 1.
-        muscle: usize,
-        /// Their distance in mm.
-        apart_mm: f64,
-        /// Length of the muscle in mm.
-        long_mm: f64,
-    },
     /// Not as many pressures as muscles.
     #[error("the joint has {muscles} muscles and takes as many pressures; {given} were given")]
     Pressures {
@@ -75,14 +21,6 @@ pub enum JointError {
         muscles: usize,
         /// Pressures that were given.
         given: usize,
-    },
-    /// A muscle that extends, which no tendon takes.
-    #[error("muscle {muscle} of the joint: {error}")]
-    Extends {
-        /// Which muscle, from 1.
-        muscle: usize,
-        /// Why.
-        error: MuscleError,
     },
     /// An angle outside of the joint's limits.
     #[error("{angle_deg} deg lies outside of the joint's range of {low_deg}..{high_deg} deg")]

@@ -314,13 +314,13 @@ fn a_map_outside_of_a_models_range_is_refused_or_said() {
 fn geometry_that_cannot_be_built_is_refused() {
     let near = vec![muscle(Path::Points { origin_mm: [0.0, 200.0], insertion_mm: [30.0, 0.0] }, 0.1)];
     let error = Joint::new(near, None, Link::default(), (-60.0, 60.0)).unwrap_err();
-    assert!(matches!(error, JointError::TooNear { muscle: 1, .. }), "{error}");
+    assert!(error.to_string().contains("muscle 1: its attachment points are"), "{error}");
     let meeting = vec![muscle(Path::Points { origin_mm: [0.0, 300.0], insertion_mm: [300.0, 0.0] }, 0.1)];
     let error = Joint::new(meeting, None, Link::default(), (-90.0, 90.0)).unwrap_err();
-    assert!(matches!(error, JointError::Geometry { .. }), "{error}");
+    assert!(error.to_string().contains("attachment points meet"), "{error}");
     assert!(Joint::new(vec![], None, Link::default(), (-60.0, 60.0)).is_err());
     let one = vec![muscle(Path::Pulley { radius_mm: 20.0 }, 0.1)];
-    assert!(matches!(Joint::new(one, None, Link::default(), (60.0, -60.0)), Err(JointError::Range { .. })));
+    assert!(Joint::new(one, None, Link::default(), (60.0, -60.0)).is_err());
 }
 
 #[test]

@@ -1,45 +1,13 @@
 //! Loads as people write them.
 
 use super::{Lever, Load, LoadTable};
-use crate::units::{Dimension, QuantityError, parse_quantity};
+use crate::units::{Dimension, parse_quantity};
 use thiserror::Error;
 
 /// Why a text is no load.
 #[derive(Debug, Clone, PartialEq, Error)]
-pub enum LoadTextError {
-    /// A word that is no kind of load.
-    #[error(
-        "\"{0}\" is not a valid load: write force:300N, mass:20kg, spring:12N/mm@50N, lever:5kg@300mm/40mm/-30deg or table:load.csv, several joined by +"
-    )]
-    Kind(String),
-    /// A quantity of it.
-    #[error("load {text}: {error}")]
-    Quantity {
-        /// The load as written.
-        text: String,
-        /// What is wrong.
-        error: QuantityError,
-    },
-    /// A part that is missing or one too many.
-    #[error("load {text}: expected {expected}")]
-    Parts {
-        /// The load as written.
-        text: String,
-        /// What should stand there.
-        expected: &'static str,
-    },
-    /// An invalid value.
-    #[error("load {text}: {what} must be above zero")]
-    Sign {
-        /// The load as written.
-        text: String,
-        /// What of it.
-        what: &'static str,
-    },
-    /// A table that nobody has read.
-    #[error("load {0}: there is no such table")]
-    NoTable(String),
-}
+#[error("{0}")]
+pub struct LoadTextError(String);
 
 impl Load {
     /// Reads a load; `table` gives the points of a table by the name behind `table:`.
@@ -58,7 +26,7 @@ impl Load {
                 loads.push(last);
                 Ok(Self::Sum(loads))
             }
-            (None, _) => Err(LoadTextError::Kind(text.into())),
+            (None, _) => Err(not_a_load(text)),
         }
     }
 
@@ -76,21 +44,33 @@ fn parts(text: &str) -> impl Iterator<Item = &str> {
     starts.zip(cuts.into_iter().chain([text.len()])).map(|(a, b)| &text[a..b])
 }
 
+fn not_a_load(text: &str) -> LoadTextError {
+    LoadTextError(format!(
+        "\"{text}\" is not a valid load: write force:300N, mass:20kg, spring:12N/mm@50N, lever:5kg@300mm/40mm/-30deg or table:load.csv, several joined by +"
+    ))
+}
+
 fn one(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Load, LoadTextError> {
-    let (kind, rest) = text.split_once(':').ok_or_else(|| LoadTextError::Kind(text.into()))?;
+    let (kind, rest) = text.split_once(':').ok_or_else(|| not_a_load(text))?;
     let quantity = |part: &str, dimension| {
-        parse_quantity(part, dimension).map_err(|error| LoadTextError::Quantity { text: text.into(), error })
+        parse_quantity(part, dimension).map_err(|error| LoadTextError(format!("load {text}: {error}")))
     };
     let above = |value: f64, what: &'static str| {
-        if value > 0.0 { Ok(value) } else { Err(LoadTextError::Sign { text: text.into(), what }) }
+        if value > 0.0 {
+            Ok(value)
+        } else {
+            Err(LoadTextError(format!("load {text}: {what} must be above zero")))
+        }
     };
-    let wrong = |expected| LoadTextError::Parts { text: text.into(), expected };
+    let wrong = |expected| LoadTextError(format!("load {text}: expected {expected}"));
     let (main, behind) = match rest.split_once('@') {
         Some((main, behind)) => (main, Some(behind)),
         None => (rest, None),
     };
     match (kind.trim(), behind) {
-        ("table", _) => table(rest).map(Load::Table).ok_or_else(|| LoadTextError::NoTable(text.into())),
+        ("table", _) => table(rest)
+            .map(Load::Table)
+            .ok_or_else(|| LoadTextError(format!("load {text}: there is no such table"))),
         ("force", None) => {
             let force_n = above(quantity(main, Dimension::Force)?, "the force")?;
             Ok(Load::Force { force_n })
@@ -123,7 +103,7 @@ fn one(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Load, Lo
             Lever::new(mass, arm, radius, from).map(Load::Lever).ok_or_else(|| wrong(expected))
         }
         ("force", Some(_)) => Err(wrong("a force alone, such as force:300N")),
-        _ => Err(LoadTextError::Kind(text.into())),
+        _ => Err(not_a_load(text)),
     }
 }
 

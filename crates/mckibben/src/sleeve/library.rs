@@ -86,7 +86,7 @@ const TEXT: &str = include_str!("../../data/braids.toml");
 /// All sleeves, in the order of the table.
 ///
 /// # Errors
-/// [`SleeveError::Damaged`], which no released program should see.
+/// [`SleeveError::Refused`], which no released program should see.
 pub fn entries() -> Result<&'static [SleeveEntry], SleeveError> {
     static ENTRIES: OnceLock<Result<Vec<SleeveEntry>, SleeveError>> = OnceLock::new();
     ENTRIES.get_or_init(|| read_entries(TEXT, materials()?)).as_deref().map_err(SleeveError::clone)
@@ -106,11 +106,14 @@ pub fn entry(name: &str) -> Result<&'static SleeveEntry, SleeveError> {
     found.ok_or_else(|| {
         let names =
             entries.iter().flat_map(|e| e.aliases.iter().map(String::as_str).chain([e.sleeve.name()]));
-        SleeveError::Unknown {
-            name: name.chars().take(60).collect(),
-            nearest: nearest(&plain, names).map(str::to_string),
-            known: entries.iter().map(|e| e.sleeve.name().to_string()).collect(),
-        }
+        let given: String = name.chars().take(60).collect();
+        let known = match nearest(&plain, names) {
+            Some(near) => format!(" (did you mean {near}?)"),
+            None => {
+                format!("; known: {}", entries.iter().map(|e| e.sleeve.name()).collect::<Vec<_>>().join(", "))
+            }
+        };
+        SleeveError::Refused(format!("there is no sleeve named \"{given}\"{known}"))
     })
 }
 
@@ -121,14 +124,18 @@ pub fn find(name: &str) -> Result<Sleeve, SleeveError> {
 
 impl From<CatalogueError> for SleeveError {
     fn from(error: CatalogueError) -> Self {
-        Self::Damaged { what: error.to_string() }
+        Self::Refused(format!("the built-in table of sleeves is damaged: {error}"))
     }
 }
 
 /// The rows of a kind, of which a table has some.
 fn rows<'a>(file: &'a Catalogue<'_>, kind: &str) -> Result<Vec<Row<'a>>, SleeveError> {
     let rows = file.rows(kind);
-    if rows.is_empty() { Err(SleeveError::Damaged { what: format!("no [[{kind}]]") }) } else { Ok(rows) }
+    if rows.is_empty() {
+        Err(SleeveError::Refused(format!("the built-in table of sleeves is damaged: no [[{kind}]]")))
+    } else {
+        Ok(rows)
+    }
 }
 
 fn read_materials(file: &str) -> Result<Vec<Material>, SleeveError> {
@@ -244,8 +251,8 @@ mod tests {
     #[test]
     fn a_damaged_table_is_an_error() {
         for text in ["", "x =", "[[sleeve]]\nname = \"n\"", "[[material]]\nname = \"n\"\n[[sleeve]]\n"] {
-            assert!(matches!(read_entries(text, &[]), Err(SleeveError::Damaged { .. })), "{text}");
-            assert!(matches!(read_materials(text), Err(SleeveError::Damaged { .. })), "{text}");
+            assert!(matches!(read_entries(text, &[]), Err(SleeveError::Refused(_))), "{text}");
+            assert!(matches!(read_materials(text), Err(SleeveError::Refused(_))), "{text}");
         }
         assert_eq!(damage("least_diameter = 3\nlargest_diameter = 4.0"), "read");
         assert_eq!(damage("least_diameter = 2\nstrands = 24\nstrand_diameter = 0.25"), "read");

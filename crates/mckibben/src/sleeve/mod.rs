@@ -69,22 +69,9 @@ const OF_STIFFNESS: [&str; 2] = ["strand_diameter", "strand_modulus"];
 /// Why a sleeve makes no braid of a muscle.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SleeveError {
-    /// No sleeve of that name.
-    #[error(
-        "there is no sleeve named \"{name}\"{}",
-        .nearest.as_ref().map_or_else(
-            || format!("; known: {}", .known.join(", ")),
-            |n| format!(" (did you mean {n}?)"),
-        )
-    )]
-    Unknown {
-        /// The name as given.
-        name: String,
-        /// The name that was probably meant.
-        nearest: Option<String>,
-        /// All names.
-        known: Vec<String>,
-    },
+    /// Refused: field, value, what it must be.
+    #[error("{0}")]
+    Refused(String),
     /// The sleeve neither closes nor opens to this diameter.
     #[error(
         "{name} fits tubes from {} to {} mm; the tube has an outer diameter of {} mm",
@@ -140,12 +127,6 @@ pub enum SleeveError {
         key: &'static str,
         /// What was given.
         value: f64,
-    },
-    /// The built-in table cannot be read.
-    #[error("the built-in table of sleeves is damaged: {what}")]
-    Damaged {
-        /// What is wrong with it.
-        what: String,
     },
 }
 

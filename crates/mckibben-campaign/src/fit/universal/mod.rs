@@ -201,14 +201,14 @@ fn solve<'a>(
     let list: Vec<&Equation> = equations.collect();
     let (rows, columns) = (list.len(), products.len());
     if rows < 2 * columns {
-        return Err(FitError::Empty(" inside of the box of the method universal, or too few of them"));
+        return Err(FitError::empty(" inside of the box of the method universal, or too few of them"));
     }
     let matrix = DMatrix::from_fn(rows, columns, |i, j| list[i].left[j]);
     let right = DVector::from_fn(rows, |i, _| list[i].right);
     let qr = matrix.qr();
     let turned = qr.q().transpose() * right;
     let solved = qr.r().solve_upper_triangular(&turned).filter(|x| x.iter().all(|v| v.is_finite()));
-    let x = solved.ok_or_else(|| FitError::Singular("the universal formula".into()))?;
+    let x = solved.ok_or_else(|| FitError::singular("the universal formula"))?;
     let rounded = |v: f64| format!("{v:.8e}").parse().unwrap_or(v);
     Ok(products
         .iter()

@@ -43,7 +43,7 @@ fn muscle(row: &PointRow) -> Option<Muscle> {
 pub fn samples(rows: &[PointRow]) -> Result<Vec<Sample>, FitError> {
     let known = |r: &&PointRow| r.status.is_ok() && r.force_n.is_some_and(f64::is_finite);
     if let Some((column, _)) = rows.iter().find_map(|r| r.measures.first()) {
-        return Err(FitError::Varies(column.clone()));
+        return Err(FitError::varies(column));
     }
     let mut out = vec![];
     for group in rows.chunk_by(|a, b| a.muscle == b.muscle) {
@@ -65,5 +65,5 @@ pub fn samples(rows: &[PointRow]) -> Result<Vec<Sample>, FitError> {
             out.push(Sample { number: first.muscle, muscle, points });
         }
     }
-    if out.is_empty() { Err(FitError::Empty(" where the muscle pulls")) } else { Ok(out) }
+    if out.is_empty() { Err(FitError::empty(" where the muscle pulls")) } else { Ok(out) }
 }

@@ -36,11 +36,6 @@ pub(super) fn nominal(
 /// The mode that a row states.
 pub(super) fn mode(table: &Table, row: usize) -> Result<Option<Mode>, TableError> {
     let Some((line, text)) = table.text(row, Meaning::Mode) else { return Ok(None) };
-    let unknown = || TableError::Word {
-        line,
-        name: "mode",
-        text: text.chars().take(60).collect(),
-        known: format!("none of {}", Mode::WORDS),
-    };
+    let unknown = || TableError::word(line, "mode", text, format!("none of {}", Mode::WORDS));
     Mode::parse(text).map(Some).ok_or_else(unknown)
 }

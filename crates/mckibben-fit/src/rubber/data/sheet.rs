@@ -94,7 +94,7 @@ fn across_of(
     let column = table.column(Meaning::Stretch2);
     let impossible = |expected| match column {
         Some(column) => table.impossible(row, column, expected),
-        None => TableError::Empty,
+        None => TableError::empty(),
     };
     if measured.is_some_and(|v| !(0.02..=LARGEST_STRETCH).contains(&v)) {
         return Err(impossible("is not a valid stretch L/L0, which is 1 at rest and above 0"));

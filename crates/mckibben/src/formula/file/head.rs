@@ -1,6 +1,6 @@
 //! What every file of a formula has: its format and its kind.
 
-use crate::formula::error::{FormulaError, Problem};
+use crate::formula::error::FormulaError;
 use serde::de::{DeserializeOwned, IgnoredAny};
 use serde::{Deserialize, Serialize};
 
@@ -39,9 +39,9 @@ pub(super) fn read<T: DeserializeOwned>(text: &str) -> Read<T> {
     let mut source = serde_json::Deserializer::from_str(text);
     let value = serde_path_to_error::deserialize(&mut source).map_err(|e| {
         let path = e.path().to_string();
-        Problem::of(&path, e.inner())
+        FormulaError::of(&path, e.inner())
     })?;
-    source.end().map_err(|e| Problem::Json(e.to_string()))?;
+    source.end().map_err(FormulaError::json)?;
     Ok(value)
 }
 

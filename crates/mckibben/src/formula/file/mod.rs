@@ -5,7 +5,7 @@ mod head;
 mod section;
 mod universal;
 
-use super::error::{FormulaError, Problem};
+use super::error::FormulaError;
 use super::{Body, Document, Formula, UniversalFormula};
 use head::{Kind, Read, kind};
 use section::{GlobalTerm, PaperTerm, SectionFile, global, global_list, paper, paper_list};
@@ -121,5 +121,5 @@ impl UniversalFormula {
 }
 
 fn other_kind(given: &str, known: &str) -> FormulaError {
-    Problem::Unknown { key: "kind".into(), given: given.into(), known: known.into() }.into()
+    FormulaError::unknown("kind", given, known)
 }

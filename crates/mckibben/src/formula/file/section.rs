@@ -2,7 +2,7 @@
 
 use super::check::{is_zero, name, up_to};
 use super::head::{Format, Kind, Read, read};
-use crate::formula::error::Problem;
+use crate::formula::error::FormulaError;
 use crate::formula::{
     Body, Coefficients, Formula, FormulaErrors, FormulaRange, GlobalTerms, Made, Provenance, Scales, Term,
     paper_terms,
@@ -117,14 +117,13 @@ pub fn paper(text: &str) -> Read<Formula> {
 fn coefficients(terms: &[PaperTerm]) -> Read<Coefficients> {
     let mut found = [[[None; 3]; 6]; 3];
     for (i, PaperTerm { name, value, .. }) in terms.iter().enumerate() {
-        let unknown = || Problem::Unknown {
-            key: format!("terms[{i}].name"),
-            given: name.chars().take(40).collect(),
-            known: "A11 … A63, B11 … B63, C11 … C62".into(),
+        let unknown = || {
+            let given: String = name.chars().take(40).collect();
+            FormulaError::unknown(&format!("terms[{i}].name"), &given, "A11 … A63, B11 … B63, C11 … C62")
         };
         let (f, k, j) = place(name).ok_or_else(unknown)?;
         if found[f][k][j].replace(*value).is_some() {
-            return Err(Problem::Twice { term: name.clone() }.into());
+            return Err(FormulaError::twice(name));
         }
     }
     let mut x = [[[0.0; 3]; 6]; 3];
@@ -133,7 +132,7 @@ fn coefficients(terms: &[PaperTerm]) -> Read<Coefficients> {
             for j in 0..3 {
                 let number = if f == 2 { j } else { j + 1 };
                 let optional = f == 2 && j == 0;
-                let missing = || Problem::Missing { key: format!("terms: {letter}{}{number}", k + 1) };
+                let missing = || FormulaError::missing(&format!("terms: {letter}{}{number}", k + 1));
                 x[f][k][j] = match found[f][k][j] {
                     None if optional => 0.0,
                     found => found.ok_or_else(missing)?,
@@ -157,19 +156,18 @@ fn place(name: &str) -> Option<(usize, usize, usize)> {
 
 pub fn global(text: &str) -> Read<Formula> {
     let file: SectionFile<GlobalTerm> = read(text)?;
-    let scales = file.scales.ok_or_else(|| Problem::Missing { key: "scales".into() })?;
+    let scales = file.scales.ok_or_else(|| FormulaError::missing("scales"))?;
     let mut terms: Vec<Term> = vec![];
     for GlobalTerm { powers, value, .. } in &file.terms {
         let Powers { wall_ratio, pressure, contraction, outer_diameter } = *powers;
         let term = Term { powers: [wall_ratio, pressure, contraction, outer_diameter], value: *value };
         if terms.iter().any(|t| t.powers == term.powers) {
-            return Err(Problem::Twice { term: term.name() }.into());
+            return Err(FormulaError::twice(&term.name()));
         }
         terms.push(term);
     }
     if terms.is_empty() {
-        let message = "expected at least one term".into();
-        return Err(Problem::Wrong { key: "terms".into(), message }.into());
+        return Err(FormulaError::new("`terms`: expected at least one term"));
     }
     Ok(section(file, Body::Global(GlobalTerms { scales, terms })))
 }

@@ -2,7 +2,7 @@
 
 use super::check::{is_zero, name, up_to};
 use super::head::{Format, Kind, Read, read};
-use crate::formula::error::Problem;
+use crate::formula::error::FormulaError;
 use crate::formula::{
     Deficit, Form, Provenance, UniversalErrors, UniversalFormula, UniversalRange, UniversalTerm,
 };
@@ -108,7 +108,7 @@ pub fn universal(text: &str) -> Read<UniversalFormula> {
 
 /// Of a text of our own, whose keys nobody mistypes: a small engine does without the messages that name them.
 pub fn built_in(text: &str) -> Read<UniversalFormula> {
-    formula(serde_json::from_str(text).map_err(|e| Problem::Json(e.to_string()))?)
+    formula(serde_json::from_str(text).map_err(FormulaError::json)?)
 }
 
 fn formula(file: UniversalFile) -> Read<UniversalFormula> {
@@ -116,13 +116,12 @@ fn formula(file: UniversalFile) -> Read<UniversalFormula> {
     let deficit = Deficit { form, terms: vec![] };
     let mut formula = UniversalFormula { name, deficit, range, errors, provenance };
     for (i, EndTerm { powers, value, .. }) in terms.into_iter().enumerate() {
-        let foreign = || Problem::Wrong {
-            key: format!("terms[{i}].powers"),
-            message: format!("a variable that the form {form} does not have"),
+        let foreign = || {
+            FormulaError::new(format!("`terms[{i}].powers`: a variable that the form {form} does not have"))
         };
         let term = UniversalTerm { powers: powers.of_form(form).ok_or_else(foreign)?, value };
         if formula.deficit.terms.iter().any(|t| t.powers == term.powers) {
-            return Err(Problem::Twice { term: formula.term_name(&term) }.into());
+            return Err(FormulaError::twice(&formula.term_name(&term)));
         }
         formula.deficit.terms.push(term);
     }

@@ -1,8 +1,7 @@
 //! What is wrong with a muscle file, where, and what should stand there.
 
 use crate::muscle::MuscleError;
-use crate::rubber::{LibraryError, TermCounts};
-use crate::units::{QuantityError, RangeError};
+use crate::units::QuantityError;
 use std::borrow::Cow;
 use std::fmt;
 use std::path::PathBuf;
@@ -38,44 +37,6 @@ pub enum Problem {
     /// The file is not read.
     #[error("{0}")]
     Unread(#[source] mckibben_io::files::ReadError),
-    /// A text that is too long.
-    #[error("is longer than {limit} bytes, too long for such a file")]
-    TooLarge {
-        /// The limit in bytes.
-        limit: usize,
-    },
-    /// Not UTF-8.
-    #[error(
-        "the byte at offset {offset} is not UTF-8 text{}",
-        if *.utf16 { " (this looks like UTF-16: save it as UTF-8)" } else { "" }
-    )]
-    NotUtf8 {
-        /// Offset of the first bad byte, from 0.
-        offset: usize,
-        /// Whether the file starts as UTF-16 does.
-        utf16: bool,
-    },
-    /// Not TOML.
-    #[error(
-        "not valid TOML: {message} in `{line}`{}",
-        if *.unquoted { " (write a quantity with a unit in quotes: \"30 mm\")" } else { "" }
-    )]
-    Syntax {
-        /// What the parser says.
-        message: String,
-        /// The line as written.
-        line: String,
-        /// Whether the line looks like a quantity without quotes.
-        unquoted: bool,
-    },
-    /// A key that means nothing here.
-    #[error("unknown key{}; known here: {}", hint(.suggestion.as_deref()), .known.join(", "))]
-    UnknownKey {
-        /// The key that was probably meant.
-        suggestion: Option<String>,
-        /// All keys that may stand here.
-        known: Vec<&'static str>,
-    },
     /// A value of another kind.
     #[error("is {found}; expected {expected}")]
     Type {
@@ -87,9 +48,6 @@ pub enum Problem {
     /// A text that is not the quantity asked for.
     #[error("{}", without_subject(.0))]
     Quantity(#[source] QuantityError),
-    /// A text that is no range or list.
-    #[error("{0}")]
-    Range(#[source] RangeError),
     /// Anything else, in a sentence that the key is before.
     #[error("{0}")]
     Said(String),
@@ -101,9 +59,6 @@ pub enum Problem {
         /// What may stand here.
         expected: &'static str,
     },
-    /// A rubber that the library does not hold.
-    #[error("{0}")]
-    Rubber(#[source] LibraryError),
     /// Something that is required together with the given key.
     #[error("{missing} is missing; {needs}")]
     Missing {
@@ -112,12 +67,6 @@ pub enum Problem {
         /// Why it is needed.
         needs: Cow<'static, str>,
     },
-    /// A named rubber and a law of one's own.
-    #[error("give either `rubber` or [tube.material]; both are given")]
-    RubberTwice,
-    /// Lists of unlike length in a law that is a sum of terms.
-    #[error("{0}")]
-    TermCounts(#[source] TermCounts),
     /// Parts that make no muscle.
     #[error(
         "{}{}",
@@ -135,7 +84,7 @@ pub enum Problem {
     },
 }
 
-fn hint(suggestion: Option<&str>) -> String {
+pub(super) fn hint(suggestion: Option<&str>) -> String {
     suggestion.map_or(String::new(), |s| format!(" (did you mean {s}?)"))
 }
 

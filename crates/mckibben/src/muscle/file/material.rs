@@ -19,8 +19,11 @@ pub(super) fn read(tube: &Section<'_>) -> Result<Rubber, FileError> {
     let material = tube.section("material", "tube.material")?;
     let name = tube.text("rubber", "the name of a rubber in quotes, such as \"dragon-skin-30\"")?;
     match name {
-        Some(_) if material.is_written() => Err(tube.error("rubber", Problem::RubberTwice)),
-        Some(name) => library::find(name).map_err(|e| tube.error("rubber", Problem::Rubber(e))),
+        Some(_) if material.is_written() => Err(tube.error(
+            "rubber",
+            Problem::Said("give either `rubber` or [tube.material]; both are given".into()),
+        )),
+        Some(name) => library::find(name).map_err(|e| tube.error("rubber", Problem::Said(e.to_string()))),
         None if material.is_written() => own(&material),
         None => Ok(Rubber::paper()),
     }
@@ -127,7 +130,7 @@ fn law_of(section: &Section<'_>, kind: &LawKind) -> Result<Law, FileError> {
         found.ok_or_else(|| section.missing(c.name, Some("law"), NEEDS_ALL))
     };
     let lists = kind.constants.iter().map(list).collect::<Result<Vec<_>, _>>()?;
-    kind.of_lists(&lists).map_err(|e| section.error(e.name, Problem::TermCounts(e)))
+    kind.of_lists(&lists).map_err(|e| section.error(e.name, Problem::Said(e.to_string())))
 }
 
 fn bulk(section: &Section<'_>) -> Result<Bulk, FileError> {

@@ -61,6 +61,8 @@ pub fn read_text(path: &Path) -> Result<String, FileError> {
         let (offset, bytes) = (e.utf8_error().valid_up_to(), e.as_bytes());
         let utf16 = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);
         let place = std::str::from_utf8(&bytes[..offset]).ok().map(|t| source::place(t, offset));
-        FileError::new(Problem::NotUtf8 { offset, utf16 }).at(place)
+        let hint = if utf16 { " (this looks like UTF-16: save it as UTF-8)" } else { "" };
+        FileError::new(Problem::Said(format!("the byte at offset {offset} is not UTF-8 text{hint}")))
+            .at(place)
     })
 }

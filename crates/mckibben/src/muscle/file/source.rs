@@ -1,6 +1,6 @@
 //! A parsed file that knows where everything stands: sections, and typed look-ups in them.
 
-use super::error::{FileError, Problem, TextPosition};
+use super::error::{FileError, Problem, TextPosition, hint as did_you_mean};
 use super::values::{PLAIN, kind, shortened, to_number, to_quantity, value_kind};
 use crate::nearest::nearest;
 use crate::units::{Dimension, Values, parse_values};
@@ -40,7 +40,9 @@ impl<'t> Source<'t> {
     /// [`FileError`] where it is no TOML, or longer than [`MAX_BYTES`].
     pub fn parse(text: &'t str) -> Result<Self, FileError> {
         if text.len() > MAX_BYTES {
-            return Err(FileError::new(Problem::TooLarge { limit: MAX_BYTES }));
+            return Err(FileError::new(Problem::Said(format!(
+                "is longer than {MAX_BYTES} bytes, too long for such a file"
+            ))));
         }
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         match Document::parse(text) {
@@ -152,7 +154,11 @@ impl<'s> Section<'s> {
             let here = || nearest(key, known.iter().copied());
             let far = || all.iter().find(|k| nearest(key, k.rsplit('.').next()).is_some()).copied();
             let suggestion = last_word().or_else(elsewhere).or_else(here).or_else(far).map(str::to_string);
-            let problem = Problem::UnknownKey { suggestion, known: known.to_vec() };
+            let problem = Problem::Said(format!(
+                "unknown key{}; known here: {}",
+                did_you_mean(suggestion.as_deref()),
+                known.join(", ")
+            ));
             return Err(self.source.key_error(&self.dotted(&shortened(key)), span, problem));
         }
         Ok(())
@@ -307,7 +313,7 @@ impl<'s> Section<'s> {
         let text = text.trim();
         let behind = Some(suffix).filter(|s| !s.is_empty()).and_then(|s| text.strip_suffix(s));
         let values = parse_values(behind.unwrap_or(text), dimension);
-        values.map(|v| Some((v, behind.is_some()))).map_err(|e| self.error(key, Problem::Range(e)))
+        values.map(|v| Some((v, behind.is_some()))).map_err(|e| self.error(key, Problem::Said(e.to_string())))
     }
 
     /// One of some words, or a quantity; `expected` describes both.
@@ -344,7 +350,7 @@ pub enum WordOr {
 fn syntax(text: &str, error: &TomlError) -> FileError {
     let message = shortened(error.message());
     let Some(span) = error.span() else {
-        return FileError::new(Problem::Syntax { message, line: String::new(), unquoted: false });
+        return FileError::new(Problem::Said(format!("not valid TOML: {message} in ``")));
     };
     let start = text.get(..span.start).map_or(0, |t| t.rfind('\n').map_or(0, |i| i + 1));
     let line = text.get(start..).and_then(|t| t.lines().next()).unwrap_or("");
@@ -352,5 +358,7 @@ fn syntax(text: &str, error: &TomlError) -> FileError {
     let unquoted = value.starts_with(|c: char| c.is_ascii_digit() || c == '-')
         && value.split('#').next().is_some_and(|v| v.contains(char::is_alphabetic) && !v.contains('"'));
     let line = shortened(line);
-    FileError::new(Problem::Syntax { message, line, unquoted }).at(Some(place(text, span.start)))
+    let hint = if unquoted { " (write a quantity with a unit in quotes: \"30 mm\")" } else { "" };
+    FileError::new(Problem::Said(format!("not valid TOML: {message} in `{line}`{hint}")))
+        .at(Some(place(text, span.start)))
 }

@@ -26,7 +26,8 @@ const STRESS: f64 = 2.0;
 /// A rubber by its data sheet, and the factor within which its stiffness is known; `None` where the name is another one.
 pub(super) fn find(name: &str) -> Option<Result<(Rubber, f64), LibraryError>> {
     let lower = name.trim().to_lowercase();
-    let wrong = |problem| LibraryError::DataSheet { given: name.chars().take(60).collect(), problem };
+    let given: String = name.chars().take(60).collect();
+    let wrong = |problem| LibraryError(format!("\"{given}\" is not a rubber by its data sheet: {problem}"));
     let found = if let Some(rest) = lower.strip_prefix("shore:") {
         by_hardness(rest).map_err(wrong)
     } else {

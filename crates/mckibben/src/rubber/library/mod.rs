@@ -38,7 +38,7 @@ pub const LARGEST_HOOP_STRETCH: f64 = 2.5;
 /// All rubbers, in the order of the table.
 ///
 /// # Errors
-/// [`LibraryError::Damaged`], which no released program should see.
+/// [`LibraryError`], which no released program should see.
 pub fn entries() -> Result<&'static [RubberEntry], LibraryError> {
     static ENTRIES: OnceLock<Result<Vec<RubberEntry>, LibraryError>> = OnceLock::new();
     let read = || {
@@ -62,11 +62,14 @@ pub fn entry(name: &str) -> Result<&'static RubberEntry, LibraryError> {
     let found = entries.iter().find(|e| e.name == plain || e.aliases.contains(&plain));
     found.ok_or_else(|| {
         let names = entries.iter().flat_map(|e| e.aliases.iter().chain([&e.name])).map(String::as_str);
-        LibraryError::UnknownRubber {
-            name: name.chars().take(60).collect(),
-            nearest: nearest(&plain, names).map(str::to_string),
-            known: entries.iter().map(|e| e.name.clone()).collect(),
-        }
+        let given: String = name.chars().take(60).collect();
+        let known = match nearest(&plain, names) {
+            Some(near) => format!(" (did you mean {near}?)"),
+            None => {
+                format!("; known: {}", entries.iter().map(|e| e.name.as_str()).collect::<Vec<_>>().join(", "))
+            }
+        };
+        LibraryError(format!("there is no rubber named \"{given}\"{known}"))
     })
 }
 

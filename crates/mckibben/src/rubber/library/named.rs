@@ -39,10 +39,13 @@ pub fn find_for(name: &str, reach: f64) -> Result<Rubber, LibraryError> {
     };
     let entry = entry(plain)?;
     let law = law.map(|law| law.trim().to_lowercase().replace([' ', '_'], "-"));
-    let found = entry.meant(law.as_deref(), reach).ok_or_else(|| LibraryError::NoSuchFit {
-        rubber: entry.name.clone(),
-        law: law.as_deref().unwrap_or("").chars().take(60).collect(),
-        available: entry.laws(),
+    let found = entry.meant(law.as_deref(), reach).ok_or_else(|| {
+        let law: String = law.as_deref().unwrap_or("").chars().take(60).collect();
+        LibraryError(format!(
+            "{} has no fit of the law \"{law}\"; it has {}",
+            entry.name,
+            entry.laws().join(", ")
+        ))
     })?;
     Ok(entry.rubber(law.as_deref(), found))
 }

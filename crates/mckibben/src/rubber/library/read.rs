@@ -8,7 +8,7 @@ use toml_edit::Value;
 
 impl From<CatalogueError> for LibraryError {
     fn from(error: CatalogueError) -> Self {
-        Self::Damaged { what: error.to_string() }
+        Self::damaged(error)
     }
 }
 
@@ -16,7 +16,7 @@ pub(super) fn table(text: &str) -> Result<Vec<RubberEntry>, LibraryError> {
     let file = Catalogue::parse(text)?;
     let rows = file.rows("rubber");
     if rows.is_empty() {
-        return Err(LibraryError::Damaged { what: "no [[rubber]]".into() });
+        return Err(LibraryError::damaged("no [[rubber]]"));
     }
     rows.iter().map(|row| Ok(entry(row)?)).collect()
 }

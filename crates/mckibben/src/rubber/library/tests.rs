@@ -114,7 +114,7 @@ fn one_axis_mooney_rivlin_fits_warn() {
 #[test]
 fn a_damaged_table_is_an_error() {
     for text in ["", "x =", "[sources]\n[[rubber]]\nname = \"r\"\nsource = \"s\"\n"] {
-        assert!(matches!(read::table(text), Err(LibraryError::Damaged { .. })), "{text}");
+        assert!(matches!(read::table(text), Err(LibraryError(_))), "{text}");
     }
 }
 
