@@ -17,8 +17,7 @@ pub(super) enum ModelPolicy {
 
 /// Muscles that `universal` searches: L0/D0 at least, θ0 in degrees, wall over D0 at most. Its box is narrower; it only ranks what `fe` then decides of and
 /// corrects by up to a quarter of the diameter. On random muscles 95 % of its pulls are within 1.4 % of the blocked force of those of `fe`
-/// where L0/D0 is 3 to 5, 5.4 % where it is 2 to 3, 12.6 % where it is 1.5 to 2, 1.2 % where θ0 is 14° to 18°, 0.04 % where it is 35° to 42° (`cargo study
-/// universal_beyond`).
+/// where L0/D0 is 3 to 5, 5.4 % where it is 2 to 3, 12.6 % where it is 1.5 to 2, 1.2 % where θ0 is 14° to 18°, 0.04 % where it is 35° to 42°.
 const LEAST_SLENDERNESS: f64 = 1.5;
 const ANGLES: std::ops::RangeInclusive<f64> = 14.0..=42.0;
 /// Largest wall over D0 that `universal` searches. Beyond, of nearly solid rods, its pull rises and falls with the pressure, and each inverse searches

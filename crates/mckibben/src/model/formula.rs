@@ -68,16 +68,11 @@ impl ForceModel for FormulaModel {
         &self.info
     }
 
-    fn response(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
-        let [force_n, by_contraction, by_pressure] = self.at(pressure_mpa, contraction)?;
+    fn response(&self, _: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
+        let [force_n, by_contraction, by_pressure] = self.at(p, e)?;
         Ok(Response {
-            pressure_mpa,
-            contraction,
+            pressure_mpa: p,
+            contraction: e,
             force_n,
             stiffness_n_per_mm: Some(-by_contraction / self.info.muscle.length_mm()),
             force_per_pressure_mm2: Some(by_pressure),

@@ -84,20 +84,15 @@ impl ForceModel for Paper {
         &self.info
     }
 
-    fn response(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
-        let force_n = self.force_n(workspace, pressure_mpa, contraction)?;
-        let slope = self.section.by_contraction(pressure_mpa, contraction);
+    fn response(&self, w: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
+        let force_n = self.force_n(w, p, e)?;
+        let slope = self.section.by_contraction(p, e);
         Ok(Response {
-            pressure_mpa,
-            contraction,
+            pressure_mpa: p,
+            contraction: e,
             force_n,
             stiffness_n_per_mm: Some(-slope / self.info.muscle.length_mm()),
-            force_per_pressure_mm2: Some(self.section.by_pressure(contraction)),
+            force_per_pressure_mm2: Some(self.section.by_pressure(e)),
             ..Response::default()
         })
     }

@@ -204,15 +204,10 @@ impl ForceModel for Universal {
         self.forces(pressures_mpa, contractions, out)
     }
 
-    fn force_n(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<f64, ModelError> {
-        match self.coupled(pressure_mpa, contraction, None) {
+    fn force_n(&self, w: &mut Workspace, p: f64, e: f64) -> Result<f64, ModelError> {
+        match self.coupled(p, e, None) {
             Some(root) => Ok(root.force),
-            None => self.searched_force(workspace, pressure_mpa, contraction),
+            None => self.searched_force(w, p, e),
         }
     }
 }
