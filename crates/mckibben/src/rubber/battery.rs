@@ -140,14 +140,15 @@ fn a_negative_c01_is_unstable_in_two_axes_and_a_positive_one_is_not() {
 
 #[test]
 fn constants_without_stiffness_are_refused() {
+    let refused = |law: Law, said: &str| assert!(law.validated().unwrap_err().to_string().contains(said));
     let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.1, c01_mpa: -0.2 });
-    assert!(matches!(law.validated(), Err(LawError::NotStiff { .. })));
-    assert!(matches!(Law::Gent(Gent { mu_mpa: 0.1, jm: 0.0 }).validated(), Err(LawError::Limit { .. })));
+    refused(law, "shear modulus");
+    refused(Law::Gent(Gent { mu_mpa: 0.1, jm: 0.0 }), "jm of the gent law is 0");
     let law = Law::NeoHookean(NeoHookean { mu_mpa: f64::NAN });
-    assert!(matches!(law.validated(), Err(LawError::NotFinite { .. })));
-    assert!(matches!(Law::Ogden(Ogden { terms: vec![] }).validated(), Err(LawError::Terms)));
+    refused(law, "a finite number");
+    refused(Law::Ogden(Ogden { terms: vec![] }), "alpha other than zero");
     let many = Law::Ogden(Ogden { terms: vec![(1e-3, 2.0); 2000] });
-    assert!(matches!(many.validated(), Err(LawError::TooManyTerms { most: 20, .. })));
+    refused(many, "at most 20 terms");
 }
 
 /// Constants are distinguished by their position: each change arrives where [`Law::constants`] shows it, and nowhere else.

@@ -21,52 +21,10 @@ pub trait LawVisitor: Sized {
 
 /// Why constants do not make a law.
 #[derive(Debug, Clone, PartialEq, Error)]
-pub enum LawError {
-    /// The shear modulus at rest is not above zero.
-    #[error(
-        "the {law} constants give a shear modulus of {shear_modulus_mpa} MPa at rest; it must be above zero (c10 + c01, mu, or Σ mu·alpha)"
-    )]
-    NotStiff {
-        /// Which law.
-        law: &'static str,
-        /// Its shear modulus in MPa.
-        shear_modulus_mpa: f64,
-    },
-    /// A constant that is NaN or infinite.
-    #[error("the constant {name} of the {law} law is {value}; it must be a finite number")]
-    NotFinite {
-        /// Which law.
-        law: &'static str,
-        /// Which constant.
-        name: String,
-        /// Its value.
-        value: f64,
-    },
-    /// A limit outside its bounds.
-    #[error("{name} of the {law} law is {value}; it must be {} (it is {doc})", between(*.bounds))]
-    Limit {
-        /// Which law.
-        law: &'static str,
-        /// Which constant.
-        name: &'static str,
-        /// Its value.
-        value: f64,
-        /// What it must lie between.
-        bounds: (f64, f64),
-        /// What it is.
-        doc: &'static str,
-    },
-    /// An Ogden exponent of zero, or no terms.
-    #[error("an ogden law needs one alpha other than zero for each mu")]
-    Terms,
-    /// More terms than any rubber needs.
-    #[error("an {law} law has at most {most} terms")]
-    TooManyTerms {
-        /// The law's name.
-        law: &'static str,
-        /// Most terms.
-        most: usize,
-    },
+#[error("{message}")]
+pub struct LawError {
+    constant: Option<&'static str>,
+    message: String,
 }
 
 /// Most terms of a sum; published laws have up to six.
@@ -78,17 +36,13 @@ fn between((low, high): (f64, f64)) -> String {
 }
 
 impl LawError {
+    fn new(constant: Option<&'static str>, message: String) -> Self {
+        Self { constant, message }
+    }
+
     /// The constant at fault, where it is one; as in muscle files.
     pub fn constant(&self) -> Option<&'static str> {
-        match self {
-            LawError::NotStiff { law, .. } => {
-                let first = |k: &LawKind| k.constants.iter().find(|c| c.is_modulus()).map(|c| c.name);
-                Law::kind_named(law).and_then(first)
-            }
-            LawError::Limit { name, .. } => Some(name),
-            LawError::Terms | LawError::TooManyTerms { .. } => Some("alpha"),
-            LawError::NotFinite { .. } => None,
-        }
+        self.constant
     }
 }
 
@@ -144,30 +98,39 @@ impl Law {
     pub fn validated(self) -> Result<Self, LawError> {
         let (law, constants) = (self.name(), self.constants());
         if self.kind().is_sum && constants.len() > MOST_TERMS * self.kind().constants.len() {
-            return Err(LawError::TooManyTerms { law, most: MOST_TERMS });
+            let message = format!("an {law} law has at most {MOST_TERMS} terms");
+            return Err(LawError::new(Some("alpha"), message));
         }
         if let Some(ConstantValue { name, value, .. }) = constants.iter().find(|c| !c.value.is_finite()) {
-            return Err(LawError::NotFinite { law, name: name.clone(), value: *value });
+            let message =
+                format!("the constant {name} of the {law} law is {value}; it must be a finite number");
+            return Err(LawError::new(None, message));
         }
         // Moduli are judged together, by the stiffness that they give.
         for ConstantValue { value, constant: c, .. } in &constants {
             let within = *value > c.bounds.0 && *value < c.bounds.1;
             if !c.is_modulus() && !within {
-                return Err(LawError::Limit {
-                    law,
-                    name: c.name,
-                    value: *value,
-                    bounds: c.bounds,
-                    doc: c.doc,
-                });
+                let (name, must, doc) = (c.name, between(c.bounds), c.doc);
+                let message = format!("{name} of the {law} law is {value}; it must be {must} (it is {doc})");
+                return Err(LawError::new(Some(name), message));
             }
         }
         let mu = self.shear_modulus_mpa();
         // A sum of terms without a term, or with one that is not defined.
         if self.kind().is_sum && (constants.is_empty() || !self.principal([1.0; 3]).w.is_finite()) {
-            return Err(LawError::Terms);
+            let message = "an ogden law needs one alpha other than zero for each mu";
+            return Err(LawError::new(Some("alpha"), message.into()));
         }
-        if mu > 0.0 { Ok(self) } else { Err(LawError::NotStiff { law, shear_modulus_mpa: mu }) }
+        if mu > 0.0 {
+            return Ok(self);
+        }
+        let first = self.kind().constants.iter().find(|c| c.is_modulus()).map(|c| c.name);
+        Err(LawError::new(
+            first,
+            format!(
+                "the {law} constants give a shear modulus of {mu} MPa at rest; it must be above zero (c10 + c01, mu, or Σ mu·alpha)"
+            ),
+        ))
     }
 
     /// The same law with its constants passed through `change` (position in [`Law::constants`], value). The new law
