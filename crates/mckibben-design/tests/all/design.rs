@@ -2,6 +2,7 @@
 
 use mckibben::analysis::Options;
 use mckibben::liquid::{Liquid, LiquidSupply};
+use mckibben::load::liquid_per_stroke;
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::measures::{SEATING, WALL, fields};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Strands};
@@ -182,6 +183,31 @@ fn the_largest_liquid_volume_binds_at_the_volume_that_is_found() {
     // Without a liquid the limit has no meaning.
     spec.liquid = None;
     assert_eq!(design(&spec, BUILD).unwrap_err(), SpecError::NoLiquid { volume_mm3: limit_mm3 });
+}
+
+/// Against all muscles of a list: none that pulls enough takes less liquid than the first.
+#[test]
+fn the_objective_air_with_a_liquid_finds_the_least_liquid_of_a_list() {
+    let (diameters, walls) = (vec![24.0, 28.0, 32.0, 36.0], vec![1.0, 2.0, 3.0]);
+    let spec = Spec {
+        objective: Objective::Air,
+        outer_diameter_mm: Values::List(diameters.clone()),
+        wall_mm: Values::List(walls.clone()),
+        ..with_oil()
+    };
+    let outcome = design(&spec, BUILD).unwrap();
+    let best = outcome.candidates[0].liquid_volume_mm3().unwrap();
+    let (w, mut least) = (&mut Workspace::new(), f64::INFINITY);
+    for (d0, s) in diameters.iter().flat_map(|d0| walls.iter().map(move |s| (*d0, *s))) {
+        let model = ThickWall::new(&spec.base.with_section(d0, s).unwrap());
+        if model.force_n(w, 0.25, 0.1).unwrap() < 300.0 {
+            continue;
+        }
+        let p = mckibben::analysis::pressure_at(&model, w, 300.0, 0.1, Options::default()).unwrap();
+        let supply = spec.liquid.as_ref().unwrap();
+        least = least.min(liquid_per_stroke(&model, w, supply, p, 0.1).unwrap().volume_mm3);
+    }
+    assert!((best / least - 1.0).abs() < 1e-9, "{best} {least}");
 }
 
 /// Every relaxation, taken alone, makes the closest muscle fit.

@@ -146,6 +146,34 @@ mod tests {
         if top < stride { panel.factorise(&mut kernel, top..stride) } else { Ok(()) }
     }
 
+    /// L Lᵀ and L D Lᵀ give the matrix back, in the rows below as well.
+    #[test]
+    fn the_product_of_the_factors_is_the_matrix() {
+        each_width(|width| {
+            for count in (1..=40).chain([97, 256]) {
+                for form in [Form::Positive, Form::Indefinite] {
+                    let height = count + 1 + count % 23;
+                    let a = matrix(count, height, |j| form == Form::Indefinite && j % 3 == 1);
+                    let mut l = a.clone();
+                    factorise(width, form, &mut l, count, count + count % 2).unwrap();
+                    for (i, j) in (0..count).flat_map(|j| (j..height).map(move |i| (i, j))) {
+                        let at = |i: usize, k: usize| match form {
+                            Form::Indefinite if i == k => 1.0,
+                            _ => l[k * height + i],
+                        };
+                        let d = |k: usize| if form == Form::Positive { 1.0 } else { l[k * height + k] };
+                        let sum: f64 = (0..=j).map(|k| at(i, k) * d(k) * at(j, k)).sum();
+                        let off = (sum - a[j * height + i]).abs() / count as f64;
+                        assert!(
+                            off < 1e-15 * (10.0 + count as f64),
+                            "{width:?} {form:?} {count} {i} {j}: {off}"
+                        );
+                    }
+                }
+            }
+        });
+    }
+
     /// The first pivot below zero ends L Lᵀ, one of zero or no number L D Lᵀ, and its index is given.
     #[test]
     fn a_pivot_that_is_none_is_named() {

@@ -34,6 +34,21 @@ fn every_muscle_that_pulls_has_a_pressure_at_which_it_starts_to() {
 }
 
 #[test]
+fn both_inverses_come_back() {
+    for (model, p, e) in pulling(rounds(15)) {
+        let w = &mut Workspace::new();
+        let pull = model.force_n(w, p, e).unwrap();
+        let contraction = contraction_at(&model, &mut Workspace::new(), pull, p, Options::default()).unwrap();
+        assert!((contraction - e).abs() < 1e-8, "{contraction} {e} {:?}", model.muscle());
+        // Soft strands: the pull may fall with the pressure, so that a smaller one gives the same.
+        let pressure = pressure_at(&model, &mut Workspace::new(), pull, e, Options::default()).unwrap();
+        let again = model.force_n(&mut Workspace::new(), pressure, e).unwrap();
+        assert!((again / pull - 1.0).abs() < 1e-6, "{again} {pull} {:?}", model.muscle());
+        assert!(pressure < p * (1.0 + 1e-8), "{pressure} {p} {:?}", model.muscle());
+    }
+}
+
+#[test]
 fn past_its_free_contraction_a_muscle_hangs_slack() {
     for (model, p, _) in pulling(rounds(10)) {
         let w = &mut Workspace::new();

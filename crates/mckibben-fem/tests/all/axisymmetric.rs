@@ -10,7 +10,7 @@ use mckibben_fem::FemError;
 use mckibben_fem::axisymmetric::study::mesh_study;
 use mckibben_fem::axisymmetric::sweep::sweep;
 use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
-use mckibben_fem::simulation::{Detail, Discretised, Given, Simulation};
+use mckibben_fem::simulation::{Detail, Discretised, Given, Simulation, free_contraction};
 use mckibben_fem::solver::curve::Test;
 
 fn pull(force_n: f64, pressure_mpa: f64) -> Given {
@@ -77,6 +77,18 @@ fn sweep_of_200_random_muscles() {
 }
 
 #[test]
+fn answers_do_not_depend_on_the_questions_before() {
+    let questions: Vec<(f64, f64)> = (0..60)
+        .map(|i| (0.05 + 0.2 * f64::from(i * 37 % 60) / 60.0, 0.18 * f64::from(i * 23 % 60) / 60.0))
+        .collect();
+    let (warm, w) = (prototype(), &mut Workspace::new());
+    for &(p, e) in questions.iter().chain(questions.iter().rev()) {
+        let (a, b) = (warm.force_n(w, p, e).unwrap(), cold(p, e));
+        assert!((a - b).abs() < 1e-6, "{p} {e}: {a} {b}");
+    }
+}
+
+#[test]
 fn curves_agree_with_single_answers() {
     let (model, w) = (prototype(), &mut Workspace::new());
     for (e, curve) in
@@ -102,6 +114,26 @@ fn curves_agree_with_single_answers() {
         let single = cold(point.pressure_mpa, point.contraction);
         assert!((single - 80.0).abs() < 1e-5, "{point:?} {single}");
     }
+}
+
+#[test]
+fn inverses_are_inverses() {
+    let (model, w) = (prototype(), &mut Workspace::new());
+    let free = free_contraction(&model, w, 0.25).unwrap();
+    assert!(model.force_n(w, 0.25, free).unwrap().abs() < 1e-5);
+    let start =
+        model.reach(w, Given::ContractionAndPull { contraction: 0.1, force_n: 0.0 }).unwrap().pressure_mpa;
+    assert!(model.force_n(w, start, 0.1).unwrap().abs() < 1e-5);
+    assert!(model.force_n(w, 0.9 * start, 0.1).unwrap() < 0.0);
+    let pressure =
+        model.reach(w, Given::ContractionAndPull { contraction: 0.1, force_n: 200.0 }).unwrap().pressure_mpa;
+    assert!((model.force_n(w, pressure, 0.1).unwrap() - 200.0).abs() < 1e-5);
+    let contraction = model.reach(w, pull(200.0, 0.2)).unwrap().contraction;
+    assert!((model.force_n(w, 0.2, contraction).unwrap() - 200.0).abs() < 1e-5);
+    assert!((model.force_n(w, 0.25, 0.0).unwrap() - 921.724).abs() < 1e-3);
+    // Stretched by a load above the blocked force.
+    let stretched = model.reach(w, pull(1500.0, 0.25)).unwrap().contraction;
+    assert!(stretched < 0.0 && (model.force_n(w, 0.25, stretched).unwrap() - 1500.0).abs() < 1e-4);
 }
 
 #[test]

@@ -3,10 +3,10 @@
 use mckibben::model::{ForceModel, ModelKind, Response, ThickWall, Workspace};
 use mckibben::muscle::file::read_muscle;
 use mckibben::muscle::{Bulk, Conditioned, Muscle, Rubber, Tube};
-use mckibben::rubber::over_time::{Held, OgdenRoxburgh, Prony};
-use mckibben::rubber::{Law, NeoHookean, Ogden, Yeoh};
+use mckibben::rubber::over_time::{Held, OgdenRoxburgh, Prony, Softened};
+use mckibben::rubber::{Law, NeoHookean, Ogden, RubberLaw, Yeoh};
 use mckibben_fem::FemError;
-use mckibben_fem::axisymmetric::{Axisymmetric, Body, Memory};
+use mckibben_fem::axisymmetric::{Axisymmetric, Body, Discretisation, Ends, Memory, Mesh, Problem};
 use mckibben_fem::simulation::free_contraction;
 use mckibben_fem::solver::continuation::Continuation;
 use std::sync::Arc;
@@ -89,6 +89,27 @@ fn at_the_state_that_was_seen_the_muscle_is_that_of_the_first_inflation() {
         virgin.reach(0.6 * p, e).unwrap();
         soft.reach(0.6 * p, e).unwrap();
         assert!(soft.pull() > virgin.pull() + 0.5, "{p} {e}: {} {}", soft.pull(), virgin.pull());
+    }
+}
+
+/// A bar with one largest energy everywhere bears η times the stress of its first loading: a tube without a braid, drawn by its ends.
+#[test]
+fn a_bar_bears_eta_times_the_stress_of_the_first_loading() {
+    for seen in [0.0, 0.05, 0.3, 2.0] {
+        for law in [yeoh(), Law::Ogden(Ogden { terms: vec![(0.15, 1.6), (0.01, 3.0)] })] {
+            let problem = Problem::new(law.clone(), Bulk::Incompressible, None, Ends::Sliding);
+            let mut d = Discretisation::new(Mesh::tube(1.0, 2.0, 3.0, (2, 3, 1.0)), problem).unwrap();
+            let seen_mpa = vec![[seen; 9]; d.elements.len()];
+            d.memory = Some(Memory { softening: SOFTENING, seen_mpa });
+            let mut body = Continuation::new(Body::new(d));
+            for stretch in [1.1, 1.4, 1.8] {
+                body.walk_from_rest(0.0, 1.0 - stretch).unwrap();
+                let stress = body.pull() / (3.0 * std::f64::consts::PI);
+                let law = Softened { law: &law, softening: SOFTENING, w_max_mpa: seen };
+                let exact = law.uniaxial_stress_mpa(stretch);
+                assert!((stress - exact).abs() < 1e-9, "{seen} {stretch}: {stress} {exact}");
+            }
+        }
     }
 }
 

@@ -6,11 +6,28 @@ use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Law, Yeoh};
 use mckibben_fem::axisymmetric::Axisymmetric;
 
+/// (80 + 273.15)/(23 + 273.15), by hand.
+const FACTOR: f64 = 353.15 / 296.15;
+
 fn muscle(moduli: f64, stiffness: f64) -> Muscle {
     let stiffness = BraidStiffness::NewtonPerMm(300.0 * stiffness);
     let braid = Braid { angle_deg: 25.0, stiffness, ..Braid::paper() };
     let law = Law::Yeoh(Yeoh { c10_mpa: 0.1, c20_mpa: 0.004, c30_mpa: 0.0 }).scaled(moduli);
     Muscle::new(Tube::new(19.0, 1.5, 120.0, Rubber::of(law)), braid, Terminals::default(), None).unwrap()
+}
+
+/// Identities: the pull is that of moduli in proportion to the absolute temperature, and F(k P, k µ, k times the strands' stiffness) = k F; the derivative by a
+/// constant is that of the constant as it is stated.
+#[test]
+fn warm_rubber_has_moduli_in_proportion_to_the_absolute_temperature() {
+    let pull =
+        |m: &Muscle, p: f64| Axisymmetric::new(m).unwrap().force_n(&mut Workspace::new(), p, 0.08).unwrap();
+    let warm = muscle(1.0, 1.0).with(&TEMPERATURE, 80.0).unwrap();
+    let (found, wanted) = (pull(&warm, 0.2), pull(&muscle(FACTOR, 1.0), 0.2));
+    assert!((found / wanted - 1.0).abs() < 1e-10, "{found} {wanted}");
+    let (once, warm) = (pull(&muscle(1.0, 1.0), 0.2), muscle(1.0, FACTOR).with(&TEMPERATURE, 80.0).unwrap());
+    let more = pull(&warm, FACTOR * 0.2);
+    assert!((more / (FACTOR * once) - 1.0).abs() < 1e-8, "{more} {once}");
 }
 
 /// Against muscles beside it: identification frees the constant of the muscle file, which is that at 23 °C.

@@ -3,7 +3,8 @@
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;
-use mckibben_fem::simulation::{Detail, Discretised, Simulation};
+use mckibben_fem::FemError;
+use mckibben_fem::simulation::{Detail, Discretised, Given, Simulation};
 use mckibben_fem::solver::curve::Test;
 use mckibben_fem::three_dimensional::{BrickSpec, ThreeDimensional};
 
@@ -44,6 +45,18 @@ fn slopes_of_pull_and_volume_are_those_of_differences() {
     assert!((r.volume_per_pressure_mm3_per_mpa.unwrap() / by_pressure - 1.0).abs() < 1e-4, "{by_pressure}");
     let by_contraction = (volume(0.2, 0.1 + 1e-4) - volume(0.2, 0.1 - 1e-4)) / 2e-4;
     assert!((r.volume_per_contraction_mm3.unwrap() / by_contraction - 1.0).abs() < 1e-4, "{by_contraction}");
+}
+
+#[test]
+fn a_pull_that_nothing_can_carry_is_refused_in_words() {
+    let error = coarse()
+        .reach(&mut Workspace::new(), Given::PressureAndPull { pressure_mpa: 0.25, force_n: 1e9 })
+        .unwrap_err();
+    let FemError::OutOfReach { nearest_force_n, .. } = error else { panic!("{error:?}") };
+    assert!(nearest_force_n > 921.0);
+    assert!(
+        error.to_string().starts_with("rubber and strands cannot carry a pull of 1000000000 N at 0.25 MPa")
+    );
 }
 
 fn divided(text: &str) -> Result<f64, String> {

@@ -143,6 +143,26 @@ fn elements_keep_their_volume_and_displacements_lead_back_to_rest() {
     assert!((-1e-13..2e-4).contains(&short), "{short}");
 }
 
+/// A helix of length L0/cosθ0; a chord over the turn δ is shorter by the share sin²θ0 δ²/24 at most.
+#[test]
+fn strands_at_rest_have_the_length_of_a_helix() {
+    let muscle = Muscle::prototype();
+    let (_, braid) = written(&Axisymmetric::new(&muscle).unwrap(), &Response::default());
+    let lines = lines(&braid);
+    assert_eq!(lines.len(), 48);
+    let turn = |p: [f64; 3], q: [f64; 3]| (p[0] * q[1] - p[1] * q[0]).atan2(p[0] * q[0] + p[1] * q[1]);
+    let sin = muscle.braid().angle_rad().sin();
+    for (k, line) in lines.iter().enumerate() {
+        let turns: Vec<f64> = line.windows(2).map(|p| turn(p[0], p[1])).collect();
+        let largest = turns.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+        let lost = 1.0 - length(line) / muscle.strand_length_mm();
+        assert!(lost > 0.0 && lost < (sin * largest).powi(2) / 24.0, "{lost} {largest}");
+        // Families by their hand, the number of turns as the muscle tells it.
+        let sign = if k < 24 { 1.0 } else { -1.0 };
+        assert!((turns.iter().sum::<f64>() / TAU - sign * muscle.turns()).abs() < 1e-12);
+    }
+}
+
 /// Under pressure strands stretch by what the model says: the mean of λf along the strand is its length now.
 #[test]
 fn strands_under_pressure_are_as_long_as_their_stretch_says() {

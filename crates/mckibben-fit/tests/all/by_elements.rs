@@ -155,3 +155,23 @@ fn known_constants_come_back() {
         }
     }
 }
+
+/// The chain rules (moduli, k of several diameters, D0 through k, friction, offset, what was read) against differences.
+#[test]
+fn error_bars_by_own_derivatives_are_those_by_differences() {
+    let mut data = points();
+    for (i, p) in data.iter_mut().enumerate() {
+        p.at.force_n += [3.0, -2.0, 1.0, -4.0, 2.0][i % 5];
+    }
+    let sets: [&[&str]; 2] = [
+        &["modulus", "braid.stiffness", "braid.stiffness_exponent=0.8", "friction.c", "friction.beta"],
+        &["c10", "braid.stiffness_exponent=0.8", "tube.outer_diameter", "tube.length", "contraction_offset"],
+    ];
+    for names in sets {
+        let (own, differences) = (run(names, &data, true), run(names, &data, false));
+        for (a, b) in own.parameters.iter().zip(&differences.parameters) {
+            assert!((a.value - b.value).abs() < 1e-3 * b.standard_error, "{a:?}\n{b:?}");
+            assert!((a.standard_error / b.standard_error - 1.0).abs() < 1e-3, "{a:?}\n{b:?}");
+        }
+    }
+}

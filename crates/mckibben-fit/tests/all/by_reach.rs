@@ -2,12 +2,14 @@
 
 use mckibben::muscle::file::{parse_muscle, to_toml};
 use mckibben::muscle::{Braid, Bulk, Muscle, Rubber, Tube};
-use mckibben::rubber::Law;
 use mckibben::rubber::library::{
     COVERING, RubberEntry, Standing, TABLE_OF_FITS, Window, WindowLaw, entries, entry, find, find_for,
     of_equal_standing, warnings,
 };
-use mckibben_fit::rubber::{DECIDED_AICC, FitSettings, TensionFit, curve_of_fits, fit_tension, read_tension};
+use mckibben::rubber::{ExtendedTube, Law};
+use mckibben_fit::rubber::{
+    DECIDED_AICC, FitSettings, ReadOptions, TensionFit, curve_of_fits, fit_tension, read_tension,
+};
 
 fn fitted() -> impl Iterator<Item = &'static RubberEntry> {
     entries().unwrap().iter().filter(|e| e.data.is_some())
@@ -223,4 +225,16 @@ fn the_curve_of_a_table_of_fits_is_the_measured_one_within_5_percent() {
             assert!(off < bound, "{name} {end}: {off}");
         }
     }
+}
+
+/// Gc 0.1867, Ge 0.2169 MPa, δ 0.09693, β 0.2 are quoted for Treloar's rubber after the authors: over all three tests, up to a stretch of
+/// 7.6, they come within 4.2 % of the measured stresses (rms over rms).
+#[test]
+fn the_published_constants_follow_treloars_rubber() {
+    let law = ExtendedTube { gc_mpa: 0.1867, ge_mpa: 0.2169, jm: 0.09693_f64.powi(-2) };
+    let path = format!("{}/../../data/treloar/tension.csv", env!("CARGO_MANIFEST_DIR"));
+    let points = read_tension(std::fs::File::open(path).unwrap(), ReadOptions::default()).unwrap();
+    let left: f64 = points.iter().map(|p| (p.stress_mpa(&law) - p.nominal_stress_mpa).powi(2)).sum();
+    let all: f64 = points.iter().map(|p| p.nominal_stress_mpa.powi(2)).sum();
+    assert!((left / all).sqrt() < 0.043, "{}", (left / all).sqrt());
 }

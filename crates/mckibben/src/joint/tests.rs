@@ -17,6 +17,15 @@ fn bound<'m>(joint: &'m Joint, models: &'m [Box<dyn ForceModel>]) -> JointModel<
     JointModel::new(joint, models.iter().map(|m| &**m).collect(), true).unwrap()
 }
 
+#[test]
+fn more_pressure_in_the_first_muscle_and_a_torque_from_outside_turn_the_joint_to_plus() {
+    let joint = antagonists();
+    let models = models(&joint, ModelKind::Universal);
+    let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
+    let turned = model.rests(w, &[0.25, 0.15], 0.0).unwrap()[0].angle_deg();
+    assert!(turned > 5.0 && model.rests(w, &[0.25, 0.15], 1.0).unwrap()[0].angle_deg() > turned);
+}
+
 /// ±τ over the slopes of the torque, these by central differences: of pressures that were sought, and of the angle at rest.
 #[test]
 fn what_was_sought_has_the_uncertainty_of_the_torque_over_its_slope() {

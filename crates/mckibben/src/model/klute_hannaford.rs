@@ -146,6 +146,18 @@ mod tests {
     }
 
     #[test]
+    fn its_stiffness_is_that_of_finite_differences_with_both_constants() {
+        let model = KluteHannaford::new(&muscle(2.0)).unwrap();
+        let h = 1e-6;
+        for e in [0.0, 0.1, 0.3] {
+            let f = |e: f64| model.force_n(&mut Workspace::new(), 0.2, e).unwrap();
+            let expected = -(f(e + h) - f(e - h)) / (2.0 * h * 285.0);
+            let k = model.response(&mut Workspace::new(), 0.2, e).unwrap().stiffness_n_per_mm.unwrap();
+            assert!((k / expected - 1.0).abs() < 1e-7, "ε {e}: {k} {expected}");
+        }
+    }
+
+    #[test]
     fn other_laws_are_sent_to_the_thick_wall() {
         let law = Law::Yeoh(Yeoh { c10_mpa: 0.1, c20_mpa: 0.01, c30_mpa: 0.0 });
         let tube = Tube { rubber: Rubber::of(law), ..Tube::prototype() };

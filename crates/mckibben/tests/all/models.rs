@@ -10,7 +10,7 @@ use mckibben::model::{
 use mckibben::muscle::{
     Braid, BraidStiffness, EndFactor, MeasuredStrand, Muscle, NEUTRAL_ANGLE_DEG, Rubber, Terminals, Tube,
 };
-use mckibben::rubber::{Law, NeoHookean};
+use mckibben::rubber::{Law, MooneyRivlin, NeoHookean};
 use proptest::prelude::*;
 use std::f64::consts::PI;
 
@@ -95,6 +95,34 @@ fn grid(model: &dyn ForceModel) -> Vec<(f64, f64)> {
     let range = &model.info().range;
     let (p, e) = (range.pressure_mpa.1.min(0.6), range.contraction.1.min(0.25));
     (0..=6).flat_map(|i| (0..=6).map(move |j| (p * f64::from(i) / 6.0, e * f64::from(j) / 6.0))).collect()
+}
+
+#[test]
+fn answers_are_finite_over_the_range_and_typed_errors_beyond() {
+    for model in every_model() {
+        for (p, e) in grid(&*model) {
+            match model.response(&mut Workspace::new(), p, e) {
+                Ok(r) => {
+                    assert!(r.force_n.is_finite(), "{} {p} {e}", model.info().name);
+                    assert_eq!((r.pressure_mpa, r.contraction), (p, e));
+                    let force = model.force_n(&mut Workspace::new(), p, e).unwrap();
+                    assert!((force - r.force_n).abs() <= 1e-9 * (1.0 + r.force_n.abs()));
+                    for v in [r.volume_mm3, r.bulged_diameter_mm, r.max_stretch].into_iter().flatten() {
+                        assert!(v.is_finite() && v > 0.0, "{} {p} {e}: {v}", model.info().name);
+                    }
+                }
+                Err(error) => panic!("{} {p} {e}: {error}", model.info().name),
+            }
+        }
+        if model.info().name != "thick-wall" {
+            assert!(model.response(&mut Workspace::new(), f64::NAN, 0.1).is_err(), "{}", model.info().name);
+        }
+        for (p, e) in [(0.2, f64::NAN), (0.2, 0.999), (0.2, 1.0), (0.2, -0.5), (0.2, 5.0), (1e3, 0.1)] {
+            if let Ok(force) = model.force_n(&mut Workspace::new(), p, e) {
+                assert!(force.is_finite(), "{} {p} {e}: {force}", model.info().name);
+            }
+        }
+    }
 }
 
 /// A list is its points, to rounding or 1e-9 of the blocked force; lists of different length and what is no number are refused.
@@ -255,6 +283,24 @@ fn thick_walled_miniature_at_rest() {
     assert!((chou - 219.3).abs() < 0.05, "{chou}");
     assert!((balance - 219.3).abs() < 0.05, "{balance}");
     assert!((thick - 376.8).abs() < 0.05, "{thick}");
+}
+
+/// The rubber's share goes like its constants, exactly for strands that do not stretch.
+#[test]
+fn thick_wall_tends_to_ideal_as_the_rubber_softens() {
+    let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.1, c01_mpa: 0.02 });
+    for e in [0.05, 0.2, 0.3] {
+        let share = |factor: f64| {
+            let m = rigid(19.0, 25.0, 200.0, 1.5, law.scaled(factor));
+            ThickWall::new(&m).force_n(&mut Workspace::new(), 0.3, e).unwrap()
+                - Ideal::new(&m).force_n(&mut Workspace::new(), 0.3, e).unwrap()
+        };
+        let whole = share(1.0);
+        assert!(whole < 0.0);
+        for factor in [1e-1, 1e-2, 1e-3] {
+            assert!((share(factor) / factor / whole - 1.0).abs() < 1e-8, "ε {e}, factor {factor}");
+        }
+    }
 }
 
 /// ... and for thin walls like s, first order.

@@ -293,6 +293,17 @@ fn foreign_files_among_the_parts_of_a_finished_campaign_stay() {
 }
 
 #[test]
+fn what_a_killed_merge_left_is_swept_away() {
+    let dir = folder();
+    let parts = dir.path().join("parts");
+    run_to(&parts);
+    let left = dir.path().join(".unfinished-m.parquet-k1ll3d");
+    std::fs::write(&left, b"PAR1").unwrap();
+    merge(&[parts], &dir.path().join("m.parquet"), false).unwrap();
+    assert!(!left.exists());
+}
+
+#[test]
 fn numbers_that_a_file_only_claims_are_not_counted_to() {
     let dir = folder();
     let many = Provenance { muscles: u64::MAX, ..Provenance::of(&plan()) };

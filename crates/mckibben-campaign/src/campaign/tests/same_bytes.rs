@@ -96,6 +96,19 @@ fn a_run_that_was_stopped_goes_on_and_computes_only_what_is_missing() {
 }
 
 #[test]
+fn parts_that_were_computed_twice_are_the_same_bytes() {
+    let dir = folder();
+    let expected = reference(&dir);
+    let (one, other) = (dir.path().join("one"), dir.path().join("other"));
+    run_to(&one);
+    run(&plan(), &other, &share("2/3"), &Silent).unwrap();
+    assert_eq!(bytes(&part(&one, 4)), bytes(&part(&other, 4)));
+    let out = dir.path().join("merged.parquet");
+    merge(&[other, one], &out, false).unwrap();
+    assert!(bytes(&out) == expected);
+}
+
+#[test]
 fn one_process_writes_to_a_store_or_several_with_different_shards() {
     use crate::campaign::store::Folder;
     let dir = folder();

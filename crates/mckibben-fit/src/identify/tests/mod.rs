@@ -212,6 +212,22 @@ fn muscles_of_several_diameters_tell_how_the_stiffness_grows() {
     assert!((v[1] - 400.0).abs() < 1e-3 && (v[2] - 0.8).abs() < 1e-6, "{v:?}");
 }
 
+/// 95 % intervals hold the truth in 95 % of 300 trials: 285, ± 3 standard deviations of a binomial count are ± 11.3.
+#[test]
+fn error_bars_cover_the_truth_at_their_rate() {
+    let m = soft();
+    let exact = bench(&m, 0.0);
+    let mut hits = [0; 2];
+    for trial in 0..300 {
+        let f =
+            found(&m, &["mu", "braid.stiffness"], &noisy(&exact, 4.0, 77 + trial), Loss::Squares).unwrap();
+        for (i, truth) in [0.3, 400.0].iter().enumerate() {
+            hits[i] += usize::from((f.parameters[i].value - truth).abs() <= f.parameters[i].half_width);
+        }
+    }
+    assert!(hits.iter().all(|h| (274..=296).contains(h)), "{hits:?}");
+}
+
 /// Where the errors are stated, points count by them: a muscle read ten times worse at half of its points tells its
 /// modulus better than one whose points all count the same.
 #[test]
@@ -260,6 +276,40 @@ fn tables_with_all_columns_are_read() {
     assert!(error("0.1,0,3,length,,").contains("neither \"force\""));
     assert!(error("0.1,0,3,,-1,").contains("column weight: -1"));
     assert!(error("0.1,0,3,,,0").contains("not a valid standard error"));
+}
+
+/// Ends that give way by δ shift a muscle by δ/L0: several lengths tell δ, the modulus and an error of the length's zero apart.
+#[test]
+fn muscles_of_several_lengths_tell_how_far_their_ends_give_way() {
+    let (m, seating) = (soft(), 1.6);
+    let of_length = |length_mm: f64| {
+        let own = bench(&m, seating / length_mm).into_iter();
+        own.map(move |p| {
+            let section = crate::measured::Section { length_mm: Some(length_mm), ..p.section };
+            DataPoint { section, ..p }
+        })
+    };
+    let points: Vec<DataPoint> = [150.0, 250.0, 400.0].into_iter().flat_map(of_length).collect();
+    let free = free(&m, &["mu=0.5", "terminals.seating", "contraction_offset"]);
+    let request = Request {
+        muscle: &m,
+        free: &free,
+        fixed: &[],
+        points: &points,
+        loss: Loss::Squares,
+        two_sided: false,
+        history: false,
+    };
+    let found = identify(&request, &|m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
+    for (p, truth) in found.parameters.iter().zip([0.3, seating, 0.0]) {
+        assert!(p.identifiable && (p.value - truth).abs() < 1e-6, "{p:#?}");
+    }
+    let determined = |points: &[DataPoint]| {
+        let one = Request { points, ..request };
+        let found = identify(&one, &|m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
+        found.notes.iter().any(|note| note.contains("all points are from muscles of one length"))
+    };
+    assert!(determined(&noisy(&points[..PLACES.len()], 0.5, 3)) && !determined(&points));
 }
 
 /// Ends that slip under F + π Ri² P and hold 4 mm each: points are made from the muscle between its ends, whose contraction is chosen, so that

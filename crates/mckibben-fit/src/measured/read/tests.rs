@@ -53,6 +53,31 @@ fn one_point_in_many_spellings_is_that_point() {
 }
 
 #[test]
+fn columns_are_chosen_where_headings_say_nothing() {
+    let text = "t,P1,P2,x,F\n0,250,7,20,300\n";
+    let (points, understood) = read_with(text, "pressure=\"P1:kPa\",contraction=\"x:mm\",force=F:N").unwrap();
+    assert_eq!(
+        (points[0].at.pressure_mpa, points[0].at.contraction, points[0].at.force_n),
+        (0.25, 0.1, 300.0)
+    );
+    assert_eq!(
+        understood.line(),
+        "1 points; P1 → pressure (kPa), x → shortening (mm, over L0 200 mm), F → force (N); not used: t, P2"
+    );
+    assert_eq!(understood.columns[0].range.as_deref(), Some("0.25..0.25MPa"));
+    // What is chosen goes before what a heading says; a table without headings is read by numbers.
+    let (points, _) =
+        read_with("pressure_mpa,P,contraction,force_n\n1,2.5,0.1,300\n", "pressure=P:bar").unwrap();
+    assert_eq!(points[0].at.pressure_mpa, 0.25);
+    let numbers = "250;20;300\n300;20;400\n";
+    let (points, understood) = read_with(numbers, "pressure=#1:kPa,shortening=#2:mm,force=#3:N").unwrap();
+    assert_eq!((points.len(), points[0].line, understood.heading_line), (2, 1, None));
+    // A length that is said to be the present one is, even where it does not vary.
+    let (points, _) = read_with("p_bar,l,F_N\n1,180,5\n2,180,6\n", "length=l:mm").unwrap();
+    assert!((points[1].at.contraction - 0.1).abs() < 1e-12);
+}
+
+#[test]
 fn what_is_not_understood_is_named_with_the_way_out() {
     let cases = [
         ("a,b\n1,2\n", "", "no column of pressures (the columns are: a, b)"),
@@ -139,6 +164,37 @@ fn thousands_are_read_where_there_is_no_doubt() {
         ("p_bar,contraction,F_N\n1,0.1,1.234\n", 1.234),
     ] {
         assert_eq!(read(text).unwrap().0[0].at.force_n, force, "{text}");
+    }
+}
+
+#[test]
+fn units_of_the_pressure_column_are_understood() {
+    for (column, value) in [("pressure_mpa", "0.25"), ("pressure_kpa", "250"), ("pressure_bar", "2.5")] {
+        let points =
+            read_measured(format!("{column},contraction,force_n\n{value},0.1,300\n").as_bytes()).unwrap();
+        let branch = Direction::Mean;
+        assert_eq!(points, [MeasuredPoint { pressure_mpa: 0.25, contraction: 0.1, force_n: 300.0, branch }]);
+    }
+}
+
+#[test]
+fn errors_name_line_and_column() {
+    let cases = [
+        ("contraction,force_n\n0,1\n", "no column of pressures"),
+        ("pressure_mpa,contraction,force_n\n0.1,NaN,3\n", "line 2, column contraction: \"NaN\""),
+        ("pressure_mpa,contraction,force_n\n0.1,0,3\n0.1,,3\n", "line 3, column contraction: \"\""),
+        ("pressure_mpa,contraction,force_n\n0.1,15,3\n", "write 0.15 for 15 %"),
+        ("pressure_mpa,contraction,force_n\n-0.1,0,3\n", "below zero"),
+        ("pressure_mpa,contraction,force_n\n0.1,0\n", "line 2 has 2 fields"),
+        ("pressure_mpa,contraction,force_n\n", "no points"),
+        ("pressure_mpa,contraction,force_n,branch\n0.1,0,3,up\n", "neither \"contraction\""),
+        ("pressure_mpa,contraction,force_n,measured\n0.1,0,3,up\n", "neither \"force\""),
+        ("pressure_mpa,contraction,force_n,weight\n0.1,0,3,-1\n", "is not a valid weight"),
+        ("pressure_mpa,contraction,force_n,wall_mm\n0.1,0,3,0\n", "is not a measure of a muscle"),
+    ];
+    for (text, fragment) in cases {
+        let message = read_data(text.as_bytes()).unwrap_err().to_string();
+        assert!(message.contains(fragment), "{text}: {message}");
     }
 }
 

@@ -53,6 +53,15 @@ impl Noise {
     }
 }
 
+/// verification.md A: C1 = 0.10, C2 = 0.02 MPa at λ = 2: 0.385, 0.45, 0.70875 MPa.
+#[test]
+fn stresses_of_the_three_tests_are_rivlins() {
+    let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.1, c01_mpa: 0.02 });
+    for (mode, stress) in Mode::OF_ONE_STRETCH.into_iter().zip([0.385, 0.45, 0.70875]) {
+        assert!((mode.nominal_stress_mpa(&law, 2.0).unwrap() - stress).abs() < 1e-14, "{mode}");
+    }
+}
+
 /// Rivlin's closed forms as columns, the two normal equations by Cramer's rule, and s² (AᵀA)⁻¹.
 #[test]
 fn mooney_rivlin_is_the_solution_of_its_normal_equations() {

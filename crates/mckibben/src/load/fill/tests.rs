@@ -1,7 +1,7 @@
 use super::*;
 use crate::analysis::{ATMOSPHERE_MPA, force_on, pressure_at};
 use crate::liquid::{Liquid, LiquidSupply};
-use crate::model::{Ideal, ThickWall, gauss};
+use crate::model::{Ideal, ModelKind, ThickWall, gauss};
 use crate::muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube};
 use crate::rubber::{Law, NeoHookean};
 
@@ -184,6 +184,36 @@ fn what_has_no_answer_is_told_with_its_numbers() {
     let behind = Filling { held_at: Some(-0.05), ..filling(&water, 1e4) };
     let error = fill(&model, w, &behind, Options::default()).unwrap_err();
     assert_eq!(error, FillError::HeldBehind { contraction: -0.05, extends: false });
+}
+
+/// Every model with a cavity, at a weight and held: the volume that is in is the one that was pushed in, by the equation itself.
+#[test]
+fn every_model_with_a_volume_takes_what_is_pushed_in() {
+    let (muscle, w) = (Muscle::prototype(), &mut Workspace::new());
+    let foam = Liquid::named("water", 0.3).unwrap();
+    let mut count = 0;
+    for kind in ModelKind::ALL {
+        let Ok(model) = kind.build(&muscle) else { continue };
+        let Ok(Some(rest)) = model.response(w, 0.0, 0.0).map(|r| r.volume_mm3) else { continue };
+        for held_at in [None, Some(0.06)] {
+            let asked = Filling {
+                dead_volume_mm3: 3000.0,
+                load: Some(&WEIGHT).filter(|_| held_at.is_none()),
+                held_at,
+                ..filling(&foam, 90_000.0)
+            };
+            let found = fill(&*model, w, &asked, Options::default());
+            let found = found.unwrap_or_else(|e| panic!("{}: {e}", model.info().name));
+            let r = &found.answer.response;
+            let inside = (rest + 3000.0 + 90_000.0) * foam.relative_volume(r.pressure_mpa);
+            let error = inside / (r.volume_mm3.unwrap() + 3000.0) - 1.0;
+            assert!(error.abs() < 1e-7, "{}: {error} {found:?}", model.info().name);
+            let way = if held_at.is_some() { r.contraction - 0.06 } else { r.force_n - 200.0 };
+            assert!(way.abs() < 1e-6, "{}: {found:?}", model.info().name);
+            count += 1;
+        }
+    }
+    assert!(count >= 12, "{count}");
 }
 
 /// A muscle that extends grows longer, and its free end takes no work but that of its rubber.

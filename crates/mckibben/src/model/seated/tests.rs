@@ -91,6 +91,27 @@ fn slipping(grip_mm: f64, slip_mm_per_n: f64) -> Muscle {
     })
 }
 
+/// The ends carry F + π Ri² P: whoever stretches the ends' spring by hand and asks the muscle between them finds the same pull.
+#[test]
+fn slip_is_a_spring_under_the_load_of_the_plug() {
+    let workspace = &mut Workspace::new();
+    let whole = slipping(5.0, 4e-3);
+    for kind in [ModelKind::Ideal, ModelKind::ThickWall, ModelKind::Universal] {
+        let model = kind.build(&whole).unwrap();
+        let inner = kind.build(&whole.between_ends()).unwrap();
+        for (p, e) in [(0.1, 0.0), (0.25, 0.1), (0.2, 0.2), (0.2, -0.02)] {
+            let force = model.force_n(workspace, p, e).unwrap();
+            let load = force + p * std::f64::consts::PI * 12.0 * 12.0;
+            let x = (e * 285.0 + 1.5 + 4e-3 * load) / 275.0;
+            let by_hand = inner.force_n(workspace, p, x).unwrap();
+            assert!((force - by_hand).abs() < 1e-6, "{force} {by_hand}");
+            if let Some(exact) = contraction_at_pull(&*model, force, p) {
+                assert!((exact - e).abs() < 1e-9);
+            }
+        }
+    }
+}
+
 /// K, ∂F/∂P, ∂V/∂P and ∂V/∂ε against central differences, and L0 ∂F/∂P = ∂V/∂ε, which is that of any muscle with a potential.
 #[test]
 fn tangents_of_slipping_ends_are_those_of_differences() {

@@ -4,7 +4,7 @@ use super::*;
 use crate::model::ForceModel;
 use crate::model::Workspace;
 use crate::muscle::measures::PRESTRETCH;
-use crate::muscle::{Braid, BraidStiffness, Rubber, Terminals, Tube};
+use crate::muscle::{Braid, BraidStiffness, Crimp, Rubber, Terminals, Tube};
 use crate::rubber::{MooneyRivlin, RubberLaw};
 use std::f64::consts::PI;
 
@@ -54,6 +54,30 @@ fn strands_that_stretch_tend_to_rigid_ones_like_1_over_k() {
             let tension = soft.braid_tension_n.unwrap() / exact.braid_tension_n.unwrap();
             assert!((tension - 1.0).abs() < 1e2 / k, "ε {e}, k {k}: {tension}");
         }
+    }
+}
+
+#[test]
+fn derivatives_are_those_of_finite_differences_and_maxwell_holds() {
+    let rigid = muscle(BraidStiffness::Inextensible);
+    let soft = muscle(BraidStiffness::NewtonPerMm(200.0));
+    let crimp = Some(Crimp { strain: 0.01, stiffness_ratio: 0.1 });
+    let lain = |m: &Muscle, crimp| {
+        let braid = Braid { thickness_mm: 0.8, diameter_mm: Some(20.0), crimp, ..m.braid().clone() };
+        m.with_braid(braid).unwrap()
+    };
+    for m in [lain(&rigid, None), lain(&soft, crimp), rigid, soft] {
+        let model = ThickWall::new(&m);
+        let (p, e, h) = (0.3, 0.12, 1e-5);
+        let at = |p: f64, e: f64| model.response(&mut Workspace::new(), p, e).unwrap();
+        let (r, length) = (at(p, e), m.length_mm());
+        let stiffness = -(at(p, e + h).force_n - at(p, e - h).force_n) / (2.0 * h * length);
+        assert!((stiffness - r.stiffness_n_per_mm.unwrap()).abs() < 1e-7 * stiffness.abs());
+        let f_p = (at(p + h, e).force_n - at(p - h, e).force_n) / (2.0 * h);
+        assert!((f_p - r.force_per_pressure_mm2.unwrap()).abs() < 1e-7 * f_p.abs());
+        // Maxwell: ∂F/∂P at fixed L = −∂V/∂L at fixed P.
+        let v_l = -(at(p, e + h).volume_mm3.unwrap() - at(p, e - h).volume_mm3.unwrap()) / (2.0 * h * length);
+        assert!((f_p + v_l).abs() < 1e-7 * f_p.abs(), "{f_p} {v_l}");
     }
 }
 
@@ -120,6 +144,20 @@ fn without_rubber_a_thick_braid_pulls_as_the_work_of_the_pressure_says() {
     }
     let blocked = |t: f64| bare(t).force_n(&mut Workspace::new(), 0.4, 0.0).unwrap();
     assert!((blocked(0.3) / blocked(0.0) - 1.02295).abs() < 1e-5);
+}
+
+#[test]
+fn a_sleeve_of_the_tubes_own_diameter_and_no_thickness_leave_every_digit() {
+    for stiffness in [BraidStiffness::Inextensible, BraidStiffness::NewtonPerMm(200.0)] {
+        let m = muscle(stiffness);
+        let same = Braid { diameter_mm: Some(19.0), thickness_mm: 0.0, ..m.braid().clone() };
+        let other = ThickWall::new(&m.with_braid(same).unwrap());
+        let model = ThickWall::new(&m);
+        for (p, e) in [(0.1, 0.0), (0.3, 0.12), (0.0, 0.1)] {
+            let of = |model: &ThickWall| model.response(&mut Workspace::new(), p, e).unwrap();
+            assert_eq!(of(&model), of(&other));
+        }
+    }
 }
 
 fn prestretched(wall_mm: f64, mu_mpa: f64, stiffness: BraidStiffness, prestretch: f64) -> Muscle {

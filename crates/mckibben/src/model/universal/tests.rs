@@ -1,7 +1,7 @@
 //! Limits, which are identities; slopes; and that nothing jumps.
 
 use crate::formula::UniversalFormula;
-use crate::model::{ForceModel, Ideal, ModelKind, ThickWall, Universal, Workspace};
+use crate::model::{ForceModel, ForcesError, Ideal, ModelKind, ThickWall, Universal, Workspace};
 use crate::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use crate::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden};
 
@@ -121,6 +121,30 @@ fn the_pull_falls_with_contraction_and_its_slopes_are_continuous() {
     }
 }
 
+/// ∂F/∂ε and ∂F/∂P by finite differences, laws without a closed wall integral included.
+#[test]
+fn slopes_are_those_of_finite_differences() {
+    for law in [mooney(0.3), Law::Gent(Gent { mu_mpa: 0.3, jm: 40.0 })] {
+        for stiffness in [BraidStiffness::NewtonPerMm(300.0), BraidStiffness::Inextensible] {
+            for (kind, e) in KINDS.into_iter().flat_map(|k| [0.02, 0.1, 0.25].map(|e| (k, e))) {
+                let m = muscle(1.5, 150.0, 25.0, law.clone(), stiffness);
+                let model = kind.build(&m).unwrap();
+                let (p, h) = (0.4, 1e-5);
+                let f = |p: f64, e: f64| model.force_n(&mut Workspace::new(), p, e).unwrap();
+                let r = model.response(&mut Workspace::new(), p, e).unwrap();
+                let by_length = -(f(p, e + h) - f(p, e - h)) / (2.0 * h * m.length_mm());
+                let by_pressure = (f(p + h, e) - f(p - h, e)) / (2.0 * h);
+                let (s, q) = (r.stiffness_n_per_mm.unwrap(), r.force_per_pressure_mm2.unwrap());
+                assert!((by_length / s - 1.0).abs() < 1e-6, "{kind} {e}: {by_length} {s}");
+                assert!(
+                    (by_pressure - q).abs() < 1e-6 * (q.abs() + f(p, 0.0)),
+                    "{kind} {e}: {by_pressure} {q}"
+                );
+            }
+        }
+    }
+}
+
 /// The membrane's ends alone satisfy ∂F/∂P = −∂V/∂L; the correction of the wall, which the volume leaves out, and the two points of the
 /// quadrature cost less than 0.3 % of ∂F/∂P at ε = 0 (seen: 0.07 %).
 #[test]
@@ -185,6 +209,44 @@ fn the_coupled_root_is_that_of_the_nested_search() {
         }
     }
     assert!(coupled > 200, "{coupled}");
+}
+
+/// A list is answered as single questions are, and lists of different length are refused.
+#[test]
+fn a_list_of_points_is_answered_as_single_ones() {
+    for (m, p) in muscles() {
+        let (model, other) = (large(&m), large(&m));
+        let es: Vec<f64> = (0..100).map(|i| 0.0105 * f64::from(i) * m.max_ideal_contraction()).collect();
+        let ps: Vec<f64> = (0..100).map(|i| p * (0.5 + 0.005 * f64::from(i))).collect();
+        let mut out = vec![f64::NAN; 100];
+        model.forces(&ps, &es, &mut out).unwrap();
+        for ((&p, &e), f) in ps.iter().zip(&es).zip(&out) {
+            let blocked = other.force_n(&mut Workspace::new(), p, 0.0).unwrap();
+            assert!(
+                (f - other.force_n(&mut Workspace::new(), p, e).unwrap()).abs() < 1e-9 * blocked,
+                "{p} {e}"
+            );
+        }
+        assert!(matches!(model.forces(&ps, &es[1..], &mut out), Err(ForcesError::Length(_))));
+    }
+}
+
+/// An answer has the same bits whatever was asked before.
+#[test]
+fn the_order_of_questions_does_not_matter() {
+    for (m, p) in muscles() {
+        let (one, two) = (large(&m), large(&m));
+        let points: Vec<(f64, f64)> = (0..40)
+            .flat_map(|i| [1.0, 0.3, 0.01].map(|s| (s * p, 0.026 * f64::from(i) * m.max_ideal_contraction())))
+            .collect();
+        let bits = |model: &Universal, (p, e): (f64, f64)| {
+            model.force_n(&mut Workspace::new(), p, e).unwrap().to_bits()
+        };
+        let forward: Vec<u64> = points.iter().map(|&q| bits(&one, q)).collect();
+        let mut back: Vec<u64> = points.iter().rev().map(|&q| bits(&two, q)).collect();
+        back.reverse();
+        assert_eq!(forward, back);
+    }
 }
 
 /// Where the pull ends F and ∂F/∂ε do not jump: both sides of ε0 differ by what a step across it explains, and beyond it ∂F/∂P and ∂F/∂ε
