@@ -62,16 +62,21 @@ fn hexagonal(count: u32) -> f64 {
 
 /// The smallest contraction at which muscles touch whose axes lie `pitch_mm` apart: where the bulged diameter at that pressure reaches the pitch.
 /// `None` where they do not touch up to the free contraction, or where the model has no answer.
-pub fn touches_at(model: &dyn ForceModel, w: &mut Workspace, p: f64, pitch_mm: f64) -> Option<f64> {
+pub fn touches_at(
+    model: &dyn ForceModel,
+    workspace: &mut Workspace,
+    pressure_mpa: f64,
+    pitch_mm: f64,
+) -> Option<f64> {
     let thick_wall = ThickWall::new(model.muscle());
     let mut diameter = |contraction: f64| {
-        let own = model.response(w, p, contraction).ok()?.bulged_diameter_mm;
-        own.or_else(|| thick_wall.response(w, p, contraction).ok()?.bulged_diameter_mm)
+        let own = model.response(workspace, pressure_mpa, contraction).ok()?.bulged_diameter_mm;
+        own.or_else(|| thick_wall.response(workspace, pressure_mpa, contraction).ok()?.bulged_diameter_mm)
     };
     if diameter(0.0)? >= pitch_mm {
         return Some(0.0);
     }
-    let free = free_contraction(model, &mut Workspace::new(), p, Options::default()).ok()?;
+    let free = free_contraction(model, &mut Workspace::new(), pressure_mpa, Options::default()).ok()?;
     let (mut low, mut high) = (0.0, free);
     if diameter(high)? < pitch_mm {
         return None;

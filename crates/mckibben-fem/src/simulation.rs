@@ -161,10 +161,14 @@ impl<M: Discretised> Simulation for M {
 }
 
 /// Free contraction: ε without a pull.
-pub fn free_contraction(model: &dyn Simulation, w: &mut Workspace, p: f64) -> Result<f64, FemError> {
+pub fn free_contraction(
+    model: &dyn Simulation,
+    workspace: &mut Workspace,
+    pressure_mpa: f64,
+) -> Result<f64, FemError> {
     // Without pressure every force is nil, and a muscle that nobody pulls is as long as at rest.
-    if p == 0.0 {
+    if pressure_mpa == 0.0 {
         return Ok(0.0);
     }
-    Ok(model.reach(w, Given::PressureAndPull { pressure_mpa: p, force_n: 0.0 })?.contraction)
+    Ok(model.reach(workspace, Given::PressureAndPull { pressure_mpa, force_n: 0.0 })?.contraction)
 }

@@ -140,16 +140,18 @@ pub enum MotionError {
 
 impl MotionError {
     /// A model's refusal at a time, of a muscle counted from 0.
-    pub(crate) fn model(error: ModelError, time_s: f64, muscle: usize, p: f64, e: f64) -> Self {
+    pub(crate) fn model(
+        error: ModelError,
+        time_s: f64,
+        muscle: usize,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Self {
         match error {
             ModelError::Cancelled(cancelled) => Self::Cancelled(cancelled),
-            error => Self::Model {
-                time_s,
-                muscle: muscle + 1,
-                pressure_mpa: p,
-                contraction: e,
-                error: Box::new(error),
-            },
+            error => {
+                Self::Model { time_s, muscle: muscle + 1, pressure_mpa, contraction, error: Box::new(error) }
+            }
         }
     }
 

@@ -111,9 +111,14 @@ pub(crate) struct SlackState {
 
 impl SlackState {
     /// None where the model finds no free contraction at this pressure.
-    fn at<M: ForceModel + ?Sized>(model: &M, w: &mut Workspace, p: f64, options: Options) -> Option<Self> {
-        let free_contraction = free_contraction(model, w, p, options).ok()?;
-        let free = response_on(model, w, p, free_contraction, options.direction);
+    fn at<M: ForceModel + ?Sized>(
+        model: &M,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        options: Options,
+    ) -> Option<Self> {
+        let free_contraction = free_contraction(model, workspace, pressure_mpa, options).ok()?;
+        let free = response_on(model, workspace, pressure_mpa, free_contraction, options.direction);
         let response = free.map_or_else(
             |_| Response::default(),
             |free| Response {

@@ -148,8 +148,13 @@ impl Liquid {
 
     /// ΔV in mm³ at atmospheric pressure that is pushed in while the cavity grows from V0 without pressure to V at a gauge pressure in MPa:
     /// (V + Vd)/φ(P) − V0 − Vd.
-    pub fn pushed_mm3(&self, (rest_mm3, cavity_mm3): (f64, f64), dead_volume_mm3: f64, p: f64) -> f64 {
-        (cavity_mm3 + dead_volume_mm3) / self.relative_volume(p) - rest_mm3 - dead_volume_mm3
+    pub fn pushed_mm3(
+        &self,
+        (rest_mm3, cavity_mm3): (f64, f64),
+        dead_volume_mm3: f64,
+        pressure_mpa: f64,
+    ) -> f64 {
+        (cavity_mm3 + dead_volume_mm3) / self.relative_volume(pressure_mpa) - rest_mm3 - dead_volume_mm3
     }
 
     /// Mass in g of a volume in mm³ at atmospheric pressure, without that of its gas.

@@ -50,8 +50,13 @@ pub struct Contact {
 
 impl Axisymmetric {
     /// The contact of the strands at a pressure in MPa and a contraction.
-    pub fn contact(&self, w: &mut Workspace, p: f64, e: f64) -> Result<Contact, FemError> {
-        Ok(of(&mut self.factorised(w, p, e)?.body))
+    pub fn contact(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Contact, FemError> {
+        Ok(of(&mut self.factorised(workspace, pressure_mpa, contraction)?.body))
     }
 }
 

@@ -86,8 +86,14 @@ impl Axisymmetric {
     }
 
     /// How far a pull in N that another mesh gave is from this one's; 0 where the muscle hangs slack, which leaves nothing to compare.
-    pub(crate) fn difference_n(&self, w: &mut Workspace, p: f64, e: f64, force_n: f64) -> f64 {
-        let own = self.force_n(w, p, e).unwrap_or(force_n);
+    pub(crate) fn difference_n(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+        force_n: f64,
+    ) -> f64 {
+        let own = self.force_n(workspace, pressure_mpa, contraction).unwrap_or(force_n);
         if force_n > 0.0 { (force_n - own).abs() } else { 0.0 }
     }
 
@@ -146,12 +152,22 @@ impl ForceModel for Axisymmetric {
         &self.info
     }
 
-    fn response(&self, w: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
-        Ok(self.led_to(w, Given::at(p, e))?.body.response(self.muscle())?)
+    fn response(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
+        Ok(self.led_to(workspace, Given::at(pressure_mpa, contraction))?.body.response(self.muscle())?)
     }
 
-    fn force_n(&self, w: &mut Workspace, p: f64, e: f64) -> Result<f64, ModelError> {
-        Ok(self.led_to(w, Given::at(p, e))?.pull())
+    fn force_n(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64, ModelError> {
+        Ok(self.led_to(workspace, Given::at(pressure_mpa, contraction))?.pull())
     }
 
     fn extensions(&self) -> Extensions<'_> {
@@ -199,15 +215,29 @@ impl model::Mesh for Axisymmetric {
         self.force_n(workspace, pressure_mpa, 0.0)
     }
 
-    fn mesh_error_n(&self, w: &mut Workspace, p: f64, e: f64, force_n: f64, blocked_n: f64) -> Option<f64> {
-        let own = if e < 0.0 { MESH_ERROR_STRETCHED * force_n.abs() } else { MESH_ERROR * blocked_n };
-        let off = self.default.as_deref().map(|m| m.difference_n(w, p, e, force_n));
+    fn mesh_error_n(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+        force_n: f64,
+        blocked_n: f64,
+    ) -> Option<f64> {
+        let own =
+            if contraction < 0.0 { MESH_ERROR_STRETCHED * force_n.abs() } else { MESH_ERROR * blocked_n };
+        let off =
+            self.default.as_deref().map(|m| m.difference_n(workspace, pressure_mpa, contraction, force_n));
         Some(own + off.unwrap_or(0.0))
     }
 }
 
 impl model::Contact for Axisymmetric {
-    fn pivoting_n_per_mm(&self, w: &mut Workspace, p: f64, e: f64) -> Result<f64, ModelError> {
-        Ok(self.contact(w, p, e)?.pivoting_n_per_mm)
+    fn pivoting_n_per_mm(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64, ModelError> {
+        Ok(self.contact(workspace, pressure_mpa, contraction)?.pivoting_n_per_mm)
     }
 }

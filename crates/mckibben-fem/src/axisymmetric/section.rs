@@ -122,12 +122,17 @@ impl Section {
 impl Axisymmetric {
     /// The section at a pressure in MPa and a contraction: of the very equilibrium that was answered with, where the
     /// workspace still has it.
-    pub fn section_at(&self, w: &mut Workspace, p: f64, e: f64) -> Result<Section, FemError> {
-        let c = self.continuation(w)?;
-        if c.kept_at(p, e).is_none() {
-            c.reach(p, e)?;
+    pub fn section_at(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Section, FemError> {
+        let c = self.continuation(workspace)?;
+        if c.kept_at(pressure_mpa, contraction).is_none() {
+            c.reach(pressure_mpa, contraction)?;
         }
-        let state = c.kept_at(p, e).unwrap_or(&c.body.state);
+        let state = c.kept_at(pressure_mpa, contraction).unwrap_or(&c.body.state);
         Ok(Section::of(&c.body.discretisation, state, self.muscle()))
     }
 }

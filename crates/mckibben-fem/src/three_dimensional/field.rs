@@ -77,11 +77,16 @@ impl ThreeDimensional {
     ///
     /// # Errors
     /// [`FemError`]; [`FemError::Force`] where the state has no stress.
-    pub fn field_at(&self, w: &mut Workspace, p: f64, e: f64) -> Result<Field, FemError> {
-        let c = self.continuation(w)?;
-        match c.kept_at(p, e).cloned() {
+    pub fn field_at(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Field, FemError> {
+        let c = self.continuation(workspace)?;
+        match c.kept_at(pressure_mpa, contraction).cloned() {
             Some(state) => c.body.bricks.state = state,
-            None => c.reach(p, e)?,
+            None => c.reach(pressure_mpa, contraction)?,
         }
         field(&mut c.body)
     }

@@ -126,12 +126,22 @@ impl ForceModel for ThreeDimensional {
         &self.info
     }
 
-    fn response(&self, w: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
-        Ok(self.led_to(w, Given::at(p, e))?.body.response(self.muscle())?)
+    fn response(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
+        Ok(self.led_to(workspace, Given::at(pressure_mpa, contraction))?.body.response(self.muscle())?)
     }
 
-    fn force_n(&self, w: &mut Workspace, p: f64, e: f64) -> Result<f64, ModelError> {
-        Ok(self.led_to(w, Given::at(p, e))?.pull())
+    fn force_n(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64, ModelError> {
+        Ok(self.led_to(workspace, Given::at(pressure_mpa, contraction))?.pull())
     }
 
     fn extensions(&self) -> Extensions<'_> {
@@ -162,9 +172,16 @@ impl Mesh for ThreeDimensional {
     }
 
     /// The difference from the axisymmetric limit at the point itself.
-    fn mesh_error_n(&self, w: &mut Workspace, p: f64, e: f64, force_n: f64, blocked_n: f64) -> Option<f64> {
-        let own = self.limit.mesh_error_n(w, p, e, force_n, blocked_n)?;
-        Some(own + self.limit.difference_n(w, p, e, force_n))
+    fn mesh_error_n(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+        force_n: f64,
+        blocked_n: f64,
+    ) -> Option<f64> {
+        let own = self.limit.mesh_error_n(workspace, pressure_mpa, contraction, force_n, blocked_n)?;
+        Some(own + self.limit.difference_n(workspace, pressure_mpa, contraction, force_n))
     }
 
     fn findings(&self, workspace: &Workspace) -> Vec<String> {

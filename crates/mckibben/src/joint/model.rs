@@ -162,9 +162,14 @@ impl<'m> JointModel<'m> {
     }
 
     /// P′ of a muscle at a contraction in MPa, where there is one.
-    pub fn start_pressure_mpa(&self, muscle: usize, w: &mut Workspace, e: f64) -> Option<f64> {
+    pub fn start_pressure_mpa(
+        &self,
+        muscle: usize,
+        workspace: &mut Workspace,
+        contraction: f64,
+    ) -> Option<f64> {
         let model = *self.models.get(muscle)?;
-        start_pressure_mpa(model, w, e, self.options(Direction::Mean)).ok()
+        start_pressure_mpa(model, workspace, contraction, self.options(Direction::Mean)).ok()
     }
 
     fn point(
@@ -238,9 +243,14 @@ impl<'m> JointModel<'m> {
 
     /// The free contraction of a muscle at a pressure; `None` where it pulls up to the end of its model's range, or has no state on the way to it: whether it
     /// is slack is then asked at each angle.
-    pub(super) fn free(&self, muscle: usize, w: &mut Workspace, p: f64) -> Result<Option<f64>, JointError> {
+    pub(super) fn free(
+        &self,
+        muscle: usize,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+    ) -> Result<Option<f64>, JointError> {
         let options = self.options(Direction::Mean);
-        match free_contraction(self.models[muscle], w, p, options) {
+        match free_contraction(self.models[muscle], workspace, pressure_mpa, options) {
             Ok(e) => Ok(Some(e)),
             Err(AnalysisError::NoContraction { .. }) => Ok(None),
             Err(AnalysisError::Model(error)) if error.is_of_point() => Ok(None),

@@ -66,15 +66,20 @@ impl ForceModel for ChouHannaford {
         &self.info
     }
 
-    fn response(&self, _: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
-        let pull = self.pull(e)?;
+    fn response(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
+        let pull = self.pull(contraction)?;
         let length = self.info.muscle.length_mm();
         Response {
-            pressure_mpa: p,
-            contraction: e,
-            force_n: p * pull.f,
-            volume_mm3: Some(pull.bore_area * (1.0 - e) * length),
-            stiffness_n_per_mm: Some(p * pull.f_l / length),
+            pressure_mpa,
+            contraction,
+            force_n: pressure_mpa * pull.f,
+            volume_mm3: Some(pull.bore_area * (1.0 - contraction) * length),
+            stiffness_n_per_mm: Some(pressure_mpa * pull.f_l / length),
             force_per_pressure_mm2: Some(pull.f),
             bulged_diameter_mm: Some(pull.diameter),
             ..Response::default()

@@ -85,14 +85,19 @@ impl ForceModel for ConicalEnds {
         &self.info
     }
 
-    fn response(&self, _: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
-        let (pull, pull_l, f) = self.pull(e)?;
+    fn response(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
+        let (pull, pull_l, f) = self.pull(contraction)?;
         Response {
-            pressure_mpa: p,
-            contraction: e,
-            force_n: p * pull,
-            volume_mm3: Some(self.volume(1.0 - e, f)),
-            stiffness_n_per_mm: Some(p * pull_l / self.braid.length),
+            pressure_mpa,
+            contraction,
+            force_n: pressure_mpa * pull,
+            volume_mm3: Some(self.volume(1.0 - contraction, f)),
+            stiffness_n_per_mm: Some(pressure_mpa * pull_l / self.braid.length),
             force_per_pressure_mm2: Some(pull),
             bulged_diameter_mm: Some(2.0 * f * self.braid.r0),
             ..Response::default()

@@ -140,12 +140,17 @@ impl ForceModel for FestoHunt {
         &self.info
     }
 
-    fn response(&self, _: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
-        let force_n = self.solve(p, e)?;
-        let (_, by_force, by_contraction) = self.pressure(force_n, e);
+    fn response(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
+        let force_n = self.solve(pressure_mpa, contraction)?;
+        let (_, by_force, by_contraction) = self.pressure(force_n, contraction);
         Ok(Response {
-            pressure_mpa: p,
-            contraction: e,
+            pressure_mpa,
+            contraction,
             force_n,
             stiffness_n_per_mm: Some(by_contraction / by_force / self.info.muscle.length_mm()),
             force_per_pressure_mm2: Some(KPA_PER_MPA / by_force),

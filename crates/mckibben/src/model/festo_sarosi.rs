@@ -135,23 +135,28 @@ impl ForceModel for FestoSarosi {
         &self.info
     }
 
-    fn response(&self, _: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
+    fn response(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
         let Fit { a, b, c, d, .. } = self.fit;
-        let bar = BAR_PER_MPA * p;
-        let (rest, slope) = self.line(e);
+        let bar = BAR_PER_MPA * pressure_mpa;
+        let (rest, slope) = self.line(contraction);
         let force_n = slope * bar + rest;
         if !force_n.is_finite() {
             return Err(ModelError::NotFinite {
                 model: self.fit.entry.name.into(),
-                pressure_mpa: p,
-                contraction: e,
+                pressure_mpa,
+                contraction,
             });
         }
         // dF/dκ, κ in %
-        let by_percent = c * (a * bar + b) * (c * 100.0 * e).exp() + d * bar;
+        let by_percent = c * (a * bar + b) * (c * 100.0 * contraction).exp() + d * bar;
         Ok(Response {
-            pressure_mpa: p,
-            contraction: e,
+            pressure_mpa,
+            contraction,
             force_n,
             stiffness_n_per_mm: Some(-100.0 * by_percent / self.info.muscle.length_mm()),
             force_per_pressure_mm2: Some(BAR_PER_MPA * slope),

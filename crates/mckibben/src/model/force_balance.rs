@@ -75,20 +75,25 @@ impl ForceModel for ForceBalance {
         &self.info
     }
 
-    fn response(&self, _: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
-        let b = balance(&self.braid, e)?;
+    fn response(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
+        let b = balance(&self.braid, contraction)?;
         let length = self.info.muscle.length_mm();
         Response {
-            pressure_mpa: p,
-            contraction: e,
-            force_n: p * b.f,
-            volume_mm3: Some(b.bore_area * (1.0 - e) * length),
-            stiffness_n_per_mm: Some(p * b.f_l / length),
+            pressure_mpa,
+            contraction,
+            force_n: pressure_mpa * b.f,
+            volume_mm3: Some(b.bore_area * (1.0 - contraction) * length),
+            stiffness_n_per_mm: Some(pressure_mpa * b.f_l / length),
             force_per_pressure_mm2: Some(b.f),
             bulged_diameter_mm: Some(b.diameter),
             ..Response::default()
         }
-        .with_braid_tension(p * b.tension, self.info.muscle.braid().strands.map(|s| s.count))
+        .with_braid_tension(pressure_mpa * b.tension, self.info.muscle.braid().strands.map(|s| s.count))
         .finite(ENTRY.name)
     }
 

@@ -68,11 +68,16 @@ impl ForceModel for FormulaModel {
         &self.info
     }
 
-    fn response(&self, _: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
-        let [force_n, by_contraction, by_pressure] = self.at(p, e)?;
+    fn response(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
+        let [force_n, by_contraction, by_pressure] = self.at(pressure_mpa, contraction)?;
         Ok(Response {
-            pressure_mpa: p,
-            contraction: e,
+            pressure_mpa,
+            contraction,
             force_n,
             stiffness_n_per_mm: Some(-by_contraction / self.info.muscle.length_mm()),
             force_per_pressure_mm2: Some(by_pressure),

@@ -62,26 +62,33 @@ impl ForceModel for Ideal {
         &self.info
     }
 
-    fn response(&self, _: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
-        let l = 1.0 - e;
+    fn response(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
+        let l = 1.0 - contraction;
         let cos = self.cos2.sqrt();
         let c = l * cos;
         if !(l > 0.0 && c < 1.0) {
-            return Err(ModelError::Geometry { contraction: e, lowest: 1.0 - 1.0 / cos, highest: 1.0 });
+            return Err(ModelError::Geometry { contraction, lowest: 1.0 - 1.0 / cos, highest: 1.0 });
         }
-        let force_n = self.pull(p, e);
-        let d = self.info.muscle.pantograph_diameter_mm(e);
+        let force_n = self.pull(pressure_mpa, contraction);
+        let d = self.info.muscle.pantograph_diameter_mm(contraction);
         // Axial balance of a cut: F + P π D²/4 = (sum of tensions) · cosθ.
-        let tension = (force_n + p * 0.25 * PI * d * d) / c;
+        let tension = (force_n + pressure_mpa * 0.25 * PI * d * d) / c;
         Response {
-            pressure_mpa: p,
-            contraction: e,
+            pressure_mpa,
+            contraction,
             force_n,
-            volume_mm3: Some(self.volume(e)),
+            volume_mm3: Some(self.volume(contraction)),
             volume_per_pressure_mm3_per_mpa: Some(0.0),
-            volume_per_contraction_mm3: Some(self.info.muscle.length_mm() * self.pull(1.0, e)),
-            stiffness_n_per_mm: Some(6.0 * self.area * p * l * self.cos2 / self.info.muscle.length_mm()),
-            force_per_pressure_mm2: Some(self.pull(1.0, e)),
+            volume_per_contraction_mm3: Some(self.info.muscle.length_mm() * self.pull(1.0, contraction)),
+            stiffness_n_per_mm: Some(
+                6.0 * self.area * pressure_mpa * l * self.cos2 / self.info.muscle.length_mm(),
+            ),
+            force_per_pressure_mm2: Some(self.pull(1.0, contraction)),
             bulged_diameter_mm: Some(d),
             ..Response::default()
         }

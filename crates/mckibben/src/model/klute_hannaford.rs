@@ -86,9 +86,14 @@ impl ForceModel for KluteHannaford {
         &self.info
     }
 
-    fn response(&self, w: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
-        let mut response = self.ideal.response(w, p, e)?;
-        let elastic = self.elastic(1.0 - e);
+    fn response(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
+        let mut response = self.ideal.response(workspace, pressure_mpa, contraction)?;
+        let elastic = self.elastic(1.0 - contraction);
         let rubber = PI * self.braid.section;
         response.force_n += rubber * elastic.w_l;
         response.stiffness_n_per_mm =

@@ -104,8 +104,13 @@ pub trait ForceModel: Send + Sync {
     ) -> Result<Response, ModelError>;
 
     /// The pull alone, in N; tension positive.
-    fn force_n(&self, w: &mut Workspace, p: f64, e: f64) -> Result<f64, ModelError> {
-        Ok(self.response(w, p, e)?.force_n)
+    fn force_n(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64, ModelError> {
+        Ok(self.response(workspace, pressure_mpa, contraction)?.force_n)
     }
 
     /// Pulls in N at pressures in MPa and contraction ratios, each into its place of `out`: faster than one by one where the

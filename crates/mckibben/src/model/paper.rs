@@ -84,15 +84,20 @@ impl ForceModel for Paper {
         &self.info
     }
 
-    fn response(&self, w: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
-        let force_n = self.force_n(w, p, e)?;
-        let slope = self.section.by_contraction(p, e);
+    fn response(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
+        let force_n = self.force_n(workspace, pressure_mpa, contraction)?;
+        let slope = self.section.by_contraction(pressure_mpa, contraction);
         Ok(Response {
-            pressure_mpa: p,
-            contraction: e,
+            pressure_mpa,
+            contraction,
             force_n,
             stiffness_n_per_mm: Some(-slope / self.info.muscle.length_mm()),
-            force_per_pressure_mm2: Some(self.section.by_pressure(e)),
+            force_per_pressure_mm2: Some(self.section.by_pressure(contraction)),
             ..Response::default()
         })
     }

@@ -237,8 +237,13 @@ impl Section {
     ///
     /// # Errors
     /// [`LengthMismatch`] where a slice has not the length of `out`.
-    pub fn force_batch(&self, p: &[f64], e: &[f64], out: &mut [f64]) -> Result<(), LengthMismatch> {
-        self.force_batch_on(BatchPath::widest(), [p, e], out)
+    pub fn force_batch(
+        &self,
+        pressure_mpa: &[f64],
+        contraction: &[f64],
+        out: &mut [f64],
+    ) -> Result<(), LengthMismatch> {
+        self.force_batch_on(BatchPath::widest(), [pressure_mpa, contraction], out)
     }
 
     /// The same on a chosen path (pressure, contraction).

@@ -78,18 +78,23 @@ impl ForceModel for RoundedEnds {
         &self.info
     }
 
-    fn response(&self, _: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
-        let (b, slope) = self.balance(e)?;
+    fn response(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
+        let (b, slope) = self.balance(contraction)?;
         Response {
-            pressure_mpa: p,
-            contraction: e,
-            force_n: p * b.f,
-            stiffness_n_per_mm: Some(p * b.f_l * slope / self.braid.length),
+            pressure_mpa,
+            contraction,
+            force_n: pressure_mpa * b.f,
+            stiffness_n_per_mm: Some(pressure_mpa * b.f_l * slope / self.braid.length),
             force_per_pressure_mm2: Some(b.f),
             bulged_diameter_mm: Some(b.diameter),
             ..Response::default()
         }
-        .with_braid_tension(p * b.tension, self.info.muscle.braid().strands.map(|s| s.count))
+        .with_braid_tension(pressure_mpa * b.tension, self.info.muscle.braid().strands.map(|s| s.count))
         .finite(ENTRY.name)
     }
 

@@ -88,12 +88,17 @@ impl<M: ForceModel + ?Sized> Seated<M> {
     }
 
     /// The ends at a point, and what the muscle between them answers there.
-    fn end_state(&self, w: &mut Workspace, p: f64, e: f64) -> Result<(EndState, Response), ModelError> {
+    fn end_state(
+        &self,
+        workspace: &mut Workspace,
+        p: f64,
+        e: f64,
+    ) -> Result<(EndState, Response), ModelError> {
         let mut last = None;
         let slips = self.ends.slip_mm_per_n > 0.0;
-        let found = self.solve_ends(w, p, e, |w, x| {
+        let found = self.solve_ends(workspace, p, e, |workspace, x| {
             let mut ask =
-                |x| self.inner.response(w, p, x).map_err(|error| self.for_whole_muscle(error, e, x));
+                |x| self.inner.response(workspace, p, x).map_err(|error| self.for_whole_muscle(error, e, x));
             let found = ask(x)?;
             let stiffness_n_per_mm = match found.stiffness_n_per_mm {
                 Some(k) => k,
@@ -249,9 +254,16 @@ impl<M: ForceModel + ?Sized> Mesh for Seated<M> {
         blocked_scale_n(&*self.inner, workspace, p)
     }
 
-    fn mesh_error_n(&self, w: &mut Workspace, p: f64, e: f64, force_n: f64, blocked_n: f64) -> Option<f64> {
+    fn mesh_error_n(
+        &self,
+        workspace: &mut Workspace,
+        p: f64,
+        e: f64,
+        force_n: f64,
+        blocked_n: f64,
+    ) -> Option<f64> {
         let x = self.between(p, e, force_n);
-        self.inner.extensions().mesh?.mesh_error_n(w, p, x, force_n, blocked_n)
+        self.inner.extensions().mesh?.mesh_error_n(workspace, p, x, force_n, blocked_n)
     }
 
     fn findings(&self, workspace: &Workspace) -> Vec<String> {

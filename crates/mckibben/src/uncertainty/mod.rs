@@ -196,10 +196,14 @@ fn of_specimen<M: ForceModel + ?Sized>(
 
 /// 95 % half-width in N of the pull of a muscle that was identified by this model from 10 points on both branches, by the experience of the measured
 /// muscles; `None` for a formula of a bought muscle, and where nobody has measured the model's error.
-pub fn identified_n<M: ForceModel + ?Sized>(model: &M, w: &mut Workspace, p: f64) -> Option<f64> {
+pub fn identified_n<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    pressure_mpa: f64,
+) -> Option<f64> {
     let Accuracy { share_of_blocked, reference, .. } = model.info().accuracy;
     share_of_blocked.filter(|_| !matches!(reference, Reference::ForceMap { .. }))?;
-    Some(IDENTIFIED * blocked_n(model, w, p)?)
+    Some(IDENTIFIED * blocked_n(model, workspace, pressure_mpa)?)
 }
 
 /// What is known of any muscle.

@@ -10,14 +10,19 @@ impl ForceModel for ThickWall {
         &self.info
     }
 
-    fn response(&self, _: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
-        let (l, l_eps, l_p) = self.stretch(p, e);
-        let s = self.state(p, l)?;
+    fn response(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
+        let (l, l_eps, l_p) = self.stretch(pressure_mpa, contraction);
+        let s = self.state(pressure_mpa, l)?;
         let length = self.info.muscle.length_mm();
         let by_stretch = PI * length * (s.r * s.r + 2.0 * s.r * s.r_by[0] * l);
         let response = Response {
-            pressure_mpa: p,
-            contraction: e,
+            pressure_mpa,
+            contraction,
             force_n: s.force,
             volume_mm3: Some(PI * (s.r * s.r * l - self.wall.section()) * length),
             volume_per_pressure_mm3_per_mpa: Some(PI * length * 2.0 * s.r * s.r_by[1] * l + by_stretch * l_p),
@@ -54,7 +59,12 @@ impl Inverse for ThickWall {
 }
 
 impl Contact for ThickWall {
-    fn pivoting_n_per_mm(&self, _: &mut Workspace, p: f64, e: f64) -> Result<f64, ModelError> {
-        self.pivoting(p, e)
+    fn pivoting_n_per_mm(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64, ModelError> {
+        self.pivoting(pressure_mpa, contraction)
     }
 }

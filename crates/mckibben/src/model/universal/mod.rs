@@ -204,10 +204,15 @@ impl ForceModel for Universal {
         self.forces(pressures_mpa, contractions, out)
     }
 
-    fn force_n(&self, w: &mut Workspace, p: f64, e: f64) -> Result<f64, ModelError> {
-        match self.coupled(p, e, None) {
+    fn force_n(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64, ModelError> {
+        match self.coupled(pressure_mpa, contraction, None) {
             Some(root) => Ok(root.force),
-            None => self.searched_force(w, p, e),
+            None => self.searched_force(workspace, pressure_mpa, contraction),
         }
     }
 }

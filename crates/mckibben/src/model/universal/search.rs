@@ -131,57 +131,72 @@ impl Universal {
     }
 
     /// Where the muscle pulls: the middle and the step that is left; `Err`: where it pushes or is slack, λ.
-    fn pulling(&self, w: &mut Workspace, p: f64, e: f64) -> Result<Result<(Middle, f64), f64>, ModelError> {
-        if !(p.is_finite() && e.is_finite()) {
+    fn pulling(
+        &self,
+        workspace: &mut Workspace,
+        p: f64,
+        contraction: f64,
+    ) -> Result<Result<(Middle, f64), f64>, ModelError> {
+        if !(p.is_finite() && contraction.is_finite()) {
             return Err(ModelError::NotFinite {
                 model: self.info.name.to_string(),
                 pressure_mpa: p,
-                contraction: e,
+                contraction,
             });
         }
         // Strands that do not stretch, and the short form: mostly a pull, which the search finds at once.
         let free = match self.is_coupled() {
             true => None,
-            false => Some(self.nested(p, e, self.guess(e), 0.0)),
+            false => Some(self.nested(p, contraction, self.guess(contraction), 0.0)),
         };
         if let Some(Ok((m, step))) = &free
             && m.state.force + m.state.force_l * step >= 0.0
         {
             return Ok(Ok((*m, *step)));
         }
-        match self.zero(w, p) {
-            Some(zero) if e >= zero.contraction => Ok(Err(zero.stretch(e))),
-            Some(zero) => self.nested(p, e, zero.stretch(e), zero.middle.l).map(Ok),
-            None => free.unwrap_or_else(|| self.nested(p, e, self.guess(e), 0.0)).map(Ok),
+        match self.zero(workspace, p) {
+            Some(zero) if contraction >= zero.contraction => Ok(Err(zero.stretch(contraction))),
+            Some(zero) => self.nested(p, contraction, zero.stretch(contraction), zero.middle.l).map(Ok),
+            None => free.unwrap_or_else(|| self.nested(p, contraction, self.guess(contraction), 0.0)).map(Ok),
         }
     }
 
     /// F by this search.
-    pub(super) fn searched_force(&self, w: &mut Workspace, p: f64, e: f64) -> Result<f64, ModelError> {
-        let force_n = match self.pulling(w, p, e)? {
+    pub(super) fn searched_force(
+        &self,
+        workspace: &mut Workspace,
+        p: f64,
+        contraction: f64,
+    ) -> Result<f64, ModelError> {
+        let force_n = match self.pulling(workspace, p, contraction)? {
             Ok((m, step)) => m.state.force + m.state.force_l * step,
             Err(l) => self.zone.wall.state_near(p, l, None)?.force,
         };
         if force_n.is_finite() {
             Ok(force_n)
         } else {
-            Err(ModelError::NotFinite { model: self.info.name.to_string(), pressure_mpa: p, contraction: e })
+            Err(ModelError::NotFinite { model: self.info.name.to_string(), pressure_mpa: p, contraction })
         }
     }
 
     /// The middle at a question, with its derivatives.
-    pub(super) fn place(&self, w: &mut Workspace, p: f64, e: f64) -> Result<SearchPoint, ModelError> {
-        let (l, near, sections) = match self.coupled(p, e, None) {
+    pub(super) fn place(
+        &self,
+        workspace: &mut Workspace,
+        p: f64,
+        contraction: f64,
+    ) -> Result<SearchPoint, ModelError> {
+        let (l, near, sections) = match self.coupled(p, contraction, None) {
             Some(root) => (root.l, Some(root.r), Some(root.end.stretches)),
-            None => match self.pulling(w, p, e)? {
+            None => match self.pulling(workspace, p, contraction)? {
                 Ok((m, step)) => (m.l + step, Some(m.state.r + m.state.r_by[0] * step), None),
-                Err(l) => return self.pushed(w, p, e, l),
+                Err(l) => return self.pushed(workspace, p, contraction, l),
             },
         };
         let m = self.tried(p, l, near, sections)?;
         let slope = self.slope(&m);
         if slope.is_nan() || slope <= LEAST_SLOPE {
-            return Err(Self::not_converged(p, e, (self.contraction(&m) - e).abs()));
+            return Err(Self::not_converged(p, contraction, (self.contraction(&m) - contraction).abs()));
         }
         let by_pressure = -2.0 * m.deficit.by[1] / (self.length * slope);
         Ok(SearchPoint { l, state: m.state, slope, by_pressure, ends: m })
