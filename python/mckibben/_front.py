@@ -14,7 +14,7 @@ from ._results import Fit as Fit
 from ._muscle import Design as Design, Muscle as Muscle
 from ._drives import Drive as Drive, Joint as Joint
 from ._simulation import Simulation as Simulation
-from ._campaign import Campaign as Campaign, Shards as Shards, campaign as campaign
+from ._campaign import Campaign as Campaign, campaign as campaign
 from ._load import load as load
 
 __all__ = sorted({*_commands.__all__, *(name for name in globals() if not name.startswith("_"))})

@@ -14,6 +14,7 @@ use serde::Serialize;
 
 /// Something that was found.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(rename = "CheckFinding")]
 pub struct Finding {
     /// Its kind.
     pub kind: FindingKind,
