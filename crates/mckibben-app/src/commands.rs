@@ -255,12 +255,18 @@ fn of_value(command: &str, value: Value, progress: &dyn Progress) -> Result<Valu
 /// A request by its type, or a group of fields of one. To blame is the field without which something else is wrong, or nothing.
 pub fn understood<T: DeserializeOwned>(fields: &Value) -> Result<T, Problem> {
     T::deserialize(fields).map_err(|error| {
-        let without = |name: &&String| {
+        let said = error.to_string();
+        let without = |name: &String| {
             let mut rest = fields.clone();
-            drop(rest.as_object_mut().and_then(|map| map.shift_remove(*name)));
-            T::deserialize(&rest).err().is_none_or(|e| e.to_string() != error.to_string())
+            drop(rest.as_object_mut().and_then(|map| map.shift_remove(name)));
+            T::deserialize(&rest).map_or_else(|e| e.to_string(), |_: T| String::new())
         };
-        let field = fields.as_object().into_iter().flat_map(Map::keys).find(without);
+        let names = || fields.as_object().into_iter().flat_map(Map::keys);
+        let others = || names().map(|name| (name, without(name))).filter(|(_, other)| *other != said);
+        // A field that must be there is to blame where no other one is.
+        let blamed =
+            others().find(|(_, other)| !other.starts_with("missing field")).or_else(|| others().next());
+        let field = blamed.map(|(name, _)| name);
         not_understood(&error, field.map(String::as_str))
     })
 }

@@ -30,6 +30,12 @@ fn what_a_field_wants_and_what_was_given_are_said() {
             "`pressure_mpa` is a number in MPa, not true",
             "pressure_mpa",
         ),
+        (
+            "curve",
+            json!({"test": "isobaric", "end_factor": "1 mm"}),
+            "`end_factor` is a number without a unit, not the text \"1 mm\"",
+            "end_factor",
+        ),
         ("force", json!({"pressure_mpa": 0.2, "model": 5}), "`model` is a text, not 5", "model"),
         (
             "curve",
