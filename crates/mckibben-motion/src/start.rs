@@ -23,7 +23,7 @@ impl System<'_> {
             if response.is_ok_and(|r| r.volume_mm3.is_none()) {
                 return Err(MotionError::Refused(format!(
                     "the {model} model does not give the volume of the air; use fe, universal or thick-wall",
-                    model = member.model.info().name.to_string()
+                    model = member.model.info().name
                 )));
             }
         }

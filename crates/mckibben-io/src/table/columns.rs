@@ -162,10 +162,10 @@ impl Choice {
                 [one] => return Ok(Some(one)),
                 [first, ..] => {
                     return Err(TableError::Refused(format!(
-                        "the columns {found} could all be {name}: select one with `columns` {name}=\"{example}\"",
+                        "the columns {found} could all be {name}: select one with `columns` {name}=\"#{example}\"",
                         name = self.entry.name,
                         found = listed(places.iter().map(|&i| headings[i])),
-                        example = format!("#{}", first + 1)
+                        example = first + 1
                     )));
                 }
             }
