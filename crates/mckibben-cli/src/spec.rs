@@ -370,7 +370,8 @@ impl Flag {
         match &self.kind {
             _ if self.id == "units" => arg.value_parser(|text: &str| text.parse::<Units>().map(Box::new)),
             Kind::Words(words) => arg.value_parser(PossibleValuesParser::new(words.clone())),
-            Kind::Whole => {
+            // A flag of no request says by its value that it is a whole number.
+            kind if matches!(kind, Kind::Whole) || range.is_some() || name == "N" => {
                 arg.value_parser(value_parser!(u64).range(range.map_or(0..=u64::MAX, |r| r.1.0..=r.1.1)))
             }
             Kind::Text if only.is_some() => {
