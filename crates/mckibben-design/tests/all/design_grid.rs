@@ -110,8 +110,7 @@ fn smallest(case: &Case, spec: &Spec, found: Option<f64>) -> Option<f64> {
 
 #[test]
 fn random_specifications_against_a_grid() {
-    let cases: Vec<(u64, Case)> =
-        (0..).filter_map(|seed| Some((seed, case(seed)?))).take(rounds(30)).collect();
+    let cases: Vec<_> = (0..).filter_map(|seed| Some((seed, case(seed)?))).take(rounds(30)).collect();
     let wrong: Vec<String> = cases
         .par_iter()
         .filter_map(|(seed, case)| {
