@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _answers, _native
-from ._errors import NoAnswerError
+from ._errors import NoAnswerError, of as problem
 from ._files import put
 from ._formula import Formula
 from ._record import Record
@@ -81,9 +81,8 @@ def _columned(kind: type[_Columned], data: dict[str, Any], asked: Any, points: T
 class Curve(_Columned, _answers.CurveAnswer):
     """A family of curves, its points as columns of numbers.
 
-    Every column of its points is an attribute: ``curve.pressure_mpa``, ``curve.contraction``, ``curve.force_n``, ``curve.volume_mm3``, …
-    are NumPy arrays over all points, curve after curve; a point without an answer is NaN, and ``curve.status`` and ``curve.cause``
-    say why. ``curve.grid("force_n")`` has one row for each curve.
+    Every column of its points is an attribute, a NumPy array over all points, curve after curve: ``curve.pressure_mpa``, ``curve.force_n``, … A point without
+    an answer is NaN, and ``curve.status`` and ``curve.cause`` say why.
     """
 
     __slots__ = ()
@@ -91,7 +90,8 @@ class Curve(_Columned, _answers.CurveAnswer):
     @staticmethod
     def _read(data: dict[str, Any]) -> Table:
         rows, fixed = data.pop("points"), data["fixed"]
-        # Of both branches two curves have one value.
+        if all(row["status"] != "ok" for row in rows):
+            raise problem({"kind": rows[0]["status"], "message": rows[0]["cause"], "hint": ""})
         rows = [{"fixed": fixed[i * len(fixed) // len(rows)], **row} for i, row in enumerate(rows)]
         for row in rows:
             row.pop("model", None)
