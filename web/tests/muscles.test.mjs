@@ -159,7 +159,7 @@ for (const [name, { start, point: within, motion }] of engines({
       same(ofA, a, within, `Compare ${seed}, A`);
       same(ofB, b, within, `Compare ${seed}, B`);
       moves += Number(Boolean(run));
-      return Boolean(pull && said && a);
+      return Boolean(pull && jointed && a);
     }
 
     test(`${COUNT} random muscles have the command line's numbers on Muscle, Joint, Motion and Compare, saved, reloaded and linked`, async () => {

@@ -10,7 +10,7 @@ use crate::fields::{AskFields, MeshFields, ModelFields, MuscleFields};
 use crate::muscle::MuscleSummary;
 use crate::muscle_fields::Stated;
 use crate::point::finite;
-use crate::problem::Problem;
+use crate::problem::{Problem, ProblemKind};
 use crate::question::Question;
 use crate::uncertainty::UncertaintyWords;
 use mckibben::analysis::{air_per_stroke, free_contraction, work_per_stroke_j};
@@ -19,7 +19,6 @@ use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{BuildSheet, Bulk, Muscle, MuscleKind};
 use mckibben::progress::Progress;
 use mckibben::rubber::{RubberLaw, library};
-use mckibben::warning::Warning;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -136,11 +135,11 @@ pub struct Characteristics {
 }
 
 /// Values at the working pressure, what is said of the burst pressure, and what was found.
-type Asked = (Characteristics, Vec<Warning>, Vec<MuscleFinding>);
+type Asked = (Option<Characteristics>, Vec<String>, Vec<MuscleFinding>);
 
 /// What is known of a muscle, and what is not.
 pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAnswer, Problem> {
-    let (muscle, asked) = if request.only_data {
+    let (muscle, (characteristics, said, findings)) = if request.only_data {
         let (model, asking) = (&request.model, request.asking);
         let fields = [
             ("pressure_mpa", request.pressure_mpa.is_some()),
@@ -151,15 +150,17 @@ pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAn
             ("direction", !asking.direction.is_mean()),
         ];
         Problem::refuse_unused(&fields, "`only_data` asks no model")?;
-        (request.muscle.resolve()?, None)
+        (request.muscle.resolve()?, Asked::default())
     } else {
         let mut question = Question::new(&request.muscle, &request.model, request.asking)?;
-        let asked = asked(&mut question, request.pressure_mpa)?;
-        (question.muscle, Some(asked))
-    };
-    let (characteristics, said, findings) = match asked {
-        Some((values, said, findings)) => (Some(values), said, findings),
-        None => (None, vec![], vec![]),
+        let asked = match asked(&mut question, request.pressure_mpa) {
+            // Where no pressure is asked for, the data of the muscle are an answer by themselves.
+            Err(e) if request.pressure_mpa.is_none() && e.kind != ProblemKind::Cancelled => {
+                (None, vec![e.message], vec![])
+            }
+            asked => asked?,
+        };
+        (question.muscle, asked)
     };
     let rubber = &muscle.tube().rubber;
     let (law, reach) = (&rubber.law, muscle.reach());
@@ -194,8 +195,7 @@ pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAn
         },
         build_sheet: muscle.build_sheet(),
         warnings: said
-            .iter()
-            .map(ToString::to_string)
+            .into_iter()
             .chain(muscle.warnings())
             .chain(warnings.iter().map(ToString::to_string))
             .chain(beyond)
@@ -227,5 +227,6 @@ fn asked(question: &mut Question, pressure_mpa: Option<f64>) -> Result<Asked, Pr
         limits: (&burst).into(),
     };
     let findings = findings::of(&question.muscle, &burst, &values, point.uncertainty_parts_n)?;
-    Ok((values, said_of(&burst, pressure_mpa, 0.0), findings))
+    let said = said_of(&burst, pressure_mpa, 0.0);
+    Ok((Some(values), said.iter().map(ToString::to_string).collect(), findings))
 }

@@ -4,14 +4,14 @@
 //! [`Writer`] writes a table group by group, with keys and values of metadata; [`Reader`] reads such files.
 //!
 //! ```
-//! use crate::parquet::{Column, Field, Packing, Writer};
+//! use mckibben_io::parquet::{Column, Field, Packing, Writer};
 //! let fields = [Field { name: "force_n".into(), kind: Column::Optional(vec![]), packing: Packing::Repeated }];
 //! let mut bytes = vec![];
 //! let mut writer = Writer::new(&mut bytes, "table", "mckibben", &fields, vec![])?;
 //! writer.group(&[Column::Optional(vec![Some(1.5), None])])?;
 //! writer.finish()?;
 //! assert!(bytes.ends_with(b"PAR1"));
-//! # Ok::<(), crate::parquet::TableError>(())
+//! # Ok::<(), mckibben_io::parquet::TableError>(())
 //! ```
 
 mod column;

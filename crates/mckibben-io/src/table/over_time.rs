@@ -22,11 +22,11 @@ pub enum OverTime {
 /// Reads times in s and values from a table in any common form.
 ///
 /// ```
-/// use crate::table::{OverTime, read_over_time};
+/// use mckibben_io::table::{OverTime, read_over_time};
 /// let points = read_over_time("t [ms];p [bar]\n0;0\n100;3\n".as_bytes(), OverTime::Pressure)?;
 /// assert_eq!(points.len(), 2);
 /// assert!((points[1].0 - 0.1).abs() < 1e-15 && (points[1].1 - 0.3).abs() < 1e-15);
-/// # Ok::<(), crate::table::TableError>(())
+/// # Ok::<(), mckibben_io::table::TableError>(())
 /// ```
 pub fn read_over_time(input: impl Read, what: OverTime) -> Result<Vec<(f64, f64)>, TableError> {
     let vocabulary: &'static Vocabulary = match what {

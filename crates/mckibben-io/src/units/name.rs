@@ -40,7 +40,7 @@ impl NamedUnit {
     /// The unit that a field has by its name; none where it is a plain number, or no number.
     ///
     /// ```
-    /// use crate::units::NamedUnit;
+    /// use mckibben_io::units::NamedUnit;
     /// assert_eq!(NamedUnit::of_field("slip_mm_per_n").map(|u| u.unit), Some("mm/N"));
     /// assert_eq!(NamedUnit::of_field("force_per_pressure_n_per_mpa").map(|u| u.unit), Some("N/MPa"));
     /// assert_eq!(NamedUnit::of_field("turns"), None);
