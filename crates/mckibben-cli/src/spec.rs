@@ -367,13 +367,13 @@ impl Flag {
             let arg = arg.value_parser(names).hide_possible_values(!["laws", "target"].contains(&&*self.id));
             return if matches!(self.kind, Kind::Texts(_)) { arg.value_delimiter(',') } else { arg };
         }
+        let whole = value_parser!(u64).range(range.map_or(0..=u64::MAX, |r| r.1.0..=r.1.1));
         match &self.kind {
             _ if self.id == "units" => arg.value_parser(|text: &str| text.parse::<Units>().map(Box::new)),
             Kind::Words(words) => arg.value_parser(PossibleValuesParser::new(words.clone())),
+            Kind::Whole => arg.value_parser(whole),
             // A flag of no request says by its value that it is a whole number.
-            kind if matches!(kind, Kind::Whole) || range.is_some() || name == "N" => {
-                arg.value_parser(value_parser!(u64).range(range.map_or(0..=u64::MAX, |r| r.1.0..=r.1.1)))
-            }
+            Kind::Text if range.is_some() || name == "N" => arg.value_parser(whole),
             Kind::Text if only.is_some() => {
                 arg.value_parser(Vec::from_iter(only.iter().flat_map(|o| o.split('/')).map(str::to_owned)))
             }
