@@ -80,17 +80,6 @@ pub enum RestWord {
     Loose,
 }
 
-impl RestWord {
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Stable => "stable",
-            Self::Unstable => "unstable",
-            Self::Limit => "limit",
-            Self::Loose => "loose",
-        }
-    }
-}
-
 /// A joint's answer.
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Serialize, JsonSchema)]

@@ -22,16 +22,6 @@ pub enum ShardState {
     Missing,
 }
 
-impl ShardState {
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Done => "done",
-            Self::Running => "running",
-            Self::Missing => "missing",
-        }
-    }
-}
-
 /// One shard.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

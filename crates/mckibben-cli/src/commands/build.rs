@@ -4,7 +4,8 @@ mod pdf;
 
 use crate::asked::Asked;
 use crate::failure::Failure;
-use crate::output::text::{number, pairs, place, table};
+use crate::output::keyed::{listed, tabled, value};
+use crate::output::text::{pairs, place};
 use crate::output::{FLAT, burst_first, check_ending, ending, save, save_all};
 use crate::progress::Bar;
 use crate::shown;
@@ -48,38 +49,13 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
     asked.print(&answer, FLAT, || text(&answer, asked))
 }
 
+const KEYS: &str = "pressure_mpa=working_pressure blocked_force_n free_contraction:% cut.tube_mm=tube_to_cut cut.sleeve.mounted_mm=sleeve_on_the_tube cut.sleeve.relaxed_mm=sleeve_to_cut cut.sleeve.relaxed_diameter_mm=at_its_diameter_of plug_diameter_mm=plugs bolt_mm=bolt burst_pressure_mpa allowed_pressure_mpa proof_pressure_mpa=proof_test,_with_water air_energy_j=energy_of_the_air:2";
+
 fn text(answer: &BuildAnswer, asked: &Asked) -> String {
     let u = shown::units();
-    let known = |pressure: Option<f64>| pressure.map_or_else(|| "not known".into(), |p| u.pressure.show(p));
-    let (cut, safety) = (&answer.cut, &answer.safety);
-    let sleeve = match (cut.sleeve.relaxed_mm, cut.sleeve.relaxed_diameter_mm) {
-        (Some(length), Some(diameter)) => {
-            format!("{} at its diameter of {}", u.length.show(length), u.length.show(diameter))
-        }
-        _ => format!("{} on the tube", u.length.show(cut.sleeve.mounted_mm)),
-    };
-    let rows = [
-        ("working pressure", u.pressure.show(safety.pressure_mpa)),
-        ("blocked force", format!("{} {}", u.force.to(answer.blocked_force_n, 4), u.force.name)),
-        ("free contraction", mckibben_app::words::percent(answer.free_contraction)),
-        ("tube to cut", u.length.show(cut.tube_mm)),
-        ("sleeve to cut", sleeve),
-        (
-            "plugs",
-            format!("{} wide, bolt M{}", u.length.show(answer.plug_diameter_mm), number(answer.bolt_mm, 3)),
-        ),
-        ("burst pressure", known(answer.limits.burst_pressure_mpa)),
-        ("allowed pressure", known(answer.limits.allowed_pressure_mpa)),
-        ("proof test", format!("{}, with water", u.pressure.show(safety.proof_pressure_mpa))),
-        ("energy of the air", format!("{} J", number(safety.air_energy_j, 2))),
-    ];
-    let mut out = burst_first(&answer.warnings) + &answer.muscle.line(&u) + "\n" + &pairs(&rows) + "\n";
-    let dash = || "–".to_owned();
-    let row = |part: &mckibben_build::BuildPart| {
-        let mass = part.mass_g.map_or_else(dash, |mass| number(mass, 3));
-        vec![part.part.clone(), part.amount.clone(), part.sold_as.clone().unwrap_or_else(dash), mass]
-    };
-    out += &table(&["part", "amount", "sold as", "mass [g]"], answer.parts.iter().map(row).collect());
+    let mut out = burst_first(&answer.warnings) + &answer.muscle.line(&u) + "\n";
+    out += &(pairs(&listed(&value(answer), KEYS, &u)) + "\n");
+    out += &tabled(&answer.parts, "part amount sold_as mass_g=mass:3~", &u);
     let (folder, report) = (asked.path("output"), asked.path("alone"));
     if let Some(folder) = &folder {
         out += &format!("\n{} files are in {}; begin with README.md.\n", answer.files.len(), place(folder));

@@ -2,11 +2,13 @@
 
 use crate::asked::Asked;
 use crate::failure::Failure;
-use crate::output::text::{Units, columns, percent, percents, place, understood};
+use crate::output::keyed::{tabled, value};
+use crate::output::text::{Units, percent, place, understood};
 use crate::output::warn;
 use crate::progress::Bar;
 use crate::shown;
 use mckibben_app::{CompareAnswer, CompareRequest, ComparedModel, Direction};
+use serde_json::Value;
 
 pub const TEXT: &str = "compare: Compare models with each other or with measured points: errors and figure
 Question:
@@ -52,31 +54,22 @@ fn as_text(asked: &Asked, request: &CompareRequest, answer: &CompareAnswer, u: &
     }
     let compared = |m: &&ComparedModel| m.rms_n.is_some() || m.volume_points > 0;
     let answered: Vec<&ComparedModel> = answer.models.iter().filter(compared).collect();
-    let largest = answer.largest_force_n;
-    // What is left of rounding is nothing.
-    let error = |of: fn(&ComparedModel) -> Option<f64>| {
-        answered.iter().map(move |m| of(m).map(|v| if v.abs() < 1e-9 * largest { 0.0 } else { v }))
-    };
-    let share = error(|m| m.rms_n).map(|v| v.map(|v| v / largest));
-    out.push_str(&columns([
-        ("model".into(), answered.iter().map(|m| m.model.clone()).collect()),
-        (u.force.heading("rms"), u.force.column(error(|m| m.rms_n), 3)),
-        ("of the largest pull".into(), percents(share, 3)),
-        (u.force.heading("largest"), u.force.column(error(|m| m.max_n), 3)),
-        (u.force.heading("mean"), u.force.column(error(|m| m.mean_n), 3)),
-        ("points".into(), answered.iter().map(|m| m.points.to_string()).collect()),
-    ]));
+    let rows = answered.iter().map(|m| {
+        let mut row = value(m);
+        row["share"] = m.rms_n.map(|rms| rms / answer.largest_force_n).into();
+        row
+    });
+    let rows: Vec<Value> = rows.collect();
+    let keys = "model rms_n:3 share=of_the_largest_pull:3% max_n=largest:3 mean_n:3 points";
+    out.push_str(&tabled(&rows, keys, u));
     out.push_str("\nmean: above zero if the model predicts too much pull\n");
     if answered.iter().any(|m| m.volume_points > 0) {
-        let volume =
-            |of: fn(&ComparedModel) -> Option<f64>| u.volume.column(answered.iter().map(move |m| of(m)), 3);
         out.push_str("\nvolume of the cavity:\n");
-        out.push_str(&columns([
-            ("model".into(), answered.iter().map(|m| m.model.clone()).collect()),
-            (u.volume.heading("rms"), volume(|m| m.rms_volume_mm3)),
-            (u.volume.heading("mean"), volume(|m| m.mean_volume_mm3)),
-            ("points".into(), answered.iter().map(|m| m.volume_points.to_string()).collect()),
-        ]));
+        out.push_str(&tabled(
+            &rows,
+            "model rms_volume_mm3=rms:3 mean_volume_mm3=mean:3 volume_points=points",
+            u,
+        ));
     }
     for m in answer.models.iter().filter(|m| !compared(m)) {
         out.push_str(&format!(

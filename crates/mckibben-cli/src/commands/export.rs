@@ -2,11 +2,12 @@
 
 use crate::asked::Asked;
 use crate::failure::Failure;
-use crate::output::text::{pairs, place, table};
+use crate::output::keyed::{listed, tabled, value};
+use crate::output::text::{pairs, place};
 use crate::output::{FLAT, save_all};
 use crate::progress::Bar;
 use crate::shown;
-use mckibben_app::{ExportAnswer, ExportListAnswer, ExportListRequest, export, export_list, words};
+use mckibben_app::{ExportAnswer, ExportListRequest, export, export_list};
 use std::path::Path;
 
 pub const TEXT: &str = "export: The muscle for a controller or simulator: C, Python, MuJoCo, FMI, OpenSim
@@ -25,7 +26,7 @@ Examples:
 pub fn run(asked: &Asked) -> Result<u8, Failure> {
     if asked.is("list") {
         let answer = export_list(&ExportListRequest {})?;
-        return asked.print(&answer, "targets", || list_text(&answer));
+        return asked.print(&answer, "targets", || tabled(&answer.targets, TARGETS, &shown::units()));
     }
     let answer = export(&asked.request()?, &Bar::new("points"))?;
     let folder = asked.path("output");
@@ -33,56 +34,13 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
     asked.print(&answer, FLAT, || text(&answer, folder.as_deref()))
 }
 
-fn list_text(answer: &ExportListAnswer) -> String {
-    let row =
-        |t: &mckibben_app::ExportTarget| [&t.name, &t.about, &t.needs, &t.loses].map(Clone::clone).into();
-    table(&["target", "what it is", "needs", "loses"], answer.targets.iter().map(row).collect())
-}
+const TARGETS: &str = "name=target about=what_it_is needs loses";
+const KEYS: &str = "model supply_pressure_mpa contraction_low=contraction_from:% contraction_high=to:% blocked_force_n+uncertainty_n force_rms=error_of_the_pull,_rms:2% force_95_ratio=at_95_%_of_points:2% force_worst_ratio=largest:2% volume_rms=error_of_the_volume,_rms:2% volume_worst_ratio=largest:2% needs loses";
 
 fn text(answer: &ExportAnswer, folder: Option<&Path>) -> String {
     let u = shown::units();
-    let percent = |share: f64| format!("{:.2} %", 100.0 * share);
-    let rows = [
-        ("model", answer.model.clone()),
-        (
-            "box",
-            format!(
-                "0 to {}, contraction {} to {}",
-                u.pressure.show(answer.bounds.supply_pressure_mpa),
-                words::percent(answer.bounds.contraction_low),
-                words::percent(answer.bounds.contraction_high)
-            ),
-        ),
-        ("blocked force", format!("{} {}", u.force.to(answer.blocked_force_n, 4), u.force.name)),
-        (
-            "error of the pull",
-            format!(
-                "{} rms, {} at 95 % of points, {} worst, of the blocked force",
-                percent(answer.errors.force_rms),
-                percent(answer.errors.force_95_ratio),
-                percent(answer.errors.force_worst_ratio)
-            ),
-        ),
-        (
-            "error of the volume",
-            format!(
-                "{} rms, {} worst, of the largest volume",
-                percent(answer.errors.volume_rms),
-                percent(answer.errors.volume_worst_ratio)
-            ),
-        ),
-        (
-            "± of the blocked force",
-            answer
-                .uncertainty_n
-                .map_or_else(|| "not known".into(), |n| format!("{} {}", u.force.to(n, 2), u.force.name)),
-        ),
-        ("needs", answer.needs.clone()),
-        ("loses", answer.loses.clone()),
-    ];
-    let mut out = answer.muscle.line(&u) + "\n" + &pairs(&rows) + "\n";
-    let row = |file: &mckibben_app::BuiltFile| vec![file.name.clone(), file.about.clone()];
-    out += &table(&["file", "what it is"], answer.files.iter().map(row).collect());
+    let mut out = answer.muscle.line(&u) + "\n" + &pairs(&listed(&value(answer), KEYS, &u)) + "\n";
+    out += &tabled(&answer.files, "name=file about=what_it_is", &u);
     for warning in &answer.warnings {
         out += &format!("\nnote: {warning}");
     }

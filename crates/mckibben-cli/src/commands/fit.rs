@@ -3,7 +3,7 @@
 mod report;
 mod text;
 
-pub use text::{error_rows, errors_table, made_text, range_text, universal as universal_text};
+pub use text::formula_text;
 
 use crate::asked::Asked;
 use crate::failure::Failure;

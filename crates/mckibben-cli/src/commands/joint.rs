@@ -3,7 +3,8 @@
 use crate::asked::Asked;
 use crate::failure::Failure;
 use crate::files;
-use crate::output::text::{Units, columns, half_width, number, or_dash, within};
+use crate::output::keyed::{tabled, value};
+use crate::output::text::{Units, number};
 use crate::output::{burst_first, is_text};
 use crate::progress::Bar;
 use crate::shown;
@@ -86,68 +87,20 @@ fn as_text(answer: &JointAnswer, u: &Units) -> String {
     text
 }
 
+/// The points, with `slack` in the place of the pull of a muscle without tension.
 fn rows(points: &[JointRow], u: &Units) -> String {
-    let torque = |v: f64| number(if v.abs() < 1e-9 { 0.0 } else { v }, 4);
-    // A value to the digits that its ± leaves, and the ±.
-    let both = |value: f64, half: Option<f64>, alone: &dyn Fn(f64) -> String| {
-        (half.map_or_else(|| alone(value), |half| within(value, half)), or_dash(half, half_width))
-    };
-    // Beside the largest pull of the table: a muscle without pressure pulls by rounding alone.
-    let all = points.iter().flat_map(|q| [Some(q.force_1_n), q.force_2_n]).flatten();
-    let nothing = 1e-6 * all.fold(0.0, |most: f64, f| most.max(f.abs()));
-    let pulls = |of: &dyn Fn(&JointRow) -> (Option<f64>, bool)| -> Vec<String> {
-        let pull = |q: &JointRow| of(q).0.map(|f| if f.abs() < nothing { 0.0 } else { f });
-        let cells = u.force.column(points.iter().map(pull), 4).into_iter().zip(points);
-        cells.map(|(cell, q)| if of(q).1 { "slack".into() } else { cell }).collect()
-    };
-    let mut list: Vec<(String, Vec<String>)> = vec![];
-    let mut add = |is_shown: bool, heading: &str, cells: Vec<String>| {
-        list.extend(is_shown.then(|| (heading.to_owned(), cells)));
-    };
-    let each = |of: &dyn Fn(&JointRow) -> String| points.iter().map(of).collect::<Vec<_>>();
-    let any = |has: &dyn Fn(&JointRow) -> bool| points.iter().any(has);
-    let angles = points.iter().map(|q| {
-        let angle = if q.angle_deg.abs() < 1e-9 { 0.0 } else { q.angle_deg };
-        both(angle, q.angle_uncertainty_deg, &|angle| number(angle, 5))
+    let rows = points.iter().map(|q| {
+        let mut row = value(q);
+        for (slack, force) in [(q.slack_1, "force_1_n"), (q.slack_2 == Some(true), "force_2_n")] {
+            if slack {
+                row[force] = "slack".into();
+            }
+        }
+        row
     });
-    let (angles, halves): (Vec<_>, Vec<_>) = angles.unzip();
-    add(true, "φ [°]", angles);
-    add(any(&|q| q.angle_uncertainty_deg.is_some()), "± [°]", halves);
-    let two = any(&|q| q.pressure_2_mpa.is_some());
-    let halves = any(&|q| q.pressure_1_uncertainty_mpa.or(q.pressure_2_uncertainty_mpa).is_some());
-    let first = |q: &JointRow| (Some(q.pressure_1_mpa), q.pressure_1_uncertainty_mpa);
-    let second = |q: &JointRow| (q.pressure_2_mpa, q.pressure_2_uncertainty_mpa);
-    for (name, of) in
-        [("P1", &first as &dyn Fn(&JointRow) -> _), ("P2", &second)].into_iter().take(1 + usize::from(two))
-    {
-        add(true, &u.pressure.heading(name), each(&|q| or_dash(of(q).0, |p| u.pressure.within(p, of(q).1))));
-        add(
-            halves,
-            &u.pressure.heading("±"),
-            each(&|q| or_dash(of(q).1, |half| u.pressure.half_width(half))),
-        );
-    }
-    let torques = points.iter().map(|q| both(q.torque_nm, q.uncertainty_nm, &torque));
-    let (torques, halves): (Vec<_>, Vec<_>) = torques.unzip();
-    add(true, "τ [N m]", torques);
-    add(true, "± [N m]", halves);
-    let branches = any(&|q| q.torque_turning_plus_nm.is_some());
-    add(branches, "turning to +", each(&|q| or_dash(q.torque_turning_plus_nm, torque)));
-    add(branches, "to −", each(&|q| or_dash(q.torque_turning_minus_nm, torque)));
-    let known = any(&|q| q.stiffness_uncertainty_nm_per_rad.is_some());
-    let stiffness = |q: &JointRow| both(q.stiffness_nm_per_rad, q.stiffness_uncertainty_nm_per_rad, &torque);
-    let (stiffnesses, halves): (Vec<_>, Vec<_>) = points.iter().map(stiffness).unzip();
-    add(true, "−dτ/dφ [N m/rad]", stiffnesses);
-    add(known, "±", halves);
-    let shut = |q: &JointRow| {
-        let [slow, quick] =
-            [q.shut.isothermal_nm_per_rad, q.shut.adiabatic_nm_per_rad].map(|v| or_dash(v, torque));
-        if slow == quick { slow } else { format!("{slow} to {quick}") }
-    };
-    add(any(&|q| q.shut.isothermal_nm_per_rad.is_some()), "valves shut", each(&shut));
-    add(true, &u.force.heading("F1"), pulls(&|q| (Some(q.force_1_n), q.slack_1)));
-    add(two, &u.force.heading("F2"), pulls(&|q| (q.force_2_n, q.slack_2 == Some(true))));
-    let rest = |q: &JointRow| q.rest.map_or("", mckibben_app::RestWord::name).to_owned();
-    add(any(&|q| q.rest.is_some()), "rest", each(&rest));
-    columns(list)
+    let keys = "angle_deg+angle_uncertainty_deg=φ pressure_1_mpa+pressure_1_uncertainty_mpa=P1:4~ pressure_2_mpa+pressure_2_uncertainty_mpa=P2:4~ \
+        torque_nm+uncertainty_nm=τ torque_turning_plus_nm=turning_to_+ torque_turning_minus_nm=to_− \
+        stiffness_nm_per_rad+stiffness_uncertainty_nm_per_rad=−dτ/dφ stiffness_shut_isothermal_nm_per_rad=valves_shut,_slow \
+        stiffness_shut_adiabatic_nm_per_rad=quick force_1_n=F1 force_2_n=F2 rest";
+    tabled(&rows.collect::<Vec<_>>(), keys, u)
 }

@@ -5,7 +5,8 @@ use crate::asked::{Asked, load_tables};
 use crate::failure::Failure;
 use crate::files;
 use crate::output::burst_first;
-use crate::output::text::{Units, air, half_width, number, pairs, percent, within};
+use crate::output::keyed::{listed, tabled, value};
+use crate::output::text::{Units, number, pairs};
 use crate::progress::Bar;
 use crate::shown;
 use mckibben_app::rows::limit_rows;
@@ -95,81 +96,36 @@ fn as_text(answer: &MotionAnswer, u: &Units) -> String {
     text
 }
 
+const KEYS: &str = "value=with rise_time_s=rise_time_(10–90_%) settling_time_s=settling_time_(2_%) fill_time_s vent_time_s overshoot:% largest_velocity_deg_per_s=largest_velocity largest_velocity_mm_per_s=largest_velocity largest_power_w=largest_power liquid_volume_mm3=liquid_pushed_in air_normal_litres=air_from_the_supply air_normal_litres_per_cycle=air_of_a_cycle energies.work_j=work energies.exergy_j=exergy_of_the_air,_or_work_on_the_liquid efficiency=work_over_exergy:% loop_area=loop_of_position_over_pressure_(MPa_times_mm_or_rad) bandwidth_hz=bandwidth_(−3_dB)";
+
 fn one(of: &MotionRun, u: &Units) -> String {
-    let s = |v: f64| format!("{} s", number(v, 4));
-    let (value, run) = (&of.value, &of.motion);
-    let rests = run.at_rest() == Some(true);
-    // The ± belongs to where it rests.
-    let angle_text = |angle: f64, rests: bool| match of.end.end_angle_uncertainty_deg.filter(|_| rests) {
-        Some(half) => format!("{} ± {} °", within(angle, half), half_width(half)),
-        None => format!("{} °", number(angle, 4)),
-    };
-    let ratio_text = |e: f64, rests: bool| match of.end.end_contraction_uncertainty.filter(|_| rests) {
-        Some(half) => format!("{} ± {} %", within(100.0 * e, 100.0 * half), half_width(100.0 * half)),
-        None => percent(e),
-    };
-    let degrees = run.series.degrees();
-    let joint = degrees.is_some();
-    let mut list: Vec<(&str, String)> = vec![];
-    list.extend(value.as_ref().map(|v| ("with", v.clone())));
+    let run = &of.motion;
+    let mut row = value(of);
     let last = |list: &[f64]| list.last().copied();
+    let degrees = run.series.degrees();
     if let Some([angle, _]) = &degrees {
-        list.extend(last(angle).map(|angle| ("ends at", angle_text(angle, rests))));
+        row["end_deg"] = last(angle).into();
     } else if let Some(muscle) = run.series.muscles.first() {
-        let ends = last(&muscle.contraction).zip(last(&muscle.pressure_mpa));
-        list.extend(
-            ends.map(|(e, p)| ("ends at", format!("{}, {}", ratio_text(e, rests), u.pressure.show(p)))),
-        );
+        row["end"] = last(&muscle.contraction).into();
+        row["end_pressure_mpa"] = last(&muscle.pressure_mpa).into();
     }
-    if run.at_rest() == Some(false) {
-        let angle = run.equilibrium_angle_deg.map(|v| angle_text(v, true));
-        let at = run.equilibrium_contraction.map(|e| ratio_text(e, true)).or(angle);
-        let at = at.map_or_else(String::new, |at| format!("; its equilibrium is {at}"));
-        list.push(("at rest", format!("not yet{at}")));
-    }
-    list.extend(of.uncertainty_in(u).map(|text| ("uncertainty", text)));
-    let times = [
-        ("rise time (10–90 %)", run.rise_time_s),
-        ("settling time (2 %)", run.settling_time_s),
-        ("fill time", run.fill_time_s),
-        ("vent time", run.vent_time_s),
-    ];
-    list.extend(times.into_iter().filter_map(|(name, v)| Some((name, s(v?)))));
-    list.extend(run.overshoot.map(|v| ("overshoot", percent(v))));
-    let speed = if joint {
-        format!("{} °/s", number(run.largest_speed, 4))
+    // The ± belongs to where it rests.
+    let ends = if run.at_rest() == Some(true) {
+        "end_deg+end_angle_uncertainty_deg=ends_at end+end_contraction_uncertainty=ends_at:%"
     } else {
-        format!("{} {}/s", u.length.to(run.largest_speed, 4), u.length.name)
+        "end_deg=ends_at end=ends_at:% at_rest equilibrium_angle_deg+end_angle_uncertainty_deg=its_equilibrium equilibrium_contraction+end_contraction_uncertainty=its_equilibrium:%"
     };
-    list.push(("largest speed", speed));
-    list.push(("largest power", format!("{} W", number(run.largest_power_w, 4))));
-    match run.liquid_volume_mm3 {
-        Some(mm3) => list.push(("liquid pushed in", format!("{} mL", number(1e-3 * mm3, 4)))),
-        None => list.push(("air from the supply", air(run.air_normal_litres))),
-    }
-    list.extend(run.air_normal_litres_per_cycle.map(|v| ("air of a cycle", air(v))));
-    let energies = &run.energies;
-    list.push((
-        if run.liquid_volume_mm3.is_some() { "work, work on the liquid" } else { "work, exergy of the air" },
-        format!("{} J, {} J", number(energies.work_j, 4), number(energies.exergy_j, 4)),
-    ));
-    list.extend(run.efficiency.map(|v| ("work over exergy", percent(v))));
-    let way = if joint { "rad" } else { "mm" };
-    list.extend(
-        run.loop_area.map(|v| ("loop of position over pressure", format!("{} MPa {way}", number(v, 4)))),
-    );
-    list.extend(run.bandwidth_hz.map(|v| ("bandwidth (−3 dB)", format!("{} Hz", number(v, 4)))));
+    let mut list = listed(&row, &format!("{ends} end_pressure_mpa=with_a_pressure_of"), u);
+    list.extend(of.uncertainty_in(u).map(|text| ("uncertainty".to_owned(), text)));
+    list.extend(listed(&row, KEYS, u));
     let mut text = pairs(&list);
     if !run.events.is_empty() {
         const SHOWN: usize = 12;
-        let event = |e: &mckibben_app::Event| {
-            let whose = if e.muscle > 0 { format!(", muscle {}", e.muscle) } else { String::new() };
-            format!("  {} s  {}{whose}\n", number(e.time_s, 4), e.kind)
-        };
-        text += "\nevents\n";
-        text.extend(run.events.iter().take(SHOWN).map(event));
+        let keys = if degrees.is_some() { "time_s:4~ kind muscle" } else { "time_s:4~ kind" };
+        let shown = &run.events[..run.events.len().min(SHOWN)];
+        text += &format!("\nevents\n{}", tabled(shown, keys, u));
         if run.events.len() > SHOWN {
-            text += &format!("  and {} more (--format json has them all)\n", run.events.len() - SHOWN);
+            text += &format!("and {} more (--format json has them all)\n", run.events.len() - SHOWN);
         }
     }
     text

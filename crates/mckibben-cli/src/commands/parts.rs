@@ -1,16 +1,13 @@
 //! `parts list|show`.
 
-mod model;
-mod muscle;
-mod rubber;
-mod sleeve;
-
 use crate::asked::Asked;
 use crate::failure::Failure;
-use crate::output::text::{number, pairs, table};
+use crate::output::keyed::{listed, tabled, value};
+use crate::output::text::{law_text, pairs};
 use crate::output::warn;
 use crate::shown;
-use mckibben_app::{PartKind, PartsListAnswer, PartsListRequest, TubePart, part_show, parts_list};
+use mckibben_app::{PartShowAnswer, PartsListAnswer, RubberDetails, part_show, parts_list};
+use serde_json::Value;
 
 pub const LIST: &str = "parts list: All of them, or those of one kind
 :kind<KIND> | Only one kind: tubes, sleeves, rubbers, muscles or models
@@ -27,77 +24,102 @@ Examples:
   mckibben parts show dragon-skin-30
   mckibben design -F 60N -e 15% -p 4bar --tube latex-1/4x3/8in";
 
+/// The lists, their columns, and what these are.
+const LISTS: [(&str, &str, &str); 5] = [
+    ("tubes", "name=tube inner_diameter_mm=bore outer_diameter_mm=D0 wall_mm=wall rubber is_cast=cast", ""),
+    (
+        "sleeves",
+        "name=sleeve least_diameter_mm=D0_from largest_diameter_mm=to least_angle_deg=θ0_from:3 strands stiffness_factor=k_within title",
+        "D0: tubes on which a muscle of it contracts. k within: factor within which the stiffness is known; above 1 where its seller does not state all of its strands.\n",
+    ),
+    (
+        "rubbers",
+        "name=rubber shear_modulus_mpa=μ:3~ law curve max_strain=breaks_at:3% title",
+        "μ: shear modulus at rest of the law that the name means in the prototype. curve: fitted to its curve, up to the stretches in the prototype: another muscle may use another law; NAME:LAW selects one.\n",
+    ),
+    (
+        "muscles",
+        "name=muscle outer_diameter_mm=D0 length_mm=L0 pressure_mpa=P:3~ blocked_force_n+uncertainty_n=F_blocked free_contraction=ε_free:3% points product source",
+        "P: highest pressure of the bench. F blocked, its ± (95 %) and ε free: there, by fe.\nA name stands wherever a muscle file may: mckibben force lib:dmsp-20-300 -p 5bar -e 10%\n",
+    ),
+    ("models", "name=model description", ""),
+];
+
+/// What is shown of a part of each kind.
+const DETAILS: [(&str, &str); 5] = [
+    (
+        "tube",
+        "name=tube inner_diameter_mm=bore outer_diameter_mm wall_mm rubber density_kg_per_m3 is_cast=cast_by_hand price pressure_mpa=largest_pressure_named source note",
+    ),
+    (
+        "sleeve",
+        "name title nominal_diameter_mm least_diameter_mm:5 largest_diameter_mm:5 neutral_diameter_mm=contracts_below:5 strand_length_per_turn_mm:5 helix_from=found_from material strands strands_stated strand_diameter_mm strand_modulus_mpa modulus_source=modulus_from filaments strand_strength_n estimated stiffness_factor=stiffness_known_within_a_factor_of estimate=estimates_from price missing=for_a_stiffness_give source terms note",
+    ),
+    (
+        "rubber",
+        "name title max_strain=breaks_at_a_strain_of:3% max_stress_mpa=at_a_stress_of:3 data=curve_in_data/ laws source terms note",
+    ),
+    (
+        "muscle",
+        "name title product outer_diameter_mm wall_mm length_mm angle_deg rubber braid pressure_mpa=highest_pressure blocked_force_n+uncertainty_n free_contraction:3% source terms known unknown fit identified points agreement.rms_n=rms_difference:3 agreement.rms_of_blocked=of_the_blocked_force:2% agreement.largest_n=largest_difference:3 agreement.bench_points=points_of_its_length agreement.held=within_the_±:3%",
+    ),
+    ("model", "name description needs source uncertainty_basis=basis_of_the_±"),
+];
+
 pub fn list(asked: &Asked) -> Result<u8, Failure> {
-    let request: PartsListRequest = asked.request()?;
-    let answer = parts_list(&request)?;
-    let rows = match request.kind {
-        Some(PartKind::Sleeves) => "sleeves",
-        Some(PartKind::Rubbers) => "rubbers",
-        Some(PartKind::Muscles) => "muscles",
-        Some(PartKind::Models) => "models",
-        Some(PartKind::Tubes) | None => "tubes",
-    };
-    asked.show(&answer, rows, || list_text(&answer))
+    let answer = parts_list(&asked.request()?)?;
+    let rows = asked.text("kind").unwrap_or_else(|| "tubes".into());
+    asked.show(&answer, &rows, || list_text(&answer))
 }
 
 fn list_text(answer: &PartsListAnswer) -> String {
-    let mut out = vec![];
-    if !answer.tubes.is_empty() {
-        let row = |t: &TubePart| {
-            let sizes = [t.inner_diameter_mm, t.outer_diameter_mm, t.wall_mm].map(|v| number(v, 4));
-            let use_of = if t.is_cast { "cast" } else { "sold" };
-            [t.name.clone()]
-                .into_iter()
-                .chain(sizes)
-                .chain([t.rubber.name.clone().unwrap_or_default(), use_of.into()])
-                .collect()
-        };
-        let header = ["tube", "bore [mm]", "D0 [mm]", "wall [mm]", "rubber", ""];
-        out.push(table(&header, answer.tubes.iter().map(row).collect()));
-    }
-    if !answer.sleeves.is_empty() {
-        out.push(sleeve::list(&answer.sleeves));
-    }
-    if !answer.rubbers.is_empty() {
-        out.push(rubber::list(&answer.rubbers));
-    }
-    if !answer.muscles.is_empty() {
-        out.push(muscle::list(&answer.muscles));
-    }
-    if !answer.models.is_empty() {
-        out.push(model::list(&answer.models));
-    }
-    out.join("\n") + "\n`mckibben parts show NAME` shows source, price and use.\n"
+    let (all, u) = (value(answer), shown::units());
+    let one = |(name, keys, about): (&str, &str, &str)| {
+        let list = all[name].as_array().filter(|list| !list.is_empty())?;
+        Some(tabled(list, keys, &u) + about + "\n")
+    };
+    let lists: String = LISTS.into_iter().filter_map(one).collect();
+    lists + "`mckibben parts show NAME` shows source, price and use.\n"
 }
 
 pub fn show(asked: &Asked) -> Result<u8, Failure> {
     let answer = part_show(&asked.request()?)?;
     asked.show(&answer, "", || {
         answer.rubber.iter().flat_map(|r| &r.warnings).for_each(warn);
-        let all = [
-            answer.tube.as_ref().map(tube_text),
-            answer.sleeve.as_ref().map(sleeve::details),
-            answer.rubber.as_ref().map(rubber::details),
-            answer.muscle.as_ref().map(muscle::details),
-            answer.model.as_ref().map(model::details),
-        ];
-        all.into_iter().flatten().collect::<Vec<_>>().join("\n")
+        show_text(&answer)
     })
 }
 
-fn tube_text(t: &TubePart) -> String {
-    let u = shown::units();
-    let mut rows = vec![
-        ("tube", t.name.clone()),
-        ("bore", u.length.show(t.inner_diameter_mm)),
-        ("outer diameter", u.length.show(t.outer_diameter_mm)),
-        ("wall", u.length.show(t.wall_mm)),
-        ("rubber", t.rubber.name.clone().unwrap_or_default()),
-        ("made", if t.is_cast { "cast by hand" } else { "as sold" }.into()),
-    ];
-    rows.extend(t.price.clone().map(|price| ("price", price)));
-    rows.extend(t.pressure_mpa.map(|p| ("largest pressure named", u.pressure.show(p))));
-    rows.push(("source", t.source.clone()));
-    rows.extend(t.note.clone().map(|note| ("note", note)));
-    pairs(&rows)
+fn show_text(answer: &PartShowAnswer) -> String {
+    let (all, u) = (value(answer), shown::units());
+    let named = DETAILS.into_iter().filter(|(name, _)| all[*name].is_object());
+    let parts = named.map(|(name, keys)| pairs(&listed(&all[name], keys, &u)) + "\n");
+    let mut out: String = parts.collect();
+    if let Some(rubber) = &answer.rubber {
+        out += &fits_text(rubber);
+    }
+    if all["sleeve"].is_object() {
+        let points = all["sleeve"]["points"].as_array().map_or(&[][..], Vec::as_slice);
+        let keys =
+            "outer_diameter_mm=D0 angle_deg=θ0 stiffness_n_per_mm=k largest_contraction=contracts_by:%";
+        out += &tabled(points, keys, &u);
+    }
+    out + answer.muscle.as_ref().map_or("", |muscle| &muscle.muscle_file.text)
+}
+
+/// The laws of a rubber, without those that the data refuse.
+fn fits_text(rubber: &RubberDetails) -> String {
+    let rows = rubber.fits.iter().map(|fit| {
+        let mut row = value(fit);
+        row["constants"] = law_text(&fit.fit).into();
+        row["taken"] = if fit.by_reach { "→" } else { "" }.into();
+        row
+    });
+    let rows: Vec<Value> = rows.filter(|row| row["standing"] != "behind").collect();
+    let keys = "taken=_ reach_up_to=reach:3~ up_to_strain=data_to:3% points constants=law_and_constants shear_modulus_mpa=μ:3~ r_squared=R²:5~ standing planar_difference=differs:2%~";
+    tabled(&rows, keys, &shown::units())
+        + &format!(
+            "→: --rubber {} means it, for muscles that stretch their rubber up to the reach (`mckibben check`), the last of them for all beyond.\nstanding: equal where the data do not distinguish a law from the recommended one. differs: at most so much from it in planar tension. Laws that fit less well: --format json.\n",
+            rubber.rubber
+        )
 }

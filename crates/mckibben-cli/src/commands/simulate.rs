@@ -3,15 +3,15 @@
 use crate::asked::Asked;
 use crate::failure::Failure;
 use crate::format::Format;
-use crate::output::text::{Units, aligned, columns, number, percent, percents, place};
+use crate::output::keyed::{listed, tabled, value};
+use crate::output::text::{Units, pairs, percent, place};
 use crate::output::{burst_first, check, check_ending, put, save};
 use crate::progress::Bar;
 use crate::shown;
 use mckibben::model::Response;
 use mckibben_app::{MuscleSummary, Problem, ProblemKind, Shapes, SimulateAnswer, SimulateRequest, Simulated};
 use mckibben_fem::output::{Extent, Shape, VtuFile, VtuSeries};
-use mckibben_fem::results::Solution;
-use serde_json::json;
+use serde_json::{Value, json};
 use std::path::PathBuf;
 
 pub const TEXT: &str = "simulate: One finite-element test with all results: curves, shape, strands, stretches, sensitivities
@@ -102,48 +102,28 @@ impl Shapes for Folder {
     }
 }
 
+const POINTS: &str = "pressure_mpa=P contraction=ε:4% force_n=F:5 volume_mm3=V bulged_diameter_mm=bulged_D strand_tension_n=strand braid_tension_n=braid stiffness_n_per_mm=stiffness max_stretch=stretch:3 note=_";
+
 fn as_text(answer: &SimulateAnswer, u: &Units) -> String {
-    let (strands, points) = (answer.strands, &answer.simulated);
-    let tension = |r: &Response| if strands { r.strand_tension_n } else { r.braid_tension_n };
-    let responses = || points.iter().map(|q| q.solution.as_ref().ok().map(|s| &s.response));
-    let of = |what: fn(&Response) -> Option<f64>| responses().map(move |r| r.and_then(what));
-    let contractions =
-        points.iter().zip(responses()).map(|(q, r)| r.map(|r| r.contraction).or(q.contraction()));
-    let pulls = points.iter().zip(responses()).map(|(q, r)| match r {
-        _ if q.slack => Some(0.0),
-        Some(r) => Some(r.force_n),
-        None => q.force_n(),
-    });
-    let notes = points.iter().map(|q| match &q.solution {
-        _ if q.slack => hangs(q),
-        Err(_) => q.status.to_string(),
-        Ok(s) if s.unstable_directions > 0 => "unstable".into(),
-        Ok(_) => String::new(),
-    });
-    let stiffness = u.stiffness();
-    let list = [
-        (u.pressure.heading("P"), u.pressure.column(points.iter().map(|q| Some(q.pressure_mpa)), 4)),
-        ("ε".into(), percents(contractions, 4)),
-        (u.force.heading("F"), u.force.column(pulls, 5)),
-        (u.volume.heading("V"), u.volume.column(of(|r| r.volume_mm3), 4)),
-        (u.length.heading("bulged D"), u.length.column(of(|r| r.bulged_diameter_mm), 4)),
-        (
-            u.force.heading(if strands { "strand" } else { "braid" }),
-            u.force.column(responses().map(|r| r.and_then(tension)), 4),
-        ),
-        (stiffness.heading("stiffness"), stiffness.column(of(|r| r.stiffness_n_per_mm), 4)),
-        ("stretch".into(), aligned(&of(|r| r.max_stretch).collect::<Vec<_>>(), 3)),
-        (String::new(), notes.collect()),
-    ];
+    let mut points = value(answer)["points"].take();
+    for (row, q) in points.as_array_mut().into_iter().flatten().zip(&answer.simulated) {
+        row["note"] = match &q.solution {
+            _ if q.slack => hangs(q),
+            Err(_) => q.status.to_string(),
+            Ok(s) if s.unstable_directions > 0 => "unstable".into(),
+            Ok(_) => String::new(),
+        }
+        .into();
+    }
+    let points = points.as_array().map_or(&[][..], Vec::as_slice);
     let mut out = format!("{} test, model {}\n{}\n", answer.test.name(), answer.model, answer.muscle.line(u));
     answer.notes.iter().for_each(|note| out.push_str(&format!("note: {}\n", u.sentence(note))));
-    out.push('\n');
-    out.push_str(&columns(list));
-    let what =
-        if strands { "strand: tension of one strand" } else { "braid: tension of all strands together" };
-    out.push_str(&format!("\n{what}. stretch: 99 % of the rubber is stretched by less.\n"));
-    if let Some(s) = points.iter().rev().find_map(|q| q.solution.as_ref().ok()) {
-        out.push_str(&last_text(s, u));
+    out += &format!(
+        "\n{}\nstrand: tension of one strand; braid: of all strands together. stretch: 99 % of the rubber is stretched by less.\n",
+        tabled(points, POINTS, u)
+    );
+    if let Some(last) = points.iter().rfind(|q| q["profile"].is_array()) {
+        out += &last_text(last, u);
     }
     out
 }
@@ -153,33 +133,27 @@ fn hangs(q: &Simulated) -> String {
     q.free_contraction.map_or_else(|| "slack".into(), |e| format!("slack, free contraction {}", percent(e)))
 }
 
+const LAST: &str = "pressure_mpa contraction:% rubber_energy_j=energy_of_the_rubber braid_energy_j=of_the_strands ends_energy_j=of_the_ends pressure_work_j=P·(V_−_V0) max_stretch_at.rest_r_mm=largest_stretch_at_r_(at_rest) max_stretch_at.rest_z_mm=z_from_the_middle";
+
 /// What is known of one equilibrium beyond the table.
-fn last_text(s: &Solution, u: &Units) -> String {
-    let r = &s.response;
-    let mut out = format!("\nAt {} and {}\n", u.pressure.show(r.pressure_mpa), percent(r.contraction));
-    let joules = |v: f64| format!("{} J", number(1e-3 * v, 4));
-    let ends = Some(s.energies.ends_n_mm).filter(|ends| *ends > 0.0);
-    let ends = ends.map_or_else(String::new, |ends| format!(", ends {}", joules(ends)));
-    let [rubber, braid, air] =
-        [s.energies.rubber_n_mm, s.energies.braid_n_mm, s.energies.pressure_n_mm].map(joules);
-    out += &format!("  energy: rubber {rubber}, strands {braid}{ends}, P·(V − V0) {air}\n");
-    let ([r, z], unit) = (s.max_stretch.rest_mm.map(|mm| u.length.to(mm, 4)), &u.length.name);
-    let stretch = number(s.max_stretch.value, 4);
-    out += &format!("  largest stretch {stretch} at r {r}, z {z} {unit} from the middle (at rest)\n");
-    if let (Some(first), Some(last)) = (s.strands.first(), s.strands.last()) {
-        let [middle, end] = [first, last].map(|at| number(at.angle_deg, 4));
-        let [from, to] = [first, last].map(|at| number(at.stretch, 5));
-        out +=
-            &format!("  strands: {middle}° in the middle, {end}° at the terminal; stretch {from} to {to}\n");
-    }
-    if !s.sensitivities.is_empty() {
-        out.push_str("\nChange of the pull if one of these grows by 1 %\n");
-    }
-    for x in &s.sensitivities {
-        let gain = 0.01 * x.value * x.force_n_per_unit;
-        let space = if x.unit.is_empty() { "" } else { " " };
-        let (name, value, gain) = (&x.name, number(x.value, 4), u.force.to(gain, 3));
-        out += &format!("  {name:<22} {value:>9}{space}{:<5} {gain:>9} {}\n", x.unit, u.force.name);
+fn last_text(point: &Value, u: &Units) -> String {
+    let rows = |name: &str| point[name].as_array().cloned().unwrap_or_default();
+    let mut out = format!("\nThe last point\n{}", pairs(&listed(point, LAST, u)));
+    let strands = rows("strands");
+    let ends: Vec<&Value> = strands.first().into_iter().chain(strands.last()).collect();
+    out += &format!(
+        "\nStrands in the middle and at the terminal\n{}",
+        tabled(&ends, "rest_z_mm=z_at_rest angle_deg stretch:5", u)
+    );
+    let gain = |mut row: Value| {
+        let gain = row["value"].as_f64().zip(row["force_n_per_unit"].as_f64());
+        row["gain_n"] = gain.map(|(value, slope)| 0.01 * value * slope).into();
+        row
+    };
+    let gains: Vec<Value> = rows("sensitivities").into_iter().map(gain).collect();
+    if !gains.is_empty() {
+        let keys = "name=_ value:4~ unit gain_n=pull:3~";
+        out += &format!("\nChange of the pull if one of these grows by 1 %\n{}", tabled(&gains, keys, u));
     }
     out
 }

@@ -4,9 +4,10 @@ pub mod measured;
 
 use crate::asked::Asked;
 use crate::failure::{Failure, NO_ANSWER};
-use crate::output::text::{aligned, number, or_dash, table};
+use crate::output::keyed::tabled;
 use crate::output::width;
 use crate::progress::Bar;
+use crate::shown;
 use mckibben::verification::{CaseKind, Measure, VerificationRow};
 use mckibben_app::{ProblemKind, SweepAnswer, SweepRequest};
 
@@ -65,91 +66,46 @@ fn sweep_text(a: &SweepAnswer) -> String {
     )
 }
 
+/// The cases of one kind, and what they are.
+const KINDS: [(&str, CaseKind, Measure, &str); 4] = [
+    ("verification", CaseKind::Verification, Measure::Value, "Verification: are the equations solved right?"),
+    (
+        "measured pulls",
+        CaseKind::Validation,
+        Measure::Rms,
+        "Validation: are they the right equations? Root mean square of the differences from measured pulls in N, over the largest or blocked one",
+    ),
+    (
+        "other measured quantities",
+        CaseKind::Validation,
+        Measure::Value,
+        "Validation: other measured quantities",
+    ),
+    (
+        "± of fe",
+        CaseKind::Validation,
+        Measure::Share,
+        "Validation: which share of measured points does the ± cover?",
+    ),
+];
+
 fn as_text(cases: &[VerificationRow]) -> String {
-    let [mut values, mut rms, mut measured, mut shares] = [vec![], vec![], vec![], vec![]];
-    for case in cases {
-        let table = match (case.kind, case.measure) {
-            (CaseKind::Verification, _) => &mut values,
-            (CaseKind::Validation, Measure::Rms) => &mut rms,
-            (CaseKind::Validation, Measure::Value) => &mut measured,
-            (CaseKind::Validation, Measure::Share) => &mut shares,
-        };
-        table.push(case);
+    // Their sources only where the tables are wide enough.
+    let source = if width::of_tables() >= 160 { " source" } else { "" };
+    let (mut out, mut summary) = (String::new(), "Summary\n".to_owned());
+    for (name, kind, measure, title) in KINDS {
+        let is_one =
+            |c: &&VerificationRow| c.kind == kind && (kind == CaseKind::Verification || c.measure == measure);
+        let list: Vec<&VerificationRow> = cases.iter().filter(is_one).collect();
+        let keys = "ok name=case reference:9~ ours:9~ error:2~ tolerance=allowed:2~";
+        out += &format!("{title}\n\n{}\n", tabled(&list, &format!("{keys}{source}"), &shown::units()));
+        let held = list.iter().filter(|c| c.ok).count();
+        summary += &format!("  {name}: {held} of {} cases hold\n", list.len());
     }
-    let newton = |c: &VerificationRow| {
-        c.ours.map(|v| vec![Some(v)]).map_or_else(|| "–".into(), |v| aligned(&v, 3).concat())
-    };
-    let percent = |v: f64| format!("{:.2} %", 100.0 * v);
-    let value = |c: &VerificationRow| {
-        let error = or_dash(c.error, |v| format!("{v:.1e}"));
-        let ours = or_dash(c.ours, |v| number(v, 9));
-        vec![number(c.reference, 9), ours, error, format!("{:.0e}", c.tolerance)]
-    };
-    let quantity = |c: &VerificationRow| {
-        let ours = or_dash(c.ours, |v| number(v, 4));
-        vec![number(c.reference, 4), ours, or_dash(c.error, percent), percent(c.tolerance)]
-    };
-    let of_blocked = |c: &VerificationRow| {
-        let error = or_dash(c.error, percent);
-        vec![newton(c), number(c.reference, 4), error, percent(c.tolerance)]
-    };
-    let covered = |c: &VerificationRow| vec![or_dash(c.ours, percent), percent(c.reference)];
-    [
-        "Verification: are the equations solved right?\n\n".to_owned(),
-        section(&values, &["reference", "ours", "error", "allowed"], &value),
-        "\nValidation: are they the right equations? Root mean square of the differences from measured pulls\n\n"
-            .into(),
-        section(&rms, &["rms [N]", "largest or blocked [N]", "rms of it", "allowed"], &of_blocked),
-        "\nValidation: other measured quantities\n\n".into(),
-        section(&measured, &["measured", "computed", "error", "allowed"], &quantity),
-        "\nValidation: does the ± cover the measured points?\n\n".into(),
-        section(&shares, &["held", "at least"], &covered),
-        summary(&values, &rms, &measured, &shares),
-    ]
-    .concat()
-}
-
-/// The cases of a kind: whether each holds, its numbers, its name and source.
-fn section(
-    cases: &[&VerificationRow],
-    columns: &[&str],
-    numbers: &dyn Fn(&VerificationRow) -> Vec<String>,
-) -> String {
-    let source = has_sources().then_some("source");
-    let header: Vec<&str> = ["", "case"].iter().chain(columns).copied().chain(source).collect();
-    let row = |c: &&VerificationRow| {
-        let mut row = vec![if c.ok { "ok" } else { "FAILS" }.to_owned(), c.name.clone()];
-        row.extend(numbers(c));
-        row.extend(source.map(|_| c.source.to_owned()));
-        row
-    };
-    table(&header, cases.iter().map(row).collect())
-}
-
-/// Whether the tables are wide enough for the sources of the cases.
-fn has_sources() -> bool {
-    width::of_tables() >= 160
-}
-
-fn summary(
-    values: &[&VerificationRow],
-    rms: &[&VerificationRow],
-    measured: &[&VerificationRow],
-    shares: &[&VerificationRow],
-) -> String {
-    let held =
-        |list: &[&VerificationRow]| format!("{} of {}", list.iter().filter(|c| c.ok).count(), list.len());
-    let least = shares.iter().filter_map(|c| c.ours).reduce(f64::min);
-    let least =
-        least.map_or_else(String::new, |v| format!("; the least share of points is {:.1} %", 100.0 * v));
-    let failed = [values, rms, measured, shares].concat().into_iter().filter(|c| !c.ok);
-    let failed: String = failed.map(|c| format!("  FAILS: {}\n", c.name)).collect();
-    format!(
-        "\nSummary\n  verification: {} cases hold\n  measured pulls: {} cases hold\n  other measured quantities: {} cases hold\n  ± of fe: {} cases hold{least}\n{failed}{}",
-        held(values),
-        held(rms),
-        held(measured),
-        held(shares),
-        if has_sources() { "" } else { "\nSources of the cases: mckibben validate --format csv\n" }
-    )
+    let failed = cases.iter().filter(|c| !c.ok).map(|c| format!("  FAILS: {}\n", c.name));
+    summary.extend(failed);
+    if source.is_empty() {
+        summary += "\nSources of the cases: mckibben validate --format csv\n";
+    }
+    out + &summary
 }

@@ -2,6 +2,7 @@
 
 mod columns;
 mod csv;
+pub mod keyed;
 pub mod loaded;
 mod parquet;
 mod rows;

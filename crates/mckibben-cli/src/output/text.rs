@@ -5,7 +5,7 @@ use crate::clean::line;
 use comfy_table::{CellAlignment, Table, presets};
 use mckibben_app::UnderstoodTable;
 pub use mckibben_app::units::Units;
-pub use mckibben_app::words::{air, aligned, half_width, law_text, number, percent, within};
+pub use mckibben_app::words::{aligned, half_width, law_text, number, percent, within};
 use std::path::Path;
 
 /// The name of a file.

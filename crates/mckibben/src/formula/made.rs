@@ -108,16 +108,6 @@ impl Made {
             MadeBraid::TimesDiameter(k) => Some(k / outer_diameter_mm),
         }
     }
-
-    /// The braid in words.
-    pub fn braid_text(&self) -> String {
-        match self.braid {
-            MadeBraid::Named(NamedBraid::Paper) => "paper".into(),
-            MadeBraid::Named(NamedBraid::Inextensible) => "inextensible".into(),
-            MadeBraid::Stiffness(k) => format!("{k} N/mm"),
-            MadeBraid::TimesDiameter(k) => format!("{k} N / D0"),
-        }
-    }
 }
 
 impl MadeRubber {

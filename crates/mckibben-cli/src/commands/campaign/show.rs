@@ -2,7 +2,9 @@
 
 use crate::asked::Asked;
 use crate::failure::Failure;
-use crate::output::text::{number, pairs, table};
+use crate::output::keyed::{listed, tabled, value};
+use crate::output::text::pairs;
+use crate::shown;
 use mckibben_app::campaign_show;
 use mckibben_campaign::campaign::Summary;
 
@@ -20,36 +22,18 @@ pub fn show(asked: &Asked) -> Result<u8, Failure> {
 }
 
 fn as_text(s: &Summary) -> String {
-    let p = &s.provenance;
-    let of = |n: u64, all: u64| if n == all { n.to_string() } else { format!("{n} of {all}") };
-    let mut head = vec![
-        ("muscles", of(s.muscles, p.muscles)),
-        ("points", format!("{} ({} a muscle)", of(s.points, p.points()), p.points_per_muscle)),
-        ("answered", s.answered.to_string()),
-    ];
-    let failed: Vec<(String, String)> =
-        s.failed.iter().map(|(status, f)| (status.to_string(), f.points.to_string())).collect();
-    head.extend(failed.iter().map(|(status, points)| (status.as_str(), points.clone())));
-    head.extend([
-        ("size", format!("{} kB", number(1e-3 * s.bytes as f64, 3))),
-        ("model", p.model.clone()),
-        (
-            "sampling",
-            p.seed.map_or_else(|| p.sampling.clone(), |seed| format!("{}, seed {seed}", p.sampling)),
-        ),
-        ("made by", format!("mckibben {}", p.version)),
-        ("plan sha256", p.plan_sha256.clone()),
-    ]);
-    let mut out = pairs(&head);
-    let rows = s.ranges.iter().map(|r| vec![r.name.clone(), number(r.smallest, 6), number(r.largest, 6)]);
-    out.push_str(&format!("\n{}", table(&["", "smallest", "largest"], rows.collect())));
+    let u = shown::units();
+    let keys = "muscles points points_wanted points_per_muscle answered failed model sampling seed version=mckibben plan_sha256";
+    let mut out = pairs(&listed(&value(s), keys, &u)) + "\n";
+    out += &tabled(&s.ranges, "name=_ smallest:6~ largest:6~", &u);
     for (status, f) in &s.failed {
         out.push_str(&format!("\nThe first {status} is of muscle {}: {}\n", f.first_muscle, f.first_cause));
     }
     if s.missing_parts > 0 {
-        let parts = of(p.parts() - s.missing_parts, p.parts());
+        let all = s.provenance.parts();
         out.push_str(&format!(
-            "\nIncomplete: {parts} parts are present; run the campaign again to continue.\n"
+            "\nIncomplete: {} of {all} parts are present; run the campaign again to continue.\n",
+            all - s.missing_parts
         ));
     }
     for damaged in &s.damaged {

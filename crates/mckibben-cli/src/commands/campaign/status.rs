@@ -2,7 +2,9 @@
 
 use crate::asked::Asked;
 use crate::failure::{Failure, NO_ANSWER};
-use crate::output::text::{place, table};
+use crate::output::keyed::{listed, tabled, value};
+use crate::output::text::{pairs, place};
+use crate::shown;
 use mckibben_app::{CampaignStatusRequest, campaign_status};
 use mckibben_campaign::campaign::{CampaignStatus, ShardState, ShardStatus};
 
@@ -22,21 +24,11 @@ pub fn status(asked: &Asked) -> Result<u8, Failure> {
 
 fn as_text(s: &CampaignStatus) -> String {
     let mut out = format!("{} of {} parts are in {}\n", s.parts, s.parts_wanted, place(&s.output));
-    let states = [
-        (s.shards_done, ShardState::Done),
-        (s.shards_running, ShardState::Running),
-        (s.shards_missing, ShardState::Missing),
-    ];
-    let counted =
-        states.iter().filter(|state| state.0 > 0).map(|(count, state)| format!("{count} {}", state.name()));
-    out.push_str(&format!("{} shards: {}\n", s.shards_wanted, counted.collect::<Vec<_>>().join(", ")));
-    let row = |shard: &ShardStatus| {
-        let parts = format!("{} of {}", shard.parts, shard.parts_wanted);
-        vec![shard.shard.clone(), shard.state.name().into(), parts]
-    };
-    let open: Vec<Vec<String>> = s.shards.iter().filter(|s| s.state != ShardState::Done).map(row).collect();
+    let shards = "shards_wanted=shards shards_done=done shards_running=running shards_missing=missing";
+    out += &pairs(&listed(&value(s), shards, &shown::units()));
+    let open: Vec<&ShardStatus> = s.shards.iter().filter(|s| s.state != ShardState::Done).collect();
     if !open.is_empty() {
-        out.push_str(&format!("\n{}", table(&["shard", "state", "parts"], open)));
+        out += &format!("\n{}", tabled(&open, "shard state parts parts_wanted=of", &shown::units()));
     }
     for part in &s.damaged {
         out.push_str(&format!("Cut off: {}\n", place(part)));

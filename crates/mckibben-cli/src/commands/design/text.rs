@@ -1,7 +1,8 @@
 //! A design for people.
 
 use crate::failure::in_flags;
-use crate::output::text::{Units, aligned, columns, half_width, number, or_dash, percent, percents, place};
+use crate::output::keyed::{tabled, value};
+use crate::output::text::{Units, half_width, number, or_dash, percent, place};
 use mckibben::analysis::FailureMode;
 use mckibben::analysis::litres_anr;
 use mckibben::liquid::Liquid;
@@ -10,6 +11,7 @@ use mckibben_app::{
     SearchedAnswer, SureAnswer, TorqueWanted,
 };
 use mckibben_design::{CandidatePoint, Limit, Relaxation, Spread};
+use serde_json::Value;
 use std::path::Path;
 
 /// The design for people.
@@ -218,91 +220,38 @@ fn measures(r: &RejectedAnswer, u: &Units) -> String {
 }
 
 fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
-    type One = CandidateAnswer;
-    let several_rubbers = list.windows(2).any(|w| w[0].muscle.rubber != w[1].muscle.rubber);
-    let several_lengths = list.windows(2).any(|w| w[0].muscle.length_mm != w[1].muscle.length_mm);
-    let stiffness = |c: &One| c.family_stiffness_n_per_mm;
-    let several_braids = list.windows(2).any(|w| stiffness(&w[0]) != stiffness(&w[1]));
-    let strands = list.iter().any(|c| c.strand_tension_n.is_some());
-    let liquid = list.iter().any(|c| c.liquid_volume_mm3.is_some());
-    let burst = list.iter().any(|c| c.limits.burst_pressure_mpa.is_some());
-    let tension = |c: &One| if strands { c.strand_tension_n } else { c.braid_tension_n };
-    let needs = list.iter().map(|c| {
-        let each = c.points.iter().map(|q| u.pressure.to(q.response.pressure_mpa, 3));
-        each.collect::<Vec<_>>().join(", ")
+    let rows = list.iter().enumerate().map(|(i, c)| {
+        let mut row = value(c);
+        let needs: Vec<String> = c.points.iter().map(|q| u.pressure.to(q.response.pressure_mpa, 3)).collect();
+        row["rank"] = format!("{}.", i + 1).into();
+        row["needs"] = needs.join(", ").into();
+        row
     });
-    let known = |of: &dyn Fn(&One) -> f64| list.iter().map(|c| Some(of(c))).collect::<Vec<_>>();
-    let maybe = |of: &dyn Fn(&One) -> Option<f64>| list.iter().map(of).collect::<Vec<_>>();
-    let thousandths = |v: f64| (1000.0 * v).floor() / 1000.0;
-    let per_length = u.stiffness();
-    let mut found = vec![
-        (String::new(), (1..=list.len()).map(|i| format!("{i}.")).collect()),
-        (u.length.heading("D0"), u.length.column(known(&|c| c.muscle.outer_diameter_mm), 4)),
-        (u.length.heading("s"), u.length.column(known(&|c| c.muscle.wall_mm), 3)),
-        ("θ0 [°]".into(), aligned(&known(&|c| c.muscle.angle_deg), 4)),
+    let rows: Vec<Value> = rows.collect();
+    let any = |key: &str| rows.iter().any(|row| !row[key].is_null());
+    let several = |key: &str| rows.windows(2).any(|w| w[0][key] != w[1][key]);
+    let [strands, liquid, tubes, mass] = ["strand_tension_n", "liquid_volume_mm3", "tube", "mass_g"].map(any);
+    let required = format!("needs={}", u.pressure.heading("P_required"));
+    let required = required.replace(' ', "_");
+    let keys = [
+        (true, "rank=_ tube sleeve outer_diameter_mm=D0 wall_mm=s:3 angle_deg=θ0"),
+        (lengths || several("length_mm"), "length_mm=L0"),
+        (several("family_stiffness_n_per_mm"), "family_stiffness_n_per_mm=k:3"),
+        (true, &*required),
+        (true, "margin:3% blocked_force_n=F_blocked free_contraction=ε_free:3%"),
+        (true, "bulged_diameter_mm=bulged_D:3 stiffness_n_per_mm=stiffness:3"),
+        (true, if liquid { "liquid_volume_mm3=liquid:3" } else { "air_normal_litres=air:3" }),
+        (true, if strands { "strand_tension_n=strand:3" } else { "braid_tension_n=braid:3" }),
+        (true, "uncertainty_n=±:~ burst_pressure_mpa=P_burst:3"),
+        (true, if mass { "mass_g=mass:3" } else { "rubber_mass_g=rubber:3" }),
+        (!tubes && several("rubber"), "rubber"),
     ];
-    if list.iter().any(|c| c.tube.is_some()) {
-        let sleeve = |c: &One| c.muscle.sleeve.clone().unwrap_or_default();
-        found.splice(
-            1..1,
-            [
-                ("tube".into(), list.iter().map(|c| c.tube.clone().unwrap_or_default()).collect()),
-                ("sleeve".into(), list.iter().map(sleeve).collect()),
-            ],
-        );
-    }
-    if lengths || several_lengths {
-        found.push((u.length.heading("L0"), u.length.column(known(&|c| c.muscle.length_mm), 4)));
-    }
-    if several_braids {
-        found.push((per_length.heading("k"), per_length.column(maybe(&stiffness), 3)));
-    }
-    found.extend([
-        (u.pressure.heading("P required"), needs.collect()),
-        ("margin".into(), percents(known(&|c| thousandths(c.margin)), 3)),
-        (u.force.heading("F blocked"), u.force.column(known(&|c| c.blocked_force_n), 4)),
-        ("ε free".into(), percents(maybe(&|c| c.free_contraction), 3)),
-        (u.length.heading("bulged D"), u.length.column(maybe(&|c| c.bulged_diameter_mm), 3)),
-        (per_length.heading("stiffness"), per_length.column(maybe(&|c| c.stiffness_n_per_mm), 3)),
-        if liquid {
-            ("liquid [mL]".into(), aligned(&maybe(&|c| c.liquid_volume_mm3.map(|mm3| 1e-3 * mm3)), 3))
-        } else {
-            ("air [L]".into(), aligned(&maybe(&|c| c.air_normal_litres.map(litres_anr)), 3))
-        },
-        (u.force.heading(if strands { "strand" } else { "braid" }), u.force.column(maybe(&tension), 3)),
-        (
-            u.force.heading("±"),
-            list.iter().map(|c| or_dash(c.uncertainty_n, |v| u.force.half_width(v))).collect(),
-        ),
-    ]);
-    if burst {
-        found.push((
-            u.pressure.heading("P burst"),
-            u.pressure.column(maybe(&|c| c.limits.burst_pressure_mpa), 3),
-        ));
-    }
-    if list.iter().any(|c| c.muscle.mass_g.is_some()) {
-        found.push(("mass [g]".into(), aligned(&maybe(&|c| c.muscle.mass_g), 3)));
-    } else if list.iter().any(|c| c.muscle.rubber_mass_g.is_some()) {
-        found.push(("rubber [g]".into(), aligned(&maybe(&|c| c.muscle.rubber_mass_g), 3)));
-    }
-    if several_rubbers && list.iter().all(|c| c.tube.is_none()) {
-        found.push(("rubber".into(), list.iter().map(|c| c.muscle.rubber.clone()).collect()));
-    }
-    let mut out = columns(found);
-    let (fluid, from_rest) = if liquid {
-        ("liquid", "liquid: volume (at atmospheric pressure) that is pushed in")
-    } else {
-        ("air", "air: litres (ANR: at 20 °C and 1 bar)")
-    };
-    let braid =
-        if strands { "strand: tension of one strand" } else { "braid: tension of all strands together" };
-    let k = if several_braids { "k: stiffness of one strand family. " } else { "" };
-    out.push_str(&format!(
-        "\n{}margin: pull above the required pull, at the maximum pressure.\nF blocked and ε free: at the maximum pressure. stiffness: at the first point. bulged D, {}, {fluid}, ±: the largest of the points.\n{from_rest} from rest to the point. {k}{braid}.\n±: 95 % half-width of the pull, against a measured muscle.\n",
-        if list.iter().any(|c| c.points.len() > 1) { "P required: the pressure of each point. " } else { "" },
-        if strands { "strand" } else { "braid" }
-    ));
+    let keys: Vec<&str> = keys.into_iter().filter(|key| key.0).map(|key| key.1).collect();
+    let mut out = tabled(&rows, &keys.join(" "), u);
+    out += "\nP required: the pressure of each point. margin: pull above the required pull, at the maximum pressure.\n\
+        F blocked and ε free: at the maximum pressure. stiffness: at the first point. bulged D, air or liquid, strand or braid, ±: the largest of the points.\n\
+        air (ANR: at 20 °C and 1 bar) and liquid: from rest to the point. k: stiffness of one strand family. strand: tension of one strand; braid: of all together.\n\
+        ±: 95 % half-width of the pull, against a measured muscle.\n";
     out.push_str(&list.first().map_or_else(String::new, binds));
     if let Some(first) = list.first().filter(|c| !c.from_thick_wall.is_empty()) {
         out.push_str(&format!("From the thick-wall model: {}.\n", first.from_thick_wall.join(", ")));

@@ -1,105 +1,79 @@
 //! What `fit` tells people.
 
-use crate::output::text::{number, pairs, place, table};
-use mckibben::formula::{Document, ErrorSummary, Formula, UniversalFormula, UniversalSummary, UniversalTerm};
+use crate::output::keyed::{listed, tabled, value};
+use crate::output::text::{Units, number, pairs, place};
+use mckibben::formula::Document;
 use mckibben_app::FitAnswer;
 use mckibben_campaign::fit::signs::signs;
 use mckibben_campaign::fit::{FittedFormula, PaperMethod};
+use serde_json::{Value, json};
 use std::path::Path;
 
-/// Shares in per cent, differences in N.
-fn cells(name: String, e: &ErrorSummary) -> Vec<String> {
-    let percent = |v: f64| format!("{:.3}", 100.0 * v);
-    let mut row = vec![name, e.points.to_string(), percent(e.rms), percent(e.p95), percent(e.max)];
-    row.extend([percent(e.max_12), format!("{:.1}", e.max_n)]);
-    row
-}
+/// What a formula is and where it holds.
+const FORMULA: &str = "name kind form equation range made_for.length_mm=L0 made_for.angle_deg=θ0 made_for.rubber.name=rubber made_for.rubber.law=law made_for.rubber.constants=constants made_for.braid=braid provenance.method=method provenance.points=points provenance.table=table provenance.data_hash=data provenance.plan_hash=plan provenance.version=mckibben";
+pub const ERRORS: &str = "name=points_that_pull points=number muscles rms_of_blocked=rms:3% p95_of_blocked=95_%_of_them:3% p99_of_blocked=99_%:3% max_of_blocked=largest:3% max_of_isobar=(12):3% max_n=largest:3~";
 
-/// Rows of a formula's errors: all, held out, by region.
-pub fn error_rows(formula: &Formula) -> Vec<Vec<String>> {
-    let mut rows = vec![cells("all fitted".into(), &formula.errors.fit)];
-    if let Some(h) = &formula.errors.held_out {
-        let list: Vec<String> = h.outer_diameters_mm.iter().map(|d| number(*d, 4)).collect();
-        rows.push(cells(format!("held out: D0 {}", list.join(", ")), &h.errors));
+/// A formula with its errors, and with its terms where they are asked for. All is in the units of the formula.
+pub fn formula_text(formula: &Document, terms: bool) -> String {
+    let (f, u) = (value(formula), Units::default());
+    let mut out = pairs(&listed(&f, FORMULA, &u));
+    if terms {
+        let list = f["terms"].as_array().map_or(&[][..], Vec::as_slice);
+        out += &format!("\nTerms\n\n{}", tabled(list, "value:7~ unit name", &u));
     }
-    for r in &formula.errors.regions {
-        let letter = match r.quantity.as_str() {
-            "outer_diameter_mm" => "D0",
-            "wall_mm" => "s",
-            "pressure_mpa" => "P",
-            _ => "ε",
-        };
-        rows.push(cells(format!("{letter} {}", number(r.value, 4)), &r.errors));
+    let errors = &f["errors"];
+    let against = errors["against"].as_str().unwrap_or_default();
+    out + &format!("\nErrors against {against}\n\n{}", tabled(&error_rows(errors), ERRORS, &u))
+}
+
+/// The errors of all points, of those that were left out, and by region.
+fn error_rows(errors: &Value) -> Vec<Value> {
+    let held_out = errors["held_out"]["outer_diameters_mm"].as_array().into_iter().flatten();
+    let held_out: Vec<String> = held_out.filter_map(|d| Some(number(d.as_f64()?, 4))).collect();
+    let named = [
+        ("fit", "all fitted".to_owned()),
+        ("held_out", format!("held out: D0 {}", held_out.join(", "))),
+        ("left_out", "muscles left out, a fifth at a time".to_owned()),
+    ];
+    let mut rows: Vec<(String, Value)> = named.map(|(key, name)| (name, errors[key].clone())).into();
+    for region in errors["regions"].as_array().into_iter().flatten() {
+        let name = region["quantity"].as_str().unwrap_or_default();
+        let at = region["value"].as_f64().map_or_else(String::new, |v| number(v, 4));
+        rows.push((format!("{name} {at}"), region.clone()));
     }
-    rows
+    let there = rows.into_iter().filter(|(_, row)| row.is_object());
+    there
+        .map(|(name, mut row)| {
+            row["name"] = name.into();
+            row
+        })
+        .collect()
 }
-
-pub fn errors_table(rows: Vec<Vec<String>>) -> String {
-    table(&["points that pull", "number", "rms %", "95 % of them %", "max %", "(12) max %", "max N"], rows)
-}
-
-/// Rows of the table of regions that people see at once; the file has all.
-const SHOWN: usize = 40;
 
 /// A fitted formula, and where it was written.
 pub fn of(answer: &FitAnswer, output: Option<&Path>) -> String {
-    let mut out = match (&answer.formula, &answer.fitted) {
-        (_, Some(fitted)) => section(fitted, answer.failed),
-        (Document::Universal(formula), None) => universal(formula),
-        // Formulas for muscles of one make come with what was found on the way.
-        (Document::Section(_), None) => String::new(),
-    };
+    let mut out = formula_text(&answer.formula, answer.fitted.is_none());
+    out.extend(answer.fitted.as_ref().map(|fitted| way(fitted, answer.failed)));
     if let Some(path) = output {
         out.push_str(&format!("\nThe formula is in {0}: --model {0}\n", place(path)));
     }
     out
 }
 
-fn section(f: &FittedFormula, failed: usize) -> String {
-    let formula = &f.formula;
-    let (p, r) = (&formula.provenance, &formula.range);
-    let interval = |(low, high): (f64, f64)| format!("{} to {}", number(low, 4), number(high, 4));
-    let mut list = vec![
-        ("method", p.method.clone()),
-        ("points", format!("{} fitted, {} not used, {failed} without an answer", p.points, f.unused)),
-        ("range", range_text(r.outer_diameter_mm, r.wall_mm, r.pressure_mpa, interval(r.contraction))),
-        ("muscles", made_text(formula)),
-    ];
+/// What was found on the way to a formula for muscles of one make.
+fn way(f: &FittedFormula, failed: usize) -> String {
+    let mut out = format!("\n{} points were not used, {failed} had no answer\n", f.unused);
     if let Some(g) = &f.global {
-        list.push(("terms", format!("{} of {} candidates", g.terms.terms.len(), g.candidates)));
-        if let Some(step) = g.steps.get(g.terms.terms.len().saturating_sub(1))
-            && let Some(left_out) = step.left_out
-        {
-            let text = format!("rms {:.3} % on inner diameters left out one at a time", 100.0 * left_out);
-            list.push(("chosen by", text));
-        }
+        out += &format!("{} of {} candidate terms", g.terms.terms.len(), g.candidates);
+        let step = g.steps.get(g.terms.terms.len().saturating_sub(1));
+        let left_out = step.and_then(|step| step.left_out).map(|v| 100.0 * v);
+        out.extend(
+            left_out.map(|v| format!(", chosen by rms {v:.3} % on inner diameters left out one at a time")),
+        );
+        out.push('\n');
     }
-    let mut out = pairs(&list);
-    out.push_str("\nErrors in % of the muscle's blocked force at the table's highest pressure; (12) in % of the largest force of the isobar\n\n");
-    let rows: Vec<Vec<String>> = error_rows(formula).into_iter().take(SHOWN).collect();
-    out.push_str(&errors_table(rows));
-    if let Some(method) = &f.paper {
-        out.push_str(&signs_text(method));
-    }
+    out.extend(f.paper.as_ref().map(signs_text));
     out
-}
-
-/// The range in one line.
-pub fn range_text(d: (f64, f64), s: (f64, f64), p: (f64, f64), contraction: String) -> String {
-    let interval = |(low, high): (f64, f64)| format!("{} to {}", number(low, 4), number(high, 4));
-    format!("D0 {} mm, s {} mm, P {} MPa, ε {contraction}", interval(d), interval(s), interval(p))
-}
-
-/// The muscles in one line.
-pub fn made_text(formula: &Formula) -> String {
-    let m = &formula.made_for;
-    format!(
-        "L0 {} mm, θ0 {}°, rubber {}, braid {}",
-        number(m.length_mm, 5),
-        number(m.angle_deg, 4),
-        m.rubber.text(),
-        m.braid_text()
-    )
 }
 
 /// R² of the steps, curves that a rule changed, and the signs of section 3.3.1.
@@ -122,59 +96,13 @@ fn signs_text(m: &PaperMethod) -> String {
     }
     out.push_str("\nSigns that section 3.3.1 of the paper states (pairs of neighbouring curves)\n\n");
     let rows = signs(m).into_iter().map(|s| {
-        vec![
-            format!("D0 {}", number(s.outer_diameter_mm, 4)),
-            format!("{} {} with {}", s.coefficient, if s.rises { "rises" } else { "falls" }, s.with),
-            format!("{} of {}", s.holding, s.pairs),
-            if s.holds() { "holds" } else { "does not hold" }.into(),
-        ]
+        json!({
+            "outer_diameter_mm": s.outer_diameter_mm,
+            "statement": format!("{} {} with {}", s.coefficient, if s.rises { "rises" } else { "falls" }, s.with),
+            "pairs": format!("{} of {}", s.holding, s.pairs),
+            "holds": s.holds(),
+        })
     });
-    out.push_str(&table(&["", "statement", "pairs", "verdict"], rows.collect()));
-    out
-}
-
-/// A universal formula for people.
-pub fn universal(f: &UniversalFormula) -> String {
-    let (p, r) = (&f.provenance, &f.range);
-    let known = |v: &Option<String>| v.clone().unwrap_or_else(|| "–".into());
-    let interval = |(low, high): (f64, f64)| match high {
-        h if h.is_infinite() => format!("from {}", number(low, 4)),
-        h => format!("{} to {}", number(low, 4), number(h, 4)),
-    };
-    let range = format!(
-        "s/D0 {}, L0/D0 {}, θ0 {}°, P/μ {}, strand strain up to {}, ε {} of the ideal muscle's largest, C01/(C10 + C01) {}",
-        interval(r.wall_ratio),
-        interval(r.length_ratio),
-        interval(r.angle_deg),
-        interval(r.pressure_per_modulus),
-        number(r.strand_strain, 3),
-        interval(r.contraction_of_ideal),
-        interval(r.c01_share),
-    );
-    let mut out = pairs(&[
-        ("name", f.name.clone()),
-        ("kind", format!("universal, {}", f.deficit.form)),
-        ("equation", f.equation()),
-        ("range", range),
-        ("method", p.method.clone()),
-        ("table", format!("{} ({} points, {})", known(&p.table), p.points, p.data_hash)),
-        ("plan", known(&p.plan_hash)),
-        ("program", format!("mckibben {}", p.version)),
-    ]);
-    out.push_str("\nTerms\n\n");
-    let row = |t: &UniversalTerm| vec![format!("{:+.6e}", t.value), f.term_name(t)];
-    out.push_str(&table(&["value", "times"], f.deficit.terms.iter().map(row).collect()));
-    out.push_str("\nErrors in % of the muscle's blocked force at the same pressure\n\n");
-    let header = ["points that pull", "number", "muscles", "rms %", "95 % of them %", "99 % %", "max %"];
-    let rows = [("all fitted", f.errors.fit), ("muscles left out, a fifth at a time", f.errors.left_out)];
-    out.push_str(&table(&header, rows.map(|(name, e)| errors_row(name, &e)).to_vec()));
-    out
-}
-
-/// Name, points, muscles, errors in per cent.
-pub fn errors_row(name: &str, e: &UniversalSummary) -> Vec<String> {
-    let percent = |v: f64| format!("{:.3}", 100.0 * v);
-    let mut row = vec![name.to_owned(), e.points.to_string(), e.muscles.to_string()];
-    row.extend([e.rms, e.p95, e.p99, e.max].map(percent));
-    row
+    let rows: Vec<Value> = rows.collect();
+    out + &tabled(&rows, "outer_diameter_mm=D0 statement pairs holds", &Units::default())
 }

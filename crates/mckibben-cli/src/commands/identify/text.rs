@@ -1,5 +1,6 @@
 //! What was identified, for people.
 
+use crate::output::keyed::tabled;
 use crate::output::text::{Units, number, percent, table, understood};
 use mckibben_app::{IdentifyAnswer, with_error_bar};
 use mckibben_fit::identify::Identification;
@@ -58,16 +59,7 @@ pub fn of(answer: &IdentifyAnswer, u: &Units) -> String {
             u.force.name
         ));
     }
-    for s in &found.spreads {
-        out.push_str(&format!(
-            "  {}: {} points, rms {}, largest {}, mean {}\n",
-            s.label,
-            s.points,
-            force(s.rms_n),
-            force(s.max_n),
-            force(s.mean_n)
-        ));
-    }
+    out.push_str(&tabled(&found.spreads, "label=_ points rms_n:3 max_n=largest:3 mean_n:3", u));
     if !answer.laws.is_empty() {
         out.push_str(&laws(answer, &force));
     }

@@ -2,15 +2,16 @@
 
 use crate::asked::Asked;
 use crate::failure::Failure;
-use crate::output::text::{number, or_dash, pairs, table};
+use crate::output::keyed::{listed, tabled, value};
+use crate::output::text::{number, pairs};
 use crate::progress::Bar;
 use crate::{files, plot, shown};
 use mckibben_app::{
-    MeasuredAnswer, MeasuredBranch, MeasuredCase, MeasuredFacts, MeasuredFit, MeasuredFolder,
-    MeasuredRequest, MeasuredResult, MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind,
-    with_error_bar,
+    MeasuredAnswer, MeasuredCase, MeasuredFit, MeasuredFolder, MeasuredRequest, MeasuredResult,
+    MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind, with_error_bar,
 };
 use mckibben_fit::validation::case::built_in;
+use serde_json::Value;
 use std::path::Path;
 
 pub fn run(asked: &Asked) -> Result<u8, Failure> {
@@ -100,25 +101,18 @@ fn chosen(all: Vec<MeasuredFolder>, only: &[String]) -> Result<Vec<MeasuredFolde
 
 fn as_text(answer: &MeasuredAnswer) -> String {
     let head = format!(
-        "Validation: {} against measured muscles. Bias is measured − computed; % is of the blocked force; within ± is the share of the points inside the ±\n",
+        "Validation: {} against measured muscles. Bias is measured − computed; % is of the blocked force; within ± is the share of the points inside the ±. Errors by branch and by contraction: --format json\n",
         answer.model
     );
-    let cases = answer.cases.iter().map(|case| block(case, &answer.results));
+    let cases = answer.cases.iter().map(|case| muscle(case, &answer.results));
     let rubbers = answer.rubbers.iter().map(|case| rubber(case, &answer.stresses));
     let head = if answer.cases.is_empty() { None } else { Some(head) };
     head.into_iter().chain(cases).chain(rubbers).collect()
 }
 
-/// What is known, for people.
-fn facts(f: &MeasuredFacts) -> String {
-    pairs(&[
-        ("folder", f.name.clone()),
-        ("source", f.source.clone()),
-        ("terms", f.terms.clone()),
-        ("known", f.known.clone()),
-        ("unknown", f.unknown.clone()),
-    ])
-}
+const FACTS: &str = "name=folder source terms known unknown points";
+const STRESSES: &str = "rms_mpa=rms:3~ relative=of_the_measured:3%~ bias_mpa=bias:3~ largest_mpa=largest:3~ points to_stretch:3 blind of fit";
+const RESULTS: &str = "rms_n=rms:3 rms_of_blocked=of_the_blocked_force:3% bias_n=bias:3 largest_n=largest:3 points unanswered held=within_±:3% blind of fitted_to fit";
 
 fn rubber(case: &MeasuredRubber, stresses: &[MeasuredStress]) -> String {
     let one = |f: &MeasuredRubberFit| {
@@ -130,83 +124,24 @@ fn rubber(case: &MeasuredRubber, stresses: &[MeasuredStress]) -> String {
         (f.fit.clone(), parts.join(", "))
     };
     let found: Vec<(String, String)> = case.fits.iter().map(one).collect();
-    let header =
-        ["rms [MPa]", "rms [%]", "bias [MPa]", "largest [MPa]", "points", "to stretch", "blind", "of", "fit"];
-    let row = |s: &MeasuredStress| {
-        vec![
-            format!("{:.4}", s.rms_mpa),
-            format!("{:.1}", 100.0 * s.relative),
-            format!("{:+.4}", s.bias_mpa),
-            format!("{:.3}", s.largest_mpa),
-            s.points.to_string(),
-            format!("{:.2}", s.to_stretch),
-            if s.blind { "blind" } else { "" }.into(),
-            s.of.clone(),
-            s.fit.clone(),
-        ]
-    };
-    let own = stresses.iter().filter(|s| s.case == case.facts.name);
-    format!(
-        "\n{}, {} points; % is of the measured stress\n\n{}\nFound\n{}\n{}",
-        case.facts.title,
-        case.points,
-        facts(&case.facts),
-        pairs(&found),
-        table(&header, own.map(row).collect()),
-    )
+    let own: Vec<_> = stresses.iter().filter(|s| s.case == case.facts.name).collect();
+    let title = format!("{}; % is of the measured stress", case.facts.title);
+    block(&title, &value(case), &found, &tabled(&own, STRESSES, &shown::units()))
 }
 
-fn block(case: &MeasuredCase, results: &[MeasuredResult]) -> String {
-    let fits: Vec<(String, String)> = case
-        .fits
-        .iter()
-        .filter(|f| !f.parameters.is_empty())
-        .map(|f| (format!("{} [{}]", f.fit, f.fitted_to), values(f)))
-        .collect();
-    let own = || results.iter().filter(|r| r.case == case.facts.name);
-    let header = [
-        "rms [N]",
-        "rms [%]",
-        "bias [N]",
-        "largest [N]",
-        "points",
-        "within ±",
-        "blind",
-        "of",
-        "fitted to",
-        "fit",
-    ];
-    let by_contraction: Vec<(String, String)> = own()
-        .filter(|r| !r.blind)
-        .map(|r| {
-            let bins = r.by_contraction.iter().map(|b| format!("{:.2} {:+.1}", b.from, b.bias_n));
-            (format!("{} [{}]", r.fit, r.of), bins.collect::<Vec<_>>().join(", "))
-        })
-        .collect();
-    let by_branch: Vec<(String, String)> = own()
-        .filter(|r| !r.by_branch.is_empty())
-        .map(|r| {
-            let one = |b: &MeasuredBranch| {
-                let held = or_dash(b.held, |v| format!("{:.0} %", 100.0 * v));
-                format!("{} {:.1} {:+.1}, within ± {held}", b.branch, b.rms_n, b.bias_n)
-            };
-            (format!("{} [{}]", r.fit, r.of), r.by_branch.iter().map(one).collect::<Vec<_>>().join("; "))
-        })
-        .collect();
-    let branches = if by_branch.is_empty() {
-        String::new()
-    } else {
-        format!("\nSingle branches, rms and bias in N\n{}", pairs(&by_branch))
-    };
-    format!(
-        "\n{}, {} points that pull\n\n{}\nFound, ± 95 %\n{}\n{}\nBias in N from ε 0, 0.05, …, where fitted\n{}",
-        case.facts.title,
-        case.points,
-        facts(&case.facts),
-        pairs(&fits),
-        table(&header, own().map(row).collect()),
-        pairs(&by_contraction)
-    ) + &branches
+fn muscle(case: &MeasuredCase, results: &[MeasuredResult]) -> String {
+    let fits = case.fits.iter().filter(|f| !f.parameters.is_empty());
+    let found: Vec<(String, String)> =
+        fits.map(|f| (format!("{} [{}]", f.fit, f.fitted_to), values(f))).collect();
+    let own: Vec<_> = results.iter().filter(|r| r.case == case.facts.name).collect();
+    let title = format!("{}, points that pull", case.facts.title);
+    block(&title, &value(case), &found, &tabled(&own, RESULTS, &shown::units()))
+}
+
+/// What is known of a case, what was found, and how far it is off.
+fn block(title: &str, case: &Value, found: &[(String, String)], errors: &str) -> String {
+    let facts = pairs(&listed(case, FACTS, &shown::units()));
+    format!("\n{title}\n\n{facts}\nFound, ± 95 %\n{}\n{errors}", pairs(found))
 }
 
 fn values(fit: &MeasuredFit) -> String {
@@ -218,23 +153,4 @@ fn values(fit: &MeasuredFit) -> String {
         format!("{} {value}{bar}{unit}{doubt}", p.name)
     };
     fit.parameters.iter().map(one).collect::<Vec<_>>().join(", ")
-}
-
-fn row(r: &MeasuredResult) -> Vec<String> {
-    let percent = |v: f64| format!("{:.0} %", 100.0 * v);
-    vec![
-        format!("{:.1}", r.rms_n),
-        format!("{:.1}", 100.0 * r.rms_of_blocked),
-        format!("{:+.1}", r.bias_n),
-        format!("{:.0}", r.largest_n),
-        r.points.to_string(),
-        or_dash(r.held, percent),
-        if r.blind { "blind" } else { "" }.into(),
-        match r.unanswered {
-            0 => r.of.clone(),
-            n => format!("{} ({n} without an answer)", r.of),
-        },
-        r.fitted_to.clone(),
-        r.fit.clone(),
-    ]
 }
