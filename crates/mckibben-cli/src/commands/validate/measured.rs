@@ -7,8 +7,8 @@ use crate::output::text::{number, pairs};
 use crate::progress::Bar;
 use crate::{files, plot, shown};
 use mckibben_app::{
-    MeasuredAnswer, MeasuredCase, MeasuredFit, MeasuredFolder, MeasuredRequest, MeasuredResult,
-    MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind, with_error_bar,
+    MeasuredAnswer, MeasuredBranch, MeasuredCase, MeasuredFit, MeasuredFolder, MeasuredRequest,
+    MeasuredResult, MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind, with_error_bar,
 };
 use mckibben_fit::validation::case::built_in;
 use serde_json::Value;
@@ -101,7 +101,7 @@ fn chosen(all: Vec<MeasuredFolder>, only: &[String]) -> Result<Vec<MeasuredFolde
 
 fn as_text(answer: &MeasuredAnswer) -> String {
     let head = format!(
-        "Validation: {} against measured muscles. Bias is measured − computed; % is of the blocked force; within ± is the share of the points inside the ±. Errors by branch and by contraction: --format json\n",
+        "Validation: {} against measured muscles. Bias is measured − computed; % is of the blocked force; within ± is the share of the points inside the ±. Errors by contraction: --format json\n",
         answer.model
     );
     let cases = answer.cases.iter().map(|case| muscle(case, &answer.results));
@@ -113,6 +113,7 @@ fn as_text(answer: &MeasuredAnswer) -> String {
 const FACTS: &str = "name=folder source terms known unknown points";
 const STRESSES: &str = "rms_mpa=rms:3~ relative=of_the_measured:3%~ bias_mpa=bias:3~ largest_mpa=largest:3~ points to_stretch:3 blind of fit";
 const RESULTS: &str = "rms_n=rms:3 rms_of_blocked=of_the_blocked_force:3% bias_n=bias:3 largest_n=largest:3 points unanswered held=within_±:3% blind of fitted_to fit";
+const BRANCHES: &str = "branch points rms_n=rms:3 bias_n=bias:3 held=within_±:3% of";
 
 fn rubber(case: &MeasuredRubber, stresses: &[MeasuredStress]) -> String {
     let one = |f: &MeasuredRubberFit| {
@@ -134,8 +135,21 @@ fn muscle(case: &MeasuredCase, results: &[MeasuredResult]) -> String {
     let found: Vec<(String, String)> =
         fits.map(|f| (format!("{} [{}]", f.fit, f.fitted_to), values(f))).collect();
     let own: Vec<_> = results.iter().filter(|r| r.case == case.facts.name).collect();
-    let title = format!("{}, points that pull", case.facts.title);
-    block(&title, &value(case), &found, &tabled(&own, RESULTS, &shown::units()))
+    let branches = own.iter().flat_map(|r| {
+        let row = |branch: &MeasuredBranch| {
+            let mut row = value(branch);
+            row["of"] = format!("{} [{}]", r.fit, r.of).into();
+            row
+        };
+        r.by_branch.iter().map(row).collect::<Vec<Value>>()
+    });
+    let branches: Vec<Value> = branches.collect();
+    let u = shown::units();
+    let mut errors = tabled(&own, RESULTS, &u);
+    if !branches.is_empty() {
+        errors += &format!("\nBranches\n{}", tabled(&branches, BRANCHES, &u));
+    }
+    block(&format!("{}, points that pull", case.facts.title), &value(case), &found, &errors)
 }
 
 /// What is known of a case, what was found, and how far it is off.
