@@ -34,9 +34,8 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
 }
 
 fn list_text(answer: &ExportListAnswer) -> String {
-    let row =
-        |t: &mckibben_app::ExportTarget| [&t.name, &t.about, &t.needs, &t.loses].map(Clone::clone).into();
-    table(&["target", "what it is", "needs", "loses"], answer.targets.iter().map(row).collect())
+    let rows = answer.targets.iter().map(|t| [t.name, t.about, t.needs, t.loses].map(str::to_owned).into());
+    table(&["target", "what it is", "needs", "loses"], rows.collect())
 }
 
 fn text(answer: &ExportAnswer, folder: Option<&Path>) -> String {

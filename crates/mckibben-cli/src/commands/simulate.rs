@@ -108,11 +108,11 @@ fn as_text(answer: &SimulateAnswer, u: &Units) -> String {
     let responses = || points.iter().map(|q| q.solution.as_ref().ok().map(|s| &s.response));
     let of = |what: fn(&Response) -> Option<f64>| responses().map(move |r| r.and_then(what));
     let contractions =
-        points.iter().zip(responses()).map(|(q, r)| r.map(|r| r.contraction).or(q.contraction()));
+        points.iter().zip(responses()).map(|(q, r)| r.map(|r| r.contraction).or(q.held.contraction()));
     let pulls = points.iter().zip(responses()).map(|(q, r)| match r {
         _ if q.slack => Some(0.0),
         Some(r) => Some(r.force_n),
-        None => q.force_n(),
+        None => q.held.force_n(),
     });
     let notes = points.iter().map(|q| match &q.solution {
         _ if q.slack => hangs(q),

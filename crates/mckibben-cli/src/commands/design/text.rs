@@ -6,10 +6,10 @@ use mckibben::analysis::FailureMode;
 use mckibben::analysis::litres_anr;
 use mckibben::liquid::Liquid;
 use mckibben_app::{
-    BoughtAnswer, CandidateAnswer, ClosestAnswer, DemandAnswer, DesignAnswer, OperatingPoint, RejectedAnswer,
-    SearchedAnswer, SureAnswer, TorqueWanted,
+    BoughtAnswer, CandidateAnswer, ClosestAnswer, DemandAnswer, DesignAnswer, OperatingPoint, SearchedAnswer,
+    SureAnswer, TorqueWanted,
 };
-use mckibben_design::{CandidatePoint, Limit, Relaxation, Spread};
+use mckibben_design::{CandidatePoint, Limit, Rejected, Relaxation, Spread};
 use std::path::Path;
 
 /// The design for people.
@@ -64,7 +64,7 @@ pub fn of(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     for r in answer.rejected.iter().skip(skip) {
         let by = r.misses_by.filter(|share| *share < 1.0);
         let by = by.map_or_else(String::new, |share| format!(" (misses by {})", percent(thousandth(share))));
-        out.push_str(&format!("  {}: {}{by}\n", measures(r, u), u.sentence(&r.reason)));
+        out.push_str(&format!("  {}: {}{by}\n", measures(&r.muscle, u), u.sentence(&r.reason)));
     }
     out
 }
@@ -212,7 +212,7 @@ fn binds(best: &CandidateAnswer) -> String {
     format!("Limited by: {what}.\n")
 }
 
-fn measures(r: &RejectedAnswer, u: &Units) -> String {
+fn measures(r: &Rejected, u: &Units) -> String {
     let sleeve = r.sleeve.as_ref().map_or_else(String::new, |name| format!(" in {name}"));
     format!("D0 {}, s {}{sleeve}", u.length.to(r.outer_diameter_mm, 4), u.length.to(r.wall_mm, 3))
 }
@@ -405,7 +405,7 @@ fn too_weak(answer: &DesignAnswer) -> String {
 }
 
 fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {
-    let (measures, reason) = (measures(&closest.rejected, u), u.sentence(&closest.rejected.reason));
+    let (measures, reason) = (measures(&closest.rejected.muscle, u), u.sentence(&closest.rejected.reason));
     let mut out = format!("Nothing fits. Closest: {measures}: {reason}\n");
     if closest.relaxations.is_empty() {
         out.push_str("No single change makes a muscle fit.\n");

@@ -2,7 +2,8 @@
 
 use crate::output::text::{or_dash, pairs, percent, percents, table};
 use crate::shown;
-use mckibben_app::{LibraryAgreement, LibraryDetails, LibraryMuscle};
+use mckibben_app::{LibraryDetails, LibraryMuscle};
+use mckibben_fit::validation::library::Agreement;
 
 pub(super) fn list(list: &[LibraryMuscle]) -> String {
     let u = shown::units();
@@ -53,7 +54,7 @@ pub(super) fn details(a: &LibraryDetails) -> String {
     format!("{}\n{}", pairs(&rows), a.muscle_file.text)
 }
 
-fn agreement(a: &LibraryAgreement) -> String {
+fn agreement(a: &Agreement) -> String {
     let u = shown::units();
     let force = |v: f64| format!("{} {}", u.force.to(v, 3), u.force.name);
     let held = or_dash(a.held, |share| {

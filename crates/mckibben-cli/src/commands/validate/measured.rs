@@ -134,14 +134,14 @@ fn rubber(case: &MeasuredRubber, stresses: &[MeasuredStress]) -> String {
         ["rms [MPa]", "rms [%]", "bias [MPa]", "largest [MPa]", "points", "to stretch", "blind", "of", "fit"];
     let row = |s: &MeasuredStress| {
         vec![
-            format!("{:.4}", s.rms_mpa),
-            format!("{:.1}", 100.0 * s.relative),
-            format!("{:+.4}", s.bias_mpa),
-            format!("{:.3}", s.largest_mpa),
-            s.points.to_string(),
-            format!("{:.2}", s.to_stretch),
-            if s.blind { "blind" } else { "" }.into(),
-            s.of.clone(),
+            format!("{:.4}", s.group.rms_mpa),
+            format!("{:.1}", 100.0 * s.group.relative),
+            format!("{:+.4}", s.group.bias_mpa),
+            format!("{:.3}", s.group.largest_mpa),
+            s.group.points.to_string(),
+            format!("{:.2}", s.group.to_stretch),
+            if s.group.blind { "blind" } else { "" }.into(),
+            s.group.of.clone(),
             s.fit.clone(),
         ]
     };
@@ -177,20 +177,23 @@ fn block(case: &MeasuredCase, results: &[MeasuredResult]) -> String {
         "fit",
     ];
     let by_contraction: Vec<(String, String)> = own()
-        .filter(|r| !r.blind)
+        .filter(|r| !r.group.blind)
         .map(|r| {
-            let bins = r.by_contraction.iter().map(|b| format!("{:.2} {:+.1}", b.from, b.bias_n));
-            (format!("{} [{}]", r.fit, r.of), bins.collect::<Vec<_>>().join(", "))
+            let bins = r.group.by_contraction.iter().map(|b| format!("{:.2} {:+.1}", b.from, b.bias_n));
+            (format!("{} [{}]", r.fit, r.group.of), bins.collect::<Vec<_>>().join(", "))
         })
         .collect();
     let by_branch: Vec<(String, String)> = own()
-        .filter(|r| !r.by_branch.is_empty())
+        .filter(|r| !r.group.by_branch.is_empty())
         .map(|r| {
             let one = |b: &MeasuredBranch| {
                 let held = or_dash(b.held, |v| format!("{:.0} %", 100.0 * v));
                 format!("{} {:.1} {:+.1}, within ± {held}", b.branch, b.rms_n, b.bias_n)
             };
-            (format!("{} [{}]", r.fit, r.of), r.by_branch.iter().map(one).collect::<Vec<_>>().join("; "))
+            (
+                format!("{} [{}]", r.fit, r.group.of),
+                r.group.by_branch.iter().map(one).collect::<Vec<_>>().join("; "),
+            )
         })
         .collect();
     let branches = if by_branch.is_empty() {
@@ -223,16 +226,16 @@ fn values(fit: &MeasuredFit) -> String {
 fn row(r: &MeasuredResult) -> Vec<String> {
     let percent = |v: f64| format!("{:.0} %", 100.0 * v);
     vec![
-        format!("{:.1}", r.rms_n),
-        format!("{:.1}", 100.0 * r.rms_of_blocked),
-        format!("{:+.1}", r.bias_n),
-        format!("{:.0}", r.largest_n),
-        r.points.to_string(),
-        or_dash(r.held, percent),
-        if r.blind { "blind" } else { "" }.into(),
-        match r.unanswered {
-            0 => r.of.clone(),
-            n => format!("{} ({n} without an answer)", r.of),
+        format!("{:.1}", r.group.means.rms_n),
+        format!("{:.1}", 100.0 * r.group.means.rms_of_blocked),
+        format!("{:+.1}", r.group.means.bias_n),
+        format!("{:.0}", r.group.means.largest_n),
+        r.group.means.points.to_string(),
+        or_dash(r.group.means.held, percent),
+        if r.group.blind { "blind" } else { "" }.into(),
+        match r.group.unanswered {
+            0 => r.group.of.clone(),
+            n => format!("{} ({n} without an answer)", r.group.of),
         },
         r.fitted_to.clone(),
         r.fit.clone(),
