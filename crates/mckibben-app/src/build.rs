@@ -2,9 +2,9 @@
 
 use crate::burst::{PressureLimits, burst_of, said_of, usual_mpa};
 use crate::fields::{ModelFields, MuscleFields};
-use crate::model::{Model, Purpose};
+use crate::model::Model;
 use crate::muscle::MuscleSummary;
-use crate::point::finite;
+use crate::point::above_zero;
 use crate::problem::{Problem, ProblemKind};
 use crate::report::{TitleBlock, report};
 use crate::shape::ShapeRequest;
@@ -189,12 +189,8 @@ fn planned(request: &BuildRequest) -> Result<(Plan, Burst), Problem> {
     let fitting = fitting.map_err(|e: mckibben_build::UnknownFitting| {
         Problem::new(ProblemKind::Usage, e.to_string(), "").in_field("fitting")
     })?;
-    let above_zero = |field: &str, value: Option<f64>| match value {
-        Some(value) if !(value.is_finite() && value > 0.0) => {
-            let message = format!("`{field}` is {value}; it must be above zero");
-            Err(Problem::new(ProblemKind::OutOfRange, message, "").in_field(field))
-        }
-        value => Ok(value),
+    let above_zero = |field: &str, value: Option<f64>| {
+        value.map(|value| above_zero(ProblemKind::OutOfRange, field, value)).transpose()
     };
     let wishes = Wishes {
         fitting,
@@ -220,14 +216,13 @@ fn operating(
     muscle: &mckibben::muscle::Muscle,
     asked_mpa: Option<f64>,
 ) -> Result<(Operating, Burst), Problem> {
-    let choice = Model::choose(&ModelFields::default(), Purpose::Answer)?;
-    choice.admit(muscle)?;
-    let model = choice.build(muscle)?;
+    let choice = Model::choose(&ModelFields::default())?;
+    let model = choice.bound(muscle)?;
     let (model, options) = (&*model, Options::default());
     let w = &mut Workspace::new();
     let burst = burst_of(&choice, model)?;
     let allowed_mpa = burst.allowed().map(|a| a.0);
-    let pressure_mpa = finite("pressure_mpa", asked_mpa.unwrap_or(usual_mpa(&burst)))?;
+    let pressure_mpa = asked_mpa.unwrap_or(usual_mpa(&burst));
     check_range(model, pressure_mpa, 0.0, options)?;
     let free = free_contraction(model, w, pressure_mpa, options)?;
     let mut free_contractions = vec![];

@@ -6,12 +6,12 @@ mod findings;
 pub use findings::{FindingKind, MuscleFinding};
 
 use crate::burst::{PressureLimits, said_of, usual_mpa};
-use crate::fields::{AskFields, MeshFields, ModelFields, MuscleFields};
+use crate::fields::MeshFields;
 use crate::muscle::MuscleSummary;
 use crate::muscle_fields::Stated;
 use crate::point::finite;
 use crate::problem::{Problem, ProblemKind};
-use crate::question::Question;
+use crate::question::{Question, QuestionFields};
 use crate::uncertainty::UncertaintyWords;
 use mckibben::analysis::{air_per_stroke, free_contraction, work_per_stroke_j};
 use mckibben::answer;
@@ -27,15 +27,9 @@ use std::collections::BTreeMap;
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct CheckRequest {
-    /// The muscle.
+    /// The muscle, the model, and how it is asked.
     #[serde(flatten)]
-    pub muscle: MuscleFields,
-    /// The model.
-    #[serde(flatten)]
-    pub model: ModelFields,
-    /// How it is asked.
-    #[serde(flatten)]
-    pub asking: AskFields,
+    pub question: QuestionFields,
     /// Working pressure, MPa; 0.25 MPa, or the allowed pressure where that is lower.
     pub pressure_mpa: Option<f64>,
     /// Only its data and what follows from them: no model is asked.
@@ -140,7 +134,7 @@ type Asked = (Option<Characteristics>, Vec<String>, Vec<MuscleFinding>);
 /// What is known of a muscle, and what is not.
 pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAnswer, Problem> {
     let (muscle, (characteristics, said, findings)) = if request.only_data {
-        let (model, asking) = (&request.model, request.asking);
+        let (model, asking) = (&request.question.model, request.question.asking);
         let fields = [
             ("pressure_mpa", request.pressure_mpa.is_some()),
             ("model", model.model.is_some()),
@@ -150,9 +144,9 @@ pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAn
             ("direction", !asking.direction.is_mean()),
         ];
         Problem::refuse_unused(&fields, "`only_data` asks no model")?;
-        (request.muscle.resolve()?, Asked::default())
+        (request.question.muscle.resolve()?, Asked::default())
     } else {
-        let mut question = Question::new(&request.muscle, &request.model, request.asking)?;
+        let mut question = request.question.ask()?;
         let asked = match asked(&mut question, request.pressure_mpa) {
             // Where no pressure is asked for, the data of the muscle are an answer by themselves.
             Err(e) if request.pressure_mpa.is_none() && e.kind != ProblemKind::Cancelled => {

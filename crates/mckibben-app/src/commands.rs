@@ -125,65 +125,53 @@ macro_rules! command {
 
 /// Every command; those on campaigns need the feature `files`, and many `whole`.
 pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
-    vec![
-        #[cfg(feature = "whole")]
-        command!(long "design", DesignRequest => DesignAnswer, |r, progress| design(&r, progress)),
+    let always = [
         command!("force", ForceRequest => PointAnswer, |r, progress| force(&r, progress)),
         command!("pressure", PressureRequest => PointAnswer, |r, progress| pressure(&r, progress)),
         command!("contraction", ContractionRequest => PointAnswer, |r, progress| contraction(&r, progress)),
         command!("fill", FillRequest => FillAnswer, |r, progress| fill(&r, progress)),
         command!("curve", CurveRequest => CurveAnswer, |r, progress| curve(&r, progress)),
-        #[cfg(feature = "whole")]
-        command!(long "joint", JointRequest => JointAnswer, |r, progress| joint(&r, progress)),
-        #[cfg(feature = "whole")]
-        command!(long "motion", MotionRequest => MotionAnswer, |r, progress| motion(&r, progress)),
-        #[cfg(feature = "whole")]
-        command!(long "study", StudyRequest => StudyAnswer, |r, progress| study(&r, progress)),
-        #[cfg(feature = "whole")]
-        command!(long "simulate", SimulateRequest => SimulateAnswer, |r, progress| with_files(&r, progress)),
-        #[cfg(feature = "whole")]
-        command!(long "validate", ValidateRequest => ValidateAnswer, |r, progress| validate(&r, progress)),
-        #[cfg(feature = "whole")]
-        command!(long "measured", MeasuredRequest => MeasuredAnswer, |r, progress| measured(&r, progress)),
-        #[cfg(feature = "whole")]
-        command!(long "sweep", SweepRequest => SweepAnswer, |r, progress| sweep(&r, progress)),
-        #[cfg(feature = "whole")]
-        command!(long "compare", CompareRequest => CompareAnswer, |r, progress| compare(&r, progress)),
-        #[cfg(feature = "whole")]
-        command!(long "identify", IdentifyRequest => IdentifyAnswer, |r, progress| identify(&r, progress)),
-        #[cfg(feature = "whole")]
-        command!(long "fit", FitRequest => FitAnswer, |r, progress| fit(&r, progress)),
-        #[cfg(feature = "whole")]
-        command!(long "fit-report", FitReportRequest => FitReportAnswer, |r, progress| fit_report(&r, progress)),
-        #[cfg(feature = "whole")]
-        command!(long "plan", PlanRequest => PlanAnswer, |r, progress| plan(&r, progress)),
-        #[cfg(feature = "files")]
-        command!(long "campaign", CampaignRequest => Outcome, |r, progress| campaign(&r, progress)),
-        #[cfg(feature = "files")]
-        command!("campaign-show", CampaignShowRequest => Summary, |r, _progress| campaign_show(&r)),
-        #[cfg(feature = "files")]
-        command!("campaign-merge", CampaignMergeRequest => Merged, |r, _progress| campaign_merge(&r)),
-        #[cfg(feature = "files")]
-        command!("campaign-status", CampaignStatusRequest => CampaignStatus, |r, _progress| campaign_status(&r)),
         command!("check", CheckRequest => CheckAnswer, |r, progress| check(&r, progress)),
-        #[cfg(feature = "whole")]
-        command!("check-formula", CheckFormulaRequest => CheckFormulaAnswer, |r, _progress| check_formula(&r)),
         command!("measures", MeasuresRequest => MeasuresAnswer, |r, _progress| measures(&r)),
         command!("parts-list", PartsListRequest => PartsListAnswer, |r, _progress| parts_list(&r)),
-        #[cfg(feature = "whole")]
-        command!("parts-show", PartShowRequest => PartShowAnswer, |r, _progress| part_show(&r)),
-        #[cfg(feature = "whole")]
-        command!(long "rubber", RubberFitRequest => RubberFitAnswer, |r, progress| rubber_fit(&r, progress)),
-        #[cfg(feature = "whole")]
-        command!(long "build", BuildRequest => BuildAnswer, |r, progress| build(&r, progress)),
-        #[cfg(feature = "whole")]
-        command!(long "export", ExportRequest => ExportAnswer, |r, progress| export(&r, progress)),
-        #[cfg(feature = "whole")]
-        command!("export-list", ExportListRequest => ExportListAnswer, |r, _progress| export_list(&r)),
         command!("shape", ShapeRequest => ShapeAnswer, |r, progress| shape(&r, progress)),
         command!("quantities", QuantitiesRequest => QuantitiesAnswer, |r, _progress| quantities(&r)),
         command!("units", UnitsRequest => UnitsAnswer, |r, _progress| units(&r)),
-    ]
+    ];
+    #[cfg(not(feature = "whole"))]
+    let whole = [];
+    #[cfg(feature = "whole")]
+    let whole = [
+        command!(long "design", DesignRequest => DesignAnswer, |r, progress| design(&r, progress)),
+        command!(long "joint", JointRequest => JointAnswer, |r, progress| joint(&r, progress)),
+        command!(long "motion", MotionRequest => MotionAnswer, |r, progress| motion(&r, progress)),
+        command!(long "study", StudyRequest => StudyAnswer, |r, progress| study(&r, progress)),
+        command!(long "simulate", SimulateRequest => SimulateAnswer, |r, progress| with_files(&r, progress)),
+        command!(long "validate", ValidateRequest => ValidateAnswer, |r, progress| validate(&r, progress)),
+        command!(long "measured", MeasuredRequest => MeasuredAnswer, |r, progress| measured(&r, progress)),
+        command!(long "sweep", SweepRequest => SweepAnswer, |r, progress| sweep(&r, progress)),
+        command!(long "compare", CompareRequest => CompareAnswer, |r, progress| compare(&r, progress)),
+        command!(long "identify", IdentifyRequest => IdentifyAnswer, |r, progress| identify(&r, progress)),
+        command!(long "fit", FitRequest => FitAnswer, |r, progress| fit(&r, progress)),
+        command!(long "fit-report", FitReportRequest => FitReportAnswer, |r, progress| fit_report(&r, progress)),
+        command!(long "plan", PlanRequest => PlanAnswer, |r, progress| plan(&r, progress)),
+        command!("check-formula", CheckFormulaRequest => CheckFormulaAnswer, |r, _progress| check_formula(&r)),
+        command!("parts-show", PartShowRequest => PartShowAnswer, |r, _progress| part_show(&r)),
+        command!(long "rubber", RubberFitRequest => RubberFitAnswer, |r, progress| rubber_fit(&r, progress)),
+        command!(long "build", BuildRequest => BuildAnswer, |r, progress| build(&r, progress)),
+        command!(long "export", ExportRequest => ExportAnswer, |r, progress| export(&r, progress)),
+        command!("export-list", ExportListRequest => ExportListAnswer, |r, _progress| export_list(&r)),
+    ];
+    #[cfg(not(feature = "files"))]
+    let files = [];
+    #[cfg(feature = "files")]
+    let files = [
+        command!(long "campaign", CampaignRequest => Outcome, |r, progress| campaign(&r, progress)),
+        command!("campaign-show", CampaignShowRequest => Summary, |r, _progress| campaign_show(&r)),
+        command!("campaign-merge", CampaignMergeRequest => Merged, |r, _progress| campaign_merge(&r)),
+        command!("campaign-status", CampaignStatusRequest => CampaignStatus, |r, _progress| campaign_status(&r)),
+    ];
+    always.into_iter().chain(whole).chain(files).collect()
 });
 
 /// The JSON Schema of a command: `request`, `answer` and `error`.
@@ -332,6 +320,33 @@ impl Root {
         generator.transforms_mut().for_each(|transform| transform.transform(&mut schema));
         schema
     }
+}
+
+/// Request, answer and error of every command, and in `$defs`, once, what they refer to: all schemas in one document, for front ends that make
+/// their forms, flags or functions of it.
+///
+/// Beside the keywords of JSON Schema a field has `x-unit` and `x-quantity` (see `annotate`) and `x-group`, the group of fields to which it
+/// belongs in a form or a help text: `muscle`, `model`. A measure of the muscle also has its bounds (`minimum`, …), its value where nothing
+/// is stated (`default`), `x-symbol`, its short name in formulas, and `x-key`, its key in a muscle file.
+#[cfg(feature = "schema")]
+pub fn bundle() -> Value {
+    let (mut all, mut defs) = (Map::new(), Map::new());
+    for command in COMMANDS.iter() {
+        let mut parts = command.schema();
+        for part in parts.as_object_mut().into_iter().flat_map(|parts| parts.values_mut()) {
+            let Some(part) = part.as_object_mut() else { continue };
+            part.remove("$schema");
+            if let Some(Value::Object(own)) = part.remove("$defs") {
+                defs.extend(own);
+            }
+        }
+        defs.insert("Problem".into(), parts["error"].take());
+        parts["error"] = serde_json::json!({ "$ref": "#/$defs/Problem" });
+        parts["long"] = command.long.into();
+        all.insert(command.name.into(), parts);
+    }
+    all.insert("$defs".into(), defs.into());
+    all.into()
 }
 
 /// Words of serde, and ours.

@@ -74,18 +74,6 @@ pub enum FitConstant {
 }
 
 impl FitConstant {
-    /// Every constant, in the order in which they are named.
-    pub const ALL: [Self; 3] = [Self::Modulus, Self::EndFactor, Self::Stiffness];
-
-    /// The word for it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Modulus => "modulus",
-            Self::EndFactor => "end-factor",
-            Self::Stiffness => "stiffness",
-        }
-    }
-
     fn target(self) -> Target {
         match self {
             Self::Modulus => Target::Modulus,
@@ -234,8 +222,7 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
                 Some(points) => fitted(model, &muscle, options.direction, &request.fit, points)?,
                 None => (muscle.clone(), vec![]),
             };
-            model.admit(&muscle)?;
-            let bound = model.build(&muscle)?;
+            let bound = model.bound(&muscle)?;
             let mut workspace = Workspace::new();
             // Without measured points, the first model that answers is what the others are held against.
             let points = match &reference {

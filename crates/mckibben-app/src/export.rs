@@ -3,9 +3,9 @@
 use crate::build::BuiltFile;
 use crate::burst::{QUIET_MPA, burst_of, said_of, usual_mpa};
 use crate::fields::{ModelFields, MuscleFields};
-use crate::model::{Model, Purpose};
+use crate::model::Model;
 use crate::muscle::MuscleSummary;
-use crate::point::finite;
+use crate::point::{above_zero, finite};
 use crate::problem::{Problem, ProblemKind};
 use mckibben::answer::{Options, check_range};
 use mckibben::progress::Progress;
@@ -78,31 +78,14 @@ pub struct ExportAnswer {
 pub struct ExportListRequest {}
 
 /// The targets of `export`.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct ExportListAnswer {
     /// One for each host.
-    pub targets: Vec<ExportTarget>,
-}
-
-/// A target of `export`.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
-pub struct ExportTarget {
-    /// Its word for `target`.
-    pub name: String,
-    /// What it is.
-    pub about: String,
-    /// What it needs.
-    pub needs: String,
-    /// What of the muscle it loses.
-    pub loses: String,
+    pub targets: Vec<Target>,
 }
 
 pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer, Problem> {
-    let target = |t: Target| {
-        let [name, about, needs, loses] = [t.name, t.about, t.needs, t.loses].map(String::from);
-        ExportTarget { name, about, needs, loses }
-    };
-    Ok(ExportListAnswer { targets: Target::ALL.map(target).into() })
+    Ok(ExportListAnswer { targets: Target::ALL.into() })
 }
 
 /// A muscle as files.
@@ -114,16 +97,12 @@ pub fn export(request: &ExportRequest, _progress: &dyn Progress) -> Result<Expor
     };
     let target = Target::named(target).map_err(|e| Problem::from(e).in_field("target"))?;
     let muscle = request.muscle.resolve()?;
-    let choice = Model::choose(&request.model, Purpose::Answer)?;
-    choice.admit(&muscle)?;
-    let model = choice.build(&muscle)?;
+    let choice = Model::choose(&request.model)?;
+    let model = choice.bound(&muscle)?;
     let model = &*model;
     let burst = burst_of(&choice, model)?;
-    let supply_mpa = finite("pressure_mpa", request.pressure_mpa.unwrap_or(usual_mpa(&burst)))?;
-    if supply_mpa <= 0.0 {
-        let message = format!("`pressure_mpa` is {supply_mpa}; it must be above zero");
-        return Err(Problem::new(ProblemKind::OutOfRange, message, "").in_field("pressure_mpa"));
-    }
+    let supply_mpa = request.pressure_mpa.unwrap_or(usual_mpa(&burst));
+    above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
     check_range(model, supply_mpa, 0.0, Options::default())?;
     let range = model.info().range.contraction;
     let contraction_low =

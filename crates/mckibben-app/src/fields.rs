@@ -3,6 +3,7 @@
 pub use crate::muscle_fields::{MuscleFields, NamedFields};
 pub use mckibben::muscle::Direction;
 pub use mckibben::muscle::measures::MeasureValues;
+use mckibben_fem::three_dimensional::{Match, Plug};
 pub use mckibben_io::table::{Columns, Understood, UnderstoodColumn};
 use schemars::transform::Transform;
 use schemars::{JsonSchema, Schema};
@@ -97,46 +98,13 @@ pub struct MeshFields {
     pub mesh: Option<String>,
     /// Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
     #[serde(rename = "match", skip_serializing_if = "is_default")]
-    pub keep: Keep,
+    pub keep: Match,
     /// Terminal of `fe3d` that is a body; without it a rigid plane.
-    pub terminal: Option<Terminal>,
+    pub terminal: Option<Plug>,
 }
 
 fn is_default<T: Default + PartialEq>(value: &T) -> bool {
     *value == T::default()
-}
-
-/// What the mesh of `fe3d` keeps.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Keep {
-    /// The length.
-    #[default]
-    Length,
-    /// The braid angle; the length is a whole number of cells.
-    Angle,
-}
-
-/// A terminal with a plug inside of the tube.
-#[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Terminal {
-    /// What the plug is made of.
-    pub material: TerminalMaterial,
-    /// How far the plug reaches into the tube, mm.
-    pub insertion_mm: Option<f64>,
-    /// Radius of its nose, mm.
-    pub nose_mm: Option<f64>,
-}
-
-/// What a plug is made of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum TerminalMaterial {
-    /// Rigid.
-    Rigid,
-    /// Aluminium.
-    Aluminium,
 }
 
 /// How a model is asked.

@@ -1,13 +1,12 @@
 //! `fill`: a volume of liquid pushed into a muscle.
 
 use crate::burst::{PressureLimits, QUIET_MPA, put_first, said_of};
-use crate::fields::{AskFields, ModelFields, MuscleFields};
-use crate::liquid::{LiquidFields, volume};
+use crate::liquid::LiquidFields;
 use crate::load::LoadFields;
 use crate::muscle::MuscleSummary;
-use crate::point::{ModelAbout, given, ratio};
+use crate::point::{ModelAbout, above_zero, given, ratio};
 use crate::problem::{Problem, ProblemKind};
-use crate::question::Question;
+use crate::question::QuestionFields;
 use crate::uncertainty::UncertaintyWords;
 use mckibben::analysis::source_of;
 use mckibben::cancel;
@@ -23,15 +22,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct FillRequest {
-    /// The muscle.
+    /// The muscle, the model, and how it is asked.
     #[serde(flatten)]
-    pub muscle: MuscleFields,
-    /// The model.
-    #[serde(flatten)]
-    pub model: ModelFields,
-    /// How it is asked.
-    #[serde(flatten)]
-    pub asking: AskFields,
+    pub question: QuestionFields,
     /// Volume that is pushed in, measured at atmospheric pressure (the stroke of a syringe), mm³.
     pub volume_mm3: Option<f64>,
     /// The liquid.
@@ -80,11 +73,11 @@ impl From<FillError> for Problem {
 
 /// A volume of liquid pushed into a muscle.
 pub fn fill(request: &FillRequest, _progress: &dyn Progress) -> Result<FillAnswer, Problem> {
-    let volume_mm3 =
-        volume("volume_mm3", given("volume_mm3", request.volume_mm3, "a volume, such as 20 mL")?)?;
+    let volume_mm3 = given("volume_mm3", request.volume_mm3, "a volume, such as 20 mL")?;
+    above_zero(ProblemKind::Quantity, "volume_mm3", volume_mm3)?;
     let LiquidSupply { liquid, dead_volume_mm3 } = request.liquid.supply()?;
     let held_at = request.contraction.map(ratio).transpose()?;
-    let mut question = Question::new(&request.muscle, &request.model, request.asking)?;
+    let mut question = request.question.ask()?;
     let load = request.load.resolve(question.muscle.length_mm())?;
     let asked = Filling { liquid: &liquid, volume_mm3, dead_volume_mm3, load: load.as_ref(), held_at };
     let found = filled(&*question.model, &mut question.workspace, &asked, question.options);

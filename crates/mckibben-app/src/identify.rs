@@ -1,10 +1,9 @@
 //! `identify`: constants of rubber, braid and friction from measured or published points.
 
 use crate::curve::{check_count, contractions, list, steps};
-use crate::fields::{MeshFields, MuscleFields, UnderstoodTable};
+use crate::fields::{Columns, MeshFields, ModelFields, MuscleFields, TextFile, UnderstoodTable};
 use crate::figure;
-use crate::identify_request::{Branches, IdentifyRequest};
-use crate::model::{Model, Purpose};
+use crate::model::Model;
 use crate::muscle::MuscleSummary;
 use crate::point::finite;
 use crate::problem::{Problem, ProblemKind};
@@ -22,13 +21,71 @@ use mckibben_fit::identify::{
     Identification, Identified, IdentifyError, LawTrial, Parameter, PointFit, Request, Target,
     identify_default, identify_with, try_laws,
 };
-use mckibben_fit::least_squares::EstimateError;
+use mckibben_fit::least_squares::{EstimateError, Loss};
 use mckibben_fit::measured::{
     DataPoint, MeasuredPoint, PointOptions, Quantity, Section, mean_of_data, read_points,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Serialize, Serializer};
+
+/// Points, and the parameters of a muscle to identify from them.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct IdentifyRequest {
+    /// The muscle, with a value for everything that is not free.
+    #[serde(flatten)]
+    pub muscle: MuscleFields,
+    /// The model.
+    #[serde(flatten)]
+    pub model: ModelFields,
+    /// Tables of pressures, contractions (or shortenings, or lengths) and pulls, with their units, and more.
+    pub data: Vec<TextFile>,
+    /// Columns of `data` whose heading does not say what they are: quantity to "heading:unit".
+    pub columns: Columns,
+    /// A published formula as data: the name of a model, or of one of `formulas`.
+    pub formula: Option<String>,
+    /// Pressures P of `formula` in MPa; default 0.05 to 0.25 by 0.05.
+    pub pressures_mpa: Option<Vec<f64>>,
+    /// Contraction ratios ε of `formula`; default 0 to 0.2 by 0.05.
+    pub contractions: Option<Vec<f64>>,
+    /// Outer diameters D0 of `formula` in mm; default that of the muscle.
+    pub outer_diameters_mm: Option<Vec<f64>>,
+    /// Walls s of `formula` in mm; default that of the muscle.
+    pub walls_mm: Option<Vec<f64>>,
+    /// Weight of each of `data`, then of `formula`; default 1.
+    pub weights: Vec<f64>,
+    /// Treatment of the branches of the hysteresis.
+    pub branches: Branches,
+    /// Use points with a force of zero or below as measurements; by default the muscle counts as slack there.
+    pub two_sided: bool,
+    /// Free parameters: NAME, NAME=START or NAME=START:LOW:HIGH. Default: the modulus, and stiffness and friction
+    /// if the data determine them.
+    pub free: Vec<String>,
+    /// Fix a parameter: NAME=VALUE.
+    pub fix: Vec<String>,
+    /// Bounds of free parameters: NAME=LOW:HIGH.
+    pub bounds: Vec<String>,
+    /// Loss function of the residuals.
+    pub loss: Loss,
+    /// Fit every rubber law, with all its constants free, together with the other free parameters.
+    pub laws: bool,
+    /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
+    pub figure: Option<Units>,
+}
+
+/// Treatment of the branches of the hysteresis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Branches {
+    /// Both branches, with the friction between them.
+    #[default]
+    Both,
+    /// Mean of the branches.
+    Mean,
+    /// The rows of `data` are in time order: the friction builds up again after each reversal.
+    History,
+}
 
 /// Points of a formula at most.
 const MOST_POINTS: usize = 100_000;
@@ -83,25 +140,17 @@ pub struct LawRow {
 
 impl LawRow {
     fn of(trial: LawTrial, best: f64) -> Self {
-        let LawTrial { law, found, aicc, neighbours, doubt } = trial;
-        let law = law.to_owned();
-        match found {
-            Ok(found) => Self {
-                law,
-                rms_n: Some(found.rms_n),
-                aicc_difference: Some(aicc - best),
-                neighbour_correlation: Some(neighbours),
-                parameters: found.parameters,
-                doubt,
-            },
-            Err(error) => Self {
-                law,
-                parameters: vec![],
-                rms_n: None,
-                aicc_difference: None,
-                neighbour_correlation: None,
-                doubt: Some(error.to_string()),
-            },
+        let (found, error) = match trial.found {
+            Ok(found) => (Some(found), None),
+            Err(error) => (None, Some(error.to_string())),
+        };
+        Self {
+            law: trial.law.to_owned(),
+            rms_n: found.as_ref().map(|found| found.rms_n),
+            aicc_difference: found.as_ref().map(|_| trial.aicc - best),
+            neighbour_correlation: found.as_ref().map(|_| trial.neighbours),
+            parameters: found.map_or_else(Vec::new, |found| found.parameters),
+            doubt: error.or(trial.doubt),
         }
     }
 }
@@ -186,7 +235,7 @@ fn muscle_file(data: &str, model: &str, found: &Identification, measured: bool) 
 /// The constants of a muscle that bring the model closest to the points, with their errors.
 pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<IdentifyAnswer, Problem> {
     let muscle = request.muscle.resolve()?;
-    let model = Model::choose(&request.model, Purpose::Answer)?;
+    let model = Model::choose(&request.model)?;
     let Data { points, origin, understood } = request.points(&muscle)?;
     size::points("data", points.len() as f64)?;
     let (free, fixed) = request.parameters(&muscle)?;

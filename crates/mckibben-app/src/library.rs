@@ -60,39 +60,9 @@ pub struct LibraryDetails {
     /// What was identified.
     pub identified: Vec<String>,
     /// How it agrees with its points.
-    pub agreement: LibraryAgreement,
+    pub agreement: Agreement,
     /// The muscle file, with the bench that states its ±.
     pub muscle_file: TextFile,
-}
-
-/// What finite elements of a muscle leave of its measured points.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-pub struct LibraryAgreement {
-    /// Points, those of other lengths of the same hose among them.
-    pub points: usize,
-    /// Root mean square of measured − computed, N.
-    pub rms_n: f64,
-    /// The same over the largest blocked force of the points.
-    pub rms_of_blocked: f64,
-    /// Largest difference, N.
-    pub largest_n: f64,
-    /// Points on the bench of this muscle, of its own length.
-    pub bench_points: usize,
-    /// Share of these within the ± of the bench; null without a bench.
-    pub held: Option<f64>,
-}
-
-impl From<Agreement> for LibraryAgreement {
-    fn from(a: Agreement) -> Self {
-        Self {
-            points: a.all.points,
-            rms_n: a.all.rms_n,
-            rms_of_blocked: a.all.rms_of_blocked(),
-            largest_n: a.all.largest_n,
-            bench_points: a.of_bench,
-            held: a.share_held(),
-        }
-    }
 }
 
 impl LibraryMuscle {
@@ -135,7 +105,7 @@ pub(crate) fn library_details(name: &str) -> Result<Option<LibraryDetails>, Prob
         unknown: case.facts.unknown.clone(),
         fit: case.fit_of_library().map(|fit| fit.name.clone()).unwrap_or_default(),
         identified: muscle.bench().map(|bench| bench.parameters.clone()).unwrap_or_default(),
-        agreement: agreement(case, muscle, &|m: &Muscle| Model::FE.build(m)).into(),
+        agreement: agreement(case, muscle, &|m: &Muscle| Model::FE.build(m)),
         muscle_file: file,
     }))
 }

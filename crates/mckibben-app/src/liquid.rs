@@ -1,5 +1,6 @@
 //! Liquids in requests.
 
+use crate::point::above_zero;
 use crate::problem::{Problem, ProblemKind};
 use mckibben::liquid::{Liquid, LiquidError, LiquidSupply};
 use schemars::JsonSchema;
@@ -30,7 +31,7 @@ impl LiquidFields {
         }
         let dead_volume_mm3 = match self.dead_volume_mm3 {
             None | Some(0.0) => 0.0,
-            Some(dead) => volume("dead_volume_mm3", dead)?,
+            Some(dead) => above_zero(ProblemKind::Quantity, "dead_volume_mm3", dead)?,
         };
         Ok(LiquidSupply { liquid, dead_volume_mm3 })
     }
@@ -60,13 +61,4 @@ impl From<LiquidError> for Problem {
         };
         Self::new(ProblemKind::Quantity, error.to_string(), "").in_field(field)
     }
-}
-
-/// A volume above zero.
-pub(crate) fn volume(field: &str, value: f64) -> Result<f64, Problem> {
-    if value > 0.0 && value.is_finite() {
-        return Ok(value);
-    }
-    let message = format!("{value} mm³ is not a volume above zero");
-    Err(Problem::new(ProblemKind::Quantity, message, "").in_field(field))
 }

@@ -2,18 +2,19 @@
 
 use crate::fields::MeshFields;
 use crate::figure;
-use crate::measured_rubber::{MeasuredRubber, MeasuredStress, rubbers};
 use crate::model::Model;
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
-use mckibben::muscle::{Direction, Muscle};
+use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use mckibben::size;
 use mckibben_fit::identify::Identified;
-pub use mckibben_fit::validation::case::Facts as MeasuredFacts;
-use mckibben_fit::validation::case::{CaseError, CaseFiles, Measurement, MuscleCase, measurements};
+use mckibben_fit::rubber::Parameter;
+use mckibben_fit::validation::case::{CaseError, Measurement, MuscleCase, measurements};
+pub use mckibben_fit::validation::case::{CaseFiles as MeasuredFolder, Facts as MeasuredFacts};
+pub use mckibben_fit::validation::report::MeasuredBranch;
 use mckibben_fit::validation::report::{FitResult, Group, ReportError, report};
-use mckibben_fit::validation::rubber::RubberCase;
+use mckibben_fit::validation::rubber::{self, RubberCase, RubberFitResult, RubberGroup};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -28,22 +29,6 @@ pub struct MeasuredRequest {
     pub model: Option<String>,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
-}
-
-/// The files of a measured muscle or rubber.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-pub struct MeasuredFolder {
-    /// What to call it in messages: the name of the folder.
-    pub name: String,
-    /// `case.toml`: source, terms, what is known and unknown, and the fits.
-    pub case: String,
-    /// `muscle.toml`: the muscle as far as it is known; empty where a rubber was measured.
-    pub muscle: String,
-    /// `points.csv`: the measured points.
-    pub points: String,
-    /// `identified.toml`: the muscle that was identified from them, of a folder of the library.
-    #[serde(default, skip_serializing_if = "String::is_empty")]
-    pub identified: String,
 }
 
 /// The validation reports of measured muscles and rubbers.
@@ -96,67 +81,55 @@ pub struct MeasuredResult {
     pub fit: String,
     /// The points it was fitted to.
     pub fitted_to: String,
-    /// The points that are compared.
-    pub of: String,
-    /// Whether nothing was fitted to them.
-    pub blind: bool,
-    /// How many: means of the two branches of the hysteresis, and points without a branch.
-    pub points: usize,
-    /// Root mean square of the differences in N.
-    pub rms_n: f64,
-    /// Largest difference in N.
-    pub largest_n: f64,
-    /// Mean of measured − computed in N.
-    pub bias_n: f64,
-    /// `rms_n` over the largest blocked force of these points.
-    pub rms_of_blocked: f64,
-    /// Share of the points within the ± of the model; null if there are none, or no ±.
-    pub held: Option<f64>,
-    /// How many points of single branches there are.
-    pub branch_points: usize,
-    /// Share of these within the ± with its part for friction; null if there are none.
-    pub branch_held: Option<f64>,
-    /// The points of each branch of the hysteresis, where it was measured.
-    pub by_branch: Vec<MeasuredBranch>,
-    /// Points without an answer of the model.
-    pub unanswered: usize,
-    /// The same by contraction ratio.
-    pub by_contraction: Vec<MeasuredBin>,
+    /// What is left of its points.
+    #[serde(flatten)]
+    pub group: Group,
 }
 
-/// Errors of a fit at the points of one branch of the hysteresis.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct MeasuredBranch {
-    /// The branch: `contraction` while the muscle shortened or its pressure rose, `elongation` back.
-    pub branch: Direction,
-    /// How many points.
+/// A measured rubber.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct MeasuredRubber {
+    /// What is known of it.
+    #[serde(flatten)]
+    pub facts: MeasuredFacts,
+    /// Points.
     pub points: usize,
-    /// Root mean square in N.
-    pub rms_n: f64,
-    /// Mean of measured − computed in N.
-    pub bias_n: f64,
-    /// Share of the points within the ±, with its part for friction if the muscle states none.
-    pub held: Option<f64>,
+    /// What was fitted.
+    pub fits: Vec<MeasuredRubberFit>,
 }
 
-/// Errors of a fit at points of about one contraction.
+/// A law that was fitted, and what was found.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct MeasuredRubberFit {
+    /// Its name.
+    pub fit: String,
+    /// The law.
+    pub law: String,
+    /// Its constants, with a Prony series those at once.
+    pub parameters: Vec<Parameter>,
+    /// Shares and time constants in s of the Prony series, where one was fitted.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub prony: Vec<(f64, f64)>,
+    /// Whether the law is stable in a muscle.
+    pub stable: bool,
+}
+
+/// Errors of a fit at some nominal stresses: measured − computed.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct MeasuredBin {
-    /// From this contraction ratio,
-    pub from: f64,
-    /// to less than this.
-    pub to: f64,
-    /// How many points.
-    pub points: usize,
-    /// Mean of measured − computed in N.
-    pub bias_n: f64,
-    /// Root mean square in N.
-    pub rms_n: f64,
+pub struct MeasuredStress {
+    /// Name of the case's folder.
+    pub case: String,
+    /// Name of the fit.
+    pub fit: String,
+    /// What is left of its points.
+    #[serde(flatten)]
+    pub group: RubberGroup,
 }
 
 /// The validation report of every measured case.
 pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<MeasuredAnswer, Problem> {
-    let own: Vec<Measurement> = request.cases.iter().map(read).collect::<Result<_, _>>()?;
+    let own = request.cases.iter().map(Measurement::read).collect::<Result<Vec<_>, _>>();
+    let own = own.map_err(|error| Problem::from(&error))?;
     let all = if own.is_empty() { measurements().map_err(Problem::from)? } else { &own };
     let cases: Vec<&MuscleCase> = all.iter().filter_map(Measurement::muscle).collect();
     let stretched: Vec<&RubberCase> = all.iter().filter_map(Measurement::rubber).collect();
@@ -188,11 +161,6 @@ pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<Me
     })
 }
 
-fn read(folder: &MeasuredFolder) -> Result<Measurement, Problem> {
-    let MeasuredFolder { name, case, muscle, points, identified } = folder.clone();
-    Measurement::read(&CaseFiles { name, case, muscle, points, identified }).map_err(|error| (&error).into())
-}
-
 fn facts(number: usize, case: &MuscleCase, found: &[FitResult]) -> MeasuredCase {
     let fits = found.iter().filter(|r| r.case == number).map(|r| MeasuredFit {
         fit: case.fits[r.fit].name.clone(),
@@ -204,39 +172,37 @@ fn facts(number: usize, case: &MuscleCase, found: &[FitResult]) -> MeasuredCase 
 
 fn result(cases: &[&MuscleCase], r: &FitResult, group: &Group) -> MeasuredResult {
     let case = cases[r.case];
-    let (means, branches) = (group.means, group.branches);
-    let bins = group.by_contraction.iter().map(|(bin, left)| MeasuredBin {
-        from: bin.start,
-        to: bin.end,
-        points: left.points,
-        bias_n: left.bias_n,
-        rms_n: left.rms_n,
-    });
-    let by_branch = group.by_branch.iter().map(|(branch, left)| MeasuredBranch {
-        branch: *branch,
-        points: left.points,
-        rms_n: left.rms_n,
-        bias_n: left.bias_n,
-        held: left.share_held(),
-    });
     MeasuredResult {
         case: case.facts.name.clone(),
         fit: case.fits[r.fit].name.clone(),
         fitted_to: r.fitted_to.clone(),
-        of: group.of.clone(),
-        blind: group.blind,
-        points: means.points,
-        rms_n: means.rms_n,
-        largest_n: means.largest_n,
-        bias_n: means.bias_n,
-        rms_of_blocked: means.rms_of_blocked(),
-        held: means.share_held(),
-        branch_points: branches.points,
-        branch_held: branches.share_held(),
-        by_branch: by_branch.collect(),
-        unanswered: group.unanswered,
-        by_contraction: bins.collect(),
+        group: group.clone(),
     }
+}
+
+/// Every fit of rubbers.
+fn rubbers(
+    cases: &[&RubberCase],
+    progress: &dyn Progress,
+) -> Result<(Vec<MeasuredRubber>, Vec<MeasuredStress>), Problem> {
+    let found = rubber::report(cases, progress)?;
+    let of = |(number, case): (usize, &&RubberCase)| {
+        let fits = found.iter().filter(|r| r.case == number).map(|r| {
+            let RubberFitResult { fit, parameters, prony, stable, .. } = r.clone();
+            let fit = &case.fits[fit];
+            MeasuredRubberFit { fit: fit.name.clone(), law: fit.form.name(), parameters, prony, stable }
+        });
+        MeasuredRubber { facts: case.facts.clone(), points: case.len(), fits: fits.collect() }
+    };
+    let stresses = found.iter().flat_map(|r| {
+        let case = cases[r.case];
+        r.groups.iter().cloned().map(|group| MeasuredStress {
+            case: case.facts.name.clone(),
+            fit: case.fits[r.fit].name.clone(),
+            group,
+        })
+    });
+    Ok((cases.iter().enumerate().map(of).collect(), stresses.collect()))
 }
 
 impl From<&CaseError> for Problem {

@@ -1,6 +1,6 @@
 //! Every model there is, by name, and the one policy of which of them answers.
 
-use crate::fields::{Direction, Keep, MeshFields, ModelFields, Terminal, TerminalMaterial, TextFile};
+use crate::fields::{Direction, MeshFields, ModelFields, TextFile};
 use crate::problem::{Problem, ProblemKind};
 use mckibben::formula::{Document, Formula, UniversalFormula};
 use mckibben::model::{
@@ -9,7 +9,7 @@ use mckibben::model::{
 use mckibben::muscle::Muscle;
 use mckibben_fem::axisymmetric::MeshSpec;
 use mckibben_fem::elements::{Elements, MeshTextError, section};
-use mckibben_fem::three_dimensional::{BrickSpec, Match, Plug, PlugMaterial};
+use mckibben_fem::three_dimensional::{BrickSpec, Match};
 use std::fmt;
 use std::sync::Arc;
 
@@ -23,15 +23,6 @@ pub enum Model {
     /// A universal formula with other coefficients than the built-in ones.
     Universal(Arc<UniversalFormula>),
     Elements(Elements),
-}
-
-/// What a model is asked for; see [`Model::choose`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Purpose {
-    /// A number that somebody reads or builds on.
-    Answer,
-    /// A search through very many muscles, whose finds are settled by finite elements.
-    Search,
 }
 
 impl Model {
@@ -48,12 +39,8 @@ impl Model {
         Self::all().iter().any(|entry| entry.name == name.trim())
     }
 
-    /// The model that answers a request, and the only rule about it: the one that is named; where none is, `fe`, and
-    /// `universal` where very many muscles are searched.
-    pub fn choose(fields: &ModelFields, purpose: Purpose) -> Result<Self, Problem> {
-        if fields.model.is_none() && purpose == Purpose::Search {
-            return Self::named("universal", &[], &fields.mesh);
-        }
+    /// The model that answers a request, and the only rule about it: the one that is named; where none is, `fe`.
+    pub fn choose(fields: &ModelFields) -> Result<Self, Problem> {
         let name = fields.model.as_deref().unwrap_or("fe");
         let model = Self::named(name, &fields.formulas, &fields.mesh)?;
         fields.mesh.check_used(&[&model])?;
@@ -117,6 +104,12 @@ impl Model {
         }
     }
 
+    /// A muscle that it admits, bound to it.
+    pub(crate) fn bound(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+        self.admit(muscle)?;
+        self.build(muscle)
+    }
+
     pub fn build(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
         match self {
             Self::ClosedForm(kind) => kind.build(muscle),
@@ -150,7 +143,7 @@ impl MeshFields {
                 Elements::Axisymmetric(spec)
             }
             Elements::ThreeDimensional(spec) => {
-                let (keep, plug) = (self.keep.into(), self.terminal.map(Plug::from));
+                let (keep, plug) = (self.keep, self.terminal);
                 Elements::ThreeDimensional(BrickSpec { keep, plug, ..spec })
             }
         };
@@ -174,7 +167,7 @@ impl MeshFields {
         Problem::refuse_unused(&[("mesh", self.mesh.is_some() && !elements)], why)?;
         let bricks = |m: &&Model| matches!(m, Model::Elements(Elements::ThreeDimensional(_)));
         let why = "it applies only to the bricks of `model` fe3d";
-        let unused = self.keep != Keep::default() && !models.iter().any(bricks);
+        let unused = self.keep != Match::default() && !models.iter().any(bricks);
         Problem::refuse_unused(&[("match", unused)], why)
     }
 
@@ -186,25 +179,6 @@ impl MeshFields {
         let message = "only `model` fe3d can model the terminal as a body";
         let hint = "the other models have rigid planes: leave it out";
         Err(Problem::new(ProblemKind::Terminal, message, hint).in_field("terminal"))
-    }
-}
-
-impl From<Keep> for Match {
-    fn from(keep: Keep) -> Self {
-        match keep {
-            Keep::Length => Self::Length,
-            Keep::Angle => Self::Angle,
-        }
-    }
-}
-
-impl From<Terminal> for Plug {
-    fn from(terminal: Terminal) -> Self {
-        let material = match terminal.material {
-            TerminalMaterial::Rigid => PlugMaterial::Rigid,
-            TerminalMaterial::Aluminium => PlugMaterial::Aluminium,
-        };
-        Self { material, insertion_mm: terminal.insertion_mm, nose_mm: terminal.nose_mm }
     }
 }
 

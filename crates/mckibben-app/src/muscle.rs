@@ -1,7 +1,6 @@
 //! From fields to a muscle, and a muscle in a few words.
 
 use crate::fields::{MuscleFields, NamedFields, NamedStiffness, Stiffness, TextFile};
-use crate::library_text::text_of as library_text;
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
 use crate::words;
@@ -13,8 +12,10 @@ use mckibben::muscle::measures::{
 use mckibben::muscle::{Braid, BraidStiffness, EndFactor, Measure, Muscle, Parts, Rubber, Strands};
 use mckibben::rubber::library;
 use mckibben::sleeve::{self, Sleeve, SleeveError};
+use mckibben_fit::validation::library as muscles;
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::borrow::Cow;
 use std::f64::consts::PI;
 use std::path::Path;
 
@@ -216,8 +217,26 @@ fn together(one: &Measure, other: &Measure) -> Problem {
 }
 
 /// The muscle of a muscle file, or that of the library whose name stands in the place of one: `lib:dmsp-20-300`.
+/// The text of a muscle file; of a name of the library without a text (`lib:NAME`) that of its muscle.
+pub(crate) fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
+    let Some(name) = muscles::named(&file.name).filter(|_| file.text.is_empty()) else {
+        return Ok(Cow::Borrowed(&file.text));
+    };
+    if !cfg!(feature = "whole") {
+        let message = "the library of muscles needs the full engine; this is a reduced one";
+        return Err(Problem::new(ProblemKind::File, message, ""));
+    }
+    muscles::file(name).map(Cow::Owned).map_err(|error| {
+        Problem::new(
+            ProblemKind::File,
+            error.to_string(),
+            "`parts list muscles` shows them with their sources",
+        )
+    })
+}
+
 pub fn muscle_of(file: &TextFile) -> Result<Muscle, Problem> {
-    Ok(parse_muscle(&library_text(file)?).map_err(|e| e.of(Path::new(&file.name)))?)
+    Ok(parse_muscle(&text_of(file)?).map_err(|e| e.of(Path::new(&file.name)))?)
 }
 
 /// A rubber of the library.

@@ -137,7 +137,8 @@ impl JsonSchema for MuscleFields {
 }
 
 /// Measures of a muscle beside those of its summary, where they are stated.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[serde(transparent)]
 pub struct Stated(MeasureValues);
 
 impl Stated {
@@ -157,12 +158,6 @@ impl From<&Muscle> for Stated {
             muscle.measure(measure).into_iter().for_each(|value| out.set(measure, value));
         }
         Self(out)
-    }
-}
-
-impl Serialize for Stated {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.iter().filter_map(|(measure, value)| Some((measure.field?, value))))
     }
 }
 

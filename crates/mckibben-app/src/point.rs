@@ -1,12 +1,11 @@
 //! `force`, `pressure`, `contraction`: one point of a muscle's behaviour.
 
 use crate::burst::{PressureLimits, QUIET_MPA, put_first, said_of};
-use crate::fields::{AskFields, ModelFields, MuscleFields};
 use crate::load::{LoadAnswer, LoadFields, loaded};
 use crate::model::check_both;
 use crate::muscle::MuscleSummary;
 use crate::problem::{Problem, ProblemKind};
-use crate::question::Question;
+use crate::question::{Question, QuestionFields};
 use crate::uncertainty::UncertaintyWords;
 use mckibben::analysis::source_of;
 use mckibben::answer::{self, Answer, Options};
@@ -15,6 +14,7 @@ use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Direction;
 use mckibben::progress::Progress;
 use mckibben::uncertainty::basis_of;
+use mckibben::units::NamedUnit;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -22,15 +22,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct ForceRequest {
-    /// The muscle.
+    /// The muscle, the model, and how it is asked.
     #[serde(flatten)]
-    pub muscle: MuscleFields,
-    /// The model.
-    #[serde(flatten)]
-    pub model: ModelFields,
-    /// How it is asked.
-    #[serde(flatten)]
-    pub asking: AskFields,
+    pub question: QuestionFields,
     /// Gauge pressure P in MPa.
     pub pressure_mpa: Option<f64>,
     /// Contraction ratio ε = ΔL/L0; default 0.
@@ -43,15 +37,9 @@ pub struct ForceRequest {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct PressureRequest {
-    /// The muscle.
+    /// The muscle, the model, and how it is asked.
     #[serde(flatten)]
-    pub muscle: MuscleFields,
-    /// The model.
-    #[serde(flatten)]
-    pub model: ModelFields,
-    /// How it is asked.
-    #[serde(flatten)]
-    pub asking: AskFields,
+    pub question: QuestionFields,
     /// Pull F in N.
     pub force_n: Option<f64>,
     /// Contraction ratio ε = ΔL/L0; default 0.
@@ -64,15 +52,9 @@ pub struct PressureRequest {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct ContractionRequest {
-    /// The muscle.
+    /// The muscle, the model, and how it is asked.
     #[serde(flatten)]
-    pub muscle: MuscleFields,
-    /// The model.
-    #[serde(flatten)]
-    pub model: ModelFields,
-    /// How it is asked.
-    #[serde(flatten)]
-    pub asking: AskFields,
+    pub question: QuestionFields,
     /// Pull F in N; default 0.
     pub force_n: Option<f64>,
     /// A load in place of the pull: the contraction at which muscle and load are in balance.
@@ -118,7 +100,7 @@ pub struct ModelAbout {
 
 /// F(P, ε).
 pub fn force(request: &ForceRequest, _progress: &dyn Progress) -> Result<PointAnswer, Problem> {
-    let question = Question::new(&request.muscle, &request.model, request.asking)?;
+    let question = request.question.ask()?;
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
     let contraction = ratio(request.contraction.unwrap_or(0.0))?;
     answered(question, request.both, |model, workspace, options| {
@@ -128,7 +110,7 @@ pub fn force(request: &ForceRequest, _progress: &dyn Progress) -> Result<PointAn
 
 /// P(F, ε).
 pub fn pressure(request: &PressureRequest, _progress: &dyn Progress) -> Result<PointAnswer, Problem> {
-    let question = Question::new(&request.muscle, &request.model, request.asking)?;
+    let question = request.question.ask()?;
     let force_n = given("force_n", request.force_n, "a force, such as 300 N")?;
     pull(force_n, question.options)?;
     let contraction = ratio(request.contraction.unwrap_or(0.0))?;
@@ -139,7 +121,7 @@ pub fn pressure(request: &PressureRequest, _progress: &dyn Progress) -> Result<P
 
 /// ε(F, P).
 pub fn contraction(request: &ContractionRequest, _progress: &dyn Progress) -> Result<PointAnswer, Problem> {
-    let question = Question::new(&request.muscle, &request.model, request.asking)?;
+    let question = request.question.ask()?;
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
     let force_n = finite("force_n", request.force_n.unwrap_or(0.0))?;
     pull(force_n, question.options)?;
@@ -221,6 +203,15 @@ pub(crate) fn finite(field: &str, value: f64) -> Result<f64, Problem> {
         return Ok(value);
     }
     Err(Problem::new(ProblemKind::Quantity, format!("{value} is not a finite number"), "").in_field(field))
+}
+
+/// A number above zero.
+pub(crate) fn above_zero(kind: ProblemKind, field: &str, value: f64) -> Result<f64, Problem> {
+    if value.is_finite() && value > 0.0 {
+        return Ok(value);
+    }
+    let unit = NamedUnit::of_field(field).map_or("", |of| of.unit);
+    Err(Problem::new(kind, format!("{value} {unit}; it must be above zero"), "").in_field(field))
 }
 
 /// A contraction ratio. No muscle shortens by its whole length, so that 15 was meant as 15 %.

@@ -169,22 +169,15 @@ impl Problem {
         Self::new(ProblemKind::Usage, format!("`{field}` is missing; expected {expected}"), "")
     }
 
-    /// A field that is there and would change nothing, with the reason, which names the other field.
-    pub fn unused(field: &str, why: impl fmt::Display) -> Self {
-        Self::new(ProblemKind::Usage, format!("`{field}` has no effect: {why}"), "leave one of them out")
-    }
-
-    /// Refuses fields that are there and would change nothing.
+    /// Refuses fields that are there and would change nothing, with the reason, which names the other field.
     pub fn refuse_unused(fields: &[(&str, bool)], why: impl fmt::Display) -> Result<(), Self> {
         match fields.iter().find(|field| field.1) {
-            Some((field, _)) => Err(Self::unused(field, why)),
+            Some((field, _)) => {
+                let message = format!("`{field}` has no effect: {why}");
+                Err(Self::new(ProblemKind::Usage, message, "leave one of them out"))
+            }
             None => Ok(()),
         }
-    }
-
-    /// The caller wanted the work to end.
-    pub fn cancelled() -> Self {
-        Cancelled.into()
     }
 }
 

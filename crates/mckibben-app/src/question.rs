@@ -2,12 +2,36 @@
 
 use crate::burst::burst_of;
 use crate::fields::{AskFields, ModelFields, MuscleFields};
-use crate::model::{Model, Purpose, check_direction};
+use crate::many::BoundModel;
+use crate::model::{Model, check_direction};
 use crate::problem::Problem;
 use mckibben::analysis::Burst;
 use mckibben::answer::Options;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A muscle, a model, and how it is asked.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct QuestionFields {
+    /// The muscle.
+    #[serde(flatten)]
+    pub muscle: MuscleFields,
+    /// The model.
+    #[serde(flatten)]
+    pub model: ModelFields,
+    /// How it is asked.
+    #[serde(flatten)]
+    pub asking: AskFields,
+}
+
+impl From<MuscleFields> for QuestionFields {
+    fn from(muscle: MuscleFields) -> Self {
+        Self { muscle, ..Self::default() }
+    }
+}
 
 /// A model bound to its muscle, with the workspace of this request.
 pub(crate) struct Question {
@@ -19,18 +43,11 @@ pub(crate) struct Question {
     pub(crate) options: Options,
 }
 
-impl Question {
-    pub(crate) fn new(
-        muscle: &MuscleFields,
-        model: &ModelFields,
-        asking: AskFields,
-    ) -> Result<Self, Problem> {
-        let muscle = muscle.resolve()?;
-        let options = asking.options(&muscle)?;
-        let choice = Model::choose(model, Purpose::Answer)?;
-        choice.admit(&muscle)?;
-        let model = choice.build(&muscle)?;
-        Ok(Self { muscle, choice, model, workspace: Workspace::new(), options })
+impl QuestionFields {
+    pub(crate) fn ask(&self) -> Result<Question, Problem> {
+        let muscle = self.muscle.resolve()?;
+        let BoundModel { model, options, choice } = BoundModel::new(&muscle, &self.model, self.asking)?;
+        Ok(Question { muscle, choice, model, workspace: Workspace::new(), options })
     }
 }
 

@@ -72,7 +72,7 @@ pub(crate) fn report(
     };
     let pressure_mpa = plan.operating.pressure_mpa;
     let asked = CheckRequest {
-        muscle: request.muscle.clone(),
+        question: request.muscle.clone().into(),
         pressure_mpa: Some(pressure_mpa),
         ..CheckRequest::default()
     };
@@ -83,7 +83,7 @@ pub(crate) fn report(
     let contraction = ratio(request.contraction.unwrap_or(usual))?;
     let point = force(
         &ForceRequest {
-            muscle: request.muscle.clone(),
+            question: request.muscle.clone().into(),
             pressure_mpa: Some(pressure_mpa),
             contraction: Some(contraction),
             ..ForceRequest::default()
@@ -177,9 +177,7 @@ fn curves(
     let shares = |n: usize| (1..=n).map(|i| pressure_mpa * i as f64 / n as f64).collect::<Vec<_>>();
     let asked = CurveRequest {
         test,
-        muscle: request.muscle.clone(),
-        model: Default::default(),
-        asking: AskFields::default(),
+        question: request.muscle.clone().into(),
         pressures_mpa: Some(shares(if test == Test::Isobaric { 5 } else { 20 })),
         contractions: None,
         forces_n: None,

@@ -3,7 +3,7 @@
 use crate::fields::{Columns, TextFile, UnderstoodTable};
 use crate::figure;
 use crate::muscle::muscle_of;
-use crate::point::finite;
+use crate::point::above_zero;
 use crate::problem::{Problem, ProblemKind};
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Muscle, Rubber};
@@ -190,6 +190,9 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
     let settings = request.settings()?;
     request.base()?;
     let file = request.data.as_ref().ok_or_else(|| Problem::missing("data", "a table of tension tests"))?;
+    let positive = |field: &str, value: Option<f64>| {
+        value.map(|value| above_zero(ProblemKind::Quantity, field, value)).transpose()
+    };
     let options = ReadOptions {
         mode: request.mode,
         area_mm2: positive("area_mm2", request.area_mm2)?,
@@ -256,16 +259,6 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         answer.muscle_file = Some(answer.muscle_file(request)?);
     }
     Ok(answer)
-}
-
-fn positive(field: &str, value: Option<f64>) -> Result<Option<f64>, Problem> {
-    match value {
-        Some(v) if finite(field, v)? <= 0.0 => {
-            let message = format!("{v}; it must be above zero");
-            Err(Problem::new(ProblemKind::Quantity, message, "").in_field(field))
-        }
-        value => Ok(value),
-    }
 }
 
 impl RubberFitRequest {

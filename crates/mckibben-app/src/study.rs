@@ -1,11 +1,11 @@
 //! `curve --study`: the paper's thickness study.
 
 use crate::curve::{PointRow, answered};
-use crate::fields::{AskFields, ModelFields, MuscleFields};
 use crate::figure;
-use crate::model::{Model, Purpose};
+use crate::model::Model;
 use crate::muscle::MuscleSummary;
 use crate::problem::Problem;
+use crate::question::QuestionFields;
 use crate::units::Units;
 use crate::warnings;
 use mckibben::cancel;
@@ -22,15 +22,9 @@ use serde::{Deserialize, Serialize, Serializer};
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct StudyRequest {
-    /// The muscle; the study sets its diameter, wall and length.
+    /// The muscle, the model, and how it is asked.
     #[serde(flatten)]
-    pub muscle: MuscleFields,
-    /// The model.
-    #[serde(flatten)]
-    pub model: ModelFields,
-    /// How it is asked.
-    #[serde(flatten)]
-    pub asking: AskFields,
+    pub question: QuestionFields,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
 }
@@ -74,7 +68,7 @@ pub struct StudyRow {
 }
 
 pub fn study(request: &StudyRequest, _progress: &dyn Progress) -> Result<StudyAnswer, Problem> {
-    let m = &request.muscle;
+    let QuestionFields { muscle: m, model, asking } = &request.question;
     let own = fields()
         .filter(|(_, measure)| [&OUTER_DIAMETER, &WALL, &LENGTH].contains(measure))
         .map(|(field, measure)| (field, m.measures.get(measure).is_some()));
@@ -82,8 +76,8 @@ pub fn study(request: &StudyRequest, _progress: &dyn Progress) -> Result<StudyAn
     Problem::refuse_unused(&own, "the study has the diameter, walls and length of the paper")
         .map_err(|p| p.with_hint("leave it out, or draw other muscles with `test`"))?;
     let base = m.resolve()?;
-    let options = request.asking.options(&base)?;
-    let model = Model::choose(&request.model, Purpose::Answer)?;
+    let options = asking.options(&base)?;
+    let model = Model::choose(model)?;
     model.admit(&base)?;
     let study = thickness(&base, options, |m| model.build(m));
     cancel::check()?;

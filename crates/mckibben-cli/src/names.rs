@@ -17,7 +17,7 @@ pub struct Names(fn() -> Vec<String>);
 pub const MODELS: Names = Names(|| Model::all().into_iter().map(|m| m.name.to_string()).collect());
 pub const TARGETS: Names = Names(|| {
     export_list(&ExportListRequest {})
-        .map(|all| all.targets.into_iter().map(|t| t.name).collect())
+        .map(|all| all.targets.into_iter().map(|t| t.name.to_owned()).collect())
         .unwrap_or_default()
 });
 /// Rubbers of the library.

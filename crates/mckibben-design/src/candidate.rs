@@ -41,17 +41,14 @@ impl CandidatePoint {
 }
 
 /// A muscle that fits.
-#[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Candidate {
-    #[serde(skip)]
     pub muscle: Muscle,
     /// Name of the tube as sold or cast that it has, where tubes were searched.
     pub tube: Option<String>,
     /// Name of the model that all its numbers come from.
     pub model: String,
     /// What it is ranked by: smaller is better.
-    #[serde(skip)]
     pub(super) score: Score,
     /// The limit that keeps it from being better: the one that is met by least, where less than 1 % of it is left.
     pub binds: Option<Limit>,
@@ -68,7 +65,6 @@ pub struct Candidate {
     /// Work in J from ε = 0 to the largest contraction wanted, at the maximum pressure.
     pub work_j: Option<f64>,
     /// The pressures at which it fails; `None` where no model answers for the blocked muscle.
-    #[serde(skip)]
     pub burst: Option<Burst>,
     /// Quantities that the design's model does not give and the thick-wall model gave instead.
     pub from_thick_wall: Vec<&'static str>,

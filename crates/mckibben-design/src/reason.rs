@@ -9,8 +9,7 @@ use mckibben::units::Dimension;
 use serde::Serialize;
 
 /// The bound that a muscle breaks.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(tag = "kind", content = "detail", rename_all = "snake_case")]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Reason {
     /// It does not pull enough at the maximum pressure.
     Force {
@@ -57,15 +56,9 @@ pub enum Reason {
         limit_mm3: f64,
     },
     /// The model has no answer.
-    #[serde(serialize_with = "in_words")]
     Model(ModelError),
     /// The parts do not make a muscle.
-    #[serde(serialize_with = "in_words")]
     Muscle(MuscleError),
-}
-
-fn in_words<E: std::fmt::Display, S: serde::Serializer>(error: &E, out: S) -> Result<S::Ok, S::Error> {
-    out.collect_str(error)
 }
 
 impl Reason {
@@ -143,21 +136,24 @@ fn round(v: f64) -> f64 {
 }
 
 /// A muscle that does not fit, and why.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Rejected {
-    /// Outer diameter in mm.
+    /// Outer diameter D0, mm.
     pub outer_diameter_mm: f64,
-    /// Wall in mm.
+    /// Wall s, mm.
     pub wall_mm: f64,
-    /// Length in mm.
+    /// Length L0, mm.
     pub length_mm: f64,
-    /// Braid angle in degrees.
+    /// Braid angle θ0, degrees.
     pub angle_deg: f64,
     /// Name of the rubber, where it has one.
     pub rubber: Option<String>,
     /// Name of the sleeve, where it has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub sleeve: Option<String>,
     /// The bound it breaks by most.
+    #[serde(skip)]
     pub reason: Reason,
 }
 

@@ -1,30 +1,40 @@
 //! What an equilibrium tells, whichever elements found it.
 
 use mckibben::model::Response;
+use schemars::JsonSchema;
+use serde::Serialize;
 
 /// A place along the muscle, from the middle (z = 0) to the terminal.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(rename = "ProfileRow")]
 pub struct ProfilePoint {
-    /// Z at rest in mm.
-    pub rest_mm: f64,
-    /// (z, r) of the outer surface in mm.
-    pub outer_mm: (f64, f64),
-    /// (z, r) of the inner surface in mm.
-    pub inner_mm: (f64, f64),
+    /// Z at rest, mm.
+    pub rest_z_mm: f64,
+    /// z of the outer surface, mm.
+    pub outer_z_mm: f64,
+    /// r of the outer surface, mm.
+    pub outer_r_mm: f64,
+    /// z of the inner surface, mm.
+    pub inner_z_mm: f64,
+    /// r of the inner surface, mm.
+    pub inner_r_mm: f64,
 }
 
 /// The strands at a place along the muscle.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(rename = "StrandRow")]
 pub struct StrandState {
-    /// Z at rest in mm.
+    /// Z at rest, mm.
+    #[serde(rename = "rest_z_mm")]
     pub rest_mm: f64,
-    /// λf
+    /// Stretch λf of a strand.
     pub stretch: f64,
-    /// Angle to the axis now in degrees: tanθ = tanθ0 λθ/λm.
+    /// Angle to the axis now, degrees: tanθ = tanθ0 λθ/λm.
     pub angle_deg: f64,
-    /// Tension per width of a family at rest, N/mm.
+    /// Tension of a family per width at rest, N/mm.
     pub tension_n_per_mm: f64,
-    /// Tension of one strand in N, where their number is known.
+    /// Tension of one strand, N, where their number is known.
+    #[serde(rename = "strand_tension_n")]
     pub tension_n: Option<f64>,
 }
 
@@ -105,7 +115,8 @@ pub struct Solution {
 }
 
 /// ∂F of one constant or measure.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(rename = "SensitivityRow")]
 pub struct Sensitivity {
     /// Key as in the muscle file: `tube.material.c10`, `tube.outer_diameter`, `braid.stiffness`, …
     pub name: String,

@@ -78,7 +78,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     })?;
     println!("fe forces 26: {seconds:e}");
     let request = CurveRequest {
-        muscle: Default::default(),
         pressures_mpa: Some(pressures),
         contractions: Some(vec![0.1]),
         ..serde_json::from_str(r#"{"test": "isometric"}"#)?

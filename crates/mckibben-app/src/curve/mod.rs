@@ -5,14 +5,13 @@ pub(crate) mod answer;
 pub use answer::{CurveAnswer, FailedPoint, PointRow};
 
 use crate::burst::{QUIET_MPA, put_first, said_of};
-use crate::fields::{AskFields, ModelFields, MuscleFields};
 use crate::figure;
 use crate::load::{LoadFields, loaded};
 use crate::model::check_both;
 use crate::muscle::MuscleSummary;
 use crate::point::{finite, is_ratio, no_ratio, pull};
 use crate::problem::{Problem, ProblemKind};
-use crate::question::Question;
+use crate::question::QuestionFields;
 use crate::units::Units;
 use crate::warnings;
 use mckibben::analysis::free_contraction;
@@ -34,15 +33,9 @@ use serde::{Deserialize, Serialize};
 pub struct CurveRequest {
     /// Which test.
     pub test: Test,
-    /// The muscle.
+    /// The muscle, the model, and how it is asked.
     #[serde(flatten)]
-    pub muscle: MuscleFields,
-    /// The model.
-    #[serde(flatten)]
-    pub model: ModelFields,
-    /// How it is asked.
-    #[serde(flatten)]
-    pub asking: AskFields,
+    pub question: QuestionFields,
     /// Gauge pressures P in MPa; default isobaric 0.05 to 0.25 by 0.05, else 0 to 0.25 by 0.01.
     pub pressures_mpa: Option<Vec<f64>>,
     /// Contraction ratios ε; default: from 0 to the free contraction at the highest pressure (or the end of the
@@ -94,7 +87,7 @@ fn each(
     take: &mut dyn FnMut(Curve) -> Result<(), Problem>,
 ) -> Result<CurveAnswer, Problem> {
     check_test(request.test, request.contractions.is_some(), request.forces_n.is_some())?;
-    let mut question = Question::new(&request.muscle, &request.model, request.asking)?;
+    let mut question = request.question.ask()?;
     let isobaric = request.test == Test::Isobaric;
     let pressures = list("pressures_mpa", &request.pressures_mpa, || {
         if isobaric { steps(5, 0.05, 0.25) } else { steps(26, 0.0, 0.25) }

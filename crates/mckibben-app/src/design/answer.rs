@@ -2,7 +2,6 @@
 
 use super::bought::BoughtAnswer;
 use super::bundle::BundleAnswer;
-use super::policy::ModelPolicy;
 use super::request::{OperatingPoint, TorqueWanted};
 use crate::burst::{PressureLimits, put_first, said_of};
 use crate::fields::TextFile;
@@ -17,8 +16,8 @@ use mckibben::muscle::{Braid, BraidStiffness};
 use mckibben::warning::Warning;
 use mckibben_design::tubes::rubbers;
 use mckibben_design::{
-    BraidChoice, Candidate, CandidatePoint, Closest, Demand, Lift, Limit, Outcome, Rejected, Relaxation,
-    Spec, Spread, Sure,
+    BraidChoice, Candidate, CandidatePoint, Demand, Lift, Limit, Outcome, Rejected, Relaxation, Spec, Spread,
+    Sure,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -227,19 +226,9 @@ pub struct SureAnswer {
 /// A muscle that does not fit.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct RejectedAnswer {
-    /// Outer diameter D0, mm.
-    pub outer_diameter_mm: f64,
-    /// Wall s, mm.
-    pub wall_mm: f64,
-    /// Length L0, mm.
-    pub length_mm: f64,
-    /// Braid angle θ0, degrees.
-    pub angle_deg: f64,
-    /// Name of the rubber, where it has one.
-    pub rubber: Option<String>,
-    /// Name of the sleeve, where it has one.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub sleeve: Option<String>,
+    /// The muscle.
+    #[serde(flatten)]
+    pub muscle: Rejected,
     /// The limit that it misses by most, in a sentence.
     pub reason: String,
     /// That limit; none where the model has no answer.
@@ -288,55 +277,13 @@ pub struct VerifiedPoint {
     pub cause: Option<String>,
 }
 
-impl DesignAnswer {
-    pub(super) fn new(
-        spec: &Spec,
-        model: &ModelPolicy,
-        outcome: &Outcome,
-        tolerance: Vec<Spread>,
-        verification: Option<Verified>,
-        figure: Option<Figure>,
-    ) -> Self {
-        Self {
-            model: model.name().into(),
-            searched_with: model.searches().into(),
-            max_pressure_mpa: spec.max_pressure_mpa,
-            liquid: spec.liquid.as_ref().map(|supply| supply.liquid.clone()),
-            load: None,
-            assumptions: vec![],
-            looked_at: outcome.looked_at.0,
-            fitting: outcome.looked_at.1,
-            excluded_by_burst: outcome.too_weak.0,
-            excluded_by_burst_alone: outcome.too_weak.1,
-            candidates: outcome.candidates.iter().map(|c| CandidateAnswer::new(c, spec)).collect(),
-            uncertainty_words: None,
-            rejected: outcome.rejected.iter().map(RejectedAnswer::from).collect(),
-            verification,
-            warnings: outcome
-                .candidates
-                .first()
-                .map(|c| warnings(c, spec.max_pressure_mpa))
-                .unwrap_or_else(|| not_checked(outcome, spec.max_pressure_mpa)),
-            tolerance,
-            to_be_sure: None,
-            bundle: None,
-            bought: vec![],
-            closest: outcome.closest.as_ref().map(|c| ClosestAnswer::new(c, spec)),
-            figure,
-            wanted: DemandAnswer::of(&spec.wanted),
-            searched: SearchedAnswer::of(spec),
-            muscle_files: outcome.candidates.iter().enumerate().map(|(i, c)| muscle_file(i, c)).collect(),
-        }
-    }
-}
-
-fn muscle_file(place: usize, candidate: &Candidate) -> TextFile {
+pub(super) fn muscle_file(place: usize, candidate: &Candidate) -> TextFile {
     let name = if place == 0 { "winner.toml".to_owned() } else { format!("candidate-{}.toml", place + 1) };
     TextFile { name, text: to_toml(&candidate.muscle) }
 }
 
 impl DemandAnswer {
-    fn of(demand: &Demand) -> Self {
+    pub(super) fn of(demand: &Demand) -> Self {
         match demand {
             Demand::Points(points) => Self::Points { points: points.clone() },
             &Demand::Load { way: Lift::Stroke(stroke_mm), .. } => Self::Stroke { stroke_mm },
@@ -349,7 +296,7 @@ impl DemandAnswer {
 }
 
 impl SearchedAnswer {
-    fn of(spec: &Spec) -> Self {
+    pub(super) fn of(spec: &Spec, bundle: Option<u32>) -> Self {
         let has_strength = |braid: &Braid| braid.strands.is_some_and(|s| s.strength_n.is_some());
         Self {
             rubber: rubber_of(spec),
@@ -361,7 +308,7 @@ impl SearchedAnswer {
                 _ => has_strength(spec.base.braid()),
             },
             max_strand_strain: spec.limits.strand_strain,
-            bundle: None,
+            bundle,
             guaranteed: spec.guaranteed,
         }
     }
@@ -395,7 +342,7 @@ fn braid_of(spec: &Spec) -> String {
 }
 
 impl CandidateAnswer {
-    fn new(c: &Candidate, spec: &Spec) -> Self {
+    pub(super) fn new(c: &Candidate, spec: &Spec) -> Self {
         Self {
             joint: match &spec.wanted {
                 Demand::Joint(joint) => Some(CandidateJoint {
@@ -453,12 +400,7 @@ impl From<&Sure> for SureAnswer {
 impl From<&Rejected> for RejectedAnswer {
     fn from(r: &Rejected) -> Self {
         Self {
-            outer_diameter_mm: r.outer_diameter_mm,
-            wall_mm: r.wall_mm,
-            length_mm: r.length_mm,
-            angle_deg: r.angle_deg,
-            rubber: r.rubber.clone(),
-            sleeve: r.sleeve.clone(),
+            muscle: r.clone(),
             reason: r.reason.describe(|kind, v| Units::default().show(kind, v)),
             limit: r.reason.limit(),
             misses_by: r.reason.misses_by(),
@@ -466,24 +408,14 @@ impl From<&Rejected> for RejectedAnswer {
     }
 }
 
-impl ClosestAnswer {
-    fn new(closest: &Closest, spec: &Spec) -> Self {
-        Self {
-            rejected: (&closest.rejected).into(),
-            relaxations: closest.relaxations.clone(),
-            hint: out_of_reach(spec),
-        }
-    }
-}
-
 /// What is said of a burst where nothing fits: that it was not checked, of strands whose strength is not stated.
-fn not_checked(outcome: &Outcome, max_pressure_mpa: f64) -> Vec<Warning> {
+pub(super) fn not_checked(outcome: &Outcome, max_pressure_mpa: f64) -> Vec<Warning> {
     let missing = outcome.closest.as_ref().and_then(|closest| Burst::missing(&closest.muscle));
     missing.map(|why| said_of(&Burst::unknown(why), max_pressure_mpa, 0.0)).unwrap_or_default()
 }
 
 /// What the user should know of a candidate: of its burst pressure, of its muscle, and of its operating points.
-fn warnings(c: &Candidate, max_pressure_mpa: f64) -> Vec<Warning> {
+pub(super) fn warnings(c: &Candidate, max_pressure_mpa: f64) -> Vec<Warning> {
     let mut all = crate::warnings::of_responses(&c.muscle, c.points.iter().map(|q| &q.response));
     let found = c.burst.unwrap_or(Burst::unknown(NoBurst::NoAnswer { up_to_mpa: 0.0 }));
     all.extend(super::assumed::thin_wall(&c.muscle).map(Warning::from));
@@ -492,7 +424,7 @@ fn warnings(c: &Candidate, max_pressure_mpa: f64) -> Vec<Warning> {
 }
 
 /// Contractions that no braid of the search reaches, and the angle that would.
-fn out_of_reach(spec: &Spec) -> Option<String> {
+pub(super) fn out_of_reach(spec: &Spec) -> Option<String> {
     let BraidChoice::Angle(angles) = &spec.braid else { return None };
     let smallest = angles.bounds().0;
     let most = |angle: f64| 1.0 - 1.0 / (3f64.sqrt() * angle.to_radians().cos());

@@ -1,6 +1,7 @@
 //! A bundle: equal muscles that share what is required, side by side in one circle.
 
 use super::request::DesignRequest;
+use crate::point::above_zero;
 use crate::problem::{Problem, ProblemKind};
 use crate::words::percent;
 use mckibben::model::Workspace;
@@ -60,16 +61,13 @@ impl DesignRequest {
             let message = format!("{count} muscles; a bundle has 1 to {MOST}");
             return Err(Problem::new(ProblemKind::Range, message, "").in_field("bundle"));
         }
-        if count == 1 && self.pitch_mm.is_some() {
-            let message =
-                "`pitch_mm` is the distance of neighbours: it needs a `bundle` of two muscles or more";
-            return Err(Problem::new(ProblemKind::Usage, message, "").in_field("pitch_mm"));
-        }
+        let pitch = [("pitch_mm", count == 1 && self.pitch_mm.is_some())];
+        Problem::refuse_unused(
+            &pitch,
+            "it is the distance of neighbours in a `bundle` of two muscles or more",
+        )?;
         for (field, value) in [("max_envelope_mm", self.max_envelope_mm), ("pitch_mm", self.pitch_mm)] {
-            if let Some(mm) = value.filter(|mm| !(mm.is_finite() && *mm > 0.0)) {
-                let message = format!("{mm} mm; it must be above zero");
-                return Err(Problem::new(ProblemKind::Specification, message, "").in_field(field));
-            }
+            value.map(|mm| above_zero(ProblemKind::Specification, field, mm)).transpose()?;
         }
         Ok(count)
     }

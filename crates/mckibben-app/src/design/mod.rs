@@ -4,7 +4,6 @@ mod answer;
 mod assumed;
 mod bought;
 mod bundle;
-mod other_sleeve;
 mod policy;
 mod request;
 
@@ -20,6 +19,7 @@ use crate::figure;
 use crate::model::Model;
 use crate::problem::Problem;
 use crate::uncertainty::UncertaintyWords;
+use answer::{muscle_file, not_checked, out_of_reach};
 use mckibben::analysis::{force_on, pressure_at};
 use mckibben::answer::Options;
 use mckibben::cancel::Cancelled;
@@ -32,7 +32,6 @@ use mckibben_design::{
     Build, Candidate, CandidatePoint, Models, Outcome, Spec, Spread, Sure, Tolerances, design_joint,
     design_with, fits, is_doubtful, spread, to_be_sure,
 };
-use policy::ModelPolicy;
 use request::Search;
 
 /// Curves are drawn of so many candidates.
@@ -43,20 +42,19 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     if let Some(tolerances) = &request.tolerance {
         tolerances.check()?;
     }
-    let Search { spec, models: model, radius_mm } = request.search()?;
+    let Search { spec, policy, radius_mm } = request.search()?;
     // A mesh that one muscle has no room for is no reason against each of them.
-    model.decide(&spec.base)?;
-    let (look, decide) = (|m: &Muscle| model.look(m), |m: &Muscle| model.decide(m));
-    let settle: Option<&Build<'_>> =
-        if matches!(model, ModelPolicy::Named(_)) { None } else { Some(&decide) };
+    policy.model.bound(&spec.base)?;
+    let (look, decide) = (|m: &Muscle| policy.look(m), |m: &Muscle| policy.model.bound(m));
+    let settle = policy.quick.as_ref().map(|_| &decide as &Build<'_>);
     let models = Models { search: &look, settle };
     let (spec, outcome) = match &radius_mm {
         Some(radius_mm) => design_joint(&spec, radius_mm, models, progress)?,
         None => design_with(&spec, models, progress).map(|outcome| (spec, outcome))?,
     };
-    let spreads = spreads(request.tolerance.as_ref(), &decide, &outcome)?;
+    let tolerance = spreads(request.tolerance.as_ref(), &decide, &outcome)?;
     let winner = outcome.candidates.first();
-    let verified = match (request.verify, winner) {
+    let verification = match (request.verify, winner) {
         (Verify::Fe, Some(winner)) if winner.model != Model::FE.name() => Some(verified(&spec, winner)?),
         _ => None,
     };
@@ -66,24 +64,50 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     };
     let hint = outcome.closest.as_ref().and_then(|closest| {
         let stiffer = assumed::stiffer_sleeve(&spec, &decide, closest);
-        let by_parts = || other_sleeve::that_fits(&spec, models, &CancelOnly(progress));
-        let stronger = || other_sleeve::stronger_strands(closest);
+        let by_parts = || assumed::that_fits(&spec, models, &CancelOnly(progress));
+        let stronger = || assumed::stronger_strands(closest);
         stiffer.or_else(stronger).or_else(|| request.braids.is_empty().then(by_parts).flatten())
     });
-    let assumptions = assumed::assumptions(request, &spec);
-    let sure = sure(&spec, &outcome, radius_mm.as_ref(), models, progress);
-    let mut answer = DesignAnswer::new(&spec, &model, &outcome, spreads, verified, figure);
-    if let (Some(closest), Some(hint)) = (&mut answer.closest, hint) {
-        closest.hint = Some(closest.hint.take().map_or(hint.clone(), |first| format!("{first} {hint}")));
-    }
-    answer.to_be_sure = sure?.as_ref().map(Into::into);
-    let uncertainty_words = words(&spec, &decide, winner);
+    let sure = sure(&spec, &outcome, radius_mm.as_ref(), models, progress)?;
+    let highest_mpa = spec.max_pressure_mpa;
+    let mut warnings =
+        winner.map_or_else(|| not_checked(&outcome, highest_mpa), |c| answer::warnings(c, highest_mpa));
     let bundle = bundle::of(request, &spec, &decide, winner);
-    let bought = bought::bought(request, &spec);
-    let load = request.load.load.clone();
-    answer.searched.bundle = request.bundle;
-    answer.warnings.extend(bundle.as_ref().and_then(BundleAnswer::warning));
-    Ok(DesignAnswer { load, assumptions, uncertainty_words, bundle, bought, ..answer })
+    warnings.extend(bundle.as_ref().and_then(BundleAnswer::warning));
+    let closest = outcome.closest.as_ref().map(|closest| {
+        let hints: Vec<String> = out_of_reach(&spec).into_iter().chain(hint).collect();
+        ClosestAnswer {
+            rejected: (&closest.rejected).into(),
+            relaxations: closest.relaxations.clone(),
+            hint: (!hints.is_empty()).then(|| hints.join(" ")),
+        }
+    });
+    Ok(DesignAnswer {
+        model: policy.model.name().into(),
+        searched_with: policy.searches().into(),
+        max_pressure_mpa: highest_mpa,
+        wanted: DemandAnswer::of(&spec.wanted),
+        searched: SearchedAnswer::of(&spec, request.bundle),
+        liquid: spec.liquid.as_ref().map(|supply| supply.liquid.clone()),
+        load: request.load.load.clone(),
+        assumptions: assumed::assumptions(request, &spec),
+        looked_at: outcome.looked_at.0,
+        fitting: outcome.looked_at.1,
+        excluded_by_burst: outcome.too_weak.0,
+        excluded_by_burst_alone: outcome.too_weak.1,
+        candidates: outcome.candidates.iter().map(|c| CandidateAnswer::new(c, &spec)).collect(),
+        uncertainty_words: words(&spec, &decide, winner),
+        rejected: outcome.rejected.iter().map(RejectedAnswer::from).collect(),
+        verification,
+        warnings,
+        tolerance,
+        to_be_sure: sure.as_ref().map(Into::into),
+        closest,
+        bundle,
+        bought: bought::bought(request, &spec),
+        figure,
+        muscle_files: outcome.candidates.iter().enumerate().map(|(i, c)| muscle_file(i, c)).collect(),
+    })
 }
 
 /// What to ask for to be sure of what is wanted, where the winner has less to spare than its ±.

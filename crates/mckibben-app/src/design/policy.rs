@@ -6,13 +6,11 @@ use mckibben::muscle::Muscle;
 
 /// Which model looks at a muscle of the search, and which one decides.
 #[derive(Debug, Clone)]
-pub(super) enum ModelPolicy {
-    /// The one that was named does both.
-    Named(Model),
-    /// `universal` searches muscles near its box, `fe` all others; `fe` decides.
-    Fastest { universal: Model, elements: Model },
-    /// Muscles that extend, for which `universal` was not fitted: `thick-wall` searches, `fe` decides.
-    Extensile { thick_wall: Model, elements: Model },
+pub(super) struct ModelPolicy {
+    /// Where none was named: what searches the muscles that it is good for.
+    pub(super) quick: Option<(Model, fn(&Muscle) -> bool)>,
+    /// What searches all others, and decides.
+    pub(super) model: Model,
 }
 
 /// Muscles that `universal` searches: L0/D0 at least, θ0 in degrees, wall over D0 at most. Its box is narrower; it only ranks what `fe` then decides of and
@@ -25,45 +23,23 @@ const ANGLES: std::ops::RangeInclusive<f64> = 14.0..=42.0;
 const THICKEST: f64 = 0.38;
 
 /// Whether a muscle is searched with `universal`.
-fn near_the_box(muscle: &Muscle) -> bool {
+pub(super) fn near_the_box(muscle: &Muscle) -> bool {
     muscle.length_mm() >= LEAST_SLENDERNESS * muscle.outer_diameter_mm()
         && ANGLES.contains(&muscle.braid().angle_deg)
         && muscle.wall_mm() <= THICKEST * muscle.outer_diameter_mm()
 }
 
 impl ModelPolicy {
-    /// The name of the model that decides, whose numbers are printed.
-    pub(super) fn name(&self) -> &str {
-        match self {
-            Self::Named(model)
-            | Self::Fastest { elements: model, .. }
-            | Self::Extensile { elements: model, .. } => model.name(),
-        }
-    }
-
-    /// The name of the model that looks at most muscles.
+    /// Name of the model that searches.
     pub(super) fn searches(&self) -> &str {
-        match self {
-            Self::Named(model)
-            | Self::Fastest { universal: model, .. }
-            | Self::Extensile { thick_wall: model, .. } => model.name(),
-        }
+        self.quick.as_ref().map_or(&self.model, |quick| &quick.0).name()
     }
 
-    /// The model that looks at a muscle in the search.
+    /// The model that searches, bound to a muscle.
     pub(super) fn look(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-        match self {
-            Self::Fastest { universal, .. } if near_the_box(muscle) => universal.build(muscle),
-            Self::Extensile { thick_wall, .. } => thick_wall.build(muscle),
-            _ => self.decide(muscle),
+        match &self.quick {
+            Some((quick, is_good)) if is_good(muscle) => quick.build(muscle),
+            _ => self.model.bound(muscle),
         }
-    }
-
-    pub(super) fn decide(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-        let (Self::Named(model)
-        | Self::Fastest { elements: model, .. }
-        | Self::Extensile { elements: model, .. }) = self;
-        model.admit(muscle)?;
-        model.build(muscle)
     }
 }

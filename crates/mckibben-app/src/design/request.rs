@@ -1,12 +1,12 @@
 //! What is wanted, and what may be varied.
 
-use super::policy::ModelPolicy;
+use super::policy::{ModelPolicy, near_the_box};
 use crate::fields::{MeshFields, ModelFields, MuscleFields, NamedFields, Stiffness, TextFile};
 use crate::liquid::LiquidFields;
 use crate::load::LoadFields;
-use crate::model::{Model, Purpose};
+use crate::model::Model;
 use crate::muscle::{rubber, sleeve};
-use crate::point::{finite, given, ratio};
+use crate::point::{above_zero, finite, given, ratio};
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
 use mckibben::muscle::measures::{LENGTH, STRAND_MODULUS};
@@ -159,7 +159,7 @@ pub enum Verify {
 /// A specification with the models that search it.
 pub(super) struct Search {
     pub(super) spec: Spec,
-    pub(super) models: ModelPolicy,
+    pub(super) policy: ModelPolicy,
     /// Radii of a joint's pulley in mm.
     pub(super) radius_mm: Option<Values>,
 }
@@ -182,29 +182,23 @@ impl DesignRequest {
         let extends = wanted.extends();
         let max_pressure_mpa =
             given("max_pressure_mpa", self.max_pressure_mpa, "a pressure, such as 0.25 MPa")?;
-        let model = Model::choose(&self.model, Purpose::Search)?;
-        let (diameters, walls) = model.sections().unwrap_or(SECTIONS);
-        let models = match self.model.model {
-            Some(_) => ModelPolicy::Named(model),
-            None if extends => ModelPolicy::Extensile {
-                thick_wall: Model::named("thick-wall", &[], &MeshFields::default())?,
-                elements: Model::choose(&self.model, Purpose::Answer)?,
-            },
-            None => ModelPolicy::Fastest {
-                universal: model,
-                elements: Model::choose(&self.model, Purpose::Answer)?,
-            },
+        let model = Model::choose(&self.model)?;
+        let sections = model.sections();
+        let (diameters, walls) = sections.unwrap_or(SECTIONS);
+        // `universal` was not fitted for muscles that extend.
+        let quick: Option<(&str, fn(&Muscle) -> bool)> = match self.model.model {
+            Some(_) => None,
+            None if extends => Some(("thick-wall", |_| true)),
+            None => Some(("universal", near_the_box)),
         };
-        let free = self.free_sizes(&models);
+        let named = |(name, good)| Ok::<_, Problem>((Model::named(name, &[], &MeshFields::default())?, good));
+        let policy = ModelPolicy { quick: quick.map(named).transpose()?, model };
+        let free = self.free_sizes(sections.is_some());
         let tubes = match free {
             None => self.tubes()?,
             Some(by) => {
                 let named = [("tubes", !self.tubes.is_empty()), ("parts", self.parts.is_some())];
-                if let Some((field, _)) = named.into_iter().find(|(_, given)| *given) {
-                    let message = format!("`{field}` has no effect: {by} asks for free sizes");
-                    let hint = format!("leave out `{field}`, or {by}");
-                    return Err(Problem::new(ProblemKind::Usage, message, hint));
-                }
+                Problem::refuse_unused(&named, format!("{by} asks for free sizes"))?;
                 vec![]
             }
         };
@@ -263,7 +257,7 @@ impl DesignRequest {
             top: self.top.unwrap_or(5).clamp(1, 1000),
             extrapolate: self.extrapolate,
         };
-        Ok(Search { spec, models, radius_mm })
+        Ok(Search { spec, policy, radius_mm })
     }
 
     /// The share of muscles that meet the requirement, checked.
@@ -279,7 +273,7 @@ impl DesignRequest {
     }
 
     /// What asks for free sizes, in place of tubes and sleeves as sold.
-    fn free_sizes(&self, models: &ModelPolicy) -> Option<&'static str> {
+    fn free_sizes(&self, of_one_braid: bool) -> Option<&'static str> {
         let given = [
             ("`continuous`", self.continuous),
             ("`muscle`", self.muscle.is_some()),
@@ -289,7 +283,7 @@ impl DesignRequest {
             ("`strand_length_per_turn_mm`", !self.strand_length_per_turn_mm.is_empty()),
             ("`stiffness`", self.stiffness.is_some()),
             // A formula for one braid and rubber has no answer for others.
-            ("a formula for one braid", matches!(models, ModelPolicy::Named(m) if m.sections().is_some())),
+            ("a formula for one braid", of_one_braid),
         ];
         given.into_iter().find(|(_, given)| *given).map(|(by, _)| by)
     }
@@ -364,14 +358,11 @@ impl DesignRequest {
             let (base, joint, radius) = self.joint()?;
             return Ok((base, Demand::Joint(joint), Some(radius)));
         }
-        if let Some(stray) =
-            [("radius_mm", self.radius_mm.is_some()), ("largest_angle_deg", self.largest_angle_deg.is_some())]
-                .into_iter()
-                .find(|s| s.1)
-        {
-            let message = "belongs to a joint";
-            return Err(Problem::new(ProblemKind::Usage, message, "give `torques`").in_field(stray.0));
-        }
+        let of_joint = [
+            ("radius_mm", self.radius_mm.is_some()),
+            ("largest_angle_deg", self.largest_angle_deg.is_some()),
+        ];
+        Problem::refuse_unused(&of_joint, "it belongs to a joint, and no `torques` are given")?;
         if self.load.load.is_some() {
             // The load sets the pull; a stroke or a contraction how far it is lifted.
             let way = match (self.contraction, self.stroke_mm) {
@@ -454,9 +445,7 @@ impl DesignRequest {
         let base = fields.resolve()?;
         let length = base.length_mm();
         let stroke = self.stroke_mm;
-        if let Some(stroke) = stroke.filter(|s| !(s.is_finite() && *s > 0.0)) {
-            return Err(wrong(format!("{stroke} mm; it must be above zero"), "").in_field("stroke_mm"));
-        }
+        stroke.map(|mm| above_zero(ProblemKind::Specification, "stroke_mm", mm)).transpose()?;
         let point = |(force_n, contraction): &(f64, Option<f64>)| {
             let way = force_n.signum();
             let contraction = contraction.or(stroke.map(|s| way * s / length)).unwrap_or(0.0);

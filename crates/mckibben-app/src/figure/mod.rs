@@ -9,12 +9,11 @@ mod joint;
 mod measured;
 mod motion;
 mod simulate;
-mod study;
 mod tension;
 
 pub(crate) use compare::compare;
 pub use compare::model_colour;
-pub(crate) use curves::curves;
+pub(crate) use curves::{curves, study};
 pub(crate) use design::design;
 pub(crate) use fit::fitted;
 pub(crate) use identify::identified;
@@ -22,7 +21,6 @@ pub(crate) use joint::joint;
 pub(crate) use measured::measured;
 pub(crate) use motion::motion;
 pub(crate) use simulate::simulate;
-pub(crate) use study::study;
 pub(crate) use tension::tension;
 
 /// What a caption says of the bands.

@@ -1,9 +1,9 @@
 //! Curves, shapes and strands of a finite-element test.
 
 use super::caption;
-use super::curves::axes;
+use super::curves::{axes, label};
 use crate::muscle::MuscleSummary;
-use crate::simulate::point::Simulated;
+use crate::simulate::Simulated;
 use crate::units::Units;
 use crate::words::percent;
 use mckibben::curve::Test;
@@ -25,13 +25,8 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) 
     for (i, &value) in fixed.iter().enumerate() {
         let line: Vec<(f64, f64)> =
             points.iter().filter(|q| key(test, q) == value).map(|q| coordinates(test, q, u)).collect();
-        let label = match test {
-            Test::Isometric => format!("ε {}", percent(value)),
-            Test::Isotonic => u.force.show(value),
-            Test::Isobaric => u.pressure.show(value),
-        };
         longest = longest.max(line.iter().filter(|(x, y)| x.is_finite() && y.is_finite()).count());
-        curve = curve.series(Series::line("", line).colour(i).neutral().end_label(label));
+        curve = curve.series(Series::line("", line).colour(i).neutral().end_label(label(test, value, u)));
     }
     let solved: Vec<(&Simulated, &Solution)> =
         points.iter().filter_map(|q| Some((q, q.solution.as_ref().ok()?))).collect();
@@ -55,8 +50,8 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) 
         Panel::new(Axis::new(u.length.heading("z at rest")).from_zero(), Axis::new("strand angle θ [°]"));
     for (i, (q, s)) in shown.iter().enumerate() {
         curve = curve.series(Series::scatter("", vec![coordinates(test, q, u)]).colour(i));
-        let outer: Vec<(f64, f64)> = s.profile.iter().map(|x| at(x.outer_mm)).collect();
-        let inner: Vec<(f64, f64)> = s.profile.iter().map(|x| at(x.inner_mm)).collect();
+        let outer: Vec<(f64, f64)> = s.profile.iter().map(|x| at((x.outer_z_mm, x.outer_r_mm))).collect();
+        let inner: Vec<(f64, f64)> = s.profile.iter().map(|x| at((x.inner_z_mm, x.inner_r_mm))).collect();
         shape =
             shape.series(Series::line(name(s), outer).colour(i)).series(Series::line("", inner).colour(i));
         let along = |of: &dyn Fn(&mckibben_fem::results::StrandState) -> f64| -> Vec<(f64, f64)> {
@@ -84,8 +79,8 @@ fn capital(word: &str) -> String {
 /// What is fixed along the curve of a point.
 fn key(test: Test, q: &Simulated) -> f64 {
     match test {
-        Test::Isometric => q.contraction().unwrap_or(f64::NAN),
-        Test::Isotonic => q.force_n().unwrap_or(f64::NAN),
+        Test::Isometric => q.held.contraction().unwrap_or(f64::NAN),
+        Test::Isotonic => q.held.force_n().unwrap_or(f64::NAN),
         Test::Isobaric => q.pressure_mpa,
     }
 }
@@ -96,6 +91,6 @@ fn coordinates(test: Test, q: &Simulated, u: &Units) -> (f64, f64) {
     match test {
         Test::Isometric => (u.pressure.value(q.pressure_mpa), pull),
         Test::Isotonic => (u.pressure.value(q.pressure_mpa), r.map_or(f64::NAN, |r| r.contraction)),
-        Test::Isobaric => (q.contraction().unwrap_or(f64::NAN), pull),
+        Test::Isobaric => (q.held.contraction().unwrap_or(f64::NAN), pull),
     }
 }

@@ -1,26 +1,23 @@
 //! JSON Schemas of the files that people write: muscle, joint, drive and plan. Editors complete and check TOML with them.
 //!
-//! Keys of measures, laws, rubbers, sleeves and valves follow from their tables; the others are written here, and a test compares
+//! Keys of measures, laws, rubbers, sleeves and valves follow from their tables; the others stand in `keys.txt`, and a test compares
 //! them with the keys that the readers accept.
 
-mod drive;
-mod joint;
+mod keys;
 mod muscle;
-mod parts;
-mod plan;
 
 use crate::problem::{Problem, ProblemKind};
 use mckibben::nearest::nearest;
-use serde_json::{Value, json};
+use serde_json::Value;
 
-/// A kind of file with a schema: its name, what it is, and its schema.
-type Kind = (&'static str, &'static str, fn() -> Value);
+/// A kind of file with a schema: its name, what it is, and its sections of `keys.txt`.
+type Kind = (&'static str, &'static str, &'static str);
 
 const KINDS: [Kind; 4] = [
-    ("muscle", "A muscle: tube, braid, terminals, friction", muscle::schema),
-    ("joint", "A joint with one muscle and a spring, or with two muscles", joint::schema),
-    ("drive", "A muscle or a joint with valve, air, load and command, for its motion", drive::schema),
-    ("plan", "A campaign: a muscle, what varies, and the points of each", plan::schema),
+    ("muscle", "A muscle: tube, braid, terminals, friction", "muscle-file people"),
+    ("joint", "A joint with one muscle and a spring, or with two muscles", "joint-file people"),
+    ("drive", "A muscle or a joint with valve, air, load and command, for its motion", "drive-file people"),
+    ("plan", "A campaign: a muscle, what varies, and the points of each", "muscle-file plan-file people"),
 ];
 
 /// Names of the kinds of files that have a schema.
@@ -36,21 +33,15 @@ fn file_kinds() -> impl Iterator<Item = &'static str> {
 /// # Ok::<(), mckibben_app::Problem>(())
 /// ```
 pub fn file_schema(kind: &str) -> Result<Value, Problem> {
-    let Some((name, about, schema)) = KINDS.iter().find(|known| known.0 == kind) else {
+    let Some((name, about, sections)) = KINDS.iter().find(|known| known.0 == kind) else {
         let names: Vec<&str> = file_kinds().collect();
         let hint =
             nearest(kind, file_kinds()).map_or_else(String::new, |name| format!("did you mean {name}?"));
         let message = format!("there is no file of kind \"{kind}\"; the kinds are {}", names.join(", "));
         return Err(Problem::new(ProblemKind::Usage, message, hint));
     };
-    let mut schema = schema();
-    let head = json!({
-        "$schema": "http://json-schema.org/draft-07/schema#",
-        "title": format!("{name} file of mckibben"),
-        "description": about,
-    });
-    if let (Value::Object(head), Value::Object(schema)) = (head, &mut schema) {
-        schema.extend(head);
-    }
+    let mut schema = keys::table([], sections, about);
+    schema["$schema"] = "http://json-schema.org/draft-07/schema#".into();
+    schema["title"] = format!("{name} file of mckibben").into();
     Ok(schema)
 }

@@ -1,9 +1,6 @@
 //! `fit`, and `check` of a formula: from a table of points to a formula, and a formula shown.
 
-mod report;
 pub(crate) mod table;
-
-pub use report::{FitReportAnswer, FitReportRequest, fit_report};
 
 use crate::fields::{MuscleFields, NamedFields, Stiffness, TextFile};
 use crate::figure;
@@ -13,6 +10,7 @@ use crate::problem::{Problem, ProblemKind};
 use mckibben::formula::{Document, Form, Made, UniversalFormula};
 use mckibben::model::ModelKind;
 use mckibben::progress::Progress;
+use mckibben_campaign::fit::results::{Results, results};
 use mckibben_campaign::fit::tables::{Table, tables};
 use mckibben_campaign::fit::{FitError, FittedFormula, Method, Request, Rules, SlackRule, ThinRule, make};
 use mckibben_report::Figure;
@@ -121,10 +119,8 @@ fn section(request: &FitRequest) -> Result<FitAnswer, Problem> {
     };
     if method == Method::Global {
         request.check_rules("global")?;
-        if request.tables {
-            let message = "the method global has no intermediate tables";
-            return Err(Problem::new(ProblemKind::Usage, message, "take `method` paper").in_field("tables"));
-        }
+        let why = "`method` global has no intermediate tables";
+        Problem::refuse_unused(&[("tables", request.tables)], why)?;
     }
     request.check_name()?;
     request.hold_out_mm.iter().try_for_each(|&d| finite("hold_out_mm", d).map(drop))?;
@@ -204,6 +200,40 @@ fn no_files() -> Problem {
 }
 
 /// Why a table gives no formula.
+/// The paper's campaign computed anew.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct FitReportRequest {}
+
+/// How everything compares.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct FitReportAnswer {
+    /// Comparisons, constants, and models on random muscles.
+    #[serde(flatten)]
+    pub results: Results,
+}
+
+impl FitReportAnswer {
+    /// Whether every goal is met.
+    pub fn ok(&self) -> bool {
+        self.results.findings.iter().all(|f| f.ok)
+    }
+}
+
+/// Computes the paper's campaign, the formulas of it, and their errors.
+pub fn fit_report(_: &FitReportRequest, progress: &dyn Progress) -> Result<FitReportAnswer, Problem> {
+    Ok(FitReportAnswer { results: results(progress)? })
+}
+
+impl From<FitError> for Problem {
+    fn from(error: FitError) -> Self {
+        match error {
+            FitError::Cancelled(cancelled) => cancelled.into(),
+            error => Self::new(ProblemKind::Fit, error.to_string(), ""),
+        }
+    }
+}
+
 fn no_fit(name: &str, error: FitError) -> Problem {
     match error {
         FitError::Cancelled(cancelled) => cancelled.into(),
@@ -244,10 +274,7 @@ impl FitRequest {
             ("muscle", self.muscle.is_some()),
         ];
         self.check_rules("universal")?;
-        let Some((field, _)) = foreign.into_iter().find(|f| f.1) else { return Ok(()) };
-        let message = "the methods universal and universal-small do not use it";
-        let hint = "leave it out; a campaign states all data of its muscles";
-        Err(Problem::new(ProblemKind::Usage, message, hint).in_field(field))
+        Problem::refuse_unused(&foreign, "`method` universal takes all data of its muscles from the campaign")
     }
 
     /// Rubber and braid of the table's muscles.

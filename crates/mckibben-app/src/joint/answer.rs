@@ -11,7 +11,7 @@ use serde::Serialize;
 
 /// A point of a joint.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
 pub struct JointRow {
     /// φ from the neutral angle in degrees.
     pub angle_deg: f64,

@@ -7,9 +7,9 @@ pub use answer::{JointAnswer, JointRow, RestWord};
 use crate::burst::{PressureLimits, burst_of, put_first, said_of};
 use crate::fields::{ModelFields, MuscleFields, TextFile};
 use crate::figure;
-use crate::model::{Model, Purpose};
+use crate::model::Model;
 use crate::muscle::MuscleSummary;
-use crate::point::{finite, given};
+use crate::point::{above_zero, finite};
 use crate::problem::{Problem, ProblemKind};
 use crate::uncertainty::breakdown;
 use crate::units::{Scale, Units};
@@ -17,7 +17,7 @@ use crate::warnings;
 use crate::words::number;
 use mckibben::cancel;
 use mckibben::joint::{Joint, JointError, JointModel, JointPoint, Rest, Turning, parse_joint};
-use mckibben::model::{ForceModel, Workspace};
+use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use mckibben::size;
@@ -99,12 +99,8 @@ const MAP_POINT_BYTES: f64 = 500.0;
 
 pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAnswer, Problem> {
     let joint = request.joint.resolve()?;
-    let named = Model::choose(&request.model, Purpose::Answer)?;
-    let mut models: Vec<Box<dyn ForceModel>> = vec![];
-    for m in joint.muscles() {
-        named.admit(&m.muscle)?;
-        models.push(named.build(&m.muscle)?);
-    }
+    let named = Model::choose(&request.model)?;
+    let models = joint.muscles().iter().map(|m| named.bound(&m.muscle)).collect::<Result<Vec<_>, _>>()?;
     let model = JointModel::new(&joint, models.iter().map(|m| &**m).collect(), request.extrapolate)?;
     let mut asked = Asked { model: &model, workspaces: model.workspaces(), said: vec![] };
     let rows = asked.rows(request, progress);
@@ -169,12 +165,8 @@ fn gaps(left_out: usize, of: usize, what: &str, reason: &str) -> Warning {
 }
 
 fn supply(request: &JointRequest) -> Result<f64, Problem> {
-    let supply = finite("max_pressure_mpa", request.max_pressure_mpa.unwrap_or(SUPPLY_MPA))?;
-    if supply > 0.0 {
-        return Ok(supply);
-    }
-    let message = format!("{supply} MPa; it must be above zero");
-    Err(Problem::new(ProblemKind::Quantity, message, "").in_field("max_pressure_mpa"))
+    let supply = request.max_pressure_mpa.unwrap_or(SUPPLY_MPA);
+    above_zero(ProblemKind::Quantity, "max_pressure_mpa", supply)
 }
 
 struct Asked<'m> {
@@ -225,19 +217,17 @@ impl Asked<'_> {
                 let max = supply(request)?;
                 for &angle_deg in angles {
                     let torque_nm = finite("torque_nm", request.torque_nm.unwrap_or(0.0))?;
-                    let stiffness_nm_per_rad = match request.stiffness_nm_per_rad {
-                        Some(_) => Some(given("stiffness_nm_per_rad", request.stiffness_nm_per_rad, "")?),
-                        None => None,
-                    };
+                    let stiffness_nm_per_rad = request.stiffness_nm_per_rad;
+                    let stiffness_nm_per_rad =
+                        stiffness_nm_per_rad.map(|k| finite("stiffness_nm_per_rad", k)).transpose()?;
                     let wanted = mckibben::joint::JointTarget { angle_deg, torque_nm, stiffness_nm_per_rad };
                     let point = self.model.pressures(&mut self.workspaces, wanted, max)?;
                     let halves = self.model.pressure_uncertainties_mpa(&mut self.workspaces, &point);
                     let half = |i: usize| halves.get(i).copied().flatten();
                     let row = self.row(point, None)?;
-                    let (first, second) = (half(0), half(1));
                     rows.push(JointRow {
-                        pressure_1_uncertainty_mpa: first,
-                        pressure_2_uncertainty_mpa: second,
+                        pressure_1_uncertainty_mpa: half(0),
+                        pressure_2_uncertainty_mpa: half(1),
                         ..row
                     });
                 }
@@ -314,11 +304,7 @@ impl Asked<'_> {
             arm_2_mm: second.map(|m| m.arm_mm),
             slack_1: first.is_some_and(|m| m.answer.slack),
             slack_2: second.map(|m| m.answer.slack),
-            start_pressure_1_mpa: None,
-            start_pressure_2_mpa: None,
-            angle_uncertainty_deg: None,
-            pressure_1_uncertainty_mpa: None,
-            pressure_2_uncertainty_mpa: None,
+            ..JointRow::default()
         })
     }
 }

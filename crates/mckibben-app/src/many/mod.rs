@@ -5,14 +5,12 @@
 //! [`force`](crate::force), [`pressure`](crate::pressure) and [`contraction`](crate::contraction) answer for it: the range is
 //! checked, a muscle that would have to push is slack.
 
-mod asked;
 mod point;
 mod slopes;
-pub use asked::{ArrayError, Many, PointQuantity, Unanswered};
 pub use slopes::with_parameters;
 
 use crate::fields::{AskFields, ModelFields};
-use crate::model::{Model, Purpose};
+use crate::model::Model;
 use crate::problem::{Problem, ProblemKind};
 use mckibben::answer::Options;
 use mckibben::model::{ForceModel, ModelKind, Workspace};
@@ -23,6 +21,59 @@ use mckibben_fit::identify::Target;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+/// What is asked of each pair of numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PointQuantity {
+    /// F in N, of P in MPa and ε.
+    Force,
+    /// P in MPa, of F in N and ε.
+    Pressure,
+    /// ε, of F in N and P in MPa.
+    Contraction,
+}
+
+/// What becomes of a point without an answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unanswered {
+    /// The first one ends the work with its reason.
+    Refused,
+    /// Its numbers are NaN.
+    NotANumber,
+}
+
+/// How many points are asked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Many {
+    pub wanted: PointQuantity,
+    /// Also the derivatives by both numbers of a pair.
+    pub slopes: bool,
+    /// Also the derivatives by these constants and measures of the muscle, all others held.
+    pub parameters: Vec<Target>,
+    /// Points without an answer.
+    pub unanswered: Unanswered,
+}
+
+impl Many {
+    /// Numbers of a point in the output: the answer, then the derivatives.
+    pub fn width(&self) -> usize {
+        1 + if self.slopes { 2 } else { 0 } + self.parameters.len()
+    }
+}
+
+/// Why a list has no answer: the point that has none, and its reason.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ArrayError {
+    /// The point's place in the list, from 0; none where the list itself is at fault.
+    pub index: Option<usize>,
+    pub problem: Problem,
+}
+
+impl From<Problem> for ArrayError {
+    fn from(problem: Problem) -> Self {
+        Self { index: None, problem }
+    }
+}
+
 /// Points of a closed form that are worked on together: their lists lie in the first cache.
 const BLOCK: usize = 1024;
 /// Points of a polynomial that one thread takes: a thread is woken in the time of some thousand.
@@ -32,9 +83,9 @@ const BLOCK_OF_ELEMENTS: usize = 32;
 
 /// A model bound to its muscle.
 pub struct BoundModel {
-    model: Box<dyn ForceModel>,
-    options: Options,
-    choice: Model,
+    pub(crate) model: Box<dyn ForceModel>,
+    pub(crate) options: Options,
+    pub(crate) choice: Model,
 }
 
 impl std::fmt::Debug for BoundModel {
@@ -47,9 +98,8 @@ impl BoundModel {
     /// The model that a request names, of this muscle.
     pub fn new(muscle: &Muscle, model: &ModelFields, asking: AskFields) -> Result<Self, Problem> {
         let options = asking.options(muscle)?;
-        let choice = Model::choose(model, Purpose::Answer)?;
-        choice.admit(muscle)?;
-        let model = choice.build(muscle)?;
+        let choice = Model::choose(model)?;
+        let model = choice.bound(muscle)?;
         Ok(Self { model, options, choice })
     }
 

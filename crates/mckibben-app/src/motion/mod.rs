@@ -11,9 +11,9 @@ pub use request::{MotionRequest, MotionSweep, StepFields};
 pub use simulated::SimulatedDrive;
 
 use crate::burst::{PressureLimits, burst_of, put_first, said_of};
-use crate::fields::{MuscleFields, NamedFields, TextFile};
+use crate::fields::{MuscleFields, TextFile};
 use crate::figure;
-use crate::model::{Model, Purpose};
+use crate::model::Model;
 use crate::point::finite;
 use crate::problem::{Problem, ProblemKind};
 use mckibben::joint::Joint;
@@ -42,11 +42,7 @@ impl MotionRequest {
     }
 
     fn moved(&self) -> Result<Moved, Problem> {
-        let choice = Model::choose(&self.model, Purpose::Answer)?;
-        let build = |muscle: &mckibben::muscle::Muscle| -> Result<Box<dyn ForceModel>, Problem> {
-            choice.admit(muscle)?;
-            Ok(choice.build(muscle)?)
-        };
+        let choice = Model::choose(&self.model)?;
         let subject = match (&self.drive, &self.step) {
             (Some(drive), _) => Self::names_of(drive)?.subject,
             (None, Some(_)) => Subject::Muscle(String::new()),
@@ -54,18 +50,15 @@ impl MotionRequest {
         };
         match subject {
             Subject::Muscle(_) => {
-                let muscle = NamedFields { muscle: self.muscle.clone(), ..NamedFields::default() };
-                let muscle = MuscleFields::from(muscle);
-                if self.muscle.is_none() {
-                    return Err(Problem::missing("muscle", "the muscle file that the drive names"));
-                }
-                let models = vec![build(&muscle.resolve()?)?];
+                let missing = || Problem::missing("muscle", "the muscle file that the drive names");
+                let file = self.muscle.clone().ok_or_else(missing)?;
+                let models = vec![choice.bound(&MuscleFields::of_file(file).resolve()?)?];
                 Ok(Moved { choice, joint: None, models })
             }
             Subject::Joint(_) => {
                 let joint = self.joint.resolve()?;
                 let models =
-                    joint.muscles().iter().map(|m| build(&m.muscle)).collect::<Result<_, Problem>>()?;
+                    joint.muscles().iter().map(|m| choice.bound(&m.muscle)).collect::<Result<_, _>>()?;
                 Ok(Moved { choice, joint: Some(joint), models })
             }
         }

@@ -1,6 +1,6 @@
 //! What a finite-element test answers with.
 
-use super::point::Simulated;
+use super::Simulated;
 use crate::build::BuiltFile;
 use crate::burst::PressureLimits;
 use crate::curve::answer::FailedPoint;
@@ -10,6 +10,7 @@ use mckibben::curve::Test;
 use mckibben::model::Response;
 use mckibben::status::Status;
 use mckibben::warning::Warning;
+use mckibben_fem::results::{ProfilePoint, Sensitivity, StrandState};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
@@ -108,11 +109,11 @@ pub struct SimulatedPoint {
     /// Where the rubber is stretched most.
     pub max_stretch_at: RestPlace,
     /// Outer and inner surface, from the middle to the terminal.
-    pub profile: Vec<ProfileRow>,
+    pub profile: Vec<ProfilePoint>,
     /// The strands along the muscle.
-    pub strands: Vec<StrandRow>,
+    pub strands: Vec<StrandState>,
     /// ∂F by constants and measures.
-    pub sensitivities: Vec<SensitivityRow>,
+    pub sensitivities: Vec<Sensitivity>,
 }
 
 /// A place in the section at rest.
@@ -124,56 +125,13 @@ pub struct RestPlace {
     pub rest_z_mm: f64,
 }
 
-/// A station of the profile.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-pub struct ProfileRow {
-    /// Z at rest, mm.
-    pub rest_z_mm: f64,
-    /// z of the outer surface, mm.
-    pub outer_z_mm: f64,
-    /// r of the outer surface, mm.
-    pub outer_r_mm: f64,
-    /// z of the inner surface, mm.
-    pub inner_z_mm: f64,
-    /// r of the inner surface, mm.
-    pub inner_r_mm: f64,
-}
-
-/// The strands at a station.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-pub struct StrandRow {
-    /// Z at rest, mm.
-    pub rest_z_mm: f64,
-    /// Stretch of a strand.
-    pub stretch: f64,
-    /// Angle to the axis now, degrees.
-    pub angle_deg: f64,
-    /// Tension of a family per width at rest, N/mm.
-    pub tension_n_per_mm: f64,
-    /// Tension of one strand, N, where their number is known.
-    pub strand_tension_n: Option<f64>,
-}
-
-/// ∂F by a constant or measure.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct SensitivityRow {
-    /// Its name, as in the muscle file.
-    pub name: String,
-    /// Its value.
-    pub value: f64,
-    /// Its unit.
-    pub unit: String,
-    /// ∂F, N per unit.
-    pub force_n_per_unit: f64,
-}
-
 fn points<S: Serializer>(simulated: &[Simulated], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(simulated.iter().map(SimulatedRow::from))
 }
 
 impl From<&Simulated> for SimulatedRow {
     fn from(q: &Simulated) -> Self {
-        let s = match (&q.solution, q.contraction(), q.free_contraction) {
+        let s = match (&q.solution, q.held.contraction(), q.free_contraction) {
             (Ok(s), ..) => s,
             (Err(_), Some(contraction), Some(free_contraction)) => {
                 return Self::Slack(SlackPoint {
@@ -188,8 +146,8 @@ impl From<&Simulated> for SimulatedRow {
             (Err(error), ..) => {
                 return Self::Failed(FailedPoint {
                     pressure_mpa: q.pressure_mpa,
-                    contraction: q.contraction(),
-                    wanted_force_n: q.force_n(),
+                    contraction: q.held.contraction(),
+                    wanted_force_n: q.held.force_n(),
                     status: q.status,
                     cause: error.to_string(),
                 });
@@ -197,30 +155,10 @@ impl From<&Simulated> for SimulatedRow {
         };
         let response = Response {
             pressure_mpa: q.pressure_mpa,
-            contraction: q.contraction().unwrap_or(s.response.contraction),
+            contraction: q.held.contraction().unwrap_or(s.response.contraction),
             force_n: if q.slack { 0.0 } else { s.response.force_n },
             ..s.response
         };
-        let profile = s.profile.iter().map(|x| ProfileRow {
-            rest_z_mm: x.rest_mm,
-            outer_z_mm: x.outer_mm.0,
-            outer_r_mm: x.outer_mm.1,
-            inner_z_mm: x.inner_mm.0,
-            inner_r_mm: x.inner_mm.1,
-        });
-        let strands = s.strands.iter().map(|x| StrandRow {
-            rest_z_mm: x.rest_mm,
-            stretch: x.stretch,
-            angle_deg: x.angle_deg,
-            tension_n_per_mm: x.tension_n_per_mm,
-            strand_tension_n: x.tension_n,
-        });
-        let sensitivities = s.sensitivities.iter().map(|x| SensitivityRow {
-            name: x.name.to_string(),
-            value: x.value,
-            unit: x.unit.to_string(),
-            force_n_per_unit: x.force_n_per_unit,
-        });
         Self::Answered(Box::new(SimulatedPoint {
             response,
             slack: q.slack,
@@ -236,9 +174,9 @@ impl From<&Simulated> for SimulatedRow {
                 rest_r_mm: s.max_stretch.rest_mm[0],
                 rest_z_mm: s.max_stretch.rest_mm[1],
             },
-            profile: profile.collect(),
-            strands: strands.collect(),
-            sensitivities: sensitivities.collect(),
+            profile: s.profile.clone(),
+            strands: s.strands.clone(),
+            sensitivities: s.sensitivities.clone(),
         }))
     }
 }

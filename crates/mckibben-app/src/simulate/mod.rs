@@ -1,23 +1,21 @@
 //! `simulate`: one finite-element test with everything it knows.
 
 mod answer;
-pub(crate) mod point;
-pub(crate) mod request;
 #[cfg(feature = "whole")]
 mod vtu;
 
 pub use answer::*;
-pub use point::{Held, Simulated};
-pub use request::SimulateRequest;
 #[cfg(feature = "whole")]
 pub(crate) use vtu::with_files;
 
 use crate::burst::{QUIET_MPA, burst_of, put_first, said_of};
 use crate::curve::{check_count, check_test, contractions, forces, list, reach, steps};
+use crate::fields::{MeshFields, MuscleFields};
 use crate::figure;
 use crate::model::Model;
 use crate::muscle::MuscleSummary;
 use crate::problem::{Problem, ProblemKind};
+use crate::units::Units;
 use crate::warnings;
 use mckibben::answer::Options;
 use mckibben::cancel;
@@ -26,14 +24,93 @@ use mckibben::model::{ModelError, Response, Workspace, notes_of};
 use mckibben::muscle::{Ends, Muscle};
 use mckibben::progress::Progress;
 use mckibben::status::Status;
-use mckibben_fem::FemError;
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fem::elements::Elements;
 use mckibben_fem::output::{Extent, Shape, deck};
 use mckibben_fem::results::Solution;
 use mckibben_fem::simulation::{Given, Simulation, free_contraction};
 use mckibben_fem::three_dimensional::ThreeDimensional;
-use mckibben_fem::with_ends;
+use mckibben_fem::{FemError, with_ends};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What a point of a test holds: ε or F.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Held {
+    /// A contraction ratio.
+    Contraction(f64),
+    /// A pull in N.
+    Force(f64),
+}
+
+/// One point of the test: what was asked, and what came out.
+#[derive(Debug, Clone)]
+pub struct Simulated {
+    /// Pressure in MPa.
+    pub pressure_mpa: f64,
+    pub held: Held,
+    pub solution: Result<Solution, FemError>,
+    /// Whether the muscle would have to push, and lies slack instead.
+    pub slack: bool,
+    /// Where it is slack: the free contraction at this pressure.
+    pub free_contraction: Option<f64>,
+    pub status: Status,
+}
+
+impl Held {
+    /// The contraction that was asked for.
+    pub fn contraction(self) -> Option<f64> {
+        match self {
+            Held::Contraction(e) => Some(e),
+            Held::Force(_) => None,
+        }
+    }
+
+    /// The pull that was asked for, N.
+    pub fn force_n(self) -> Option<f64> {
+        match self {
+            Held::Contraction(_) => None,
+            Held::Force(f) => Some(f),
+        }
+    }
+}
+
+/// A finite-element test.
+#[serde_with_macros::skip_serializing_none]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SimulateRequest {
+    /// Which test.
+    pub test: Test,
+    /// The muscle.
+    #[serde(flatten)]
+    pub muscle: MuscleFields,
+    /// `fe` or `fe3d`; default `fe`.
+    pub model: Option<String>,
+    /// The mesh.
+    #[serde(flatten)]
+    pub mesh: MeshFields,
+    /// Gauge pressures P in MPa; default 0.05 to 0.25 by 0.05.
+    pub pressures_mpa: Option<Vec<f64>>,
+    /// Contraction ratios ε; default: isometric 0, 0.1, 0.2, isobaric by 0.02 to the free contraction at the highest
+    /// pressure.
+    pub contractions: Option<Vec<f64>>,
+    /// Contractions are shares of the free contraction at the highest pressure.
+    #[serde(default)]
+    pub of_largest: bool,
+    /// Pulls F in N of an isotonic test; default 20, 80 and 150.
+    pub forces_n: Option<Vec<f64>>,
+    /// Give the negative force, not slack, where the muscle would have to push.
+    #[serde(default)]
+    pub two_sided: bool,
+    /// Add the input deck of the test for other programs to the answer; only with `fe3d`.
+    #[serde(default)]
+    pub deck: bool,
+    /// Add the deformed muscle of every point to the answer, as files that ParaView opens.
+    #[serde(default)]
+    pub vtu: bool,
+    /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
+    pub figure: Option<Units>,
+}
 
 /// Takes the shapes of a test, point by point: files for ParaView, a page.
 pub trait Shapes {
@@ -219,11 +296,7 @@ fn judged(
     solution: Result<Solution, FemError>,
     two_sided: bool,
 ) -> Simulated {
-    let contraction = match held {
-        Held::Contraction(e) => Some(e),
-        Held::Force(_) => None,
-    };
-    let asked = contraction.filter(|e| *e > 0.0 && !two_sided && !model.muscle().is_extensile());
+    let asked = held.contraction().filter(|e| *e > 0.0 && !two_sided && !model.muscle().is_extensile());
     let (free_contraction, slack) = match (asked, &solution) {
         (Some(_), Ok(s)) if s.response.force_n < 0.0 => {
             (free_contraction(model, workspace, pressure_mpa).ok(), true)
@@ -272,13 +345,7 @@ fn written_deck(
             "an input deck cannot describe seating, slip or grip of the terminals: leave them out".into(),
         ));
     }
-    let contractions: Vec<f64> = questions
-        .iter()
-        .filter_map(|q| match q.1 {
-            Held::Contraction(e) => Some(e),
-            Held::Force(_) => None,
-        })
-        .collect();
+    let contractions: Vec<f64> = questions.iter().filter_map(|q| q.1.contraction()).collect();
     let (Test::Isometric, Some(&contraction)) = (test, contractions.first()) else {
         return Err(wrong("an input deck needs an isometric test".into()));
     };

@@ -3,7 +3,7 @@
 use mckibben::muscle::measures::LENGTH;
 use mckibben::progress::Silent;
 use mckibben_app::units::Units;
-use mckibben_app::{CheckAnswer, CheckRequest, FindingKind, check};
+use mckibben_app::{CheckAnswer, CheckRequest, FindingKind, MuscleFields, check};
 
 fn of(request: CheckRequest) -> CheckAnswer {
     check(&request, &Silent).unwrap()
@@ -31,6 +31,9 @@ fn each_kind_of_finding_is_found_on_a_muscle_that_has_it() {
     // The prototype has 30 mm; the widest measured muscle is the DMSP-20.
     assert!(texts(&answer, FindingKind::Outside).contains("the outer diameter is 30 mm"));
     assert!(texts(&answer, FindingKind::Measure).contains("would leave about"));
-    let short = of(CheckRequest { muscle: [(&LENGTH, 100.0)].into(), ..CheckRequest::default() });
+    let short = of(CheckRequest {
+        question: MuscleFields::from([(&LENGTH, 100.0)]).into(),
+        ..CheckRequest::default()
+    });
     assert!(texts(&short, FindingKind::Implausible).contains("3.33 outer diameters"));
 }

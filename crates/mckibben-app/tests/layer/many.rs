@@ -5,7 +5,7 @@ use mckibben::muscle::measures::{OUTER_DIAMETER, WALL};
 use mckibben::progress::Silent;
 use mckibben_app::{
     ArrayError, AskFields, BoundModel, ForceRequest, Many, ModelFields, MuscleFields, PointQuantity,
-    ProblemKind, Unanswered, force, with_parameters,
+    ProblemKind, QuestionFields, Unanswered, force, with_parameters,
 };
 use mckibben_fit::identify::Target;
 
@@ -40,8 +40,7 @@ fn a_list_is_its_points() {
         let all = asked(&bound(model), &many(false, vec![]), &p, &e).unwrap();
         for (found, &contraction) in all.iter().zip(&e) {
             let request = ForceRequest {
-                muscle: fields(),
-                model: named(model),
+                question: QuestionFields { muscle: fields(), model: named(model), ..Default::default() },
                 pressure_mpa: Some(0.15),
                 contraction: Some(contraction),
                 ..Default::default()

@@ -12,9 +12,9 @@ fn fields_are_written_and_read_again_with_all_measures_among_them() {
     for (i, (_, measure)) in mckibben::muscle::measures::fields().enumerate() {
         fields.measures.set(measure, 1.0 + i as f64);
     }
-    let request = ForceRequest { muscle: fields.clone(), ..ForceRequest::default() };
+    let request = ForceRequest { question: fields.clone().into(), ..ForceRequest::default() };
     let text = serde_json::to_string(&request).unwrap();
-    assert_eq!(serde_json::from_str::<ForceRequest>(&text).unwrap().muscle, fields);
+    assert_eq!(serde_json::from_str::<ForceRequest>(&text).unwrap().question.muscle, fields);
     let written: Map<String, Value> = serde_json::from_str(&text).unwrap();
     let schema = mckibben_app::schema("force").unwrap()["request"]["properties"].take();
     let names: Vec<&String> = schema.as_object().unwrap().keys().collect();

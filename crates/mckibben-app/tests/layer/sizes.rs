@@ -168,8 +168,11 @@ fn every_number_of_a_muscle_file_of_any_size_is_an_answer_or_a_problem() {
         for size in SIZES {
             let text = with(MUSCLE, &key, size);
             let request = |model: &str| ForceRequest {
-                muscle: MuscleFields::of_file(file("m.toml", &text)),
-                model: mckibben_app::ModelFields { model: Some(model.into()), ..Default::default() },
+                question: mckibben_app::QuestionFields {
+                    muscle: MuscleFields::of_file(file("m.toml", &text)),
+                    model: mckibben_app::ModelFields { model: Some(model.into()), ..Default::default() },
+                    ..Default::default()
+                },
                 pressure_mpa: Some(0.2),
                 contraction: Some(0.05),
                 ..ForceRequest::default()

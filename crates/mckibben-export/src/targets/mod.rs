@@ -13,14 +13,19 @@ use crate::Artefact;
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
 
-/// A host, and what is known of it.
-#[derive(Debug, Clone, Copy)]
+/// A target of `export`.
+#[derive(Debug, Clone, Copy, serde::Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "ExportTarget"))]
 pub struct Target {
+    /// Its word for `target`.
     pub name: &'static str,
+    /// What it is.
     pub about: &'static str,
+    /// What it needs.
     pub needs: &'static str,
     /// What of the muscle it loses.
     pub loses: &'static str,
+    #[serde(skip)]
     make: fn(&ExportedMuscle) -> Result<Artefact, ExportError>,
 }
 

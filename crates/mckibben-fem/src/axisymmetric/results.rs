@@ -116,7 +116,9 @@ fn profile(d: &Discretisation, s: &State) -> Vec<ProfilePoint> {
                 let ([r, z], k) = (d.mesh.node(i, j), l.at(j) + 2 * i);
                 (z + s.u[k + 1], r + s.u[k])
             };
-            ProfilePoint { rest_mm: d.mesh.node(0, j)[1], outer_mm: at(2 * l.through), inner_mm: at(0) }
+            let ((outer_z_mm, outer_r_mm), (inner_z_mm, inner_r_mm)) = (at(2 * l.through), at(0));
+            let rest_z_mm = d.mesh.node(0, j)[1];
+            ProfilePoint { rest_z_mm, outer_z_mm, outer_r_mm, inner_z_mm, inner_r_mm }
         })
         .collect()
 }

@@ -6,6 +6,8 @@
 
 use super::plug::{Plug, PlugGrid, profile};
 use crate::FemError;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 /// Which brick.
@@ -28,14 +30,17 @@ impl Brick {
     }
 }
 
-/// What is kept where a whole number of cells at ±θ0 does not make the length.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+/// What the mesh of `fe3d` keeps where a whole number of cells at ±θ0 does not make the length.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[schemars(rename = "Keep")]
 pub enum Match {
-    /// The length L0. Where the bricks along are the program's choice, the last ones at the terminal are longer or
-    /// shorter than the others; where they are given, strands lie at the angle that makes.
+    // Where the bricks along are the program's choice, the last ones at the terminal are longer or shorter than the others;
+    // where they are given, strands lie at the angle that makes.
+    /// The length.
     #[default]
     Length,
-    /// The angle θ0; the length then is a whole number of cells.
+    /// The braid angle; the length is a whole number of cells.
     Angle,
 }
 

@@ -8,12 +8,16 @@
 //! tube's rows of the insertion. Bricks at the axis are wedges (two edges in one).
 
 use crate::FemError;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
 
 /// What a plug is made of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[schemars(rename = "TerminalMaterial")]
 pub enum PlugMaterial {
-    /// It does not give way.
+    /// Rigid.
     #[default]
     Rigid,
     /// Aluminium: E 70 GPa, ν 0.33.
@@ -50,14 +54,17 @@ impl PlugMaterial {
     }
 }
 
-/// A plug that is meshed.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+/// A terminal with a plug inside of the tube, which is meshed.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[schemars(rename = "Terminal")]
 pub struct Plug {
-    /// What it is made of.
+    /// What the plug is made of.
     pub material: PlugMaterial,
-    /// Length of the bond in mm; the muscle's `[terminals] insertion` where it is `None`.
+    /// How far the plug reaches into the tube, mm; the muscle's `[terminals] insertion` where it is not given.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub insertion_mm: Option<f64>,
-    /// Radius ρ of the nose in mm; a quarter of the inner radius where it is `None`, 0 for a sharp edge.
+    /// Radius of its nose, mm; a quarter of the inner radius where it is not given, 0 for a sharp edge.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub nose_mm: Option<f64>,
 }
 

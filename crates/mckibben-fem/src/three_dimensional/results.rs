@@ -64,7 +64,7 @@ pub fn response(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<Re
     let largest = strands(body, mesh, muscle).iter().map(|s| s.tension_n_per_mm).fold(0.0, f64::max);
     let (cos, count) = (muscle.braid().angle_rad().cos(), muscle.braid().strands.map(|s| s.count));
     let all = 2.0 * PI * muscle.outer_diameter_mm() * cos * largest;
-    let bulge = profile(body, mesh).iter().map(|p| p.outer_mm.1).fold(0.0, f64::max);
+    let bulge = profile(body, mesh).iter().map(|p| p.outer_r_mm).fold(0.0, f64::max);
     Ok(Response {
         pressure_mpa: body.state.pressure + 0.0,
         contraction: 0.0 - body.state.terminal / body.discretisation.half,
@@ -99,10 +99,11 @@ fn ring(body: &Body, mesh: &BrickMesh, i: usize, k: usize) -> (f64, f64) {
 fn profile(body: &Body, mesh: &BrickMesh) -> Vec<ProfilePoint> {
     let [ni, ..] = mesh.grid();
     (0..=mesh.free_rows())
-        .map(|k| ProfilePoint {
-            rest_mm: mesh.nodes()[mesh.node(0, 0, k)][2],
-            outer_mm: ring(body, mesh, ni - 1, k),
-            inner_mm: ring(body, mesh, 0, k),
+        .map(|k| {
+            let (outer_z_mm, outer_r_mm) = ring(body, mesh, ni - 1, k);
+            let (inner_z_mm, inner_r_mm) = ring(body, mesh, 0, k);
+            let rest_z_mm = mesh.nodes()[mesh.node(0, 0, k)][2];
+            ProfilePoint { rest_z_mm, outer_z_mm, outer_r_mm, inner_z_mm, inner_r_mm }
         })
         .collect()
 }

@@ -184,9 +184,9 @@ fn a_solution_is_whole() {
     let s = Axisymmetric::new(&muscle).unwrap().solve(&mut Workspace::new(), Given::at(0.2, 0.1)).unwrap();
     assert_eq!(s.unstable_directions, 0);
     let (first, last) = (s.profile[0], s.profile[s.profile.len() - 1]);
-    assert!((2.0 * first.outer_mm.1 - s.response.bulged_diameter_mm.unwrap()).abs() < 0.05);
-    assert!((last.outer_mm.0 - 0.9 * 142.5).abs() < 1e-9 && (last.outer_mm.1 - 15.0).abs() < 1e-12);
-    assert!(first.inner_mm.1 < first.outer_mm.1);
+    assert!((2.0 * first.outer_r_mm - s.response.bulged_diameter_mm.unwrap()).abs() < 0.05);
+    assert!((last.outer_z_mm - 0.9 * 142.5).abs() < 1e-9 && (last.outer_r_mm - 15.0).abs() < 1e-12);
+    assert!(first.inner_r_mm < first.outer_r_mm);
     // In the middle the angle has grown from 28°, at the terminal it has hardly.
     assert!(s.strands[0].angle_deg > 35.0 && s.strands[s.strands.len() - 1].angle_deg < 30.0);
     assert!(s.strands.iter().all(|x| x.tension_n.unwrap() > 0.0 && x.stretch > 1.0));

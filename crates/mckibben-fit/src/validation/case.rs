@@ -11,20 +11,23 @@ use crate::identify::Parameter;
 use crate::measured::DataPoint;
 use mckibben::muscle::Muscle;
 use rust_embed::Embed;
+use serde::{Deserialize, Serialize};
 use std::sync::LazyLock;
 
-/// The texts of a folder.
-#[derive(Debug, Clone, PartialEq, Default)]
+/// The files of a measured muscle or rubber.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "MeasuredFolder"))]
 pub struct CaseFiles {
-    /// Name of the folder.
+    /// What to call it in messages: the name of the folder.
     pub name: String,
-    /// `case.toml`.
+    /// `case.toml`: source, terms, what is known and unknown, and the fits.
     pub case: String,
-    /// `muscle.toml`; empty where it is a rubber that was measured.
+    /// `muscle.toml`: the muscle as far as it is known; empty where a rubber was measured.
     pub muscle: String,
-    /// `points.csv`.
+    /// `points.csv`: the measured points.
     pub points: String,
-    /// `identified.toml`: the muscle that was identified from the points; empty where it is none of a library.
+    /// `identified.toml`: the muscle that was identified from them, of a folder of the library.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
     pub identified: String,
 }
 

@@ -63,12 +63,12 @@ pub(super) const AT_LEAST: Off = Off { error: |share| (COVERAGE - share).max(0.0
 
 fn held(set: &'static MuscleCase, left: &Left, what: &str) -> VerificationRow {
     let name = format!("{}: {} {what} within the ± of fe", set.facts.title, left.points);
-    share_row(name, &set.facts.source, left.share_held(), AT_LEAST)
+    share_row(name, &set.facts.source, left.held, AT_LEAST)
 }
 
 /// The rms of what a set's identified muscle leaves of the means of the branches, beside its largest blocked force.
 fn rms(set: &'static MuscleCase, left: &Left) -> VerificationRow {
-    let error = (left.points > 0).then(|| left.rms_of_blocked());
+    let error = (left.points > 0).then_some(left.rms_of_blocked);
     let fit = set.fits.first();
     let free = fit.map(|f| f.free.iter().map(|p| p.target.name(&f.muscle)).collect::<Vec<_>>());
     let tolerance = set.rms_of_blocked.unwrap_or(0.0);

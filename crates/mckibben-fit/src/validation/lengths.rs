@@ -96,5 +96,5 @@ fn row(found: &OtherLength) -> VerificationRow {
         "{}: {} points of {length_mm} mm by fe with the constants of {fitted}, within the ±",
         set.facts.title, left.points
     );
-    share_row(name, &set.facts.source, left.share_held(), AT_LEAST)
+    share_row(name, &set.facts.source, left.held, AT_LEAST)
 }

@@ -11,6 +11,7 @@ use crate::identify::Build;
 use crate::measured::DataPoint;
 use mckibben::muscle::Muscle;
 use mckibben::nearest::nearest;
+use serde::Serialize;
 use thiserror::Error;
 
 /// What stands before the name of a muscle of the library, where a muscle file may stand: `lib:dmsp-20-300`.
@@ -66,20 +67,21 @@ impl MuscleCase {
 }
 
 /// What a muscle leaves of the points that its folder fits.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "LibraryAgreement"))]
 pub struct Agreement {
-    pub all: Left,
-    /// Points on the bench of this muscle, those of other lengths left out.
-    pub of_bench: usize,
-    /// How many of them lie within its ±.
-    pub held: usize,
-}
-
-impl Agreement {
-    /// Share of the points of its bench within its ±; `None` without a bench.
-    pub fn share_held(&self) -> Option<f64> {
-        (self.of_bench > 0).then(|| self.held as f64 / self.of_bench as f64)
-    }
+    /// Points, those of other lengths of the same hose among them.
+    pub points: usize,
+    /// Root mean square of measured − computed, N.
+    pub rms_n: f64,
+    /// The same over the largest blocked force of the points.
+    pub rms_of_blocked: f64,
+    /// Largest difference, N.
+    pub largest_n: f64,
+    /// Points on the bench of this muscle, of its own length.
+    pub bench_points: usize,
+    /// Share of these within the ± of the bench; null without a bench.
+    pub held: Option<f64>,
 }
 
 /// Holds a muscle against the points that the library's fit of a folder is made to.
@@ -96,11 +98,10 @@ pub fn agreement(case: &MuscleCase, muscle: &Muscle, build: &Build<'_>) -> Agree
         };
         own.iter().filter(holds).count()
     });
-    Agreement {
-        all: Left::of(own.iter().chain(&others)),
-        of_bench: within.map_or(0, |_| own.len()),
-        held: within.unwrap_or(0),
-    }
+    let Left { points, rms_n, rms_of_blocked, largest_n, .. } = Left::of(own.iter().chain(&others));
+    let bench_points = within.map_or(0, |_| own.len());
+    let held = within.filter(|_| bench_points > 0).map(|within| within as f64 / bench_points as f64);
+    Agreement { points, rms_n, rms_of_blocked, largest_n, bench_points, held }
 }
 
 #[cfg(test)]
@@ -157,9 +158,9 @@ mod tests {
                 (p.residual_n + measured_n).max(0.0) - measured_n
             });
             let rms_n = (left.map(|r| r * r).sum::<f64>() / found.points.len() as f64).sqrt();
-            assert!((ours.all.rms_n / rms_n - 1.0).abs() < 1e-6, "{name}: {ours:?} {rms_n}");
-            assert!((ours.all.rms_n / theirs.all.rms_n - 1.0).abs() < 1e-4, "{name}: {ours:?} {theirs:?}");
-            assert!(theirs.share_held().unwrap() >= 0.9, "{name}: {theirs:?}");
+            assert!((ours.rms_n / rms_n - 1.0).abs() < 1e-6, "{name}: {ours:?} {rms_n}");
+            assert!((ours.rms_n / theirs.rms_n - 1.0).abs() < 1e-4, "{name}: {ours:?} {theirs:?}");
+            assert!(theirs.held.unwrap() >= 0.9, "{name}: {theirs:?}");
         }
     }
 

@@ -10,7 +10,7 @@ use crate::measured::{DataPoint, mean_of_data};
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben::threads;
-use std::ops::Range;
+use serde::Serialize;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A fit, and what is left of its points.
@@ -26,22 +26,59 @@ pub struct FitResult {
     pub groups: Vec<Group>,
 }
 
-/// What is left of some points.
-#[derive(Debug, Clone, PartialEq)]
+/// What is left of some points: measured − computed.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Group {
+    /// The points that are compared.
     pub of: String,
     /// Whether nothing was fitted to them.
     pub blind: bool,
     /// Means of branches, and points without a branch.
+    #[serde(flatten)]
     pub means: Left,
-    /// Points of single branches, held against the ± with the part for friction.
-    pub branches: Left,
-    /// Those of each branch: while the muscle shortened or its pressure rose, and back.
-    pub by_branch: Vec<(Direction, Left)>,
-    /// Points to which the model has no answer.
+    /// How many points of single branches there are.
+    pub branch_points: usize,
+    /// Share of these within the ± with its part for friction; null if there are none.
+    pub branch_held: Option<f64>,
+    /// The points of each branch of the hysteresis, where it was measured.
+    pub by_branch: Vec<MeasuredBranch>,
+    /// Points without an answer of the model.
     pub unanswered: usize,
-    /// The means by ε.
-    pub by_contraction: Vec<(Range<f64>, Left)>,
+    /// The same by contraction ratio.
+    pub by_contraction: Vec<MeasuredBin>,
+}
+
+/// Errors of a fit at the points of one branch of the hysteresis.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct MeasuredBranch {
+    /// The branch: `contraction` while the muscle shortened or its pressure rose, `elongation` back.
+    pub branch: Direction,
+    /// How many points.
+    pub points: usize,
+    /// Root mean square in N.
+    pub rms_n: f64,
+    /// Mean of measured − computed in N.
+    pub bias_n: f64,
+    /// Share of the points within the ±, with its part for friction if the muscle states none.
+    pub held: Option<f64>,
+}
+
+/// Errors of a fit at points of about one contraction.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct MeasuredBin {
+    /// From this contraction ratio,
+    pub from: f64,
+    /// to less than this.
+    pub to: f64,
+    /// How many points.
+    pub points: usize,
+    /// Mean of measured − computed in N.
+    pub bias_n: f64,
+    /// Root mean square in N.
+    pub rms_n: f64,
 }
 
 /// Bins of ε.
@@ -121,21 +158,27 @@ impl Group {
     fn of(of: String, blind: bool, left: &[Residual]) -> Self {
         let means = || left.iter().filter(|r| r.branch.is_mean());
         let end = means().map(|r| r.contraction).fold(0.0, f64::max);
-        let bins = (0..).map(|i| f64::from(i) * BIN..f64::from(i + 1) * BIN);
-        let bins = bins.take_while(|bin| bin.start <= end).map(|bin| {
-            let left = Left::of(means().filter(|r| bin.contains(&r.contraction)));
-            (bin, left)
+        let bins = (0..).map(|i| (f64::from(i) * BIN, f64::from(i + 1) * BIN));
+        let bins = bins.take_while(|bin| bin.0 <= end).map(|(from, to)| {
+            let Left { points, bias_n, rms_n, .. } =
+                Left::of(means().filter(|r| (from..to).contains(&r.contraction)));
+            MeasuredBin { from, to, points, bias_n, rms_n }
         });
-        let branches = [Direction::Contraction, Direction::Elongation];
-        let by_branch = branches.map(|b| (b, Left::of(left.iter().filter(|r| r.branch == b))));
+        let by_branch = [Direction::Contraction, Direction::Elongation].map(|branch| {
+            let Left { points, rms_n, bias_n, held, .. } =
+                Left::of(left.iter().filter(|r| r.branch == branch));
+            MeasuredBranch { branch, points, rms_n, bias_n, held }
+        });
+        let branches = Left::of(left.iter().filter(|r| !r.branch.is_mean()));
         Self {
             of,
             blind,
             unanswered: 0,
-            by_contraction: bins.filter(|(_, left)| left.points > 0).collect(),
-            by_branch: by_branch.into_iter().filter(|(_, left)| left.points > 0).collect(),
+            by_contraction: bins.filter(|bin| bin.points > 0).collect(),
+            by_branch: by_branch.into_iter().filter(|b| b.points > 0).collect(),
             means: Left::of(means()),
-            branches: Left::of(left.iter().filter(|r| !r.branch.is_mean())),
+            branch_points: branches.points,
+            branch_held: branches.held,
         }
     }
 }
@@ -161,7 +204,7 @@ mod tests {
             assert_eq!((r.groups[0].blind, r.groups[1].blind), (false, true));
             assert_eq!(r.groups[1].of, "0.4, 0.5 MPa");
             let all: usize = r.groups.iter().map(|g| g.means.points).sum();
-            let binned: usize = r.groups.iter().flat_map(|g| &g.by_contraction).map(|b| b.1.points).sum();
+            let binned: usize = r.groups.iter().flat_map(|g| &g.by_contraction).map(|b| b.points).sum();
             assert_eq!((all, binned), (189, 189));
         }
         let blind = |r: &FitResult| r.groups[1].means.rms_n;

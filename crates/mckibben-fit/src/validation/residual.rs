@@ -9,6 +9,7 @@ use mckibben::model::{BlockedAt, ForceModel, Reference, Workspace, blocked_scale
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
 use mckibben::uncertainty::{friction_n, length_n, measured_n, transfer_n};
+use serde::Serialize;
 
 /// One measured point beside what a model says of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -177,46 +178,42 @@ pub(super) fn compared<'a>(means: &'a [DataPoint], points: &'a [DataPoint]) -> V
 }
 
 /// What is left of points: measured less computed.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Left {
+    /// How many: means of the two branches of the hysteresis, and points without a branch.
     pub points: usize,
-    /// Root mean square in N.
+    /// Root mean square of the differences in N.
     pub rms_n: f64,
-    /// Largest in N.
+    /// Largest difference in N.
     pub largest_n: f64,
     /// Mean of measured − computed in N.
     pub bias_n: f64,
+    /// `rms_n` over the largest blocked force of these points.
+    pub rms_of_blocked: f64,
+    /// Share of the points within the ± of the model; null if there are none, or no ±.
+    pub held: Option<f64>,
     /// Largest blocked force of the points in N.
+    #[serde(skip)]
     pub blocked_n: f64,
-    /// Points that have a ±.
-    pub judged: usize,
-    /// Points that it holds.
-    pub held: usize,
 }
 
 impl Left {
     pub fn of<'a>(list: impl Iterator<Item = &'a Residual>) -> Self {
-        let (mut out, mut squares) = (Self::default(), 0.0);
+        let (mut out, mut squares, mut judged, mut held) = (Self::default(), 0.0, 0, 0);
         for r in list {
             out.points += 1;
             squares += r.left_n * r.left_n;
             out.bias_n += r.left_n;
             out.largest_n = out.largest_n.max(r.left_n.abs());
             out.blocked_n = out.blocked_n.max(r.blocked_n);
-            out.judged += usize::from(r.covered().is_some());
-            out.held += usize::from(r.covered() == Some(true));
+            judged += usize::from(r.covered().is_some());
+            held += usize::from(r.covered() == Some(true));
         }
         let n = out.points.max(1) as f64;
-        Self { rms_n: (squares / n).sqrt(), bias_n: out.bias_n / n, ..out }
-    }
-
-    /// `rms_n` over the largest blocked force; 0 without points.
-    pub fn rms_of_blocked(&self) -> f64 {
-        if self.points > 0 { self.rms_n / self.blocked_n } else { 0.0 }
-    }
-
-    /// Share of the points that the ± holds; `None` where there is none.
-    pub fn share_held(&self) -> Option<f64> {
-        (self.judged > 0).then(|| self.held as f64 / self.judged as f64)
+        let rms_n = (squares / n).sqrt();
+        let rms_of_blocked = if out.points > 0 { rms_n / out.blocked_n } else { 0.0 };
+        let held = (judged > 0).then(|| held as f64 / judged as f64);
+        Self { rms_n, bias_n: out.bias_n / n, rms_of_blocked, held, ..out }
     }
 }

@@ -1,6 +1,7 @@
 //! A fit of a measured rubber, and what it leaves.
 
 use crate::rubber::{Form, Mode, Parameter};
+use serde::Serialize;
 
 /// A law, and which points it is fitted to.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,20 +32,23 @@ pub struct RubberFitResult {
 }
 
 /// What is left of some nominal stresses: measured less computed.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RubberGroup {
-    /// Which: a mode, or a branch of a test over time.
+    /// The points that are compared: a mode, a mode `further` than the law was fitted, or a branch of a test over time.
     pub of: String,
     /// Whether nothing was fitted to them.
     pub blind: bool,
+    /// How many.
     pub points: usize,
+    /// Their largest stretch.
     pub to_stretch: f64,
-    /// Root mean square in MPa.
+    /// Root mean square of the differences in MPa.
     pub rms_mpa: f64,
     /// The same over the root mean square of the measured stresses.
     pub relative: f64,
     /// Mean of measured − computed in MPa.
     pub bias_mpa: f64,
-    /// Largest in MPa.
+    /// Largest difference in MPa.
     pub largest_mpa: f64,
 }

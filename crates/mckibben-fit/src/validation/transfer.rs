@@ -57,5 +57,5 @@ fn row(t: &Transfer) -> VerificationRow {
         "{}: {} points by fe with the constants of {}, within the ±",
         to.title, t.left.points, from.title
     );
-    share_row(name, &to.source, t.left.share_held(), AT_LEAST)
+    share_row(name, &to.source, t.left.held, AT_LEAST)
 }
