@@ -142,14 +142,19 @@ impl<F: FnMut(f64) -> Result<f64, ModelError>> Sweep<F> {
         self.zeros(0)
     }
 
-    /// Samples towards each edge of what has a value, from a sample on.
+    /// Samples towards each edge of what has a value, from a sample on; of few steps none where the values move away from zero.
     fn edges(&mut self, from: usize) -> Result<(), ModelError> {
-        for pair in self.samples[from..].to_vec().windows(2) {
-            let (mut with, mut without) = match (pair[0], pair[1]) {
-                ((a, Some(_)), (b, None)) => (a, b),
-                ((a, None), (b, Some(_))) => (b, a),
+        let samples = self.samples.clone();
+        for i in from + 1..samples.len() {
+            let (mut with, mut without, end, next) = match (samples[i - 1], samples[i]) {
+                ((a, Some(end)), (b, None)) => (a, b, end, i.checked_sub(2)),
+                ((a, None), (b, Some(end))) => (b, a, end, Some(i + 1)),
                 _ => continue,
             };
+            let next = next.and_then(|i| samples.get(i)?.1);
+            if self.steps < HALVINGS && next.is_some_and(|next| next.abs() < end.abs()) {
+                continue;
+            }
             for _ in 0..HALVINGS.min(self.steps) {
                 let middle = 0.5 * (with + without);
                 if middle == with || middle == without {
