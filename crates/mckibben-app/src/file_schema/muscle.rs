@@ -53,7 +53,7 @@ fn measures(section: &'static str) -> impl Iterator<Item = (String, Value)> {
 
 fn of_measure(measure: &'static Measure) -> Value {
     if *measure == STIFFNESS {
-        return word_or(&["paper", "inextensible"], positive(measure.dimension, measure.about));
+        return word_or(&["paper", "inextensible"], positive(measure.dimension, measure.about()));
     }
     if measure.key == "terminals.end_factor" {
         return end_factor();
@@ -66,8 +66,8 @@ fn of_measure(measure: &'static Measure) -> Value {
     if let Some(unit) = measure.unit {
         schema["x-unit"] = unit.into();
     }
-    if !measure.symbol.is_empty() {
-        schema["x-symbol"] = measure.symbol.into();
+    if !measure.symbol().is_empty() {
+        schema["x-symbol"] = measure.symbol().into();
     }
     for (end, value) in measure.bounds.ends() {
         schema[if end == "above" { "exclusiveMinimum" } else { end }] = value.into();

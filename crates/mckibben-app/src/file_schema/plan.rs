@@ -43,7 +43,7 @@ fn vary() -> Value {
     let sections = SECTIONS.map(|section| {
         let others = OTHERS.iter().filter(|other| other.0 == section);
         let mut keys: Map<String, Value> = of_section(section)
-            .map(|measure| (measure.name().to_owned(), values(measure.about)))
+            .map(|measure| (measure.name().to_owned(), values(measure.about())))
             .chain(others.map(|(_, key, about)| ((*key).to_owned(), values(about))))
             .collect();
         if section == "tube" {
