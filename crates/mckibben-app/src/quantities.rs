@@ -141,5 +141,5 @@ pub fn units(_: &UnitsRequest) -> Result<UnitsAnswer, Problem> {
             })
             .collect(),
     };
-    Ok(UnitsAnswer { kinds: Dimension::ALL.into_iter().map(kind).collect() })
+    Ok(UnitsAnswer { kinds: Dimension::all().map(kind).collect() })
 }

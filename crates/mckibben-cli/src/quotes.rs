@@ -17,7 +17,7 @@ pub fn check_quotes(args: &[String]) -> Result<(), Failure> {
         // Units may be several words, such as `N s/m`.
         let behind = &args[i + 2..];
         let written = (1..=behind.len().min(4)).rev().map(|n| behind[..n].join(" "));
-        let known = |unit: &String| Dimension::ALL.into_iter().any(|d| d.unit(unit).is_some());
+        let known = |unit: &String| Dimension::all().any(|d| d.unit(unit).is_some());
         let Some(unit) = written.into_iter().find(known) else { continue };
         let message = format!("{flag} {number} {unit}: a quote is missing around the number and its unit");
         let short = if unit.contains(' ') { String::new() } else { format!("{flag} {number}{unit} or ") };

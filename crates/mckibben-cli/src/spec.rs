@@ -149,7 +149,7 @@ pub fn flag_of(field: &str, flags: &[Flag]) -> Option<String> {
 
 /// The name of a field without its unit.
 pub fn without_unit(field: &str) -> &str {
-    let ends = Dimension::ALL.into_iter().filter_map(Dimension::end_of_name);
+    let ends = Dimension::all().filter_map(Dimension::end_of_name);
     let names = ends.filter_map(|end| field.strip_suffix(end)?.strip_suffix('_'));
     names.min_by_key(|name| name.len()).unwrap_or(field)
 }

@@ -114,7 +114,7 @@ pub(super) fn candidate(
     for point in wanted.iter() {
         let available_n =
             force_on(model, workspace, spec.max_pressure_mpa, point.contraction, options.direction)?;
-        let pressure_mpa = need(spec, model, workspace, point, available_n)?;
+        let pressure_mpa = need(spec, model, workspace, point)?;
         let (mut response, filled) =
             full_response(model, workspace, thick_wall, pressure_mpa, point.contraction)?;
         (response.pressure_mpa, response.force_n) = (pressure_mpa, point.force_n);

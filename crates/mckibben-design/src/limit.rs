@@ -6,9 +6,7 @@ use super::point::OperatingPoint;
 use super::reason::Reason;
 use super::spec::{Build, Objective, Spec};
 use mckibben::analysis::burst::{ends, mesh};
-use mckibben::analysis::{
-    AnalysisError, FailureMode, FailurePressure, burst, force_on, pressure_at, pressure_up_to,
-};
+use mckibben::analysis::{AnalysisError, FailureMode, FailurePressure, burst, force_on, pressure_at};
 use mckibben::cancel;
 use mckibben::model::{ForceModel, ModelError, ModelKind, Response, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
@@ -129,11 +127,7 @@ pub(super) fn probe_with(
     {
         for (i, point) in points.iter().enumerate() {
             // Too weak: its other limits are looked at where it pulls hardest.
-            let p = if checks[i].excess() > 0.0 {
-                max
-            } else {
-                need(spec, model, workspace, point, checks[i].value)?
-            };
+            let p = if checks[i].excess() > 0.0 { max } else { need(spec, model, workspace, point)? };
             highest = highest.max(p);
             if buckles {
                 // Strands that slide on the tube: the smaller of the two loads.
@@ -241,13 +235,8 @@ pub(super) fn need(
     model: &dyn ForceModel,
     workspace: &mut Workspace,
     point: &OperatingPoint,
-    available_n: f64,
 ) -> Result<f64, ModelError> {
     let OperatingPoint { force_n, contraction } = *point;
-    let end = (spec.max_pressure_mpa, available_n);
-    if let Some(p) = pressure_up_to(model, workspace, force_n, contraction, end, spec.options()) {
-        return Ok(p);
-    }
     match pressure_at(model, workspace, force_n, contraction, spec.options()) {
         Ok(p) => Ok(p.min(spec.max_pressure_mpa)),
         Err(AnalysisError::Model(error)) => Err(error),

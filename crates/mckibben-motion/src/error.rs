@@ -75,14 +75,9 @@ pub enum MotionError {
         /// The model's reason.
         error: Box<ModelError>,
     },
-    /// Not a number, or without bounds.
-    #[error("the motion diverges at {time_s} s ({what})")]
-    Diverged {
-        /// When.
-        time_s: f64,
-        /// What was found.
-        what: String,
-    },
+    /// Not a number, without bounds, or events without time in between: when, and what was found.
+    #[error("{0}")]
+    Diverged(String),
     /// Steps that go to nothing, or too many.
     #[error("the motion ends at {time_s} s after {steps} steps, the last of {step_s} s: {what}")]
     Steps {
@@ -94,20 +89,6 @@ pub enum MotionError {
         step_s: f64,
         /// Why.
         what: &'static str,
-    },
-    /// Events that follow each other without time in between.
-    #[error(
-        "{count} events within {span_s} s before {time_s} s, the last of them: {kind}; damp the load or widen the valve's hysteresis"
-    )]
-    Chatter {
-        /// When.
-        time_s: f64,
-        /// How many.
-        count: usize,
-        /// Within which time.
-        span_s: f64,
-        /// The last.
-        kind: String,
     },
     /// No conductance is large enough.
     #[error(
@@ -124,12 +105,6 @@ pub enum MotionError {
     /// No rise to be timed.
     #[error("the command has no rise, so that no valve can be sized by it")]
     NoRise,
-    /// Nothing to look at.
-    #[error("there is no equilibrium about which to linearise: {why}")]
-    NotAtRest {
-        /// Why.
-        why: &'static str,
-    },
     /// The caller wanted the work to end.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
@@ -155,6 +130,11 @@ impl MotionError {
         }
     }
 
+    /// That what was found at a time has no bounds.
+    pub(crate) fn diverged(time_s: f64, what: &str) -> Self {
+        Self::Diverged(format!("the motion diverges at {time_s} s ({what})"))
+    }
+
     pub(crate) fn positive(what: &'static str, value: f64) -> Result<(), Self> {
         let ok = value.is_finite() && value > 0.0;
         if ok { Ok(()) } else { Err(Self::Value { what, must: "above zero".into(), value }) }
@@ -175,14 +155,7 @@ impl MotionError {
 
     /// Whether what was computed up to here is an answer: the motion ended early, and not because of the request.
     pub(crate) fn ends_early(&self) -> bool {
-        matches!(
-            self,
-            Self::Model { .. }
-                | Self::Boils { .. }
-                | Self::Diverged { .. }
-                | Self::Steps { .. }
-                | Self::Chatter { .. }
-        )
+        matches!(self, Self::Model { .. } | Self::Boils { .. } | Self::Diverged(_) | Self::Steps { .. })
     }
 }
 

@@ -35,16 +35,18 @@ impl Linear {
     /// About the equilibrium at the first command of a drive.
     ///
     /// # Errors
-    /// As [`crate::equilibrium`]; [`MotionError::NotAtRest`] on a stop, or where nothing moves.
+    /// As [`crate::equilibrium`]; [`MotionError::Refused`] on a stop, or where nothing moves.
     pub fn new(drive: &Drive<'_>) -> Result<Self, MotionError> {
+        let not_at_rest =
+            |why| MotionError::Refused(format!("there is no equilibrium about which to linearise: {why}"));
         let system = System::new(drive)?;
         let start = system.initial_state()?;
         let (y, coordinate) = (start.to_vec(), start.coordinate);
         if system.modes.borrow().stop.is_some() {
-            return Err(MotionError::NotAtRest { why: "the load rests on a stop" });
+            return Err(not_at_rest("the load rests on a stop"));
         }
         if drive.mechanism.inertia().is_infinite() {
-            return Err(MotionError::NotAtRest { why: "the mechanism is held" });
+            return Err(not_at_rest("the mechanism is held"));
         }
         let n = system.core();
         let rates = |y: &[f64]| -> Result<Vec<f64>, MotionError> {

@@ -167,8 +167,10 @@ impl<'s, 'd> Integration<'s, 'd> {
         self.motion.events.push(event);
         let count = self.motion.events.iter().rev().take_while(|e| e.time_s > self.t - SPAN_S).count();
         if count > MOST_EVENTS {
-            let kind = event.kind.to_string();
-            return Err(MotionError::Chatter { time_s: self.t, count, span_s: SPAN_S, kind });
+            return Err(MotionError::Diverged(format!(
+                "{count} events within {SPAN_S} s before {} s, the last of them: {}; damp the load or widen the valve's hysteresis",
+                self.t, event.kind
+            )));
         }
         Ok(())
     }
@@ -203,7 +205,7 @@ impl<'s, 'd> Integration<'s, 'd> {
         let relative = system.drive.tolerance.relative;
         let begin = |t: f64, state: &State, h: Option<f64>| {
             stepper(system, (t, end), &state.to_vec(), relative, h)
-                .map_err(|what| MotionError::Diverged { time_s: t, what })
+                .map_err(|what| MotionError::diverged(t, &what))
         };
         let shortest = 1e-14 * system.drive.until_s.max(end);
         if end - self.t <= shortest {
@@ -238,7 +240,7 @@ impl<'s, 'd> Integration<'s, 'd> {
             }
             let t = method.time();
             if !method.state().iter().all(|v| v.is_finite()) {
-                return Err(MotionError::Diverged { time_s: t, what: "the state is not finite".into() });
+                return Err(MotionError::diverged(t, "the state is not finite"));
             }
             let state = self.lying(system.layout.state(method.state())?);
             let event = if watch { self.event(method.as_mut(), t, &state)? } else { None };

@@ -359,7 +359,7 @@ impl Equations for System<'_> {
         let error = match result {
             Err(error) => error,
             Ok(()) if rates.iter().all(|r| r.is_finite()) => return,
-            Ok(()) => MotionError::Diverged { time_s: t, what: "a rate is not finite".into() },
+            Ok(()) => MotionError::diverged(t, "a rate is not finite"),
         };
         rates.fill(0.0);
         self.failed.borrow_mut().get_or_insert(error);

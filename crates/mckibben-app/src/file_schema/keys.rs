@@ -51,7 +51,7 @@ fn of_kind(kind: &str, about: &str) -> Value {
         "measures" => table(measures(rest), rest, about),
         "material" => material(about),
         "varied" => {
-            let measures = of_section(rest).map(|measure| (measure.name(), values(measure.about)));
+            let measures = of_section(rest).map(|measure| (measure.name(), values(measure.about())));
             table(measures, &format!("varied-{rest}"), about)
         }
         "constants" => {
@@ -111,7 +111,7 @@ fn of_kind(kind: &str, about: &str) -> Value {
             json!({ "description": about, "anyOf": [{ "type": "number" }, of_pressure] })
         }
         ">0" => positive(of_kind(rest, about)),
-        name => match Dimension::ALL.into_iter().find(|dimension| json!(dimension) == name) {
+        name => match Dimension::all().find(|dimension| json!(dimension) == name) {
             Some(dimension) => quantity(dimension, about),
             None => of_type("string"),
         },

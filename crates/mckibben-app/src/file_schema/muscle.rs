@@ -14,7 +14,7 @@ pub(super) fn measures(section: &str) -> impl Iterator<Item = (&'static str, Val
 
 fn of_measure(measure: &'static Measure) -> Value {
     if *measure == STIFFNESS {
-        return word_or(&["paper", "inextensible"], positive(quantity(measure.dimension, measure.about)));
+        return word_or(&["paper", "inextensible"], positive(quantity(measure.dimension, measure.about())));
     }
     if measure.key == "terminals.end_factor" {
         return table([], "tondu-lopez", "")["properties"]["end_factor"].take();
@@ -27,8 +27,8 @@ fn of_measure(measure: &'static Measure) -> Value {
     if let Some(unit) = measure.unit {
         schema["x-unit"] = unit.into();
     }
-    if !measure.symbol.is_empty() {
-        schema["x-symbol"] = measure.symbol.into();
+    if !measure.symbol().is_empty() {
+        schema["x-symbol"] = measure.symbol().into();
     }
     for (end, value) in measure.bounds.ends() {
         schema[if end == "above" { "exclusiveMinimum" } else { end }] = value.into();

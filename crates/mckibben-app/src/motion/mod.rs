@@ -247,13 +247,10 @@ impl From<MotionError> for Problem {
             MotionError::Large(large) => return (*large).into(),
             MotionError::Muscle(error) => return error.clone().into(),
             MotionError::Model { error: model, .. } => Self::from((**model).clone()).kind,
-            MotionError::Diverged { .. } | MotionError::Steps { .. } | MotionError::Chatter { .. } => {
-                ProblemKind::NotConverged
-            }
+            MotionError::Diverged(_) | MotionError::Steps { .. } => ProblemKind::NotConverged,
             MotionError::NoEquilibrium { .. }
             | MotionError::NeverLifted { .. }
-            | MotionError::NoValve { .. }
-            | MotionError::NotAtRest { .. } => ProblemKind::NoAnswer,
+            | MotionError::NoValve { .. } => ProblemKind::NoAnswer,
             _ => ProblemKind::File,
         };
         let hint = match error {

@@ -109,7 +109,7 @@ fn understood(answer: &CheckAnswer, u: &Units) -> Vec<Row> {
         None => {}
     }
     let stated = answer.stated.iter().filter(|(measure, _)| measure.is_shown);
-    rows.extend(stated.map(|(measure, v)| (measure.label, u.show(measure.dimension, v))));
+    rows.extend(stated.map(|(measure, v)| (measure.label(), u.show(measure.dimension, v))));
     if let Some(f) = m.friction() {
         let rule = format!("± {} · (P/MPa)^{}", u.force.show(f.coefficient), number(f.exponent, 3));
         let contact = format!("of the strands' contact, μw {}", mm(f.lever_mm));

@@ -113,7 +113,7 @@ impl<'a> Key<'a> {
 fn unit(key: &str, u: &Units) -> (String, f64) {
     let of = |scale: &Scale| (scale.name.clone(), scale.value(1.0));
     let end = key.strip_prefix(without_unit(key)).unwrap_or_default().trim_start_matches('_');
-    match Dimension::ALL.into_iter().find(|d| d.end_of_name() == Some(end)) {
+    match Dimension::all().find(|d| d.end_of_name() == Some(end)) {
         _ if key.ends_with("_mm_per_s") => (format!("{}/s", u.length.name), u.length.value(1.0)),
         _ if key.ends_with("_deg_per_s") => ("°/s".into(), 1.0),
         Some(Dimension::Pressure) if key.contains("pressure") => of(&u.pressure),

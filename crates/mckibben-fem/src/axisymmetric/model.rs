@@ -27,6 +27,9 @@ pub(crate) const ENTRY: ModelEntry = ModelEntry {
 const MESH_ERROR: f64 = 0.0009;
 const MESH_ERROR_STRETCHED: f64 = 0.003;
 
+/// A pressure that is so much larger than that of the infinitely long muscle may not be the smallest.
+const FAR: f64 = 2.0;
+
 /// Axisymmetric finite elements (`--model fe`): Q2/P−1 rubber of any law, two strand families bonded to the outer
 /// surface, rigid terminals, pressure as −P·V.
 ///
@@ -180,7 +183,18 @@ impl ForceModel for Axisymmetric {
 impl Inverse for Axisymmetric {
     fn pressure_at_pull(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         let found = self.reach(workspace, Given::ContractionAndPull { contraction, force_n });
-        found.ok().map(|found| found.pressure_mpa).filter(|p| *p >= 0.0)
+        let found = found.ok().map(|found| found.pressure_mpa).filter(|p| *p >= 0.0);
+        // Soft strands let the pull rise and fall again with the pressure; the smaller of two is near that of the infinitely long muscle.
+        let near = found.and_then(|p| {
+            let near = self.thick_wall.pressure_at_pull(&mut Workspace::new(), force_n, contraction)?;
+            Some(near).filter(|near| p > FAR * near)
+        });
+        let smaller = near.and_then(|near| {
+            let c = self.continuation(workspace).ok()?;
+            c.reach_pressure_from(near, force_n, contraction).ok()?;
+            Some(c.body.state.pressure).filter(|p| *p >= 0.0)
+        });
+        smaller.into_iter().chain(found).reduce(f64::min)
     }
 
     fn contraction_at_pull(&self, workspace: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {

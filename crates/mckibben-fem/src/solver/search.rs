@@ -59,9 +59,19 @@ impl<B: Body> Continuation<B> {
 
     /// Finds the equilibrium with a pull in N at a contraction by Newton's method with both held; its pressure is sought.
     pub fn reach_pressure(&mut self, force: f64, contraction: f64) -> Result<(), FemError> {
+        let guess = self.body.guess_pressure(force, contraction)?;
+        self.reach_pressure_from(guess, force, contraction)
+    }
+
+    /// The same from a pressure in MPa near to it.
+    pub fn reach_pressure_from(
+        &mut self,
+        mut pressure: f64,
+        force: f64,
+        contraction: f64,
+    ) -> Result<(), FemError> {
         let terminal = -contraction * self.body.half_length();
         let scale = self.body.smallest_pressure();
-        let mut pressure = self.body.guess_pressure(force, contraction)?;
         let mut refused = FemError::Force { force_n: force, reason: NOT_FOUND };
         // The highest pressure without an equilibrium: a shortened muscle may have none before its strands are taut.
         let mut without = f64::NEG_INFINITY;

@@ -86,6 +86,26 @@ fn the_pressure_is_sought_from_where_the_muscle_is_taut() {
     assert!(start_pressure_mpa(&model, w, 0.2042, Options::default()).unwrap() < p);
 }
 
+/// Soft strands: the pull has its maximum of 35 N near 0.3 MPa and falls through 5 and 10 N again beyond. The first root by samples of the
+/// force 1 kPa apart is the answer.
+#[test]
+fn the_smallest_root_by_dense_sampling_of_force_is_the_pressure() {
+    let muscle = parse_muscle(
+        "[tube]\nouter_diameter = 36.85\nwall_thickness = 2.45\nlength = 437\n\
+         [tube.material]\nlaw = \"neo-hookean\"\nmu = 0.34\n\
+         [braid]\nangle = 41.6\nstiffness = 87.4\n",
+    )
+    .unwrap();
+    let (model, w) = (Axisymmetric::new(&muscle).unwrap(), &mut Workspace::new());
+    for (force, known) in [(5.0, 0.1178), (10.0, 0.132)] {
+        let mut pull = |p: f64| model.force_n(w, p, 0.13).unwrap();
+        let above = (0..).map(|i| 0.1 + 1e-3 * f64::from(i)).find(|p| pull(*p) >= force).unwrap();
+        let p = pressure_at(&model, &mut Workspace::new(), force, 0.13, Options::default()).unwrap();
+        assert!(p <= above && p > above - 1e-3 && (p - known).abs() < 5e-4, "{p} {above}");
+        assert!((pull(p) - force).abs() < 1e-6 * force);
+    }
+}
+
 #[test]
 fn a_pull_above_the_blocked_force_stretches_the_muscle() {
     let model = Axisymmetric::new(&Muscle::prototype()).unwrap();

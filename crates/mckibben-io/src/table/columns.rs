@@ -75,13 +75,13 @@ impl Vocabulary {
     pub(crate) fn choices(&self, columns: &Columns) -> Result<Vec<Choice>, TableError> {
         let choice = |(name, text): (&String, &String)| {
             let word = plain(name);
-            let by_name = self.entries.iter().find(|e| e.name == word);
+            let by_name = self.entries().find(|e| e.name == word);
             let by_word = || {
-                let says = |e: &&Entry| e.own.contains(&&*word) || e.words().contains(&word);
-                self.entries.iter().find(says)
+                let says = |e: &&Entry| e.own().contains(&word) || e.words().contains(&word);
+                self.entries().find(says)
             };
             let entry = by_name.or_else(by_word).ok_or_else(|| {
-                let names: Vec<&str> = self.entries.iter().map(|e| e.name).collect();
+                let names: Vec<&str> = self.entries().map(|e| e.name).collect();
                 let meant = nearest(name, names.iter().copied());
                 TableError::Refused(format!(
                     "`columns`: {what} have no quantity \"{name}\"{meant}; they have {known}",

@@ -139,10 +139,10 @@ fn label(words: &str) -> String {
 
 /// How well a heading with a plain label names a quantity; `None` where it does not.
 fn rank(heading: &str, label: &str, entry: &Entry) -> Option<usize> {
-    if let Some(place) = entry.own.iter().position(|own| own.eq_ignore_ascii_case(heading)) {
+    if let Some(place) = entry.own().iter().position(|own| own.eq_ignore_ascii_case(heading)) {
         return Some(place);
     }
-    let known = |label: &str| entry.words().iter().any(|word| word == label) || entry.own.contains(&label);
+    let known = |label: &str| entry.words().iter().chain(entry.own()).any(|word| word == label);
     if known(label) {
         return Some(WORD);
     }
@@ -166,7 +166,7 @@ impl Vocabulary {
     fn with_unit(&self, heading: &str) -> Option<Heading> {
         cuts(heading).find_map(|(words, behind)| {
             let label = label(words);
-            self.entries.iter().find_map(|entry| {
+            self.entries().find_map(|entry| {
                 let named = rank(heading, &label, entry)?;
                 let (meaning, unit) = self.unit_of(entry, behind)?;
                 Some(Heading { meaning, unit: HeadingUnit::Known(unit), label: label.clone(), rank: named })
@@ -176,7 +176,7 @@ impl Vocabulary {
 
     fn without_unit(&self, heading: &str) -> Option<Heading> {
         let plain = plain(heading);
-        let found = self.entries.iter().filter_map(|entry| {
+        let found = self.entries().filter_map(|entry| {
             let rank = rank(heading, &plain, entry)?;
             let label = plain.clone();
             Some(Heading { meaning: entry.meaning, unit: HeadingUnit::None, label, rank })
@@ -189,7 +189,7 @@ impl Vocabulary {
             cuts(heading).filter(|(_, unit)| unbracketed(unit).is_some_and(|u| !u.is_empty()));
         bracketed.find_map(|(words, _)| {
             let label = label(words);
-            self.entries.iter().filter(|e| e.dimension.is_some()).find_map(|entry| {
+            self.entries().filter(|e| e.dimension.is_some()).find_map(|entry| {
                 let rank = rank(heading, &label, entry)?;
                 let label = label.clone();
                 Some(Heading { meaning: entry.meaning, unit: HeadingUnit::Unknown, label, rank })

@@ -96,16 +96,12 @@ pub(crate) struct Entry {
     pub(crate) dimension: Option<Dimension>,
     /// What the same words mean with a unit of another dimension: contraction in mm is a shortening.
     pub(crate) otherwise: Option<Meaning>,
-    /// Headings of our own, the best liked first; they go before all others.
-    pub(crate) own: &'static [&'static str],
-    /// The key of its words in `data/words.toml`, where it has any; two columns of the same quantity are ambiguous.
-    words: &'static str,
 }
 
 /// The quantities of one kind of table.
 #[derive(Debug)]
 pub struct Vocabulary {
-    pub(crate) entries: &'static [Entry],
+    meanings: &'static [Meaning],
     /// What a table of this kind is called, for messages.
     pub(crate) what: &'static str,
     /// What there must be: any one of each group. The first name stands for the group in messages.
@@ -123,103 +119,113 @@ pub(crate) struct Need {
     pub(crate) names: &'static str,
 }
 
+/// The words of a quantity.
+#[derive(Debug, Default)]
+struct Words {
+    own: Vec<String>,
+    people: Vec<String>,
+}
+
 /// The words of `data/words.toml`, of all languages together.
-static WORDS: LazyLock<BTreeMap<String, Vec<String>>> =
+static WORDS: LazyLock<BTreeMap<String, Words>> =
     LazyLock::new(|| read(include_str!("../../data/words.toml")).unwrap_or_default());
 
-fn read(text: &str) -> Option<BTreeMap<String, Vec<String>>> {
+fn read(text: &str) -> Option<BTreeMap<String, Words>> {
     let table: DocumentMut = text.parse().ok()?;
     let words = |lists: &dyn TableLike| {
-        let lists: Option<Vec<_>> = lists.iter().map(|(_, list)| list.as_array()).collect();
-        lists?.into_iter().flatten().map(|word| word.as_str().map(str::to_owned)).collect::<Option<Vec<_>>>()
+        let mut words = Words::default();
+        for (language, list) in lists.iter() {
+            let said = list.as_array()?.iter().map(|word| word.as_str().map(str::to_owned));
+            let list = if language == "own" { &mut words.own } else { &mut words.people };
+            list.extend(said.collect::<Option<Vec<_>>>()?);
+        }
+        Some(words)
     };
     table.iter().map(|(key, lists)| Some((key.to_owned(), words(lists.as_table_like()?)?))).collect()
 }
 
 impl Entry {
-    /// Words of people for it.
+    fn in_data(&self) -> Option<&'static Words> {
+        WORDS.get(if self.meaning == Meaning::JointAngle { "joint_angle" } else { self.name })
+    }
+
+    /// Headings of our own, the best liked first; they go before all others.
+    pub(crate) fn own(&self) -> &'static [String] {
+        self.in_data().map_or(&[], |words| &words.own)
+    }
+
+    /// Words of people for it; two columns of the same quantity are ambiguous.
     pub(crate) fn words(&self) -> &'static [String] {
-        WORDS.get(self.words).map_or(&[], Vec::as_slice)
+        self.in_data().map_or(&[], |words| &words.people)
     }
 }
 
 impl Vocabulary {
+    pub(crate) fn entries(&self) -> impl Iterator<Item = &'static Entry> {
+        self.meanings.iter().filter_map(|m| ENTRIES.iter().find(|e| e.meaning == *m))
+    }
+
     pub(crate) fn entry(&self, meaning: Meaning) -> Option<&'static Entry> {
-        self.entries.iter().find(|e| e.meaning == meaning)
+        self.entries().find(|e| e.meaning == meaning)
     }
 }
 
-const NO: &[&str] = &[];
-
-const fn of(
-    meaning: Meaning,
-    name: &'static str,
-    dimension: Option<Dimension>,
-    own: &'static [&'static str],
-    words: &'static str,
-) -> Entry {
-    Entry { meaning, name, dimension, otherwise: None, own, words }
+const fn of(meaning: Meaning, name: &'static str, dimension: Option<Dimension>) -> Entry {
+    Entry { meaning, name, dimension, otherwise: None }
 }
 
-const fn or(
-    (meaning, otherwise): (Meaning, Meaning),
-    name: &'static str,
-    dimension: Dimension,
-    own: &'static [&'static str],
-    words: &'static str,
-) -> Entry {
-    Entry { meaning, name, dimension: Some(dimension), otherwise: Some(otherwise), own, words }
+const fn or(meaning: Meaning, name: &'static str, dimension: Dimension, otherwise: Meaning) -> Entry {
+    Entry { meaning, name, dimension: Some(dimension), otherwise: Some(otherwise) }
 }
 
-/// Pressures, in every kind of tables that has them.
-const PRESSURE: Entry = of(
-    Meaning::Pressure,
-    "pressure",
-    Some(Dimension::Pressure),
-    &["pressure_mpa", "pressure_kpa", "pressure_bar"],
-    "pressure",
-);
-
-const CONTRACTION: Entry = or(
-    (Meaning::Contraction, Meaning::Shortening),
-    "contraction",
-    Dimension::Ratio,
-    &["contraction", "contraction_percent"],
-    "contraction",
-);
-
-/// Times, in every kind of tables that has them.
-const TIME: Entry = of(Meaning::Time, "time", Some(Dimension::Time), &["time_s"], "time");
-
-/// Stretches of a rubber.
-const STRETCH: Entry = of(
-    Meaning::Stretch,
-    "stretch",
-    Some(Dimension::Ratio),
-    &["stretch", "stretch_ratio", "extension_ratio", "lambda", "λ", "stretch_1", "lambda_1", "λ1"],
-    "stretch",
-);
-
-/// Nominal stresses of a rubber.
-const NOMINAL_STRESS: Entry =
-    of(Meaning::NominalStress, "nominal_stress", Some(Dimension::Pressure), NO, "nominal_stress");
+const ENTRIES: &[Entry] = &[
+    of(Meaning::Pressure, "pressure", Some(Dimension::Pressure)),
+    or(Meaning::Contraction, "contraction", Dimension::Ratio, Meaning::Shortening),
+    or(Meaning::Shortening, "shortening", Dimension::Length, Meaning::Contraction),
+    of(Meaning::Length, "length", Some(Dimension::Length)),
+    of(Meaning::RestLength, "rest_length", Some(Dimension::Length)),
+    of(Meaning::Force, "force", Some(Dimension::Force)),
+    of(Meaning::Volume, "volume", Some(Dimension::Volume)),
+    of(Meaning::Branch, "branch", None),
+    of(Meaning::Measured, "measured", None),
+    of(Meaning::Status, "status", None),
+    of(Meaning::ForceError, "force_error", Some(Dimension::Force)),
+    of(Meaning::ContractionError, "contraction_error", Some(Dimension::Ratio)),
+    of(Meaning::PressureError, "pressure_error", Some(Dimension::Pressure)),
+    of(Meaning::VolumeError, "volume_error", Some(Dimension::Volume)),
+    of(Meaning::Weight, "weight", None),
+    of(Meaning::OuterDiameter, "outer_diameter", Some(Dimension::Length)),
+    of(Meaning::Wall, "wall", Some(Dimension::Length)),
+    of(Meaning::Angle, "angle", Some(Dimension::Angle)),
+    of(Meaning::Time, "time", Some(Dimension::Time)),
+    of(Meaning::Opening, "opening", Some(Dimension::Ratio)),
+    of(Meaning::JointAngle, "angle", Some(Dimension::Angle)),
+    of(Meaning::Mode, "mode", None),
+    of(Meaning::Stretch, "stretch", Some(Dimension::Ratio)),
+    of(Meaning::Stretch2, "stretch_2", Some(Dimension::Ratio)),
+    or(Meaning::Strain, "strain", Dimension::Ratio, Meaning::Extension),
+    of(Meaning::TrueStrain, "true_strain", Some(Dimension::Ratio)),
+    or(Meaning::Extension, "extension", Dimension::Length, Meaning::Strain),
+    of(Meaning::NominalStress, "nominal_stress", Some(Dimension::Pressure)),
+    of(Meaning::NominalStress2, "nominal_stress_2", Some(Dimension::Pressure)),
+    of(Meaning::TrueStress, "true_stress", Some(Dimension::Pressure)),
+    of(Meaning::TrueStress2, "true_stress_2", Some(Dimension::Pressure)),
+    of(Meaning::TrueStressDifference, "true_stress_difference", Some(Dimension::Pressure)),
+];
 
 const fn over_time(needed: &'static [Need]) -> Vocabulary {
-    Vocabulary { what: "a command", needed, entries: OVER_TIME }
+    Vocabulary { what: "a command", needed, meanings: OVER_TIME }
 }
 
 const TIMES: Need = Need { wanted: "times", any_of: &[Meaning::Time], names: "time_s or Time [ms]" };
 
-const VOLUME: Entry =
-    of(Meaning::Volume, "volume", Some(Dimension::Volume), &["volume_mm3", "volume_ml"], "volume");
-
-const OVER_TIME: &[Entry] = &[
-    TIME,
-    PRESSURE,
-    CONTRACTION,
-    of(Meaning::Opening, "opening", Some(Dimension::Ratio), &["opening"], "opening"),
-    VOLUME,
-    of(Meaning::JointAngle, "angle", Some(Dimension::Angle), &["angle_deg"], "joint_angle"),
+const OVER_TIME: &[Meaning] = &[
+    Meaning::Time,
+    Meaning::Pressure,
+    Meaning::Contraction,
+    Meaning::Opening,
+    Meaning::Volume,
+    Meaning::JointAngle,
 ];
 
 /// A rubber strip over time.
@@ -234,7 +240,7 @@ pub const HISTORIES: Vocabulary = Vocabulary {
             names: "nominal_stress_mpa (or _kpa, _psi)",
         },
     ],
-    entries: &[TIME, STRETCH, NOMINAL_STRESS],
+    meanings: &[Meaning::Time, Meaning::Stretch, Meaning::NominalStress],
 };
 
 pub(crate) const PRESSURES: Vocabulary = over_time(&[
@@ -282,7 +288,7 @@ pub(crate) const LOADS: Vocabulary = Vocabulary {
         },
         Need { wanted: "forces", any_of: &[Meaning::Force], names: "force_n, Force [kN] or Force [lbf]" },
     ],
-    entries: POINTS.entries,
+    meanings: POINTS.meanings,
 };
 
 /// Measured points of a muscle.
@@ -305,49 +311,25 @@ pub const POINTS: Vocabulary = Vocabulary {
             names: "force_n, Force [kN] or Force [lbf] (or volumes: Volume [mL])",
         },
     ],
-    entries: &[
-        PRESSURE,
-        CONTRACTION,
-        or((Meaning::Shortening, Meaning::Contraction), "shortening", Dimension::Length, NO, "shortening"),
-        of(Meaning::Length, "length", Some(Dimension::Length), NO, "length"),
-        of(Meaning::RestLength, "rest_length", Some(Dimension::Length), NO, "rest_length"),
-        of(Meaning::Force, "force", Some(Dimension::Force), &["force_n"], "force"),
-        VOLUME,
-        of(
-            Meaning::VolumeError,
-            "volume_error",
-            Some(Dimension::Volume),
-            &["volume_error_mm3"],
-            "volume_error",
-        ),
-        of(Meaning::Branch, "branch", None, &["branch"], ""),
-        of(Meaning::Measured, "measured", None, &["measured"], ""),
-        of(Meaning::Status, "status", None, &["status"], ""),
-        of(Meaning::ForceError, "force_error", Some(Dimension::Force), &["force_error_n"], "force_error"),
-        of(
-            Meaning::ContractionError,
-            "contraction_error",
-            Some(Dimension::Ratio),
-            &["contraction_error"],
-            "",
-        ),
-        of(
-            Meaning::PressureError,
-            "pressure_error",
-            Some(Dimension::Pressure),
-            &["pressure_error_mpa"],
-            "pressure_error",
-        ),
-        of(Meaning::Weight, "weight", None, &["weight"], ""),
-        of(
-            Meaning::OuterDiameter,
-            "outer_diameter",
-            Some(Dimension::Length),
-            &["outer_diameter_mm"],
-            "outer_diameter",
-        ),
-        of(Meaning::Wall, "wall", Some(Dimension::Length), &["wall_mm"], "wall"),
-        of(Meaning::Angle, "angle", Some(Dimension::Angle), &["angle_deg"], "braid_angle"),
+    meanings: &[
+        Meaning::Pressure,
+        Meaning::Contraction,
+        Meaning::Shortening,
+        Meaning::Length,
+        Meaning::RestLength,
+        Meaning::Force,
+        Meaning::Volume,
+        Meaning::VolumeError,
+        Meaning::Branch,
+        Meaning::Measured,
+        Meaning::Status,
+        Meaning::ForceError,
+        Meaning::ContractionError,
+        Meaning::PressureError,
+        Meaning::Weight,
+        Meaning::OuterDiameter,
+        Meaning::Wall,
+        Meaning::Angle,
     ],
 };
 
@@ -377,61 +359,20 @@ pub const TESTS: Vocabulary = Vocabulary {
             names: "nominal_stress_mpa (or _kpa, _psi), true_stress_mpa or force_n",
         },
     ],
-    entries: &[
-        STRETCH,
-        of(
-            Meaning::Stretch2,
-            "stretch_2",
-            Some(Dimension::Ratio),
-            &["stretch_2", "lambda_2", "λ2", "transverse_stretch"],
-            "",
-        ),
-        or(
-            (Meaning::Strain, Meaning::Extension),
-            "strain",
-            Dimension::Ratio,
-            &[
-                "engineering_strain",
-                "nominal_strain",
-                "eng_strain",
-                "strain",
-                "strain_percent",
-                "engineering_strain_percent",
-                "nominal_strain_percent",
-                "eng_strain_percent",
-                "tensile_strain_percent",
-                "elongation_percent",
-            ],
-            "strain",
-        ),
-        of(
-            Meaning::TrueStrain,
-            "true_strain",
-            Some(Dimension::Ratio),
-            &["true_strain", "log_strain", "logarithmic_strain"],
-            "true_strain",
-        ),
-        or(
-            (Meaning::Extension, Meaning::Strain),
-            "extension",
-            Dimension::Length,
-            &["extension_mm", "displacement_mm", "elongation_mm"],
-            "extension",
-        ),
-        of(Meaning::Length, "length", Some(Dimension::Length), NO, "rubber_length"),
-        NOMINAL_STRESS,
-        of(Meaning::TrueStress, "true_stress", Some(Dimension::Pressure), NO, "true_stress"),
-        of(Meaning::NominalStress2, "nominal_stress_2", Some(Dimension::Pressure), NO, "nominal_stress_2"),
-        of(Meaning::TrueStress2, "true_stress_2", Some(Dimension::Pressure), NO, "true_stress_2"),
-        of(
-            Meaning::TrueStressDifference,
-            "true_stress_difference",
-            Some(Dimension::Pressure),
-            NO,
-            "true_stress_difference",
-        ),
-        of(Meaning::Force, "force", Some(Dimension::Force), NO, "force"),
-        of(Meaning::Mode, "mode", None, &["mode", "test", "loading", "deformation"], ""),
+    meanings: &[
+        Meaning::Stretch,
+        Meaning::Stretch2,
+        Meaning::Strain,
+        Meaning::TrueStrain,
+        Meaning::Extension,
+        Meaning::Length,
+        Meaning::NominalStress,
+        Meaning::TrueStress,
+        Meaning::NominalStress2,
+        Meaning::TrueStress2,
+        Meaning::TrueStressDifference,
+        Meaning::Force,
+        Meaning::Mode,
     ],
 };
 
@@ -443,13 +384,12 @@ mod tests {
     #[test]
     fn words_are_plain_and_mean_one_thing() {
         for vocabulary in [POINTS, TESTS, HISTORIES, PRESSURES] {
-            let mut seen: Vec<&str> = vec![];
-            for entry in vocabulary.entries {
+            let mut seen = vec![];
+            for entry in vocabulary.entries() {
                 assert!(vocabulary.entry(entry.meaning).is_some_and(|e| e.name == entry.name));
-                assert!(entry.words.is_empty() != WORDS.contains_key(entry.words), "{}", entry.name);
-                let words = entry.words().iter().map(String::as_str);
-                for word in entry.own.iter().copied().chain(words) {
-                    assert_eq!(plain(word), word, "{word}");
+                assert!(entry.in_data().is_some(), "{}", entry.name);
+                for word in entry.own().iter().chain(entry.words()) {
+                    assert_eq!(plain(word), *word, "{word}");
                     // `deformation` is a mode in our own tables, a strain with a unit in French ones.
                     assert!(!seen.contains(&word) || word == "deformation", "{word} is there twice");
                     seen.push(word);

@@ -46,7 +46,7 @@ impl NamedUnit {
     /// assert_eq!(NamedUnit::of_field("turns"), None);
     /// ```
     pub fn of_field(name: &str) -> Option<Self> {
-        let typed = Dimension::ALL.into_iter().filter_map(|d| Some((d.end_of_name()?, Self::of(d))));
+        let typed = Dimension::all().filter_map(|d| Some((d.end_of_name()?, Self::of(d))));
         let answered = ANSWERED.iter().map(|&(end, unit)| (end, Self { unit, dimension: None }));
         let ends = |end: &str| name.strip_suffix(end).is_some_and(|rest| rest.ends_with('_'));
         // The longest: `_n_per_mm` ends with `_mm` too.
@@ -70,7 +70,7 @@ mod tests {
     /// An identity: the end of a name is the unit inside, in which a bare number and one with the unit are the same.
     #[test]
     fn every_kind_of_quantity_is_found_by_the_end_of_a_name() {
-        for dimension in Dimension::ALL {
+        for dimension in Dimension::all() {
             let name = dimension.end_of_name().map_or("contraction".to_owned(), |end| format!("some_{end}"));
             let found = NamedUnit::of_field(&name).unwrap();
             assert_eq!(found.dimension, Some(dimension), "{name}");

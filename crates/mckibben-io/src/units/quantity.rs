@@ -117,7 +117,7 @@ pub(super) fn factor(unit: &str, text: &str, expected: Dimension) -> Result<(f64
     if let Some(found) = expected.unit(unit) {
         return Ok(found.fraction);
     }
-    match Dimension::ALL.into_iter().find(|d| d.unit(unit).is_some()) {
+    match Dimension::all().find(|d| d.unit(unit).is_some()) {
         Some(found) => Err(QuantityError::WrongDimension { text: text.trim().into(), found, expected }),
         None => Err(QuantityError::UnknownUnit { text: text.trim().into(), unit: unit.into(), expected }),
     }

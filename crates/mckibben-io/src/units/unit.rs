@@ -56,7 +56,7 @@ impl Dimension {
             return Some(found);
         }
         let careful = ["mPa", "MN", "mn", "Mm", "MBAR", "Mbar"];
-        if careful.contains(&name) || Dimension::ALL.into_iter().any(|d| exact(d).is_some()) {
+        if careful.contains(&name) || Dimension::all().any(|d| exact(d).is_some()) {
             return None;
         }
         self.units().iter().find(|u| u.0.iter().any(|s| s.eq_ignore_ascii_case(name))).map(Unit::of)

@@ -8,7 +8,6 @@ mod error;
 mod golden;
 mod inverse;
 mod root;
-mod sought;
 mod sweep;
 
 pub use air::{ATMOSPHERE_MPA, Air, HEAT_RATIO, air_per_stroke, litres_anr, normal_litres};
@@ -19,7 +18,6 @@ pub use burst::{Burst, FailureMode, FailurePressure, NoBurst, SAFETY, burst};
 pub use characteristics::{blocked_force_n, free_contraction, start_pressure_mpa, work_per_stroke_j};
 pub use error::AnalysisError;
 pub use golden::{Abscissa, golden};
-pub use inverse::pressure_up_to;
 pub(crate) use inverse::{HIGHEST_PRESSURE_MPA, straight_strands};
 pub use inverse::{contraction_at, contraction_or_stretch_at, pressure_at};
 pub use root::{RootError, find_root};

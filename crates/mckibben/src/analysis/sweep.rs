@@ -1,11 +1,13 @@
 //! A function over a whole interval: where it is zero, and where it comes nearest to zero.
 //!
-//! The search behind the inverses where their quick ways find nothing: pulls that rise and fall, pulls that fall where they rise as a
-//! rule, and places without an answer between them. Samples at given places come first; where they leave an end or an extremum between
-//! them that may reach zero, more are taken there.
+//! The search behind the inverses: pulls that rise and fall, pulls that fall where they rise as a rule, and places without an answer
+//! between them. Samples at given places come first; where they leave an end or an extremum between them that may reach zero, more are
+//! taken there.
 
 use super::golden::golden;
 use super::root::{RootError, find_root};
+use crate::cancel;
+use crate::model::ModelError;
 
 /// Halvings towards the edge of the places that have a value.
 const HALVINGS: usize = 40;
@@ -29,51 +31,79 @@ pub(super) struct Zero {
     pub falls: bool,
 }
 
-/// Samples of a function, by rising place.
-#[derive(Debug, Default)]
-pub(super) struct Sweep {
+/// Samples of a function, by rising place. A search that is cancelled ends with an error.
+pub(super) struct Sweep<F> {
+    at: F,
     samples: Vec<Sample>,
     /// Steps of each golden section.
     steps: usize,
+    /// Why the first place without a value has none.
+    pub refused: Option<ModelError>,
+    /// Why a place between values on both sides of zero has none.
+    pub lost: Option<ModelError>,
 }
 
-impl Sweep {
+impl<F: FnMut(f64) -> Result<f64, ModelError>> Sweep<F> {
     /// No samples yet; `steps` of each search for an extremum.
-    pub fn new(steps: usize) -> Self {
-        Self { samples: vec![], steps }
+    pub fn new(steps: usize, at: F) -> Self {
+        Self { at, samples: vec![], steps, refused: None, lost: None }
     }
 
-    /// Keeps a sample.
-    pub fn keep(&mut self, place: f64, value: Option<f64>) {
+    /// Takes a sample.
+    pub fn sample(&mut self, place: f64) -> Result<Option<f64>, ModelError> {
         let i = self.samples.partition_point(|s| s.0 < place);
-        if self.samples.get(i).is_none_or(|s| s.0 != place) {
-            self.samples.insert(i, (place, value));
+        if let Some(known) = self.samples.get(i).filter(|s| s.0 == place) {
+            return Ok(known.1);
         }
+        let value = match (self.at)(place) {
+            Ok(value) => Some(value).filter(|v| v.is_finite()),
+            Err(error) => {
+                cancel::check()?;
+                self.refused.get_or_insert(error);
+                None
+            }
+        };
+        self.samples.insert(i, (place, value));
+        Ok(value)
     }
 
     /// Samples at `parts` + 1 places from one end to another.
-    pub fn fill<E>(
+    pub fn fill(&mut self, ends: (f64, f64), parts: usize) -> Result<(), ModelError> {
+        places(ends, parts).try_for_each(|place| self.sample(place).map(|_| ()))
+    }
+
+    /// The first zero on the way through rising places, with the extrema between them; `falling` ones alone where only they count. The way ends where
+    /// `ends` says so of a value and that before it.
+    pub fn first(
         &mut self,
-        (from, to): (f64, f64),
-        parts: usize,
-        at: &mut impl FnMut(f64) -> Result<Option<f64>, E>,
-    ) -> Result<(), E> {
-        for i in 0..=parts {
-            let place = if i == parts { to } else { from + (to - from) * i as f64 / parts as f64 };
-            if self.samples.iter().all(|s| s.0 != place) {
-                self.keep(place, at(place)?);
+        places: impl Iterator<Item = f64>,
+        falling: bool,
+        ends: impl Fn(Option<f64>, Option<f64>) -> bool,
+    ) -> Result<Option<f64>, ModelError> {
+        let mut before = None;
+        for place in places {
+            let from = self.samples.len().saturating_sub(2);
+            let value = self.sample(place)?;
+            // Where the values begin they may be smaller.
+            if value.is_some_and(|v| v >= 0.0) {
+                self.edges(from)?;
             }
+            self.extrema(from)?;
+            let zeros = self.zeros(from)?;
+            if let Some(zero) = zeros.iter().find(|zero| zero.falls || !falling) {
+                return Ok(Some(zero.at));
+            }
+            if ends(before, value) {
+                break;
+            }
+            before = value;
         }
-        Ok(())
+        Ok(None)
     }
 
     /// Halves the way from each sample to the next: `least` times, and up to `most` times where the function is so curved that it may reach zero
     /// between two of them.
-    pub fn finer<E>(
-        &mut self,
-        (least, most): (usize, usize),
-        at: &mut impl FnMut(f64) -> Result<Option<f64>, E>,
-    ) -> Result<(), E> {
+    pub fn finer(&mut self, (least, most): (usize, usize)) -> Result<(), ModelError> {
         let mut left: Vec<(Sample, Sample, usize)> =
             self.samples.windows(2).map(|pair| (pair[0], pair[1], 0)).collect();
         while let Some((low, high, halved)) = left.pop() {
@@ -81,8 +111,7 @@ impl Sweep {
             if halved == most || middle <= low.0 || middle >= high.0 {
                 continue;
             }
-            let value = at(middle)?;
-            self.keep(middle, value);
+            let value = self.sample(middle)?;
             let curved = match (low.1, value, high.1) {
                 (Some(a), Some(m), Some(b)) => {
                     let nearest = a.abs().min(m.abs()).min(b.abs());
@@ -98,58 +127,44 @@ impl Sweep {
         Ok(())
     }
 
-    /// More samples where the function may reach zero between those there are: at the edges of what has a value, beside the ends of
-    /// each run of values, and at extrema towards zero.
-    pub fn refine<E>(&mut self, at: &mut impl FnMut(f64) -> Result<Option<f64>, E>) -> Result<(), E> {
-        for pair in self.samples.clone().windows(2) {
-            let ((a, va), (b, vb)) = (pair[0], pair[1]);
-            let (mut with, mut without) = match (va, vb) {
-                (Some(_), None) => (a, b),
-                (None, Some(_)) => (b, a),
+    /// All zeros, with more samples where the function may reach zero between those there are: at the edges of what has a value, beside the
+    /// ends of each run of values, and at extrema towards zero.
+    pub fn all(&mut self) -> Result<Vec<Zero>, ModelError> {
+        self.edges(0)?;
+        for (end, next) in self.ends() {
+            if (end.1 > 0.0) == (next.1 > 0.0) && end.1.abs() <= next.1.abs() {
+                for share in BESIDE {
+                    self.sample(end.0 + share * (next.0 - end.0))?;
+                }
+            }
+        }
+        self.extrema(0)?;
+        self.zeros(0)
+    }
+
+    /// Samples towards each edge of what has a value, from a sample on; of few steps none where the values move away from zero.
+    fn edges(&mut self, from: usize) -> Result<(), ModelError> {
+        let samples = self.samples.clone();
+        for i in from + 1..samples.len() {
+            let (mut with, mut without, end, next) = match (samples[i - 1], samples[i]) {
+                ((a, Some(end)), (b, None)) => (a, b, end, i.checked_sub(2)),
+                ((a, None), (b, Some(end))) => (b, a, end, Some(i + 1)),
                 _ => continue,
             };
+            let next = next.and_then(|i| samples.get(i)?.1);
+            if self.steps < HALVINGS && next.is_some_and(|next| next.abs() < end.abs()) {
+                continue;
+            }
             for _ in 0..HALVINGS.min(self.steps) {
                 let middle = 0.5 * (with + without);
                 if middle == with || middle == without {
                     break;
                 }
-                match at(middle)? {
-                    Some(value) => {
-                        self.keep(middle, Some(value));
-                        with = middle;
-                    }
+                match self.sample(middle)? {
+                    Some(_) => with = middle,
                     None => without = middle,
                 }
             }
-        }
-        for (end, next) in self.ends() {
-            if (end.1 > 0.0) == (next.1 > 0.0) && end.1.abs() <= next.1.abs() {
-                for share in BESIDE {
-                    let beside = end.0 + share * (next.0 - end.0);
-                    self.keep(beside, at(beside)?);
-                }
-            }
-        }
-        for three in self.samples.clone().windows(3) {
-            let [(left, Some(a)), (middle, Some(b)), (right, Some(c))] = *three else { continue };
-            let sign = b.signum();
-            let towards = sign * a >= sign * b && sign * c >= sign * b && sign * b > 0.0;
-            if !towards || a == b && b == c {
-                continue;
-            }
-            let mut failed = None;
-            let mut tried = |x: f64| match at(x) {
-                Ok(value) => (x, value.unwrap_or(sign * f64::INFINITY)),
-                Err(error) => {
-                    failed = Some(error);
-                    (x, sign * f64::INFINITY)
-                }
-            };
-            let best = golden(left, (middle, b), right, self.steps, |s| sign * s.1, &mut tried);
-            if let Some(error) = failed {
-                return Err(error);
-            }
-            self.keep(best.0, Some(best.1));
         }
         Ok(())
     }
@@ -166,37 +181,47 @@ impl Sweep {
         ends
     }
 
-    /// The zeros between samples of different sign.
-    pub fn zeros<E>(&self, at: &mut impl FnMut(f64) -> Result<Option<f64>, E>) -> Result<Vec<Zero>, E> {
+    /// A sample at each extremum towards zero, from a sample on.
+    fn extrema(&mut self, from: usize) -> Result<(), ModelError> {
+        for three in self.samples[from..].to_vec().windows(3) {
+            let [(left, Some(a)), (middle, Some(b)), (right, Some(c))] = *three else { continue };
+            let sign = b.signum();
+            let towards = sign * a >= sign * b && sign * c >= sign * b && sign * b > 0.0;
+            if !towards || a == b && b == c {
+                continue;
+            }
+            let mut tried = |x: f64| (x, (self.at)(x).unwrap_or(sign * f64::INFINITY));
+            let best = golden(left, (middle, b), right, self.steps, |s| sign * s.1, &mut tried);
+            cancel::check()?;
+            self.sample(best.0)?;
+        }
+        Ok(())
+    }
+
+    /// The zeros between samples of different sign, from a sample on.
+    pub fn zeros(&mut self, from: usize) -> Result<Vec<Zero>, ModelError> {
         let mut zeros: Vec<Zero> = vec![];
-        for pair in self.samples.windows(2) {
+        for pair in self.samples[from..].windows(2) {
             let [(a, Some(va)), (b, Some(vb))] = *pair else { continue };
             if (va > 0.0) == (vb > 0.0) && va != 0.0 && vb != 0.0 {
                 continue;
             }
             let mut closest = f64::INFINITY;
-            let found = find_root(
-                |x| {
-                    let value = at(x).map_err(Some)?.ok_or(None)?;
-                    closest = value.abs().min(closest);
-                    Ok(value)
-                },
-                a,
-                b,
-                TOLERANCE,
-            );
-            let falls = va > vb;
-            match found {
-                Ok(x)
-                    if closest <= LEFT * (va.abs() + vb.abs())
-                        && zeros.last().is_none_or(|zero| zero.at != x) =>
-                {
-                    zeros.push(Zero { at: x, falls });
+            let value = |x: f64| {
+                let value = (self.at)(x)?;
+                closest = value.abs().min(closest);
+                Ok(value)
+            };
+            match find_root(value, a, b, TOLERANCE) {
+                Ok(at) if closest <= LEFT * (va.abs() + vb.abs()) => zeros.push(Zero { at, falls: va > vb }),
+                Err(RootError::Function(error)) => {
+                    cancel::check()?;
+                    self.lost = Some(error);
                 }
-                Err(RootError::Function(Some(error))) => return Err(error),
                 _ => {}
             }
         }
+        zeros.dedup_by_key(|zero| zero.at);
         Ok(zeros)
     }
 
@@ -207,24 +232,30 @@ impl Sweep {
     }
 }
 
+/// `parts` + 1 places from one end to another.
+pub(super) fn places((from, to): (f64, f64), parts: usize) -> impl Iterator<Item = f64> {
+    (0..=parts).map(move |i| if i == parts { to } else { from + (to - from) * i as f64 / parts as f64 })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn swept(f: impl Fn(f64) -> Option<f64>, (low, high): (f64, f64), parts: usize) -> (Sweep, Vec<Zero>) {
-        let mut at = |x: f64| Ok::<_, ()>(f(x));
-        let mut sweep = Sweep::new(60);
-        sweep.fill((low, high), parts, &mut at).unwrap();
-        sweep.refine(&mut at).unwrap();
-        let zeros = sweep.zeros(&mut at).unwrap();
-        (sweep, zeros)
+    const NONE: ModelError = ModelError::Geometry { contraction: 0.0, lowest: 0.0, highest: 0.0 };
+
+    /// The zeros within 0 to 1, and the least |f|.
+    fn swept(f: impl Fn(f64) -> Option<f64>, parts: usize) -> (Vec<Zero>, (f64, f64)) {
+        let mut sweep = Sweep::new(60, |x| f(x).ok_or(NONE));
+        sweep.fill((0.0, 1.0), parts).unwrap();
+        let zeros = sweep.all().unwrap();
+        (zeros, sweep.least(f64::abs).unwrap())
     }
 
     /// x(1 − x) = c has the zeros ½(1 ± √(1 − 4c)); near the maximum they lie between two samples.
     #[test]
     fn both_zeros_beside_a_maximum_between_samples_are_found() {
         for c in [0.1, 0.2, 0.2499, 0.249_999_999] {
-            let (_, zeros) = swept(|x| Some(x * (1.0 - x) - c), (0.0, 1.0), 7);
+            let (zeros, _) = swept(|x| Some(x * (1.0 - x) - c), 7);
             let half = 0.5 * (1.0 - 4.0 * c).sqrt();
             let places: Vec<f64> = zeros.iter().map(|z| z.at).collect();
             assert_eq!(zeros.iter().map(|z| z.falls).collect::<Vec<_>>(), [false, true], "{c}");
@@ -235,35 +266,33 @@ mod tests {
     #[test]
     fn a_zero_at_the_edge_of_what_has_a_value_is_found_and_a_jump_is_none() {
         // √(x − 0.3) − 0.01 is zero at 0.3001.
-        let (_, zeros) = swept(|x| (x >= 0.3).then(|| (x - 0.3).sqrt() - 0.01), (0.0, 1.0), 5);
+        let (zeros, _) = swept(|x| (x >= 0.3).then(|| (x - 0.3).sqrt() - 0.01), 5);
         assert_eq!(zeros.len(), 1);
         assert!((zeros[0].at - 0.3001).abs() < 1e-9);
-        let (sweep, zeros) = swept(|x| Some(if x < 0.45 { -1.0 } else { 2.0 }), (0.0, 1.0), 5);
+        let (zeros, least) = swept(|x| Some(if x < 0.45 { -1.0 } else { 2.0 }), 5);
         assert!(zeros.is_empty());
-        assert_eq!(sweep.least(f64::abs).unwrap().1, -1.0);
+        assert_eq!(least.1, -1.0);
     }
 
     /// A dip of width 0.02 below zero at 0.3275: samples 0.05 apart are all above zero.
     #[test]
     fn a_narrow_dip_between_samples_is_found_where_they_are_halved() {
         let f = |x: f64| Some(0.03 + 0.01 * (x - 0.3) - 0.05 * (-((x - 0.3275) / 0.02).powi(2)).exp());
-        let mut at = |x: f64| Ok::<_, ()>(f(x));
-        let mut sweep = Sweep::new(60);
-        sweep.fill((0.0, 1.0), 20, &mut at).unwrap();
-        assert!(sweep.zeros(&mut at).unwrap().is_empty());
-        let mut sweep = Sweep::new(60);
-        sweep.fill((0.0, 1.0), 5, &mut at).unwrap();
-        sweep.finer((2, 6), &mut at).unwrap();
-        sweep.refine(&mut at).unwrap();
-        let zeros = sweep.zeros(&mut at).unwrap();
+        let at = |x: f64| f(x).ok_or(NONE);
+        let mut sweep = Sweep::new(60, at);
+        sweep.fill((0.0, 1.0), 20).unwrap();
+        assert!(sweep.zeros(0).unwrap().is_empty());
+        let mut sweep = Sweep::new(60, at);
+        sweep.fill((0.0, 1.0), 5).unwrap();
+        sweep.finer((2, 6)).unwrap();
+        let zeros = sweep.all().unwrap();
         assert_eq!(zeros.iter().map(|z| z.falls).collect::<Vec<_>>(), [true, false]);
     }
 
     /// (x − ¼)² + 1 comes nearest to zero at ¼.
     #[test]
     fn the_nearest_is_that_of_the_extremum() {
-        let (sweep, zeros) = swept(|x| Some((x - 0.25).powi(2) + 1.0), (0.0, 1.0), 7);
-        let (x, v) = sweep.least(f64::abs).unwrap();
+        let (zeros, (x, v)) = swept(|x| Some((x - 0.25).powi(2) + 1.0), 7);
         assert!(zeros.is_empty() && (x - 0.25).abs() < 1e-6 && (v - 1.0).abs() < 1e-12);
     }
 }

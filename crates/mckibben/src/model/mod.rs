@@ -63,7 +63,6 @@ pub use paper::Paper;
 pub use paper_batch::{BatchPath, LengthMismatch};
 pub use range::ModelRange;
 pub use response::Response;
-pub(crate) use root::rising_root;
 pub use rounded_ends::RoundedEnds;
 pub use seated::{Seated, with_ends};
 pub use thick_wall::{BendingStiffness, ThickWall};

@@ -57,7 +57,7 @@ impl MuscleError {
             }
             MuscleError::Softening(_) => vec!["tube.material.softening"],
             MuscleError::Relaxation(_) => vec!["tube.material.prony"],
-            MuscleError::Sleeve(SleeveError::OutOfRange { .. } | SleeveError::NoContraction { .. }) => {
+            MuscleError::Sleeve(SleeveError::Diameter(_)) => {
                 vec!["braid.name", "tube.outer_diameter"]
             }
             MuscleError::Sleeve(_) => vec!["braid.name"],

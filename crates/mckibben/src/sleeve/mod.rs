@@ -72,42 +72,9 @@ pub enum SleeveError {
     /// Refused: field, value, what it must be.
     #[error("{0}")]
     Refused(String),
-    /// The sleeve neither closes nor opens to this diameter.
-    #[error(
-        "{name} fits tubes from {} to {} mm; the tube has an outer diameter of {} mm",
-        short(.least_mm),
-        short(.largest_mm),
-        short(.outer_diameter_mm)
-    )]
-    OutOfRange {
-        /// The sleeve.
-        name: String,
-        /// The tube's outer diameter in mm.
-        outer_diameter_mm: f64,
-        /// Least diameter of the sleeve in mm.
-        least_mm: f64,
-        /// Largest diameter of the sleeve in mm.
-        largest_mm: f64,
-    },
-    /// The sleeve opens to this diameter, but a muscle of it would not contract.
-    #[error(
-        "{name} has an angle of {angle_deg:.2} deg on {} mm, and a muscle contracts below 54.7356 deg only: from {} to {} mm",
-        short(.outer_diameter_mm),
-        short(.least_mm),
-        short(.neutral_mm)
-    )]
-    NoContraction {
-        /// The sleeve.
-        name: String,
-        /// The tube's outer diameter in mm.
-        outer_diameter_mm: f64,
-        /// θ0 on it in degrees.
-        angle_deg: f64,
-        /// Least diameter of the sleeve in mm.
-        least_mm: f64,
-        /// The diameter at 54.7356°, in mm.
-        neutral_mm: f64,
-    },
+    /// The sleeve does not fit this diameter, or a muscle of it would not contract.
+    #[error("{0}")]
+    Diameter(String),
     /// What gives the stiffness is not stated by the sleeve's source.
     #[error(
         "the source of {name} does not state {}; give {} or `stiffness`, or take strands that do not stretch (stiffness inextensible)",
@@ -144,7 +111,7 @@ impl SleeveError {
 }
 
 /// A length for a message, to a tenth of a micrometre.
-fn short(mm: &f64) -> f64 {
+fn short(mm: f64) -> f64 {
     (mm * 1e4).round() / 1e4
 }
 
@@ -152,24 +119,24 @@ impl SleeveShape {
     /// θ0 in degrees on a tube of this outer diameter.
     ///
     /// # Errors
-    /// [`SleeveError::OutOfRange`] beyond the sleeve's range, [`SleeveError::NoContraction`] from 54.7° on.
+    /// [`SleeveError::Diameter`] beyond the sleeve's range, and from 54.7° on.
     pub fn angle_deg_on(&self, outer_diameter_mm: f64) -> Result<f64, SleeveError> {
-        let name = || self.name.clone();
         let (least_mm, largest_mm) = (self.least_mm, self.largest_mm);
         // Where a range was turned from inches, its ends belong to it.
         let fits =
             outer_diameter_mm >= least_mm * (1.0 - 1e-9) && outer_diameter_mm <= largest_mm * (1.0 + 1e-9);
         let angle = fits.then(|| self.helix.angle_deg(outer_diameter_mm)).flatten();
+        let (name, least, on) = (&self.name, short(least_mm), short(outer_diameter_mm));
         match angle {
             Some(angle_deg) if angle_deg < NEUTRAL_ANGLE_DEG => Ok(angle_deg),
-            Some(angle_deg) => Err(SleeveError::NoContraction {
-                name: name(),
-                outer_diameter_mm,
-                angle_deg,
-                least_mm,
-                neutral_mm: self.helix.diameter_mm(NEUTRAL_ANGLE_DEG),
-            }),
-            None => Err(SleeveError::OutOfRange { name: name(), outer_diameter_mm, least_mm, largest_mm }),
+            Some(angle_deg) => Err(SleeveError::Diameter(format!(
+                "{name} has an angle of {angle_deg:.2} deg on {on} mm, and a muscle contracts below 54.7356 deg only: from {least} to {} mm",
+                short(self.helix.diameter_mm(NEUTRAL_ANGLE_DEG))
+            ))),
+            None => Err(SleeveError::Diameter(format!(
+                "{name} fits tubes from {least} to {} mm; the tube has an outer diameter of {on} mm",
+                short(largest_mm)
+            ))),
         }
     }
 

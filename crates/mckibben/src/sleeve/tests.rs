@@ -102,7 +102,7 @@ fn a_muscle_of_a_sleeve_has_another_angle_on_another_tube() {
     let measured = muscle.with_braid(measured).unwrap();
     assert!(close(measured.with_section(10.0, 0.7).unwrap().braid().angle_deg, 20.3));
     let error = muscle.with_section(40.0, 0.5).unwrap_err();
-    assert!(matches!(error, MuscleError::Sleeve(SleeveError::OutOfRange { .. })), "{error}");
+    assert!(matches!(error, MuscleError::Sleeve(SleeveError::Diameter(_))), "{error}");
     let error = muscle.braid().clone().with_stated_angle(20.6, 10.0).unwrap_err();
     assert!(error.to_string().contains("is 20.6 deg, but whole has 20.00 deg"), "{error}");
 }

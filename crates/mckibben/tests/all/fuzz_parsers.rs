@@ -21,7 +21,7 @@ fn text() -> impl Strategy<Value = String> {
 proptest! {
     #[test]
     fn quantities_are_finite_or_refused(text in text()) {
-        for dimension in Dimension::ALL {
+        for dimension in Dimension::all() {
             match parse_quantity(&text, dimension) {
                 Ok(value) => prop_assert!(value.is_finite(), "{text:?}: {value}"),
                 Err(error) => prop_assert!(!error.to_string().is_empty()),
@@ -31,7 +31,7 @@ proptest! {
 
     #[test]
     fn ranges_and_lists_are_finite_ordered_or_refused(text in text()) {
-        for dimension in Dimension::ALL {
+        for dimension in Dimension::all() {
             match parse_values(&text, dimension) {
                 Ok(Values::Interval(low, high)) => {
                     prop_assert!(low.is_finite() && high.is_finite() && low <= high, "{text:?}");

@@ -48,9 +48,12 @@ impl ForceModel for ThickWall {
 }
 
 impl Inverse for ThickWall {
-    /// In closed form where strands do not stretch, else by Newton's method for the radius.
+    /// In closed form where strands do not stretch, else by Newton's method for the radius. A tube pushes as hard at a lower pressure, with
+    /// its strands slack.
     fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        if matches!(self.info.muscle.terminals().end_factor, Some(EndFactor::OfPressure { .. })) {
+        if force_n < 0.0
+            || matches!(self.info.muscle.terminals().end_factor, Some(EndFactor::OfPressure { .. }))
+        {
             return None;
         }
         let (l, _, _) = self.stretch(0.0, contraction);

@@ -16,6 +16,7 @@ use super::{Braid, Friction, Muscle, MuscleError, Terminals, Tube};
 use crate::units::Dimension;
 use std::borrow::Cow;
 use std::fmt;
+use std::sync::LazyLock;
 
 /// What a muscle is made of, before its parts are checked against each other.
 #[derive(Debug, Clone, PartialEq)]
@@ -126,14 +127,6 @@ pub struct Measure {
     pub bounds: Bounds,
     /// Value of a muscle that does not state it, where there is one.
     pub default: Option<f64>,
-    /// Its symbol.
-    pub symbol: &'static str,
-    /// What it is, in one sentence without its unit.
-    pub about: &'static str,
-    /// Comment in muscle files.
-    pub comment: &'static str,
-    /// Its name, in a few words.
-    pub label: &'static str,
     /// Whether `check` has a line for it where it is stated; others are shown by rules of their own.
     pub is_shown: bool,
     /// Models that use it, where not all of them may.
@@ -163,6 +156,12 @@ pub fn fields() -> impl Iterator<Item = (&'static str, &'static Measure)> {
     MEASURES.iter().filter_map(|m| Some((m.field?, *m)))
 }
 
+/// The words for the measures: key, symbol, name, sentence, comment.
+static WORDS: LazyLock<Vec<[&'static str; 5]>> = LazyLock::new(|| {
+    let lines = include_str!("../../../data/measures.txt").lines();
+    lines.filter_map(|line| line.split('|').map(str::trim).collect::<Vec<_>>().try_into().ok()).collect()
+});
+
 impl Measure {
     /// An entry whose other fields are these.
     const BASE: Self = Self {
@@ -175,10 +174,6 @@ impl Measure {
         unit: None,
         bounds: Bounds::Positive,
         default: None,
-        symbol: "",
-        about: "",
-        comment: "",
-        label: "",
         is_shown: false,
         models: &[],
         beside: None,
@@ -196,6 +191,30 @@ impl Measure {
     /// The measure of a field of requests.
     pub fn of_field(field: &str) -> Option<&'static Self> {
         MEASURES.iter().copied().find(|m| m.field == Some(field))
+    }
+
+    fn words(&self, of: usize) -> &'static str {
+        WORDS.iter().find(|words| words[0] == self.key).map_or("", |words| words[of])
+    }
+
+    /// Its symbol.
+    pub fn symbol(&self) -> &'static str {
+        self.words(1)
+    }
+
+    /// Its name, in a few words.
+    pub fn label(&self) -> &'static str {
+        self.words(2)
+    }
+
+    /// What it is, in one sentence without its unit.
+    pub fn about(&self) -> &'static str {
+        self.words(3)
+    }
+
+    /// Comment in muscle files.
+    pub fn comment(&self) -> &'static str {
+        self.words(4)
     }
 
     /// The table of the muscle file.
@@ -229,7 +248,7 @@ impl Measure {
     /// What stands for its value in help texts: `LENGTH`, or the symbol of a plain number that a keyboard has.
     pub fn value_name(&self) -> String {
         let noun = self.dimension.noun().rsplit(' ').next().unwrap_or_default();
-        (if self.is_plain() && self.symbol.is_ascii() { self.symbol } else { noun }).to_uppercase()
+        (if self.is_plain() && self.symbol().is_ascii() { self.symbol() } else { noun }).to_uppercase()
     }
 
     /// Its value where nothing is stated: that of the prototype, or the default.
@@ -240,9 +259,9 @@ impl Measure {
     /// The sentence of its flag, with the value of the prototype.
     pub fn help(&self) -> String {
         let mut out = if self.is_plain() {
-            self.about.to_owned()
+            self.about().to_owned()
         } else {
-            self.about.replacen(&format!(" {}", self.symbol), "", usize::from(!self.symbol.is_empty()))
+            self.about().replacen(&format!(" {}", self.symbol()), "", usize::from(!self.symbol().is_empty()))
         };
         if !self.models.is_empty() {
             out += &format!(", for {}", self.models.join(" and "));
@@ -260,12 +279,12 @@ impl Measure {
             _ if self.is_plain() => Cow::Borrowed(""),
             _ => format!(", {}", self.unit()).into(),
         };
-        format!("{}{unit}{}{more}.", self.about, self.for_models())
+        format!("{}{unit}{}{more}.", self.about(), self.for_models())
     }
 
     /// What it is and which models use it, in a sentence.
     pub fn sentence(&self) -> String {
-        format!("{}{}.", self.about, self.for_models())
+        format!("{}{}.", self.about(), self.for_models())
     }
 
     fn for_models(&self) -> String {
@@ -398,7 +417,7 @@ mod tests {
                 MEASURES[..i].iter().all(|o| o.key != m.key && (o.field != m.field || m.field.is_none()))
             );
             assert!(SECTIONS.contains(&m.section()), "{}", m.key);
-            assert!(!m.about.is_empty() && !m.label.is_empty(), "{}", m.key);
+            assert!(!m.about().is_empty() && !m.label().is_empty(), "{}", m.key);
             assert!(m.beside.is_none_or(|b| Measure::of_key(b.0).is_some()), "{}", m.key);
             if let Some(field) = m.field {
                 let named = crate::units::NamedUnit::of_field(field).and_then(|u| u.dimension);
