@@ -36,7 +36,7 @@ const MARK: &str = "mckibben build";
 pub use material::BuildPart;
 pub use mesh::Mesh;
 pub use operating::Operating;
-pub use plan::{BuildError, Plan, Wishes};
+pub use plan::{Plan, Wishes};
 pub use plug::{AirPlug, EyePlug, Stem};
 pub use safety::Safety;
 pub use test_points::TestPoint;
