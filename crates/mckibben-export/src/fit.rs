@@ -261,7 +261,7 @@ fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<(), ExportErro
 }
 
 /// The solution with the least squares by Householder's QR; `None` where it is not finite.
-fn least_squares(matrix: DMatrix<f64>, values: &DVector<f64>) -> Option<DVector<f64>> {
+pub(crate) fn least_squares(matrix: DMatrix<f64>, values: &DVector<f64>) -> Option<DVector<f64>> {
     let qr = matrix.qr();
     let solved = qr.r().solve_upper_triangular(&(qr.q().transpose() * values));
     solved.filter(|s| s.iter().all(|v| v.is_finite()))

@@ -16,7 +16,7 @@ pub struct RubberCaseFit {
 }
 
 /// A fit, and what it leaves.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct RubberFitResult {
     pub case: usize,
     pub fit: usize,
@@ -31,7 +31,7 @@ pub struct RubberFitResult {
 }
 
 /// What is left of some nominal stresses: measured less computed.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct RubberGroup {
     /// Which: a mode, or a branch of a test over time.
     pub of: String,
