@@ -16,7 +16,7 @@ use mckibben::answer::{Options, check_range};
 use mckibben::cancel;
 use mckibben::model::Workspace;
 use mckibben::progress::{Progress, Silent};
-use mckibben_build::{BuildError, BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, Wishes};
+use mckibben_build::{BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, Wishes};
 use mckibben_report::Document;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -200,12 +200,8 @@ fn planned(request: &BuildRequest) -> Result<(Plan, Burst), Problem> {
     let pressure_mpa = above_zero("pressure_mpa", request.pressure_mpa)?;
     let (operating, burst) = operating(request, &muscle, pressure_mpa)?;
     let plan = Plan::new(muscle, operating, &wishes).map_err(|error| {
-        let field = match error {
-            BuildError::Insertion { .. } => "insertion_mm",
-            BuildError::Bolt { .. } => "bolt_mm",
-            BuildError::Sleeve { .. } => "sleeve_diameter_mm",
-        };
-        Problem::new(ProblemKind::OutOfRange, error.to_string(), "").in_field(field)
+        let field = error.fields.first().copied().unwrap_or_default();
+        Problem::new(ProblemKind::OutOfRange, error.message, "").in_field(field)
     })?;
     Ok((plan, burst))
 }

@@ -458,7 +458,7 @@ impl From<IdentifyError> for Problem {
                 let hint = "check the signs and units of the columns, the diameter, wall and angle of the muscle, and the zero of its contraction";
                 (ProblemKind::NotConverged, hint)
             }
-            IdentifyError::TooFew { .. } | IdentifyError::ErrorsOfSome { .. } => (ProblemKind::Data, ""),
+            IdentifyError::Data(_) => (ProblemKind::Data, ""),
             _ => (ProblemKind::Parameter, ""),
         };
         Self::new(kind, message, hint)

@@ -8,6 +8,7 @@ use crate::problem::{Problem, ProblemKind};
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Muscle, Rubber};
 use mckibben::progress::Progress;
+use mckibben::rubber::over_time::OgdenRoxburgh;
 use mckibben::size;
 use mckibben_fit::rubber::{
     FitSettings, FittedLaw, Form, LawQuality, Measure, Mode, Parameter, ReadOptions, TensionFitError,
@@ -174,7 +175,7 @@ impl RubberFitAnswer {
             name: request.name.clone().or_else(stem),
             // 1 + strain has digits that nobody measured.
             fitted_to_stretch: Some((self.fitted_to_stretch * 1e4).round() / 1e4),
-            softening: softening.map(SofteningFit::softening),
+            softening: softening.map(|s| OgdenRoxburgh { r: s.r, m_mpa: s.m_mpa, beta: s.beta }),
             prony: relaxation.map(PronyFit::prony),
             ..Rubber::of(over_time.unwrap_or(&taken.law).clone())
         };

@@ -112,7 +112,8 @@ pub fn sweep(request: &SweepRequest, progress: &dyn Progress) -> Result<SweepAns
     let rows: Vec<SweepRow> = threads::map(&numbers, one).into_iter().flatten().collect();
     progress.check()?;
     let sweep = Sweep { rows };
-    let ((required_answered, required), (others_answered, others)) = (sweep.required(), sweep.others());
+    let ((required_answered, required), (others_answered, others)) =
+        (sweep.answered(true), sweep.answered(false));
     let unanswered = sweep.rows.iter().filter(|r| r.required).filter_map(|r| r.answer.as_ref().err());
     Ok(SweepAnswer {
         muscles: sweep.rows.len(),

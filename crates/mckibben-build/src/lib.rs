@@ -1,4 +1,4 @@
-//! From a muscle to what a workshop needs: a drawing (SVG, PDF), two plugs (STL, OpenSCAD), a cut list, a bill of materials, steps with the
+//! From a muscle to what a workshop needs: a drawing (SVG, PDF), two plugs (STL), a cut list, a bill of materials, steps with the
 //! numbers of this muscle, and a sheet for its first test, which `identify` reads back.
 //!
 //! [`Plan::new`] makes all numbers from the muscle and from what a model found of it ([`Operating`]); [`files`] writes them down. What practice
@@ -21,7 +21,6 @@ mod plan;
 mod plug;
 mod plug_drawing;
 mod safety;
-mod scad;
 mod steps;
 mod test_points;
 mod test_sheet;
@@ -37,7 +36,7 @@ const MARK: &str = "mckibben build";
 pub use material::BuildPart;
 pub use mesh::Mesh;
 pub use operating::Operating;
-pub use plan::{BuildError, Plan, Wishes};
+pub use plan::{Plan, Wishes};
 pub use plug::{AirPlug, EyePlug, Stem};
 pub use safety::Safety;
 pub use test_points::TestPoint;
@@ -63,9 +62,7 @@ pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
         #[cfg(feature = "pdf")]
         bytes("plugs.pdf", "the same for printing, A4", plugs.to_pdf()?),
         bytes("air-plug.stl", "plug with the air passage, for the printer", air.to_stl(MARK)),
-        text("air-plug.scad", "the same in OpenSCAD, with its measures as variables", scad::air_plug(plan)),
         bytes("eye-plug.stl", "closed plug with the eye, for the printer", eye.to_stl(MARK)),
-        text("eye-plug.scad", "the same in OpenSCAD, with its measures as variables", scad::eye_plug(plan)),
         text("test.csv", "sheet for the first test; `identify` reads it", test_sheet::csv(plan)),
         text("muscle.toml", "the muscle itself", mckibben::muscle::file::to_toml(&plan.muscle)),
     ];

@@ -74,15 +74,6 @@ pub(crate) fn bill(
         price: tube.and_then(|t| t.price.clone()),
         source: tube.map(|t| t.source.clone()),
     };
-    let plug = |number, part: &str, volume_mm3: f64| BuildPart {
-        number,
-        part: part.into(),
-        amount: "1, printed solid".into(),
-        sold_as: None,
-        mass_g: Some(PRINTED_G_PER_MM3 * volume_mm3),
-        price: None,
-        source: None,
-    };
     let clamped_by = match clamps {
         Clamps::Ties { width_mm, .. } => format!("cable tie, {} mm wide", mm(width_mm)),
         Clamps::Crimped => "crimped ferrule or hose clamp".into(),
@@ -95,6 +86,10 @@ pub(crate) fn bill(
         mass_g: None,
         price: None,
         source: None,
+    };
+    let plug = |number, part: &str, volume_mm3: f64| BuildPart {
+        mass_g: Some(PRINTED_G_PER_MM3 * volume_mm3),
+        ..bought(number, part.into(), "1, printed solid")
     };
     let fitting = match air_plug.fitting {
         Fitting::Barb { bore_mm } => format!("hose with a bore of {} mm, and a clamp for it", mm(bore_mm)),

@@ -10,8 +10,8 @@ use crate::safety::Safety;
 use crate::test_points::{self, TestPoint};
 use mckibben::analysis::burst::ends::clamp_load_n;
 use mckibben::muscle::Muscle;
+use mckibben::refused::Refused;
 use std::f64::consts::PI;
-use thiserror::Error;
 
 /// What the builder may choose.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -22,37 +22,6 @@ pub struct Wishes {
     pub bolt_mm: Option<f64>,
     /// Diameter in mm of the sleeve as it comes off the roll.
     pub sleeve_diameter_mm: Option<f64>,
-}
-
-/// What cannot be built.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum BuildError {
-    /// There is nothing to clamp.
-    #[error(
-        "a length of {length_mm} mm on each plug holds no clamp; state `insertion_mm` of at least {least_mm} mm ([terminals] of the muscle file)"
-    )]
-    Insertion {
-        /// Length on a plug in mm.
-        length_mm: f64,
-        /// Least length in mm.
-        least_mm: f64,
-    },
-    /// A bolt that no eye can have.
-    #[error("a bolt of {bolt_mm} mm does not fit; give a diameter from 2 to 64 mm")]
-    Bolt {
-        /// Diameter in mm.
-        bolt_mm: f64,
-    },
-    /// No diameter of a sleeve.
-    #[error(
-        "a sleeve of {diameter_mm} mm cannot be pulled over this tube: its strands allow diameters up to {most_mm:.1} mm"
-    )]
-    Sleeve {
-        /// Relaxed diameter in mm.
-        diameter_mm: f64,
-        /// Largest diameter in mm.
-        most_mm: f64,
-    },
 }
 
 /// All numbers of a build.
@@ -89,19 +58,27 @@ impl Plan {
     /// Least length in mm on a plug.
     const LEAST_INSERTION_MM: f64 = 3.0;
 
-    pub fn new(muscle: Muscle, operating: Operating, wishes: &Wishes) -> Result<Self, BuildError> {
+    pub fn new(muscle: Muscle, operating: Operating, wishes: &Wishes) -> Result<Self, Refused> {
         let (length_mm, least_mm) = (muscle.terminals().insertion_mm(), Self::LEAST_INSERTION_MM);
         if length_mm < least_mm {
-            return Err(BuildError::Insertion { length_mm, least_mm });
+            let message = format!(
+                "a length of {length_mm} mm on each plug holds no clamp; state `insertion_mm` of at least {least_mm} mm ([terminals] of the muscle file)"
+            );
+            return Err(Refused { fields: vec!["insertion_mm"], message });
         }
         if let Some(bolt_mm) = wishes.bolt_mm.filter(|b| !(2.0..=64.0).contains(b)) {
-            return Err(BuildError::Bolt { bolt_mm });
+            let message = format!("a bolt of {bolt_mm} mm does not fit; give a diameter from 2 to 64 mm");
+            return Err(Refused { fields: vec!["bolt_mm"], message });
         }
         let cut = Cut::of(&muscle, wishes.sleeve_diameter_mm);
         if let Some(diameter_mm) =
             wishes.sleeve_diameter_mm.filter(|_| cut.sleeve.relaxed_diameter_mm != wishes.sleeve_diameter_mm)
         {
-            return Err(BuildError::Sleeve { diameter_mm, most_mm: muscle.strand_length_per_turn_mm() / PI });
+            let message = format!(
+                "a sleeve of {diameter_mm} mm cannot be pulled over this tube: its strands allow diameters up to {:.1} mm",
+                muscle.strand_length_per_turn_mm() / PI
+            );
+            return Err(Refused { fields: vec!["sleeve_diameter_mm"], message });
         }
         let strand_mm = cut.sleeve.strand_area_mm2.map(|area| (4.0 * area / PI).sqrt());
         let sleeve_mm = if muscle.braid().thickness_mm > 0.0 {

@@ -114,10 +114,9 @@ fn plugs(plan: &Plan, out: &mut String) {
     let _ = writeln!(
         out,
         "\n## 1. Plugs\n\n\
-         1. Print `air-plug.stl` and `eye-plug.stl` solid (100 % infill, at least 4 walls): the air plug with its fitting on the bed, the eye plug with a support below its eye. The \
-         files `.scad` have all measures as variables at the top.\n\
+         1. Print `air-plug.stl` and `eye-plug.stl` solid (100 % infill, at least 4 walls): the air plug with its fitting on the bed, the eye plug with a support below its eye.\n\
          2. The stem has {} mm: the bore of the tube and {} mm. How tight it sits is a choice; sellers of barbs say only that a barb is a little larger than the bore. \
-         Change `interference` if the tube does not go on or slides off.\n\
+         If the tube does not go on or slides off, scale the plug in the printer's program, across its axis.\n\
          3. Smooth the stem. A printed surface leaks along its layers: coat it with epoxy resin or thin cyanoacrylate.",
         mm(stem.diameter_mm),
         mm(stem.interference_mm)

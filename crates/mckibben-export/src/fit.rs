@@ -227,12 +227,7 @@ fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<(), ExportErro
     for _ in 0..ROUNDS {
         let matrix = DMatrix::from_fn(rows.len(), used.len(), |r, c| rows[r].2 * rows[r].0[used[c]]);
         let values = DVector::from_iterator(rows.len(), rows.iter().map(|r| r.2 * r.1));
-        let qr = matrix.qr();
-        let solved = qr
-            .r()
-            .solve_upper_triangular(&(qr.q().transpose() * values))
-            .filter(|s| s.iter().all(|v| v.is_finite()))
-            .ok_or(ExportError::Points { points })?;
+        let solved = least_squares(matrix, &values).ok_or(ExportError::Points { points })?;
         let mut all = vec![0.0; FUNCTIONS * spline.len()];
         for (index, value) in used.iter().zip(solved.iter()) {
             all[*index] = *value;
@@ -263,6 +258,13 @@ fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<(), ExportErro
         }
     }
     Ok(())
+}
+
+/// The solution with the least squares by Householder's QR; `None` where it is not finite.
+pub(crate) fn least_squares(matrix: DMatrix<f64>, values: &DVector<f64>) -> Option<DVector<f64>> {
+    let qr = matrix.qr();
+    let solved = qr.r().solve_upper_triangular(&(qr.q().transpose() * values));
+    solved.filter(|s| s.iter().all(|v| v.is_finite()))
 }
 
 /// The contraction at which the model stops pulling, at 41 pressures: between its samples in proportion.
@@ -309,12 +311,7 @@ fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<(), ExportErro
     let scale = known.iter().map(|k| k.1.abs()).fold(0.0, f64::max);
     let matrix = DMatrix::from_fn(known.len(), FUNCTIONS, |r, c| functions(known[r].0).0[c]);
     let values = DVector::from_iterator(known.len(), known.iter().map(|k| k.1 / scale));
-    let qr = matrix.qr();
-    let solved = qr
-        .r()
-        .solve_upper_triangular(&(qr.q().transpose() * values))
-        .filter(|s| s.iter().all(|v| v.is_finite()))
-        .ok_or(ExportError::Points { points: known.len() })?;
+    let solved = least_squares(matrix, &values).ok_or(ExportError::Points { points: known.len() })?;
     form.v = std::array::from_fn(|i| solved[i] * scale);
     Ok(())
 }

@@ -103,11 +103,6 @@ fn sum(c: &[f64; FUNCTIONS], of: &[f64; FUNCTIONS]) -> f64 {
 }
 
 impl Form {
-    /// ε of a length in m.
-    pub fn contraction_of(&self, length_m: f64) -> f64 {
-        1.0 - length_m / self.length_m
-    }
-
     fn coefficients(&self, contraction: f64) -> Coefficients {
         let nodes = &self.contractions;
         let inside = contraction.max(self.contraction_low).min(self.contraction_high);

@@ -249,12 +249,13 @@ fn place_one<'a>(
         legend::rows(&entries, metrics, axes.plot.x, cell.bottom() - below + 4.0, axes.plot.w)
     });
     if axes.plot.w < 8.0 * PER_MM || axes.plot.h < 8.0 * PER_MM {
-        return Err(FigureError::PanelTooSmall {
-            title: asked.title.to_owned(),
-            panel: index + 1,
-            width_mm: axes.plot.w / PER_MM,
-            height_mm: axes.plot.h / PER_MM,
-        });
+        return Err(FigureError::Drawing(format!(
+            "panel {} of the figure \"{}\" would be only {:.0} mm × {:.0} mm; make the figure larger or use fewer columns",
+            index + 1,
+            asked.title,
+            axes.plot.w / PER_MM,
+            axes.plot.h / PER_MM
+        )));
     }
     let mut labels = labels::of_marks(&panel.marks, &axes.frame(), metrics, &mut room);
     let ended = panel.series.iter().enumerate().filter(|(_, s)| !s.end_label.trim().is_empty());

@@ -22,7 +22,7 @@ impl Metrics {
     /// Reads the embedded font.
     pub fn new() -> Result<Self, FigureError> {
         let font = Face::parse(dejavu::sans::regular(), 0)
-            .map_err(|error| FigureError::Font { reason: error.to_string() })?;
+            .map_err(|error| FigureError::Drawing(format!("the embedded font cannot be read: {error}")))?;
         Ok(Self { font })
     }
 

@@ -51,10 +51,20 @@ pub(crate) fn grid(figure: &Figure) -> (usize, usize) {
     (columns, count.div_ceil(columns))
 }
 
+/// Each side of the paper is 20 to 2000 mm.
+pub(crate) fn check_paper(width_mm: f64, height_mm: f64) -> Result<(), FigureError> {
+    if [width_mm, height_mm].iter().all(|side| (20.0..=2000.0).contains(side)) {
+        return Ok(());
+    }
+    let paper = format!("{width_mm} mm × {height_mm} mm");
+    Err(FigureError::Drawing(format!("a figure of {paper} cannot be drawn (20 to 2000 mm a side)")))
+}
+
 /// Lays a figure out.
 pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>, FigureError> {
     if figure.panels.is_empty() {
-        return Err(FigureError::NoPanels { title: figure.title.clone() });
+        let message = format!("the figure \"{}\" has no panel to draw", figure.title);
+        return Err(FigureError::Drawing(message));
     }
     let (columns, rows) = grid(figure);
     let single = figure.panels.len() == 1;
@@ -75,9 +85,7 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
     } else {
         height_mm
     };
-    if ![width_mm, height_mm].iter().all(|side| (20.0..=2000.0).contains(side)) {
-        return Err(FigureError::PaperSize { width_mm, height_mm });
-    }
+    check_paper(width_mm, height_mm)?;
     let mut height = height_mm * PER_MM;
     let mut bottom = height - 9.0 - caption_room;
     let common =

@@ -6,12 +6,13 @@ use resvg::usvg::roxmltree::{Document, Node};
 
 use crate::FigureError;
 use crate::font::Metrics;
+use crate::png::raster;
 
 /// A drawing of [`crate::Figure::to_svg`] or [`crate::Sheet::to_svg`] with each `text` element replaced by a `path`: the outlines of its
 /// characters in the embedded font. The n-th one, from 0, has the id `text-n`.
 pub fn texts_as_outlines(svg: &str) -> Result<String, FigureError> {
     let metrics = Metrics::new()?;
-    let document = Document::parse(svg).map_err(|e| FigureError::Raster { reason: e.to_string() })?;
+    let document = Document::parse(svg).map_err(raster)?;
     let texts =
         document.descendants().filter(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "text")));
     let (mut out, mut copied) = (String::with_capacity(2 * svg.len()), 0);
@@ -28,7 +29,7 @@ pub fn texts_as_outlines(svg: &str) -> Result<String, FigureError> {
 fn path(out: &mut String, number: usize, text: Node<'_, '_>, metrics: &Metrics) -> Result<(), FigureError> {
     let of = |name: &str| {
         let value = text.attribute(name).and_then(|v| v.parse::<f64>().ok());
-        value.ok_or_else(|| FigureError::Raster { reason: format!("a text has no {name}") })
+        value.ok_or_else(|| raster(format!("a text has no {name}")))
     };
     let (x, y, size) = (of("x")?, of("y")?, of("font-size")?);
     let words = text.text().unwrap_or_default();

@@ -8,6 +8,7 @@ use flate2::write::ZlibEncoder;
 use resvg::tiny_skia::{PathSegment, Point};
 use resvg::usvg::{self, Fill, FillRule, Group, LineCap, LineJoin, Node, Paint, Stroke, Transform};
 
+use crate::png::raster;
 use crate::{Figure, FigureError, texts_as_outlines};
 
 /// Points (1/72 in) for each pixel of CSS (1/96 in).
@@ -22,9 +23,7 @@ impl Figure {
 
 /// A drawing as a PDF page of its size.
 pub(crate) fn render(svg: &str, title: &str) -> Result<Vec<u8>, FigureError> {
-    let unread = |reason: String| FigureError::Raster { reason };
-    let tree = usvg::Tree::from_str(&texts_as_outlines(svg)?, &usvg::Options::default())
-        .map_err(|e| unread(e.to_string()))?;
+    let tree = usvg::Tree::from_str(&texts_as_outlines(svg)?, &usvg::Options::default()).map_err(raster)?;
     let (width, height) = (tree.size().width() * POINTS, tree.size().height() * POINTS);
     // From pixels below the upper edge to points above the lower one.
     let mut page =
@@ -32,7 +31,7 @@ pub(crate) fn render(svg: &str, title: &str) -> Result<Vec<u8>, FigureError> {
     page.group(tree.root())?;
     let mut stream = ZlibEncoder::new(vec![], Compression::default());
     let content = stream.write_all(page.content.as_bytes()).and_then(|()| stream.finish());
-    let content = content.map_err(|e| unread(e.to_string()))?;
+    let content = content.map_err(raster)?;
     let states = page.opacities.iter().enumerate();
     let states = states
         .map(|(i, (fill, stroke))| format!("/G{i} << /ca {} /CA {} >> ", number(*fill), number(*stroke)));
@@ -92,8 +91,7 @@ impl Page {
                 Node::Path(path) if path.is_visible() => self.path(path)?,
                 Node::Path(_) => {}
                 Node::Group(_) | Node::Image(_) | Node::Text(_) => {
-                    let reason = "it has pictures, texts or layers inside".to_owned();
-                    return Err(FigureError::Raster { reason });
+                    return Err(raster("it has pictures, texts or layers inside"));
                 }
             }
         }
@@ -209,7 +207,7 @@ impl Page {
 fn colour(paint: &Paint) -> Result<[f32; 3], FigureError> {
     match paint {
         Paint::Color(c) => Ok([c.red, c.green, c.blue].map(|part| f32::from(part) / 255.0)),
-        _ => Err(FigureError::Raster { reason: "it has gradients or patterns".to_owned() }),
+        _ => Err(raster("it has gradients or patterns")),
     }
 }
 

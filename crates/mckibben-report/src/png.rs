@@ -15,14 +15,13 @@ impl Figure {
     }
 }
 
-fn raster(reason: String) -> FigureError {
-    FigureError::Raster { reason }
+pub(crate) fn raster(reason: impl std::fmt::Display) -> FigureError {
+    FigureError::Drawing(format!("the figure cannot be turned into an image: {reason}"))
 }
 
 /// Pixels of a drawing.
 fn drawn(svg: &str) -> Result<tiny_skia::Pixmap, FigureError> {
-    let tree = usvg::Tree::from_str(&texts_as_outlines(svg)?, &usvg::Options::default())
-        .map_err(|e| raster(e.to_string()))?;
+    let tree = usvg::Tree::from_str(&texts_as_outlines(svg)?, &usvg::Options::default()).map_err(raster)?;
     // the tree is in CSS pixels (96 to the inch); a unit of the drawing is a quarter millimetre
     let size = tree.size();
     let units = 4.0 * 25.4 / 96.0;
@@ -38,5 +37,5 @@ fn drawn(svg: &str) -> Result<tiny_skia::Pixmap, FigureError> {
 }
 
 fn encoded(pixels: &tiny_skia::Pixmap) -> Result<Vec<u8>, FigureError> {
-    pixels.encode_png().map_err(|e| raster(e.to_string()))
+    pixels.encode_png().map_err(raster)
 }

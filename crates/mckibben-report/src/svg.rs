@@ -23,8 +23,7 @@ impl Figure {
     /// The figure as SVG: self-contained, with real text, sized in millimetres.
     ///
     /// # Errors
-    /// [`FigureError::NoPanels`], [`FigureError::AxisRange`] for a range that is empty or
-    /// not finite, [`FigureError::PaperSize`] and [`FigureError::PanelTooSmall`].
+    /// [`FigureError::Drawing`] without panels, for a range that is empty or not finite, and where paper or panel is too small.
     pub fn to_svg(&self) -> Result<String, FigureError> {
         let metrics = Metrics::new()?;
         let page = layout::page(self, &metrics)?;

@@ -32,7 +32,10 @@ pub(crate) fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
 
 /// Chooses range and ticks of an axis with about `wanted` intervals.
 pub(crate) fn scale(axis: &Axis, data: Option<(f64, f64)>, wanted: usize) -> Result<Scale, FigureError> {
-    let wrong = |low, high| FigureError::AxisRange { axis: axis.label.clone(), low, high };
+    let wrong = |low: f64, high: f64| {
+        let name = &axis.label;
+        FigureError::Drawing(format!("axis \"{name}\": {low} to {high} is not a range that can be drawn"))
+    };
     if let Some((low, high)) = axis.range {
         let span = high - low;
         // the span must be finite, positive and not lost in the rounding of its ends

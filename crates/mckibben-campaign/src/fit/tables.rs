@@ -3,7 +3,7 @@
 use super::paper_method::PaperMethod;
 use super::signs::signs;
 use serde::Serialize;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 /// A table with its name; cells are numbers, texts, or empty (null).
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -50,24 +50,13 @@ pub fn tables(m: &PaperMethod) -> Vec<Table> {
         let abc = |k: usize| c.abc.map_or(Value::Null, |f| Value::from(f.coefficients[k]));
         let r2 = c.abc.map_or(Value::Null, |f| Value::from(f.r2));
         let (d, s, p) = (c.outer_diameter_mm, c.wall_mm, c.pressure_mpa);
-        vec![
-            Value::from(d),
-            Value::from(s),
-            Value::from(p),
-            abc(0),
-            abc(1),
-            abc(2),
-            r2,
-            Value::from(c.points.len()),
-            Value::from(c.rule),
-        ]
+        vec![json!(d), json!(s), json!(p), abc(0), abc(1), abc(2), r2, json!(c.points.len()), json!(c.rule)]
     });
     let lines = m.lines.iter().map(|l| {
-        let mut row =
-            vec![Value::from(l.outer_diameter_mm), Value::from(l.wall_mm), Value::from(l.pressures)];
-        row.extend(l.lines.iter().flat_map(|f| {
-            [Value::from(f.coefficients[0]), Value::from(f.coefficients[1]), Value::from(f.r2)]
-        }));
+        let mut row = vec![json!(l.outer_diameter_mm), json!(l.wall_mm), json!(l.pressures)];
+        row.extend(
+            l.lines.iter().flat_map(|f| [f.coefficients[0], f.coefficients[1], f.r2].map(Value::from)),
+        );
         row
     });
     let walls = m.walls.iter().flat_map(|w| {
@@ -81,28 +70,15 @@ pub fn tables(m: &PaperMethod) -> Vec<Table> {
     let c = &m.coefficients;
     let diameters = [&c.a, &c.b, &c.c].into_iter().enumerate().flat_map(|(f, block)| {
         block.iter().enumerate().map(move |(k, x)| {
-            vec![
-                Value::from(FAMILIES[f]),
-                Value::from(k + 1),
-                Value::from(x[0]),
-                Value::from(x[1]),
-                Value::from(x[2]),
-                Value::from(m.r2[f][k]),
-            ]
+            let numbers = [x[0], x[1], x[2], m.r2[f][k]].map(Value::from);
+            [json!(FAMILIES[f]), json!(k + 1)].into_iter().chain(numbers).collect()
         })
     });
     let signs = signs(m).into_iter().map(|s| {
         let way = if s.rises { "rises" } else { "falls" };
         let verdict = if s.holds() { "holds" } else { "does not hold" };
-        vec![
-            Value::from(s.outer_diameter_mm),
-            Value::from(s.coefficient),
-            Value::from(s.with),
-            Value::from(way),
-            Value::from(s.holding),
-            Value::from(s.pairs),
-            Value::from(verdict),
-        ]
+        let said = [json!(s.outer_diameter_mm), json!(s.coefficient), json!(s.with), json!(way)];
+        said.into_iter().chain([json!(s.holding), json!(s.pairs), json!(verdict)]).collect()
     });
     vec![
         Table {

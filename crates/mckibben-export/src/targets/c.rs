@@ -15,51 +15,52 @@ pub(super) const TARGET: Target = Target {
     make,
 };
 
-fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
-    let mut files = sources(muscle);
-    let example = include_str!("../../templates/example.c");
-    files.push(File::text(
+/// Name, what it is, and template of a file.
+type Source = (&'static str, &'static str, &'static str);
+
+const SOURCES: [Source; 3] = [
+    ("mckibben.h", "the functions", include_str!("../../templates/mckibben.h")),
+    ("mckibben.c", "their source", include_str!("../../templates/mckibben.c")),
+    ("muscle.h", "the numbers of the muscle", include_str!("../../templates/muscle.h")),
+];
+
+const EXAMPLES: [Source; 4] = [
+    (
         "example.c",
         "an example that compiles as its first line says",
-        rendered(example, muscle),
-    ));
-    files.push(File::text(
+        include_str!("../../templates/example.c"),
+    ),
+    (
         "pressure_loop.ino",
         "a sketch for Arduino: a closed loop that holds a pull",
-        rendered(include_str!("../../templates/pressure_loop.ino"), muscle),
-    ));
-    files.push(File::text(
+        include_str!("../../templates/pressure_loop.ino"),
+    ),
+    (
         "observer.c",
         "an example: length and pull from pressure and air flow by a Kalman filter",
-        rendered(include_str!("../../templates/observer.c"), muscle),
-    ));
-    files.push(File::text(
+        include_str!("../../templates/observer.c"),
+    ),
+    (
         "mckibben_branch.h",
         "the inverse on a branch of the hysteresis",
-        rendered(include_str!("../../templates/mckibben_branch.h"), muscle),
-    ));
-    Ok(Artefact { files, notes: vec![] })
+        include_str!("../../templates/mckibben_branch.h"),
+    ),
+];
+
+fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
+    Ok(Artefact { files: files(muscle, &[&SOURCES[..], &EXAMPLES].concat()), notes: vec![] })
 }
 
-/// Header, source and the numbers.
+/// The functions with the muscle's numbers.
 pub(super) fn sources(muscle: &ExportedMuscle) -> Vec<File> {
-    vec![
-        File::text(
-            "mckibben.h",
-            "the functions",
-            rendered(include_str!("../../templates/mckibben.h"), muscle),
-        ),
-        File::text(
-            "mckibben.c",
-            "their source",
-            rendered(include_str!("../../templates/mckibben.c"), muscle),
-        ),
-        File::text(
-            "muscle.h",
-            "the numbers of the muscle",
-            rendered(include_str!("../../templates/muscle.h"), muscle),
-        ),
-    ]
+    files(muscle, &SOURCES)
+}
+
+fn files(muscle: &ExportedMuscle, sources: &[Source]) -> Vec<File> {
+    sources
+        .iter()
+        .map(|(name, about, template)| File::text(name, about, rendered(template, muscle)))
+        .collect()
 }
 
 pub(super) fn rendered(template: &str, muscle: &ExportedMuscle) -> String {

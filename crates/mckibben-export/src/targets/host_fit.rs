@@ -1,6 +1,7 @@
 //! A sum of functions that a host has, fitted to the model from the length at rest to the free contraction.
 
 use crate::HostError;
+use crate::fit::least_squares;
 use crate::muscle::ExportedMuscle;
 use nalgebra::{DMatrix, DVector};
 
@@ -26,12 +27,8 @@ pub(super) fn fit<const N: usize>(
         let matrix =
             DMatrix::from_fn(pulling.len(), N, |r, c| weight[r] * row(pulling[r].0, pulling[r].1)[c]);
         let values = DVector::from_iterator(pulling.len(), pulling.iter().zip(&weight).map(|(p, w)| w * p.2));
-        let qr = matrix.qr();
-        let found = qr.r().solve_upper_triangular(&(qr.q().transpose() * values))?;
+        let found = least_squares(matrix, &values)?;
         let k: [f64; N] = std::array::from_fn(|i| found[i]);
-        if k.iter().any(|v| !v.is_finite()) {
-            return None;
-        }
         let at = |q: f64, x: f64| row(q, x).iter().zip(&k).map(|(a, b)| a * b).sum::<f64>();
         let errors: Vec<f64> = if slack {
             let all = muscle.held_out.iter().filter(|p| p.contraction >= 0.0);

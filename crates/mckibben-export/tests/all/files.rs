@@ -143,7 +143,7 @@ fn compare_with_c(flags: &[&str], tolerance: f64) {
     assert_eq!(rows.len(), points().len());
     let mut largest = [0.0_f64; 5];
     for (row, (p, l)) in rows.iter().zip(points()) {
-        let e = form.contraction_of(l);
+        let e = 1.0 - l / form.length_m;
         let point = form.at(p, e);
         // Derivatives jump where the muscle becomes slack: single precision may lie on the other side.
         if tolerance > 1e-6 && form.two_sided_n(p, e).0.abs() < 1e-3 * full.force_n {
@@ -259,7 +259,7 @@ fn python_with_numpy_is_the_form_to_1e_12() {
     let full = form.at(form.supply_pa, 0.0);
     for (line, (p, l)) in text.lines().zip(points()) {
         let row: Vec<f64> = line.split(' ').map(|v| v.parse().unwrap()).collect();
-        let point = form.at(p, form.contraction_of(l));
+        let point = form.at(p, 1.0 - l / form.length_m);
         assert!((row[0] - point.force_n).abs() < 1e-12 * full.force_n, "{line} {point:?}");
         assert!(
             (row[1] - point.stiffness_n_per_m).abs() < 1e-12 * full.stiffness_n_per_m,

@@ -5,7 +5,6 @@ use crate::FemError;
 use crate::simulation::Discretised;
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
-use mckibben::progress::Progress;
 use mckibben::random::Random;
 use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
 
@@ -27,12 +26,8 @@ pub struct SweepRow {
     pub case: SweepCase,
     /// Whether the infinitely long muscle pulls with a strand strain under 5 %: then there must be an answer.
     pub required: bool,
-    /// Pull of the infinitely long muscle in N, where it has one.
-    pub endless_n: Option<f64>,
     /// The pull in N, or why there is none.
     pub answer: Result<f64, String>,
-    /// Whether the equilibrium is stable with the terminals held.
-    pub stable: bool,
     /// Factorisations spent.
     pub factorisations: usize,
     /// Seconds spent.
@@ -47,15 +42,9 @@ pub struct Sweep {
 }
 
 impl Sweep {
-    /// (answered, asked) of the questions that must have an answer.
-    pub fn required(&self) -> (usize, usize) {
-        let asked = self.rows.iter().filter(|r| r.required);
-        (asked.clone().filter(|r| r.answer.is_ok()).count(), asked.count())
-    }
-
-    /// (answered, asked) of all other questions.
-    pub fn others(&self) -> (usize, usize) {
-        let asked = self.rows.iter().filter(|r| !r.required);
+    /// (answered, asked) of the questions that must have an answer, or of all others.
+    pub fn answered(&self, required: bool) -> (usize, usize) {
+        let asked = self.rows.iter().filter(|r| r.required == required);
         (asked.clone().filter(|r| r.answer.is_ok()).count(), asked.count())
     }
 
@@ -123,24 +112,9 @@ pub fn case(seed: u64, index: usize) -> Option<SweepCase> {
     Some(SweepCase { muscle, pressure_mpa, contraction })
 }
 
-/// Asks one random question of each of `n` random muscles: log-uniform D0 5–80 mm, s/D0 0.02–0.20, L0/D0 3–25,
+/// Asks random muscle number `index` of a seed one random question: log-uniform D0 5–80 mm, s/D0 0.02–0.20, L0/D0 3–25,
 /// θ0 15–45°, shear modulus 0.05–1.5 MPa, each law, braid stiffness 5–100·D0 N/mm or inextensible, pressure up to 0.8 MPa,
 /// contraction up to 95 % of the ideal maximum.
-///
-/// # Errors
-/// [`FemError::Cancelled`] where the caller wanted it to end.
-pub fn sweep(n: usize, seed: u64, progress: &dyn Progress) -> Result<Sweep, FemError> {
-    let mut rows = Vec::with_capacity(n);
-    for i in 0..n {
-        progress.report(i, n);
-        progress.check()?;
-        rows.extend(question(seed, i));
-    }
-    progress.report(n, n);
-    Ok(Sweep { rows })
-}
-
-/// Question number `index` of a sweep, asked: for callers that spread a sweep over threads.
 pub fn question(seed: u64, index: usize) -> Option<SweepRow> {
     case(seed, index).map(ask)
 }
@@ -164,18 +138,10 @@ fn ask(case: SweepCase) -> SweepRow {
         let workspace = &mut Workspace::new();
         let c = model.continuation(workspace)?;
         let answer = c.reach(case.pressure_mpa, case.contraction).map(|()| c.pull());
-        Ok((answer, c.stable(), c.effort.factorisations))
+        Ok((answer, c.effort.factorisations))
     };
-    let (answer, stable, factorisations) = asked().unwrap_or_else(|e: FemError| (Err(e), false, 0));
+    let (answer, factorisations) = asked().unwrap_or_else(|e: FemError| (Err(e), 0));
     let answer = answer.map_err(|e| e.to_string());
     let seconds = start.elapsed().as_secs_f64();
-    SweepRow {
-        required,
-        endless_n: endless.map(|r| r.force_n),
-        answer,
-        stable,
-        factorisations,
-        seconds,
-        case,
-    }
+    SweepRow { required, answer, factorisations, seconds, case }
 }

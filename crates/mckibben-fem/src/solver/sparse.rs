@@ -80,13 +80,6 @@ impl SparseCholesky {
         Ok(Self { analysis, factor, numeric, width, memory: vec![], form: None, negative: 0 })
     }
 
-    /// Floating-point operations of one factorisation: Σ over the columns of (entries of the column)².
-    pub fn operations(&self) -> f64 {
-        let s = &self.analysis.symbolic;
-        let column = |i: usize| (0..s.columns(i).len()).map(move |c| ((s.height(i) - c) as f64).powi(2));
-        (0..s.count()).flat_map(column).sum()
-    }
-
     /// Factorises the lower half of a matrix with the pattern.
     ///
     /// # Errors

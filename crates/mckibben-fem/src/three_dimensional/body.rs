@@ -37,8 +37,6 @@ pub struct Body {
     pub totals: Totals,
     /// Tolerance of conjugate gradients inside of Newton's method.
     pub tolerance: f64,
-    /// Back-substitutions so far.
-    pub substitutions: usize,
     cholesky: SparseCholesky,
     step: State,
 }
@@ -70,16 +68,10 @@ impl Body {
             control: Control::Length(0.0),
             totals: Totals::default(),
             tolerance: LOOSE,
-            substitutions: 0,
             cholesky,
             state,
             discretisation,
         })
-    }
-
-    /// The factorised tangent.
-    pub fn cholesky(&self) -> &SparseCholesky {
-        &self.cholesky
     }
 
     /// Residual of the present state, without a tangent.
@@ -153,7 +145,7 @@ impl Body {
             out.u[i as usize] = dw;
         }
         let constraints = Constraints { d, assembled: &self.assembled };
-        self.substitutions += constraints.solve(&mut self.cholesky, &mut b, &mut out.u, &mut dm, tolerance);
+        constraints.solve(&mut self.cholesky, &mut b, &mut out.u, &mut dm, tolerance);
         gather(d, &out.u, &mut b);
         let (column, _) = self.terminal_column();
         let mut change = own * dw + dot(column, &b);

@@ -88,8 +88,7 @@ impl Constraints<'_> {
     }
 
     /// Solves; `b` holds b + Σ (γ/V) G d of the unknowns, `du` the displacements that are given (the terminal's), and
-    /// takes the solution; `dm` holds d and takes the multipliers. Gives the number of back-substitutions. Where the work is cancelled
-    /// what is there is no solution.
+    /// takes the solution; `dm` holds d and takes the multipliers. Where the work is cancelled what is there is no solution.
     pub fn solve(
         &self,
         cholesky: &mut SparseCholesky,
@@ -97,10 +96,9 @@ impl Constraints<'_> {
         du: &mut [f64],
         dm: &mut [f64],
         tolerance: f64,
-    ) -> usize {
+    ) {
         let d = self.d;
         cholesky.solve(b);
-        let mut count = 1;
         spread(d, b, du);
         let wanted = dm.to_vec();
         let mut r = vec![0.0; dm.len()];
@@ -114,7 +112,7 @@ impl Constraints<'_> {
         dm.fill(0.0);
         if self.iterated() {
             let mut r = left(du);
-            count += self.conjugate_gradients(cholesky, &shares, du, &mut r, dm, tolerance);
+            self.conjugate_gradients(cholesky, &shares, du, &mut r, dm, tolerance);
         }
         // Those that were condensed follow.
         let r = left(du);
@@ -123,7 +121,6 @@ impl Constraints<'_> {
                 dm[m] = augment / volume * r[m];
             }
         });
-        count
     }
 
     /// Right-hand side in `r`; corrects `du` as well. The matrix is symmetric in the inner product Σ β x y, in which
@@ -136,7 +133,7 @@ impl Constraints<'_> {
         r: &mut [f64],
         x: &mut [f64],
         tolerance: f64,
-    ) -> usize {
+    ) {
         let d = self.d;
         let n = r.len();
         let inner =
@@ -151,10 +148,10 @@ impl Constraints<'_> {
         p.copy_from_slice(&z);
         let mut rz = inner(r, &z);
         let first = rz;
-        for iteration in 0..ITERATIONS {
+        for _ in 0..ITERATIONS {
             let close = rz <= tolerance * tolerance * first || first == 0.0;
             if rz.is_nan() || close || cancel::check().is_err() {
-                return iteration;
+                return;
             }
             // w = K⁻¹ β Gᵀ p, s = V/k p + G w
             full.fill(0.0);
@@ -167,7 +164,7 @@ impl Constraints<'_> {
             self.each(|m, _, _, volume, compliance, _| s[m] += volume * compliance * p[m]);
             let curvature = inner(&p, &s);
             if curvature.is_nan() || curvature <= 0.0 {
-                return iteration + 1;
+                return;
             }
             let alpha = rz / curvature;
             for i in 0..n {
@@ -185,7 +182,6 @@ impl Constraints<'_> {
                 *p = z + beta * *p;
             }
         }
-        ITERATIONS
     }
 }
 

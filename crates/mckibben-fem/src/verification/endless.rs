@@ -62,17 +62,16 @@ pub fn endless_braid() -> Vec<VerificationRow> {
             let contact = 2.0 * q * angle.to_radians().sin().powi(2) / (outer * stretch);
             (w.totals.pull, contact, radius(w, 0, 0), radius(w, 2 * THROUGH, 0))
         });
-        let name = |what: &str| format!("infinitely long muscle, λz {stretch}: {what}");
-        rows.push(VerificationRow::new(name("F (N)"), SOURCE, force, found.map(|f| f.0), 1e-7));
-        rows.push(VerificationRow::new(
-            name("contact pressure (MPa)"),
-            SOURCE,
-            contact,
-            found.map(|f| f.1),
-            1e-7,
-        ));
-        rows.push(VerificationRow::new(name("a (mm)"), SOURCE, a, found.map(|f| f.2), 1e-7));
-        rows.push(VerificationRow::new(name("b (mm)"), SOURCE, b, found.map(|f| f.3), 1e-7));
+        let row = |what: &str, reference, ours| {
+            let name = format!("infinitely long muscle, λz {stretch}: {what}");
+            VerificationRow::new(name, SOURCE, reference, ours, 1e-7)
+        };
+        rows.extend([
+            row("F (N)", force, found.map(|f| f.0)),
+            row("contact pressure (MPa)", contact, found.map(|f| f.1)),
+            row("a (mm)", a, found.map(|f| f.2)),
+            row("b (mm)", b, found.map(|f| f.3)),
+        ]);
     }
     for (k, e) in [(200.0, 0.0), (200.0, 0.1), (200.0, 0.2), (1e5, 0.1)] {
         let exact = muscle(200.0, BraidStiffness::NewtonPerMm(k))
@@ -84,13 +83,8 @@ pub fn endless_braid() -> Vec<VerificationRow> {
             w.walk(pressure, terminal, 1.0).ok()?;
             Some(w.body.totals.pull)
         });
-        rows.push(VerificationRow::new(
-            format!("infinitely long muscle, k {k} N/mm, ε {e}: F (N)"),
-            STRANDS,
-            exact,
-            ours,
-            1e-7,
-        ));
+        let name = format!("infinitely long muscle, k {k} N/mm, ε {e}: F (N)");
+        rows.push(VerificationRow::new(name, STRANDS, exact, ours, 1e-7));
     }
     rows.push(slack());
     rows

@@ -52,6 +52,9 @@ fn cauchy(law: &Law, f: Gradient) -> [f64; 4] {
 /// The rows of A.
 pub fn homogeneous() -> Vec<VerificationRow> {
     let mut rows = Vec::new();
+    let row = |name: String, reference, ours, tolerance| {
+        VerificationRow::new(name, SOURCE, reference, ours, tolerance)
+    };
     let section = PI * 3.0;
     for (name, stretch, nominal, factor) in [
         ("uniaxial tension, λ = 2, distorted patch", 2.0, 0.385, 1.0),
@@ -61,32 +64,14 @@ pub fn homogeneous() -> Vec<VerificationRow> {
         let mut path = body(distorted(), None, Ends::Sliding).ok();
         let solved = path.as_mut().and_then(|w| at(w, 0.0, stretch));
         let stress = solved.as_ref().map(|b| factor * b.totals.pull / section);
-        rows.push(VerificationRow::new(
-            format!("{name}: nominal stress (MPa)"),
-            SOURCE,
-            nominal,
-            stress,
-            1e-11,
-        ));
+        rows.push(row(format!("{name}: nominal stress (MPa)"), nominal, stress, 1e-11));
         let off = solved.map(|b| distance(b, stretch));
-        rows.push(VerificationRow::new(
-            format!("{name}: distance from the linear field (mm)"),
-            SOURCE,
-            0.0,
-            off,
-            1e-11,
-        ));
+        rows.push(row(format!("{name}: distance from the linear field (mm)"), 0.0, off, 1e-11));
     }
     let rest = Gradient { a: 1.0, b: 0.0, c: 0.0, d: 1.0, t: 1.0 };
     let planar = cauchy(&rubber(), Gradient { a: 2.0, d: 0.5, ..rest });
     let nominal = Some((planar[0] - planar[1]) / 2.0);
-    rows.push(VerificationRow::new(
-        "planar tension, λ = 2: nominal stress (MPa)".into(),
-        SOURCE,
-        0.45,
-        nominal,
-        1e-12,
-    ));
+    rows.push(row("planar tension, λ = 2: nominal stress (MPa)".into(), 0.45, nominal, 1e-12));
     let g = 0.7;
     let shear = cauchy(&rubber(), Gradient { b: g, ..rest });
     for (name, reference, ours) in [
@@ -94,13 +79,7 @@ pub fn homogeneous() -> Vec<VerificationRow> {
         ("σ11 − σ33 (MPa)", 0.2 * g * g, shear[0] - shear[2]),
         ("σ22 − σ33 (MPa)", -0.04 * g * g, shear[1] - shear[2]),
     ] {
-        rows.push(VerificationRow::new(
-            format!("simple shear, γ = 0.7: {name}"),
-            SOURCE,
-            reference,
-            Some(ours),
-            1e-12,
-        ));
+        rows.push(row(format!("simple shear, γ = 0.7: {name}"), reference, Some(ours), 1e-12));
     }
     rows
 }

@@ -79,13 +79,8 @@ pub fn strand_lay() -> Vec<VerificationRow> {
     let blocked =
         |thickness: f64| Some(solved(slice(1e-8, lay(OUTER, thickness), None, None)?, 0.3, 1.0)?.totals.pull);
     let gain = (|| Some(100.0 * (blocked(0.3)? / blocked(0.0)? - 1.0)))();
-    rows.push(VerificationRow::new(
-        "blocked force that 0.3 mm of braid add (%)".into(),
-        THICK,
-        2.3,
-        gain,
-        0.01,
-    ));
+    let name = "blocked force that 0.3 mm of braid add (%)".into();
+    rows.push(VerificationRow::new(name, THICK, 2.3, gain, 0.01));
     let k = 1e4;
     for (diameter, stretch) in [(15.0, 1.0), (16.0, 0.95), (14.5, 1.0)] {
         let lay = lay(0.5 * diameter, 0.4);

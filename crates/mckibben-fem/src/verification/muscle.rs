@@ -50,25 +50,12 @@ fn maxwell(d0: f64, s: f64, p: f64, e: f64) -> Vec<VerificationRow> {
         let volume = difference(&|k| at(p, e + k * he)?.volume_mm3)? / (-he * muscle.length_mm());
         Some((force, -volume, at(p, e)?.force_per_pressure_mm2?))
     })();
-    let source = "I: Maxwell relation";
-    let name = |what: &str| format!("D0 {d0}, s {s}, P {p}, ε {e}: {what}");
     let reference = found.map_or(f64::INFINITY, |f| f.1);
-    vec![
-        VerificationRow::new(
-            name("∂F/∂P by differences against −∂V/∂L (mm²)"),
-            source,
-            reference,
-            found.map(|f| f.0),
-            1e-7,
-        ),
-        VerificationRow::new(
-            name("∂F/∂P of the tangent against −∂V/∂L (mm²)"),
-            source,
-            reference,
-            found.map(|f| f.2),
-            1e-7,
-        ),
-    ]
+    let row = |what: &str, ours| {
+        let name = format!("D0 {d0}, s {s}, P {p}, ε {e}: {what} against −∂V/∂L (mm²)");
+        VerificationRow::new(name, "I: Maxwell relation", reference, ours, 1e-7)
+    };
+    vec![row("∂F/∂P by differences", found.map(|f| f.0)), row("∂F/∂P of the tangent", found.map(|f| f.2))]
 }
 
 /// An independent axisymmetric code, and the limit of bricks and trusses in FElupe 11.3.
@@ -87,13 +74,8 @@ pub fn prototype() -> Vec<VerificationRow> {
             let ours = model.as_ref().and_then(|m| m.force_n(&mut Workspace::new(), p, e).ok());
             let name = format!("D0 30, s 3, L0 287.83, 48 strands, P {p}, ε {e}: F (N)");
             // 0.03 % of the blocked force.
-            VerificationRow::new(
-                name,
-                "independent axisymmetric prototype",
-                force,
-                ours,
-                3e-4 * 846.0 / force,
-            )
+            let tolerance = 3e-4 * 846.0 / force;
+            VerificationRow::new(name, "independent axisymmetric prototype", force, ours, tolerance)
         })
         .collect();
     let ours = model.as_ref().and_then(|m| m.force_n(&mut Workspace::new(), 0.25, 0.10).ok());

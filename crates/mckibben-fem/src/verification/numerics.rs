@@ -118,13 +118,8 @@ fn order_of_newton() -> VerificationRow {
         Some((c / b).ln() / (b / a).ln())
     })();
     // Faster is no fault.
-    VerificationRow::new(
-        "order of Newton's last residuals (2 or more)".into(),
-        SOURCE,
-        2.0,
-        order.map(|o| o.min(2.0)),
-        0.2,
-    )
+    let order = order.map(|o| o.min(2.0));
+    VerificationRow::new("order of Newton's last residuals (2 or more)".into(), SOURCE, 2.0, order, 0.2)
 }
 
 /// ∂F of every constant and measure by implicit differentiation against answers of neighbouring muscles.
@@ -167,14 +162,9 @@ fn sensitivities() -> Vec<VerificationRow> {
                 Some((8.0 * a - b) / (12.0 * h))
             })();
             let ours = all.as_ref().and_then(|all| all.iter().find(|s| s.name == name));
+            let ours = ours.map(|s| s.force_n_per_unit);
             let reference = difference.unwrap_or(f64::INFINITY);
-            VerificationRow::new(
-                format!("∂F/∂({name})"),
-                source,
-                reference,
-                ours.map(|s| s.force_n_per_unit),
-                1e-6,
-            )
+            VerificationRow::new(format!("∂F/∂({name})"), source, reference, ours, 1e-6)
         })
         .collect()
 }

@@ -31,23 +31,13 @@ pub fn follower_pressure() -> Vec<VerificationRow> {
         }
     }
     let together: f64 = (0..3).map(|a| v.first[2 * a + 1]).sum();
+    let row =
+        |name: &str, ours, tolerance| VerificationRow::new(name.into(), SOURCE, 0.0, Some(ours), tolerance);
     vec![
-        VerificationRow::new("∂V/∂x against differences".into(), SOURCE, 0.0, Some(slope), 1e-8),
-        VerificationRow::new("∂²V/∂x∂x against differences (mm)".into(), SOURCE, 0.0, Some(curvature), 1e-8),
-        VerificationRow::new(
-            "asymmetry of the pressure's tangent (mm)".into(),
-            SOURCE,
-            0.0,
-            Some(skew),
-            1e-12,
-        ),
-        VerificationRow::new(
-            "sum of the axial forces of the cavity (mm²)".into(),
-            SOURCE,
-            0.0,
-            Some(together),
-            1e-11,
-        ),
+        row("∂V/∂x against differences", slope, 1e-8),
+        row("∂²V/∂x∂x against differences (mm)", curvature, 1e-8),
+        row("asymmetry of the pressure's tangent (mm)", skew, 1e-12),
+        row("sum of the axial forces of the cavity (mm²)", together, 1e-11),
         energy(),
     ]
 }

@@ -24,13 +24,8 @@ pub fn thick_sphere() -> Vec<VerificationRow> {
                 });
                 let mut path = body(mesh, None, Ends::Pole).ok();
                 let ours = path.as_mut().and_then(|w| at(w, pressure, 1.0)).map(|b| radius(b, 0, 0));
-                VerificationRow::new(
-                    format!("thick sphere 1/2, p {pressure}: a/A"),
-                    SOURCE,
-                    swell,
-                    ours,
-                    1e-5,
-                )
+                let name = format!("thick sphere 1/2, p {pressure}: a/A");
+                VerificationRow::new(name, SOURCE, swell, ours, 1e-5)
             })
             .collect();
     rows.push(balloon());
@@ -65,11 +60,6 @@ fn balloon() -> VerificationRow {
         }
         Some(low)
     })();
-    VerificationRow::new(
-        "thin neo-Hookean balloon: largest pressure (MPa)".into(),
-        "C: limit point at λ = 7^(1/6)",
-        exact,
-        ours,
-        2e-3,
-    )
+    let name = "thin neo-Hookean balloon: largest pressure (MPa)".into();
+    VerificationRow::new(name, "C: limit point at λ = 7^(1/6)", exact, ours, 2e-3)
 }

@@ -61,13 +61,8 @@ fn lame() -> VerificationRow {
         path.walk(p, 0.0, 1.0).ok()?;
         Some(path.body.state.u[0])
     });
-    VerificationRow::new(
-        "Lamé's thick cylinder 1/2, K = 10 G: u(A) (mm)".into(),
-        "B: Lamé & Clapeyron 1833",
-        exact,
-        ours,
-        2e-6,
-    )
+    let name = "Lamé's thick cylinder 1/2, K = 10 G: u(A) (mm)".into();
+    VerificationRow::new(name, "B: Lamé & Clapeyron 1833", exact, ours, 2e-6)
 }
 
 /// The difference that a finite bulk modulus makes goes like 1/K: its ratio for K and 10 K.
@@ -85,11 +80,6 @@ fn finite_bulk() -> VerificationRow {
         let limit = swell(Bulk::Incompressible)?;
         Some((swell(Bulk::Modulus(200.0))? - limit) / (swell(Bulk::Modulus(2000.0))? - limit))
     })();
-    VerificationRow::new(
-        "thick tube: what K = 200 MPa changes over what 2000 MPa changes".into(),
-        SOURCE,
-        10.0,
-        ratio,
-        1e-2,
-    )
+    let name = "thick tube: what K = 200 MPa changes over what 2000 MPa changes".into();
+    VerificationRow::new(name, SOURCE, 10.0, ratio, 1e-2)
 }

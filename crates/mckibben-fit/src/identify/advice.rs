@@ -10,6 +10,7 @@ use crate::measured::{DataPoint, Quantity};
 use mckibben::model::{Ideal, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::muscle::measures::{ANGLE, GRIP, SEATING, SLIP};
+use std::cmp::Ordering;
 
 /// `line 3`, `lines 3, 4, 7`, `lines 3, 4, 7, 9, 12 and 5 more`.
 pub(super) fn lines(list: &[u64]) -> String {
@@ -70,14 +71,28 @@ pub(super) fn before(
     Ok(notes)
 }
 
+/// Pull in N of the ideal muscle at a point, where it is well above zero.
+pub(super) fn ideal_pull(muscle: &Muscle, p: &DataPoint) -> Option<f64> {
+    let muscle = p.section.apply(muscle).ok()?;
+    let ideal = Ideal::new(&muscle);
+    let (pull, rest) = (ideal.pull(p.at.pressure_mpa, p.at.contraction), ideal.pull(p.at.pressure_mpa, 0.0));
+    (pull > 0.2 * rest && pull > 0.0).then_some(pull)
+}
+
+/// The order of the curves of points: of one muscle, pressure and branch.
+pub(super) fn compare_curves(a: &DataPoint, b: &DataPoint) -> Ordering {
+    let key = |p: &DataPoint| {
+        let s = &p.section;
+        let measures = [s.outer_diameter_mm, s.wall_mm, s.length_mm, s.angle_deg].map(|v| v.unwrap_or(0.0));
+        let at = [p.at.pressure_mpa, f64::from(p.at.branch as u8)];
+        measures.into_iter().chain(at)
+    };
+    key(a).zip(key(b)).map(|(x, y)| x.total_cmp(&y)).find(|o| o.is_ne()).unwrap_or(Ordering::Equal)
+}
+
 /// Forces against those of the ideal muscle, which no rubber exceeds by much and no sensible one eats up.
 fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
-    let ratio = |p: &DataPoint| {
-        let m = p.section.apply(muscle).ok()?;
-        let ideal = Ideal::new(&m).pull(p.at.pressure_mpa, p.at.contraction);
-        let rest = Ideal::new(&m).pull(p.at.pressure_mpa, 0.0);
-        (ideal > 0.2 * rest && ideal > 0.0).then(|| p.at.force_n / ideal)
-    };
+    let ratio = |p: &DataPoint| Some(p.at.force_n / ideal_pull(muscle, p)?);
     let mut ratios: Vec<f64> = points.iter().filter_map(ratio).collect();
     if ratios.len() < 3 {
         return None;
@@ -315,19 +330,10 @@ fn misfit(found: &Identification) -> Option<String> {
 /// Pairs of neighbours on a curve (one muscle, pressure and branch, by contraction), and the correlation ρ of their residuals, −1 to 1.
 pub(super) fn neighbours(points: &[PointFit]) -> (usize, f64) {
     let mut order: Vec<&PointFit> = points.iter().collect();
-    let key = |f: &PointFit| {
-        let s = &f.point.section;
-        let branch = f64::from(f.point.at.branch as u8);
-        let measures = [s.outer_diameter_mm, s.wall_mm, s.length_mm, s.angle_deg].map(|v| v.unwrap_or(0.0));
-        [measures[0], measures[1], measures[2], measures[3], f.point.at.pressure_mpa, branch]
-    };
-    let compare = |a: &[f64; 6], b: &[f64; 6]| {
-        a.iter().zip(b).map(|(x, y)| x.total_cmp(y)).find(|o| o.is_ne()).unwrap_or(std::cmp::Ordering::Equal)
-    };
     order.sort_by(|a, b| {
-        compare(&key(a), &key(b)).then(a.point.at.contraction.total_cmp(&b.point.at.contraction))
+        compare_curves(&a.point, &b.point).then(a.point.at.contraction.total_cmp(&b.point.at.contraction))
     });
-    let curves = order.chunk_by(|a, b| key(a) == key(b));
+    let curves = order.chunk_by(|a, b| compare_curves(&a.point, &b.point).is_eq());
     let pairs: Vec<(f64, f64)> =
         curves.flat_map(|c| c.windows(2).map(|w| (w[0].residual_n, w[1].residual_n))).collect();
     let square: f64 = pairs.iter().map(|p| 0.5 * (p.0 * p.0 + p.1 * p.1)).sum();

@@ -15,19 +15,9 @@ pub enum IdentifyError {
     /// The caller wanted it to end.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
-    /// Not more points than parameters.
-    #[error(
-        "{points} points that pull{} do not determine {parameters} parameters: at least {} are needed, and three for each parameter for a meaningful error bar; measure more, or free fewer",
-        left_out(.dropped), .parameters + 1
-    )]
-    TooFew {
-        /// Points that count.
-        points: usize,
-        /// Points left out because the muscle was slack.
-        dropped: usize,
-        /// Parameters that are free.
-        parameters: usize,
-    },
+    /// Data that cannot be fitted: too few points, errors stated for some of them only.
+    #[error("{0}")]
+    Data(String),
     /// Data that no muscle of this size gives.
     #[error("{0}")]
     Implausible(String),
@@ -43,18 +33,6 @@ pub enum IdentifyError {
         name: String,
         /// The shear modulus at rest that it came to, in MPa.
         value_mpa: f64,
-    },
-    /// Errors stated for some rows only.
-    #[error(
-        "{stated} of {points} points state their error (first without: line {line}): state the errors of all points, or of none"
-    )]
-    ErrorsOfSome {
-        /// Rows with an error.
-        stated: usize,
-        /// Rows.
-        points: usize,
-        /// A row without.
-        line: u64,
     },
     /// The model fails at the start.
     #[error(
@@ -83,6 +61,16 @@ pub enum IdentifyError {
     Estimate(EstimateError),
 }
 
-fn left_out(n: &usize) -> String {
-    if *n == 0 { String::new() } else { format!(" ({n} more points without a measured force were left out)") }
+impl IdentifyError {
+    /// Not more points than parameters; `dropped` were left out because the muscle was slack.
+    pub(super) fn too_few(points: usize, dropped: usize, parameters: usize) -> Self {
+        let left_out = match dropped {
+            0 => String::new(),
+            n => format!(" ({n} more points without a measured force were left out)"),
+        };
+        let least = parameters + 1;
+        Self::Data(format!(
+            "{points} points that pull{left_out} do not determine {parameters} parameters: at least {least} are needed, and three for each parameter for a meaningful error bar; measure more, or free fewer"
+        ))
+    }
 }

@@ -87,7 +87,11 @@ fn chosen(request: &Request<'_>) -> (Vec<DataPoint>, Vec<DataPoint>) {
 fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec<f64>, bool), IdentifyError> {
     let stated = points.iter().filter(|p| p.error.is_some()).count();
     if let Some(without) = points.iter().find(|p| p.error.is_none()).filter(|_| stated > 0) {
-        return Err(IdentifyError::ErrorsOfSome { stated, points: points.len(), line: without.line });
+        return Err(IdentifyError::Data(format!(
+            "{stated} of {} points state their error (first without: line {}): state the errors of all points, or of none",
+            points.len(),
+            without.line
+        )));
     }
     let one = |p: &DataPoint| p.weight / p.error.map_or(1.0, |e| (e * scale(p.measured)).powi(2));
     Ok((points.iter().map(one).collect(), stated > 0))
@@ -137,8 +141,7 @@ fn search(
     let free: Vec<Target> = request.free.iter().map(|p| p.target).collect();
     let (given, slack) = chosen(request);
     if given.len() <= free.len() {
-        let (points, dropped) = (given.len(), slack.len());
-        return Err(IdentifyError::TooFew { points, dropped, parameters: free.len() });
+        return Err(IdentifyError::too_few(given.len(), slack.len(), free.len()));
     }
     let mut notes = advice::before(muscle, &free, &given, request.history)?;
     notes.extend(flipped.iter().cloned());
@@ -162,9 +165,7 @@ fn search(
     };
     let before = rms(&known.at(&start).unwrap_or_default());
     let found = estimate(&known, &unknowns, &weights, request.loss).map_err(|e| match e {
-        EstimateError::TooFew { points, unknowns } => {
-            IdentifyError::TooFew { points, dropped: slack.len(), parameters: unknowns }
-        }
+        EstimateError::TooFew { points, unknowns } => IdentifyError::too_few(points, slack.len(), unknowns),
         EstimateError::NoMinimum { ref at, .. } => {
             let fallen = problem.candidate(at).map(|c| rubber_is_left(request, first.muscle(), c.muscle()));
             fallen.and_then(Result::err).unwrap_or(IdentifyError::Estimate(e))

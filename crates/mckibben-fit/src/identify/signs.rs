@@ -4,7 +4,6 @@ use super::advice;
 use super::error::IdentifyError;
 use super::request::Request;
 use crate::measured::{DataPoint, Quantity};
-use mckibben::model::Ideal;
 
 /// A force below zero by more than this share of the ideal muscle's pull is no muscle that lies slack.
 const PUSH: f64 = 0.3;
@@ -26,17 +25,10 @@ pub(super) fn check(request: &Request<'_>) -> Result<Vec<String>, IdentifyError>
 
 /// Forces below zero where the muscle pulls.
 fn pushing(request: &Request<'_>, points: &[&DataPoint]) -> Result<Vec<String>, IdentifyError> {
-    let ideal = |p: &DataPoint| {
-        let muscle = p.section.apply(request.muscle).ok()?;
-        let ideal = Ideal::new(&muscle);
-        let (pull, rest) =
-            (ideal.pull(p.at.pressure_mpa, p.at.contraction), ideal.pull(p.at.pressure_mpa, 0.0));
-        (pull > 0.2 * rest && pull > 0.0).then_some(pull)
-    };
     let pulls: Vec<(&DataPoint, f64)> = points
         .iter()
         .filter(|p| p.measured == Quantity::Force)
-        .filter_map(|p| Some((*p, ideal(p)?)))
+        .filter_map(|p| Some((*p, advice::ideal_pull(request.muscle, p)?)))
         .collect();
     let negative: Vec<u64> =
         pulls.iter().filter(|(p, pull)| p.at.force_n < -PUSH * pull).map(|(p, _)| p.line).collect();
@@ -59,19 +51,7 @@ fn pushing(request: &Request<'_>, points: &[&DataPoint]) -> Result<Vec<String>, 
 /// Pulls that rise with the contraction.
 fn rising(points: &[&DataPoint]) -> Result<Vec<String>, IdentifyError> {
     let mut order: Vec<&DataPoint> = points.iter().copied().filter(|p| p.at.force_n > 0.0).collect();
-    let measures = |p: &DataPoint| {
-        let s = &p.section;
-        [s.outer_diameter_mm, s.wall_mm, s.length_mm, s.angle_deg].map(|v| v.unwrap_or(0.0))
-    };
-    let key = |p: &DataPoint| {
-        let [a, b, c, d] = measures(p);
-        [a, b, c, d, p.at.pressure_mpa, f64::from(p.at.branch as u8), p.set as f64]
-    };
-    let compare = |a: &DataPoint, b: &DataPoint| {
-        let (a, b) = (key(a), key(b));
-        let different = a.iter().zip(&b).map(|(x, y)| x.total_cmp(y)).find(|o| o.is_ne());
-        different.unwrap_or(std::cmp::Ordering::Equal)
-    };
+    let compare = |a: &DataPoint, b: &DataPoint| advice::compare_curves(a, b).then(a.set.cmp(&b.set));
     order.sort_by(|a, b| compare(a, b).then(a.at.contraction.total_cmp(&b.at.contraction)));
     let (mut curves, mut rising, mut lines_of_rising, mut stretched) = (0, 0, vec![], vec![]);
     for curve in order.chunk_by(|a, b| compare(a, b).is_eq()) {

@@ -4,8 +4,8 @@
 //!
 //!   s² = Σ w r²/(n − m),   cov x = s² (JᵀWJ)⁻¹,   correlation ρᵢⱼ = covᵢⱼ/√(covᵢᵢ covⱼⱼ)
 //!
-//! with n points and m unknowns that are not on a bound (Seber & Wild 2003 \[seber2003\], ch. 2). An unknown is identifiable where
-//! the half-width of its 95 % interval, t(n − m) √covᵢᵢ, is below its scale and it does not lie on a bound.
+//! with n points and m unknowns that are not on a bound (Seber & Wild 2003 \[seber2003\], ch. 2). The half-width of a
+//! 95 % interval is t(n − m) √covᵢᵢ.
 
 use super::bounds::Unknown;
 use super::student::t95;
@@ -61,8 +61,6 @@ pub struct Estimate {
     pub covariance: Vec<Vec<f64>>,
     /// Correlation ρ; 0 beside the diagonal for unknowns that are on a bound or not identifiable at all.
     pub correlation: Vec<Vec<f64>>,
-    /// Whether the data determine this unknown.
-    pub identifiable: Vec<bool>,
     /// Whether it lies on a bound.
     pub at_bound: Vec<bool>,
     /// r of every point, not weighted.
@@ -437,15 +435,12 @@ fn statistics(inner: &Inner<'_>, weights: Vec<f64>) -> Result<Estimate, Estimate
         row[i] = 1.0;
     }
     let half_widths: Vec<f64> = standard_errors.iter().map(|s| t95(freedom) * s).collect();
-    let determined = |i: usize| !at_bound[i] && half_widths[i] <= unknowns[i].scale;
-    let identifiable = (0..x.len()).map(determined).collect();
     Ok(Estimate {
         x,
         standard_errors,
         half_widths,
         covariance: full,
         correlation,
-        identifiable,
         at_bound,
         residuals,
         weights,

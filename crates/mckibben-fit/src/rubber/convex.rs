@@ -42,7 +42,7 @@ pub(super) fn solve(n: &DMatrix<f64>, d: &DVector<f64>, cuts: &[Inequality]) -> 
 }
 
 /// All sets of at most `size` of `count` places, small ones first.
-fn subsets(count: usize, size: usize) -> Vec<Vec<usize>> {
+pub(super) fn subsets(count: usize, size: usize) -> Vec<Vec<usize>> {
     let mut out: Vec<Vec<usize>> = vec![vec![]];
     let mut from = 0;
     for _ in 0..size {

@@ -5,7 +5,7 @@
 //! a list, each with the moduli ≥ 0 that suit it best (linear least squares); the best of them are followed to their
 //! minimum, and the lowest is taken. The list is fixed, so the same data give the same law.
 
-use super::convex::{Inequality, normal, solve};
+use super::convex::{Inequality, normal, solve, subsets};
 use super::error::TensionFitError;
 use super::problem::Problem;
 use super::raw::Raw;
@@ -73,7 +73,7 @@ fn starts(count: usize, problem: &Problem) -> Vec<Start> {
     let (exponents, columns): (Vec<f64>, Vec<Vec<f64>>) = columns.into_iter().unzip();
     let (all, right) = normal(&columns, &measured, &problem.weights);
     let mut out = vec![];
-    for places in sets(columns.len(), count) {
+    for places in subsets(columns.len(), count).into_iter().filter(|set| set.len() == count) {
         if cancel::check().is_err() {
             break;
         }
@@ -94,20 +94,6 @@ fn starts(count: usize, problem: &Problem) -> Vec<Start> {
     }
     out.sort_by(|a, b| a.squares.total_cmp(&b.squares));
     out.truncate(FOLLOWED);
-    out
-}
-
-/// All sets of `size` of `count` places, in order.
-fn sets(count: usize, size: usize) -> Vec<Vec<usize>> {
-    let mut out: Vec<Vec<usize>> = vec![vec![]];
-    for _ in 0..size {
-        let longer = |set: &Vec<usize>| {
-            let set = set.clone();
-            let from = set.last().map_or(0, |l| l + 1);
-            (from..count).map(move |next| [&set[..], &[next]].concat())
-        };
-        out = out.iter().flat_map(longer).collect();
-    }
     out
 }
 

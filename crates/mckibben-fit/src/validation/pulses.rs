@@ -45,8 +45,6 @@ pub struct Counted {
 /// What a muscle makes of the pulses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Predicted {
-    /// k in mm³.
-    pub pulse_mm3: f64,
     /// Vd in mm³.
     pub dead_volume_mm3: f64,
     /// rms of what is left of the muscles at their rest lengths, over their mean.
@@ -142,7 +140,6 @@ pub fn predict(build: &Build<'_>, muscle: &Muscle) -> Result<Predicted, ModelErr
     let of = |volume: f64| mean_pulses + slope * (volume - mean_volume);
     let squares = mean(&mut at_rest.iter().zip(&rest).map(|(v, c)| (of(*v) - c.pulses).powi(2)));
     Ok(Predicted {
-        pulse_mm3: 1.0 / slope,
         dead_volume_mm3: (mean_pulses / slope - mean_volume) / log,
         rms_at_rest: squares.sqrt() / mean_pulses,
         measured: mean(&mut contracted.iter().map(|c| c.pulses)),

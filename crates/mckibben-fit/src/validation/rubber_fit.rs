@@ -17,7 +17,7 @@ pub struct RubberCaseFit {
 }
 
 /// A fit, and what it leaves.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct RubberFitResult {
     pub case: usize,
     pub fit: usize,
@@ -32,7 +32,7 @@ pub struct RubberFitResult {
 }
 
 /// What is left of some nominal stresses: measured less computed.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RubberGroup {
     /// The points that are compared: a mode, a mode `further` than the law was fitted, or a branch of a test over time.

@@ -25,12 +25,9 @@ fn law_of(
         return Err(found.failed.into_iter().next().unwrap_or(none).into());
     };
     let result = RubberFitResult {
-        case: 0,
-        fit: 0,
         stable: taken.quality.stable,
         parameters: taken.parameters,
-        prony: vec![],
-        groups: vec![],
+        ..RubberFitResult::default()
     };
     Ok((found, taken.law, result))
 }
@@ -118,20 +115,8 @@ pub(super) fn history(
 impl RubberGroup {
     /// Of stretches, measured and computed stresses.
     fn of(name: String, blind: bool, list: impl Iterator<Item = (f64, f64, f64)>) -> Self {
-        let (mut out, mut squares, mut measured) = (
-            Self {
-                of: name,
-                blind,
-                points: 0,
-                to_stretch: 0.0,
-                rms_mpa: 0.0,
-                relative: 0.0,
-                bias_mpa: 0.0,
-                largest_mpa: 0.0,
-            },
-            0.0,
-            0.0,
-        );
+        let mut out = Self { of: name, blind, ..Self::default() };
+        let (mut squares, mut measured) = (0.0, 0.0);
         for (stretch, stress, computed) in list {
             let left = stress - computed;
             out.points += 1;

@@ -3,6 +3,7 @@
 use super::{Anchor, Item, Pen, Sheet};
 use crate::FigureError;
 use crate::font::FAMILY;
+use crate::layout::check_paper;
 use crate::sizes::PER_MM;
 use crate::svg::INK;
 use crate::xml::{escape, length as n};
@@ -15,9 +16,7 @@ impl Sheet {
     /// The drawing as SVG of the sheet's size.
     pub fn to_svg(&self) -> Result<String, FigureError> {
         let Self { width_mm, height_mm, .. } = *self;
-        if !(20.0..=2000.0).contains(&width_mm) || !(20.0..=2000.0).contains(&height_mm) {
-            return Err(FigureError::PaperSize { width_mm, height_mm });
-        }
+        check_paper(width_mm, height_mm)?;
         let (w, h) = (n(width_mm * PER_MM), n(height_mm * PER_MM));
         let mut out = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {w} {h}\" \
@@ -41,7 +40,10 @@ impl Sheet {
     fn place(&self, [x, y]: [f64; 2]) -> Result<(f64, f64), FigureError> {
         match x.is_finite() && y.is_finite() {
             true => Ok((x * PER_MM, (self.height_mm - y) * PER_MM)),
-            false => Err(FigureError::NotFinite { title: self.title.clone() }),
+            false => {
+                let what = format!("a place of the drawing \"{}\" is not a finite number", self.title);
+                Err(FigureError::Drawing(what))
+            }
         }
     }
 

@@ -214,7 +214,7 @@ fn binds(best: &CandidateAnswer) -> String {
     format!("Limited by: {what}.\n")
 }
 
-fn measures(r: &RejectedAnswer, u: &Units) -> String {
+fn measures(RejectedAnswer { muscle: r, .. }: &RejectedAnswer, u: &Units) -> String {
     let sleeve = r.sleeve.as_ref().map_or_else(String::new, |name| format!(" in {name}"));
     format!("D0 {}, s {}{sleeve}", u.length.to(r.outer_diameter_mm, 4), u.length.to(r.wall_mm, 3))
 }

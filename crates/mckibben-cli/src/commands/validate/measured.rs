@@ -138,10 +138,10 @@ fn muscle(case: &MeasuredCase, results: &[MeasuredResult]) -> String {
     let branches = own.iter().flat_map(|r| {
         let row = |branch: &MeasuredBranch| {
             let mut row = value(branch);
-            row["of"] = format!("{} [{}]", r.fit, r.of).into();
+            row["of"] = format!("{} [{}]", r.fit, r.group.of).into();
             row
         };
-        r.by_branch.iter().map(row).collect::<Vec<Value>>()
+        r.group.by_branch.iter().map(row).collect::<Vec<Value>>()
     });
     let branches: Vec<Value> = branches.collect();
     let u = shown::units();

@@ -39,37 +39,19 @@ const POSITIVE: (f64, f64) = (0.0, f64::MAX);
 /// The variables of a unit.
 pub(super) fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
     let (form, volume_m3) = (&muscle.form, muscle.form.at(0.0, 0.0).volume_m3);
-    let set = |name, role, unit, start, range, nominal, about| Variable {
-        name,
-        role,
-        unit,
-        about,
-        start,
-        range,
-        nominal,
-        derivative_of: None,
-        on: &[],
-    };
     let found = |name, role, unit, on, about| {
-        let none = set(name, role, unit, f64::NAN, (f64::NAN, f64::NAN), f64::NAN, about);
-        Variable { on, ..none }
+        let (start, range, nominal) = (f64::NAN, (f64::NAN, f64::NAN), f64::NAN);
+        Variable { name, role, unit, about, on, start, range, nominal, derivative_of: None }
     };
     let held: &[&str] = if kind == Kind::Valve { &["length", "air"] } else { &["pressure", "length"] };
     let (length_m, supply_pa) = (form.length_m, form.supply_pa);
     let mut all = vec![
-        set("length", Input, "m", length_m, ANY, length_m, "length between the terminals"),
-        set(
-            "force_factor",
-            Tunable,
-            "1",
-            1.0,
-            POSITIVE,
-            1.0,
-            "multiplies the pull: to explore its uncertainty",
-        ),
+        found("length", Input, "m", &[], "length between the terminals").within(length_m, ANY, length_m),
+        found("force_factor", Tunable, "1", &[], "multiplies the pull: to explore its uncertainty")
+            .within(1.0, POSITIVE, 1.0),
     ];
     if kind == Kind::Pressure {
-        all.insert(0, set("pressure", Input, "Pa", 0.0, ANY, supply_pa, "gauge pressure"));
+        all.insert(0, found("pressure", Input, "Pa", &[], "gauge pressure").within(0.0, ANY, supply_pa));
     } else {
         let air: &[&str] = &["length", "air", "air_mass"];
         let flow: &[&str] = &["command", "length", "air", "air_mass"];
@@ -78,80 +60,46 @@ pub(super) fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
             derivative_of: Some(of),
             ..found(name, role, unit, flow, about)
         };
-        let conductance = ("m3/(s.Pa)", 5e-9, (0.0, 1e-2), 1e-8);
-        all.insert(0, set("command", Input, "1", 0.0, ANY, 1.0, "opening of the valve, limited to -1 to 1: above 0 from the supply into the muscle, below 0 into the atmosphere"));
-        let ratio = ("1", 0.3, (0.0, 0.98), 1.0);
-        for (c, b, of_c, of_b) in [
-            (
-                "sonic_conductance",
-                "critical_ratio",
-                "sonic conductance from the supply (ISO 6358)",
-                "critical ratio of pressures there",
-            ),
-            (
-                "exhaust_conductance",
-                "exhaust_critical_ratio",
-                "sonic conductance into the atmosphere",
-                "critical ratio of pressures there",
-            ),
+        let opening = "opening of the valve, limited to -1 to 1: above 0 from the supply into the muscle, below 0 into the atmosphere";
+        all.insert(0, found("command", Input, "1", &[], opening).within(0.0, ANY, 1.0));
+        for (c, b, of_c) in [
+            ("sonic_conductance", "critical_ratio", "sonic conductance from the supply (ISO 6358)"),
+            ("exhaust_conductance", "exhaust_critical_ratio", "sonic conductance into the atmosphere"),
         ] {
-            all.push(set(c, Tunable, conductance.0, conductance.1, conductance.2, conductance.3, of_c));
-            all.push(set(b, Tunable, ratio.0, ratio.1, ratio.2, ratio.3, of_b));
+            all.push(found(c, Tunable, "m3/(s.Pa)", &[], of_c).within(5e-9, (0.0, 1e-2), 1e-8));
+            all.push(found(b, Tunable, "1", &[], "critical ratio of pressures there").within(
+                0.3,
+                (0.0, 0.98),
+                1.0,
+            ));
         }
         all.extend([
-            set(
-                "supply_pressure",
-                Tunable,
-                "Pa",
-                supply_pa,
-                POSITIVE,
-                supply_pa,
-                "gauge pressure of the supply",
-            ),
-            set(
-                "temperature",
-                Fixed,
-                "K",
-                293.15,
-                (50.0, 2000.0),
-                300.0,
-                "of the supply, the walls, and the air at the start",
-            ),
-            set(
-                "dead_volume",
-                Fixed,
-                "m3",
-                0.0,
-                POSITIVE,
-                volume_m3,
-                "volume of the air outside of the cavity",
-            ),
-            set(
+            found("supply_pressure", Tunable, "Pa", &[], "gauge pressure of the supply")
+                .within(supply_pa, POSITIVE, supply_pa),
+            found("temperature", Fixed, "K", &[], "of the supply, the walls, and the air at the start")
+                .within(293.15, (50.0, 2000.0), 300.0),
+            found("dead_volume", Fixed, "m3", &[], "volume of the air outside of the cavity")
+                .within(0.0, POSITIVE, volume_m3),
+            found(
                 "polytropic_exponent",
                 Fixed,
                 "1",
-                1.0,
-                (1.0, 1.4),
-                1.0,
+                &[],
                 "1 isothermal; 1.4 adiabatic, or with heat_conductance the balance of energy",
-            ),
-            set(
+            )
+            .within(1.0, (1.0, 1.4), 1.0),
+            found(
                 "heat_conductance",
                 Fixed,
                 "W/K",
-                0.0,
-                POSITIVE,
-                1.0,
+                &[],
                 "heat from the walls per kelvin, with the exponent 1.4",
-            ),
-            set(
-                "initial_pressure",
-                Fixed,
-                "Pa",
+            )
+            .within(0.0, POSITIVE, 1.0),
+            found("initial_pressure", Fixed, "Pa", &[], "gauge pressure at the start").within(
                 0.0,
                 (-1e5, f64::MAX),
                 supply_pa,
-                "gauge pressure at the start",
             ),
             state("air", "m3", volume_m3, "volume that the air has at 101325 Pa without heat"),
             state("air_mass", "kg", 1.2 * volume_m3, "mass of the air"),
@@ -220,6 +168,11 @@ fn attribute(name: &str, value: Option<String>) -> String {
 }
 
 impl Variable {
+    /// With its value at the start, its least and largest value, and its usual size.
+    fn within(self, start: f64, range: (f64, f64), nominal: f64) -> Self {
+        Self { start, range, nominal, ..self }
+    }
+
     fn causality(&self) -> &'static str {
         match self.role {
             Input => "input",

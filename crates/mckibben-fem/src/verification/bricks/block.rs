@@ -2,8 +2,21 @@
 
 use crate::solver::dissection::Sheet;
 use crate::three_dimensional::{Brick, Problem};
+use crate::verification::rubber;
 use mckibben::muscle::Bulk;
 use mckibben::rubber::Law;
+
+/// A unit cube of the cases' rubber in 2 × 2 × 2 bricks whose inner places are bent.
+pub fn bent_cube(brick: Brick) -> (Block, Problem) {
+    let block = Block::new(brick, [2, 2, 2]);
+    // Zero on the surface, and trilinear in each brick, so that quadratic bricks have plain sides as well.
+    let hat = |x: f64| 1.0 - (2.0 * x - 1.0).abs();
+    let problem = block.problem(rubber(), Bulk::Incompressible, |[x, y, z]| {
+        let bump = hat(x) * hat(y) * hat(z);
+        [x + 0.10 * bump, y - 0.07 * bump, z + 0.05 * bump]
+    });
+    (block, problem)
+}
 
 /// A box of bricks on the unit cube, mapped.
 pub struct Block {

@@ -5,24 +5,17 @@
 // Components and nodes are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]
 
-use super::block::Block;
+use super::block::bent_cube;
 use super::{BRICKS, body, push, reaction};
 use crate::three_dimensional::{Body, Brick, Freedom};
-use crate::verification::{VerificationRow, rubber};
-use mckibben::muscle::Bulk;
+use crate::verification::VerificationRow;
 
 const SOURCE: &str = "A: Rivlin 1948 [rivlin1948]; Treloar 1975 [treloar1975] (bricks)";
 
-/// A unit cube in 2 × 2 × 2 bricks, inner places bent; the planes through the origin held, and what `held` says of
+/// The bent cube; the planes through the origin held, and what `held` says of
 /// (node on the far faces x, y, z; direction).
 fn cube(brick: Brick, held: impl Fn([bool; 3], usize) -> bool) -> Option<(Body, Vec<[bool; 3]>)> {
-    let block = Block::new(brick, [2, 2, 2]);
-    // Zero on the surface, and trilinear in each brick, so that quadratic bricks have plain sides as well.
-    let hat = |x: f64| 1.0 - (2.0 * x - 1.0).abs();
-    let mut problem = block.problem(rubber(), Bulk::Incompressible, |[x, y, z]| {
-        let bump = hat(x) * hat(y) * hat(z);
-        [x + 0.10 * bump, y - 0.07 * bump, z + 0.05 * bump]
-    });
+    let (block, mut problem) = bent_cube(brick);
     let last = block.grid()[0] - 1;
     let far: Vec<[bool; 3]> = block.places().iter().map(|p| p.map(|i| i == last)).collect();
     for (node, place) in block.places().iter().enumerate() {

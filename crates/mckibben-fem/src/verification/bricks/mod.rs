@@ -51,6 +51,12 @@ fn at_rest(muscle: &Muscle, spec: &BrickSpec) -> Option<Continuation<MuscleInBri
     MuscleMesh::new(muscle, spec).ok()?.at_rest().ok().map(Continuation::new)
 }
 
+/// A small mesh: as many nodes of either brick.
+fn coarse(brick: Brick) -> BrickSpec {
+    let (around, along) = (Some(4 / brick.order()), Some(12 / brick.order()));
+    BrickSpec { brick, around, along, ..BrickSpec::default() }
+}
+
 fn tight() -> NewtonOptions {
     NewtonOptions { tolerance: 1e-12, iterations: 30, small: 0.0, ..NewtonOptions::default() }
 }

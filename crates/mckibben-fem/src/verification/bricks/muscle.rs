@@ -41,13 +41,8 @@ pub fn muscle() -> Vec<VerificationRow> {
         .and_then(|m| ThreeDimensional::with_mesh(&m, &quadratic).ok())
         .and_then(|m| m.force_n(&mut Workspace::new(), 0.25, 0.10).ok());
     let title = "muscle, 1 × 8 × 26 27-node bricks, ε 0.1, P 0.25: F (N)".into();
-    rows.push(VerificationRow::new(
-        title,
-        "FElupe 11.3, limit of its refined meshes, ± 0.5 N",
-        440.6,
-        ours,
-        0.5 / 440.6,
-    ));
+    let source = "FElupe 11.3, limit of its refined meshes, ± 0.5 N";
+    rows.push(VerificationRow::new(title, source, 440.6, ours, 0.5 / 440.6));
     rows.extend(limit());
     rows
 }
@@ -72,16 +67,10 @@ fn limit() -> Vec<VerificationRow> {
             });
             let force = both.map(|(a, b)| (a.force_n - b.force_n) / blocked);
             let volume = both.and_then(|(a, b)| Some(a.volume_mm3? / b.volume_mm3? - 1.0));
-            let title =
-                |what: &str| format!("muscle D0 {d} s {s}, ε {e}, P {p}: 3D less axisymmetric, {what}");
-            rows.push(VerificationRow::new(
-                title("F over blocked F"),
-                LIMIT,
-                0.0,
-                force.map(f64::abs),
-                0.003,
-            ));
-            rows.push(VerificationRow::new(title("V"), LIMIT, 0.0, volume.map(f64::abs), 0.003));
+            rows.extend([("F over blocked F", force), ("V", volume)].map(|(what, off)| {
+                let title = format!("muscle D0 {d} s {s}, ε {e}, P {p}: 3D less axisymmetric, {what}");
+                VerificationRow::new(title, LIMIT, 0.0, off.map(f64::abs), 0.003)
+            }));
         }
     }
     rows

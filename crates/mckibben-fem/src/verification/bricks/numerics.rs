@@ -231,12 +231,7 @@ pub fn numerics() -> Vec<VerificationRow> {
         rows.push(row("pull after 4 and 25 steps", 0.0, steps(brick), 1e-8));
         rows.push(row("pull with unknowns numbered backwards", 0.0, numbering(brick), 1e-10));
     }
-    rows.push(VerificationRow::new(
-        "strand, tangent against differences".into(),
-        SOURCE,
-        0.0,
-        Some(truss()),
-        1e-8,
-    ));
+    let title = "strand, tangent against differences".into();
+    rows.push(VerificationRow::new(title, SOURCE, 0.0, Some(truss()), 1e-8));
     rows
 }

@@ -6,7 +6,7 @@ use super::super::numerics::laws;
 use super::muscle::peers;
 use super::numerics::tangent_error;
 use super::pressure::prototype;
-use super::{BRICKS, at_rest, solve};
+use super::{BRICKS, at_rest, coarse, solve};
 use crate::solver::continuation::Unstable;
 use crate::three_dimensional::{Body, Brick, BrickSpec};
 use crate::verification::VerificationRow;
@@ -32,8 +32,7 @@ fn incompressible(brick: Brick, law: Law) -> Option<f64> {
     let mut tube = muscle.tube().clone();
     (tube.rubber.law, tube.rubber.bulk) = (law, Bulk::Incompressible);
     let muscle = muscle.with_tube(tube).ok()?;
-    let (around, along) = (Some(4 / brick.order()), Some(12 / brick.order()));
-    let mut c = at_rest(&muscle, &BrickSpec { brick, around, along, ..BrickSpec::default() })?;
+    let mut c = at_rest(&muscle, &coarse(brick))?;
     c.reach(0.2, 0.05).ok()?;
     let body = &mut c.body.bricks;
     // Defects of the volume multiply second derivatives that the tangent leaves out: none may be left.

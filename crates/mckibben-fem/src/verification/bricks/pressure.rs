@@ -2,9 +2,9 @@
 //!
 //! Loaded and held: a bonded muscle, pressure at rest length, then shortened at that pressure.
 
-use super::{BRICKS, at_rest, solve};
+use super::{BRICKS, at_rest, coarse, solve};
 use crate::solver::continuation::Continuation;
-use crate::three_dimensional::{Body, Brick, BrickSpec, MuscleInBricks};
+use crate::three_dimensional::{Body, Brick, MuscleInBricks};
 use crate::verification::VerificationRow;
 use mckibben::muscle::Muscle;
 
@@ -12,13 +12,7 @@ const SOURCE: &str = "E: closed cavity, energy (bricks)";
 
 /// A small mesh of the prototype.
 pub(super) fn prototype(brick: Brick) -> Option<Continuation<MuscleInBricks>> {
-    let spec = BrickSpec {
-        brick,
-        around: Some(4 / brick.order()),
-        along: Some(12 / brick.order()),
-        ..BrickSpec::default()
-    };
-    let mut c = at_rest(&Muscle::prototype(), &spec)?;
+    let mut c = at_rest(&Muscle::prototype(), &coarse(brick))?;
     c.newton.tolerance = 1e-12;
     Some(c)
 }

@@ -8,23 +8,17 @@
 // Components are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]
 
-use super::block::Block;
+use super::block::bent_cube;
 use super::{BRICKS, body, push};
 use crate::three_dimensional::{Brick, Freedom};
-use crate::verification::{VerificationRow, rubber};
-use mckibben::muscle::Bulk;
+use crate::verification::VerificationRow;
 
 const SOURCE: &str = "A: Rivlin 1948 [rivlin1948], simple shear (bricks)";
 const GAMMA: f64 = 1.0;
 
 /// (σ12, σ11 − σ33, σ22 − σ33) in MPa, and the largest distance of a node from where the homogeneous state has it.
 fn sheared(brick: Brick) -> Option<([f64; 3], f64)> {
-    let block = Block::new(brick, [2, 2, 2]);
-    let hat = |x: f64| 1.0 - (2.0 * x - 1.0).abs();
-    let mut problem = block.problem(rubber(), Bulk::Incompressible, |[x, y, z]| {
-        let bump = hat(x) * hat(y) * hat(z);
-        [x + 0.10 * bump, y - 0.07 * bump, z + 0.05 * bump]
-    });
+    let (block, mut problem) = bent_cube(brick);
     let last = block.grid()[0] - 1;
     for (node, place) in block.places().iter().enumerate() {
         if place.iter().any(|&i| i == 0 || i == last) {

@@ -74,21 +74,10 @@ pub fn snap() -> Vec<VerificationRow> {
     }
     let landed = at_load(exact(limit), 2.5 * H);
     rows.push(row("two strands, snapped through under the limit load: d (mm)".into(), low, landed, 1e-9));
-    rows.push(row(
-        "two strands, stiffness there is positive".into(),
-        1.0,
-        apex(landed, true).1.signum(),
-        0.0,
-    ));
-    rows.push(row(
-        "two strands, stiffness before the limit, past it".into(),
-        0.0,
-        {
-            let before = apex(limit - 0.05, true).1.signum();
-            before + apex(limit + 0.05, true).1.signum()
-        },
-        0.0,
-    ));
+    let sign = |d: f64| apex(d, true).1.signum();
+    rows.push(row("two strands, stiffness there is positive".into(), 1.0, sign(landed), 0.0));
+    let both = sign(limit - 0.05) + sign(limit + 0.05);
+    rows.push(row("two strands, stiffness before the limit, past it".into(), 0.0, both, 0.0));
     rows.push(row("two tension-only strands pushed together: P (N)".into(), 0.0, apex(0.5, false).0, 0.0));
     rows
 }

@@ -3,7 +3,7 @@
 //! Loaded and held: pressure inside, the length given; the far end of tube, braid and plug is held.
 
 use super::numerics::tangent_error;
-use super::{BRICKS, at_rest, solve};
+use super::{BRICKS, at_rest, coarse, solve};
 use crate::solver::body::Totals;
 use crate::solver::continuation::Continuation;
 use crate::three_dimensional::{Brick, BrickSpec, MuscleInBricks, Plug, PlugMaterial};
@@ -13,9 +13,7 @@ use mckibben::muscle::Muscle;
 const SOURCE: &str = "E: closed cavity, terminals as bodies (bricks)";
 
 fn muscle(brick: Brick, plug: Option<Plug>) -> Option<Continuation<MuscleInBricks>> {
-    let (around, along) = (Some(4 / brick.order()), Some(12 / brick.order()));
-    let spec = BrickSpec { brick, around, along, plug, ..BrickSpec::default() };
-    at_rest(&Muscle::prototype(), &spec)
+    at_rest(&Muscle::prototype(), &BrickSpec { plug, ..coarse(brick) })
 }
 
 fn plug(material: PlugMaterial, insertion_mm: f64, nose_mm: f64) -> Option<Plug> {
@@ -70,12 +68,8 @@ pub fn terminal() -> Vec<VerificationRow> {
                 let maxwell = (body.force_per_pressure(), body.volume_per_length());
                 Some((maxwell, tangent_error(body)?))
             })();
-            row(
-                &format!("{what} plug, Maxwell: ∂F/∂P = −∂V/∂L (mm²)"),
-                found.map(|f| f.0.1),
-                found.map(|f| f.0.0),
-                1e-9,
-            );
+            let (by_pressure, by_length) = found.map(|f| f.0).unzip();
+            row(&format!("{what} plug, Maxwell: ∂F/∂P = −∂V/∂L (mm²)"), by_length, by_pressure, 1e-9);
             row(&format!("{what} plug: tangent against differences"), Some(0.0), found.map(|f| f.1), 1e-7);
         }
     }

@@ -60,21 +60,9 @@ fn loads(elements: usize) -> Option<(f64, f64)> {
 
 /// The rows of D.
 pub fn torsion() -> Vec<VerificationRow> {
-    let got = loads(6);
-    vec![
-        VerificationRow::new(
-            "solid cylinder, torsion: M (N·mm)".into(),
-            SOURCE,
-            11.780_972_45,
-            got.map(|g| g.0),
-            2e-4,
-        ),
-        VerificationRow::new(
-            "solid cylinder, torsion: N (N)".into(),
-            SOURCE,
-            -0.343_611_70,
-            got.map(|g| g.1),
-            2e-3,
-        ),
-    ]
+    let (moment, axial) = loads(6).unzip();
+    let row = |name: &str, reference, ours, tolerance| {
+        VerificationRow::new(format!("solid cylinder, torsion: {name}"), SOURCE, reference, ours, tolerance)
+    };
+    vec![row("M (N·mm)", 11.780_972_45, moment, 2e-4), row("N (N)", -0.343_611_70, axial, 2e-3)]
 }

@@ -80,13 +80,8 @@ pub fn thick_tube() -> Vec<VerificationRow> {
             ring(brick, (1.0, 2.0), 1.0, 0.137_772_857_4, (2 * n, 4 * n)).map(|g| (g.0 - 2.0).abs())
         };
         let got = error(1).zip(error(2)).map(|(coarse, fine)| (coarse / fine).log2());
-        rows.push(VerificationRow::new(
-            format!("{name}, order of convergence of a/A"),
-            SOURCE,
-            order,
-            got,
-            0.1,
-        ));
+        let title = format!("{name}, order of convergence of a/A");
+        rows.push(VerificationRow::new(title, SOURCE, order, got, 0.1));
     }
     rows
 }
