@@ -100,6 +100,15 @@ impl FemError {
         ))
     }
 
+    /// Refuses a measure of a mesh that does not lie between two values.
+    pub(crate) fn check_mesh(name: &str, value: f64, low: f64, high: f64) -> Result<(), Self> {
+        if (low..=high).contains(&value) {
+            Ok(())
+        } else {
+            Err(Self::Refused(format!("mesh: {name} is {value}; it must lie between {low} and {high}")))
+        }
+    }
+
     /// Why there is no equilibrium with a pull in N; that the caller wanted to end is no property of that pull.
     pub(crate) fn at_force(force_n: f64, reason: Stopped) -> Self {
         match reason {

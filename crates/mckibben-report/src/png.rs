@@ -11,7 +11,7 @@ const LONGEST: f32 = 8000.0;
 impl Figure {
     /// The figure as a PNG image of 10 pixels per millimetre (1600 × 1000 for one panel).
     pub fn to_png(&self) -> Result<Vec<u8>, FigureError> {
-        encoded(&drawn(&self.to_svg()?)?)
+        drawn(&self.to_svg()?)?.encode_png().map_err(raster)
     }
 }
 
@@ -34,8 +34,4 @@ fn drawn(svg: &str) -> Result<tiny_skia::Pixmap, FigureError> {
     let to = tiny_skia::Transform::from_scale(scale, scale);
     resvg::render(&tree, to, &mut pixels.as_mut());
     Ok(pixels)
-}
-
-fn encoded(pixels: &tiny_skia::Pixmap) -> Result<Vec<u8>, FigureError> {
-    pixels.encode_png().map_err(raster)
 }

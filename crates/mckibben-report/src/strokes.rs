@@ -30,9 +30,7 @@ pub(crate) fn series(out: &mut String, lines: &[Vec<Spot>], markers: &[Spot], st
             let _ = write!(alone, "<circle cx=\"{}\" cy=\"{}\" r=\"1.8\"/>", n(*x), n(*y));
             continue;
         }
-        for (i, (x, y)) in line.iter().enumerate() {
-            let _ = write!(path, "{}{} {}", if i == 0 { "M" } else { "L" }, n(*x), n(*y));
-        }
+        through(&mut path, line);
     }
     if !path.is_empty() {
         let pattern = palette::dash(style, number, palette).unwrap_or(&[]);
@@ -60,9 +58,7 @@ pub(crate) fn series(out: &mut String, lines: &[Vec<Spot>], markers: &[Spot], st
 /// Draws a pale area.
 pub(crate) fn area(out: &mut String, outline: &[Spot], hex: &str) {
     let mut path = String::new();
-    for (i, (x, y)) in outline.iter().enumerate() {
-        let _ = write!(path, "{}{} {}", if i == 0 { "M" } else { "L" }, n(*x), n(*y));
-    }
+    through(&mut path, outline);
     if outline.len() > 2 {
         let _ = writeln!(out, "<path d=\"{path}Z\" fill=\"{hex}\" fill-opacity=\"{PALE}\"/>");
     }
@@ -76,62 +72,44 @@ fn dashes(pattern: &[f64]) -> String {
     format!(" stroke-dasharray=\"{}\"", list.join(" "))
 }
 
+/// Adds a line through spots to a path.
+pub(crate) fn through(path: &mut String, spots: &[Spot]) {
+    for (i, (x, y)) in spots.iter().enumerate() {
+        let _ = write!(path, "{}{} {}", if i == 0 { "M" } else { "L" }, n(*x), n(*y));
+    }
+}
+
+/// Adds a closed line through spots to a path.
+fn around(path: &mut String, spots: &[Spot]) {
+    through(path, spots);
+    path.push('Z');
+}
+
 /// Adds a marker to a path.
 fn marker(path: &mut String, shape: Shape, (x, y): Spot) {
     let r = MARKER;
-    let _ = match shape {
+    match shape {
         Shape::Circle => {
-            let d = n(2.0 * r);
-            let r2 = n(r);
-            write!(path, "M{} {}a{r2} {r2} 0 1 0 {d} 0a{r2} {r2} 0 1 0 -{d} 0Z", n(x - r), n(y))
+            let (d, r2) = (n(2.0 * r), n(r));
+            let _ = write!(path, "M{} {}a{r2} {r2} 0 1 0 {d} 0a{r2} {r2} 0 1 0 -{d} 0Z", n(x - r), n(y));
         }
         Shape::Square => {
             let s = 0.9 * r;
-            write!(path, "M{} {}h{d}v{d}h-{d}Z", n(x - s), n(y - s), d = n(2.0 * s))
+            let _ = write!(path, "M{} {}h{d}v{d}h-{d}Z", n(x - s), n(y - s), d = n(2.0 * s));
         }
         Shape::Triangle | Shape::TriangleDown => {
             let up = if shape == Shape::Triangle { 1.0 } else { -1.0 };
             let (top, foot) = (y - 1.2 * r * up, y + 0.85 * r * up);
-            write!(
-                path,
-                "M{} {}L{} {}L{} {}Z",
-                n(x),
-                n(top),
-                n(x + 1.15 * r),
-                n(foot),
-                n(x - 1.15 * r),
-                n(foot)
-            )
+            around(path, &[(x, top), (x + 1.15 * r, foot), (x - 1.15 * r, foot)]);
         }
         Shape::Diamond => {
             let s = 1.3 * r;
-            write!(
-                path,
-                "M{} {}L{} {}L{} {}L{} {}Z",
-                n(x),
-                n(y - s),
-                n(x + s),
-                n(y),
-                n(x),
-                n(y + s),
-                n(x - s),
-                n(y)
-            )
+            around(path, &[(x, y - s), (x + s, y), (x, y + s), (x - s, y)]);
         }
         Shape::Cross => {
             let s = 0.9 * r;
-            write!(
-                path,
-                "M{} {}L{} {}M{} {}L{} {}",
-                n(x - s),
-                n(y - s),
-                n(x + s),
-                n(y + s),
-                n(x - s),
-                n(y + s),
-                n(x + s),
-                n(y - s)
-            )
+            through(path, &[(x - s, y - s), (x + s, y + s)]);
+            through(path, &[(x - s, y + s), (x + s, y - s)]);
         }
-    };
+    }
 }

@@ -11,7 +11,7 @@ use crate::legend::{self, Legend};
 use crate::palette;
 use crate::rect::Spot;
 use crate::sizes::{CAPTION, PANEL_TITLE, PER_MM, TITLE};
-use crate::strokes::{Brush, area, series as draw_series};
+use crate::strokes::{Brush, area, series as draw_series, through};
 use crate::xml::{escape, length as n};
 use crate::{Figure, FigureError, Style, ticks};
 
@@ -101,10 +101,6 @@ pub(crate) fn text(
     );
 }
 
-fn segment(out: &mut String, a: Spot, b: Spot) {
-    let _ = write!(out, "M{} {}L{} {}", n(a.0), n(a.1), n(b.0), n(b.1));
-}
-
 fn draw_panel(out: &mut String, placed: &Placed<'_>, pen: &Pen<'_>) {
     out.push_str("<g>\n");
     draw_axes(out, &placed.axes);
@@ -151,20 +147,20 @@ fn draw_axes(out: &mut String, axes: &Axes) {
     let at_y = |v: f64| plot.bottom() - axes.y.part(v) * plot.h;
     let (mut grid, mut small) = (String::new(), String::new());
     for v in &axes.x.ticks {
-        segment(&mut grid, (at_x(*v), plot.y), (at_x(*v), plot.bottom()));
-        segment(&mut small, (at_x(*v), plot.bottom()), (at_x(*v), plot.bottom() + TICK_LENGTH));
+        through(&mut grid, &[(at_x(*v), plot.y), (at_x(*v), plot.bottom())]);
+        through(&mut small, &[(at_x(*v), plot.bottom()), (at_x(*v), plot.bottom() + TICK_LENGTH)]);
     }
     for v in &axes.y.ticks {
-        segment(&mut grid, (plot.x, at_y(*v)), (plot.right(), at_y(*v)));
-        segment(&mut small, (plot.x - TICK_LENGTH, at_y(*v)), (plot.x, at_y(*v)));
+        through(&mut grid, &[(plot.x, at_y(*v)), (plot.right(), at_y(*v))]);
+        through(&mut small, &[(plot.x - TICK_LENGTH, at_y(*v)), (plot.x, at_y(*v))]);
     }
     let _ = writeln!(out, "<path d=\"{grid}\" stroke=\"{GRID}\" stroke-width=\"0.8\" fill=\"none\"/>");
     let mut zero = String::new();
     if axes.y.low < 0.0 && axes.y.high > 0.0 {
-        segment(&mut zero, (plot.x, at_y(0.0)), (plot.right(), at_y(0.0)));
+        through(&mut zero, &[(plot.x, at_y(0.0)), (plot.right(), at_y(0.0))]);
     }
     if axes.x.low < 0.0 && axes.x.high > 0.0 {
-        segment(&mut zero, (at_x(0.0), plot.y), (at_x(0.0), plot.bottom()));
+        through(&mut zero, &[(at_x(0.0), plot.y), (at_x(0.0), plot.bottom())]);
     }
     if !zero.is_empty() {
         let _ = writeln!(out, "<path d=\"{zero}\" stroke=\"#9a9a9a\" stroke-width=\"0.9\" fill=\"none\"/>");
@@ -224,7 +220,7 @@ fn draw_label(out: &mut String, label: &Label, pen: &Pen<'_>) {
     let colour = label.colour.map_or_else(|| INK.to_owned(), |number| pen.hex(number));
     if let Some((a, b)) = label.leader {
         let mut path = String::new();
-        segment(&mut path, a, b);
+        through(&mut path, &[a, b]);
         let _ = writeln!(out, "<path d=\"{path}\" stroke=\"{colour}\" stroke-width=\"0.7\" fill=\"none\"/>");
     }
     // A white outline below keeps the text readable where it has to stand over a line.

@@ -4,7 +4,9 @@
 
 use mckibben::model::{ForceModel, ModelKind, Workspace};
 use mckibben::rubber::RubberLaw;
-use mckibben_campaign::fit::universal::{HeldOutRow, Sample, held_out, held_out_samples, rubber_laws};
+use mckibben_campaign::fit::universal::{
+    HeldOutRow, Sample, held_out, held_out_samples, rubber_laws, summary,
+};
 use mckibben_fem::axisymmetric::Axisymmetric;
 
 fn main() {
@@ -34,15 +36,15 @@ fn main() {
                 list.extend(p.volume_mm3.zip(volume).map(|(fe, v)| (v / fe - 1.0).abs()));
             }
         }
-        list.sort_by(f64::total_cmp);
-        let at = |q: f64| 100.0 * list.get((q * list.len() as f64) as usize).copied().unwrap_or(f64::NAN);
-        let rms = 100.0 * (list.iter().map(|v| v * v).sum::<f64>() / list.len().max(1) as f64).sqrt();
-        println!(
-            "volume of {kind}, in % of it: rms {rms:.3}, 99 % {:.3}, worst {:.2}",
-            at(0.99),
-            at(1.0 - 1e-9)
-        );
+        let [rms, p99, max] = of(&[list]);
+        println!("volume of {kind}, in % of it: rms {rms:.3}, 99 % {p99:.3}, worst {max:.2}");
     }
+}
+
+/// Root mean square, 99 % and largest of some errors, in %.
+fn of(errors: &[Vec<f64>]) -> [f64; 3] {
+    let all = summary(errors);
+    [all.rms, all.p99, all.max].map(|v| 100.0 * v)
 }
 
 /// Errors at pressures far below the modulus, over the blocked force there and over that at P/μ = 1.
@@ -75,21 +77,15 @@ fn small_pressures(samples: &[Sample]) {
                 };
                 let off = (force - exact).abs();
                 if exact > 0.0 {
-                    here.push(100.0 * off / blocked);
+                    here.push(off / blocked);
                     at_modulus = at_modulus.max(100.0 * off / usual);
                     newtons = newtons.max(off);
                 }
             }
         }
-        here.sort_by(f64::total_cmp);
-        let at = |q: f64| here.get((q * here.len() as f64) as usize).copied().unwrap_or(f64::NAN);
-        let rms = (here.iter().map(|v| v * v).sum::<f64>() / here.len().max(1) as f64).sqrt();
-        println!(
-            "{ratio:<6} {:>6} {rms:>8.3} {:>8.3} {:>8.2} {at_modulus:>9.4} {newtons:>9.4}",
-            here.len(),
-            at(0.99),
-            at(1.0 - 1e-9)
-        );
+        let points = here.len();
+        let [rms, p99, max] = of(&[here]);
+        println!("{ratio:<6} {points:>6} {rms:>8.3} {p99:>8.3} {max:>8.2} {at_modulus:>9.4} {newtons:>9.4}");
     }
 }
 

@@ -50,11 +50,7 @@ impl MeshSpec {
             ("grading", grading, 0.5, 8.0),
         ];
         for (name, value, low, high) in bounds {
-            if !(low..=high).contains(&value) {
-                return Err(FemError::Refused(format!(
-                    "mesh: {name} is {value}; it must lie between {low} and {high}"
-                )));
-            }
+            FemError::check_mesh(name, value, low, high)?;
         }
         Ok((through, along, grading))
     }

@@ -28,6 +28,41 @@ impl Brick {
             Self::Quadratic => 2,
         }
     }
+
+    /// Nodes of so many bricks each way on a grid of nodes.
+    pub fn bricks(
+        self,
+        [n0, n1, n2]: [usize; 3],
+        node: impl Fn(usize, usize, usize) -> usize,
+    ) -> Vec<Vec<u32>> {
+        let p = self.order();
+        let mut out = Vec::with_capacity(n0 * n1 * n2);
+        for k in 0..n2 {
+            for j in 0..n1 {
+                for i in 0..n0 {
+                    let at = |a: usize| {
+                        let (x, y, z) = (a % (p + 1), a / (p + 1) % (p + 1), a / ((p + 1) * (p + 1)));
+                        node(p * i + x, p * j + y, p * k + z) as u32
+                    };
+                    out.push((0..(p + 1).pow(3)).map(at).collect());
+                }
+            }
+        }
+        out
+    }
+
+    /// Nodes of a sheet of so many faces along its first and its second direction.
+    pub fn faces(self, [n0, n1]: [usize; 2], node: impl Fn(usize, usize) -> usize) -> Vec<Vec<u32>> {
+        let p = self.order();
+        let mut out = Vec::with_capacity(n0 * n1);
+        for j in 0..n1 {
+            for i in 0..n0 {
+                let at = |a: usize| node(p * i + a % (p + 1), p * j + a / (p + 1)) as u32;
+                out.push((0..(p + 1).pow(2)).map(at).collect());
+            }
+        }
+        out
+    }
 }
 
 /// What the mesh of `fe3d` keeps where a whole number of cells at ±θ0 does not make the length.
@@ -177,12 +212,7 @@ impl BrickMesh {
         for ((name, value), high) in names.into_iter().zip([spec.through, spec.around, spec.along]).zip(MOST)
         {
             let value = value.map_or(1.0, |n| n as f64);
-            if !(1.0..=high).contains(&value) {
-                return Err(FemError::Refused(format!(
-                    "mesh: {name} is {value}; it must lie between {low} and {high}",
-                    low = 1.0
-                )));
-            }
+            FemError::check_mesh(name, value, 1.0, high)?;
         }
         Ok(())
     }
@@ -323,34 +353,13 @@ impl BrickMesh {
 
     /// Nodes of every brick, as the shape functions want them: through the wall first, then around, then along.
     pub fn bricks(&self) -> Vec<Vec<u32>> {
-        let (p, [nr, nc, nz]) = (self.brick.order(), self.elements);
-        let mut out = Vec::with_capacity(nr * nc * nz);
-        for k in 0..nz {
-            for j in 0..nc {
-                for i in 0..nr {
-                    let at = |a: usize| {
-                        let (x, y, z) = (a % (p + 1), a / (p + 1) % (p + 1), a / ((p + 1) * (p + 1)));
-                        self.node(p * i + x, p * j + y, p * k + z) as u32
-                    };
-                    out.push((0..(p + 1).pow(3)).map(at).collect());
-                }
-            }
-        }
-        out
+        self.brick.bricks(self.elements, |i, j, k| self.node(i, j, k))
     }
 
     /// Nodes of every face of the inner surface up to the terminal: around first, then along.
     pub fn cavity_faces(&self) -> Vec<Vec<u32>> {
-        let (p, [_, nc, _]) = (self.brick.order(), self.elements);
-        let nz = self.free_rows() / p;
-        let mut out = Vec::with_capacity(nc * nz);
-        for k in 0..nz {
-            for j in 0..nc {
-                let at = |a: usize| self.node(0, p * j + a % (p + 1), p * k + a / (p + 1)) as u32;
-                out.push((0..(p + 1).pow(2)).map(at).collect());
-            }
-        }
-        out
+        let rows = self.free_rows() / self.brick.order();
+        self.brick.faces([self.elements[1], rows], |j, k| self.node(0, j, k))
     }
 
     /// Both ends of every strand piece: the family that turns left first, quad by quad from the middle, then the other.

@@ -90,18 +90,10 @@ impl Plug {
     pub(super) fn measures(&self, inner: f64, half: f64) -> Result<(f64, f64), FemError> {
         let insertion = self.insertion_mm.unwrap_or(0.0);
         let least = if self.material == PlugMaterial::Rigid { 0.0 } else { SHORTEST * inner };
-        check("the terminal's insertion in mm", insertion, least, 100.0 * inner)?;
+        FemError::check_mesh("the terminal's insertion in mm", insertion, least, 100.0 * inner)?;
         let nose = self.nose_mm.unwrap_or((NOSE * inner).min(0.5 * half));
-        check("the radius of the terminal's nose in mm", nose, 0.0, inner.min(0.9 * half))?;
+        FemError::check_mesh("the radius of the terminal's nose in mm", nose, 0.0, inner.min(0.9 * half))?;
         Ok((insertion, nose))
-    }
-}
-
-fn check(name: &'static str, value: f64, low: f64, high: f64) -> Result<(), FemError> {
-    if (low..=high).contains(&value) {
-        Ok(())
-    } else {
-        Err(FemError::Refused(format!("mesh: {name} is {value}; it must lie between {low} and {high}")))
     }
 }
 

@@ -52,32 +52,14 @@ impl BrickMesh {
     pub fn plug_bricks(&self) -> Vec<Vec<u32>> {
         let Some(plug) = &self.plug else { return vec![] };
         let (p, [_, nc, nz]) = (self.brick().order(), self.elements());
-        let mut out = vec![];
-        for k in 0..nz - plug.first_row / p {
-            for j in 0..nc {
-                for m in 0..plug.columns() / p {
-                    let at = |a: usize| {
-                        let (x, y, z) = (a % (p + 1), a / (p + 1) % (p + 1), a / ((p + 1) * (p + 1)));
-                        self.plug_node(plug, p * m + x, p * j + y, p * k + z) as u32
-                    };
-                    out.push((0..(p + 1).pow(3)).map(at).collect());
-                }
-            }
-        }
-        out
+        let count = [plug.columns() / p, nc, nz - plug.first_row / p];
+        self.brick().bricks(count, |m, j, k| self.plug_node(plug, m, j, k))
     }
 
     /// Nodes of every face of the plug towards the cavity, their normals out of it.
     pub fn plug_face(&self) -> Vec<Vec<u32>> {
         let Some(plug) = &self.plug else { return vec![] };
-        let (p, nc) = (self.brick().order(), self.elements()[1]);
-        let mut out = vec![];
-        for j in 0..nc {
-            for m in 0..plug.columns() / p {
-                let at = |a: usize| self.plug_node(plug, p * m + a % (p + 1), p * j + a / (p + 1), 0) as u32;
-                out.push((0..(p + 1).pow(2)).map(at).collect());
-            }
-        }
-        out
+        let count = [plug.columns() / self.brick().order(), self.elements()[1]];
+        self.brick().faces(count, |m, j| self.plug_node(plug, m, j, 0))
     }
 }

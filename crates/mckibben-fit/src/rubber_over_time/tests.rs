@@ -186,7 +186,7 @@ fn known_softening_is_found_again_from_its_own_cycles() {
     for (a, b) in found.first_loading.values().iter().zip(law.values()) {
         assert!((a - b).abs() < 1e-5 * b.abs(), "{found:?}");
     }
-    let SofteningFit { r, m_mpa, beta, .. } = found;
+    let OgdenRoxburgh { r, m_mpa, beta } = found.softening();
     assert!((r - 1.6).abs() < 1e-3 && (m_mpa - 0.05).abs() < 1e-3 && (beta - 0.15).abs() < 3e-3, "{found:?}");
     assert!(found.first_loading_rms_mpa < 1e-9 && found.later_rms_mpa < 1e-6);
     // A first loading alone has no softening to be seen.

@@ -36,20 +36,16 @@ pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<Verifi
     Ok(rows)
 }
 
+/// A row of validation, whose error counts in its own way.
+pub(super) fn validated(row: VerificationRow, measure: Measure, error: Option<f64>) -> VerificationRow {
+    let ok = error.is_some_and(|e| e <= row.tolerance);
+    VerificationRow { kind: CaseKind::Validation, measure, error, ok, ..row }
+}
+
 /// The row of a share of points: met where the error is within the tolerance.
 pub(super) fn share_row(name: String, source: &'static str, ours: Option<f64>, off: Off) -> VerificationRow {
-    let error = ours.map(off.error);
-    VerificationRow {
-        name,
-        kind: CaseKind::Validation,
-        measure: Measure::Share,
-        source,
-        reference: COVERAGE,
-        ours,
-        error,
-        tolerance: off.tolerance,
-        ok: error.is_some_and(|e| e <= off.tolerance),
-    }
+    let row = VerificationRow::new(name, source, COVERAGE, ours, off.tolerance);
+    validated(row, Measure::Share, ours.map(off.error))
 }
 
 /// How far a share may be from [`COVERAGE`].
@@ -72,22 +68,11 @@ fn rms(set: &'static MuscleCase, left: &Left) -> VerificationRow {
     let fit = set.fits.first();
     let free = fit.map(|f| f.free.iter().map(|p| p.target.name(&f.muscle)).collect::<Vec<_>>());
     let tolerance = set.rms_of_blocked.unwrap_or(0.0);
-    VerificationRow {
-        name: format!(
-            "{}: fe, {} points, {} identified",
-            set.facts.title,
-            left.points,
-            free.unwrap_or_default().join(" and ")
-        ),
-        kind: CaseKind::Validation,
-        measure: Measure::Rms,
-        source: &set.facts.source,
-        reference: left.blocked_n,
-        ours: (left.points > 0).then_some(left.rms_n),
-        error,
-        tolerance,
-        ok: error.is_some_and(|e| e <= tolerance),
-    }
+    let free = free.unwrap_or_default().join(" and ");
+    let name = format!("{}: fe, {} points, {free} identified", set.facts.title, left.points);
+    let ours = (left.points > 0).then_some(left.rms_n);
+    let row = VerificationRow::new(name, &set.facts.source, left.blocked_n, ours, tolerance);
+    validated(row, Measure::Rms, error)
 }
 
 /// Identifies a muscle from the mean of its branches as its first fit says, and compares all its points with it.

@@ -38,7 +38,7 @@ use mckibben::muscle::measures::END_FACTOR;
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::progress::Progress;
 use mckibben::rubber::{Law, NeoHookean};
-use mckibben::verification::{CaseKind, Measure, VerificationRow};
+use mckibben::verification::{Measure, VerificationRow};
 
 /// As [`Build`], of any kind.
 type Builder<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync + 'a;
@@ -117,18 +117,8 @@ fn row(
             .ok()
             .map(|c| c.rms_n)
     });
-    let error = rms.map(|rms| rms / largest);
-    VerificationRow {
-        name: format!("hand-made, 20°: {name}"),
-        kind: CaseKind::Validation,
-        measure: Measure::Rms,
-        source: SOURCE,
-        reference: largest,
-        ours: rms,
-        error,
-        tolerance: allowed,
-        ok: error.is_some_and(|e| e <= allowed),
-    }
+    let row = VerificationRow::new(format!("hand-made, 20°: {name}"), SOURCE, largest, rms, allowed);
+    coverage::validated(row, Measure::Rms, rms.map(|rms| rms / largest))
 }
 
 /// Finite elements with ends, for tests.

@@ -12,6 +12,7 @@
 //! outflow is choked, and muscles that pull.
 
 use super::case::{CaseFit, MuscleCase};
+use super::coverage::validated;
 use super::residual::fitted;
 use crate::identify::Build;
 use crate::measured::mean_of_data;
@@ -21,7 +22,7 @@ use mckibben::muscle::measures::LENGTH;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
 use mckibben::threads;
-use mckibben::verification::{CaseKind, Measure, VerificationRow};
+use mckibben::verification::{Measure, VerificationRow};
 
 const TABLE: &str = include_str!("../../data/volume/festo-dmsp-10-pulses.csv");
 /// Gauge pressures in MPa between which pulses are counted.
@@ -166,18 +167,10 @@ pub(super) fn cases(
         let (of, muscle) = predicted.unzip();
         let angle = muscle.map_or_else(String::new, |m| format!(" ({:.1}°)", m.braid().angle_deg));
         let tolerance = if fit.name == FITS[0] { TOLERANCE } else { 0.1 };
-        let error = of.map(|p| p.bias().abs());
-        VerificationRow {
-            name: format!("{}: air let out by pulses of a valve, {}{angle}", set.facts.title, fit.name),
-            kind: CaseKind::Validation,
-            measure: Measure::Value,
-            source: &set.facts.source,
-            reference: of.map_or(0.0, |p| p.measured),
-            ours: of.map(|p| p.predicted),
-            error,
-            tolerance,
-            ok: error.is_some_and(|e| e <= tolerance),
-        }
+        let name = format!("{}: air let out by pulses of a valve, {}{angle}", set.facts.title, fit.name);
+        let (measured, ours) = (of.map_or(0.0, |p| p.measured), of.map(|p| p.predicted));
+        let row = VerificationRow::new(name, &set.facts.source, measured, ours, tolerance);
+        validated(row, Measure::Value, of.map(|p| p.bias().abs()))
     };
     let fits: Vec<&CaseFit> =
         FITS.iter().filter_map(|name| set.fits.iter().find(|f| f.name == *name)).collect();

@@ -5,6 +5,7 @@ use crate::FigureError;
 use crate::font::FAMILY;
 use crate::layout::check_paper;
 use crate::sizes::PER_MM;
+use crate::strokes::through;
 use crate::svg::INK;
 use crate::xml::{escape, length as n};
 use std::fmt::Write as _;
@@ -48,12 +49,9 @@ impl Sheet {
     }
 
     fn path(&self, points: &[[f64; 2]]) -> Result<String, FigureError> {
+        let places: Vec<_> = points.iter().map(|point| self.place(*point)).collect::<Result<_, _>>()?;
         let mut d = String::new();
-        for (i, point) in points.iter().enumerate() {
-            let (x, y) = self.place(*point)?;
-            // Writing into a string does not fail.
-            let _ = write!(d, "{}{} {}", if i == 0 { "M" } else { "L" }, n(x), n(y));
-        }
+        through(&mut d, &places);
         Ok(d)
     }
 

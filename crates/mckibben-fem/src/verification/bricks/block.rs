@@ -47,37 +47,13 @@ impl Block {
         (0..nk).flat_map(|k| (0..nj).flat_map(move |j| (0..ni).map(move |i| [i, j, k]))).collect()
     }
 
-    /// Nodes of a sheet of faces: `at(a, b)` for a along the first, b along the second direction of so many bricks.
-    pub fn faces(&self, count: [usize; 2], at: impl Fn(usize, usize) -> usize) -> Vec<Vec<u32>> {
-        let p = self.brick.order();
-        let mut out = Vec::new();
-        for b in 0..count[1] {
-            for a in 0..count[0] {
-                let node = |n: usize| at(p * a + n % (p + 1), p * b + n / (p + 1)) as u32;
-                out.push((0..(p + 1).pow(2)).map(node).collect());
-            }
-        }
-        out
-    }
-
     /// The body, all free; `map` carries the unit cube to the places at rest.
     pub fn problem(&self, law: Law, bulk: Bulk, map: impl Fn([f64; 3]) -> [f64; 3]) -> Problem {
-        let (p, [n0, n1, n2], [ni, nj, nk]) = (self.brick.order(), self.elements, self.grid());
+        let (p, [ni, nj, nk]) = (self.brick.order(), self.grid());
         let unit = |i: usize, n: usize| i as f64 / (n - 1) as f64;
         let nodes: Vec<[f64; 3]> =
             self.places().iter().map(|[i, j, k]| map([unit(*i, ni), unit(*j, nj), unit(*k, nk)])).collect();
-        let mut bricks = Vec::new();
-        for k in 0..n2 {
-            for j in 0..n1 {
-                for i in 0..n0 {
-                    let at = |a: usize| {
-                        let (x, y, z) = (a % (p + 1), a / (p + 1) % (p + 1), a / ((p + 1) * (p + 1)));
-                        self.node(p * i + x, p * j + y, p * k + z) as u32
-                    };
-                    bricks.push((0..(p + 1).pow(3)).map(at).collect());
-                }
-            }
-        }
+        let bricks = self.brick.bricks(self.elements, |i, j, k| self.node(i, j, k));
         let sheet = Sheet { around: nj, along: nk, stride: p };
         let columns = sheet.order().into_iter();
         let order = columns.flat_map(|(j, k)| (0..ni).map(move |i| (i, j, k)));

@@ -45,8 +45,8 @@ fn ring(
     let centre = problem.nodes.len();
     problem.nodes.push([0.0, 0.0, 1.0]);
     problem.freedom.push([Freedom::Held, Freedom::Held, Freedom::Terminal]);
-    problem.faces = block.faces([around, 1], |a, b| block.node(0, a, b));
-    let lid = block.faces([around, 1], |a, b| if b == 0 { block.node(0, a, nk - 1) } else { centre });
+    problem.faces = brick.faces([around, 1], |a, b| block.node(0, a, b));
+    let lid = brick.faces([around, 1], |a, b| if b == 0 { block.node(0, a, nk - 1) } else { centre });
     problem.faces.extend(lid);
     let mut body = body(problem)?;
     drive(&mut body, 0.0, stretch - 1.0, 2)?;
