@@ -15,8 +15,8 @@ use mckibben::rubber::{Law, RubberLaw};
 /// Length ℓ of the layer beside a terminal over the outer radius.
 pub(super) const LAYER: f64 = 1.4;
 
-/// Steps in which a tube is drawn on its plugs.
-const DRAWN_IN: usize = 4;
+/// Smallest share of the way in which a tube is drawn on its plugs.
+const SMALLEST_DRAW: f64 = 1.0 / 256.0;
 
 /// What holds the last station.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -222,16 +222,24 @@ fn on_plugs(cylinder: &Mesh, problem: &Problem) -> Result<Mesh, FemError> {
     let (half, layer) = (path.body.discretisation.half_length(), LAYER * path.body.discretisation.radius);
     let l = path.body.discretisation.layout;
     let drawn = |r: f64, share: f64| (r * r + share * problem.plug_mm2).sqrt();
-    for step in 1..=DRAWN_IN {
-        let (before, now) = ((step - 1) as f64 / DRAWN_IN as f64, step as f64 / DRAWN_IN as f64);
+    let (mut done, mut step) = (0.0, 0.25);
+    while done < 1.0 {
+        let (before, next) = (path.body.state.clone(), f64::min(done + step, 1.0));
         for j in 0..=2 * l.along {
             for i in 0..l.nodes() {
                 let [r, z] = cylinder.node(i, j);
                 let fall = ((z - half) / layer).exp();
-                path.body.state.u[l.at(j) + 2 * i] += drawn(r, now * fall) - drawn(r, before * fall);
+                path.body.state.u[l.at(j) + 2 * i] += drawn(r, next * fall) - drawn(r, done * fall);
             }
         }
-        path.solve(Control::Length(0.0)).map_err(FemError::on_plugs)?;
+        match path.solve(Control::Length(0.0)) {
+            Ok(()) => done = next,
+            Err(stop) if stop.is_final() || step < SMALLEST_DRAW => return Err(FemError::on_plugs(stop)),
+            Err(_) => {
+                path.body.state = before;
+                step *= 0.5;
+            }
+        }
     }
     let mut mesh = cylinder.clone();
     for (k, node) in mesh.nodes.iter_mut().enumerate() {

@@ -44,6 +44,24 @@ fn a_braid_laid_over_wide_plugs_pulls_as_in_independent_finite_elements_and_noth
     }
 }
 
+/// Thin and thick tubes on plugs from half of the bore to almost twice of it.
+#[test]
+fn tubes_are_drawn_on_plugs_of_all_sizes_and_pull_nothing_without_pressure() {
+    for (outer_mm, wall_mm, length_mm) in
+        [(30.0, 1.5, 200.0), (20.0, 3.0, 80.0), (8.0, 0.4, 60.0), (40.0, 9.0, 300.0)]
+    {
+        let tube =
+            Tube::new(outer_mm, wall_mm, length_mm, Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 })));
+        let braid =
+            Braid { angle_deg: 25.0, stiffness: BraidStiffness::NewtonPerMm(600.0), ..Braid::paper() };
+        let plain = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
+        for factor in [0.5, 0.7, 1.1, 1.4, 1.7, 1.95] {
+            let m = plain.with(&PLUG_DIAMETER, factor * (outer_mm - 2.0 * wall_mm)).unwrap();
+            assert!(force_n(&m, 0.0, 0.0).abs() < 1e-6, "{outer_mm} {factor}");
+        }
+    }
+}
+
 /// Slopes against central differences, and ∂F/∂P at fixed L = −∂V/∂L at fixed P.
 #[test]
 fn slopes_are_those_of_differences_and_maxwell_holds() {
