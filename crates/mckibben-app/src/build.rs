@@ -16,7 +16,9 @@ use mckibben::answer::{Options, check_range};
 use mckibben::cancel;
 use mckibben::model::Workspace;
 use mckibben::progress::{Progress, Silent};
-use mckibben_build::{BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, Wishes};
+use mckibben_build::{
+    BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, Wishes, highest_mpa, proof_mpa,
+};
 use mckibben_report::Document;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -30,6 +32,8 @@ pub struct BuildRequest {
     pub muscle: MuscleFields,
     /// Working pressure, MPa; default 0.25, or the allowed pressure where that is lower.
     pub pressure_mpa: Option<f64>,
+    /// Allow a working pressure above the allowed pressure, up to three quarters of the burst pressure.
+    pub overpressure: bool,
     /// Fitting of the air: the thread `m5`, `g1/8` or `g1/4`, into which a push-in fitting is screwed, or `barb:4` for a hose with a bore of 4 mm;
     /// default m5 up to a tube of 15 mm, then g1/8.
     pub fitting: Option<String>,
@@ -206,6 +210,23 @@ fn planned(request: &BuildRequest) -> Result<(Plan, Burst), Problem> {
     Ok((plan, burst))
 }
 
+/// A working pressure that the muscle does not bear is refused.
+fn borne(request: &BuildRequest, burst: &Burst, pressure_mpa: f64) -> Result<(), Problem> {
+    let most_mpa = match (request.overpressure, burst.first(), burst.allowed()) {
+        (true, Some((_, burst_mpa)), _) => highest_mpa(burst_mpa),
+        (false, _, Some((allowed_mpa, _))) => allowed_mpa,
+        _ => f64::INFINITY,
+    };
+    if pressure_mpa <= most_mpa {
+        return Ok(());
+    }
+    let said = said_of(burst, pressure_mpa, f64::INFINITY);
+    let said = said.first().map_or_else(String::new, ToString::to_string);
+    let hint =
+        "give a lower `pressure_mpa`; `overpressure` allows up to three quarters of the burst pressure";
+    Err(Problem::new(ProblemKind::OutOfRange, said, hint).in_field("pressure_mpa"))
+}
+
 /// What `fe` finds of the muscle.
 fn operating(
     request: &BuildRequest,
@@ -219,6 +240,7 @@ fn operating(
     let burst = burst_of(&choice, model)?;
     let allowed_mpa = burst.allowed().map(|a| a.0);
     let pressure_mpa = asked_mpa.unwrap_or(usual_mpa(&burst));
+    borne(request, &burst, pressure_mpa)?;
     check_range(model, pressure_mpa, 0.0, options)?;
     let free = free_contraction(model, w, pressure_mpa, options)?;
     let mut free_contractions = vec![];
@@ -242,6 +264,10 @@ fn operating(
     let widest = 2.0 * contour_mm.iter().map(|p| p[1]).fold(0.0, f64::max);
     let response = &shape.point.response;
     let volume_mm3 = response.volume_mm3.unwrap_or_else(|| muscle.rest_volume_mm3());
+    let proof_mpa = proof_mpa(pressure_mpa, burst.first().map(|f| f.1));
+    // A muscle whose free state at the proof pressure is not found stores at least what its cavity at the working pressure does.
+    let at_proof = free_contraction(model, w, proof_mpa, options).ok();
+    let at_proof = at_proof.and_then(|free| model.response(w, proof_mpa, free).ok()?.volume_mm3);
     let found = Operating {
         model: model.info().name.to_string(),
         pressure_mpa,
@@ -249,6 +275,7 @@ fn operating(
         free_contraction: free,
         bulged_diameter_mm: response.bulged_diameter_mm.unwrap_or(widest),
         volume_mm3,
+        proof: (proof_mpa, at_proof.unwrap_or(volume_mm3)),
         contour_mm,
         burst: burst.first().map(|(by, burst_mpa)| (burst_mpa, by)),
         allowed_mpa,

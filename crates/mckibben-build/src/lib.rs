@@ -38,7 +38,7 @@ pub use mesh::Mesh;
 pub use operating::Operating;
 pub use plan::{Plan, Wishes};
 pub use plug::{AirPlug, EyePlug, Stem};
-pub use safety::Safety;
+pub use safety::{Safety, highest_mpa, proof_mpa};
 pub use test_points::TestPoint;
 
 pub use mckibben_io::files::{Content, File};

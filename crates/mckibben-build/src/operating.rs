@@ -15,6 +15,8 @@ pub struct Operating {
     pub bulged_diameter_mm: f64,
     /// Cavity in mm³ there.
     pub volume_mm3: f64,
+    /// Pressure of the proof test in MPa, and the cavity in mm³ there.
+    pub proof: (f64, f64),
     /// Its outer contour from the middle (z = 0) to a clamp: z and radius in mm.
     pub contour_mm: Vec<[f64; 2]>,
     /// Burst pressure in MPa, where it is known, and how the muscle fails there.

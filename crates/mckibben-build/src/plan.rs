@@ -13,6 +13,9 @@ use mckibben::muscle::Muscle;
 use mckibben::refused::Refused;
 use std::f64::consts::PI;
 
+/// Tension in MPa that a printed plug is taken to bear across its layers, from one to the next: a choice.
+const PRINTED_MPA: f64 = 10.0;
+
 /// What the builder may choose.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Wishes {
@@ -91,10 +94,16 @@ impl Plan {
         let end_load_n = clamp_load_n(&muscle, operating.blocked_force_n.max(0.0), operating.pressure_mpa);
         let bolt_mm = wishes.bolt_mm.unwrap_or_else(|| plug::bolt_mm(end_load_n));
         let tie = Tie::around(bore_mm);
-        let stem = Stem::new(bore_mm, length_mm, over_sleeve_mm, tie.width_mm, plug::foot_mm(bolt_mm));
+        let stem = Stem::new(
+            (bore_mm, muscle.terminals().plug_diameter_mm),
+            length_mm,
+            over_sleeve_mm,
+            tie.width_mm,
+            plug::foot_mm(bolt_mm),
+        );
         let clamps = Clamps::of(tie, stem.grooves, end_load_n);
         let fitting = wishes.fitting.unwrap_or_else(|| Fitting::usual(muscle.outer_diameter_mm()));
-        let safety = Safety::new(operating.pressure_mpa, operating.burst.map(|b| b.0), operating.volume_mm3);
+        let safety = Safety::new(&operating);
         let test = test_points::points(&operating);
         let (air_plug, eye_plug) = (AirPlug::new(stem, fitting), EyePlug::new(stem, bolt_mm));
         let parts = material::bill(&muscle, &cut, clamps, &air_plug, &eye_plug);
@@ -138,6 +147,13 @@ impl Plan {
             out.push(format!(
                 "a plug for a bore of {} mm is too thin for most printers; a turned plug, or a needle with a knot of thread, takes its place",
                 crate::text::mm(bore_mm)
+            ));
+        }
+        let stress_mpa = self.air_plug.stem.stress_mpa(self.end_load_n, self.air_plug.passage_mm);
+        if stress_mpa > PRINTED_MPA {
+            out.push(format!(
+                "the stem of the air plug carries {} MPa; printed layers are taken to bear {PRINTED_MPA} MPa across: turn both plugs from metal, or take wider ones",
+                crate::text::significant(stress_mpa, 2)
             ));
         }
         if self.clamps == Clamps::Crimped {

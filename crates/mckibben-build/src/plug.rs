@@ -51,11 +51,18 @@ pub struct Stem {
 }
 
 impl Stem {
-    /// The stem for a tube, under a sleeve of a diameter over its strands, for ties of a width; the collar has room for a foot.
-    pub(crate) fn new(bore_mm: f64, length_mm: f64, over_sleeve_mm: f64, tie_mm: f64, foot_mm: f64) -> Self {
+    /// The stem for a tube, as wide as is stated, under a sleeve of a diameter over its strands, for ties of a width; the collar has room for a foot.
+    pub(crate) fn new(
+        (bore_mm, stated_mm): (f64, Option<f64>),
+        length_mm: f64,
+        over_sleeve_mm: f64,
+        tie_mm: f64,
+        foot_mm: f64,
+    ) -> Self {
         let (share, least, most) = INTERFERENCE;
-        let interference_mm = (share * bore_mm).clamp(least.min(0.2 * bore_mm), most);
-        let diameter_mm = bore_mm + interference_mm;
+        let usual_mm = bore_mm + (share * bore_mm).clamp(least.min(0.2 * bore_mm), most);
+        let diameter_mm = stated_mm.unwrap_or(usual_mm);
+        let interference_mm = diameter_mm - bore_mm;
         let groove_width_mm = tie_mm + GROOVE_ROOM_MM;
         let fits = |n: f64| length_mm >= n * groove_width_mm + (n + 1.0) * LAND_MM;
         Self {
@@ -76,6 +83,13 @@ impl Stem {
         let lands = self.grooves as f64 + 1.0;
         let land = (self.length_mm - self.grooves as f64 * self.groove_width_mm) / lands;
         (0..self.grooves).map(|i| land + i as f64 * (land + self.groove_width_mm)).collect()
+    }
+
+    /// Tension in MPa in the thinnest section around a passage of a diameter, at a load in N.
+    pub(crate) fn stress_mpa(&self, load_n: f64, passage_mm: f64) -> f64 {
+        let depth_mm = if self.grooves > 0 { self.groove_depth_mm } else { 0.0 };
+        let root_mm = self.diameter_mm - 2.0 * depth_mm;
+        4.0 * load_n / (PI * (root_mm * root_mm - passage_mm * passage_mm))
     }
 
     /// Length of the bevel of the inner end in mm, and the radius there.

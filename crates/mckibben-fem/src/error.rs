@@ -109,6 +109,16 @@ impl FemError {
         }
     }
 
+    /// Why a tube is not in equilibrium on its plugs.
+    pub(crate) fn on_plugs(reason: Stopped) -> Self {
+        match reason {
+            Stopped::Cancelled(cancelled) => Self::Cancelled(cancelled),
+            reason => Self::Refused(format!(
+                "terminals.plug_diameter: {reason} as the tube is drawn on its plugs; take plugs nearer to the bore"
+            )),
+        }
+    }
+
     /// Why there is no equilibrium with a pull in N; that the caller wanted to end is no property of that pull.
     pub(crate) fn at_force(force_n: f64, reason: Stopped) -> Self {
         match reason {

@@ -15,6 +15,7 @@ fn operating(muscle: &Muscle, pressure_mpa: f64) -> Operating {
         free_contraction: 0.2,
         bulged_diameter_mm: 1.5 * d0,
         volume_mm3: 1.5 * muscle.rest_volume_mm3(),
+        proof: (0.5, 1.5 * muscle.rest_volume_mm3()),
         contour_mm: vec![[0.0, 0.75 * d0], [0.8 * half, 0.75 * d0], [half, 0.5 * d0]],
         burst: Some((1.2, FailureMode::Mesh)),
         allowed_mpa: Some(0.3),

@@ -12,7 +12,7 @@ use crate::shown;
 use mckibben_app::{BuildAnswer, BuildRequest, REPORT, build};
 
 pub const TEXT: &str = "build: Build a muscle: report, drawing, plugs, cut list, bill of materials, steps, test sheet
-Question: p/pressure_mpa
+Question: p/pressure_mpa overpressure
 fitting<FITTING> | Fitting of the air: m5, g1/8, g1/4 (push-in fittings have these threads), or barb:4 for a hose with a bore of 4 mm [m5; g1/8 from 15 mm]
 bolt_mm<DIAMETER> sleeve_diameter_mm<DIAMETER> e/contraction
 Title_block_of_the_report: name<TEXT> project<TEXT> number<TEXT> revision<TEXT> date<TEXT>

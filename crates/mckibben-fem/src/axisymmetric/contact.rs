@@ -22,6 +22,7 @@ use super::results::strand;
 use crate::FemError;
 use crate::element::q2::{GAUSS2, along};
 use mckibben::model::Workspace;
+use std::f64::consts::PI;
 
 /// Second derivatives of the shape functions of a line element in its coordinate: middle, left, right.
 const CURVED: [f64; 3] = [-2.0, 1.0, 1.0];
@@ -94,25 +95,24 @@ fn place(d: &Discretisation, u: &[f64], by: &[f64], (slab, g): (usize, usize)) -
     let d_meridian = (v_r * d_r + v_z * d_z) / meridian;
     let square = stretch.value * stretch.value;
     let turning = (meridian * d_hoop - v_hoop * d_meridian) / square;
-    // Curvature of the meridian, positive where it bulges; r and z at rest are straight lines along it.
-    let (j, outer) = (2 * slab, 2 * l.through);
-    let half = 0.5 * (d.mesh.node(outer, j + 2)[1] - d.mesh.node(outer, j)[1]);
+    // Curvature of the meridian, positive where it bulges.
+    let nodes = [1, 0, 2].map(|j| d.mesh.node(2 * l.through, 2 * slab + j));
     let (n, slope) = along(GAUSS2[g].0);
-    let (mut r, mut r1, mut z1, mut r2, mut z2) = (d.mesh.node(outer, j)[0], 0.0, 1.0, 0.0, 0.0);
+    let (mut r, mut r1, mut z1, mut r2, mut z2) = (0.0, 0.0, 0.0, 0.0, 0.0);
     for a in 0..3 {
-        let (u_r, u_z) = (line[2 * a], line[2 * a + 1]);
-        r += n[a] * u_r;
-        r1 += slope[a] / half * u_r;
-        z1 += slope[a] / half * u_z;
-        r2 += CURVED[a] / (half * half) * u_r;
-        z2 += CURVED[a] / (half * half) * u_z;
+        let (r_a, z_a) = (nodes[a][0] + line[2 * a], nodes[a][1] + line[2 * a + 1]);
+        r += n[a] * r_a;
+        r1 += slope[a] * r_a;
+        z1 += slope[a] * z_a;
+        r2 += CURVED[a] * r_a;
+        z2 += CURVED[a] * z_a;
     }
     let length = r1.hypot(z1);
     let bending = (r1 * z2 - z1 * r2) / length.powi(3);
     let midline = r + braid.lay.offset_mm;
     let (sin2, cos2) = (v_hoop * v_hoop / square, meridian * meridian / square);
     let curvature = sin2 * z1 / (length * midline) + cos2 * bending;
-    let area = point.area * r * length / braid.lay.radius_mm;
+    let area = 2.0 * PI * GAUSS2[g].1 * r * length;
     let pressed = 2.0 * q * stretch.value * curvature * point.area;
     ContactPlace {
         rest_mm: point.place,

@@ -1,17 +1,22 @@
 //! A tube under a braid, divided into elements: everything that does not change while it deforms.
 
+use super::body::Body;
 use super::layout::Layout;
 use super::memory::Memory;
 use super::mesh::Mesh;
 use crate::FemError;
 use crate::element::q2::{Geometry, NODES, Point, point};
 use crate::element::strand::{self, STRAND_POINTS, StrandPoint};
-use crate::solver::body::State;
+use crate::solver::body::{Control, State};
+use crate::solver::continuation::Continuation;
 use mckibben::muscle::{Bulk, Crimp, Muscle, Parts, StrandLay};
 use mckibben::rubber::{Law, RubberLaw};
 
 /// Length ℓ of the layer beside a terminal over the outer radius.
-pub(crate) const LAYER: f64 = 1.4;
+pub(super) const LAYER: f64 = 1.4;
+
+/// Smallest share of the way in which a tube is drawn on its plugs.
+const SMALLEST_DRAW: f64 = 1.0 / 256.0;
 
 /// What holds the last station.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -86,8 +91,10 @@ impl Problem {
 pub struct Discretisation {
     /// Where unknowns stand.
     pub layout: Layout,
-    /// The nodes at rest.
+    /// The nodes at rest: where the tube has them on its plugs.
     pub mesh: Mesh,
+    /// The nodes of the tube before it is drawn on plugs.
+    pub cylinder: Mesh,
     /// Rubber, braid, ends.
     pub problem: Problem,
     /// Elements, slab by slab, each from the inner surface outwards.
@@ -126,7 +133,11 @@ impl Discretisation {
     ///
     /// # Errors
     /// [`FemError::Refused`] where an element is turned inside out.
-    pub fn new(mesh: Mesh, problem: Problem) -> Result<Self, FemError> {
+    pub fn new(cylinder: Mesh, problem: Problem) -> Result<Self, FemError> {
+        let mesh = match problem.braid {
+            Some(_) if problem.plug_mm2 != 0.0 => on_plugs(&cylinder, &problem)?,
+            _ => cylinder.clone(),
+        };
         let multipliers = matches!(problem.braid, Some(BraidSpec { stiffness: None, .. }));
         let layout = mesh.layout(multipliers);
         let mut elements = Vec::with_capacity(mesh.through * mesh.along);
@@ -146,11 +157,11 @@ impl Discretisation {
         let mut strands = Vec::new();
         if let Some(braid) = problem.braid {
             for slab in 0..mesh.along {
-                let (left, right) = (mesh.node(outer, 2 * slab), mesh.node(outer, 2 * slab + 2));
-                strands.push(strand::points(left[1], right[1], left[0], &braid.lay));
+                let nodes = [1, 0, 2].map(|j| mesh.node(outer, 2 * slab + j));
+                strands.push(strand::points(nodes, cylinder.node(outer, 0)[0], &braid.lay));
             }
         }
-        let (inner, radius) = (mesh.node(0, 0)[0], mesh.node(outer, 0)[0]);
+        let (inner, radius) = (cylinder.node(0, 0)[0], cylinder.node(outer, 0)[0]);
         let shear = problem.law.shear_modulus_mpa();
         let (compliance, augment) = match problem.bulk {
             Bulk::Incompressible => (0.0, 20.0 * shear),
@@ -168,6 +179,7 @@ impl Discretisation {
             shear,
             memory: None,
             mesh,
+            cylinder,
             problem,
         })
     }
@@ -196,33 +208,43 @@ impl Discretisation {
         self.mesh.node(0, 2 * self.mesh.along)[1]
     }
 
-    /// The body at rest, drawn on its plugs.
+    /// The body at rest.
     pub fn rest(&self) -> State {
-        let mut state = State::rest(self.layout.unknowns(), 0, STRAND_POINTS * self.strands.len());
-        self.draw_on_plugs(&mut state);
-        state
+        State::rest(self.layout.unknowns(), 0, STRAND_POINTS * self.strands.len())
     }
+}
 
-    /// Radius in mm to which plugs draw the wall at R (mm) of a station of which a share takes part.
-    pub fn drawn_mm(&self, radius_mm: f64, share: f64) -> f64 {
-        if self.problem.plug_mm2 == 0.0 {
-            return radius_mm;
+/// The tube on plugs that are not as wide as its bore, in equilibrium without a braid and as long as before. The wall on a plug keeps its section,
+/// r² = R² + rp² − Ri². What draws the tube back from its plugs is left out: the muscle begins without stress in this shape.
+fn on_plugs(cylinder: &Mesh, problem: &Problem) -> Result<Mesh, FemError> {
+    let tube = Problem { braid: None, prestretch: 1.0, ..problem.clone() };
+    let mut path = Continuation::new(Body::new(Discretisation::new(cylinder.clone(), tube)?));
+    let (half, layer) = (path.body.discretisation.half_length(), LAYER * path.body.discretisation.radius);
+    let l = path.body.discretisation.layout;
+    let drawn = |r: f64, share: f64| (r * r + share * problem.plug_mm2).sqrt();
+    let (mut done, mut step) = (0.0, 0.25);
+    while done < 1.0 {
+        let (before, next) = (path.body.state.clone(), f64::min(done + step, 1.0));
+        for j in 0..=2 * l.along {
+            for i in 0..l.nodes() {
+                let [r, z] = cylinder.node(i, j);
+                let fall = ((z - half) / layer).exp();
+                path.body.state.u[l.at(j) + 2 * i] += drawn(r, next * fall) - drawn(r, done * fall);
+            }
         }
-        (radius_mm * radius_mm + share * self.problem.plug_mm2).sqrt()
-    }
-
-    /// Puts the last station on its plug, and the wall beside it in a layer of the length ℓ.
-    pub fn draw_on_plugs(&self, state: &mut State) {
-        if self.problem.plug_mm2 == 0.0 {
-            return;
-        }
-        let half = self.half_length();
-        for j in 0..=2 * self.layout.along {
-            for i in 0..self.layout.nodes() {
-                let [r, z] = self.mesh.node(i, j);
-                let share = ((z - half) / (LAYER * self.radius)).exp();
-                state.u[self.layout.at(j) + 2 * i] = self.drawn_mm(r, share) - r;
+        match path.solve(Control::Length(0.0)) {
+            Ok(()) => done = next,
+            Err(stop) if stop.is_final() || step < SMALLEST_DRAW => return Err(FemError::on_plugs(stop)),
+            Err(_) => {
+                path.body.state = before;
+                step *= 0.5;
             }
         }
     }
+    let mut mesh = cylinder.clone();
+    for (k, node) in mesh.nodes.iter_mut().enumerate() {
+        let at = l.at(k / l.nodes()) + 2 * (k % l.nodes());
+        *node = [node[0] + path.body.state.u[at], node[1] + path.body.state.u[at + 1]];
+    }
+    Ok(mesh)
 }

@@ -169,14 +169,14 @@ pub(super) fn shape(
     let outer = 2 * l.through;
     let strain = stiffness.map_or(0.0, |k| 0.8 * tension(d, angle_rad, state.pressure) / k).min(0.1);
     let strand2 = (1.0 + strain).powi(2);
-    let station = |j: usize| d.mesh.node(outer, j)[1];
+    let station = |j: usize| d.cylinder.node(outer, j)[1];
     let mut line = Line {
         lay,
         sin2,
         cos2: 1.0 - sin2,
         strand2,
         radius: d.radius,
-        end: d.drawn_mm(d.radius, 1.0),
+        end: d.mesh.node(outer, 2 * l.along)[0],
         half,
         layer: LAYER * d.radius,
         bulge: 0.0,
@@ -215,17 +215,17 @@ pub(super) fn shape(
             * ((half - at) / (2.0 * (d.radius - d.mesh.node(0, j)[0]))).min(1.0);
         let lean = (1.0 - tilt * tilt).sqrt();
         for i in 0..=outer {
-            let rest = d.mesh.node(i, j);
+            let (rest, from) = (d.cylinder.node(i, j), d.mesh.node(i, j));
             let k = l.at(j) + 2 * i;
             if j == 2 * l.along {
-                (state.u[k], state.u[k + 1]) = (d.drawn_mm(rest[0], 1.0) - rest[0], terminal);
+                (state.u[k], state.u[k + 1]) = (0.0, terminal);
                 continue;
             }
             // r h − h²/2 = (Ro² − R²)/(2 λm): what lies outside of R keeps its volume.
             let section = (d.radius * d.radius - rest[0] * rest[0]) / meridian;
             let depth = r - (r * r - section).max(0.04 * r * r).sqrt();
-            state.u[k] = r - depth * lean - rest[0];
-            state.u[k + 1] = z - depth * tilt - rest[1];
+            state.u[k] = r - depth * lean - from[0];
+            state.u[k + 1] = z - depth * tilt - from[1];
         }
     }
     for i in 0..=outer {

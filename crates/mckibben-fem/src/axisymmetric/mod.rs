@@ -20,7 +20,6 @@ pub mod sweep;
 
 pub use body::Body;
 pub use contact::{Contact, ContactPlace};
-pub(crate) use discretisation::LAYER;
 pub use discretisation::{BraidSpec, Discretisation, Ends, Problem};
 pub use memory::Memory;
 pub use mesh::{Mesh, MeshSpec};

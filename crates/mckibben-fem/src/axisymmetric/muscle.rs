@@ -48,7 +48,6 @@ impl body::Body for Body {
 
     fn rest(&mut self) {
         self.state.clear();
-        self.discretisation.draw_on_plugs(&mut self.state);
     }
 
     fn half_length(&self) -> f64 {

@@ -40,7 +40,7 @@ impl Neighbours {
 
 /// The body with other measures; the mesh keeps its proportions.
 fn rebuilt(d: &Discretisation, from: &Parts, to: &Parts) -> Result<Neighbour, FemError> {
-    let mut mesh: Mesh = d.mesh.clone();
+    let mut mesh: Mesh = d.cylinder.clone();
     let (outer, stretch) = (to.tube.outer_radius_mm(), to.tube.length_mm / from.tube.length_mm);
     let inner = outer - to.tube.wall_mm;
     for node in &mut mesh.nodes {

@@ -117,7 +117,7 @@ fn profile(d: &Discretisation, s: &State) -> Vec<ProfilePoint> {
                 (z + s.u[k + 1], r + s.u[k])
             };
             let ((outer_z_mm, outer_r_mm), (inner_z_mm, inner_r_mm)) = (at(2 * l.through), at(0));
-            let rest_z_mm = d.mesh.node(0, j)[1];
+            let rest_z_mm = d.cylinder.node(0, j)[1];
             ProfilePoint { rest_z_mm, outer_z_mm, outer_r_mm, inner_z_mm, inner_r_mm }
         })
         .collect()
@@ -155,14 +155,28 @@ fn middle_stretch(d: &Discretisation, s: &State) -> f64 {
     first.flat_map(|e| [of(e, -1.0), of(e, 1.0)]).flatten().fold(1.0, f64::max)
 }
 
-/// Nodes at rest and displacements of every element, from the middle to the terminal.
+/// Nodes of every element before it is drawn on plugs, and displacements from there, from the middle to the terminal.
 pub(super) fn elements<'a>(
     d: &'a Discretisation,
     s: &'a State,
 ) -> impl Iterator<Item = ([[f64; 2]; NODES], Unknowns)> + 'a {
     let l = d.layout;
-    (0..l.along)
-        .flat_map(move |slab| (0..l.through).map(move |i| (nodes(&d.mesh, slab, i), unknowns(d, s, slab, i))))
+    (0..l.along).flat_map(move |slab| (0..l.through).map(move |i| from_cylinder(d, s, slab, i)))
+}
+
+pub(super) fn from_cylinder(
+    d: &Discretisation,
+    s: &State,
+    slab: usize,
+    element: usize,
+) -> ([[f64; 2]; NODES], Unknowns) {
+    let [cylinder, drawn] = [&d.cylinder, &d.mesh].map(|mesh| nodes(mesh, slab, element));
+    let mut u = unknowns(d, s, slab, element);
+    for a in 0..NODES {
+        u.r[a] += drawn[a][0] - cylinder[a][0];
+        u.z[a] += drawn[a][1] - cylinder[a][1];
+    }
+    (cylinder, u)
 }
 
 /// Displacements and pressure modes of an element.

@@ -6,7 +6,7 @@
 
 use super::discretisation::{Discretisation, nodes};
 use super::model::Axisymmetric;
-use super::results::{strands, unknowns};
+use super::results::{from_cylinder, strands, unknowns};
 use crate::FemError;
 use crate::element::plane::{self, AnyPlaneLaw, Gradient};
 use crate::element::q2::{GAUSS2, GAUSS3, NODES, POINTS, Point, quadratic};
@@ -144,11 +144,10 @@ fn section(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State) -> Vec<SectionN
     let mut shares = vec![0.0; out.len()];
     for slab in 0..l.along {
         for e in 0..l.through {
-            let rest = nodes(&d.mesh, slab, e);
-            let u = unknowns(d, s, slab, e);
             let index = slab * l.through + e;
             let seen = d.memory.as_ref().map(|m| (m.softening, &m.seen_mpa[index]));
-            let stress = stresses(d, index, &rest, &u, law, seen);
+            let stress = stresses(d, index, &nodes(&d.mesh, slab, e), &unknowns(d, s, slab, e), law, seen);
+            let (rest, u) = from_cylinder(d, s, slab, e);
             for a in 0..NODES {
                 let (x, y) = ([-1.0, 0.0, 1.0][a % 3], [0.0, -1.0, 1.0][a / 3]);
                 let Some(p) = d.point(&rest, x, y) else { continue };

@@ -7,6 +7,10 @@
 //!
 //!   Π_s = Σ_points 2 w [q c − q²/(2k)],   c = λf − 1,  w = 2πRs dZ.
 //!
+//! On plugs that are not as wide as the bore the braid is laid over the mounted tube, and its strands carry nothing there. Its crossings keep their
+//! distance along the strands, sinθ = sinθ0 r0/Rs with r0 the radius at which the braid is laid; cosθ0 and dZ are then those of that shape, and as many
+//! strands pass there, w = 2πRs cosθ0/cosθ ds0.
+//!
 //! For k → ∞ q is the Lagrange multiplier of λf = 1. Two Gauss points: as many conditions as a quadratic line can
 //! follow without locking. The tangent takes the curvature of λf with q as it was extrapolated by the last step, not
 //! with k c: Newton's method then takes far larger steps with stiff strands (Magisano, Leonetti & Garcea 2017 \[magisano2017\]).
@@ -25,7 +29,7 @@ pub struct StrandPoint {
     pub slope: [f64; 3],
     /// sinθ0 N/Rs
     pub hoop: [f64; 3],
-    /// Values at rest of the vector v: (0, cosθ0, sinθ0 (R + t/2)/Rs).
+    /// Values at rest of the vector v: (0, cosθ0, sinθ0 (R + t/2)/Rs) on a cylinder.
     pub rest: [f64; 3],
     /// 2πRs dZ in mm².
     pub area: f64,
@@ -44,19 +48,24 @@ pub struct Stretch {
     pub vector: [f64; 3],
 }
 
-/// The points of a line element between Z = `left` and `right` at the tube's outer radius R in mm.
-pub fn points(left: f64, right: f64, radius: f64, lay: &StrandLay) -> [StrandPoint; STRAND_POINTS] {
-    let half = 0.5 * (right - left);
-    let (sin, cos) = lay.angle_rad.sin_cos();
-    let at_rest = sin * lay.hoop_stretch(radius);
+/// The points of a line element with its nodes at rest (middle, left, right), of a tube with the outer radius R in mm.
+pub fn points(nodes: [[f64; 2]; 3], radius: f64, lay: &StrandLay) -> [StrandPoint; STRAND_POINTS] {
+    let (sin, cos0) = lay.angle_rad.sin_cos();
+    let filled = lay.hoop_stretch(radius);
     GAUSS2.map(|(eta, weight)| {
         let (n, d) = along(eta);
+        let sum = |by: &[f64; 3], c: usize| (0..3).map(|a| by[a] * nodes[a][c]).sum::<f64>();
+        let half = sum(&d, 0).hypot(sum(&d, 1));
+        let hoop = lay.hoop_stretch(sum(&n, 0));
+        // A sleeve that is wider than the tube lies on it only where plugs fill it.
+        let laid = if hoop < filled { hoop / filled } else { hoop.max(1.0) };
+        let cos = cos0 * ((1.0 - (sin * laid).powi(2)) / (1.0 - sin * sin)).sqrt();
         StrandPoint {
             slope: d.map(|x| cos * x / half),
             hoop: n.map(|x| sin * x / lay.radius_mm),
-            rest: [0.0, cos, at_rest],
-            area: 2.0 * PI * lay.radius_mm * half * weight,
-            place: 0.5 * (left + right) + eta * half,
+            rest: [cos * sum(&d, 0) / half, cos * sum(&d, 1) / half, sin * hoop],
+            area: 2.0 * PI * lay.radius_mm * half * weight * cos0 / cos,
+            place: sum(&n, 1),
         }
     })
 }

@@ -7,7 +7,6 @@
 use super::mesh::Brick;
 use super::problem::{Freedom, Problem};
 use crate::FemError;
-use crate::axisymmetric::LAYER;
 use crate::element::brick::{Modes, modes};
 use crate::element::hexahedron::{points8, points27};
 use crate::element::lanes::Width;
@@ -180,17 +179,10 @@ impl Discretisation {
         Ok(out)
     }
 
-    /// The body at rest, drawn on its plugs.
+    /// The body at rest.
     pub fn rest(&self) -> State {
         let nodes = self.problem.nodes.len();
-        let mut state = State::rest(3 * nodes, self.bricks() * self.modes, self.problem.trusses.len());
-        if self.problem.plug_mm2 != 0.0 {
-            for node in 0..nodes {
-                let share = ((self.problem.nodes[node][2] - self.half) / (LAYER * self.radius)).exp();
-                state.u[3 * node..3 * node + 2].copy_from_slice(&self.problem.drawn_mm(node, share));
-            }
-        }
-        state
+        State::rest(3 * nodes, self.bricks() * self.modes, self.problem.trusses.len())
     }
 
     /// Where the tangent's entries stand.

@@ -75,8 +75,6 @@ pub(super) fn carry_over(
             dz += w * (n.now_mm[1] - n.rest_mm[1]);
         });
         let u = if bonded { [0.0, 0.0, state.terminal] } else { [dr * x[0] / r, dr * x[1] / r, dz] };
-        let on_plug = d.problem.plug_mm2 != 0.0 && z == mesh.half_length_mm();
-        let held = if on_plug { d.problem.drawn_mm(node, 1.0) } else { [0.0; 2] };
         for i in 0..3 {
             let number = d.unknown[node][i] as usize;
             state.u[3 * node + i] = if number < d.free {
@@ -84,7 +82,7 @@ pub(super) fn carry_over(
             } else if number == d.free {
                 state.terminal
             } else {
-                held.get(i).copied().unwrap_or(0.0)
+                0.0
             };
         }
     }

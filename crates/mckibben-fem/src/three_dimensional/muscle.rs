@@ -40,17 +40,16 @@ impl MuscleMesh {
     /// [`FemError`] where the numbers give no valid mesh.
     pub fn new(muscle: &Muscle, spec: &BrickSpec) -> Result<Self, FemError> {
         let (tube, braid) = (muscle.tube(), muscle.braid());
-        let plug_stated = muscle.terminals().plug_diameter_mm.is_some();
         let missing = [
             ("braid.thickness", braid.thickness_mm > 0.0),
             ("braid.diameter", !braid.lay(tube).is_on(tube)),
             ("braid.crimp", braid.crimp.is_some()),
             ("tube.material.conditioned", tube.rubber.is_conditioned()),
-            ("terminals.plug_diameter with meshed plugs", plug_stated && spec.plug.is_some()),
+            ("terminals.plug_diameter", muscle.parts().plug_mm2() != 0.0),
         ];
         if let Some((key, _)) = missing.into_iter().find(|(_, stated)| *stated) {
             return Err(FemError::Refused(format!(
-                "three-dimensional elements have no {key}: their strands are trusses on the tube's surface, their rubber is that of a first inflation; take fe, or leave the key out"
+                "three-dimensional elements have no {key}: their strands are trusses on the cylinder of the tube's surface, their rubber is that of a first inflation; take fe, or leave the key out"
             )));
         }
         let angle = braid.angle_rad();

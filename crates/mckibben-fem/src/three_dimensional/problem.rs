@@ -57,8 +57,6 @@ pub struct Problem {
     pub length_mm: Option<f64>,
     /// λp: by how much the rubber, which is the first material, is stretched along z where nothing is displaced.
     pub prestretch: f64,
-    /// rp² − Ri² in mm² of plugs of the radius rp in a bore of the radius Ri: the held end keeps its volume, r² = R² + rp² − Ri².
-    pub plug_mm2: f64,
 }
 
 /// A second material.
@@ -94,17 +92,8 @@ impl Problem {
             others: vec![],
             length_mm: None,
             prestretch: 1.0,
-            plug_mm2: 0.0,
             nodes,
         }
-    }
-
-    /// Displacement in mm across the axis by which plugs hold a node of the end, of which a share takes part elsewhere.
-    pub fn drawn_mm(&self, node: usize, share: f64) -> [f64; 2] {
-        let [x, y, _] = self.nodes[node];
-        let square = x * x + y * y;
-        let factor = if square > 0.0 { (1.0 + share * self.plug_mm2 / square).sqrt() - 1.0 } else { 0.0 };
-        [factor * x, factor * y]
     }
 
     /// Place in mm of a node in the reference configuration of a brick.
@@ -164,14 +153,10 @@ impl Problem {
             others.push(Other { first: bricks.len(), law, bulk: Bulk::Modulus(k) });
             bricks.extend(mesh.plug_bricks());
         }
-        let (plug_mm, bore_mm) = (muscle.parts().plug_radius_mm(), muscle.tube().inner_radius_mm());
         let cap_mm2 = match mesh.plug() {
             // The plug's face closes the cavity.
             Some(_) => 0.0,
-            None => {
-                let of_bore = mesh.polygon_mm2() + 3.0 * (mesh.lid_mm2() - mesh.polygon_mm2());
-                of_bore * (plug_mm / bore_mm).powi(2)
-            }
+            None => mesh.polygon_mm2() + 3.0 * (mesh.lid_mm2() - mesh.polygon_mm2()),
         };
         let nodes = mesh.nodes();
         let stiffness_n = strand_stiffness_n(muscle, mesh);
@@ -194,7 +179,6 @@ impl Problem {
             others,
             length_mm: Some(mesh.half_length_mm()),
             prestretch: muscle.tube().prestretch,
-            plug_mm2: plug_mm * plug_mm - bore_mm * bore_mm,
             nodes: nodes.to_vec(),
         }
     }

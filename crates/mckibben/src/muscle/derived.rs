@@ -105,7 +105,7 @@ impl Muscle {
         BuildSheet {
             tube_cut_mm,
             braid_cut_mm: cut,
-            plug_diameter_mm: 2.0 * ri,
+            plug_diameter_mm: 2.0 * self.parts().plug_radius_mm(),
             strand_cut_mm: cut / self.braid().angle_rad().cos(),
             strands: self.braid().strands.map(|s| s.count),
             rubber_volume_mm3: PI * (ro * ro - ri * ri) * (stretch * tube_cut_mm),

@@ -123,6 +123,17 @@ impl Muscle {
                 ),
             ));
         }
+        let widened = braid.angle_rad().sin() * parts.clamped_radius_mm() / tube.outer_radius_mm();
+        if widened >= 1.0 {
+            return Err(MuscleError::refused(
+                ["terminals.plug_diameter", "braid.angle"],
+                format!(
+                    "terminals.plug_diameter is {plug_mm} mm; a braid with an angle of {} degrees does not widen to the tube on it, with an outer diameter of {:.1} mm: take a narrower plug",
+                    braid.angle_deg,
+                    2.0 * parts.clamped_radius_mm()
+                ),
+            ));
+        }
         let reach = parts.reach();
         parts.tube.rubber = library::following(parts.tube.rubber, reach);
         let warm =

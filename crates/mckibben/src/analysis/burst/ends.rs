@@ -1,8 +1,8 @@
 //! The pressure at which tube and braid are pulled off a plug.
 //!
-//!   F(P, 0) + π Ri² P = T_clamp
+//!   F(P, 0) + π rp² P = T_clamp
 //!
-//! F is the pull of the blocked muscle. The pressure pushes the plug, of the tube's bore Ri, out of the tube, so that the clamp carries both. T_clamp is
+//! F is the pull of the blocked muscle. The pressure pushes the plug, of the radius rp, out of the tube, so that the clamp carries both. T_clamp is
 //! the force at which it lets go, measured or of its maker.
 
 use super::failure::{FailurePressure, NoBurst};
@@ -26,5 +26,5 @@ pub fn pull_off<M: ForceModel + ?Sized>(model: &M) -> Result<FailurePressure, An
 
 /// What each clamp carries at a pull in N and a pressure in MPa, in N.
 pub fn clamp_load_n(muscle: &Muscle, force_n: f64, pressure_mpa: f64) -> f64 {
-    force_n + PI * muscle.tube().inner_radius_mm().powi(2) * pressure_mpa
+    force_n + PI * muscle.parts().plug_radius_mm().powi(2) * pressure_mpa
 }

@@ -68,9 +68,9 @@ impl Universal {
         let l = 1.0 - contraction;
         let q = squared(l, wall.square_at(1.0, l).max(0.5 * ro2));
         let x = wall.square_at(q, l).max(0.5 * ro2);
-        let l = l - START * ro / self.length * (1.0 - self.zone.clamped / x.sqrt());
+        let l = l - START * ro / self.length * (1.0 - ro / x.sqrt());
         let q = squared(l, wall.square_at(q, l).max(0.5 * ro2));
-        let way = wall.square_at(q, l).max(0.0).sqrt() - self.zone.clamped;
+        let way = wall.square_at(q, l).max(0.0).sqrt() - ro;
         // H of strands alone: (λf − 1) λs² is about the same in every section.
         let strain = (q.sqrt() - 1.0) * l * l;
         let stretches = self.zone.radii(Dual::<1>::constant(way)).map(|r| {
@@ -121,7 +121,7 @@ impl Universal {
             let strand_by = (cos2 * l + 0.5 * b * x_l) / e.strand;
             let strain = Dual::new(e.strand - 1.0 + 0.5 * b * dx / e.strand, [strand_by]);
             let radius = Dual::new(r, [0.5 * x_l / r]);
-            let way = radius - Dual::constant(self.zone.clamped);
+            let way = radius - Dual::constant(self.zone.ro);
             let radii = self.zone.radii(way);
             let (at_start, on_way) =
                 (self.stepped(radii[0], h, stretches[0])?, self.stepped(radii[1], h, stretches[1])?);

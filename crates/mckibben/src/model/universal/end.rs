@@ -9,10 +9,9 @@
 //! and their values are those of the middle (λ, b): H = U(λ, b) − λ T(λ, b). At any r on the way the second gives λs, the first
 //! the slope φ, so that what the end adds to the length of a uniform muscle is an integral over r,
 //!
-//!   δ = ∫ (z' − λ) dZ = ∫ (λs cosφ − λ)/(λs sinφ) dr   from Rc to b
+//!   δ = ∫ (z' − λ) dZ = ∫ (λs cosφ − λ)/(λs sinφ) dr   from Ro to b
 //!
-//! and the volume likewise. Rc is the tube's outer radius on the plug: Ro for a plug with the diameter of the bore, else √((dp/2)² + Ro² − Ri²), as
-//! the wall keeps its section there. The integrand is smooth; the rule of Radau with two points (Rc and two thirds of the way, weights ¼ and ¾)
+//! and the volume likewise. The integrand is smooth; the rule of Radau with two points (Ro and two thirds of the way, weights ¼ and ¾)
 //! is used. Derived here. Strands that do not stretch tie λs to r; T is then (U − H)/λs.
 //!
 //! The way back from the bulge decays like e^(−Z/ℓ); in a short muscle the two ends meet before they are through. In the linear theory
@@ -27,13 +26,13 @@ use crate::model::WallEnergy;
 use crate::model::thick_wall::{State, ThickWall};
 use std::f64::consts::PI;
 
-/// Places between Rc and b, and weights.
+/// Places between Ro and b, and weights.
 const RADAU: [(f64, f64); 2] = [(0.0, 0.25), (2.0 / 3.0, 0.75)];
 /// Floor of T and of the load as a share of 2π Ro s μ, and the width of the passage to it.
 const LEAST_TENSION: (f64, f64) = (0.01, 0.02);
 /// Floor of 1 − cosφ as a share of ((b − r)/Ro)², and the width of the passage to it.
 const LEAST_SLOPE: (f64, f64) = (0.01, 0.01);
-/// |b − Rc|/Ro below which the end is that of the linear theory; at twice of it that of the membrane, between the two a mixture.
+/// |b − Ro|/Ro below which the end is that of the linear theory; at twice of it that of the membrane, between the two a mixture.
 const SMALL: f64 = 1e-5;
 /// Factor of ½L0/ℓ where the ends meet: in large bulges ℓ falls on the way to the middle. Chosen on the campaign.
 const MEETING: f64 = 1.2;
@@ -62,8 +61,6 @@ pub(super) struct EndZone {
     pub wall: ThickWall,
     /// Ro
     pub ro: f64,
-    /// Outer radius of the tube on the plug; Ro for a plug with the diameter of the bore.
-    pub clamped: f64,
     /// 2π Ro s μ
     pub scale: f64,
     /// ½L0
@@ -115,7 +112,7 @@ impl EndZone {
             radius: Dual::new(state.r, state.r_by),
             tension: axial,
         };
-        let way = middle.radius - Dual::constant(self.clamped);
+        let way = middle.radius - Dual::constant(self.ro);
         let share = (way.v.abs() / (SMALL * self.ro) - 1.0).min(1.0);
         if share <= 0.0 {
             return Some(self.linear(l, state, way, self.kept(axial)));
@@ -137,14 +134,14 @@ impl EndZone {
     /// Whether an end is that of the membrane alone at a radius of the middle.
     #[inline]
     pub fn bulges(&self, b: f64) -> bool {
-        (b - self.clamped).abs() >= 2.0 * SMALL * self.ro
+        (b - self.ro).abs() >= 2.0 * SMALL * self.ro
     }
 
-    /// Radii of the points of the quadrature, at b − Rc.
+    /// Radii of the points of the quadrature, at b − Ro.
     #[inline(always)]
     pub fn radii<const N: usize>(&self, way: Dual<N>) -> [Dual<N>; 2] {
         let [(first, _), (second, _)] = RADAU;
-        let from = Dual::constant(self.clamped);
+        let from = Dual::constant(self.ro);
         [from + way * first, from + way * second]
     }
 

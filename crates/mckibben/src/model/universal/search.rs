@@ -53,9 +53,9 @@ impl Universal {
     /// λ near which that of the middle is sought.
     pub(super) fn guess(&self, contraction: f64) -> f64 {
         let l = 1.0 - contraction;
-        let (ro, clamped) = (self.zone.ro, self.zone.clamped);
+        let ro = self.zone.ro;
         let bulge = self.zone.wall.pantograph(l) / ro;
-        l - 0.8 * ro / self.length * (1.0 - clamped / ro / bulge.max(0.5))
+        l - 0.8 * ro / self.length * (1.0 - 1.0 / bulge.max(0.5))
     }
 
     /// The middle in a state, from guesses of λs at the sections of the end.
