@@ -216,7 +216,6 @@ fn together(one: &Measure, other: &Measure) -> Problem {
     Problem::new(ProblemKind::Usage, message, "").in_field(name(other))
 }
 
-/// The muscle of a muscle file, or that of the library whose name stands in the place of one: `lib:dmsp-20-300`.
 /// The text of a muscle file; of a name of the library without a text (`lib:NAME`) that of its muscle.
 pub(crate) fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
     let Some(name) = muscles::named(&file.name).filter(|_| file.text.is_empty()) else {
@@ -235,6 +234,7 @@ pub(crate) fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
     })
 }
 
+/// The muscle of a muscle file, or that of the library whose name stands in the place of one: `lib:dmsp-20-300`.
 pub fn muscle_of(file: &TextFile) -> Result<Muscle, Problem> {
     Ok(parse_muscle(&text_of(file)?).map_err(|e| e.of(Path::new(&file.name)))?)
 }

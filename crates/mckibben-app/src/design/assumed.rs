@@ -79,7 +79,6 @@ pub(super) fn stiffer_sleeve(spec: &Spec, build: &Build<'_>, closest: &Closest) 
     }
 }
 
-/// A wall that nobody makes.
 /// The sleeve whose filaments, material and estimates the others have.
 const LIKE: &str = "flexo-overexpanded-0.75in";
 /// It expands to so many times its least diameter.
@@ -131,6 +130,7 @@ pub(super) fn that_fits(spec: &Spec, models: Models<'_>, progress: &dyn Progress
     ))
 }
 
+/// A wall that nobody makes.
 pub(super) fn thin_wall(muscle: &Muscle) -> Option<String> {
     /// Tubes and hoses of rubber have walls of at least half a millimetre, and of a fiftieth of their diameter.
     const LEAST: (f64, f64) = (0.5, 0.02);

@@ -199,7 +199,6 @@ fn no_files() -> Problem {
         .in_field("campaign")
 }
 
-/// Why a table gives no formula.
 /// The paper's campaign computed anew.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
@@ -234,6 +233,7 @@ impl From<FitError> for Problem {
     }
 }
 
+/// Why a table gives no formula.
 fn no_fit(name: &str, error: FitError) -> Problem {
     match error {
         FitError::Cancelled(cancelled) => cancelled.into(),

@@ -66,7 +66,7 @@ impl MuscleCase {
     }
 }
 
-/// What a muscle leaves of the points that its folder fits.
+/// What finite elements of a muscle leave of its measured points.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "LibraryAgreement"))]
 pub struct Agreement {
