@@ -6,7 +6,9 @@ use super::point::OperatingPoint;
 use super::reason::Reason;
 use super::spec::{Build, Objective, Spec};
 use mckibben::analysis::burst::{ends, mesh};
-use mckibben::analysis::{AnalysisError, FailureMode, FailurePressure, burst, force_on, pressure_at};
+use mckibben::analysis::{
+    AnalysisError, FailureMode, FailurePressure, burst, force_on, pressure_at, pressure_below,
+};
 use mckibben::cancel;
 use mckibben::model::{ForceModel, ModelError, ModelKind, Response, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
@@ -237,7 +239,11 @@ pub(super) fn need(
     point: &OperatingPoint,
 ) -> Result<f64, ModelError> {
     let OperatingPoint { force_n, contraction } = *point;
-    match pressure_at(model, workspace, force_n, contraction, spec.options()) {
+    let options = spec.options();
+    if let Some(p) = pressure_below(model, workspace, force_n, contraction, spec.max_pressure_mpa, options) {
+        return Ok(p);
+    }
+    match pressure_at(model, workspace, force_n, contraction, options) {
         Ok(p) => Ok(p.min(spec.max_pressure_mpa)),
         Err(AnalysisError::Model(error)) => Err(error),
         // At the lowest pressure of its range the model already pulls more: that pressure is enough.

@@ -4,10 +4,11 @@
 //!
 //! Friction is no part of a model: with it only samples are left.
 
-use super::ask::{Options, force_on, friction};
+use super::ask::{Options, force_on, friction, response_on};
 use super::error::AnalysisError;
 use super::sweep::{Sweep, places};
 use crate::cancel;
+use crate::model::root::rising_root;
 use crate::model::{ForceModel, Inverse, ModelError, Workspace};
 use crate::muscle::{Direction, Muscle};
 
@@ -123,7 +124,7 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
         if options.extrapolate && lowest > 0.0 {
             sweep.fill((0.0, lowest), fineness.beyond)?;
         }
-        sweep.finer((1, 5))?;
+        sweep.finer((0, 5))?;
     }
     if let Some(zero) = sweep.all()?.first() {
         return Ok(zero.at);
@@ -140,6 +141,24 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
         nearest_pressure_mpa,
         braid_stops_at: stopped.then_some(ideal),
     })
+}
+
+/// The pressure in MPa at which the pull rises through `force_n`, below one at which it is more, by Newton's method from there: three to five answers of
+/// the model. Where a pull rises and falls with the pressure it need not be the smallest, which [`pressure_at`] gives. `None` where it finds none.
+pub fn pressure_below<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    force_n: f64,
+    contraction: f64,
+    more_mpa: f64,
+    options: Options,
+) -> Option<f64> {
+    let lowest = model.info().range.pressure_mpa.0;
+    let excess = |p: f64| match response_on(model, workspace, p, contraction, options.direction) {
+        Ok(r) => (r.force_n - force_n, r.force_per_pressure_mm2.unwrap_or(f64::NAN)),
+        Err(_) => (f64::NAN, f64::NAN),
+    };
+    rising_root(lowest, more_mpa, more_mpa, 1e-13, excess).filter(|p| *p > lowest && *p < more_mpa)
 }
 
 /// The pull of a muscle of which the model says so much; one that would push hangs slack.

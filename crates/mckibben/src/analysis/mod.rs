@@ -19,5 +19,5 @@ pub use characteristics::{blocked_force_n, free_contraction, start_pressure_mpa,
 pub use error::AnalysisError;
 pub use golden::{Abscissa, golden};
 pub(crate) use inverse::{HIGHEST_PRESSURE_MPA, straight_strands};
-pub use inverse::{contraction_at, contraction_or_stretch_at, pressure_at};
+pub use inverse::{contraction_at, contraction_or_stretch_at, pressure_at, pressure_below};
 pub use root::{RootError, find_root};

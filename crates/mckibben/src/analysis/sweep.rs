@@ -102,10 +102,14 @@ impl<F: FnMut(f64) -> Result<f64, ModelError>> Sweep<F> {
     }
 
     /// Halves the way from each sample to the next: `least` times, and up to `most` times where the function is so curved that it may reach zero
-    /// between two of them.
+    /// between two of them. With `least` 0 ways are left out whose ends are further from zero than from each other.
     pub fn finer(&mut self, (least, most): (usize, usize)) -> Result<(), ModelError> {
+        let near = |pair: &&[Sample]| match (pair[0].1, pair[1].1) {
+            (Some(a), Some(b)) => least > 0 || a.abs().min(b.abs()) <= (a - b).abs(),
+            _ => true,
+        };
         let mut left: Vec<(Sample, Sample, usize)> =
-            self.samples.windows(2).map(|pair| (pair[0], pair[1], 0)).collect();
+            self.samples.windows(2).filter(near).map(|pair| (pair[0], pair[1], 0)).collect();
         while let Some((low, high, halved)) = left.pop() {
             let middle = 0.5 * (low.0 + high.0);
             if halved == most || middle <= low.0 || middle >= high.0 {

@@ -28,7 +28,7 @@ mod paper_batch;
 mod quadrature;
 mod range;
 mod response;
-mod root;
+pub(crate) mod root;
 mod rounded_ends;
 mod seated;
 mod thick_wall;
