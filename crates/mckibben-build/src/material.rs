@@ -17,8 +17,7 @@ const SAME_MM: f64 = 0.011;
 
 /// A line of the bill.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, serde::Serialize, schemars::JsonSchema)]
 pub struct BuildPart {
     /// Number in the drawing.
     pub number: u32,

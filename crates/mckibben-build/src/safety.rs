@@ -9,8 +9,7 @@ const PROOF_TO_WORKING: f64 = 2.0;
 const PROOF_TO_BURST: f64 = 0.75;
 
 /// Pressures, and what they store.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, schemars::JsonSchema)]
 pub struct Safety {
     /// Working pressure, MPa.
     pub pressure_mpa: f64,

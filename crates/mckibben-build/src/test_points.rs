@@ -4,8 +4,7 @@ use crate::operating::Operating;
 use mckibben::muscle::Direction;
 
 /// A point of the test.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, schemars::JsonSchema)]
 pub struct TestPoint {
     /// Pressure in MPa.
     pub pressure_mpa: f64,

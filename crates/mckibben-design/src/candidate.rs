@@ -12,8 +12,8 @@ use mckibben::uncertainty::uncertainty;
 use serde::Serialize;
 
 /// A candidate at one operating point.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "DesignPoint"))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "DesignPoint")]
 pub struct CandidatePoint {
     /// What the muscle is like there, at the pressure it takes; its pull is the one that is wanted.
     #[serde(flatten)]

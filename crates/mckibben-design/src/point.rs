@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 /// An operating point that is wanted.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "OperatingPoint"))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[schemars(rename = "OperatingPoint")]
 pub struct OperatingPoint {
     /// Pull, N.
     pub force_n: f64,
@@ -13,8 +13,7 @@ pub struct OperatingPoint {
 }
 
 /// A torque that a joint must hold at an angle, to either side.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct TorqueWanted {
     /// Torque away from the neutral angle, N m.
     pub torque_nm: f64,

@@ -136,8 +136,7 @@ fn round(v: f64) -> f64 {
 }
 
 /// A muscle that does not fit, and why.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Rejected {
     /// Outer diameter D0, mm.
     pub outer_diameter_mm: f64,

@@ -11,8 +11,8 @@ use mckibben::muscle::Muscle;
 use serde::Serialize;
 
 /// A way to make the closest muscle fit.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "RelaxationAnswer"))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "RelaxationAnswer")]
 #[serde(tag = "relax", rename_all = "snake_case")]
 pub enum Relaxation {
     /// Supply this pressure.

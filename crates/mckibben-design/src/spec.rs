@@ -18,8 +18,8 @@ use serde::{Deserialize, Serialize};
 pub type Build<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync + 'a;
 
 /// What is ranked first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "ObjectiveWord"))]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[schemars(rename = "ObjectiveWord")]
 #[serde(rename_all = "kebab-case")]
 pub enum Objective {
     /// Smallest outer diameter at rest.

@@ -9,9 +9,9 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// Tolerances: half-widths, each ±.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(default)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "ToleranceFields"))]
+#[schemars(rename = "ToleranceFields")]
 pub struct Tolerances {
     /// Measures of the muscle.
     #[serde(flatten)]
@@ -19,10 +19,10 @@ pub struct Tolerances {
     /// Pressure, MPa.
     pub pressure_mpa: f64,
     /// All moduli of the rubber, as a share.
-    #[cfg_attr(feature = "schema", schemars(extend("x-quantity" = "ratio")))]
+    #[schemars(extend("x-quantity" = "ratio"))]
     pub modulus: f64,
     /// Stiffness k of a strand family, as a share.
-    #[cfg_attr(feature = "schema", schemars(extend("x-quantity" = "ratio")))]
+    #[schemars(extend("x-quantity" = "ratio"))]
     pub stiffness: f64,
 }
 
@@ -78,8 +78,8 @@ impl Tolerances {
 pub struct ToleranceError(String);
 
 /// The pull at one operating point under tolerances.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "SpreadAnswer"))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "SpreadAnswer")]
 pub struct Spread {
     /// The operating point.
     #[serde(flatten)]

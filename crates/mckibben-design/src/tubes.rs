@@ -22,8 +22,8 @@ pub const CAST_RUBBER: &str = "dragon-skin-30";
 const TEXT: &str = include_str!("../data/tubes.toml");
 
 /// A tube as sold or cast.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "TubeSummary"))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "TubeSummary")]
 pub struct TubePart {
     /// Name, such as `latex-1/4x3/8in`.
     pub name: String,
@@ -35,7 +35,7 @@ pub struct TubePart {
     pub wall_mm: f64,
     /// Its rubber.
     #[serde(serialize_with = "name_of")]
-    #[cfg_attr(feature = "schema", schemars(with = "String"))]
+    #[schemars(with = "String")]
     pub rubber: Rubber,
     /// Density of the rubber, kg/m³, where it is known.
     pub density_kg_per_m3: Option<f64>,

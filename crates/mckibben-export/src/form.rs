@@ -36,15 +36,14 @@ pub const PRESSURE_OUTSIDE: u32 = 2;
 pub const CONTRACTION_OUTSIDE: u32 = 4;
 
 /// Pull and volume of a muscle in closed form. Units: Pa, m, N, m³.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "schema", schemars(rename = "ExportForm"))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "ExportForm")]
 pub struct Form {
     /// Length at rest L0, m.
-    #[cfg_attr(feature = "schema", schemars(extend("x-unit" = "m")))]
+    #[schemars(extend("x-unit" = "m"))]
     pub length_m: f64,
     /// Supply pressure, the upper end of the box, Pa.
-    #[cfg_attr(feature = "schema", schemars(extend("x-unit" = "Pa")))]
+    #[schemars(extend("x-unit" = "Pa"))]
     pub supply_pa: f64,
     /// Lower end of the box in ε, negative.
     pub contraction_low: f64,
@@ -53,13 +52,13 @@ pub struct Form {
     /// Nodes in ε, from the lower end of the box to the upper one.
     pub contractions: Vec<f64>,
     /// Values of c0 to c4 at the nodes, N.
-    #[cfg_attr(feature = "schema", schemars(extend("x-unit" = "N")))]
+    #[schemars(extend("x-unit" = "N"))]
     pub a: [Vec<f64>; FUNCTIONS],
     /// Slopes of c0 to c4 in ε at the nodes, N.
-    #[cfg_attr(feature = "schema", schemars(extend("x-unit" = "N")))]
+    #[schemars(extend("x-unit" = "N"))]
     pub b: [Vec<f64>; FUNCTIONS],
     /// v0 to v4, m³.
-    #[cfg_attr(feature = "schema", schemars(extend("x-unit" = "m³")))]
+    #[schemars(extend("x-unit" = "m³"))]
     pub v: [f64; FUNCTIONS],
     /// Half-width of the hysteresis, N: h0 √q + h1 q; zeros where the muscle does not state its friction.
     pub friction_n: [f64; 2],

@@ -7,8 +7,7 @@ use mckibben::units::short_numbers;
 use serde::{Deserialize, Serialize, Serializer};
 
 /// A motion.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Motion {
     /// What was recorded, lists of one length.
     pub series: MotionSeries,
@@ -23,7 +22,7 @@ pub struct Motion {
     /// Likewise of its first fall, s.
     pub vent_time_s: Option<f64>,
     /// Every step of the command that moved it.
-    #[cfg_attr(feature = "schema", schemars(with = "Vec<serde_json::Value>"))]
+    #[schemars(with = "Vec<serde_json::Value>")]
     pub steps: Vec<StepFigures>,
     /// Largest speed, mm/s or °/s.
     pub largest_speed: f64,
@@ -35,7 +34,7 @@ pub struct Motion {
     pub largest_velocity_deg_per_s: Option<f64>,
     /// Whether it rests at the end, within 2 % of its stroke; none if the command still changes there, or both ends are fixed.
     #[serde(rename = "at_rest", serialize_with = "rests")]
-    #[cfg_attr(feature = "schema", schemars(with = "Option<bool>"))]
+    #[schemars(with = "Option<bool>")]
     pub end: Option<MotionEnd>,
     /// Where a muscle's load rests in the end under the commanded pressure, without friction.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -45,7 +44,7 @@ pub struct Motion {
     pub equilibrium_angle_deg: Option<f64>,
     /// Reason why the run stopped early; the series covers the computed part.
     #[serde(rename = "ended_early", skip_serializing_if = "Option::is_none", serialize_with = "reason")]
-    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
+    #[schemars(with = "Option<String>")]
     pub ended: Option<MotionError>,
     /// Largest power of the muscles, W.
     pub largest_power_w: f64,
@@ -61,7 +60,7 @@ pub struct Motion {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub loop_area: Option<f64>,
     /// Energies, J.
-    #[cfg_attr(feature = "schema", schemars(with = "serde_json::Value"))]
+    #[schemars(with = "serde_json::Value")]
     pub energies: Energies,
     /// Work of the muscles while they shorten over the exergy of the air, or the work of the pump on the liquid.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -70,7 +69,7 @@ pub struct Motion {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bandwidth_hz: Option<f64>,
     /// What happened: ends of stroke, slack, valve switching, reversals.
-    #[cfg_attr(feature = "schema", schemars(with = "Vec<serde_json::Value>"))]
+    #[schemars(with = "Vec<serde_json::Value>")]
     pub events: Vec<Event>,
     /// Number of evaluations of the models.
     pub model_answers: usize,

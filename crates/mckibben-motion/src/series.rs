@@ -45,7 +45,6 @@ pub struct MuscleSeries {
 struct Column {
     name: &'static str,
     unit: &'static str,
-    #[cfg(feature = "schema")]
     about: &'static str,
     of: fn(&MuscleSeries) -> &[f64],
     /// Added to the values.
@@ -57,7 +56,6 @@ macro_rules! columns {
         const COLUMNS: &[Column] = &[$(Column {
             name: $name,
             unit: $unit,
-            #[cfg(feature = "schema")]
             about: $about,
             of: |series| &series.$field,
             shift: $shift,
@@ -164,8 +162,6 @@ impl Serialize for MotionSeries {
         map.end()
     }
 }
-
-#[cfg(feature = "schema")]
 impl schemars::JsonSchema for MotionSeries {
     fn schema_name() -> std::borrow::Cow<'static, str> {
         "MotionSeries".into()

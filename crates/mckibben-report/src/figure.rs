@@ -16,8 +16,7 @@ use serde::{Deserialize, Serialize};
 /// assert!(figure.to_svg()?.starts_with("<svg"));
 /// # Ok::<(), mckibben_report::FigureError>(())
 /// ```
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(default)]
 pub struct Figure {
     /// Title above the panels; may be empty.
@@ -36,8 +35,7 @@ pub struct Figure {
 }
 
 /// How the colour number of a series becomes a colour.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Palette {
     /// Clearly different colours that stay apart for colour-blind readers (Okabe and Ito,
@@ -50,8 +48,7 @@ pub enum Palette {
 }
 
 /// One set of axes with its series and marks.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(default)]
 pub struct Panel {
     /// Title above the axes; may be empty.
@@ -67,8 +64,7 @@ pub struct Panel {
 }
 
 /// An axis.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(default)]
 pub struct Axis {
     /// Quantity and unit, such as `pull F [N]`.
@@ -82,8 +78,7 @@ pub struct Axis {
 /// A line or a set of points.
 ///
 /// A point with a coordinate that is not finite breaks the line and is not drawn.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(default)]
 pub struct Series {
     /// Text of the legend; an empty text makes no legend entry. Series of one panel with
@@ -91,7 +86,7 @@ pub struct Series {
     pub label: String,
     /// The points (x, y), in the units of the axes; a coordinate that is not finite is `null` in JSON.
     #[serde(with = "gaps")]
-    #[cfg_attr(feature = "schema", schemars(with = "Vec<(Option<f64>, Option<f64>)>"))]
+    #[schemars(with = "Vec<(Option<f64>, Option<f64>)>")]
     pub points: Vec<(f64, f64)>,
     /// How it is drawn.
     pub style: Style,
@@ -107,8 +102,7 @@ pub struct Series {
 }
 
 /// How a series is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Style {
     /// A line whose dash pattern goes with its colour number, so that lines stay apart
@@ -130,8 +124,7 @@ pub enum Style {
 }
 
 /// A marked operating point: a ringed dot with a label.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(default)]
 pub struct Mark {
     /// Place on the horizontal axis, in its unit.

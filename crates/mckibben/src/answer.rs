@@ -14,8 +14,7 @@ use serde::{Deserialize, Serialize};
 
 /// One answered point.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Answer {
     /// The model's name.
     pub model: String,
@@ -48,7 +47,7 @@ pub struct Answer {
     /// Of a muscle that extends: the push in N at which it buckles between two joints, by the bending stiffness of its wall alone.
     pub buckling_load_n: Option<f64>,
     /// Warnings, in sentences.
-    #[cfg_attr(feature = "schema", schemars(with = "Vec<String>"))]
+    #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
 }
 

@@ -11,9 +11,8 @@ use crate::model::{ForceModel, ModelError, Workspace};
 use serde::{Deserialize, Serialize};
 
 /// Which test.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Test {
     /// ε fixed, F over P.
     Isometric,

@@ -85,8 +85,7 @@ fn names() -> String {
 ///
 /// The gas is ideal, stays at its temperature (slow changes) and does not dissolve; in fact some of it dissolves under pressure, and the liquid is
 /// stiffer then. At 1 bar 1 % of gas gives way 54 times as far as the water around it. Source: \[merritt1967\], effective bulk modulus.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Liquid {
     /// Its name.
     pub name: String,

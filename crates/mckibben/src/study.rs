@@ -42,8 +42,8 @@ pub struct StudyPanel {
 }
 
 /// One of the paper's statements beside what this model says.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "FindingAnswer"))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "FindingAnswer")]
 pub struct Finding {
     /// What the paper reports.
     pub statement: &'static str,

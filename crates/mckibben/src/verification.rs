@@ -3,9 +3,9 @@
 use serde::Serialize;
 
 /// Whether equations are solved right, or are the right equations.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "CaseKind"))]
+#[schemars(rename = "CaseKind")]
 pub enum CaseKind {
     /// Against exact values.
     Verification,
@@ -14,9 +14,9 @@ pub enum CaseKind {
 }
 
 /// What the numbers of a case are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "CaseMeasure"))]
+#[schemars(rename = "CaseMeasure")]
 pub enum Measure {
     /// A value and what it should be.
     #[default]
@@ -28,8 +28,8 @@ pub enum Measure {
 }
 
 /// A case.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Case"))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "Case")]
 pub struct VerificationRow {
     /// What is computed.
     pub name: String,

@@ -5,8 +5,7 @@ use serde::Serialize;
 use std::path::{Path, PathBuf};
 
 /// How far a run came.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
 pub struct Counts {
     /// Muscles that are done, those of earlier runs among them.
     pub muscles: u64,
@@ -25,8 +24,7 @@ pub struct Counts {
 }
 
 /// A file that was damaged and has been computed anew.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 pub struct Recomputed {
     /// The file.
     pub file: PathBuf,
@@ -35,8 +33,7 @@ pub struct Recomputed {
 }
 
 /// How a run ended.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
 pub struct Outcome {
     /// What was to be written.
     pub output: PathBuf,

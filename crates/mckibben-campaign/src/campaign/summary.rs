@@ -10,8 +10,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Rows that failed in the same way.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
 pub struct Failed {
     /// How many.
     pub points: u64,
@@ -22,8 +21,7 @@ pub struct Failed {
 }
 
 /// Smallest and largest value of a column.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Extent {
     /// The column.
     pub name: String,
@@ -34,8 +32,7 @@ pub struct Extent {
 }
 
 /// Contents of a campaign.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Summary {
     /// Muscles that are there.
     pub muscles: u64,

@@ -5,8 +5,7 @@ use super::error::FitError;
 use serde::Serialize;
 
 /// Errors over a set of points where the muscle pulls (reference force above zero).
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Errors {
     /// Points where the muscle pulls.
     pub points: usize,

@@ -15,9 +15,8 @@ use serde::{Deserialize, Serialize};
 
 /// What becomes of the curve at .05 MPa of a muscle with D0 < 35 and s > 3, of which the paper takes ε ≤ .05 alone: two of its
 /// five contractions, too few for a quadratic, and the paper does not say how it went on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum ThinRule {
     /// They are left out: the fit over pressure has one less.
     #[default]
@@ -29,9 +28,8 @@ pub enum ThinRule {
 }
 
 /// What becomes of points where the muscle would have to push.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum SlackRule {
     /// Their negative force counts.
     #[default]

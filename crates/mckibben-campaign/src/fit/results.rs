@@ -18,8 +18,7 @@ use mckibben::progress::Progress;
 use serde::Serialize;
 
 /// One comparison.
-#[derive(Debug, Clone, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct Finding {
     /// What is compared with what.
     pub comparison: String,
@@ -34,8 +33,7 @@ pub struct Finding {
 }
 
 /// Everything that came out.
-#[derive(Debug, Clone, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct Results {
     /// The comparisons.
     pub findings: Vec<Finding>,

@@ -14,8 +14,8 @@ use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
 
 /// A target of `export`.
-#[derive(Debug, Clone, Copy, serde::Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "ExportTarget"))]
+#[derive(Debug, Clone, Copy, serde::Serialize, schemars::JsonSchema)]
+#[schemars(rename = "ExportTarget")]
 pub struct Target {
     /// Its word for `target`.
     pub name: &'static str,

@@ -7,8 +7,7 @@ use mckibben::muscle::{Bench, Direction, Muscle};
 use serde::{Serialize, Serializer};
 
 /// One parameter with what the data say of it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Identified {
     /// What.
     #[serde(skip)]
@@ -22,11 +21,11 @@ pub struct Identified {
     /// Its unit; empty for a plain number.
     pub unit: &'static str,
     /// Standard error; infinite (null in JSON) where the data do not determine it at all, 0 on a bound.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<f64>"))]
+    #[schemars(with = "Option<f64>")]
     pub standard_error: f64,
     /// Half-width of the 95 % interval; likewise.
     #[serde(rename = "half_width_95")]
-    #[cfg_attr(feature = "schema", schemars(with = "Option<f64>"))]
+    #[schemars(with = "Option<f64>")]
     pub half_width: f64,
     /// The half-width up to which it counts as identifiable.
     pub limit: f64,
@@ -54,8 +53,7 @@ pub struct PointFit {
 }
 
 /// Root mean square and largest residual of some points.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Spread {
     /// Of which points.
     #[serde(rename = "of")]
@@ -71,8 +69,7 @@ pub struct Spread {
 }
 
 /// Everything that was identified.
-#[derive(Debug, Clone, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct Identification {
     /// What was free, with its value and error.
     pub parameters: Vec<Identified>,
@@ -95,7 +92,7 @@ pub struct Identification {
     pub spreads: Vec<Spread>,
     /// Points that were left out because the muscle was slack.
     #[serde(rename = "slack_points", serialize_with = "count")]
-    #[cfg_attr(feature = "schema", schemars(with = "usize"))]
+    #[schemars(with = "usize")]
     pub slack: Vec<DataPoint>,
     /// The points that counted.
     #[serde(skip)]

@@ -34,9 +34,9 @@ impl<F: Fn(&[f64]) -> Option<Vec<f64>>> Residuals for F {
 }
 
 /// Loss function of the residuals.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "LossWord"))]
+#[schemars(rename = "LossWord")]
 pub enum Loss {
     /// Sum of squares.
     #[default]

@@ -6,9 +6,8 @@ use mckibben::muscle::{Direction, Measure, Muscle, MuscleError};
 use serde::{Deserialize, Serialize};
 
 /// The measured quantity; the others were set.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Quantity {
     /// The pull, at a set pressure and length (isometric, isobaric).
     #[default]
@@ -23,9 +22,8 @@ pub enum Quantity {
 
 /// Measures of the muscle that a row states; the others are the muscle file's.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(default)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Section {
     /// D0 in mm.
     pub outer_diameter_mm: Option<f64>,

@@ -4,8 +4,7 @@ use mckibben::muscle::Direction;
 use serde::{Deserialize, Serialize};
 
 /// One measured point of a muscle.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct MeasuredPoint {
     /// Gauge pressure in MPa.
     pub pressure_mpa: f64,

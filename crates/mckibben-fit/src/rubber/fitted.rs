@@ -15,8 +15,7 @@ use mckibben::rubber::{
 use serde::{Serialize, Serializer};
 
 /// A constant.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Parameter {
     /// As in muscle files; `mu1`, `alpha1` for terms.
     pub name: String,
@@ -32,8 +31,7 @@ pub struct Parameter {
 }
 
 /// How well a law follows one of the tests.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ModeError {
     /// Which test.
     pub mode: Mode,
@@ -49,12 +47,12 @@ pub struct ModeError {
 }
 
 /// A fitted law.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "LawAnswer"))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "LawAnswer")]
 pub struct FittedLaw {
     /// Which law.
     #[serde(flatten, serialize_with = "names")]
-    #[cfg_attr(feature = "schema", schemars(with = "FormNames"))]
+    #[schemars(with = "FormNames")]
     pub form: Form,
     /// Whether it was held among the laws that are stable in a muscle.
     pub constrained: bool,
@@ -73,8 +71,7 @@ pub struct FittedLaw {
 }
 
 /// Quality of the fit of a law, and its range of stability.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct LawQuality {
     /// Shear modulus μ at rest, MPa.
     pub shear_modulus_mpa: f64,
@@ -99,8 +96,7 @@ pub struct LawQuality {
 }
 
 /// A form as its two names.
-#[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Serialize, schemars::JsonSchema)]
 struct FormNames {
     /// The law, as in muscle files.
     law: &'static str,

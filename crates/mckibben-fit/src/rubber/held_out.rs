@@ -6,8 +6,7 @@ use mckibben::rubber::{Law, RubberLaw};
 use serde::Serialize;
 
 /// How well a law follows tests that it was not fitted to.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct HeldOutError {
     /// Which test; null for the points of all of them in whose state a muscle's wall may be.
     pub mode: Option<Mode>,

@@ -12,9 +12,10 @@ use mckibben::rubber::RubberLaw;
 use serde::{Deserialize, Serialize};
 
 /// How a specimen is stretched.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Serialize, Deserialize)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "lowercase")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Mode {
     /// A narrow strip or dumb-bell, pulled along one axis.
     #[default]

@@ -7,9 +7,8 @@ use mckibben::rubber::{Law, RubberLaw};
 use serde::{Deserialize, Serialize};
 
 /// What is made small.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "lowercase")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Measure {
     /// Differences of nominal stress.
     #[default]

@@ -18,20 +18,20 @@ use mckibben::rubber::{Law, RubberLaw};
 use serde::Serialize;
 
 /// A law that relaxes, from a uniaxial test over time.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "PronyAnswer"))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "PronyAnswer")]
 pub struct PronyFit {
     /// The law.
     #[serde(rename = "law")]
-    #[cfg_attr(feature = "schema", schemars(with = "String"))]
+    #[schemars(with = "String")]
     pub form: Form,
     /// Its constants at once (t → 0), moduli in MPa.
     #[serde(serialize_with = "columns")]
-    #[cfg_attr(feature = "schema", schemars(with = "std::collections::BTreeMap<String, f64>"))]
+    #[schemars(with = "std::collections::BTreeMap<String, f64>")]
     pub instantaneous: Law,
     /// Its constants after a long time (t → ∞): moduli are 1 − Σ share times those at once.
     #[serde(serialize_with = "columns")]
-    #[cfg_attr(feature = "schema", schemars(with = "std::collections::BTreeMap<String, f64>"))]
+    #[schemars(with = "std::collections::BTreeMap<String, f64>")]
     pub long_time: Law,
     /// The Prony series.
     pub branches: Vec<BranchFit>,
@@ -44,8 +44,8 @@ pub struct PronyFit {
 }
 
 /// A branch of a Prony series.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "BranchAnswer"))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "BranchAnswer")]
 pub struct BranchFit {
     /// gᵢ: share of the instantaneous stress that relaxes.
     pub share: f64,

@@ -13,16 +13,16 @@ use mckibben::rubber::{Law, RubberLaw};
 use serde::Serialize;
 
 /// A law that softens after its first loading, from a uniaxial test in the order of time.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "SofteningAnswer"))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "SofteningAnswer")]
 pub struct SofteningFit {
     /// The law.
     #[serde(rename = "law")]
-    #[cfg_attr(feature = "schema", schemars(with = "String"))]
+    #[schemars(with = "String")]
     pub form: Form,
     /// Its constants on the first loading, moduli in MPa.
     #[serde(serialize_with = "columns")]
-    #[cfg_attr(feature = "schema", schemars(with = "std::collections::BTreeMap<String, f64>"))]
+    #[schemars(with = "std::collections::BTreeMap<String, f64>")]
     pub first_loading: Law,
     /// r: 1/r is the largest loss of stress.
     pub r: f64,

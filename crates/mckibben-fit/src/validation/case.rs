@@ -15,8 +15,8 @@ use serde::{Deserialize, Serialize};
 use std::sync::LazyLock;
 
 /// The files of a measured muscle or rubber.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "MeasuredFolder"))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[schemars(rename = "MeasuredFolder")]
 pub struct CaseFiles {
     /// What to call it in messages: the name of the folder.
     pub name: String,

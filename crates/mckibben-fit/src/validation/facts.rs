@@ -1,9 +1,8 @@
 //! What is known of something that was measured.
 
 /// What is known of something that was measured.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "schema", schemars(rename = "MeasuredFacts"))]
+#[derive(Debug, Clone, PartialEq, serde::Serialize, schemars::JsonSchema)]
+#[schemars(rename = "MeasuredFacts")]
 pub struct Facts {
     /// Name of its folder.
     pub name: String,

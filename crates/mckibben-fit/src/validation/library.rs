@@ -67,8 +67,8 @@ impl MuscleCase {
 }
 
 /// What finite elements of a muscle leave of its measured points.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "LibraryAgreement"))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "LibraryAgreement")]
 pub struct Agreement {
     /// Points, those of other lengths of the same hose among them.
     pub points: usize,

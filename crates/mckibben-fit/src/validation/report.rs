@@ -27,8 +27,7 @@ pub struct FitResult {
 }
 
 /// What is left of some points: measured − computed.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Group {
     /// The points that are compared.
     pub of: String,
@@ -50,8 +49,7 @@ pub struct Group {
 }
 
 /// Errors of a fit at the points of one branch of the hysteresis.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct MeasuredBranch {
     /// The branch: `contraction` while the muscle shortened or its pressure rose, `elongation` back.
     pub branch: Direction,
@@ -66,8 +64,7 @@ pub struct MeasuredBranch {
 }
 
 /// Errors of a fit at points of about one contraction.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct MeasuredBin {
     /// From this contraction ratio,
     pub from: f64,

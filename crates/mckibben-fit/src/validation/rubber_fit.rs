@@ -32,8 +32,7 @@ pub struct RubberFitResult {
 }
 
 /// What is left of some nominal stresses: measured less computed.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct RubberGroup {
     /// The points that are compared: a mode, a mode `further` than the law was fitted, or a branch of a test over time.
     pub of: String,

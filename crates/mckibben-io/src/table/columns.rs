@@ -11,8 +11,7 @@ use thiserror::Error;
 
 /// Columns by quantity: `"P1:kPa"` is the column with the heading P1, in kPa. The unit may be left out where the table
 /// says it; `#2` is the second column, whatever its heading.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(transparent)]
 pub struct Columns(pub BTreeMap<String, String>);
 

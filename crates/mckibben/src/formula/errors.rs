@@ -4,9 +4,8 @@ use super::file::check::share;
 use serde::{Deserialize, Serialize};
 
 /// Errors over points where the muscle pulls.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ErrorSummary {
     /// How many points.
     pub points: usize,
@@ -28,9 +27,8 @@ pub struct ErrorSummary {
 }
 
 /// Errors where one quantity has one value.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RegionErrors {
     /// `outer_diameter_mm`, `wall_mm`, `pressure_mpa` or `contraction`.
     pub quantity: String,
@@ -42,9 +40,8 @@ pub struct RegionErrors {
 }
 
 /// Errors on muscles that the fit did not see.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HeldOut {
     /// Their diameters in mm.
     pub outer_diameters_mm: Vec<f64>,
@@ -54,9 +51,8 @@ pub struct HeldOut {
 }
 
 /// Everything a formula's file says of its errors.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FormulaErrors {
     /// Against what, in words.
     pub against: String,

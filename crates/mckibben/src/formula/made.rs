@@ -6,8 +6,7 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 /// Stiffness k of one strand family of the muscles of a formula.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub enum MadeBraid {
     /// A braid with a name.
     #[serde(rename = "stiffness")]
@@ -21,9 +20,8 @@ pub enum MadeBraid {
 }
 
 /// A braid with a name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "lowercase")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum NamedBraid {
     /// k = 452 N/mm · (D0/40 mm)^1.2
     Paper,
@@ -32,9 +30,8 @@ pub enum NamedBraid {
 }
 
 /// What a formula's muscles have in common.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Made {
     /// L0 in mm.
     #[serde(deserialize_with = "positive")]
@@ -49,16 +46,15 @@ pub struct Made {
 }
 
 /// The rubber of a formula's muscles.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct MadeRubber {
     /// Its name, where it has one.
     pub name: Option<String>,
     /// Its law.
     pub law: String,
     /// Constants of the law; those in MPa end in `_mpa`.
-    #[cfg_attr(feature = "schema", schemars(with = "std::collections::BTreeMap<String, f64>"))]
+    #[schemars(with = "std::collections::BTreeMap<String, f64>")]
     pub constants: IndexMap<String, f64>,
     /// Bulk modulus in MPa; `None` for an incompressible rubber.
     #[serde(default, deserialize_with = "maybe_positive")]

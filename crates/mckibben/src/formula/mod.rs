@@ -42,9 +42,8 @@ pub enum Body {
 }
 
 /// Where a formula was fitted; both ends belong to it.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FormulaRange {
     /// D0 in mm.
     #[serde(deserialize_with = "interval")]
@@ -61,9 +60,8 @@ pub struct FormulaRange {
 }
 
 /// Where a formula comes from.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Provenance {
     /// The program that made it.
     #[serde(default)]

@@ -5,9 +5,8 @@ use super::file::check::positive;
 use serde::{Deserialize, Serialize};
 
 /// What the variables of a `global` formula are divided by.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Scales {
     /// Of x = s/D0.
     #[serde(deserialize_with = "positive")]

@@ -18,8 +18,7 @@ const SMALL_FIRST: f64 = 1e-9;
 const ANGLES: usize = 37;
 
 /// A rest at a pair of pressures.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct MapPoint {
     /// Pressures in MPa, one a muscle.
     pub pressures_mpa: Vec<f64>,
@@ -35,8 +34,7 @@ pub struct MapPoint {
 }
 
 /// Pressures at which a muscle has no state where the joint would come to rest.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct MapGap {
     /// Pressures in MPa, one a muscle.
     pub pressures_mpa: Vec<f64>,
@@ -45,8 +43,7 @@ pub struct MapGap {
 }
 
 /// The rests at all pairs of pressures.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct JointMap {
     /// Pressures of each muscle in MPa, from none to the supply's.
     pub grid_mpa: Vec<f64>,

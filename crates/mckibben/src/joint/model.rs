@@ -11,9 +11,8 @@ use crate::uncertainty::UncertaintyParts;
 use serde::{Deserialize, Serialize};
 
 /// Which way the joint turns: on which branch of their friction the muscles are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Turning {
     /// Between both branches.
     #[default]

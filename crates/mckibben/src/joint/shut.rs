@@ -12,8 +12,7 @@ use serde::{Deserialize, Serialize};
 ///   dP/dφ = −n p V_Δ a / (V + n p V_P),   −dτ/dφ = K + Σ a² n p V_Δ F_P / (V + n p V_P).
 ///
 /// V is the cavity of the muscle: hoses and fittings are not counted, and make the air softer. A slack muscle adds nothing.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct ShutStiffness {
     /// −dτ/dφ with the valves shut, the air at constant temperature, N m/rad; not known where the model has no volume.
     #[serde(rename = "stiffness_shut_isothermal_nm_per_rad", skip_serializing_if = "Option::is_none")]

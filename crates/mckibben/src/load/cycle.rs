@@ -10,8 +10,7 @@ use serde::{Deserialize, Serialize};
 /// its exergy at the higher pressure, p_a·(that volume)·ln(p_high/p_a), is the work that an ideal engine would draw from it
 /// \[beater2007\].
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Cycle {
     /// Lower pressure in MPa.
     pub from_pressure_mpa: f64,

@@ -16,8 +16,8 @@ const SCAN: usize = 48;
 const TOLERANCE: f64 = 1e-12;
 
 /// An equilibrium with the load.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Equilibrium"))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "Equilibrium")]
 pub struct Balance {
     /// The muscle there.
     #[serde(flatten)]

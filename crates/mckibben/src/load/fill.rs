@@ -16,8 +16,7 @@ use thiserror::Error;
 use way::{Leg, Slopes, Way, cavity_mm3};
 
 /// Where a filled muscle is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum FillState {
     /// At its length at rest: it pulls less than the load.
@@ -29,8 +28,7 @@ pub enum FillState {
 }
 
 /// A muscle with a volume pushed in.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Fill {
     /// The muscle there. Its ± are those of the pull at this pressure and contraction, and of the contraction at this volume.
     #[serde(flatten)]

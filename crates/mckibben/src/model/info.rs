@@ -7,8 +7,7 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 /// Name and one line of a model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 pub struct ModelEntry {
     /// The word for `model`.
     pub name: &'static str,

@@ -5,8 +5,7 @@ use serde::{Deserialize, Serialize};
 
 /// One point of a muscle's behaviour. What a model does not have is `None`.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Response {
     /// Gauge pressure P in MPa.
     pub pressure_mpa: f64,

@@ -5,8 +5,7 @@ use serde::Serialize;
 use std::f64::consts::PI;
 
 /// What a workshop needs to build the muscle.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct BuildSheet {
     /// Length of tube to cut, before it is stretched: L0/λp and what is clamped on both plugs, in mm.
     pub tube_cut_mm: f64,

@@ -6,8 +6,7 @@ use std::str::FromStr;
 use thiserror::Error;
 
 /// Which way the muscle moves, and so on which branch of its hysteresis loop it is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Direction {
     /// Mean of both branches, without friction.

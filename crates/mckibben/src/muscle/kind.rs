@@ -9,9 +9,8 @@ pub const LARGEST_ANGLE_DEG: f64 = 75.0;
 
 /// Which way a muscle moves under pressure: strands at θ0 to the axis turn towards the neutral angle 54.7°, at which the ideal muscle
 /// has its largest volume.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "lowercase")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum MuscleKind {
     /// θ0 below 54.7°: it shortens, and pulls.
     Contractile,

@@ -93,8 +93,7 @@ pub fn basis_of(accuracy: &Accuracy) -> String {
 
 /// The parts of a ±, each a 95 % half-width: of a pull in N, of a torque in N m.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct UncertaintyParts {
     /// The model against finite elements (for a formula of a bought muscle: against that muscle).
     pub formula: Option<f64>,

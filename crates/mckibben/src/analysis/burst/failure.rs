@@ -8,9 +8,8 @@ use std::fmt;
 pub const SAFETY: f64 = 4.0;
 
 /// How a muscle fails.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum FailureMode {
     /// A strand breaks.
     Strands,

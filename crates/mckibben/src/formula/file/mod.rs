@@ -13,9 +13,8 @@ use serde::{Serialize, Serializer};
 use universal::{UniversalFile, universal};
 
 /// A formula's file.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 #[serde(untagged)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) enum File {
     Paper(SectionFile<PaperTerm>),
     Global(SectionFile<GlobalTerm>),
@@ -62,8 +61,6 @@ fn text(file: &impl Serialize) -> String {
     // Numbers, texts, lists and objects with texts as keys: nothing that JSON has not.
     serde_json::to_string_pretty(file).unwrap_or_default() + "\n"
 }
-
-#[cfg(feature = "schema")]
 impl schemars::JsonSchema for Document {
     fn schema_name() -> std::borrow::Cow<'static, str> {
         "Formula".into()

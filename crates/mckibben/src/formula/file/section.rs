@@ -10,9 +10,8 @@ use crate::formula::{
 use serde::{Deserialize, Serialize};
 
 /// The file of a formula for muscles of one make.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SectionFile<T> {
     format: Format,
     #[serde(deserialize_with = "name")]
@@ -29,9 +28,8 @@ pub struct SectionFile<T> {
     provenance: Provenance,
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PaperTerm {
     name: String,
     #[serde(skip_deserializing)]
@@ -39,9 +37,8 @@ pub struct PaperTerm {
     value: f64,
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct GlobalTerm {
     #[serde(skip_deserializing)]
     name: String,
@@ -52,9 +49,8 @@ pub struct GlobalTerm {
 }
 
 /// Powers of x, p, e, d; those of zero are left out.
-#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(default, deny_unknown_fields, expecting = "an object")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Powers {
     #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<20, _>")]
     wall_ratio: u8,

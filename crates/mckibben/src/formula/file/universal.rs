@@ -9,9 +9,8 @@ use crate::formula::{
 use serde::{Deserialize, Serialize};
 
 /// The file of a universal formula.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct UniversalFile {
     format: Format,
     #[serde(deserialize_with = "name")]
@@ -26,9 +25,8 @@ pub struct UniversalFile {
     provenance: Provenance,
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct EndTerm {
     #[serde(skip_deserializing)]
     name: String,
@@ -39,9 +37,8 @@ struct EndTerm {
 }
 
 /// Powers of the variables of both forms; those of zero are left out.
-#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(default, deny_unknown_fields, expecting = "an object")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct EndPowers {
     #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<{ Form::HIGHEST }, _>")]
     wall: u8,

@@ -12,9 +12,8 @@ use serde::{Deserialize, Serialize};
 use std::sync::{Arc, LazyLock};
 
 /// Errors over points where the muscle pulls, as shares of the muscle's blocked force at the same pressure.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct UniversalSummary {
     /// How many points.
     pub points: usize,
@@ -35,9 +34,8 @@ pub struct UniversalSummary {
 }
 
 /// How wrong a universal formula is.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct UniversalErrors {
     /// Against what, in words.
     pub against: String,

@@ -6,16 +6,15 @@ use crate::rubber::RubberLaw;
 use serde::{Deserialize, Serialize};
 
 /// Where a universal formula was fitted; both ends belong to it.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct UniversalRange {
     /// s/D0
     #[serde(deserialize_with = "interval")]
     pub wall_ratio: (f64, f64),
     /// L0/D0; the upper end may be infinite: the longer the muscle, the less its ends count.
     #[serde(deserialize_with = "open_interval")]
-    #[cfg_attr(feature = "schema", schemars(with = "(f64, Option<f64>)"))]
+    #[schemars(with = "(f64, Option<f64>)")]
     pub length_ratio: (f64, f64),
     /// θ0 in degrees
     #[serde(deserialize_with = "interval")]

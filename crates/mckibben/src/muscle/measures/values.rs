@@ -78,8 +78,6 @@ impl<'de> Visitor<'de> for Fields {
 
 /// The group of fields to which those of a muscle belong.
 pub const GROUP: &str = "muscle";
-
-#[cfg(feature = "schema")]
 impl Measure {
     /// The schema of its field; `more` is added to the sentence about it.
     pub fn schema(&self, more: &str) -> serde_json::Value {
@@ -110,8 +108,6 @@ impl Measure {
         field
     }
 }
-
-#[cfg(feature = "schema")]
 impl schemars::JsonSchema for MeasureValues {
     fn schema_name() -> Cow<'static, str> {
         "MeasureValues".into()
