@@ -7,7 +7,7 @@ use mckibben_fem::three_dimensional::{Match, Plug};
 pub use mckibben_io::table::{Columns, Understood, UnderstoodColumn};
 use schemars::transform::Transform;
 use schemars::{JsonSchema, Schema};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
 
 /// A file that a front end read, or that its user dropped in.
@@ -17,6 +17,23 @@ pub struct TextFile {
     pub name: String,
     /// What is in it.
     pub text: String,
+}
+
+/// A file, or a name alone, such as `lib:dmsp-20-300`.
+pub(crate) fn name_or_file<'de, D: Deserializer<'de>>(from: D) -> Result<Option<TextFile>, D::Error> {
+    #[derive(Deserialize)]
+    #[serde(
+        untagged,
+        expecting = "a name such as \"lib:dmsp-20-300\" or an object with `name` and `text` is expected"
+    )]
+    enum Given {
+        File(TextFile),
+        Name(String),
+    }
+    Ok(Option::<Given>::deserialize(from)?.map(|given| match given {
+        Given::File(file) => file,
+        Given::Name(name) => TextFile { name, text: String::new() },
+    }))
 }
 
 /// What was understood of a table.

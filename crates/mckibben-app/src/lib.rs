@@ -108,7 +108,7 @@ pub use measured::*;
 pub use measures::*;
 pub use model::Model;
 pub use motion::*;
-pub use muscle::{MuscleSummary, muscle_of, rubber, sleeve};
+pub use muscle::{MuscleSummary, PAPER, muscle_of, rubber, sleeve};
 pub use parts::*;
 pub use plan::*;
 pub use point::*;

@@ -216,10 +216,18 @@ fn together(one: &Measure, other: &Measure) -> Problem {
     Problem::new(ProblemKind::Usage, message, "").in_field(name(other))
 }
 
+/// The name of the paper's muscle in place of a file.
+pub const PAPER: &str = "paper";
+
 /// The text of a muscle file; of a name of the library without a text (`lib:NAME`) that of its muscle.
 pub(crate) fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
-    let Some(name) = muscles::named(&file.name).filter(|_| file.text.is_empty()) else {
+    if !file.text.trim().is_empty() || file.name == PAPER {
         return Ok(Cow::Borrowed(&file.text));
+    }
+    let Some(name) = muscles::named(&file.name) else {
+        let message = format!("\"{}\" says nothing of a muscle", file.name);
+        let hint = "give the text of a muscle file, or lib:NAME for a muscle of the library";
+        return Err(Problem::new(ProblemKind::File, message, hint).in_field("muscle"));
     };
     if !cfg!(feature = "whole") {
         let message = "the library of muscles needs the full engine; this is a reduced one";

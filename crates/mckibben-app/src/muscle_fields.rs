@@ -1,6 +1,6 @@
 //! A muscle in requests: a file, names, and a field for each measure of [`mckibben::muscle::measures`].
 
-use crate::fields::{InGroup, Stiffness, TextFile};
+use crate::fields::{InGroup, Stiffness, TextFile, name_or_file};
 use mckibben::muscle::measures::{ANGLE, LENGTH, MeasureValues, OUTER_DIAMETER, STIFFNESS, WALL, fields};
 use mckibben::muscle::{Measure, Muscle};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -29,6 +29,7 @@ pub struct MuscleFields {
 #[schemars(transform = InGroup(mckibben::muscle::measures::GROUP))]
 pub struct NamedFields {
     /// Muscle file (TOML), or a muscle of the library by its name without a text (`lib:dmsp-20-300`); the other fields override what it says.
+    #[serde(deserialize_with = "name_or_file")]
     pub muscle: Option<TextFile>,
     /// A rubber: NAME or NAME:LAW of the library, a hardness such as `shore:30A`, or a stress at 100 % such as `s100:0.6MPa`.
     pub rubber: Option<String>,

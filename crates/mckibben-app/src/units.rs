@@ -139,7 +139,7 @@ impl Units {
     }
 
     /// A sentence of the layers below, whose pressures are in MPa, with its pressures in this unit. Moduli, stresses and energies stay
-    /// in MPa, and so do sentences that speak of the unit itself.
+    /// in MPa, and so do sentences that speak of the unit itself, and what is quoted.
     pub fn sentence<'a>(&self, text: &'a str) -> Cow<'a, str> {
         if self.pressure.name == "MPa" || MATERIAL.iter().any(|word| text.contains(word)) {
             return Cow::Borrowed(text);
@@ -151,7 +151,8 @@ impl Units {
             let per = before.ends_with("N/");
             let numbers = before.strip_suffix(if per { " N/" } else { " " });
             let other = behind.starts_with(|c: char| c.is_alphanumeric() || "^²·/".contains(c));
-            let whole = !other && !behind.starts_with(" = ");
+            let quoted = text[..text.len() - behind.len()].matches('"').count() % 2 == 1;
+            let whole = !other && !quoted && !behind.starts_with(" = ");
             match numbers.filter(|_| whole).and_then(|text| self.shown(text, per)) {
                 Some(shown) => {
                     out.push_str(&shown);
@@ -171,13 +172,14 @@ impl Units {
         const BETWEEN: [&str; 5] = [" to ", " and ", " or ", ", ", ".."];
         let (before, number_text) = number_at_end(text)?;
         let value: f64 = number_text.parse().ok()?;
-        let digits = number_text.split(['e', 'E']).next()?.chars().filter(char::is_ascii_digit).count();
+        let mantissa = number_text.split(['e', 'E']).next()?.trim_start_matches(['-', '+', '0', '.']);
+        let digits = mantissa.chars().filter(char::is_ascii_digit).count();
         let pressure = &self.pressure;
         let outside = if per { value / pressure.value(1.0) } else { pressure.value(value) };
         let more =
             BETWEEN.iter().find_map(|&word| Some((self.shown(before.strip_suffix(word)?, per)?, word)));
         let before = more.map_or_else(|| before.to_owned(), |(before, word)| before + word);
-        Some(before + &number(outside, digits.clamp(4, 6)))
+        Some(before + &number(outside, digits.clamp(3, 6)))
     }
 }
 

@@ -1,6 +1,5 @@
 //! Numbers and names as people read them, in figures and texts of every front end.
 
-use mckibben::analysis::litres_anr;
 use mckibben::muscle::{BraidStiffness, Muscle};
 use mckibben::rubber::Law;
 
@@ -19,9 +18,9 @@ pub fn number(v: f64, digits: usize) -> String {
     if text == "-0" { "0".into() } else { text.into() }
 }
 
-/// Air, given in normal litres, as catalogues of pneumatics state it: `0.387 L (ANR)`.
+/// Air in normal litres: `0.356 normal L`.
 pub fn air(normal_litres: f64) -> String {
-    format!("{} L (ANR)", number(litres_anr(normal_litres), 4))
+    format!("{} normal L", number(normal_litres, 4))
 }
 
 /// A number to the last digit of its ± ([`half_width`]).

@@ -2,13 +2,10 @@
 
 use crate::failure::Failure;
 use mckibben::muscle::file;
-use mckibben_app::{Model, Problem, TextFile};
+use mckibben_app::{Model, PAPER, Problem, TextFile};
 use mckibben_fit::validation::library;
 use mckibben_io::table::{MAX_BYTES, read_text};
 use std::path::Path;
-
-/// The name of the paper's muscle in place of a file's.
-const PAPER: &str = "paper";
 
 /// A file written by hand: a joint, a plan.
 pub fn text(path: &Path) -> Result<TextFile, Failure> {

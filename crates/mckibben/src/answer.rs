@@ -118,18 +118,10 @@ impl SlackState {
     ) -> Option<Self> {
         let free_contraction = free_contraction(model, workspace, pressure_mpa, options).ok()?;
         let free = response_on(model, workspace, pressure_mpa, free_contraction, options.direction);
-        let response = free.map_or_else(
-            |_| Response::default(),
-            |free| Response {
-                force_n: 0.0,
-                volume_per_pressure_mm3_per_mpa: None,
-                volume_per_contraction_mm3: None,
-                stiffness_n_per_mm: None,
-                force_per_pressure_mm2: None,
-                ..free
-            },
-        );
-        Some(Self { free_contraction, response })
+        Some(Self {
+            free_contraction,
+            response: free.map_or_else(|_| Response::default(), Response::hanging),
+        })
     }
 }
 
@@ -196,8 +188,12 @@ pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
     let largest = model.muscle().max_ideal_contraction();
     let beyond = slack && contraction > largest;
     warnings.extend(beyond.then_some(Warning::BeyondBraid { contraction, largest }));
+    let broken = warnings.iter().any(|w| matches!(w, Warning::StrandsBreak { .. }));
+    let response = if broken { response.hanging() } else { response };
+    // Where strands stretch further than in any muscle that was measured, no ± is known.
+    let valid = !broken && !warnings.iter().any(|w| matches!(w, Warning::StrandStrain { .. }));
     let asked = (pressure_mpa, contraction);
-    let parts = uncertainty(model, workspace, asked, response.force_n, options.direction);
+    let parts = uncertainty(model, workspace, asked, response.force_n, options.direction).filter(|_| valid);
     Ok(Answer {
         model: model.info().name.to_string(),
         direction: options.direction,

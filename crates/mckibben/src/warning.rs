@@ -154,7 +154,7 @@ impl fmt::Display for Warning {
             Self::BurstNotChecked(why) => write!(f, "{BURST} NOT CHECKED: {why}"),
             Self::StrandsBreak { tension_n, strength_n, pressure_mpa } => write!(
                 f,
-                "the strands break: at {pressure_mpa:.3} MPa one of them carries {tension_n:.1} N, and its strength is {strength_n} N"
+                "the strands break: at {pressure_mpa:.3} MPa one of them carries {tension_n:.1} N, and its strength is {strength_n} N; what is broken does not pull"
             ),
             Self::BeyondBraid { contraction, largest } => write!(
                 f,

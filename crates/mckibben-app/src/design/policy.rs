@@ -4,11 +4,14 @@ use crate::model::Model;
 use mckibben::model::{ForceModel, ModelError};
 use mckibben::muscle::Muscle;
 
+/// Whether a muscle is searched with a model.
+pub(super) type SearchedMuscles = fn(&Muscle) -> bool;
+
 /// Which model looks at a muscle of the search, and which one decides.
 #[derive(Debug, Clone)]
 pub(super) struct ModelPolicy {
     /// Where none was named: what searches the muscles that it is good for.
-    pub(super) quick: Option<(Model, fn(&Muscle) -> bool)>,
+    pub(super) quick: Option<(Model, SearchedMuscles)>,
     /// What searches all others, and decides.
     pub(super) model: Model,
 }

@@ -1,6 +1,6 @@
 //! What is wanted, and what may be varied.
 
-use super::policy::{ModelPolicy, near_the_box};
+use super::policy::{ModelPolicy, SearchedMuscles, near_the_box};
 use crate::fields::{MeshFields, ModelFields, MuscleFields, NamedFields, Stiffness, TextFile};
 use crate::liquid::LiquidFields;
 use crate::load::LoadFields;
@@ -186,7 +186,7 @@ impl DesignRequest {
         let sections = model.sections();
         let (diameters, walls) = sections.unwrap_or(SECTIONS);
         // `universal` was not fitted for muscles that extend.
-        let quick: Option<(&str, fn(&Muscle) -> bool)> = match self.model.model {
+        let quick: Option<(&str, SearchedMuscles)> = match self.model.model {
             Some(_) => None,
             None if extends => Some(("thick-wall", |_| true)),
             None => Some(("universal", near_the_box)),

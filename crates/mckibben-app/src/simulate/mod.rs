@@ -216,11 +216,12 @@ pub fn simulate(
         };
         let solution = simulation.solve(workspace, given);
         cancel::check()?;
-        if let (Ok(solution), Some(shapes)) = (&solution, &mut shapes) {
+        let point = judged(&*simulation, workspace, pressure_mpa, held, solution, request.two_sided);
+        if let (Ok(solution), Some(shapes)) = (&point.solution, &mut shapes) {
             let shape = meshed.shape(workspace, &ends, &solution.response, shapes.extent())?;
             shapes.add(shape, &solution.response)?;
         }
-        simulated.push(judged(&*simulation, workspace, pressure_mpa, held, solution, request.two_sided));
+        simulated.push(point);
     }
     let name = &*simulation.info().name;
     let problem = all_failed(&simulated);
@@ -287,7 +288,7 @@ impl SimulateRequest {
     }
 }
 
-/// A point with what it means: slack, collapsed, or an answer.
+/// A point with what it means: slack, collapsed, or an answer. A slack muscle is what it is at its free contraction.
 fn judged(
     model: &dyn Simulation,
     workspace: &mut Workspace,
@@ -312,6 +313,15 @@ fn judged(
         Ok(_) => Status::Ok,
         Err(_) if slack => Status::Ok,
         Err(error) => Status::from(&ModelError::from(error.clone())),
+    };
+    let hangs = free_contraction.filter(|_| slack);
+    let hanging = hangs.and_then(|free| model.solve(workspace, Given::at(pressure_mpa, free)).ok());
+    let solution = match hanging {
+        Some(mut s) => {
+            (s.response, s.sensitivities) = (s.response.hanging(), vec![]);
+            Ok(s)
+        }
+        None => solution,
     };
     Simulated { pressure_mpa, held, solution, slack, free_contraction, status }
 }

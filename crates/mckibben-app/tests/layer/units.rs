@@ -44,7 +44,9 @@ fn pressures_of_sentences_are_shown_in_the_unit_and_moduli_are_not() {
     }
     // 1 psi is 6 894.757 Pa (NIST SP 811).
     let psi: Units = "psi".parse().unwrap();
-    assert_eq!(psi.sentence("at 0.3 MPa"), "at 43.51 psi");
+    assert_eq!(psi.sentence("at 0.3 MPa"), "at 43.5 psi");
+    assert_eq!(psi.sentence("at 0.345 MPa"), "at 50 psi");
+    assert_eq!(bar.sentence("mu = \"0,45 MPa\" at 3 MPa"), "mu = \"0,45 MPa\" at 30 bar");
     assert_eq!(Units::default().sentence("at 0.3 MPa"), "at 0.3 MPa");
 }
 

@@ -6,7 +6,6 @@
 
 use super::text::{Units, aligned, columns, half_width, number, within};
 use crate::spec::without_unit;
-use mckibben::analysis::litres_anr;
 use mckibben::units::Dimension;
 use mckibben_app::units::Scale;
 use serde::Serialize;
@@ -126,7 +125,7 @@ fn unit(key: &str, u: &Units) -> (String, f64) {
         None if key.ends_with("_g") => ("g".into(), 1.0),
         None if key.ends_with("_j") => ("J".into(), 1.0),
         None if key.ends_with("_w") => ("W".into(), 1.0),
-        None if key.ends_with("normal_litres") => ("L (ANR)".into(), litres_anr(1.0)),
+        None if key.ends_with("normal_litres") => ("normal L".into(), 1.0),
         None => (String::new(), 1.0),
     }
 }

@@ -14,8 +14,8 @@ const ANSWERED: &[(&str, &str)] = &[
     ("j", "J"),
     ("w", "W"),
     ("g", "g"),
-    ("normal_litres", "L (ANR)"),
-    ("normal_litres_per_cycle", "L (ANR)"),
+    ("normal_litres", "normal L"),
+    ("normal_litres_per_cycle", "normal L"),
 ];
 
 /// Names without a unit at their end that are a quantity all the same, as whole names or as the last word of one.

@@ -16,12 +16,6 @@ pub fn normal_litres(volume_mm3: f64) -> f64 {
     volume_mm3 * 1e-6 * NORMAL_PER_ACTUAL
 }
 
-/// Normal litres in litres of the standard reference atmosphere (ANR, ISO 8778): 20 °C, 100 kPa.
-pub fn litres_anr(normal_litres: f64) -> f64 {
-    const ANR_MPA: f64 = 0.1;
-    normal_litres / NORMAL_PER_ACTUAL * (ATMOSPHERE_MPA / ANR_MPA)
-}
-
 /// Air in a muscle that was filled from rest to a working point.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Air {

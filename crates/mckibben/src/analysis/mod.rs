@@ -10,7 +10,7 @@ mod inverse;
 mod root;
 mod sweep;
 
-pub use air::{ATMOSPHERE_MPA, Air, HEAT_RATIO, air_per_stroke, litres_anr, normal_litres};
+pub use air::{ATMOSPHERE_MPA, Air, HEAT_RATIO, air_per_stroke, normal_litres};
 pub use ask::{
     Options, force_on, friction_half_width_n, response_on, slope_by_pressure, source_of, stiffness_of,
 };

@@ -80,7 +80,7 @@ pub enum ModelError {
         /// The law's name.
         law: &'static str,
     },
-    /// Finite elements have no equilibrium, for a reason that they say.
+    /// There is no equilibrium, for a reason that is said.
     #[error("{reason}")]
     NoEquilibrium {
         /// The reason in words.

@@ -43,6 +43,19 @@ impl Response {
         self.middle_stretch.into_iter().chain(self.max_stretch).reduce(f64::max)
     }
 
+    /// That of a muscle that hangs at its free contraction: it does not pull, and slopes of a muscle that is held there do not apply.
+    #[must_use]
+    pub fn hanging(self) -> Self {
+        Self {
+            force_n: 0.0,
+            volume_per_pressure_mm3_per_mpa: None,
+            volume_per_contraction_mm3: None,
+            stiffness_n_per_mm: None,
+            force_per_pressure_mm2: None,
+            ..self
+        }
+    }
+
     /// Fills in the tension of one strand from that of all, where the number of strands is known.
     pub(crate) fn with_braid_tension(mut self, tension_n: f64, strands: Option<u32>) -> Self {
         self.braid_tension_n = Some(tension_n);

@@ -4,7 +4,6 @@ use crate::failure::in_flags;
 use crate::output::keyed::{tabled, value};
 use crate::output::text::{Units, half_width, number, or_dash, percent, place};
 use mckibben::analysis::FailureMode;
-use mckibben::analysis::litres_anr;
 use mckibben::liquid::Liquid;
 use mckibben_app::{
     BoughtAnswer, CandidateAnswer, ClosestAnswer, DemandAnswer, DesignAnswer, OperatingPoint, RejectedAnswer,
@@ -92,7 +91,7 @@ fn bundle(answer: &DesignAnswer, u: &Units) -> String {
         let half = or_dash(q.uncertainty_n, |v| u.force.half_width(v));
         let fluid = match q.liquid_volume_mm3 {
             Some(mm3) => format!("{} mL of liquid", number(1e-3 * mm3, 3)),
-            None => format!("{} L of air", or_dash(q.air_normal_litres, |v| number(litres_anr(v), 3))),
+            None => format!("{} normal L of air", or_dash(q.air_normal_litres, |v| number(v, 3))),
         };
         let (force, e) = (u.force.show(q.force_n), percent(q.contraction));
         let (most, unit) = (u.force.to(q.force_at_max_pressure_n, 4), &u.force.name);
@@ -250,7 +249,7 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
     let mut out = tabled(&rows, &keys.join(" "), u);
     out += "\nP required: the pressure of each point. margin: pull above the required pull, at the maximum pressure.\n\
         F blocked and ε free: at the maximum pressure. stiffness: at the first point. bulged D, air or liquid, strand or braid, ±: the largest of the points.\n\
-        air (ANR: at 20 °C and 1 bar) and liquid: from rest to the point. k: stiffness of one strand family. strand: tension of one strand; braid: of all together.\n\
+        air (normal litres: at 0 °C and 1.01325 bar) and liquid: from rest to the point. k: stiffness of one strand family. strand: tension of one strand; braid: of all together.\n\
         ±: 95 % half-width of the pull, against a measured muscle.\n";
     out.push_str(&list.first().map_or_else(String::new, binds));
     if let Some(first) = list.first().filter(|c| !c.from_thick_wall.is_empty()) {

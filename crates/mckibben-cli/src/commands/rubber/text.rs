@@ -104,11 +104,13 @@ fn closing(answer: &RubberFitAnswer, written: Option<&Path>) -> String {
     }
     match answer.taken() {
         Some(law) => {
-            let one = answer.laws.len() == 1;
-            let why = if one {
-                "stable in a muscle"
-            } else {
-                "the lowest AICc of the laws that are valid in a muscle"
+            let lower = |other: &&FittedLaw| other.is_trusted() && other.quality.aicc < law.quality.aicc;
+            let why = match (answer.laws.len(), answer.laws.iter().find(lower)) {
+                (1, _) => "stable in a muscle",
+                (_, None) => "the lowest AICc of the laws that are valid in a muscle",
+                _ => {
+                    "the lowest AICc of the laws of I1 alone, since tests along one axis do not decide between the others"
+                }
             };
             out.push_str(&format!("→ {}: {why}.\n", title(law)));
         }
