@@ -21,6 +21,12 @@ pub const CAST_RUBBER: &str = "dragon-skin-30";
 
 const TEXT: &str = include_str!("../data/tubes.toml");
 
+/// Keys of the rows of a table.
+const KEYS: [(&str, &[&str]); 2] = [
+    ("tube", &["name", "inner", "outer", "rubber", "cast", "price", "pressure_mpa", "note", "source"]),
+    ("cast", &["bores", "walls", "rubbers", "source"]),
+];
+
 /// A tube as sold or cast.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[schemars(rename = "TubeSummary")]
@@ -98,6 +104,7 @@ impl From<CatalogueError> for TubeError {
 /// The tubes of a table.
 pub fn read(text: &str) -> Result<Vec<TubePart>, TubeError> {
     let file = Catalogue::parse(text)?;
+    file.check(&KEYS)?;
     let mut out = file.rows("tube").iter().map(listed).collect::<Result<Vec<_>, _>>()?;
     for row in file.rows("cast") {
         for rubber in row.texts("rubbers") {
@@ -204,6 +211,11 @@ mod tests {
         assert_eq!((own[0].wall_mm, own[0].source.as_str()), (2.0, "not stated"));
         let message = |text: &str| read(text).unwrap_err().to_string();
         assert!(message("tube = ").contains("the table of tubes"));
+        assert!(message("").contains("[[tube]] or [[cast]]"));
+        assert!(message(&text.replace("[[tube]]", "[[tubes]]")).contains("did you mean tube"));
+        assert!(
+            message(&text.replace("inner", "iner")).contains("mine: unknown key iner (did you mean inner?)")
+        );
         assert!(message(&text.replace("12.0", "7")).contains("mine: the inner diameter"));
         assert!(message(&text.replace("8", "-8")).contains("`inner` must be a number above zero"));
         assert!(message(&text.replace("shore:35A:natural", "latx")).contains("did you mean latex"));

@@ -88,10 +88,10 @@ impl ExportedMuscle {
         let percent = |share: f64| format!("{:.2} %", 100.0 * share);
         let (e, b) = (&self.errors, &self.bounds);
         vec![
-            format!("Muscle {}, {MARK} {}, hash {}.", self.plain_name(), self.version, self.hash),
+            format!("Muscle {}, {MARK} {}, hash {}.", plain(&self.name), self.version, self.hash),
             format!(
                 "Model {}; pressures from 0 to {} Pa, contractions from {:.4} to {:.4}.",
-                self.model,
+                plain(&self.model),
                 (1e6 * b.supply_pressure_mpa).round(),
                 b.contraction_low,
                 b.contraction_high
@@ -142,22 +142,32 @@ impl ExportedMuscle {
             word.insert_str(0, "muscle_");
         }
         word.truncate(40);
-        // A word that C or Python has itself.
-        if word.len() < 3
-            || [
-                "mckibben", "for", "int", "float", "double", "char", "long", "short", "static", "const",
-                "void", "main",
-            ]
-            .contains(&word.as_str())
-        {
+        if word.len() < 3 || TAKEN.split(' ').any(|taken| taken == word) {
             word.insert_str(0, "muscle_");
         }
         word
     }
+}
 
-    /// The name as a comment of any language may have it.
-    pub(crate) fn plain_name(&self) -> String {
-        let plain = |c: char| if c.is_alphanumeric() || " _.-".contains(c) { c } else { '_' };
-        self.name.chars().take(80).map(plain).collect::<String>().replace("--", "__")
+/// Words that C, C++ or Python has itself, and names in the files.
+const TAKEN: &str = "mckibben main length force pressure volume contraction stiffness status auto break case char class const continue def \
+    default delete double else enum extern float for from goto if import inline int lambda long namespace new operator pass private public register \
+    return short signed sizeof static struct switch template this throw try typedef union unsigned using virtual void volatile while with yield";
+
+/// A text as a comment or a string of any language may have it.
+pub(crate) fn plain(text: &str) -> String {
+    let one = |c: char| if c.is_alphanumeric() || " _.-".contains(c) { c } else { '_' };
+    text.chars().take(80).map(one).collect::<String>().replace("--", "__")
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn no_text_ends_a_comment_or_a_string_of_a_target() {
+        let said = super::plain("x\"\"\"; import os */ int main; /* --> \\ ' ${y}\n");
+        assert!(
+            !said.contains(['"', '*', '/', '<', '>', '\\', '\'', '$', ';', '\n']) && !said.contains("--"),
+            "{said}"
+        );
     }
 }

@@ -1,5 +1,6 @@
 //! Tables of parts in TOML: `[[rubber]]`, `[[sleeve]]`, `[[tube]]`, `[[valve]]`, and the `[sources]` that their rows name.
 
+use crate::nearest::nearest;
 use thiserror::Error;
 use toml_edit::{Array, Document, Item, Table, TableLike, Value};
 
@@ -15,6 +16,31 @@ impl<'t> Catalogue<'t> {
     /// A table from its text.
     pub fn parse(text: &'t str) -> Result<Self, CatalogueError> {
         Document::parse(text).map(Self).map_err(|e| CatalogueError(e.to_string()))
+    }
+
+    /// Refuses a table without rows of these kinds, and what a row of a kind, or the table beside its `[sources]`, does not have.
+    pub fn check(&self, kinds: &[(&str, &[&str])]) -> Result<(), CatalogueError> {
+        let unknown = |what: &str, key: &str, known: &[&str]| {
+            let meant = nearest(key, known.iter().copied());
+            let meant = meant.map_or_else(String::new, |name| format!(" (did you mean {name}?)"));
+            Err(CatalogueError(format!("{what}: unknown key {key}{meant}; known here: {}", known.join(", "))))
+        };
+        let names: Vec<&str> = kinds.iter().map(|k| k.0).chain(["sources"]).collect();
+        if let Some((key, _)) = self.0.iter().find(|(key, _)| !names.contains(key)) {
+            return unknown("the table", key, &names);
+        }
+        for (kind, known) in kinds {
+            for row in self.rows(kind) {
+                if let Some((key, _)) = row.table.iter().find(|(key, _)| !known.contains(key)) {
+                    return unknown(row.optional("name").unwrap_or(kind), key, known);
+                }
+            }
+        }
+        if kinds.iter().all(|(kind, _)| self.rows(kind).is_empty()) {
+            let names: Vec<String> = kinds.iter().map(|(kind, _)| format!("[[{kind}]]")).collect();
+            return Err(CatalogueError(format!("there is no row; a row begins with {}", names.join(" or "))));
+        }
+        Ok(())
     }
 
     /// The rows of a kind, `[[kind]]`; none where there is no such key.

@@ -16,6 +16,7 @@ mod muscle_fields;
 mod page;
 mod parts;
 mod sizes;
+mod slack;
 mod uncertainty;
 mod units;
 mod words;

@@ -6,5 +6,9 @@ use crate::template::number;
 /// The values that templates of all languages have places for.
 pub(super) fn common(muscle: &ExportedMuscle) -> Vec<(&'static str, String)> {
     let form = &muscle.form;
-    vec![("name", muscle.plain_name()), ("length", number(form.length_m)), ("supply", number(form.supply_pa))]
+    vec![
+        ("name", crate::muscle::plain(&muscle.name)),
+        ("length", number(form.length_m)),
+        ("supply", number(form.supply_pa)),
+    ]
 }

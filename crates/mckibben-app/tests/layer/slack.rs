@@ -1,0 +1,54 @@
+//! Muscles that do not pull: slack ones, and those whose strands break; muscles without a text.
+
+use crate::asked;
+use mckibben::progress::Silent;
+use mckibben_app::{ProblemKind, ask};
+use serde_json::{Value, json};
+
+const OWNED: &str = "[tube]\nouter_diameter = \"12 mm\"\nwall_thickness = \"2 mm\"\nlength = \"220 mm\"\nrubber = \"latex\"\n\
+    [braid]\nangle = \"28 deg\"\nstrands = 144\nstrand_diameter = \"0.25 mm\"\nstrand_modulus = \"8.5 GPa\"\nstrand_strength = \"20 N\"\n\
+    strands_per_carrier = 3\n";
+
+fn owned() -> Value {
+    json!({"name": "owned.toml", "text": OWNED})
+}
+
+/// A muscle that hangs slack has one volume and diameter, in both commands, and no slopes.
+#[test]
+fn a_slack_muscle_of_simulate_is_that_of_force() {
+    let test =
+        json!({"test": "isometric", "muscle": owned(), "pressures_mpa": [0.1], "contractions": [0.1, 0.2]});
+    let simulated = asked("simulate", test);
+    for point in simulated["points"].as_array().unwrap() {
+        let question = json!({"muscle": owned(), "pressure_mpa": 0.1, "contraction": point["contraction"]});
+        let force = asked("force", question);
+        assert_eq!((&point["slack"], &force["slack"]), (&json!(true), &json!(true)));
+        for key in ["force_n", "volume_mm3", "bulged_diameter_mm", "free_contraction"] {
+            let (a, b) = (point[key].as_f64().unwrap(), force[key].as_f64().unwrap());
+            assert!((a - b).abs() <= 1e-6 * b.abs(), "{key}: {a} {b}");
+        }
+        assert!(point["stiffness_n_per_mm"].is_null() && force["stiffness_n_per_mm"].is_null());
+    }
+}
+
+/// 84 N at a strength of 20 N: no pull and no ±.
+#[test]
+fn a_muscle_whose_strands_break_neither_pulls_nor_has_an_uncertainty() {
+    let force = asked(
+        "force",
+        json!({"muscle": owned(), "pressure_mpa": 0.3, "contraction": -0.3, "two_sided": true}),
+    );
+    assert_eq!(force["force_n"], 0.0);
+    assert!(force["strand_tension_n"].as_f64().unwrap() > 20.0 && force["uncertainty_n"].is_null());
+}
+
+/// A name alone is that of the library; one without a text that is no name of it must not be the default muscle.
+#[test]
+fn a_muscle_has_a_text_or_is_of_the_library() {
+    let of = |muscle: Value| json!({"muscle": muscle, "pressure_mpa": 0.3});
+    let alone = asked("force", of(json!("lib:dmsp-20-300")));
+    let empty = json!({"name": "lib:dmsp-20-300", "text": ""});
+    assert_eq!(alone["force_n"], asked("force", of(empty))["force_n"]);
+    let unknown = of(json!({"name": "dmsp-20-300", "text": ""})).to_string();
+    assert_eq!(ask("force", &unknown, &Silent).unwrap_err().kind, ProblemKind::File);
+}
