@@ -52,20 +52,25 @@ pub struct Stretch {
 pub fn points(nodes: [[f64; 2]; 3], radius: f64, lay: &StrandLay) -> [StrandPoint; STRAND_POINTS] {
     let (sin, cos0) = lay.angle_rad.sin_cos();
     let filled = lay.hoop_stretch(radius);
+    let [middle, left, right] = nodes;
     GAUSS2.map(|(eta, weight)| {
         let (n, d) = along(eta);
-        let sum = |by: &[f64; 3], c: usize| (0..3).map(|a| by[a] * nodes[a][c]).sum::<f64>();
-        let half = sum(&d, 0).hypot(sum(&d, 1));
-        let hoop = lay.hoop_stretch(sum(&n, 0));
+        // r or z, and its slope along the element; without rounding on a cylinder.
+        let [(r, r1), (z, z1)] = [0, 1].map(|c| {
+            let (half, bend) = (0.5 * (right[c] - left[c]), left[c] + right[c] - 2.0 * middle[c]);
+            (middle[c] + eta * half + 0.5 * eta * eta * bend, half + eta * bend)
+        });
+        let half = r1.hypot(z1);
+        let hoop = lay.hoop_stretch(r);
         // A sleeve that is wider than the tube lies on it only where plugs fill it.
         let laid = if hoop < filled { hoop / filled } else { hoop.max(1.0) };
         let cos = cos0 * ((1.0 - (sin * laid).powi(2)) / (1.0 - sin * sin)).sqrt();
         StrandPoint {
             slope: d.map(|x| cos * x / half),
             hoop: n.map(|x| sin * x / lay.radius_mm),
-            rest: [cos * sum(&d, 0) / half, cos * sum(&d, 1) / half, sin * hoop],
-            area: 2.0 * PI * lay.radius_mm * half * weight * cos0 / cos,
-            place: sum(&n, 1),
+            rest: [cos * (r1 / half), cos * (z1 / half), sin * hoop],
+            area: 2.0 * PI * lay.radius_mm * half * weight * (cos0 / cos),
+            place: z,
         }
     })
 }
