@@ -104,7 +104,7 @@ inBrowser(({ name, url, open, blank }) => {
 
   test("a button that is pressed before the link is read computes the muscle of the link", async () => {
     const { page, context } = await blank();
-    await page.route(/api\/v1\/(quantities|check)/, async (route) => {
+    await page.route(/api\/(quantities|check)/, async (route) => {
       await new Promise((resolve) => setTimeout(resolve, 700));
       await route.continue();
     });

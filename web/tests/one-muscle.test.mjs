@@ -293,7 +293,7 @@ inBrowser(({ name, url, open, blank }) => {
     await alive(page);
     const said = asShown(ask("force", "-p", "2.5bar", "-e", "12%"));
     await reads(page, PULL, said);
-    await page.route(/api\/v1\/quantities/, async (route) => {
+    await page.route(/api\/quantities/, async (route) => {
       await new Promise((resolve) => setTimeout(resolve, 400));
       await route.continue();
     });

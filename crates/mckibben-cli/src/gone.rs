@@ -26,11 +26,17 @@ const GONE: [(&str, &str); 16] = [
     ("mcp", "`mckibben serve` answers programs over HTTP"),
 ];
 
-/// A command line that begins with a word that is gone is an error with its successor.
+/// A command line that begins with a word that is gone is an error with its successor, and so is a force for `force`.
 pub fn check(args: &[String]) -> Result<(), Failure> {
     let typed = args.get(1..).unwrap_or_default();
     let begins =
         |words: &str| words.split(' ').enumerate().all(|(i, word)| typed.get(i).is_some_and(|w| w == word));
+    let takes_force = |word: &String| word.starts_with("-F") || word.starts_with("--force");
+    if begins("force") && typed.iter().any(takes_force) {
+        let hint = "`mckibben pressure` and `mckibben contraction` take a force";
+        let message = "`mckibben force` gives the force at a pressure and a contraction";
+        return Err(Failure::input(ProblemKind::Usage, message, hint));
+    }
     match GONE.iter().find(|(words, _)| begins(words)) {
         Some((words, instead)) => {
             let message = format!("`mckibben {words}` is gone");
