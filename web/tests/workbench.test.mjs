@@ -290,7 +290,7 @@ inBrowser(({ name, url, open, blank }) => {
     await drop(page, { "tondu2012.toml": example("tondu2012.toml"), "bench.csv": example("bench.csv") });
     await reads(page, ".middle", "bench.csv: 10 points");
     await go(page, "Joint");
-    await field(page, "Radius of the pulley r").waitFor();
+    await page.getByLabel("Radius of the pulley r").first().waitFor();
     await type(page, "Radius of the pulley r", "30");
     await project.click();
     const saved = await downloaded(page, page.getByRole("button", { name: "Save the project" }));
