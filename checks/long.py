@@ -56,7 +56,7 @@ PARTS = {
     ]),
     "random": ("ten times as many random muscles, specifications and inputs", [
         r"crates/mckibben(-fem|-design|-export|-io)?/(src|tests)/.*",
-    ], None, ["MCKIBBEN_TIMES=10 cargo test --workspace --locked --test all random branches answers fuzz mutat"]),
+    ], None, ["MCKIBBEN_TIMES=10 cargo test --workspace --locked --test all -- random branches answers fuzz mutat"]),
     "exports": ("exported muscles in their hosts: compilers, emulated microcontrollers, MuJoCo, OpenSim, FMPy, Wine, JAX", [
         r"crates/mckibben-export/.*", r"crates/mckibben-app/src/export\.rs", r"checks/exports.*", r"checks/fmu.*", r"checks/mach_o\.py",
     ], None, ["bash checks/exports.sh \"$MCKIBBEN\""]),
