@@ -6,7 +6,7 @@
 
 use super::text::{Units, aligned, columns, half_width, number, within};
 use crate::spec::without_unit;
-use mckibben::units::Dimension;
+use mckibben::units::{Dimension, NamedUnit};
 use mckibben_app::units::Scale;
 use serde::Serialize;
 use serde_json::Value;
@@ -111,22 +111,16 @@ impl<'a> Key<'a> {
 /// The unit in which the numbers of a key are shown, and how many of it the key's own unit is.
 fn unit(key: &str, u: &Units) -> (String, f64) {
     let of = |scale: &Scale| (scale.name.clone(), scale.value(1.0));
-    let end = key.strip_prefix(without_unit(key)).unwrap_or_default().trim_start_matches('_');
-    match Dimension::all().find(|d| d.end_of_name() == Some(end)) {
-        _ if key.ends_with("_mm_per_s") => (format!("{}/s", u.length.name), u.length.value(1.0)),
-        _ if key.ends_with("_deg_per_s") => ("°/s".into(), 1.0),
+    let Some(named) = NamedUnit::of_field(key) else { return (String::new(), 1.0) };
+    match named.dimension {
         Some(Dimension::Pressure) if key.contains("pressure") => of(&u.pressure),
         Some(Dimension::Force) => of(&u.force),
         Some(Dimension::Length) => of(&u.length),
         Some(Dimension::Volume) => of(&u.volume),
         Some(Dimension::Stiffness) => of(&u.stiffness()),
         Some(Dimension::Angle) => ("°".into(), 1.0),
-        Some(other) => (other.unit_inside().name.into(), 1.0),
-        None if key.ends_with("_g") => ("g".into(), 1.0),
-        None if key.ends_with("_j") => ("J".into(), 1.0),
-        None if key.ends_with("_w") => ("W".into(), 1.0),
-        None if key.ends_with("normal_litres") => ("normal L".into(), 1.0),
-        None => (String::new(), 1.0),
+        None if named.unit == "mm/s" => (format!("{}/s", u.length.name), u.length.value(1.0)),
+        _ => (named.unit.into(), 1.0),
     }
 }
 
