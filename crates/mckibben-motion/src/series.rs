@@ -162,6 +162,7 @@ impl Serialize for MotionSeries {
         map.end()
     }
 }
+
 impl schemars::JsonSchema for MotionSeries {
     fn schema_name() -> std::borrow::Cow<'static, str> {
         "MotionSeries".into()

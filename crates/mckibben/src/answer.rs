@@ -193,7 +193,10 @@ pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
     // Where strands stretch further than in any muscle that was measured, no ± is known.
     let valid = !broken && !warnings.iter().any(|w| matches!(w, Warning::StrandStrain { .. }));
     let asked = (pressure_mpa, contraction);
-    let parts = uncertainty(model, workspace, asked, response.force_n, options.direction).filter(|_| valid);
+    let parts = match valid {
+        true => uncertainty(model, workspace, asked, response.force_n, options.direction),
+        false => None,
+    };
     Ok(Answer {
         model: model.info().name.to_string(),
         direction: options.direction,

@@ -61,6 +61,7 @@ fn text(file: &impl Serialize) -> String {
     // Numbers, texts, lists and objects with texts as keys: nothing that JSON has not.
     serde_json::to_string_pretty(file).unwrap_or_default() + "\n"
 }
+
 impl schemars::JsonSchema for Document {
     fn schema_name() -> std::borrow::Cow<'static, str> {
         "Formula".into()

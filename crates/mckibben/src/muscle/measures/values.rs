@@ -108,6 +108,7 @@ impl Measure {
         field
     }
 }
+
 impl schemars::JsonSchema for MeasureValues {
     fn schema_name() -> Cow<'static, str> {
         "MeasureValues".into()
