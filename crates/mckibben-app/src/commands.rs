@@ -6,7 +6,7 @@ use crate::border::within;
 use crate::problem::{Problem, ProblemKind};
 use crate::*;
 use mckibben::cancel::Cancel;
-use mckibben::nearest::nearest;
+use mckibben::nearest::{meant, nearest};
 use mckibben::progress::Progress;
 use mckibben::units::NamedUnit;
 #[cfg(feature = "files")]
@@ -263,8 +263,7 @@ pub fn understood<T: DeserializeOwned>(fields: &Value) -> Result<T, Problem> {
 pub fn find(command: &str) -> Result<&'static CommandEntry, Problem> {
     COMMANDS.iter().find(|c| c.name == command).ok_or_else(|| {
         let names: Vec<&str> = COMMANDS.iter().map(|c| c.name).collect();
-        let meant = nearest(command, names.iter().copied())
-            .map_or_else(String::new, |name| format!(" (did you mean {name}?)"));
+        let meant = meant(nearest(command, names.iter().copied()));
         let message =
             format!("there is no command \"{command}\"{meant}; the commands are {}", names.join(", "));
         Problem::new(ProblemKind::Usage, message, "")

@@ -8,7 +8,7 @@ use crate::problem::{Problem, ProblemKind};
 use crate::rubber::{RubberDetails, RubberSummary, rubber_details, rubbers};
 use mckibben::model::{ModelEntry, ModelError};
 use mckibben::muscle::Muscle;
-use mckibben::nearest::nearest;
+use mckibben::nearest::{meant, nearest};
 use mckibben::uncertainty::basis_of;
 use mckibben_design::tubes::{self, TubePart};
 use mckibben_fit::validation::library;
@@ -151,8 +151,7 @@ pub fn part_show(request: &PartShowRequest) -> Result<PartShowAnswer, Problem> {
     let all = tubes.iter().map(|t| t.name.as_str()).chain(sleeves.iter().map(|s| s.name.as_str()));
     let all = all.chain(rubbers.iter().map(|r| r.name.as_str())).chain(muscles.iter().map(String::as_str));
     let all = all.chain(Model::all().into_iter().map(|m| m.name));
-    let meant = nearest(library::named(name).unwrap_or(name), all)
-        .map_or_else(String::new, |n| format!(" (did you mean {n}?)"));
+    let meant = meant(nearest(library::named(name).unwrap_or(name), all));
     let given: String = name.chars().take(60).collect();
     let message = format!("there is no part named \"{given}\"{meant}");
     Err(Problem::new(ProblemKind::Usage, message, "`parts list` lists them"))

@@ -1,6 +1,6 @@
 //! Tables of parts in TOML: `[[rubber]]`, `[[sleeve]]`, `[[tube]]`, `[[valve]]`, and the `[sources]` that their rows name.
 
-use crate::nearest::nearest;
+use crate::nearest::{meant, nearest};
 use thiserror::Error;
 use toml_edit::{Array, Document, Item, Table, TableLike, Value};
 
@@ -21,8 +21,7 @@ impl<'t> Catalogue<'t> {
     /// Refuses a table without rows of these kinds, and what a row of a kind, or the table beside its `[sources]`, does not have.
     pub fn check(&self, kinds: &[(&str, &[&str])]) -> Result<(), CatalogueError> {
         let unknown = |what: &str, key: &str, known: &[&str]| {
-            let meant = nearest(key, known.iter().copied());
-            let meant = meant.map_or_else(String::new, |name| format!(" (did you mean {name}?)"));
+            let meant = meant(nearest(key, known.iter().copied()));
             Err(CatalogueError(format!("{what}: unknown key {key}{meant}; known here: {}", known.join(", "))))
         };
         let names: Vec<&str> = kinds.iter().map(|k| k.0).chain(["sources"]).collect();

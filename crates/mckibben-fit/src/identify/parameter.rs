@@ -2,7 +2,7 @@
 
 use mckibben::muscle::measures::{Identify, of_section};
 use mckibben::muscle::{Measure, Muscle};
-use mckibben::nearest::nearest;
+use mckibben::nearest::{meant, nearest};
 use mckibben::rubber::{ConstantValue, RubberLaw};
 use mckibben::units::{Dimension, parse_quantity};
 use thiserror::Error;
@@ -51,10 +51,6 @@ fn measures() -> impl Iterator<Item = (&'static Measure, &'static Identify)> {
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("{0}")]
 pub struct ParameterError(String);
-
-fn meant(nearest: Option<&str>) -> String {
-    nearest.map_or_else(String::new, |name| format!(" (did you mean {name}?)"))
-}
 
 impl Target {
     pub fn all(muscle: &Muscle) -> Vec<Target> {

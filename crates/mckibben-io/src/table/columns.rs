@@ -4,7 +4,7 @@ use super::error::{TableError, short};
 use super::heading::plain;
 use super::vocabulary::{Entry, Meaning, Vocabulary};
 use crate::units::Unit;
-use crate::units::nearest::nearest;
+use crate::units::nearest::{meant, nearest};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use thiserror::Error;
@@ -81,12 +81,11 @@ impl Vocabulary {
             };
             let entry = by_name.or_else(by_word).ok_or_else(|| {
                 let names: Vec<&str> = self.entries().map(|e| e.name).collect();
-                let meant = nearest(name, names.iter().copied());
+                let meant = meant(nearest(name, names.iter().copied()));
                 TableError::Refused(format!(
                     "`columns`: {what} have no quantity \"{name}\"{meant}; they have {known}",
                     what = self.what,
                     name = short(name),
-                    meant = meant.map_or_else(String::new, |m| format!(" (did you mean {m}?)")),
                     known = names.join(", ")
                 ))
             })?;

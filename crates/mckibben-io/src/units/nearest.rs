@@ -22,6 +22,11 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .map(|(_, c)| c)
 }
 
+/// The word that was probably meant, behind a message: ` (did you mean rubber?)`; nothing where none is near.
+pub fn meant(nearest: Option<&str>) -> String {
+    nearest.map_or_else(String::new, |name| format!(" (did you mean {name}?)"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::nearest;

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::formula::UniversalFormula;
-use crate::nearest::nearest;
+use crate::nearest::{meant, nearest};
 use std::fmt;
 use std::str::FromStr;
 use thiserror::Error;
@@ -24,10 +24,6 @@ impl UnknownModel {
     pub fn new(word: &str, names: Vec<&'static str>) -> Self {
         Self { given: word.chars().take(60).collect(), nearest: nearest(word, names.iter().copied()), names }
     }
-}
-
-fn meant(nearest: Option<&str>) -> String {
-    nearest.map_or_else(String::new, |name| format!(" (did you mean {name}?)"))
 }
 
 /// What is known of a kind, and how it is made of a muscle between its ends.

@@ -4,7 +4,7 @@
 //! "alpha": [1.3, 5.0]}`.
 
 use super::{Law, LawKind, NEEDS_ALL, foreign, one_of_all};
-use crate::nearest::nearest;
+use crate::nearest::{meant, nearest};
 use serde::de::{Error, MapAccess, Visitor};
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -58,8 +58,7 @@ impl<'de> Visitor<'de> for Reader {
         }
         let name = name.ok_or_else(|| A::Error::custom(format!("law is missing; it is {}", one_of_all())))?;
         let kind = Law::kind_named(&name).ok_or_else(|| {
-            let meant =
-                nearest(&name, Law::names()).map_or_else(String::new, |n| format!(" (did you mean {n}?)"));
+            let meant = meant(nearest(&name, Law::names()));
             A::Error::custom(format!("law \"{name}\" is not known{meant}; expected {}", one_of_all()))
         })?;
         law(kind, written).map_err(A::Error::custom)

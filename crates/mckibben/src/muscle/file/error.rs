@@ -1,6 +1,7 @@
 //! What is wrong with a muscle file, where, and what should stand there.
 
 use crate::muscle::MuscleError;
+use crate::nearest::meant;
 use crate::units::QuantityError;
 use std::borrow::Cow;
 use std::fmt;
@@ -52,7 +53,7 @@ pub enum Problem {
     #[error("{0}")]
     Said(String),
     /// A word that is not one of those known.
-    #[error("is not known{}; expected {expected}", hint(*.suggestion))]
+    #[error("is not known{}; expected {expected}", meant(*.suggestion))]
     Word {
         /// The word that was probably meant.
         suggestion: Option<&'static str>,
@@ -82,10 +83,6 @@ pub enum Problem {
         /// A key that has a part in it and was left out.
         default: Option<String>,
     },
-}
-
-pub(super) fn hint(suggestion: Option<&str>) -> String {
-    suggestion.map_or(String::new(), |s| format!(" (did you mean {s}?)"))
 }
 
 /// `"30 bar" is a pressure` → `is a pressure`: the text is in front already.

@@ -1,8 +1,8 @@
 //! A parsed file that knows where everything stands: sections, and typed look-ups in them.
 
-use super::error::{FileError, Problem, TextPosition, hint as did_you_mean};
+use super::error::{FileError, Problem, TextPosition};
 use super::values::{PLAIN, kind, shortened, to_number, to_quantity, value_kind};
-use crate::nearest::nearest;
+use crate::nearest::{meant, nearest};
 use crate::units::{Dimension, Values, parse_values};
 use std::borrow::Cow;
 use std::ops::Range;
@@ -156,7 +156,7 @@ impl<'s> Section<'s> {
             let suggestion = last_word().or_else(elsewhere).or_else(here).or_else(far).map(str::to_string);
             let problem = Problem::Said(format!(
                 "unknown key{}; known here: {}",
-                did_you_mean(suggestion.as_deref()),
+                meant(suggestion.as_deref()),
                 known.join(", ")
             ));
             return Err(self.source.key_error(&self.dotted(&shortened(key)), span, problem));
