@@ -166,8 +166,7 @@ pub fn free_contraction(
     workspace: &mut Workspace,
     pressure_mpa: f64,
 ) -> Result<f64, FemError> {
-    // Without pressure every force is nil, and a muscle that nobody pulls is as long as at rest.
-    if pressure_mpa == 0.0 {
+    if pressure_mpa == 0.0 && model.muscle().tube().prestretch == 1.0 {
         return Ok(0.0);
     }
     Ok(model.reach(workspace, Given::PressureAndPull { pressure_mpa, force_n: 0.0 })?.contraction)

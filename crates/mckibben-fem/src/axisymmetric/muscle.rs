@@ -154,6 +154,11 @@ impl body::Body for Body {
         d.problem.braid.is_some_and(|b| b.lay.hoop_stretch(d.radius) < 1.0)
     }
 
+    fn stretched(&self) -> bool {
+        let d = &self.discretisation;
+        d.problem.prestretch * (1.0 + self.state.terminal / d.half_length()) >= 1.0
+    }
+
     fn taut(&self) -> bool {
         let (state, l) = (&self.state, self.discretisation.layout);
         let taut = |q: &f64| *q > 0.0;

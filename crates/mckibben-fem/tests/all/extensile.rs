@@ -4,9 +4,11 @@ use super::prestretch::slopes_are_those_of_differences;
 use mckibben::analysis::{Options, contraction_at, free_contraction, pressure_at};
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
-use mckibben::rubber::{Law, NeoHookean};
+use mckibben::random::{Random, rounds};
+use mckibben::rubber::{Law, NeoHookean, RubberLaw};
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fem::three_dimensional::ThreeDimensional;
+use std::f64::consts::PI;
 
 fn muscle(angle_deg: f64, length_mm: f64) -> Muscle {
     let stiffness = BraidStiffness::NewtonPerMm(300.0);
@@ -68,6 +70,51 @@ fn inverses_come_back_and_free_muscles_are_longer_than_at_rest() {
             assert!(push < 0.0, "{angle} {push}");
             assert!((contraction_at(model, w, push, 0.2, options).unwrap() - e).abs() < 1e-7, "{angle}");
             assert!((pressure_at(model, w, push, e, options).unwrap() - 0.2).abs() < 1e-7, "{angle}");
+        }
+    }
+}
+
+/// A thick wall with strands that go slack one after the other: 45.5, 43.1, 29.5 and 21.4 N by an independent implementation of the same elements.
+#[test]
+fn partly_slack_strands_of_a_stretched_muscle_have_an_answer() {
+    let stiffness = BraidStiffness::NewtonPerMm(426.0);
+    let tube = Tube::new(38.09, 10.0, 120.0, Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 0.18 })));
+    let braid = Braid { angle_deg: 72.0, stiffness, ..Braid::paper() };
+    let m = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
+    let (fe, w) = (Axisymmetric::new(&m).unwrap(), &mut Workspace::new());
+    for (p, pull) in [(0.0, 45.5), (0.03, 43.1), (0.05, 29.5), (0.06, 21.4)] {
+        let force = fe.force_n(w, p, -0.1).unwrap();
+        assert!((force - pull).abs() < 0.051, "{p} MPa: {force}");
+    }
+    let push = -30.0;
+    let p = pressure_at(&fe, w, push, -0.1, Options::default()).unwrap();
+    assert!((fe.force_n(w, p, -0.1).unwrap() - push).abs() < 1e-6 && p < 0.13, "{p}");
+}
+
+/// A tube that is stretched and pulls has one equilibrium: no random one is without an answer, and without its ends it would be the thick wall.
+#[test]
+fn stretched_muscles_always_have_an_answer() {
+    let mut random = Random(18);
+    for _ in 0..rounds(40) {
+        let outer = random.between(8.0, 45.0);
+        let law = Law::NeoHookean(NeoHookean { mu_mpa: random.between(0.05, 0.6) });
+        let length_mm = outer * random.between(3.0, 12.0);
+        let tube = Tube::new(outer, outer * random.between(0.12, 0.3), length_mm, Rubber::of(law.clone()));
+        let stiffness = BraidStiffness::NewtonPerMm(random.between(200.0, 2000.0));
+        let braid = Braid { angle_deg: random.between(56.0, 75.0), stiffness, ..Braid::paper() };
+        let m = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
+        let (fe, long) = (Axisymmetric::new(&m).unwrap(), ThickWall::new(&m));
+        for e in [-0.03, -0.1] {
+            let drawn = long.force_n(&mut Workspace::new(), 0.0, e).unwrap();
+            for share in [0.0, 0.06, 0.2, 0.6] {
+                let p = share * law.shear_modulus_mpa();
+                let pull = fe.force_n(&mut Workspace::new(), p, e).unwrap();
+                let endless = long.force_n(&mut Workspace::new(), p, e).unwrap();
+                assert!(
+                    (pull - endless).abs() < 0.1 * (drawn + p * PI * (0.5 * outer).powi(2)),
+                    "{p} {e}: {pull} {endless} {m:?}"
+                );
+            }
         }
     }
 }

@@ -25,8 +25,8 @@ pub fn free_contraction<M: ForceModel + ?Sized>(
     pressure_mpa: f64,
     options: Options,
 ) -> Result<f64, AnalysisError> {
-    // Without pressure nothing pulls, and a muscle that nobody pulls is as long as at rest.
-    if pressure_mpa == 0.0 && (options.extrapolate || model.info().range.pressure_mpa.0 <= 0.0) {
+    let known = options.extrapolate || model.info().range.pressure_mpa.0 <= 0.0;
+    if pressure_mpa == 0.0 && known && model.muscle().tube().prestretch == 1.0 {
         return Ok(0.0);
     }
     contraction_at(model, workspace, 0.0, pressure_mpa, options)

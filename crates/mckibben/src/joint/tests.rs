@@ -1,7 +1,10 @@
 use super::verification::muscle;
 use super::*;
 use crate::model::{ForceModel, ModelKind, Workspace};
+use crate::muscle::measures::PRESTRETCH;
+use crate::muscle::{Braid, BraidStiffness};
 use crate::progress::Silent;
+use crate::random::{Random, rounds};
 
 fn antagonists() -> Joint {
     let muscles =
@@ -24,6 +27,42 @@ fn more_pressure_in_the_first_muscle_and_a_torque_from_outside_turn_the_joint_to
     let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
     let turned = model.rests(w, &[0.25, 0.15], 0.0).unwrap()[0].angle_deg();
     assert!(turned > 5.0 && model.rests(w, &[0.25, 0.15], 1.0).unwrap()[0].angle_deg() > turned);
+}
+
+/// One muscle, one pull: what is summed in search of a rest is the torque of the table, also of muscles without pressure that pull because they were
+/// drawn, that push and that hang slack; and at a balance it vanishes.
+#[test]
+fn a_rest_and_a_table_have_one_torque() {
+    let mut random = Random(28);
+    for _ in 0..rounds(40) {
+        let mut one = muscle(Path::Pulley { radius_mm: 25.0 }, random.between(0.0, 0.1));
+        let braid = Braid {
+            angle_deg: random.between(18.0, 50.0),
+            stiffness: BraidStiffness::Inextensible,
+            ..Braid::paper()
+        };
+        let stretch = random.one_of(&[1.0, 1.08, 1.2]);
+        one.muscle = one.muscle.with_braid(braid).unwrap().with(&PRESTRETCH, stretch).unwrap();
+        let other = JointMuscle { path: Path::Pulley { radius_mm: -25.0 }, ..one.clone() };
+        let joint = Joint::new(vec![one, other], None, Link::default(), (-30.0, 30.0)).unwrap();
+        let models = models(&joint, ModelKind::ThickWall);
+        let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
+        let pressures = [random.one_of(&[0.0, 0.01, 0.1]), 0.0];
+        for angle_deg in [-25.0, -10.0, 0.0, 5.0, 20.0] {
+            let table = model.at(w, &pressures, angle_deg, Turning::Mean).unwrap().torque_nm;
+            let fixed = &mut model.fixed(w, &pressures).unwrap();
+            let summed = model.torque(fixed, f64::to_radians(angle_deg)).unwrap().0;
+            assert!(
+                (summed - table).abs() < 1e-9 * (1.0 + table.abs()),
+                "{angle_deg}: {summed} {table} {joint:?}"
+            );
+        }
+        for rest in model.rests(w, &pressures, 0.0).unwrap() {
+            let torque = model.at(w, &pressures, rest.angle_deg(), Turning::Mean).unwrap().torque_nm;
+            let nothing = torque.abs() < 1e-6 || matches!(rest, Rest::Limit { .. });
+            assert!(nothing, "{rest:?}: {torque} {joint:?}");
+        }
+    }
 }
 
 /// ±τ over the slopes of the torque, these by central differences: of pressures that were sought, and of the angle at rest.
