@@ -2,9 +2,7 @@
 
 use crate::muscle::rubber;
 use crate::problem::Problem;
-use mckibben::rubber::library::{
-    self, COVERING, RubberEntry, RubberFit, Standing, USUAL_REACH, Window, WindowLaw,
-};
+use mckibben::rubber::library::{self, COVERING, RubberEntry, RubberFit, Standing, Window, WindowLaw};
 use mckibben::rubber::{Law, RubberLaw};
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
@@ -67,12 +65,10 @@ pub struct LibraryFit {
     pub law: String,
     /// The same with the number of its terms.
     pub name: String,
-    /// Whether it is what the name that was asked for means in the prototype.
-    pub taken: bool,
-    /// Whether it is what that name means for muscles up to `reach_up_to` that no smaller range covers, and beyond the last range
-    /// with it.
+    /// Whether it is what the name that was asked for means for a muscle with this very reach; between two reaches it means constants between
+    /// theirs, beyond the last reach those of the last.
     pub by_reach: bool,
-    /// Largest stretch that a muscle may reach for this range to be the one that is taken; none for published constants that
+    /// Largest stretch that a muscle may reach for this range of data to cover it; none for published constants that
     /// stand for comparison.
     pub reach_up_to: Option<f64>,
     /// Its constants; those in MPa end in `_mpa`.
@@ -153,22 +149,18 @@ pub(crate) fn rubber_details(name: &str) -> Result<Option<RubberDetails>, Proble
     }))
 }
 
-/// Whether a law with data up to a stretch is what a word means for muscles that reach so far; where that is not known, in the prototype.
-fn means(word: &str, reach: Option<f64>, law: &Law, fitted_to_stretch: Option<f64>) -> bool {
-    let found = library::find_for(word, reach.unwrap_or(USUAL_REACH));
-    found.is_ok_and(|found| found.law == *law && found.fitted_to_stretch == fitted_to_stretch)
+/// Whether a law is what a word means with data up to a stretch.
+fn means(word: &str, law: &Law, fitted_to_stretch: Option<f64>) -> bool {
+    library::find_up_to(word, fitted_to_stretch.unwrap_or(1.0)).is_ok_and(|found| found.law == *law)
 }
 
 fn of_curve(word: &str, window: &Window, l: &WindowLaw) -> LibraryFit {
-    // A hair less, so that rounding does not lead into the next range.
-    let reach = window.fitted_to_stretch / COVERING * (1.0 - 1e-9);
     let best = window.law(None).map_or(&l.law, |best| &best.law);
     LibraryFit {
         law: l.law.name().into(),
         name: l.name.clone(),
-        taken: means(word, None, &l.law, Some(window.fitted_to_stretch)),
-        by_reach: means(word, Some(reach), &l.law, Some(window.fitted_to_stretch)),
-        reach_up_to: Some(reach),
+        by_reach: means(word, &l.law, Some(window.fitted_to_stretch)),
+        reach_up_to: Some(window.fitted_to_stretch / COVERING),
         fit: l.law.clone(),
         shear_modulus_mpa: l.law.shear_modulus_mpa(),
         up_to_strain: Some(window.fitted_to_stretch - 1.0),
@@ -192,13 +184,11 @@ fn of_curve(word: &str, window: &Window, l: &WindowLaw) -> LibraryFit {
 fn as_published(word: &str, entry: &RubberEntry, fit: &RubberFit) -> LibraryFit {
     let alone = entry.windows.is_empty();
     let fitted = entry.reach(fit).map(|strain| 1.0 + strain);
-    let end = fitted.map(|end| end / COVERING * (1.0 - 1e-9));
     LibraryFit {
         law: fit.law.name().into(),
         name: fit.law.name().into(),
-        taken: alone && means(word, None, &fit.law, fitted),
-        by_reach: alone && means(word, end, &fit.law, fitted),
-        reach_up_to: end.filter(|_| alone),
+        by_reach: alone && means(word, &fit.law, fitted),
+        reach_up_to: fitted.filter(|_| alone).map(|end| end / COVERING),
         fit: fit.law.clone(),
         shear_modulus_mpa: fit.law.shear_modulus_mpa(),
         up_to_strain: fit.up_to_strain,

@@ -119,7 +119,7 @@ fn fits_text(rubber: &RubberDetails) -> String {
     let keys = "taken=_ reach_up_to=reach:3~ up_to_strain=data_to:3% points constants=law_and_constants shear_modulus_mpa=μ:3~ r_squared=R²:5~ standing planar_difference=differs:2%~";
     tabled(&rows, keys, &shown::units())
         + &format!(
-            "→: --rubber {} means it, for muscles that stretch their rubber up to the reach (`mckibben check`), the last of them for all beyond.\nstanding: equal where the data do not distinguish a law from the recommended one. differs: at most so much from it in planar tension. Laws that fit less well: --format json.\n",
+            "→: --rubber {} means it, for a muscle that stretches its rubber up to the reach (`mckibben check`); between two reaches it means constants between theirs, beyond the last those of the last.\nstanding: equal where the data do not distinguish a law from the recommended one. differs: at most so much from it in planar tension. Laws that fit less well: --format json.\n",
             rubber.rubber
         )
 }

@@ -1,8 +1,9 @@
 //! Named rubbers, from `data/rubbers.toml`, which states source and terms of each.
 //!
 //! What a name means follows from the muscle alone, not from what is asked of it: `dragon-skin-30` is the law that `rubber`
-//! recommends for the data up to the smallest of the [`Window`]s that covers the stretches which this muscle reaches
-//! ([`Muscle::reach`](crate::muscle::Muscle::reach)), beyond the data for all of them; `dragon-skin-30:yeoh` is that law on the same data. Of
+//! recommends, or holds for as good, in most of the [`Window`]s of the data; its constants are those of the data up to the stretches which this
+//! muscle reaches ([`Muscle::reach`](crate::muscle::Muscle::reach)), between two windows constants between theirs, so that a pull has no
+//! steps in the measures of a muscle. Beyond the data they are those of all. `dragon-skin-30:gent` is that law, found in the same way. Of
 //! rubbers without a measured curve the data are those that their table of fits stands for ([`TABLE_OF_FITS`]). [`warnings`] says what to
 //! mind.
 
@@ -17,7 +18,7 @@ pub use entry::{RubberEntry, RubberFit};
 pub use error::LibraryError;
 pub(crate) use named::following;
 pub use named::{
-    COVERING, USUAL_REACH, find, find_for, follows, is_known_from_one_axis, of_equal_standing,
+    COVERING, USUAL_REACH, find, find_for, find_up_to, follows, is_known_from_one_axis, of_equal_standing,
     stiffness_factor,
 };
 pub use window::{Standing, Window, WindowLaw};

@@ -1,7 +1,7 @@
-//! From a name to a law: which one follows from the stretches that a muscle reaches.
+//! From a name to a law: its constants follow from the stretches that a muscle reaches, without steps.
 
 use super::hardness;
-use super::{LibraryError, RubberEntry, RubberFit, Standing, Window, entry};
+use super::{LibraryError, RubberEntry, RubberFit, Standing, Window, WindowLaw, entry};
 use crate::rubber::Law;
 use crate::rubber::Rubber;
 
@@ -30,6 +30,11 @@ pub fn find(name: &str) -> Result<Rubber, LibraryError> {
 
 /// The rubber `name` or `name:law` for stretches up to `reach`: see the module on which fit that is.
 pub fn find_for(name: &str, reach: f64) -> Result<Rubber, LibraryError> {
+    find_up_to(name, COVERING * reach)
+}
+
+/// The same from data up to a stretch.
+pub fn find_up_to(name: &str, stretch: f64) -> Result<Rubber, LibraryError> {
     if let Some(found) = hardness::find(name) {
         return found.map(|(rubber, _)| rubber);
     }
@@ -39,7 +44,7 @@ pub fn find_for(name: &str, reach: f64) -> Result<Rubber, LibraryError> {
     };
     let entry = entry(plain)?;
     let law = law.map(|law| law.trim().to_lowercase().replace([' ', '_'], "-"));
-    let found = entry.meant(law.as_deref(), reach).ok_or_else(|| {
+    let found = entry.up_to(law.as_deref(), stretch).ok_or_else(|| {
         let law: String = law.as_deref().unwrap_or("").chars().take(60).collect();
         LibraryError(format!(
             "{} has no fit of the law \"{law}\"; it has {}",
@@ -58,8 +63,8 @@ pub(crate) fn following(rubber: Rubber, reach: f64) -> Rubber {
         return rubber;
     }
     let of_library = |(entry, law): (&RubberEntry, Option<&str>)| {
-        let one = |found| entry.rubber(law, found) == rubber;
-        entry.each(law).any(one).then(|| entry.meant(law, reach).map(|found| entry.rubber(law, found)))?
+        let found = entry.has(law, &rubber).then(|| entry.up_to(law, COVERING * reach))??;
+        Some(entry.rubber(law, found))
     };
     let followed = rubber.name.as_deref().and_then(exactly).and_then(of_library);
     followed.unwrap_or(rubber)
@@ -67,17 +72,18 @@ pub(crate) fn following(rubber: Rubber, reach: f64) -> Rubber {
 
 /// Whether a rubber is one of the library whose law follows the muscle.
 pub fn follows(rubber: &Rubber) -> bool {
-    rubber.name.as_deref().and_then(exactly).is_some_and(|(entry, law)| {
-        entry.each(law).count() > 1 && entry.each(law).any(|f| entry.rubber(law, f) == *rubber)
-    })
+    rubber
+        .name
+        .as_deref()
+        .and_then(exactly)
+        .is_some_and(|(entry, law)| entry.each(law).nth(1).is_some() && entry.has(law, rubber))
 }
 
 /// Whether a rubber is one of the library, with its constants, whose tests are uniaxial alone: what it does in two axes is then a guess
 /// of its law.
 pub fn is_known_from_one_axis(rubber: &Rubber) -> bool {
-    rubber.name.as_deref().and_then(exactly).is_some_and(|(entry, law)| {
-        entry.one_axis && entry.each(law).any(|found| entry.rubber(law, found) == *rubber)
-    })
+    let of_one_axis = |(entry, law): (&RubberEntry, Option<&str>)| entry.one_axis && entry.has(law, rubber);
+    rubber.name.as_deref().and_then(exactly).is_some_and(of_one_axis)
 }
 
 /// Factor within which the stiffness of a rubber is known: of one that stands in for others, or follows from one number of a data sheet; 1 of any other.
@@ -86,9 +92,8 @@ pub fn stiffness_factor(rubber: &Rubber) -> f64 {
     if let Some(Ok((found, factor))) = hardness::find(name) {
         return if found.law == rubber.law { factor } else { 1.0 };
     }
-    let own = |(entry, law): (&'static RubberEntry, Option<&str>)| {
-        entry.each(law).any(|found| entry.rubber(law, found) == *rubber).then_some(entry.factor)
-    };
+    let own =
+        |(entry, law): (&'static RubberEntry, Option<&str>)| entry.has(law, rubber).then_some(entry.factor);
     exactly(name).and_then(own).unwrap_or(1.0)
 }
 
@@ -104,23 +109,23 @@ fn exactly(name: &str) -> Option<(&'static RubberEntry, Option<&str>)> {
 /// curve. Nothing is fitted.
 pub fn of_equal_standing(own: &Rubber, reach: f64) -> Vec<Rubber> {
     let Some((entry, asked)) = own.name.as_deref().and_then(exactly) else { return vec![] };
-    let Some(window) = entry.meant(asked, reach).and_then(|found| found.window) else {
+    let stretch = COVERING * reach;
+    let Some(window) = entry.up_to(asked, stretch).and_then(|found| found.window) else {
         return vec![];
     };
-    let good = window.laws.iter().filter(|l| l.standing != Standing::Behind && l.law != own.law);
-    good.map(|l| Rubber {
-        name: Some(format!("{}:{}", entry.name, l.name)),
-        bulk: own.bulk,
-        fitted_to_stretch: Some(window.fitted_to_stretch),
-        ..Rubber::of(l.law.clone())
+    let good =
+        window.laws.iter().filter(|l| l.standing != Standing::Behind && l.law.name() != own.law.name());
+    good.filter_map(|l| {
+        let name = Some(l.name.as_str());
+        Some(Rubber { bulk: own.bulk, ..entry.rubber(name, entry.up_to(name, stretch)?) })
     })
     .collect()
 }
 
 /// A fit of a rubber.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Found<'a> {
-    pub law: &'a Law,
+    pub law: Law,
     /// Largest stretch of the data.
     pub fitted_to_stretch: Option<f64>,
     /// Of a rubber with a curve.
@@ -142,34 +147,65 @@ impl RubberEntry {
         laws
     }
 
-    /// The window for stretches up to `reach`: the smallest that covers [`COVERING`] times as much, else all data.
-    pub fn window(&self, reach: f64) -> Option<&Window> {
-        self.windows.iter().find(|w| w.fitted_to_stretch >= COVERING * reach).or_else(|| self.windows.last())
+    /// The fit to data up to a stretch: that of the smallest range which covers it, and between the ends of two ranges constants between theirs, in
+    /// proportion. Of a law that is linear in its constants the energy lies between the two. Beyond all data the fit to all.
+    pub(super) fn up_to(&self, law: Option<&str>, stretch: f64) -> Option<Found<'_>> {
+        let mut lower: Option<Found<'_>> = None;
+        for mut found in self.each(law) {
+            let Some(end) = found.fitted_to_stretch.filter(|end| *end < stretch) else {
+                if let Some((lower, upper)) = lower.zip(found.fitted_to_stretch) {
+                    let start = lower.fitted_to_stretch.unwrap_or(1.0);
+                    let (share, values) = ((stretch - start) / (upper - start), lower.law.values());
+                    found.law = found.law.with_constants(|i, v| (1.0 - share) * values[i] + share * v);
+                    found.fitted_to_stretch = Some(stretch);
+                }
+                return Some(found);
+            };
+            lower = Some(Found { fitted_to_stretch: Some(end), ..found });
+        }
+        lower
     }
 
-    /// The fit that is meant for stretches up to `reach`: of all that have the law the smallest range that covers them, else the widest.
-    pub(super) fn meant(&self, law: Option<&str>, reach: f64) -> Option<Found<'_>> {
-        let covers = |f: &Found<'_>| f.fitted_to_stretch.is_none_or(|end| end >= COVERING * reach);
-        self.each(law).find(covers).or_else(|| self.each(law).last())
+    /// Whether a rubber of this name has the constants that the library gives it.
+    fn has(&self, law: Option<&str>, rubber: &Rubber) -> bool {
+        let found = self.up_to(law, rubber.fitted_to_stretch.unwrap_or(1.0));
+        found.is_some_and(|found| self.rubber(law, found) == *rubber)
     }
 
     /// The fits of a law, or those that the name alone means, from the smallest range to the widest.
     pub(super) fn each(&self, law: Option<&str>) -> impl Iterator<Item = Found<'_>> {
-        let law = law.map(str::to_owned);
         // Without a curve: the first law of the table, which for the silicones is the neo-Hookean one.
-        let published = law.clone().or_else(|| self.published_default().map(str::to_owned));
+        let published = law.or_else(|| self.published_default()).map(str::to_owned);
         let fits = self.fits.iter().filter(|_| self.windows.is_empty());
         let fits = fits.filter(move |f| Some(f.law.name()) == published.as_deref());
         let published = fits.map(|f| Found {
-            law: &f.law,
+            law: f.law.clone(),
             fitted_to_stretch: self.reach(f).map(|strain| 1.0 + strain),
             window: None,
         });
+        let name = self.name_in_windows(law);
         let fitted = self.windows.iter().filter_map(move |w| {
-            let law = &w.law(law.as_deref())?.law;
+            let law = w.laws.iter().find(|l| Some(&l.name) == name)?.law.clone();
             Some(Found { law, fitted_to_stretch: Some(w.fitted_to_stretch), window: Some(w) })
         });
         published.chain(fitted)
+    }
+
+    /// The law of all ranges, with the number of its terms: of those that a word means the one that is recommended, or of equal standing, in most of them.
+    fn name_in_windows(&self, law: Option<&str>) -> Option<&String> {
+        let laws = || self.windows.iter().flat_map(|w| &w.laws);
+        let count = |name: &String, counts: fn(&WindowLaw) -> bool| {
+            laws().filter(|l| l.name == *name && counts(l)).count()
+        };
+        let names =
+            laws().filter(|l| law.is_none_or(|law| l.name == law || l.law.name() == law)).map(|l| &l.name);
+        names.max_by_key(|name| {
+            (
+                count(name, |l| l.standing != Standing::Behind),
+                count(name, |l| l.standing == Standing::Recommended),
+                count(name, |_| true),
+            )
+        })
     }
 
     /// The law that the name of a rubber without a curve means: of all fits to one axis the one that can be trusted in two.
@@ -189,7 +225,7 @@ impl RubberEntry {
         Rubber {
             name: Some(named.map_or_else(|| self.name.clone(), |law| format!("{}:{law}", self.name))),
             fitted_to_stretch: found.fitted_to_stretch,
-            ..Rubber::of(found.law.clone())
+            ..Rubber::of(found.law)
         }
     }
 }
