@@ -140,6 +140,21 @@ impl Law {
         self.kind().law(&values).unwrap_or_else(|| self.clone())
     }
 
+    /// `share` of the way from this law to another of its kind. Of a sum all terms of both, and of laws that are linear in their moduli these moduli in
+    /// proportion: the energy is (1 − share) times this one and share times the other. The reciprocal of a limit of stretch goes in proportion too.
+    #[must_use]
+    pub fn towards(&self, other: &Law, share: f64) -> Law {
+        let (constants, others) = (self.kind().constants, other.values());
+        if self.kind().is_sum {
+            let terms = [self.scaled(1.0 - share).values(), other.scaled(share).values()].concat();
+            return self.kind().law(&terms).unwrap_or_else(|| self.clone());
+        }
+        self.with_constants(|i, from| match constants[i].is_modulus() {
+            true => (1.0 - share) * from + share * others[i],
+            false => 1.0 / ((1.0 - share) / from + share / others[i]),
+        })
+    }
+
     /// The same law with every modulus multiplied by `factor` (limits and exponents stay).
     pub fn scaled(&self, factor: f64) -> Law {
         let constants = self.kind().constants;

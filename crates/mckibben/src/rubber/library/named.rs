@@ -152,16 +152,19 @@ impl RubberEntry {
     pub(super) fn up_to(&self, law: Option<&str>, stretch: f64) -> Option<Found<'_>> {
         let mut lower: Option<Found<'_>> = None;
         for mut found in self.each(law) {
-            let Some(end) = found.fitted_to_stretch.filter(|end| *end < stretch) else {
-                if let Some((lower, upper)) = lower.zip(found.fitted_to_stretch) {
-                    let start = lower.fitted_to_stretch.unwrap_or(1.0);
-                    let (share, values) = ((stretch - start) / (upper - start), lower.law.values());
-                    found.law = found.law.with_constants(|i, v| (1.0 - share) * values[i] + share * v);
-                    found.fitted_to_stretch = Some(stretch);
-                }
+            let end = found.fitted_to_stretch;
+            if let Some((end, (lower, start))) =
+                end.zip(lower.and_then(|l| Some((l.law, l.fitted_to_stretch?))))
+                && start < stretch
+                && stretch < end
+            {
+                found.law = lower.towards(&found.law, (stretch - start) / (end - start));
+                found.fitted_to_stretch = Some(stretch);
+            }
+            if end.is_none_or(|end| end >= stretch) {
                 return Some(found);
-            };
-            lower = Some(Found { fitted_to_stretch: Some(end), ..found });
+            }
+            lower = Some(found);
         }
         lower
     }
