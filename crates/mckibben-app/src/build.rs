@@ -1,6 +1,7 @@
 //! `build`: from a muscle to report, drawing, plugs, cut list, bill of materials, steps and test sheet.
 
 use crate::burst::{PressureLimits, burst_of, said_of, usual_mpa};
+use crate::check::findings::not_measured;
 use crate::fields::{ModelFields, MuscleFields};
 use crate::model::Model;
 use crate::muscle::MuscleSummary;
@@ -162,7 +163,8 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
             Ok(html),
         ));
     }
-    let warnings = said.iter().map(ToString::to_string);
+    let outside = not_measured(&plan.muscle, plan.safety.pressure_mpa)?;
+    let warnings = said.iter().chain(&outside).map(ToString::to_string);
     Ok(BuildAnswer {
         muscle: (&plan.muscle).into(),
         blocked_force_n: plan.operating.blocked_force_n,

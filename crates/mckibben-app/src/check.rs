@@ -1,7 +1,7 @@
 //! `check`: the data of a muscle and what follows from them, what it does at its working pressure, whether it is plausible, what of it is
 //! not known, how far it is from measured muscles, and what to measure first.
 
-mod findings;
+pub(crate) mod findings;
 
 pub use findings::{FindingKind, MuscleFinding};
 

@@ -7,7 +7,7 @@ use crate::words::{number, percent};
 use mckibben::analysis::{Burst, FailurePressure};
 use mckibben::muscle::Muscle;
 use mckibben::uncertainty::UncertaintyParts;
-use mckibben::warning::is_of_burst;
+use mckibben::warning::{Warning, is_of_burst};
 use mckibben_fit::validation::case::{MuscleCase, muscles};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -56,10 +56,8 @@ pub(super) fn of(
 ) -> Result<Vec<MuscleFinding>, Problem> {
     let mut findings = implausible(muscle, values);
     findings.extend(unknown(burst));
-    // The measured muscles are no part of the reduced engine.
-    if cfg!(feature = "whole") {
-        findings.extend(outside(muscle, values.pressure_mpa)?);
-    }
+    let outside = outside(muscle, values.pressure_mpa)?;
+    findings.extend(outside.into_iter().map(|text| MuscleFinding::new(FindingKind::Outside, text)));
     findings.extend(parts.iter().flat_map(|parts| measure(parts, values)));
     Ok(findings)
 }
@@ -123,8 +121,19 @@ fn unknown(burst: &Burst) -> Vec<MuscleFinding> {
 /// A size: its name, its unit, and how it is taken of a muscle.
 type Sized<'a> = (&'static str, &'static str, &'a dyn Fn(&Muscle) -> f64);
 
+/// The same as one warning, of a muscle that is chosen or built.
+pub(crate) fn not_measured(muscle: &Muscle, pressure_mpa: f64) -> Result<Option<Warning>, Problem> {
+    let outside = outside(muscle, pressure_mpa)?.join("; ");
+    let said = format!("outside of the muscles that were measured, on which the ± is founded: {outside}");
+    Ok((!outside.is_empty()).then(|| Warning::from(said)))
+}
+
 /// Where the muscle lies outside of the measured ones, on which the ± is founded.
-fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<MuscleFinding>, Problem> {
+fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>, Problem> {
+    // The measured muscles are no part of the reduced engine.
+    if !cfg!(feature = "whole") {
+        return Ok(vec![]);
+    }
     let cases = muscles().map_err(Problem::from)?;
     let among = |of: &dyn Fn(&Muscle) -> f64| {
         let all = cases.iter().flat_map(|case| built(case)).map(|muscle| of(&muscle));
@@ -144,17 +153,15 @@ fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<MuscleFinding>, Pro
         // A last digit is no difference.
         if own < low * (1.0 - 1e-9) || own > high * (1.0 + 1e-9) {
             let shown = [own, low, high].map(|v| number(v, 3));
-            found.push(format!(
-                "{name} is {}{unit}; measured muscles have {} to {}{unit}",
-                shown[0], shown[1], shown[2]
-            ));
+            found
+                .push(format!("{name} is {}{unit} (measured: {} to {}{unit})", shown[0], shown[1], shown[2]));
         }
     }
     if pressure_mpa > highest_mpa {
         let (own, most) = (number(pressure_mpa, 3), number(highest_mpa, 3));
-        found.push(format!("the pressure is {own} MPa; muscles were measured up to {most} MPa"));
+        found.push(format!("the pressure is {own} MPa (measured: up to {most} MPa)"));
     }
-    Ok(found.into_iter().map(|text| MuscleFinding::new(FindingKind::Outside, text)).collect())
+    Ok(found)
 }
 
 /// The muscles of a case, one for each size that its points state.

@@ -15,6 +15,7 @@ pub use bought::BoughtAnswer;
 pub use bundle::{BundleAnswer, BundlePoint};
 pub use request::{Choice, DesignRequest, ObjectiveWord, OperatingPoint, TorqueWanted, Verify};
 
+use crate::check::findings::not_measured;
 use crate::figure;
 use crate::model::Model;
 use crate::problem::Problem;
@@ -74,6 +75,9 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         winner.map_or_else(|| not_checked(&outcome, highest_mpa), |c| answer::warnings(c, highest_mpa));
     let bundle = bundle::of(request, &spec, &decide, winner);
     warnings.extend(bundle.as_ref().and_then(BundleAnswer::warning));
+    if let Some(c) = winner {
+        warnings.extend(not_measured(&c.muscle, highest_mpa)?);
+    }
     let closest = outcome.closest.as_ref().map(|closest| {
         let hints: Vec<String> = out_of_reach(&spec).into_iter().chain(hint).collect();
         ClosestAnswer {

@@ -65,7 +65,7 @@ pub struct DesignRequest {
     /// Distance between the axes of neighbours of a bundle, mm; default: that of the largest envelope, or the bulged diameter.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pitch_mm: Option<f64>,
-    /// Smallest ratio of burst pressure to maximum pressure; default 4 if the strength of the strands is known; 0 for none.
+    /// Smallest ratio of the pressure at which strands break or clamps let go to the maximum pressure; the tube, which leaks, has half of it; default 4; 0 for none.
     pub min_burst_margin: Option<f64>,
     /// Largest stretch of the rubber at the operating points (2 means twice its length); default: the largest stretch of the data
     /// behind the rubber's law.

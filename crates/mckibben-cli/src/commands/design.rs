@@ -26,7 +26,7 @@ bundle | Equal muscles side by side that share the requirement [1]. The candidat
 objective
 Limits: max_bulged_diameter_mm max_envelope_mm pitch_mm*&bundle
 max_liquid_volume_mm3=max-liquid | Largest liquid volume up to the operating points: what the syringe or pump gives. Of a bundle to all its muscles together. It needs --liquid.
-min_burst_margin=safety|min-burst-margin | Least burst pressure over supply pressure [4]. 0 for none. The strength of the strands must be known.
+min_burst_margin=safety|min-burst-margin | Least pressure at which strands break or clamps let go, over the supply pressure [4]. The tube, which leaks, has half of it. 0 for none. The strength of the strands must be known.
 max_stretch<STRETCH>* max_strand_strain* guided*
 Muscle:
 :file=muscle<MUSCLE.toml>^muscle | Muscle file, for what is not searched. Flags override it. `paper` is the muscle of the paper, lib:NAME one of the library.

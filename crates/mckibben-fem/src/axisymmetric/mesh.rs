@@ -44,6 +44,8 @@ impl MeshSpec {
         let along = self.along.unwrap_or(chosen.1);
         let grading = self.grading.unwrap_or(chosen.2);
         let bounds = [
+            // Beyond it the elements of the chosen mesh would become longer.
+            ("the length over the diameter", half / outer, 0.0, 5000.0),
             ("through", through as f64, 1.0, MOST_THROUGH as f64),
             ("along", along as f64, 1.0, MOST_ALONG as f64),
             ("the number of elements", through.saturating_mul(along) as f64, 1.0, MOST as f64),
