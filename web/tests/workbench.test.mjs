@@ -506,13 +506,13 @@ inBrowser(({ name, url, open, blank }) => {
       assert.ok(Math.abs(Number(first[head.indexOf(column)]) / value - 1) < 1e-6,
         `${column}: ${first[head.indexOf(column)]}`);
     }
-    // The command line says what to ask for to be sure; a number alone is in the unit of the page.
+    // The command line says which muscle is sure; a number alone is in the unit of the page.
     const { to_be_sure: sure } = ask("design", "-F", "300N", "-e", "10%", "-p", "4bar");
     for (const [label, text] of [["Pull", "300"], ["at a contraction of", "10 %"], ["Pressure of the supply", "4"]])
       await page.getByRole("textbox", { name: label, exact: true }).fill(text);
     await page.getByRole("textbox", { name: "Pull", exact: true }).press("Enter");
     await page.getByText("4 without a unit was read as 4 bar.").waitFor();
-    await reads(page, ".doubt", `To be sure, design for ${Number(sure.points[0].force_n.toPrecision(4))} N`);
+    await reads(page, ".doubt", `To be sure: outer diameter ${Number(sure.outer_diameter_mm.toPrecision(4))} mm`);
     await page.getByRole("button", { name: "Design for a guaranteed pull (95 %)" }).click();
     await page.waitForFunction(() =>
       /sure=95/.test(location.hash) && document.querySelector("tr.pick") && !document.querySelector(".doubt")

@@ -71,6 +71,16 @@ pub struct Candidate {
 }
 
 impl Candidate {
+    /// Whether it has less to spare than its ± at one of its points.
+    pub fn is_doubtful(&self) -> bool {
+        let tight = |q: &CandidatePoint| {
+            let wanted_n = q.wanted().force_n;
+            let spare_n = (q.force_at_max_pressure_n - wanted_n) * wanted_n.signum();
+            q.uncertainty_n.is_some_and(|half| spare_n < half)
+        };
+        self.points.iter().any(tight)
+    }
+
     /// Largest outer diameter over the points, in mm.
     pub fn bulged_diameter_mm(&self) -> Option<f64> {
         self.largest(|p| p.response.bulged_diameter_mm)

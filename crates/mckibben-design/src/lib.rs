@@ -36,7 +36,6 @@ mod relax;
 mod run;
 mod search;
 mod spec;
-mod sure;
 mod tolerance;
 pub mod tubes;
 
@@ -53,6 +52,5 @@ pub use reason::{Reason, Rejected};
 pub use relax::Relaxation;
 pub use run::{Closest, Outcome, design, design_with};
 pub use spec::{BraidChoice, Build, Limits, Objective, SAFETY, Spec};
-pub use sure::{Searcher, Sure, is_doubtful, to_be_sure};
 pub use tolerance::{Spread, SpreadError, ToleranceError, Tolerances, spread};
 pub use tubes::{TubeError, TubePart};

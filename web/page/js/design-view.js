@@ -103,17 +103,14 @@ function doubt(answer, ask) {
   if (isSure(best) !== false) return null;
   const half = show("force", best.uncertainty_n, 2),
     begin = `The best muscle has less pull to spare than its ± of ${half}.`;
-  if (!sure) return el("p", { class: "doubt" }, `${begin} No muscle of this search is strong enough to cover it.`);
-  const points = sure.points ?? [], torques = sure.torques ?? [];
-  const wanted = sure.load_factor
-    ? `${number(sure.load_factor, 4)} times the load`
-    : [...points.map((q) => show("force", q.force_n)), ...torques.map((t) => `${number(t.torque_nm, 4)} N m`)].join(
-      ", ",
-    );
-  const guarantee = !torques.length && !sure.load_factor &&
-    el("button", { type: "button", onclick: () => ask({ sure: "95 %" }) }, "Design for a guaranteed pull (95 %)");
-  return el("p", { class: "doubt row" }, el("span", {}, `${begin} To be sure, design for ${wanted}.`),
-    guarantee || null);
+  if (!sure) {
+    return el("p", { class: "doubt" },
+      `${begin} No muscle of this search meets the requirement with the lower end of its ±.`);
+  }
+  const measures = `${show("length", sure.outer_diameter_mm, 4)}, wall ${show("length", sure.wall_mm)}`;
+  return el("p", { class: "doubt row" },
+    el("span", {}, `${begin} To be sure: outer diameter ${measures}, with ${show("pressure", answer.max_pressure_mpa)}.`),
+    el("button", { type: "button", onclick: () => ask({ sure: "95 %" }) }, "Design for a guaranteed pull (95 %)"));
 }
 
 /** @param {Answer} answer */

@@ -17,7 +17,6 @@ use mckibben::warning::Warning;
 use mckibben_design::tubes::rubbers;
 use mckibben_design::{
     BraidChoice, Candidate, CandidatePoint, Demand, Lift, Limit, Outcome, Rejected, Relaxation, Spec, Spread,
-    Sure,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -67,8 +66,9 @@ pub struct DesignAnswer {
     /// Spread of the pull of the best muscle under the tolerances, point by point.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tolerance: Vec<Spread>,
-    /// If the margin of the best muscle is smaller than its ±: the specification that covers the ±.
-    pub to_be_sure: Option<SureAnswer>,
+    /// If the margin of the best muscle is smaller than its ±: the best muscle whose lower end of the ± meets the requirement
+    /// (`guaranteed`); none where the same search finds none.
+    pub to_be_sure: Option<CandidateAnswer>,
     /// If nothing fits: the muscle that comes closest.
     pub closest: Option<ClosestAnswer>,
     /// Of a bundle: what its muscles do together, by the best muscle.
@@ -203,24 +203,6 @@ pub struct CandidateJoint {
     pub contraction_at_neutral: f64,
     /// Largest angle to either side, degrees.
     pub largest_angle_deg: f64,
-}
-
-/// The specification whose best muscle meets the requirement with the lower end of its ±.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct SureAnswer {
-    /// Pulls at contractions; of a load those that it takes.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub points: Vec<OperatingPoint>,
-    /// Torques at angles, of a joint.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub torques: Vec<TorqueWanted>,
-    /// For a load on muscles whose length is searched: the factor on the load.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub load_factor: Option<f64>,
-    /// Outer diameter D0 of the muscle that answers, mm.
-    pub outer_diameter_mm: f64,
-    /// Its largest 95 % half-width, N.
-    pub uncertainty_n: Option<f64>,
 }
 
 /// A muscle that does not fit.
@@ -381,19 +363,6 @@ impl CandidateAnswer {
             model: c.model.clone(),
             binds: c.binds,
         }
-    }
-}
-
-impl From<&Sure> for SureAnswer {
-    fn from(sure: &Sure) -> Self {
-        let muscle = &sure.candidate.muscle;
-        let (points, torques) = match &sure.demand {
-            Demand::Joint(joint) => (vec![], joint.torques.clone()),
-            other => (other.points(muscle.length_mm()).into_owned(), vec![]),
-        };
-        let uncertainty_n = sure.candidate.largest(|q| q.uncertainty_n);
-        let load_factor = sure.load_factor;
-        Self { points, torques, load_factor, outer_diameter_mm: muscle.outer_diameter_mm(), uncertainty_n }
     }
 }
 

@@ -9,7 +9,7 @@ mod request;
 
 pub use answer::{
     CandidateAnswer, CandidateJoint, ClosestAnswer, DemandAnswer, DesignAnswer, RejectedAnswer,
-    SearchedAnswer, SureAnswer, Verified, VerifiedPoint,
+    SearchedAnswer, Verified, VerifiedPoint,
 };
 pub use bought::BoughtAnswer;
 pub use bundle::{BundleAnswer, BundlePoint};
@@ -23,15 +23,13 @@ use crate::uncertainty::UncertaintyWords;
 use answer::{muscle_file, not_checked, out_of_reach};
 use mckibben::analysis::{force_on, pressure_at};
 use mckibben::answer::Options;
-use mckibben::cancel::Cancelled;
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben::uncertainty::uncertainty;
-use mckibben::units::Values;
 use mckibben_design::{
-    Build, Candidate, CandidatePoint, Models, Outcome, Spec, Spread, Sure, Tolerances, design_joint,
-    design_with, fits, is_doubtful, spread, to_be_sure,
+    Build, Candidate, CandidatePoint, Models, Outcome, Spec, Spread, Tolerances, design_joint, design_with,
+    fits, spread,
 };
 use request::Search;
 
@@ -49,10 +47,12 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     let (look, decide) = (|m: &Muscle| policy.look(m), |m: &Muscle| policy.model.bound(m));
     let settle = policy.quick.as_ref().map(|_| &decide as &Build<'_>);
     let models = Models { search: &look, settle };
-    let (spec, outcome) = match &radius_mm {
-        Some(radius_mm) => design_joint(&spec, radius_mm, models, progress)?,
-        None => design_with(&spec, models, progress).map(|outcome| (spec, outcome))?,
+    let search = |spec: &Spec, progress: &dyn Progress| match &radius_mm {
+        Some(radius_mm) => design_joint(spec, radius_mm, models, progress),
+        None => design_with(spec, models, progress).map(|outcome| (spec.clone(), outcome)),
     };
+    let wanted = spec;
+    let (spec, outcome) = search(&wanted, progress)?;
     let tolerance = spreads(request.tolerance.as_ref(), &decide, &outcome)?;
     let winner = outcome.candidates.first();
     let verification = match (request.verify, winner) {
@@ -69,7 +69,14 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         let stronger = || assumed::stronger_strands(closest);
         stiffer.or_else(stronger).or_else(|| request.braids.is_empty().then(by_parts).flatten())
     });
-    let sure = sure(&spec, &outcome, radius_mm.as_ref(), models, progress)?;
+    let to_be_sure = match winner {
+        Some(winner) if winner.is_doubtful() => {
+            let guaranteed = Spec { guaranteed: Some(0.95), top: 1, ..wanted };
+            let (spec, sure) = search(&guaranteed, &CancelOnly(progress))?;
+            sure.candidates.first().map(|c| CandidateAnswer::new(c, &spec))
+        }
+        _ => None,
+    };
     let highest_mpa = spec.max_pressure_mpa;
     let mut warnings =
         winner.map_or_else(|| not_checked(&outcome, highest_mpa), |c| answer::warnings(c, highest_mpa));
@@ -105,36 +112,13 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         verification,
         warnings,
         tolerance,
-        to_be_sure: sure.as_ref().map(Into::into),
+        to_be_sure,
         closest,
         bundle,
         bought: bought::bought(request, &spec),
         figure,
         muscle_files: outcome.candidates.iter().enumerate().map(|(i, c)| muscle_file(i, c)).collect(),
     })
-}
-
-/// What to ask for to be sure of what is wanted, where the winner has less to spare than its ±.
-fn sure(
-    spec: &Spec,
-    outcome: &Outcome,
-    radius_mm: Option<&Values>,
-    models: Models<'_>,
-    progress: &dyn Progress,
-) -> Result<Option<Sure>, Cancelled> {
-    if !outcome.candidates.first().is_some_and(is_doubtful) {
-        return Ok(None);
-    }
-    let quiet = CancelOnly(progress);
-    let quick = |s: &Spec| design_with(s, models, &quiet);
-    let whole = |s: &Spec| match radius_mm {
-        Some(radius_mm) => design_joint(s, radius_mm, models, &quiet).map(|(_, outcome)| outcome),
-        None => quick(s),
-    };
-    let found = to_be_sure(spec, outcome, &whole, &quick);
-    progress.check()?;
-    // A specification that cannot be searched with more than was wanted: nothing is sure.
-    Ok(found.unwrap_or_default())
 }
 
 /// The ± of the winner in words, at the point where it is largest.

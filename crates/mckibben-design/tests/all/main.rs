@@ -5,4 +5,3 @@
 mod design;
 mod design_grid;
 mod extensile;
-mod sure;

@@ -2,12 +2,12 @@
 
 use crate::failure::in_flags;
 use crate::output::keyed::{tabled, value};
-use crate::output::text::{Units, half_width, number, or_dash, percent, place};
+use crate::output::text::{Units, number, or_dash, percent, place};
 use mckibben::analysis::FailureMode;
 use mckibben::liquid::Liquid;
 use mckibben_app::{
     BoughtAnswer, CandidateAnswer, ClosestAnswer, DemandAnswer, DesignAnswer, OperatingPoint, RejectedAnswer,
-    SearchedAnswer, SureAnswer, TorqueWanted,
+    SearchedAnswer, TorqueWanted,
 };
 use mckibben_design::{CandidatePoint, Limit, Relaxation, Spread};
 use serde_json::Value;
@@ -65,7 +65,7 @@ pub fn of(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     for r in answer.rejected.iter().skip(skip) {
         let by = r.misses_by.filter(|share| *share < 1.0);
         let by = by.map_or_else(String::new, |share| format!(" (misses by {})", percent(thousandth(share))));
-        out.push_str(&format!("  {}: {}{by}\n", measures(r, u), u.sentence(&r.reason)));
+        out.push_str(&format!("  {}: {}{by}\n", measures_of(r, u), u.sentence(&r.reason)));
     }
     out
 }
@@ -213,9 +213,13 @@ fn binds(best: &CandidateAnswer) -> String {
     format!("Limited by: {what}.\n")
 }
 
-fn measures(RejectedAnswer { muscle: r, .. }: &RejectedAnswer, u: &Units) -> String {
-    let sleeve = r.sleeve.as_ref().map_or_else(String::new, |name| format!(" in {name}"));
-    format!("D0 {}, s {}{sleeve}", u.length.to(r.outer_diameter_mm, 4), u.length.to(r.wall_mm, 3))
+fn measures(outer_diameter_mm: f64, wall_mm: f64, sleeve: Option<&String>, u: &Units) -> String {
+    let sleeve = sleeve.map_or_else(String::new, |name| format!(" in {name}"));
+    format!("D0 {}, s {}{sleeve}", u.length.to(outer_diameter_mm, 4), u.length.to(wall_mm, 3))
+}
+
+fn measures_of(RejectedAnswer { muscle: r, .. }: &RejectedAnswer, u: &Units) -> String {
+    measures(r.outer_diameter_mm, r.wall_mm, r.sleeve.as_ref(), u)
 }
 
 fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
@@ -258,7 +262,7 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
     out
 }
 
-/// Where the ± is larger than what is to spare, how to ask for a muscle that is sure to do what is wanted.
+/// Where the ± is larger than what is to spare: the muscle that is sure to do what is wanted.
 fn doubt(answer: &DesignAnswer, u: &Units) -> String {
     let Some(first) = answer.candidates.first() else { return String::new() };
     let tight = first.points.iter().find_map(|q: &CandidatePoint| {
@@ -266,34 +270,17 @@ fn doubt(answer: &DesignAnswer, u: &Units) -> String {
         (q.force_at_max_pressure_n - q.response.force_n < half).then_some(half)
     });
     let Some(half) = tight else { return String::new() };
-    let joined = |list: Vec<String>| list.join(", ");
-    let force = |q: &OperatingPoint| u.force.show(q.force_n);
-    let (half, wanted) = match &answer.wanted {
-        DemandAnswer::Joint { torques, radius_mm } => {
-            let half = format!("{} N m", half_width(1e-3 * half * radius_mm));
-            (half, joined(torques.iter().map(|t| format!("{} N m", number(t.torque_nm, 4))).collect()))
-        }
-        _ => {
-            let wanted = first.points.iter().map(|q| u.force.show(q.response.force_n));
-            (format!("{} {}", u.force.half_width(half), u.force.name), joined(wanted.collect()))
-        }
+    let half = format!("{} {}", u.force.half_width(half), u.force.name);
+    let sure = match &answer.to_be_sure {
+        Some(sure) => format!(
+            "To be sure (--guaranteed): {} with {}.",
+            measures(sure.muscle.outer_diameter_mm, sure.muscle.wall_mm, sure.muscle.sleeve.as_ref(), u),
+            u.pressure.show(answer.max_pressure_mpa)
+        ),
+        None => "No muscle of this search meets the requirement with the lower end of its ± (--guaranteed)."
+            .into(),
     };
-    let ask = match &answer.to_be_sure {
-        Some(sure) if sure.points.is_empty() => {
-            let torque = |t: &TorqueWanted| format!("{} N m", number(t.torque_nm, 5));
-            format!("design for {}", joined(sure.torques.iter().map(torque).collect()))
-        }
-        Some(SureAnswer { load_factor: Some(factor), .. }) => {
-            format!("design for {} times the load", number(*factor, 4))
-        }
-        Some(sure) => {
-            format!("design for {}, or add --guaranteed", joined(sure.points.iter().map(force).collect()))
-        }
-        None => "no muscle of this search is strong enough".to_owned(),
-    };
-    format!(
-        "The margin of the first muscle is smaller than its ± of {half}: to cover {wanted} with the ±, {ask}.\n"
-    )
+    format!("The margin of the first muscle is smaller than its ± of {half}. {sure}\n")
 }
 
 /// What finite elements say of the first candidate.
@@ -353,8 +340,8 @@ fn too_weak(answer: &DesignAnswer) -> String {
 }
 
 fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {
-    let (measures, reason) = (measures(&closest.rejected, u), u.sentence(&closest.rejected.reason));
-    let mut out = format!("Nothing fits. Closest: {measures}: {reason}\n");
+    let (muscle, reason) = (measures_of(&closest.rejected, u), u.sentence(&closest.rejected.reason));
+    let mut out = format!("Nothing fits. Closest: {muscle}: {reason}\n");
     if closest.relaxations.is_empty() {
         out.push_str("No single change makes a muscle fit.\n");
         return out;
