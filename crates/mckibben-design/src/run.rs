@@ -84,6 +84,9 @@ pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> 
         let first = result.fits.first().and_then(|f| search.muscle(f.1).ok());
         misses.extend(first.and_then(|m| search.reason(&m, decides).map(|reason| (m, reason))));
     }
+    // By the model that decides others may be closer than by that of the search.
+    let missed = |reason: &Reason| reason.misses_by().unwrap_or(f64::INFINITY);
+    misses.sort_by(|a, b| missed(&a.1).total_cmp(&missed(&b.1)));
     let closest = misses.first().filter(|_| candidates.is_empty()).map(|(muscle, reason)| Closest {
         rejected: Rejected::of(muscle, reason.clone()),
         muscle: muscle.clone(),

@@ -343,7 +343,7 @@ fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {
     let (muscle, reason) = (measures_of(&closest.rejected, u), u.sentence(&closest.rejected.reason));
     let mut out = format!("Nothing fits. Closest: {muscle}: {reason}\n");
     if closest.relaxations.is_empty() {
-        out.push_str("No single change makes a muscle fit.\n");
+        out.push_str("None of the limits, relaxed alone, makes one of these muscles fit.\n");
         return out;
     }
     out.push_str("Relax one of these:\n");
