@@ -8,6 +8,7 @@ use crate::analysis::{
 };
 use crate::model::{ForceModel, ModelError, Response, Workspace, notes_of};
 use crate::muscle::Direction;
+use crate::rubber::RubberLaw;
 use crate::uncertainty::{UncertaintyParts, uncertainty};
 use crate::warning::{Warning, buckling_load_n, of_response};
 use serde::{Deserialize, Serialize};
@@ -159,8 +160,10 @@ pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
     };
     let response = found.map(|mut response| {
         // What rounding leaves of no pull is none.
-        let thrust = pressure_mpa * std::f64::consts::PI * model.muscle().tube().outer_radius_mm().powi(2);
-        if response.force_n.abs() <= 1e-9 * thrust {
+        let tube = model.muscle().tube();
+        let stress_mpa = pressure_mpa.abs() + tube.rubber.law.shear_modulus_mpa();
+        if response.force_n.abs() <= 1e-9 * stress_mpa * std::f64::consts::PI * tube.outer_radius_mm().powi(2)
+        {
             response.force_n = 0.0;
         }
         response

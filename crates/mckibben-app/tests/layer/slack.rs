@@ -2,6 +2,7 @@
 
 use crate::asked;
 use mckibben::progress::Silent;
+use mckibben::random::{Random, rounds};
 use mckibben_app::{ProblemKind, ask};
 use serde_json::{Value, json};
 
@@ -28,6 +29,50 @@ fn a_slack_muscle_of_simulate_is_that_of_force() {
             assert!((a - b).abs() <= 1e-6 * b.abs(), "{key}: {a} {b}");
         }
         assert!(point["stiffness_n_per_mm"].is_null() && force["stiffness_n_per_mm"].is_null());
+    }
+}
+
+/// One muscle, one pull: a point of `curve` and of `simulate` is that of `force`, of muscles that were drawn, that hang slack, that extend, without
+/// pressure and with.
+#[test]
+fn one_muscle_has_one_pull_in_every_command() {
+    let mut random = Random(50);
+    for _ in 0..rounds(8) {
+        let outer = random.between(8.0, 40.0);
+        let extends = random.unit() < 0.3;
+        let (angle, contractions) = match extends {
+            true => (random.between(57.0, 72.0), [-0.1, -0.04, 0.0]),
+            false => (random.between(18.0, 40.0), [0.0, 0.06, 0.25]),
+        };
+        let text = format!(
+            "[tube]\nouter_diameter = {outer}\nwall_thickness = {}\nlength = {}\nprestretch = {}\nrubber = \"latex\"\n\
+             [braid]\nangle = {angle}\nstiffness = {}\n",
+            outer * random.between(0.05, 0.2),
+            outer * random.between(5.0, 15.0),
+            random.one_of(&[1.0, 1.1]),
+            random.between(300.0, 2000.0),
+        );
+        let muscle = json!({"name": "random.toml", "text": text});
+        let pressures = [0.0, 0.02, 0.2];
+        let test = json!({"test": "isobaric", "muscle": muscle, "pressures_mpa": pressures, "contractions": contractions});
+        for command in ["curve", "simulate"] {
+            let answer = asked(command, test.clone());
+            let points = answer["points"].as_array().unwrap();
+            assert_eq!(points.len(), 9, "{command} {text}");
+            for point in points {
+                let question = json!({"muscle": muscle, "pressure_mpa": point["pressure_mpa"], "contraction": point["contraction"]});
+                let Ok(force) = ask("force", &question.to_string(), &Silent) else {
+                    assert_ne!(point["status"], "ok", "{command} {question}");
+                    continue;
+                };
+                let force: Value = serde_json::from_str(&force).unwrap();
+                assert_eq!(point["slack"], force["slack"], "{command} {question}");
+                for key in ["force_n", "volume_mm3", "bulged_diameter_mm"] {
+                    let (a, b) = (point[key].as_f64().unwrap(), force[key].as_f64().unwrap());
+                    assert!((a - b).abs() <= 1e-5 * b.abs().max(1.0), "{command} {key}: {a} {b} {question}");
+                }
+            }
+        }
     }
 }
 
