@@ -1,6 +1,6 @@
 //! `build`: from a muscle to report, drawing, plugs, cut list, bill of materials, steps and test sheet.
 
-use crate::burst::{PressureLimits, burst_of, said_of, usual_mpa};
+use crate::burst::{PressureLimits, borne, burst_of, said_of, usual_mpa};
 use crate::check::findings::not_measured;
 use crate::fields::{ModelFields, MuscleFields};
 use crate::model::Model;
@@ -17,9 +17,7 @@ use mckibben::answer::{Options, check_range};
 use mckibben::cancel;
 use mckibben::model::Workspace;
 use mckibben::progress::{Progress, Silent};
-use mckibben_build::{
-    BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, Wishes, highest_mpa, proof_mpa,
-};
+use mckibben_build::{BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, Wishes, proof_mpa};
 use mckibben_report::Document;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -212,23 +210,6 @@ fn planned(request: &BuildRequest) -> Result<(Plan, Burst), Problem> {
     Ok((plan, burst))
 }
 
-/// A working pressure that the muscle does not bear is refused.
-fn borne(request: &BuildRequest, burst: &Burst, pressure_mpa: f64) -> Result<(), Problem> {
-    let most_mpa = match (request.overpressure, burst.first(), burst.allowed()) {
-        (true, Some((_, burst_mpa)), _) => highest_mpa(burst_mpa),
-        (false, _, Some((allowed_mpa, _))) => allowed_mpa,
-        _ => f64::INFINITY,
-    };
-    if pressure_mpa <= most_mpa {
-        return Ok(());
-    }
-    let said = said_of(burst, pressure_mpa, f64::INFINITY);
-    let said = said.first().map_or_else(String::new, ToString::to_string);
-    let hint =
-        "give a lower `pressure_mpa`; `overpressure` allows up to three quarters of the burst pressure";
-    Err(Problem::new(ProblemKind::OutOfRange, said, hint).in_field("pressure_mpa"))
-}
-
 /// What `fe` finds of the muscle.
 fn operating(
     request: &BuildRequest,
@@ -242,7 +223,7 @@ fn operating(
     let burst = burst_of(&choice, model)?;
     let allowed_mpa = burst.allowed().map(|a| a.0);
     let pressure_mpa = asked_mpa.unwrap_or(usual_mpa(&burst));
-    borne(request, &burst, pressure_mpa)?;
+    borne(&burst, pressure_mpa, request.overpressure)?;
     check_range(model, pressure_mpa, 0.0, options)?;
     let free = free_contraction(model, w, pressure_mpa, options)?;
     let mut free_contractions = vec![];

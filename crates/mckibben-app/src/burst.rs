@@ -1,12 +1,13 @@
 //! The burst pressure in answers: one value for each muscle and model, and the sentence that comes before all others.
 
 use crate::model::Model;
-use crate::problem::Problem;
+use crate::problem::{Problem, ProblemKind};
 use mckibben::analysis::{AnalysisError, Burst, FailureMode, NoBurst, burst};
 use mckibben::cancel;
 use mckibben::model::{ForceModel, ModelError};
 use mckibben::muscle::Muscle;
 use mckibben::warning::Warning;
+use mckibben_build::highest_mpa;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::sync::Mutex;
@@ -50,6 +51,23 @@ pub(crate) fn usual_mpa(found: &Burst) -> f64 {
     // Down to a hundredth, which a regulator shows.
     let lower = |p: f64| if p >= 0.01 { (100.0 * p).floor() / 100.0 } else { p };
     found.allowed().map_or(USUAL_MPA, |(allowed_mpa, _)| lower(allowed_mpa).min(USUAL_MPA))
+}
+
+/// What is handed out for a pressure that the muscle does not bear is refused: up to the allowed one, with `overpressure` up to that of a proof test.
+pub(crate) fn borne(found: &Burst, pressure_mpa: f64, overpressure: bool) -> Result<(), Problem> {
+    let most_mpa = match (overpressure, found.first(), found.allowed()) {
+        (true, Some((_, burst_mpa)), _) => highest_mpa(burst_mpa),
+        (false, _, Some((allowed_mpa, _))) => allowed_mpa,
+        _ => f64::INFINITY,
+    };
+    if pressure_mpa <= most_mpa {
+        return Ok(());
+    }
+    let said = said_of(found, pressure_mpa, f64::INFINITY);
+    let said = said.first().map_or_else(String::new, ToString::to_string);
+    let hint =
+        "give a lower `pressure_mpa`; `overpressure` allows up to three quarters of the burst pressure";
+    Err(Problem::new(ProblemKind::OutOfRange, said, hint).in_field("pressure_mpa"))
 }
 
 /// What is said of a burst pressure where the largest pressure is `highest_mpa`; of one that is not known only above `quiet_mpa`.

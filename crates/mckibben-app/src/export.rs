@@ -1,7 +1,7 @@
 //! `export`: a muscle for a controller or a simulator.
 
 use crate::build::BuiltFile;
-use crate::burst::{QUIET_MPA, burst_of, said_of, usual_mpa};
+use crate::burst::{QUIET_MPA, borne, burst_of, said_of, usual_mpa};
 use crate::fields::{ModelFields, MuscleFields};
 use crate::model::Model;
 use crate::muscle::MuscleSummary;
@@ -28,6 +28,8 @@ pub struct ExportRequest {
     pub target: Option<String>,
     /// Supply pressure, the upper end of the box, MPa; default 0.25, or the allowed pressure where that is lower.
     pub pressure_mpa: Option<f64>,
+    /// Allow a supply pressure above the allowed pressure, up to three quarters of the burst pressure.
+    pub overpressure: bool,
     /// Lower end of the box in the contraction; default -0.05, a muscle that is stretched by 5 %.
     pub contraction_low: Option<f64>,
     /// Upper end of the box in the contraction; default the free contraction at the supply pressure.
@@ -102,6 +104,7 @@ pub fn export(request: &ExportRequest, _progress: &dyn Progress) -> Result<Expor
     let model = &*model;
     let burst = burst_of(&choice, model)?;
     let supply_mpa = request.pressure_mpa.unwrap_or(usual_mpa(&burst));
+    borne(&burst, supply_mpa, request.overpressure)?;
     above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
     check_range(model, supply_mpa, 0.0, Options::default())?;
     let range = model.info().range.contraction;

@@ -14,7 +14,7 @@ pub const TEXT: &str = "export: The muscle for a controller or simulator: C, Pyt
 Question:
 target=as<TARGET>!^list | Target
 list | List the targets: what each is, needs and loses
-p/pressure_mpa contraction_low<CONTRACTION> contraction_high<CONTRACTION> name
+p/pressure_mpa overpressure contraction_low<CONTRACTION> contraction_high<CONTRACTION> name
 @muscle Advanced: @engine
 @units
 o/output<DIR> | Folder for the files; without it only their names are printed
