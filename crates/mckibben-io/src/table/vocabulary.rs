@@ -144,6 +144,11 @@ fn read(text: &str) -> Option<BTreeMap<String, Words>> {
     table.iter().map(|(key, lists)| Some((key.to_owned(), words(lists.as_table_like()?)?))).collect()
 }
 
+/// Words for a value of a column of words, such as `branch_contraction`, in plain form.
+pub fn spoken(value: &str) -> impl Iterator<Item = &'static str> + use<> {
+    WORDS.get(value).into_iter().flat_map(|words| words.own.iter().chain(&words.people)).map(String::as_str)
+}
+
 impl Entry {
     fn in_data(&self) -> Option<&'static Words> {
         WORDS.get(if self.meaning == Meaning::JointAngle { "joint_angle" } else { self.name })
@@ -163,6 +168,11 @@ impl Entry {
 impl Vocabulary {
     pub(crate) fn entries(&self) -> impl Iterator<Item = &'static Entry> {
         self.meanings.iter().filter_map(|m| ENTRIES.iter().find(|e| e.meaning == *m))
+    }
+
+    /// Whether a column of this meaning holds numbers.
+    pub(crate) fn is_number(&self, meaning: Meaning) -> bool {
+        meaning == Meaning::Weight || self.entry(meaning).is_some_and(|e| e.dimension.is_some())
     }
 
     pub(crate) fn entry(&self, meaning: Meaning) -> Option<&'static Entry> {
@@ -390,8 +400,9 @@ mod tests {
                 assert!(entry.in_data().is_some(), "{}", entry.name);
                 for word in entry.own().iter().chain(entry.words()) {
                     assert_eq!(plain(word), *word, "{word}");
-                    // `deformation` is a mode in our own tables, a strain with a unit in French ones.
-                    assert!(!seen.contains(&word) || word == "deformation", "{word} is there twice");
+                    // `deformation` is a mode in our own tables, a strain with a unit in French ones; `weight` that of a row, a force with a unit.
+                    let twice = ["deformation", "weight"].contains(&word.as_str());
+                    assert!(!seen.contains(&word) || twice, "{word} is there twice");
                     seen.push(word);
                 }
             }

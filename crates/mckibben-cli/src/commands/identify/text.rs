@@ -59,7 +59,7 @@ pub fn of(answer: &IdentifyAnswer, u: &Units) -> String {
             u.force.name
         ));
     }
-    out.push_str(&tabled(&found.spreads, "label=_ points rms_n:3 max_n=largest:3 mean_n:3", u));
+    out.push_str(&tabled(&found.spreads, "of=_ points rms_n:3 max_n=largest:3 mean_n:3", u));
     if !answer.laws.is_empty() {
         out.push_str(&laws(answer, &force));
     }
