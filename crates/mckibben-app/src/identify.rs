@@ -469,7 +469,7 @@ impl From<IdentifyError> for Problem {
             }
             IdentifyError::Flipped(_) => (
                 ProblemKind::Data,
-                "forces are positive where the muscle pulls, contractions where it is shorter than at rest",
+                "forces are positive where the muscle pulls, contractions where it is shorter than at rest; a minus before a heading turns the sign: `columns` force=\"-F:N\"",
             ),
             IdentifyError::NoRubber { .. } => {
                 let hint = "check the signs and units of the columns, the diameter, wall and angle of the muscle, and the zero of its contraction";

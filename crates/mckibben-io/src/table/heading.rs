@@ -161,16 +161,12 @@ fn rank(heading: &str, label: &str, entry: &Entry) -> Option<usize> {
     if let Some(place) = entry.own().iter().position(|own| own.eq_ignore_ascii_case(heading)) {
         return Some(place);
     }
-    // `ContractionRatio`, `restlength`.
-    let joined = |text: &str| text.replace('_', "");
-    let known =
-        |label: &str| entry.words().iter().chain(entry.own()).any(|word| joined(word) == joined(label));
-    if known(label) {
+    if entry.knows(label) {
         return Some(WORD);
     }
     let kept: Vec<&str> = label.split('_').filter(|w| !FILLERS.contains(w)).collect();
     let kept = kept.join("_");
-    (kept != label && known(&kept)).then_some(WITH_FILLERS)
+    (kept != label && entry.knows(&kept)).then_some(WITH_FILLERS)
 }
 
 impl Vocabulary {

@@ -4,7 +4,7 @@
 //! ([`plain`](super::heading::plain)). Umlauts lose their dots, so that their other spelling (`ue`) is beside them.
 
 use crate::units::Dimension;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 use toml_edit::{DocumentMut, TableLike};
 
@@ -124,6 +124,13 @@ pub(crate) struct Need {
 struct Words {
     own: Vec<String>,
     people: Vec<String>,
+    /// All of them without the joints between words.
+    joined: BTreeSet<String>,
+}
+
+/// As in `ContractionRatio` and `restlength`.
+fn joined(label: &str) -> String {
+    label.replace('_', "")
 }
 
 /// The words of `data/words.toml`, of all languages together.
@@ -139,6 +146,7 @@ fn read(text: &str) -> Option<BTreeMap<String, Words>> {
             let list = if language == "own" { &mut words.own } else { &mut words.people };
             list.extend(said.collect::<Option<Vec<_>>>()?);
         }
+        words.joined = words.own.iter().chain(&words.people).map(|word| joined(word)).collect();
         Some(words)
     };
     table.iter().map(|(key, lists)| Some((key.to_owned(), words(lists.as_table_like()?)?))).collect()
@@ -157,6 +165,11 @@ impl Entry {
     /// Headings of our own, the best liked first; they go before all others.
     pub(crate) fn own(&self) -> &'static [String] {
         self.in_data().map_or(&[], |words| &words.own)
+    }
+
+    /// Whether a plain label is one of its words.
+    pub(crate) fn knows(&self, label: &str) -> bool {
+        self.in_data().is_some_and(|words| words.joined.contains(&joined(label)))
     }
 
     /// Words of people for it; two columns of the same quantity are ambiguous.

@@ -33,7 +33,7 @@ pub struct Bench {
     pub parameters: Vec<String>,
     /// Its covariance, in the units of the parameters.
     pub covariance: Vec<Vec<f64>>,
-    /// Checksum of the muscle with the constants that were found, and of all of the above.
+    /// Checksum of the muscle with the constants that were found, and of all of the above but for the laboratory, which its reader adds.
     pub of: String,
 }
 
@@ -86,7 +86,7 @@ impl Bench {
     fn checksum(&self, muscle: &Muscle) -> String {
         let mut text = Digested::default();
         text.add(&muscle.digest(), &self.lengths_mm);
-        for word in self.laboratory.iter().chain([&self.model]).chain(&self.parameters) {
+        for word in [&self.model].into_iter().chain(&self.parameters) {
             text.add(word, &[]);
         }
         self.branches.iter().for_each(|branch| text.add(branch.name(), &[]));

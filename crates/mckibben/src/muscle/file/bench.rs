@@ -180,6 +180,6 @@ pub(super) fn write(out: &mut Text, bench: &Bench) {
     out.key(
         "of",
         &text(&bench.of),
-        "checksum of the muscle and of this table: neither is valid with other values",
+        "checksum of the muscle and of this table: it is not valid with other values",
     );
 }
