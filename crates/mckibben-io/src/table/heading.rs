@@ -25,6 +25,7 @@ pub(crate) enum HeadingUnit {
 /// Ranks of the words of people.
 const WORD: usize = 100;
 const WITH_FILLERS: usize = 200;
+const LAST: usize = 300;
 
 /// Words that say how or where, not what.
 const FILLERS: [&str; 27] = [
@@ -166,7 +167,10 @@ fn rank(heading: &str, label: &str, entry: &Entry) -> Option<usize> {
     }
     let kept: Vec<&str> = label.split('_').filter(|w| !FILLERS.contains(w)).collect();
     let kept = kept.join("_");
-    (kept != label && entry.knows(&kept)).then_some(WITH_FILLERS)
+    if kept != label && entry.knows(&kept) {
+        return Some(WITH_FILLERS);
+    }
+    entry.knows_last(label).then_some(LAST)
 }
 
 impl Vocabulary {

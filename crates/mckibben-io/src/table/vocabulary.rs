@@ -124,6 +124,7 @@ pub(crate) struct Need {
 struct Words {
     own: Vec<String>,
     people: Vec<String>,
+    last: Vec<String>,
     /// All of them without the joints between words.
     joined: BTreeSet<String>,
 }
@@ -143,7 +144,11 @@ fn read(text: &str) -> Option<BTreeMap<String, Words>> {
         let mut words = Words::default();
         for (language, list) in lists.iter() {
             let said = list.as_array()?.iter().map(|word| word.as_str().map(str::to_owned));
-            let list = if language == "own" { &mut words.own } else { &mut words.people };
+            let list = match language {
+                "own" => &mut words.own,
+                "last" => &mut words.last,
+                _ => &mut words.people,
+            };
             list.extend(said.collect::<Option<Vec<_>>>()?);
         }
         words.joined = words.own.iter().chain(&words.people).map(|word| joined(word)).collect();
@@ -165,6 +170,11 @@ impl Entry {
     /// Headings of our own, the best liked first; they go before all others.
     pub(crate) fn own(&self) -> &'static [String] {
         self.in_data().map_or(&[], |words| &words.own)
+    }
+
+    /// Whether a plain label is a word for it where no other column is it: a weight hangs on a muscle beside a load cell.
+    pub(crate) fn knows_last(&self, label: &str) -> bool {
+        self.in_data().is_some_and(|words| words.last.iter().any(|word| word == label))
     }
 
     /// Whether a plain label is one of its words.
@@ -413,9 +423,8 @@ mod tests {
                 assert!(entry.in_data().is_some(), "{}", entry.name);
                 for word in entry.own().iter().chain(entry.words()) {
                     assert_eq!(plain(word), *word, "{word}");
-                    // `deformation` is a mode in our own tables, a strain with a unit in French ones; `weight` that of a row, a force with a unit.
-                    let twice = ["deformation", "weight"].contains(&word.as_str());
-                    assert!(!seen.contains(&word) || twice, "{word} is there twice");
+                    // `deformation` is a mode in our own tables, a strain with a unit in French ones.
+                    assert!(!seen.contains(&word) || word == "deformation", "{word} is there twice");
                     seen.push(word);
                 }
             }

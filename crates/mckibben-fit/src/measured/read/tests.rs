@@ -44,6 +44,7 @@ fn one_point_in_many_spellings_is_that_point() {
         "Pressure [bar],Pressure [psi],Contraction,Force [N],Force [lbf]\n2.5,36,0.1,300,67\n",
         "Pressure (V),Pressure (bar),contraction,Force (N)\n0.5,2.5,0.1,300\n",
         "Pressure (bar),ContractionRatio,-Force (N)\n2.5,0.1,-300\n",
+        "Pressure (bar),contraction,Weight [kg],Force (N)\n2.5,0.1,7,300\n",
         "Pressure (bar),Distance (mm),Weight [g]\n2.5,20,30591.486389337\n",
         "pressure_bar,Stress (kPa),Contraction (%),Shortening [mm],force_n\n2.5,N/A,,20,300\n2,N/A,,20,200\n",
         "压力（kPa），收缩率（％），拉力（N）\n２５０，１０，３００\n",
