@@ -20,7 +20,7 @@ use mckibben_fit::compare::{
     Comparison, MeasuredPoint, VolumeComparison, compare as errors_of, compare_volumes, mean_of_branches,
 };
 use mckibben_fit::identify::{
-    DataPoint, IdentifyError, Parameter, Request, Target, identify, matters, own_value,
+    DataPoint, IdentifyError, Parameter, Request, Target, doubts, identify, matters, own_value,
 };
 use mckibben_fit::least_squares::Loss;
 use mckibben_fit::measured::{PointOptions, Quantity, read_points};
@@ -180,8 +180,8 @@ impl ComparedModel {
     }
 }
 
-/// Pulls and volumes of a table.
-type Read = (Vec<MeasuredPoint>, Vec<DataPoint>);
+/// Pulls and volumes of a table, and what is odd of them.
+type Read = (Vec<MeasuredPoint>, (Vec<DataPoint>, Vec<String>));
 
 /// A model that was compared, with its row.
 struct Compared {
@@ -206,8 +206,8 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
     let models = request.chosen()?;
     let read = request.data.as_ref().map(|file| request.on_branch(file, &muscle)).transpose()?;
     let (measured, understood) = read.unzip();
-    let (measured, volumes) = measured.unzip();
-    let volumes = volumes.unwrap_or_default();
+    let (measured, others) = measured.unzip();
+    let (volumes, doubts) = others.unwrap_or_default();
     if measured.is_none() && !request.fit.is_empty() {
         return Err(Problem::missing("data", "measured points to fit to"));
     }
@@ -258,7 +258,7 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         let stretch = warnings::largest_stretch(&*c.model, &mut c.workspace, &asked, options)?;
         Warning::of_stretch(&c.model.muscle().tube().rubber, stretch)
     });
-    let said = muscle.warnings().into_iter().map(Warning::from);
+    let said = muscle.warnings().into_iter().chain(doubts).map(Warning::from);
     let warned: Vec<Warning> = said.chain(beyond).collect();
     let figure = request.figure.as_ref().map(|unit| {
         let fits = compared.iter().filter(|c| !c.row.fitted().is_empty());
@@ -311,17 +311,19 @@ impl CompareRequest {
         let understood = UnderstoodTable { data: file.name.clone(), table };
         let (volumes, points): (Vec<DataPoint>, Vec<DataPoint>) =
             points.into_iter().partition(|p| p.measured == Quantity::Volume);
+        let others = (volumes, doubts(muscle, &points)?);
         let points: Vec<MeasuredPoint> = points.into_iter().map(|p| p.at).collect();
         if self.branch.is_mean() {
-            return Ok(((mean_of_branches(&points), volumes), understood));
+            return Ok(((mean_of_branches(&points), others), understood));
         }
-        let points: Vec<MeasuredPoint> = points.into_iter().filter(|p| p.branch == self.branch).collect();
-        if points.is_empty() && volumes.is_empty() {
+        let points: Vec<MeasuredPoint> =
+            points.into_iter().filter(|p| p.branch == Some(self.branch)).collect();
+        if points.is_empty() && others.0.is_empty() {
             let message = format!("{}: there are no points of that branch", file.name);
             let hint = "its column `branch` must say contraction or elongation";
             return Err(Problem::new(ProblemKind::Data, message, hint));
         }
-        Ok(((points, volumes), understood))
+        Ok(((points, others), understood))
     }
 }
 
@@ -357,7 +359,7 @@ fn answers(
     for &pressure_mpa in pressures {
         for &contraction in contractions {
             let force_n = point(model, workspace, pressure_mpa, contraction, options)?.response.force_n;
-            points.push(MeasuredPoint { pressure_mpa, contraction, force_n, branch: Direction::Mean });
+            points.push(MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(Direction::Mean) });
         }
     }
     Ok(points)
@@ -379,7 +381,7 @@ fn fitted(
     let build = |m: &Muscle| model.build(m);
     // All points count, zeros among them.
     let points: Vec<DataPoint> =
-        points.iter().map(|p| DataPoint::of(MeasuredPoint { branch: direction, ..*p })).collect();
+        points.iter().map(|p| DataPoint::of(MeasuredPoint { branch: Some(direction), ..*p })).collect();
     let mut known: Vec<FitConstant> = vec![];
     for &constant in constants {
         if !known.contains(&constant) && matters(muscle, constant.target(), &points, &build) {

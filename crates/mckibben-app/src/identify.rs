@@ -12,7 +12,7 @@ use crate::warnings::largest_stretch;
 use crate::words::number;
 use mckibben::answer::Options;
 use mckibben::model::Workspace;
-use mckibben::muscle::file::to_toml;
+use mckibben::muscle::file::{parse_muscle, to_toml};
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
 use mckibben::size;
@@ -216,20 +216,33 @@ impl From<&PointFit> for IdentifiedPoint {
 }
 
 /// The muscle with the values found as a muscle file.
-fn muscle_file(data: &str, model: &str, found: &Identification, measured: bool) -> String {
+fn muscle_file(data: &str, model: &str, found: &Identification, measured: bool) -> Result<String, Problem> {
     // Points of a formula are no bench.
     let muscle = match found.bench.clone().filter(|_| measured) {
         Some(bench) => found.muscle.clone().with_bench(bench),
         None => found.muscle.clone(),
     };
     let one_line = |text: &str| text.replace(char::is_control, " ");
-    format!(
+    let text = format!(
         "# Identified from {} with the model {}:\n# {}\n{}",
         one_line(data),
         one_line(model),
         in_one_line(&found.parameters),
         to_toml(&muscle)
-    )
+    );
+    readable(text)
+}
+
+/// A muscle file that every command reads again.
+pub(crate) fn readable(text: String) -> Result<String, Problem> {
+    match parse_muscle(&text) {
+        Ok(_) => Ok(text),
+        Err(error) => Err(Problem::new(
+            ProblemKind::NotConverged,
+            format!("the constants that were found make no muscle: {error}"),
+            "give bounds (`bounds` NAME=LOW:HIGH), or fix what the points do not determine",
+        )),
+    }
 }
 
 /// The constants of a muscle that bring the model closest to the points, with their errors.
@@ -277,7 +290,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
     });
     Ok(IdentifyAnswer {
         model: model.name().into(),
-        muscle_file: muscle_file(&origin, model.name(), &found, request.formula.is_none()),
+        muscle_file: muscle_file(&origin, model.name(), &found, request.formula.is_none())?,
         data: origin,
         understood,
         muscle: summary,
@@ -354,8 +367,12 @@ impl IdentifyRequest {
                 for &contraction in &contractions {
                     for &pressure_mpa in &pressures {
                         let force_n = model.force_n(&mut workspace, pressure_mpa, contraction)?;
-                        let at =
-                            MeasuredPoint { pressure_mpa, contraction, force_n, branch: Direction::Mean };
+                        let at = MeasuredPoint {
+                            pressure_mpa,
+                            contraction,
+                            force_n,
+                            branch: Some(Direction::Mean),
+                        };
                         points.push(DataPoint {
                             section,
                             line: points.len() as u64 + 2,
@@ -452,7 +469,7 @@ impl From<IdentifyError> for Problem {
             }
             IdentifyError::Flipped(_) => (
                 ProblemKind::Data,
-                "forces are positive where the muscle pulls, contractions where it is shorter than at rest",
+                "forces are positive where the muscle pulls, contractions where it is shorter than at rest; a minus before a heading turns the sign: `columns` force=\"-F:N\"",
             ),
             IdentifyError::NoRubber { .. } => {
                 let hint = "check the signs and units of the columns, the diameter, wall and angle of the muscle, and the zero of its contraction";

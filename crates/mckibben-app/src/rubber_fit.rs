@@ -2,6 +2,7 @@
 
 use crate::fields::{Columns, TextFile, UnderstoodTable};
 use crate::figure;
+use crate::identify::readable;
 use crate::muscle::muscle_of;
 use crate::point::above_zero;
 use crate::problem::{Problem, ProblemKind};
@@ -179,7 +180,7 @@ impl RubberFitAnswer {
             prony: relaxation.map(PronyFit::prony),
             ..Rubber::of(over_time.unwrap_or(&taken.law).clone())
         };
-        Ok(to_toml(&base.with_tube(tube)?))
+        readable(to_toml(&base.with_tube(tube)?))
     }
 }
 

@@ -166,7 +166,7 @@ fn fit(
         let Some(model) = &model else { continue };
         let ends = on.iter().map(|f| if isobaric { f.point.at.contraction } else { f.point.at.pressure_mpa });
         let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
-        let mut branches: Vec<Direction> = on.iter().map(|f| f.point.at.branch).collect();
+        let mut branches: Vec<Direction> = on.iter().map(|f| f.point.at.direction()).collect();
         branches.sort_by_key(|b| *b as u8);
         branches.dedup();
         for branch in branches {

@@ -20,6 +20,7 @@ mod slack;
 mod uncertainty;
 mod units;
 mod words;
+mod written;
 
 use mckibben::progress::{Progress, Silent};
 use mckibben_app::{

@@ -93,7 +93,7 @@ fn points(d: f64, s: f64, force: impl Fn(f64, f64) -> Option<f64>) -> Vec<DataPo
         Some(point(
             d,
             s,
-            MeasuredPoint { pressure_mpa, contraction, force_n, branch: Direction::Mean },
+            MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(Direction::Mean) },
             blocked,
         ))
     };

@@ -2,14 +2,17 @@
 
 use super::distinct::distinct;
 use super::error::IdentifyError;
-use super::parameter::Target;
+use super::parameter::{NO_LOCK, Target, sets_limit};
 use super::problem::Build;
 use super::result::{Identification, PointFit};
+use super::signs;
 use crate::least_squares::Loss;
 use crate::measured::{DataPoint, Quantity};
+use crate::rubber::MODULI;
 use mckibben::model::{Ideal, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::muscle::measures::{ANGLE, GRIP, SEATING, SLIP};
+use mckibben::rubber::RubberLaw;
 use std::cmp::Ordering;
 
 /// `line 3`, `lines 3, 4, 7`, `lines 3, 4, 7, 9, 12 and 5 more`.
@@ -28,6 +31,29 @@ fn show(v: f64) -> String {
     format!("{v:.decimals$}")
 }
 
+/// What is odd of points to which a model is compared: signs and units.
+///
+/// # Errors
+/// [`IdentifyError::Flipped`] where most of them have the wrong sign.
+pub fn doubts(muscle: &Muscle, points: &[DataPoint]) -> Result<Vec<String>, IdentifyError> {
+    let mut notes = signs::check(muscle, points, true)?;
+    notes.extend(units(muscle, points));
+    Ok(notes)
+}
+
+/// Points that state no branch.
+fn no_branch(points: &[DataPoint]) -> Option<String> {
+    let list: Vec<u64> = points.iter().filter(|p| p.at.branch.is_none()).map(|p| p.line).collect();
+    let which = match list.len() {
+        0 => return None,
+        n if n == points.len() => "the points".to_owned(),
+        _ => lines(&list),
+    };
+    Some(format!(
+        "branch not stated: {which} may be from either branch of the hysteresis loop and do not measure the friction, whose part of the ± stays; add a column `branch`: contraction (while it shortens or is inflated), elongation (while it lengthens or is deflated), or mean (of both)"
+    ))
+}
+
 /// What can be said before anything is computed.
 pub(super) fn before(
     muscle: &Muscle,
@@ -43,6 +69,7 @@ pub(super) fn before(
         notes.push(sentence);
     }
     notes.extend(too_short(muscle, free, points));
+    notes.extend(no_branch(points).filter(|_| !history));
     // Minor loops pass one place with several pulls.
     notes.extend(contradictions(points).filter(|_| !history));
     if distinct(points.iter().map(|p| p.at.pressure_mpa)) == 1 {
@@ -84,7 +111,7 @@ pub(super) fn compare_curves(a: &DataPoint, b: &DataPoint) -> Ordering {
     let key = |p: &DataPoint| {
         let s = &p.section;
         let measures = [s.outer_diameter_mm, s.wall_mm, s.length_mm, s.angle_deg].map(|v| v.unwrap_or(0.0));
-        let at = [p.at.pressure_mpa, f64::from(p.at.branch as u8)];
+        let at = [p.at.pressure_mpa, f64::from(p.at.branch.map_or(0, |b| 1 + b as u8))];
         measures.into_iter().chain(at)
     };
     key(a).zip(key(b)).map(|(x, y)| x.total_cmp(&y)).find(|o| o.is_ne()).unwrap_or(Ordering::Equal)
@@ -173,7 +200,7 @@ fn contradictions(points: &[DataPoint]) -> Option<String> {
     let found: Vec<&[&DataPoint]> = order.windows(2).filter(clash).collect();
     let first = found.first()?;
     let (a, b) = (first[0], first[1]);
-    let branch = if a.at.branch.is_mean() {
+    let branch = if a.at.direction().is_mean() {
         "; if they are the two branches of the hysteresis loop, say so in a column `branch`"
     } else {
         "; one of them is wrong, or the muscle changed in between (the first inflation is stiffer than later ones)"
@@ -207,6 +234,7 @@ pub(super) fn outliers(residuals: &[f64], weights: &[f64]) -> Vec<bool> {
 pub(super) fn after(found: &Identification, loss: Loss, build: &Build<'_>) -> Vec<String> {
     let mut notes = vec![];
     notes.extend(unidentifiable(found));
+    notes.extend(no_rubber(found));
     notes.extend(correlated(found));
     if loss == Loss::Largest {
         notes.push("the largest residual was made small, not the sum of squares: standard errors are a rough guide only".into());
@@ -246,6 +274,13 @@ pub(super) fn after(found: &Identification, loss: Loss, build: &Build<'_>) -> Ve
     notes
 }
 
+/// The law whose limit a constant is, where that lies far beyond the stretches of a muscle.
+fn never_locks(found: &Identification, target: Target) -> Option<&'static str> {
+    let law = &found.muscle.tube().rubber.law;
+    let limit = matches!(target, Target::Law(i) if sets_limit(law, i));
+    (limit && law.locks_at()? > 0.1 * NO_LOCK).then(|| law.name())
+}
+
 fn unidentifiable(found: &Identification) -> Vec<String> {
     let one = |p: &super::Identified| {
         if p.identifiable {
@@ -257,6 +292,12 @@ fn unidentifiable(found: &Identification) -> Vec<String> {
                 p.name,
                 show(p.value),
                 p.unit
+            )
+        } else if let Some(law) = never_locks(found, p.target) {
+            format!(
+                "{} is not identifiable: no chains lock within these points, and with {} the {law} law has no limit in a muscle; a law without one fits as well: law = \"neo-hookean\"",
+                p.name,
+                show(p.value)
             )
         } else if !p.matters {
             format!("{}: it has no effect on any point with this model: fix it", p.name)
@@ -288,6 +329,20 @@ fn unidentifiable(found: &Identification) -> Vec<String> {
         })
     };
     found.parameters.iter().filter_map(one).collect()
+}
+
+/// A modulus that was found and is that of no rubber.
+fn no_rubber(found: &Identification) -> Option<String> {
+    let sought = |t: Target| matches!(t, Target::Law(_) | Target::Modulus);
+    let modulus_mpa = found.muscle.tube().rubber.law.shear_modulus_mpa();
+    let odd =
+        found.parameters.iter().any(|p| sought(p.target)) && !(MODULI.0..=MODULI.1).contains(&modulus_mpa);
+    odd.then(|| {
+        format!(
+            "the shear modulus is {} MPa, and rubbers lie between {} and {} MPa: check the units of the columns, the zero of the contraction, and wall, diameter and angle of the muscle",
+            show(modulus_mpa), MODULI.0, MODULI.1
+        )
+    })
 }
 
 /// Pairs whose correlation is above this act nearly as one.

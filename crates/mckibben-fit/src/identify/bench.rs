@@ -16,6 +16,7 @@ use crate::measured::DataPoint;
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Bench, Direction};
 use mckibben::progress::Progress;
+use mckibben::units::plausible;
 
 /// Pressures and contractions of the grid.
 const GRID: (usize, usize) = (3, 5);
@@ -50,8 +51,10 @@ pub(super) fn bench(
     if own.is_empty() {
         return None;
     }
-    let branches: Vec<Direction> =
-        Direction::ALL.into_iter().filter(|b| own.iter().any(|f| f.point.at.branch == *b)).collect();
+    // The first row in time order may state none: the way of the others is known.
+    let stated = request.history || own.iter().all(|f| f.point.at.branch.is_some());
+    let seen = |b: &Direction| stated && own.iter().any(|f| f.point.at.branch == Some(*b));
+    let branches: Vec<Direction> = Direction::ALL.into_iter().filter(seen).collect();
     let t = t95(found.freedom);
     let squares: f64 = found.points.iter().map(|f| f.residual_n * f.residual_n).sum();
     let scatter = largest_of_95(&own).or_else(|| largest_of_95(&found.points.iter().collect::<Vec<_>>()));
@@ -65,7 +68,7 @@ pub(super) fn bench(
             pressure_mpa,
             contraction: e - offset,
             force_n: 0.0,
-            branch: branches.last().copied().unwrap_or_default(),
+            branch: branches.last().copied(),
         };
         let point = [DataPoint::of(at)];
         let problem =
@@ -74,7 +77,7 @@ pub(super) fn bench(
         let g: Vec<f64> = columns.iter().map(|c| c.first().copied().unwrap_or(0.0)).collect();
         let row = |row: &Vec<f64>| row.iter().zip(&g).map(|(c, g)| c * g).sum::<f64>();
         let variance: f64 = covariance.iter().zip(&g).map(|(c, g)| g * row(c)).sum();
-        Some(t * variance.max(0.0).sqrt()).filter(|half| half.is_finite())
+        Some(t * variance.max(0.0).sqrt()).filter(|half| plausible(*half))
     };
     // A muscle that would have to push may have no equilibrium, and nobody asks for its ±.
     let (long, w) = (ThickWall::new(muscle), &mut Workspace::new());
@@ -92,7 +95,7 @@ pub(super) fn bench(
             lengths_mm.push(length_mm);
         }
     }
-    Some(Bench {
+    let bench = Bench {
         laboratory: None,
         model: build(muscle).ok()?.info().name.to_string(),
         lengths_mm,
@@ -106,9 +109,10 @@ pub(super) fn bench(
             .map(|row| row.iter().map(|half| digits(half.unwrap_or(largest))).collect())
             .collect(),
         parameters: request.free.iter().map(|p| p.target.name(request.muscle)).collect(),
-        covariance: covariance.clone(),
-        of: muscle.digest(),
-    })
+        covariance: written(covariance),
+        of: String::new(),
+    };
+    Some(bench.sealed(muscle))
 }
 
 /// Points from which on their own distribution is known.
@@ -129,6 +133,14 @@ fn largest_of_95(points: &[&PointFit]) -> Option<f64> {
 fn places((low, high): (f64, f64), count: usize) -> impl Iterator<Item = f64> {
     let count = if high > low { count } else { 1 };
     (0..count).map(move |i| if i == 0 { low } else { low + (high - low) * i as f64 / (count - 1) as f64 })
+}
+
+/// A covariance as a muscle file holds it: without the constants whose variance is no number of such a file.
+fn written(covariance: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let kept = |i: usize| plausible(covariance[i][i]);
+    let entry = |i: usize, k: usize, v: f64| if kept(i) && kept(k) && plausible(v) { v } else { 0.0 };
+    let row = |(i, row): (usize, &Vec<f64>)| row.iter().enumerate().map(|(k, v)| entry(i, k, *v)).collect();
+    covariance.iter().enumerate().map(row).collect()
 }
 
 /// Four digits are enough for a ±.

@@ -40,7 +40,7 @@ pub fn default_targets(muscle: &Muscle, points: &[DataPoint], history: bool) -> 
         out.extend([Target::Measure(level), Target::Measure(&FRICTION_PRESLIDING)]);
         return out;
     }
-    let has = |branch| points.iter().any(|p| p.at.branch == branch);
+    let has = |branch| points.iter().any(|p| p.at.branch == Some(branch));
     if has(Direction::Contraction) && has(Direction::Elongation) {
         out.push(Target::Measure(&FRICTION_COEFFICIENT));
         if distinct(points.iter().map(|p| p.at.pressure_mpa)) > 2 {

@@ -28,8 +28,8 @@ pub(super) fn directed(points: &[DataPoint]) -> Result<Vec<DataPoint>, IdentifyE
         if let Some(before) = out.last().filter(|before| continues(&row, before)) {
             let way = row.at.contraction - before.at.contraction;
             row.at.branch = match way {
-                w if w > 0.0 => Direction::Contraction,
-                w if w < 0.0 => Direction::Elongation,
+                w if w > 0.0 => Some(Direction::Contraction),
+                w if w < 0.0 => Some(Direction::Elongation),
                 _ => before.at.branch,
             };
         }
@@ -54,7 +54,7 @@ pub(super) fn shares(
                 presliding.travel(&mut z, (row.at.contraction - before.at.contraction) * way_mm);
             }
             // While it shortens its friction is positive, and the pull smaller.
-            None => z = vec![-row.at.branch.sign(); presliding.0.len()],
+            None => z = vec![-row.at.direction().sign(); presliding.0.len()],
         }
         last = Some(row);
         if wanted.next_if(|point| *point == row).is_some() {

@@ -22,6 +22,7 @@ mod run;
 mod signs;
 
 pub use crate::measured::{DataPoint, Quantity, Section, mean_of_data, read_data};
+pub use advice::doubts;
 pub use candidate::{Candidate, own_value};
 pub use default_parameters::{default_targets, identify_default, matters};
 pub use error::IdentifyError;

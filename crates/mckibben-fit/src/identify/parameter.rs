@@ -3,7 +3,7 @@
 use mckibben::muscle::measures::{Identify, of_section};
 use mckibben::muscle::{Measure, Muscle};
 use mckibben::nearest::{meant, nearest};
-use mckibben::rubber::{ConstantValue, RubberLaw};
+use mckibben::rubber::{ConstantValue, Law as RubberOf, RubberLaw};
 use mckibben::units::{Dimension, parse_quantity};
 use thiserror::Error;
 
@@ -129,7 +129,13 @@ impl Target {
     /// Bounds where none are stated: what a muscle can have at all.
     pub(super) fn natural_bounds(self, muscle: &Muscle) -> (f64, f64) {
         match self {
-            Law(i) => constant(muscle, i).map_or((f64::NEG_INFINITY, f64::INFINITY), |c| c.constant.bounds),
+            Law(i) => {
+                let law = &muscle.tube().rubber.law;
+                let found = law.constants().into_iter().nth(i);
+                let (value, (low, high)) =
+                    found.map_or((0.0, (f64::NEG_INFINITY, f64::INFINITY)), |c| (c.value, c.constant.bounds));
+                (low, if sets_limit(law, i) { value.max(NO_LOCK) } else { high })
+            }
             StiffnessExponent => (-5.0, 5.0),
             ContractionOffset => (-0.3, 0.3),
             DeadVolume => (0.0, f64::INFINITY),
@@ -157,6 +163,14 @@ impl Target {
     pub(super) fn is_geometry(self) -> bool {
         self.identify().is_some_and(|i| i.is_geometry)
     }
+}
+
+/// A limit (I1 − 3, or a stretch) of so much is never felt: Gent's law and that of Arruda and Boyce are then neo-Hookean.
+pub(super) const NO_LOCK: f64 = 1000.0;
+
+/// Whether constant number `i` says where the chains lock.
+pub(super) fn sets_limit(law: &RubberOf, i: usize) -> bool {
+    law.locks_at().is_some() && law.constants().get(i).is_some_and(|c| !c.constant.is_modulus())
 }
 
 /// Constant number `i` of the muscle's law.

@@ -107,7 +107,7 @@ fn found(
     let (mut p, mut e) = (at.pressure_mpa, at.contraction + offset);
     const STEPS: usize = 30;
     for _ in 0..STEPS {
-        let here = local(m, w, p, e, at.branch)?;
+        let here = local(m, w, p, e, at.direction())?;
         let rest = here.force - at.force_n;
         // The last step is taken blindly: it leaves the square of this.
         let done = rest.abs() <= 1e-6 * (1.0 + at.force_n.abs());
@@ -187,7 +187,7 @@ impl<'a> Problem<'a> {
                         let half = friction_half_width_n(m, w, at.pressure_mpa, e)?;
                         return Ok(m.force_n(w, at.pressure_mpa, e)? - share * half - at.force_n);
                     }
-                    Ok(force_on(m, w, at.pressure_mpa, e, at.branch)? - at.force_n)
+                    Ok(force_on(m, w, at.pressure_mpa, e, at.direction())? - at.force_n)
                 }
                 Quantity::Contraction => {
                     let (_, e, _) = found(m, w, point, candidate.contraction_offset)?;
@@ -199,7 +199,7 @@ impl<'a> Problem<'a> {
                 }
                 Quantity::Volume => {
                     let e = at.contraction + candidate.contraction_offset;
-                    let inside = volume(m, w, at.pressure_mpa, e, at.branch)?;
+                    let inside = volume(m, w, at.pressure_mpa, e, at.direction())?;
                     let read = point.volume_mm3.unwrap_or_default();
                     Ok(self.scales.volume * (inside + candidate.dead_volume_mm3 - read))
                 }
@@ -246,7 +246,7 @@ impl<'a> Problem<'a> {
         let candidate = self.candidate(start)?;
         let list = self.over_rows(&candidate, |m, w, i| {
             let at = &self.points[i].at;
-            local(m, w, at.pressure_mpa, at.contraction + candidate.contraction_offset, at.branch)
+            local(m, w, at.pressure_mpa, at.contraction + candidate.contraction_offset, at.direction())
         })?;
         let mean = |quantity: Quantity, of: &dyn Fn(&Local) -> f64| {
             let rows = list.iter().zip(self.points).filter(|r| r.1.measured == quantity);
@@ -341,7 +341,7 @@ impl<'a> Problem<'a> {
             |name: &str| names.iter().position(|n| n == name).and_then(|i| by.get(i)).copied().unwrap_or(0.0);
         let muscle = m.muscle();
         let friction = muscle.friction().copied();
-        let sign = point.at.branch.sign();
+        let sign = point.at.direction().sign();
         let (d, s) = (muscle.outer_diameter_mm(), &point.section);
         let one = |(&target, &v): (&Target, &f64)| match target {
             Target::Modulus => {
@@ -397,7 +397,7 @@ impl Residuals for Problem<'_> {
             let (p, e, here) = match point.measured {
                 Quantity::Force | Quantity::Volume => {
                     let e = at.contraction + offset;
-                    (at.pressure_mpa, e, local(m, w, at.pressure_mpa, e, at.branch)?)
+                    (at.pressure_mpa, e, local(m, w, at.pressure_mpa, e, at.direction())?)
                 }
                 _ => found(m, w, point, offset)?,
             };

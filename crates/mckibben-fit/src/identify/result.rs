@@ -139,12 +139,13 @@ pub(super) fn spreads(points: &[PointFit]) -> Vec<Spread> {
         let list: Vec<f64> = points.iter().filter(|p| keep(p)).map(|p| p.residual_n).collect();
         (!list.is_empty() && list.len() < points.len()).then(|| spread(label, &list))
     };
-    let branch = |b: Direction| move |p: &PointFit| p.point.at.branch == b;
+    let branch = |b: Option<Direction>| move |p: &PointFit| p.point.at.branch == b;
     let read = |q: Quantity| move |p: &PointFit| p.point.measured == q;
     let mut out: Vec<Spread> = [
-        of("branch contraction".into(), &branch(Direction::Contraction)),
-        of("branch elongation".into(), &branch(Direction::Elongation)),
-        of("no branch".into(), &branch(Direction::Mean)),
+        of("branch contraction".into(), &branch(Some(Direction::Contraction))),
+        of("branch elongation".into(), &branch(Some(Direction::Elongation))),
+        of("mean of both branches".into(), &branch(Some(Direction::Mean))),
+        of("no branch".into(), &branch(None)),
         of("read: force".into(), &read(Quantity::Force)),
         of("read: contraction".into(), &read(Quantity::Contraction)),
         of("read: pressure".into(), &read(Quantity::Pressure)),

@@ -23,7 +23,7 @@ use mckibben::rubber::RubberLaw;
 /// Half the width of the hysteresis loop that the data show at 1 MPa, roughly: a start for C.
 fn friction_start(points: &[DataPoint], exponent: f64) -> f64 {
     let sum = |branch| {
-        let list = points.iter().filter(|p| p.at.branch == branch);
+        let list = points.iter().filter(|p| p.at.branch == Some(branch));
         let (f, n) = list.fold((0.0, 0.0), |(f, n), p| (f + p.at.force_n, n + 1.0));
         if n > 0.0 { f / n } else { 0.0 }
     };
@@ -110,7 +110,7 @@ pub fn identify_with(
 ) -> Result<Identification, IdentifyError> {
     let directed = if request.history { history::directed(request.points)? } else { vec![] };
     let request = if request.history { &Request { points: &directed, ..*request } } else { request };
-    let flipped = signs::check(request)?;
+    let flipped = signs::check(request.muscle, request.points, request.two_sided)?;
     let found = search(request, &flipped, build, progress);
     match found {
         // A model without an answer and a caller who has gone look alike to the search.

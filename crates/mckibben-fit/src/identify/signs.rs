@@ -2,8 +2,8 @@
 
 use super::advice;
 use super::error::IdentifyError;
-use super::request::Request;
 use crate::measured::{DataPoint, Quantity};
+use mckibben::muscle::Muscle;
 
 /// A force below zero by more than this share of the ideal muscle's pull is no muscle that lies slack.
 const PUSH: f64 = 0.3;
@@ -15,24 +15,30 @@ fn lines(list: &[u64]) -> String {
     if list.iter().all(|l| *l == 0) { String::new() } else { format!(" ({})", advice::lines(list)) }
 }
 
-/// Sentences on single points with the wrong sign.
-pub(super) fn check(request: &Request<'_>) -> Result<Vec<String>, IdentifyError> {
-    let points: Vec<&DataPoint> = request.points.iter().filter(|p| p.weight > 0.0).collect();
-    let mut notes = pushing(request, &points)?;
+/// Sentences on single points with the wrong sign; `two_sided`: forces below zero are measurements.
+pub(super) fn check(
+    muscle: &Muscle,
+    points: &[DataPoint],
+    two_sided: bool,
+) -> Result<Vec<String>, IdentifyError> {
+    let points: Vec<&DataPoint> = points.iter().filter(|p| p.weight > 0.0).collect();
+    let mut notes = pushing(muscle, &points, two_sided)?;
     notes.extend(rising(&points)?);
     Ok(notes)
 }
 
 /// Forces below zero where the muscle pulls.
-fn pushing(request: &Request<'_>, points: &[&DataPoint]) -> Result<Vec<String>, IdentifyError> {
+fn pushing(muscle: &Muscle, points: &[&DataPoint], two_sided: bool) -> Result<Vec<String>, IdentifyError> {
     let pulls: Vec<(&DataPoint, f64)> = points
         .iter()
         .filter(|p| p.measured == Quantity::Force)
-        .filter_map(|p| Some((*p, advice::ideal_pull(request.muscle, p)?)))
+        .filter_map(|p| Some((*p, advice::ideal_pull(muscle, p)?)))
         .collect();
-    let negative: Vec<u64> =
-        pulls.iter().filter(|(p, pull)| p.at.force_n < -PUSH * pull).map(|(p, _)| p.line).collect();
     let nothing_pulls = points.iter().all(|p| p.at.force_n <= 0.0);
+    // Slack muscles are read as a little below zero; where nothing pulls at all, every force counts.
+    let push = if nothing_pulls { 0.0 } else { PUSH };
+    let negative: Vec<u64> =
+        pulls.iter().filter(|(p, pull)| p.at.force_n < -push * pull).map(|(p, _)| p.line).collect();
     if negative.is_empty() {
         return Ok(vec![]);
     }
@@ -42,7 +48,7 @@ fn pushing(request: &Request<'_>, points: &[&DataPoint]) -> Result<Vec<String>, 
         pulls.len(),
         lines(&negative)
     );
-    if nothing_pulls || !request.two_sided && 2 * negative.len() >= pulls.len() {
+    if nothing_pulls || !two_sided && 2 * negative.len() >= pulls.len() {
         return Err(IdentifyError::Flipped(format!("{which}: is the sign of the force flipped?")));
     }
     Ok(vec![format!("{which}: is the sign of the force flipped there?")])

@@ -124,7 +124,7 @@ pub fn mean_of_data(points: &[DataPoint]) -> Vec<DataPoint> {
             let same = |p: &&DataPoint| {
                 p.at.pressure_mpa == mean.pressure_mpa && p.at.contraction == mean.contraction
             };
-            let lower = |p: &&DataPoint| same(p) && p.at.branch != Direction::Elongation;
+            let lower = |p: &&DataPoint| same(p) && p.at.branch != Some(Direction::Elongation);
             let origin = group.iter().find(lower).or_else(|| group.iter().find(same));
             out.extend(origin.map(|p| DataPoint { at: mean, ..*p }));
         }

@@ -12,14 +12,16 @@ pub struct MeasuredPoint {
     pub contraction: f64,
     /// Pull in N.
     pub force_n: f64,
-    /// The branch of the hysteresis loop; the mean where none is stated.
-    #[serde(default, skip_serializing_if = "is_mean")]
-    pub branch: Direction,
+    /// The branch of the hysteresis loop; `mean` of both. None where it is not stated: then it says nothing of friction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub branch: Option<Direction>,
 }
 
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over references")]
-fn is_mean(branch: &Direction) -> bool {
-    *branch == Direction::Mean
+impl MeasuredPoint {
+    /// The branch on which a model is asked for it: the mean where it states none.
+    pub fn direction(&self) -> Direction {
+        self.branch.unwrap_or_default()
+    }
 }
 
 /// The mean of the two hysteresis branches: at every contraction of the lower branch, half the sum with the upper branch
@@ -36,15 +38,15 @@ pub fn mean_of_branches(points: &[MeasuredPoint]) -> Vec<MeasuredPoint> {
             list.sort_by(|a, b| a.contraction.total_cmp(&b.contraction));
             list
         };
-        let (lower, upper) = (of(Direction::Contraction), of(Direction::Elongation));
-        out.extend(of(Direction::Mean));
+        let (lower, upper) = (of(Some(Direction::Contraction)), of(Some(Direction::Elongation)));
+        out.extend(of(None).into_iter().chain(of(Some(Direction::Mean))));
         if lower.is_empty() || upper.is_empty() {
             out.extend(lower.into_iter().chain(upper));
             continue;
         }
         out.extend(lower.iter().filter_map(|p| {
             let above = interpolate(&upper, p.contraction)?;
-            Some(MeasuredPoint { force_n: 0.5 * (p.force_n + above), branch: Direction::Mean, ..*p })
+            Some(MeasuredPoint { force_n: 0.5 * (p.force_n + above), branch: Some(Direction::Mean), ..*p })
         }));
     }
     out

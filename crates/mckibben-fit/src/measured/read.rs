@@ -4,7 +4,7 @@ use super::data::{DataPoint, Quantity, Section};
 use super::point::MeasuredPoint;
 use mckibben::muscle::Direction;
 use mckibben_io::table::{
-    Column, Columns, Meaning, POINTS, Table, TableError, Understood, is_absolute, read_text,
+    Column, Columns, Meaning, POINTS, Table, TableError, Understood, is_absolute, read_text, spoken,
 };
 use std::io::Read;
 
@@ -50,6 +50,7 @@ pub fn read_points(
     if table.column(Meaning::Force).is_some() && !(0..table.lines().len()).any(says_volume) {
         table.forget(Meaning::Volume);
     }
+    leave_blank_out(&mut table)?;
     let beside = table.needed(CONTRACTION)?.meaning != Meaning::Length;
     let ours = table.column(Meaning::Length).is_some_and(|c| c.heading.eq_ignore_ascii_case("length_mm"));
     let length_is_l0 = beside && ours && table.column(Meaning::RestLength).is_none();
@@ -71,9 +72,21 @@ pub fn read_points(
         point.section.length_mm = rest[i];
     }
     if points.is_empty() {
-        return Err(TableError::empty());
+        return Err(table.no_points());
     }
     Ok((points, understood(&table, note)?))
+}
+
+/// A sheet whose rows are filled in one by one: those in which what is measured is blank are left out.
+fn leave_blank_out(table: &mut Table) -> Result<(), TableError> {
+    let (contraction, force) = (table.needed(CONTRACTION)?.meaning, table.needed(FORCE)?.meaning);
+    table.keep_filled(|table, row| match table.text(row, Meaning::Measured) {
+        Some((_, "contraction")) => contraction,
+        Some((_, "pressure")) => Meaning::Pressure,
+        Some((_, "volume")) => Meaning::Volume,
+        _ => force,
+    });
+    Ok(())
 }
 
 const MEASURE: &str = "is not a measure of a muscle; it must be above zero";
@@ -235,7 +248,9 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>, TableError> {
     let diameters = above_zero(table, Meaning::OuterDiameter, MEASURE)?;
     let walls = above_zero(table, Meaning::Wall, MEASURE)?;
     let angles = above_zero(table, Meaning::Angle, MEASURE)?;
-    let branches = [("contraction", Direction::Contraction), ("elongation", Direction::Elongation)];
+    let branches = Direction::ALL.into_iter();
+    let branches = branches.flat_map(|d| spoken(&format!("branch_{}", d.name())).map(move |word| (word, d)));
+    let branches: Vec<(&str, Direction)> = branches.collect();
     let quantities = [
         ("force", Quantity::Force),
         ("contraction", Quantity::Contraction),
@@ -247,8 +262,8 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>, TableError> {
         None => TableError::empty(),
     };
     let one = |(row, line): (usize, u64)| {
-        let known = "neither \"contraction\" nor \"elongation\"";
-        let branch = table.word(row, Meaning::Branch, &branches, known)?.unwrap_or_default();
+        let known = "neither \"contraction\" (while it shortens) nor \"elongation\" (while it lengthens) nor \"mean\" (of both)";
+        let branch = table.word(row, Meaning::Branch, &branches, known)?;
         let known = "neither \"force\", \"contraction\", \"pressure\" nor \"volume\"";
         let measured = table.word(row, Meaning::Measured, &quantities, known)?.unwrap_or(otherwise);
         if measured == Quantity::Volume && volumes[row].is_none() {

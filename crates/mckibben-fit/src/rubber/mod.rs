@@ -46,6 +46,7 @@ pub use problem::Measure;
 pub use settings::FitSettings;
 pub use standing::DECIDED_AICC;
 pub use table_of_fits::curve_of_fits;
+pub(crate) use warning::MODULI;
 pub use warning::TensionWarning;
 pub use windows::windows_of;
 

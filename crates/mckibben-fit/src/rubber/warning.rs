@@ -11,7 +11,9 @@ use std::fmt;
 /// Stretch that the wall of a strongly contracted muscle reaches (a 20° braid: 2.4).
 const MUSCLE_STRETCH: f64 = 2.3;
 /// Shear moduli of rubbers, from soft gels to hard rubber, in MPa.
-const MODULI: (f64, f64) = (0.005, 20.0);
+pub(crate) const MODULI: (f64, f64) = (0.005, 20.0);
+/// Tests of rubber stretch it by more, and by less: else the strains are in another unit than that of the heading.
+const STRETCHES: (f64, f64) = (1.01, 12.0);
 
 #[derive(Debug, Clone, PartialEq)]
 pub enum TensionWarning {
@@ -20,7 +22,7 @@ pub enum TensionWarning {
     /// The specimen was unloaded.
     Loops { unloadings: usize },
     /// The modulus is not that of a rubber.
-    Modulus { modulus_mpa: f64 },
+    Modulus { modulus_mpa: f64, fitted_to_stretch: f64 },
     /// Points that pull where the specimen is pressed, or the other way round.
     Signs { points: usize },
     /// One-axis tests alone.
@@ -63,15 +65,21 @@ impl fmt::Display for TensionWarning {
                 f,
                 "the specimen was unloaded {unloadings} times; the laws go through the middle of loading and unloading. The first loading is stiffer than later ones (Mullins): for a muscle that was run in, use one late loading alone, up to its largest stretch"
             ),
-            Self::Modulus { modulus_mpa } => {
-                let unit = if *modulus_mpa > MODULI.1 {
-                    "are the stresses in kPa or psi, or the strains in percent under a heading for ratios?"
-                } else {
-                    "are the stresses in GPa or the strains not in percent, or is it a foam or gel?"
+            Self::Modulus { modulus_mpa, fitted_to_stretch } => {
+                let strain = format!("{:.2} %", 100.0 * (fitted_to_stretch - 1.0));
+                let unit = match *modulus_mpa > MODULI.1 {
+                    true if *fitted_to_stretch < STRETCHES.0 => {
+                        format!("the strains end at {strain}: are they ratios under a heading for percent?")
+                    }
+                    true => "are the stresses in kPa or psi under another heading, or the forces over too small an area?".into(),
+                    false if *fitted_to_stretch > STRETCHES.1 => {
+                        format!("the strains end at {strain}: are they in percent under a heading for ratios?")
+                    }
+                    false => "are the stresses in MPa under a heading for kPa or psi, or the forces over too large an area, or is it a foam or gel?".into(),
                 };
                 write!(
                     f,
-                    "the shear modulus is {modulus_mpa:.3e} MPa, and rubbers lie between {} and {} MPa: {unit}",
+                    "the shear modulus is {modulus_mpa:.3} MPa, and rubbers lie between {} and {} MPa: {unit}",
                     MODULI.0, MODULI.1
                 )
             }
@@ -127,7 +135,7 @@ pub(super) fn of_points(problem: &Problem, fitted_to_stretch: f64, hoop: f64) ->
     let mut out = vec![];
     let modulus_mpa = problem.modulus_mpa;
     if !(MODULI.0..=MODULI.1).contains(&modulus_mpa) {
-        out.push(TensionWarning::Modulus { modulus_mpa });
+        out.push(TensionWarning::Modulus { modulus_mpa, fitted_to_stretch });
     }
     let wrong = problem.points.iter();
     let wrong = wrong.filter(|p| p.mode != Mode::General && p.nominal_stress_mpa * (p.stretch - 1.0) < 0.0);

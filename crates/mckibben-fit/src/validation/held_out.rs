@@ -10,7 +10,7 @@ use mckibben::cancel::Cancelled;
 use mckibben::model::Workspace;
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben::threads;
-use mckibben::uncertainty::uncertainty;
+use mckibben::uncertainty::{UncertaintyParts, uncertainty};
 use mckibben::verification::VerificationRow;
 
 /// Parts into which the points of a set are divided; each is held out of one fit.
@@ -43,7 +43,7 @@ impl HeldOut {
 /// The points of a set that a fit is made to.
 pub fn points_of(set: &MuscleCase, fit: &CaseFit) -> Vec<DataPoint> {
     if fit.both_branches {
-        set.points.iter().filter(|p| !p.at.branch.is_mean()).copied().collect()
+        set.points.iter().filter(|p| !p.at.direction().is_mean()).copied().collect()
     } else {
         mean_of_data(&set.points)
     }
@@ -69,12 +69,13 @@ pub fn judged(
         if bench.outside(pressure_mpa, contraction) > 0.0 {
             return None;
         }
-        let direction = p.at.branch;
+        let direction = p.at.direction();
         let force_n = force_on(&*model, w, pressure_mpa, contraction, direction).ok()?;
         let parts = uncertainty(&*model, w, (pressure_mpa, contraction), force_n, direction)?;
         Some(HeldOut {
             left_n: p.at.force_n - force_n.max(0.0),
-            half_width_n: parts.total(),
+            // It is of the branch that was fitted.
+            half_width_n: UncertaintyParts { friction: None, ..parts }.total(),
             blocked_n: model.force_n(w, pressure_mpa, 0.0).ok()?,
             pressure_mpa,
             contraction,

@@ -77,7 +77,7 @@ fn of(
     let each = |length_mm: f64| {
         let own: Vec<&DataPoint> = points
             .iter()
-            .filter(|p| p.at.branch.is_mean() && same(By::Length.value(p, &fit.muscle), length_mm))
+            .filter(|p| p.at.direction().is_mean() && same(By::Length.value(p, &fit.muscle), length_mm))
             .collect();
         let left = Left::of(residuals(elements, muscle, &own).iter());
         OtherLength { set, fitted: fitted.to_owned(), length_mm, left }

@@ -57,11 +57,11 @@ fn half_width_n(model: &dyn ForceModel, w: &mut Workspace, point: &DataPoint, bl
     let elsewhere_n =
         transfer_n(muscle, blocked_n).unwrap_or(0.0).hypot(length_n(muscle, blocked_n).unwrap_or(0.0));
     let half_n = measured_n(muscle, blocked_n, point.at.contraction).hypot(own_n).hypot(elsewhere_n);
-    if point.at.branch.is_mean() {
+    if point.at.direction().is_mean() {
         return Some(half_n);
     }
     let at = (point.at.pressure_mpa, point.at.contraction);
-    Some(half_n.hypot(friction_n(model, w, at, point.at.branch, blocked_n)))
+    Some(half_n.hypot(friction_n(model, w, at, point.at.direction(), blocked_n)))
 }
 
 fn residual(
@@ -71,14 +71,14 @@ fn residual(
     blocked_n: f64,
 ) -> Option<Residual> {
     let pressure_mpa = point.at.pressure_mpa;
-    let here = response_on(model, w, pressure_mpa, point.at.contraction, point.at.branch).ok()?;
+    let here = response_on(model, w, pressure_mpa, point.at.contraction, point.at.direction()).ok()?;
     let left_n = match point.measured {
         // A muscle that hangs slack pulls with nothing.
         Quantity::Force => point.at.force_n - here.force_n.max(0.0),
         Quantity::Contraction | Quantity::Pressure => point.at.force_n - here.force_n,
         Quantity::Volume => {
-            let per_contraction = stiffness_of(model, w, &here, point.at.branch).ok()?;
-            let volume_per_contraction = slope_by_pressure(model, w, &here, point.at.branch).ok()?;
+            let per_contraction = stiffness_of(model, w, &here, point.at.direction()).ok()?;
+            let volume_per_contraction = slope_by_pressure(model, w, &here, point.at.direction()).ok()?;
             (point.volume_mm3? - here.volume_mm3?) * per_contraction / volume_per_contraction
         }
     };
@@ -86,7 +86,7 @@ fn residual(
         contraction: point.at.contraction,
         contraction_share: point.at.contraction / model.muscle().max_ideal_contraction(),
         left_n,
-        branch: point.at.branch,
+        branch: point.at.direction(),
         pressure_mpa,
         blocked_n,
         half_width_n: half_width_n(model, w, point, blocked_n),
@@ -173,8 +173,8 @@ pub(super) fn fitted(
 
 /// Means of branches and points without one, then the single branches. A point whose other branch is missing is in the second list alone.
 pub(super) fn compared<'a>(means: &'a [DataPoint], points: &'a [DataPoint]) -> Vec<&'a DataPoint> {
-    let means = means.iter().filter(|p| p.at.branch.is_mean());
-    means.chain(points.iter().filter(|p| !p.at.branch.is_mean())).collect()
+    let means = means.iter().filter(|p| p.at.direction().is_mean());
+    means.chain(points.iter().filter(|p| !p.at.direction().is_mean())).collect()
 }
 
 /// What is left of points: measured less computed.

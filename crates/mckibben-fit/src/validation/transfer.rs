@@ -42,7 +42,7 @@ fn left(muscle: &Muscle, to: &MuscleCase, other: &Muscle, elements: &Build<'_>) 
     for point in &mut points {
         point.section.length_mm.get_or_insert(other.length_mm());
     }
-    let means: Vec<&DataPoint> = points.iter().filter(|p| p.at.branch.is_mean()).collect();
+    let means: Vec<&DataPoint> = points.iter().filter(|p| p.at.direction().is_mean()).collect();
     Left::of(residuals(elements, muscle, &means).iter())
 }
 

@@ -57,7 +57,7 @@ fn points() -> Vec<DataPoint> {
                 let force_n = force + sign * 30.0 * pressure_mpa.powf(0.7);
                 let measured =
                     [Quantity::Force, Quantity::Force, Quantity::Contraction, Quantity::Pressure][i % 4];
-                let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch };
+                let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(branch) };
                 out.push(DataPoint { section, measured, ..DataPoint::of(at) });
             }
         }

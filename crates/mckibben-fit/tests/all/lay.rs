@@ -187,7 +187,7 @@ fn thickness_and_crimp_come_back_from_rounded_points() {
     for pressure_mpa in [0.1, 0.2, 0.3, 0.4, 0.5, 0.6] {
         for contraction in [0.0, 0.05, 0.1, 0.15, 0.2] {
             let force_n = 0.1 * (10.0 * model.force_n(w, pressure_mpa, contraction).unwrap()).round();
-            let branch = Direction::Mean;
+            let branch = Some(Direction::Mean);
             points.push(DataPoint::of(MeasuredPoint { pressure_mpa, contraction, force_n, branch }));
         }
     }

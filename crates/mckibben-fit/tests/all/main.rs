@@ -4,6 +4,7 @@
 
 mod by_elements;
 mod by_reach;
+mod friction_unknown;
 mod lay;
 mod measured;
 mod one_axis;

@@ -53,7 +53,7 @@ fn the_uncertainty_holds_single_branches_of_muscles_that_state_their_friction() 
     ] {
         let set = muscles().unwrap().into_iter().find(|c| c.facts.name == name).unwrap();
         let fit = set.fits.iter().find(|f| f.name == fit).unwrap();
-        let branch = |p: &&mckibben_fit::measured::DataPoint| !p.at.branch.is_mean();
+        let branch = |p: &&mckibben_fit::measured::DataPoint| !p.at.direction().is_mean();
         // Every third: quick, and of all pressures and contractions.
         let points: Vec<_> = set.points.iter().filter(branch).step_by(3).copied().collect();
         let request = Request {
@@ -77,7 +77,7 @@ fn the_uncertainty_holds_single_branches_of_muscles_that_state_their_friction() 
             let (_, model, w) = models.iter_mut().find(|m| m.0 == p.section).unwrap();
             let at = (p.at.pressure_mpa, p.at.contraction);
             judged += 1;
-            for (held, direction) in held.iter_mut().zip([Direction::Mean, p.at.branch]) {
+            for (held, direction) in held.iter_mut().zip([Direction::Mean, p.at.direction()]) {
                 let force_n = force_on(&**model, w, at.0, at.1, direction).unwrap();
                 let half = uncertainty(&**model, w, at, force_n, direction).unwrap().total();
                 *held += usize::from((p.at.force_n - force_n.max(0.0)).abs() <= half);

@@ -23,7 +23,7 @@ fn a_prestretch_is_identified_from_pulls_and_a_wrong_one_refused() {
     for p in [0.1, 0.2, 0.3] {
         for e in [0.0, 0.05, 0.1, 0.15] {
             let force_n = model.force_n(&mut Workspace::new(), p, e).unwrap();
-            let branch = Direction::Mean;
+            let branch = Some(Direction::Mean);
             points.push(DataPoint::of(MeasuredPoint { pressure_mpa: p, contraction: e, force_n, branch }));
         }
     }

@@ -1,7 +1,7 @@
 //! Which column is what, where its heading does not say so: `pressure="P1:kPa",contraction="x:mm"`.
 
 use super::error::{TableError, short};
-use super::heading::plain;
+use super::heading::{self, MINUS, plain};
 use super::vocabulary::{Entry, Meaning, Vocabulary};
 use crate::units::Unit;
 use crate::units::nearest::{meant, nearest};
@@ -67,6 +67,7 @@ pub(crate) struct Chosen {
     pub(crate) meaning: Meaning,
     pub(crate) index: usize,
     pub(crate) unit: Option<Unit>,
+    pub(crate) negated: bool,
 }
 
 impl Vocabulary {
@@ -103,7 +104,7 @@ impl Choice {
     /// Whether the column is selected by its number.
     pub(crate) fn by_number(&self) -> Option<usize> {
         let (heading, _) = self.split();
-        heading.trim().strip_prefix('#')?.parse::<usize>().ok()?.checked_sub(1)
+        heading.trim_start_matches(MINUS).trim().strip_prefix('#')?.parse::<usize>().ok()?.checked_sub(1)
     }
 
     /// Heading and unit as if a unit stood behind the last colon.
@@ -120,6 +121,12 @@ impl Choice {
         headings: &[&str],
         vocabulary: &Vocabulary,
     ) -> Result<Option<Chosen>, TableError> {
+        let exact = || headings.iter().any(|h| [self.text.trim(), self.split().0].contains(h));
+        if let Some(rest) = self.text.trim().strip_prefix(MINUS).filter(|_| !exact()) {
+            let plus = Self { text: rest.trim().to_owned(), ..self.clone() };
+            let found = plus.find(headings, vocabulary)?;
+            return Ok(found.map(|c| Chosen { negated: !c.negated, ..c }));
+        }
         let whole = self.place(headings, &self.text, vocabulary)?;
         let (heading, unit) = if whole.is_some() { (self.text.as_str(), None) } else { self.split() };
         let place = match (whole, self.by_number()) {
@@ -128,17 +135,33 @@ impl Choice {
             (None, None) => self.place(headings, heading, vocabulary)?,
         };
         let Some(index) = place else { return Ok(None) };
+        let stated = vocabulary.unit_in(self.entry, headings[index]);
         let found = match unit.filter(|u| !u.is_empty()) {
-            Some(unit) => Some(vocabulary.unit_of(self.entry, unit).ok_or_else(|| {
-                let (unit, name, units) = (short(unit), self.entry.name, vocabulary.units(self.entry));
-                TableError::Refused(format!(
-                    "`columns`: \"{unit}\" is not a unit of {name}; its units are {units}"
-                ))
-            })?),
-            None => vocabulary.unit_in(self.entry, headings[index]),
+            Some(unit) => {
+                let typed = vocabulary.unit_of(self.entry, unit).ok_or_else(|| {
+                    let (unit, name, units) = (short(unit), self.entry.name, vocabulary.units(self.entry));
+                    TableError::Refused(format!(
+                        "`columns`: \"{unit}\" is not a unit of {name}; its units are {units}"
+                    ))
+                })?;
+                let other = match stated {
+                    Some(stated) => Some(stated.1.name).filter(|_| stated.1 != typed.1),
+                    None => heading::other_unit(headings[index]),
+                };
+                if let Some(other) = other {
+                    return Err(TableError::Refused(format!(
+                        "`columns`: the heading \"{heading}\" says {other}, and \"{text}\" says {unit}: leave the unit out, or correct the heading",
+                        heading = short(headings[index]),
+                        text = short(&self.text)
+                    )));
+                }
+                Some(typed)
+            }
+            None => stated,
         };
         let meaning = found.map_or(self.entry.meaning, |f| f.0);
-        Ok(Some(Chosen { meaning, index, unit: found.map(|f| f.1) }))
+        let negated = heading::is_negated(headings[index]);
+        Ok(Some(Chosen { meaning, index, unit: found.map(|f| f.1), negated }))
     }
 
     /// The heading that is meant: letter by letter, then without regard to case and marks, then without its unit.
@@ -213,7 +236,7 @@ mod tests {
 
     #[test]
     fn chosen_columns_are_found() {
-        let headings = ["Time: s", "P1", "p1 ", "x [mm]", "F", "f"];
+        let headings = ["Time: s", "P1", "p1 ", "x [mm]", "F", "f", "y", "-H [N]", "U (V)"];
         let find = |text: &str| {
             let choice = POINTS.choices(&Columns::parse(text).unwrap())?.remove(0);
             Ok::<_, TableError>(
@@ -223,14 +246,30 @@ mod tests {
         assert_eq!(find("pressure=P1:kPa").unwrap(), Some((Meaning::Pressure, 1, Some("kPa"))));
         assert_eq!(find("pressure=#3:kPa").unwrap(), Some((Meaning::Pressure, 2, Some("kPa"))));
         assert_eq!(find("contraction=x").unwrap(), Some((Meaning::Shortening, 3, Some("mm"))));
-        assert_eq!(find("contraction=X:%").unwrap(), Some((Meaning::Contraction, 3, Some("%"))));
+        assert_eq!(find("contraction=Y:%").unwrap(), Some((Meaning::Contraction, 6, Some("%"))));
         assert_eq!(find("kraft=F").unwrap(), Some((Meaning::Force, 4, None)));
         assert_eq!(find("weight=Time: s").unwrap(), Some((Meaning::Weight, 0, None)));
         assert_eq!(find("force=G:N").unwrap(), None);
-        assert_eq!(find("force=#9:N").unwrap(), None);
+        assert_eq!(find("force=#19:N").unwrap(), None);
         let refused = |text: &str| find(text).unwrap_err().to_string();
         assert!(refused("force=F:furlong").contains("its units are N, kN, mN"));
         assert!(refused("forse=F:N").contains("did you mean force?"));
         assert!(refused("pressure=p1:kPa").contains("could all be pressure"));
+        // A unit that is typed against that of the heading.
+        assert!(refused("contraction=X:%").contains("the heading \"x [mm]\" says mm"));
+        assert!(refused("pressure=U (V):bar").contains("the heading \"U (V)\" says V"));
+        let sign = |text: &str| {
+            let choice = POINTS.choices(&Columns::parse(text).unwrap()).unwrap().remove(0);
+            choice.find(&headings, &POINTS).unwrap().unwrap().negated
+        };
+        for (text, negated) in [
+            ("force=F:N", false),
+            ("force=-F:N", true),
+            ("force=−#5:N", true),
+            ("force=H", true),
+            ("force=-H", false),
+        ] {
+            assert_eq!(sign(text), negated, "{text}");
+        }
     }
 }

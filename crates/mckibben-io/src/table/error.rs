@@ -33,12 +33,29 @@ impl TableError {
         Self::Refused(format!("line {line}: the {name} \"{}\" is {known}", short(text)))
     }
 
-    pub(crate) fn missing_column(need: &Need, found: &str, example: &str) -> Self {
+    pub(crate) fn missing_column(need: &Need, found: &str, empty: &str, example: &str) -> Self {
         let Need { wanted, names, .. } = need;
+        let empty = match empty {
+            "" => String::new(),
+            empty => format!("; without a number in any line: {empty}"),
+        };
+        let encoding = if in_two_bytes(found) {
+            "; the headings look like GBK or Shift-JIS: save the table as CSV in UTF-8"
+        } else {
+            ""
+        };
         Self::Refused(format!(
-            "no column of {wanted} (the columns are: {found}); name it {names}, or assign it with `columns` {example}"
+            "no column of {wanted} (the columns are: {found}{empty}); name it {names}, or assign it with `columns` {example}{encoding}"
         ))
     }
+}
+
+/// Whether a text that was read as Windows-1252 has letters of two bytes: most of those beyond ASCII stand side by side.
+fn in_two_bytes(text: &str) -> bool {
+    let beyond: Vec<bool> = text.chars().map(|c| !c.is_ascii()).collect();
+    let beside = beyond.windows(2).filter(|pair| pair[0] && pair[1]).count();
+    text.chars().any(|c| ('\u{80}'..='\u{ff}').contains(&c))
+        && 2 * beside >= beyond.iter().filter(|b| **b).count().max(4)
 }
 
 /// Somebody else's text, cut where it gets long.

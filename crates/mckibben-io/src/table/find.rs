@@ -6,7 +6,7 @@ use super::delimited::{Separator, Sheet, TableRow};
 use super::error::{TableError, short};
 use super::heading::{self, HeadingUnit};
 use super::number::{self, Decimal};
-use super::vocabulary::{Meaning, Vocabulary};
+use super::vocabulary::{Meaning, Need, Vocabulary};
 use crate::units::Unit;
 
 /// A column with its meaning.
@@ -19,8 +19,10 @@ pub struct Column {
     pub heading: String,
     /// Its unit, where the heading or the line of units states one.
     pub unit: Option<Unit>,
-    /// What is in place of a unit.
+    /// Whether something else is in place of a unit.
     pub(super) unknown_unit: bool,
+    /// Whether a minus stands before its heading, or before the heading that was chosen: the values have the opposite sign.
+    pub(super) negated: bool,
     /// Whether somebody said that it is this one.
     pub chosen: bool,
 }
@@ -45,10 +47,16 @@ impl Table {
     pub fn read(text: &str, vocabulary: &'static Vocabulary, columns: &Columns) -> Result<Self, TableError> {
         let Sheet { mut rows, comments, separator } = Sheet::split(text)?;
         let choices = vocabulary.choices(columns)?;
-        let Found { line, headings, columns, first } = find(&rows, &comments, vocabulary, &choices)?;
+        let mut found = find(&rows, &comments, vocabulary, &choices, &[])?;
+        let dead = found.dead(&rows, vocabulary);
+        if !dead.is_empty() {
+            found = find(&rows, &comments, vocabulary, &choices, &dead)?;
+        }
+        let Found { line, headings, columns, first } = found;
         let mut table = Self {
             rows: rows.split_off(first.min(rows.len())),
             left_out: 0,
+            not_filled: 0,
             columns,
             headings,
             heading_line: line,
@@ -63,22 +71,19 @@ impl Table {
         table.take_units()?;
         table.check_lengths()?;
         let numeric: Vec<usize> =
-            table.columns.iter().filter(|c| table.is_number(c)).map(|c| c.index).collect();
+            table.columns.iter().filter(|c| vocabulary.is_number(c.meaning)).map(|c| c.index).collect();
         let cells = table.rows.iter().flat_map(|r| numeric.iter().map(|&i| r.field(i)));
         table.decimal = number::decimal(cells, separator);
         Ok(table)
-    }
-
-    fn is_number(&self, column: &Column) -> bool {
-        let dimension = self.vocabulary.entry(column.meaning).and_then(|e| e.dimension);
-        dimension.is_some() || column.meaning == Meaning::Weight
     }
 
     /// The line of units below the heading, where there is one.
     fn take_units(&mut self) -> Result<(), TableError> {
         let (Some(_), Some(row)) = (self.heading_line, self.rows.first()) else { return Ok(()) };
         let mut found = vec![];
-        for (at, column) in self.columns.iter().enumerate().filter(|(_, c)| self.is_number(c)) {
+        for (at, column) in
+            self.columns.iter().enumerate().filter(|(_, c)| self.vocabulary.is_number(c.meaning))
+        {
             let text = row.field(column.index);
             if number::number(text, Decimal::Point) != Err(number::NoNumber::Text) {
                 return Ok(());
@@ -137,7 +142,6 @@ impl Table {
 
 /// Numbers above the heading would be lost.
 fn above(rows: &[TableRow], heading: u64) -> Result<(), TableError> {
-    let is_number = |f: &str| number::number(f, Decimal::Point) != Err(number::NoNumber::Text);
     let data = |r: &&TableRow| {
         r.line < heading && r.len() > 1 && r.fields().filter(|f| !f.is_empty()).all(is_number)
     };
@@ -150,6 +154,10 @@ fn above(rows: &[TableRow], heading: u64) -> Result<(), TableError> {
     }
 }
 
+fn is_number(field: &str) -> bool {
+    number::number(field, Decimal::Point) != Err(number::NoNumber::Text)
+}
+
 struct Found {
     line: Option<u64>,
     headings: Vec<String>,
@@ -158,12 +166,25 @@ struct Found {
     first: usize,
 }
 
+impl Found {
+    /// Columns that somebody's words call numbers and that hold none in any row, by their place.
+    fn dead(&self, rows: &[TableRow], vocabulary: &Vocabulary) -> Vec<usize> {
+        let data = rows.get(self.first..).unwrap_or_default();
+        let dead = |c: &&Column| {
+            let guessed = !c.chosen && vocabulary.is_number(c.meaning);
+            guessed && data.len() > 1 && !data.iter().any(|row| is_number(row.field(c.index)))
+        };
+        self.columns.iter().filter(dead).map(|c| c.index).collect()
+    }
+}
+
 /// The first line from which all that is needed can be understood; a comment above the data where no line is one.
 fn find(
     rows: &[TableRow],
     comments: &[TableRow],
     vocabulary: &'static Vocabulary,
     choices: &[Choice],
+    dead: &[usize],
 ) -> Result<Found, TableError> {
     if let Some(found) = by_numbers(rows, vocabulary, choices)? {
         return Ok(found);
@@ -173,7 +194,7 @@ fn find(
     let mut best: Option<(usize, Guess, &TableRow)> = None;
     for (row, first) in lines {
         let headings: Vec<&str> = row.fields().collect();
-        let guess = guess(&headings, vocabulary, choices)?;
+        let guess = guess(&headings, vocabulary, choices, dead)?;
         if guess.missing.is_empty() && guess.lacking.is_empty() {
             let columns = unambiguous(guess.columns, &headings, vocabulary)?;
             let headings = headings.into_iter().map(str::to_owned).collect();
@@ -186,19 +207,32 @@ fn find(
     }
     let (guess, headings) = match &best {
         Some((_, guess, row)) => (guess, row.fields().collect()),
-        None => (&guess(&[], vocabulary, choices)?, vec![]),
+        None => (&guess(&[], vocabulary, choices, dead)?, vec![]),
     };
     if let Some(&choice) = guess.missing.first() {
         return Err(choices[choice].missing(&headings));
     }
+    let example = |need: &Need, heading: &str| {
+        let entry = need.any_of.first().and_then(|m| vocabulary.entry(*m));
+        let unit = entry.and_then(|e| e.dimension).map_or("", |d| d.unit_inside().name);
+        let colon = if unit.is_empty() { "" } else { ":" };
+        format!("{name}=\"{heading}{colon}{unit}\"", name = entry.map_or("", |e| e.name))
+    };
+    if let Some(first) = rows.first().filter(|row| row.len() > 0 && row.fields().all(is_number)) {
+        let numbered = vocabulary.needed.iter().enumerate().map(|(i, n)| example(n, &format!("#{}", i + 1)));
+        return Err(TableError::Refused(format!(
+            "the table has no heading (line {line} holds numbers): write one above it, or choose columns by their numbers with `columns` {columns}",
+            line = first.line,
+            columns = numbered.collect::<Vec<_>>().join(",")
+        )));
+    }
     let need = guess.lacking.first().map_or(&vocabulary.needed[0], |&i| &vocabulary.needed[i]);
-    let entry = need.any_of.first().and_then(|m| vocabulary.entry(*m));
-    let (name, unit) = entry.map_or(("", ""), |e| (e.name, e.dimension.map_or("", |d| d.unit_inside().name)));
-    let colon = if unit.is_empty() { "" } else { ":" };
+    let empty = listed(dead.iter().filter_map(|&i| headings.get(i).copied()));
     Err(TableError::missing_column(
         need,
-        &listed(headings.into_iter()),
-        &format!("{name}=\"HEADING{colon}{unit}\""),
+        &listed(headings.iter().copied()),
+        &empty,
+        &example(need, "HEADING"),
     ))
 }
 
@@ -209,16 +243,13 @@ fn by_numbers(
     choices: &[Choice],
 ) -> Result<Option<Found>, TableError> {
     let Some(row) = rows.first().filter(|_| !choices.is_empty()) else { return Ok(None) };
-    let numbered = choices.iter().all(|c| {
-        c.by_number()
-            .is_some_and(|i| number::number(row.field(i), Decimal::Point) != Err(number::NoNumber::Text))
-    });
+    let numbered = choices.iter().all(|c| c.by_number().is_some_and(|i| is_number(row.field(i))));
     if !numbered {
         return Ok(None);
     }
     let headings: Vec<String> = (1..=row.len()).map(|i| format!("#{i}")).collect();
     let names: Vec<&str> = headings.iter().map(String::as_str).collect();
-    let guess = guess(&names, vocabulary, choices)?;
+    let guess = guess(&names, vocabulary, choices, &[])?;
     let complete = guess.missing.is_empty() && guess.lacking.is_empty();
     Ok(complete.then_some(Found { line: None, columns: guess.columns, headings, first: 0 }))
 }
@@ -227,6 +258,7 @@ fn guess(
     headings: &[&str],
     vocabulary: &'static Vocabulary,
     choices: &[Choice],
+    dead: &[usize],
 ) -> Result<Guess, TableError> {
     let mut columns: Vec<Column> = vec![];
     let mut missing = vec![];
@@ -238,12 +270,13 @@ fn guess(
                     heading = short(headings[index])
                 )));
             }
-            Some(Chosen { meaning, index, unit }) => columns.push(Column {
+            Some(Chosen { meaning, index, unit, negated }) => columns.push(Column {
                 meaning,
                 index,
                 heading: short(headings[index]),
                 unit,
                 unknown_unit: false,
+                negated,
                 chosen: true,
             }),
             None => missing.push(i),
@@ -252,7 +285,7 @@ fn guess(
     let decided: Vec<Meaning> =
         columns.iter().map(|c| c.meaning).chain(choices.iter().map(Choice::meaning)).collect();
     for (index, text) in headings.iter().enumerate().take(MOST_COLUMNS) {
-        if columns.iter().any(|c| c.index == index && c.chosen) {
+        if dead.contains(&index) || columns.iter().any(|c| c.index == index && c.chosen) {
             continue;
         }
         let Some(found) = vocabulary.understand(text) else { continue };
@@ -269,9 +302,13 @@ fn guess(
             heading: short(text),
             unit,
             unknown_unit: found.unit == HeadingUnit::Unknown,
+            negated: heading::is_negated(text),
             chosen: false,
         });
     }
+    // Volts beside bar are no second column of pressures.
+    let understood: Vec<Meaning> = columns.iter().filter(|c| !c.unknown_unit).map(|c| c.meaning).collect();
+    columns.retain(|c| !c.unknown_unit || !understood.contains(&c.meaning));
     let there = |m: &Meaning| columns.iter().any(|c| c.meaning == *m);
     let lacking = (0..vocabulary.needed.len()).filter(|&i| !vocabulary.needed[i].any_of.iter().any(there));
     Ok(Guess { lacking: lacking.collect(), columns, missing })

@@ -25,6 +25,7 @@ pub(crate) enum HeadingUnit {
 /// Ranks of the words of people.
 const WORD: usize = 100;
 const WITH_FILLERS: usize = 200;
+const LAST: usize = 300;
 
 /// Words that say how or where, not what.
 const FILLERS: [&str; 27] = [
@@ -63,10 +64,10 @@ pub(crate) fn plain(heading: &str) -> String {
     let mut out = String::new();
     for c in heading.trim().to_lowercase().replace('%', " percent ").chars() {
         match c {
-            'ä' | 'á' | 'à' | 'â' => out.push('a'),
+            'ä' | 'á' | 'à' | 'â' | 'ã' => out.push('a'),
             'é' | 'è' | 'ê' | 'ë' => out.push('e'),
-            'í' | 'î' | 'ï' => out.push('i'),
-            'ö' | 'ó' | 'ô' => out.push('o'),
+            'í' | 'î' | 'ï' | 'ì' => out.push('i'),
+            'ö' | 'ó' | 'ô' | 'õ' | 'ò' => out.push('o'),
             'ü' | 'ú' | 'û' | 'ù' => out.push('u'),
             'ñ' => out.push('n'),
             'ç' => out.push('c'),
@@ -98,6 +99,25 @@ pub(crate) fn unit(text: &str, dimension: Dimension) -> Option<Unit> {
             .or_else(|| dimension.heading_unit(&word.replace(" per ", "/").replace("_per_", "/")))
             .or_else(|| dimension.heading_unit(&word.replace(['_', ' '], "/")))
     })
+}
+
+/// What a minus may look like.
+pub(crate) const MINUS: [char; 2] = ['-', '−'];
+
+/// Whether a heading says that its values have the opposite sign: `-F [N]`.
+pub(crate) fn is_negated(heading: &str) -> bool {
+    heading.trim().strip_prefix(MINUS).is_some_and(|rest| rest.starts_with(char::is_alphabetic))
+}
+
+/// Units of what sensors give before anybody converts it.
+const ELECTRICAL: [&str; 8] = ["V", "mV", "A", "mA", "volt", "volts", "counts", "digits"];
+
+/// A unit in the last brackets of a heading, of whatever quantity.
+pub(crate) fn other_unit(heading: &str) -> Option<&str> {
+    let (_, behind) = cuts(heading.trim()).filter(|cut| unbracketed(cut.1).is_some()).last()?;
+    let said = unbracketed(behind)?.trim();
+    let electrical = ELECTRICAL.iter().any(|unit| unit.eq_ignore_ascii_case(said));
+    (electrical || Dimension::all().any(|d| d.unit(said).is_some())).then_some(said)
 }
 
 /// Words of absolute pressure.
@@ -142,13 +162,15 @@ fn rank(heading: &str, label: &str, entry: &Entry) -> Option<usize> {
     if let Some(place) = entry.own().iter().position(|own| own.eq_ignore_ascii_case(heading)) {
         return Some(place);
     }
-    let known = |label: &str| entry.words().iter().chain(entry.own()).any(|word| word == label);
-    if known(label) {
+    if entry.knows(label) {
         return Some(WORD);
     }
     let kept: Vec<&str> = label.split('_').filter(|w| !FILLERS.contains(w)).collect();
     let kept = kept.join("_");
-    (kept != label && known(&kept)).then_some(WITH_FILLERS)
+    if kept != label && entry.knows(&kept) {
+        return Some(WITH_FILLERS);
+    }
+    entry.knows_last(label).then_some(LAST)
 }
 
 impl Vocabulary {
@@ -271,6 +293,13 @@ mod tests {
             ("Stroke (inch)", Shortening, "in"),
             ("ΔL [mm]", Shortening, "mm"),
             ("displacement_in", Shortening, "in"),
+            ("Distance [mm]", Shortening, "mm"),
+            ("Weight [g]", Force, "gf"),
+            ("压力(kPa)", Pressure, "kPa"),
+            ("収縮率[%]", Contraction, "%"),
+            ("拉力/N", Force, "N"),
+            ("Krimp (mm)", Shortening, "mm"),
+            ("Pressão [bar]", Pressure, "bar"),
             ("length_mm", Length, "mm"),
             ("Länge [cm]", Length, "cm"),
             ("L0 (mm)", RestLength, "mm"),
@@ -280,9 +309,16 @@ mod tests {
         ] {
             assert_eq!(said(&POINTS, heading), Some((meaning, Some(unit))), "{heading}");
         }
-        for (heading, meaning) in
-            [("Druck", Pressure), ("strain", Contraction), ("ΔL/L0", Contraction), ("F", Force)]
-        {
+        for (heading, meaning) in [
+            ("Druck", Pressure),
+            ("strain", Contraction),
+            ("ΔL/L0", Contraction),
+            ("F", Force),
+            ("ContractionRatio", Contraction),
+            ("weight", Weight),
+            ("Richtung", Branch),
+            ("Zweig", Branch),
+        ] {
             assert_eq!(said(&POINTS, heading), Some((meaning, None)), "{heading}");
         }
         for heading in [

@@ -31,7 +31,7 @@ use delimited::{Separator, TableRow};
 pub use find::Column;
 pub use heading::is_absolute;
 use number::Decimal;
-pub use vocabulary::{HISTORIES, Meaning, POINTS, TESTS, Vocabulary};
+pub use vocabulary::{HISTORIES, Meaning, POINTS, TESTS, Vocabulary, spoken};
 
 /// A table whose columns are known.
 #[derive(Debug)]
@@ -39,6 +39,8 @@ pub struct Table {
     rows: Vec<TableRow>,
     /// Lines that their status leaves out.
     left_out: usize,
+    /// Lines in which what was measured is blank.
+    not_filled: usize,
     columns: Vec<Column>,
     headings: Vec<String>,
     /// `None` where there is no heading.

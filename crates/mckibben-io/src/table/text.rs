@@ -59,10 +59,15 @@ fn decode(bytes: Vec<u8>) -> Result<String, TableError> {
     }
     let text = String::from_utf8(bytes)
         .unwrap_or_else(|e| e.as_bytes().iter().map(|&b| windows_1252(b)).collect::<String>());
-    Ok(match text.strip_prefix('\u{feff}') {
-        Some(rest) => rest.to_owned(),
-        None => text,
-    })
+    Ok(text.strip_prefix('\u{feff}').unwrap_or(&text).chars().map(narrow).collect())
+}
+
+/// The letters, digits and brackets that Chinese and Japanese texts have in full width, as they are elsewhere.
+fn narrow(c: char) -> char {
+    match c {
+        '\u{ff01}'..='\u{ff5e}' => char::from_u32(u32::from(c) - 0xfee0).unwrap_or(c),
+        c => c,
+    }
 }
 
 fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> String {
@@ -105,6 +110,11 @@ mod tests {
         assert_eq!(read(&big), TEXT);
         let latin: Vec<u8> = TEXT.chars().map(|c| u8::try_from(c as u32).unwrap()).collect();
         assert_eq!(read(&latin), TEXT);
+    }
+
+    #[test]
+    fn letters_of_full_width_are_those_of_half_width() {
+        assert_eq!(read("压力（ｋＰａ）；１２，５％".as_bytes()), "压力(kPa);12,5%");
     }
 
     /// Unicode's table CP1252.TXT.

@@ -13,6 +13,9 @@ pub struct Understood {
     pub rows: usize,
     /// Rows that were left out because their `status` is not ok.
     pub left_out: usize,
+    /// Rows that were left out because what was measured is blank.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub not_filled: usize,
     /// The line of the heading, from 1; null where columns were chosen by number.
     pub heading_line: Option<u64>,
     /// The line of units below it, where there is one.
@@ -44,6 +47,14 @@ pub struct UnderstoodColumn {
     pub note: Option<String>,
 }
 
+/// Strains and contractions that all are smaller are likely ratios under a heading of percent.
+const SMALL: f64 = 0.01;
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over references")]
+fn is_zero(count: &usize) -> bool {
+    *count == 0
+}
+
 impl Understood {
     /// One line for people: `45 points; P1 → pressure (kPa), x → shortening (mm, over L0 200 mm)`.
     pub fn line(&self) -> String {
@@ -64,6 +75,9 @@ impl Understood {
         }
         if self.left_out > 0 {
             out.push_str(&format!("; {} left out by their status", self.left_out));
+        }
+        if self.not_filled > 0 {
+            out.push_str(&format!("; {} not filled in and left out", self.not_filled));
         }
         if !self.not_used.is_empty() {
             out.push_str(&format!("; not used: {}", self.not_used.join(", ")));
@@ -89,7 +103,7 @@ impl Table {
                 quantity: self.vocabulary.entry(column.meaning).map_or("", |e| e.name).to_owned(),
                 unit: column.unit.map_or("", |u| u.name).to_owned(),
                 range,
-                note: note.clone(),
+                note: self.noted(column, note.as_deref()),
             }
         });
         let is_used = |i: usize| used.iter().any(|u| u.0.index == i);
@@ -97,6 +111,7 @@ impl Table {
         Understood {
             rows: self.rows.len(),
             left_out: self.left_out,
+            not_filled: self.not_filled,
             heading_line: self.heading_line,
             units_line: self.units_line,
             separator: self.separator.name().into(),
@@ -104,5 +119,19 @@ impl Table {
             columns: columns.collect(),
             not_used: others.map(|(_, h)| super::error::short(h)).collect(),
         }
+    }
+
+    /// What was done with a column, or is odd of it.
+    fn noted(&self, column: &Column, note: Option<&str>) -> Option<String> {
+        let percent = column.unit.is_some_and(|unit| unit.name == "%");
+        let values = || self.some_numbers(column.meaning).unwrap_or_default().into_iter().flatten();
+        let small = percent && values().any(|v| v != 0.0) && values().all(|v| v.abs() < SMALL);
+        let notes = [
+            note,
+            column.negated.then_some("with the opposite sign"),
+            small.then_some("all below 1 %: if they are ratios, take % out of the heading"),
+        ];
+        let notes: Vec<&str> = notes.into_iter().flatten().collect();
+        (!notes.is_empty()).then(|| notes.join(", "))
     }
 }

@@ -3,6 +3,7 @@
 use super::Table;
 use super::error::{TableError, short};
 use super::find::Column;
+use super::heading::{self, plain};
 use super::number::{self, NoNumber};
 use super::vocabulary::{Entry, Meaning, Need};
 use crate::units::Dimension;
@@ -17,7 +18,7 @@ impl Table {
     pub fn needed(&self, group: usize) -> Result<&Column, TableError> {
         let need: &Need = &self.vocabulary.needed[group];
         let all = || need.any_of.iter().filter_map(|m| self.column(*m));
-        let missing = || TableError::missing_column(need, &self.headings.join(", "), "");
+        let missing = || TableError::missing_column(need, &self.headings.join(", "), "", "");
         all().find(|c| c.chosen).or_else(|| all().next()).ok_or_else(missing)
     }
 
@@ -27,6 +28,28 @@ impl Table {
         let before = self.rows.len();
         self.rows.retain(|r| words.contains(&r.field(index)));
         self.left_out += before - self.rows.len();
+    }
+
+    /// Leaves out rows in which the field of what was measured is there and blank, and counts them.
+    pub fn keep_filled(&mut self, measured: impl Fn(&Self, usize) -> Meaning) {
+        let blank = |row: usize| {
+            let index = self.column(measured(self, row)).map(|c| c.index);
+            index.is_some_and(|i| self.rows[row].field(i).is_empty() && self.rows[row].width() > i)
+        };
+        let blank: Vec<bool> = (0..self.rows.len()).map(blank).collect();
+        self.not_filled += blank.iter().filter(|b| **b).count();
+        let mut blank = blank.into_iter();
+        self.rows.retain(|_| blank.next() == Some(false));
+    }
+
+    /// No points: nothing follows the heading, or nothing was filled in.
+    pub fn no_points(&self) -> TableError {
+        match self.not_filled {
+            0 => TableError::empty(),
+            n => TableError::Refused(format!(
+                "no points: what was measured is blank in all of the {n} lines; fill it in"
+            )),
+        }
     }
 
     /// Leaves out a column.
@@ -88,6 +111,7 @@ impl Table {
             }
         })?;
         let dimension = self.entry(column).and_then(|e| e.dimension);
+        let value = if column.negated { -value } else { value };
         let inside = match (unit, column.unit, dimension) {
             ("", _, None) => value,
             ("", Some(unit), _) => unit.inside(value),
@@ -137,7 +161,7 @@ impl Table {
         if text.is_empty() {
             return Ok(None);
         }
-        let found = words.iter().find(|w| w.0.eq_ignore_ascii_case(text)).map(|w| w.1);
+        let found = words.iter().find(|w| w.0 == plain(text)).map(|w| w.1);
         let name = self.entry(column).map_or("", |e| e.name);
         found.map(Some).ok_or_else(|| TableError::word(line, name, text, known))
     }
@@ -172,6 +196,12 @@ impl Table {
         let stated = if column.unknown_unit { " (that in its brackets is not known)" } else { "" };
         let unit = entry.and_then(|e| e.dimension).map_or("", example);
         let (name, units) = self.units_of(column);
+        if let Some(other) = heading::other_unit(&column.heading) {
+            return TableError::Refused(format!(
+                "column {column}: {other} is no unit of {name}; convert the values, or choose another column with `columns` {name}=\"HEADING:{unit}\" (units: {units})",
+                column = column.heading
+            ));
+        }
         let column = column.heading.split(['[', '(']).next().unwrap_or_default().trim();
         TableError::Refused(format!(
             "column {column} does not state its unit{stated}; write it after the heading, as {column} [{unit}], or give `columns` {name}=\"{column}:{unit}\" (units: {units})"

@@ -4,7 +4,7 @@
 //! ([`plain`](super::heading::plain)). Umlauts lose their dots, so that their other spelling (`ue`) is beside them.
 
 use crate::units::Dimension;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 use toml_edit::{DocumentMut, TableLike};
 
@@ -124,6 +124,14 @@ pub(crate) struct Need {
 struct Words {
     own: Vec<String>,
     people: Vec<String>,
+    last: Vec<String>,
+    /// All of them without the joints between words.
+    joined: BTreeSet<String>,
+}
+
+/// As in `ContractionRatio` and `restlength`.
+fn joined(label: &str) -> String {
+    label.replace('_', "")
 }
 
 /// The words of `data/words.toml`, of all languages together.
@@ -136,12 +144,22 @@ fn read(text: &str) -> Option<BTreeMap<String, Words>> {
         let mut words = Words::default();
         for (language, list) in lists.iter() {
             let said = list.as_array()?.iter().map(|word| word.as_str().map(str::to_owned));
-            let list = if language == "own" { &mut words.own } else { &mut words.people };
+            let list = match language {
+                "own" => &mut words.own,
+                "last" => &mut words.last,
+                _ => &mut words.people,
+            };
             list.extend(said.collect::<Option<Vec<_>>>()?);
         }
+        words.joined = words.own.iter().chain(&words.people).map(|word| joined(word)).collect();
         Some(words)
     };
     table.iter().map(|(key, lists)| Some((key.to_owned(), words(lists.as_table_like()?)?))).collect()
+}
+
+/// Words for a value of a column of words, such as `branch_contraction`, in plain form.
+pub fn spoken(value: &str) -> impl Iterator<Item = &'static str> + use<> {
+    WORDS.get(value).into_iter().flat_map(|words| words.own.iter().chain(&words.people)).map(String::as_str)
 }
 
 impl Entry {
@@ -154,6 +172,16 @@ impl Entry {
         self.in_data().map_or(&[], |words| &words.own)
     }
 
+    /// Whether a plain label is a word for it where no other column is it: a weight hangs on a muscle beside a load cell.
+    pub(crate) fn knows_last(&self, label: &str) -> bool {
+        self.in_data().is_some_and(|words| words.last.iter().any(|word| word == label))
+    }
+
+    /// Whether a plain label is one of its words.
+    pub(crate) fn knows(&self, label: &str) -> bool {
+        self.in_data().is_some_and(|words| words.joined.contains(&joined(label)))
+    }
+
     /// Words of people for it; two columns of the same quantity are ambiguous.
     pub(crate) fn words(&self) -> &'static [String] {
         self.in_data().map_or(&[], |words| &words.people)
@@ -163,6 +191,11 @@ impl Entry {
 impl Vocabulary {
     pub(crate) fn entries(&self) -> impl Iterator<Item = &'static Entry> {
         self.meanings.iter().filter_map(|m| ENTRIES.iter().find(|e| e.meaning == *m))
+    }
+
+    /// Whether a column of this meaning holds numbers.
+    pub(crate) fn is_number(&self, meaning: Meaning) -> bool {
+        meaning == Meaning::Weight || self.entry(meaning).is_some_and(|e| e.dimension.is_some())
     }
 
     pub(crate) fn entry(&self, meaning: Meaning) -> Option<&'static Entry> {

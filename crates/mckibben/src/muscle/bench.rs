@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 /// The fit of a muscle to its own bench: where it holds, and how far a point of that bench lies from it.
 ///
-/// It belongs to one muscle: [`Bench::of`] is compared with [`Muscle::digest`].
+/// It belongs to one muscle, and holds as it was written: [`Bench::is_of`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bench {
     /// Who measured it, where that is somebody else than the user: another specimen on another bench pulls differently.
@@ -18,7 +18,7 @@ pub struct Bench {
     pub lengths_mm: Vec<f64>,
     /// Points of this muscle.
     pub points: usize,
-    /// Branches of the hysteresis loop that its points state; `Mean` where they state none.
+    /// Branches of the hysteresis loop that its points state; none where not all of them state one.
     pub branches: Vec<Direction>,
     /// Lowest and highest pressure in MPa.
     pub pressure_mpa: (f64, f64),
@@ -33,7 +33,7 @@ pub struct Bench {
     pub parameters: Vec<String>,
     /// Its covariance, in the units of the parameters.
     pub covariance: Vec<Vec<f64>>,
-    /// Digest of the muscle with the constants that were found.
+    /// Checksum of the muscle with the constants that were found, and of all of the above but for the laboratory, which its reader adds.
     pub of: String,
 }
 
@@ -73,6 +73,30 @@ impl Bench {
         self.scatter_n.hypot((1.0 - s) * along(i) + s * along(i + 1))
     }
 
+    /// The same with the checksum of a muscle.
+    pub fn sealed(self, muscle: &Muscle) -> Self {
+        Self { of: self.checksum(muscle), ..self }
+    }
+
+    /// Whether it was written of this muscle, and was not changed since.
+    pub fn is_of(&self, muscle: &Muscle) -> bool {
+        self.of == self.checksum(muscle)
+    }
+
+    fn checksum(&self, muscle: &Muscle) -> String {
+        let mut text = Digested::default();
+        text.add(&muscle.digest(), &self.lengths_mm);
+        for word in [&self.model].into_iter().chain(&self.parameters) {
+            text.add(word, &[]);
+        }
+        self.branches.iter().for_each(|branch| text.add(branch.name(), &[]));
+        let ((p, q), (low, high)) = (self.pressure_mpa, self.contraction);
+        text.add("range", &[self.points as f64, p, q, low, high, self.scatter_n]);
+        self.fit_n.iter().for_each(|row| text.add("fit", row));
+        self.covariance.iter().for_each(|row| text.add("covariance", row));
+        text.digest()
+    }
+
     /// Whether the points went round the whole loop, or are means of it: then their scatter has the loop in it.
     pub fn saw_the_loop(&self) -> bool {
         let saw = |d: Direction| self.branches.contains(&d);
@@ -80,34 +104,52 @@ impl Bench {
     }
 }
 
+/// Names and values of which a digest is made, the values to nine digits.
+#[derive(Default)]
+struct Digested(String);
+
+impl Digested {
+    fn add(&mut self, name: &str, values: &[f64]) {
+        self.0.push_str(name);
+        values.iter().for_each(|v| {
+            // Writing to a string does not fail.
+            let _ = write!(self.0, " {v:.8e}");
+        });
+        self.0.push('\n');
+    }
+
+    fn digest(&self) -> String {
+        Sha256::digest(self.0.as_bytes()).iter().take(8).map(|b| format!("{b:02x}")).collect()
+    }
+}
+
 impl Muscle {
-    /// |D0/L0 − mean of D0/L| of a muscle that differs from the identified one by its length alone, L the lengths at which it was identified. `None` of
-    /// every other muscle.
-    pub fn off_identified_lengths(&self) -> Option<f64> {
+    /// The bench of a muscle that differs from the identified one by its length at most.
+    pub(crate) fn bench_of_lengths(&self) -> Option<&Bench> {
         let bench = self.bench.as_deref()?;
-        let (own, d0) = (*bench.lengths_mm.first()?, self.tube().outer_diameter_mm);
-        if self.length_mm() == own {
-            return None;
-        }
-        let identified = self.with_tube(Tube { length_mm: own, ..self.tube().clone() }).ok()?;
-        if identified.digest() != bench.of {
-            return None;
-        }
+        let length_mm = bench.lengths_mm.first().copied().unwrap_or(self.length_mm());
+        let identified = || self.with_tube(Tube { length_mm, ..self.tube().clone() });
+        let same = if length_mm == self.length_mm() {
+            bench.is_of(self)
+        } else {
+            identified().is_ok_and(|muscle| bench.is_of(&muscle))
+        };
+        same.then_some(bench)
+    }
+
+    /// |D0/L0 − mean of D0/L| of a muscle that differs from the identified one by its length alone, L the lengths at which it was identified. `None` of
+    /// every other muscle, and at one of these lengths.
+    pub fn off_identified_lengths(&self) -> Option<f64> {
+        let bench = self.bench_of_lengths().filter(|_| self.bench().is_none())?;
+        let d0 = self.tube().outer_diameter_mm;
         let inverse: f64 = bench.lengths_mm.iter().map(|l| l.recip()).sum();
         Some(d0 * (self.length_mm().recip() - inverse / bench.lengths_mm.len() as f64).abs())
     }
 
     /// A digest of everything that the pull depends on, to nine digits.
     pub fn digest(&self) -> String {
-        let mut text = String::new();
-        // Writing to a string does not fail.
-        let mut add = |name: &str, values: &[f64]| {
-            let _ = write!(text, "{name}");
-            values.iter().for_each(|v| {
-                let _ = write!(text, " {v:.8e}");
-            });
-            text.push('\n');
-        };
+        let mut text = Digested::default();
+        let mut add = |name: &str, values: &[f64]| text.add(name, values);
         let (tube, braid, ends) = (&self.parts.tube, &self.parts.braid, &self.parts.terminals);
         add("tube", &[tube.outer_diameter_mm, tube.wall_mm, tube.length_mm]);
         let rubber = &tube.rubber;
@@ -151,7 +193,7 @@ impl Muscle {
         if let Some(f) = &self.parts.friction {
             add("friction", &[f.coefficient, f.exponent, f.lever_mm]);
         }
-        Sha256::digest(text.as_bytes()).iter().take(8).map(|b| format!("{b:02x}")).collect()
+        text.digest()
     }
 }
 
@@ -172,8 +214,9 @@ mod tests {
             fit_n: vec![vec![4.0, 0.0], vec![0.0, 4.0]],
             parameters: vec![],
             covariance: vec![],
-            of: Muscle::prototype().digest(),
+            of: String::new(),
         }
+        .sealed(&Muscle::prototype())
     }
 
     /// √(3² + 4²) at a corner, √(3² + 2²) in the middle, by hand.

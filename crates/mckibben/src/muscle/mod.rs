@@ -184,9 +184,10 @@ impl Muscle {
         self.parts.friction.as_ref()
     }
 
-    /// The bench that its constants were identified from; `None` also where the muscle was changed since.
+    /// The bench that its constants were identified from, at this or another of its lengths; `None` also where the muscle or the bench was changed since.
     pub fn bench(&self) -> Option<&Bench> {
-        self.bench.as_deref().filter(|bench| bench.of == self.digest())
+        self.bench_of_lengths()
+            .filter(|bench| bench.lengths_mm.is_empty() || bench.lengths_mm.contains(&self.length_mm()))
     }
 
     /// Who measured the muscle that its constants come from, where that is somebody else than the user; also where the muscle was changed since.
@@ -241,7 +242,7 @@ impl Muscle {
             return Some("[identified] is valid for the lengths that were measured, and this muscle has another one: the ± is that of a muscle without test data, with a part for the other length; identify it again".to_owned());
         }
         (self.bench.is_some() && self.bench().is_none()).then(|| {
-            "[identified] is valid for the muscle as it was identified, and this muscle differs from it: the ± is that of a muscle without test data; identify it again".to_owned()
+            "[identified] is valid for the muscle and the table as `identify` wrote them, and one of them was changed: the ± is that of a muscle without test data; identify it again".to_owned()
         })
     }
 

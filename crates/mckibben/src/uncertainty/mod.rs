@@ -18,7 +18,8 @@
 //!   long as no branch is asked for; d h on a branch.
 //! - `fit`, in the place of all of these inside of the range of the bench that the muscle was identified from ([`Bench`]): the scatter of its
 //!   points about the fit, and the fit's own half-width from the covariance of the constants. Outside of the range it turns into the others over a quarter of
-//!   the range's width: squares are weighted by 1 − x and x, x from 0 at the edge to 1.
+//!   the range's width: squares are weighted by 1 − x and x, x from 0 at the edge to 1. Nowhere, and at no other length, is the ± of that muscle below the
+//!   scatter.
 //!
 //! - `transfer`, beside the others, of constants that somebody else identified from a specimen of the same product ([`Muscle::laboratory`]): a share of
 //!   the blocked force at the same pressure, which the pulls of the same hose with other fittings, measured in two laboratories, give.
@@ -80,7 +81,7 @@ const IDENTIFIED: f64 = 0.06;
 const ELEMENTS: &str = "fe";
 
 /// What is known of every ± besides the model's own part, in a sentence.
-const BASIS: &str = "model against tests: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.35 times shear modulus times wall section, which cover 95 % of the points of each of four sets of measured muscles whose rubber was identified from their own pull; rubber: the largest difference that another law with an equally good fit makes, by thick-wall, and, for a named rubber that was measured along one axis alone, what 19 % of its stiffness make; braid: what the factor makes within which the stiffness of the strands is known, by thick-wall; friction: 12 % of the blocked force where the muscle does not state its friction, which covers 95 % of single branches; where it does, 1.81 times the half-width of its law, and 0.81 times on a selected branch; fit: in the place of all of these on the bench that the muscle was identified from; another length: 8.3 |Δ(D0/L0)| of the blocked force beside them where the muscle was identified at other lengths, which covers 95 % of the points of each of three lengths of one hose by the constants of each other one; another specimen: 24 % of the blocked force beside them where somebody else identified the muscle (`laboratory`), which covers 95 % of the points that two laboratories measured of one product; all parts add as squares; no muscle is known whose tube and sleeve are stated as sold and whose pull was published, so that none of the parts covers a prediction from data sheets alone, which may be off by 20 to 30 %";
+const BASIS: &str = "model against tests: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.35 times shear modulus times wall section, which cover 95 % of the points of each of four sets of measured muscles whose rubber was identified from their own pull; rubber: the largest difference that another law with an equally good fit makes, by thick-wall, and, for a named rubber that was measured along one axis alone, what 19 % of its stiffness make; braid: what the factor makes within which the stiffness of the strands is known, by thick-wall; friction: 12 % of the blocked force where the muscle does not state its friction, which covers 95 % of single branches; where it does, 1.81 times the half-width of its law, and 0.81 times on a selected branch; fit: in the place of all of these on the bench that the muscle was identified from, and nowhere below the scatter of its points, with friction beside it where they do not state both branches or their means; another length: 8.3 |Δ(D0/L0)| of the blocked force beside them where the muscle was identified at other lengths, which covers 95 % of the points of each of three lengths of one hose by the constants of each other one; another specimen: 24 % of the blocked force beside them where somebody else identified the muscle (`laboratory`), which covers 95 % of the points that two laboratories measured of one product; all parts add as squares; no muscle is known whose tube and sleeve are stated as sold and whose pull was published, so that none of the parts covers a prediction from data sheets alone, which may be off by 20 to 30 %";
 
 /// How the parts of a ± are known, in a sentence.
 pub fn basis_of(accuracy: &Accuracy) -> String {
@@ -135,6 +136,16 @@ impl UncertaintyParts {
         all.into_iter().filter_map(|(name, part)| Some((name, part?)))
     }
 
+    /// With so much of `fit` that the sum is no less.
+    fn at_least(self, least: f64) -> Self {
+        let rest = Self { fit: None, ..self }.total();
+        if self.total() >= least {
+            self
+        } else {
+            Self { fit: Some((least * least - rest * rest).sqrt()), ..self }
+        }
+    }
+
     /// The root of the sum of their squares, in their unit.
     pub fn total(&self) -> f64 {
         self.named().map(|(_, part)| part * part).sum::<f64>().sqrt()
@@ -184,13 +195,15 @@ fn of_specimen<M: ForceModel + ?Sized>(
 ) -> Option<UncertaintyParts> {
     let (pressure_mpa, contraction) = at;
     let Some(bench) = bench_of(model) else { return general(model, workspace, at, force_n, direction) };
-    let outside = bench.outside(pressure_mpa, contraction);
+    let own = model.muscle().bench().is_some();
+    let outside = if own { bench.outside(pressure_mpa, contraction) } else { 1.0 };
     let inside = if outside < 1.0 { Some(of_bench(model, workspace, bench, at, direction)?) } else { None };
     let general = if outside > 0.0 { Some(general(model, workspace, at, force_n, direction)?) } else { None };
-    match (inside, general) {
+    let parts = match (inside, general) {
         (Some(inside), Some(general)) => Some(between(&inside, &general, outside)),
         (one, other) => one.or(other),
-    }
+    };
+    parts.map(|parts| parts.at_least(bench.scatter_n))
 }
 
 /// 95 % half-width in N of the pull of a muscle that was identified by this model from 10 points on both branches, by the experience of the measured
@@ -258,10 +271,10 @@ fn formula_n<M: ForceModel + ?Sized>(
     if share > 0.0 { Some(Some(share * blocked_n(model, workspace, at)?)) } else { Some(None) }
 }
 
-/// The bench of the model's muscle, where it says something of this model: its constants were fitted with it, or with finite elements, from
+/// The bench of the model's muscle, or of the same one in another length, where it says something of this model: its constants were fitted with it, or with finite elements, from
 /// which the other model's distance is known.
 fn bench_of<M: ForceModel + ?Sized>(model: &M) -> Option<&Bench> {
-    let bench = model.muscle().bench()?;
+    let bench = model.muscle().bench_of_lengths()?;
     let Accuracy { share_of_blocked, reference, .. } = model.info().accuracy;
     let to_elements = share_of_blocked.is_some() && !matches!(reference, Reference::ForceMap { .. });
     (bench.model == model.info().name || bench.model == ELEMENTS && to_elements).then_some(bench)

@@ -116,9 +116,9 @@ fn with_bench(muscle: &Muscle, model: &str, branches: Vec<Direction>) -> Muscle 
         fit_n: vec![vec![4.0]],
         parameters: vec![],
         covariance: vec![],
-        of: muscle.digest(),
+        of: String::new(),
     };
-    muscle.clone().with_bench(bench)
+    muscle.clone().with_bench(bench.sealed(muscle))
 }
 
 /// √(3² + 4²) N inside; squares weighted by one half in the middle of the margin of 0.05.
@@ -161,8 +161,8 @@ fn a_friction_that_was_measured_is_not_unknown() {
 fn another_specimen_of_a_product_is_a_part() {
     let (m, w) = (Muscle::prototype(), &mut Workspace::new());
     let own = with_bench(&m, "thick-wall", vec![Direction::Mean]);
-    let theirs =
-        m.clone().with_bench(Bench { laboratory: Some("Portland".into()), ..own.bench().unwrap().clone() });
+    let theirs = Bench { laboratory: Some("Portland".into()), ..own.bench().unwrap().clone() };
+    let theirs = m.clone().with_bench(theirs.sealed(&m));
     let mut parts =
         |m: &Muscle| uncertainty(&ThickWall::new(m), w, (0.2, 0.1), 100.0, Direction::Mean).unwrap();
     let share = TRANSFER * ThickWall::new(&m).force_n(&mut Workspace::new(), 0.2, 0.0).unwrap();
@@ -180,7 +180,8 @@ fn another_length_of_an_identified_muscle_is_a_part() {
     let (m, w) = (Muscle::prototype(), &mut Workspace::new());
     let of = |length_mm: f64| m.with_tube(Tube { length_mm, ..m.tube().clone() }).unwrap();
     let bench = with_bench(&m, "thick-wall", vec![Direction::Mean]).bench().unwrap().clone();
-    let own = m.clone().with_bench(Bench { lengths_mm: vec![m.length_mm(), 400.0], ..bench });
+    let own = Bench { lengths_mm: vec![m.length_mm(), 400.0], ..bench };
+    let own = m.clone().with_bench(own.sealed(&m));
     let short = of(200.0).with_bench_of(&own);
     let mut parts =
         |m: &Muscle| uncertainty(&ThickWall::new(m), w, (0.2, 0.1), 100.0, Direction::Mean).unwrap();
@@ -191,8 +192,11 @@ fn another_length_of_an_identified_muscle_is_a_part() {
     assert!((found.length_transfer.unwrap() / (8.3 * off * blocked) - 1.0).abs() < 1e-12);
     assert_eq!(UncertaintyParts { length_transfer: None, ..found }, without);
     assert!(short.warnings().iter().any(|s| s.contains("another one")) && own.warnings().is_empty());
-    // At its own length the fit counts; a wall of another thickness is another muscle.
-    assert_eq!((parts(&own).length_transfer, parts(&own).fit), (None, Some(5.0)));
+    // At each length that was measured the fit counts, and nothing is warned of; a wall of another thickness is another muscle.
+    for measured in [own.clone(), of(400.0).with_bench_of(&own)] {
+        assert_eq!((parts(&measured).length_transfer, parts(&measured).fit), (None, Some(5.0)));
+        assert_eq!(measured.warnings(), [""; 0]);
+    }
     let thinner = Tube { wall_mm: 2.0, ..short.tube().clone() };
     assert_eq!(parts(&short.with_tube(thinner).unwrap()).length_transfer, None);
 }
@@ -219,4 +223,21 @@ fn a_bench_of_another_muscle_model_or_branch_says_nothing() {
     assert_eq!((half.fit, half.friction), (Some(5.0), parts(&m, w).friction));
     let both = with_bench(&m, "thick-wall", Direction::BRANCHES.to_vec());
     assert_eq!(parts(&both, w).friction, None);
+    // Points whose branch is not stated measure no loop.
+    assert_eq!(parts(&with_bench(&m, "thick-wall", vec![]), w), half);
+}
+
+#[test]
+fn no_uncertainty_of_an_identified_muscle_is_below_the_scatter_of_its_points() {
+    let (m, w) = (Muscle::prototype(), &mut Workspace::new());
+    let own = with_bench(&m, "thick-wall", vec![Direction::Mean]);
+    let own = Bench { scatter_n: 1000.0, ..own.bench().unwrap().clone() }.sealed(&m);
+    let own = m.clone().with_bench(own);
+    for length_mm in [m.length_mm(), 200.0, 400.0] {
+        let muscle = own.with_tube(Tube { length_mm, ..m.tube().clone() }).unwrap();
+        for (p, e) in [(0.0, 0.0), (0.2, 0.1), (0.2, 0.22), (0.5, 0.0), (0.3, 0.4), (0.1, -0.1)] {
+            let found = uncertainty(&ThickWall::new(&muscle), w, (p, e), 100.0, Direction::Mean).unwrap();
+            assert!(found.total() >= 1000.0 * (1.0 - 1e-12), "{length_mm} {p} {e}: {found:?}");
+        }
+    }
 }

@@ -49,17 +49,18 @@ pub fn of(answer: &IdentifyAnswer, u: &Units) -> String {
         let all = bench.fit_n.iter().flatten().map(|fit| fit.hypot(bench.scatter_n));
         let (least, most) = all.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
         out.push_str(&format!(
-            "on this bench, from {} to {} and contractions from {} to {}, the ± of its pull is {} to {} {} (95 %)\n",
+            "on this bench, from {} to {} and contractions from {} to {}, the ± of its pull is {} to {} {} (95 %){}\n",
             u.pressure.show(p.0),
             u.pressure.show(p.1),
             percent(e.0),
             percent(e.1),
             u.force.half_width(least),
             u.force.half_width(most),
-            u.force.name
+            u.force.name,
+            if bench.saw_the_loop() { "" } else { ", and the part for friction beside it" }
         ));
     }
-    out.push_str(&tabled(&found.spreads, "label=_ points rms_n:3 max_n=largest:3 mean_n:3", u));
+    out.push_str(&tabled(&found.spreads, "of=_ points rms_n:3 max_n=largest:3 mean_n:3", u));
     if !answer.laws.is_empty() {
         out.push_str(&laws(answer, &force));
     }

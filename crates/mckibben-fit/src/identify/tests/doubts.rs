@@ -123,7 +123,7 @@ fn a_model_that_misses_in_a_pattern_is_told() {
         for i in 0..12 {
             let contraction = f64::from(i) * 0.015;
             let force_n = model.force_n(&mut Workspace::new(), pressure_mpa, contraction).unwrap();
-            let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Direction::Mean };
+            let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(Direction::Mean) };
             points.push(DataPoint::of(at));
         }
     }
@@ -161,7 +161,7 @@ fn starts_bounds_and_doubles_are_checked() {
 fn points_of(rows: &[(f64, f64, f64)]) -> Vec<DataPoint> {
     let one = |(i, &(pressure_bar, contraction, force_n)): (usize, &(f64, f64, f64))| {
         let pressure_mpa = 0.1 * pressure_bar;
-        let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Direction::Mean };
+        let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(Direction::Mean) };
         DataPoint { line: i as u64 + 2, ..DataPoint::of(at) }
     };
     rows.iter().enumerate().map(one).collect()
@@ -203,7 +203,7 @@ fn flipped_signs_are_named_and_no_modulus_comes_out() {
 fn a_loop_without_branches_is_no_flipped_sign() {
     let m = soft().with_friction(Some(Friction::power_law(60.0, 0.6))).unwrap();
     let mut points = bench(&m, 0.0);
-    points.iter_mut().for_each(|p| p.at.branch = Direction::Mean);
+    points.iter_mut().for_each(|p| p.at.branch = None);
     let f = found(&soft(), &["mu"], &points, Loss::Squares).unwrap();
     assert!(f.notes.iter().all(|n| !n.contains("flipped") && !n.contains("rises")), "{:?}", f.notes);
 }
@@ -290,13 +290,18 @@ fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
                 // Between the points that were fitted, inside of their range.
                 let e = p.at.contraction + if i % 2 == 0 && p.at.contraction < 0.15 { 0.02 } else { 0.0 };
                 let noise = p.at.force_n - truth[i].at.force_n;
-                let measured =
-                    mckibben::analysis::force_on(&ThickWall::new(m), w, p.at.pressure_mpa, e, p.at.branch)
-                        .unwrap()
-                        + noise;
+                let measured = mckibben::analysis::force_on(
+                    &ThickWall::new(m),
+                    w,
+                    p.at.pressure_mpa,
+                    e,
+                    p.at.direction(),
+                )
+                .unwrap()
+                    + noise;
                 let found =
-                    mckibben::analysis::force_on(&model, w, p.at.pressure_mpa, e, p.at.branch).unwrap();
-                let parts = uncertainty(&model, w, (p.at.pressure_mpa, e), found, p.at.branch).unwrap();
+                    mckibben::analysis::force_on(&model, w, p.at.pressure_mpa, e, p.at.direction()).unwrap();
+                let parts = uncertainty(&model, w, (p.at.pressure_mpa, e), found, p.at.direction()).unwrap();
                 assert!(
                     parts.fit.is_some() && parts.measured.is_none() && parts.friction.is_none(),
                     "{parts:?}"
@@ -340,5 +345,96 @@ fn the_bench_stands_in_the_muscle_file() {
     assert!(wrong("fit = [[", "fit = [[-1, ").contains("identified.fit"));
     assert!(wrong("parameters = [", "parameters = [\"more\", ").contains("identified.covariance"));
     assert!(wrong("points = 15", "").contains("identified.points is missing"));
+    // c₁₁ c₂₂ < c₁₂²: no covariance.
+    let (one, rest) = text.split_once("covariance = [[").and_then(|t| t.1.split_once(',')).unwrap();
+    let smaller = format!("covariance = [[{:e},{rest}", 1e-3 * one.parse::<f64>().unwrap());
+    let not_one = format!("{}{smaller}", text.split_once("covariance = [[").unwrap().0);
+    assert!(parse_muscle(&not_one).unwrap_err().to_string().contains("a variance below zero"));
     assert!(wrong("[identified]", "[identified]\nnonsense = 1").contains("unknown key"));
+}
+
+/// Whatever digit is changed by hand, the branch or the model: the ± is that of a muscle without test data, and that is said.
+#[test]
+fn a_bench_that_was_edited_says_nothing() {
+    use mckibben::muscle::file::{parse_muscle, to_toml};
+    let m = soft();
+    let f = found(&m, &["mu", "braid.stiffness"], &noisy(&bench(&m, 0.0), 4.0, 3), Loss::Squares).unwrap();
+    let text = to_toml(&f.muscle.clone().with_bench(f.bench.unwrap()));
+    let (muscle, table) = text.split_once("[identified]").unwrap();
+    let mut edited: Vec<String> = vec![];
+    let mut before = ' ';
+    for (at, c) in table.char_indices() {
+        let (line, here) = (table[..at].rsplit('\n').next().unwrap(), &table[at + c.len_utf8()..]);
+        let first = c.is_ascii_digit() && !before.is_ascii_alphanumeric() && !".-".contains(before);
+        if first && !line.contains('#') {
+            edited.extend(
+                ["1", "4"].iter().filter(|d| !d.contains(c)).map(|d| format!("{}{d}{here}", &table[..at])),
+            );
+        }
+        before = c;
+    }
+    assert!(edited.len() > 40, "{}", edited.len());
+    edited.push(table.replacen("[\"mean\"]", "[]", 1));
+    edited.push(table.replacen("thick-wall", "fe", 1));
+    for table in edited {
+        let Ok(read) = parse_muscle(&format!("{muscle}[identified]{table}")) else { continue };
+        assert_eq!(read.bench(), None, "{table}");
+        assert!(
+            read.warnings().iter().any(|w| w.contains("one of them was changed")),
+            "{:?}",
+            read.warnings()
+        );
+    }
+}
+
+/// A Gent muscle and points of a neo-Hookean one, without noise and with it: no limit is found beyond the bound, and the file can be read.
+#[test]
+fn chains_that_never_lock_are_said() {
+    use mckibben::muscle::file::{parse_muscle, to_toml};
+    let (plain, gent) = (soft(), Law::named("gent", &[0.3, 10.0]).unwrap());
+    let m = muscle(gent, BraidStiffness::NewtonPerMm(400.0));
+    for deviation in [0.0, 4.0] {
+        let points = noisy(&bench(&plain, 0.0), deviation, 5);
+        let f = found(&m, &["mu", "jm"], &points, Loss::Squares).unwrap();
+        let limit = f.parameters[1].value;
+        if limit > 100.0 {
+            assert!(limit <= 1000.0 && !f.parameters[1].identifiable, "{:#?}", f.parameters);
+            assert!(f.notes.iter().any(|n| n.contains("law = \"neo-hookean\"")), "{:?}", f.notes);
+        }
+        assert!(deviation > 0.0 || limit > 100.0, "{limit}");
+        let own = f.muscle.clone().with_bench(f.bench.unwrap());
+        assert!(parse_muscle(&to_toml(&own)).unwrap().bench().is_some());
+    }
+}
+
+/// A muscle whose pulls were counted negative, of which none is below 0.3 of the ideal one.
+#[test]
+fn pulls_that_are_all_negative_are_named() {
+    let m = soft();
+    let mut points = bench(&m, 0.0);
+    points.iter_mut().for_each(|p| p.at.force_n *= -0.1);
+    let error = found(&m, &["mu"], &points, Loss::Squares).unwrap_err();
+    assert!(matches!(&error, IdentifyError::Flipped(said) if said.contains("lines 2, 3, 4")), "{error}");
+    assert_eq!(doubts(&m, &points).unwrap_err(), error);
+    points.iter_mut().for_each(|p| p.at.force_n = 0.0);
+    assert!(doubts(&m, &points).unwrap().iter().all(|n| !n.contains("sign")));
+}
+
+/// A wall of 0.1 mm with 25 MPa pulls as one of 1.5 mm with 1.7 MPa would: no rubber is so stiff, and the wall was measured wrong.
+#[test]
+fn a_modulus_of_no_rubber_is_named() {
+    let thin = |mu_mpa: f64| {
+        let tube = Tube {
+            wall_mm: 0.1,
+            rubber: Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa })),
+            ..soft().tube().clone()
+        };
+        soft().with_tube(tube).unwrap()
+    };
+    let said = |mu_mpa: f64| {
+        let found = found(&thin(1.0), &["mu"], &bench(&thin(mu_mpa), 0.0), Loss::Squares).unwrap();
+        assert!((found.parameters[0].value / mu_mpa - 1.0).abs() < 1e-3, "{:#?}", found.parameters);
+        found.notes.iter().any(|n| n.contains("rubbers lie between 0.005 and 20 MPa"))
+    };
+    assert_eq!((said(25.0), said(2.0)), (true, false));
 }

@@ -26,7 +26,7 @@ fn loops(deviation_n: f64, seed: u64) -> Vec<DataPoint> {
                 let mean = model.force_n(w, pressure_mpa, contraction).unwrap();
                 let force_n = mean - half * state(0.25 * i as f64) + deviation_n * noise.next();
                 let first = out.last().is_none_or(|p| p.set != set);
-                let branch = if first { Direction::Contraction } else { Direction::Mean };
+                let branch = first.then_some(Direction::Contraction);
                 let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch };
                 out.push(DataPoint { set, line: out.len() as u64 + 2, ..DataPoint::of(at) });
             }

@@ -70,7 +70,7 @@ fn bench(m: &Muscle, offset: f64) -> Vec<DataPoint> {
             let signed = branch.sign() * half;
             let force_n =
                 model.force_n(&mut Workspace::new(), pressure_mpa, contraction + offset).unwrap() + signed;
-            let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch };
+            let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(branch) };
             out.push(DataPoint { line: out.len() as u64 + 2, ..DataPoint::of(at) });
         }
     }
@@ -325,7 +325,7 @@ fn muscles_of_several_lengths_tell_slip_and_grip() {
             let force_n = model.force_n(&mut Workspace::new(), pressure_mpa, x).unwrap();
             let way = slip * (force_n + bore * pressure_mpa);
             let contraction = (x * (length_mm - 2.0 * grip) - way) / length_mm;
-            let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Direction::Mean };
+            let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(Direction::Mean) };
             let section = crate::measured::Section { length_mm: Some(length_mm), ..Default::default() };
             points.push(DataPoint { section, ..DataPoint::of(at) });
         }
@@ -364,7 +364,7 @@ fn of_all_laws_the_points_prefer_the_one_that_made_them() {
             let contraction = 0.02 * f64::from(i);
             let force_n = model.force_n(&mut Workspace::new(), pressure_mpa, contraction).unwrap();
             let force_n = 0.1 * (10.0 * force_n).round();
-            let branch = Direction::Mean;
+            let branch = Some(Direction::Mean);
             points.push(DataPoint::of(MeasuredPoint { pressure_mpa, contraction, force_n, branch }));
         }
     }

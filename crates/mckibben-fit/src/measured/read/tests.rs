@@ -42,6 +42,16 @@ fn one_point_in_many_spellings_is_that_point() {
         "Gauge pressure [bar(g)],Measured force [N],muscle length [mm],L0 [mm]\n2.5,300,180,200\n1,300,170,200\n",
         "pressure_bar,force_n,length_mm\n2.5,300,180\n1,2,200\n",
         "Pressure [bar],Pressure [psi],Contraction,Force [N],Force [lbf]\n2.5,36,0.1,300,67\n",
+        "Pressure (V),Pressure (bar),contraction,Force (N)\n0.5,2.5,0.1,300\n",
+        "Pressure (bar),ContractionRatio,-Force (N)\n2.5,0.1,-300\n",
+        "Pressure (bar),contraction,Weight [kg],Force (N)\n2.5,0.1,7,300\n",
+        "Pressure (bar),Distance (mm),Weight [g]\n2.5,20,30591.486389337\n",
+        "pressure_bar,Stress (kPa),Contraction (%),Shortening [mm],force_n\n2.5,N/A,,20,300\n2,N/A,,20,200\n",
+        "压力（kPa），收缩率（％），拉力（N）\n２５０，１０，３００\n",
+        "圧力[kPa],収縮量[mm],張力[N]\n250,20,300\n",
+        "Pressione [bar];Accorciamento [mm];Forza [N]\n2,5;20,0;300\n",
+        "Druk [bar];Krimp [mm];Trekkracht [N]\n2,5;20,0;300\n",
+        "Pressão [bar];Contração [%];Força [N]\n2,5;10,0;300\n",
     ] {
         let (points, understood) = read(text).unwrap_or_else(|e| panic!("{text}: {e}"));
         let at = points[0].at;
@@ -142,6 +152,15 @@ fn what_is_not_understood_is_named_with_the_way_out() {
             "",
             "line 3, column p_bar: \"end of data\" is not a finite number",
         ),
+        ("1 0 3\n1.1 0.06 4\n", "", "`columns` pressure=\"#1:MPa\",contraction=\"#2\",force=\"#3:N\""),
+        ("p_bar,contraction,F_N\n1,0,\n2,0,\n", "", "without a number in any line: F_N"),
+        ("Pressure (V),contraction,F_N\n1,0,2\n", "", "column Pressure (V): V is no unit of pressure"),
+        ("Pressure (V),contraction,F_N\n1,0,2\n", "pressure=#1:bar", "says V, and \"#1:bar\" says bar"),
+        (
+            "p_bar,contraction,F_N\n1,0,2\n",
+            "pressure=p:kPa",
+            "the heading \"p_bar\" says bar, and \"p:kPa\" says kPa",
+        ),
         ("\n\np_bar,contraction,F_N\n\n1,0.1,-\n", "", "line 5, column F_N: \"-\" is not a finite number"),
         ("p_bar,contraction,F_N\n", "", "no points"),
         ("", "", "no column of pressures"),
@@ -153,6 +172,72 @@ fn what_is_not_understood_is_named_with_the_way_out() {
     // Without a muscle there is no L0.
     let error = read_data(&b"p_bar,hub_mm,F_N\n1,2,3\n"[..]).unwrap_err().to_string();
     assert!(error.contains("`length_mm`"), "{error}");
+}
+
+/// A column whose heading says nothing of friction, one in German, and the words that the program prints.
+#[test]
+fn a_branch_is_stated_or_not() {
+    use Direction::{Contraction, Elongation, Mean};
+    let of = |heading: &str, word: &str| {
+        read(&format!("pressure_bar,contraction,force_n,{heading}\n2,0.1,3,{word}\n")).unwrap().0[0].at.branch
+    };
+    for (heading, word, branch) in [
+        ("branch", "contraction", Some(Contraction)),
+        ("branch", "shortening", Some(Contraction)),
+        ("branch", "lengthening", Some(Elongation)),
+        ("Richtung", "auf", Some(Contraction)),
+        ("Zweig", "ab", Some(Elongation)),
+        ("Zweig", "Verkürzung", Some(Contraction)),
+        ("direction", "mean", Some(Mean)),
+        ("branch", "", None),
+        ("remark", "contraction", None),
+    ] {
+        assert_eq!(of(heading, word), branch, "{heading} {word}");
+    }
+}
+
+/// The sheet that `build` writes, half of it filled in.
+#[test]
+fn rows_that_are_not_filled_in_are_left_out() {
+    let sheet = "pressure_mpa,contraction,force_n,branch,distance between the clamps (mm)\n0.06,0,,contraction,220\n\
+                 0.14,0,62,contraction,220\n0.2,0,,contraction,220\n0.14,0,70,elongation,220\n";
+    let (points, understood) = read(sheet).unwrap();
+    assert_eq!(points.iter().map(|p| p.line).collect::<Vec<_>>(), [3, 5]);
+    assert_eq!((understood.rows, understood.not_filled), (2, 2));
+    assert!(understood.line().contains("; 2 not filled in and left out"), "{}", understood.line());
+    // Of a reading of contractions it is the contraction that is blank.
+    let (points, _) =
+        read("pressure_bar,contraction,force_n,measured\n1,,9,contraction\n1,0.1,9,contraction\n").unwrap();
+    assert_eq!(points.len(), 1);
+}
+
+#[test]
+fn a_minus_before_a_heading_turns_the_sign() {
+    let text = "p_bar,hub_mm,F\n1,20,-300\n2,20,-500\n";
+    for columns in ["force=-F:N", "force=−#3:N"] {
+        let (points, understood) = read_with(text, columns).unwrap();
+        assert_eq!(points.iter().map(|p| p.at.force_n).collect::<Vec<_>>(), [300.0, 500.0]);
+        assert_eq!(understood.columns[2].note.as_deref(), Some("with the opposite sign"));
+    }
+    assert_eq!(read_with(text, "force=F:N").unwrap().0[0].at.force_n, -300.0);
+}
+
+#[test]
+fn percents_that_are_likely_ratios_are_named() {
+    let note = |values: &str| {
+        let read = read(&format!("p_bar,contraction_percent,force_n\n1,0,9\n1,{values},3\n")).unwrap();
+        read.1.columns[1].note.clone().unwrap_or_default()
+    };
+    assert!(note("0.15").contains("if they are ratios"));
+    assert_eq!(note("15"), "");
+}
+
+/// 压力 and 力 in GBK, read as Windows-1252.
+#[test]
+fn headings_of_two_bytes_ask_for_another_encoding() {
+    let message = |bytes: &[u8]| read_data(bytes).unwrap_err().to_string();
+    assert!(message(b"\xd1\xb9\xc1\xa6,e,\xc1\xa6\n1,0,2\n").contains("save the table as CSV in UTF-8"));
+    assert!(!message(b"Dr\xfccke,e,F_N\n1,0,2\n").contains("UTF-8"));
 }
 
 #[test]
@@ -172,7 +257,7 @@ fn units_of_the_pressure_column_are_understood() {
     for (column, value) in [("pressure_mpa", "0.25"), ("pressure_kpa", "250"), ("pressure_bar", "2.5")] {
         let points =
             read_measured(format!("{column},contraction,force_n\n{value},0.1,300\n").as_bytes()).unwrap();
-        let branch = Direction::Mean;
+        let branch = None;
         assert_eq!(points, [MeasuredPoint { pressure_mpa: 0.25, contraction: 0.1, force_n: 300.0, branch }]);
     }
 }
@@ -187,7 +272,7 @@ fn errors_name_line_and_column() {
         ("pressure_mpa,contraction,force_n\n-0.1,0,3\n", "below zero"),
         ("pressure_mpa,contraction,force_n\n0.1,0\n", "line 2 has 2 fields"),
         ("pressure_mpa,contraction,force_n\n", "no points"),
-        ("pressure_mpa,contraction,force_n,branch\n0.1,0,3,up\n", "neither \"contraction\""),
+        ("pressure_mpa,contraction,force_n,branch\n0.1,0,3,sideways\n", "neither \"contraction\""),
         ("pressure_mpa,contraction,force_n,measured\n0.1,0,3,up\n", "neither \"force\""),
         ("pressure_mpa,contraction,force_n,weight\n0.1,0,3,-1\n", "is not a valid weight"),
         ("pressure_mpa,contraction,force_n,wall_mm\n0.1,0,3,0\n", "is not a measure of a muscle"),
@@ -232,7 +317,9 @@ fn volumes_are_read_where_they_were_measured() {
         (Quantity::Force, &["volume".to_owned()][..])
     );
     let text = "pressure_mpa,contraction,force_n,volume_mm3,measured\n0.1,0,30,,volume\n";
-    assert!(refused(text, "").contains("needs a volume in this row"));
+    assert!(refused(text, "").contains("is blank in all of the 1 lines"));
     assert!(refused("pressure_mpa,contraction,volume_mm3\n0.1,0,-1\n", "").contains("is not a volume"));
-    assert!(refused("pressure_mpa,contraction,force_n\n0.1,0,\n", "").contains("the field is empty"));
+    assert!(
+        refused("pressure_mpa,contraction,force_n\n0.1,0,\n", "").contains("is blank in all of the 1 lines")
+    );
 }

@@ -20,7 +20,8 @@ const KEYS: &[&str] = &[
     "covariance",
     "of",
 ];
-const BRANCHES: &str = "a list of mean, contraction and elongation, such as [\"mean\"]";
+const BRANCHES: &str =
+    "a list of mean, contraction and elongation, such as [\"mean\"]; [] where the points state none";
 /// Rows, columns and parameters at most.
 const MOST: usize = 64;
 const LONGEST: usize = 200;
@@ -56,8 +57,8 @@ pub(super) fn read(section: &Section<'_>) -> Result<Option<Bench>, FileError> {
             })
         })
         .collect::<Result<_, _>>()?;
-    if branches.is_empty() || branches.len() > Direction::ALL.len() {
-        return Err(said("branches", "must hold one to three words"));
+    if branches.len() > Direction::ALL.len() {
+        return Err(said("branches", "must hold three words at most"));
     }
     let range = |key: &str, dimension: Dimension| -> Result<(f64, f64), FileError> {
         match section.list(key, Some(dimension))?.ok_or_else(|| missing(key))?[..] {
@@ -94,11 +95,12 @@ pub(super) fn read(section: &Section<'_>) -> Result<Option<Bench>, FileError> {
     };
     if covariance.len() != n
         || covariance.iter().any(|row| row.len() != n)
-        || !(0..n).all(|i| covariance[i][i] >= 0.0 && (0..i).all(|k| symmetric(i, k)))
+        || !(0..n).all(|i| (0..i).all(|k| symmetric(i, k)))
+        || !is_semidefinite(&covariance)
     {
         return Err(said(
             "covariance",
-            "must be symmetric, with a row and a column for each of `parameters`",
+            "must be symmetric, with a row and a column for each of `parameters`, and no combination of them may have a variance below zero",
         ));
     }
     let lengths_mm = section.list("lengths", Some(Dimension::Length))?.unwrap_or_default();
@@ -123,6 +125,28 @@ pub(super) fn read(section: &Section<'_>) -> Result<Option<Bench>, FileError> {
     }))
 }
 
+/// Whether a symmetric matrix has no pivot below zero in LDLᵀ, to rounding.
+fn is_semidefinite(rows: &[Vec<f64>]) -> bool {
+    const ROUNDING: f64 = 1e-9;
+    let mut left = rows.to_vec();
+    for k in 0..left.len() {
+        let (pivot, least) = (left[k][k], ROUNDING * rows[k][k].abs());
+        let of_pivot = left[k].clone();
+        if pivot < -least {
+            return false;
+        }
+        for i in k + 1..left.len() {
+            let beside = of_pivot[i];
+            if pivot > least {
+                (k..rows.len()).for_each(|j| left[i][j] -= beside * of_pivot[j] / pivot);
+            } else if beside * beside > least * rows[i][i] {
+                return false;
+            }
+        }
+    }
+    true
+}
+
 pub(super) fn write(out: &mut Text, bench: &Bench) {
     let list = |items: Vec<String>| format!("[{}]", items.join(", "));
     let rows = |rows: &[Vec<f64>]| {
@@ -140,7 +164,11 @@ pub(super) fn write(out: &mut Text, bench: &Bench) {
     }
     out.key("points", &bench.points.to_string(), "");
     let branches = bench.branches.iter().map(|b| text(b.name())).collect();
-    out.key("branches", &list(branches), "of the hysteresis loop; mean: not stated");
+    out.key(
+        "branches",
+        &list(branches),
+        "of the hysteresis loop that the points state; [] where they state none",
+    );
     let (low, high) = bench.pressure_mpa;
     out.key("pressure", &list(vec![quantity(low, "MPa"), quantity(high, "MPa")]), "");
     out.key("contraction", &list(vec![number(bench.contraction.0), number(bench.contraction.1)]), "");
@@ -149,5 +177,9 @@ pub(super) fn write(out: &mut Text, bench: &Bench) {
     out.key("fit", &rows(&bench.fit_n), comment);
     out.key("parameters", &list(bench.parameters.iter().map(|p| text(p)).collect()), "");
     out.key("covariance", &rows(&bench.covariance), "in the units of the parameters");
-    out.key("of", &text(&bench.of), "checksum of this muscle: this table is not valid for other values");
+    out.key(
+        "of",
+        &text(&bench.of),
+        "checksum of the muscle and of this table: it is not valid with other values",
+    );
 }
