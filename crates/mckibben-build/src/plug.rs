@@ -78,6 +78,11 @@ impl Stem {
         }
     }
 
+    /// How exact its diameter must be, in mm: a quarter of the interference, to which the tolerance of lengths would be as large.
+    pub fn tolerance_mm(&self) -> f64 {
+        (0.25 * self.interference_mm.abs()).max(0.05)
+    }
+
     /// Distance of the inner end of each groove from the inner end of the stem, in mm.
     pub fn groove_starts_mm(&self) -> Vec<f64> {
         let lands = self.grooves as f64 + 1.0;

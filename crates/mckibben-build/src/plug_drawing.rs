@@ -125,7 +125,8 @@ fn stem(v: &mut View<'_>, stem: &Stem, length_mm: f64) {
     v.across((0.0, stem.length_mm), (half, collar), above, &mm(stem.length_mm));
     v.across((stem.length_mm, stem.top_mm()), (collar, collar), above, &mm(stem.collar_mm));
     v.across((0.0, length_mm), (half, 0.0), above + 7.0, &mm(length_mm));
-    v.beside((-half, half), stem.bevel_mm().0, -9.0, &diameter(stem.diameter_mm));
+    let fit = format!("{} ±{}", diameter(stem.diameter_mm), mm(stem.tolerance_mm()));
+    v.beside((-half, half), stem.bevel_mm().0, -9.0, &fit);
     for (i, start) in stem.groove_starts_mm().into_iter().enumerate() {
         v.across((0.0, start), (-half, -half), -above - 6.0 * i as f64, &mm(start));
     }
