@@ -7,6 +7,7 @@ use super::problem::Build;
 use super::result::{Identification, PointFit};
 use crate::least_squares::Loss;
 use crate::measured::{DataPoint, Quantity};
+use mckibben::cancel;
 use mckibben::model::{Ideal, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::muscle::measures::{ANGLE, GRIP, SEATING, SLIP};
@@ -43,6 +44,7 @@ pub(super) fn before(
         notes.push(sentence);
     }
     notes.extend(too_short(muscle, free, points));
+    cancel::check()?;
     // Minor loops pass one place with several pulls.
     notes.extend(contradictions(points).filter(|_| !history));
     if distinct(points.iter().map(|p| p.at.pressure_mpa)) == 1 {
@@ -73,6 +75,7 @@ pub(super) fn before(
 
 /// Pull in N of the ideal muscle at a point, where it is well above zero.
 pub(super) fn ideal_pull(muscle: &Muscle, p: &DataPoint) -> Option<f64> {
+    cancel::check().ok()?;
     let muscle = p.section.apply(muscle).ok()?;
     let ideal = Ideal::new(&muscle);
     let (pull, rest) = (ideal.pull(p.at.pressure_mpa, p.at.contraction), ideal.pull(p.at.pressure_mpa, 0.0));
