@@ -62,6 +62,10 @@ fn main() -> ExitCode {
         let Some((name, asked, run)) = cli::asked(&matches, cli.format) else { return Ok(0) };
         shown::take(&asked);
         failure::take_flags(&asked.flags);
+        // A server ends by itself, when its requests have ended.
+        if name != "serve" {
+            progress::watched();
+        }
         output::check_named(&asked, &name, cli.overwrite)?;
         run(&asked)
     });

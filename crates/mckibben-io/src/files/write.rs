@@ -18,6 +18,7 @@ pub fn put(path: &Path, bytes: &[u8], overwrite: bool) -> Result<()> {
     if std::fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir()) {
         return std::fs::write(path, bytes);
     }
+    Unfinished::sweep(path);
     Unfinished::beside(path)?.with(bytes)?.put(overwrite)
 }
 
@@ -32,7 +33,11 @@ pub fn put_all<N: AsRef<Path>, B: AsRef<[u8]>>(
     overwrite: bool,
 ) -> std::result::Result<(), (PathBuf, Error)> {
     std::fs::create_dir_all(folder).map_err(|e| (folder.into(), e))?;
-    let mut whole = vec![];
+    let (mut whole, files) = (vec![], files.into_iter().collect::<Vec<_>>());
+    // One file of a long series is not worth a look through its folder.
+    if files.len() > 1 {
+        files.iter().for_each(|(name, _)| Unfinished::sweep(&folder.join(name)));
+    }
     for (name, bytes) in files {
         let path = folder.join(name);
         match Unfinished::inside(&path, overwrite).and_then(|file| file.with(bytes.as_ref())) {
