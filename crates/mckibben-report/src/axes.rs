@@ -282,3 +282,21 @@ fn place_one<'a>(
     let title = (axes.plot.x, cell.y + PANEL_TITLE / 2.0 + 2.0, text);
     Ok(Placed { panel, axes, title, legend, labels })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Series;
+
+    /// The frame cuts a band that is wider than what it is about: half of the line's height is left above and below.
+    #[test]
+    fn a_band_wider_than_its_line_does_not_fill_the_axis() {
+        let line = Series::line("pull", vec![(0.0, 10.0), (1.0, 0.0)]);
+        let panel = |half: f64| {
+            let band = Series::band(&[(0.0, 10.0 - half, 10.0 + half), (1.0, -half, half)]);
+            Panel::new(Axis::new("x"), Axis::new("y")).series(line.clone()).series(band)
+        };
+        assert_eq!(extents(&panel(1.0)).1, Some((-1.0, 11.0)));
+        assert_eq!(extents(&panel(1000.0)).1, Some((-5.0, 15.0)));
+    }
+}
