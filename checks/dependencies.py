@@ -7,6 +7,7 @@ crates.io, and no crate is there in two versions but those that are named here.
 import re
 import subprocess
 import sys
+from pathlib import Path
 
 LICENCES = set(
     "MIT Apache-2.0 BSD-2-Clause BSD-3-Clause ISC Zlib 0BSD BSL-1.0 Unlicense MIT-0 Unicode-3.0 CC0-1.0".split()
@@ -17,7 +18,10 @@ OF_OUR_DATA = {"ODbL-1.0", "CC-BY-4.0"}
 # Our crates with such data, and what their metadata must say.
 WITH_DATA = {"mckibben": {"ODbL-1.0"}, "mckibben-fit": {"ODbL-1.0", "CC-BY-4.0"}}
 # Crates that nobody maintains any more, and how they come here; off the list when they are gone.
-UNMAINTAINED = {"paste": "RUSTSEC-2024-0436: a macro without run time, through nalgebra and its simba"}
+UNMAINTAINED = {
+    "paste": "RUSTSEC-2024-0436: a macro without run time, through nalgebra and its simba",
+    "ttf-parser": "it reads one font, which the program carries; no file of a user comes to it",
+}
 # Licences of single crates, with what they ask for.
 SINGLE = {"dejavu": "the fonts' own terms, in NOTICE"}
 # Two versions at a time, until those that ask for the older one follow.
@@ -56,5 +60,12 @@ double = {name: v for name, v in versions.items() if len(v) > 1}
 wrong += [f"{name} is there as {' and '.join(v)}" for name, v in double.items() if name not in TWICE]
 wrong += [f"{name} is no longer there twice: take it off the list" for name in TWICE - set(double)]
 wrong += [f"{name} is gone: take it off the list of what nobody maintains" for name in UNMAINTAINED if name not in versions]
+# What makes a release is what was looked at: locked, to the version, and without scripts of its own.
+for path in sorted(Path(".github/workflows").glob("*.yml")):
+    for number, line in enumerate(path.read_text().split("\n"), 1):
+        installed = re.search(r"pip install ((?:--?[\w-]+ )*)(.*)", line)
+        is_pinned = installed is None or "-r " in installed[1] or re.match(r"wheels/|[\w.\-]+==\d", installed[2])
+        if "npm install" in line or ("npm ci" in line and "--ignore-scripts" not in line) or not is_pinned:
+            wrong.append(f"{path}:{number} installs what is not pinned, or runs its scripts: {line.strip()}")
 print(f"{len(built)} crates, {len(double)} in two versions")
 sys.exit("\n".join(wrong) if wrong else 0)

@@ -8,7 +8,7 @@ target=${CARGO_TARGET_DIR:-$PWD/target}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-npm install --prefix "$target/taplo" --no-audit --no-fund --silent @taplo/cli@0.7.0
+npm install --prefix "$target/taplo" --ignore-scripts --no-audit --no-fund --silent @taplo/cli@0.7.0
 taplo=$target/taplo/node_modules/.bin/taplo
 cp examples/*.toml plans/*.toml "$work"
 cd "$work"

@@ -13,7 +13,7 @@ step() { printf '== %s (%d s)\n' "$*" "$SECONDS"; }
 step "tools"
 "$PYTHON" -m venv "$work/venv"
 export PATH="$work/venv/bin:$PATH"
-python -m pip install --quiet "maturin>=1.12,<2" mypy pytest numpy pandas polars pyarrow pint matplotlib scipy jax \
+python -m pip install --quiet -r python/requirements-build.txt mypy pytest pandas polars pyarrow pint matplotlib scipy jax \
     nbclient nbformat ipykernel pandas-stubs
 
 step "types of what is made from the schema"

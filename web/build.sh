@@ -45,7 +45,7 @@ if [ -n "$site" ]; then
     cargo build --workspace --all-targets --profile test --locked --quiet
     "$CARGO_TARGET_DIR/debug/mckibben" schema -o "$book/schema"
     test -x "$CARGO_TARGET_DIR/venv/bin/python" || python3 -m venv "$CARGO_TARGET_DIR/venv"
-    "$CARGO_TARGET_DIR/venv/bin/python" -m pip install --quiet numpy latex2mathml
+    "$CARGO_TARGET_DIR/venv/bin/python" -m pip install --quiet -r python/requirements-build.txt
     "$CARGO_TARGET_DIR/venv/bin/python" python/write.py reference "$book/python-reference.md"
     sed -i 's#^- \[The Python package\].*#&\n- [Python reference](python-reference.md)#' "$book/SUMMARY.md"
     for kind in muscle joint drive plan; do

@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 export ENGINES=${1:-all}
-npm install --no-package-lock --no-audit --no-fund --silent
+npm ci --ignore-scripts --no-audit --no-fund --silent
 npm run --silent types
 if [ "$ENGINES" != serve ] && [ ! -e dist/live.wasm ]; then
     ./build.sh

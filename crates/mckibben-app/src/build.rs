@@ -254,6 +254,7 @@ fn operating(
     let found = Operating {
         model: model.info().name.to_string(),
         pressure_mpa,
+        pressure_unit: request.units.pressure.unit(),
         blocked_force_n,
         free_contraction: free,
         bulged_diameter_mm: response.bulged_diameter_mm.unwrap_or(widest),

@@ -29,6 +29,12 @@ impl Scale {
         Self { name: unit.name.into(), factor: unit.outside(), digits }
     }
 
+    /// The unit of a pressure.
+    pub(crate) fn unit(&self) -> Unit {
+        let kind = Dimension::Pressure;
+        kind.unit(&self.name).unwrap_or(kind.unit_inside())
+    }
+
     /// Torques, which are in N m everywhere.
     pub(crate) fn newton_metres() -> Self {
         Self { name: "N m".into(), factor: (1.0, 1.0), digits: 4 }

@@ -83,9 +83,9 @@ pub fn aligned(column: &[Option<f64>], digits: usize) -> Vec<String> {
     column.iter().map(one).collect()
 }
 
-/// A ratio as a percentage.
+/// A ratio as a percentage; what is left of rounding is nothing.
 pub fn percent(ratio: f64) -> String {
-    format!("{} %", number(100.0 * ratio, 4))
+    format!("{} %", number(if ratio.abs() < 1e-9 { 0.0 } else { 100.0 * ratio }, 4))
 }
 
 /// The rubber in one word or formula.

@@ -4,7 +4,7 @@ use crate::clamps::Clamps;
 use crate::fitting::Fitting;
 use crate::frame::{self, FRAME_MM, TITLE_MM, largest, ratio};
 use crate::plan::Plan;
-use crate::text::{fixed, mm, percent, pressure, significant};
+use crate::text::{fixed, mm, percent, significant};
 use crate::view::{View, diameter};
 use mckibben_report::{Anchor, Pen, Sheet};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -272,7 +272,7 @@ fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
     v.across((half - stroke, half), (clamp, 0.0), row, &format!("stroke {}", fixed(stroke, 1)));
     let text = format!(
         "At {} without load: contracted by {}",
-        pressure(found.pressure_mpa),
+        found.pressure(found.pressure_mpa),
         percent(found.free_contraction)
     );
     label(v, widest.max(body.widest), 3.0, &text);
@@ -313,20 +313,19 @@ fn data(plan: &Plan, sheet: &mut Sheet) {
     let (muscle, found, safety) = (&plan.muscle, &plan.operating, &plan.safety);
     let x = 104.0;
     let mut y = LOWER_MM - 6.0;
-    let known = |value: Option<f64>| {
-        value.map_or_else(|| "not known".into(), |p| format!("{} MPa", significant(p, 3)))
-    };
+    let known =
+        |value: Option<f64>| value.map_or_else(|| "not known".into(), |p| plan.operating.pressure_alone(p));
     let strands = plan.cut.sleeve.strands.map_or_else(|| "not stated".into(), |n| n.to_string());
     let rows = [
         format!("Braid angle θ₀ {}°", mm(muscle.braid().angle_deg)),
         format!("Strands {strands}"),
         format!("Tube to cut {} mm", mm(plan.cut.tube_mm)),
-        format!("Working pressure {} MPa", significant(safety.pressure_mpa, 3)),
+        format!("Working pressure {}", plan.operating.pressure_alone(safety.pressure_mpa)),
         format!("Blocked force {} N", significant(found.blocked_force_n, 3)),
         format!("Free contraction {}", percent(found.free_contraction)),
         format!("Burst pressure {}", known(found.burst.map(|b| b.0))),
         format!("Allowed pressure {}", known(found.allowed_mpa)),
-        format!("Proof test {} MPa, water", significant(safety.proof_pressure_mpa, 3)),
+        format!("Proof test {}, water", plan.operating.pressure_alone(safety.proof_pressure_mpa)),
         format!("Numbers by model {}", found.model),
     ];
     for row in rows {

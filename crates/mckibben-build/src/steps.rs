@@ -4,7 +4,7 @@ use crate::clamps::Clamps;
 use crate::cut::SleeveLength;
 use crate::fitting::Fitting;
 use crate::plan::Plan;
-use crate::text::{fixed, mm, percent, pressure, significant};
+use crate::text::{fixed, mm, percent, significant};
 use mckibben_io::files::File;
 use std::fmt::Write as _;
 
@@ -19,7 +19,7 @@ pub(crate) fn markdown(plan: &Plan, files: &[File]) -> String {
     let _ = writeln!(
         out,
         "At {} it pulls {} N when it is held at its length, and contracts by {} ({} mm) without load (model {}).\n",
-        pressure(found.pressure_mpa),
+        found.pressure(found.pressure_mpa),
         significant(found.blocked_force_n, 3),
         percent(found.free_contraction),
         fixed(found.free_contraction * muscle.length_mm(), 1),
@@ -205,9 +205,9 @@ fn tests(plan: &Plan, out: &mut String) {
     let found = &plan.operating;
     let burst = found.burst.map_or_else(
         || "not known: no number for it is stated".into(),
-        |(burst_mpa, by)| format!("{}: {by}", pressure(burst_mpa)),
+        |(burst_mpa, by)| format!("{}: {by}", found.pressure(burst_mpa)),
     );
-    let allowed = found.allowed_mpa.map_or_else(|| "not known".into(), pressure);
+    let allowed = found.allowed_mpa.map_or_else(|| "not known".into(), |mpa| found.pressure(mpa));
     let _ = writeln!(
         out,
         "\n## 3. Leak test and proof test\n\n\
@@ -218,10 +218,10 @@ fn tests(plan: &Plan, out: &mut String) {
          quarter of that at which strands or clamps fail, half of that at which the tube does, which then leaks, and at most that of the fittings. The proof is at twice the working \
          pressure, and at most at three quarters of the burst pressure, so that it does not destroy a good muscle (both are choices). The burst pressure is that of new parts; hand-made ends may fail far below it. The energy is that of an isothermal expansion, \
          p V ln(p/p₀) with the absolute pressure p: an upper bound.",
-        pressure(safety.pressure_mpa),
+        found.pressure(safety.pressure_mpa),
         burst,
         allowed,
-        pressure(safety.proof_pressure_mpa),
+        found.pressure(safety.proof_pressure_mpa),
         significant(safety.air_energy_j, 2),
         significant(safety.air_energy_at_proof_j, 2)
     );
@@ -234,8 +234,8 @@ fn tests(plan: &Plan, out: &mut String) {
          3. **Leak test with air**: raise the pressure to {}, put the muscle under water behind the screen, and watch for one minute. No bubble may grow. Then shut the valve: \
          the pressure may fall by 5 % in five minutes (a choice).\n\
          4. After the first 50 strokes, repeat the leak test, and compare the marks at the clamps. Replace latex when it turns dull or sticky.",
-        pressure(safety.proof_pressure_mpa),
-        pressure(safety.leak_pressure_mpa)
+        found.pressure(safety.proof_pressure_mpa),
+        found.pressure(safety.leak_pressure_mpa)
     );
 }
 

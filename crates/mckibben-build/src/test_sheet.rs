@@ -1,7 +1,7 @@
 //! The sheet for the first test: pressures and lengths to set, the force to fill in. `identify` reads it as it is.
 
 use crate::plan::Plan;
-use crate::text::{fixed, mm, pressure};
+use crate::text::{fixed, mm};
 use mckibben::muscle::Direction;
 
 pub(crate) fn csv(plan: &Plan) -> String {
@@ -14,7 +14,7 @@ pub(crate) fn csv(plan: &Plan) -> String {
          pressure_mpa,contraction,force_n,branch,distance between the clamps (mm)\n",
         crate::MARK,
         mm(length_mm),
-        pressure(plan.operating.pressure_mpa)
+        plan.operating.pressure(plan.operating.pressure_mpa)
     );
     for point in &plan.test {
         let branch = match point.branch {

@@ -12,11 +12,6 @@ pub(crate) fn mm(value: f64) -> String {
     fixed(value, 2)
 }
 
-/// A pressure: `0.25 MPa (2.5 bar)`.
-pub(crate) fn pressure(mpa: f64) -> String {
-    format!("{} MPa ({} bar)", significant(mpa, 3), significant(10.0 * mpa, 3))
-}
-
 /// A number to so many significant digits.
 pub(crate) fn significant(value: f64, digits: i32) -> String {
     if value == 0.0 || !value.is_finite() {

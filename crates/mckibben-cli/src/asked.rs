@@ -13,7 +13,7 @@ use mckibben::load::Load;
 use mckibben::muscle::Measure;
 use mckibben::muscle::measures::fields;
 use mckibben::units::{Dimension, Values};
-use mckibben_app::{Choice, Columns, ProblemKind, TextFile, understood};
+use mckibben_app::{Choice, Columns, MuscleFields, ProblemKind, TextFile, understood};
 use mckibben_design::Tolerances;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -66,8 +66,20 @@ impl Asked {
     pub fn fields_without(&self, others: &[&str]) -> Result<Map<String, Value>, Failure> {
         plot::check(self)?;
         let mut out = Map::new();
+        if let Some(text) =
+            self.text("tube").filter(|_| !self.flags.iter().any(|f| f.id == "tube" && f.is_asked))
+        {
+            let (inner_mm, outer_mm) = tube(&text)?;
+            out.insert("outer_diameter_mm".into(), outer_mm.into());
+            out.insert("wall_mm".into(), (0.5 * (outer_mm - inner_mm)).into());
+        }
+        let mut shortenings = vec![];
         for flag in self.flags.iter().filter(|flag| flag.is_asked && !others.contains(&&*flag.field)) {
             let texts = self.texts(&flag.id);
+            if flag.long == "contraction" && texts.first().is_some_and(|text| is_length(text)) {
+                shortenings.push((flag, texts));
+                continue;
+            }
             let value = match flag.kind {
                 Kind::Truth if self.is(&flag.id) => true.into(),
                 Kind::Truth => continue,
@@ -80,12 +92,38 @@ impl Asked {
             }
         }
         self.add_files(&mut out)?;
+        for (flag, texts) in shortenings {
+            // The length belongs to a muscle.
+            let length_mm = self.rest_length_mm(&out, flag)?;
+            let list = values(&flag.name(), &texts[0], Dimension::Length)?.sampled(DIVISIONS);
+            let list: Vec<f64> = list.into_iter().map(|v| v / length_mm).collect();
+            check_contractions(&flag.name(), &texts[0], &list)?;
+            let value = if matches!(flag.kind, Kind::Numbers(_)) { json!(list) } else { json!(list[0]) };
+            out.insert(flag.field.clone(), value);
+        }
         let figure = &self.request["properties"]["figure"];
         if self.path("plot").is_some() && !figure.is_null() {
             let units = json!(shown::units());
             out.insert("figure".into(), if figure["type"] == "boolean" { true.into() } else { units });
         }
         Ok(out)
+    }
+
+    /// L0 of the muscle that is asked about.
+    fn rest_length_mm(&self, fields: &Map<String, Value>, flag: &Flag) -> Result<f64, Failure> {
+        let of_one = ["muscle", "outer_diameter_mm", "length_mm"];
+        let is_one = |field: &&str| self.request["properties"][*field]["x-quantity"] == "length";
+        if !of_one[1..].iter().all(is_one) || self.flags.iter().any(|f| f.long == "stroke") {
+            let message =
+                format!("{}: a shortening in mm needs one muscle, whose length is known", flag.name());
+            return Err(Failure::input(
+                ProblemKind::Quantity,
+                message,
+                "give a ratio such as 15%, or a stroke in mm with --stroke",
+            ));
+        }
+        let muscle: MuscleFields = understood(&Value::Object(fields.clone()))?;
+        Ok(muscle.resolve()?.tube().length_mm)
     }
 
     /// The files that texts of a request name.
@@ -173,6 +211,10 @@ impl Flag {
             "points" => return texts.iter().map(|text| at(&flag, text)).collect(),
             "torques" => return texts.iter().map(|text| torque(&flag, text)).collect(),
             "tolerance" => return Ok(json!(tolerances(&flag, text)?)),
+            // Screws are sold by their diameter.
+            "bolt_mm" if text.trim().starts_with(['M', 'm']) => {
+                return Ok(quantity(&flag, text.trim().split_at(1).1, Dimension::Length)?.into());
+            }
             "stiffness" => return stiffness(&flag, text),
             "terminal" => return terminal(&flag, &text.replace("aluminum", "aluminium")),
             "weights" if matches!(self.kind, Kind::Text) => return weights(&flag, text),
@@ -217,6 +259,33 @@ impl Flag {
             _ => files::text(path),
         }
     }
+}
+
+/// Whether a number, list or range is in a unit of length.
+fn is_length(text: &str) -> bool {
+    let unit = text.trim().trim_start_matches(|c: char| !c.is_alphabetic() && c != '%');
+    !unit.is_empty() && Dimension::Length.unit(unit).is_some()
+}
+
+/// A tube as it is sold, bore and outer diameter in mm: `8x12mm`.
+fn tube(text: &str) -> Result<(f64, f64), Failure> {
+    let wrong = || {
+        let message =
+            format!("--tube: \"{text}\" is not a tube; expected its bore and outer diameter, such as 8x12mm");
+        Failure::input(ProblemKind::Quantity, message, "or give --outer-diameter and --wall")
+    };
+    let (inner, outer) = text.split_once(['x', 'X', '×']).ok_or_else(wrong)?;
+    let outer = outer.trim();
+    let digits = |text: &str| text.trim_end_matches(|c: char| !c.is_ascii_digit()).len();
+    // A unit behind both holds for both.
+    let inner = if digits(inner.trim()) == inner.trim().len() {
+        format!("{inner}{}", &outer[digits(outer)..])
+    } else {
+        inner.into()
+    };
+    let (inner, outer) =
+        (quantity("--tube", &inner, Dimension::Length)?, quantity("--tube", outer, Dimension::Length)?);
+    if 0.0 < inner && inner < outer { Ok((inner, outer)) } else { Err(wrong()) }
 }
 
 /// A stiffness: a quantity or a word.

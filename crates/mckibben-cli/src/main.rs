@@ -28,6 +28,7 @@ use mckibben::threads;
 use mckibben_app::{guarded, panics_are_problems};
 use quantities::unit_hint;
 use std::borrow::Cow;
+use std::ffi::{OsStr, OsString};
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -39,7 +40,7 @@ fn main() -> ExitCode {
     }
     progress::no_signal_for_long_files();
     let parsed = cli::command()
-        .try_get_matches()
+        .try_get_matches_from(joined(std::env::args_os()))
         .and_then(|matches| cli::Cli::from_arg_matches(&matches).map(|cli| (cli, matches)));
     let (cli, matches) = match parsed {
         Ok(parsed) => parsed,
@@ -62,6 +63,10 @@ fn main() -> ExitCode {
         let Some((name, asked, run)) = cli::asked(&matches, cli.format) else { return Ok(0) };
         shown::take(&asked);
         failure::take_flags(&asked.flags);
+        // A server ends by itself, when its requests have ended.
+        if name != "serve" {
+            progress::watched();
+        }
         output::check_named(&asked, &name, cli.overwrite)?;
         run(&asked)
     });
@@ -70,6 +75,19 @@ fn main() -> ExitCode {
         Ok(code) => ExitCode::from(code),
         Err(failure) => report(&failure.with_hint(unit_hint()), cli.format),
     }
+}
+
+/// The command line with a share joined to the flag before it, which could also be without one: `--guaranteed 99%`.
+fn joined(args: impl Iterator<Item = OsString>) -> Vec<OsString> {
+    let mut out: Vec<OsString> = vec![];
+    for arg in args {
+        let is_share = arg.to_str().is_some_and(|text| text.trim_end_matches('%').parse::<f64>().is_ok());
+        match out.last_mut().filter(|last| is_share && *last == "--guaranteed") {
+            Some(last) => last.extend([OsStr::new("="), &arg]),
+            None => out.push(arg),
+        }
+    }
+    out
 }
 
 /// Whether `--format json` stands on a command line that could not be parsed: the error is then JSON as well.

@@ -2,12 +2,11 @@
 
 use crate::asked::Asked;
 use crate::failure::Failure;
-use crate::output::{check as check_free, emit, ending};
+use crate::output::{emit, ending, save as save_file};
 use crate::quantities::quantity;
 use mckibben::units::Dimension;
 use mckibben_app::ProblemKind;
 use mckibben_report::{Figure, FigureError};
-use std::path::Path;
 
 /// Refuses a figure that could not be written, before any work is done for it.
 pub fn check(asked: &Asked) -> Result<(), Failure> {
@@ -32,13 +31,7 @@ pub fn save(figure: Option<Figure>, asked: &Asked) -> Result<(), Failure> {
     if let Some(width_mm) = width_mm(asked)? {
         figure = figure.width_mm(width_mm);
     }
-    save_as(figure, &path)
-}
-
-/// Writes a figure to a file.
-pub fn save_as(figure: Figure, path: &Path) -> Result<(), Failure> {
-    check_free(path)?;
-    Ok(figure.save(path)?)
+    save_file(Some(&path), &figure.bytes(&path)?)
 }
 
 fn width_mm(asked: &Asked) -> Result<Option<f64>, Failure> {

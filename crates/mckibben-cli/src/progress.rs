@@ -67,6 +67,14 @@ pub fn stopped() -> bool {
     STOPPED.load(Ordering::Relaxed)
 }
 
+/// From now on a signal ends the work, and soon after it the program, whatever it does.
+pub fn watched() {
+    static WATCHED: Once = Once::new();
+    stopped();
+    // Where there is no thread for it, work ends as soon as it looks.
+    WATCHED.call_once(|| drop(std::thread::Builder::new().spawn(watch)));
+}
+
 /// Ends at last the program: files appear whole or not at all.
 fn watch() {
     while !STOPPED.load(Ordering::Relaxed) {
@@ -96,10 +104,7 @@ impl Bar {
     }
 
     fn drawn(things: &str, from: Option<Instant>) -> Self {
-        static WATCHED: Once = Once::new();
-        stopped();
-        // Where there is no thread for it, work ends as soon as it looks.
-        WATCHED.call_once(|| drop(std::thread::Builder::new().spawn(watch)));
+        watched();
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
         let template = format!("{{bar:32}} {{pos}}/{{len}} {things}, {{rate}}, {{eta}} left{{msg}}");
         if let Ok(style) = ProgressStyle::with_template(&template) {

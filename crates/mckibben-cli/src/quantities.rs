@@ -8,6 +8,12 @@ use std::sync::OnceLock;
 
 pub fn quantity(flag: &str, text: &str, dimension: Dimension) -> Result<f64, Failure> {
     let found = parse_quantity(text, dimension).map_err(|e| Failure::flag(flag, ProblemKind::Quantity, e))?;
+    let text = text.trim();
+    if dimension == Dimension::Volume && found != 0.0 && text.parse::<f64>().is_ok() {
+        // Volumes are read in mL, and the unit inside is a thousandth of it.
+        let message = format!("{flag}: \"{text}\" has no unit, and a bare number is mm³");
+        return Err(Failure::input(ProblemKind::Quantity, message, format!("write {text}mL or {text}mm3")));
+    }
     mind_the_unit(flag, text, dimension);
     Ok(found)
 }

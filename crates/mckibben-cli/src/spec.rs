@@ -21,7 +21,9 @@ fn shared(name: &str) -> String {
         "muscle" => "Muscle:
 :file=muscle<MUSCLE.toml>^muscle | Muscle file; flags override its values. lib:NAME is a muscle of the library (`mckibben parts list muscles`), `paper` that of the paper.
 muscle* | Muscle file, same as [MUSCLE.toml]
-D/outer_diameter_mm s/wall_mm L/length_mm angle_deg
+D/outer_diameter_mm s/wall_mm
+tube<BORExOUTER>*^outer_diameter_mm,wall_mm | Tube as it is sold, such as 8x12mm: bore and outer diameter, in place of --outer-diameter and --wall
+L/length_mm angle_deg
 rubber | Rubber (`mckibben parts list rubbers`) [paper]. NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 % (s100:0.6MPa), or the rubber of a FILE.toml.
 braid | Sleeve (`mckibben parts list sleeves`) [none]. NAME of the library; it gives the angle and the strands.
 @strands @measures",

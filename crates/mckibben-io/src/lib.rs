@@ -1,8 +1,10 @@
-//! What comes in and goes out: quantities with [`units`], people's [`table`]s, [`files`], tables in Parquet files (feature `parquet`).
+//! What comes in and goes out: quantities with [`units`], people's [`table`]s, [`files`], tables in Parquet files (feature `parquet`);
+//! and the wish to end work, [`cancel`].
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+pub mod cancel;
 pub mod files;
 #[cfg(feature = "parquet")]
 pub mod parquet;

@@ -184,13 +184,13 @@ impl Integration<'_, '_> {
         let load = |state: &State| drive.mechanism.load_energy_mj(state.coordinate);
         let ambient = drive.muscles.first().map_or(293.15, |m| m.fluid.wall_temperature_k());
         let (supply_mpa, supply_k) = drive.supply.state();
-        let exergy_mj = match self.system.pushed_mm3(&self.state) {
+        let exergy_mj = match self.system.supplied_mm3(&self.state) {
             None => self.state.supplied_g() * exergy_mj_per_g(supply_mpa, supply_k, ambient),
             // A valve takes its liquid at the pressure of the supply; pump and syringe have that of the muscle.
             Some(mm3) if drive.muscles.iter().all(|m| matches!(m.actuator, Actuator::LiquidValve(_))) => {
                 mm3 * drive.supply.pressure_mpa
             }
-            Some(mm3) => totals.enthalpy_in - ATMOSPHERE_MPA * mm3,
+            Some(mm3) => totals.enthalpy_in - ATMOSPHERE_MPA * mm3 - totals.atmosphere.unwrap_or(0.0),
         };
         Energies {
             enthalpy_in_j: 1e-3 * totals.enthalpy_in,
@@ -213,26 +213,34 @@ impl Integration<'_, '_> {
 }
 
 impl System<'_> {
-    /// Liquid that came from the supply, or that syringes have pushed out, in mm³ at atmospheric pressure; `None` of air.
-    pub fn pushed_mm3(&self, state: &State) -> Option<f64> {
+    /// Liquid that came from the supply in mm³ at atmospheric pressure; `None` of air.
+    fn supplied_mm3(&self, state: &State) -> Option<f64> {
         let muscles = self.drive.muscles.iter().zip(&state.muscles);
-        let each = muscles.map(|(muscle, own)| match (&muscle.fluid, &muscle.actuator) {
-            (Fluid::Liquid(_), Actuator::Syringe(syringe)) => {
-                Some(own.opening.unwrap_or(0.0) * syringe.volume_mm3)
-            }
-            (Fluid::Liquid(liquid), _) => Some(liquid.volume_mm3(own.supplied_g)),
-            (Fluid::Air(_), _) => None,
+        let each = muscles.map(|(muscle, own)| match &muscle.fluid {
+            Fluid::Liquid(liquid) => Some(liquid.volume_mm3(own.supplied_g)),
+            Fluid::Air(_) => None,
         });
         each.sum()
     }
 
-    /// Internal energy of all air or liquid in mJ, and its volume in mm³.
+    /// The same with what syringes have pushed out and not drawn back.
+    pub fn pushed_mm3(&self, state: &State) -> Option<f64> {
+        let muscles = self.drive.muscles.iter().zip(&state.muscles);
+        let pistons = muscles.map(|(muscle, own)| match &muscle.actuator {
+            Actuator::Syringe(syringe) => own.opening.unwrap_or(0.0) * syringe.volume_mm3,
+            _ => 0.0,
+        });
+        Some(self.supplied_mm3(state)? + pistons.sum::<f64>())
+    }
+
+    /// Internal energy of all air or liquid in mJ, and the volume of all cavities in mm³.
     pub fn fluid_mj_mm3(&self, state: &State) -> Result<(f64, f64), MotionError> {
         let point = self.point(0.0, state)?;
-        let muscles = point.muscles.iter().zip(&self.drive.muscles);
-        Ok(muscles.fold((0.0, 0.0), |(energy, volume), (m, muscle)| {
-            let own = muscle.fluid.internal_mj(m.pressure_mpa + ATMOSPHERE_MPA, m.volume_mm3);
-            (energy + own, volume + m.volume_mm3)
+        let muscles = point.muscles.iter().zip(&self.drive.muscles).zip(&state.muscles);
+        Ok(muscles.fold((0.0, 0.0), |(energy, cavities), ((m, muscle), own)| {
+            let volume = m.volume_mm3 + muscle.outside_mm3(own.opening);
+            let own = muscle.fluid.internal_mj(m.pressure_mpa + ATMOSPHERE_MPA, volume);
+            (energy + own, cavities + m.volume_mm3)
         }))
     }
 }

@@ -33,7 +33,7 @@ pub struct MuscleSeries {
     pub mass_g: Vec<f64>,
     /// Temperature of its air or liquid in K.
     pub temperature_k: Vec<f64>,
-    /// Volume of its air or liquid in mm³: cavity, dead volume and hose.
+    /// Volume of its cavity between the terminals in mm³.
     pub volume_mm3: Vec<f64>,
     /// Opening of its valve, −1 … 1; 0 on a regulator; the share of a syringe that is pushed out.
     pub opening: Vec<f64>,
@@ -69,7 +69,7 @@ columns! {
     "force" "_n" "Pull, N." force_n 0.0,
     "air_mass" "_g" "Mass of its air, g; of a liquid `liquid_mass_g`." mass_g 0.0,
     "temperature" "_degc" "Temperature of its air or liquid, °C." temperature_k -273.15,
-    "volume" "_mm3" "Volume of its air or liquid with dead volume and hose, mm³." volume_mm3 0.0,
+    "volume" "_mm3" "Volume of its cavity between the terminals, mm³." volume_mm3 0.0,
     "opening" "" "Opening of its valve, −1 to 1; share of a syringe that is pushed out." opening 0.0,
     "command" "" "What is commanded: pressure in MPa, opening, or volume in mm³." command 0.0,
 }

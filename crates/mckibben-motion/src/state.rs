@@ -49,6 +49,8 @@ pub(crate) struct Totals {
     pub damper: f64,
     /// ∫ (F v)₊ dt of the pull
     pub positive_work: f64,
+    /// Work of the atmosphere on pistons that push; none without a syringe.
+    pub atmosphere: Option<f64>,
 }
 
 /// The state of a drive, its rates, or the size of each of its numbers.
@@ -96,8 +98,8 @@ impl State {
         }
         let Totals { enthalpy_in, enthalpy_out, heat, gas_work, static_work, .. } = &mut self.totals;
         [enthalpy_in, enthalpy_out, heat, gas_work, static_work].into_iter().for_each(&mut visit);
-        let Totals { friction, viscoelastic, damper, positive_work, .. } = &mut self.totals;
-        [friction, viscoelastic, damper, positive_work].into_iter().for_each(&mut visit);
+        let Totals { friction, viscoelastic, damper, positive_work, atmosphere, .. } = &mut self.totals;
+        [friction, viscoelastic, damper, positive_work].into_iter().chain(atmosphere).for_each(&mut visit);
     }
 
     /// All numbers in the integrator's order.
@@ -132,9 +134,11 @@ impl Layout {
             }
         });
         let controlled = matches!(drive.target, Target::Position { .. });
+        let pushes = drive.muscles.iter().any(|m| matches!(m.actuator, Actuator::Syringe(_)));
         let mut zero = State {
             muscles: muscles.collect(),
             controller: controlled.then(ControllerState::default),
+            totals: Totals { atmosphere: pushes.then_some(0.0), ..Totals::default() },
             ..State::default()
         };
         let (mut core, mut len) = (0, 0);

@@ -131,6 +131,7 @@ impl<'a> System<'a> {
         let own = std::mem::take(&mut rates.muscles);
         *rates = State { muscles: own, controller: control.map(|c| c.rates), ..State::default() };
         let totals = &mut rates.totals;
+        totals.atmosphere = state.totals.atmosphere.map(|_| 0.0);
         let parts = self.drive.muscles.iter().zip(&self.members).zip(&state.muscles).zip(&modes.muscles);
         for (i, (((muscle, member), own), mode)) in parts.enumerate() {
             let lever = mechanism.lever(i, q);
@@ -189,7 +190,10 @@ impl<'a> System<'a> {
             });
             let swelling = cavity.swept_mm3_per_s + stretch * fluid.pressure_rate;
             totals.enthalpy_in += muscle.fluid.enthalpy_mw(fluid.supply, absolute);
-            totals.enthalpy_in += absolute * fluid.piston_mm3_per_s;
+            let pushed = fluid.piston_mm3_per_s.max(0.0);
+            totals.enthalpy_in += absolute * pushed;
+            totals.enthalpy_out += absolute * (pushed - fluid.piston_mm3_per_s);
+            totals.atmosphere.iter_mut().for_each(|work| *work += ATMOSPHERE_MPA * pushed);
             totals.enthalpy_out -= muscle.fluid.enthalpy_mw(fluid.exhaust, absolute);
             totals.heat += muscle.fluid.heat_mw(absolute, fluid.pressure_rate, &cavity, &flows);
             totals.gas_work += absolute * swelling;
@@ -203,7 +207,7 @@ impl<'a> System<'a> {
                 speed,
                 model_n: answer.force_n,
                 pull_n: pull,
-                volume_mm3: volume,
+                volume_mm3: answer.volume_mm3,
                 temperature_k: temperature,
                 supply: fluid.supply,
                 exhaust: fluid.exhaust,

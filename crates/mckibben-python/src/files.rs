@@ -40,7 +40,7 @@ pub fn read_formula(path: PathBuf) -> PyResult<String> {
 pub fn write_file(path: PathBuf, content: &[u8]) -> PyResult<()> {
     let hint = "nothing was written; an existing file is as it was";
     let wrong = |e| Problem::new(ProblemKind::Output, format!("cannot write {}: {e}", path.display()), hint);
-    Ok(mckibben_io::files::replace(&path, content).map_err(|e| Wrong::from(wrong(e)))?)
+    Ok(mckibben_io::files::put(&path, content, true).map_err(|e| Wrong::from(wrong(e)))?)
 }
 
 /// The muscle files that a joint file names.

@@ -58,15 +58,24 @@ pub(crate) type Extents = (Option<(f64, f64)>, Option<(f64, f64)>);
 /// Extents of the data of a panel.
 pub(crate) fn extents(panel: &Panel) -> Extents {
     let within = |axis: &Axis, v: f64| axis.range.is_none_or(|(low, high)| v >= low && v <= high);
-    let points: Vec<(f64, f64)> = panel
+    let marks = panel.marks.iter().map(|m| (false, (m.x, m.y)));
+    let points: Vec<(bool, (f64, f64))> = panel
         .series
         .iter()
-        .flat_map(|s| s.points.iter().copied())
-        .chain(panel.marks.iter().map(|m| (m.x, m.y)))
-        .filter(|(x, y)| x.is_finite() && y.is_finite())
-        .filter(|(x, y)| within(&panel.x, *x) && within(&panel.y, *y))
+        .flat_map(|s| s.points.iter().map(|point| (s.style == Style::Band, *point)))
+        .chain(marks)
+        .filter(|(_, (x, y))| x.is_finite() && y.is_finite())
+        .filter(|(_, (x, y))| within(&panel.x, *x) && within(&panel.y, *y))
         .collect();
-    (ticks::extent(points.iter().map(|p| p.0)), ticks::extent(points.iter().map(|p| p.1)))
+    let lines = ticks::extent(points.iter().filter(|p| !p.0).map(|p| p.1.1));
+    let all = ticks::extent(points.iter().map(|p| p.1.1));
+    let y = lines.zip(all).map(|((low, high), (least, most))| {
+        // A band that is wider than what it is about does not fill the axis: the frame cuts it.
+        let low = if panel.y.from_zero { low.min(0.0) } else { low };
+        let room = 0.5 * (high - low).max(0.5 * high.abs().max(low.abs()));
+        (least.max(low - room), most.min(high + room))
+    });
+    (ticks::extent(points.iter().map(|p| p.1.0)), y.or(all))
 }
 
 /// Room kept on the four sides of a plot.
@@ -272,4 +281,22 @@ fn place_one<'a>(
     let text = metrics.fit(&panel.title, PANEL_TITLE, cell.w);
     let title = (axes.plot.x, cell.y + PANEL_TITLE / 2.0 + 2.0, text);
     Ok(Placed { panel, axes, title, legend, labels })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Series;
+
+    /// The frame cuts a band that is wider than what it is about: half of the line's height is left above and below.
+    #[test]
+    fn a_band_wider_than_its_line_does_not_fill_the_axis() {
+        let line = Series::line("pull", vec![(0.0, 10.0), (1.0, 0.0)]);
+        let panel = |half: f64| {
+            let band = Series::band(&[(0.0, 10.0 - half, 10.0 + half), (1.0, -half, half)]);
+            Panel::new(Axis::new("x"), Axis::new("y")).series(line.clone()).series(band)
+        };
+        assert_eq!(extents(&panel(1.0)).1, Some((-1.0, 11.0)));
+        assert_eq!(extents(&panel(1000.0)).1, Some((-5.0, 15.0)));
+    }
 }

@@ -36,7 +36,6 @@
 
 pub mod analysis;
 pub mod answer;
-pub mod cancel;
 pub mod catalogue;
 pub mod curve;
 pub mod differences;
@@ -60,6 +59,7 @@ pub mod uncertainty;
 pub mod verification;
 pub mod warning;
 
+pub use mckibben_io::cancel;
 pub use mckibben_io::units;
 pub use mckibben_io::units::nearest;
 

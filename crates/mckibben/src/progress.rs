@@ -35,3 +35,29 @@ impl Progress for CancelOnly<'_> {
         self.0.cancelled()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cancel::{Cancel, check};
+    use crate::threads;
+
+    #[test]
+    fn a_flag_that_was_entered_is_that_of_threads_and_silent_work_until_it_is_left() {
+        let cancel = Cancel::default();
+        let ended = || {
+            let here = check().is_err() && Silent.cancelled();
+            here && threads::map(&[1, 2, 3], |_| Silent.cancelled()) == [true; 3]
+        };
+        assert!(!ended());
+        {
+            let _entered = cancel.enter();
+            assert!(!ended());
+            cancel.cancel();
+            assert!(ended());
+            let _other = Cancel::default().enter();
+            assert!(!ended());
+        }
+        assert!(!ended());
+    }
+}

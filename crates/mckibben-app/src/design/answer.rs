@@ -394,8 +394,20 @@ pub(super) fn warnings(c: &Candidate, max_pressure_mpa: f64) -> Vec<Warning> {
 
 /// Contractions that no braid of the search reaches, and the angle that would.
 pub(super) fn out_of_reach(spec: &Spec) -> Option<String> {
-    let BraidChoice::Angle(angles) = &spec.braid else { return None };
-    let smallest = angles.bounds().0;
+    let smallest = match &spec.braid {
+        BraidChoice::Angle(angles) => angles.bounds().0,
+        BraidChoice::Sleeves(list) => {
+            let on_tubes = |braid: &Braid| {
+                let on = spec
+                    .tubes
+                    .iter()
+                    .filter_map(|tube| braid.clone().on_diameter(tube.outer_diameter_mm).ok());
+                on.map(|braid| braid.angle_deg).reduce(f64::min)
+            };
+            list.iter().filter_map(on_tubes).reduce(f64::min)?
+        }
+        _ => return None,
+    };
     let most = |angle: f64| 1.0 - 1.0 / (3f64.sqrt() * angle.to_radians().cos());
     let points = spec.wanted.points(spec.length_mm.as_ref().map_or(spec.base.length_mm(), |l| l.bounds().1));
     let wanted = points.iter().map(|q| q.contraction).fold(0.0, f64::max);
@@ -411,6 +423,6 @@ pub(super) fn out_of_reach(spec: &Spec) -> Option<String> {
     let at = number(smallest, 4);
     Some(format!(
         "A braid at {at}° contracts by {} at most; {reach}.",
-        percent((most(smallest) * 1e3).floor() / 1e3)
+        percent((most(smallest) * 1e3).round() / 1e3)
     ))
 }

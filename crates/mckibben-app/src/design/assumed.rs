@@ -14,6 +14,14 @@ use mckibben_design::{
 /// What was assumed, in sentences.
 pub(super) fn assumptions(request: &DesignRequest, spec: &Spec) -> Vec<String> {
     let mut out = vec![];
+    let says_length =
+        request.length_mm.is_some() || request.stroke_mm.is_some() && request.contraction.is_some();
+    if !says_length && request.muscle.is_none() {
+        let length_mm = number(spec.base.length_mm(), 5);
+        out.push(format!(
+            "the length L0 is {length_mm} mm, because none is given (`length_mm`, or a muscle file)"
+        ));
+    }
     if !spec.tubes.is_empty() {
         let estimated = |braid: &Braid| braid.stiffness_factor > 1.0;
         if matches!(&spec.braid, BraidChoice::Sleeves(list) if list.iter().any(estimated)) {

@@ -78,7 +78,14 @@ pub(super) fn band(curve: &Curve, test: Test, u: &Units) -> Option<Series> {
         };
         Some((x, pull(low), pull(high)))
     };
-    let edges: Vec<(f64, f64, f64)> = curve.points.iter().filter_map(edge).collect();
+    let mut edges: Vec<(f64, f64, f64)> = curve.points.iter().filter_map(edge).collect();
+    // Where the line goes on to its end without a pull, the ± of its last point does.
+    let drawn = line(curve, test, u);
+    if let (Some(&(x, _, high)), Some(&(end, y))) = (edges.last(), drawn.iter().rfind(|p| p.1.is_finite()))
+        && let Some((_, at)) = drawn.iter().find(|p| p.0 == x && end > x)
+    {
+        edges.push((end, (y - (high - at)).max(y.min(0.0)), y + (high - at)));
+    }
     (edges.len() > 1).then(|| Series::band(&edges))
 }
 

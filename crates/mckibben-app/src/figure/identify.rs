@@ -1,7 +1,7 @@
 //! What was identified: the model over the points, and what is left of them.
 
 use super::curves::{MOST_BANDS, pull};
-use super::{BAND, caption};
+use super::{BAND, caption, has_band, some_of};
 use crate::units::Units;
 use crate::words::percent;
 use mckibben::analysis::force_on;
@@ -40,6 +40,8 @@ fn same(a: f64, b: f64) -> bool {
 struct Levels {
     isobaric: bool,
     fixed: Vec<f64>,
+    /// How many there are; some of them are drawn.
+    all: usize,
 }
 
 impl Levels {
@@ -48,7 +50,14 @@ impl Levels {
         let pressures = levels(at().map(|p| p.pressure_mpa));
         let contractions = levels(at().map(|p| p.contraction));
         let isobaric = pressures.len() <= contractions.len();
-        Self { isobaric, fixed: thinned(if isobaric { &pressures } else { &contractions }) }
+        let all = if isobaric { pressures } else { contractions };
+        Self { isobaric, fixed: thinned(&all), all: all.len() }
+    }
+
+    /// What a caption says of those that are not drawn.
+    fn shown(&self) -> String {
+        let what = if self.isobaric { "pressures" } else { "contractions" };
+        if self.fixed.len() == self.all { String::new() } else { some_of(self.fixed.len(), self.all, what) }
     }
 
     fn key(&self, f: &PointFit) -> f64 {
@@ -75,19 +84,17 @@ pub(crate) fn identified(
     about: &str,
     u: &Units,
 ) -> Figure {
-    let said = if found.bench.is_some() { BAND } else { "" };
-    let mut figure = Figure::new(format!("Identified from {origin}"))
-        .caption(caption(format!(
-            "Dots: data; lines: {about}{said}. rms {} {}",
-            u.force.to(found.rms_n, 3),
-            u.force.name
-        )))
-        .palette(Palette::Sequential);
+    let mut figure = Figure::new(format!("Identified from {origin}")).palette(Palette::Sequential);
     let sections = sections(found);
     let levels = Levels::of(found);
     for section in sections.iter().take(if sections.len() > 1 { 2 } else { 1 }) {
         figure = figure.panel(fit(found, build, section, &levels, u, sections.len() > 1));
     }
+    let said = if figure.panels.iter().any(has_band) { BAND } else { "" };
+    let shown = levels.shown();
+    let rms = u.force.to(found.rms_n, 3);
+    figure = figure
+        .caption(caption(format!("Dots: data; lines: {about}{said}{shown}. rms {rms} {}", u.force.name)));
     let left = |x: fn(&PointFit) -> f64, axis: Axis, scale: f64| {
         let mut panel = Panel::new(axis, Axis::new(u.force.heading("model − data")).from_zero());
         for n in 0..levels.fixed.len() {

@@ -58,15 +58,18 @@ fn panels(mut figure: Figure, case: &MuscleCase, muscle: &Muscle, build: &Build<
 }
 
 fn panel(title: String, points: &[&DataPoint], found: &Muscle, build: &Build<'_>, u: &Units) -> Panel {
-    let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), pull(u)).title(title);
+    let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), pull(u));
     let mut pressures: Vec<f64> = points.iter().map(|p| p.at.pressure_mpa).collect();
     pressures.sort_by(f64::total_cmp);
     pressures.dedup();
-    let last = pressures.len().saturating_sub(1);
+    let (all, last) = (pressures.len(), pressures.len().saturating_sub(1));
     let shown: Vec<f64> = match pressures.len() {
         n if n <= CURVES => pressures,
         _ => (1..=CURVES).map(|i| pressures[i * last / CURVES]).collect(),
     };
+    let some =
+        if shown.len() < all { format!(" ({} of {all} pressures)", shown.len()) } else { String::new() };
+    panel = panel.title(title + &some);
     let muscle = points.first().and_then(|p| p.section.apply(found).ok());
     let model = muscle.and_then(|m| build(&m).ok());
     let mut workspace = Workspace::new();

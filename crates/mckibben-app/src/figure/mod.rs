@@ -23,8 +23,20 @@ pub(crate) use motion::motion;
 pub(crate) use simulate::simulate;
 pub(crate) use tension::tension;
 
+use mckibben_report::{Panel, Style};
+
 /// What a caption says of the bands.
 const BAND: &str = "; band: ± (95 %)";
+
+/// Whether a panel has a band.
+fn has_band(panel: &Panel) -> bool {
+    panel.series.iter().any(|series| series.style == Style::Band)
+}
+
+/// What a caption says where some of many are drawn.
+fn some_of(drawn: usize, all: usize, what: &str) -> String {
+    format!("; {drawn} of {all} {what} are drawn")
+}
 
 /// The small line below every figure.
 fn caption(text: impl std::fmt::Display) -> String {

@@ -1,7 +1,7 @@
 //! Curves, shapes and strands of a finite-element test.
 
-use super::caption;
 use super::curves::{axes, label};
+use super::{caption, some_of};
 use crate::muscle::MuscleSummary;
 use crate::simulate::Simulated;
 use crate::units::Units;
@@ -68,7 +68,9 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) 
     figure = figure.panel(shape.title("outer and inner surface"));
     figure = figure.panel(tension.title("strand tension"));
     figure = figure.panel(angle.title("strand angle"));
-    figure.caption(caption(format!("Axisymmetric finite elements. {}", m.line(u))))
+    let (drawn, all) = (shown.len(), solved.len());
+    let some = if drawn < all { some_of(drawn, all, "shapes") } else { String::new() };
+    figure.caption(caption(format!("Axisymmetric finite elements{some}. {}", m.line(u))))
 }
 
 fn capital(word: &str) -> String {

@@ -1,6 +1,6 @@
 //! Tension tests with the laws fitted to them.
 
-use super::caption;
+use super::{caption, some_of};
 use mckibben_fit::rubber::{FittedLaw, Mode, TensionFit, TensionPoint};
 use mckibben_report::{Axis, Figure, Panel, Series, Style};
 
@@ -12,8 +12,10 @@ const WITHOUT_POINTS: f64 = 2.0;
 /// One panel a test, also for tests without points: there the laws part. Laws that are unstable in a muscle are dashed, those held stable dotted.
 pub(crate) fn tension(fit: &TensionFit, file: &str) -> Figure {
     let laws = drawn(fit);
+    let some =
+        if laws.len() < fit.laws.len() { some_of(laws.len(), fit.laws.len(), "laws") } else { String::new() };
     let about = format!(
-        "Nominal stress; points of {file}. Dashed: unstable over the stretches of a muscle; dotted: constrained to be stable"
+        "Nominal stress; points of {file}{some}. Dashed: unstable over the stretches of a muscle; dotted: constrained to be stable"
     );
     let mut figure =
         Figure::new("Laws fitted to tension tests").caption(caption(about)).columns(3).size_mm(240.0, 110.0);

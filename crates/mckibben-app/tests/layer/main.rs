@@ -8,6 +8,7 @@ mod colours;
 mod contract;
 mod ended;
 mod expected;
+mod figures;
 mod file_schema;
 mod liquid;
 mod many;

@@ -3,6 +3,7 @@
 use mckibben::analysis::FailureMode;
 use mckibben::muscle::Muscle;
 use mckibben::muscle::file::parse_muscle;
+use mckibben::units::Dimension;
 use mckibben_build::{Clamps, Content, Operating, Plan, Wishes, files};
 
 /// What a model could have found of a muscle: the ideal one at 28°, nearly.
@@ -11,6 +12,7 @@ fn operating(muscle: &Muscle, pressure_mpa: f64) -> Operating {
     Operating {
         model: "test".into(),
         pressure_mpa,
+        pressure_unit: Dimension::Pressure.unit_inside(),
         blocked_force_n: 6.0 * pressure_mpa * d0 * d0,
         free_contraction: 0.2,
         bulged_diameter_mm: 1.5 * d0,

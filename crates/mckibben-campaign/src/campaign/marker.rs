@@ -5,7 +5,7 @@ use super::resume::belongs;
 use super::store::{Folder, MARKER, Opened, Provenance};
 use mckibben_io::files::{Unfinished, read};
 use serde::{Deserialize, Serialize};
-use std::io::{ErrorKind, Write as _};
+use std::io::ErrorKind;
 use std::path::Path;
 
 /// Its longest file in bytes.
@@ -60,9 +60,8 @@ impl Marker {
                     let text =
                         serde_json::to_string(&ours).map_err(|e| CampaignError::Encode(e.to_string()))?;
                     let put = || {
-                        let mut file = Unfinished::beside(&path)?;
-                        file.file().write_all(text.as_bytes())?;
-                        file.put(there.is_some() || path.exists())
+                        let there = there.is_some() || path.exists();
+                        Unfinished::inside(&path, there)?.with(text.as_bytes())?.put(there)
                     };
                     match put() {
                         Err(error) if error.kind() == ErrorKind::AlreadyExists => {}

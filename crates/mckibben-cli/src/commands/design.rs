@@ -21,7 +21,7 @@ largest_angle_deg*&torques
 stroke_mm | Stroke. With --contraction it sets the length, with --length the contraction.
 p/max_pressure_mpa=max-pressure|pressure | Supply pressure
 liquid gas_share=gas<SHARE> dead_volume_mm3 liquid_bulk_modulus_mpa=bulk-modulus<MODULUS>*
-guaranteed<SHARE?95%> | The lower end of the ± meets it [95%]. The muscle whose pull less its ± meets the requirement; another share, such as --guaranteed=99%, widens the ± accordingly.
+guaranteed<SHARE?95%> | The lower end of the ± meets it [95%]. The muscle whose pull less its ± meets the requirement; another share, such as --guaranteed 99%, widens the ± accordingly.
 bundle | Equal muscles side by side that share the requirement [1]. The candidates are one of them; the bundle of the best one is shown below.
 objective
 Limits: max_bulged_diameter_mm max_envelope_mm pitch_mm*&bundle

@@ -7,10 +7,11 @@ pub use text::formula_text;
 
 use crate::asked::Asked;
 use crate::failure::Failure;
-use crate::output::{check_ending, json, save};
+use crate::files;
+use crate::output::{check_ending, json, overwrite, save, save_inside};
 use crate::progress::Bar;
-use crate::{files, plot};
-use mckibben_app::{FitAnswer, FitRequest};
+use mckibben_app::{FitAnswer, FitRequest, NamedFigure};
+use mckibben_report::FigureError;
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::path::Path;
@@ -51,17 +52,12 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
         write_tables(folder, &mut answer)?;
     }
     if let Some(folder) = &plots {
-        make(folder)?;
-        for named in std::mem::take(&mut answer.figures) {
-            plot::save_as(named.figure, &folder.join(format!("{}.svg", named.name)))?;
-        }
+        let drawn = |named: &NamedFigure| Ok((format!("{}.svg", named.name), named.figure.to_svg()?));
+        let figures = answer.figures.iter().map(drawn).collect::<Result<Vec<_>, FigureError>>()?;
+        save_inside(folder, figures, overwrite())?;
     }
     save(target.as_deref(), answer.formula_file().as_bytes())?;
     asked.print(&answer, "terms", || text::of(&answer, target.as_deref()))
-}
-
-fn make(folder: &Path) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder).map_err(|e| Failure::unwritable(folder, &e))
 }
 
 /// All tables in one file.
@@ -72,15 +68,12 @@ struct Tables<'a> {
 }
 
 fn write_tables(folder: &Path, answer: &mut FitAnswer) -> Result<(), Failure> {
-    make(folder)?;
-    let mut tables = Map::new();
+    let (mut tables, mut files) = (Map::new(), vec![]);
     for table in std::mem::take(&mut answer.tables) {
-        let file = folder.join(format!("{}.csv", table.name));
-        save(Some(&file), table.to_csv().as_bytes())?;
+        files.push((format!("{}.csv", table.name), table.to_csv()));
         tables.insert(table.name.into(), table.to_value());
     }
     let method = answer.fitted.as_ref().map_or("", |f| &f.formula.provenance.method);
-    let file = folder.join("tables.json");
-    let text = format!("{:#}\n", json(&Tables { method, tables })?);
-    save(Some(&file), text.as_bytes())
+    files.push(("tables.json".into(), format!("{:#}\n", json(&Tables { method, tables })?)));
+    save_inside(folder, files, overwrite())
 }

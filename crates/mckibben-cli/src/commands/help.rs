@@ -3,7 +3,7 @@
 use crate::asked::Asked;
 use crate::cli::command;
 use crate::failure::Failure;
-use crate::output::{emit, save};
+use crate::output::{emit, overwrite, save_inside};
 use clap::Command;
 use clap_complete::Shell;
 use clap_mangen::Man;
@@ -50,14 +50,12 @@ pub fn man(asked: &Asked) -> Result<u8, Failure> {
         emit(page(found.ok_or_else(|| unknown(&words))?)?, None)?;
         return Ok(0);
     };
-    std::fs::create_dir_all(&folder).map_err(|e| Failure::unwritable(&folder, &e))?;
-    let mut left = vec![&root];
+    let (mut left, mut pages) = (vec![&root], vec![]);
     while let Some(command) = left.pop() {
-        let path = folder.join(Man::new(command.clone()).get_filename());
-        save(Some(&path), &page(command)?)?;
+        pages.push((Man::new(command.clone()).get_filename(), page(command)?));
         left.extend(command.get_subcommands());
     }
-    Ok(0)
+    save_inside(&folder, pages, overwrite()).map(|()| 0)
 }
 
 /// Prints the completions of a shell.

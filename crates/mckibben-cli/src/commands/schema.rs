@@ -2,7 +2,7 @@
 
 use crate::asked::Asked;
 use crate::failure::Failure;
-use crate::output::{check_ending, emit};
+use crate::output::{check_ending, emit, overwrite, save_inside};
 use mckibben_app::{COMMANDS, bundle, file_schema, schema};
 
 pub const TEXT: &str = "schema: JSON Schema of requests, answers and files
@@ -21,12 +21,8 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
         (None, Some(command)) => schema(&command)?,
         (None, None) => {
             let Some(folder) = &target else { return emit(format!("{:#}\n", bundle()), None).map(|()| 0) };
-            std::fs::create_dir_all(folder).map_err(|e| Failure::unwritable(folder, &e))?;
-            for command in COMMANDS.iter() {
-                let file = folder.join(format!("{}.json", command.name));
-                emit(format!("{:#}\n", command.schema()), Some(&file))?;
-            }
-            return Ok(0);
+            let files = COMMANDS.iter().map(|c| (format!("{}.json", c.name), format!("{:#}\n", c.schema())));
+            return save_inside(folder, files, overwrite()).map(|()| 0);
         }
     };
     check_ending(target.as_deref(), &["json"])?;

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::format::Format;
 use crate::output::keyed::{listed, tabled, value};
 use crate::output::text::{Units, pairs, percent, place};
-use crate::output::{burst_first, check, check_ending, put, save};
+use crate::output::{burst_first, check, check_ending, overwrite, save, save_inside};
 use crate::progress::Bar;
 use crate::shown;
 use mckibben::model::Response;
@@ -45,10 +45,11 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
     fields.insert("deck".into(), deck.is_some().into());
     let request: SimulateRequest = mckibben_app::understood(&fields.into())?;
     let extent = if asked.is("whole") { Extent::Whole } else { Extent::Eighth };
-    let mut folder = asked.path("folder").map(|path| Folder { path, series: VtuSeries::new(""), extent });
+    let mut folder =
+        asked.path("folder").map(|path| Folder { path, series: VtuSeries::new(""), extent, is_begun: false });
     let shapes = folder.as_mut().map(|f| f as &mut dyn Shapes);
     let mut answer = mckibben_app::simulate(&request, &Bar::new("points"), shapes)?;
-    let opened = folder.map(|f| f.write(&f.series.list())).transpose()?;
+    let opened = folder.map(|mut f| f.write(&f.series.list())).transpose()?;
     if let Some(text) = answer.deck.take() {
         save(deck.as_deref(), text.as_bytes())?;
     }
@@ -70,12 +71,18 @@ struct Folder {
     path: PathBuf,
     series: VtuSeries,
     extent: Extent,
+    /// Whether its list is written.
+    is_begun: bool,
 }
 
 impl Folder {
-    fn write(&self, file: &VtuFile) -> Result<PathBuf, Problem> {
+    /// Writes a file. The list, which is written again with each point, is ours from the first one on.
+    fn write(&mut self, file: &VtuFile) -> Result<PathBuf, Problem> {
         let path = self.path.join(&file.name);
-        put(&path, file.text.as_bytes()).map_err(Failure::into_problem)?;
+        let is_list = file.name == self.series.list().name;
+        let ours = is_list && std::mem::replace(&mut self.is_begun, is_list);
+        save_inside(&self.path, [(&file.name, &file.text)], ours || overwrite())
+            .map_err(Failure::into_problem)?;
         Ok(path)
     }
 }
@@ -83,12 +90,8 @@ impl Folder {
 impl Shapes for Folder {
     fn begin(&mut self, muscle: &MuscleSummary) -> Result<(), Problem> {
         self.series = VtuSeries::new(&muscle.line(&Units::default()));
-        // Its list, which is written again with each point.
         check(&self.path.join(self.series.list().name)).map_err(Failure::into_problem)?;
-        std::fs::create_dir_all(&self.path).map_err(|e| {
-            let message = format!("the folder {} cannot be made: {e}", self.path.display());
-            Problem::new(ProblemKind::Output, message, "give the name of a new folder or of one that exists")
-        })
+        save_inside::<&str, &str>(&self.path, [], false).map_err(Failure::into_problem)
     }
 
     fn add(&mut self, shape: Shape, response: &Response) -> Result<(), Problem> {

@@ -51,7 +51,8 @@ fn as_text(study: &StudyAnswer, u: &Units) -> String {
     out.push_str("\nThe paper's findings and the results here\n");
     for f in &study.findings {
         let verdict = if f.holds { "holds" } else { "does not hold" };
-        out.push_str(&format!("  {verdict:<14} {}\n                 {}\n", f.statement, f.ours));
+        let (statement, ours) = (u.sentence(f.statement), u.sentence(&f.ours));
+        out.push_str(&format!("  {verdict:<14} {statement}\n                 {ours}\n"));
     }
     out
 }

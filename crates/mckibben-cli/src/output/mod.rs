@@ -14,8 +14,8 @@ mod write;
 pub use columns::FLAT;
 pub use stream::streamed;
 pub use write::{
-    burst_first, check, check_ending, check_named, complain, emit, ending, overwrite, put, save, save_all,
-    warn, warn_behind,
+    burst_first, check, check_ending, check_named, complain, emit, ending, overwrite, save, save_all,
+    save_inside, warn, warn_behind,
 };
 
 use crate::clean;

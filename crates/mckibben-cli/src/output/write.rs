@@ -8,9 +8,9 @@ use anstyle::{AnsiColor, Style};
 use mckibben::units::short_numbers;
 use mckibben::warning::is_of_burst;
 use mckibben_app::{BuiltFile, ProblemKind};
-use mckibben_io::files::Unfinished;
-use std::io::Write;
-use std::path::{Path, PathBuf};
+use mckibben_io::files::{check_free, put, put_all};
+use std::io::{Error, ErrorKind, Write};
+use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -34,16 +34,16 @@ pub fn check_named(asked: &Asked, command: &str, overwrite: bool) -> Result<(), 
 /// Refuses to write what is no answer, and to overwrite a file.
 pub fn check(path: &Path) -> Result<(), Failure> {
     progress::ended()?;
-    // What is no regular file is written in place, or refused when it is written.
-    if !path.is_file() {
-        return Ok(());
-    }
-    mckibben_io::files::check_writable(path).map_err(|e| Failure::unwritable(path, &e))?;
-    if overwrite() {
-        return Ok(());
+    check_free(path, overwrite()).map_err(|e| unwritten(path, &e))
+}
+
+/// A result that is not written, for it would overwrite something or because the system refuses.
+fn unwritten(path: &Path, error: &Error) -> Failure {
+    if error.kind() != ErrorKind::AlreadyExists {
+        return Failure::unwritable(path, error);
     }
     let message = format!("{} exists and would be overwritten", path.display());
-    Err(Failure::input(ProblemKind::Output, message, "name another file, or replace it with --overwrite"))
+    Failure::input(ProblemKind::Output, message, "name another file, or replace it with --overwrite")
 }
 
 /// The ending of a name in lower case.
@@ -63,20 +63,17 @@ pub fn check_ending(path: Option<&Path>, endings: &[&str]) -> Result<(), Failure
 
 /// Writes all files of an answer into a folder, or none if one of them exists.
 pub fn save_all(files: &[BuiltFile], folder: &Path) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder).map_err(|e| Failure::unwritable(folder, &e))?;
-    let paths: Vec<PathBuf> = files.iter().map(|file| folder.join(&file.name)).collect();
-    paths.iter().try_for_each(|path| check(path))?;
-    let mut whole = vec![];
-    for (file, path) in files.iter().zip(&paths) {
-        let written = Unfinished::beside(path).and_then(|mut beside| {
-            beside.file().write_all(&file.content)?;
-            Ok(beside)
-        });
-        whole.push(written.map_err(|e| Failure::unwritable(path, &e))?);
-    }
-    let put =
-        |(file, path): (Unfinished, &PathBuf)| file.put(true).map_err(|e| Failure::unwritable(path, &e));
-    whole.into_iter().zip(&paths).try_for_each(put)
+    save_inside(folder, files.iter().map(|file| (&file.name, &file.content)), overwrite())
+}
+
+/// Writes files into a folder, which is made where it is missing; a link in it is not followed.
+pub fn save_inside<N: AsRef<Path>, B: AsRef<[u8]>>(
+    folder: &Path,
+    files: impl IntoIterator<Item = (N, B)>,
+    overwrite: bool,
+) -> Result<(), Failure> {
+    progress::ended()?;
+    put_all(folder, files, overwrite).map_err(|(path, e)| unwritten(&path, &e))
 }
 
 /// Writes to `path`, or to standard output.
@@ -136,11 +133,6 @@ pub fn complain(text: &str) {
 /// Writes a file, where one is named.
 pub fn save(path: Option<&Path>, bytes: &[u8]) -> Result<(), Failure> {
     let Some(path) = path else { return Ok(()) };
-    check(path)?;
-    put(path, bytes)
-}
-
-/// Writes a file that appears whole or not at all, in the place of an older one.
-pub fn put(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    mckibben_io::files::replace(path, bytes).map_err(|e| Failure::unwritable(path, &e))
+    progress::ended()?;
+    put(path, bytes, overwrite()).map_err(|e| unwritten(path, &e))
 }

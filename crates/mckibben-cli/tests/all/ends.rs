@@ -91,6 +91,49 @@ fn a_signal_ends_a_command_within_a_second_with_130() {
     }
 }
 
+/// A program that waits for its reader, and one whose browser does not end: nothing of them is left, and what a killed one leaves the next sweeps.
+#[test]
+fn a_signal_leaves_no_folder_behind_whatever_the_command_waits_for() {
+    let dir = folder();
+    let at = |name: &str| dir.path().join(name);
+    fs::create_dir(at("tmp")).unwrap();
+    let browser = at("chromium");
+    fs::write(&browser, "#!/bin/sh\n[ \"$1\" = --version ] && exit 0\nexec sleep 3\n").unwrap();
+    fs::set_permissions(&browser, fs::Permissions::from_mode(0o755)).unwrap();
+    let path = format!("{}:{}", dir.path().display(), std::env::var("PATH").unwrap());
+    let started = |line: &str| {
+        let mut command = command(dir.path());
+        command.env("TMPDIR", at("tmp")).env("PATH", &path).args(line.split(' '));
+        command.stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap()
+    };
+    // SAFETY: a signal to a child of one's own.
+    let signal = |child: &std::process::Child, signal| unsafe { libc::kill(child.id() as i32, signal) };
+    // As long as the pipe is full.
+    let mut waits = started("schema");
+    std::thread::sleep(Duration::from_millis(500));
+    signal(&waits, libc::SIGINT);
+    assert_eq!(waits.wait().unwrap().code(), Some(130));
+    let prints = |before: &[String]| {
+        let child = started("build -D 30 -p 0.1 --report a.pdf");
+        let since = Instant::now();
+        let works = |n: &String| !before.contains(n) && at("tmp").join(n).join("said").exists();
+        while !names(&at("tmp")).iter().any(works) {
+            assert!(since.elapsed() < Duration::from_secs(20));
+            std::thread::sleep(Duration::from_millis(10));
+        }
+        child
+    };
+    let mut killed = prints(&[]);
+    signal(&killed, libc::SIGKILL);
+    killed.wait().unwrap();
+    let left = names(&at("tmp"));
+    assert_eq!(left.len(), 1);
+    let mut interrupted = prints(&left);
+    signal(&interrupted, libc::SIGINT);
+    assert_eq!(interrupted.wait().unwrap().code(), Some(130));
+    assert!(names(&at("tmp")).is_empty() && !at("a.pdf").exists(), "{:?}", names(&at("tmp")));
+}
+
 /// A user whom nobody else is, and who may have one process: a second thread is refused.
 ///
 /// Limits of processes do not hold for root, who has to become somebody else for that.

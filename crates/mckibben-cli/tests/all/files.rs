@@ -82,55 +82,121 @@ fn a_file_that_claims_72_gigabytes_is_refused() {
 
 const DESIGN: &str = "design -F 300 -e 10% --max-pressure 2.5bar -D 40 -s 2 --model paper --verify none -o ";
 
-/// One rule for every command and form, for inputs under other names too.
+/// What every command writes, and where: the flag with its folder or file, and the file that is in its way.
+const WRITERS: [(&str, &str, &str); 36] = [
+    ("design -F 300 -e 10% -p 2.5bar -D 40 -s 2 --model paper --verify none", "-o w.toml", "w.toml"),
+    ("force -p 0.1 --model ideal", "-o t.json", "t.json"),
+    ("pressure -F 100N -e 5% --model ideal", "-o t.json", "t.json"),
+    ("contraction -F 100N -p 0.1 --model ideal", "-o t.json", "t.json"),
+    ("fill --liquid water --volume 20mL --model ideal", "-o t.txt", "t.txt"),
+    ("curve isobaric --model ideal -p 0.1 -e 0,0.1", "-o c.parquet", "c.parquet"),
+    ("curve isobaric --model ideal -p 0.1 -e 0,0.1", "-o t.txt", "t.txt"),
+    ("curve isobaric --model ideal -p 0.1 -e 0,0.1", "-o t.json", "t.json"),
+    ("curve isobaric --model ideal -p 0.1 -e 0,0.1", "--plot t.svg", "t.svg"),
+    ("curve isobaric --model ideal -p 0.1 -e 0,0.1 --plot new.svg", "--plot-data t.csv", "t.csv"),
+    ("joint examples/elbow.toml --model ideal -p 2bar,1bar", "-o t.json", "t.json"),
+    ("motion examples/drive.toml --model ideal", "-o t.csv", "t.csv"),
+    ("simulate -p 0.1 -e 0.1", "-o t.csv", "t.csv"),
+    ("simulate -p 0.1 -e 0.1", "--vtu out", "out/muscle.pvd"),
+    ("simulate -p 0.1 -e 0.1", "--vtu out", "out/tube_0000.vtu"),
+    ("simulate --model fe3d --mesh 1x4 -p 0.1 -e 0.1", "--export-inp t.inp", "t.inp"),
+    ("check examples/prototype.toml --model ideal", "-o t.txt", "t.txt"),
+    ("check universal --latex", "-o t.tex", "t.tex"),
+    ("build -D 30 -p 0.1", "--report report.html", "report.html"),
+    ("build -D 30 -p 0.1", "-o out", "out/test.csv"),
+    ("export --model ideal --as c", "-o out", "out/pressure_loop.ino"),
+    ("campaign show c0.parquet", "-o t.txt", "t.txt"),
+    ("campaign status parts", "-o t.txt", "t.txt"),
+    ("campaign merge parts", "-o t.parquet", "t.parquet"),
+    ("validate --sweep 1", "-o t.txt", "t.txt"),
+    ("compare --models ideal,paper", "-o t.csv", "t.csv"),
+    (
+        "identify examples/bench.toml --data examples/bench.csv --model thick-wall --free mu",
+        "-o t.toml",
+        "t.toml",
+    ),
+    ("fit paper.csv", "-o t.json", "t.json"),
+    ("fit paper.csv", "--tables out", "out/tables.json"),
+    ("fit paper.csv", "--plots out", "out/figure_10_b_over_diameter.svg"),
+    ("parts list models", "-o t.txt", "t.txt"),
+    ("parts show latex", "-o t.txt", "t.txt"),
+    ("rubber tension.csv --law neo-hookean", "-o t.toml", "t.toml"),
+    ("schema force", "-o t.json", "t.json"),
+    ("schema", "-o out", "out/force.json"),
+    ("man", "-o out", "out/mckibben-force.1"),
+];
+
 #[test]
 fn an_existing_file_is_overwritten_only_where_that_is_asked_for() {
-    let dir = folder();
+    let dir = copy();
     let at = |name: &str| dir.path().join(name);
-    fs::copy(root().join("data/campaign/paper.csv"), at("paper.csv")).unwrap();
-    fs::copy(root().join("data/treloar/tension.csv"), at("tension.csv")).unwrap();
-    let curve = "curve isobaric --model ideal -p 0.1 -e 0,0.1 ";
-    for (command, file) in [
-        (DESIGN.into(), "winner.toml"),
-        ("fit paper.csv -o ".into(), "f.json"),
-        ("rubber tension.csv --law neo-hookean -o ".into(), "r.toml"),
-        (format!("{curve}-o "), "c.parquet"),
-        (format!("{curve}-o "), "t.txt"),
-        (format!("{curve}-o "), "t.json"),
-        (format!("{curve}--plot "), "t.svg"),
-        ("check universal --latex -o ".into(), "t.tex"),
-        ("build -D 30 -p 0.1 --report ".into(), "report.html"),
-        ("schema force -o ".into(), "schema.json"),
-        ("simulate -p 0.1 -e 0.1 --vtu ".into(), "out/muscle.pvd"),
-        ("fit paper.csv --tables ".into(), "out/tables.json"),
-        ("build -p 0.1 -o ".into(), "out/test.csv"),
-    ] {
-        let command = match file.strip_prefix("out/") {
-            Some(_) => format!("{command}out"),
-            None => format!("{command}{file}"),
+    fs::copy(at("data/campaign/paper.csv"), at("paper.csv")).unwrap();
+    fs::copy(at("data/treloar/tension.csv"), at("tension.csv")).unwrap();
+    fs::write(at("plan.toml"), PLAN).unwrap();
+    run_in(dir.path(), "campaign plan.toml -o c0.parquet").ok();
+    run_in(dir.path(), "campaign plan.toml -o parts").ok();
+    for (command, flag, file) in WRITERS {
+        let line = format!("{command} {flag}");
+        let is_refused = || {
+            let result = run_in(dir.path(), &line);
+            let said = result.err.contains("would be overwritten") && result.err.contains("--overwrite");
+            assert!(result.code == 2 && said, "{line}: {}", result.err);
         };
         fs::create_dir_all(at("out")).unwrap();
         fs::write(at(file), "notes of mine").unwrap();
-        let result = run_in(dir.path(), &command);
-        assert!(result.code == 2 && result.err.contains("would be overwritten"), "{command}: {}", result.err);
-        assert!(result.err.contains("--overwrite"), "{command}: {}", result.err);
-        assert_eq!(fs::read(at(file)).unwrap(), b"notes of mine", "{command}");
-        run_in(dir.path(), &format!("{command} --overwrite")).ok();
-        assert_ne!(fs::read(at(file)).unwrap(), b"notes of mine", "{command}");
+        is_refused();
+        assert_eq!(fs::read(at(file)).unwrap(), b"notes of mine", "{line}");
+        run_in(dir.path(), &format!("{line} --overwrite")).ok();
+        assert_ne!(fs::read(at(file)).unwrap(), b"notes of mine", "{line}");
+        // A link in a folder is no way out of it.
+        if file.starts_with("out/") {
+            fs::remove_file(at(file)).unwrap();
+            symlink("../elsewhere", at(file)).unwrap();
+            is_refused();
+            run_in(dir.path(), &format!("{line} --overwrite")).ok();
+            assert!(!at(file).is_symlink() && !at("elsewhere").exists(), "{line}");
+        }
         fs::remove_dir_all(at("out")).unwrap();
+        let _ = fs::remove_file(at("new.svg"));
     }
 }
 
+/// Flags with a file or folder that is read.
+const READ: [&str; 14] = [
+    "data", "columns", "muscle", "parts", "model", "models", "formula", "rubber", "rubbers", "load",
+    "measured", "braid", "tube", "tubes",
+];
+
+#[test]
+fn no_flag_that_names_an_output_is_missing_from_that_test() {
+    let dir = folder();
+    run_in(dir.path(), "man -o man").ok();
+    for page in names(&dir.path().join("man")) {
+        let name = page.trim_start_matches("mckibben").trim_start_matches('-').trim_end_matches(".1");
+        let command = name.replace('-', " ");
+        let help = run_in(dir.path(), &format!("{command} --help")).ok();
+        let flags = help.text().lines().filter(|l| l.contains("FILE") || l.contains("DIR"));
+        let flags = flags.filter_map(|l| l.split_once("--")?.1.split(" <").next());
+        for flag in flags.filter(|flag| !flag.contains(' ') && !READ.contains(flag)) {
+            let typed = if flag == "output" { "-o ".to_owned() } else { format!("--{flag} ") };
+            // Figures are of all commands alike, and a campaign has a test of its own.
+            let once = flag.starts_with("plot") && flag != "plots" || command == "campaign";
+            let has = |w: &(&str, &str, &str)| (once || w.0.starts_with(&command)) && w.1.starts_with(&typed);
+            assert!(WRITERS.iter().any(has), "{command} --{flag}");
+        }
+    }
+}
+
+const PLAN: &str = "[test]\ncontractions = 0\npressures = 0.1\nmesh = \"3\"\n";
 #[test]
 fn a_campaign_of_another_plan_is_overwritten_only_where_that_is_asked_for() {
     let dir = folder();
-    let plan = "[test]\ncontractions = 0\npressures = 0.1\nmesh = \"3\"\n";
-    fs::write(dir.path().join("plan.toml"), plan).unwrap();
+    fs::write(dir.path().join("plan.toml"), PLAN).unwrap();
     run_in(dir.path(), "campaign plan.toml -o c.parquet").ok();
     let before = fs::read(dir.path().join("c.parquet")).unwrap();
     // The same plan goes on with its own file.
     run_in(dir.path(), "campaign plan.toml -o c.parquet").ok();
-    fs::write(dir.path().join("plan.toml"), plan.replace("0.1", "0.2")).unwrap();
+    fs::write(dir.path().join("plan.toml"), PLAN.replace("0.1", "0.2")).unwrap();
     let result = run_in(dir.path(), "campaign plan.toml -o c.parquet");
     assert!(result.code == 2 && result.err.contains("--overwrite"), "{}", result.err);
     assert_eq!(fs::read(dir.path().join("c.parquet")).unwrap(), before);

@@ -131,3 +131,61 @@ fn every_flag_of_a_question_counts_or_is_refused() {
         assert!(with.code == 2 || (with.code == 0 && with.out != without.out), "changes nothing: {more}");
     }
 }
+
+/// Commands with a pressure in bar, or with files or figures that state it.
+const IN_BAR: [&str; 17] = [
+    "force examples/bench.toml -p 1bar -e 5%",
+    "pressure examples/prototype.toml -F 300N -e 5% --units bar",
+    "contraction examples/prototype.toml -F 300N -p 2bar",
+    "fill examples/prototype.toml --liquid water --volume 20mL --units bar",
+    "curve isobaric examples/prototype.toml --model universal -p 0..6:1bar -e 0..20:5% --plot f.svg",
+    "curve --study thickness --units bar --plot f.svg",
+    "joint examples/elbow.toml -p 2bar,1bar",
+    "joint examples/elbow.toml -p 2bar,1bar --angle -40..40:20deg --model universal --plot f.svg",
+    "motion examples/drive.toml --model universal --plot f.svg",
+    "simulate examples/prototype.toml -p 1bar..2bar:0.5bar -e 5% --plot f.svg",
+    "check examples/bench.toml -p 1bar",
+    "check examples/bench.toml -p 6bar",
+    "build examples/bench.toml -p 1bar -o out",
+    "export examples/prototype.toml --model thick-wall -p 6bar --as c",
+    "compare --models ideal,paper -p 1,2bar --plot f.svg",
+    "identify examples/bench.toml --data examples/bench.csv --model thick-wall --units bar --plot f.svg",
+    "design -F 500N -e 5% -p 2.5bar -D 30 -s 2 --model paper --plot f.svg",
+];
+
+/// After one pressure in bar every pressure is in bar, in texts, figures, drawings and steps; moduli, stresses and energies stay.
+#[test]
+fn a_pressure_in_bar_is_the_unit_of_all_pressures() {
+    let dir = copy();
+    let own = |line: &&str| {
+        [
+            "odul",
+            "law ",
+            "mu ",
+            "c10",
+            "c01",
+            "rubber.material",
+            "tube.material",
+            "pressure_mpa",
+            "braid 500",
+            "with its gas",
+            "presses on it",
+        ]
+        .iter()
+        .any(|w| line.contains(w))
+    };
+    let mut wrong = vec![];
+    for line in IN_BAR {
+        let ran = run_in(dir.path(), line);
+        let mut said = vec![format!("{}{}", ran.text(), ran.err)];
+        for name in ["f.svg", "out/README.md", "out/drawing.svg", "out/plugs.svg", "out/test.csv"] {
+            let path = dir.path().join(name);
+            // A line for each text of a drawing.
+            said.extend(std::fs::read_to_string(&path).ok().map(|text| text.replace("</text>", "\n")));
+            let _ = std::fs::remove_file(path);
+        }
+        let lines = said.iter().flat_map(|text| text.lines()).filter(|l| l.contains("MPa") && !own(l));
+        wrong.extend(lines.map(|found| format!("{line}: {found:.200}")));
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}

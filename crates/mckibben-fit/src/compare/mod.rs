@@ -4,6 +4,7 @@ pub use crate::measured::{MeasuredPoint, mean_of_branches, read_measured};
 
 use crate::measured::DataPoint;
 use mckibben::analysis::{Options, force_on, response_on};
+use mckibben::cancel;
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use serde::Serialize;
 
@@ -35,6 +36,7 @@ pub fn compare<M: ForceModel + ?Sized>(
     let (mut squares, mut sum, mut max_n, mut count) = (0.0, 0.0, 0.0_f64, 0usize);
     let mut failed: Option<(usize, ModelError)> = None;
     for point in points {
+        cancel::check()?;
         let checked = if options.extrapolate {
             Ok(())
         } else {
@@ -89,6 +91,7 @@ pub fn compare_volumes<M: ForceModel + ?Sized>(
 ) -> Option<VolumeComparison> {
     let mut differences = vec![];
     for point in points {
+        cancel::check().ok()?;
         let (p, e) = (point.at.pressure_mpa, point.at.contraction);
         let here = response_on(model, workspace, p, e, options.direction).ok();
         differences.extend(here.and_then(|r| Some(r.volume_mm3? - point.volume_mm3?)));

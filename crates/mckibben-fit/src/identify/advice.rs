@@ -9,6 +9,7 @@ use super::signs;
 use crate::least_squares::Loss;
 use crate::measured::{DataPoint, Quantity};
 use crate::rubber::MODULI;
+use mckibben::cancel;
 use mckibben::model::{Ideal, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::muscle::measures::{ANGLE, GRIP, SEATING, SLIP};
@@ -69,6 +70,7 @@ pub(super) fn before(
         notes.push(sentence);
     }
     notes.extend(too_short(muscle, free, points));
+    cancel::check()?;
     notes.extend(no_branch(points).filter(|_| !history));
     // Minor loops pass one place with several pulls.
     notes.extend(contradictions(points).filter(|_| !history));
@@ -100,6 +102,7 @@ pub(super) fn before(
 
 /// Pull in N of the ideal muscle at a point, where it is well above zero.
 pub(super) fn ideal_pull(muscle: &Muscle, p: &DataPoint) -> Option<f64> {
+    cancel::check().ok()?;
     let muscle = p.section.apply(muscle).ok()?;
     let ideal = Ideal::new(&muscle);
     let (pull, rest) = (ideal.pull(p.at.pressure_mpa, p.at.contraction), ideal.pull(p.at.pressure_mpa, 0.0));

@@ -3,6 +3,7 @@
 use super::advice;
 use super::error::IdentifyError;
 use crate::measured::{DataPoint, Quantity};
+use mckibben::cancel;
 use mckibben::muscle::Muscle;
 
 /// A force below zero by more than this share of the ideal muscle's pull is no muscle that lies slack.
@@ -23,6 +24,7 @@ pub(super) fn check(
 ) -> Result<Vec<String>, IdentifyError> {
     let points: Vec<&DataPoint> = points.iter().filter(|p| p.weight > 0.0).collect();
     let mut notes = pushing(muscle, &points, two_sided)?;
+    cancel::check()?;
     notes.extend(rising(&points)?);
     Ok(notes)
 }
@@ -61,6 +63,7 @@ fn rising(points: &[&DataPoint]) -> Result<Vec<String>, IdentifyError> {
     order.sort_by(|a, b| compare(a, b).then(a.at.contraction.total_cmp(&b.at.contraction)));
     let (mut curves, mut rising, mut lines_of_rising, mut stretched) = (0, 0, vec![], vec![]);
     for curve in order.chunk_by(|a, b| compare(a, b).is_eq()) {
+        cancel::check()?;
         let Some(rise) = rise(curve) else { continue };
         curves += 1;
         let largest = curve.iter().map(|p| p.at.force_n).fold(0.0, f64::max);

@@ -1,9 +1,10 @@
 //! A row of data: what was measured, where, on which muscle, and how well.
 
-use super::point::{MeasuredPoint, mean_of_branches};
+use super::point::{MeasuredPoint, means};
 use mckibben::muscle::measures::{ANGLE, LENGTH, OUTER_DIAMETER, WALL};
-use mckibben::muscle::{Direction, Measure, Muscle, MuscleError};
+use mckibben::muscle::{Measure, Muscle, MuscleError};
 use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
 
 /// The measured quantity; the others were set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
@@ -99,15 +100,15 @@ impl DataPoint {
     }
 }
 
-/// The mean of the two hysteresis branches, muscle by muscle; see [`mean_of_branches`]. A mean keeps the line of its
+/// The mean of the two hysteresis branches, muscle by muscle; see [`mean_of_branches`](super::mean_of_branches). A mean keeps the line of its
 /// lower point.
 pub fn mean_of_data(points: &[DataPoint]) -> Vec<DataPoint> {
-    let mut groups: Vec<Vec<DataPoint>> = vec![];
+    let (mut groups, mut places): (Vec<Vec<DataPoint>>, HashMap<_, usize>) = Default::default();
     for p in points {
-        match groups
-            .iter_mut()
-            .find(|g| g[0].section == p.section && g[0].set == p.set && g[0].measured == p.measured)
-        {
+        let Section { outer_diameter_mm, wall_mm, length_mm, angle_deg } = p.section;
+        let section = [outer_diameter_mm, wall_mm, length_mm, angle_deg].map(|v| v.map(f64::to_bits));
+        let place = *places.entry((section, p.set, p.measured as u8)).or_insert(groups.len());
+        match groups.get_mut(place) {
             Some(group) => group.push(*p),
             None => groups.push(vec![*p]),
         }
@@ -120,14 +121,7 @@ pub fn mean_of_data(points: &[DataPoint]) -> Vec<DataPoint> {
             continue;
         }
         let rows: Vec<MeasuredPoint> = group.iter().map(|p| p.at).collect();
-        for mean in mean_of_branches(&rows) {
-            let same = |p: &&DataPoint| {
-                p.at.pressure_mpa == mean.pressure_mpa && p.at.contraction == mean.contraction
-            };
-            let lower = |p: &&DataPoint| same(p) && p.at.branch != Some(Direction::Elongation);
-            let origin = group.iter().find(lower).or_else(|| group.iter().find(same));
-            out.extend(origin.map(|p| DataPoint { at: mean, ..*p }));
-        }
+        out.extend(means(&rows).into_iter().map(|(index, at)| DataPoint { at, ..group[index] }));
     }
     out
 }

@@ -27,15 +27,19 @@ impl MeasuredPoint {
 /// The mean of the two hysteresis branches: at every contraction of the lower branch, half the sum with the upper branch
 /// interpolated there, pressure by pressure. Points without a branch, and pressures with one branch only, stay as they are.
 pub fn mean_of_branches(points: &[MeasuredPoint]) -> Vec<MeasuredPoint> {
-    let mut pressures: Vec<f64> = points.iter().map(|p| p.pressure_mpa).collect();
-    pressures.sort_by(f64::total_cmp);
-    pressures.dedup();
+    means(points).into_iter().map(|(_, mean)| mean).collect()
+}
+
+/// The same, each with the index of the point at whose contraction it is. It takes n log n steps.
+pub(super) fn means(points: &[MeasuredPoint]) -> Vec<(usize, MeasuredPoint)> {
+    let mut sorted: Vec<(usize, MeasuredPoint)> = points.iter().copied().enumerate().collect();
+    sorted.sort_by(|(_, a), (_, b)| a.pressure_mpa.total_cmp(&b.pressure_mpa));
     let mut out = Vec::new();
-    for pressure in pressures {
+    for at_pressure in sorted.chunk_by(|(_, a), (_, b)| a.pressure_mpa == b.pressure_mpa) {
         let of = |branch| {
-            let mut list: Vec<MeasuredPoint> =
-                points.iter().filter(|p| p.pressure_mpa == pressure && p.branch == branch).copied().collect();
-            list.sort_by(|a, b| a.contraction.total_cmp(&b.contraction));
+            let mut list: Vec<(usize, MeasuredPoint)> =
+                at_pressure.iter().filter(|(_, p)| p.branch == branch).copied().collect();
+            list.sort_by(|(_, a), (_, b)| a.contraction.total_cmp(&b.contraction));
             list
         };
         let (lower, upper) = (of(Some(Direction::Contraction)), of(Some(Direction::Elongation)));
@@ -44,9 +48,11 @@ pub fn mean_of_branches(points: &[MeasuredPoint]) -> Vec<MeasuredPoint> {
             out.extend(lower.into_iter().chain(upper));
             continue;
         }
-        out.extend(lower.iter().filter_map(|p| {
+        let upper: Vec<MeasuredPoint> = upper.into_iter().map(|(_, p)| p).collect();
+        out.extend(lower.iter().filter_map(|(index, p)| {
             let above = interpolate(&upper, p.contraction)?;
-            Some(MeasuredPoint { force_n: 0.5 * (p.force_n + above), branch: Some(Direction::Mean), ..*p })
+            let force_n = 0.5 * (p.force_n + above);
+            Some((*index, MeasuredPoint { force_n, branch: Some(Direction::Mean), ..*p }))
         }));
     }
     out

@@ -2,6 +2,7 @@
 
 use super::data::{DataPoint, Quantity, Section};
 use super::point::MeasuredPoint;
+use mckibben::cancel;
 use mckibben::muscle::Direction;
 use mckibben_io::table::{
     Column, Columns, Meaning, POINTS, Table, TableError, Understood, is_absolute, read_text, spoken,
@@ -262,6 +263,7 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>, TableError> {
         None => TableError::empty(),
     };
     let one = |(row, line): (usize, u64)| {
+        cancel::check()?;
         let known = "neither \"contraction\" (while it shortens) nor \"elongation\" (while it lengthens) nor \"mean\" (of both)";
         let branch = table.word(row, Meaning::Branch, &branches, known)?;
         let known = "neither \"force\", \"contraction\", \"pressure\" nor \"volume\"";

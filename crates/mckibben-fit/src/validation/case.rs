@@ -9,6 +9,7 @@ pub use super::facts::Facts;
 use super::rubber::RubberCase;
 use crate::identify::Parameter;
 use crate::measured::DataPoint;
+use mckibben::cancel::Cancel;
 use mckibben::muscle::Muscle;
 use rust_embed::Embed;
 use serde::{Deserialize, Serialize};
@@ -131,8 +132,11 @@ pub(super) fn with_file(file: &str) -> Vec<String> {
     names
 }
 
-static BUILT_IN: LazyLock<Result<Vec<Measurement>, CaseError>> =
-    LazyLock::new(|| built_in().iter().map(Measurement::read).collect());
+static BUILT_IN: LazyLock<Result<Vec<Measurement>, CaseError>> = LazyLock::new(|| {
+    // For every caller, and not for the first alone, who may leave.
+    let _entered = Cancel::default().enter();
+    built_in().iter().map(Measurement::read).collect()
+});
 
 /// The measurements that are built in.
 pub fn measurements() -> Result<&'static [Measurement], &'static CaseError> {

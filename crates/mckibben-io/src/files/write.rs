@@ -8,14 +8,62 @@ use tempfile::NamedTempFile;
 /// What names of unfinished files begin with.
 const UNFINISHED: &str = ".unfinished-";
 
-/// Puts `bytes` at `path`, whole or not at all. A device or pipe (`/dev/stdout`) is written in place.
-pub fn replace(path: &Path, bytes: &[u8]) -> Result<()> {
+/// Puts `bytes` at `path`, whole or not at all; an existing file is overwritten only with `overwrite`. A device or pipe (`/dev/stdout`) is
+/// written in place.
+///
+/// # Errors
+/// Those of [`check_free`], and whatever the system says.
+pub fn put(path: &Path, bytes: &[u8], overwrite: bool) -> Result<()> {
+    check_free(path, overwrite)?;
     if std::fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir()) {
         return std::fs::write(path, bytes);
     }
-    let mut file = Unfinished::beside(path)?;
-    file.file().write_all(bytes)?;
-    file.put(true)
+    Unfinished::sweep(path);
+    Unfinished::beside(path)?.with(bytes)?.put(overwrite)
+}
+
+/// Puts files into a folder, which is made where it is missing: all of them, or none where one exists and `overwrite` is not set. A link in the
+/// folder is no way out of it: it exists like a file, and is overwritten itself.
+///
+/// # Errors
+/// The path that is not written, with `AlreadyExists` or whatever the system says.
+pub fn put_all<N: AsRef<Path>, B: AsRef<[u8]>>(
+    folder: &Path,
+    files: impl IntoIterator<Item = (N, B)>,
+    overwrite: bool,
+) -> std::result::Result<(), (PathBuf, Error)> {
+    std::fs::create_dir_all(folder).map_err(|e| (folder.into(), e))?;
+    let (mut whole, files) = (vec![], files.into_iter().collect::<Vec<_>>());
+    // One file of a long series is not worth a look through its folder.
+    if files.len() > 1 {
+        files.iter().for_each(|(name, _)| Unfinished::sweep(&folder.join(name)));
+    }
+    for (name, bytes) in files {
+        let path = folder.join(name);
+        match Unfinished::inside(&path, overwrite).and_then(|file| file.with(bytes.as_ref())) {
+            Ok(file) => whole.push((path, file)),
+            Err(error) => return Err((path, error)),
+        }
+    }
+    whole.into_iter().try_for_each(|(path, file)| file.put(overwrite).map_err(|e| (path, e)))
+}
+
+/// Whether a file may be put at `path`: nothing is there, what is no file (a device), or a file that may be overwritten.
+///
+/// # Errors
+/// `AlreadyExists` for a file without `overwrite`, `IsADirectory`, `PermissionDenied` for one that is read-only, `NotFound` where the folder does
+/// not exist, and whatever the system says.
+pub fn check_free(path: &Path, overwrite: bool) -> Result<()> {
+    // What is no regular file is written in place, or refused when it is written.
+    if !path.is_file() {
+        return Ok(());
+    }
+    check_writable(path)?;
+    if overwrite { Ok(()) } else { Err(exists()) }
+}
+
+fn exists() -> Error {
+    Error::new(ErrorKind::AlreadyExists, "exists and would be overwritten")
 }
 
 /// Whether a file may be put at `path`: nothing is there, or a file that may be written.
@@ -24,7 +72,7 @@ pub fn replace(path: &Path, bytes: &[u8]) -> Result<()> {
 /// `IsADirectory`, `PermissionDenied` for a file that is read-only, `NotFound` where the folder does not exist, and
 /// whatever the system says.
 pub fn check_writable(path: &Path) -> Result<()> {
-    Destination::of(path).map(drop)
+    Destination::of(behind_links(path)?).map(drop)
 }
 
 /// Where a file goes: behind links, with what is there.
@@ -34,9 +82,10 @@ struct Destination {
 }
 
 impl Destination {
-    fn of(path: &Path) -> Result<Self> {
-        let target = behind_links(path)?;
-        let old = match std::fs::metadata(&target) {
+    fn of(target: PathBuf) -> Result<Self> {
+        // Of a link inside a folder, which is not followed, nothing is asked.
+        let old = match std::fs::symlink_metadata(&target) {
+            Ok(link) if link.is_symlink() => None,
             Ok(old) => Some(old),
             Err(error) if error.kind() == ErrorKind::NotFound => None,
             Err(error) => return Err(error),
@@ -47,8 +96,8 @@ impl Destination {
             Some(old) if old.permissions().readonly() => {
                 return Err(Error::new(ErrorKind::PermissionDenied, "the file is read-only"));
             }
-            Some(_) => drop(OpenOptions::new().write(true).open(&target)?),
-            None => {}
+            Some(old) if old.is_file() => drop(OpenOptions::new().write(true).open(&target)?),
+            _ => {}
         }
         let place = Self { target, old };
         if !place.folder().is_dir() {
@@ -97,7 +146,21 @@ impl Unfinished {
     /// Begins a file that is to stand at `path`; where that is a link, at the file that it points to. The mode of an older
     /// file is kept, a new one gets the usual one.
     pub fn beside(path: &Path) -> Result<Self> {
-        let place = Destination::of(path)?;
+        Self::at(Destination::of(behind_links(path)?)?)
+    }
+
+    /// Begins a file of a folder, in which no link is followed.
+    ///
+    /// # Errors
+    /// `AlreadyExists` without `overwrite` where there is a file or a link, whatever it points to; whatever the system says.
+    pub fn inside(path: &Path, overwrite: bool) -> Result<Self> {
+        if !overwrite && std::fs::symlink_metadata(path).is_ok_and(|m| !m.is_dir()) {
+            return Err(exists());
+        }
+        Self::at(Destination::of(path.into())?)
+    }
+
+    fn at(place: Destination) -> Result<Self> {
         let prefix = prefix(&place.target);
         let mut builder = tempfile::Builder::new();
         builder.prefix(&prefix);
@@ -118,6 +181,12 @@ impl Unfinished {
 
     pub fn file(&mut self) -> &mut File {
         self.temporary.as_file_mut()
+    }
+
+    /// The file with what is in it.
+    pub fn with(mut self, bytes: &[u8]) -> Result<Self> {
+        self.file().write_all(bytes)?;
+        Ok(self)
     }
 
     /// Brings it to the disk and gives it its name. An existing file is overwritten only with `clobber`.
@@ -148,6 +217,10 @@ impl Unfinished {
         let prefix = prefix(&target);
         let Ok(entries) = std::fs::read_dir(folder_of(&target)) else { return };
         for entry in entries.flatten().filter(|e| e.file_name().to_string_lossy().starts_with(&prefix)) {
+            // To open a pipe would wait for its other end.
+            if !entry.file_type().is_ok_and(|kind| kind.is_file()) {
+                continue;
+            }
             let left = OpenOptions::new().write(true).open(entry.path());
             if left.is_ok_and(|file| file.try_lock().is_ok()) {
                 // Nothing depends on it.
@@ -182,8 +255,8 @@ mod tests {
     fn a_file_is_replaced_and_nothing_is_left_behind() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.txt");
-        replace(&path, b"one").unwrap();
-        replace(&path, b"two").unwrap();
+        put(&path, b"one", false).unwrap();
+        put(&path, b"two", true).unwrap();
         assert_eq!(std::fs::read(&path).unwrap(), b"two");
         assert_eq!(names(folder.path()), 1);
     }
@@ -191,9 +264,9 @@ mod tests {
     #[test]
     fn what_cannot_be_written_is_refused_and_leaves_nothing() {
         let folder = tempfile::tempdir().unwrap();
-        assert_eq!(replace(folder.path(), b"x").unwrap_err().kind(), ErrorKind::IsADirectory);
+        assert_eq!(put(folder.path(), b"x", true).unwrap_err().kind(), ErrorKind::IsADirectory);
         let missing = folder.path().join("no/such/folder/a.txt");
-        assert_eq!(replace(&missing, b"x").unwrap_err().kind(), ErrorKind::NotFound);
+        assert_eq!(put(&missing, b"x", true).unwrap_err().kind(), ErrorKind::NotFound);
         assert_eq!(names(folder.path()), 0);
     }
 
@@ -205,7 +278,7 @@ mod tests {
         let mut mode = std::fs::metadata(&path).unwrap().permissions();
         mode.set_readonly(true);
         std::fs::set_permissions(&path, mode).unwrap();
-        assert_eq!(replace(&path, b"x").unwrap_err().kind(), ErrorKind::PermissionDenied);
+        assert_eq!(put(&path, b"x", true).unwrap_err().kind(), ErrorKind::PermissionDenied);
         assert_eq!((std::fs::read(&path).unwrap(), names(folder.path())), (b"mine".to_vec(), 1));
     }
 
@@ -219,12 +292,47 @@ mod tests {
         symlink("far/file", at("one")).unwrap();
         symlink("one", at("two")).unwrap();
         for content in [b"first".as_slice(), b"again"] {
-            replace(&at("two"), content).unwrap();
+            put(&at("two"), content, true).unwrap();
             assert_eq!(std::fs::read(at("far/file")).unwrap(), content);
             assert!(at("two").is_symlink() && at("one").is_symlink());
         }
         symlink("circle", at("circle")).unwrap();
-        assert!(replace(&at("circle"), b"x").is_err());
+        assert!(put(&at("circle"), b"x", true).is_err());
+    }
+
+    /// Row D5 of the trials: `identified.toml -> ../elsewhere`, a dangling `README.md`.
+    #[cfg(unix)]
+    #[test]
+    fn a_link_inside_a_folder_is_refused_or_overwritten_itself() {
+        use std::os::unix::fs::symlink;
+        let outer = tempfile::tempdir().unwrap();
+        let folder = outer.path().join("folder");
+        std::fs::create_dir(&folder).unwrap();
+        std::fs::write(outer.path().join("elsewhere"), b"theirs").unwrap();
+        symlink("../elsewhere", folder.join("file")).unwrap();
+        symlink("../nowhere", folder.join("dangling")).unwrap();
+        let files = |name| [("first", b"ours".as_slice()), (name, b"ours")];
+        for name in ["file", "dangling"] {
+            let (path, error) = put_all(&folder, files(name), false).unwrap_err();
+            assert_eq!((path, error.kind()), (folder.join(name), ErrorKind::AlreadyExists));
+            // All or none.
+            assert_eq!(names(&folder), 2);
+        }
+        for name in ["file", "dangling"] {
+            put_all(&folder, files(name), true).unwrap();
+            assert!(!folder.join(name).is_symlink() && std::fs::read(folder.join(name)).unwrap() == b"ours");
+        }
+        assert_eq!(std::fs::read(outer.path().join("elsewhere")).unwrap(), b"theirs");
+        assert!(!outer.path().join("nowhere").exists());
+    }
+
+    #[test]
+    fn an_existing_file_is_overwritten_only_where_that_is_said() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        put(&path, b"mine", false).unwrap();
+        assert_eq!(put(&path, b"x", false).unwrap_err().kind(), ErrorKind::AlreadyExists);
+        assert_eq!((std::fs::read(&path).unwrap(), names(folder.path())), (b"mine".to_vec(), 1));
     }
 
     #[test]

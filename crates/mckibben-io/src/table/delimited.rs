@@ -1,6 +1,7 @@
 //! From text to rows of fields: separators, comments, blank lines, and the line of each row as an editor counts it.
 
 use super::TableError;
+use crate::cancel;
 use csv::{ReaderBuilder, StringRecord, Trim};
 
 /// What is between two fields.
@@ -77,8 +78,11 @@ impl Sheet {
             Separator::Spaces => {
                 let count = columns(text);
                 let rows = (1..).zip(text.lines()).skip(skip).filter(|(_, l)| !is_comment(l));
-                rows.map(|(line, l)| TableRow { line, fields: spaced(l, count).into_iter().collect() })
-                    .collect()
+                let row = |(line, l)| {
+                    cancel::check()?;
+                    Ok(TableRow { line, fields: spaced(l, count).into_iter().collect() })
+                };
+                rows.map(row).collect::<Result<_, TableError>>()?
             }
             Separator::Mark(mark) => marked(text, mark, skip)?,
         };
@@ -178,6 +182,7 @@ fn marked(text: &str, mark: char, skip: usize) -> Result<Vec<TableRow>, TableErr
     let mut reader = reader(text, mark);
     let mut fields = StringRecord::new();
     loop {
+        cancel::check()?;
         let broken = |e: csv::Error| TableError::Refused(format!("after line {}: {e}", place.line));
         if !reader.read_record(&mut fields).map_err(broken)? {
             break;

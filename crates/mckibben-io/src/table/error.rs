@@ -2,6 +2,7 @@
 
 use super::Column;
 use super::vocabulary::Need;
+use crate::cancel::Cancelled;
 use thiserror::Error;
 
 /// Why a table cannot be read. Lines are counted from 1, as an editor counts them. Fields of requests are named in
@@ -15,6 +16,9 @@ pub enum TableError {
     /// It cannot be read at all.
     #[error("{0}")]
     Io(#[from] std::io::Error),
+    /// The caller wanted it to end.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }
 
 impl TableError {

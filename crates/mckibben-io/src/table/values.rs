@@ -6,6 +6,7 @@ use super::find::Column;
 use super::heading::{self, plain};
 use super::number::{self, NoNumber};
 use super::vocabulary::{Entry, Meaning, Need};
+use crate::cancel;
 use crate::units::Dimension;
 
 impl Table {
@@ -87,6 +88,7 @@ impl Table {
     }
 
     fn number(&self, at: usize, column: &Column) -> Result<f64, TableError> {
+        cancel::check()?;
         let row = &self.rows[at];
         let text = row.field(column.index);
         if text.is_empty() && row.width() <= column.index {

@@ -226,6 +226,11 @@ fn subject(root: &Section<'_>) -> Result<Subject, FileError> {
         (Some(_), Some(_)) => {
             Err(said(root, "joint", "conflicts with muscle: a drive moves one or the other"))
         }
+        (None, None) if root.has("tube") || root.has("braid") => Err(root.missing(
+            "muscle",
+            None,
+            "this is a muscle file, and a motion needs a drive file: one that names it (muscle = \"muscle.toml\") and has [load], [valve] and [command]; docs/motion.md describes it, examples/drive.toml is one",
+        )),
         (None, None) => Err(root.missing("muscle", None, "what moves: a muscle or a joint")),
     }
 }

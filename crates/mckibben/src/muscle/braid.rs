@@ -138,6 +138,16 @@ impl Braid {
     }
 
     pub(super) fn check(&self) -> Result<(), MuscleError> {
+        // No braid is laid at less than a degree, and many are at half a radian.
+        if self.angle_deg > 0.0 && self.angle_deg < 1.0 {
+            let (angle, meant) = (self.angle_deg, self.angle_deg.to_degrees());
+            return Err(MuscleError::refused(
+                ["braid.angle"],
+                format!(
+                    "braid.angle is {angle} deg, less than any braid has; was {angle} rad meant? write {meant:.4} deg"
+                ),
+            ));
+        }
         if !(self.angle_deg > 0.0 && self.angle_deg <= LARGEST_ANGLE_DEG) {
             return Err(MuscleError::refused(
                 ["braid.angle"],

@@ -134,6 +134,20 @@ impl Muscle {
                 ),
             ));
         }
+        let strand_mm = parts
+            .braid
+            .strands
+            .and_then(|s| s.section)
+            .map_or(0.0, |s| (4.0 * s.0 / std::f64::consts::PI).sqrt());
+        if strand_mm > parts.tube.outer_diameter_mm {
+            return Err(MuscleError::refused(
+                ["braid.strand_diameter", "braid.strand_area"],
+                format!(
+                    "braid: a strand of {strand_mm:.4} mm is thicker than the tube, which has {} mm; is its unit mm (or mm2)?",
+                    parts.tube.outer_diameter_mm
+                ),
+            ));
+        }
         let reach = parts.reach();
         parts.tube.rubber = library::following(parts.tube.rubber, reach);
         let warm =
@@ -214,6 +228,7 @@ impl Muscle {
         own.chain(self.bench_warning())
             .chain(self.extensile_warning())
             .chain(self.temperature_warning())
+            .chain(self.modulus_warning())
             .collect()
     }
 
@@ -232,6 +247,18 @@ impl Muscle {
             let factor = mu(self.rubber()) / mu(&self.parts.tube.rubber);
             format!(
                 "the rubber at {degc} °C has the moduli of {of_constants} °C times {factor:.3}, in proportion to the absolute temperature: an approximation for rubber without filler; strands and ends stay as they are, and no measured muscle at another temperature is known"
+            )
+        })
+    }
+
+    /// A modulus that no rubber of a muscle has.
+    fn modulus_warning(&self) -> Option<String> {
+        /// That of a rubber of about 95 Shore A, in MPa.
+        const HARDEST_MPA: f64 = 20.0;
+        let mu_mpa = self.parts.tube.rubber.law.shear_modulus_mpa();
+        (mu_mpa > HARDEST_MPA).then(|| {
+            format!(
+                "the shear modulus of the rubber is {mu_mpa} MPa, and even hard rubber has less than {HARDEST_MPA} MPa; is its unit kPa?"
             )
         })
     }

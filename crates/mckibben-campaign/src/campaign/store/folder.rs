@@ -6,7 +6,7 @@ use crate::campaign::{CampaignError, Shard};
 use mckibben_io::files::Unfinished;
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions, TryLockError};
-use std::io::Write;
+use std::io::Error;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
@@ -72,6 +72,11 @@ impl Folder {
 
     fn lock(&mut self, name: &str, shared: bool) -> Result<(), CampaignError> {
         let path = self.path.join(name);
+        if path.is_symlink() {
+            return Err(CampaignError::write(&path)(Error::other(
+                "is a link, and the lock of a folder lies in it",
+            )));
+        }
         let open = OpenOptions::new().create(true).truncate(false).read(true).write(true).open(&path);
         let file = open.map_err(CampaignError::write(&path))?;
         let lock = || if shared { file.try_lock_shared() } else { file.try_lock() };
@@ -163,8 +168,7 @@ impl Folder {
             let path = self.path.join(part_name(number));
             let fail = |e: std::io::Error| CampaignError::write(&path)(e);
             // Removed again if anything fails before it is renamed.
-            let mut file = Unfinished::beside(&path).map_err(fail)?;
-            file.file().write_all(&bytes).map_err(fail)?;
+            let file = Unfinished::inside(&path, true).and_then(|file| file.with(&bytes)).map_err(fail)?;
             file.put(true).map_err(fail)?;
         }
         mckibben_io::files::sync(&self.path);

@@ -1,8 +1,18 @@
 //! The report as PDF, printed by a browser.
 
 use crate::failure::Failure;
+use crate::progress;
 use mckibben_app::ProblemKind;
+use std::fs::File;
+use std::io;
 use std::process::{Command, Stdio};
+use std::time::Duration;
+use tempfile::TempDir;
+
+/// What names of folders of the browser begin with.
+const FOLDER: &str = "mckibben-print-";
+/// In such a folder, held while it is used.
+const LOCK: &str = "lock";
 
 /// A browser that prints.
 pub(super) fn browser() -> Result<&'static str, Failure> {
@@ -30,8 +40,7 @@ pub(super) fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Failure> {
             "print the HTML page",
         )
     };
-    // A folder of its own that nobody else can write to, also for the browser's profile.
-    let folder = tempfile::tempdir().map_err(|e| wrong(e.to_string()))?;
+    let (folder, _lock) = folder().map_err(|e| wrong(e.to_string()))?;
     let (page, pdf) = (folder.path().join("report.html"), folder.path().join("report.pdf"));
     std::fs::write(&page, html).map_err(|e| wrong(e.to_string()))?;
     let mut flags = vec!["--headless".to_owned(), "--disable-gpu".into(), "--no-pdf-header-footer".into()];
@@ -41,11 +50,49 @@ pub(super) fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Failure> {
         // Its sandbox refuses to work for root; the page is our own and has no script.
         flags.push("--no-sandbox".into());
     }
-    let ran = Command::new(browser).args(flags).arg(&page).output().map_err(|e| wrong(e.to_string()))?;
-    if !ran.status.success() {
-        return Err(wrong(String::from_utf8_lossy(&ran.stderr).lines().last().unwrap_or_default().into()));
+    let said = File::create(folder.path().join("said")).map_err(|e| wrong(e.to_string()))?;
+    let mut command = Command::new(browser);
+    let quiet = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(said);
+    let mut child = quiet
+        .args(flags)
+        .arg(&page)
+        .env("TMPDIR", folder.path())
+        .spawn()
+        .map_err(|e| wrong(e.to_string()))?;
+    let status = loop {
+        if let Some(status) = child.try_wait().map_err(|e| wrong(e.to_string()))? {
+            break status;
+        }
+        if let Err(ended) = progress::ended() {
+            // It may have ended by itself since.
+            let _ = child.kill().and_then(|()| child.wait());
+            return Err(ended);
+        }
+        std::thread::sleep(Duration::from_millis(20));
+    };
+    progress::ended()?;
+    if !status.success() {
+        let said = std::fs::read_to_string(folder.path().join("said")).unwrap_or_default();
+        return Err(wrong(said.lines().last().unwrap_or_default().into()));
     }
     std::fs::read(&pdf).map_err(|e| wrong(e.to_string()))
+}
+
+/// A folder that nobody else can write to, also for the browser's profile, with the lock that holds it. Those that killed programs left are removed.
+fn folder() -> io::Result<(TempDir, File)> {
+    for entry in std::fs::read_dir(std::env::temp_dir()).into_iter().flatten().flatten() {
+        let left = |lock: File| lock.try_lock().is_ok();
+        if entry.file_name().to_string_lossy().starts_with(FOLDER)
+            && File::open(entry.path().join(LOCK)).is_ok_and(left)
+        {
+            // Nothing depends on it.
+            let _ = std::fs::remove_dir_all(entry.path());
+        }
+    }
+    let folder = tempfile::Builder::new().prefix(FOLDER).tempdir()?;
+    let lock = File::create(folder.path().join(LOCK))?;
+    let _ = lock.try_lock();
+    Ok((folder, lock))
 }
 
 fn is_root() -> bool {

@@ -143,8 +143,8 @@ impl fmt::Display for FileError {
         }
         match (&self.key, &self.written) {
             (Some(key), Some(written)) => write!(f, "{key} = {written}: ")?,
-            (Some(key), None) => write!(f, "{key}: ")?,
-            (None, _) => {}
+            (Some(key), None) if !key.is_empty() => write!(f, "{key}: ")?,
+            _ => {}
         }
         write!(f, "{}", self.problem)
     }

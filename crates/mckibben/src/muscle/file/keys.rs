@@ -20,8 +20,9 @@ pub(super) static ALL: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
     tube.chain(braid).chain(of("terminals")).chain(MODEL.iter().copied()).chain(of("friction")).collect()
 });
 
-/// The rubber, but for the constants of its law; nobody writes those of `[identified]` by hand.
+/// The bore, and the rubber but for the constants of its law; nobody writes those of `[identified]` by hand.
 const MATERIAL: &[&str] = &[
+    "tube.inner_diameter",
     "tube.rubber",
     "tube.material",
     "tube.material.law",

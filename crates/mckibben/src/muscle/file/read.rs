@@ -5,10 +5,12 @@ use super::keys::{ALL, keys, measures};
 use super::source::{Section, Source};
 use super::{bench, braid, material};
 use crate::muscle::{EndFactor, Muscle, MuscleError, Parts};
+use crate::units::Dimension;
 
 const TOP: &[&str] = &["tube", "braid", "terminals", "friction", "model", "identified", "name", "notes"];
 /// Keys of the tables that are no measures.
-const TUBE: [&str; 2] = ["rubber", "material"];
+const TUBE: [&str; 3] = ["rubber", "material", INNER];
+const INNER: &str = "inner_diameter";
 const MODELS: &[&str] = &["tondu-lopez", "conical-ends"];
 
 /// Reads the text of a muscle file.
@@ -57,8 +59,28 @@ fn tube(root: &Section<'_>, parts: &mut Parts) -> Result<(), FileError> {
     let section = root.section("tube", "tube")?;
     section.only(&keys("tube", &TUBE), &ALL)?;
     measures(&section, "tube", parts)?;
+    inner_diameter(&section, parts)?;
     parts.tube.rubber = material::read(&section)?;
     Ok(())
+}
+
+/// The bore, by which tubes are sold: with the outer diameter it gives the wall, with the wall the outer diameter.
+fn inner_diameter(section: &Section<'_>, parts: &mut Parts) -> Result<(), FileError> {
+    let Some(inner_mm) = section.quantity(INNER, Dimension::Length)? else { return Ok(()) };
+    let wrong = |said: &str| Err(section.error(INNER, Problem::Said(said.into())));
+    let tube = &mut parts.tube;
+    match (section.has("outer_diameter"), section.has("wall_thickness")) {
+        (true, false) => tube.wall_mm = 0.5 * (tube.outer_diameter_mm - inner_mm),
+        (false, true) => tube.outer_diameter_mm = inner_mm + 2.0 * tube.wall_mm,
+        (true, true) => {
+            return wrong("follows from outer_diameter and wall_thickness; leave one of the three out");
+        }
+        (false, false) => return wrong("needs outer_diameter or wall_thickness beside it"),
+    }
+    if inner_mm > 0.0 && tube.wall_mm > 0.0 {
+        return Ok(());
+    }
+    wrong("must lie between 0 and outer_diameter")
 }
 
 /// The terminals, and what models of their own say of the ends.

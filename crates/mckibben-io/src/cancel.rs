@@ -1,7 +1,7 @@
 //! The wish to end work.
 //!
 //! A front end makes a [`Cancel`] for each request and [enters](Cancel::enter) it for the time of the work. Every loop that may be long
-//! [looks](check) at the flag of its thread; work side by side ([`crate::threads`]) takes the flag along.
+//! [looks](check) at the flag of its thread; work side by side (threads of the crate `mckibben`) takes the flag along.
 
 use std::cell::RefCell;
 use std::marker::PhantomData;
@@ -67,31 +67,5 @@ pub struct Entered {
 impl Drop for Entered {
     fn drop(&mut self) {
         CURRENT.set(self.before.take());
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::progress::{Progress, Silent};
-    use crate::threads;
-
-    #[test]
-    fn a_flag_that_was_entered_is_that_of_threads_and_silent_work_until_it_is_left() {
-        let cancel = Cancel::default();
-        let ended = || {
-            let here = check().is_err() && Silent.cancelled();
-            here && threads::map(&[1, 2, 3], |_| Silent.cancelled()) == [true; 3]
-        };
-        assert!(!ended());
-        {
-            let _entered = cancel.enter();
-            assert!(!ended());
-            cancel.cancel();
-            assert!(ended());
-            let _other = Cancel::default().enter();
-            assert!(!ended());
-        }
-        assert!(!ended());
     }
 }

@@ -1,0 +1,167 @@
+//! What holds for every figure that a command draws.
+
+use crate::asked;
+use mckibben_report::{Figure, Panel, Series, Style};
+use serde_json::{Value, json};
+use std::path::Path;
+
+fn text_file(name: &str) -> Value {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(name);
+    let name = path.file_name().unwrap().to_string_lossy();
+    json!({ "name": name, "text": std::fs::read_to_string(&path).unwrap() })
+}
+
+/// Figures of every command that has one, with few curves and many, with bands and without.
+fn figures() -> Vec<(String, Figure)> {
+    let nine: Vec<f64> = (1..=9).map(|i| 0.025 * f64::from(i)).collect();
+    let bench = text_file("examples/bench.toml");
+    let points = text_file("examples/bench.csv");
+    let joint = || {
+        let muscle = text_file("examples/biceps.toml");
+        json!({ "joint": text_file("examples/elbow.toml"), "muscles": [muscle, muscle], "model": "universal" })
+    };
+    let with = |mut request: Value, more: Value| {
+        request.as_object_mut().unwrap().extend(more.as_object().unwrap().clone());
+        request
+    };
+    let curve = |test: &str, model: &str| json!({ "test": test, "model": model, "pressures_mpa": [0.1, 0.2], "contractions": [0.0, 0.1, 0.2, 0.3], "forces_n": [100, 300] });
+    let only = |request: Value, without: &str| {
+        let mut request = request;
+        request.as_object_mut().unwrap().remove(without);
+        request
+    };
+    let requests = vec![
+        ("curve", only(curve("isobaric", "ideal"), "forces_n")),
+        ("curve", only(curve("isobaric", "fe"), "forces_n")),
+        ("curve", only(curve("isometric", "universal"), "forces_n")),
+        ("curve", only(curve("isotonic", "universal"), "contractions")),
+        (
+            "curve",
+            json!({ "test": "isobaric", "model": "universal", "pressures_mpa": nine, "contractions": [0.0, 0.1, 0.2] }),
+        ),
+        (
+            "curve",
+            json!({ "test": "isobaric", "model": "universal", "pressures_mpa": [0.1, 0.2], "contractions": [0.0, 0.1, 0.2], "load": "mass:10kg" }),
+        ),
+        ("study", json!({})),
+        (
+            "compare",
+            json!({ "models": ["ideal", "paper", "universal"], "pressures_mpa": [0.1, 0.2], "contractions": [0.0, 0.1, 0.2] }),
+        ),
+        ("compare", json!({ "models": ["universal", "thick-wall"], "muscle": bench, "data": points })),
+        ("identify", json!({ "muscle": bench, "data": [points], "model": "thick-wall" })),
+        (
+            "identify",
+            json!({ "formula": "paper", "pressures_mpa": nine, "contractions": nine, "model": "thick-wall", "free": ["tube.material.c10"] }),
+        ),
+        (
+            "joint",
+            with(
+                joint(),
+                json!({ "pressures_mpa": [[0.2, 0.1], [0.1, 0.1]], "angles_deg": [-40, -20, 0, 20, 40] }),
+            ),
+        ),
+        ("joint", with(joint(), json!({ "map": 8, "max_pressure_mpa": 0.3 }))),
+        (
+            "motion",
+            json!({ "drive": text_file("examples/drive.toml"), "muscle": text_file("examples/prototype.toml"), "model": "universal" }),
+        ),
+        ("simulate", json!({ "test": "isometric", "pressures_mpa": nine, "contractions": [0.05] })),
+        (
+            "simulate",
+            json!({ "test": "isometric", "pressures_mpa": [0.1, 0.2], "contractions": [0.05, 0.1] }),
+        ),
+        (
+            "design",
+            json!({ "force_n": 500, "contraction": 0.05, "max_pressure_mpa": 0.25, "outer_diameter_mm": 30, "wall_mm": 2, "model": "paper" }),
+        ),
+        ("measured", json!({ "model": "thick-wall", "cases": [] })),
+        ("rubber", json!({ "data": text_file("data/treloar/tension.csv"), "laws": ["yeoh", "neo-hookean"] })),
+        ("rubber", json!({ "data": text_file("data/treloar/tension.csv") })),
+    ];
+    requests
+        .into_iter()
+        .map(|(command, request)| {
+            let figure = if command == "rubber" { json!(true) } else { json!("MPa") };
+            let answer = asked(command, with(request.clone(), json!({ "figure": figure })));
+            let name = format!("{command} {:.200}", request.to_string());
+            let figure =
+                serde_json::from_value(answer["figure"].clone()).unwrap_or_else(|e| panic!("{name}: {e}"));
+            (name, figure)
+        })
+        .collect()
+}
+
+fn seen(series: &Series) -> Vec<(f64, f64)> {
+    series.points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite()).collect()
+}
+
+fn last_x(series: &Series) -> f64 {
+    seen(series).iter().map(|p| p.0).fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// What is wrong with a panel of a figure.
+fn faults(figure: &Figure, panel: &Panel) -> Vec<String> {
+    let mut out = vec![];
+    let look = |s: &Series, i: usize| (s.style, s.colour.unwrap_or(i));
+    let all: Vec<(usize, &Series)> = panel.series.iter().enumerate().collect();
+    for (i, series) in &all {
+        // Every entry of the legend is drawn, and one text stands for one kind of line.
+        if !series.label.is_empty() {
+            let same = || all.iter().filter(|(_, other)| other.label == series.label);
+            if same().all(|(_, other)| seen(other).is_empty()) {
+                out.push(format!("nothing is drawn of \"{}\"", series.label));
+            }
+            let lines = same().filter(|(_, other)| other.style != Style::Points);
+            if lines.clone().any(|(j, other)| look(other, *j) != look(series, *i))
+                && series.style != Style::Points
+            {
+                out.push(format!("two lines are called \"{}\"", series.label));
+            }
+        }
+        // Every line of a colour with a meaning is named there or in another panel, or has the colour of one that is; the caption says what dots are.
+        let named = |(j, other): (usize, &Series)| {
+            look(other, j).1 == look(series, *i).1 && !(other.label.is_empty() && other.end_label.is_empty())
+        };
+        let is_line = ![Style::Band, Style::Points].contains(&series.style) && !series.neutral;
+        let is_named = figure.panels.iter().any(|p| p.series.iter().enumerate().any(named));
+        if is_line && panel.series.len() > 1 && !is_named {
+            out.push(format!("line {i} has no name"));
+        }
+        // A band ends where its line does.
+        if series.style == Style::Band {
+            let lines = all.iter().filter(|(j, other)| {
+                look(other, *j).1 == look(series, *i).1
+                    && ![Style::Band, Style::Points, Style::Dotted].contains(&other.style)
+            });
+            let end = lines.map(|(_, line)| last_x(line)).fold(f64::NEG_INFINITY, f64::max);
+            if (end - last_x(series)).abs() > 1e-9 * end.abs() {
+                out.push(format!("band {i} ends at {} and its line at {end}", last_x(series)));
+            }
+        }
+    }
+    out
+}
+
+#[test]
+fn what_a_figure_announces_is_drawn_and_what_is_drawn_is_named() {
+    let mut wrong = vec![];
+    for (name, figure) in figures() {
+        let has_band = figure.panels.iter().flat_map(|p| &p.series).any(|s| s.style == Style::Band);
+        if has_band != figure.caption.contains("band") {
+            wrong.push(format!("{name}: band {has_band}, and the caption: {}", figure.caption));
+        }
+        let faults = figure.panels.iter().flat_map(|panel| faults(&figure, panel));
+        wrong.extend(faults.map(|fault| format!("{name}: {fault}")));
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Of nine pressures six are drawn, of nine shapes five: the caption says so.
+#[test]
+fn what_is_left_out_of_a_figure_is_said() {
+    let said: Vec<String> = figures().into_iter().map(|(_, figure)| figure.caption).collect();
+    for part in ["6 of 9 pressures are drawn", "5 of 9 shapes are drawn", " laws are drawn"] {
+        assert!(said.iter().any(|caption| caption.contains(part)), "{part}: {said:?}");
+    }
+}
