@@ -343,3 +343,116 @@ fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
         text.lines().zip(asked).for_each(|(line, asked)| gives(line, asked));
     }
 }
+
+/// A muscle with friction, and what C and Python print: of C the numbers of a line, by `main` with the muscle `m` and `unsigned s`.
+fn with_friction() -> ExportedMuscle {
+    let muscle = Muscle::prototype().with_friction(Some(Friction::power_law(71.5, 0.56))).unwrap();
+    exported(&muscle, 0.25).unwrap()
+}
+
+/// Outside of the box, of numbers that are none and of pulls that cannot be: never above the supply, and a status that says so.
+#[test]
+fn no_answer_lies_outside_of_the_box_and_each_has_a_status() {
+    if !runs("cc") {
+        return;
+    }
+    let muscle = with_friction();
+    let folder = tempfile::tempdir().unwrap();
+    write(&muscle, "c", folder.path());
+    let main = r#"#include "muscle_prototype.h"
+#include "mckibben_branch.h"
+#include <math.h>
+#include <stdio.h>
+#define SAY(value) do { s = 99u; const double v = (value); printf("%.17g %u\n", v, s); } while (0)
+int main(void) {
+    unsigned s;
+    const mckibben_muscle *m = &muscle_prototype;
+    const double l = m->length, p = m->supply;
+    SAY(mckibben_pressure(m, 276.5, 0.7 * l, &s)); SAY(mckibben_pressure(m, NAN, l, &s)); SAY(mckibben_pressure(m, 200.0, NAN, &s));
+    SAY(mckibben_pressure(m, -5.0, 0.95 * l, &s)); SAY(mckibben_pressure(m, INFINITY, l, &s)); SAY(mckibben_pressure(m, 200.0, 0.95 * l, &s));
+    SAY(mckibben_pressure_on(m, NAN, l, -1, &s)); SAY(mckibben_pressure_on(m, -5.0, l, 1, &s)); SAY(mckibben_pressure_on(m, 1e9, l, 1, &s));
+    SAY(mckibben_contraction(m, 1e9, p, &s)); SAY(mckibben_contraction(m, NAN, p, &s)); SAY(mckibben_contraction(m, -5.0, 0.5 * p, &s)); SAY(mckibben_contraction(m, 200.0, 2.0 * p, &s));
+    SAY(mckibben_contraction(m, 200.0, 0.6 * p, &s));
+    SAY(mckibben_force(m, NAN, l, &s)); SAY(mckibben_volume(m, 3.0 * p, l, &s)); SAY(mckibben_stiffness(m, p, 0.5 * l, &s)); SAY(mckibben_force_per_pressure(m, -1.0, l, &s));
+    const double pull = mckibben_force(m, 30e3, 0.88 * l, 0);
+    SAY(pull + mckibben_friction(m, 30e3, 0.88 * l, -1.0, 0.0, &s));
+    return 0;
+}
+"#;
+    std::fs::write(folder.path().join("main.c"), main).unwrap();
+    let text = compiled_and_run(folder.path(), &["-O1", "main.c", "mckibben.c", "-lm"]);
+    let found: Vec<(f64, u32)> = text
+        .lines()
+        .map(|line| line.split_once(' ').unwrap())
+        .map(|(value, status)| (value.parse().unwrap(), status.parse().unwrap()))
+        .collect();
+    let (form, near) = (&muscle.form, |a: f64, b: f64| (a - b).abs() < 1e-9 * b.abs().max(1.0));
+    let (supply, low) = (form.supply_pa, form.contraction_low);
+    let (pull, free) = (form.at(supply, 0.0), form.contraction(0.0, 0.5 * supply));
+    let in_box = |value: f64, low: f64, high: f64| value > low && value < high;
+    // Status: 1 slack, 2 pressure outside, 4 contraction outside, 8 no answer.
+    let expected = [(supply, 12), (0.0, 8), (0.0, 12), (0.0, 8), (supply, 8)];
+    for (k, (value, status)) in expected
+        .into_iter()
+        .chain([(f64::NAN, 0), (0.0, 8), (0.0, 8), (supply, 8), (low, 8), (low, 8), (free, 8)])
+        .enumerate()
+    {
+        assert!(found[k].1 == status && (value.is_nan() || near(found[k].0, value)), "{k}: {:?}", found[k]);
+    }
+    assert!(
+        in_box(found[5].0, 0.0, supply) && found[12] == (form.contraction(200.0, supply), 2),
+        "{found:?}"
+    );
+    assert!(in_box(found[13].0, 0.0, form.contraction_high) && found[13].1 == 0, "{found:?}");
+    assert!(
+        found[14].0.is_nan() && found[14].1 == 2 && near(found[15].0, pull.volume_m3) && found[15].1 == 2,
+        "{found:?}"
+    );
+    assert!(found[16].1 & 4 == 4 && found[17].1 & 2 == 2, "{found:?}");
+    assert_eq!(found[18], (0.0, 1));
+}
+
+/// The same by Python; and derivatives by JAX, where it runs here, by differences of what they are the derivatives of.
+#[test]
+fn python_has_the_same_statuses_and_its_inverses_have_derivatives() {
+    let runs = |module: &str| {
+        Command::new("python3")
+            .args(["-c", &format!("import {module}")])
+            .output()
+            .is_ok_and(|o| o.status.success())
+    };
+    let folder = tempfile::tempdir().unwrap();
+    write(&with_friction(), "python", folder.path());
+    let same = r#"
+import muscle_prototype as m
+n, L, S = float("nan"), m.LENGTH, m.SUPPLY
+pairs = [(m.pressure(276.5, .7 * L), S, m.pressure_status(276.5, .7 * L), 12), (m.pressure(n, L), 0, m.pressure_status(n, L), 8), (m.pressure(200., n), 0, m.pressure_status(200., n), 12),
+    (m.pressure(-5., .95 * L), 0, m.pressure_status(-5., .95 * L), 8), (m.pressure_on(1e9, L, 1), S, m.pressure_status(1e9, L, 1), 8), (m.pressure_on(n, L, -1), 0, m.pressure_status(n, L, -1), 8),
+    (m.contraction(1e9, S), m.LOW, m.contraction_status(1e9, S), 8), (m.contraction(n, S), m.LOW, m.contraction_status(n, S), 8), (m.contraction(200., 2 * S), m.contraction(200., S), m.contraction_status(200., 2 * S), 2)]
+for k, (value, wanted, status, said) in enumerate(pairs):
+    assert abs(value - wanted) <= 1e-9 * (1 + abs(wanted)) and status == said, (k, value, wanted, status, said)
+assert m.status(n, L) == 2 and m.status(S, n) == 4 and m.pressure_status(200., .95 * L) == 0 and m.contraction_status(200., .6 * S) == 0
+assert m.force(30e3, .88 * L) + m.friction(30e3, .88 * L, -1.) == 0
+"#;
+    let slopes = r#"
+import jax
+jax.config.update("jax_enable_x64", True)
+import muscle_prototype as m
+L, S = m.LENGTH, m.SUPPLY
+on = lambda force, length: m.pressure_on(force, length, -1)
+for f, at in [(m.contraction, (200., 1.5e5)), (m.pressure, (200., .26)), (on, (200., .26)), (m.volume, (5e4, .24)), (m.volume, (1.5e5, .27))]:
+    for k in (0, 1):
+        step = 1e-6 * at[k]
+        up, down = [f(*(x + s * (i == k) for i, x in enumerate(at))) for s in (step, -step)]
+        wanted, found = (up - down) / (2 * step), jax.grad(f, k)(*at)
+        assert abs(found - wanted) <= 1e-4 * abs(wanted) + 1e-15, (f, at, k, found, wanted)
+assert abs(jax.grad(m.contraction)(200., 1.5e5) + 4.888e-4) < 1e-5 and abs(jax.grad(m.pressure)(200., .26) - 382.7) < 4 and abs(jax.grad(m.volume)(5e4, .24) - 1.97e-9) < 1e-10
+"#;
+    for (module, script) in [("numpy", same), ("jax", slopes)] {
+        if runs(module) {
+            let out =
+                Command::new("python3").args(["-c", script]).current_dir(folder.path()).output().unwrap();
+            assert!(out.status.success(), "{module}: {}", String::from_utf8_lossy(&out.stderr));
+        }
+    }
+}
