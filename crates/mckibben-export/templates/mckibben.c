@@ -132,38 +132,30 @@ real mckibben_force_per_pressure(const mckibben_muscle *m, real pressure, real l
 real mckibben_contraction(const mckibben_muscle *m, real force, real pressure, unsigned *status)
 {
     coefficients k;
-    real low = m->node[0], high = m->node[m->nodes - 1], at = low;
+    real low = m->node[0], high = m->node[m->nodes - 1], next = R(0.5) * (low + high), at, miss, slope;
     unsigned found = outside(m, pressure, low) | (force >= R(0) ? 0u : MCKIBBEN_NO_ANSWER);
+    int i = 0;
     if (force < R(0))
         force = R(0);
-    for (int end = 0; end < 2; end++, at = high) { /* an end has its own pull within a thousandth of the contraction */
-        const real missing = force - two_sided(m, pressure, at, &k, 0), slope = sum_of(k.slope, k.phi);
-        if (end ? missing <= R(0) : missing >= R(0)) {
-            if (status)
-                *status = found | (missing <= R(-1e-3) * slope && missing >= R(1e-3) * slope ? 0u : MCKIBBEN_NO_ANSWER);
-            return m->beyond && slope < R(0) ? at + missing / slope : at;
-        }
-    }
-    if (status)
-        *status = found;
-    at = R(0.5) * (low + high);
-    for (int i = 0; i < 60; i++) {
-        real miss, slope, next, step;
+    do {
+        at = next;
         miss = two_sided(m, pressure, at, &k, 0) - force;
         slope = sum_of(k.slope, k.phi);
         if (miss > R(0))
             low = at;
         else
             high = at;
-        next = slope < R(0) || slope > R(0) ? at - miss / slope : low;
+        next = at - miss / (slope < R(0) ? slope : R(-1));
         if (!(next > low && next < high))
             next = R(0.5) * (low + high);
-        step = next - at;
-        at = next;
-        if (step <= STEP && step >= -STEP)
-            break;
-    }
-    return at;
+    } while (++i < 60 && (next - at > STEP || at - next > STEP));
+    if (!(miss <= R(-1e-3) * slope && miss >= R(1e-3) * slope)) /* an end of the box, and more than a thousandth from the answer */
+        found |= MCKIBBEN_NO_ANSWER;
+    if (m->beyond && slope < R(0))
+        next = at - miss / slope;
+    if (status)
+        *status = found;
+    return next;
 }
 
 real mckibben_volume(const mckibben_muscle *m, real pressure, real length, unsigned *status)
@@ -186,14 +178,11 @@ real mckibben_pressure(const mckibben_muscle *m, real force, real length, unsign
     if (!status)
         status = &ignored;
     at_contraction(m, e, &k);
-    *status = outside(m, R(0), e);
     pull = k.c[0];
     slope = k.c[1];
-    if (!(force >= R(0) && force > pull)) { /* also what is not a number */
-        if (!(force >= R(0) && force >= pull))
-            *status |= MCKIBBEN_NO_ANSWER;
+    *status = outside(m, R(0), e) | (force >= R(0) && force >= pull ? 0u : MCKIBBEN_NO_ANSWER);
+    if ((*status & MCKIBBEN_NO_ANSWER) || force <= pull) /* also what is not a number */
         return R(0);
-    }
     for (int i = 0; i < 3; i++) { /* between two knots the pull is of second degree in the pressure */
         const real width = knots[i + 1] - knots[i], missing = force > pull ? force - pull : R(0);
         real root, below;

@@ -64,7 +64,14 @@ pub fn check_ending(path: Option<&Path>, endings: &[&str]) -> Result<(), Failure
 /// Writes all files of an answer into a folder, or none if one of them exists.
 pub fn save_all(files: &[BuiltFile], folder: &Path) -> Result<(), Failure> {
     std::fs::create_dir_all(folder).map_err(|e| Failure::unwritable(folder, &e))?;
-    let paths: Vec<PathBuf> = files.iter().map(|file| folder.join(&file.name)).collect();
+    let at = |file: &BuiltFile| folder.join(&file.name);
+    // A file that is there already as it would be written is left.
+    let is_there = |file: &&BuiltFile| {
+        let limit = file.content.len() as u64;
+        mckibben_io::files::read(&at(file), limit).is_ok_and(|there| there == file.content)
+    };
+    let files: Vec<&BuiltFile> = files.iter().filter(|file| !is_there(file)).collect();
+    let paths: Vec<PathBuf> = files.iter().map(|file| at(file)).collect();
     paths.iter().try_for_each(|path| check(path))?;
     let mut whole = vec![];
     for (file, path) in files.iter().zip(&paths) {

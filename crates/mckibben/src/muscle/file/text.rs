@@ -1,5 +1,6 @@
 //! The lines of a muscle file, and values as it has them.
 
+use mckibben_io::clean::is_unseen;
 use std::fmt::Write;
 
 /// The column of the comments.
@@ -40,8 +41,8 @@ pub(super) fn text(text: &str) -> String {
     for c in text.chars() {
         match c {
             '"' | '\\' => out.extend(['\\', c]),
-            c if c.is_control() => {
-                let _ = write!(out, "\\u{:04X}", u32::from(c));
+            c if is_unseen(c) => {
+                let _ = write!(out, "\\U{:08X}", u32::from(c));
             }
             c => out.push(c),
         }
