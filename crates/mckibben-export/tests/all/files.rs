@@ -1,7 +1,7 @@
 //! The files: what each names, and what a C compiler and Python make of them.
 
 use super::exported;
-use mckibben::muscle::{Friction, Muscle};
+use mckibben::muscle::{Braid, BraidStiffness, Friction, Muscle, Terminals, Tube};
 use mckibben_export::{Content, ExportError, ExportedMuscle, Form, OK, Point, Target};
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
@@ -454,5 +454,80 @@ assert abs(jax.grad(m.contraction)(200., 1.5e5) + 4.888e-4) < 1e-5 and abs(jax.g
                 Command::new("python3").args(["-c", script]).current_dir(folder.path()).output().unwrap();
             assert!(out.status.success(), "{module}: {}", String::from_utf8_lossy(&out.stderr));
         }
+    }
+}
+
+/// Names that would be code in each of the languages: every file is read by its own, and none of them is there.
+#[test]
+fn names_are_code_in_no_language() {
+    const NAME: &str =
+        "x\"\"\";import os;os.mkdir('ran')\n*/ #error ran\n/* --> <script>ran</script> \u{202e}${y} \\ '#";
+    let mut hostile = PROTOTYPE.clone();
+    (hostile.name, hostile.model) = (NAME.into(), NAME.into());
+    for target in Target::ALL {
+        let folder = tempfile::tempdir().unwrap();
+        write(&hostile, target.name, folder.path());
+        for file in hostile.to(target).unwrap().files {
+            let text = text_of(file.content.bytes());
+            for code in [";import", "#error", "<script", "\u{202e}", "${"] {
+                assert!(!text.contains(code), "{} {}: {code}", target.name, file.name);
+            }
+            let reads = "import sys,xml.dom.minidom as x,zipfile as z\nf=sys.argv[1]\nif f.endswith('.py'): compile(open(f).read(),f,'exec'); __import__(f[:-3])\nelif f.endswith('.fmu'): x.parseString(z.ZipFile(f).read('modelDescription.xml'))\nelse: x.parse(f)";
+            let read = |program: &str, words: &[&str]| {
+                let mut command = Command::new(program);
+                let done = command.args(words).arg(&file.name).current_dir(folder.path()).output().unwrap();
+                assert!(done.status.success(), "{}: {}", file.name, String::from_utf8_lossy(&done.stderr));
+            };
+            match Path::new(&file.name).extension().and_then(|ending| ending.to_str()) {
+                Some("c") if !text.contains("mujoco/") && runs("cc") => {
+                    read("cc", &["-std=c99", "-fsyntax-only"])
+                }
+                Some("py" | "fmu" | "xml" | "osim") if runs("python3") => read("python3", &["-c", reads]),
+                _ => {}
+            }
+        }
+        assert!(!folder.path().join("ran").exists());
+    }
+}
+
+/// Names that C, its library or Python has: behind a prefix they are none.
+#[test]
+fn names_of_languages_and_libraries_are_names_of_muscles() {
+    if !runs("cc") {
+        return;
+    }
+    for name in ["default", "length", "force", "new", "main", "linux", "sqrt", "N", "", "1", "muscle", "own"]
+    {
+        let mut muscle = PROTOTYPE.clone();
+        muscle.name = name.into();
+        let folder = tempfile::tempdir().unwrap();
+        write(&muscle, "c", folder.path());
+        let example = format!("{}_example.c", muscle.identifier());
+        let main = std::fs::read_to_string(folder.path().join(example)).unwrap();
+        std::fs::write(folder.path().join("main.c"), main).unwrap();
+        assert!(
+            compiled_and_run(folder.path(), &["main.c", "mckibben.c", "-lm"]).contains("status 0"),
+            "{name}"
+        );
+    }
+}
+
+/// MuJoCo reads `fpmax` above zero alone (its compiler: "positive scale, vmax, fpmax, fvmax required"), for muscles of all kinds; what misses 5 % is not written.
+#[test]
+fn scenes_have_values_that_mujoco_reads() {
+    let rubber = mckibben::rubber::library::find("ecoflex-00-30").unwrap();
+    let braid = Braid { angle_deg: 18.6, stiffness: BraidStiffness::NewtonPerMm(684.0), ..Braid::paper() };
+    let narrow = Muscle::new(Tube::new(27.3, 2.9, 269.0, rubber), braid, Terminals::default(), None).unwrap();
+    for (muscle, supply_mpa) in [(narrow, 0.6), (super::form::prestretched(), 0.25)] {
+        let made = exported(&muscle, supply_mpa).unwrap().to(Target::named("mjcf").unwrap()).unwrap();
+        let text = text_of(made.files[0].content.bytes());
+        for (key, places) in [("gainprm=\"", &[3, 6, 7, 8][..]), ("biasprm=\"", &[3, 6, 7, 8])] {
+            let numbers = text.split(key).nth(1).unwrap().split('"').next().unwrap();
+            let numbers: Vec<f64> = numbers.split(' ').map(|n| n.parse().unwrap()).collect();
+            assert!(numbers.len() == 9 && places.iter().all(|k| numbers[*k] > 0.0), "{numbers:?}");
+        }
+        let worst: f64 =
+            made.notes[0].split("% rms, ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+        assert!(worst <= 5.0, "{}", made.notes[0]);
     }
 }

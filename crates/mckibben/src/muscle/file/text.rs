@@ -61,3 +61,14 @@ pub(super) fn quantity(value: f64, unit: &str) -> String {
 pub(super) fn number(value: f64) -> String {
     format!("{value:?}")
 }
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn a_text_has_no_character_that_is_not_seen() {
+        let written = super::text("a\u{202e}b\u{e0001}\n\"");
+        assert_eq!(written, "\"a\\U0000202Eb\\U000E0001\\U0000000A\\\"\"");
+        let read: toml_edit::Value = written.parse().unwrap();
+        assert_eq!(read.as_str(), Some("a\u{202e}b\u{e0001}\n\""));
+    }
+}
