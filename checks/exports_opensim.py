@@ -24,7 +24,7 @@ def run(*words):
 with tempfile.TemporaryDirectory() as folder:
     begun = time.monotonic()
     answer = run(program, "export", MUSCLE, "--as", "opensim", "-o", folder, "--format", "json")
-    path = pathlib.Path(folder) / "muscle.osim"
+    path = pathlib.Path(folder) / "muscle_prototype.osim"
     text, form, blocked = path.read_text(), answer["form"], answer["blocked_force_n"]
     rest, supply = form["length_m"], form["supply_pa"]
 

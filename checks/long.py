@@ -61,7 +61,7 @@ PARTS = {
         r"crates/mckibben-export/.*", r"crates/mckibben-app/src/export\.rs", r"checks/exports.*", r"checks/fmu.*", r"checks/mach_o\.py",
     ], None, ["bash checks/exports.sh \"$MCKIBBEN\""]),
     "torch": ("the exported module in PyTorch", [
-        r"crates/mckibben-export/templates/mckibben_muscle\.py", r"checks/(exports_)?torch\..*",
+        r"crates/mckibben-export/templates/muscle\.py", r"checks/(exports_)?torch\..*",
     ], None, ["bash checks/torch.sh"]),
     "campaigns": ("campaigns on Slurm, Dask and process pools", [
         r"crates/mckibben-campaign/src/campaign/.*", r"crates/mckibben-io/src/.*", r"crates/mckibben-cli/src/commands/campaign.*",

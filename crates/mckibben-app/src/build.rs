@@ -134,7 +134,7 @@ impl From<File> for BuiltFile {
             Content::Text(text) => Ok(text),
             Content::Bytes(bytes) => Err(bytes),
         };
-        Self::new(file.name, file.about, content)
+        Self::new(&file.name, file.about, content)
     }
 }
 

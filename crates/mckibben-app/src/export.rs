@@ -30,7 +30,7 @@ pub struct ExportRequest {
     pub pressure_mpa: Option<f64>,
     /// Allow a supply pressure above the allowed pressure, up to three quarters of the burst pressure.
     pub overpressure: bool,
-    /// Lower end of the box in the contraction; default -0.05, a muscle that is stretched by 5 %.
+    /// Lower end of the box in the contraction; default -0.05, a muscle that is stretched by 5 %, or nearer to 0 where the model ends or the form misses it.
     pub contraction_low: Option<f64>,
     /// Upper end of the box in the contraction; default the free contraction at the supply pressure.
     pub contraction_high: Option<f64>,
@@ -107,16 +107,14 @@ pub fn export(request: &ExportRequest, _progress: &dyn Progress) -> Result<Expor
     borne(&burst, supply_mpa, request.overpressure)?;
     above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
     check_range(model, supply_mpa, 0.0, Options::default())?;
-    let range = model.info().range.contraction;
-    let contraction_low =
-        finite("contraction_low", request.contraction_low.unwrap_or(Wanted::LOW.max(range.0).min(0.0)))?;
-    let high = request.contraction_high.map(|e| finite("contraction_high", e)).transpose()?;
+    let contraction_low = request.contraction_low.map(|e| finite("contraction_low", e)).transpose()?;
+    let contraction_high = request.contraction_high.map(|e| finite("contraction_high", e)).transpose()?;
     let name = request.name.clone().unwrap_or_else(|| {
         let file = request.muscle.named.muscle.as_ref().map(|file| Path::new(&file.name));
         file.and_then(Path::file_stem)
             .map_or_else(|| "muscle".into(), |stem| stem.to_string_lossy().into_owned())
     });
-    let wanted = Wanted { supply_mpa, contraction_low, contraction_high: high };
+    let wanted = Wanted { supply_mpa, contraction_low, contraction_high };
     let exported = ExportedMuscle::fit(model, &name, wanted)?;
     let artefact = exported.to(target)?;
     let mut warnings = exported.warnings();
@@ -155,9 +153,10 @@ impl From<ExportError> for Problem {
             ExportError::NoPull { .. } => {
                 Self::new(ProblemKind::NoAnswer, message, "give a higher `pressure_mpa`")
             }
-            ExportError::Points { .. } | ExportError::Misses { .. } | ExportError::Host(_) => {
-                Self::new(ProblemKind::Fit, message, "")
-            }
+            ExportError::Points { .. }
+            | ExportError::Misses { .. }
+            | ExportError::Again
+            | ExportError::Host(_) => Self::new(ProblemKind::Fit, message, ""),
         }
     }
 }

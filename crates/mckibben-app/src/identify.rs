@@ -25,6 +25,7 @@ use mckibben_fit::least_squares::{EstimateError, Loss};
 use mckibben_fit::measured::{
     DataPoint, MeasuredPoint, PointOptions, Quantity, Section, mean_of_data, read_points,
 };
+use mckibben_io::clean::line;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
@@ -222,11 +223,10 @@ fn muscle_file(data: &str, model: &str, found: &Identification, measured: bool) 
         Some(bench) => found.muscle.clone().with_bench(bench),
         None => found.muscle.clone(),
     };
-    let one_line = |text: &str| text.replace(char::is_control, " ");
     let text = format!(
         "# Identified from {} with the model {}:\n# {}\n{}",
-        one_line(data),
-        one_line(model),
+        line(data),
+        line(model),
         in_one_line(&found.parameters),
         to_toml(&muscle)
     );

@@ -5,6 +5,7 @@ use crate::cut::SleeveLength;
 use crate::fitting::Fitting;
 use crate::plan::Plan;
 use crate::text::{fixed, mm, percent, significant};
+use mckibben_io::clean;
 use mckibben_io::files::File;
 use std::fmt::Write as _;
 
@@ -23,13 +24,13 @@ pub(crate) fn markdown(plan: &Plan, files: &[File]) -> String {
         significant(found.blocked_force_n, 3),
         percent(found.free_contraction),
         fixed(found.free_contraction * muscle.length_mm(), 1),
-        found.model
+        clean::markdown(&found.model)
     );
     if found.allowed_mpa.is_some_and(|allowed| found.pressure_mpa > allowed * (1.0 + 1e-9)) {
         out.push_str("**Warning:** the working pressure is above the largest allowed one (see the tests below). Lower it, or build another muscle.\n\n");
     }
     for warning in plan.warnings() {
-        let _ = writeln!(out, "**Warning:** {warning}.\n");
+        let _ = writeln!(out, "**Warning:** {}.\n", clean::markdown(&warning.to_string()));
     }
     out.push_str("| file | |\n|---|---|\n");
     for file in files {
@@ -91,11 +92,11 @@ fn bill(plan: &Plan, out: &mut String) {
             out,
             "| {} | {} | {} | {} | {} | {} |",
             part.number,
-            part.part,
-            part.amount,
-            part.sold_as.as_ref().map_or_else(dash, |name| format!("`{name}`")),
+            clean::markdown(&part.part),
+            clean::markdown(&part.amount),
+            part.sold_as.as_ref().map_or_else(dash, |name| format!("`{}`", clean::markdown(name))),
             part.mass_g.map_or_else(dash, |mass| format!("{} g", significant(mass, 3))),
-            part.price.clone().unwrap_or_else(dash)
+            part.price.as_ref().map_or_else(dash, |price| clean::markdown(price))
         );
     }
     let _ = writeln!(out, "\nThe parts with a mass weigh {} g together.", significant(plan.mass_g(), 3));
@@ -103,7 +104,7 @@ fn bill(plan: &Plan, out: &mut String) {
     if !sources.is_empty() {
         out.push_str("Names and prices are those of these sources; `mckibben parts show NAME` prints all that is known of a part.\n\n");
         sources.iter().for_each(|source| {
-            let _ = writeln!(out, "- {source}");
+            let _ = writeln!(out, "- {}", clean::markdown(source));
         });
     }
 }

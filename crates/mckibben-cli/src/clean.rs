@@ -1,20 +1,7 @@
 //! Text that a terminal shows as it is: names and arguments may hold characters that steer it.
 
+use mckibben_io::clean::is_unseen;
 use std::borrow::Cow;
-
-/// Characters that turn the direction of text, or hide in it (Unicode's bidirectional controls, marks and separators).
-const TURNING: [std::ops::RangeInclusive<char>; 6] = [
-    '\u{61c}'..='\u{61c}',
-    '\u{200b}'..='\u{200f}',
-    '\u{2028}'..='\u{202e}',
-    '\u{2060}'..='\u{2069}',
-    '\u{feff}'..='\u{feff}',
-    '\u{e0000}'..='\u{e007f}',
-];
-
-fn turns(c: char) -> bool {
-    TURNING.iter().any(|range| range.contains(&c))
-}
 
 fn escaped(text: &str, steers: impl Fn(char) -> bool) -> Cow<'_, str> {
     if !text.contains(&steers) {
@@ -33,12 +20,12 @@ fn escaped(text: &str, steers: impl Fn(char) -> bool) -> Cow<'_, str> {
 
 /// A name, an argument, a sentence: on one line, with `\u{1b}` in the place of what steers a terminal.
 pub fn line(text: &str) -> Cow<'_, str> {
-    escaped(text, |c| c.is_control() || turns(c))
+    escaped(text, is_unseen)
 }
 
 /// A text of several lines.
 pub fn lines(text: &str) -> Cow<'_, str> {
-    escaped(text, |c| c != '\n' && c.is_control() || turns(c))
+    escaped(text, |c| c != '\n' && is_unseen(c))
 }
 
 #[cfg(test)]

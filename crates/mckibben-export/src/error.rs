@@ -55,6 +55,11 @@ pub enum ExportError {
         /// The limit in percent.
         limit: f64,
     },
+    /// The form pulls again behind a slack part: work could be had from a cycle there.
+    #[error(
+        "behind its free contraction the form pulls again; choose a smaller box (pressure or contractions)"
+    )]
+    Again,
     /// A host-specific file that cannot be made.
     #[error("{0}")]
     Host(String),

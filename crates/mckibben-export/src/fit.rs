@@ -19,8 +19,8 @@ use serde::Serialize;
 pub struct Wanted {
     /// Supply pressure, MPa.
     pub supply_mpa: f64,
-    /// Lower end in ε.
-    pub contraction_low: f64,
+    /// Lower end in ε; `None`: [`Wanted::LOW`], or nearer to 0 where the model ends before or the form would miss it.
+    pub contraction_low: Option<f64>,
     /// Upper end in ε; `None`: the free contraction at the supply.
     pub contraction_high: Option<f64>,
 }
@@ -80,8 +80,8 @@ fn nodes(low: f64, high: f64) -> Vec<f64> {
     stretched.into_iter().chain(shortened).collect()
 }
 
-pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted) -> Result<Fitted, ExportError> {
-    let (low, supply) = (wanted.contraction_low, wanted.supply_mpa);
+pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted, low: f64) -> Result<Fitted, ExportError> {
+    let supply = wanted.supply_mpa;
     let w = &mut Workspace::new();
     let options = Options::extrapolating();
     model.muscle().check_contracts()?;
@@ -97,9 +97,12 @@ pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted) -> Result<Fitted, Expo
     let mut contractions: Vec<f64> = even(11, low, 0.0).take(if low < 0.0 { 10 } else { 0 }).collect();
     contractions.extend(SHARES.map(|share| share * high));
     let at = sample(model, (&PRESSURES, &contractions), supply, blocked_n)?;
-    let mut held: Vec<f64> = even(13, low, high).chain((low < 0.0).then_some(0.0)).collect();
-    held.sort_by(f64::total_cmp);
-    let held_out = sample(model, (&even(10, 0.0, 1.0).collect::<Vec<_>>(), &held), supply, blocked_n)?;
+    // Others for the errors: between those of the fit, where strands lock and where they become slack too.
+    let mut held: Vec<f64> = even(21, low, 0.0).take(if low < 0.0 { 20 } else { 0 }).collect();
+    held.extend(even(49, 0.0, high));
+    let middles = PRESSURES.windows(2).map(|w| 0.5 * (w[0] + w[1]));
+    let asked: Vec<f64> = [0.0].into_iter().chain(middles).chain([1.0]).collect();
+    let held_out = sample(model, (&asked, &held), supply, blocked_n)?;
     // A muscle without pressure at its length at rest pulls nothing, unless its tube is stretched: exactly.
     let at_rest = force_on(model, w, 0.0, 0.0, Direction::Mean).is_ok_and(|f| f.abs() < 1e-6 * blocked_n);
     let mut form = Form {
@@ -248,8 +251,21 @@ fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<(), ExportErro
                     rows.push((row(&spline, q, e).0, -0.01 - 0.3 * (e - from), 0.3));
                 }
             }
-            if form.two_sided_n(q * form.supply_pa, high).1 > -0.05 {
-                rows.push((row(&spline, q, high).1, -0.2, 0.03));
+            for q in [q, q * q] {
+                if form.two_sided_n(q * form.supply_pa, high).1 > -0.05 {
+                    rows.push((row(&spline, q, high).1, -0.2, 0.03));
+                }
+            }
+        }
+        // Pulls that come back behind a dip are lowered; the dip of a tube that pulls by itself is lifted.
+        let again = form.pulls_again();
+        for &(q, e, pull) in again.iter().step_by(1 + again.len() / 100) {
+            let model = pull_between(at, q, e).filter(|model| !at_rest && *model > 2.0 * BELOW);
+            match model {
+                Some(model) if pull < BELOW => rows.push((row(&spline, q, e).0, model, 0.3)),
+                // Along the tangent below the box as well: a muscle that is vented fast has less than the atmosphere.
+                None if pull > 0.0 => rows.extend([q, -0.1].map(|q| (row(&spline, q, e).0, -BELOW, 0.1))),
+                _ => {}
             }
         }
         if rows.len() == before {
@@ -264,6 +280,23 @@ pub(crate) fn least_squares(matrix: DMatrix<f64>, values: &DVector<f64>) -> Opti
     let qr = matrix.qr();
     let solved = qr.r().solve_upper_triangular(&(qr.q().transpose() * values));
     solved.filter(|s| s.iter().all(|v| v.is_finite()))
+}
+
+/// The pull of the model between four samples; `None` where one of them is slack.
+fn pull_between(at: &[Sample], q: f64, e: f64) -> Option<f64> {
+    let columns = at.partition_point(|p| p.q <= at[0].q);
+    let (lines, first) = (at.chunks(columns), &at[..columns]);
+    let k = lines.clone().position(|line| line[0].q >= q)?.max(1);
+    let m = first.partition_point(|p| p.contraction < e).clamp(1, columns - 1);
+    let in_line = |line: &[Sample]| {
+        let (a, b) = (&line[m - 1], &line[m]);
+        let t = (e - a.contraction) / (b.contraction - a.contraction);
+        Some((1.0 - t) * a.pull? + t * b.pull?)
+    };
+    let mut lines = lines.skip(k - 1);
+    let (a, b) = (lines.next()?, lines.next()?);
+    let t = (q - a[0].q) / (b[0].q - a[0].q);
+    Some((1.0 - t) * in_line(a)? + t * in_line(b)?)
 }
 
 /// The contraction at which the model stops pulling, at 41 pressures: between its samples in proportion.

@@ -15,7 +15,8 @@
 //! ```
 //!
 //! Between two of 0, 0.15, 0.45 and 1 the pull is of second degree in q, so that the pressure of a pull is a root of a quadratic equation.
-//! Outside of the box each function of q and each function of ε continues along its tangent. Value, slope and potential are continuous there.
+//! Outside of the box stands what the nearest point of the box has, and a status says so. For simulators each function of q and each function of ε continues
+//! along its tangent ([`Form::beyond`]): value, slope and potential are continuous there.
 //! Where F would be negative the muscle is slack: F = 0, and V is that at its free contraction.
 
 use serde::Serialize;
@@ -88,7 +89,8 @@ struct Coefficients {
 
 /// The functions of the pressure at q, and their slopes.
 pub(crate) fn functions(q: f64) -> ([f64; FUNCTIONS], [f64; FUNCTIONS]) {
-    let (mut value, mut slope) = ([1.0, q, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0, 0.0]);
+    let (mut value, mut slope) = ([0.0; FUNCTIONS], [0.0; FUNCTIONS]);
+    (value[0], value[1], slope[1]) = (1.0, q, 1.0);
     for (k, knot) in PRESSURE_KNOTS.into_iter().enumerate() {
         let t = (q - knot).clamp(0.0, 1.0 - knot);
         value[k + 2] = t * (t + 2.0 * (q - 1.0).max(0.0));
@@ -161,8 +163,15 @@ impl Form {
         pressure | if inside { OK } else { CONTRACTION_OUTSIDE }
     }
 
-    /// Everything at a pressure in Pa and a contraction.
+    /// Everything at the point of the box that is nearest to a pressure in Pa and a contraction.
     pub fn at(&self, pressure_pa: f64, contraction: f64) -> Point {
+        let inside = contraction.clamp(self.contraction_low, self.contraction_high);
+        let point = self.beyond(pressure_pa.clamp(0.0, self.supply_pa), inside);
+        Point { status: point.status | self.outside(pressure_pa, contraction), ..point }
+    }
+
+    /// The same, along the tangents outside of the box.
+    pub fn beyond(&self, pressure_pa: f64, contraction: f64) -> Point {
         let (k, (phi, slope)) = (self.coefficients(contraction), functions(pressure_pa / self.supply_pa));
         let force_n = sum(&k.c, &phi);
         let status = self.outside(pressure_pa, contraction);
@@ -183,6 +192,20 @@ impl Form {
             volume_m3: sum(&self.v, &phi) + self.length_m / self.supply_pa * sum(&k.integral, &slope),
             status,
         }
+    }
+
+    /// Points q, ε of the box with their pulls, from where it becomes slack to where it pulls again: the volume of a slack muscle would not be known there.
+    pub fn pulls_again(&self) -> Vec<(f64, f64, f64)> {
+        let (low, width) = (self.contraction_low, self.contraction_high - self.contraction_low);
+        let line = |i: i32| {
+            let q = (f64::from(i) / 40.0).powi(2);
+            let all = (0..=125).map(|k| low + width * f64::from(k) / 125.0);
+            let all = all.map(|e| (q, e, self.two_sided_n(q * self.supply_pa, e).0));
+            let mut behind: Vec<_> = all.skip_while(|p| p.2 > 0.0).collect();
+            behind.truncate(behind.iter().rposition(|p| p.2 > 0.0).map_or(0, |last| last + 1));
+            behind
+        };
+        (0..=40).flat_map(line).collect()
     }
 
     /// The contraction at which the pull is `force_n` at a pressure in Pa: Newton's method between bounds, the tangent outside of the box.

@@ -1,5 +1,5 @@
 /* The air in a muscle on a valve, by the values x of fmu2.c; gauge pressures in Pa.
- * @{facts}
+ * Made by mckibben @{version}; the same for all muscles.
  *
  * States: the volume A = V (p/p0)^(1/n) that the air has at the pressure p0 of the atmosphere without heat, and its mass m.
  *   dA/dt = (p/p0)^(1/n)/(n p) (n R sum(G T) + (g - 1) hA (Tw - T)),   dm/dt = sum(G),   T = p V/(m R)
@@ -16,7 +16,7 @@
 /* Cavity and dead volume. */
 static double air_volume(const mckibben_muscle *m, const double x[], double pressure)
 {
-    const double volume = mckibben_volume(m, pressure, x[LENGTH]) + x[DEAD_VOLUME];
+    const double volume = mckibben_volume(m, pressure, x[LENGTH], 0) + x[DEAD_VOLUME];
     return volume > 1e-9 ? volume : 1e-9;
 }
 

@@ -1,7 +1,7 @@
-/* cc -O2 example.c mckibben.c -lm -o example && ./example
+/* cc -O2 @{id}_example.c mckibben.c -lm -o example && ./example
  * @{facts}
  */
-#include "muscle.h"
+#include "@{id}.h"
 #include <stdio.h>
 
 int main(void)
@@ -10,7 +10,7 @@ int main(void)
     const mckibben_real pressure = MCKIBBEN_R(0.5) * @{id}.supply, length = MCKIBBEN_R(0.95) * @{id}.length;
     const mckibben_real force = mckibben_force(&@{id}, pressure, length, &status);
     printf("%.0f Pa, %.4f m: %.3f N (status %u), %.1f N/m, %.4e m3\n", (double)pressure, (double)length, (double)force, status,
-           (double)mckibben_stiffness(&@{id}, pressure, length), (double)mckibben_volume(&@{id}, pressure, length));
+           (double)mckibben_stiffness(&@{id}, pressure, length, 0), (double)mckibben_volume(&@{id}, pressure, length, 0));
     printf("%.3f N at this length: %.1f Pa\n", (double)force, (double)mckibben_pressure(&@{id}, force, length, &status));
     return 0;
 }

@@ -1,6 +1,6 @@
 /* FMI 2.0, Model Exchange and Co-Simulation, around mckibben.c: a muscle whose pressure is an input, without states; or a muscle on a valve, with
  * the air of air.c as states. Which one, and its numbers, are read from resources/muscle.bin, so that one library serves all muscles.
- * @{facts}
+ * Made by mckibben @{version}; the same for all muscles.
  */
 #ifdef _WIN32
 #define WIN32_LEAN_AND_MEAN
@@ -190,6 +190,7 @@ static const char *read_muscle(instance *c, const char *location, const char *to
     if (!token || strncmp(token, r.token, sizeof(r.token)) != 0)
         return "resources/muscle.bin is of another muscle than modelDescription.xml: export the muscle again";
     m->friction[0] = m->friction[1] = 0.0;
+    m->beyond = 1;
     m->length = r.length;
     m->supply = r.supply;
     m->nodes = (int)r.nodes;
@@ -230,9 +231,9 @@ static int get(const instance *c, double p, fmi2ValueReference vr, double *out)
     switch (vr) {
     case PRESSURE: *out = p; return 1;
     case FORCE: *out = mckibben_force(&c->muscle, p, l, 0); return 1;
-    case STIFFNESS: *out = mckibben_stiffness(&c->muscle, p, l); return 1;
-    case VOLUME: *out = mckibben_volume(&c->muscle, p, l); return 1;
-    case FORCE_PER_PRESSURE: *out = mckibben_force_per_pressure(&c->muscle, p, l); return 1;
+    case STIFFNESS: *out = mckibben_stiffness(&c->muscle, p, l, 0); return 1;
+    case VOLUME: *out = mckibben_volume(&c->muscle, p, l, 0); return 1;
+    case FORCE_PER_PRESSURE: *out = mckibben_force_per_pressure(&c->muscle, p, l, 0); return 1;
     case TIME: *out = c->now.time; return 1;
     case AIR_TEMPERATURE: *out = air_temperature(&c->muscle, x, p); return 1;
     case AIR_RATE: case AIR_FLOW:
@@ -241,7 +242,7 @@ static int get(const instance *c, double p, fmi2ValueReference vr, double *out)
         return 1;
     case COMMAND_SIGN: *out = command; return 1;
     case COMMAND_LIMIT: *out = 1.0 - fabs(command); return 1;
-    case TAUT: *out = two_sided(&c->muscle, p, contraction_of(&c->muscle, l), &k); return 1;
+    case TAUT: *out = two_sided(&c->muscle, p, contraction_of(&c->muscle, l), &k, 0); return 1;
     default: *out = vr < KNOWN ? x[vr] : 0.0; return vr < KNOWN;
     }
 }

@@ -1,5 +1,5 @@
 /* FMI 3.0, Model Exchange and Co-Simulation, beside FMI 2.0 of fmu2.c, with the same instances.
- * @{facts}
+ * Made by mckibben @{version}; the same for all muscles.
  */
 #include "fmu2.c"
 #include <stdbool.h>

@@ -1,8 +1,8 @@
 /* Pull and volume of a McKibben muscle in closed form; see mckibben.h.
- * @{facts}
+ * Made by mckibben @{version}; the same for all muscles.
  *
  * F = c0 + c1 q + c2 phi0(q) + c3 phi1(q) + c4 phi2(q), q = P/supply, phik = max(q - knot, 0)^2; c: cubic splines in the contraction.
- * V has the same potential: dF/dP = -dV/dL. Outside of the box everything continues along its tangent.
+ * V has the same potential: dF/dP = -dV/dL.
  */
 #include "mckibben.h"
 #include <math.h>
@@ -43,7 +43,7 @@ static void at_contraction(const mckibben_muscle *m, real e, coefficients *k)
     k->n = n;
     k->t = t;
     k->h = h;
-    k->beyond = e - inside;
+    k->beyond = m->beyond ? e - inside : R(0);
     for (int i = 0; i < N; i++) {
         const real *a = &m->a[i][n], *b = &m->b[i][n];
         k->slope[i] = d[0] * a[0] + d[1] * b[0] + d[2] * a[1] + d[3] * b[1];
@@ -89,14 +89,6 @@ static real sum_of(const real c[N], const real phi[N])
     return sum;
 }
 
-/* The pull, negative where the muscle would have to push. */
-static real two_sided(const mckibben_muscle *m, real pressure, real e, coefficients *k)
-{
-    functions(pressure / m->supply, k->phi, k->by_q);
-    at_contraction(m, e, k);
-    return sum_of(k->c, k->phi);
-}
-
 static real contraction_of(const mckibben_muscle *m, real length) { return R(1) - length / m->length; }
 
 static unsigned outside(const mckibben_muscle *m, real pressure, real e)
@@ -105,62 +97,73 @@ static unsigned outside(const mckibben_muscle *m, real pressure, real e)
          | (e >= m->node[0] && e <= m->node[m->nodes - 1] ? 0u : MCKIBBEN_CONTRACTION_OUTSIDE);
 }
 
+/* The pull, negative where the muscle would have to push. */
+static real two_sided(const mckibben_muscle *m, real pressure, real e, coefficients *k, unsigned *status)
+{
+    const real q = pressure / m->supply;
+    real pull;
+    functions(m->beyond ? q : (q < R(0) ? R(0) : (q > R(1) ? R(1) : q)), k->phi, k->by_q);
+    at_contraction(m, e, k);
+    pull = sum_of(k->c, k->phi);
+    if (status)
+        *status = outside(m, pressure, e) | (pull <= R(0) ? MCKIBBEN_SLACK : 0u);
+    return pull;
+}
+
 real mckibben_force(const mckibben_muscle *m, real pressure, real length, unsigned *status)
 {
     coefficients k;
-    const real e = contraction_of(m, length), force = two_sided(m, pressure, e, &k);
-    if (status)
-        *status = outside(m, pressure, e) | (force <= R(0) ? MCKIBBEN_SLACK : 0u);
+    const real force = two_sided(m, pressure, contraction_of(m, length), &k, status);
     return force <= R(0) ? R(0) : force;
 }
 
-real mckibben_stiffness(const mckibben_muscle *m, real pressure, real length)
+real mckibben_stiffness(const mckibben_muscle *m, real pressure, real length, unsigned *status)
 {
     coefficients k;
-    return two_sided(m, pressure, contraction_of(m, length), &k) <= R(0) ? R(0) : -sum_of(k.slope, k.phi) / m->length;
+    return two_sided(m, pressure, contraction_of(m, length), &k, status) <= R(0) ? R(0) : -sum_of(k.slope, k.phi) / m->length;
 }
 
-real mckibben_force_per_pressure(const mckibben_muscle *m, real pressure, real length)
+real mckibben_force_per_pressure(const mckibben_muscle *m, real pressure, real length, unsigned *status)
 {
     coefficients k;
-    return two_sided(m, pressure, contraction_of(m, length), &k) <= R(0) ? R(0) : sum_of(k.c, k.by_q) / m->supply;
+    return two_sided(m, pressure, contraction_of(m, length), &k, status) <= R(0) ? R(0) : sum_of(k.c, k.by_q) / m->supply;
 }
 
-real mckibben_contraction(const mckibben_muscle *m, real force, real pressure)
+real mckibben_contraction(const mckibben_muscle *m, real force, real pressure, unsigned *status)
 {
     coefficients k;
-    real low = m->node[0], high = m->node[m->nodes - 1], at = low;
-    for (int end = 0; end < 2; end++, at = high) { /* the tangent outside of the box */
-        const real missing = force - two_sided(m, pressure, at, &k), slope = sum_of(k.slope, k.phi);
-        if (end ? missing <= R(0) : missing >= R(0))
-            return slope < R(0) ? at + missing / slope : at;
-    }
-    at = R(0.5) * (low + high);
-    for (int i = 0; i < 60; i++) {
-        real miss, slope, next, step;
-        miss = two_sided(m, pressure, at, &k) - force;
+    real low = m->node[0], high = m->node[m->nodes - 1], next = R(0.5) * (low + high), at, miss, slope;
+    unsigned found = outside(m, pressure, low) | (force >= R(0) ? 0u : MCKIBBEN_NO_ANSWER);
+    int i = 0;
+    if (force < R(0))
+        force = R(0);
+    do {
+        at = next;
+        miss = two_sided(m, pressure, at, &k, 0) - force;
         slope = sum_of(k.slope, k.phi);
         if (miss > R(0))
             low = at;
         else
             high = at;
-        next = slope < R(0) || slope > R(0) ? at - miss / slope : low;
+        next = at - miss / (slope < R(0) ? slope : R(-1));
         if (!(next > low && next < high))
             next = R(0.5) * (low + high);
-        step = next - at;
-        at = next;
-        if (step <= STEP && step >= -STEP)
-            break;
-    }
-    return at;
+    } while (++i < 60 && (next - at > STEP || at - next > STEP));
+    if (!(miss <= R(-1e-3) * slope && miss >= R(1e-3) * slope)) /* an end of the box, and more than a thousandth from the answer */
+        found |= MCKIBBEN_NO_ANSWER;
+    if (m->beyond && slope < R(0))
+        next = at - miss / slope;
+    if (status)
+        *status = found;
+    return next;
 }
 
-real mckibben_volume(const mckibben_muscle *m, real pressure, real length)
+real mckibben_volume(const mckibben_muscle *m, real pressure, real length, unsigned *status)
 {
     coefficients k;
     real sum = R(0);
-    if (two_sided(m, pressure, contraction_of(m, length), &k) <= R(0)) /* slack: it hangs at its free contraction */
-        at_contraction(m, mckibben_contraction(m, R(0), pressure), &k);
+    if (two_sided(m, pressure, contraction_of(m, length), &k, status) <= R(0)) /* slack: it hangs at its free contraction */
+        at_contraction(m, mckibben_contraction(m, R(0), pressure, 0), &k);
     for (int i = 1; i < N; i++)
         sum += integral(m, &k, i) * k.by_q[i];
     return sum_of(m->v, k.phi) + m->length / m->supply * sum;
@@ -175,36 +178,32 @@ real mckibben_pressure(const mckibben_muscle *m, real force, real length, unsign
     if (!status)
         status = &ignored;
     at_contraction(m, e, &k);
-    *status = outside(m, R(0), e);
     pull = k.c[0];
     slope = k.c[1];
-    if (force <= pull) { /* it pulls as much without pressure */
-        if (force < pull)
-            *status |= MCKIBBEN_NO_ANSWER;
+    *status = outside(m, R(0), e) | (force >= R(0) && force >= pull ? 0u : MCKIBBEN_NO_ANSWER);
+    if ((*status & MCKIBBEN_NO_ANSWER) || force <= pull) /* also what is not a number */
         return R(0);
-    }
     for (int i = 0; i < 3; i++) { /* between two knots the pull is of second degree in the pressure */
         const real width = knots[i + 1] - knots[i], missing = force > pull ? force - pull : R(0);
         real root, below;
         curve += k.c[i + 2];
         root = slope * slope + R(4) * curve * missing;
         below = root > R(0) ? slope + ROOT(root) : R(0);
-        if (below > R(0) && R(2) * missing <= below * width)
+        if (below > R(0) && R(2) * missing < below * width)
             return (knots[i] + R(2) * missing / below) * m->supply;
         pull += width * (slope + curve * width);
         slope += R(2) * curve * width;
     }
-    if (slope > R(0) && force >= pull) {
-        *status |= MCKIBBEN_PRESSURE_OUTSIDE;
-        return (R(1) + (force - pull) / slope) * m->supply;
-    }
-    *status |= MCKIBBEN_NO_ANSWER;
+    if (!(force <= R(1.000001) * pull)) /* within a millionth the supply gives its own pull */
+        *status |= MCKIBBEN_NO_ANSWER;
     return m->supply;
 }
 
-real mckibben_friction(const mckibben_muscle *m, real pressure, real velocity, real smoothing)
+real mckibben_friction(const mckibben_muscle *m, real pressure, real length, real velocity, real smoothing, unsigned *status)
 {
-    const real q = pressure > R(0) ? pressure / m->supply : R(0);
+    coefficients k;
+    const real pull = two_sided(m, pressure, contraction_of(m, length), &k, status), q = k.phi[1] > R(0) ? k.phi[1] : R(0);
     const real size = ROOT(velocity * velocity + smoothing * smoothing);
-    return size > R(0) ? (m->friction[0] * ROOT(q) + m->friction[1] * q) * velocity / size : R(0);
+    const real moving = pull + (size > R(0) ? (m->friction[0] * ROOT(q) + m->friction[1] * q) * velocity / size : R(0));
+    return (moving > R(0) ? moving : R(0)) - (pull > R(0) ? pull : R(0));
 }

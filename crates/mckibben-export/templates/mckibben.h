@@ -1,5 +1,5 @@
 /* Pull and volume of a McKibben muscle in closed form. C99; no heap; of the C library only sqrt.
- * @{facts}
+ * Made by mckibben @{version}; the same for all muscles.
  *
  * Units: Pa (gauge), m, N, m3. With -DMCKIBBEN_FLOAT all numbers are float, otherwise double.
  * Licence: MIT OR Apache-2.0.
@@ -21,9 +21,9 @@ typedef double mckibben_real;
 /* What a status says: a sum of these. */
 #define MCKIBBEN_OK 0u
 #define MCKIBBEN_SLACK 1u               /* the muscle would have to push: it is slack */
-#define MCKIBBEN_PRESSURE_OUTSIDE 2u    /* outside of the box: the form continues along its tangent */
+#define MCKIBBEN_PRESSURE_OUTSIDE 2u    /* outside of the box, or not a number: the answer is that of the nearest point of the box */
 #define MCKIBBEN_CONTRACTION_OUTSIDE 4u
-#define MCKIBBEN_NO_ANSWER 8u           /* no pressure gives this pull */
+#define MCKIBBEN_NO_ANSWER 8u           /* nothing in the box gives this pull: the answer is the nearest end of the box */
 
 /* Functions of the pressure, and the largest number of nodes. */
 #define MCKIBBEN_FUNCTIONS 5
@@ -38,22 +38,27 @@ typedef struct {
     mckibben_real b[MCKIBBEN_FUNCTIONS][MCKIBBEN_NODES]; /* N; their slopes */
     mckibben_real v[MCKIBBEN_FUNCTIONS];                 /* m3 */
     mckibben_real friction[2]; /* N; zeros where the muscle does not state its friction */
+    int beyond; /* for simulators: 1 continues pull and volume outside of the box along their tangents, with one potential; 0 does not */
 } mckibben_muscle;
 
-/* Pull F in N at a pressure and a length; `status` may be 0. */
+/* Each says by `status`, which may be 0, whether its answer can be used. */
+/* Pull F in N at a pressure and a length. */
 mckibben_real mckibben_force(const mckibben_muscle *m, mckibben_real pressure, mckibben_real length, unsigned *status);
 /* dF/dL at constant pressure, N/m. */
-mckibben_real mckibben_stiffness(const mckibben_muscle *m, mckibben_real pressure, mckibben_real length);
+mckibben_real mckibben_stiffness(const mckibben_muscle *m, mckibben_real pressure, mckibben_real length, unsigned *status);
 /* dF/dP at constant length, m2. */
-mckibben_real mckibben_force_per_pressure(const mckibben_muscle *m, mckibben_real pressure, mckibben_real length);
+mckibben_real mckibben_force_per_pressure(const mckibben_muscle *m, mckibben_real pressure, mckibben_real length, unsigned *status);
 /* Volume of the cavity, m3. */
-mckibben_real mckibben_volume(const mckibben_muscle *m, mckibben_real pressure, mckibben_real length);
-/* Pressure at which the muscle pulls with `force` at a length; closed form; `status` may be 0. */
+mckibben_real mckibben_volume(const mckibben_muscle *m, mckibben_real pressure, mckibben_real length, unsigned *status);
+/* Pressure at which the muscle pulls with `force` at a length; closed form. 0 where it pulls more without pressure, where it would have to push, and of what
+ * is not a number. */
 mckibben_real mckibben_pressure(const mckibben_muscle *m, mckibben_real force, mckibben_real length, unsigned *status);
-/* Contraction 1 - L/L0 at which the muscle pulls with `force` at a pressure. */
-mckibben_real mckibben_contraction(const mckibben_muscle *m, mckibben_real force, mckibben_real pressure);
-/* What friction adds to the pull while the length changes by `velocity` in m/s (positive: longer); smooth at rest over `smoothing` in m/s. */
-mckibben_real mckibben_friction(const mckibben_muscle *m, mckibben_real pressure, mckibben_real velocity, mckibben_real smoothing);
+/* Contraction 1 - L/L0 at which the muscle pulls with `force` at a pressure; the lower end of the box of what is not a number. */
+mckibben_real mckibben_contraction(const mckibben_muscle *m, mckibben_real force, mckibben_real pressure, unsigned *status);
+/* What friction adds to the pull while the length changes by `velocity` in m/s (positive: longer); smooth at rest over `smoothing` in m/s. With it
+ * the muscle pulls or is slack: it never pushes. */
+mckibben_real mckibben_friction(const mckibben_muscle *m, mckibben_real pressure, mckibben_real length, mckibben_real velocity, mckibben_real smoothing,
+                                unsigned *status);
 
 #ifdef __cplusplus
 }

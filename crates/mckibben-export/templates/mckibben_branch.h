@@ -1,5 +1,5 @@
 /* The inverse on a branch of the hysteresis. It needs mckibben.h and mckibben.c.
- * @{facts}
+ * Made by mckibben @{version}; the same for all muscles.
  */
 #ifndef MCKIBBEN_BRANCH_H
 #define MCKIBBEN_BRANCH_H
@@ -7,29 +7,26 @@
 #include "mckibben.h"
 
 /* Pressure at which the muscle pulls with `force` at a length while it shortens (branch -1), while it lengthens (1), or in the mean of both (0):
- * 40 halvings. MCKIBBEN_NO_ANSWER where the supply is too low for it; `status` may be 0. */
+ * 40 halvings. The supply and MCKIBBEN_NO_ANSWER where the supply is too low for it; `status` may be 0. */
 static inline mckibben_real mckibben_pressure_on(const mckibben_muscle *m, mckibben_real force, mckibben_real length, int branch, unsigned *status)
 {
-    unsigned found = MCKIBBEN_OK;
+    unsigned found;
     const mckibben_real mean = mckibben_pressure(m, force, length, &found);
-    mckibben_real low = branch < 0 ? mean : mckibben_pressure(m, MCKIBBEN_R(0), length, 0);
-    mckibben_real high = branch < 0 ? m->supply : mean;
-    int lowered = branch >= 0, i;
-    if (branch != 0 && low < high) {
-        for (i = 0; i < 40; i++) {
-            const mckibben_real middle = MCKIBBEN_R(0.5) * (low + high);
-            const mckibben_real friction = mckibben_friction(m, middle, (mckibben_real)branch, MCKIBBEN_R(0));
+    mckibben_real low = MCKIBBEN_R(0), high = m->supply, middle = high;
+    /* Without pressure there is no friction: what has no answer there has none on a branch. */
+    if (branch == 0 || ((found & MCKIBBEN_NO_ANSWER) && mean <= MCKIBBEN_R(0))) {
+        high = mean;
+    } else {
+        found |= MCKIBBEN_NO_ANSWER;
+        for (int i = 0; i < 41; i++, middle = MCKIBBEN_R(0.5) * (low + high)) {
+            const mckibben_real friction = mckibben_friction(m, middle, length, (mckibben_real)branch, MCKIBBEN_R(0), 0);
             if (mckibben_force(m, middle, length, 0) + friction < force) {
                 low = middle;
             } else {
                 high = middle;
-                lowered = 1;
+                found &= ~MCKIBBEN_NO_ANSWER;
             }
         }
-        if (!lowered)
-            found |= MCKIBBEN_NO_ANSWER;
-    } else {
-        high = mean;
     }
     if (status)
         *status = found;

@@ -12,7 +12,7 @@ static const mckibben_muscle @{id} = {
     @{c_a},
     @{c_b},
     @{c_v},
-    @{c_friction}
+    @{c_friction}, 0
 };
 
 #endif

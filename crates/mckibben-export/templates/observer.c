@@ -1,5 +1,5 @@
 /* Length and pull of the muscle @{name} from gauge pressure and air flow, without a sensor of length: an extended Kalman filter.
- * cc -O2 observer.c mckibben.c -lm -o observer && ./observer < measured.txt
+ * cc -O2 @{id}_observer.c mckibben.c -lm -o observer && ./observer < measured.txt
  * Each line of the input: time in s, gauge pressure in Pa, mass flow into the muscle since the line before in kg/s. Each line of the output: time, length
  * in m, pull in N, standard deviation of the length in m.
  * @{facts}
@@ -9,7 +9,7 @@
  * The muscle begins at rest without pressure. A flow sensor that is off by a share makes the mass off by it, and the length with it: begin
  * again each time that the muscle is vented.
  */
-#include "muscle.h"
+#include "@{id}.h"
 #include <math.h>
 #include <stdio.h>
 
@@ -31,7 +31,7 @@ typedef struct {
 /* The mass of air at a pressure and a length. */
 static real mass(real pressure, real length)
 {
-    return (ATMOSPHERE_PA + pressure) * (mckibben_volume(&@{id}, pressure, length) + DEAD_VOLUME_M3) / (GAS_J_KG_K * TEMPERATURE_K);
+    return (ATMOSPHERE_PA + pressure) * (mckibben_volume(&@{id}, pressure, length, 0) + DEAD_VOLUME_M3) / (GAS_J_KG_K * TEMPERATURE_K);
 }
 
 static void start(observer *o, real pressure, real length)
@@ -57,7 +57,7 @@ static void step(observer *o, real dt, real pressure, real flow)
     /* What the pressure adds. */
     const real near = R(2e-3) * @{id}.supply, length = o->x[LENGTH], here = mass(pressure, length);
     const real by_pressure = (mass(pressure + near, length) - here) / near;
-    const real by_length = -(ATMOSPHERE_PA + pressure) * mckibben_force_per_pressure(&@{id}, pressure, length) / (GAS_J_KG_K * TEMPERATURE_K);
+    const real by_length = -(ATMOSPHERE_PA + pressure) * mckibben_force_per_pressure(&@{id}, pressure, length, 0) / (GAS_J_KG_K * TEMPERATURE_K);
     real ph[STATES], variance = by_pressure * by_pressure * PRESSURE_PA * PRESSURE_PA;
     for (int i = 0; i < STATES; i++)
         ph[i] = o->p[i][LENGTH] * by_length - o->p[i][MASS];

@@ -1,8 +1,8 @@
 /* A closed loop: the muscle @{name} holds a pull at a length, with a pressure sensor and a proportional valve.
- * Arduino: put muscle.h, mckibben.h and mckibben.c beside this sketch, and add -DMCKIBBEN_FLOAT to the flags or leave it out: both work.
+ * Arduino: put @{id}.h, mckibben.h and mckibben.c beside this sketch, and add -DMCKIBBEN_FLOAT to the flags or leave it out: both work.
  * @{facts}
  */
-#include "muscle.h"
+#include "@{id}.h"
 
 /* Your hardware: sensor of 0 to 5 V over the range, valve by the width of pulses, potentiometer for the length. */
 static const int SENSOR = A0, LENGTH = A1, VALVE = 9;
@@ -23,8 +23,8 @@ void loop()
     const float length = (float)@{id}.length - STROKE_M * (float)analogRead(LENGTH) / 1023.0f;
     unsigned status;
     float wanted = (float)mckibben_pressure(&@{id}, WANTED_N, length, &status);
-    if (status != MCKIBBEN_OK) /* no pressure in the box gives this pull here: the nearest does no harm */
-        wanted = wanted < 0.0f ? 0.0f : (wanted > (float)@{id}.supply ? (float)@{id}.supply : wanted);
+    if (status & MCKIBBEN_CONTRACTION_OUTSIDE) /* the potentiometer shows what the muscle cannot: vent */
+        wanted = integral = 0.0f;
     const float missing = (wanted - pressure) / (float)@{id}.supply;
     float drive = wanted / RANGE_PA + GAIN * missing + integral;
     if (drive > 0.0f && drive < 1.0f) /* the integral waits while the valve is at an end */

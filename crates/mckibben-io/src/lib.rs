@@ -5,6 +5,7 @@
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod cancel;
+pub mod clean;
 pub mod files;
 #[cfg(feature = "parquet")]
 pub mod parquet;

@@ -1,6 +1,7 @@
 //! The numbers of a figure as a table.
 
 use crate::{Figure, Style};
+use mckibben_io::clean::cell;
 use std::fmt::Write;
 
 impl Figure {
@@ -48,9 +49,10 @@ impl Style {
 }
 
 fn quoted(text: &str) -> String {
+    let text = cell(text);
     if text.contains([',', '"', '\n', '\r']) {
         format!("\"{}\"", text.replace('"', "\"\""))
     } else {
-        text.to_owned()
+        text.into_owned()
     }
 }

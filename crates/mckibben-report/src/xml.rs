@@ -1,23 +1,6 @@
 //! Writing XML: escaped texts, short numbers.
 
-/// Escapes a text for element content and attribute values; characters XML does not allow
-/// are left out, line breaks become blanks.
-pub(crate) fn escape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\'' => out.push_str("&#39;"),
-            '\t' | '\n' | '\r' => out.push(' '),
-            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => {}
-            c => out.push(c),
-        }
-    }
-    out
-}
+pub(crate) use mckibben_io::clean::markup as escape;
 
 /// A length of the drawing with at most two decimals.
 pub(crate) fn length(value: f64) -> String {

@@ -120,3 +120,23 @@ fn all_files_are_written_and_named_in_the_readme() {
         assert!(readme.contains("Proof test with water") && readme.contains("0.5 MPa (5 bar)"), "{readme}");
     }
 }
+
+/// Texts of others are neither HTML, code nor cells in the page of steps.
+#[test]
+fn texts_of_others_are_plain_in_the_readme() {
+    let mut plan = plan_of(30.0, 3.0, &Wishes::default());
+    let hostile = "<script>alert(1)</script>|`rm`|[a](javascript:b)\u{202e}\n# c";
+    let part = &mut plan.parts[0];
+    part.part = hostile.into();
+    part.amount = hostile.into();
+    (part.sold_as, part.price, part.source) =
+        (Some(hostile.into()), Some(hostile.into()), Some(hostile.into()));
+    let all = files(&plan).unwrap();
+    for file in all.iter().filter(|file| ["README.md", "drawing.svg"].contains(&&*file.name)) {
+        let text = String::from_utf8_lossy(file.content.bytes()).into_owned();
+        let of_markdown = if file.name == "README.md" { &["|`rm", "](javascript", "\n# c"][..] } else { &[] };
+        for code in ["<script", "\u{202e}"].iter().chain(of_markdown) {
+            assert!(!text.contains(code), "{}: {code}", file.name);
+        }
+    }
+}

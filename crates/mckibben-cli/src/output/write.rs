@@ -63,7 +63,13 @@ pub fn check_ending(path: Option<&Path>, endings: &[&str]) -> Result<(), Failure
 
 /// Writes all files of an answer into a folder, or none if one of them exists.
 pub fn save_all(files: &[BuiltFile], folder: &Path) -> Result<(), Failure> {
-    save_inside(folder, files.iter().map(|file| (&file.name, &file.content)), overwrite())
+    // A file that is there already as it would be written is left.
+    let is_there = |file: &&BuiltFile| {
+        let limit = file.content.len() as u64;
+        mckibben_io::files::read(&folder.join(&file.name), limit).is_ok_and(|there| there == file.content)
+    };
+    let files = files.iter().filter(|file| !is_there(file));
+    save_inside(folder, files.map(|file| (&file.name, &file.content)), overwrite())
 }
 
 /// Writes files into a folder, which is made where it is missing; a link in it is not followed.

@@ -297,6 +297,13 @@ fn an_export_that_cannot_be_written_whole_is_not_begun() {
         run_in(dir.path(), &format!("{line} {target} -o whole")).ok();
         let all = names(&dir.path().join("whole"));
         let last = all.last().unwrap();
+        // A second muscle stands beside the first; the same name for another is refused.
+        let before = fs::read(dir.path().join("whole").join(last)).unwrap();
+        run_in(dir.path(), &format!("{line} {target} -o whole --name other")).ok();
+        let refused = run_in(dir.path(), &format!("{line} {target} -o whole -p 2bar"));
+        assert!(refused.code == 2 && refused.err.contains("muscle_prototype"), "{target}: {}", refused.err);
+        assert_eq!(fs::read(dir.path().join("whole").join(last)).unwrap(), before, "{target}");
+        assert!(names(&dir.path().join("whole")).len() > all.len(), "{target}");
         fs::create_dir(dir.path().join("inside")).unwrap();
         fs::write(dir.path().join("inside").join(last), "mine").unwrap();
         let refused = run_in(dir.path(), &format!("{line} {target} -o inside"));

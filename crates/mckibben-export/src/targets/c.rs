@@ -19,24 +19,24 @@ pub(super) const TARGET: Target = Target {
 type Source = (&'static str, &'static str, &'static str);
 
 const SOURCES: [Source; 3] = [
-    ("mckibben.h", "the functions", include_str!("../../templates/mckibben.h")),
+    ("mckibben.h", "the functions, the same for all muscles", include_str!("../../templates/mckibben.h")),
     ("mckibben.c", "their source", include_str!("../../templates/mckibben.c")),
-    ("muscle.h", "the numbers of the muscle", include_str!("../../templates/muscle.h")),
+    ("@{id}.h", "the numbers of the muscle", include_str!("../../templates/muscle.h")),
 ];
 
 const EXAMPLES: [Source; 4] = [
     (
-        "example.c",
+        "@{id}_example.c",
         "an example that compiles as its first line says",
         include_str!("../../templates/example.c"),
     ),
     (
-        "pressure_loop.ino",
+        "@{id}_loop.ino",
         "a sketch for Arduino: a closed loop that holds a pull",
         include_str!("../../templates/pressure_loop.ino"),
     ),
     (
-        "observer.c",
+        "@{id}_observer.c",
         "an example: length and pull from pressure and air flow by a Kalman filter",
         include_str!("../../templates/observer.c"),
     ),
@@ -59,7 +59,9 @@ pub(super) fn sources(muscle: &ExportedMuscle) -> Vec<File> {
 fn files(muscle: &ExportedMuscle, sources: &[Source]) -> Vec<File> {
     sources
         .iter()
-        .map(|(name, about, template)| File::text(name, about, rendered(template, muscle)))
+        .map(|(name, about, template)| {
+            File::text(rendered(name, muscle).trim_end(), about, rendered(template, muscle))
+        })
         .collect()
 }
 

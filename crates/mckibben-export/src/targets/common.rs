@@ -8,6 +8,7 @@ pub(super) fn common(muscle: &ExportedMuscle) -> Vec<(&'static str, String)> {
     let form = &muscle.form;
     vec![
         ("name", crate::muscle::plain(&muscle.name)),
+        ("version", muscle.version.into()),
         ("length", number(form.length_m)),
         ("supply", number(form.supply_pa)),
     ]

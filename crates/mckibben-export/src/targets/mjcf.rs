@@ -16,14 +16,14 @@ use super::Target;
 use super::c::{rendered, sources};
 use super::host_fit::fit;
 use crate::error::ExportError;
-use crate::muscle::ExportedMuscle;
+use crate::muscle::{ExportedMuscle, LIMIT};
 use crate::template::{number, render};
 use crate::{Artefact, File, HostError};
 
 pub(super) const TARGET: Target = Target {
     name: "mjcf",
     about: "a MuJoCo scene of native actuators on a tendon, without plugin or callback; beside it the form itself as a plugin in C, with its scene",
-    needs: "MuJoCo 3.3 or later; for the plugin its headers (the Python package has them) and a C compiler",
+    needs: "MuJoCo 3.3.1 or later; for the plugin its headers (the Python package has them) and a C compiler",
     loses: "friction; without the plugin the form: pull is linear in the pressure and of second degree in the length, from the length at rest to the free contraction; no volume",
     make,
 };
@@ -33,9 +33,14 @@ const REACH: f64 = 1.25;
 /// Largest share of the pull beyond the blocked force at the supply.
 const STRONGEST: f64 = 3.0;
 
-/// k0, k1, k2, m0, m1, m2 over the blocked force, and their error; the tendon's limit makes the muscle slack.
+/// k0, k1, k2, m0, m1, m2 over the blocked force, and their error; the tendon's limit makes the muscle slack. MuJoCo has no m2 below zero: without it then.
 fn fitted(muscle: &ExportedMuscle) -> Option<([f64; 6], HostError)> {
-    fit(muscle, |q, x| [q, q * x, q * x * x, 1.0, x, x * x], true)
+    let all = fit(muscle, |q, x| [q, q * x, q * x * x, 1.0, x, x * x], true)?;
+    if all.0[5] > 0.0 {
+        return Some(all);
+    }
+    let ([k0, k1, k2, m0, m1], error) = fit(muscle, |q, x| [q, q * x, q * x * x, 1.0, x], true)?;
+    Some(([k0, k1, k2, m0, m1, f64::MIN_POSITIVE], error))
 }
 
 /// Of dF/dL where both pull, over the blocked force over the stroke at the supply.
@@ -62,7 +67,7 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
     let refused = || {
         ExportError::Host("the pull of this muscle is not of the form that MuJoCo's actuators have; the targets c and python have all of it".into())
     };
-    let (k, error) = fitted(muscle).ok_or_else(refused)?;
+    let (k, error) = fitted(muscle).filter(|(_, error)| error.worst <= LIMIT).ok_or_else(refused)?;
     let (length, per_pa) = (f.length_m, blocked_n / f.supply_pa);
     let span = 2.0 * REACH * length;
     let of_square = (span / length).powi(2);
@@ -94,7 +99,8 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
         ("gain_square", number(gain_square)),
         ("gain_range", gain_range.into()),
         ("gain_ends", gain_ends.into()),
-        ("bias_square", number(2.0 * k[5] * blocked_n * of_square)),
+        // MuJoCo asks for more than zero.
+        ("bias_square", number((2.0 * k[5] * blocked_n * of_square).max(f64::MIN_POSITIVE))),
         ("gain_0", number(offset - k[0] * per_pa)),
         ("gain_1", number(-k[1] * per_pa / length)),
         ("bias_0", number(-k[3] * blocked_n)),
@@ -120,7 +126,7 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
         "both actuators of a muscle take the same control: its gauge pressure in Pa".into(),
     ];
     let about = "a mass that hangs from the muscle, with native actuators";
-    let mut files = vec![scene(("muscle.xml", about), muscle, &facts, &own)];
+    let mut files = vec![scene((".xml", about), muscle, &facts, &own)];
     files.extend(plugin(muscle));
     Ok(Artefact { files, notes })
 }
@@ -133,16 +139,16 @@ fn plugin(muscle: &ExportedMuscle) -> Vec<File> {
         ("also", " and <extension>".to_owned()),
         ("extension", format!("  <extension><plugin plugin=\"mckibben.{id}\"/></extension>")),
         ("limit", String::new()),
-        ("actuators", render(actuator, &[], &[("id", id), ("supply", supply)])),
+        ("actuators", render(actuator, &[], &[("id", id.clone()), ("supply", supply)])),
         ("half", number(0.5 * muscle.form.supply_pa)),
     ];
     let mut files = vec![
         File::text(
-            "muscle_plugin.c",
+            id.clone() + "_plugin.c",
             "the plugin; its first lines have the commands to compile and load it",
             rendered(include_str!("../../templates/muscle_plugin.c"), muscle),
         ),
-        scene(("muscle_plugin.xml", "the same mass by the plugin"), muscle, &muscle.facts(), &own),
+        scene(("_plugin.xml", "the same mass by the plugin"), muscle, &muscle.facts(), &own),
     ];
     files.extend(sources(muscle));
     files
@@ -150,7 +156,7 @@ fn plugin(muscle: &ExportedMuscle) -> Vec<File> {
 
 /// A scene in which a mass hangs from the muscle, with the actuators of a target.
 fn scene(
-    (name, about): (&'static str, &'static str),
+    (ending, about): (&str, &'static str),
     muscle: &ExportedMuscle,
     facts: &[String],
     own: &[(&'static str, String)],
@@ -164,5 +170,5 @@ fn scene(
         ("damping", number(0.5 * 2.0 * (stiffness * mass_kg).sqrt())),
     ];
     let text = render(include_str!("../../templates/muscle.xml"), facts, &[&common[..], own].concat());
-    File::text(name, about, text)
+    File::text(muscle.identifier() + ending, about, text)
 }

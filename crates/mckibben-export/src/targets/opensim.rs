@@ -10,7 +10,7 @@
 use super::Target;
 use super::host_fit::fit;
 use crate::error::ExportError;
-use crate::muscle::ExportedMuscle;
+use crate::muscle::{ExportedMuscle, LIMIT};
 use crate::template::{number, render};
 use crate::{Artefact, File};
 use std::f64::consts::PI;
@@ -33,7 +33,7 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
     let (_, alone) = fit(muscle, |q, x| [q, q * x * x], false).ok_or_else(refused)?;
     let (per_pa, length) = (blocked_n / form.supply_pa, form.length_m);
     // P (3 L² − thread²)/(4π turns²) needs a parabola that opens upwards and is negative at L = 0.
-    if !(k[1] > 0.0 && k[0] < 0.0) {
+    if !(k[1] > 0.0 && k[0] < 0.0 && error.worst <= LIMIT) {
         return Err(refused());
     }
     let turns = (3.0 * length * length / (4.0 * PI * k[1] * per_pa)).sqrt();
@@ -75,5 +75,6 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
     ];
     let scene = render(include_str!("../../templates/muscle.osim"), &facts, &values);
     let notes = vec![reach, push];
-    Ok(Artefact { files: vec![File::text("muscle.osim", "a mass that hangs from the muscle", scene)], notes })
+    let name = muscle.identifier() + ".osim";
+    Ok(Artefact { files: vec![File::text(name, "a mass that hangs from the muscle", scene)], notes })
 }

@@ -25,6 +25,9 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
         ("py_v", list(&f.v, round, number)),
         ("py_friction", list(&f.friction_n, round, number)),
     ]);
-    let file = render(include_str!("../../templates/mckibben_muscle.py"), &muscle.facts(), &values);
-    Ok(Artefact { files: vec![File::text("mckibben_muscle.py", "the functions", file)], notes: vec![] })
+    let file = render(include_str!("../../templates/muscle.py"), &muscle.facts(), &values);
+    Ok(Artefact {
+        files: vec![File::text(muscle.identifier() + ".py", "the functions", file)],
+        notes: vec![],
+    })
 }

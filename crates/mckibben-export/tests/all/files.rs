@@ -1,8 +1,8 @@
 //! The files: what each names, and what a C compiler and Python make of them.
 
 use super::exported;
-use mckibben::muscle::{Friction, Muscle};
-use mckibben_export::{Content, ExportError, ExportedMuscle, Target};
+use mckibben::muscle::{Braid, BraidStiffness, Friction, Muscle, Terminals, Tube};
+use mckibben_export::{Content, ExportError, ExportedMuscle, Form, OK, Point, Target};
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
 use std::io::Read as _;
@@ -12,8 +12,8 @@ use std::sync::LazyLock;
 
 static PROTOTYPE: LazyLock<ExportedMuscle> = LazyLock::new(|| exported(&Muscle::prototype(), 0.25).unwrap());
 
-fn write(target: &str, folder: &Path) {
-    for file in PROTOTYPE.to(Target::named(target).unwrap()).unwrap().files {
+fn write(muscle: &ExportedMuscle, target: &str, folder: &Path) {
+    for file in muscle.to(Target::named(target).unwrap()).unwrap().files {
         std::fs::write(folder.join(file.name), file.content.bytes()).unwrap();
     }
 }
@@ -58,6 +58,11 @@ fn text_of(bytes: &[u8]) -> String {
     String::from_utf8_lossy(&all).into_owned()
 }
 
+/// Files that are the same for all muscles, so that two muscles of one folder share them.
+fn is_shared(name: &str) -> bool {
+    ["mckibben.h", "mckibben.c", "mckibben_branch.h"].contains(&name)
+}
+
 #[test]
 fn every_file_names_muscle_version_hash_and_error() {
     for target in Target::ALL {
@@ -66,17 +71,20 @@ fn every_file_names_muscle_version_hash_and_error() {
         assert!(!made.files.is_empty());
         for file in made.files {
             let text = text_of(file.content.bytes());
-            let own = [&PROTOTYPE.hash, "prototype", "exported by mckibben", env!("CARGO_PKG_VERSION")];
-            for word in own.into_iter().chain(["% worst", "+-"]) {
+            let own = [&PROTOTYPE.hash, "prototype", "exported by mckibben", "% worst", "+-"];
+            let own = if is_shared(&file.name) { &[][..] } else { &own };
+            assert!(text.contains(env!("CARGO_PKG_VERSION")));
+            for word in own {
                 assert!(text.contains(word), "{target:?} {}: {word}", file.name);
             }
+            assert!(is_shared(&file.name) || file.name.starts_with("muscle_prototype"), "{}", file.name);
             assert!(
                 !text.contains(&usize::MAX.to_string()),
                 "{target:?}: a variable that fmu2.c does not have"
             );
             let is_text = matches!(file.content, Content::Text(_));
             assert!(!is_text || !text.contains("@{"), "{target:?} {}: a place without a value", file.name);
-            let numbers = ["muscle.h", "muscle.xml", "muscle_plugin.xml"].contains(&file.name);
+            let numbers = file.name.ends_with(".xml") || file.name == "muscle_prototype.h";
             assert!(!numbers || !text.contains("NaN") && !text.contains("inf,"), "{target:?} {}", file.name);
         }
     }
@@ -110,21 +118,23 @@ fn libraries_of_the_fmu_have_the_hashes_recorded_with_those_of_their_sources() {
     assert!(size <= 200_000, "{size} bytes");
 }
 
-/// Columns: pressure, length, pull, stiffness, dF/dP, volume, pressure of the pull.
-fn of_c(flags: &[&str]) -> Option<Vec<Vec<f64>>> {
+/// Columns: pull, stiffness, dF/dP, volume, pressure of the pull, status; of the box, or along the tangents beyond it.
+fn of_c(flags: &[&str], beyond: bool) -> Option<Vec<Vec<f64>>> {
     if !runs("cc") {
         return None;
     }
     let folder = tempfile::tempdir().unwrap();
-    write("c", folder.path());
-    let mut main = String::from("#include \"muscle.h\"\n#include <stdio.h>\nint main(void) {\nunsigned s;\n");
-    main += "const mckibben_muscle *m = &prototype;\n";
+    write(&PROTOTYPE, "c", folder.path());
+    let mut main = format!(
+        "#include \"muscle_prototype.h\"\n#include <stdio.h>\nint main(void) {{\nunsigned s;\nmckibben_muscle own = muscle_prototype;\nconst mckibben_muscle *m = &own;\nown.beyond = {};\n",
+        u8::from(beyond)
+    );
     for (p, l) in points() {
         let _ = writeln!(
             main,
             "{{ mckibben_real p = (mckibben_real){p:e}, l = (mckibben_real){l:e}, f = mckibben_force(m, p, l, &s);"
         );
-        main += "printf(\"%.17g %.17g %.17g %.17g %.17g %u\\n\", (double)f, (double)mckibben_stiffness(m, p, l), (double)mckibben_force_per_pressure(m, p, l), (double)mckibben_volume(m, p, l), (double)mckibben_pressure(m, f, l, 0), s); }\n";
+        main += "printf(\"%.17g %.17g %.17g %.17g %.17g %u\\n\", (double)f, (double)mckibben_stiffness(m, p, l, 0), (double)mckibben_force_per_pressure(m, p, l, 0), (double)mckibben_volume(m, p, l, 0), (double)mckibben_pressure(m, f, l, 0), s); }\n";
     }
     main += "return 0; }\n";
     std::fs::write(folder.path().join("main.c"), main).unwrap();
@@ -135,7 +145,13 @@ fn of_c(flags: &[&str]) -> Option<Vec<Vec<f64>>> {
 }
 
 fn compare_with_c(flags: &[&str], tolerance: f64) {
-    let Some(rows) = of_c(flags) else { return };
+    for beyond in [false, true] {
+        let Some(rows) = of_c(flags, beyond) else { return };
+        compare_rows(&rows, tolerance, if beyond { Form::beyond } else { Form::at });
+    }
+}
+
+fn compare_rows(rows: &[Vec<f64>], tolerance: f64, at: fn(&Form, f64, f64) -> Point) {
     let form = &PROTOTYPE.form;
     let full = form.at(form.supply_pa, 0.0);
     let scales =
@@ -144,19 +160,19 @@ fn compare_with_c(flags: &[&str], tolerance: f64) {
     let mut largest = [0.0_f64; 5];
     for (row, (p, l)) in rows.iter().zip(points()) {
         let e = 1.0 - l / form.length_m;
-        let point = form.at(p, e);
+        let point = at(form, p, e);
         // Derivatives jump where the muscle becomes slack: single precision may lie on the other side.
         if tolerance > 1e-6 && form.two_sided_n(p, e).0.abs() < 1e-3 * full.force_n {
             continue;
         }
         let ours = [point.force_n, point.stiffness_n_per_m, point.force_per_pressure_m2, point.volume_m3, p];
         // The inverse returns the pressure of a pull, where there is one.
-        let last = if point.force_n > 0.0 && p >= 0.0 { 5 } else { 4 };
+        let last = if point.status == OK { 5 } else { 4 };
+        assert_eq!(row[5], f64::from(point.status), "{p} {e}");
         for (k, large) in largest.iter_mut().enumerate().take(last) {
             *large = large.max((row[k] - ours[k]).abs() / scales[k]);
         }
     }
-    eprintln!("{flags:?}: {largest:?}");
     assert!(largest.iter().all(|e| *e < tolerance), "{largest:?}");
 }
 
@@ -247,10 +263,10 @@ fn python_with_numpy_is_the_form_to_1e_12() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    write("python", folder.path());
+    write(&PROTOTYPE, "python", folder.path());
     let (p, l): (Vec<f64>, Vec<f64>) = points().into_iter().unzip();
     let script = format!(
-        "import numpy as n, mckibben_muscle as m\np, l = n.array({p:?}), n.array({l:?})\nf = m.force(p, l)\nfor row in zip(f, m.stiffness(p, l), m.volume(p, l), m.status(p, l)): print(*(repr(float(v)) for v in row))\n"
+        "import numpy as n, muscle_prototype as m\np, l = n.array({p:?}), n.array({l:?})\nf = m.force(p, l)\nfor row in zip(f, m.stiffness(p, l), m.volume(p, l), m.status(p, l)): print(*(repr(float(v)) for v in row))\n"
     );
     let out = Command::new("python3").args(["-c", &script]).current_dir(folder.path()).output().unwrap();
     assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
@@ -279,9 +295,7 @@ fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
     let muscle = exported(&muscle, 0.25).unwrap();
     let (form, folder) = (&muscle.form, tempfile::tempdir().unwrap());
     for target in ["c", "python"] {
-        for file in muscle.to(Target::named(target).unwrap()).unwrap().files {
-            std::fs::write(folder.path().join(file.name), file.content.bytes()).unwrap();
-        }
+        write(&muscle, target, folder.path());
     }
     let (mut main, mut script, mut asked) = (String::new(), String::new(), vec![]);
     for sign in [-1, 0, 1] {
@@ -289,7 +303,7 @@ fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
             let length = (1.0 - e) * form.length_m;
             let _ = writeln!(
                 main,
-                "p = mckibben_pressure_on(&prototype, {force:e}, {length:e}, {sign}, &s); printf(\"%.17g %u\\n\", p, s);"
+                "p = mckibben_pressure_on(&muscle_prototype, {force:e}, {length:e}, {sign}, &s); printf(\"%.17g %u\\n\", p, s);"
             );
             let _ = writeln!(script, "print(repr(float(m.pressure_on({force:e}, {length:e}, {sign}))))");
             asked.push((force, e, f64::from(sign)));
@@ -306,7 +320,7 @@ fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
     let most_n = form.at(form.supply_pa, 0.0).force_n - 0.5 * form.friction_n.iter().sum::<f64>();
     if runs("cc") {
         let main = format!(
-            "#include \"muscle.h\"\n#include \"mckibben_branch.h\"\n#include <stdio.h>\nint main(void) {{ double p; unsigned s;\n{main}(void)mckibben_pressure_on(&prototype, {most_n:e}, prototype.length, -1, &s); return s == MCKIBBEN_NO_ANSWER ? 0 : 1; }}\n"
+            "#include \"muscle_prototype.h\"\n#include \"mckibben_branch.h\"\n#include <stdio.h>\nint main(void) {{ double p; unsigned s;\n{main}(void)mckibben_pressure_on(&muscle_prototype, {most_n:e}, muscle_prototype.length, -1, &s); return s == MCKIBBEN_NO_ANSWER ? 0 : 1; }}\n"
         );
         std::fs::write(folder.path().join("main.c"), main).unwrap();
         let text = compiled_and_run(folder.path(), &["-O1", "main.c", "mckibben.c", "-lm"]);
@@ -317,7 +331,7 @@ fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
         }
     }
     let script = format!(
-        "import mckibben_muscle as m\n{script}p = m.pressure_on({most_n:e}, m.LENGTH, -1)\nassert p != p\n"
+        "import muscle_prototype as m\n{script}assert m.pressure_on({most_n:e}, m.LENGTH, -1) == m.SUPPLY\nassert m.pressure_status({most_n:e}, m.LENGTH, -1) == m.NO_ANSWER\n"
     );
     let numpy =
         Command::new("python3").args(["-c", "import numpy"]).output().is_ok_and(|o| o.status.success());
@@ -327,5 +341,193 @@ fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
         let text = String::from_utf8(out.stdout).unwrap();
         assert_eq!(text.lines().count(), asked.len());
         text.lines().zip(asked).for_each(|(line, asked)| gives(line, asked));
+    }
+}
+
+/// A muscle with friction, and what C and Python print: of C the numbers of a line, by `main` with the muscle `m` and `unsigned s`.
+fn with_friction() -> ExportedMuscle {
+    let muscle = Muscle::prototype().with_friction(Some(Friction::power_law(71.5, 0.56))).unwrap();
+    exported(&muscle, 0.25).unwrap()
+}
+
+/// Outside of the box, of numbers that are none and of pulls that cannot be: never above the supply, and a status that says so.
+#[test]
+fn no_answer_lies_outside_of_the_box_and_each_has_a_status() {
+    if !runs("cc") {
+        return;
+    }
+    let muscle = with_friction();
+    let folder = tempfile::tempdir().unwrap();
+    write(&muscle, "c", folder.path());
+    let main = r#"#include "muscle_prototype.h"
+#include "mckibben_branch.h"
+#include <math.h>
+#include <stdio.h>
+#define SAY(value) do { s = 99u; const double v = (value); printf("%.17g %u\n", v, s); } while (0)
+int main(void) {
+    unsigned s;
+    const mckibben_muscle *m = &muscle_prototype;
+    const double l = m->length, p = m->supply;
+    SAY(mckibben_pressure(m, 276.5, 0.7 * l, &s)); SAY(mckibben_pressure(m, NAN, l, &s)); SAY(mckibben_pressure(m, 200.0, NAN, &s));
+    SAY(mckibben_pressure(m, -5.0, 0.95 * l, &s)); SAY(mckibben_pressure(m, INFINITY, l, &s)); SAY(mckibben_pressure(m, 200.0, 0.95 * l, &s));
+    SAY(mckibben_pressure_on(m, NAN, l, -1, &s)); SAY(mckibben_pressure_on(m, -5.0, l, 1, &s)); SAY(mckibben_pressure_on(m, 1e9, l, 1, &s));
+    SAY(mckibben_contraction(m, 1e9, p, &s)); SAY(mckibben_contraction(m, NAN, p, &s)); SAY(mckibben_contraction(m, -5.0, 0.5 * p, &s)); SAY(mckibben_contraction(m, 200.0, 2.0 * p, &s));
+    SAY(mckibben_contraction(m, 200.0, 0.6 * p, &s));
+    SAY(mckibben_force(m, NAN, l, &s)); SAY(mckibben_volume(m, 3.0 * p, l, &s)); SAY(mckibben_stiffness(m, p, 0.5 * l, &s)); SAY(mckibben_force_per_pressure(m, -1.0, l, &s));
+    const double pull = mckibben_force(m, 30e3, 0.88 * l, 0);
+    SAY(pull + mckibben_friction(m, 30e3, 0.88 * l, -1.0, 0.0, &s));
+    return 0;
+}
+"#;
+    std::fs::write(folder.path().join("main.c"), main).unwrap();
+    let text = compiled_and_run(folder.path(), &["-O1", "main.c", "mckibben.c", "-lm"]);
+    let found: Vec<(f64, u32)> = text
+        .lines()
+        .map(|line| line.split_once(' ').unwrap())
+        .map(|(value, status)| (value.parse().unwrap(), status.parse().unwrap()))
+        .collect();
+    let (form, near) = (&muscle.form, |a: f64, b: f64| (a - b).abs() < 1e-9 * b.abs().max(1.0));
+    let (supply, low) = (form.supply_pa, form.contraction_low);
+    let (pull, free) = (form.at(supply, 0.0), form.contraction(0.0, 0.5 * supply));
+    let in_box = |value: f64, low: f64, high: f64| value > low && value < high;
+    // Status: 1 slack, 2 pressure outside, 4 contraction outside, 8 no answer.
+    let expected = [(supply, 12), (0.0, 8), (0.0, 12), (0.0, 8), (supply, 8)];
+    for (k, (value, status)) in expected
+        .into_iter()
+        .chain([(f64::NAN, 0), (0.0, 8), (0.0, 8), (supply, 8), (low, 8), (low, 8), (free, 8)])
+        .enumerate()
+    {
+        assert!(found[k].1 == status && (value.is_nan() || near(found[k].0, value)), "{k}: {:?}", found[k]);
+    }
+    assert!(
+        in_box(found[5].0, 0.0, supply) && found[12] == (form.contraction(200.0, supply), 2),
+        "{found:?}"
+    );
+    assert!(in_box(found[13].0, 0.0, form.contraction_high) && found[13].1 == 0, "{found:?}");
+    assert!(
+        found[14].0.is_nan() && found[14].1 == 2 && near(found[15].0, pull.volume_m3) && found[15].1 == 2,
+        "{found:?}"
+    );
+    assert!(found[16].1 & 4 == 4 && found[17].1 & 2 == 2, "{found:?}");
+    assert_eq!(found[18], (0.0, 1));
+}
+
+/// The same by Python; and derivatives by JAX, where it runs here, by differences of what they are the derivatives of.
+#[test]
+fn python_has_the_same_statuses_and_its_inverses_have_derivatives() {
+    let runs = |module: &str| {
+        Command::new("python3")
+            .args(["-c", &format!("import {module}")])
+            .output()
+            .is_ok_and(|o| o.status.success())
+    };
+    let folder = tempfile::tempdir().unwrap();
+    write(&with_friction(), "python", folder.path());
+    let same = r#"
+import muscle_prototype as m
+n, L, S = float("nan"), m.LENGTH, m.SUPPLY
+pairs = [(m.pressure(276.5, .7 * L), S, m.pressure_status(276.5, .7 * L), 12), (m.pressure(n, L), 0, m.pressure_status(n, L), 8), (m.pressure(200., n), 0, m.pressure_status(200., n), 12),
+    (m.pressure(-5., .95 * L), 0, m.pressure_status(-5., .95 * L), 8), (m.pressure_on(1e9, L, 1), S, m.pressure_status(1e9, L, 1), 8), (m.pressure_on(n, L, -1), 0, m.pressure_status(n, L, -1), 8),
+    (m.contraction(1e9, S), m.LOW, m.contraction_status(1e9, S), 8), (m.contraction(n, S), m.LOW, m.contraction_status(n, S), 8), (m.contraction(200., 2 * S), m.contraction(200., S), m.contraction_status(200., 2 * S), 2)]
+for k, (value, wanted, status, said) in enumerate(pairs):
+    assert abs(value - wanted) <= 1e-9 * (1 + abs(wanted)) and status == said, (k, value, wanted, status, said)
+assert m.status(n, L) == 2 and m.status(S, n) == 4 and m.pressure_status(200., .95 * L) == 0 and m.contraction_status(200., .6 * S) == 0
+assert m.force(30e3, .88 * L) + m.friction(30e3, .88 * L, -1.) == 0
+"#;
+    let slopes = r#"
+import jax
+jax.config.update("jax_enable_x64", True)
+import muscle_prototype as m
+L, S = m.LENGTH, m.SUPPLY
+on = lambda force, length: m.pressure_on(force, length, -1)
+for f, at in [(m.contraction, (200., 1.5e5)), (m.pressure, (200., .26)), (on, (200., .26)), (m.volume, (5e4, .24)), (m.volume, (1.5e5, .27))]:
+    for k in (0, 1):
+        step = 1e-6 * at[k]
+        up, down = [f(*(x + s * (i == k) for i, x in enumerate(at))) for s in (step, -step)]
+        wanted, found = (up - down) / (2 * step), jax.grad(f, k)(*at)
+        assert abs(found - wanted) <= 1e-4 * abs(wanted) + 1e-15, (f, at, k, found, wanted)
+assert abs(jax.grad(m.contraction)(200., 1.5e5) + 4.888e-4) < 1e-5 and abs(jax.grad(m.pressure)(200., .26) - 382.7) < 4 and abs(jax.grad(m.volume)(5e4, .24) - 1.97e-9) < 1e-10
+"#;
+    for (module, script) in [("numpy", same), ("jax", slopes)] {
+        if runs(module) {
+            let out =
+                Command::new("python3").args(["-c", script]).current_dir(folder.path()).output().unwrap();
+            assert!(out.status.success(), "{module}: {}", String::from_utf8_lossy(&out.stderr));
+        }
+    }
+}
+
+/// Names that would be code in each of the languages: every file is read by its own, and none of them is there.
+#[test]
+fn names_are_code_in_no_language() {
+    const NAME: &str =
+        "x\"\"\";import os;os.mkdir('ran')\n*/ #error ran\n/* --> <script>ran</script> \u{202e}${y} \\ '#";
+    let mut hostile = PROTOTYPE.clone();
+    (hostile.name, hostile.model) = (NAME.into(), NAME.into());
+    for target in Target::ALL {
+        let folder = tempfile::tempdir().unwrap();
+        write(&hostile, target.name, folder.path());
+        for file in hostile.to(target).unwrap().files {
+            let text = text_of(file.content.bytes());
+            for code in [";import", "#error", "<script", "\u{202e}", "${"] {
+                assert!(!text.contains(code), "{} {}: {code}", target.name, file.name);
+            }
+            let reads = "import sys,xml.dom.minidom as x,zipfile as z\nf=sys.argv[1]\nif f.endswith('.py'): compile(open(f).read(),f,'exec'); __import__(f[:-3])\nelif f.endswith('.fmu'): x.parseString(z.ZipFile(f).read('modelDescription.xml'))\nelse: x.parse(f)";
+            let read = |program: &str, words: &[&str]| {
+                let mut command = Command::new(program);
+                let done = command.args(words).arg(&file.name).current_dir(folder.path()).output().unwrap();
+                assert!(done.status.success(), "{}: {}", file.name, String::from_utf8_lossy(&done.stderr));
+            };
+            match Path::new(&file.name).extension().and_then(|ending| ending.to_str()) {
+                Some("c") if !text.contains("mujoco/") && runs("cc") => {
+                    read("cc", &["-std=c99", "-fsyntax-only"])
+                }
+                Some("py" | "fmu" | "xml" | "osim") if runs("python3") => read("python3", &["-c", reads]),
+                _ => {}
+            }
+        }
+        assert!(!folder.path().join("ran").exists());
+    }
+}
+
+/// Names that C, its library or Python has: behind a prefix they are none.
+#[test]
+fn names_of_languages_and_libraries_are_names_of_muscles() {
+    if !runs("cc") {
+        return;
+    }
+    for name in ["default", "length", "force", "new", "main", "linux", "sqrt", "N", "", "1", "muscle", "own"]
+    {
+        let mut muscle = PROTOTYPE.clone();
+        muscle.name = name.into();
+        let folder = tempfile::tempdir().unwrap();
+        write(&muscle, "c", folder.path());
+        let example = format!("{}_example.c", muscle.identifier());
+        let main = std::fs::read_to_string(folder.path().join(example)).unwrap();
+        std::fs::write(folder.path().join("main.c"), main).unwrap();
+        assert!(
+            compiled_and_run(folder.path(), &["main.c", "mckibben.c", "-lm"]).contains("status 0"),
+            "{name}"
+        );
+    }
+}
+
+/// MuJoCo reads `fpmax` above zero alone (its compiler: "positive scale, vmax, fpmax, fvmax required"), for muscles of all kinds; what misses 5 % is not written.
+#[test]
+fn scenes_have_values_that_mujoco_reads() {
+    let rubber = mckibben::rubber::library::find("ecoflex-00-30").unwrap();
+    let braid = Braid { angle_deg: 18.6, stiffness: BraidStiffness::NewtonPerMm(684.0), ..Braid::paper() };
+    let narrow = Muscle::new(Tube::new(27.3, 2.9, 269.0, rubber), braid, Terminals::default(), None).unwrap();
+    for (muscle, supply_mpa) in [(narrow, 0.6), (super::form::prestretched(), 0.25)] {
+        let made = exported(&muscle, supply_mpa).unwrap().to(Target::named("mjcf").unwrap()).unwrap();
+        let text = text_of(made.files[0].content.bytes());
+        for (key, places) in [("gainprm=\"", &[3, 6, 7, 8][..]), ("biasprm=\"", &[3, 6, 7, 8])] {
+            let numbers = text.split(key).nth(1).unwrap().split('"').next().unwrap();
+            let numbers: Vec<f64> = numbers.split(' ').map(|n| n.parse().unwrap()).collect();
+            assert!(numbers.len() == 9 && places.iter().all(|k| numbers[*k] > 0.0), "{numbers:?}");
+        }
+        let worst: f64 =
+            made.notes[0].split("% rms, ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+        assert!(worst <= 5.0, "{}", made.notes[0]);
     }
 }

@@ -25,7 +25,7 @@ fn refused(change: fn(&mut Response), wanted: Wanted) -> ExportError {
     ExportedMuscle::fit(&model, "changed", wanted).unwrap_err()
 }
 
-const WANTED: Wanted = Wanted { supply_mpa: 0.25, contraction_low: Wanted::LOW, contraction_high: None };
+const WANTED: Wanted = Wanted { supply_mpa: 0.25, contraction_low: None, contraction_high: None };
 
 #[test]
 fn a_pull_that_the_form_misses() {
@@ -53,7 +53,8 @@ fn a_box_that_is_none() {
     for (contraction_low, contraction_high) in
         [(0.1, None), (-0.3, None), (0.0, Some(-0.1)), (0.0, Some(0.6))]
     {
-        let error = refused(|_| (), Wanted { contraction_low, contraction_high, ..WANTED });
+        let error =
+            refused(|_| (), Wanted { contraction_low: Some(contraction_low), contraction_high, ..WANTED });
         assert!(matches!(error, ExportError::Box { .. }), "{error}");
         assert!(error.to_string().contains("the lower end lies at or below zero"), "{error}");
     }

@@ -2,7 +2,7 @@
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct File {
-    pub name: &'static str,
+    pub name: String,
     /// What it is, in a few words.
     pub about: &'static str,
     pub content: Content,
@@ -10,13 +10,13 @@ pub struct File {
 
 impl File {
     /// A file of text.
-    pub fn text(name: &'static str, about: &'static str, text: String) -> Self {
-        Self { name, about, content: Content::Text(text) }
+    pub fn text(name: impl Into<String>, about: &'static str, text: String) -> Self {
+        Self { name: name.into(), about, content: Content::Text(text) }
     }
 
     /// A file of bytes.
-    pub fn bytes(name: &'static str, about: &'static str, bytes: Vec<u8>) -> Self {
-        Self { name, about, content: Content::Bytes(bytes) }
+    pub fn bytes(name: impl Into<String>, about: &'static str, bytes: Vec<u8>) -> Self {
+        Self { name: name.into(), about, content: Content::Bytes(bytes) }
     }
 }
 

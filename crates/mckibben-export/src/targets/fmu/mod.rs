@@ -68,11 +68,9 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact, ExportError> {
 /// The unit of a kind in both versions of FMI.
 fn units(muscle: &ExportedMuscle, kind: Kind) -> Result<[File; 2], ExportError> {
     let (id, facts) = (muscle.identifier(), muscle.facts());
-    let (about, [second_name, third_name], what) = match kind {
-        Kind::Pressure => ("", ["muscle.fmu", "muscle_fmi3.fmu"], "the unit, FMI 2.0"),
-        Kind::Valve => {
-            ("air-", ["muscle_valve.fmu", "muscle_valve_fmi3.fmu"], "the muscle on a valve, FMI 2.0")
-        }
+    let (about, [second_ending, third_ending], what) = match kind {
+        Kind::Pressure => ("", [".fmu", "_fmi3.fmu"], "the unit, FMI 2.0"),
+        Kind::Valve => ("air-", ["_valve.fmu", "_valve_fmi3.fmu"], "the muscle on a valve, FMI 2.0"),
     };
     let token = format!("{{mckibben-{about}{}}}", muscle.hash);
     let variables = variables::variables(muscle, kind);
@@ -95,7 +93,7 @@ fn units(muscle: &ExportedMuscle, kind: Kind) -> Result<[File; 2], ExportError> 
         ("sources/fmu2.c".to_owned(), source(include_str!("../../../templates/fmu2.c"))),
         ("sources/fmu3.c".to_owned(), source(include_str!("../../../templates/fmu3.c"))),
     ];
-    for file in sources(muscle).into_iter().filter(|file| file.name != "muscle.h") {
+    for file in sources(muscle).into_iter().filter(|file| file.name.starts_with("mckibben.")) {
         common.push((format!("sources/{}", file.name), file.content.bytes().to_vec()));
     }
     let unit = |own: Vec<(String, Vec<u8>)>| {
@@ -124,8 +122,8 @@ fn units(muscle: &ExportedMuscle, kind: Kind) -> Result<[File; 2], ExportError> 
     }
     second.push((library("darwin64", "dylib"), universal(&MACOS)));
     Ok([
-        File::bytes(second_name, what, unit(second)?),
-        File::bytes(third_name, "the same, FMI 3.0", unit(third)?),
+        File::bytes(id.clone() + second_ending, what, unit(second)?),
+        File::bytes(id.clone() + third_ending, "the same, FMI 3.0", unit(third)?),
     ])
 }
 

@@ -1,5 +1,6 @@
 //! The lines of a muscle file, and values as it has them.
 
+use mckibben_io::clean::is_unseen;
 use std::fmt::Write;
 
 /// The column of the comments.
@@ -40,8 +41,8 @@ pub(super) fn text(text: &str) -> String {
     for c in text.chars() {
         match c {
             '"' | '\\' => out.extend(['\\', c]),
-            c if c.is_control() => {
-                let _ = write!(out, "\\u{:04X}", u32::from(c));
+            c if is_unseen(c) => {
+                let _ = write!(out, "\\U{:08X}", u32::from(c));
             }
             c => out.push(c),
         }
@@ -59,4 +60,15 @@ pub(super) fn quantity(value: f64, unit: &str) -> String {
 /// The shortest digits that read back as the same number.
 pub(super) fn number(value: f64) -> String {
     format!("{value:?}")
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn a_text_has_no_character_that_is_not_seen() {
+        let written = super::text("a\u{202e}b\u{e0001}\n\"");
+        assert_eq!(written, "\"a\\U0000202Eb\\U000E0001\\U0000000A\\\"\"");
+        let read: toml_edit::Value = written.parse().unwrap();
+        assert_eq!(read.as_str(), Some("a\u{202e}b\u{e0001}\n\""));
+    }
 }
