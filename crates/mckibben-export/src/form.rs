@@ -197,12 +197,14 @@ impl Form {
     /// Points q, ε of the box with their pulls, from where it becomes slack to where it pulls again: the volume of a slack muscle would not be known there.
     pub fn pulls_again(&self) -> Vec<(f64, f64, f64)> {
         let (low, width) = (self.contraction_low, self.contraction_high - self.contraction_low);
+        // Without pressure a model without a wall is slack nowhere: its pull is rounding.
+        let rounding_n = 1e-7 * self.two_sided_n(self.supply_pa, 0.0).0;
         let line = |i: i32| {
             let q = (f64::from(i) / 40.0).powi(2);
             let all = (0..=125).map(|k| low + width * f64::from(k) / 125.0);
             let all = all.map(|e| (q, e, self.two_sided_n(q * self.supply_pa, e).0));
-            let mut behind: Vec<_> = all.skip_while(|p| p.2 > 0.0).collect();
-            behind.truncate(behind.iter().rposition(|p| p.2 > 0.0).map_or(0, |last| last + 1));
+            let mut behind: Vec<_> = all.skip_while(|p| p.2 >= -rounding_n).collect();
+            behind.truncate(behind.iter().rposition(|p| p.2 > rounding_n).map_or(0, |last| last + 1));
             behind
         };
         (0..=40).flat_map(line).collect()
