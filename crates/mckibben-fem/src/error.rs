@@ -165,7 +165,7 @@ fn ended(
     } else {
         String::new()
     };
-    format!("{begins}{because}{followed}; lower the pressure or the contraction, or take stiffer strands")
+    format!("{begins}{because}{followed}; lower the pressure or the contraction")
 }
 
 fn out_of_reach(force: f64, pressure: f64, nearest: f64, contraction: f64) -> String {

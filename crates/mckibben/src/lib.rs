@@ -60,6 +60,7 @@ pub mod verification;
 pub mod warning;
 
 pub use mckibben_io::cancel;
+pub use mckibben_io::clean;
 pub use mckibben_io::units;
 pub use mckibben_io::units::nearest;
 

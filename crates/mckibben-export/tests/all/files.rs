@@ -463,7 +463,7 @@ fn names_are_code_in_no_language() {
     const NAME: &str =
         "x\"\"\";import os;os.mkdir('ran')\n*/ #error ran\n/* --> <script>ran</script> \u{202e}${y} \\ '#";
     let mut hostile = PROTOTYPE.clone();
-    (hostile.name, hostile.model) = (NAME.into(), NAME.into());
+    (hostile.name, hostile.model, hostile.muscle_file) = (NAME.into(), NAME.into(), NAME.into());
     for target in Target::ALL {
         let folder = tempfile::tempdir().unwrap();
         write(&hostile, target.name, folder.path());

@@ -8,6 +8,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
+use mckibben::clean;
 use std::fmt::Write as _;
 use std::io::Write as _;
 
@@ -110,8 +111,7 @@ pub fn collection<'a>(about: &str, problem: impl Iterator<Item = (usize, usize, 
 
 fn head(kind: &str, about: &str) -> String {
     // In a comment two hyphens must not meet, nor stand at its end.
-    let clean: String = about.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    let clean = clean.replace(['\u{fffe}', '\u{ffff}'], " ").replace("--", "- -").replace("--", "- -");
+    let clean = clean::line(about).replace("--", "- -").replace("--", "- -");
     let version = env!("CARGO_PKG_VERSION");
     format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- mckibben {version}: {clean} -->\n<VTKFile type=\"{kind}\" \
