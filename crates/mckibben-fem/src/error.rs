@@ -165,7 +165,9 @@ fn ended(
     } else {
         String::new()
     };
-    format!("{begins}{because}{followed}; lower the pressure or the contraction")
+    // No sleeve contracts further.
+    let stiffer = if contraction < 0.4 { ", or take stiffer strands" } else { "" };
+    format!("{begins}{because}{followed}; lower the pressure or the contraction{stiffer}")
 }
 
 fn out_of_reach(force: f64, pressure: f64, nearest: f64, contraction: f64) -> String {

@@ -104,7 +104,7 @@ const WRITERS: [(&str, &str, &str); 36] = [
     ("check universal --latex", "-o t.tex", "t.tex"),
     ("build -D 30 -p 0.1", "--report report.html", "report.html"),
     ("build -D 30 -p 0.1", "-o out", "out/test.csv"),
-    ("export --model ideal --as c", "-o out", "out/pressure_loop.ino"),
+    ("export --model ideal --as c", "-o out", "out/muscle_loop.ino"),
     ("campaign show c0.parquet", "-o t.txt", "t.txt"),
     ("campaign status parts", "-o t.txt", "t.txt"),
     ("campaign merge parts", "-o t.parquet", "t.parquet"),
