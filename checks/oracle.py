@@ -79,13 +79,18 @@ def yeoh(a, b, c):
     return mpf("0.1789") * x - mpf("0.001219") * x**2 + mpf("3.678e-5") * x**3
 
 
-def named(name, stretch):
-    """The recommended law of a named rubber, of the data up to a stretch."""
+def named(name, d0, s, angle):
+    """The Yeoh law of a named rubber: between two ranges of data constants between theirs, for 1.05 times the stretch that the bore reaches."""
+    outer, inner, rest, end = mpf(d0) / 2, mpf(d0) / 2 - mpf(s), radians(mpf(angle)), mp.acos(1 / sqrt(mpf(3)))
+    widest = (outer * sin(end) / sin(rest)) ** 2 - (outer**2 - inner**2) * cos(rest) / cos(end)
+    stretch = mpf("1.05") * sqrt(widest) / inner
     with open("crates/mckibben/data/rubber-laws.json") as file:
-        window = next(w for w in json.load(file)[name] if w["up_to_stretch"] == stretch)
-    law = next(law for law in window["laws"] if law["standing"] == "recommended")
-    assert law["law"] == "yeoh"
-    constants = [mpf(repr(law[c])) for c in ("c10", "c20", "c30")]
+        windows = json.load(file)[name]
+    below, above = next(pair for pair in zip(windows, windows[1:]) if pair[0]["fitted_to_stretch"] < stretch < pair[1]["fitted_to_stretch"])
+    laws = [next(law for law in window["laws"] if law["name"] == "yeoh") for window in (below, above)]
+    start, stop = (mpf(repr(window["fitted_to_stretch"])) for window in (below, above))
+    share = (stretch - start) / (stop - start)
+    constants = [(1 - share) * mpf(repr(laws[0][c])) + share * mpf(repr(laws[1][c])) for c in ("c10", "c20", "c30")]
     return lambda a, b, c: sum(k * (invariants(a, b, c)[0] - 3) ** (i + 1) for i, k in enumerate(constants))
 
 
@@ -94,7 +99,7 @@ cases = [
     (30, 3, 28, 321, "0.25", "0.10", "paper", mooney),
     (50, 1, 28, 624, "0.25", "0.15", "paper", mooney),
     (20, 2, 20, 150, "0.40", "0.20", "paper", mooney),
-    (40, 4, 33, 467, "0.20", "0.05", "dragon-skin-20", named("dragon-skin-20", 2.0)),
+    (40, 4, 33, 467, "0.20", "0.05", "dragon-skin-20", named("dragon-skin-20", 40, 4, 33)),
     (30, 3, 25, 900, "0.50", "0.18", 'law = "yeoh"\nc10 = 0.1789\nc20 = -0.001219\nc30 = 3.678e-5', yeoh),
 ]
 for d0, s, angle, k, p, e, rubber, law in cases:

@@ -11,7 +11,7 @@ from typing import Any
 from . import _quantity, _schema
 from ._ask import answered
 from ._errors import InputError
-from ._files import FORMULAS, TABLES, without_gaps
+from ._files import FORMULAS, TABLES
 from ._plain import muscle_text
 from ._schema import entry, section, wrapped
 
@@ -49,8 +49,6 @@ METHODS = {"force": "state"}
 # What a muscle must be given.
 GEOMETRY = ("outer_diameter_mm", "wall_mm", "length_mm")
 # Commands that fit measured tables, with the argument of these; tests of a rubber have columns of their own.
-MEASURED = {"identify": "data", "compare": "data", "fit": "table", "rubber": "data"}
-NAN = "Rows that lack a number which is needed (empty, NaN, masked): ``raise``, or ``omit`` to leave these out."
 PROGRESS = "True for a line on standard error, or a function that is called with (done, total)."
 # Types of what may be given for fields, by their names.
 GIVEN = {
@@ -163,9 +161,6 @@ def _function(command: str, owner: str = "") -> Callable[..., Any]:
     names = {_argument(name): name for name in fields}
     parameters = [_parameter(command, name, field, name not in first) for name, field in fields.items()]
     listed = [entry(argument, _schema.doc(fields[name]), _schema.unit(fields[name])) for argument, name in names.items()]
-    if command in MEASURED:
-        parameters.append(Parameter("nan", Parameter.KEYWORD_ONLY, default="raise", annotation="Literal['raise', 'omit']"))
-        listed.append(entry("nan", NAN))
     if _is_long(command):
         parameters.append(Parameter("progress", Parameter.KEYWORD_ONLY, default=None, annotation="Progress"))
         listed.append(entry("progress", PROGRESS))
@@ -180,11 +175,7 @@ def _function(command: str, owner: str = "") -> Callable[..., Any]:
 
     def ask(given: dict[str, Any]) -> Any:
         values = {**defaults, **given}
-        progress, nan = values.pop("progress", None), values.pop("nan", "raise")
-        if nan not in ("raise", "omit"):
-            raise ValueError(f'nan: "raise" or "omit", not {nan!r}')
-        if nan == "omit" and (table := values.get(MEASURED[command])) is not None:
-            values[MEASURED[command]] = without_gaps(table, values.get("columns") or {}, command == "rubber")
+        progress = values.pop("progress", None)
         muscle = {"muscle": values.pop("self")} if owner else {}
         return answered(command, {**muscle, **{names[name]: value for name, value in values.items()}}, answer, progress)
 

@@ -72,14 +72,6 @@ def table(value: Any) -> dict[str, str]:
     return {"name": "data", "text": Table.of(value).to_csv()}
 
 
-def without_gaps(value: Any, columns: Mapping[str, str], tests: bool) -> Any:
-    """Tables without the rows that lack a number which a fit needs."""
-    if isinstance(value, (list, tuple)):
-        return [without_gaps(one, columns, tests) for one in value]
-    file = table(value)
-    return {"name": file["name"], "text": _native.without_gaps(file["name"], file["text"], dict(columns), tests)}
-
-
 def measured(value: Any) -> dict[str, str]:
     """A measured muscle or rubber: the path of its folder, or its files as texts. A rubber has no ``muscle.toml``, and a folder of no library no
     ``identified.toml``.

@@ -11,7 +11,7 @@ from _typeshed import SupportsGetItem
 from os import PathLike
 from typing import Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Formula", "Model", "Simulation", "ask", "body_html", "choice", "drive_files", "joint_files", "muscle_fields", "muscle_text", "muscle_with", "parameters", "quantity", "read_formula", "read_table", "read_text", "report_html", "rubber_stress", "schema", "toml", "toml_text", "unit_of", "values", "without_gaps", "write_file"]
+__all__ = ["VERSION", "Formula", "Model", "Simulation", "ask", "body_html", "choice", "drive_files", "joint_files", "muscle_fields", "muscle_text", "muscle_with", "parameters", "quantity", "read_formula", "read_table", "read_text", "report_html", "rubber_stress", "schema", "toml", "toml_text", "unit_of", "values", "write_file"]
 
 VERSION: Final[str]
 """
@@ -210,11 +210,6 @@ def unit_of(name: "str") -> "tuple[str | None, str] | None":
 def values(text: str, kind: str, field: str | None = None) -> list[float]:
     """
     A text such as `0..2.5:0.5bar` or `1,2,3 bar` as numbers; an interval without a step is cut into 20 parts.
-    """
-
-def without_gaps(name: str, text: str, columns: dict[str, str], tests: bool) -> str:
-    """
-    A table of measured points, or of tests of a rubber, without the rows that lack a number which a fit needs.
     """
 
 def write_file(path: str | PathLike[str], content: "bytes") -> None:

@@ -155,39 +155,26 @@ def identified(root: Path, data: Any, **options: Any) -> Any:
 
 
 @pytest.mark.parametrize("form", ["columns", "pandas", "polars", "index", "recarray", "masked", "file", "several"])
-def test_rows_with_gaps_are_left_out_where_that_is_said(root: Path, tmp_path: Path, form: str) -> None:
-    """Bit by bit the fit of the rows that are whole; else the error names line and column."""
+def test_rows_that_are_not_filled_in_are_left_out_and_counted(root: Path, tmp_path: Path, form: str) -> None:
+    """Bit by bit the fit of the rows that are whole."""
     frame = pd.DataFrame(GAPS)
-    (tmp_path / "gaps.csv").write_text("# measured\npressure_mpa;contraction;force_n;note\n" + "".join(f"{p!r};{e!r};{'NaN' if f != f else repr(f)};x\n".replace(".", ",") for p, e, f in zip(*list(GAPS.values())[:3])))
+    (tmp_path / "gaps.csv").write_text("# measured\npressure_mpa;contraction;force_n;note\n" + "".join(f"{p!r};{e!r};{'' if f != f else repr(f)};x\n".replace(".", ",") for p, e, f in zip(*list(GAPS.values())[:3])))
     made: dict[str, Any] = {
         "columns": GAPS, "pandas": frame, "polars": pl.DataFrame(GAPS), "index": frame.set_index(["pressure_mpa", "contraction"]), "recarray": frame.to_records(index=False),
         "masked": {**GAPS, "force_n": np.ma.masked_invalid(GAPS["force_n"])}, "file": tmp_path / "gaps.csv", "several": [frame, BENCH],
     }
-    found = identified(root, made[form], nan="omit")
-    assert np.array_equal(found.x, identified(root, BENCH if form != "several" else [BENCH, BENCH]).x) and found.understood[0].rows == 5
-    with pytest.raises(mk.InputError, match="force_n"):
-        identified(root, made[form])
-    compared = mk.compare(root / "examples/bench.toml", models=["universal"], data=made[form] if form != "several" else frame, nan="omit")
+    found = identified(root, made[form])
+    assert np.array_equal(found.x, identified(root, BENCH if form != "several" else [BENCH, BENCH]).x)
+    assert (found.understood[0].rows, found.understood[0].not_filled) == (5, 1)
+    compared = mk.compare(root / "examples/bench.toml", models=["universal"], data=made[form] if form != "several" else frame)
     assert compared.models[0].rms_n == mk.compare(root / "examples/bench.toml", models=["universal"], data=BENCH).models[0].rms_n
-
-
-def test_tests_of_a_rubber_may_have_gaps(root: Path) -> None:
-    columns = numbers(read(root / "data/treloar/tension.csv"))
-    gaps = {name: np.concatenate([values[:3], [np.nan], values[3:]]) if isinstance(values, np.ndarray) else [*values[:3], values[0], *values[3:]] for name, values in columns.items()}
-    assert mk.rubber(gaps, nan="omit").laws == mk.rubber(columns).laws
-    with pytest.raises(mk.InputError):
-        mk.rubber(gaps)
-    with pytest.raises(ValueError, match="omit"):
-        mk.rubber(columns, nan="drop")  # type: ignore[arg-type]
 
 
 def test_a_formula_of_a_table_with_gaps(root: Path) -> None:
     whole = pd.DataFrame(numbers(read(root / "data/campaign/paper.csv")))
     gaps = pd.concat([whole[:5], whole[5:6].assign(force_n=np.nan), whole[5:]])
     point: dict[str, Any] = {"pressure_mpa": 0.2, "contraction": 0.1, "wall_mm": 2.0, "outer_diameter_mm": np.linspace(30, 50, 5)}
-    assert np.array_equal(mk.fit(gaps, nan="omit").formula(**point), mk.fit(whole).formula(**point))
-    with pytest.raises(mk.InputError, match="force_n"):
-        mk.fit(gaps)
+    assert np.array_equal(mk.fit(gaps).formula(**point), mk.fit(whole).formula(**point))
 
 
 def test_decimal_commas_and_headings_by_keyword(root: Path) -> None:
@@ -199,6 +186,6 @@ def test_decimal_commas_and_headings_by_keyword(root: Path) -> None:
     found = identified(root, other, columns={"pressure": "P1:bar", "contraction": "x:%", "force": "F:N"})
     assert np.allclose(found.x, expected, rtol=1e-12) and [c.column for c in found.understood[0].columns] == ["P1", "x", "F"]
     other.loc[len(other)] = [2.0, 10.0, np.nan]
-    assert np.array_equal(identified(root, other, columns={"pressure": "P1:bar", "contraction": "x:%", "force": "F:N"}, nan="omit").x, found.x)
+    assert np.array_equal(identified(root, other, columns={"pressure": "P1:bar", "contraction": "x:%", "force": "F:N"}).x, found.x)
     with pytest.raises(mk.InputError, match="P2"):
         identified(root, other, columns={"pressure": "P2:bar"})

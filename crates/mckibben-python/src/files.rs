@@ -7,7 +7,6 @@ use mckibben_app::{JointFields, MotionRequest, Problem, ProblemKind, Subject, Te
 use mckibben_io::table;
 use pyo3::prelude::*;
 use serde_json::{Map, Value};
-use std::collections::BTreeMap;
 use std::path::PathBuf;
 use toml_edit::{DocumentMut, Item, Table};
 
@@ -58,34 +57,6 @@ pub fn drive_files(name: String, text: String) -> PyResult<(&'static str, String
         Subject::Joint(file) => ("joint", file),
     };
     Ok((subject, file, names.tables))
-}
-
-/// Texts in the place of a number that is missing.
-const MISSING: [&str; 6] = ["", "nan", "na", "n/a", "null", "none"];
-
-/// A table of measured points, or of tests of a rubber, without the rows that lack a number which a fit needs.
-#[pyfunction]
-pub fn without_gaps(
-    name: &str,
-    text: &str,
-    columns: BTreeMap<String, String>,
-    tests: bool,
-) -> PyResult<String> {
-    let wrong = |e: &table::TableError| Wrong::from(Problem::of_table(name, e));
-    let (vocabulary, groups) = if tests { (&table::TESTS, 2) } else { (&table::POINTS, 3) };
-    let read = table::Table::read(text, vocabulary, &table::Columns(columns)).map_err(|e| wrong(&e))?;
-    let needed = (0..groups).map(|group| Ok(read.needed(group)?.meaning));
-    let needed = needed.collect::<Result<Vec<_>, _>>().map_err(|e| wrong(&e))?;
-    let lines = read.lines();
-    let missing = |field: &str| MISSING.contains(&field.to_ascii_lowercase().as_str());
-    let gap = |row: usize| needed.iter().any(|m| read.text(row, *m).is_none_or(|(_, field)| missing(field)));
-    let gaps: Vec<bool> = (0..lines.len()).map(gap).collect();
-    // A line belongs to the row that begins there, or before it.
-    let kept = |line: u64| match lines.partition_point(|first| *first <= line).checked_sub(1) {
-        Some(row) => !gaps.get(row).is_some_and(|gap| *gap),
-        None => true,
-    };
-    Ok(text.lines().zip(1..).filter(|(_, line)| kept(*line)).flat_map(|(line, _)| [line, "\n"]).collect())
 }
 
 /// A text in TOML as maps and lists.
