@@ -115,7 +115,9 @@ pub(crate) fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Pas
         if way.abs() > 1e-9 * drive.mechanism.lever(0, 0.0).per_coordinate.abs().max(1e-9).recip() {
             let beyond = |v: &f64| (v - to) / way;
             let inside = time.iter().zip(&value).filter(|(t, _)| **t >= *begin && **t <= *end);
+            // What is less than the integration knows is none.
             let overshoot = inside.map(|(_, v)| beyond(v)).fold(0.0, f64::max);
+            let overshoot = if overshoot < 1e-4 { 0.0 } else { overshoot };
             let left = track.leaves(to, 0.02 * way.abs(), *begin, *end);
             // Of the last tenth of the piece nothing can be said to have settled.
             let settled = left.filter(|t| *t < end - 0.1 * (end - begin)).map(|t| t - begin);

@@ -25,8 +25,7 @@ mod _native {
     use crate::ask::{ask, choice, quantity, schema, unit_of, values};
     #[pymodule_export]
     use crate::files::{
-        drive_files, joint_files, read_formula, read_table, read_text, toml, toml_text,
-        write_file,
+        drive_files, joint_files, read_formula, read_table, read_text, toml, toml_text, write_file,
     };
     #[pymodule_export]
     use crate::formula::Formula;

@@ -24,7 +24,7 @@ const STEPS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp:
 /** A field with a slider, where that has ends. */
 class Quantity {
   /** @type {number | undefined} */ #now;
-  /** What the page wrote into the field. */
+  /** The value as the page wrote it into the field; nothing where the value changed under a text of somebody. @type {string | undefined} */
   #painted = "";
   /** Counts what was typed or dragged. */
   #turn = 0;
@@ -63,7 +63,9 @@ class Quantity {
     if (v === this.#now) return;
     this.#now = v;
     this.#good();
-    this.#paint(!this.#typing());
+    const fieldToo = !this.#typing();
+    if (!fieldToo) this.#painted = undefined;
+    this.#paint(fieldToo);
   }
   /** What is wrong with it, said by the engine; empty where nothing is. @param {string} message */
   mark(message) {
@@ -135,6 +137,7 @@ class Quantity {
     this.#turn++;
     this.#now = value;
     this.#good(note);
+    if (!fieldToo) this.#painted = undefined;
     this.#paint(fieldToo);
     this.spec.change(value, settled);
   }
