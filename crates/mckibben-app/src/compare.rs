@@ -22,7 +22,6 @@ use mckibben_fit::compare::{
 use mckibben_fit::identify::{
     DataPoint, IdentifyError, Parameter, Request, Target, doubts, identify, matters, own_value,
 };
-use mckibben_fit::least_squares::Loss;
 use mckibben_fit::measured::{PointOptions, Quantity, read_points};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -401,15 +400,7 @@ fn fitted(
     let start = |c: FitConstant| Some(own_value(muscle, c.target()).unwrap_or(STIFF));
     let parameter = |&c: &FitConstant| Parameter { start: start(c), ..Parameter::free(c.target()) };
     let free: Vec<Parameter> = known.iter().map(parameter).collect();
-    let request = Request {
-        muscle,
-        free: &free,
-        fixed: &[],
-        points: &points,
-        loss: Loss::Squares,
-        two_sided: true,
-        history: false,
-    };
+    let request = Request { two_sided: true, ..Request::new(muscle, &free, &points) };
     let found = identify(&request, &build).map_err(|error| match error {
         IdentifyError::Start { error, .. } | IdentifyError::Model(error) => error.into(),
         IdentifyError::Estimate(_) => {

@@ -7,7 +7,6 @@ use mckibben::prelude::*;
 use mckibben::progress::Silent;
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fit::identify::{Request, Target, identify_default, read_data};
-use mckibben_fit::least_squares::Loss;
 use std::error::Error;
 
 /// What a ruler tells, and guesses for the rest.
@@ -24,15 +23,7 @@ fn modulus_with_half_width() -> Result<(f64, f64), Box<dyn Error>> {
     let muscle = parse_muscle(MUSCLE)?;
     let points = read_data(POINTS.as_bytes())?;
     // Nothing is named as free: then it is the modulus of the rubber and the stiffness of the braid.
-    let request = Request {
-        muscle: &muscle,
-        free: &[],
-        fixed: &[],
-        points: &points,
-        loss: Loss::Squares,
-        two_sided: false,
-        history: false,
-    };
+    let request = Request::new(&muscle, &[], &points);
     let build = |m: &Muscle| match Axisymmetric::new(m) {
         Ok(fe) => Ok(Box::new(fe) as Box<dyn ForceModel>),
         Err(error) => Err(error.into()),

@@ -135,8 +135,9 @@ fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>, Problem> {
         return Ok(vec![]);
     }
     let cases = muscles().map_err(Problem::from)?;
+    let measured: Vec<Muscle> = cases.iter().flat_map(|case| built(case)).collect();
     let among = |of: &dyn Fn(&Muscle) -> f64| {
-        let all = cases.iter().flat_map(|case| built(case)).map(|muscle| of(&muscle));
+        let all = measured.iter().map(of);
         all.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), v| (low.min(v), high.max(v)))
     };
     let highest_mpa =

@@ -21,3 +21,10 @@ pub struct Request<'a> {
     /// Whether the points are in time order, so that the friction has their history; `branch` then counts in the first row of a table.
     pub history: bool,
 }
+
+impl<'a> Request<'a> {
+    /// The usual one: nothing fixed, least squares, forces above zero, points in no order.
+    pub fn new(muscle: &'a Muscle, free: &'a [Parameter], points: &'a [DataPoint]) -> Self {
+        Self { muscle, free, fixed: &[], points, loss: Loss::Squares, two_sided: false, history: false }
+    }
+}

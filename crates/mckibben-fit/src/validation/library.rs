@@ -109,7 +109,6 @@ mod tests {
     use super::super::elements;
     use super::*;
     use crate::identify::{Identification, Identified, Request, Target, identify_with, own_value};
-    use crate::least_squares::Loss;
     use mckibben::muscle::file::parse_muscle;
     use mckibben::progress::Silent;
     use mckibben::rubber::RubberLaw;
@@ -117,15 +116,8 @@ mod tests {
     /// Identifies the muscle of a folder again; its muscle has the bench that states its ±.
     fn refit(case: &MuscleCase) -> (Muscle, Identification) {
         let fit = case.fit_of_library().unwrap();
-        let request = Request {
-            muscle: &fit.muscle,
-            free: &fit.free,
-            fixed: &[],
-            points: &points_of(case, fit),
-            loss: Loss::Squares,
-            two_sided: false,
-            history: false,
-        };
+        let points = points_of(case, fit);
+        let request = Request::new(&fit.muscle, &fit.free, &points);
         let found = identify_with(&request, &elements, &Silent).unwrap();
         (found.muscle.clone().with_bench(found.bench.clone().unwrap()), found)
     }

@@ -29,7 +29,6 @@ pub mod transfer;
 
 use crate::compare::compare;
 use crate::identify::{Build, Parameter, Request, Target, identify};
-use crate::least_squares::Loss;
 use crate::measured::{DataPoint, MeasuredPoint, mean_of_branches, read_measured};
 use mckibben::analysis::Options;
 use mckibben::cancel::Cancelled;
@@ -92,15 +91,7 @@ fn fitted(build: &Builder<'_>, parameters: &[Target], points: &[MeasuredPoint]) 
     let m = muscle()?;
     let free: Vec<Parameter> = parameters.iter().copied().map(Parameter::free).collect();
     let data: Vec<DataPoint> = points.iter().copied().map(DataPoint::of).collect();
-    let request = Request {
-        muscle: &m,
-        free: &free,
-        fixed: &[],
-        points: &data,
-        loss: Loss::Squares,
-        two_sided: true,
-        history: false,
-    };
+    let request = Request { two_sided: true, ..Request::new(&m, &free, &data) };
     if free.is_empty() { Some(m) } else { Some(identify(&request, build).ok()?.muscle) }
 }
 

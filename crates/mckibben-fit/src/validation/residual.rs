@@ -2,7 +2,6 @@
 
 use super::case::CaseFit;
 use crate::identify::{Build, Identification, Identified, IdentifyError, Request, identify_with};
-use crate::least_squares::Loss;
 use crate::measured::{DataPoint, Quantity, Section};
 use mckibben::analysis::{response_on, slope_by_pressure, stiffness_of};
 use mckibben::model::{BlockedAt, ForceModel, Reference, Workspace, blocked_scale_n};
@@ -145,15 +144,7 @@ pub(super) fn identified(
     build: &Build<'_>,
     progress: &dyn Progress,
 ) -> Result<Identification, IdentifyError> {
-    let request = Request {
-        muscle,
-        free: &fit.free,
-        fixed: &[],
-        points,
-        loss: Loss::Squares,
-        two_sided: false,
-        history: false,
-    };
+    let request = Request::new(muscle, &fit.free, points);
     identify_with(&request, build, progress)
 }
 

@@ -6,7 +6,6 @@ use mckibben::rubber::{Law, MooneyRivlin};
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fit::compare::MeasuredPoint;
 use mckibben_fit::identify::{DataPoint, Identification, Parameter, Quantity, Request, Section, identify};
-use mckibben_fit::least_squares::Loss;
 
 /// The elements without their derivatives, so that differences are taken.
 struct Bare {
@@ -68,15 +67,7 @@ fn points() -> Vec<DataPoint> {
 fn run(names: &[&str], points: &[DataPoint], with_own: bool) -> Identification {
     let m = muscle(30.0, 400.0);
     let free: Vec<Parameter> = names.iter().map(|n| Parameter::parse(n, &m).unwrap()).collect();
-    let request = Request {
-        muscle: &m,
-        free: &free,
-        fixed: &[],
-        points,
-        loss: Loss::Squares,
-        two_sided: false,
-        history: false,
-    };
+    let request = Request::new(&m, &free, points);
     if with_own { identify(&request, &fe) } else { identify(&request, &bare) }.unwrap()
 }
 

@@ -6,7 +6,6 @@ use mckibben::muscle::{Direction, Muscle, Tube};
 use mckibben::uncertainty::{UncertaintyParts, uncertainty};
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fit::identify::{Parameter, Request, identify};
-use mckibben_fit::least_squares::Loss;
 use mckibben_fit::measured::{DataPoint, read_data};
 use mckibben_fit::validation::library::library;
 
@@ -34,15 +33,7 @@ fn at_2_bar(word: impl Fn(usize) -> &'static str) -> (UncertaintyParts, bool) {
     let points: Vec<DataPoint> = read_data(table.as_bytes()).unwrap();
     let muscle = parse_muscle(OWNED).unwrap();
     let free = ["mu", "braid.stiffness"].map(|name| Parameter::parse(name, &muscle).unwrap());
-    let request = Request {
-        muscle: &muscle,
-        free: &free,
-        fixed: &[],
-        points: &points,
-        loss: Loss::Squares,
-        two_sided: false,
-        history: false,
-    };
+    let request = Request::new(&muscle, &free, &points);
     let found = identify(&request, &elements).unwrap();
     let model = elements(&found.muscle.with_bench(found.bench.unwrap())).unwrap();
     let parts = uncertainty(&*model, &mut Workspace::new(), (0.2, 0.05), 57.0, Direction::Mean).unwrap();

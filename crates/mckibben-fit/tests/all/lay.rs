@@ -195,7 +195,7 @@ fn thickness_and_crimp_come_back_from_rounded_points() {
     let free: Vec<_> =
         ["braid.thickness", "braid.crimp"].iter().map(|t| Parameter::parse(t, &m).unwrap()).collect();
     let (muscle, free, points, loss) = (&m, &free[..], &points[..], Loss::Squares);
-    let request = Request { muscle, free, fixed: &[], points, loss, two_sided: false, history: false };
+    let request = Request { loss, ..Request::new(muscle, free, points) };
     let build =
         |m: &Muscle| -> Result<Box<dyn ForceModel>, ModelError> { Ok(Box::new(Axisymmetric::new(m)?)) };
     let found = identify(&request, &build).unwrap();

@@ -8,7 +8,6 @@ use mckibben::uncertainty::{STIFFNESS_WAY, uncertainty};
 use mckibben_fem::axisymmetric::MeshSpec;
 use mckibben_fem::elements::Elements;
 use mckibben_fit::identify::{Request, identify};
-use mckibben_fit::least_squares::Loss;
 use mckibben_fit::validation::case::{built_in, muscles};
 use mckibben_fit::validation::held_out;
 use std::path::Path;
@@ -56,15 +55,7 @@ fn the_uncertainty_holds_single_branches_of_muscles_that_state_their_friction() 
         let branch = |p: &&mckibben_fit::measured::DataPoint| !p.at.direction().is_mean();
         // Every third: quick, and of all pressures and contractions.
         let points: Vec<_> = set.points.iter().filter(branch).step_by(3).copied().collect();
-        let request = Request {
-            muscle: &fit.muscle,
-            free: &fit.free,
-            fixed: &[],
-            points: &points,
-            loss: Loss::Squares,
-            two_sided: false,
-            history: false,
-        };
+        let request = Request::new(&fit.muscle, &fit.free, &points);
         let found = identify(&request, &elements).unwrap();
         assert!(found.muscle.friction().is_some());
         let (mut held, mut judged) = ([0, 0], 0);

@@ -5,7 +5,6 @@ use mckibben::muscle::measures::PRESTRETCH;
 use mckibben::muscle::{Braid, BraidStiffness, Direction, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Law, MooneyRivlin};
 use mckibben_fit::identify::{Parameter, Request, Target, identify};
-use mckibben_fit::least_squares::Loss;
 use mckibben_fit::measured::{DataPoint, MeasuredPoint};
 
 fn prestretched(wall_mm: f64, mu_mpa: f64, stiffness: BraidStiffness, prestretch: f64) -> Muscle {
@@ -29,15 +28,7 @@ fn a_prestretch_is_identified_from_pulls_and_a_wrong_one_refused() {
     }
     let start = truth.with(&PRESTRETCH, 1.0).unwrap();
     let free = [Parameter::free(Target::parse("tube.prestretch", &start).unwrap())];
-    let request = Request {
-        muscle: &start,
-        free: &free,
-        fixed: &[],
-        points: &points,
-        loss: Loss::Squares,
-        two_sided: false,
-        history: false,
-    };
+    let request = Request::new(&start, &free, &points);
     let found = identify(&request, &|m| Ok(Box::new(ThickWall::new(m)))).unwrap();
     let value = found.muscle.tube().prestretch;
     assert!((value - 1.15).abs() < 1e-6 && found.parameters[0].identifiable, "{value}");

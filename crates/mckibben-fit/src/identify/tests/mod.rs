@@ -95,10 +95,7 @@ fn found(
     loss: Loss,
 ) -> Result<Identification, IdentifyError> {
     let free = free(m, names);
-    identify(
-        &Request { muscle: m, free: &free, fixed: &[], points, loss, two_sided: false, history: false },
-        &thick,
-    )
+    identify(&Request { loss, ..Request::new(m, &free, points) }, &thick)
 }
 
 #[test]
@@ -111,15 +108,7 @@ fn whoever_no_longer_wants_the_answer_gets_none() {
     }
     let m = soft();
     let (free, points) = (free(&m, &["mu"]), bench(&m, 0.0));
-    let request = Request {
-        muscle: &m,
-        free: &free,
-        fixed: &[],
-        points: &points,
-        loss: Loss::Squares,
-        two_sided: false,
-        history: false,
-    };
+    let request = Request::new(&m, &free, &points);
     assert_eq!(identify_with(&request, &thick, &Gone).unwrap_err(), IdentifyError::Cancelled(Cancelled));
 }
 
@@ -291,15 +280,7 @@ fn muscles_of_several_lengths_tell_how_far_their_ends_give_way() {
     };
     let points: Vec<DataPoint> = [150.0, 250.0, 400.0].into_iter().flat_map(of_length).collect();
     let free = free(&m, &["mu=0.5", "terminals.seating", "contraction_offset"]);
-    let request = Request {
-        muscle: &m,
-        free: &free,
-        fixed: &[],
-        points: &points,
-        loss: Loss::Squares,
-        two_sided: false,
-        history: false,
-    };
+    let request = Request::new(&m, &free, &points);
     let found = identify(&request, &|m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
     for (p, truth) in found.parameters.iter().zip([0.3, seating, 0.0]) {
         assert!(p.identifiable && (p.value - truth).abs() < 1e-6, "{p:#?}");
@@ -331,15 +312,7 @@ fn muscles_of_several_lengths_tell_slip_and_grip() {
         }
     }
     let free = free(&m, &["mu=0.5", "terminals.slip", "grip"]);
-    let request = Request {
-        muscle: &m,
-        free: &free,
-        fixed: &[],
-        points: &points,
-        loss: Loss::Squares,
-        two_sided: true,
-        history: false,
-    };
+    let request = Request { two_sided: true, ..Request::new(&m, &free, &points) };
     let found = identify(&request, &|m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
     for (p, (truth, scale)) in found.parameters.iter().zip([(0.3, 0.3), (slip, slip), (grip, grip)]) {
         assert!(p.identifiable && (p.value - truth).abs() < 1e-5 * scale, "{p:#?}");
@@ -370,8 +343,7 @@ fn of_all_laws_the_points_prefer_the_one_that_made_them() {
     }
     let free = [Parameter::free(Target::Modulus)];
     let (muscle, loss) = (&m, Loss::Squares);
-    let request =
-        Request { muscle, free: &free, fixed: &[], points: &points, loss, two_sided: false, history: false };
+    let request = Request { loss, ..Request::new(muscle, &free, &points) };
     let build = |m: &Muscle| Ok(Box::new(ThickWall::new(m)) as Box<dyn ForceModel>);
     let trials = try_laws(&request, &build, &mckibben::progress::Silent).unwrap();
     assert_eq!(trials.len(), Law::KINDS.iter().filter(|k| !k.is_sum).count());

@@ -37,6 +37,8 @@ pub struct RubberEntry {
     pub data: Option<String>,
     /// The laws fitted to that curve, from the smallest range of stretches to the widest.
     pub windows: Vec<Window>,
+    /// The law of these ranges that the name alone means; none without a curve.
+    pub usual_law: Option<String>,
 }
 
 fn one() -> f64 {

@@ -45,7 +45,10 @@ pub fn entries() -> Result<&'static [RubberEntry], LibraryError> {
     let read = || {
         let mut entries = read::table(include_str!("../../../data/rubbers.toml"))?;
         let windows = window::windows()?;
-        entries.iter_mut().for_each(|e| e.windows = windows.get(&e.name).cloned().unwrap_or_default());
+        for entry in &mut entries {
+            entry.windows = windows.get(&entry.name).cloned().unwrap_or_default();
+            entry.usual_law = entry.name_in_windows(|_| true).cloned();
+        }
         Ok(entries)
     };
     ENTRIES.get_or_init(read).as_deref().map_err(LibraryError::clone)

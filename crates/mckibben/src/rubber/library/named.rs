@@ -186,7 +186,10 @@ impl RubberEntry {
             fitted_to_stretch: self.reach(f).map(|strain| 1.0 + strain),
             window: None,
         });
-        let name = self.name_in_windows(law);
+        let name = match law {
+            Some(law) => self.name_in_windows(|l| l.name == law || l.law.name() == law),
+            None => self.usual_law.as_ref(),
+        };
         let fitted = self.windows.iter().filter_map(move |w| {
             let law = w.laws.iter().find(|l| Some(&l.name) == name)?.law.clone();
             Some(Found { law, fitted_to_stretch: Some(w.fitted_to_stretch), window: Some(w) })
@@ -194,14 +197,13 @@ impl RubberEntry {
         published.chain(fitted)
     }
 
-    /// The law of all ranges, with the number of its terms: of those that a word means the one that is recommended, or of equal standing, in most of them.
-    fn name_in_windows(&self, law: Option<&str>) -> Option<&String> {
+    /// The law of all ranges, with the number of its terms: of those that are meant the one that is recommended, or of equal standing, in most of them.
+    pub(super) fn name_in_windows(&self, is_meant: impl Fn(&WindowLaw) -> bool) -> Option<&String> {
         let laws = || self.windows.iter().flat_map(|w| &w.laws);
         let count = |name: &String, counts: fn(&WindowLaw) -> bool| {
             laws().filter(|l| l.name == *name && counts(l)).count()
         };
-        let names =
-            laws().filter(|l| law.is_none_or(|law| l.name == law || l.law.name() == law)).map(|l| &l.name);
+        let names = laws().filter(|l| is_meant(l)).map(|l| &l.name);
         names.max_by_key(|name| {
             (
                 count(name, |l| l.standing != Standing::Behind),

@@ -35,6 +35,7 @@ fn entry(row: &Row<'_>) -> Result<RubberEntry, CatalogueError> {
         terms: origin.text("terms")?.to_owned(),
         data: row.owned("data"),
         windows: vec![],
+        usual_law: None,
         one_axis: origin.flag("one_axis"),
         note: row.owned("note"),
         factor: row.number("factor")?.unwrap_or(1.0),
