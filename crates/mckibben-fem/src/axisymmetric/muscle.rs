@@ -9,6 +9,7 @@ use crate::solver::body::{self, Control, Settings, State, Totals};
 use crate::solver::continuation::TAUT;
 use crate::solver::newton::NewtonOptions;
 use mckibben::model::{ForceModel, Ideal, Workspace};
+use std::f64::consts::PI;
 
 /// Above this multiple of μ s/Ro the pressure at which a muscle is expected to pull is that of one whose strands stretch first.
 const PULLS_BELOW: f64 = 10.0;
@@ -154,9 +155,16 @@ impl body::Body for Body {
         d.problem.braid.is_some_and(|b| b.lay.hoop_stretch(d.radius) < 1.0)
     }
 
-    fn stretched(&self) -> bool {
+    /// A thin tube of the modulus 3 μ and a Poisson's ratio of a half buckles axisymmetrically, by the classical formula, under a push of 4π μ s² and a
+    /// shortening of 2 s/(3 R): half of both is borne without folds.
+    fn folds_below(&self) -> f64 {
         let d = &self.discretisation;
-        d.problem.prestretch * (1.0 + self.state.terminal / d.half_length()) >= 1.0
+        let wall = d.radius - d.mesh.node(0, 0)[0];
+        let shortening = 1.0 - d.problem.prestretch * (1.0 + self.state.terminal / d.half_length());
+        if shortening > wall / (3.0 * d.radius) {
+            return f64::INFINITY;
+        }
+        -2.0 * PI * d.shear * wall.powi(2)
     }
 
     fn taut(&self) -> bool {

@@ -233,21 +233,21 @@ pub trait Body: NewtonSystem {
     /// Whether every strand is in tension, or the muscle neither pressurised nor shortened.
     fn taut(&self) -> bool;
 
-    /// Whether the tube is no shorter than it was made.
-    fn stretched(&self) -> bool {
-        false
+    /// Pull in N below which the tube at its present length may have folds.
+    fn folds_below(&self) -> f64 {
+        f64::INFINITY
     }
 
     /// Radius in mm of the cross-section on which the pressure acts.
     fn radius(&self) -> f64;
 
-    /// Whether the present equilibrium, if it is stable, is the only one: a stretched tube that pulls has no folds, and taut strands allow none, unless
+    /// Whether the present equilibrium, if it is stable, is the only one: it is where the tube has no folds, and taut strands allow none, unless
     /// the muscle pushes with more than a tenth of P π Ro².
     fn certain(&self) -> bool {
         const PUSH: f64 = 0.1;
         let pressure = self.state().pressure.max(self.smallest_pressure());
         let pull = self.totals().pull;
-        self.stretched() && pull > 0.0 || self.taut() && pull >= -PUSH * PI * self.radius().powi(2) * pressure
+        pull > self.folds_below() || self.taut() && pull >= -PUSH * PI * self.radius().powi(2) * pressure
     }
 
     /// Forgets what first guesses were made of.
