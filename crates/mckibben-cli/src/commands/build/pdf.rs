@@ -13,6 +13,10 @@ use tempfile::TempDir;
 const FOLDER: &str = "mckibben-print-";
 /// In such a folder, held while it is used.
 const LOCK: &str = "lock";
+/// How often the browser is looked after.
+const TICK: Duration = Duration::from_millis(20);
+/// How often the folder of a browser that was stopped is removed.
+const SWEEPS: usize = 20;
 
 /// A browser that prints.
 pub(super) fn browser() -> Result<&'static str, Failure> {
@@ -66,9 +70,14 @@ pub(super) fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Failure> {
         if let Err(ended) = progress::ended() {
             // It may have ended by itself since.
             let _ = child.kill().and_then(|()| child.wait());
+            // The processes that it started end after it, and write until then.
+            for _ in 0..SWEEPS {
+                let _ = std::fs::remove_dir_all(folder.path());
+                std::thread::sleep(TICK);
+            }
             return Err(ended);
         }
-        std::thread::sleep(Duration::from_millis(20));
+        std::thread::sleep(TICK);
     };
     progress::ended()?;
     if !status.success() {
