@@ -133,6 +133,7 @@ type Asked = (Option<Characteristics>, Vec<String>, Vec<MuscleFinding>);
 
 /// What is known of a muscle, and what is not.
 pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAnswer, Problem> {
+    let mut volume_mm3 = None;
     let (muscle, (characteristics, said, findings)) = if request.only_data {
         let (model, asking) = (&request.question.model, request.question.asking);
         let fields = [
@@ -154,6 +155,9 @@ pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAn
             }
             asked => asked?,
         };
+        // Plugs that are wider than the bore add to it: a model knows how much.
+        let rest = answer::point(&*question.model, &mut question.workspace, 0.0, 0.0, question.options);
+        volume_mm3 = rest.ok().and_then(|point| point.response.volume_mm3);
         (question.muscle, asked)
     };
     let rubber = &muscle.tube().rubber;
@@ -185,7 +189,7 @@ pub fn check(request: &CheckRequest, _progress: &dyn Progress) -> Result<CheckAn
             strand_length_per_turn_mm: muscle.strand_length_per_turn_mm(),
             max_ideal_contraction: muscle.max_ideal_contraction(),
             reach,
-            volume_mm3: muscle.rest_volume_mm3(),
+            volume_mm3: volume_mm3.unwrap_or_else(|| muscle.rest_volume_mm3()),
         },
         build_sheet: muscle.build_sheet(),
         warnings: said

@@ -15,7 +15,6 @@ use mckibben::model::Workspace;
 use mckibben::muscle::file::{parse_muscle, to_toml};
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
-use mckibben::size;
 use mckibben::warning::Warning;
 use mckibben_fit::identify::{
     Identification, Identified, IdentifyError, LawTrial, Parameter, PointFit, Request, Target,
@@ -88,7 +87,7 @@ pub enum Branches {
     History,
 }
 
-/// Points of a formula at most.
+/// Points at most.
 const MOST_POINTS: usize = 100_000;
 
 /// Result of the identification.
@@ -250,7 +249,10 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
     let muscle = request.muscle.resolve()?;
     let model = Model::choose(&request.model)?;
     let Data { points, origin, understood } = request.points(&muscle)?;
-    size::points("data", points.len() as f64)?;
+    if points.len() > MOST_POINTS {
+        let message = format!("{} points, and the limit is {MOST_POINTS}", points.len());
+        return Err(Problem::new(ProblemKind::Data, message, "take every tenth row").in_field("data"));
+    }
     let (free, fixed) = request.parameters(&muscle)?;
     let asked = Request {
         muscle: &muscle,
@@ -469,7 +471,7 @@ impl From<IdentifyError> for Problem {
             }
             IdentifyError::Flipped(_) => (
                 ProblemKind::Data,
-                "forces are positive where the muscle pulls, contractions where it is shorter than at rest; a minus before a heading turns the sign: `columns` force=\"-F:N\"",
+                "forces are positive where the muscle pulls, contractions where it is shorter than at rest; a minus before a heading turns the sign: `columns` force=\"-F:N\", or contraction=\"-e:%\"",
             ),
             IdentifyError::NoRubber { .. } => {
                 let hint = "check the signs and units of the columns, the diameter, wall and angle of the muscle, and the zero of its contraction";

@@ -221,7 +221,8 @@ pub const PAPER: &str = "paper";
 
 /// The text of a muscle file; of a name of the library without a text (`lib:NAME`) that of its muscle.
 pub(crate) fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
-    if !file.text.trim().is_empty() || file.name == PAPER {
+    let says = |line: &str| !matches!(line.trim(), "") && !line.trim().starts_with('#');
+    if file.text.lines().any(says) || file.name == PAPER {
         return Ok(Cow::Borrowed(&file.text));
     }
     let Some(name) = muscles::named(&file.name) else {

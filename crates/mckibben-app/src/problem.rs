@@ -263,6 +263,9 @@ impl From<AnalysisError> for Problem {
                 let contraction = Some(nearest_contraction);
                 nearest = Some(Nearest { force_n: nearest_force_n, pressure_mpa: None, contraction });
             }
+            AnalysisError::StrandsBreak { .. } => {
+                hint = "ask less of it, or take stronger strands".to_owned()
+            }
             AnalysisError::Unknown { .. } => {}
         }
         Self { nearest, ..Self::new(ProblemKind::NoAnswer, message, hint) }

@@ -50,8 +50,8 @@ pub(crate) fn bill(
     muscle: &Muscle,
     cut: &Cut,
     clamps: Clamps,
-    air_plug: &AirPlug,
-    eye_plug: &EyePlug,
+    (air_plug, eye_plug): (&AirPlug, &EyePlug),
+    printed: bool,
 ) -> Vec<BuildPart> {
     let tube = tube_of(muscle, cut);
     let rubber = muscle.tube().rubber.name.as_deref();
@@ -87,8 +87,8 @@ pub(crate) fn bill(
         source: None,
     };
     let plug = |number, part: &str, volume_mm3: f64| BuildPart {
-        mass_g: Some(PRINTED_G_PER_MM3 * volume_mm3),
-        ..bought(number, part.into(), "1, printed solid")
+        mass_g: printed.then_some(PRINTED_G_PER_MM3 * volume_mm3),
+        ..bought(number, part.into(), if printed { "1, printed solid" } else { "1, turned from metal" })
     };
     let fitting = match air_plug.fitting {
         Fitting::Barb { bore_mm } => format!("hose with a bore of {} mm, and a clamp for it", mm(bore_mm)),

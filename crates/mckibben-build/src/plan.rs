@@ -13,9 +13,6 @@ use mckibben::muscle::Muscle;
 use mckibben::refused::Refused;
 use std::f64::consts::PI;
 
-/// Tension in MPa that a printed plug is taken to bear across its layers, from one to the next: a choice.
-const PRINTED_MPA: f64 = 10.0;
-
 /// What the builder may choose.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Wishes {
@@ -106,7 +103,8 @@ impl Plan {
         let safety = Safety::new(&operating);
         let test = test_points::points(&operating);
         let (air_plug, eye_plug) = (AirPlug::new(stem, fitting), EyePlug::new(stem, bolt_mm));
-        let parts = material::bill(&muscle, &cut, clamps, &air_plug, &eye_plug);
+        let printed = air_plug.is_printed(end_load_n);
+        let parts = material::bill(&muscle, &cut, clamps, (&air_plug, &eye_plug), printed);
         Ok(Self {
             clamped_diameter_mm: stem.diameter_mm + 2.0 * (cut.tube_wall_mm + sleeve_mm),
             crimp_diameter_mm: stem.diameter_mm + 2.0 * (0.75 * cut.tube_wall_mm + sleeve_mm),
@@ -123,6 +121,11 @@ impl Plan {
             muscle,
             operating,
         })
+    }
+
+    /// Whether a printed air plug bears the load of its end; else both plugs are turned from metal.
+    pub fn is_printed(&self) -> bool {
+        self.air_plug.is_printed(self.end_load_n)
     }
 
     /// Mass in g of the parts whose mass is known.
@@ -149,11 +152,11 @@ impl Plan {
                 crate::text::mm(bore_mm)
             ));
         }
-        let stress_mpa = self.air_plug.stem.stress_mpa(self.end_load_n, self.air_plug.passage_mm);
-        if stress_mpa > PRINTED_MPA {
+        if !self.is_printed() {
             out.push(format!(
-                "the stem of the air plug carries {} MPa; printed layers are taken to bear {PRINTED_MPA} MPa across: turn both plugs from metal, or take wider ones",
-                crate::text::significant(stress_mpa, 2)
+                "the stem of the air plug carries {} MPa; printed layers are taken to bear {} MPa across: turn both plugs from metal, or take wider ones",
+                crate::text::significant(self.air_plug.stress_mpa(self.end_load_n), 2),
+                crate::plug::PRINTED_MPA
             ));
         }
         if self.clamps == Clamps::Crimped {

@@ -30,6 +30,9 @@ const BOLTS_MM: [(f64, f64); 9] = [
     (20.0, 22.0),
 ];
 
+/// Tension in MPa that a printed plug is taken to bear across its layers, from one to the next: a choice.
+pub(crate) const PRINTED_MPA: f64 = 10.0;
+
 /// What both plugs have.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stem {
@@ -90,13 +93,6 @@ impl Stem {
         (0..self.grooves).map(|i| land + i as f64 * (land + self.groove_width_mm)).collect()
     }
 
-    /// Tension in MPa in the thinnest section around a passage of a diameter, at a load in N.
-    pub(crate) fn stress_mpa(&self, load_n: f64, passage_mm: f64) -> f64 {
-        let depth_mm = if self.grooves > 0 { self.groove_depth_mm } else { 0.0 };
-        let root_mm = self.diameter_mm - 2.0 * depth_mm;
-        4.0 * load_n / (PI * (root_mm * root_mm - passage_mm * passage_mm))
-    }
-
     /// Length of the bevel of the inner end in mm, and the radius there.
     pub(crate) fn bevel_mm(&self) -> (f64, f64) {
         let bevel = (0.1 * self.length_mm).min(0.2 * self.diameter_mm).min(0.5 * LAND_MM);
@@ -147,6 +143,18 @@ impl AirPlug {
         };
         // Two thirds of the stem are its wall.
         Self { stem, fitting, passage_mm: (root / 3.0).min(4.0).min(hole) }
+    }
+
+    /// Whether printed layers bear a load in N of its end.
+    pub(crate) fn is_printed(&self, load_n: f64) -> bool {
+        self.stress_mpa(load_n) <= PRINTED_MPA
+    }
+
+    /// Tension in MPa in the thinnest section of the stem, around the passage, at a load in N.
+    pub(crate) fn stress_mpa(&self, load_n: f64) -> f64 {
+        let depth_mm = if self.stem.grooves > 0 { self.stem.groove_depth_mm } else { 0.0 };
+        let root_mm = self.stem.diameter_mm - 2.0 * depth_mm;
+        4.0 * load_n / (PI * (root_mm * root_mm - self.passage_mm * self.passage_mm))
     }
 
     /// Radii and heights of what is above the collar's edge: outside up, and down to the passage.

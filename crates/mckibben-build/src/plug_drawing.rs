@@ -98,7 +98,7 @@ pub(crate) fn on_paper(plan: &Plan) -> Sheet {
             mm(stem.interference_mm)
         ),
         format!("Grooves {} wide, {} deep, sides at 45°", mm(stem.groove_width_mm), mm(stem.groove_depth_mm)),
-        "Print solid; seal the surface".into(),
+        if plan.is_printed() { "Print solid; seal the surface" } else { "Turn from metal" }.into(),
     ];
     for (i, note) in notes.iter().enumerate() {
         sheet.text([left + 6.0, 34.0 - 5.2 * i as f64], SMALL_MM, Anchor::Start, note);

@@ -112,15 +112,35 @@ fn bill(plan: &Plan, out: &mut String) {
 fn plugs(plan: &Plan, out: &mut String) {
     let (air, eye) = (&plan.air_plug, &plan.eye_plug);
     let stem = &air.stem;
+    let (make, scale, seal) = if plan.is_printed() {
+        (
+            "Print `air-plug.stl` and `eye-plug.stl` solid (100 % infill, at least 4 walls): the air plug with its fitting on the bed, the eye plug with a support below its eye.",
+            "scale the plug in the printer's program, across its axis",
+            " A printed surface leaks along its layers: coat it with epoxy resin or thin cyanoacrylate.",
+        )
+    } else {
+        (
+            "Turn both plugs from metal, by `plugs.pdf`: printed ones would break. `air-plug.stl` and `eye-plug.stl` show their shape.",
+            "change the diameter of the stem",
+            "",
+        )
+    };
+    let fit = if plan.muscle.terminals().plug_diameter_mm.is_some() {
+        let bore = mm(stem.diameter_mm - stem.interference_mm);
+        format!("what the muscle file states. The bore of the tube has {bore} mm.")
+    } else {
+        format!(
+            "the bore of the tube and {} mm. How tight it sits is a choice; sellers of barbs say only that a barb is a little larger than the bore. If the tube does not go on or slides off, {scale}.",
+            mm(stem.interference_mm)
+        )
+    };
     let _ = writeln!(
         out,
         "\n## 1. Plugs\n\n\
-         1. Print `air-plug.stl` and `eye-plug.stl` solid (100 % infill, at least 4 walls): the air plug with its fitting on the bed, the eye plug with a support below its eye.\n\
-         2. The stem has {} mm: the bore of the tube and {} mm. How tight it sits is a choice; sellers of barbs say only that a barb is a little larger than the bore. \
-         If the tube does not go on or slides off, scale the plug in the printer's program, across its axis.\n\
-         3. Smooth the stem. A printed surface leaks along its layers: coat it with epoxy resin or thin cyanoacrylate.",
-        mm(stem.diameter_mm),
-        mm(stem.interference_mm)
+         1. {make}\n\
+         2. The stem has {} mm: {fit}\n\
+         3. Smooth the stem.{seal}",
+        mm(stem.diameter_mm)
     );
     let fitting = match (air.fitting, air.fitting.thread_mm()) {
         (Fitting::Barb { bore_mm }, _) => {

@@ -13,6 +13,7 @@ use mckibben::cancel;
 use mckibben::model::{ForceModel, ModelError, ModelKind, Response, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::uncertainty::uncertainty;
+use mckibben::warning::strand_strength_n;
 
 /// Margin of what never fails.
 const NEVER: f64 = 1e6;
@@ -185,7 +186,7 @@ pub(super) fn strands(
     thick_wall: &dyn ForceModel,
 ) -> Result<Vec<Check>, ModelError> {
     let (limits, max, muscle) = (&spec.limits, spec.max_pressure_mpa, model.muscle());
-    let strength = muscle.braid().strands.and_then(|s| s.strength_n);
+    let strength = strand_strength_n(muscle);
     let mut checks = vec![];
     let places = || std::iter::once(0.0).chain(points.iter().map(|q| q.contraction));
     if let Some(bound) = limits.strand_strain {

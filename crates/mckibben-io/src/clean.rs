@@ -37,6 +37,21 @@ pub fn markdown(text: &str) -> String {
         .fold(line(text), |text, (part, entity)| text.replace(part, entity))
 }
 
+/// JSON in HTML: what would end a script, or is not seen, is escaped. It can only stand in a text, where this means the same.
+pub fn json(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        if c == '<' || is_unseen(c) && !c.is_ascii_control() {
+            for unit in c.encode_utf16(&mut [0; 2]) {
+                out += &format!("\\u{unit:04x}");
+            }
+        } else {
+            out.push(c);
+        }
+    }
+    out
+}
+
 /// A text in a cell of CSV: with an apostrophe before what a spreadsheet would compute.
 pub fn cell(text: &str) -> Cow<'_, str> {
     let computes =
@@ -54,6 +69,7 @@ mod tests {
         assert_eq!(line(hostile), "ab <script>x</script>|`rm`|[l](javascript:y)[2J");
         assert_eq!(markup("\u{2066}<a b=\"'&\">\u{0}"), "&lt;a b=&quot;&#39;&amp;&quot;&gt;");
         assert_eq!(markdown(hostile), "ab &lt;script>x&lt;/script>&#124;'rm'&#124;[l]&#40;javascript:y)[2J");
+        assert_eq!(json("\"</b>\u{202e}\u{e0001}\""), r#""\u003c/b>\u202e\udb40\udc01""#);
         for text in ["=1+1", "+cmd|' /C calc'!A0", "-2+3", "@SUM(A1)", "\t=1"] {
             assert_eq!(cell(text), format!("'{text}"));
         }

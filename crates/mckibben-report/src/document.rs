@@ -2,6 +2,7 @@
 
 use crate::xml::escape;
 use crate::{Figure, FigureError};
+use mckibben_io::clean;
 use std::fmt::Write as _;
 
 /// A report.
@@ -97,8 +98,7 @@ impl Part {
                 writeln!(out, "<pre>{}</pre>", lines.join("\n"))
             }
             Self::Body(body) => {
-                // In JSON it can only stand in a text, where this means the same.
-                let data = body.data.replace('<', "\\u003c");
+                let data = clean::json(&body.data);
                 writeln!(out, "<div class=\"body\"><script type=\"application/json\">{data}</script></div>")
             }
         };

@@ -3,14 +3,14 @@
 pub use crate::analysis::Options;
 
 use crate::analysis::{
-    AnalysisError, contraction_or_stretch_at, free_contraction, pressure_at, response_on, slope_by_pressure,
-    start_pressure_mpa, stiffness_of,
+    AnalysisError, contraction_or_stretch_at, force_on, free_contraction, pressure_at, response_on,
+    slope_by_pressure, start_pressure_mpa, stiffness_of,
 };
 use crate::model::{ForceModel, ModelError, Response, Workspace, notes_of};
 use crate::muscle::Direction;
 use crate::rubber::RubberLaw;
 use crate::uncertainty::{UncertaintyParts, uncertainty};
-use crate::warning::{Warning, buckling_load_n, of_response};
+use crate::warning::{Warning, buckling_load_n, of_response, overloaded, strand_strength_n};
 use serde::{Deserialize, Serialize};
 
 /// One answered point.
@@ -191,7 +191,7 @@ pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
     let largest = model.muscle().max_ideal_contraction();
     let beyond = slack && contraction > largest;
     warnings.extend(beyond.then_some(Warning::BeyondBraid { contraction, largest }));
-    let broken = warnings.iter().any(|w| matches!(w, Warning::StrandsBreak { .. }));
+    let broken = overloaded(model.muscle(), &response).is_some();
     let response = if broken { response.hanging() } else { response };
     // Where strands stretch further than in any muscle that was measured, no ± is known.
     let valid = !broken && !warnings.iter().any(|w| matches!(w, Warning::StrandStrain { .. }));
@@ -228,8 +228,7 @@ pub fn pressure<M: ForceModel + ?Sized>(
     contraction: f64,
     options: Options,
 ) -> Result<Answer, AnalysisError> {
-    check_range(model, model.info().range.pressure_mpa.0, contraction, options)?;
-    let pressure_mpa = pressure_at(model, workspace, force_n, contraction, options)?;
+    let pressure_mpa = sought_pressure(model, workspace, force_n, contraction, options)?;
     let mut answer = exactly(force(model, workspace, pressure_mpa, contraction, options)?, force_n);
     if let Some(half_n) = answer.uncertainty_n {
         let slope = slope_by_pressure(model, workspace, &answer.response, options.direction).ok();
@@ -286,14 +285,93 @@ pub fn contraction<M: ForceModel + ?Sized>(
     pressure_mpa: f64,
     options: Options,
 ) -> Result<Answer, AnalysisError> {
-    check_range(model, pressure_mpa, model.info().range.contraction.0.max(0.0), options)?;
-    let contraction = contraction_or_stretch_at(model, workspace, force_n, pressure_mpa, options)?;
+    let contraction = sought_contraction(model, workspace, force_n, pressure_mpa, options)?;
     let mut answer = exactly(force(model, workspace, pressure_mpa, contraction, options)?, force_n);
     if contraction < 0.0 && force_n > 0.0 && !model.muscle().is_extensile() {
         answer.warnings.push(Warning::from(STRETCHED.to_owned()));
     }
     let stiffness = stiffness_of(model, workspace, &answer.response, options.direction).ok();
     Ok(answer.with_contraction_sought(stiffness, model.muscle().length_mm()))
+}
+
+/// The number alone that [`pressure`] seeks, in MPa.
+///
+/// # Errors
+/// As those of [`pressure`].
+pub fn sought_pressure<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    force_n: f64,
+    contraction: f64,
+    options: Options,
+) -> Result<f64, AnalysisError> {
+    check_range(model, model.info().range.pressure_mpa.0, contraction, options)?;
+    let found = pressure_at(model, workspace, force_n, contraction, options);
+    let at = match &found {
+        Ok(pressure_mpa) => Some((*pressure_mpa, force_n)),
+        Err(AnalysisError::NoPressure { nearest_pressure_mpa, nearest_force_n, .. }) => {
+            Some((*nearest_pressure_mpa, *nearest_force_n))
+        }
+        Err(_) => None,
+    };
+    let broken = at.and_then(|(p, force)| broken(model, workspace, (p, contraction), force, options));
+    broken.map_or(found, Err)
+}
+
+/// The number alone that [`contraction`] seeks.
+///
+/// # Errors
+/// As those of [`contraction`].
+pub fn sought_contraction<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    force_n: f64,
+    pressure_mpa: f64,
+    options: Options,
+) -> Result<f64, AnalysisError> {
+    check_range(model, pressure_mpa, model.info().range.contraction.0.max(0.0), options)?;
+    let found = contraction_or_stretch_at(model, workspace, force_n, pressure_mpa, options);
+    let at = match &found {
+        Ok(contraction) => Some((*contraction, force_n)),
+        Err(AnalysisError::NoContraction { nearest_contraction, nearest_force_n, .. }) => {
+            Some((*nearest_contraction, *nearest_force_n))
+        }
+        Err(_) => None,
+    };
+    let broken = at.and_then(|(e, force)| broken(model, workspace, (pressure_mpa, e), force, options));
+    broken.map_or(found, Err)
+}
+
+/// That a pull which was found is one of broken strands.
+fn broken<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    (pressure_mpa, contraction): (f64, f64),
+    force_n: f64,
+    options: Options,
+) -> Option<AnalysisError> {
+    strand_strength_n(model.muscle())?;
+    let response = response_on(model, workspace, pressure_mpa, contraction, options.direction).ok()?;
+    let (tension_n, strength_n) = overloaded(model.muscle(), &response)?;
+    Some(AnalysisError::StrandsBreak { force_n, pressure_mpa, contraction, tension_n, strength_n })
+}
+
+/// The pull in N of a model on a branch, without its range and what it is worth: 0 where the strands break.
+///
+/// # Errors
+/// The model's.
+pub fn borne_force<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    pressure_mpa: f64,
+    contraction: f64,
+    direction: Direction,
+) -> Result<f64, ModelError> {
+    if strand_strength_n(model.muscle()).is_none() {
+        return force_on(model, workspace, pressure_mpa, contraction, direction);
+    }
+    let response = response_on(model, workspace, pressure_mpa, contraction, direction)?;
+    Ok(if overloaded(model.muscle(), &response).is_some() { 0.0 } else { response.force_n })
 }
 
 /// An inverse answers with the force that was asked for, not with its rounding error (which could read as slack at 0 N).

@@ -170,7 +170,7 @@ impl fmt::Display for Warning {
             ),
             Self::FallsWithPressure { slope_n_per_mpa } => write!(
                 f,
-                "the pull falls when the pressure rises ({slope_n_per_mpa:.0} N/MPa): the strands are so soft that the muscle widens instead of pulling"
+                "the pull falls when the pressure rises ({slope_n_per_mpa:.0} N/MPa): here the muscle widens instead of pulling"
             ),
             Self::Buckles { push_n, bears_n } => write!(
                 f,
@@ -202,14 +202,21 @@ impl<'de> Deserialize<'de> for Warning {
     }
 }
 
+/// The strength of one strand in N, where it is known.
+pub fn strand_strength_n(muscle: &Muscle) -> Option<f64> {
+    muscle.braid().strands?.strength_n
+}
+
+/// Tension and strength of one strand in N, where the strands break: such a muscle does not pull.
+pub fn overloaded(muscle: &Muscle, response: &Response) -> Option<(f64, f64)> {
+    response.strand_tension_n.zip(strand_strength_n(muscle)).filter(|(tension, strength)| tension > strength)
+}
+
 /// What the user should know of what a model says of a muscle at a point.
 pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
     let rubber = &muscle.tube().rubber;
     let mut out = vec![];
-    let strength = muscle.braid().strands.and_then(|s| s.strength_n);
-    if let (Some(tension_n), Some(strength_n)) = (response.strand_tension_n, strength)
-        && tension_n > strength_n
-    {
+    if let Some((tension_n, strength_n)) = overloaded(muscle, response) {
         out.push(Warning::StrandsBreak { tension_n, strength_n, pressure_mpa: response.pressure_mpa });
     }
     if let Some(strain) = response.braid_tension_n.and_then(|t| muscle.strand_strain(t))

@@ -13,6 +13,7 @@ use mckibben::muscle::measures::{LENGTH, STRAND_MODULUS};
 use mckibben::muscle::{Braid, Muscle, Tube};
 use mckibben::sleeve::{SleeveEntry, library};
 use mckibben::units::Values;
+use mckibben::warning::strand_strength_n;
 use mckibben_design::tubes::{self, TubePart};
 use mckibben_design::{
     BraidChoice, Demand, JointDemand, Lift, Limits, SAFETY, Spec, Tolerances, VALIDATED_STRAND_STRAIN,
@@ -222,7 +223,7 @@ impl DesignRequest {
         };
         let strength = match &braid {
             BraidChoice::Sleeves(list) => list.iter().find_map(|braid| braid.strands?.strength_n),
-            _ => base.braid().strands.and_then(|s| s.strength_n),
+            _ => strand_strength_n(&base),
         };
         if self.min_burst_margin.is_some_and(|m| m > 0.0) && strength.is_none() {
             let message = "`min_burst_margin` needs the strands' strength, which this muscle does not state";

@@ -3,10 +3,10 @@
 use super::{BoundModel, Many, PointQuantity, Unanswered};
 use crate::point::{finite, ratio};
 use crate::problem::{Problem, ProblemKind};
-use mckibben::analysis::{contraction_or_stretch_at, force_on, pressure_at};
 use mckibben::answer;
 use mckibben::cancel;
 use mckibben::model::{Bounds, ModelError, Workspace, pulls_within};
+use mckibben::warning::strand_strength_n;
 use std::f64::consts::PI;
 
 /// What rounding leaves of no pull, as a share of the pressure on the outer section.
@@ -47,7 +47,8 @@ impl BoundModel {
 
     /// All pulls of a block by the model's way for lists; false where a point needs to be looked at by itself.
     fn at_once(&self, p: &[f64], e: &[f64], workspace: &mut Workspace, out: &mut [f64]) -> bool {
-        if self.is_elements() || !self.options.direction.is_mean() {
+        let may_break = strand_strength_n(self.muscle()).is_some();
+        if may_break || self.is_elements() || !self.options.direction.is_mean() {
             return false;
         }
         let range = &self.model.info().range;
@@ -89,15 +90,12 @@ impl BoundModel {
             }
             PointQuantity::Pressure => {
                 let (f, e) = (self.pull(a)?, ratio(b)?);
-                answer::check_range(&*self.model, self.model.info().range.pressure_mpa.0, e, self.options)?;
-                let p = pressure_at(&*self.model, workspace, f, e, self.options)?;
+                let p = answer::sought_pressure(&*self.model, workspace, f, e, self.options)?;
                 (p, p, e)
             }
             PointQuantity::Contraction => {
                 let (f, p) = (self.pull(a)?, finite("pressure_mpa", b)?);
-                let lowest = self.model.info().range.contraction.0.max(0.0);
-                answer::check_range(&*self.model, p, lowest, self.options)?;
-                let e = contraction_or_stretch_at(&*self.model, workspace, f, p, self.options)?;
+                let e = answer::sought_contraction(&*self.model, workspace, f, p, self.options)?;
                 (e, p, e)
             }
         };
@@ -134,7 +132,7 @@ impl BoundModel {
             return Ok(0.0);
         }
         let direction = self.options.direction;
-        let force = match force_on(&*self.model, workspace, p, e, direction) {
+        let force = match answer::borne_force(&*self.model, workspace, p, e, direction) {
             Ok(force) if !force.is_finite() => {
                 let model = self.name().to_owned();
                 return Err(ModelError::NotFinite { model, pressure_mpa: p, contraction: e }.into());

@@ -135,7 +135,7 @@ fn derived(answer: &CheckAnswer, u: &Units) -> Vec<Row> {
         ("turns of a strand", number(m.turns(), 4)),
         ("strand length per turn", mm(m.strand_length_per_turn_mm())),
         ("largest ideal contraction", percent(m.max_ideal_contraction())),
-        ("cavity at rest", u.volume.show(m.rest_volume_mm3())),
+        ("cavity at rest", u.volume.show(answer.derived.volume_mm3)),
     ];
     let mass = |g: f64| ("mass of the rubber", format!("{} g, without braid and terminals", number(g, 4)));
     let both = |g: f64| ("mass of tube and sleeve", format!("{} g, without terminals", number(g, 4)));
@@ -149,12 +149,13 @@ fn build_rows(answer: &CheckAnswer, u: &Units) -> Vec<Row> {
     let mm = |v: f64| u.length.show(v);
     let sheet = &answer.build_sheet;
     let assumed = if m.terminals().insertion_mm.is_none() { ", assumed" } else { "" };
+    let fit = if m.terminals().plug_diameter_mm.is_none() { ", and what a tight fit adds" } else { "" };
     let clamp = mm(m.terminals().insertion_mm()) + assumed;
     vec![
         ("tube to cut", format!("{} ({clamp} on each plug)", mm(sheet.tube_cut_mm))),
         ("braid to cut", format!("{} at {}°", mm(sheet.braid_cut_mm), number(m.braid().angle_deg, 4))),
         ("strand in the braid", mm(sheet.strand_cut_mm)),
-        ("plug diameter", mm(sheet.plug_diameter_mm)),
+        ("plug diameter", mm(sheet.plug_diameter_mm) + fit),
         (
             "strands",
             sheet

@@ -24,6 +24,7 @@ use mckibben::model::{ModelError, Response, Workspace, notes_of};
 use mckibben::muscle::{Ends, Muscle};
 use mckibben::progress::Progress;
 use mckibben::status::Status;
+use mckibben::warning::overloaded;
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fem::elements::Elements;
 use mckibben_fem::output::{Extent, Shape, deck};
@@ -321,7 +322,12 @@ fn judged(
             (s.response, s.sensitivities) = (s.response.hanging(), vec![]);
             Ok(s)
         }
-        None => solution,
+        None => solution.map(|mut s| {
+            if overloaded(model.muscle(), &s.response).is_some() {
+                (s.response, s.sensitivities) = (s.response.hanging(), vec![]);
+            }
+            s
+        }),
     };
     Simulated { pressure_mpa, held, solution, slack, free_contraction, status }
 }

@@ -85,6 +85,44 @@ fn a_muscle_whose_strands_break_neither_pulls_nor_has_an_uncertainty() {
     );
     assert_eq!(force["force_n"], 0.0);
     assert!(force["strand_tension_n"].as_f64().unwrap() > 20.0 && force["uncertainty_n"].is_null());
+    let simulated = asked(
+        "simulate",
+        json!({"test": "isometric", "muscle": owned(), "pressures_mpa": [0.3], "contractions": [-0.25, 0.0]}),
+    );
+    assert_eq!(simulated["points"][0]["force_n"], 0.0);
+    let grid =
+        json!({"muscle": owned(), "models": ["fe"], "pressures_mpa": [0.3], "contractions": [-0.2, 0.0]});
+    assert_eq!(asked("compare", grid)["models"][0]["max_n"], 0.0);
+    // Nor is its pull the answer of an inverse, or the nearest one.
+    for (command, question) in [
+        ("contraction", json!({"muscle": owned(), "force_n": 4000.0, "pressure_mpa": 0.3})),
+        ("contraction", json!({"muscle": owned(), "force_n": 9e4, "pressure_mpa": 0.3})),
+        ("pressure", json!({"muscle": owned(), "force_n": 9000.0, "contraction": -0.2})),
+    ] {
+        let error = ask(command, &question.to_string(), &Silent).unwrap_err();
+        assert!(error.message.contains("break the strands"), "{command}: {}", error.message);
+        assert!(error.nearest.is_none(), "{command}");
+    }
+}
+
+/// Plugs that are wider than the bore: an answer at each pressure, and one that rises with it.
+#[test]
+fn a_tube_on_wide_plugs_has_an_answer_without_pull_too() {
+    for plug_mm in [36.0, 45.0, 50.0] {
+        let text = format!(
+            "[tube]\nouter_diameter = 30\nwall_thickness = 1.5\nlength = 200\n[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.3\n\
+             [braid]\nangle = 25\nstiffness = 600\n[terminals]\nplug_diameter = {plug_mm}\n"
+        );
+        let mut before = 0.0;
+        for pressure_mpa in [0.0001, 0.001, 0.005, 0.01, 0.02, 0.05] {
+            let muscle = json!({"name": "wide.toml", "text": text});
+            let force = asked("force", json!({"muscle": muscle, "pressure_mpa": pressure_mpa}));
+            let pull = force["force_n"].as_f64().unwrap();
+            assert!(pull >= before, "{plug_mm} mm, {pressure_mpa} MPa: {pull} N");
+            before = pull;
+        }
+        assert!(before > 200.0);
+    }
 }
 
 /// A name alone is that of the library; one without a text that is no name of it must not be the default muscle.
@@ -96,4 +134,6 @@ fn a_muscle_has_a_text_or_is_of_the_library() {
     assert_eq!(alone["force_n"], asked("force", of(empty))["force_n"]);
     let unknown = of(json!({"name": "dmsp-20-300", "text": ""})).to_string();
     assert_eq!(ask("force", &unknown, &Silent).unwrap_err().kind, ProblemKind::File);
+    let comments = of(json!({"name": "mine.toml", "text": "# my muscle\n\n  # of latex\n"})).to_string();
+    assert_eq!(ask("force", &comments, &Silent).unwrap_err().kind, ProblemKind::File);
 }

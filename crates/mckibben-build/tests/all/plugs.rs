@@ -111,5 +111,13 @@ fn a_printed_stem_that_its_load_would_tear_is_said() {
     let said =
         |plan: &Plan| plan.warnings().iter().any(|w| w.contains("carries 50 MPa") && w.contains("metal"));
     assert!(said(&torn), "{:?}", torn.warnings());
+    // Then nothing tells to print it.
+    let made = |plan: &Plan, what: &str| {
+        let files =
+            files(plan).unwrap().into_iter().filter(|f| f.name == "README.md" || f.name == "plugs.svg");
+        files.map(|f| matches!(f.content, Content::Text(text) if text.contains(what))).collect::<Vec<_>>()
+    };
+    assert_eq!((made(&torn, "Print "), made(&torn, "Turn ")), (vec![false; 2], vec![true; 2]));
+    assert_eq!((made(&plan, "Print "), made(&plan, "Turn ")), (vec![true; 2], vec![false; 2]));
     assert!(!Plan { end_load_n: 9.9 * section, ..plan }.warnings().iter().any(|w| w.contains("MPa across")));
 }

@@ -3,7 +3,8 @@
 pub use crate::measured::{MeasuredPoint, mean_of_branches, read_measured};
 
 use crate::measured::DataPoint;
-use mckibben::analysis::{Options, force_on, response_on};
+use mckibben::analysis::{Options, response_on};
+use mckibben::answer::borne_force;
 use mckibben::cancel;
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use serde::Serialize;
@@ -43,7 +44,7 @@ pub fn compare<M: ForceModel + ?Sized>(
             model.info().range.check(&model.info().name, point.pressure_mpa, point.contraction)
         };
         match checked.and_then(|()| {
-            force_on(model, workspace, point.pressure_mpa, point.contraction, options.direction)
+            borne_force(model, workspace, point.pressure_mpa, point.contraction, options.direction)
         }) {
             Ok(force) => {
                 let difference = force.max(0.0) - point.force_n;

@@ -39,11 +39,10 @@ fn pushing(muscle: &Muscle, points: &[&DataPoint], two_sided: bool) -> Result<Ve
     let nothing_pulls = points.iter().all(|p| p.at.force_n <= 0.0);
     // Slack muscles are read as a little below zero; where nothing pulls at all, every force counts.
     let push = if nothing_pulls { 0.0 } else { PUSH };
-    let negative: Vec<u64> =
-        pulls.iter().filter(|(p, pull)| p.at.force_n < -push * pull).map(|(p, _)| p.line).collect();
-    if negative.is_empty() {
+    if !pulls.iter().any(|(p, pull)| p.at.force_n < -push * pull) {
         return Ok(vec![]);
     }
+    let negative: Vec<u64> = pulls.iter().filter(|(p, _)| p.at.force_n < 0.0).map(|(p, _)| p.line).collect();
     let which = format!(
         "the force is below zero at {} of the {} points where this muscle pulls{}",
         negative.len(),

@@ -52,6 +52,9 @@ pub struct Muscle {
     warm: Option<Arc<Rubber>>,
 }
 
+/// Thinner than one fibre of carbon or glass, in mm.
+const THINNEST_STRAND_MM: f64 = 0.003;
+
 impl Muscle {
     /// Puts a muscle together. A rubber of the library has the law for the stretches that this muscle reaches
     /// ([`library`]), whichever it came with.
@@ -139,6 +142,14 @@ impl Muscle {
             .strands
             .and_then(|s| s.section)
             .map_or(0.0, |s| (4.0 * s.0 / std::f64::consts::PI).sqrt());
+        if strand_mm > 0.0 && strand_mm < THINNEST_STRAND_MM {
+            return Err(MuscleError::refused(
+                ["braid.strand_diameter", "braid.strand_area"],
+                format!(
+                    "braid: a strand of {strand_mm:.2e} mm is thinner than a single fibre; is its unit mm (or mm2)?"
+                ),
+            ));
+        }
         if strand_mm > parts.tube.outer_diameter_mm {
             return Err(MuscleError::refused(
                 ["braid.strand_diameter", "braid.strand_area"],
@@ -255,12 +266,17 @@ impl Muscle {
     fn modulus_warning(&self) -> Option<String> {
         /// That of a rubber of about 95 Shore A, in MPa.
         const HARDEST_MPA: f64 = 20.0;
+        /// That of a very soft gel.
+        const SOFTEST_MPA: f64 = 1e-3;
         let mu_mpa = self.parts.tube.rubber.law.shear_modulus_mpa();
-        (mu_mpa > HARDEST_MPA).then(|| {
-            format!(
-                "the shear modulus of the rubber is {mu_mpa} MPa, and even hard rubber has less than {HARDEST_MPA} MPa; is its unit kPa?"
-            )
-        })
+        let wrong = if mu_mpa > HARDEST_MPA {
+            format!("even hard rubber has less than {HARDEST_MPA} MPa; is its unit kPa?")
+        } else if mu_mpa < SOFTEST_MPA {
+            format!("even the softest has more than {SOFTEST_MPA} MPa; is its unit MPa?")
+        } else {
+            return None;
+        };
+        Some(format!("the shear modulus of the rubber is {mu_mpa} MPa, and {wrong}"))
     }
 
     /// A bench that saw another muscle.

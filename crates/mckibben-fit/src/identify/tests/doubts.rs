@@ -386,6 +386,10 @@ fn pulls_that_are_all_negative_are_named() {
     assert_eq!(doubts(&m, &points).unwrap_err(), error);
     points.iter_mut().for_each(|p| p.at.force_n = 0.0);
     assert!(doubts(&m, &points).unwrap().iter().all(|n| !n.contains("sign")));
+    // One far below zero makes a little below zero a question of the sign too.
+    let mut points = bench(&m, 0.0);
+    points.iter_mut().zip([-0.1, -1.0, -0.1]).for_each(|(p, factor)| p.at.force_n *= factor);
+    assert!(doubts(&m, &points).unwrap()[0].contains("(lines 2, 3, 4)"), "{:?}", doubts(&m, &points));
 }
 
 /// A wall of 0.1 mm with 25 MPa pulls as one of 1.5 mm with 1.7 MPa would: no rubber is so stiff, and the wall was measured wrong.
