@@ -1,6 +1,6 @@
 //! Sentences about data and result: what does not fit together, what is not identifiable, where the model does not follow.
 
-use super::distinct::distinct;
+use super::default_parameters::distinct;
 use super::error::IdentifyError;
 use super::parameter::{NO_LOCK, Target, sets_limit};
 use super::problem::Build;

@@ -9,8 +9,8 @@
 
 use super::candidate::Candidate;
 use super::problem::{Build, Problem};
-use super::request::Request;
 use super::result::PointFit;
+use super::run::Request;
 use crate::least_squares::{Estimate, Unknown, slopes, t95};
 use crate::measured::DataPoint;
 use mckibben::model::{ForceModel, ThickWall, Workspace};

@@ -1,20 +1,17 @@
 //! What is free where nothing is said.
 
 use super::candidate::{Candidate, own_value};
-use super::distinct::distinct;
 use super::error::IdentifyError;
 use super::parameter::{Parameter, Target};
 use super::problem::Build;
-use super::request::Request;
 use super::result::Identification;
-use super::run::identify_with;
+use super::run::{Request, identify_with};
 use crate::measured::DataPoint;
 use mckibben::model::Workspace;
-use mckibben::muscle::Direction;
-use mckibben::muscle::Muscle;
 use mckibben::muscle::measures::{
     FRICTION_COEFFICIENT, FRICTION_EXPONENT, FRICTION_LEVER, FRICTION_PRESLIDING,
 };
+use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
 
 /// A stiffness in N/mm of strands that do not stretch.
@@ -99,4 +96,12 @@ pub fn matters(muscle: &Muscle, target: Target, points: &[DataPoint], build: &Bu
             _ => false,
         }
     })
+}
+
+/// How many different values there are.
+pub(super) fn distinct(values: impl Iterator<Item = f64>) -> usize {
+    let mut list: Vec<f64> = values.collect();
+    list.sort_by(f64::total_cmp);
+    list.dedup_by(|a, b| (*a - *b).abs() <= 1e-6 * (1e-3 + b.abs()));
+    list.len()
 }

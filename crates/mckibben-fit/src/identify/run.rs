@@ -1,24 +1,44 @@
 //! From points and parameters to an [`Identification`].
 
-use super::advice;
 use super::bench::{self, Found};
 use super::candidate::own_value;
 use super::error::IdentifyError;
-use super::history;
 use super::parameter::{Parameter, Target};
 use super::problem::{Build, Problem};
-use super::request::Request;
 use super::result::{Identification, Identified, PointFit, spread, spreads};
-use super::signs;
-use crate::least_squares::{Estimate, EstimateError, Known, Residuals, Unknown, estimate};
+use super::{advice, history, signs};
+use crate::least_squares::{Estimate, EstimateError, Known, Loss, Residuals, Unknown, estimate};
 use crate::measured::{DataPoint, Quantity};
 use mckibben::cancel::Cancelled;
 use mckibben::model::ModelError;
-use mckibben::muscle::Direction;
-use mckibben::muscle::Muscle;
 use mckibben::muscle::measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, GRIP, SEATING, SLIP};
+use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::{Progress, Silent};
 use mckibben::rubber::RubberLaw;
+
+/// What is to be identified.
+#[derive(Debug, Clone, Copy)]
+pub struct Request<'a> {
+    /// The muscle, with a value for everything that is not free.
+    pub muscle: &'a Muscle,
+    pub free: &'a [Parameter],
+    /// Values in place of the muscle's own.
+    pub fixed: &'a [(Target, f64)],
+    pub points: &'a [DataPoint],
+    /// How a point far off counts.
+    pub loss: Loss,
+    /// Whether forces of zero and below are measurements: by default the muscle was slack there.
+    pub two_sided: bool,
+    /// Whether the points are in time order, so that the friction has their history; `branch` then counts in the first row of a table.
+    pub history: bool,
+}
+
+impl<'a> Request<'a> {
+    /// The usual one: nothing fixed, least squares, forces above zero, points in no order.
+    pub fn new(muscle: &'a Muscle, free: &'a [Parameter], points: &'a [DataPoint]) -> Self {
+        Self { muscle, free, fixed: &[], points, loss: Loss::Squares, two_sided: false, history: false }
+    }
+}
 
 /// Half the width of the hysteresis loop that the data show at 1 MPa, roughly: a start for C.
 fn friction_start(points: &[DataPoint], exponent: f64) -> f64 {

@@ -9,13 +9,11 @@
 //! a convex set, which is cut out step by step: solve, look for the state and v where it is violated most, add that
 //! inequality, solve again (J. E. Kelley, SIAM J. 8 (1960) 703). Mooney–Rivlin has C10 ≥ 0 and C01 ≥ 0 besides.
 
+use super::TensionFitError;
 use super::convex::{Inequality, normal, solve};
-use super::error::TensionFitError;
-use super::problem::Problem;
-use super::raw::Raw;
+use super::problem::{Problem, Raw};
 use crate::least_squares::{Loss, Residuals, Unknown, estimate};
-use mckibben::rubber::Form;
-use mckibben::rubber::{Law, RubberLaw, log_hessian, muscle_states};
+use mckibben::rubber::{Form, Law, RubberLaw, log_hessian, muscle_states};
 
 /// The columns ∂P/∂c over the divisors.
 struct Linear<'a> {

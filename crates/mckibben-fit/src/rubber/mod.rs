@@ -16,43 +16,32 @@
 
 mod convex;
 mod data;
-mod error;
 mod fitted;
-mod found;
-mod held_out;
 mod linear;
-mod mode;
 mod nonlinear;
 mod ogden;
 mod point;
 mod problem;
-mod raw;
 mod runs;
-mod settings;
 mod standing;
 mod table_of_fits;
 mod warning;
-mod windows;
 
 pub use data::{ReadOptions, read_tension, read_tests};
-pub use error::TensionFitError;
-pub use fitted::{FittedLaw, LawQuality, ModeError, Parameter};
-pub use found::TensionFit;
-pub use held_out::HeldOutError;
+pub use fitted::{FittedLaw, HeldOutError, LawQuality, ModeError, Parameter};
+use mckibben::cancel::{self, Cancelled};
+use mckibben::progress::{Progress, Silent};
 pub use mckibben::rubber::Form;
-pub use mode::Mode;
-pub use point::TensionPoint;
+use mckibben::rubber::MUSCLE_HOOP_STRETCH;
+pub use point::{Mode, TensionPoint};
 pub use problem::Measure;
-pub use settings::FitSettings;
-pub use standing::DECIDED_AICC;
+use problem::Problem;
+use serde::{Deserialize, Serialize};
+pub use standing::{DECIDED_AICC, TensionFit, windows_of};
 pub use table_of_fits::curve_of_fits;
+use thiserror::Error;
 pub(crate) use warning::MODULI;
 pub use warning::TensionWarning;
-pub use windows::windows_of;
-
-use mckibben::cancel;
-use mckibben::progress::{Progress, Silent};
-use problem::Problem;
 
 /// Fits laws to points.
 ///
@@ -100,7 +89,7 @@ pub fn fit_tension_with(
     laws.sort_by(|a, b| a[0].quality.aicc.total_cmp(&b[0].quality.aicc));
     let mut laws: Vec<FittedLaw> = laws.into_iter().flatten().collect();
     for law in &mut laws {
-        law.held_out = held_out::errors(&law.law, &held_out, settings.hoop_stretch);
+        law.held_out = fitted::errors(&law.law, &held_out, settings.hoop_stretch);
     }
     if let (true, Some(error)) = (laws.is_empty(), failed.first()) {
         return Err(error.clone());
@@ -146,6 +135,81 @@ fn chosen(settings: &FitSettings, points: usize) -> Result<Vec<Form>, TensionFit
     match (forms.is_empty(), asked.first()) {
         (true, Some(first)) => Err(too_few(first)),
         _ => Ok(forms),
+    }
+}
+
+/// Why there is no fit.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum TensionFitError {
+    /// Refused: field, value, what it must be.
+    #[error("{0}")]
+    Refused(String),
+    /// Not enough points for a law.
+    #[error("{points} points are too few for {law}: it takes {needed} or more")]
+    TooFew {
+        /// Which law.
+        law: String,
+        /// Points that count.
+        points: usize,
+        /// Points it takes.
+        needed: usize,
+    },
+    /// A term too many.
+    #[error("{law}: this number of terms fits these data no better than fewer terms")]
+    NoBetter {
+        /// Which law.
+        law: String,
+    },
+    /// The work was ended.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+    /// No minimum was found.
+    #[error("{law}: no fit was found: {why}")]
+    NotConverged {
+        /// Which law.
+        law: String,
+        /// Why.
+        why: String,
+    },
+}
+
+/// What is wanted of a fit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct FitSettings {
+    /// The laws; none means all that the number of points carries.
+    pub forms: Vec<Form>,
+    /// What is made small.
+    pub measure: Measure,
+    /// Give every mode the same weight, whatever its number of points. Else every point counts alike.
+    pub balance: bool,
+    /// A factor on the weights of a mode.
+    pub mode_weights: Vec<(Mode, f64)>,
+    /// Modes that are fitted; none means all. The others are held out: how well a law follows them is said.
+    pub fit_modes: Vec<Mode>,
+    /// Points up to this stretch only.
+    pub up_to_stretch: Option<f64>,
+    /// The points are a history: a stress that falls is no rupture, and all points are fitted.
+    pub history: bool,
+    /// Laws that are stable in a muscle only.
+    pub stable: bool,
+    /// Largest hoop stretch of the muscle.
+    pub hoop_stretch: f64,
+}
+
+impl Default for FitSettings {
+    fn default() -> Self {
+        Self {
+            forms: vec![],
+            measure: Measure::Absolute,
+            balance: false,
+            mode_weights: vec![],
+            fit_modes: vec![],
+            up_to_stretch: None,
+            history: false,
+            stable: false,
+            hoop_stretch: MUSCLE_HOOP_STRETCH,
+        }
     }
 }
 

@@ -5,12 +5,10 @@
 //! locks at the last point, so q has two ends where the limit has none. Standard error of the limit Y/q: Y/q² times that
 //! of q. The fit begins at several q and the lowest minimum is taken.
 
-use super::error::TensionFitError;
-use super::problem::Problem;
-use super::raw::Raw;
+use super::TensionFitError;
+use super::problem::{Problem, Raw};
 use crate::least_squares::{Loss, Residuals, Unknown, estimate};
-use mckibben::rubber::Form;
-use mckibben::rubber::{Law, MUSCLE_AXIAL_STRETCH, RubberLaw};
+use mckibben::rubber::{Form, Law, MUSCLE_AXIAL_STRETCH, RubberLaw};
 
 /// A limit up to a thousand times that of the data: farther away it is not identifiable.
 const LOWEST: f64 = 1e-3;

@@ -5,14 +5,12 @@
 //! a list, each with the moduli ≥ 0 that suit it best (linear least squares); the best of them are followed to their
 //! minimum, and the lowest is taken. The list is fixed, so the same data give the same law.
 
+use super::TensionFitError;
 use super::convex::{Inequality, normal, solve, subsets};
-use super::error::TensionFitError;
-use super::problem::Problem;
-use super::raw::Raw;
+use super::problem::{Problem, Raw};
 use crate::least_squares::{Estimate, Loss, Residuals, Unknown, estimate};
 use mckibben::cancel;
-use mckibben::rubber::Form;
-use mckibben::rubber::{Law, Ogden};
+use mckibben::rubber::{Form, Law, Ogden};
 
 const EXPONENTS: [f64; 14] = [0.7, 1.3, 2.0, 3.0, 4.0, 5.5, 7.5, 10.0, 14.0, -0.7, -1.5, -2.5, -4.5, -8.0];
 /// Smallest and largest |α|.

@@ -1,7 +1,7 @@
 //! What to mind about tests and laws.
 
 use super::fitted::{FittedLaw, Parameter};
-use super::mode::Mode;
+use super::point::Mode;
 use super::problem::Problem;
 use super::runs::Sorted;
 use mckibben::rubber::RubberLaw;

@@ -9,20 +9,15 @@
 //! fit, at fitted points and at predicted points.
 
 pub mod case;
-mod case_error;
 pub mod coverage;
-mod facts;
 pub mod held_out;
-mod keys;
 pub mod lengths;
 pub mod library;
 pub mod pulses;
 mod read;
 pub mod report;
-mod report_error;
 pub mod residual;
 pub mod rubber;
-mod rubber_fit;
 mod split;
 mod stress;
 pub mod transfer;

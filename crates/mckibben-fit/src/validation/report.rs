@@ -1,17 +1,48 @@
 //! The validation report of a measured muscle: the errors of each fit at the points it was fitted to and at the points it predicts.
 
-pub use super::report_error::ReportError;
-
 use super::case::{FittedSubset, MuscleCase};
 use super::residual::{Left, Residual, compared, fitted, residuals};
 use super::split::{Training, same, trainings};
 use crate::identify::{Build, Identified, IdentifyError};
 use crate::measured::{DataPoint, mean_of_data};
+use crate::rubber_over_time::OverTimeFitError;
+use mckibben::cancel::Cancelled;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben::threads;
 use serde::Serialize;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use thiserror::Error;
+
+/// Why there is no validation report.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ReportError {
+    /// The caller wanted it to end.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+    /// A fit that cannot be made.
+    #[error("{case}, fit \"{fit}\" on {fitted_to}: {error}")]
+    Fit {
+        /// Folder of the case.
+        case: String,
+        /// Name of the fit.
+        fit: String,
+        /// Its points.
+        fitted_to: String,
+        /// Why.
+        error: IdentifyError,
+    },
+    /// A fit of a rubber that cannot be made.
+    #[error("{case}, fit \"{fit}\": {error}")]
+    Rubber {
+        /// Folder of the case.
+        case: String,
+        /// Name of the fit.
+        fit: String,
+        /// Why.
+        error: OverTimeFitError,
+    },
+}
 
 /// A fit, and what is left of its points.
 #[derive(Debug, Clone)]

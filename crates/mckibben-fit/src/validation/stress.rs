@@ -1,6 +1,6 @@
 //! A law fitted to measured stresses, and what it leaves of them.
 
-use super::rubber_fit::{RubberCaseFit, RubberFitResult, RubberGroup};
+use super::rubber::{RubberCaseFit, RubberFitResult, RubberGroup};
 use crate::rubber::{FitSettings, Mode, TensionFit, TensionFitError, TensionPoint, fit_tension_with};
 use crate::rubber_over_time::{Bar, OverTimeFitError, TimePoint, fit_prony};
 use mckibben::progress::Progress;
