@@ -1,12 +1,10 @@
 //! Two equal muscles and the pulley between them.
 
 use super::demand::{Demand, JointDemand};
-use super::error::SpecError;
 use super::line::Merit;
-use super::models::Models;
 use super::run::{Outcome, design_with};
 use super::search::{Search, nice_steps};
-use super::spec::{Build, Spec};
+use super::spec::{Build, Models, Spec, SpecError};
 use mckibben::analysis::golden;
 use mckibben::cancel::Cancelled;
 use mckibben::model::ModelKind;

@@ -1,8 +1,7 @@
 //! What a muscle is held against, each limit as a number that is at most zero where it is met.
 
-use super::fluid::stroke;
-use super::limit_kind::Limit;
-use super::point::OperatingPoint;
+use super::candidate::stroke;
+use super::demand::OperatingPoint;
 use super::reason::Reason;
 use super::spec::{Build, Objective, Spec};
 use mckibben::analysis::burst::{ends, mesh};
@@ -14,6 +13,41 @@ use mckibben::model::{ForceModel, ModelError, ModelKind, Response, ThickWall, Wo
 use mckibben::muscle::Muscle;
 use mckibben::uncertainty::uncertainty;
 use mckibben::warning::strand_strength_n;
+use serde::{Deserialize, Serialize};
+
+/// A kind of limit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Limit {
+    /// The pull that is wanted, at the maximum pressure.
+    Force,
+    /// The largest outer diameter at the operating points.
+    BulgedDiameter,
+    /// The largest stretch of the rubber at the operating points.
+    MaxStretch,
+    /// The largest strain of the strands at the maximum pressure.
+    StrandStrain,
+    /// The least ratio of burst pressure to maximum pressure.
+    BurstMargin,
+    /// The push at which the muscle buckles as a column, at the operating points.
+    Buckling,
+    /// The largest liquid volume that is pushed in up to the operating points.
+    LiquidVolume,
+}
+
+impl Limit {
+    /// The share of the bound by which a value misses it; at most 0 where it is met.
+    pub(super) fn missed_by(self, value: f64, bound: f64) -> f64 {
+        match self {
+            Self::Force | Self::BurstMargin => 1.0 - value / bound,
+            Self::BulgedDiameter
+            | Self::MaxStretch
+            | Self::StrandStrain
+            | Self::Buckling
+            | Self::LiquidVolume => value / bound - 1.0,
+        }
+    }
+}
 
 /// Margin of what never fails.
 const NEVER: f64 = 1e6;

@@ -1,7 +1,7 @@
 //! Why a muscle does not fit.
 
-use super::limit_kind::Limit;
-use super::point::OperatingPoint;
+use super::demand::OperatingPoint;
+use super::limit::Limit;
 use mckibben::analysis::FailureMode;
 use mckibben::model::ModelError;
 use mckibben::muscle::{Muscle, MuscleError};

@@ -1,14 +1,12 @@
 //! A design: searched with a fast model, settled with the one that is believed.
 
 use super::candidate::{Candidate, candidate};
-use super::error::SpecError;
 use super::limit::{Probe, probe};
 use super::line::STEPS;
-use super::models::Models;
 use super::reason::{Reason, Rejected};
 use super::relax::{Relaxation, relaxations};
 use super::search::{Pick, Search, SearchResult};
-use super::spec::{Build, Spec};
+use super::spec::{Build, Models, Spec, SpecError};
 use mckibben::muscle::Muscle;
 use mckibben::progress::{Progress, Silent};
 use mckibben::threads;

@@ -4,12 +4,10 @@
 //! sample. Where no sample fits, the share by which the limits are missed leads on, so that a narrow window is found as well. The
 //! innermost axis, the diameter, is searched by the roots of the single limits ([`line`](super::line)).
 
-use super::limit::{Check, Score, burst_margin, probe, probe_with, strands};
-use super::limit_kind::Limit;
+use super::limit::{Check, Limit, Score, burst_margin, probe, probe_with, strands};
 use super::line::{self, Found, Merit, NO_SCORE, Sample};
-use super::models::Models;
 use super::reason::Reason;
-use super::spec::{BraidChoice, Build, Objective, Spec};
+use super::spec::{BraidChoice, Build, Models, Objective, Spec};
 use super::tubes::TubePart;
 use mckibben::analysis::{force_on, golden};
 use mckibben::model::{ModelError, ModelKind, ThickWall, Workspace};

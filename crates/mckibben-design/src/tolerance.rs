@@ -1,6 +1,6 @@
 //! What tolerances of the workshop and the supply do to the pull.
 
-use super::point::OperatingPoint;
+use super::demand::OperatingPoint;
 use super::spec::Build;
 use mckibben::model::{ModelError, Workspace};
 use mckibben::muscle::measures::MeasureValues;

@@ -1,6 +1,6 @@
 //! How far a folder of parts is, shard by shard: from names, locks and ends of files alone, at any time and from any machine.
 
-use super::marker::Marker;
+use super::resume::Marker;
 use super::store::{Folder, Opened};
 use super::{CampaignError, Shard};
 use mckibben_io::files::ReadError;

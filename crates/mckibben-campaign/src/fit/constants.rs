@@ -8,8 +8,8 @@
 //!    it is the largest error, so that the sixth power is minimised.
 //! 3. Both held, (11): n.
 
+use super::FitError;
 use super::data::{CONTRACTIONS, DIAMETERS, FULL_PRESSURE, FitPoint, PRESSURES, WALLS, compute_with, same};
-use super::error::FitError;
 use mckibben::formula::Coefficients;
 use mckibben::model::{ForceModel, ModelError};
 use mckibben::muscle::{Braid, BraidStiffness, Direction, Muscle, Rubber};

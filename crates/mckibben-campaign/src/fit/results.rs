@@ -2,12 +2,12 @@
 //!
 //! Errors are shares of the finite elements' blocked force of the same muscle at .25 MPa, over points where they pull.
 
+use super::FitError;
 use super::constants::{Constants, fit_constants, table_1};
 use super::data::{
     CONTRACTIONS, DIAMETERS, FitPoint, HELD_OUT, PRESSURES, WALLS, compute, paper_campaign, pressure_steps,
     same,
 };
-use super::error::FitError;
 use super::errors::{Errors, compared, errors};
 use super::make::{Method, fitted};
 use super::paper_method::{Rules, SlackRule, ThinRule};

@@ -1,7 +1,6 @@
 //! C99: generic functions and the numbers of a muscle. A compiler for a microcontroller needs nothing else.
 
-use super::Target;
-use super::common::common;
+use super::{Target, common};
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
 use crate::template::{list, lists, number, render};

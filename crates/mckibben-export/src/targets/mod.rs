@@ -1,7 +1,6 @@
 //! The hosts: one file each, and the list of all.
 
 mod c;
-mod common;
 mod fmu;
 mod host_fit;
 mod mjcf;
@@ -12,6 +11,7 @@ mod zip;
 use crate::Artefact;
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
+use crate::template::number;
 
 /// A target of `export`.
 #[derive(Debug, Clone, Copy, serde::Serialize, schemars::JsonSchema)]
@@ -50,4 +50,15 @@ impl ExportedMuscle {
     pub fn to(&self, target: Target) -> Result<Artefact, ExportError> {
         (target.make)(self)
     }
+}
+
+/// The values that templates of all languages have places for.
+pub(super) fn common(muscle: &ExportedMuscle) -> Vec<(&'static str, String)> {
+    let form = &muscle.form;
+    vec![
+        ("name", crate::muscle::plain(&muscle.name)),
+        ("version", muscle.version.into()),
+        ("length", number(form.length_m)),
+        ("supply", number(form.supply_pa)),
+    ]
 }

@@ -1,7 +1,6 @@
 //! Python: one file of functions for numbers and arrays of NumPy, JAX and PyTorch.
 
-use super::Target;
-use super::common::common;
+use super::{Target, common};
 use crate::error::ExportError;
 use crate::muscle::ExportedMuscle;
 use crate::template::{list, lists, number, render};

@@ -3,8 +3,7 @@
 use super::{Anchor, Item, Pen, Sheet};
 use crate::FigureError;
 use crate::font::FAMILY;
-use crate::layout::check_paper;
-use crate::sizes::PER_MM;
+use crate::layout::{PER_MM, check_paper};
 use crate::strokes::through;
 use crate::svg::INK;
 use crate::xml::{escape, length as n};
