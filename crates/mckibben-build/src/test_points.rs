@@ -1,8 +1,7 @@
 //! The points of the first test.
 
-use crate::plan::Plan;
-use crate::safety::Operating;
 use crate::text::{fixed, mm};
+use crate::{Operating, Plan};
 use mckibben::muscle::Direction;
 
 /// A point of the test.

@@ -1,8 +1,7 @@
 //! One muscle held against a specification.
 
-use super::demand::OperatingPoint;
-use super::limit::{Limit, Probe, Score, full_response, need};
-use super::spec::{Build, Spec};
+use crate::limit::{Probe, Score, full_response, need};
+use crate::{Build, Limit, OperatingPoint, Spec};
 use mckibben::analysis::{
     AnalysisError, Burst, air_per_stroke, burst, force_on, free_contraction, work_per_stroke_j,
 };

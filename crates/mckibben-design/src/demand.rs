@@ -1,6 +1,6 @@
 //! What a muscle must do.
 
-use super::spec::SpecError;
+use crate::SpecError;
 use mckibben::load::Load;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;

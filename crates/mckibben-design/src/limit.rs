@@ -1,9 +1,7 @@
 //! What a muscle is held against, each limit as a number that is at most zero where it is met.
 
-use super::candidate::stroke;
-use super::demand::OperatingPoint;
-use super::reason::Reason;
-use super::spec::{Build, Objective, Spec};
+use crate::candidate::stroke;
+use crate::{Build, Objective, OperatingPoint, Reason, Spec};
 use mckibben::analysis::burst::{ends, mesh};
 use mckibben::analysis::{
     AnalysisError, FailureMode, FailurePressure, burst, force_on, pressure_at, pressure_below,

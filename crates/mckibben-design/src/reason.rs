@@ -1,7 +1,6 @@
 //! Why a muscle does not fit.
 
-use super::demand::OperatingPoint;
-use super::limit::Limit;
+use crate::{Limit, OperatingPoint};
 use mckibben::analysis::FailureMode;
 use mckibben::model::ModelError;
 use mckibben::muscle::{Muscle, MuscleError};

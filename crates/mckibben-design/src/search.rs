@@ -4,11 +4,9 @@
 //! sample. Where no sample fits, the share by which the limits are missed leads on, so that a narrow window is found as well. The
 //! innermost axis, the diameter, is searched by the roots of the single limits ([`line`](super::line)).
 
-use super::limit::{Check, Limit, Score, burst_margin, probe, probe_with, strands};
-use super::line::{self, Found, Merit, NO_SCORE, Sample};
-use super::reason::Reason;
-use super::spec::{BraidChoice, Build, Models, Objective, Spec};
-use super::tubes::TubePart;
+use crate::limit::{Check, Score, burst_margin, probe, probe_with, strands};
+use crate::line::{self, Found, Merit, NO_SCORE, Sample};
+use crate::{BraidChoice, Build, Limit, Models, Objective, Reason, Spec, TubePart};
 use mckibben::analysis::{force_on, golden};
 use mckibben::model::{ModelError, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube};

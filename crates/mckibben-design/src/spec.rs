@@ -1,7 +1,6 @@
 //! What is wanted, and what may be varied.
 
-use super::demand::{Demand, OperatingPoint};
-use super::tubes::TubePart;
+use crate::{Demand, OperatingPoint, TubePart};
 use mckibben::analysis::Options;
 pub use mckibben::analysis::SAFETY;
 use mckibben::cancel::Cancelled;

@@ -1,7 +1,6 @@
 //! What tolerances of the workshop and the supply do to the pull.
 
-use super::demand::OperatingPoint;
-use super::spec::Build;
+use crate::{Build, OperatingPoint};
 use mckibben::model::{ModelError, Workspace};
 use mckibben::muscle::measures::MeasureValues;
 use mckibben::muscle::{Braid, BraidStiffness, Measure, Muscle, MuscleError};

@@ -1,9 +1,7 @@
 //! A muscle fitted for export, with all that an artefact states of it.
 
-use crate::MARK;
-use crate::error::ExportError;
-use crate::fit::{Fitted, FormErrors, Sample, Wanted, fit};
-use crate::form::Form;
+use crate::fit::{Fitted, Sample, fit};
+use crate::{ExportError, Form, FormErrors, MARK, Wanted};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{Direction, file::to_toml};
 use mckibben::uncertainty::uncertainty;

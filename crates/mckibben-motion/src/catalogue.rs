@@ -1,8 +1,6 @@
 //! Named valves.
 
-use crate::error::MotionError;
-use crate::orifice::Orifice;
-use crate::valve::Valve;
+use crate::{MotionError, Orifice, Valve};
 use mckibben::catalogue::{Catalogue, CatalogueError, Row};
 use mckibben::nearest::nearest;
 use mckibben::units::{Dimension, QuantityError, parse_quantity};

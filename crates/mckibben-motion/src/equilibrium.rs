@@ -1,14 +1,10 @@
 //! Where a drive rests.
 
-use crate::air::ATMOSPHERE_MPA;
-use crate::control::PidOutput;
-use crate::drive::{Drive, Target};
-use crate::error::MotionError;
 use crate::events::switches;
 use crate::member::Member;
 use crate::state::State;
 use crate::system::{Switch, System};
-use crate::valve::ValveKind;
+use crate::{ATMOSPHERE_MPA, Drive, MotionError, PidOutput, Target, ValveKind};
 use mckibben::analysis::{RootError, find_root};
 use mckibben::model::ModelError;
 

@@ -1,6 +1,6 @@
 //! Friction of the braid that does not depend on the speed.
 
-use crate::error::MotionError;
+use crate::MotionError;
 use mckibben::muscle::{Direction, Friction, Presliding};
 
 /// Friction of the braid with its history.

@@ -1,7 +1,6 @@
 //! A hose between valve and muscle.
 
-use crate::error::MotionError;
-use crate::orifice::{LINEAR_SHARE, Orifice};
+use crate::{LINEAR_SHARE, MotionError, Orifice};
 use std::f64::consts::PI;
 
 /// A smooth hose as a restriction and a volume, without the time that pressure waves take (3 ms a metre).

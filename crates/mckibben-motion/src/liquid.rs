@@ -1,9 +1,6 @@
 //! A liquid in the place of the air: its balance, and what a valve, a line, a pump or a syringe lets through.
 
-use crate::air::{ATMOSPHERE_MPA, Cavity, Flow};
-use crate::error::MotionError;
-use crate::hose::Hose;
-use crate::valve::ValveKind;
+use crate::{ATMOSPHERE_MPA, Cavity, Flow, Hose, MotionError, ValveKind};
 use mckibben::analysis::find_root;
 use mckibben::liquid::Liquid;
 use std::f64::consts::PI;

@@ -1,6 +1,6 @@
 //! What the muscles move: one coordinate with inertia, load and stops.
 
-use crate::error::MotionError;
+use crate::MotionError;
 use mckibben::joint::{Joint, JointSpring};
 use mckibben::load::Load;
 use mckibben::model::ForceModel;

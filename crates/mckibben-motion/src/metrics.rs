@@ -1,10 +1,8 @@
 //! Figures of a response: rise, settling, overshoot, fill and vent.
 
-use crate::command::Command;
-use crate::drive::{Drive, Target};
 use crate::equilibrium::at_pressures;
-use crate::motion::{Motion, MotionEnd, Moves, StepFigures};
 use crate::system::System;
+use crate::{Command, Drive, Motion, MotionEnd, Moves, StepFigures, Target};
 
 /// A point that was integrated.
 #[derive(Debug, Clone, Copy)]

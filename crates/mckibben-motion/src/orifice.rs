@@ -1,7 +1,6 @@
 //! Restrictions of air after ISO 6358.
 
-use crate::air::{Flow, REFERENCE_DENSITY_G_PER_L};
-use crate::error::MotionError;
+use crate::{Flow, MotionError, REFERENCE_DENSITY_G_PER_L};
 
 /// T0 of ISO 6358 in K.
 const REFERENCE_K: f64 = 293.15;

@@ -1,14 +1,11 @@
 //! From a drive to its motion.
 
-use crate::drive::Drive;
-use crate::error::MotionError;
-use crate::events::{EventKind, Guard};
+use crate::events::Guard;
 use crate::integrate::{Stepper, stepper};
 use crate::metrics::Passed;
-use crate::motion::Motion;
-use crate::series::{MotionSeries, MuscleSeries};
 use crate::state::State;
 use crate::system::System;
+use crate::{Drive, EventKind, Motion, MotionError, MotionSeries, MuscleSeries};
 use mckibben::progress::Progress;
 use mckibben::size;
 

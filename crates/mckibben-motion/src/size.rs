@@ -1,12 +1,7 @@
 //! The smallest valve that is quick enough.
 
-use crate::command::Command;
-use crate::drive::{Actuator, Drive, Target};
-use crate::equilibrium::equilibrium;
-use crate::error::MotionError;
 use crate::metrics::{changes, rise_time};
-use crate::motion::Motion;
-use crate::run::run;
+use crate::{Actuator, Command, Drive, Motion, MotionError, Target, equilibrium, run};
 use mckibben::progress::Progress;
 
 /// A valve that is large enough.

@@ -1,13 +1,11 @@
 //! The equations of motion of a drive.
 
-use crate::air::{ATMOSPHERE_MPA, Cavity, Flow, cavity_area_mm2};
-use crate::control::PidOutput;
-use crate::drive::{Actuated, Drive, Target};
-use crate::error::MotionError;
-use crate::fluid::Fluid;
 use crate::integrate::Equations;
 use crate::member::{Answer, Member, SlackState, Substitute};
 use crate::state::{ControllerState, Layout, MuscleState, State};
+use crate::{
+    ATMOSPHERE_MPA, Actuated, Cavity, Drive, Flow, Fluid, MotionError, PidOutput, Target, cavity_area_mm2,
+};
 use std::cell::{Cell, RefCell};
 
 /// What an on–off valve does.

@@ -9,9 +9,7 @@
 mod cost;
 mod error;
 #[cfg(feature = "store")]
-#[cfg(feature = "store")]
 mod merge;
-#[cfg(feature = "store")]
 mod plan;
 #[cfg(feature = "store")]
 mod read;

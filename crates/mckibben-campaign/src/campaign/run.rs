@@ -1,10 +1,9 @@
 //! Runs a plan into a store.
 
 use super::merge::write_whole;
-use super::plan::Plan;
 use super::resume::{Marker, finished, there};
 use super::store::{Folder, PartSource, Provenance, Table, check_name, is_file_name, part, part_name};
-use super::{CampaignError, Shard, solve};
+use super::{CampaignError, Plan, Shard, solve};
 use mckibben::progress::Progress;
 use mckibben::threads::Threads;
 use mckibben_io::files::check_writable;

@@ -1,10 +1,9 @@
 //! From points to a formula with its range, errors and provenance.
 
-use super::FitError;
 use super::data::{FitPoint, PRESSURES, distinct, same};
 use super::errors::{Compared, Errors, compared, errors, regions};
-use super::global::{GlobalFit, MOST_TERMS, global};
-use super::paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method};
+use super::global::MOST_TERMS;
+use super::{FitError, GlobalFit, PaperMethod, Rules, SlackRule, ThinRule, global, paper_method};
 use crate::{PointRow, hash};
 use mckibben::formula::{
     Body, ErrorSummary, Formula, FormulaErrors, FormulaRange, HeldOut, Made, MadeBraid, MadeRubber,

@@ -2,16 +2,14 @@
 //!
 //! Errors are shares of the finite elements' blocked force of the same muscle at .25 MPa, over points where they pull.
 
-use super::FitError;
 use super::constants::{Constants, fit_constants, table_1};
 use super::data::{
     CONTRACTIONS, DIAMETERS, FitPoint, HELD_OUT, PRESSURES, WALLS, compute, paper_campaign, pressure_steps,
     same,
 };
 use super::errors::{Errors, compared, errors};
-use super::make::{Method, fitted};
-use super::paper_method::{Rules, SlackRule, ThinRule};
 use super::universal::{HeldOutRow, held_out, held_out_samples};
+use super::{FitError, Method, Rules, SlackRule, ThinRule, fitted};
 use mckibben::formula::{Body, Coefficients, Formula};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;

@@ -8,10 +8,8 @@ mod opensim;
 mod python;
 mod zip;
 
-use crate::Artefact;
-use crate::error::ExportError;
-use crate::muscle::ExportedMuscle;
 use crate::template::number;
+use crate::{Artefact, ExportError, ExportedMuscle};
 
 /// A target of `export`.
 #[derive(Debug, Clone, Copy, serde::Serialize, schemars::JsonSchema)]

@@ -1,11 +1,8 @@
 //! Sentences about data and result: what does not fit together, what is not identifiable, where the model does not follow.
 
 use super::default_parameters::distinct;
-use super::error::IdentifyError;
-use super::parameter::{NO_LOCK, Target, sets_limit};
-use super::problem::Build;
-use super::result::{Identification, PointFit};
-use super::signs;
+use super::parameter::{NO_LOCK, sets_limit};
+use super::{Build, Identification, IdentifyError, PointFit, Target, signs};
 use crate::least_squares::Loss;
 use crate::measured::{DataPoint, Quantity};
 use crate::rubber::MODULI;

@@ -7,10 +7,8 @@
 //! t s holds for errors with a normal distribution. What a model leaves of a measured muscle has shorter tails: of 20 points on, the residual
 //! that 95 % of the points do not exceed takes the place of t s (the 0.95 (n + 1)-th smallest of n, interpolated).
 
-use super::candidate::Candidate;
-use super::problem::{Build, Problem};
-use super::result::PointFit;
-use super::run::Request;
+use super::problem::Problem;
+use super::{Build, Candidate, PointFit, Request};
 use crate::least_squares::{Estimate, Unknown, slopes, t95};
 use crate::measured::DataPoint;
 use mckibben::model::{ForceModel, ThickWall, Workspace};

@@ -1,11 +1,8 @@
 //! What is free where nothing is said.
 
-use super::candidate::{Candidate, own_value};
-use super::error::IdentifyError;
-use super::parameter::{Parameter, Target};
-use super::problem::Build;
-use super::result::Identification;
-use super::run::{Request, identify_with};
+use super::{
+    Build, Candidate, Identification, IdentifyError, Parameter, Request, Target, identify_with, own_value,
+};
 use crate::measured::DataPoint;
 use mckibben::model::Workspace;
 use mckibben::muscle::measures::{

@@ -6,11 +6,7 @@
 //! that stiffens does, and the constants that follow can be ones that no rubber has.
 
 use super::advice::neighbours;
-use super::error::IdentifyError;
-use super::parameter::{Parameter, Target};
-use super::problem::Build;
-use super::result::Identification;
-use super::run::{Request, identify_with};
+use super::{Build, Identification, IdentifyError, Parameter, Request, Target, identify_with};
 use crate::least_squares::aicc;
 use mckibben::cancel::Cancelled;
 use mckibben::muscle::{Rubber, Tube};

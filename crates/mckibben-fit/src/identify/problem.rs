@@ -11,9 +11,8 @@
 //! ∂V/∂ε = L0 ∂F/∂P. Vd: volume of hose and fittings (`dead_volume`). ∂F/∂θ is the model's own
 //! ([`Slopes`](mckibben::model::Slopes)) where it has one and no volumes were read.
 
-use super::candidate::Candidate;
 use super::history::shares;
-use super::parameter::Target;
+use super::{Candidate, Target};
 use crate::least_squares::Residuals;
 use crate::measured::{DataPoint, Quantity, Section};
 use mckibben::analysis::{force_on, friction_half_width_n, response_on, slope_by_pressure, stiffness_of};

@@ -1,12 +1,12 @@
 //! From points and parameters to an [`Identification`].
 
 use super::bench::{self, Found};
-use super::candidate::own_value;
-use super::error::IdentifyError;
-use super::parameter::{Parameter, Target};
-use super::problem::{Build, Problem};
-use super::result::{Identification, Identified, PointFit, spread, spreads};
-use super::{advice, history, signs};
+use super::problem::Problem;
+use super::result::{spread, spreads};
+use super::{
+    Build, Identification, Identified, IdentifyError, Parameter, PointFit, Target, advice, history,
+    own_value, signs,
+};
 use crate::least_squares::{Estimate, EstimateError, Known, Loss, Residuals, Unknown, estimate};
 use crate::measured::{DataPoint, Quantity};
 use mckibben::cancel::Cancelled;

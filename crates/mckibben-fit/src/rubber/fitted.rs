@@ -1,8 +1,7 @@
 //! A law with its constants, and how well it does.
 
-use super::point::{Mode, TensionPoint};
 use super::problem::{Problem, Raw};
-use super::{FitSettings, TensionFitError, linear, nonlinear, ogden};
+use super::{FitSettings, Mode, TensionFitError, TensionPoint, linear, nonlinear, ogden};
 use crate::least_squares::{aicc, t95};
 use mckibben::rubber::{
     ConstantValue, Form, Law, LawConstants, Ogden, RubberLaw, Stability, is_stable_at, muscle_stability,

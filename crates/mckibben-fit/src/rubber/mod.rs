@@ -41,7 +41,6 @@ pub use standing::{DECIDED_AICC, TensionFit, windows_of};
 pub use table_of_fits::curve_of_fits;
 use thiserror::Error;
 pub(crate) use warning::MODULI;
-pub use warning::TensionWarning;
 
 /// Fits laws to points.
 ///

@@ -1,6 +1,6 @@
 //! The points with their weights, as the solvers see them.
 
-use super::point::{Mode, TensionPoint};
+use super::{Mode, TensionPoint};
 use mckibben::cancel;
 use mckibben::rubber::{Law, RubberLaw};
 use serde::{Deserialize, Serialize};

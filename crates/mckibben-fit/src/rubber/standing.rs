@@ -1,9 +1,6 @@
 //! Which law to take, and which are as good.
 
-use super::fitted::FittedLaw;
-use super::point::{Mode, TensionPoint};
-use super::warning::TensionWarning;
-use super::{FitSettings, TensionFitError, fit_tension};
+use super::{FitSettings, FittedLaw, Mode, TensionFitError, TensionPoint, fit_tension};
 use mckibben::rubber::library::{Standing, Window, WindowLaw};
 
 /// The laws of one set of tests.
@@ -24,7 +21,7 @@ pub struct TensionFit {
     /// Place of the law to take: of those that are stable in a muscle the one with the lowest AICc; with uniaxial tests
     /// alone, one of I1.
     pub recommended: Option<usize>,
-    pub warnings: Vec<TensionWarning>,
+    pub warnings: Vec<String>,
 }
 
 /// Difference of Akaike's criterion from which on one law is decidedly better than another (K. P. Burnham, D. R. Anderson 2002

@@ -1,8 +1,6 @@
 //! Parquet files → rows.
 
-use super::layout::Field;
-use super::provenance::{Provenance, Which};
-use super::table::Table;
+use super::{Field, Provenance, Table, Which};
 use crate::PointRow;
 use crate::campaign::CampaignError;
 use mckibben_io::files::ReadError;

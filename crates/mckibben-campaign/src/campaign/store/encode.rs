@@ -1,7 +1,7 @@
 //! Rows → Parquet files.
 
-use super::provenance::{Provenance, VERSION, Which};
-use super::table::Table;
+use super::provenance::VERSION;
+use super::{Provenance, Table, Which};
 use crate::campaign::CampaignError;
 use mckibben_io::parquet::{GROUP, TableError, Writer};
 use std::fs::File;
