@@ -402,7 +402,7 @@ fn fitted(
     let free: Vec<Parameter> = known.iter().map(parameter).collect();
     let request = Request { two_sided: true, ..Request::new(muscle, &free, &points) };
     let found = identify(&request, &build).map_err(|error| match error {
-        IdentifyError::Start { error, .. } | IdentifyError::Model(error) => error.into(),
+        IdentifyError::Start(_, error) | IdentifyError::Model(error) => error.into(),
         IdentifyError::Estimate(_) => {
             Problem::new(ProblemKind::NotConverged, format!("the fit did not converge: {error}"), "")
         }

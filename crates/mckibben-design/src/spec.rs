@@ -200,7 +200,7 @@ impl Spec {
             }
         }
         if let (Some(volume_mm3), None) = (self.limits.liquid_volume_mm3, &self.liquid) {
-            return Err(SpecError::NoLiquid { volume_mm3 });
+            return Err(SpecError::NoLiquid(volume_mm3));
         }
         let count = |v: &Values| match v {
             Values::List(list) => list.len() as f64,
@@ -242,12 +242,9 @@ pub enum SpecError {
     Refused(String),
     /// A largest liquid volume without a liquid.
     #[error(
-        "`max_liquid_volume_mm3` is {volume_mm3} mm³, and the muscle is filled with air: give `liquid`, or leave `max_liquid_volume_mm3` out"
+        "`max_liquid_volume_mm3` is {0} mm³, and the muscle is filled with air: give `liquid`, or leave `max_liquid_volume_mm3` out"
     )]
-    NoLiquid {
-        /// The volume in mm³.
-        volume_mm3: f64,
-    },
+    NoLiquid(f64),
     /// No combination is a muscle at all.
     #[error("none of the combinations is a muscle: {0}")]
     NoMuscle(MuscleError),

@@ -81,7 +81,7 @@ pub trait Mechanism: Send + Sync {
     /// Whether the numbers make a mechanism that can move.
     ///
     /// # Errors
-    /// [`MotionError::Value`].
+    /// [`MotionError::Refused`].
     fn check(&self) -> Result<(), MotionError>;
 }
 

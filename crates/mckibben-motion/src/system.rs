@@ -163,7 +163,10 @@ impl<'a> System<'a> {
             if let Fluid::Liquid(liquid) = &muscle.fluid
                 && liquid.boils(absolute)
             {
-                return Err(MotionError::Boils { time_s: t, muscle: i + 1, absolute_mpa: absolute });
+                return Err(MotionError::Boils(format!(
+                    "the liquid in muscle {} boils at {t} s: its absolute pressure falls below {absolute} MPa",
+                    i + 1
+                )));
             }
             let fluid = self.flows(muscle, own, command, mode, (absolute, temperature), &cavity);
             let flows = [fluid.supply, fluid.exhaust];

@@ -305,23 +305,12 @@ pub enum FigureError {
     #[error("{0}")]
     Drawing(String),
     /// The file name ends in something no writer is known for.
-    #[error("unknown format of {}: use a name ending in .svg, .png, .pdf or .html", path.display())]
-    UnknownExtension {
-        /// The path asked for.
-        path: PathBuf,
-    },
+    #[error("unknown format of {}: use a name ending in .svg, .png, .pdf or .html", .0.display())]
+    UnknownExtension(PathBuf),
     /// The folder the file should go to does not exist.
-    #[error("the folder {} does not exist", folder.display())]
-    NoFolder {
-        /// The missing folder.
-        folder: PathBuf,
-    },
+    #[error("the folder {} does not exist", .0.display())]
+    NoFolder(PathBuf),
     /// The operating system refused to write the file.
-    #[error("cannot write {}: {source}", path.display())]
-    Write {
-        /// The path asked for.
-        path: PathBuf,
-        /// What the operating system said.
-        source: std::io::Error,
-    },
+    #[error("cannot write {path}: {1}", path = .0.display())]
+    Write(PathBuf, std::io::Error),
 }

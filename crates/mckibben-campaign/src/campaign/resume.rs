@@ -46,7 +46,7 @@ pub(super) fn of_this_plan(provenance: &Provenance, path: &Path) -> Result<Opene
 /// What is no campaign is not replaced.
 fn foreign(error: CampaignError) -> CampaignError {
     match error {
-        CampaignError::NoCampaign { path, why } => CampaignError::Foreign { path, why },
+        CampaignError::NoCampaign(path, why) => CampaignError::Foreign(path, why),
         error => error,
     }
 }
@@ -76,7 +76,7 @@ pub(super) fn there(
                 let right = opened.which == Which::Part(*number);
                 Ok((!right).then(|| "it contains a different part from its name".to_owned()))
             }
-            Err(CampaignError::Damaged { why, .. }) => Ok(Some(why)),
+            Err(CampaignError::Damaged(_, why)) => Ok(Some(why)),
             Err(error @ CampaignError::Read { .. }) => Err(error),
             Err(error) if overwrite => Ok(Some(error.to_string())),
             Err(error) => Err(error),
@@ -98,12 +98,16 @@ pub(super) fn there(
 /// Whether a file is of this plan and this program.
 pub(super) fn belongs(theirs: &Provenance, ours: &Provenance, path: &Path) -> Result<(), CampaignError> {
     if theirs.plan_sha256 != ours.plan_sha256 {
-        let (theirs, ours) = (theirs.plan_sha256.clone(), ours.plan_sha256.clone());
-        return Err(CampaignError::OtherPlan { path: path.into(), theirs, ours });
+        return Err(CampaignError::OtherPlan(format!(
+            "{} contains a campaign of another plan (sha256 {:.12}, this plan has {:.12})",
+            path.display(),
+            theirs.plan_sha256,
+            ours.plan_sha256
+        )));
     }
     if theirs.version != ours.version {
         let (theirs, ours) = (theirs.version.clone(), ours.version.clone());
-        return Err(CampaignError::OtherVersion { path: path.into(), theirs, ours });
+        return Err(CampaignError::OtherVersion(path.into(), theirs, ours));
     }
     if theirs == ours {
         Ok(())

@@ -119,11 +119,11 @@ pub fn run(
     let provenance = Provenance::of(plan);
     let one_file = is_file_name(out);
     if one_file && options.shard.is_some() {
-        return Err(CampaignError::ShardOfFile { path: out.into() });
+        return Err(CampaignError::ShardOfFile(out.into()));
     }
     if !one_file && out.is_file() {
         let why = "it is a file, and parts go into a folder; a campaign in one file ends in .parquet".into();
-        return Err(CampaignError::NoCampaign { path: out.into(), why });
+        return Err(CampaignError::NoCampaign(out.into(), why));
     }
     let store = if one_file { parts_of(out) } else { out.to_path_buf() };
     let replaced = one_file && out.exists();
@@ -213,7 +213,7 @@ fn in_folder(
     if one_file && outcome.complete {
         if out.exists() && !options.overwrite {
             folder.write(&mut pending)?;
-            return Err(CampaignError::Appeared { path: out.into() });
+            return Err(CampaignError::Appeared(out.into()));
         }
         places.extend(pending.into_iter().map(|(n, bytes)| (n, PartSource::Memory(bytes))));
         write_whole(provenance, places, out, options.overwrite)?;

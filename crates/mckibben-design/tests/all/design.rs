@@ -182,7 +182,7 @@ fn the_largest_liquid_volume_binds_at_the_volume_that_is_found() {
     assert_eq!(closest.relaxations, [Relaxation::MaxLiquidVolume { liquid_volume_mm3: needs }]);
     // Without a liquid the limit has no meaning.
     spec.liquid = None;
-    assert_eq!(design(&spec, BUILD).unwrap_err(), SpecError::NoLiquid { volume_mm3: limit_mm3 });
+    assert_eq!(design(&spec, BUILD).unwrap_err(), SpecError::NoLiquid(limit_mm3));
 }
 
 /// Against all muscles of a list: none that pulls enough takes less liquid than the first.

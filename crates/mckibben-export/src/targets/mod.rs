@@ -39,7 +39,7 @@ impl Target {
     /// The target of this name.
     pub fn named(name: &str) -> Result<Self, ExportError> {
         let found = Self::ALL.into_iter().find(|t| t.name == name.trim());
-        found.ok_or_else(|| ExportError::Target { name: name.to_owned() })
+        found.ok_or_else(|| ExportError::Target(name.to_owned()))
     }
 }
 

@@ -254,7 +254,8 @@ fn rubber_is_left(request: &Request<'_>, start: &Muscle, end: &Muscle) -> Result
     let sought = request.free.iter().find(|p| matches!(p.target, Target::Law(_) | Target::Modulus));
     match sought {
         Some(p) if modulus(end) < SOFTEST_MPA.min(0.01 * modulus(start)) => {
-            Err(IdentifyError::NoRubber { name: p.target.name(request.muscle), value_mpa: modulus(end) })
+            let name = p.target.name(request.muscle);
+            Err(IdentifyError::NoRubber(format!("{name} falls towards zero, to {:.1e} MPa", modulus(end))))
         }
         _ => Ok(()),
     }
@@ -283,7 +284,8 @@ fn leave_out(points: &[DataPoint], rows: &Rows) -> Result<(Vec<DataPoint>, Optio
     let kept = points.iter().zip(rows).filter(|(_, r)| r.is_ok()).map(|(p, _)| *p).collect();
     let Some((line, error)) = failed.first().cloned() else { return Ok((kept, None)) };
     if 5 * failed.len() > all {
-        return Err(IdentifyError::Start { failed: failed.len(), points: all, line, error });
+        let which = format!("{} of {all} points at the starting values (first: line {line})", failed.len());
+        return Err(IdentifyError::Start(which, error));
     }
     let lines: Vec<u64> = failed.iter().map(|f| f.0).collect();
     let (n, at) = (failed.len(), advice::lines(&lines));

@@ -1,7 +1,7 @@
 //! A law with its constants, and how well it does.
 
 use super::problem::{Problem, Raw};
-use super::{FitSettings, Mode, TensionFitError, TensionPoint, linear, nonlinear, ogden};
+use super::{FitSettings, Mode, TensionFitError, TensionPoint, linear, no_fit, nonlinear, ogden};
 use crate::least_squares::{aicc, t95};
 use mckibben::rubber::{
     ConstantValue, Form, Law, LawConstants, Ogden, RubberLaw, Stability, is_stable_at, muscle_stability,
@@ -158,10 +158,9 @@ fn judged(
     problem: &Problem,
     hoop: f64,
 ) -> Result<FittedLaw, TensionFitError> {
-    let failed = |why: &str| TensionFitError::NotConverged { law: form.name(), why: why.into() };
-    let law = form.law_of(&raw.constants).ok_or_else(|| failed("its constants are not complete"))?;
+    let law = form.law_of(&raw.constants).ok_or_else(|| no_fit(form, "its constants are not complete"))?;
     let squares = problem.squares(&law).filter(|s| s.is_finite());
-    let squares = squares.ok_or_else(|| failed("its stresses are not finite"))?;
+    let squares = squares.ok_or_else(|| no_fit(form, "its stresses are not finite"))?;
     let t = t95(raw.freedom);
     let parameters =
         law.constants().into_iter().enumerate().map(|(i, ConstantValue { name, value, constant })| {

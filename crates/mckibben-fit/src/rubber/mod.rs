@@ -127,12 +127,15 @@ fn check(settings: &FitSettings) -> Result<(), TensionFitError> {
 
 /// The laws that are asked for, or all that the points carry.
 fn chosen(settings: &FitSettings, points: usize) -> Result<Vec<Form>, TensionFitError> {
-    let too_few = |f: &Form| TensionFitError::TooFew { law: f.name(), points, needed: f.fewest_points() };
     let carried = |f: &Form| points >= f.fewest_points();
     let asked = if settings.forms.is_empty() { Form::all() } else { settings.forms.clone() };
     let forms: Vec<Form> = asked.iter().copied().filter(carried).collect();
     match (forms.is_empty(), asked.first()) {
-        (true, Some(first)) => Err(too_few(first)),
+        (true, Some(first)) => Err(TensionFitError::TooFew(format!(
+            "{points} points are too few for {}: it takes {} or more",
+            first.name(),
+            first.fewest_points()
+        ))),
         _ => Ok(forms),
     }
 }
@@ -144,32 +147,22 @@ pub enum TensionFitError {
     #[error("{0}")]
     Refused(String),
     /// Not enough points for a law.
-    #[error("{points} points are too few for {law}: it takes {needed} or more")]
-    TooFew {
-        /// Which law.
-        law: String,
-        /// Points that count.
-        points: usize,
-        /// Points it takes.
-        needed: usize,
-    },
+    #[error("{0}")]
+    TooFew(String),
     /// A term too many.
-    #[error("{law}: this number of terms fits these data no better than fewer terms")]
-    NoBetter {
-        /// Which law.
-        law: String,
-    },
+    #[error("{0}: this number of terms fits these data no better than fewer terms")]
+    NoBetter(String),
     /// The work was ended.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
     /// No minimum was found.
-    #[error("{law}: no fit was found: {why}")]
-    NotConverged {
-        /// Which law.
-        law: String,
-        /// Why.
-        why: String,
-    },
+    #[error("{0}")]
+    NotConverged(String),
+}
+
+/// That no fit of a law was found.
+pub(crate) fn no_fit(form: Form, why: impl std::fmt::Display) -> TensionFitError {
+    TensionFitError::NotConverged(format!("{}: no fit was found: {why}", form.name()))
 }
 
 /// What is wanted of a fit.

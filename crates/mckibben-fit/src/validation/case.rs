@@ -4,7 +4,7 @@
 //! The same reader serves the folders that are built in (`data/measured`) and those of users.
 
 use super::rubber::RubberCase;
-use crate::identify::{Parameter, ParameterError};
+use crate::identify::Parameter;
 use crate::measured::DataPoint;
 use mckibben::cancel::Cancel;
 use mckibben::muscle::Muscle;
@@ -170,23 +170,11 @@ pub enum CaseError {
     #[error("{0}")]
     Refused(String),
     /// A parameter that the muscle does not have.
-    #[error("{case}/case.toml, fit \"{fit}\": {error}")]
-    Parameter {
-        /// Folder.
-        case: String,
-        /// Fit.
-        fit: String,
-        /// Why.
-        error: ParameterError,
-    },
+    #[error("{0}")]
+    Parameter(String),
     /// Points that cannot be read.
-    #[error("{case}/points.csv: {error}")]
-    Points {
-        /// Folder.
-        case: String,
-        /// Why.
-        error: TableError,
-    },
+    #[error("{0}/points.csv: {1}")]
+    Points(String, TableError),
 }
 
 /// What is known of something that was measured.

@@ -42,7 +42,7 @@ impl Measurement {
             return RubberCase::new(facts, &files.points, fits).map(Self::Rubber);
         }
         let points = read_data(files.points.as_bytes());
-        let points = points.map_err(|error| CaseError::Points { case: case(), error })?;
+        let points = points.map_err(|error| CaseError::Points(case(), error))?;
         let fits: Vec<CaseFit> = fits.map(|t| fit(files, &t)).collect::<Result<_, _>>()?;
         Ok(Self::Muscle(MuscleCase {
             facts,
@@ -102,7 +102,8 @@ fn fit(files: &CaseFiles, table: &Keys<'_>) -> Result<CaseFit, CaseError> {
         CaseError::Refused(format!("{case}/muscle.toml, fit \"{fit}\": {error}", case = case()))
     })?;
     let free = words.into_iter().map(|word| Parameter::parse(word, &muscle)).collect::<Result<_, _>>();
-    let free = free.map_err(|error| CaseError::Parameter { case: case(), fit: name.clone(), error })?;
+    let free =
+        free.map_err(|error| CaseError::Parameter(format!("{}/case.toml, fit \"{name}\": {error}", case())))?;
     let both_branches = match table.optional_text("branches")?.as_deref() {
         None | Some("mean") => false,
         Some("both") => true,

@@ -21,27 +21,11 @@ pub enum ReportError {
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
     /// A fit that cannot be made.
-    #[error("{case}, fit \"{fit}\" on {fitted_to}: {error}")]
-    Fit {
-        /// Folder of the case.
-        case: String,
-        /// Name of the fit.
-        fit: String,
-        /// Its points.
-        fitted_to: String,
-        /// Why.
-        error: IdentifyError,
-    },
+    #[error("{0}: {1}")]
+    Fit(String, IdentifyError),
     /// A fit of a rubber that cannot be made.
-    #[error("{case}, fit \"{fit}\": {error}")]
-    Rubber {
-        /// Folder of the case.
-        case: String,
-        /// Name of the fit.
-        fit: String,
-        /// Why.
-        error: OverTimeFitError,
-    },
+    #[error("{0}: {1}")]
+    Rubber(String, OverTimeFitError),
 }
 
 /// A fit, and what is left of its points.
@@ -150,12 +134,10 @@ fn run(
     let (muscle, parameters) =
         fitted(fit, &training_points, build, progress).map_err(|error| match error {
             IdentifyError::Cancelled(cancelled) => cancelled.into(),
-            error => ReportError::Fit {
-                case: case.facts.name.clone(),
-                fit: fit.name.clone(),
-                fitted_to: label.clone(),
-                error,
-            },
+            error => {
+                let of = format!("{}, fit \"{}\" on {label}", case.facts.name, fit.name);
+                ReportError::Fit(of, error)
+            }
         })?;
     let nothing = fit.free.is_empty();
     let compared = compared(means, &case.points);

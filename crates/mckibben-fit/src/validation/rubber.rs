@@ -65,7 +65,7 @@ impl RubberCase {
         } else {
             read_tests(bytes, ReadOptions::default(), &columns).map(|read| Points::Tests(read.0))
         };
-        let points = points.map_err(|error| CaseError::Points { case: facts.name.clone(), error })?;
+        let points = points.map_err(|error| CaseError::Points(facts.name.clone(), error))?;
         Ok(Self { facts, fits, points })
     }
 
@@ -97,8 +97,7 @@ pub fn report(cases: &[&RubberCase], progress: &dyn Progress) -> Result<Vec<Rubb
         for (k, fit) in case.fits.iter().enumerate() {
             progress.check()?;
             let found = case.run(fit, progress).map_err(|error| {
-                let (case, fit) = (case.facts.name.clone(), fit.name.clone());
-                ReportError::Rubber { case, fit, error }
+                ReportError::Rubber(format!("{}, fit \"{}\"", case.facts.name, fit.name), error)
             })?;
             out.push(RubberFitResult { case: number, fit: k, ..found });
         }

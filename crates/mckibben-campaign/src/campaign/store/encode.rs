@@ -74,7 +74,7 @@ pub(crate) fn whole(
     path: &Path,
 ) -> Result<(), CampaignError> {
     let failed = |error| match error {
-        TableError::Io(source) => CampaignError::Write { path: path.into(), source },
+        TableError::Io(source) => CampaignError::Write(path.into(), source),
         TableError::Table(why) => CampaignError::Encode(why),
     };
     let mut encoder = Encoder::new(file, provenance, Which::Whole).map_err(failed)?;
