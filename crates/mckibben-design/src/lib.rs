@@ -37,7 +37,7 @@ pub mod tubes;
 pub use candidate::{Candidate, CandidatePoint};
 pub use demand::{Demand, JointDemand, Lift, OperatingPoint, TorqueWanted};
 pub use joint::design_joint;
-pub use limit::{Limit, fits};
+pub use limit::{Check, Limit, fits};
 pub use mckibben::warning::VALIDATED_STRAND_STRAIN;
 pub use reason::{Reason, Rejected};
 pub use relax::Relaxation;

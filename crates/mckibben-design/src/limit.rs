@@ -1,7 +1,7 @@
 //! What a muscle is held against, each limit as a number that is at most zero where it is met.
 
 use crate::candidate::stroke;
-use crate::{Build, Objective, OperatingPoint, Reason, Spec};
+use crate::{Build, Objective, OperatingPoint, Spec};
 use mckibben::analysis::burst::{ends, mesh};
 use mckibben::analysis::{
     AnalysisError, FailureMode, FailurePressure, burst, force_on, pressure_at, pressure_below,
@@ -52,42 +52,28 @@ const NEVER: f64 = 1e6;
 
 /// One limit at one place: what the muscle has there, and what it may have.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Check {
-    pub(super) limit: Limit,
-    /// The operating point, for a force.
-    pub(super) point: Option<OperatingPoint>,
-    pub(super) value: f64,
-    pub(super) bound: f64,
+pub struct Check {
+    /// What is limited.
+    pub limit: Limit,
+    /// What the muscle has: N, mm, mm³, a strain, a stretch or a margin.
+    pub value: f64,
+    /// What it may have.
+    pub bound: f64,
+    /// Contraction and pressure of a force.
+    pub contraction: f64,
+    pub pressure_mpa: f64,
     /// How the muscle fails, for a burst.
-    pub(super) by: FailureMode,
+    pub by: FailureMode,
 }
 
 impl Check {
     fn new(limit: Limit, value: f64, bound: f64) -> Self {
-        Self { limit, point: None, value, bound, by: FailureMode::Strands }
+        Self { limit, value, bound, contraction: 0.0, pressure_mpa: 0.0, by: FailureMode::Strands }
     }
 
     /// The share by which the limit is missed; at most 0 where it is met.
-    pub(super) fn excess(&self) -> f64 {
+    pub fn excess(&self) -> f64 {
         self.limit.missed_by(self.value, self.bound)
-    }
-
-    /// The limit as a reason why a muscle does not fit.
-    pub(super) fn reason(&self, spec: &Spec) -> Reason {
-        let (value, limit) = (self.value, self.bound);
-        match (self.limit, self.point) {
-            (Limit::Force, Some(point)) => {
-                Reason::Force { point, available_n: value, pressure_mpa: spec.max_pressure_mpa }
-            }
-            (Limit::Force | Limit::BurstMargin, _) => {
-                Reason::Burst { by: self.by, margin: value * self.by.share(), limit: limit * self.by.share() }
-            }
-            (Limit::BulgedDiameter, _) => Reason::Bulge { diameter_mm: value, limit_mm: limit },
-            (Limit::MaxStretch, _) => Reason::Stretch { stretch: value, limit },
-            (Limit::StrandStrain, _) => Reason::StrandStrain { strain: value, limit },
-            (Limit::Buckling, _) => Reason::Buckling { push_n: value, limit_n: limit },
-            (Limit::LiquidVolume, _) => Reason::LiquidVolume { volume_mm3: value, limit_mm3: limit },
-        }
     }
 }
 
@@ -146,7 +132,8 @@ pub(super) fn probe_with(
             let parts = uncertainty(model, workspace, (max, point.contraction), value, direction);
             value -= widths * parts.map_or(0.0, |parts| parts.total()) * point.force_n.signum();
         }
-        checks.push(Check { point: Some(point), ..Check::new(Limit::Force, value, point.force_n) });
+        let (contraction, pressure_mpa) = (point.contraction, max);
+        checks.push(Check { contraction, pressure_mpa, ..Check::new(Limit::Force, value, point.force_n) });
     }
     let limits = &spec.limits;
     let stretch = limits.stretch.or(muscle.tube().rubber.fitted_to_stretch.filter(|_| limits.fitted_stretch));

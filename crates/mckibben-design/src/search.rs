@@ -431,7 +431,7 @@ impl<'a> Search<'a> {
                 let solved =
                     burst_margin(self.spec, build, muscle).filter(|_| worst.limit == Limit::BurstMargin);
                 let (by, value) = solved.unwrap_or((worst.by, worst.value));
-                Some(Check { by, value, ..worst }.reason(self.spec))
+                Some(Reason::Limit(Check { by, value, ..worst }))
             }
             Err(error @ ModelError::Cancelled(_)) => Some(Reason::Model(error)),
             Err(error) => Some(self.overstretched(muscle).unwrap_or(Reason::Model(error))),
@@ -442,7 +442,7 @@ impl<'a> Search<'a> {
     fn overstretched(&self, muscle: &Muscle) -> Option<Reason> {
         let (model, spec) = (ThickWall::new(muscle), self.spec);
         match strands(spec, &spec.points(muscle), &model, &mut Workspace::new(), &model) {
-            Ok(checks) => Some(checks.into_iter().find(|c| c.excess() > 0.0)?.reason(spec)),
+            Ok(checks) => checks.into_iter().find(|c| c.excess() > 0.0).map(Reason::Limit),
             Err(error @ ModelError::Overstretched { .. }) => Some(Reason::Model(error)),
             Err(_) => None,
         }
