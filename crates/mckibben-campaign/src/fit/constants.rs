@@ -133,8 +133,8 @@ fn values(
     let parameter =
         |&(target, start): &(Target, f64)| Parameter { start: Some(start), ..Parameter::free(target) };
     let free: Vec<Parameter> = free.iter().map(parameter).collect();
-    let request = Request { fixed, loss, ..Request::new(&muscle, &free, points) };
-    let found = identify(&request, &elements).map_err(|e| failed(&e))?;
+    let request = Request { fixed, loss, ..Request::new(&muscle, &free, points, &elements) };
+    let found = identify(&request).map_err(|e| failed(&e))?;
     Ok(found.parameters.iter().map(|p| p.value).collect())
 }
 

@@ -1,7 +1,7 @@
 //! What is free where nothing is said.
 
 use super::{
-    Build, Candidate, Identification, IdentifyError, Parameter, Request, Target, identify_with, own_value,
+    Build, Candidate, Identification, IdentifyError, Parameter, Request, Target, identify, own_value,
 };
 use crate::measured::DataPoint;
 use mckibben::model::Workspace;
@@ -9,7 +9,6 @@ use mckibben::muscle::measures::{
     FRICTION_COEFFICIENT, FRICTION_EXPONENT, FRICTION_LEVER, FRICTION_PRESLIDING,
 };
 use mckibben::muscle::{Direction, Muscle};
-use mckibben::progress::Progress;
 
 /// A stiffness in N/mm of strands that do not stretch.
 const STIFF: f64 = 1e5;
@@ -44,13 +43,9 @@ pub fn default_targets(muscle: &Muscle, points: &[DataPoint], history: bool) -> 
     out
 }
 
-/// [`identify_with`] with the [`default_targets`] that are not fixed; a stiffness that the data do not determine is left at the
+/// [`identify`] with the [`default_targets`] that are not fixed; a stiffness that the data do not determine is left at the
 /// muscle's own.
-pub fn identify_default(
-    request: &Request<'_>,
-    build: &Build<'_>,
-    progress: &dyn Progress,
-) -> Result<Identification, IdentifyError> {
+pub fn identify_default(request: &Request<'_>) -> Result<Identification, IdentifyError> {
     let fixed = |t: &Target| request.fixed.iter().any(|f| f.0 == *t);
     let targets: Vec<Target> = default_targets(request.muscle, request.points, request.history)
         .into_iter()
@@ -58,7 +53,7 @@ pub fn identify_default(
         .collect();
     let run = |targets: &[Target]| {
         let free: Vec<Parameter> = targets.iter().map(|t| Parameter::free(*t)).collect();
-        identify_with(&Request { free: &free, ..*request }, build, progress)
+        identify(&Request { free: &free, ..*request })
     };
     let without: Vec<Target> = targets.iter().copied().filter(|t| *t != Target::Stiffness).collect();
     let all = run(&targets);

@@ -28,7 +28,7 @@ pub use laws::{LawTrial, try_laws};
 pub use parameter::{Parameter, ParameterError, Target};
 pub use problem::Build;
 pub use result::{Identification, Identified, PointFit, Spread};
-pub use run::{Request, identify, identify_with};
+pub use run::{Request, identify};
 
 #[cfg(test)]
 mod tests;

@@ -17,7 +17,7 @@ use mckibben::progress::{Progress, Silent};
 use mckibben::rubber::RubberLaw;
 
 /// What is to be identified.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Request<'a> {
     /// The muscle, with a value for everything that is not free.
     pub muscle: &'a Muscle,
@@ -25,6 +25,10 @@ pub struct Request<'a> {
     /// Values in place of the muscle's own.
     pub fixed: &'a [(Target, f64)],
     pub points: &'a [DataPoint],
+    /// What makes the model of a muscle.
+    pub build: &'a Build<'a>,
+    /// Hears how far it is, and may end it.
+    pub progress: &'a dyn Progress,
     /// How a point far off counts.
     pub loss: Loss,
     /// Whether forces of zero and below are measurements: by default the muscle was slack there.
@@ -35,8 +39,14 @@ pub struct Request<'a> {
 
 impl<'a> Request<'a> {
     /// The usual one: nothing fixed, least squares, forces above zero, points in no order.
-    pub fn new(muscle: &'a Muscle, free: &'a [Parameter], points: &'a [DataPoint]) -> Self {
-        Self { muscle, free, fixed: &[], points, loss: Loss::Squares, two_sided: false, history: false }
+    pub fn new(
+        muscle: &'a Muscle,
+        free: &'a [Parameter],
+        points: &'a [DataPoint],
+        build: &'a Build<'a>,
+    ) -> Self {
+        let (fixed, progress, loss) = (&[], &Silent, Loss::Squares);
+        Self { muscle, free, fixed, points, build, progress, loss, two_sided: false, history: false }
     }
 }
 
@@ -117,24 +127,15 @@ fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec
     Ok((points.iter().map(one).collect(), stated > 0))
 }
 
-/// Identifies the free parameters of a muscle so that the model made by `build` comes closest to the points.
-pub fn identify(request: &Request<'_>, build: &Build<'_>) -> Result<Identification, IdentifyError> {
-    identify_with(request, build, &Silent)
-}
-
-/// The same for a caller who may want it to end before its end.
-pub fn identify_with(
-    request: &Request<'_>,
-    build: &Build<'_>,
-    progress: &dyn Progress,
-) -> Result<Identification, IdentifyError> {
+/// Identifies the free parameters of a muscle so that its model comes closest to the points.
+pub fn identify(request: &Request<'_>) -> Result<Identification, IdentifyError> {
     let directed = if request.history { history::directed(request.points)? } else { vec![] };
     let request = if request.history { &Request { points: &directed, ..*request } } else { request };
     let flipped = signs::check(request.muscle, request.points, request.two_sided)?;
-    let found = search(request, &flipped, build, progress);
+    let found = search(request, &flipped);
     match found {
         // A model without an answer and a caller who has gone look alike to the search.
-        _ if progress.cancelled() => Err(Cancelled.into()),
+        _ if request.progress.cancelled() => Err(Cancelled.into()),
         Err(IdentifyError::Estimate(_) | IdentifyError::NoRubber { .. } | IdentifyError::Start { .. })
             if !flipped.is_empty() =>
         {
@@ -144,12 +145,7 @@ pub fn identify_with(
     }
 }
 
-fn search(
-    request: &Request<'_>,
-    flipped: &[String],
-    build: &Build<'_>,
-    progress: &dyn Progress,
-) -> Result<Identification, IdentifyError> {
+fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification, IdentifyError> {
     if request.free.is_empty() {
         return Err(IdentifyError::Refused(
             "nothing is free: name at least one parameter to identify".into(),
@@ -167,10 +163,10 @@ fn search(
     notes.extend(flipped.iter().cloned());
     let values = request.fixed.iter().copied().chain(free.iter().copied().zip(start.iter().copied()));
     let first = super::Candidate::new(muscle, &values.collect::<Vec<_>>())?;
-    build(first.muscle()).map_err(IdentifyError::Model)?;
+    (request.build)(first.muscle()).map_err(IdentifyError::Model)?;
 
     let history = request.history.then_some(request.points);
-    let of = |points| Problem::new(muscle, &free, request.fixed, (points, history), build, &start, progress);
+    let of = |points| Problem::new(request, &free, (points, history), &start);
     let problem = of(&given);
     // Residuals at the start, point by point.
     let rows = problem.rows(&start).ok_or(IdentifyError::Estimate(EstimateError::Start))?;
@@ -220,7 +216,7 @@ fn search(
     let (estimate, candidate_of) = (&found, &candidate);
     let of =
         Found { x: &x, unknowns: &unknowns, estimate, candidate: candidate_of, points: &fitted, freedom };
-    let bench = bench::bench(request, build, &of, progress);
+    let bench = bench::bench(request, &of);
     let mut out = Identification {
         muscle: candidate.muscle().clone(),
         candidate,
@@ -238,7 +234,7 @@ fn search(
         notes: vec![],
         bench,
     };
-    notes.extend(advice::after(&out, request.loss, build));
+    notes.extend(advice::after(&out, request));
     out.notes = notes;
     Ok(out)
 }
