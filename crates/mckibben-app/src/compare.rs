@@ -400,9 +400,9 @@ fn fitted(
     let start = |c: FitConstant| Some(own_value(muscle, c.target()).unwrap_or(STIFF));
     let parameter = |&c: &FitConstant| Parameter { start: start(c), ..Parameter::free(c.target()) };
     let free: Vec<Parameter> = known.iter().map(parameter).collect();
-    let request = Request { two_sided: true, ..Request::new(muscle, &free, &points) };
-    let found = identify(&request, &build).map_err(|error| match error {
-        IdentifyError::Start { error, .. } | IdentifyError::Model(error) => error.into(),
+    let request = Request { two_sided: true, ..Request::new(muscle, &free, &points, &build) };
+    let found = identify(&request).map_err(|error| match error {
+        IdentifyError::Start(_, error) | IdentifyError::Model(error) => error.into(),
         IdentifyError::Estimate(_) => {
             Problem::new(ProblemKind::NotConverged, format!("the fit did not converge: {error}"), "")
         }

@@ -153,10 +153,9 @@ impl From<ExportError> for Problem {
             ExportError::NoPull { .. } => {
                 Self::new(ProblemKind::NoAnswer, message, "give a higher `pressure_mpa`")
             }
-            ExportError::Points { .. }
-            | ExportError::Misses { .. }
-            | ExportError::Again
-            | ExportError::Host(_) => Self::new(ProblemKind::Fit, message, ""),
+            ExportError::Points { .. } | ExportError::Misses { .. } | ExportError::Host(_) => {
+                Self::new(ProblemKind::Fit, message, "")
+            }
         }
     }
 }

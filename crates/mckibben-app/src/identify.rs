@@ -18,7 +18,7 @@ use mckibben::progress::Progress;
 use mckibben::warning::Warning;
 use mckibben_fit::identify::{
     Identification, Identified, IdentifyError, LawTrial, Parameter, PointFit, Request, Target,
-    identify_default, identify_with, try_laws,
+    identify_default, try_laws,
 };
 use mckibben_fit::least_squares::{EstimateError, Loss};
 use mckibben_fit::measured::{
@@ -254,29 +254,28 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         return Err(Problem::new(ProblemKind::Data, message, "take every tenth row").in_field("data"));
     }
     let (free, fixed) = request.parameters(&muscle)?;
+    let build = |m: &Muscle| model.build(m);
     let asked = Request {
         muscle: &muscle,
         free: &free,
         fixed: &fixed,
         points: &points,
+        build: &build,
+        progress,
         loss: request.loss,
         two_sided: request.two_sided,
         history: request.branches == Branches::History,
     };
     model.admit(&muscle)?;
-    let build = |m: &Muscle| model.build(m);
-    let mut found = if free.is_empty() {
-        identify_default(&asked, &build, progress)?
-    } else {
-        identify_with(&asked, &build, progress)?
-    };
+    let mut found =
+        if free.is_empty() { identify_default(&asked)? } else { mckibben_fit::identify::identify(&asked)? };
     let laws = if request.laws {
         let sought: Vec<Parameter> = found
             .parameters
             .iter()
             .map(|p| free.iter().find(|q| q.target == p.target).copied().unwrap_or(Parameter::free(p.target)))
             .collect();
-        let trials = try_laws(&Request { free: &sought, ..asked }, &build, progress)?;
+        let trials = try_laws(&Request { free: &sought, ..asked })?;
         let best = trials.first().map_or(0.0, |t| t.aicc);
         trials.into_iter().map(|t| LawRow::of(t, best)).collect()
     } else {

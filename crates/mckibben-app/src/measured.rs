@@ -8,6 +8,7 @@ use crate::units::Units;
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use mckibben::size;
+use mckibben::units::short_numbers;
 use mckibben_fit::identify::Identified;
 use mckibben_fit::rubber::Parameter;
 use mckibben_fit::validation::case::{CaseError, Measurement, MuscleCase, measurements};
@@ -218,18 +219,12 @@ impl From<&CaseError> for Problem {
 
 impl From<ReportError> for Problem {
     fn from(error: ReportError) -> Self {
-        match error {
-            ReportError::Cancelled(cancelled) => cancelled.into(),
-            ReportError::Fit { case, fit, fitted_to, error } => {
-                let problem = Self::from(error);
-                let message = format!("{case}, fit \"{fit}\" on {fitted_to}: {}", problem.message);
-                Self { message, ..problem }
-            }
-            ReportError::Rubber { case, fit, error } => {
-                let problem = Self::from(error);
-                let message = format!("{case}, fit \"{fit}\": {}", problem.message);
-                Self { message, ..problem }
-            }
-        }
+        let message = error.to_string();
+        let problem = match error {
+            ReportError::Cancelled(cancelled) => return cancelled.into(),
+            ReportError::Fit(_, error) => Self::from(error),
+            ReportError::Rubber(_, error) => Self::from(error),
+        };
+        Self { message: short_numbers(&message).into_owned(), ..problem }
     }
 }

@@ -234,7 +234,7 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         Ok(fit_softening(&history()?, form)?)
     };
     let softening = request.softening.then(softens).transpose()?;
-    let mut warnings: Vec<String> = fit.warnings.iter().map(ToString::to_string).collect();
+    let mut warnings = fit.warnings.clone();
     if relaxation.is_some() && softening.is_some() {
         warnings.push(APART.into());
     }

@@ -1,11 +1,9 @@
 //! The drawing: the muscle at rest, half in section; the same at the working pressure; a cross-section; parts and title block on A4.
 
-use crate::clamps::Clamps;
-use crate::fitting::Fitting;
 use crate::frame::{self, FRAME_MM, TITLE_MM, largest, ratio};
-use crate::plan::Plan;
 use crate::text::{fixed, mm, percent, significant};
 use crate::view::{View, diameter};
+use crate::{Clamps, Fitting, Plan};
 use mckibben_report::{Anchor, Pen, Sheet};
 use std::f64::consts::{FRAC_PI_2, TAU};
 

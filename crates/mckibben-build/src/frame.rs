@@ -1,6 +1,6 @@
 //! The sheets: A4 with a frame and a title block, and the scales in use.
 
-use crate::plan::Plan;
+use crate::Plan;
 use crate::text::{fixed, mm, significant};
 use mckibben_report::{Anchor, Pen, Sheet};
 

@@ -16,14 +16,12 @@ mod fitting;
 mod frame;
 mod material;
 mod mesh;
-mod operating;
 mod plan;
 mod plug;
 mod plug_drawing;
 mod safety;
 mod steps;
 mod test_points;
-mod test_sheet;
 mod text;
 mod view;
 
@@ -35,10 +33,9 @@ pub use fitting::{Fitting, UnknownFitting};
 const MARK: &str = "mckibben build";
 pub use material::BuildPart;
 pub use mesh::Mesh;
-pub use operating::Operating;
 pub use plan::{Plan, Wishes};
 pub use plug::{AirPlug, EyePlug, Stem};
-pub use safety::{Safety, highest_mpa, proof_mpa};
+pub use safety::{Operating, Safety, highest_mpa, proof_mpa};
 pub use test_points::TestPoint;
 
 pub use mckibben_io::files::{Content, File};
@@ -63,7 +60,7 @@ pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
         bytes("plugs.pdf", "the same for printing, A4", plugs.to_pdf()?),
         bytes("air-plug.stl", "plug with the air passage, for the printer", air.to_stl(MARK)),
         bytes("eye-plug.stl", "closed plug with the eye, for the printer", eye.to_stl(MARK)),
-        text("test.csv", "sheet for the first test; `identify` reads it", test_sheet::csv(plan)),
+        text("test.csv", "sheet for the first test; `identify` reads it", test_points::csv(plan)),
         text("muscle.toml", "the muscle itself", mckibben::muscle::file::to_toml(&plan.muscle)),
     ];
     let readme = steps::markdown(plan, &out);

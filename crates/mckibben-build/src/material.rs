@@ -1,10 +1,7 @@
 //! The bill of materials.
 
-use crate::clamps::Clamps;
-use crate::cut::{Cut, SleeveCut};
-use crate::fitting::Fitting;
-use crate::plug::{AirPlug, EyePlug};
 use crate::text::{fixed, mm};
+use crate::{AirPlug, Clamps, Cut, EyePlug, Fitting, SleeveCut};
 use mckibben::muscle::Muscle;
 use mckibben::rubber::library as rubbers;
 use mckibben::sleeve::library as sleeves;

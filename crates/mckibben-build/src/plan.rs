@@ -1,13 +1,10 @@
 //! All numbers of a build.
 
-use crate::clamps::{Clamps, Tie};
-use crate::cut::Cut;
-use crate::fitting::Fitting;
-use crate::material::{self, BuildPart};
-use crate::operating::Operating;
-use crate::plug::{self, AirPlug, EyePlug, Stem};
-use crate::safety::Safety;
-use crate::test_points::{self, TestPoint};
+use crate::clamps::Tie;
+use crate::material::{self};
+use crate::plug::{self};
+use crate::test_points::{self};
+use crate::{AirPlug, BuildPart, Clamps, Cut, EyePlug, Fitting, Operating, Safety, Stem, TestPoint};
 use mckibben::analysis::burst::ends::clamp_load_n;
 use mckibben::muscle::Muscle;
 use mckibben::refused::Refused;

@@ -1,7 +1,7 @@
 //! The plugs: a stem with grooves for clamps, a collar, and a fitting for the air or an eye for a bolt.
 
-use crate::fitting::Fitting;
-use crate::mesh::{FACETS, Mesh, Ring};
+use crate::mesh::{FACETS, Ring};
+use crate::{Fitting, Mesh};
 use std::f64::consts::{PI, TAU};
 
 /// A stem is so much wider than the bore, as a share of it, at least and at most in mm. A choice: sellers of barbs say only that a barb is "a

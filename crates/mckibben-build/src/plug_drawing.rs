@@ -1,11 +1,9 @@
 //! The drawing of the plugs: both in section, with their measures.
 
-use crate::fitting::Fitting;
 use crate::frame::{self, FRAME_MM, largest};
-use crate::plan::Plan;
-use crate::plug::Stem;
 use crate::text::mm;
 use crate::view::{SMALL_MM, View, diameter};
+use crate::{Fitting, Plan, Stem};
 use mckibben_report::{Anchor, Pen, Sheet};
 
 /// Room for both plugs side by side, and for the higher one, in mm.

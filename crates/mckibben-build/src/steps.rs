@@ -1,10 +1,7 @@
 //! Cut list, bill of materials and steps, in Markdown.
 
-use crate::clamps::Clamps;
-use crate::cut::SleeveLength;
-use crate::fitting::Fitting;
-use crate::plan::Plan;
 use crate::text::{fixed, mm, percent, significant};
+use crate::{Clamps, Fitting, Plan, SleeveLength};
 use mckibben_io::clean;
 use mckibben_io::files::File;
 use std::fmt::Write as _;

@@ -4,7 +4,6 @@
 
 use mckibben::muscle::file::parse_muscle;
 use mckibben::prelude::*;
-use mckibben::progress::Silent;
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fit::identify::{Request, Target, identify_default, read_data};
 use std::error::Error;
@@ -23,12 +22,12 @@ fn modulus_with_half_width() -> Result<(f64, f64), Box<dyn Error>> {
     let muscle = parse_muscle(MUSCLE)?;
     let points = read_data(POINTS.as_bytes())?;
     // Nothing is named as free: then it is the modulus of the rubber and the stiffness of the braid.
-    let request = Request::new(&muscle, &[], &points);
     let build = |m: &Muscle| match Axisymmetric::new(m) {
         Ok(fe) => Ok(Box::new(fe) as Box<dyn ForceModel>),
         Err(error) => Err(error.into()),
     };
-    let found = identify_default(&request, &build, &Silent)?;
+    let request = Request::new(&muscle, &[], &points, &build);
+    let found = identify_default(&request)?;
     for p in &found.parameters {
         println!("{:<18} {:8.3} ± {:.3} {}", p.name, p.value, p.half_width, p.unit);
     }

@@ -9,7 +9,6 @@ pub mod campaign;
 pub mod columns;
 pub mod fit;
 mod hash;
-mod row;
 
+pub use columns::PointRow;
 pub use hash::hex as sha256;
-pub use row::PointRow;

@@ -19,7 +19,7 @@ pub fn check(asked: &Asked) -> Result<(), Failure> {
     if ending(&path).is_some_and(|e| ["svg", "png", "pdf", "html", "htm"].contains(&e.as_str())) {
         return Ok(());
     }
-    Err(FigureError::UnknownExtension { path }.into())
+    Err(FigureError::UnknownExtension(path).into())
 }
 
 /// Writes a figure, where there is one and a file is named for it.

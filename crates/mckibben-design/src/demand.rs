@@ -1,9 +1,28 @@
 //! What a muscle must do.
 
-use super::error::SpecError;
-use super::point::{OperatingPoint, TorqueWanted};
+use crate::SpecError;
 use mckibben::load::Load;
+use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
+
+/// An operating point that is wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[schemars(rename = "OperatingPoint")]
+pub struct OperatingPoint {
+    /// Pull, N.
+    pub force_n: f64,
+    /// Contraction ratio.
+    pub contraction: f64,
+}
+
+/// A torque that a joint must hold at an angle, to either side.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+pub struct TorqueWanted {
+    /// Torque away from the neutral angle, N m.
+    pub torque_nm: f64,
+    /// Angle from the neutral one, degrees.
+    pub angle_deg: f64,
+}
 
 /// Shares of the way at which a load is looked at that does not grow all along it.
 const SHARES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];

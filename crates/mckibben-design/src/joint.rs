@@ -1,12 +1,8 @@
 //! Two equal muscles and the pulley between them.
 
-use super::demand::{Demand, JointDemand};
-use super::error::SpecError;
-use super::line::Merit;
-use super::models::Models;
-use super::run::{Outcome, design_with};
-use super::search::{Search, nice_steps};
-use super::spec::{Build, Spec};
+use crate::line::Merit;
+use crate::search::{Search, nice_steps};
+use crate::{Build, Demand, JointDemand, Models, Outcome, Spec, SpecError, design_with};
 use mckibben::analysis::golden;
 use mckibben::cancel::Cancelled;
 use mckibben::model::ModelKind;

@@ -1,10 +1,7 @@
 //! What a muscle is held against, each limit as a number that is at most zero where it is met.
 
-use super::fluid::stroke;
-use super::limit_kind::Limit;
-use super::point::OperatingPoint;
-use super::reason::Reason;
-use super::spec::{Build, Objective, Spec};
+use crate::candidate::stroke;
+use crate::{Build, Objective, OperatingPoint, Spec};
 use mckibben::analysis::burst::{ends, mesh};
 use mckibben::analysis::{
     AnalysisError, FailureMode, FailurePressure, burst, force_on, pressure_at, pressure_below,
@@ -14,48 +11,69 @@ use mckibben::model::{ForceModel, ModelError, ModelKind, Response, ThickWall, Wo
 use mckibben::muscle::Muscle;
 use mckibben::uncertainty::uncertainty;
 use mckibben::warning::strand_strength_n;
+use serde::{Deserialize, Serialize};
+
+/// A kind of limit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Limit {
+    /// The pull that is wanted, at the maximum pressure.
+    Force,
+    /// The largest outer diameter at the operating points.
+    BulgedDiameter,
+    /// The largest stretch of the rubber at the operating points.
+    MaxStretch,
+    /// The largest strain of the strands at the maximum pressure.
+    StrandStrain,
+    /// The least ratio of burst pressure to maximum pressure.
+    BurstMargin,
+    /// The push at which the muscle buckles as a column, at the operating points.
+    Buckling,
+    /// The largest liquid volume that is pushed in up to the operating points.
+    LiquidVolume,
+}
+
+impl Limit {
+    /// The share of the bound by which a value misses it; at most 0 where it is met.
+    pub(super) fn missed_by(self, value: f64, bound: f64) -> f64 {
+        match self {
+            Self::Force | Self::BurstMargin => 1.0 - value / bound,
+            Self::BulgedDiameter
+            | Self::MaxStretch
+            | Self::StrandStrain
+            | Self::Buckling
+            | Self::LiquidVolume => value / bound - 1.0,
+        }
+    }
+}
 
 /// Margin of what never fails.
 const NEVER: f64 = 1e6;
 
 /// One limit at one place: what the muscle has there, and what it may have.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Check {
-    pub(super) limit: Limit,
-    /// The operating point, for a force.
-    pub(super) point: Option<OperatingPoint>,
-    pub(super) value: f64,
-    pub(super) bound: f64,
+pub struct Check {
+    /// What is limited.
+    pub limit: Limit,
+    /// What the muscle has: N, mm, mm³, a strain, a stretch or a margin.
+    pub value: f64,
+    /// What it may have.
+    pub bound: f64,
+    /// Contraction and pressure of a force.
+    pub contraction: f64,
+    pub pressure_mpa: f64,
     /// How the muscle fails, for a burst.
-    pub(super) by: FailureMode,
+    pub by: FailureMode,
 }
 
 impl Check {
     fn new(limit: Limit, value: f64, bound: f64) -> Self {
-        Self { limit, point: None, value, bound, by: FailureMode::Strands }
+        Self { limit, value, bound, contraction: 0.0, pressure_mpa: 0.0, by: FailureMode::Strands }
     }
 
     /// The share by which the limit is missed; at most 0 where it is met.
-    pub(super) fn excess(&self) -> f64 {
+    pub fn excess(&self) -> f64 {
         self.limit.missed_by(self.value, self.bound)
-    }
-
-    /// The limit as a reason why a muscle does not fit.
-    pub(super) fn reason(&self, spec: &Spec) -> Reason {
-        let (value, limit) = (self.value, self.bound);
-        match (self.limit, self.point) {
-            (Limit::Force, Some(point)) => {
-                Reason::Force { point, available_n: value, pressure_mpa: spec.max_pressure_mpa }
-            }
-            (Limit::Force | Limit::BurstMargin, _) => {
-                Reason::Burst { by: self.by, margin: value * self.by.share(), limit: limit * self.by.share() }
-            }
-            (Limit::BulgedDiameter, _) => Reason::Bulge { diameter_mm: value, limit_mm: limit },
-            (Limit::MaxStretch, _) => Reason::Stretch { stretch: value, limit },
-            (Limit::StrandStrain, _) => Reason::StrandStrain { strain: value, limit },
-            (Limit::Buckling, _) => Reason::Buckling { push_n: value, limit_n: limit },
-            (Limit::LiquidVolume, _) => Reason::LiquidVolume { volume_mm3: value, limit_mm3: limit },
-        }
     }
 }
 
@@ -114,7 +132,8 @@ pub(super) fn probe_with(
             let parts = uncertainty(model, workspace, (max, point.contraction), value, direction);
             value -= widths * parts.map_or(0.0, |parts| parts.total()) * point.force_n.signum();
         }
-        checks.push(Check { point: Some(point), ..Check::new(Limit::Force, value, point.force_n) });
+        let (contraction, pressure_mpa) = (point.contraction, max);
+        checks.push(Check { contraction, pressure_mpa, ..Check::new(Limit::Force, value, point.force_n) });
     }
     let limits = &spec.limits;
     let stretch = limits.stretch.or(muscle.tube().rubber.fitted_to_stretch.filter(|_| limits.fitted_stretch));

@@ -1,10 +1,7 @@
 //! Where nothing fits: which limit to relax, and by how much.
 
-use super::demand::Demand;
-use super::limit::{burst_margin, probe};
-use super::limit_kind::Limit;
-use super::point::OperatingPoint;
-use super::spec::{Build, Limits, Spec};
+use crate::limit::{burst_margin, probe};
+use crate::{Build, Demand, Limit, Limits, OperatingPoint, Spec};
 use mckibben::analysis::{Options, contraction_at, force_on, pressure_at};
 use mckibben::model::{ForceModel, ModelKind, Workspace};
 use mckibben::muscle::Muscle;

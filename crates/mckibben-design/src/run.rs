@@ -1,14 +1,11 @@
 //! A design: searched with a fast model, settled with the one that is believed.
 
-use super::candidate::{Candidate, candidate};
-use super::error::SpecError;
-use super::limit::{Probe, probe};
-use super::line::STEPS;
-use super::models::Models;
-use super::reason::{Reason, Rejected};
-use super::relax::{Relaxation, relaxations};
-use super::search::{Pick, Search, SearchResult};
-use super::spec::{Build, Spec};
+use crate::candidate::candidate;
+use crate::limit::{Probe, probe};
+use crate::line::STEPS;
+use crate::relax::relaxations;
+use crate::search::{Pick, Search, SearchResult};
+use crate::{Build, Candidate, Models, Reason, Rejected, Relaxation, Spec, SpecError};
 use mckibben::muscle::Muscle;
 use mckibben::progress::{Progress, Silent};
 use mckibben::threads;

@@ -4,13 +4,9 @@
 //! sample. Where no sample fits, the share by which the limits are missed leads on, so that a narrow window is found as well. The
 //! innermost axis, the diameter, is searched by the roots of the single limits ([`line`](super::line)).
 
-use super::limit::{Check, Score, burst_margin, probe, probe_with, strands};
-use super::limit_kind::Limit;
-use super::line::{self, Found, Merit, NO_SCORE, Sample};
-use super::models::Models;
-use super::reason::Reason;
-use super::spec::{BraidChoice, Build, Objective, Spec};
-use super::tubes::TubePart;
+use crate::limit::{Check, Score, burst_margin, probe, probe_with, strands};
+use crate::line::{self, Found, Merit, NO_SCORE, Sample};
+use crate::{BraidChoice, Build, Limit, Models, Objective, Reason, Spec, TubePart};
 use mckibben::analysis::{force_on, golden};
 use mckibben::model::{ModelError, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube};
@@ -435,7 +431,7 @@ impl<'a> Search<'a> {
                 let solved =
                     burst_margin(self.spec, build, muscle).filter(|_| worst.limit == Limit::BurstMargin);
                 let (by, value) = solved.unwrap_or((worst.by, worst.value));
-                Some(Check { by, value, ..worst }.reason(self.spec))
+                Some(Reason::Limit(Check { by, value, ..worst }))
             }
             Err(error @ ModelError::Cancelled(_)) => Some(Reason::Model(error)),
             Err(error) => Some(self.overstretched(muscle).unwrap_or(Reason::Model(error))),
@@ -446,7 +442,7 @@ impl<'a> Search<'a> {
     fn overstretched(&self, muscle: &Muscle) -> Option<Reason> {
         let (model, spec) = (ThickWall::new(muscle), self.spec);
         match strands(spec, &spec.points(muscle), &model, &mut Workspace::new(), &model) {
-            Ok(checks) => Some(checks.into_iter().find(|c| c.excess() > 0.0)?.reason(spec)),
+            Ok(checks) => checks.into_iter().find(|c| c.excess() > 0.0).map(Reason::Limit),
             Err(error @ ModelError::Overstretched { .. }) => Some(Reason::Model(error)),
             Err(_) => None,
         }

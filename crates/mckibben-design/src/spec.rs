@@ -1,18 +1,17 @@
 //! What is wanted, and what may be varied.
 
-use super::demand::Demand;
-use super::error::SpecError;
-use super::point::OperatingPoint;
-use super::tubes::TubePart;
+use crate::{Demand, OperatingPoint, TubePart};
 use mckibben::analysis::Options;
 pub use mckibben::analysis::SAFETY;
+use mckibben::cancel::Cancelled;
 use mckibben::liquid::LiquidSupply;
 use mckibben::model::{ForceModel, ModelError};
-use mckibben::muscle::{Braid, Direction, Muscle, Rubber};
+use mckibben::muscle::{Braid, Direction, Muscle, MuscleError, Rubber};
 use mckibben::rubber::over_time::erf;
 use mckibben::units::Values;
 use mckibben::warning::VALIDATED_STRAND_STRAIN;
 use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
 /// Builds the model a design runs on.
 pub type Build<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync + 'a;
@@ -201,7 +200,7 @@ impl Spec {
             }
         }
         if let (Some(volume_mm3), None) = (self.limits.liquid_volume_mm3, &self.liquid) {
-            return Err(SpecError::NoLiquid { volume_mm3 });
+            return Err(SpecError::NoLiquid(volume_mm3));
         }
         let count = |v: &Values| match v {
             Values::List(list) => list.len() as f64,
@@ -223,4 +222,33 @@ impl Spec {
             Ok(())
         }
     }
+}
+
+/// The models of a design.
+#[derive(Clone, Copy)]
+pub struct Models<'a> {
+    /// Looks at very many muscles; outside of its range as well, where another one decides.
+    pub search: &'a Build<'a>,
+    /// Decides of those that are printed: their diameters are corrected until the specification holds by it, and all their numbers
+    /// are its. `None`: the model of the search.
+    pub settle: Option<&'a Build<'a>>,
+}
+
+/// Why a specification cannot be searched at all.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum SpecError {
+    /// Refused: field, value, what it must be.
+    #[error("{0}")]
+    Refused(String),
+    /// A largest liquid volume without a liquid.
+    #[error(
+        "`max_liquid_volume_mm3` is {0} mm³, and the muscle is filled with air: give `liquid`, or leave `max_liquid_volume_mm3` out"
+    )]
+    NoLiquid(f64),
+    /// No combination is a muscle at all.
+    #[error("none of the combinations is a muscle: {0}")]
+    NoMuscle(MuscleError),
+    /// The caller wanted the search to end.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }

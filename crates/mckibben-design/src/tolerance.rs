@@ -1,7 +1,6 @@
 //! What tolerances of the workshop and the supply do to the pull.
 
-use super::point::OperatingPoint;
-use super::spec::Build;
+use crate::{Build, OperatingPoint};
 use mckibben::model::{ModelError, Workspace};
 use mckibben::muscle::measures::MeasureValues;
 use mckibben::muscle::{Braid, BraidStiffness, Measure, Muscle, MuscleError};
@@ -100,11 +99,8 @@ pub enum SpreadError {
     #[error("a corner of the tolerances is not a valid muscle: {0}")]
     Muscle(#[from] MuscleError),
     /// A tolerance of what the muscle does not state.
-    #[error("{key} has a tolerance, and the muscle does not state it")]
-    NotStated {
-        /// Its key in the muscle file.
-        key: &'static str,
-    },
+    #[error("{0} has a tolerance, and the muscle does not state it")]
+    NotStated(&'static str),
     /// The model has no answer at a corner.
     #[error("no answer at a corner of the tolerances: {0}")]
     Model(#[from] ModelError),
@@ -120,7 +116,7 @@ fn varied(muscle: &Muscle, by: &[(Varied, f64)]) -> Result<(Muscle, f64), Spread
         match what {
             Varied::Measure(measure) => {
                 let value = (measure.get)(&parts).or(measure.default);
-                let value = value.ok_or(SpreadError::NotStated { key: measure.key })?;
+                let value = value.ok_or(SpreadError::NotStated(measure.key))?;
                 measure.check(value + difference)?;
                 (measure.set)(&mut parts, value + difference);
             }

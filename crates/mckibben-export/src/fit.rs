@@ -4,8 +4,8 @@
 //! nothing, with a kink that a smooth form must not follow. There only the sign counts: rows that hold the form below zero are added where it
 //! would pull, and at the end of the box where its slope would let a pull return. The errors are those at other points, with slack as 0 N.
 
-use crate::error::ExportError;
-use crate::form::{FUNCTIONS, Form, functions};
+use crate::form::{FUNCTIONS, functions};
+use crate::{ExportError, Form};
 use mckibben::analysis::{Options, blocked_force_n, force_on, free_contraction};
 use mckibben::cancel;
 use mckibben::model::{ForceModel, Workspace};
@@ -91,7 +91,7 @@ pub(crate) fn fit(model: &dyn ForceModel, wanted: Wanted, low: f64) -> Result<Fi
         None => free_contraction(model, w, supply, options)?,
     };
     if !(blocked_n > 0.0 && high > low.max(0.0)) {
-        return Err(ExportError::NoPull { supply_mpa: supply });
+        return Err(ExportError::NoPull(supply));
     }
     let even = |n: usize, a: f64, b: f64| (0..n).map(move |i| a + (b - a) * i as f64 / (n - 1) as f64);
     let mut contractions: Vec<f64> = even(11, low, 0.0).take(if low < 0.0 { 10 } else { 0 }).collect();
@@ -216,7 +216,7 @@ fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<(), ExportErro
     // c0 is 0 where the muscle at rest pulls nothing.
     let used: Vec<usize> = (usize::from(at_rest)..FUNCTIONS * spline.len()).collect();
     if points < used.len() {
-        return Err(ExportError::Points { points });
+        return Err(ExportError::Points(points));
     }
     for &index in &used {
         if index % spline.len() >= 4 || index / spline.len() > 2 {
@@ -229,7 +229,7 @@ fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<(), ExportErro
     for _ in 0..ROUNDS {
         let matrix = DMatrix::from_fn(rows.len(), used.len(), |r, c| rows[r].2 * rows[r].0[used[c]]);
         let values = DVector::from_iterator(rows.len(), rows.iter().map(|r| r.2 * r.1));
-        let solved = least_squares(matrix, &values).ok_or(ExportError::Points { points })?;
+        let solved = least_squares(matrix, &values).ok_or(ExportError::Points(points))?;
         let mut all = vec![0.0; FUNCTIONS * spline.len()];
         for (index, value) in used.iter().zip(solved.iter()) {
             all[*index] = *value;
@@ -338,12 +338,12 @@ fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<(), ExportErro
         .filter_map(|p| Some((p.q, p.volume_m3? - form.potential_volume_m3(p.q, p.contraction))))
         .collect();
     if known.is_empty() {
-        return Err(ExportError::NoVolume { model: model.to_owned() });
+        return Err(ExportError::NoVolume(model.to_owned()));
     }
     let scale = known.iter().map(|k| k.1.abs()).fold(0.0, f64::max);
     let matrix = DMatrix::from_fn(known.len(), FUNCTIONS, |r, c| functions(known[r].0).0[c]);
     let values = DVector::from_iterator(known.len(), known.iter().map(|k| k.1 / scale));
-    let solved = least_squares(matrix, &values).ok_or(ExportError::Points { points: known.len() })?;
+    let solved = least_squares(matrix, &values).ok_or(ExportError::Points(known.len()))?;
     form.v = std::array::from_fn(|i| solved[i] * scale);
     Ok(())
 }

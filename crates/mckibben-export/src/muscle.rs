@@ -1,9 +1,7 @@
 //! A muscle fitted for export, with all that an artefact states of it.
 
-use crate::MARK;
-use crate::error::ExportError;
-use crate::fit::{Fitted, FormErrors, Sample, Wanted, fit};
-use crate::form::Form;
+use crate::fit::{Fitted, Sample, fit};
+use crate::{ExportError, Form, FormErrors, MARK, Wanted};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{Direction, file::to_toml};
 use mckibben::uncertainty::uncertainty;
@@ -57,19 +55,23 @@ impl ExportedMuscle {
     fn fit_from(low: f64, model: &dyn ForceModel, name: &str, wanted: Wanted) -> Result<Self, ExportError> {
         let high = wanted.contraction_high;
         if !((-0.2..=0.0).contains(&low) && high.is_none_or(|high| high > 0.0 && high < 0.5)) {
-            return Err(ExportError::Box { low, high: high.unwrap_or(0.0) });
+            return Err(ExportError::Box(low, high.unwrap_or(0.0)));
         }
         let fitted = fit(model, wanted, low).and_then(|fitted| {
             let percent = 100.0 * fitted.errors.force_worst_ratio;
             let limit = 100.0 * LIMIT;
             match fitted.form.pulls_again().is_empty() {
-                _ if percent > limit => Err(ExportError::Misses { percent, limit }),
+                _ if percent > limit => Err(ExportError::Misses(format!(
+                    "the form misses the model by {percent:.1} % of the blocked force at worst, and more than {limit:.0} % is not exported"
+                ))),
                 true => Ok(fitted),
-                false => Err(ExportError::Again),
+                false => {
+                    Err(ExportError::Misses("behind its free contraction the form pulls again".into()))
+                }
             }
         });
         let Fitted { form, errors, blocked_n, held_out } = match fitted {
-            Err(ExportError::Misses { .. } | ExportError::Again | ExportError::Model(_))
+            Err(ExportError::Misses(_) | ExportError::Model(_))
                 if wanted.contraction_low.is_none() && low < 0.0 =>
             {
                 return Self::fit_from(if low < -0.012 { 0.8 * low } else { 0.0 }, model, name, wanted);

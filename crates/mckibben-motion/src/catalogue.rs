@@ -1,8 +1,6 @@
 //! Named valves.
 
-use crate::error::MotionError;
-use crate::orifice::Orifice;
-use crate::valve::Valve;
+use crate::{MotionError, Orifice, Valve};
 use mckibben::catalogue::{Catalogue, CatalogueError, Row};
 use mckibben::nearest::nearest;
 use mckibben::units::{Dimension, QuantityError, parse_quantity};
@@ -61,11 +59,8 @@ pub(crate) fn known(name: &str) -> String {
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ValveError {
     /// No valve has this name.
-    #[error("{name} is not a known valve: {}", known(.name))]
-    Unknown {
-        /// The name.
-        name: String,
-    },
+    #[error("{0} is not a known valve: {known}", known = known(.0))]
+    Unknown(String),
     /// A number that is not a conductance.
     #[error(transparent)]
     Conductance(#[from] QuantityError),
@@ -85,7 +80,7 @@ impl std::str::FromStr for Valve {
             MotionError::positive("the valve's sonic conductance in L/(s bar)", conductance)?;
             return Ok(Self::new(Orifice::new(conductance, CRITICAL_RATIO)?));
         }
-        let named = valve_named(text).ok_or_else(|| ValveError::Unknown { name: text.into() })?;
+        let named = valve_named(text).ok_or_else(|| ValveError::Unknown(text.into()))?;
         Ok(Self { exhaust: named.exhaust, ..Self::new(named.supply) })
     }
 }

@@ -1,6 +1,6 @@
 //! What is commanded over time.
 
-use crate::error::MotionError;
+use crate::MotionError;
 use std::f64::consts::TAU;
 
 /// A value over time: pressure in MPa, opening, or position.

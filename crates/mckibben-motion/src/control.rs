@@ -1,6 +1,6 @@
 //! The position controller.
 
-use crate::error::MotionError;
+use crate::MotionError;
 
 /// What the controller commands.
 #[derive(Debug, Clone, Copy, PartialEq)]

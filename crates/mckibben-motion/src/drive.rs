@@ -1,16 +1,9 @@
 //! What is to be run.
 
-use crate::air::{ATMOSPHERE_MPA, Heat};
-use crate::command::Command;
-use crate::control::{Pid, PidOutput};
-use crate::error::MotionError;
-use crate::fluid::Fluid;
-use crate::friction::Hysteresis;
-use crate::hose::Hose;
-use crate::liquid::{LiquidValve, Pump, Syringe};
-use crate::mechanism::Mechanism;
-use crate::valve::{Valve, ValveKind};
-use crate::viscoelastic::Prony;
+use crate::{
+    ATMOSPHERE_MPA, Command, Fluid, Heat, Hose, Hysteresis, LiquidValve, Mechanism, MotionError, Pid,
+    PidOutput, Prony, Pump, Syringe, Valve, ValveKind,
+};
 use mckibben::model::ForceModel;
 
 /// The supply of compressed air.

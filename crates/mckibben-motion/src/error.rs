@@ -12,31 +12,12 @@ pub enum MotionError {
     /// Refused: field, value, what it must be.
     #[error("{0}")]
     Refused(String),
-    /// A number that cannot be.
-    #[error("{what} is {value}; it must be {must}")]
-    Value {
-        /// What it is, with its unit.
-        what: &'static str,
-        /// What it must be.
-        must: String,
-        /// What it is.
-        value: f64,
-    },
     /// A muscle that no drive moves.
     #[error(transparent)]
     Muscle(#[from] MuscleError),
     /// A liquid that boils.
-    #[error(
-        "the liquid in muscle {muscle} boils at {time_s} s: its absolute pressure falls below {absolute_mpa} MPa; raise the pressure, or move the load more slowly"
-    )]
-    Boils {
-        /// When.
-        time_s: f64,
-        /// Which muscle, from 1.
-        muscle: usize,
-        /// The absolute pressure in MPa.
-        absolute_mpa: f64,
-    },
+    #[error("{0}; raise the pressure, or move the load more slowly")]
+    Boils(String),
     /// No static equilibrium to begin from.
     #[error(
         "no equilibrium at the start: at a position of {position} the net force is {net} (N, or N mm about a joint), and it does not change its sign up to there; change the load or the first command, or give a stop"
@@ -75,33 +56,12 @@ pub enum MotionError {
         /// The model's reason.
         error: Box<ModelError>,
     },
-    /// Not a number, without bounds, or events without time in between: when, and what was found.
+    /// Not a number, without bounds, steps that go to nothing, too many of them, or events without time in between: when, and what was found.
     #[error("{0}")]
     Diverged(String),
-    /// Steps that go to nothing, or too many.
-    #[error("the motion ends at {time_s} s after {steps} steps, the last of {step_s} s: {what}")]
-    Steps {
-        /// When.
-        time_s: f64,
-        /// How many steps.
-        steps: usize,
-        /// The last step in s.
-        step_s: f64,
-        /// Why.
-        what: &'static str,
-    },
     /// No conductance is large enough.
-    #[error(
-        "a rise time of {wanted_s} s is not met by any valve: with {largest_l_per_s_bar} L/(s bar) {}; raise the supply or lower the mass", reached(*.reached_s)
-    )]
-    NoValve {
-        /// The request.
-        wanted_s: f64,
-        /// The largest conductance that was tried.
-        largest_l_per_s_bar: f64,
-        /// The rise time with it, if there was one.
-        reached_s: Option<f64>,
-    },
+    #[error("{0}; raise the supply or lower the mass")]
+    NoValve(String),
     /// No rise to be timed.
     #[error("the command has no rise, so that no valve can be sized by it")]
     NoRise,
@@ -135,9 +95,14 @@ impl MotionError {
         Self::Diverged(format!("the motion diverges at {time_s} s ({what})"))
     }
 
+    /// That a number cannot be.
+    pub(crate) fn value(what: &str, value: f64, must: &str) -> Self {
+        Self::Refused(format!("{what} is {value}; it must be {must}"))
+    }
+
     pub(crate) fn positive(what: &'static str, value: f64) -> Result<(), Self> {
         let ok = value.is_finite() && value > 0.0;
-        if ok { Ok(()) } else { Err(Self::Value { what, must: "above zero".into(), value }) }
+        if ok { Ok(()) } else { Err(Self::value(what, value, "above zero")) }
     }
 
     pub(crate) fn within(what: &'static str, value: f64, low: f64, high: f64) -> Result<(), Self> {
@@ -150,19 +115,11 @@ impl MotionError {
             (false, true) => format!("at least {low}"),
             (false, false) => format!("from {low} to {high}"),
         };
-        Err(Self::Value { what, must, value })
+        Err(Self::value(what, value, &must))
     }
 
     /// Whether what was computed up to here is an answer: the motion ended early, and not because of the request.
     pub(crate) fn ends_early(&self) -> bool {
-        matches!(self, Self::Model { .. } | Self::Boils { .. } | Self::Diverged(_) | Self::Steps { .. })
-    }
-}
-
-/// The rise time with the largest valve, in words.
-fn reached(reached_s: Option<f64>) -> String {
-    match reached_s {
-        Some(s) => format!("it is {s} s"),
-        None => "the load does not reach 90 % of its stroke".to_owned(),
+        matches!(self, Self::Model { .. } | Self::Boils(_) | Self::Diverged(_))
     }
 }

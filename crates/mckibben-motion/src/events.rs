@@ -1,10 +1,8 @@
 //! Stops, slack, switching and reversals: which they are, when they come, and what they change.
 
-use crate::drive::{Actuator, Target};
-use crate::error::MotionError;
 use crate::state::State;
 use crate::system::{Point, Switch, System};
-use crate::valve::ValveKind;
+use crate::{Actuator, MotionError, Target, ValveKind};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 

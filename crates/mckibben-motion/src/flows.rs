@@ -1,13 +1,8 @@
 //! What is commanded at a time, and the air or liquid that it lets into a muscle and out of it.
 
-use crate::air::{ATMOSPHERE_MPA, Cavity, Flow};
-use crate::command::Command;
-use crate::control::PidOutput;
-use crate::drive::{Actuated, Actuator, Target};
-use crate::fluid::Fluid;
 use crate::state::{ControllerState, MuscleState, State};
 use crate::system::{Mode, Switch, System};
-use crate::valve::ValveKind;
+use crate::{ATMOSPHERE_MPA, Actuated, Actuator, Cavity, Command, Flow, Fluid, PidOutput, Target, ValveKind};
 
 /// The answer of the controller.
 #[derive(Debug, Clone, Copy)]

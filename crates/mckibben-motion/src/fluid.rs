@@ -1,7 +1,6 @@
 //! What fills a muscle: air or a liquid.
 
-use crate::air::{Air, Cavity, Flow, Heat};
-use crate::liquid::LiquidFill;
+use crate::{Air, Cavity, Flow, Heat, LiquidFill};
 use mckibben::analysis::HEAT_RATIO;
 
 /// What fills a muscle.

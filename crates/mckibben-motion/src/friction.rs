@@ -1,6 +1,6 @@
 //! Friction of the braid that does not depend on the speed.
 
-use crate::error::MotionError;
+use crate::MotionError;
 use mckibben::muscle::{Direction, Friction, Presliding};
 
 /// Friction of the braid with its history.
@@ -31,7 +31,7 @@ pub(crate) fn check(presliding: &Presliding) -> Result<(), MotionError> {
     let sum = presliding.0.iter().fold(0.0, |sum, element| sum + element.share);
     let whole = (sum - 1.0).abs() <= 1e-9;
     let what = "the sum of the shares of the presliding lengths";
-    if whole { Ok(()) } else { Err(MotionError::Value { what, must: "1".into(), value: sum }) }
+    if whole { Ok(()) } else { Err(MotionError::value(what, sum, "1")) }
 }
 
 impl Hysteresis {

@@ -1,7 +1,6 @@
 //! A hose between valve and muscle.
 
-use crate::error::MotionError;
-use crate::orifice::{LINEAR_SHARE, Orifice};
+use crate::{LINEAR_SHARE, MotionError, Orifice};
 use std::f64::consts::PI;
 
 /// A smooth hose as a restriction and a volume, without the time that pressure waves take (3 ms a metre).
@@ -21,7 +20,7 @@ impl Hose {
     /// A hose.
     ///
     /// # Errors
-    /// [`MotionError::Value`] unless the inner diameter is from 0.1 to 500 mm and the length from 0.1 mm to 1 km.
+    /// [`MotionError::Refused`] unless the inner diameter is from 0.1 to 500 mm and the length from 0.1 mm to 1 km.
     pub fn new(inner_diameter_mm: f64, length_mm: f64) -> Result<Self, MotionError> {
         MotionError::within("the hose's inner diameter in mm", inner_diameter_mm, 0.1, 500.0)?;
         MotionError::within("the hose's length in mm", length_mm, 0.1, 1e6)?;

@@ -1,9 +1,8 @@
 //! The drive about an equilibrium, as a linear system.
 
-use crate::drive::Drive;
-use crate::error::MotionError;
 use crate::integrate::Equations;
 use crate::system::System;
+use crate::{Drive, MotionError};
 use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::TAU;
 

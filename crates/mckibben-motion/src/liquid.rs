@@ -1,9 +1,6 @@
 //! A liquid in the place of the air: its balance, and what a valve, a line, a pump or a syringe lets through.
 
-use crate::air::{ATMOSPHERE_MPA, Cavity, Flow};
-use crate::error::MotionError;
-use crate::hose::Hose;
-use crate::valve::ValveKind;
+use crate::{ATMOSPHERE_MPA, Cavity, Flow, Hose, MotionError, ValveKind};
 use mckibben::analysis::find_root;
 use mckibben::liquid::Liquid;
 use std::f64::consts::PI;
@@ -118,7 +115,7 @@ impl Restriction {
     /// A restriction of a flow coefficient Kv, in mm³/s of water at 1 bar (1 m³/h is 277,778 mm³/s).
     ///
     /// # Errors
-    /// [`MotionError::Value`] unless 1e-3 ≤ Kv ≤ 1e10 mm³/s.
+    /// [`MotionError::Refused`] unless 1e-3 ≤ Kv ≤ 1e10 mm³/s.
     pub fn new(kv_mm3_per_s: f64) -> Result<Self, MotionError> {
         MotionError::within("the flow coefficient in mm³/s at 1 bar", kv_mm3_per_s, 1e-3, 1e10)?;
         Ok(Self { kv_mm3_per_s })

@@ -1,6 +1,6 @@
 //! When an event comes: the first guard that stops to hold within a step, by its dense output.
 
-use crate::error::MotionError;
+use crate::MotionError;
 use crate::events::Guard;
 use crate::integrate::Stepper;
 use crate::run::{Integration, OnStop};

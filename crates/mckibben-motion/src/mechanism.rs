@@ -1,6 +1,6 @@
 //! What the muscles move: one coordinate with inertia, load and stops.
 
-use crate::error::MotionError;
+use crate::MotionError;
 use mckibben::joint::{Joint, JointSpring};
 use mckibben::load::Load;
 use mckibben::model::ForceModel;
@@ -81,7 +81,7 @@ pub trait Mechanism: Send + Sync {
     /// Whether the numbers make a mechanism that can move.
     ///
     /// # Errors
-    /// [`MotionError::Value`].
+    /// [`MotionError::Refused`].
     fn check(&self) -> Result<(), MotionError>;
 }
 

@@ -1,7 +1,6 @@
 //! A force model as the equations of motion ask it: both pulls and volumes with their derivatives, and the slack muscle.
 
-use crate::drive::Actuated;
-use crate::friction::Hysteresis;
+use crate::{Actuated, Hysteresis};
 use mckibben::analysis::{Options, free_contraction};
 use mckibben::model::{ForceModel, Ideal, ModelError, ThickWall, Workspace, pivoting_n_per_mm};
 use std::cell::{Cell, OnceCell, RefCell};

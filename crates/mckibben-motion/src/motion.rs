@@ -1,8 +1,6 @@
 //! The answer to a drive.
 
-use crate::error::MotionError;
-use crate::events::Event;
-use crate::series::MotionSeries;
+use crate::{Event, MotionError, MotionSeries};
 use mckibben::units::short_numbers;
 use serde::{Deserialize, Serialize, Serializer};
 

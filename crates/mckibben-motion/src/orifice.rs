@@ -1,7 +1,6 @@
 //! Restrictions of air after ISO 6358.
 
-use crate::air::{Flow, REFERENCE_DENSITY_G_PER_L};
-use crate::error::MotionError;
+use crate::{Flow, MotionError, REFERENCE_DENSITY_G_PER_L};
 
 /// T0 of ISO 6358 in K.
 const REFERENCE_K: f64 = 293.15;
@@ -30,7 +29,7 @@ impl Orifice {
     /// A restriction of a sonic conductance in L/(s bar) and a critical ratio.
     ///
     /// # Errors
-    /// [`MotionError::Value`] unless 1e-9 ≤ C ≤ 1e6 L/(s bar) and 0 ≤ b < 0.99.
+    /// [`MotionError::Refused`] unless 1e-9 ≤ C ≤ 1e6 L/(s bar) and 0 ≤ b < 0.99.
     pub fn new(conductance_l_per_s_bar: f64, critical_ratio: f64) -> Result<Self, MotionError> {
         MotionError::within(
             "the valve's sonic conductance in L/(s bar)",

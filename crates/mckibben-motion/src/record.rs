@@ -1,18 +1,13 @@
 //! What is written down of an integration: the series while it goes, and the sums at its end.
 
-use crate::air::{ATMOSPHERE_MPA, exergy_mj_per_g, normal_litres};
-use crate::drive::Actuator;
-use crate::error::MotionError;
-use crate::fluid::Fluid;
+use crate::air::{exergy_mj_per_g, normal_litres};
 use crate::integrate::Stepper;
-use crate::mechanism::Coordinate;
 use crate::member::Substitute;
-use crate::metrics::{Passed, step_figures};
-use crate::motion::{Energies, Motion};
-use crate::rest::rest;
+use crate::metrics::{Passed, rest, step_figures};
 use crate::run::Integration;
 use crate::state::State;
 use crate::system::System;
+use crate::{ATMOSPHERE_MPA, Actuator, Coordinate, Energies, Fluid, Motion, MotionError};
 
 impl Integration<'_, '_> {
     /// The largest speed within the last step, which ended at `t`, by its dense output: the largest of nine points, and the top of the

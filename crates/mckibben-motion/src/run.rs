@@ -1,14 +1,11 @@
 //! From a drive to its motion.
 
-use crate::drive::Drive;
-use crate::error::MotionError;
-use crate::events::{EventKind, Guard};
+use crate::events::Guard;
 use crate::integrate::{Stepper, stepper};
 use crate::metrics::Passed;
-use crate::motion::Motion;
-use crate::series::{MotionSeries, MuscleSeries};
 use crate::state::State;
 use crate::system::System;
+use crate::{Drive, EventKind, Motion, MotionError, MotionSeries, MuscleSeries};
 use mckibben::progress::Progress;
 use mckibben::size;
 
@@ -230,7 +227,7 @@ impl<'s, 'd> Integration<'s, 'd> {
                 if h.is_nan() || h < shortest {
                     let (time_s, steps, step_s) = (self.t, self.steps, h);
                     let what = "the step has become too small";
-                    return Err(failed.unwrap_or(MotionError::Steps { time_s, steps, step_s, what }));
+                    return Err(failed.unwrap_or(ended_after(time_s, steps, step_s, what)));
                 }
                 method = begin(self.t, &self.state, Some(h))?;
                 if let Some(error) = system.failed.borrow_mut().take() {
@@ -279,11 +276,18 @@ impl<'s, 'd> Integration<'s, 'd> {
         self.steps += 1;
         if self.steps > self.system.drive.tolerance.steps {
             let (time_s, steps, step_s) = (self.t, self.steps, end - self.t);
-            return Err(MotionError::Steps { time_s, steps, step_s, what: "the limit of steps is reached" });
+            return Err(ended_after(time_s, steps, step_s, "the limit of steps is reached"));
         }
         self.progress.check()?;
         let share = (1000.0 * self.t / self.system.drive.until_s) as usize;
         self.progress.report(share.min(1000), 1000);
         Ok(())
     }
+}
+
+/// That the steps go to nothing, or are too many.
+fn ended_after(time_s: f64, steps: usize, step_s: f64, why: &str) -> MotionError {
+    MotionError::Diverged(format!(
+        "the motion ends at {time_s} s after {steps} steps, the last of {step_s} s: {why}"
+    ))
 }

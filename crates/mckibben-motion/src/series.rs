@@ -1,6 +1,6 @@
 //! A motion over time: what is recorded, and its columns.
 
-use crate::mechanism::Coordinate;
+use crate::Coordinate;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// What is recorded over time; of a joint with the number of the muscle.

@@ -1,14 +1,10 @@
 //! A drive in a control loop: one step of constant commands after the other.
 
-use crate::command::Command;
-use crate::drive::{Drive, Target};
-use crate::error::MotionError;
-use crate::mechanism::{Coordinate, Lever, Mechanism};
 use crate::member::Memory;
-use crate::motion::Motion;
 use crate::run::Integration;
 use crate::state::State;
 use crate::system::{Modes, System};
+use crate::{Command, Coordinate, Drive, Lever, Mechanism, Motion, MotionError, Target};
 use mckibben::progress::Progress;
 
 /// A mechanism with a generalised force from outside that opposes growing q: in N (q in mm) or N mm (q in rad).

@@ -1,12 +1,7 @@
 //! The smallest valve that is quick enough.
 
-use crate::command::Command;
-use crate::drive::{Actuator, Drive, Target};
-use crate::equilibrium::equilibrium;
-use crate::error::MotionError;
 use crate::metrics::{changes, rise_time};
-use crate::motion::Motion;
-use crate::run::run;
+use crate::{Actuator, Command, Drive, Motion, MotionError, Target, equilibrium, run};
 use mckibben::progress::Progress;
 
 /// A valve that is large enough.
@@ -86,7 +81,13 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
         } else if best.is_some() {
             break;
         } else if c >= LARGEST {
-            return Err(MotionError::NoValve { wanted_s: rise_time_s, largest_l_per_s_bar: c, reached_s });
+            let reached = reached_s.map_or_else(
+                || "the load does not reach 90 % of its stroke".to_owned(),
+                |reached_s| format!("it is {reached_s} s"),
+            );
+            return Err(MotionError::NoValve(format!(
+                "a rise time of {rise_time_s} s is not met by any valve: with {c} L/(s bar) {reached}"
+            )));
         } else {
             c = (4.0 * c).min(LARGEST);
         }

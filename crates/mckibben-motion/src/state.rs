@@ -1,9 +1,6 @@
 //! The state of a drive: what is integrated, by name. Only this file has the order in which the integrator sees it.
 
-use crate::air::ATMOSPHERE_MPA;
-use crate::drive::{Actuator, Drive, Target};
-use crate::error::MotionError;
-use crate::valve::ValveKind;
+use crate::{ATMOSPHERE_MPA, Actuator, Drive, MotionError, Target, ValveKind};
 
 /// The state of one muscle, or its rates.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -1,13 +1,11 @@
 //! The equations of motion of a drive.
 
-use crate::air::{ATMOSPHERE_MPA, Cavity, Flow, cavity_area_mm2};
-use crate::control::PidOutput;
-use crate::drive::{Actuated, Drive, Target};
-use crate::error::MotionError;
-use crate::fluid::Fluid;
 use crate::integrate::Equations;
 use crate::member::{Answer, Member, SlackState, Substitute};
 use crate::state::{ControllerState, Layout, MuscleState, State};
+use crate::{
+    ATMOSPHERE_MPA, Actuated, Cavity, Drive, Flow, Fluid, MotionError, PidOutput, Target, cavity_area_mm2,
+};
 use std::cell::{Cell, RefCell};
 
 /// What an on–off valve does.
@@ -165,7 +163,10 @@ impl<'a> System<'a> {
             if let Fluid::Liquid(liquid) = &muscle.fluid
                 && liquid.boils(absolute)
             {
-                return Err(MotionError::Boils { time_s: t, muscle: i + 1, absolute_mpa: absolute });
+                return Err(MotionError::Boils(format!(
+                    "the liquid in muscle {} boils at {t} s: its absolute pressure falls below {absolute} MPa",
+                    i + 1
+                )));
             }
             let fluid = self.flows(muscle, own, command, mode, (absolute, temperature), &cavity);
             let flows = [fluid.supply, fluid.exhaust];

@@ -1,8 +1,6 @@
 //! Valves after ISO 6358.
 
-use crate::air::Flow;
-use crate::hose::Hose;
-use crate::orifice::{Orifice, in_series};
+use crate::{Flow, Hose, Orifice, in_series};
 
 /// How a valve moves.
 #[derive(Debug, Clone, Copy, PartialEq)]

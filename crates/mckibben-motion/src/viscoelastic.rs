@@ -1,6 +1,6 @@
 //! The rubber's viscoelasticity.
 
-use crate::error::MotionError;
+use crate::MotionError;
 
 /// One branch: its share g of the wall's part of the pull, and its time constant.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,11 +3,11 @@
 use crate::curve::Frame;
 use crate::font::Metrics;
 use crate::labels::{self, Label};
+use crate::layout::{PANEL_TITLE, PER_MM};
 use crate::legend::{self, Legend};
 use crate::line_labels::{self, Ended};
 use crate::rect::Rect;
 use crate::room::Room;
-use crate::sizes::{PANEL_TITLE, PER_MM};
 use crate::ticks::{self, Scale};
 use crate::{Axis, FigureError, Panel, Style, palette};
 

@@ -1,6 +1,7 @@
 //! The description of a figure: panels, axes, series, marks.
 
 use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
 
 /// A figure: a title, a caption and one panel or a grid of panels.
 ///
@@ -294,4 +295,22 @@ mod gaps {
         let points = Vec::<Point>::deserialize(from)?;
         Ok(points.into_iter().map(|(x, y)| (x.unwrap_or(f64::NAN), y.unwrap_or(f64::NAN))).collect())
     }
+}
+
+/// Why a figure could not be drawn or saved.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum FigureError {
+    /// Refused, or not drawn: what, its value, and what it must be.
+    #[error("{0}")]
+    Drawing(String),
+    /// The file name ends in something no writer is known for.
+    #[error("unknown format of {}: use a name ending in .svg, .png, .pdf or .html", .0.display())]
+    UnknownExtension(PathBuf),
+    /// The folder the file should go to does not exist.
+    #[error("the folder {} does not exist", .0.display())]
+    NoFolder(PathBuf),
+    /// The operating system refused to write the file.
+    #[error("cannot write {path}: {1}", path = .0.display())]
+    Write(PathBuf, std::io::Error),
 }

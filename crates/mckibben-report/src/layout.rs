@@ -4,7 +4,6 @@ use crate::axes::{self, Placed};
 use crate::font::Metrics;
 use crate::legend::{self, Entry, Legend};
 use crate::rect::Rect;
-use crate::sizes::{CAPTION, PER_MM, TITLE};
 use crate::{Figure, FigureError};
 
 const MARGIN: f64 = 16.0;
@@ -130,3 +129,10 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
 fn entry_end((x, _, entry): &(f64, f64, Entry), metrics: &Metrics) -> f64 {
     x + legend::SAMPLE + 6.0 + metrics.width(&entry.label, legend::SIZE)
 }
+
+/// Units of the drawing for a millimetre.
+pub(crate) const PER_MM: f64 = 4.0;
+/// Font sizes of title, panel title and caption.
+pub(crate) const TITLE: f64 = 14.0;
+pub(crate) const PANEL_TITLE: f64 = 11.5;
+pub(crate) const CAPTION: f64 = 8.8;

@@ -15,7 +15,6 @@ mod axes;
 mod curve;
 mod data;
 mod document;
-mod error;
 mod figure;
 mod font;
 mod html;
@@ -35,7 +34,6 @@ mod room;
 #[cfg(feature = "files")]
 mod save;
 mod sheet;
-mod sizes;
 mod smooth;
 mod strokes;
 mod svg;
@@ -43,8 +41,7 @@ mod ticks;
 mod xml;
 
 pub use document::{Body, Document, Part};
-pub use error::FigureError;
-pub use figure::{Axis, Figure, Mark, Palette, Panel, Series, Style};
+pub use figure::{Axis, Figure, FigureError, Mark, Palette, Panel, Series, Style};
 #[cfg(feature = "png")]
 pub use outlines::texts_as_outlines;
 pub use sheet::{Anchor, Item, Pen, Sheet};

@@ -19,10 +19,10 @@ impl Figure {
             _ => Path::new("."),
         };
         if !folder.is_dir() {
-            return Err(FigureError::NoFolder { folder: folder.to_owned() });
+            return Err(FigureError::NoFolder(folder.to_owned()));
         }
         mckibben_io::files::put(path, &self.bytes(path)?, true)
-            .map_err(|source| FigureError::Write { path: path.to_owned(), source })
+            .map_err(|source| FigureError::Write(path.to_owned(), source))
     }
 
     /// What a file of this name has in it; its ending (`.svg`, `.png`, `.pdf`, `.html`) names the format.
@@ -39,7 +39,7 @@ impl Figure {
             #[cfg(feature = "png")]
             "pdf" => self.to_pdf()?,
             "html" | "htm" => self.to_html()?.into_bytes(),
-            _ => return Err(FigureError::UnknownExtension { path: path.to_owned() }),
+            _ => return Err(FigureError::UnknownExtension(path.to_owned())),
         })
     }
 }

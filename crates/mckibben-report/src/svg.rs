@@ -2,18 +2,15 @@
 
 use std::fmt::Write as _;
 
-use crate::axes::Placed;
-use crate::axes::{Axes, LABEL, TICK, TICK_LENGTH};
+use crate::axes::{Axes, LABEL, Placed, TICK, TICK_LENGTH};
 use crate::font::{FAMILY, Metrics};
 use crate::labels::{self, Label};
-use crate::layout::{self, Page};
+use crate::layout::{self, CAPTION, PANEL_TITLE, PER_MM, Page, TITLE};
 use crate::legend::{self, Legend};
-use crate::palette;
 use crate::rect::Spot;
-use crate::sizes::{CAPTION, PANEL_TITLE, PER_MM, TITLE};
 use crate::strokes::{Brush, area, series as draw_series, through};
 use crate::xml::{escape, length as n};
-use crate::{Figure, FigureError, Style, ticks};
+use crate::{Figure, FigureError, Style, palette, ticks};
 
 pub(crate) const INK: &str = "#222222";
 pub(crate) const SOFT: &str = "#595959";

@@ -8,7 +8,7 @@ use mckibben::progress::Progress;
 use mckibben::sleeve::{Helix, SleeveShape, library};
 use mckibben_design::tubes::{LEAST_CAST_WALL_MM, rubbers};
 use mckibben_design::{
-    BraidChoice, Build, Closest, Demand, Models, Reason, Relaxation, Spec, design_with, fits,
+    BraidChoice, Build, Closest, Demand, Limit, Models, Relaxation, Spec, design_with, fits,
 };
 
 /// What was assumed, in sentences.
@@ -67,7 +67,7 @@ pub(super) fn stiffer_sleeve(spec: &Spec, build: &Build<'_>, closest: &Closest) 
         braid.stiffness = BraidStiffness::NewtonPerMm(k);
         muscle.with_braid(braid).is_ok_and(|stiff| fits(spec, build, &stiff))
     });
-    let strained = matches!(closest.rejected.reason, Reason::StrandStrain { .. })
+    let strained = closest.rejected.reason.limit() == Some(Limit::StrandStrain)
         || closest.relaxations.iter().any(|r| matches!(r, Relaxation::MaxStrandStrain { .. }));
     let limit = percent(spec.limits.strand_strain?);
     let first = format!(
@@ -106,12 +106,13 @@ fn sized(least_mm: f64) -> Option<Braid> {
 
 /// The strength of the strands with which the closest muscle fits, where it misses nothing else.
 pub(super) fn stronger_strands(closest: &Closest) -> Option<String> {
-    let Reason::Burst { by: FailureMode::Strands, margin, limit } = closest.rejected.reason else {
+    let missed = closest.rejected.reason.check()?;
+    if (missed.limit, missed.by) != (Limit::BurstMargin, FailureMode::Strands) {
         return None;
-    };
+    }
     closest.relaxations.iter().find(|r| matches!(r, Relaxation::MinBurstMargin { .. }))?;
     let strength = closest.muscle.braid().strands?.strength_n?;
-    let needed = (100.0 * strength * limit / margin).ceil() / 100.0;
+    let needed = (100.0 * strength * missed.bound / missed.value).ceil() / 100.0;
     Some(format!(
         "It fits with strands that bear {} N each; those of this sleeve bear {} N.",
         number(needed, 3),

@@ -247,7 +247,7 @@ impl From<MotionError> for Problem {
             MotionError::Large(large) => return (*large).into(),
             MotionError::Muscle(error) => return error.clone().into(),
             MotionError::Model { error: model, .. } => Self::from((**model).clone()).kind,
-            MotionError::Diverged(_) | MotionError::Steps { .. } => ProblemKind::NotConverged,
+            MotionError::Diverged(_) => ProblemKind::NotConverged,
             MotionError::NoEquilibrium { .. }
             | MotionError::NeverLifted { .. }
             | MotionError::NoValve { .. } => ProblemKind::NoAnswer,

@@ -1,6 +1,6 @@
 //! Whether a plan fits into memory.
 
-use super::plan::Plan;
+use super::Plan;
 use mckibben::size::TooLarge;
 use mckibben_fem::FemError;
 use mckibben_fem::elements::Elements;

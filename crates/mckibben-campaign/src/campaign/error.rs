@@ -11,110 +11,45 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 pub enum CampaignError {
     /// The store holds the table of another plan.
-    #[error("{} contains a campaign of another plan (sha256 {}, this plan has {})", .path.display(), short(.theirs), short(.ours))]
-    OtherPlan {
-        /// The store, or the file in it.
-        path: PathBuf,
-        /// Hash of the plan in the store.
-        theirs: String,
-        /// Hash of this plan.
-        ours: String,
-    },
+    #[error("{0}")]
+    OtherPlan(String),
     /// The store was made by another version of the program, whose numbers may differ.
-    #[error("{} was written by mckibben {theirs}, and this is version {ours}", .path.display())]
-    OtherVersion {
-        /// The store, or the file in it.
-        path: PathBuf,
-        /// Version that made it.
-        theirs: String,
-        /// This version.
-        ours: String,
-    },
+    #[error("{path} was written by mckibben {1}, and this is version {2}", path = .0.display())]
+    OtherVersion(PathBuf, String, String),
     /// Another process writes to the store.
-    #[error("another process is writing to {}", .path.display())]
-    Locked {
-        /// The store.
-        path: PathBuf,
-    },
-    /// A file that is not what was written.
-    #[error("{} is damaged: {why}", .path.display())]
-    Damaged {
-        /// The file.
-        path: PathBuf,
-        /// What shows it.
-        why: String,
-    },
+    #[error("another process is writing to {}", .0.display())]
+    Locked(PathBuf),
+    /// A file that is not what was written, and what shows it.
+    #[error("{path} is damaged: {1}", path = .0.display())]
+    Damaged(PathBuf, String),
     /// Parts are missing.
-    #[error("{} is incomplete: {missing} of {parts} parts are missing, the first is {first}", .path.display())]
-    Incomplete {
-        /// The store.
-        path: PathBuf,
-        /// Number of parts that are missing.
-        missing: u64,
-        /// Number of all parts.
-        parts: u64,
-        /// Name of the first that is missing.
-        first: String,
-    },
+    #[error("{0}")]
+    Incomplete(String),
     /// Two files claim to be the same part and are not.
-    #[error("{} and {} are the same part of the plan and differ", .one.display(), .other.display())]
-    Conflict {
-        /// One of them.
-        one: PathBuf,
-        /// The other.
-        other: PathBuf,
-    },
-    /// Nothing of a campaign is there.
-    #[error("{} is not a campaign: {why}", .path.display())]
-    NoCampaign {
-        /// The file or folder.
-        path: PathBuf,
-        /// What is there instead.
-        why: String,
-    },
+    #[error("{} and {} are the same part of the plan and differ", .0.display(), .1.display())]
+    Conflict(PathBuf, PathBuf),
+    /// Nothing of a campaign is there, and what is there instead.
+    #[error("{path} is not a campaign: {1}", path = .0.display())]
+    NoCampaign(PathBuf, String),
     /// A shard of a campaign that is to be one file.
-    #[error("a shard writes parts, and {} would be one file", .path.display())]
-    ShardOfFile {
-        /// The file.
-        path: PathBuf,
-    },
+    #[error("a shard writes parts, and {} would be one file", .0.display())]
+    ShardOfFile(PathBuf),
     /// A name that promises another format.
-    #[error("a campaign is one file that ends in .parquet, or a folder of parts; {} would be neither", .path.display())]
-    OtherFormat {
-        /// The name.
-        path: PathBuf,
-    },
+    #[error("a campaign is one file that ends in .parquet, or a folder of parts; {} would be neither", .0.display())]
+    OtherFormat(PathBuf),
     /// A file cannot be written; what was there before is untouched.
-    #[error("cannot write {}: {source}", .path.display())]
-    Write {
-        /// The file.
-        path: PathBuf,
-        /// Why.
-        source: std::io::Error,
-    },
+    #[error("cannot write {path}: {1}", path = .0.display())]
+    Write(PathBuf, std::io::Error),
     /// A file is not read, whatever it holds.
     #[cfg(feature = "store")]
-    #[error("{} {source}", .path.display())]
-    Read {
-        /// The file.
-        path: PathBuf,
-        /// Why.
-        source: mckibben_io::files::ReadError,
-    },
-    /// Something that is not of this campaign is where a file of it would.
-    #[error("{} is not a file of a campaign ({why}) and would be overwritten", .path.display())]
-    Foreign {
-        /// The value in the file.
-        path: PathBuf,
-        /// What it is.
-        why: String,
-    },
+    #[error("{path} {1}", path = .0.display())]
+    Read(PathBuf, mckibben_io::files::ReadError),
+    /// Something that is not of this campaign, and what it is, where a file of it would be.
+    #[error("{path} is not a file of a campaign ({1}) and would be overwritten", path = .0.display())]
+    Foreign(PathBuf, String),
     /// A file where that of the campaign would be written.
-    #[error("{} exists and would be overwritten", .path.display())]
-    Appeared {
-        /// The file.
-        path: PathBuf,
-    },
+    #[error("{} exists and would be overwritten", .0.display())]
+    Appeared(PathBuf),
     /// A table cannot be encoded.
     #[error("cannot write the table: {0}")]
     Encode(String),
@@ -124,10 +59,6 @@ pub enum CampaignError {
     /// No threads to be had.
     #[error(transparent)]
     Threads(#[from] ThreadsError),
-}
-
-fn short(hash: &str) -> &str {
-    hash.get(..12).unwrap_or(hash)
 }
 
 impl CampaignError {
@@ -145,7 +76,7 @@ impl CampaignError {
                 "move it away, and the same command continues from here; `overwrite` replaces it"
             }
             #[cfg(feature = "store")]
-            Self::Read { source: mckibben_io::files::ReadError::System(error), .. }
+            Self::Read(_, mckibben_io::files::ReadError::System(error))
                 if error.kind() != std::io::ErrorKind::NotFound =>
             {
                 "the operating system refused to read it; it is not necessarily damaged"
@@ -177,21 +108,21 @@ impl CampaignError {
 impl CampaignError {
     pub(super) fn write(path: &Path) -> impl FnOnce(std::io::Error) -> Self {
         let path = path.to_path_buf();
-        move |source| Self::Write { path, source }
+        move |error| Self::Write(path, error)
     }
 
     /// A folder or file that the system does not read.
     pub(super) fn read(path: &Path) -> impl FnOnce(std::io::Error) -> Self {
         let unread = Self::unread(path);
-        move |source| unread(source.into())
+        move |error| unread(error.into())
     }
 
     pub(super) fn unread(path: &Path) -> impl FnOnce(mckibben_io::files::ReadError) -> Self {
         let path = path.to_path_buf();
-        move |source| Self::Read { path, source }
+        move |error| Self::Read(path, error)
     }
 
     pub(super) fn damaged(path: &Path, why: impl ToString) -> Self {
-        Self::Damaged { path: path.into(), why: why.to_string() }
+        Self::Damaged(path.into(), why.to_string())
     }
 }

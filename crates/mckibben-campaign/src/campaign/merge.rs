@@ -60,7 +60,7 @@ pub(super) fn write_whole(
     let mut file = Unfinished::beside(out).map_err(CampaignError::write(out))?;
     whole(provenance, tables(provenance, places.into_iter()), file.file(), out)?;
     file.put(clobber).map_err(|error| match error.kind() {
-        ErrorKind::AlreadyExists => CampaignError::Appeared { path: out.into() },
+        ErrorKind::AlreadyExists => CampaignError::Appeared(out.into()),
         _ => CampaignError::write(out)(error),
     })?;
     sync(out.parent().unwrap_or(Path::new("")));
@@ -80,7 +80,7 @@ pub(super) fn gather(folders: &[PathBuf]) -> Result<(Provenance, BTreeMap<u64, P
                     belongs(&b.provenance, &a.provenance, &path)?;
                     let bytes = |p: &Path| std::fs::read(p).map_err(CampaignError::read(p));
                     if bytes(one)? != bytes(&path)? {
-                        return Err(CampaignError::Conflict { one: one.clone(), other: path });
+                        return Err(CampaignError::Conflict(one.clone(), path));
                     }
                 }
             }
@@ -88,14 +88,17 @@ pub(super) fn gather(folders: &[PathBuf]) -> Result<(Provenance, BTreeMap<u64, P
     }
     let path = folders.first().cloned().unwrap_or_default();
     let Some(first) = found.values().next() else {
-        return Err(CampaignError::NoCampaign { path, why: "there is no part in it".into() });
+        return Err(CampaignError::NoCampaign(path, "there is no part in it".into()));
     };
     let provenance = Opened::file(first)?.provenance;
     let parts = provenance.parts();
     // Not one after another: how many there are is only what the file says.
     let missing = parts - found.range(..parts).count() as u64;
     if let Some(first) = (0..parts).find(|p| !found.contains_key(p)) {
-        return Err(CampaignError::Incomplete { path, missing, parts, first: part_name(first) });
+        let (path, first) = (path.display(), part_name(first));
+        return Err(CampaignError::Incomplete(format!(
+            "{path} is incomplete: {missing} of {parts} parts are missing, the first is {first}"
+        )));
     }
     if let Some((_, path)) = found.range(parts..).next() {
         return Err(CampaignError::damaged(path, format!("the plan has only {parts} parts")));
@@ -107,10 +110,10 @@ pub(super) fn gather(folders: &[PathBuf]) -> Result<(Provenance, BTreeMap<u64, P
 /// with `overwrite`.
 pub fn merge(folders: &[PathBuf], out: &Path, overwrite: bool) -> Result<Merged, CampaignError> {
     if !is_file_name(out) {
-        return Err(CampaignError::OtherFormat { path: out.into() });
+        return Err(CampaignError::OtherFormat(out.into()));
     }
     if out.exists() && !overwrite {
-        return Err(CampaignError::Appeared { path: out.into() });
+        return Err(CampaignError::Appeared(out.into()));
     }
     let (provenance, found) = gather(folders)?;
     let places = found.into_iter().map(|(n, path)| (n, PartSource::File(path))).collect();

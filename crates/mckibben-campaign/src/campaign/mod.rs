@@ -9,11 +9,7 @@
 mod cost;
 mod error;
 #[cfg(feature = "store")]
-mod marker;
-#[cfg(feature = "store")]
 mod merge;
-#[cfg(feature = "store")]
-mod outcome;
 mod plan;
 #[cfg(feature = "store")]
 mod read;
@@ -37,13 +33,11 @@ mod tests;
 pub use error::CampaignError;
 #[cfg(feature = "store")]
 pub use merge::{Merged, merge};
-#[cfg(feature = "store")]
-pub use outcome::{Counts, Outcome, Recomputed};
 pub use plan::{Axis, Inputs, Measure, Plan, Sampling, Testing};
 #[cfg(feature = "store")]
 pub use read::{Rows, read, rows};
 #[cfg(feature = "store")]
-pub use run::{RunOptions, run};
+pub use run::{Counts, Outcome, Recomputed, RunOptions, run};
 #[cfg(feature = "store")]
 pub use shard::Shard;
 pub use solve::compute;

@@ -66,7 +66,7 @@ pub fn rows(path: impl AsRef<Path>) -> Result<Rows, CampaignError> {
         let opened = Opened::file(path)?;
         if opened.which != Which::Whole {
             let why = "it is one part of a campaign: give the folder".into();
-            return Err(CampaignError::NoCampaign { path: path.into(), why });
+            return Err(CampaignError::NoCampaign(path.into(), why));
         }
         (opened.provenance.clone(), Box::new((0..opened.groups()).map(move |g| opened.group(g))))
     };

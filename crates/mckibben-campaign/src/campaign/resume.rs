@@ -1,10 +1,13 @@
 //! What is there already, and whether it belongs to a plan.
 
 use super::CampaignError;
-use super::outcome::{Counts, Outcome, Recomputed};
-use super::store::{Folder, Opened, PartSource, Provenance, Which};
+use super::run::{Counts, Outcome, Recomputed};
+use super::store::{Folder, MARKER, Opened, PartSource, Provenance, Which};
 use mckibben::threads::Threads;
+use mckibben_io::files::{Unfinished, read};
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// There is the file already: nothing is to be done, if it is that of this plan.
@@ -43,7 +46,7 @@ pub(super) fn of_this_plan(provenance: &Provenance, path: &Path) -> Result<Opene
 /// What is no campaign is not replaced.
 fn foreign(error: CampaignError) -> CampaignError {
     match error {
-        CampaignError::NoCampaign { path, why } => CampaignError::Foreign { path, why },
+        CampaignError::NoCampaign(path, why) => CampaignError::Foreign(path, why),
         error => error,
     }
 }
@@ -73,7 +76,7 @@ pub(super) fn there(
                 let right = opened.which == Which::Part(*number);
                 Ok((!right).then(|| "it contains a different part from its name".to_owned()))
             }
-            Err(CampaignError::Damaged { why, .. }) => Ok(Some(why)),
+            Err(CampaignError::Damaged(_, why)) => Ok(Some(why)),
             Err(error @ CampaignError::Read { .. }) => Err(error),
             Err(error) if overwrite => Ok(Some(error.to_string())),
             Err(error) => Err(error),
@@ -95,16 +98,86 @@ pub(super) fn there(
 /// Whether a file is of this plan and this program.
 pub(super) fn belongs(theirs: &Provenance, ours: &Provenance, path: &Path) -> Result<(), CampaignError> {
     if theirs.plan_sha256 != ours.plan_sha256 {
-        let (theirs, ours) = (theirs.plan_sha256.clone(), ours.plan_sha256.clone());
-        return Err(CampaignError::OtherPlan { path: path.into(), theirs, ours });
+        return Err(CampaignError::OtherPlan(format!(
+            "{} contains a campaign of another plan (sha256 {:.12}, this plan has {:.12})",
+            path.display(),
+            theirs.plan_sha256,
+            ours.plan_sha256
+        )));
     }
     if theirs.version != ours.version {
         let (theirs, ours) = (theirs.version.clone(), ours.version.clone());
-        return Err(CampaignError::OtherVersion { path: path.into(), theirs, ours });
+        return Err(CampaignError::OtherVersion(path.into(), theirs, ours));
     }
     if theirs == ours {
         Ok(())
     } else {
         Err(CampaignError::damaged(path, "its metadata are not those of this plan"))
+    }
+}
+
+/// Its longest file in bytes.
+const LONGEST: u64 = 1 << 16;
+
+/// Of which plan and version a folder is: the first process writes it, every other one must agree.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub(super) struct Marker {
+    pub(super) version: String,
+    pub(super) plan_sha256: String,
+    pub(super) parts: u64,
+}
+
+impl Marker {
+    pub(super) fn of(provenance: &Provenance) -> Self {
+        Self {
+            version: provenance.version.clone(),
+            plan_sha256: provenance.plan_sha256.clone(),
+            parts: provenance.parts(),
+        }
+    }
+
+    pub(super) fn read(folder: &Path) -> Option<Self> {
+        serde_json::from_slice(&read(&folder.join(MARKER), LONGEST).ok()?).ok()
+    }
+
+    /// Claims a folder for a plan; one of another plan or version is refused.
+    pub(super) fn claim(
+        folder: &Path,
+        provenance: &Provenance,
+        overwrite: bool,
+    ) -> Result<(), CampaignError> {
+        let path = folder.join(MARKER);
+        let ours = Self::of(provenance);
+        // Written by another process between the look and the write, it is looked at again.
+        for _ in 0..2 {
+            match Self::read(folder) {
+                Some(theirs) if theirs == ours => return Ok(()),
+                Some(theirs) if !overwrite => {
+                    let Self { version, plan_sha256, .. } = theirs;
+                    let theirs = Provenance { version, plan_sha256, ..provenance.clone() };
+                    return belongs(&theirs, provenance, folder);
+                }
+                there => {
+                    // Parts that were copied may be there alone.
+                    if let (None, false, Some(part)) =
+                        (&there, overwrite, Folder::parts(folder)?.into_values().next())
+                        && let Ok(opened) = Opened::file(&part)
+                    {
+                        belongs(&opened.provenance, provenance, &part)?;
+                    }
+                    let text =
+                        serde_json::to_string(&ours).map_err(|e| CampaignError::Encode(e.to_string()))?;
+                    let put = || {
+                        let there = there.is_some() || path.exists();
+                        Unfinished::inside(&path, there)?.with(text.as_bytes())?.put(there)
+                    };
+                    match put() {
+                        Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+                        put => return put.map_err(CampaignError::write(&path)),
+                    }
+                }
+            }
+        }
+        Ok(())
     }
 }

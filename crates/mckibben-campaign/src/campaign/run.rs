@@ -1,18 +1,82 @@
 //! Runs a plan into a store.
 
-use super::marker::Marker;
 use super::merge::write_whole;
-use super::outcome::{Counts, Outcome};
-use super::plan::Plan;
-use super::resume::{finished, there};
+use super::resume::{Marker, finished, there};
 use super::store::{Folder, PartSource, Provenance, Table, check_name, is_file_name, part, part_name};
-use super::{CampaignError, Shard, solve};
+use super::{CampaignError, Plan, Shard, solve};
 use mckibben::progress::Progress;
 use mckibben::threads::Threads;
 use mckibben_io::files::check_writable;
+use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
+
+/// How far a run came.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
+pub struct Counts {
+    /// Muscles that are done, those of earlier runs among them.
+    pub muscles: u64,
+    /// Muscles of the plan, or of the share of it.
+    #[serde(rename = "muscles_wanted")]
+    pub of: u64,
+    /// Muscles that were there already.
+    #[serde(rename = "muscles_resumed")]
+    pub resumed: u64,
+    /// Points of this run.
+    #[serde(rename = "points_computed")]
+    pub points: u64,
+    /// Points of this run without an answer.
+    #[serde(rename = "points_failed")]
+    pub failed: u64,
+}
+
+/// A file that was damaged and has been computed anew.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+pub struct Recomputed {
+    /// The file.
+    pub file: PathBuf,
+    /// What was wrong with it.
+    pub cause: String,
+}
+
+/// How a run ended.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
+pub struct Outcome {
+    /// What was to be written.
+    pub output: PathBuf,
+    /// The share of the plan, i/n; nothing where it was all of it.
+    pub shard: Option<String>,
+    /// Whether all of the plan, or of the share of it, is there.
+    pub complete: bool,
+    /// How far it came.
+    #[serde(flatten)]
+    pub counts: Counts,
+    /// Points that are there.
+    pub points: u64,
+    /// SHA-256 of the plan's text.
+    pub plan_sha256: String,
+    /// Files that were damaged and have been computed anew.
+    pub recomputed: Vec<Recomputed>,
+    /// Where unfinished work lies.
+    #[serde(skip)]
+    pub store: PathBuf,
+}
+
+impl Outcome {
+    pub(super) fn new(provenance: &Provenance, output: &Path, store: &Path, counts: Counts) -> Self {
+        Self {
+            output: output.into(),
+            shard: None,
+            complete: counts.muscles == counts.of,
+            counts,
+            points: counts.muscles * provenance.points_per_muscle,
+            plan_sha256: provenance.plan_sha256.clone(),
+            recomputed: vec![],
+            store: store.into(),
+        }
+    }
+}
 
 /// Parts are brought to the disk this often.
 const FLUSH: Duration = Duration::from_millis(500);
@@ -55,11 +119,11 @@ pub fn run(
     let provenance = Provenance::of(plan);
     let one_file = is_file_name(out);
     if one_file && options.shard.is_some() {
-        return Err(CampaignError::ShardOfFile { path: out.into() });
+        return Err(CampaignError::ShardOfFile(out.into()));
     }
     if !one_file && out.is_file() {
         let why = "it is a file, and parts go into a folder; a campaign in one file ends in .parquet".into();
-        return Err(CampaignError::NoCampaign { path: out.into(), why });
+        return Err(CampaignError::NoCampaign(out.into(), why));
     }
     let store = if one_file { parts_of(out) } else { out.to_path_buf() };
     let replaced = one_file && out.exists();
@@ -149,7 +213,7 @@ fn in_folder(
     if one_file && outcome.complete {
         if out.exists() && !options.overwrite {
             folder.write(&mut pending)?;
-            return Err(CampaignError::Appeared { path: out.into() });
+            return Err(CampaignError::Appeared(out.into()));
         }
         places.extend(pending.into_iter().map(|(n, bytes)| (n, PartSource::Memory(bytes))));
         write_whole(provenance, places, out, options.overwrite)?;

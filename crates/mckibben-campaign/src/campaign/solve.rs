@@ -1,7 +1,7 @@
 //! The rows of one muscle. They depend on the plan and the muscle's number alone.
 
-use super::CampaignError;
-use super::plan::{Inputs, Plan, constants, rounded};
+use super::plan::{constants, rounded};
+use super::{CampaignError, Inputs, Plan};
 use crate::PointRow;
 use mckibben::cancel::Cancelled;
 use mckibben::model::Workspace;

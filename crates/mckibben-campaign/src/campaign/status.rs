@@ -1,6 +1,6 @@
 //! How far a folder of parts is, shard by shard: from names, locks and ends of files alone, at any time and from any machine.
 
-use super::marker::Marker;
+use super::resume::Marker;
 use super::store::{Folder, Opened};
 use super::{CampaignError, Shard};
 use mckibben_io::files::ReadError;
@@ -72,7 +72,7 @@ pub fn status(folder: &Path) -> Result<CampaignStatus, CampaignError> {
         (None, Some(part)) => Marker::of(&Opened::file(part)?.provenance),
         (None, None) => {
             let why = "there is neither a part nor a note of a plan in it".into();
-            return Err(CampaignError::NoCampaign { path: folder.into(), why });
+            return Err(CampaignError::NoCampaign(folder.into(), why));
         }
     };
     let mut there = BTreeSet::new();
@@ -81,8 +81,7 @@ pub fn status(folder: &Path) -> Result<CampaignStatus, CampaignError> {
         match Opened::file(&path) {
             Ok(_) => drop(there.insert(number)),
             // Another process has just replaced or removed it.
-            Err(CampaignError::Read { source: ReadError::System(e), .. })
-                if e.kind() == ErrorKind::NotFound => {}
+            Err(CampaignError::Read(_, ReadError::System(e))) if e.kind() == ErrorKind::NotFound => {}
             Err(error @ CampaignError::Read { .. }) => return Err(error),
             Err(_) => damaged.push(path),
         }

@@ -140,7 +140,7 @@ pub fn summary(path: impl AsRef<Path>) -> Result<Summary, CampaignError> {
                     damaged.push(format!("{}: it contains a different part from its name", part.display()));
                 }
             }
-            Err(CampaignError::Damaged { why, .. } | CampaignError::NoCampaign { why, .. }) => {
+            Err(CampaignError::Damaged(_, why) | CampaignError::NoCampaign(_, why)) => {
                 damaged.push(format!("{}: {why}", part.display()));
             }
             Err(error) => return Err(error),
@@ -148,7 +148,7 @@ pub fn summary(path: impl AsRef<Path>) -> Result<Summary, CampaignError> {
     }
     let Some(mut out) = out else {
         let why = if damaged.is_empty() { "there is no part in it".into() } else { damaged.join("; ") };
-        return Err(CampaignError::NoCampaign { path: path.into(), why });
+        return Err(CampaignError::NoCampaign(path.into(), why));
     };
     out.missing_parts = out.provenance.parts().saturating_sub(there);
     out.damaged = damaged;

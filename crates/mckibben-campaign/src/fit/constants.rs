@@ -8,8 +8,8 @@
 //!    it is the largest error, so that the sixth power is minimised.
 //! 3. Both held, (11): n.
 
+use super::FitError;
 use super::data::{CONTRACTIONS, DIAMETERS, FULL_PRESSURE, FitPoint, PRESSURES, WALLS, compute_with, same};
-use super::error::FitError;
 use mckibben::formula::Coefficients;
 use mckibben::model::{ForceModel, ModelError};
 use mckibben::muscle::{Braid, BraidStiffness, Direction, Muscle, Rubber};
@@ -133,8 +133,8 @@ fn values(
     let parameter =
         |&(target, start): &(Target, f64)| Parameter { start: Some(start), ..Parameter::free(target) };
     let free: Vec<Parameter> = free.iter().map(parameter).collect();
-    let request = Request { fixed, loss, ..Request::new(&muscle, &free, points) };
-    let found = identify(&request, &elements).map_err(|e| failed(&e))?;
+    let request = Request { fixed, loss, ..Request::new(&muscle, &free, points, &elements) };
+    let found = identify(&request).map_err(|e| failed(&e))?;
     Ok(found.parameters.iter().map(|p| p.value).collect())
 }
 

@@ -1,7 +1,7 @@
 //! How far forces are from reference forces, and where.
 
+use super::FitError;
 use super::data::{FitPoint, distinct, same};
-use super::error::FitError;
 use serde::Serialize;
 
 /// Errors over a set of points where the muscle pulls (reference force above zero).

@@ -12,8 +12,8 @@
 //! on diameters left out one at a time is within 5 % of the smallest such error, and at most 48. Only inner
 //! diameters are left out; without the outermost the formula would have to extrapolate, which it refuses to do later.
 
+use super::FitError;
 use super::data::{FULL_PRESSURE, FitPoint, distinct, same};
-use super::error::FitError;
 use super::errors::{Compared, compared};
 use mckibben::cancel;
 use mckibben::formula::{GlobalTerms, Scales, Term};

@@ -3,8 +3,7 @@
 
 use super::data::{CONTRACTIONS, FitPoint, HELD_OUT, PRESSURES, WALLS, compute, paper_campaign};
 use super::errors::{compared, errors};
-use super::make::{Method, fitted};
-use super::paper_method::Rules;
+use super::{Method, Rules, fitted};
 use mckibben::formula::Coefficients;
 use mckibben::muscle::Muscle;
 use mckibben_fem::verification::VerificationRow;

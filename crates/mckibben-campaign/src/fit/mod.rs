@@ -2,11 +2,9 @@
 
 pub mod constants;
 pub mod data;
-mod error;
 pub mod errors;
 pub mod global;
 pub mod held_out;
-mod made;
 mod make;
 pub mod paper_method;
 pub mod polynomial;
@@ -15,8 +13,42 @@ pub mod signs;
 pub mod tables;
 pub mod universal;
 
-pub use error::FitError;
 pub use global::{GlobalFit, global};
-pub use made::made_for;
-pub use make::{FittedFormula, Method, Request, fitted, make};
+pub use make::{FittedFormula, Method, Request, fitted, made_for, make};
+use mckibben::cancel::Cancelled;
 pub use paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method};
+use thiserror::Error;
+
+/// Why a table gives no formula.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum FitError {
+    /// Refused: field, value, what it must be.
+    #[error("{0}")]
+    Refused(String),
+    /// The caller wanted it to end.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
+
+impl FitError {
+    pub(crate) fn empty(place: &str) -> Self {
+        Self::Refused(format!("the table has no point with an answer{place}"))
+    }
+
+    pub(crate) fn mixed_make(part: &str) -> Self {
+        Self::Refused(format!(
+            "the table mixes muscles of different {part}; a formula covers only one: fit them separately"
+        ))
+    }
+
+    pub(crate) fn varies(column: &str) -> Self {
+        Self::Refused(format!(
+            "in the table {column} varies, which is not a variable of the formula; fit a table in which it is constant"
+        ))
+    }
+
+    /// Least squares without a finite answer.
+    pub(crate) fn singular(place: impl std::fmt::Display) -> Self {
+        Self::Refused(format!("least squares have no finite answer for {place}"))
+    }
+}

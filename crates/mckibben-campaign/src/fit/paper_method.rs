@@ -7,8 +7,8 @@
 //!
 //! Each step is a least-squares fit of its own; what one leaves over, the next does not see.
 
+use super::FitError;
 use super::data::{FitPoint, distinct, same};
-use super::error::FitError;
 use super::polynomial::{PolynomialFit, fit};
 use mckibben::formula::Coefficients;
 use serde::{Deserialize, Serialize};

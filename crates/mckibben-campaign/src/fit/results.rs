@@ -7,11 +7,9 @@ use super::data::{
     CONTRACTIONS, DIAMETERS, FitPoint, HELD_OUT, PRESSURES, WALLS, compute, paper_campaign, pressure_steps,
     same,
 };
-use super::error::FitError;
 use super::errors::{Errors, compared, errors};
-use super::make::{Method, fitted};
-use super::paper_method::{Rules, SlackRule, ThinRule};
 use super::universal::{HeldOutRow, held_out, held_out_samples};
+use super::{FitError, Method, Rules, SlackRule, ThinRule, fitted};
 use mckibben::formula::{Body, Coefficients, Formula};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;

@@ -1,6 +1,6 @@
 //! The intermediate tables of the paper's method, as rows for files.
 
-use super::paper_method::PaperMethod;
+use super::PaperMethod;
 use super::signs::signs;
 use serde::Serialize;
 use serde_json::{Map, Value, json};

@@ -9,7 +9,7 @@ use mckibben::muscle::{Braid, BraidStiffness, Muscle, Strands};
 use mckibben::progress::Silent;
 use mckibben::units::Values;
 use mckibben_design::{
-    BraidChoice, Build, Demand, JointDemand, Limit, Limits, Models, Objective, OperatingPoint, Reason,
+    BraidChoice, Build, Check, Demand, JointDemand, Limit, Limits, Models, Objective, OperatingPoint, Reason,
     Relaxation, Spec, SpecError, Tolerances, TorqueWanted, design, design_joint, spread,
 };
 
@@ -119,7 +119,9 @@ fn bounds_bind_and_are_named() {
     let outcome = design(&spec, BUILD).unwrap();
     assert!(outcome.candidates.is_empty());
     let closest = outcome.closest.unwrap();
-    let Reason::Bulge { diameter_mm, limit_mm: 10.0 } = closest.rejected.reason else {
+    let Reason::Limit(Check { limit: Limit::BulgedDiameter, value: diameter_mm, bound: 10.0, .. }) =
+        closest.rejected.reason
+    else {
         panic!("{closest:?}")
     };
     assert_eq!(closest.relaxations, [Relaxation::MaxBulgedDiameter { bulged_diameter_mm: diameter_mm }]);
@@ -175,14 +177,13 @@ fn the_largest_liquid_volume_binds_at_the_volume_that_is_found() {
     let outcome = design(&spec, BUILD).unwrap();
     assert!(outcome.candidates.is_empty());
     let closest = outcome.closest.unwrap();
-    let Reason::LiquidVolume { volume_mm3: needs, limit_mm3 } = closest.rejected.reason else {
-        panic!("{closest:?}")
-    };
+    assert_eq!(closest.rejected.reason.limit(), Some(Limit::LiquidVolume));
+    let &Check { value: needs, bound: limit_mm3, .. } = closest.rejected.reason.check().unwrap();
     assert!((needs / volume_mm3 - 1.0).abs() < 1e-12 && limit_mm3 < volume_mm3);
     assert_eq!(closest.relaxations, [Relaxation::MaxLiquidVolume { liquid_volume_mm3: needs }]);
     // Without a liquid the limit has no meaning.
     spec.liquid = None;
-    assert_eq!(design(&spec, BUILD).unwrap_err(), SpecError::NoLiquid { volume_mm3: limit_mm3 });
+    assert_eq!(design(&spec, BUILD).unwrap_err(), SpecError::NoLiquid(limit_mm3));
 }
 
 /// Against all muscles of a list: none that pulls enough takes less liquid than the first.
@@ -217,7 +218,7 @@ fn relaxations_keep_their_word() {
     spec.outer_diameter_mm = Values::Interval(5.0, 50.0);
     let outcome = design(&spec, BUILD).unwrap();
     let closest = outcome.closest.unwrap();
-    assert!(matches!(closest.rejected.reason, Reason::Force { .. }), "{:?}", closest.rejected);
+    assert!(closest.rejected.reason.limit() == Some(Limit::Force), "{:?}", closest.rejected);
     let model = ThickWall::new(&closest.muscle);
     let mut kinds = 0;
     for relaxation in &closest.relaxations {
@@ -340,7 +341,7 @@ fn burst_margin_needs_and_uses_the_strands() {
     spec.limits.burst_margin = Some(300.0);
     let outcome = design(&spec, BUILD).unwrap();
     assert!(outcome.candidates.is_empty());
-    assert!(matches!(outcome.closest.unwrap().rejected.reason, Reason::Burst { .. }));
+    assert!(outcome.closest.unwrap().rejected.reason.limit() == Some(Limit::BurstMargin));
 }
 
 #[test]

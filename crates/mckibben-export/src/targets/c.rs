@@ -1,11 +1,8 @@
 //! C99: generic functions and the numbers of a muscle. A compiler for a microcontroller needs nothing else.
 
-use super::Target;
-use super::common::common;
-use crate::error::ExportError;
-use crate::muscle::ExportedMuscle;
+use super::common;
 use crate::template::{list, lists, number, render};
-use crate::{Artefact, File};
+use crate::{Artefact, ExportError, ExportedMuscle, File, Target};
 
 pub(super) const TARGET: Target = Target {
     name: "c",

@@ -1,8 +1,7 @@
 //! A sum of functions that a host has, fitted to the model from the length at rest to the free contraction.
 
-use crate::HostError;
 use crate::fit::least_squares;
-use crate::muscle::ExportedMuscle;
+use crate::{ExportedMuscle, HostError};
 use nalgebra::{DMatrix, DVector};
 
 /// Coefficients over the blocked force of the functions `row` of q and x = L/L0, and the error of their sum: of all points where the host makes it

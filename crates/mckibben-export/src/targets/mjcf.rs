@@ -12,13 +12,11 @@
 //! is −force · fpmax (L − 1)²/2 for 1 ≤ L ≤ 2 with `lmax` 3, and L − 1 = length/span with `range` 1 2. (MuJoCo, "Computation",
 //! section "Muscle actuators"; engine_util_misc.c.) A limit of the force of all actuators at the tendon makes it slack.
 
-use super::Target;
 use super::c::{rendered, sources};
 use super::host_fit::fit;
-use crate::error::ExportError;
-use crate::muscle::{ExportedMuscle, LIMIT};
+use crate::muscle::LIMIT;
 use crate::template::{number, render};
-use crate::{Artefact, File, HostError};
+use crate::{Artefact, ExportError, ExportedMuscle, File, HostError, Target};
 
 pub(super) const TARGET: Target = Target {
     name: "mjcf",

@@ -1,7 +1,6 @@
 //! The hosts: one file each, and the list of all.
 
 mod c;
-mod common;
 mod fmu;
 mod host_fit;
 mod mjcf;
@@ -9,9 +8,8 @@ mod opensim;
 mod python;
 mod zip;
 
-use crate::Artefact;
-use crate::error::ExportError;
-use crate::muscle::ExportedMuscle;
+use crate::template::number;
+use crate::{Artefact, ExportError, ExportedMuscle};
 
 /// A target of `export`.
 #[derive(Debug, Clone, Copy, serde::Serialize, schemars::JsonSchema)]
@@ -41,7 +39,7 @@ impl Target {
     /// The target of this name.
     pub fn named(name: &str) -> Result<Self, ExportError> {
         let found = Self::ALL.into_iter().find(|t| t.name == name.trim());
-        found.ok_or_else(|| ExportError::Target { name: name.to_owned() })
+        found.ok_or_else(|| ExportError::Target(name.to_owned()))
     }
 }
 
@@ -50,4 +48,15 @@ impl ExportedMuscle {
     pub fn to(&self, target: Target) -> Result<Artefact, ExportError> {
         (target.make)(self)
     }
+}
+
+/// The values that templates of all languages have places for.
+pub(super) fn common(muscle: &ExportedMuscle) -> Vec<(&'static str, String)> {
+    let form = &muscle.form;
+    vec![
+        ("name", crate::muscle::plain(&muscle.name)),
+        ("version", muscle.version.into()),
+        ("length", number(form.length_m)),
+        ("supply", number(form.supply_pa)),
+    ]
 }

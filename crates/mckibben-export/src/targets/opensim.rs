@@ -7,12 +7,10 @@
 //!
 //! (OpenSim 4.6, McKibbenActuator.cpp.) Thread and turns are those with which the sum is nearest to the model, not those of the braid.
 
-use super::Target;
 use super::host_fit::fit;
-use crate::error::ExportError;
-use crate::muscle::{ExportedMuscle, LIMIT};
+use crate::muscle::LIMIT;
 use crate::template::{number, render};
-use crate::{Artefact, File};
+use crate::{Artefact, ExportError, ExportedMuscle, File, Target};
 use std::f64::consts::PI;
 
 pub(super) const TARGET: Target = Target {

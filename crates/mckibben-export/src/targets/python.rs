@@ -1,11 +1,8 @@
 //! Python: one file of functions for numbers and arrays of NumPy, JAX and PyTorch.
 
-use super::Target;
-use super::common::common;
-use crate::error::ExportError;
-use crate::muscle::ExportedMuscle;
+use super::common;
 use crate::template::{list, lists, number, render};
-use crate::{Artefact, File};
+use crate::{Artefact, ExportError, ExportedMuscle, File, Target};
 
 pub(super) const TARGET: Target = Target {
     name: "python",

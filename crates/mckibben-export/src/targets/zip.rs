@@ -1,6 +1,6 @@
 //! ZIP archives: the same files make the same bytes.
 
-use crate::error::ExportError;
+use crate::ExportError;
 use std::io::{Cursor, Write as _};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};

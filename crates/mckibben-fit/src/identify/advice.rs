@@ -1,11 +1,8 @@
 //! Sentences about data and result: what does not fit together, what is not identifiable, where the model does not follow.
 
-use super::distinct::distinct;
-use super::error::IdentifyError;
-use super::parameter::{NO_LOCK, Target, sets_limit};
-use super::problem::Build;
-use super::result::{Identification, PointFit};
-use super::signs;
+use super::default_parameters::distinct;
+use super::parameter::{NO_LOCK, sets_limit};
+use super::{Build, Identification, IdentifyError, PointFit, Request, Target, signs};
 use crate::least_squares::Loss;
 use crate::measured::{DataPoint, Quantity};
 use crate::rubber::MODULI;
@@ -234,17 +231,17 @@ pub(super) fn outliers(residuals: &[f64], weights: &[f64]) -> Vec<bool> {
 }
 
 /// What can be said of the result.
-pub(super) fn after(found: &Identification, loss: Loss, build: &Build<'_>) -> Vec<String> {
+pub(super) fn after(found: &Identification, request: &Request<'_>) -> Vec<String> {
     let mut notes = vec![];
     notes.extend(unidentifiable(found));
     notes.extend(no_rubber(found));
     notes.extend(correlated(found));
-    if loss == Loss::Largest {
+    if request.loss == Loss::Largest {
         notes.push("the largest residual was made small, not the sum of squares: standard errors are a rough guide only".into());
     }
     let far: Vec<u64> = found.points.iter().filter(|p| p.outlier).map(|p| p.point.line).collect();
     if !far.is_empty() {
-        let robust = if loss == Loss::Squares { "; check them, or use a robust loss" } else { "" };
+        let robust = if request.loss == Loss::Squares { "; check them, or use a robust loss" } else { "" };
         notes.push(format!(
             "{} lie{} more than {FAR} robust deviations from the model{robust}",
             lines(&far),
@@ -261,7 +258,7 @@ pub(super) fn after(found: &Identification, loss: Loss, build: &Build<'_>) -> Ve
     }
     notes.extend(misfit(found));
     notes.extend(pattern(&found.points));
-    notes.extend(slack(found, build));
+    notes.extend(slack(found, request.build));
     let has = |t: Target| found.parameter(t).is_some();
     if has(Target::ContractionOffset) {
         notes.push("a muscle file cannot hold contraction_offset: add it to your contractions".into());

@@ -7,15 +7,12 @@
 //! t s holds for errors with a normal distribution. What a model leaves of a measured muscle has shorter tails: of 20 points on, the residual
 //! that 95 % of the points do not exceed takes the place of t s (the 0.95 (n + 1)-th smallest of n, interpolated).
 
-use super::candidate::Candidate;
-use super::problem::{Build, Problem};
-use super::request::Request;
-use super::result::PointFit;
+use super::problem::Problem;
+use super::{Candidate, PointFit, Request};
 use crate::least_squares::{Estimate, Unknown, slopes, t95};
 use crate::measured::DataPoint;
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Bench, Direction};
-use mckibben::progress::Progress;
 use mckibben::units::plausible;
 
 /// Pressures and contractions of the grid.
@@ -32,12 +29,7 @@ pub(super) struct Found<'a> {
 }
 
 /// The bench of the muscle itself; `None` where no point is of it, or the fit's own half-width is not known.
-pub(super) fn bench(
-    request: &Request<'_>,
-    build: &Build<'_>,
-    found: &Found<'_>,
-    progress: &dyn Progress,
-) -> Option<Bench> {
+pub(super) fn bench(request: &Request<'_>, found: &Found<'_>) -> Option<Bench> {
     let muscle = found.candidate.muscle();
     let of_it = |f: &&PointFit| found.candidate.of_section(&f.point.section).is_ok_and(|m| m == *muscle);
     let own: Vec<&PointFit> = found.points.iter().filter(of_it).collect();
@@ -71,8 +63,7 @@ pub(super) fn bench(
             branch: branches.last().copied(),
         };
         let point = [DataPoint::of(at)];
-        let problem =
-            Problem::new(request.muscle, &free, request.fixed, (&point, None), build, found.x, progress);
+        let problem = Problem::new(request, &free, (&point, None), found.x);
         let columns = slopes(&problem, found.unknowns, found.x)?;
         let g: Vec<f64> = columns.iter().map(|c| c.first().copied().unwrap_or(0.0)).collect();
         let row = |row: &Vec<f64>| row.iter().zip(&g).map(|(c, g)| c * g).sum::<f64>();
@@ -97,7 +88,7 @@ pub(super) fn bench(
     }
     let bench = Bench {
         laboratory: None,
-        model: build(muscle).ok()?.info().name.to_string(),
+        model: (request.build)(muscle).ok()?.info().name.to_string(),
         lengths_mm,
         points: own.len(),
         branches,

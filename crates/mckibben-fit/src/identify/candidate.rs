@@ -1,6 +1,6 @@
 //! A muscle with values for the parameters: what is tried, and what comes out.
 
-use super::parameter::Target;
+use super::Target;
 use crate::measured::Section;
 use mckibben::muscle::measures::{END_FACTOR, FRICTION_COEFFICIENT, FRICTION_EXPONENT};
 use mckibben::muscle::{BraidStiffness, Muscle, MuscleError};

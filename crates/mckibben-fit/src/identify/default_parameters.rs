@@ -1,21 +1,14 @@
 //! What is free where nothing is said.
 
-use super::candidate::{Candidate, own_value};
-use super::distinct::distinct;
-use super::error::IdentifyError;
-use super::parameter::{Parameter, Target};
-use super::problem::Build;
-use super::request::Request;
-use super::result::Identification;
-use super::run::identify_with;
+use super::{
+    Build, Candidate, Identification, IdentifyError, Parameter, Request, Target, identify, own_value,
+};
 use crate::measured::DataPoint;
 use mckibben::model::Workspace;
-use mckibben::muscle::Direction;
-use mckibben::muscle::Muscle;
 use mckibben::muscle::measures::{
     FRICTION_COEFFICIENT, FRICTION_EXPONENT, FRICTION_LEVER, FRICTION_PRESLIDING,
 };
-use mckibben::progress::Progress;
+use mckibben::muscle::{Direction, Muscle};
 
 /// A stiffness in N/mm of strands that do not stretch.
 const STIFF: f64 = 1e5;
@@ -50,13 +43,9 @@ pub fn default_targets(muscle: &Muscle, points: &[DataPoint], history: bool) -> 
     out
 }
 
-/// [`identify_with`] with the [`default_targets`] that are not fixed; a stiffness that the data do not determine is left at the
+/// [`identify`] with the [`default_targets`] that are not fixed; a stiffness that the data do not determine is left at the
 /// muscle's own.
-pub fn identify_default(
-    request: &Request<'_>,
-    build: &Build<'_>,
-    progress: &dyn Progress,
-) -> Result<Identification, IdentifyError> {
+pub fn identify_default(request: &Request<'_>) -> Result<Identification, IdentifyError> {
     let fixed = |t: &Target| request.fixed.iter().any(|f| f.0 == *t);
     let targets: Vec<Target> = default_targets(request.muscle, request.points, request.history)
         .into_iter()
@@ -64,7 +53,7 @@ pub fn identify_default(
         .collect();
     let run = |targets: &[Target]| {
         let free: Vec<Parameter> = targets.iter().map(|t| Parameter::free(*t)).collect();
-        identify_with(&Request { free: &free, ..*request }, build, progress)
+        identify(&Request { free: &free, ..*request })
     };
     let without: Vec<Target> = targets.iter().copied().filter(|t| *t != Target::Stiffness).collect();
     let all = run(&targets);
@@ -99,4 +88,12 @@ pub fn matters(muscle: &Muscle, target: Target, points: &[DataPoint], build: &Bu
             _ => false,
         }
     })
+}
+
+/// How many different values there are.
+pub(super) fn distinct(values: impl Iterator<Item = f64>) -> usize {
+    let mut list: Vec<f64> = values.collect();
+    list.sort_by(f64::total_cmp);
+    list.dedup_by(|a, b| (*a - *b).abs() <= 1e-6 * (1e-3 + b.abs()));
+    list.len()
 }

@@ -26,28 +26,12 @@ pub enum IdentifyError {
     Flipped(String),
     /// Points that no rubber explains.
     #[error(
-        "no constants were found: {name} falls towards zero, to {value_mpa:.1e} MPa, which no rubber has. The measured pull is higher, or decreases less with contraction, than that of this muscle with any rubber"
+        "no constants were found: {0}, which no rubber has. The measured pull is higher, or decreases less with contraction, than that of this muscle with any rubber"
     )]
-    NoRubber {
-        /// What was free.
-        name: String,
-        /// The shear modulus at rest that it came to, in MPa.
-        value_mpa: f64,
-    },
+    NoRubber(String),
     /// The model fails at the start.
-    #[error(
-        "the model has no answer for {failed} of {points} points at the starting values (first: line {line}): {error}"
-    )]
-    Start {
-        /// Points without an answer.
-        failed: usize,
-        /// All points.
-        points: usize,
-        /// The first of them.
-        line: u64,
-        /// Why.
-        error: ModelError,
-    },
+    #[error("the model has no answer for {0}: {1}")]
+    Start(String, ModelError),
     /// Starting values that make no muscle.
     #[error("the starting values give no valid muscle: {0}")]
     Muscle(#[from] MuscleError),

@@ -5,7 +5,7 @@
 //! F₀: the mean of both branches, F_c: half the width of the loop, zᵢ: states of the [`Presliding`], moved from row to row by the change of the
 //! contraction times L0. A table begins on the branch that its first row states; without one at z = 0. Between two rows the muscle moves one way.
 
-use super::error::IdentifyError;
+use super::IdentifyError;
 use crate::measured::{DataPoint, Quantity};
 use mckibben::muscle::{Direction, Presliding};
 

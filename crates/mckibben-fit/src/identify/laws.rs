@@ -6,16 +6,10 @@
 //! that stiffens does, and the constants that follow can be ones that no rubber has.
 
 use super::advice::neighbours;
-use super::error::IdentifyError;
-use super::parameter::{Parameter, Target};
-use super::problem::Build;
-use super::request::Request;
-use super::result::Identification;
-use super::run::identify_with;
+use super::{Identification, IdentifyError, Parameter, Request, Target, identify};
 use crate::least_squares::aicc;
 use mckibben::cancel::Cancelled;
 use mckibben::muscle::{Rubber, Tube};
-use mckibben::progress::Progress;
 use mckibben::rubber::{Law, LawKind, RubberLaw};
 
 /// A rubber whose chains lock in tension below this stretch is not among the measured ones that ship: they stretch to 3 and more.
@@ -36,14 +30,10 @@ pub struct LawTrial {
 }
 
 /// Every law with a fixed number of constants, lowest AICc first.
-pub fn try_laws(
-    request: &Request<'_>,
-    build: &Build<'_>,
-    progress: &dyn Progress,
-) -> Result<Vec<LawTrial>, IdentifyError> {
+pub fn try_laws(request: &Request<'_>) -> Result<Vec<LawTrial>, IdentifyError> {
     let mut trials = vec![];
     for kind in Law::KINDS.iter().filter(|kind| !kind.is_sum) {
-        if let Some(trial) = trial(request, kind, build, progress) {
+        if let Some(trial) = trial(request, kind) {
             if matches!(trial.found, Err(IdentifyError::Cancelled(_))) {
                 return Err(Cancelled.into());
             }
@@ -55,12 +45,7 @@ pub fn try_laws(
 }
 
 /// One law from its example, scaled to the muscle's modulus at rest.
-fn trial(
-    request: &Request<'_>,
-    kind: &'static LawKind,
-    build: &Build<'_>,
-    progress: &dyn Progress,
-) -> Option<LawTrial> {
+fn trial(request: &Request<'_>, kind: &'static LawKind) -> Option<LawTrial> {
     let tube = request.muscle.tube();
     let own = &tube.rubber.law;
     let law = if own.kind().name == kind.name {
@@ -77,7 +62,7 @@ fn trial(
     let free: Vec<Parameter> = (0..constants).map(|i| Parameter::free(Target::Law(i))).chain(rest).collect();
     let fixed: Vec<(Target, f64)> = request.fixed.iter().filter(|f| !of_law(&f.0)).copied().collect();
     let asked = Request { muscle: &muscle, free: &free, fixed: &fixed, ..*request };
-    let found = identify_with(&asked, build, progress);
+    let found = identify(&asked);
     let known = found.as_ref().ok();
     Some(LawTrial {
         law: kind.name,

@@ -10,13 +10,11 @@ mod advice;
 mod bench;
 mod candidate;
 mod default_parameters;
-mod distinct;
 mod error;
 mod history;
 mod laws;
 mod parameter;
 mod problem;
-mod request;
 mod result;
 mod run;
 mod signs;
@@ -29,9 +27,8 @@ pub use error::IdentifyError;
 pub use laws::{LawTrial, try_laws};
 pub use parameter::{Parameter, ParameterError, Target};
 pub use problem::Build;
-pub use request::Request;
 pub use result::{Identification, Identified, PointFit, Spread};
-pub use run::{identify, identify_with};
+pub use run::{Request, identify};
 
 #[cfg(test)]
 mod tests;

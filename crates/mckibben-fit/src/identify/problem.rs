@@ -11,16 +11,14 @@
 //! ∂V/∂ε = L0 ∂F/∂P. Vd: volume of hose and fittings (`dead_volume`). ∂F/∂θ is the model's own
 //! ([`Slopes`](mckibben::model::Slopes)) where it has one and no volumes were read.
 
-use super::candidate::Candidate;
 use super::history::shares;
-use super::parameter::Target;
+use super::{Candidate, Request, Target};
 use crate::least_squares::Residuals;
 use crate::measured::{DataPoint, Quantity, Section};
 use mckibben::analysis::{force_on, friction_half_width_n, response_on, slope_by_pressure, stiffness_of};
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, OUTER_DIAMETER};
 use mckibben::muscle::{BraidStiffness, Direction, Friction, Muscle};
-use mckibben::progress::Progress;
 use mckibben::threads;
 
 /// Makes the model of a muscle.
@@ -38,14 +36,11 @@ const LEAST: usize = 24;
 
 /// What is to be made small.
 pub struct Problem<'a> {
-    base: &'a Muscle,
+    request: &'a Request<'a>,
     free: &'a [Target],
-    fixed: &'a [(Target, f64)],
     points: &'a [DataPoint],
     /// All rows in time order, where the friction has their history.
     history: Option<&'a [DataPoint]>,
-    build: &'a Build<'a>,
-    progress: &'a dyn Progress,
     chunks: Vec<Chunk>,
     scales: Scales,
     /// Whether the model knows all derivatives.
@@ -132,22 +127,16 @@ fn found(
 impl<'a> Problem<'a> {
     /// A problem of points, and of all rows in time order where the friction has their history; `start`: values of the free targets.
     pub fn new(
-        base: &'a Muscle,
+        request: &'a Request<'a>,
         free: &'a [Target],
-        fixed: &'a [(Target, f64)],
         (points, history): (&'a [DataPoint], Option<&'a [DataPoint]>),
-        build: &'a Build<'a>,
         start: &[f64],
-        progress: &'a dyn Progress,
     ) -> Self {
         let mut out = Self {
-            base,
+            request,
             free,
-            fixed,
             points,
             history,
-            build,
-            progress,
             chunks: chunks(points),
             scales: Scales::ONE,
             analytic: false,
@@ -169,8 +158,9 @@ impl<'a> Problem<'a> {
 
     /// The muscle at values of the free targets.
     pub fn candidate(&self, x: &[f64]) -> Option<Candidate> {
-        let values = self.fixed.iter().copied().chain(self.free.iter().copied().zip(x.iter().copied()));
-        Candidate::new(self.base, &values.collect::<Vec<_>>()).ok()
+        let values =
+            self.request.fixed.iter().copied().chain(self.free.iter().copied().zip(x.iter().copied()));
+        Candidate::new(self.request.muscle, &values.collect::<Vec<_>>()).ok()
     }
 
     /// Residual of every point in N, or why it has none.
@@ -221,11 +211,11 @@ impl<'a> Problem<'a> {
         one: impl Fn(&dyn ForceModel, &mut Workspace, usize) -> Result<T, ModelError> + Sync,
     ) -> Option<Vec<Result<T, ModelError>>> {
         let of_chunk = |chunk: &Chunk| -> Option<Vec<Result<T, ModelError>>> {
-            if self.progress.cancelled() {
+            if self.request.progress.cancelled() {
                 return None;
             }
             let muscle = candidate.of_section(&chunk.section).ok()?;
-            let model = (self.build)(&muscle).ok()?;
+            let model = (self.request.build)(&muscle).ok()?;
             let mut w = Workspace::new();
             Some(chunk.rows.iter().map(|&i| one(model.as_ref(), &mut w, i)).collect())
         };
@@ -282,7 +272,7 @@ impl<'a> Problem<'a> {
         let names = self.names(&candidate);
         let probe = || {
             let point = self.points.first()?;
-            let model = (self.build)(&candidate.of_section(&point.section).ok()?).ok()?;
+            let model = (self.request.build)(&candidate.of_section(&point.section).ok()?).ok()?;
             let e = point.at.contraction + candidate.contraction_offset;
             let w = &mut Workspace::new();
             model.extensions().slopes?.force_by(w, point.at.pressure_mpa, e, &names)?.ok()

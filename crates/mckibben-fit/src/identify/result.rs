@@ -1,7 +1,6 @@
 //! What was identified.
 
-use super::candidate::Candidate;
-use super::parameter::Target;
+use super::{Candidate, Target};
 use crate::measured::{DataPoint, Quantity};
 use mckibben::muscle::{Bench, Direction, Muscle};
 use serde::{Serialize, Serializer};

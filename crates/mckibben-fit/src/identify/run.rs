@@ -1,24 +1,54 @@
 //! From points and parameters to an [`Identification`].
 
-use super::advice;
 use super::bench::{self, Found};
-use super::candidate::own_value;
-use super::error::IdentifyError;
-use super::history;
-use super::parameter::{Parameter, Target};
-use super::problem::{Build, Problem};
-use super::request::Request;
-use super::result::{Identification, Identified, PointFit, spread, spreads};
-use super::signs;
-use crate::least_squares::{Estimate, EstimateError, Known, Residuals, Unknown, estimate};
+use super::problem::Problem;
+use super::result::{spread, spreads};
+use super::{
+    Build, Identification, Identified, IdentifyError, Parameter, PointFit, Target, advice, history,
+    own_value, signs,
+};
+use crate::least_squares::{Estimate, EstimateError, Known, Loss, Residuals, Unknown, estimate};
 use crate::measured::{DataPoint, Quantity};
 use mckibben::cancel::Cancelled;
 use mckibben::model::ModelError;
-use mckibben::muscle::Direction;
-use mckibben::muscle::Muscle;
 use mckibben::muscle::measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, GRIP, SEATING, SLIP};
+use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::{Progress, Silent};
 use mckibben::rubber::RubberLaw;
+
+/// What is to be identified.
+#[derive(Clone, Copy)]
+pub struct Request<'a> {
+    /// The muscle, with a value for everything that is not free.
+    pub muscle: &'a Muscle,
+    pub free: &'a [Parameter],
+    /// Values in place of the muscle's own.
+    pub fixed: &'a [(Target, f64)],
+    pub points: &'a [DataPoint],
+    /// What makes the model of a muscle.
+    pub build: &'a Build<'a>,
+    /// Hears how far it is, and may end it.
+    pub progress: &'a dyn Progress,
+    /// How a point far off counts.
+    pub loss: Loss,
+    /// Whether forces of zero and below are measurements: by default the muscle was slack there.
+    pub two_sided: bool,
+    /// Whether the points are in time order, so that the friction has their history; `branch` then counts in the first row of a table.
+    pub history: bool,
+}
+
+impl<'a> Request<'a> {
+    /// The usual one: nothing fixed, least squares, forces above zero, points in no order.
+    pub fn new(
+        muscle: &'a Muscle,
+        free: &'a [Parameter],
+        points: &'a [DataPoint],
+        build: &'a Build<'a>,
+    ) -> Self {
+        let (fixed, progress, loss) = (&[], &Silent, Loss::Squares);
+        Self { muscle, free, fixed, points, build, progress, loss, two_sided: false, history: false }
+    }
+}
 
 /// Half the width of the hysteresis loop that the data show at 1 MPa, roughly: a start for C.
 fn friction_start(points: &[DataPoint], exponent: f64) -> f64 {
@@ -97,24 +127,15 @@ fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec
     Ok((points.iter().map(one).collect(), stated > 0))
 }
 
-/// Identifies the free parameters of a muscle so that the model made by `build` comes closest to the points.
-pub fn identify(request: &Request<'_>, build: &Build<'_>) -> Result<Identification, IdentifyError> {
-    identify_with(request, build, &Silent)
-}
-
-/// The same for a caller who may want it to end before its end.
-pub fn identify_with(
-    request: &Request<'_>,
-    build: &Build<'_>,
-    progress: &dyn Progress,
-) -> Result<Identification, IdentifyError> {
+/// Identifies the free parameters of a muscle so that its model comes closest to the points.
+pub fn identify(request: &Request<'_>) -> Result<Identification, IdentifyError> {
     let directed = if request.history { history::directed(request.points)? } else { vec![] };
     let request = if request.history { &Request { points: &directed, ..*request } } else { request };
     let flipped = signs::check(request.muscle, request.points, request.two_sided)?;
-    let found = search(request, &flipped, build, progress);
+    let found = search(request, &flipped);
     match found {
         // A model without an answer and a caller who has gone look alike to the search.
-        _ if progress.cancelled() => Err(Cancelled.into()),
+        _ if request.progress.cancelled() => Err(Cancelled.into()),
         Err(IdentifyError::Estimate(_) | IdentifyError::NoRubber { .. } | IdentifyError::Start { .. })
             if !flipped.is_empty() =>
         {
@@ -124,12 +145,7 @@ pub fn identify_with(
     }
 }
 
-fn search(
-    request: &Request<'_>,
-    flipped: &[String],
-    build: &Build<'_>,
-    progress: &dyn Progress,
-) -> Result<Identification, IdentifyError> {
+fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification, IdentifyError> {
     if request.free.is_empty() {
         return Err(IdentifyError::Refused(
             "nothing is free: name at least one parameter to identify".into(),
@@ -147,10 +163,10 @@ fn search(
     notes.extend(flipped.iter().cloned());
     let values = request.fixed.iter().copied().chain(free.iter().copied().zip(start.iter().copied()));
     let first = super::Candidate::new(muscle, &values.collect::<Vec<_>>())?;
-    build(first.muscle()).map_err(IdentifyError::Model)?;
+    (request.build)(first.muscle()).map_err(IdentifyError::Model)?;
 
     let history = request.history.then_some(request.points);
-    let of = |points| Problem::new(muscle, &free, request.fixed, (points, history), build, &start, progress);
+    let of = |points| Problem::new(request, &free, (points, history), &start);
     let problem = of(&given);
     // Residuals at the start, point by point.
     let rows = problem.rows(&start).ok_or(IdentifyError::Estimate(EstimateError::Start))?;
@@ -200,7 +216,7 @@ fn search(
     let (estimate, candidate_of) = (&found, &candidate);
     let of =
         Found { x: &x, unknowns: &unknowns, estimate, candidate: candidate_of, points: &fitted, freedom };
-    let bench = bench::bench(request, build, &of, progress);
+    let bench = bench::bench(request, &of);
     let mut out = Identification {
         muscle: candidate.muscle().clone(),
         candidate,
@@ -218,7 +234,7 @@ fn search(
         notes: vec![],
         bench,
     };
-    notes.extend(advice::after(&out, request.loss, build));
+    notes.extend(advice::after(&out, request));
     out.notes = notes;
     Ok(out)
 }
@@ -234,7 +250,8 @@ fn rubber_is_left(request: &Request<'_>, start: &Muscle, end: &Muscle) -> Result
     let sought = request.free.iter().find(|p| matches!(p.target, Target::Law(_) | Target::Modulus));
     match sought {
         Some(p) if modulus(end) < SOFTEST_MPA.min(0.01 * modulus(start)) => {
-            Err(IdentifyError::NoRubber { name: p.target.name(request.muscle), value_mpa: modulus(end) })
+            let name = p.target.name(request.muscle);
+            Err(IdentifyError::NoRubber(format!("{name} falls towards zero, to {:.1e} MPa", modulus(end))))
         }
         _ => Ok(()),
     }
@@ -263,7 +280,8 @@ fn leave_out(points: &[DataPoint], rows: &Rows) -> Result<(Vec<DataPoint>, Optio
     let kept = points.iter().zip(rows).filter(|(_, r)| r.is_ok()).map(|(p, _)| *p).collect();
     let Some((line, error)) = failed.first().cloned() else { return Ok((kept, None)) };
     if 5 * failed.len() > all {
-        return Err(IdentifyError::Start { failed: failed.len(), points: all, line, error });
+        let which = format!("{} of {all} points at the starting values (first: line {line})", failed.len());
+        return Err(IdentifyError::Start(which, error));
     }
     let lines: Vec<u64> = failed.iter().map(|f| f.0).collect();
     let (n, at) = (failed.len(), advice::lines(&lines));

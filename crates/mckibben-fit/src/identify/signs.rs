@@ -1,7 +1,6 @@
 //! Points whose sign is flipped: a muscle pulls under pressure, and pulls less the shorter it is.
 
-use super::advice;
-use super::error::IdentifyError;
+use super::{IdentifyError, advice};
 use crate::measured::{DataPoint, Quantity};
 use mckibben::cancel;
 use mckibben::muscle::Muscle;

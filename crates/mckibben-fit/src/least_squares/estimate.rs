@@ -7,8 +7,7 @@
 //! with n points and m unknowns that are not on a bound (Seber & Wild 2003 \[seber2003\], ch. 2). The half-width of a
 //! 95 % interval is t(n − m) √covᵢᵢ.
 
-use super::bounds::Unknown;
-use super::student::t95;
+use super::{Unknown, t95};
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
 use mckibben::cancel;
 use nalgebra::{DMatrix, DVector, Dyn, Owned};

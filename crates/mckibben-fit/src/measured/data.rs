@@ -1,6 +1,7 @@
 //! A row of data: what was measured, where, on which muscle, and how well.
 
-use super::point::{MeasuredPoint, means};
+use super::MeasuredPoint;
+use super::point::means;
 use mckibben::muscle::measures::{ANGLE, LENGTH, OUTER_DIAMETER, WALL};
 use mckibben::muscle::{Measure, Muscle, MuscleError};
 use serde::{Deserialize, Serialize};

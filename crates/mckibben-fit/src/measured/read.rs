@@ -1,7 +1,6 @@
 //! Points from people's tables.
 
-use super::data::{DataPoint, Quantity, Section};
-use super::point::MeasuredPoint;
+use super::{DataPoint, MeasuredPoint, Quantity, Section};
 use mckibben::cancel;
 use mckibben::muscle::Direction;
 use mckibben_io::table::{

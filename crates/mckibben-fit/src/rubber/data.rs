@@ -3,8 +3,7 @@
 mod cell;
 mod sheet;
 
-use super::mode::Mode;
-use super::point::TensionPoint;
+use super::{Mode, TensionPoint};
 use cell::{LARGEST_STRETCH, STRESS, STRETCH, mode, nominal};
 use mckibben_io::table::{Column, Columns, Meaning, TESTS, Table, TableError, Understood, read_text};
 use std::io::Read;

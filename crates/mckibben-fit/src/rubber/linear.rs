@@ -10,12 +10,10 @@
 //! inequality, solve again (J. E. Kelley, SIAM J. 8 (1960) 703). Mooney–Rivlin has C10 ≥ 0 and C01 ≥ 0 besides.
 
 use super::convex::{Inequality, normal, solve};
-use super::error::TensionFitError;
-use super::problem::Problem;
-use super::raw::Raw;
+use super::problem::{Problem, Raw};
+use super::{TensionFitError, no_fit};
 use crate::least_squares::{Loss, Residuals, Unknown, estimate};
-use mckibben::rubber::Form;
-use mckibben::rubber::{Law, RubberLaw, log_hessian, muscle_states};
+use mckibben::rubber::{Form, Law, RubberLaw, log_hessian, muscle_states};
 
 /// The columns ∂P/∂c over the divisors.
 struct Linear<'a> {
@@ -47,12 +45,10 @@ fn scale(basis: &Law, problem: &Problem) -> f64 {
 }
 
 pub(super) fn free(form: Form, basis: &[Law], problem: &Problem) -> Result<Raw, TensionFitError> {
-    let failed = |why: String| TensionFitError::NotConverged { law: form.name(), why };
-    let columns = columns(basis, problem).ok_or_else(|| failed("a stress is not finite".into()))?;
+    let columns = columns(basis, problem).ok_or_else(|| no_fit(form, "a stress is not finite"))?;
     let unknowns: Vec<Unknown> = basis.iter().map(|law| Unknown::free(0.0, scale(law, problem))).collect();
     let linear = Linear { columns: &columns, measured: problem.measured() };
-    let found =
-        estimate(&linear, &unknowns, &problem.weights, Loss::Squares).map_err(|e| failed(e.to_string()))?;
+    let found = estimate(&linear, &unknowns, &problem.weights, Loss::Squares).map_err(|e| no_fit(form, e))?;
     let scales = unknowns.iter().map(|u| u.scale).collect();
     Ok(Raw {
         constants: found.x,
@@ -73,8 +69,7 @@ pub(super) fn stable(
     problem: &Problem,
     hoop_stretch: f64,
 ) -> Result<Raw, TensionFitError> {
-    let failed = |why: &str| TensionFitError::NotConverged { law: form.name(), why: why.into() };
-    let columns = columns(basis, problem).ok_or_else(|| failed("a stress is not finite"))?;
+    let columns = columns(basis, problem).ok_or_else(|| no_fit(form, "a stress is not finite"))?;
     let (n, d) = normal(&columns, &problem.measured(), &problem.weights);
     let margin = 1e-3 * problem.modulus_mpa;
     let states: Vec<Vec<[f64; 3]>> = muscle_states(hoop_stretch)
@@ -86,15 +81,15 @@ pub(super) fn stable(
         cuts.extend((0..basis.len()).map(|i| Inequality { g: unit(i), h: 0.0 }));
     }
     for _ in 0..CUTS {
-        let found = solve(&n, &d, &cuts).ok_or_else(|| failed("no stable law fits these data"))?;
+        let found = solve(&n, &d, &cuts).ok_or_else(|| no_fit(form, "no stable law fits these data"))?;
         let worst = states.iter().map(|s| deepest(s, &found.x)).min_by(|a, b| a.0.total_cmp(&b.0));
-        let Some((depth, g)) = worst else { return Err(failed("no states")) };
+        let Some((depth, g)) = worst else { return Err(no_fit(form, "no states")) };
         // Half of the margin is left for the iteration to end in.
         if depth >= 0.5 * margin {
             let freedom = (problem.counting() + found.active.len()).saturating_sub(basis.len()).max(1);
             let squares = form.law_of(&found.x).and_then(|law| problem.squares(&law));
             let deviation =
-                (squares.ok_or_else(|| failed("a stress is not finite"))? / freedom as f64).sqrt();
+                (squares.ok_or_else(|| no_fit(form, "a stress is not finite"))? / freedom as f64).sqrt();
             let on_own = |i: usize| {
                 let alone = |k: &usize| cuts[*k].g.iter().enumerate().all(|(j, g)| (j == i) == (*g != 0.0));
                 found.active.iter().any(alone)
@@ -109,7 +104,7 @@ pub(super) fn stable(
         }
         cuts.push(Inequality { g, h: margin });
     }
-    Err(failed("the constraint of stability was not met"))
+    Err(no_fit(form, "the constraint of stability was not met"))
 }
 
 /// The smallest eigenvalue of H(c), and vᵀHᵢv with its eigenvector v.

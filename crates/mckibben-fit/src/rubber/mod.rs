@@ -16,43 +16,31 @@
 
 mod convex;
 mod data;
-mod error;
 mod fitted;
-mod found;
-mod held_out;
 mod linear;
-mod mode;
 mod nonlinear;
 mod ogden;
 mod point;
 mod problem;
-mod raw;
 mod runs;
-mod settings;
 mod standing;
 mod table_of_fits;
 mod warning;
-mod windows;
 
 pub use data::{ReadOptions, read_tension, read_tests};
-pub use error::TensionFitError;
-pub use fitted::{FittedLaw, LawQuality, ModeError, Parameter};
-pub use found::TensionFit;
-pub use held_out::HeldOutError;
-pub use mckibben::rubber::Form;
-pub use mode::Mode;
-pub use point::TensionPoint;
-pub use problem::Measure;
-pub use settings::FitSettings;
-pub use standing::DECIDED_AICC;
-pub use table_of_fits::curve_of_fits;
-pub(crate) use warning::MODULI;
-pub use warning::TensionWarning;
-pub use windows::windows_of;
-
-use mckibben::cancel;
+pub use fitted::{FittedLaw, HeldOutError, LawQuality, ModeError, Parameter};
+use mckibben::cancel::{self, Cancelled};
 use mckibben::progress::{Progress, Silent};
+pub use mckibben::rubber::Form;
+use mckibben::rubber::MUSCLE_HOOP_STRETCH;
+pub use point::{Mode, TensionPoint};
+pub use problem::Measure;
 use problem::Problem;
+use serde::{Deserialize, Serialize};
+pub use standing::{DECIDED_AICC, TensionFit, windows_of};
+pub use table_of_fits::curve_of_fits;
+use thiserror::Error;
+pub(crate) use warning::MODULI;
 
 /// Fits laws to points.
 ///
@@ -100,7 +88,7 @@ pub fn fit_tension_with(
     laws.sort_by(|a, b| a[0].quality.aicc.total_cmp(&b[0].quality.aicc));
     let mut laws: Vec<FittedLaw> = laws.into_iter().flatten().collect();
     for law in &mut laws {
-        law.held_out = held_out::errors(&law.law, &held_out, settings.hoop_stretch);
+        law.held_out = fitted::errors(&law.law, &held_out, settings.hoop_stretch);
     }
     if let (true, Some(error)) = (laws.is_empty(), failed.first()) {
         return Err(error.clone());
@@ -139,13 +127,81 @@ fn check(settings: &FitSettings) -> Result<(), TensionFitError> {
 
 /// The laws that are asked for, or all that the points carry.
 fn chosen(settings: &FitSettings, points: usize) -> Result<Vec<Form>, TensionFitError> {
-    let too_few = |f: &Form| TensionFitError::TooFew { law: f.name(), points, needed: f.fewest_points() };
     let carried = |f: &Form| points >= f.fewest_points();
     let asked = if settings.forms.is_empty() { Form::all() } else { settings.forms.clone() };
     let forms: Vec<Form> = asked.iter().copied().filter(carried).collect();
     match (forms.is_empty(), asked.first()) {
-        (true, Some(first)) => Err(too_few(first)),
+        (true, Some(first)) => Err(TensionFitError::TooFew(format!(
+            "{points} points are too few for {}: it takes {} or more",
+            first.name(),
+            first.fewest_points()
+        ))),
         _ => Ok(forms),
+    }
+}
+
+/// Why there is no fit.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum TensionFitError {
+    /// Refused: field, value, what it must be.
+    #[error("{0}")]
+    Refused(String),
+    /// Not enough points for a law.
+    #[error("{0}")]
+    TooFew(String),
+    /// A term too many.
+    #[error("{0}: this number of terms fits these data no better than fewer terms")]
+    NoBetter(String),
+    /// The work was ended.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+    /// No minimum was found.
+    #[error("{0}")]
+    NotConverged(String),
+}
+
+/// That no fit of a law was found.
+pub(crate) fn no_fit(form: Form, why: impl std::fmt::Display) -> TensionFitError {
+    TensionFitError::NotConverged(format!("{}: no fit was found: {why}", form.name()))
+}
+
+/// What is wanted of a fit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct FitSettings {
+    /// The laws; none means all that the number of points carries.
+    pub forms: Vec<Form>,
+    /// What is made small.
+    pub measure: Measure,
+    /// Give every mode the same weight, whatever its number of points. Else every point counts alike.
+    pub balance: bool,
+    /// A factor on the weights of a mode.
+    pub mode_weights: Vec<(Mode, f64)>,
+    /// Modes that are fitted; none means all. The others are held out: how well a law follows them is said.
+    pub fit_modes: Vec<Mode>,
+    /// Points up to this stretch only.
+    pub up_to_stretch: Option<f64>,
+    /// The points are a history: a stress that falls is no rupture, and all points are fitted.
+    pub history: bool,
+    /// Laws that are stable in a muscle only.
+    pub stable: bool,
+    /// Largest hoop stretch of the muscle.
+    pub hoop_stretch: f64,
+}
+
+impl Default for FitSettings {
+    fn default() -> Self {
+        Self {
+            forms: vec![],
+            measure: Measure::Absolute,
+            balance: false,
+            mode_weights: vec![],
+            fit_modes: vec![],
+            up_to_stretch: None,
+            history: false,
+            stable: false,
+            hoop_stretch: MUSCLE_HOOP_STRETCH,
+        }
     }
 }
 

@@ -5,12 +5,10 @@
 //! locks at the last point, so q has two ends where the limit has none. Standard error of the limit Y/q: Y/q² times that
 //! of q. The fit begins at several q and the lowest minimum is taken.
 
-use super::error::TensionFitError;
-use super::problem::Problem;
-use super::raw::Raw;
+use super::problem::{Problem, Raw};
+use super::{TensionFitError, no_fit};
 use crate::least_squares::{Loss, Residuals, Unknown, estimate};
-use mckibben::rubber::Form;
-use mckibben::rubber::{Law, MUSCLE_AXIAL_STRETCH, RubberLaw};
+use mckibben::rubber::{Form, Law, MUSCLE_AXIAL_STRETCH, RubberLaw};
 
 /// A limit up to a thousand times that of the data: farther away it is not identifiable.
 const LOWEST: f64 = 1e-3;
@@ -82,9 +80,8 @@ fn of_muscle(hoop: f64) -> f64 {
 
 /// The fit; with the hoop stretch of a muscle the limit is kept a little beyond what its wall reaches.
 pub(super) fn fit(form: Form, problem: &Problem, hoop: Option<f64>) -> Result<Raw, TensionFitError> {
-    let failed = |why: String| TensionFitError::NotConverged { law: form.name(), why };
     let mu = problem.modulus_mpa;
-    let example = form.example().ok_or_else(|| failed("its constants are not complete".into()))?;
+    let example = form.example().ok_or_else(|| no_fit(form, "its constants are not complete"))?;
     let law = example.scaled(mu / example.shear_modulus_mpa());
     let limit_at = |i1: f64| limit(form, &law, i1);
     let limit = limit_at(problem.largest_i1_minus_3());
@@ -132,5 +129,5 @@ pub(super) fn fit(form: Form, problem: &Problem, hoop: Option<f64>) -> Result<Ra
             Err(error) => why = error.to_string(),
         }
     }
-    best.map(|b| b.1).ok_or_else(|| failed(why))
+    best.map(|b| b.1).ok_or_else(|| no_fit(form, why))
 }

@@ -6,13 +6,11 @@
 //! minimum, and the lowest is taken. The list is fixed, so the same data give the same law.
 
 use super::convex::{Inequality, normal, solve, subsets};
-use super::error::TensionFitError;
-use super::problem::Problem;
-use super::raw::Raw;
+use super::problem::{Problem, Raw};
+use super::{TensionFitError, no_fit};
 use crate::least_squares::{Estimate, Loss, Residuals, Unknown, estimate};
 use mckibben::cancel;
-use mckibben::rubber::Form;
-use mckibben::rubber::{Law, Ogden};
+use mckibben::rubber::{Form, Law, Ogden};
 
 const EXPONENTS: [f64; 14] = [0.7, 1.3, 2.0, 3.0, 4.0, 5.5, 7.5, 10.0, 14.0, -0.7, -1.5, -2.5, -4.5, -8.0];
 /// Smallest and largest |α|.
@@ -99,7 +97,6 @@ fn starts(count: usize, problem: &Problem) -> Vec<Start> {
 
 pub(super) fn fit(form: Form, problem: &Problem) -> Result<Raw, TensionFitError> {
     let count = form.terms().unwrap_or(1);
-    let failed = |why: String| TensionFitError::NotConverged { law: form.name(), why };
     let mut best: Option<(f64, Vec<f64>, Estimate)> = None;
     let mut why = None;
     // Of exact data rounding alone is left, and in planar tension α and −α are one law: then exponents above zero are taken.
@@ -130,8 +127,8 @@ pub(super) fn fit(form: Form, problem: &Problem) -> Result<Raw, TensionFitError>
             Err(error) => why = Some(error.to_string()),
         }
     }
-    let no_better = || TensionFitError::NoBetter { law: form.name() };
-    let (_, signs, found) = best.ok_or_else(|| why.map_or_else(no_better, failed))?;
+    let no_better = || TensionFitError::NoBetter(form.name());
+    let (_, signs, found) = best.ok_or_else(|| why.map_or_else(no_better, |why| no_fit(form, why)))?;
     let alpha = |k: usize| signs[k] * found.x[2 * k + 1];
     let same = |a: usize, b: usize| (alpha(a) - alpha(b)).abs() < 0.01 * alpha(a).abs();
     let twice = (0..count).any(|a| (0..a).any(|b| same(a, b)));

@@ -1,7 +1,6 @@
 //! The points with their weights, as the solvers see them.
 
-use super::mode::Mode;
-use super::point::TensionPoint;
+use super::{Mode, TensionPoint};
 use mckibben::cancel;
 use mckibben::rubber::{Law, RubberLaw};
 use serde::{Deserialize, Serialize};
@@ -110,4 +109,14 @@ impl Problem {
         }
         if aa > 0.0 { ab / aa } else { 0.0 }
     }
+}
+
+/// Constants as a solver gives them.
+pub(super) struct Raw {
+    pub constants: Vec<f64>,
+    pub standard_errors: Vec<f64>,
+    pub at_bound: Vec<bool>,
+    /// A change of each constant that moves the stress at the end of the data by the modulus; 0 where it may not be zero.
+    pub scales: Vec<f64>,
+    pub freedom: usize,
 }

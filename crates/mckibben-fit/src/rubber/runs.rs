@@ -1,7 +1,6 @@
 //! Loading, unloading and rupture, from the order of the points.
 
-use super::mode::Mode;
-use super::point::TensionPoint;
+use super::{Mode, TensionPoint};
 
 /// A turn back by more than this share of the range of stretches ends a run.
 const TURN: f64 = 0.05;

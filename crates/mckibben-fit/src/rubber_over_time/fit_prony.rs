@@ -139,7 +139,7 @@ pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<P
         }))
         .collect();
     let found = estimate(&differences, &unknowns, &vec![1.0; points], Loss::Squares)
-        .map_err(|error| OverTimeFitError::NotConverged { what: "relaxation", error })?;
+        .map_err(|error| OverTimeFitError::NotConverged("relaxation", error))?;
     let (instantaneous, prony) = unpack(&found.x);
     let prony = prony.validated()?;
     let squares: f64 = found.residuals.iter().map(|r| r * r).sum();

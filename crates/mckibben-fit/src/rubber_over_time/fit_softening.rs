@@ -113,7 +113,7 @@ pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit, 
     }
     let (squares, found) = match (best, why) {
         (Some(best), _) => best,
-        (None, Some(error)) => return Err(OverTimeFitError::NotConverged { what: "softening", error }),
+        (None, Some(error)) => return Err(OverTimeFitError::NotConverged("softening", error)),
         (None, None) => {
             return Err(OverTimeFitError::Refused(format!(
                 "{later} points do not determine the softening; give a longer test"

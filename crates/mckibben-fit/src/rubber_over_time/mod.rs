@@ -31,13 +31,8 @@ pub enum OverTimeFitError {
     #[error(transparent)]
     Law(#[from] TensionFitError),
     /// No minimum.
-    #[error("{what}: {error}")]
-    NotConverged {
-        /// Which fit.
-        what: &'static str,
-        /// Why.
-        error: EstimateError,
-    },
+    #[error("{0}: {1}")]
+    NotConverged(&'static str, EstimateError),
 }
 
 /// The constants of a law by their names.

@@ -3,17 +3,16 @@
 //!
 //! The same reader serves the folders that are built in (`data/measured`) and those of users.
 
-pub use super::case_error::CaseError;
-pub use super::facts::Facts;
-
 use super::rubber::RubberCase;
 use crate::identify::Parameter;
 use crate::measured::DataPoint;
 use mckibben::cancel::Cancel;
 use mckibben::muscle::Muscle;
+use mckibben_io::table::TableError;
 use rust_embed::Embed;
 use serde::{Deserialize, Serialize};
 use std::sync::LazyLock;
+use thiserror::Error;
 
 /// The files of a measured muscle or rubber.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
@@ -162,4 +161,39 @@ impl Measurement {
             Self::Muscle(_) => None,
         }
     }
+}
+
+/// Why a folder is no case.
+#[derive(Debug, Error)]
+pub enum CaseError {
+    /// Refused: field, value, what it must be.
+    #[error("{0}")]
+    Refused(String),
+    /// A parameter that the muscle does not have.
+    #[error("{0}")]
+    Parameter(String),
+    /// Points that cannot be read.
+    #[error("{0}/points.csv: {1}")]
+    Points(String, TableError),
+}
+
+/// What is known of something that was measured.
+#[derive(Debug, Clone, PartialEq, serde::Serialize, schemars::JsonSchema)]
+#[schemars(rename = "MeasuredFacts")]
+pub struct Facts {
+    /// Name of its folder.
+    pub name: String,
+    /// Which muscle or rubber.
+    pub title: String,
+    /// Who measured it.
+    pub source: String,
+    /// Terms of use of the points.
+    pub terms: String,
+    /// What is known of it.
+    pub known: String,
+    /// What is not.
+    pub unknown: String,
+    /// The product, where one can buy it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub product: Option<String>,
 }

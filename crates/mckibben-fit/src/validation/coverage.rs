@@ -1,7 +1,7 @@
 //! How far the finite elements are from measured pulls, and what share of the measured points the ± covers.
 
 use super::case::{MuscleCase, muscles};
-use super::residual::{Left, Residual, compared, fitted, residuals};
+use super::residual::{Fitter, Left, Residual, compared, fitted, residuals};
 use crate::identify::Build;
 use crate::identify::IdentifyError;
 use crate::measured::mean_of_data;
@@ -20,8 +20,8 @@ pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<Verifi
         // Measurements that are built in and cannot be read: a case that fails.
         Err(error) => return Ok(vec![share_row(format!("measured muscles: {error}"), "", None, AT_LEAST)]),
     };
-    let found =
-        threads::map(&sets, |set| of_first_fit(set, elements, &CancelOnly(progress)).unwrap_or_default());
+    let by = Fitter { build: elements, progress: &CancelOnly(progress) };
+    let found = threads::map(&sets, |set| of_first_fit(set, by).unwrap_or_default());
     progress.check()?;
     let mut rows = vec![];
     for (set, all) in sets.into_iter().zip(found) {
@@ -76,13 +76,9 @@ fn rms(set: &'static MuscleCase, left: &Left) -> VerificationRow {
 }
 
 /// Identifies a muscle from the mean of its branches as its first fit says, and compares all its points with it.
-pub fn of_first_fit(
-    set: &MuscleCase,
-    elements: &Build<'_>,
-    progress: &dyn Progress,
-) -> Result<Vec<Residual>, IdentifyError> {
+pub fn of_first_fit(set: &MuscleCase, by: Fitter<'_>) -> Result<Vec<Residual>, IdentifyError> {
     let Some(fit) = set.fits.first() else { return Ok(vec![]) };
     let means = mean_of_data(&set.points);
-    let (muscle, _) = fitted(fit, &means, elements, progress)?;
-    Ok(residuals(elements, &muscle, &compared(&means, &set.points)))
+    let (muscle, _) = fitted(fit, &means, by)?;
+    Ok(residuals(by.build, &muscle, &compared(&means, &set.points)))
 }

@@ -2,7 +2,7 @@
 
 use super::case::{CaseFit, MuscleCase, muscles};
 use super::coverage::{COVERAGE, Off, share_row};
-use super::residual::{fitted, identified};
+use super::residual::{Fitter, fitted, identified};
 use crate::identify::{Build, IdentifyError};
 use crate::measured::{DataPoint, mean_of_data};
 use mckibben::analysis::force_on;
@@ -54,13 +54,12 @@ pub fn judged(
     fit: &CaseFit,
     fitted: &[DataPoint],
     others: &[DataPoint],
-    build: &Build<'_>,
-    progress: &dyn Progress,
+    by: Fitter<'_>,
 ) -> Result<Vec<HeldOut>, IdentifyError> {
-    let found = identified(&fit.muscle, fit, fitted, build, progress)?;
+    let found = identified(&fit.muscle, fit, fitted, by)?;
     let Some(bench) = found.bench else { return Ok(vec![]) };
     let own = found.muscle.clone().with_bench(bench.clone());
-    let model = build(&own).map_err(IdentifyError::Model)?;
+    let model = (by.build)(&own).map_err(IdentifyError::Model)?;
     let w = &mut Workspace::new();
     let of_it = |p: &&DataPoint| found.candidate.of_section(&p.section).is_ok_and(|m| m == found.muscle);
     let one = |p: &DataPoint| {
@@ -85,33 +84,23 @@ pub fn judged(
 }
 
 /// Every point of a set, each judged by a fit that it was held out of.
-pub fn of_fit(
-    set: &MuscleCase,
-    fit: &CaseFit,
-    build: &Build<'_>,
-    progress: &dyn Progress,
-) -> Result<Vec<HeldOut>, IdentifyError> {
+pub fn of_fit(set: &MuscleCase, fit: &CaseFit, by: Fitter<'_>) -> Result<Vec<HeldOut>, IdentifyError> {
     let points = points_of(set, fit);
-    let fit = &started(fit, &points, build, progress)?;
+    let fit = &started(fit, &points, by)?;
     let mut all = vec![];
     for part in 0..PARTS {
         let of = |wanted: bool| -> Vec<DataPoint> {
             let each = points.iter().enumerate().filter(|(i, _)| (i % PARTS == part) == wanted);
             each.map(|(_, p)| *p).collect()
         };
-        all.extend(judged(fit, &of(false), &of(true), build, progress)?);
+        all.extend(judged(fit, &of(false), &of(true), by)?);
     }
     Ok(all)
 }
 
 /// The same fit, begun at the constants that all points give: those of a part are near to them.
-fn started(
-    fit: &CaseFit,
-    points: &[DataPoint],
-    build: &Build<'_>,
-    progress: &dyn Progress,
-) -> Result<CaseFit, IdentifyError> {
-    let (_, found) = fitted(fit, points, build, progress)?;
+fn started(fit: &CaseFit, points: &[DataPoint], by: Fitter<'_>) -> Result<CaseFit, IdentifyError> {
+    let (_, found) = fitted(fit, points, by)?;
     let mut fit = fit.clone();
     for free in &mut fit.free {
         free.start = found.iter().find(|p| p.target == free.target).map(|p| p.value).or(free.start);
@@ -127,8 +116,9 @@ pub fn share(list: &[HeldOut]) -> Option<f64> {
 /// The share of the held-out points of each set that the ± of its fit holds.
 pub fn cases(elements: &Build<'_>, progress: &dyn Progress) -> Result<Vec<VerificationRow>, Cancelled> {
     let sets: Vec<&MuscleCase> = muscles().unwrap_or_default();
+    let by = Fitter { build: elements, progress: &CancelOnly(progress) };
     let of = |set: &&MuscleCase| -> Vec<HeldOut> {
-        let found = set.fits.first().map(|fit| of_fit(set, fit, elements, &CancelOnly(progress)));
+        let found = set.fits.first().map(|fit| of_fit(set, fit, by));
         found.and_then(Result::ok).unwrap_or_default()
     };
     let found = threads::map(&sets, of);

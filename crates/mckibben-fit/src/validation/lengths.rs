@@ -5,7 +5,7 @@
 
 use super::case::{By, CaseFit, MuscleCase, muscles};
 use super::coverage::{AT_LEAST, share_row};
-use super::residual::{Left, identified, residuals};
+use super::residual::{Fitter, Left, identified, residuals};
 use super::split::{same, trainings};
 use crate::identify::{Build, IdentifyError};
 use crate::measured::{DataPoint, mean_of_data};
@@ -43,8 +43,9 @@ pub fn other_lengths(elements: &Build<'_>, progress: &dyn Progress) -> Result<Ve
             }
         }
     }
+    let by = Fitter { build: elements, progress: &CancelOnly(progress) };
     let found = threads::map(&tasks, |(set, fit, label, inside, outside)| {
-        let muscle = muscle_of(fit, inside, elements, &CancelOnly(progress));
+        let muscle = muscle_of(fit, inside, by);
         muscle.map_or_else(|_| vec![], |muscle| of(set, fit, label, &muscle, outside, elements))
     });
     progress.check()?;
@@ -52,15 +53,10 @@ pub fn other_lengths(elements: &Build<'_>, progress: &dyn Progress) -> Result<Ve
 }
 
 /// The muscle of a fit to some lengths, at the first of them, with its bench.
-fn muscle_of(
-    fit: &CaseFit,
-    points: &[DataPoint],
-    elements: &Build<'_>,
-    progress: &dyn Progress,
-) -> Result<Muscle, IdentifyError> {
+fn muscle_of(fit: &CaseFit, points: &[DataPoint], by: Fitter<'_>) -> Result<Muscle, IdentifyError> {
     let section = points.first().map(|p| p.section).unwrap_or_default();
     let start = section.apply(&fit.muscle).unwrap_or_else(|_| fit.muscle.clone());
-    let found = identified(&start, fit, points, elements, progress)?;
+    let found = identified(&start, fit, points, by)?;
     let muscle = found.muscle;
     Ok(found.bench.map_or_else(|| muscle.clone(), |bench| muscle.clone().with_bench(bench)))
 }

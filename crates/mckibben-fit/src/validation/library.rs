@@ -108,17 +108,16 @@ pub fn agreement(case: &MuscleCase, muscle: &Muscle, build: &Build<'_>) -> Agree
 mod tests {
     use super::super::elements;
     use super::*;
-    use crate::identify::{Identification, Identified, Request, Target, identify_with, own_value};
+    use crate::identify::{Identification, Identified, Request, Target, identify, own_value};
     use mckibben::muscle::file::parse_muscle;
-    use mckibben::progress::Silent;
     use mckibben::rubber::RubberLaw;
 
     /// Identifies the muscle of a folder again; its muscle has the bench that states its ±.
     fn refit(case: &MuscleCase) -> (Muscle, Identification) {
         let fit = case.fit_of_library().unwrap();
         let points = points_of(case, fit);
-        let request = Request::new(&fit.muscle, &fit.free, &points);
-        let found = identify_with(&request, &elements, &Silent).unwrap();
+        let request = Request::new(&fit.muscle, &fit.free, &points, &elements);
+        let found = identify(&request).unwrap();
         (found.muscle.clone().with_bench(found.bench.clone().unwrap()), found)
     }
 

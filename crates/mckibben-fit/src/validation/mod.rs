@@ -9,20 +9,15 @@
 //! fit, at fitted points and at predicted points.
 
 pub mod case;
-mod case_error;
 pub mod coverage;
-mod facts;
 pub mod held_out;
-mod keys;
 pub mod lengths;
 pub mod library;
 pub mod pulses;
 mod read;
 pub mod report;
-mod report_error;
 pub mod residual;
 pub mod rubber;
-mod rubber_fit;
 mod split;
 mod stress;
 pub mod transfer;
@@ -91,8 +86,8 @@ fn fitted(build: &Builder<'_>, parameters: &[Target], points: &[MeasuredPoint]) 
     let m = muscle()?;
     let free: Vec<Parameter> = parameters.iter().copied().map(Parameter::free).collect();
     let data: Vec<DataPoint> = points.iter().copied().map(DataPoint::of).collect();
-    let request = Request { two_sided: true, ..Request::new(&m, &free, &data) };
-    if free.is_empty() { Some(m) } else { Some(identify(&request, build).ok()?.muscle) }
+    let request = Request { two_sided: true, ..Request::new(&m, &free, &data, build) };
+    if free.is_empty() { Some(m) } else { Some(identify(&request).ok()?.muscle) }
 }
 
 fn row(

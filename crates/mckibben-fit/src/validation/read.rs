@@ -1,15 +1,12 @@
 //! A folder → what was measured.
 
-use super::case::{By, CaseFiles, CaseFit, FittedSubset, Measurement, MuscleCase, Split};
-use super::case_error::CaseError;
-use super::facts::Facts;
-use super::keys::Keys;
+use super::case::{By, CaseError, CaseFiles, CaseFit, Facts, FittedSubset, Measurement, MuscleCase, Split};
 use super::rubber::{self, RubberCase};
 use crate::identify::{Parameter, Target};
 use crate::measured::{Quantity, read_data};
 use mckibben::muscle::Muscle;
 use mckibben::muscle::file::parse_muscle;
-use toml_edit::{Document, DocumentMut, Item};
+use toml_edit::{Document, DocumentMut, Item, TableLike};
 
 const TOP: &[&str] =
     &["title", "source", "terms", "known", "unknown", "product", "rms_of_blocked", "library_fit", "fit"];
@@ -45,7 +42,7 @@ impl Measurement {
             return RubberCase::new(facts, &files.points, fits).map(Self::Rubber);
         }
         let points = read_data(files.points.as_bytes());
-        let points = points.map_err(|error| CaseError::Points { case: case(), error })?;
+        let points = points.map_err(|error| CaseError::Points(case(), error))?;
         let fits: Vec<CaseFit> = fits.map(|t| fit(files, &t)).collect::<Result<_, _>>()?;
         Ok(Self::Muscle(MuscleCase {
             facts,
@@ -105,7 +102,8 @@ fn fit(files: &CaseFiles, table: &Keys<'_>) -> Result<CaseFit, CaseError> {
         CaseError::Refused(format!("{case}/muscle.toml, fit \"{fit}\": {error}", case = case()))
     })?;
     let free = words.into_iter().map(|word| Parameter::parse(word, &muscle)).collect::<Result<_, _>>();
-    let free = free.map_err(|error| CaseError::Parameter { case: case(), fit: name.clone(), error })?;
+    let free =
+        free.map_err(|error| CaseError::Parameter(format!("{}/case.toml, fit \"{name}\": {error}", case())))?;
     let both_branches = match table.optional_text("branches")?.as_deref() {
         None | Some("mean") => false,
         Some("both") => true,
@@ -147,6 +145,54 @@ fn split(table: &Keys<'_>) -> Result<Option<Split>, CaseError> {
         _ => return Err(wrong()),
     };
     Ok(Some(Split { by, fitted }))
+}
+
+/// A table of `case.toml`.
+#[derive(Clone, Copy)]
+pub(super) struct Keys<'a> {
+    pub case: &'a str,
+    pub path: &'static str,
+    pub table: &'a dyn TableLike,
+}
+
+impl Keys<'_> {
+    pub fn wrong(&self, key: &str, expected: &'static str) -> CaseError {
+        CaseError::Refused(format!(
+            "{case}/case.toml: `{path}{key}` must be {expected}",
+            case = self.case,
+            path = self.path
+        ))
+    }
+
+    pub fn only(&self, known: &'static [&'static str]) -> Result<(), CaseError> {
+        match self.table.iter().find(|(key, _)| !known.contains(key)) {
+            None => Ok(()),
+            Some((key, _)) => {
+                let key = format!("{}{key}", self.path);
+                Err(CaseError::Refused(format!(
+                    "{case}/case.toml: `{key}` is not known; known here: {}",
+                    known.join(", "),
+                    case = self.case
+                )))
+            }
+        }
+    }
+
+    pub fn text(&self, key: &str) -> Result<String, CaseError> {
+        let text = self.table.get(key).and_then(Item::as_str).filter(|t| !t.trim().is_empty());
+        text.map(str::to_owned).ok_or_else(|| self.wrong(key, "a text, and not empty"))
+    }
+
+    pub fn optional_text(&self, key: &str) -> Result<Option<String>, CaseError> {
+        self.table.get(key).map(|_| self.text(key)).transpose()
+    }
+
+    pub fn number(&self, key: &str) -> Result<Option<f64>, CaseError> {
+        let Some(item) = self.table.get(key) else { return Ok(None) };
+        let number = item.as_float().or_else(|| item.as_integer().map(|i| i as f64));
+        let number = number.filter(|v| v.is_finite());
+        number.map(Some).ok_or_else(|| self.wrong(key, "a number without unit, such as 0.02"))
+    }
 }
 
 #[cfg(test)]

@@ -1,17 +1,32 @@
 //! The validation report of a measured muscle: the errors of each fit at the points it was fitted to and at the points it predicts.
 
-pub use super::report_error::ReportError;
-
 use super::case::{FittedSubset, MuscleCase};
-use super::residual::{Left, Residual, compared, fitted, residuals};
+use super::residual::{Fitter, Left, Residual, compared, fitted, residuals};
 use super::split::{Training, same, trainings};
 use crate::identify::{Build, Identified, IdentifyError};
 use crate::measured::{DataPoint, mean_of_data};
+use crate::rubber_over_time::OverTimeFitError;
+use mckibben::cancel::Cancelled;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben::threads;
 use serde::Serialize;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use thiserror::Error;
+
+/// Why there is no validation report.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ReportError {
+    /// The caller wanted it to end.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+    /// A fit that cannot be made.
+    #[error("{0}: {1}")]
+    Fit(String, IdentifyError),
+    /// A fit of a rubber that cannot be made.
+    #[error("{0}: {1}")]
+    Rubber(String, OverTimeFitError),
+}
 
 /// A fit, and what is left of its points.
 #[derive(Debug, Clone)]
@@ -94,9 +109,10 @@ pub fn report(
             tasks.extend(trainings(fit, means).into_iter().map(|t| (i, k, t)));
         }
     }
-    let (done, quiet) = (AtomicUsize::new(0), CancelOnly(progress));
+    let done = AtomicUsize::new(0);
+    let by = Fitter { build, progress: &CancelOnly(progress) };
     let one = |(case, fit, training): &(usize, usize, Training)| {
-        let result = run((cases[*case], &means[*case]), (*case, *fit), training, build, &quiet);
+        let result = run((cases[*case], &means[*case]), (*case, *fit), training, by);
         progress.report(done.fetch_add(1, Ordering::Relaxed) + 1, tasks.len());
         result
     };
@@ -107,30 +123,26 @@ fn run(
     (case, means): (&MuscleCase, &[DataPoint]),
     (number, fit_number): (usize, usize),
     training: &Training,
-    build: &Build<'_>,
-    progress: &dyn Progress,
+    by: Fitter<'_>,
 ) -> Result<FitResult, ReportError> {
-    progress.check()?;
+    by.progress.check()?;
     let fit = &case.fits[fit_number];
     let source = if fit.both_branches { &case.points } else { means };
     let (training_points, others): (Vec<DataPoint>, Vec<DataPoint>) =
         source.iter().partition(|p| training.holds(p, &fit.muscle));
     let label = training.label(&training_points, &fit.muscle);
-    let (muscle, parameters) =
-        fitted(fit, &training_points, build, progress).map_err(|error| match error {
-            IdentifyError::Cancelled(cancelled) => cancelled.into(),
-            error => ReportError::Fit {
-                case: case.facts.name.clone(),
-                fit: fit.name.clone(),
-                fitted_to: label.clone(),
-                error,
-            },
-        })?;
+    let (muscle, parameters) = fitted(fit, &training_points, by).map_err(|error| match error {
+        IdentifyError::Cancelled(cancelled) => cancelled.into(),
+        error => {
+            let of = format!("{}, fit \"{}\" on {label}", case.facts.name, fit.name);
+            ReportError::Fit(of, error)
+        }
+    })?;
     let nothing = fit.free.is_empty();
     let compared = compared(means, &case.points);
     let group = |of: String, blind: bool, keep: &dyn Fn(&DataPoint) -> bool| {
         let wanted: Vec<&DataPoint> = compared.iter().copied().filter(|p| keep(p)).collect();
-        let left = residuals(build, &muscle, &wanted);
+        let left = residuals(by.build, &muscle, &wanted);
         Group { unanswered: wanted.len() - left.len(), ..Group::of(of, blind, &left) }
     };
     let mut groups = vec![group(label.clone(), nothing, &|p| training.holds(p, &fit.muscle))];

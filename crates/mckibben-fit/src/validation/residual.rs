@@ -1,7 +1,7 @@
 //! What a model of a muscle leaves of measured pulls.
 
 use super::case::CaseFit;
-use crate::identify::{Build, Identification, Identified, IdentifyError, Request, identify_with};
+use crate::identify::{Build, Identification, Identified, IdentifyError, Request, identify};
 use crate::measured::{DataPoint, Quantity, Section};
 use mckibben::analysis::{response_on, slope_by_pressure, stiffness_of};
 use mckibben::model::{BlockedAt, ForceModel, Reference, Workspace, blocked_scale_n};
@@ -136,29 +136,33 @@ pub(super) fn residuals(build: &Build<'_>, muscle: &Muscle, points: &[&DataPoint
     out
 }
 
+/// The model that is fitted, and who hears how far it is.
+#[derive(Clone, Copy)]
+pub struct Fitter<'a> {
+    pub build: &'a Build<'a>,
+    pub progress: &'a dyn Progress,
+}
+
 /// A fit to points that begins with a muscle: least squares of the pulls, from one side, without history.
 pub(super) fn identified(
     muscle: &Muscle,
     fit: &CaseFit,
     points: &[DataPoint],
-    build: &Build<'_>,
-    progress: &dyn Progress,
+    by: Fitter<'_>,
 ) -> Result<Identification, IdentifyError> {
-    let request = Request::new(muscle, &fit.free, points);
-    identify_with(&request, build, progress)
+    identify(&Request { progress: by.progress, ..Request::new(muscle, &fit.free, points, by.build) })
 }
 
 /// The muscle and the constants of a fit to points.
 pub(super) fn fitted(
     fit: &CaseFit,
     points: &[DataPoint],
-    build: &Build<'_>,
-    progress: &dyn Progress,
+    by: Fitter<'_>,
 ) -> Result<(Muscle, Vec<Identified>), IdentifyError> {
     if fit.free.is_empty() {
         return Ok((fit.muscle.clone(), vec![]));
     }
-    let found = identified(&fit.muscle, fit, points, build, progress)?;
+    let found = identified(&fit.muscle, fit, points, by)?;
     Ok((found.muscle, found.parameters))
 }
 

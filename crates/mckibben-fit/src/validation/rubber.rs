@@ -1,16 +1,14 @@
 //! The validation report of a measured rubber: the errors of each law at the stresses it was fitted to and at those it predicts.
 
-pub use super::rubber_fit::{RubberCaseFit, RubberFitResult, RubberGroup};
-
-use super::case_error::CaseError;
-use super::facts::Facts;
-use super::keys::Keys;
-use super::report_error::ReportError;
+use super::case::{CaseError, Facts};
+use super::read::Keys;
+use super::report::ReportError;
 use super::stress::{history, tests};
-use crate::rubber::{Form, Mode, ReadOptions, TensionPoint, read_tests};
+use crate::rubber::{Form, Mode, Parameter, ReadOptions, TensionPoint, read_tests};
 use crate::rubber_over_time::{OverTimeFitError, TimePoint, read_history};
 use mckibben::progress::Progress;
 use mckibben_io::table::Columns;
+use serde::Serialize;
 use toml_edit::Item;
 
 /// A measured rubber, and which laws are fitted to it.
@@ -67,7 +65,7 @@ impl RubberCase {
         } else {
             read_tests(bytes, ReadOptions::default(), &columns).map(|read| Points::Tests(read.0))
         };
-        let points = points.map_err(|error| CaseError::Points { case: facts.name.clone(), error })?;
+        let points = points.map_err(|error| CaseError::Points(facts.name.clone(), error))?;
         Ok(Self { facts, fits, points })
     }
 
@@ -99,13 +97,61 @@ pub fn report(cases: &[&RubberCase], progress: &dyn Progress) -> Result<Vec<Rubb
         for (k, fit) in case.fits.iter().enumerate() {
             progress.check()?;
             let found = case.run(fit, progress).map_err(|error| {
-                let (case, fit) = (case.facts.name.clone(), fit.name.clone());
-                ReportError::Rubber { case, fit, error }
+                ReportError::Rubber(format!("{}, fit \"{}\"", case.facts.name, fit.name), error)
             })?;
             out.push(RubberFitResult { case: number, fit: k, ..found });
         }
     }
     Ok(out)
+}
+
+/// A law, and which points it is fitted to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RubberCaseFit {
+    pub name: String,
+    pub form: Form,
+    /// Modes that are fitted, all where none is named; the others are blind.
+    pub modes: Vec<Mode>,
+    /// Stretch up to which it is fitted; what is stretched further is blind.
+    pub up_to_stretch: Option<f64>,
+    /// Branches of a Prony series beside it, of a test over time.
+    pub relaxation: Option<usize>,
+}
+
+/// A fit, and what it leaves.
+#[derive(Debug, Clone, Default)]
+pub struct RubberFitResult {
+    pub case: usize,
+    pub fit: usize,
+    /// Constants found; with a Prony series those at once.
+    pub parameters: Vec<Parameter>,
+    /// gᵢ and τᵢ in s.
+    pub prony: Vec<(f64, f64)>,
+    /// Whether the law is stable in a muscle.
+    pub stable: bool,
+    /// What is left, group by group: fitted points before those that are predicted.
+    pub groups: Vec<RubberGroup>,
+}
+
+/// What is left of some nominal stresses: measured less computed.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
+pub struct RubberGroup {
+    /// The points that are compared: a mode, a mode `further` than the law was fitted, or a branch of a test over time.
+    pub of: String,
+    /// Whether nothing was fitted to them.
+    pub blind: bool,
+    /// How many.
+    pub points: usize,
+    /// Their largest stretch.
+    pub to_stretch: f64,
+    /// Root mean square of the differences in MPa.
+    pub rms_mpa: f64,
+    /// The same over the root mean square of the measured stresses.
+    pub relative: f64,
+    /// Mean of measured − computed in MPa.
+    pub bias_mpa: f64,
+    /// Largest difference in MPa.
+    pub largest_mpa: f64,
 }
 
 #[cfg(test)]

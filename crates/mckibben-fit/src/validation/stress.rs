@@ -1,7 +1,7 @@
 //! A law fitted to measured stresses, and what it leaves of them.
 
-use super::rubber_fit::{RubberCaseFit, RubberFitResult, RubberGroup};
-use crate::rubber::{FitSettings, Mode, TensionFit, TensionFitError, TensionPoint, fit_tension_with};
+use super::rubber::{RubberCaseFit, RubberFitResult, RubberGroup};
+use crate::rubber::{FitSettings, Mode, TensionFit, TensionPoint, fit_tension_with, no_fit};
 use crate::rubber_over_time::{Bar, OverTimeFitError, TimePoint, fit_prony};
 use mckibben::progress::Progress;
 use mckibben::rubber::Law;
@@ -20,9 +20,8 @@ fn law_of(
     let found = fit_tension_with(points, &settings, progress)?;
     let taken = found.recommended.or(Some(0)).and_then(|i| found.laws.get(i)).cloned();
     let Some(taken) = taken else {
-        let why = "no law was left".into();
-        let none = TensionFitError::NotConverged { law: fit.form.name(), why };
-        return Err(found.failed.into_iter().next().unwrap_or(none).into());
+        let none = || no_fit(fit.form, "no law was left");
+        return Err(found.failed.into_iter().next().unwrap_or_else(none).into());
     };
     let result = RubberFitResult {
         stable: taken.quality.stable,

@@ -5,7 +5,9 @@ use mckibben::muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubbe
 use mckibben::rubber::{Law, MooneyRivlin};
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fit::compare::MeasuredPoint;
-use mckibben_fit::identify::{DataPoint, Identification, Parameter, Quantity, Request, Section, identify};
+use mckibben_fit::identify::{
+    Build, DataPoint, Identification, Parameter, Quantity, Request, Section, identify,
+};
 
 /// The elements without their derivatives, so that differences are taken.
 struct Bare {
@@ -67,8 +69,8 @@ fn points() -> Vec<DataPoint> {
 fn run(names: &[&str], points: &[DataPoint], with_own: bool) -> Identification {
     let m = muscle(30.0, 400.0);
     let free: Vec<Parameter> = names.iter().map(|n| Parameter::parse(n, &m).unwrap()).collect();
-    let request = Request::new(&m, &free, points);
-    if with_own { identify(&request, &fe) } else { identify(&request, &bare) }.unwrap()
+    let build: &Build<'_> = if with_own { &fe } else { &bare };
+    identify(&Request::new(&m, &free, points, build)).unwrap()
 }
 
 #[test]

@@ -33,8 +33,8 @@ fn at_2_bar(word: impl Fn(usize) -> &'static str) -> (UncertaintyParts, bool) {
     let points: Vec<DataPoint> = read_data(table.as_bytes()).unwrap();
     let muscle = parse_muscle(OWNED).unwrap();
     let free = ["mu", "braid.stiffness"].map(|name| Parameter::parse(name, &muscle).unwrap());
-    let request = Request::new(&muscle, &free, &points);
-    let found = identify(&request, &elements).unwrap();
+    let request = Request::new(&muscle, &free, &points, &elements);
+    let found = identify(&request).unwrap();
     let model = elements(&found.muscle.with_bench(found.bench.unwrap())).unwrap();
     let parts = uncertainty(&*model, &mut Workspace::new(), (0.2, 0.05), 57.0, Direction::Mean).unwrap();
     (parts, found.notes.iter().any(|n| n.starts_with("branch not stated")))

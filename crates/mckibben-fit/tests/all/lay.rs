@@ -7,7 +7,6 @@ use mckibben_fem::FemError;
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fit::compare::MeasuredPoint;
 use mckibben_fit::identify::{DataPoint, Parameter, Request, identify};
-use mckibben_fit::least_squares::Loss;
 
 fn muscle(change: impl FnOnce(&mut Braid)) -> Muscle {
     let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 0.2 }));
@@ -194,11 +193,9 @@ fn thickness_and_crimp_come_back_from_rounded_points() {
     let m = muscle(|_| {});
     let free: Vec<_> =
         ["braid.thickness", "braid.crimp"].iter().map(|t| Parameter::parse(t, &m).unwrap()).collect();
-    let (muscle, free, points, loss) = (&m, &free[..], &points[..], Loss::Squares);
-    let request = Request { loss, ..Request::new(muscle, free, points) };
     let build =
         |m: &Muscle| -> Result<Box<dyn ForceModel>, ModelError> { Ok(Box::new(Axisymmetric::new(m)?)) };
-    let found = identify(&request, &build).unwrap();
+    let found = identify(&Request::new(&m, &free, &points, &build)).unwrap();
     for (p, truth) in found.parameters.iter().zip([0.6, 0.012]) {
         assert!((p.value - truth).abs() < p.half_width.max(1e-3 * truth), "{p:?}");
         assert!(p.identifiable, "{p:?}");

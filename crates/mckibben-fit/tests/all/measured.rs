@@ -10,6 +10,7 @@ use mckibben_fem::elements::Elements;
 use mckibben_fit::identify::{Request, identify};
 use mckibben_fit::validation::case::{built_in, muscles};
 use mckibben_fit::validation::held_out;
+use mckibben_fit::validation::residual::Fitter;
 use std::path::Path;
 
 fn elements(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
@@ -55,8 +56,8 @@ fn the_uncertainty_holds_single_branches_of_muscles_that_state_their_friction() 
         let branch = |p: &&mckibben_fit::measured::DataPoint| !p.at.direction().is_mean();
         // Every third: quick, and of all pressures and contractions.
         let points: Vec<_> = set.points.iter().filter(branch).step_by(3).copied().collect();
-        let request = Request::new(&fit.muscle, &fit.free, &points);
-        let found = identify(&request, &elements).unwrap();
+        let request = Request::new(&fit.muscle, &fit.free, &points, &elements);
+        let found = identify(&request).unwrap();
         assert!(found.muscle.friction().is_some());
         let (mut held, mut judged) = ([0, 0], 0);
         let mut models: Vec<(mckibben_fit::measured::Section, _, Workspace)> = vec![];
@@ -102,7 +103,8 @@ fn ten_points_leave_about_the_uncertainty_that_the_smallest_bench_promises() {
         };
         let ten = [five(top), five(0.4 * top)].concat();
         let others: Vec<_> = points.iter().filter(|p| !ten.contains(p)).copied().collect();
-        let judged = held_out::judged(fit, &ten, &others, &thick, &Silent).unwrap();
+        let judged =
+            held_out::judged(fit, &ten, &others, Fitter { build: &thick, progress: &Silent }).unwrap();
         assert!(held_out::share(&judged).unwrap() >= 0.93, "{name}: {:?}", held_out::share(&judged));
         let blocked = judged.iter().map(|p| p.blocked_n).fold(0.0, f64::max);
         shares.push(judged.iter().map(|p| p.half_width_n).sum::<f64>() / judged.len() as f64 / blocked);
@@ -123,7 +125,11 @@ fn the_uncertainty_of_the_stiffness_holds_the_slopes_of_measured_pulls() {
         for length in lengths {
             let mut one = set.clone();
             one.points.retain(|p| p.section.length_mm == length);
-            let left = mckibben_fit::validation::coverage::of_first_fit(&one, &elements, &Silent).unwrap();
+            let left = mckibben_fit::validation::coverage::of_first_fit(
+                &one,
+                Fitter { build: &elements, progress: &Silent },
+            )
+            .unwrap();
             let left: Vec<_> = left.into_iter().filter(|r| r.branch.is_mean()).collect();
             let mut ratios = vec![];
             for (i, a) in left.iter().enumerate() {

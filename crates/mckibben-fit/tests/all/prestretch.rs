@@ -28,8 +28,8 @@ fn a_prestretch_is_identified_from_pulls_and_a_wrong_one_refused() {
     }
     let start = truth.with(&PRESTRETCH, 1.0).unwrap();
     let free = [Parameter::free(Target::parse("tube.prestretch", &start).unwrap())];
-    let request = Request::new(&start, &free, &points);
-    let found = identify(&request, &|m| Ok(Box::new(ThickWall::new(m)))).unwrap();
+    let request = Request::new(&start, &free, &points, &|m| Ok(Box::new(ThickWall::new(m))));
+    let found = identify(&request).unwrap();
     let value = found.muscle.tube().prestretch;
     assert!((value - 1.15).abs() < 1e-6 && found.parameters[0].identifiable, "{value}");
     let refused = start.with(&PRESTRETCH, 3.0).unwrap_err().to_string();

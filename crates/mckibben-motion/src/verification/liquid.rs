@@ -5,14 +5,10 @@
 //! t = (V/K) (2 a (Q0 − Q1) + b ln(Q0/Q1)).
 
 use super::{Vessel, ran};
-use crate::command::Command;
-use crate::drive::{Actuated, Actuator, Drive, Target};
-use crate::fluid::Fluid;
-use crate::linear::Linear;
-use crate::liquid::{LiquidFill, LiquidValve, Pump, Restriction, Syringe};
-use crate::mechanism::SingleMuscle;
-use crate::motion::Motion;
-use crate::valve::ValveKind;
+use crate::{
+    Actuated, Actuator, Command, Drive, Fluid, Linear, LiquidFill, LiquidValve, Motion, Pump, Restriction,
+    SingleMuscle, Syringe, Target, ValveKind,
+};
 use mckibben::analysis::Options;
 use mckibben::liquid::Liquid;
 use mckibben::load::{Fill, Filling, Load, fill};

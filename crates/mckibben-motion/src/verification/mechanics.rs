@@ -1,17 +1,10 @@
 //! Muscles that move: balances, friction, oscillations, convergence.
 
 use super::ran;
-use crate::air::{ATMOSPHERE_MPA, Air, Heat};
-use crate::command::Command;
-use crate::drive::{Actuated, Actuator, Drive, Target};
-use crate::equilibrium::equilibrium;
-use crate::fluid::Fluid;
-use crate::friction::Hysteresis;
-use crate::linear::Linear;
-use crate::mechanism::SingleMuscle;
-use crate::orifice::Orifice;
-use crate::valve::Valve;
-use crate::viscoelastic::{Branch, Prony};
+use crate::{
+    ATMOSPHERE_MPA, Actuated, Actuator, Air, Branch, Command, Drive, Fluid, Heat, Hysteresis, Linear,
+    Orifice, Prony, SingleMuscle, Target, Valve, equilibrium,
+};
 use mckibben::load::Load;
 use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::{Friction, Muscle, Presliding};

@@ -8,9 +8,7 @@ mod vessel;
 
 pub use vessel::{Vessel, after, pressure};
 
-use crate::drive::Drive;
-use crate::motion::Motion;
-use crate::run::run;
+use crate::{Drive, Motion, run};
 use mckibben::progress::Silent;
 use mckibben::verification::VerificationRow;
 

@@ -5,14 +5,10 @@
 //! T = T0 κ/(1 + (κ − 1) x0). A choked discharge is an exponential of time, or a power without heat.
 
 use super::ran;
-use crate::air::{ATMOSPHERE_MPA, Air, Heat};
-use crate::command::Command;
-use crate::drive::{Actuated, Actuator, Drive, Target};
-use crate::fluid::Fluid;
-use crate::mechanism::SingleMuscle;
-use crate::motion::Motion;
-use crate::orifice::Orifice;
-use crate::valve::Valve;
+use crate::{
+    ATMOSPHERE_MPA, Actuated, Actuator, Air, Command, Drive, Fluid, Heat, Motion, Orifice, SingleMuscle,
+    Target, Valve,
+};
 use mckibben::model::{ForceModel, ModelEntry, ModelError, ModelInfo, Response, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::verification::VerificationRow;

@@ -101,7 +101,11 @@ fn what_ends_early_gives_what_was_computed() {
     let mut drive = Drive::new(&load, vec![Actuated::new(&*model, regulator(0.05))], target, 1.0);
     drive.tolerance.steps = 60;
     let motion = run_as_far(&drive, &Silent).unwrap();
-    assert!(matches!(motion.ended, Some(MotionError::Steps { steps: 61, .. })), "{:?}", motion.ended);
+    assert!(
+        motion.ended.as_ref().is_some_and(|e| e.to_string().contains(" after 61 steps")),
+        "{:?}",
+        motion.ended
+    );
     let (end, count) = (*motion.series.time_s.last().unwrap(), motion.series.time_s.len());
     assert!(end > 0.0 && end < 1.0 && motion.series.muscles[0].pressure_mpa.len() == count);
     assert!(motion.end.is_none() && motion.steps.is_empty());
@@ -119,7 +123,7 @@ fn measures_without_bounds_are_refused() {
     for (diameter, length) in
         [(1e200, 500.0), (1e-200, 500.0), (4.0, 1e200), (4.0, 1e-200), (0.0, 1.0), (-1.0, 1.0)]
     {
-        assert!(matches!(Hose::new(diameter, length), Err(MotionError::Value { .. })), "{diameter} {length}");
+        assert!(matches!(Hose::new(diameter, length), Err(MotionError::Refused(_))), "{diameter} {length}");
     }
     // A valve that is nearly closed has the flow of its own small opening, and no overflow of its cube.
     let small = Orifice::new(1e-9, 0.3).unwrap().scaled(1e-110);

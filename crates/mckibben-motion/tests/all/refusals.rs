@@ -31,9 +31,9 @@ fn what_cannot_be_is_said_with_its_values() {
     );
     let error = refused(&drive(Target::Opening(vec![Command::Constant(1.0)]), regulator(0.1)));
     assert!(error.to_string().contains("muscle 1 has a regulator"), "{error}");
-    assert!(matches!(refused(&drive(steps(&[(0.0, 0.0)]), regulator(0.0))), MotionError::Value { .. }));
-    assert!(matches!(Orifice::new(0.0, 0.3), Err(MotionError::Value { .. })));
-    assert!(matches!(Orifice::new(0.5, 1.0), Err(MotionError::Value { .. })));
+    assert!(matches!(refused(&drive(steps(&[(0.0, 0.0)]), regulator(0.0))), MotionError::Refused(_)));
+    assert!(matches!(Orifice::new(0.0, 0.3), Err(MotionError::Refused(_))));
+    assert!(matches!(Orifice::new(0.5, 1.0), Err(MotionError::Refused(_))));
 
     // 60 kg are more than 0.1 MPa can lift.
     let heavy = SingleMuscle { stops_mm: (0.0, 90.0), ..SingleMuscle::hanging(&*model, 60.0) };
@@ -64,7 +64,7 @@ fn a_run_ends_where_it_is_cancelled_too_long_or_too_slow() {
     assert!(matches!(run(&many, &Silent), Err(MotionError::Large(_))));
     drive.tolerance.steps = 20;
     let error = run(&drive, &Silent).unwrap_err();
-    assert!(matches!(error, MotionError::Steps { steps: 21, .. }), "{error}");
+    assert!(error.to_string().contains(" after 21 steps"), "{error}");
 }
 
 #[test]

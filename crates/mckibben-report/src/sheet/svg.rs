@@ -1,13 +1,11 @@
 //! A technical drawing as SVG, and as PDF by way of it.
 
-use super::{Anchor, Item, Pen, Sheet};
-use crate::FigureError;
 use crate::font::FAMILY;
-use crate::layout::check_paper;
-use crate::sizes::PER_MM;
+use crate::layout::{PER_MM, check_paper};
 use crate::strokes::through;
 use crate::svg::INK;
 use crate::xml::{escape, length as n};
+use crate::{Anchor, FigureError, Item, Pen, Sheet};
 use std::fmt::Write as _;
 
 /// Height of the capitals of the embedded font, as a share of its size.

@@ -39,7 +39,7 @@ fn a_missing_folder_is_named() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("nowhere/a.svg");
     let error = figures::models().save(&path).unwrap_err();
-    assert!(matches!(&error, FigureError::NoFolder { folder } if folder.ends_with("nowhere")), "{error}");
+    assert!(matches!(&error, FigureError::NoFolder(folder) if folder.ends_with("nowhere")), "{error}");
 }
 
 #[test]
@@ -48,7 +48,7 @@ fn what_the_system_refuses_is_told_and_nothing_is_left() {
     let path = folder.path().join("a.svg");
     fs::create_dir(&path).unwrap();
     let error = figures::models().save(&path).unwrap_err();
-    assert!(matches!(&error, FigureError::Write { path: p, .. } if *p == path), "{error}");
+    assert!(matches!(&error, FigureError::Write(p, _) if *p == path), "{error}");
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
 }
 

@@ -1,8 +1,6 @@
 //! Parquet files → rows.
 
-use super::layout::Field;
-use super::provenance::{Provenance, Which};
-use super::table::Table;
+use super::{Field, Provenance, Table, Which};
 use crate::PointRow;
 use crate::campaign::CampaignError;
 use mckibben_io::files::ReadError;
@@ -37,7 +35,7 @@ impl Opened {
     }
 
     fn new(reader: Reader, path: &Path) -> Result<Self, CampaignError> {
-        let none = |why| CampaignError::NoCampaign { path: path.into(), why };
+        let none = |why| CampaignError::NoCampaign(path.into(), why);
         let (provenance, which) = Provenance::read(&reader.pairs()).map_err(none)?;
         if let Some(name) = provenance.layout.lacks(&reader.names()) {
             return Err(none(format!("its table lacks the column {name}; run the plan again")));

@@ -1,7 +1,7 @@
 //! Rows → Parquet files.
 
-use super::provenance::{Provenance, VERSION, Which};
-use super::table::Table;
+use super::provenance::VERSION;
+use super::{Provenance, Table, Which};
 use crate::campaign::CampaignError;
 use mckibben_io::parquet::{GROUP, TableError, Writer};
 use std::fs::File;
@@ -74,7 +74,7 @@ pub(crate) fn whole(
     path: &Path,
 ) -> Result<(), CampaignError> {
     let failed = |error| match error {
-        TableError::Io(source) => CampaignError::Write { path: path.into(), source },
+        TableError::Io(source) => CampaignError::Write(path.into(), source),
         TableError::Table(why) => CampaignError::Encode(why),
     };
     let mut encoder = Encoder::new(file, provenance, Which::Whole).map_err(failed)?;

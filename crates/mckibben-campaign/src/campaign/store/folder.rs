@@ -36,7 +36,7 @@ const OTHER_FORMATS: [&str; 12] =
 pub(crate) fn check_name(path: &Path) -> Result<(), CampaignError> {
     let ending = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
     if ending.is_some_and(|e| OTHER_FORMATS.contains(&e.as_str())) && !path.is_dir() {
-        return Err(CampaignError::OtherFormat { path: path.into() });
+        return Err(CampaignError::OtherFormat(path.into()));
     }
     Ok(())
 }
@@ -95,7 +95,7 @@ impl Folder {
                 self.locks.push(file);
                 Ok(())
             }
-            Err(TryLockError::WouldBlock) => Err(CampaignError::Locked { path: self.path.clone() }),
+            Err(TryLockError::WouldBlock) => Err(CampaignError::Locked(self.path.clone())),
             // A file system without locks: parts are still renamed whole, and equal whoever writes them.
             Err(TryLockError::Error(e)) if e.kind() == std::io::ErrorKind::Unsupported => Ok(()),
             Err(TryLockError::Error(e)) => Err(CampaignError::write(&path)(e)),

@@ -1,7 +1,7 @@
 //! Where a table comes from: key and value in the metadata of its file.
 
 use super::layout::Layout;
-use crate::campaign::plan::Plan;
+use crate::campaign::Plan;
 use crate::hash;
 use serde::Serialize;
 

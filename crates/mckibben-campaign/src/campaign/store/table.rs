@@ -1,6 +1,7 @@
 //! Rows as columns in memory.
 
-use super::layout::{Field, Layout};
+use super::Field;
+use super::layout::Layout;
 use crate::PointRow;
 use crate::columns::Slot;
 use mckibben_io::parquet::{Column, Text};

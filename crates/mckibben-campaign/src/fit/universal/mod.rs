@@ -10,18 +10,12 @@
 //! hardly pull. Errors are those of the finished model, which solves for λ itself; and of models fitted to four
 //! fifths of the muscles on the last fifth.
 
-mod errors;
 mod held_out;
 mod points;
-mod terms;
 
-pub use errors::{shares, summary};
-pub use held_out::{HeldOutRow, held_out, held_out_samples, rubber_laws};
-pub use points::{PullPoint, Sample, samples};
-pub use terms::products;
-
-use super::error::FitError;
+use super::FitError;
 use crate::hash;
+pub use held_out::{HeldOutRow, held_out, held_out_samples, rubber_laws};
 use mckibben::formula::{
     Deficit, Form, Provenance, UniversalErrors, UniversalFormula, UniversalRange, UniversalSummary,
     UniversalTerm,
@@ -31,6 +25,7 @@ use mckibben::progress::Progress;
 use mckibben::rubber::RubberLaw;
 use mckibben::threads;
 use nalgebra::{DMatrix, DVector};
+pub use points::{PullPoint, Sample, samples, shares, summary};
 use std::sync::Arc;
 
 /// The box that is asked of the campaign; what it does not fill is cut from it.
@@ -225,4 +220,49 @@ fn numbers(samples: &[Sample]) -> impl Iterator<Item = f64> {
         let points = s.points.iter().flat_map(|p| [p.pressure_mpa, p.contraction, p.force_n, p.blocked_n]);
         own.into_iter().chain(points)
     })
+}
+
+/// S, A, B, M, L: chosen one by one on a campaign with muscles left out (forward selection among the products up to the
+/// third degree), then kept.
+const BULGE: [[u8; 5]; 16] = [
+    [0, 0, 0, 0, 0],
+    [0, 0, 0, 1, 0],
+    [0, 0, 0, 0, 3],
+    [0, 1, 0, 2, 0],
+    [0, 1, 0, 0, 0],
+    [0, 1, 0, 1, 0],
+    [0, 0, 0, 3, 0],
+    [0, 0, 0, 2, 0],
+    [0, 0, 1, 0, 2],
+    [0, 0, 0, 0, 1],
+    [0, 1, 1, 0, 1],
+    [0, 0, 0, 2, 1],
+    [0, 0, 1, 0, 1],
+    [0, 0, 2, 0, 1],
+    [0, 0, 1, 2, 0],
+    [0, 0, 3, 0, 0],
+];
+
+/// All products of a form: for `membrane` the 21 of degree two and less.
+pub fn products(form: Form) -> Vec<[u8; 5]> {
+    match form {
+        Form::Bulge => BULGE.to_vec(),
+        Form::Membrane => {
+            let mut out = vec![[0; 5]];
+            let unit = |i: usize| {
+                let mut n = [0_u8; 5];
+                n[i] = 1;
+                n
+            };
+            out.extend((0..5).map(unit));
+            out.extend((0..5).flat_map(|i| {
+                (i..5).map(move |j| {
+                    let mut n = unit(i);
+                    n[j] += 1;
+                    n
+                })
+            }));
+            out
+        }
+    }
 }

@@ -6,14 +6,11 @@
 
 mod variables;
 
-use super::Target;
 use super::c::{rendered, sources};
 use super::zip::zip;
-use crate::error::ExportError;
 use crate::form::NODES;
-use crate::muscle::ExportedMuscle;
 use crate::template::render;
-use crate::{Artefact, File};
+use crate::{Artefact, ExportError, ExportedMuscle, File, Target};
 use variables::{Variable, settings};
 
 pub(super) const TARGET: Target = Target {

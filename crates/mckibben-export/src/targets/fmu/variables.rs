@@ -1,7 +1,7 @@
 //! The variables of a unit, and what `modelDescription.xml` has of them in both versions of FMI.
 
 use super::Kind;
-use crate::muscle::ExportedMuscle;
+use crate::ExportedMuscle;
 use crate::template::number;
 use std::fmt::Write as _;
 

@@ -41,8 +41,8 @@ fn the_default_does_not_free_an_unidentifiable_stiffness() {
     let m = soft();
     let stiff =
         m.with_braid(Braid { stiffness: BraidStiffness::NewtonPerMm(1e5), ..m.braid().clone() }).unwrap();
-    let request = Request::new(&stiff, &[], &points);
-    let f = identify_default(&request, &thick, &Silent).unwrap();
+    let request = Request::new(&stiff, &[], &points, &thick);
+    let f = identify_default(&request).unwrap();
     assert_eq!(f.parameters.len(), 1);
     assert!((f.parameters[0].value - 0.3).abs() < 0.05, "{:#?}", f.parameters);
     assert!(f.notes.iter().any(|n| n.contains("was not changed")), "{:?}", f.notes);
@@ -134,8 +134,8 @@ fn starts_bounds_and_doubles_are_checked() {
     assert!(matches!(error(&["mu", "mu=2"]), IdentifyError::Refused(_)));
     assert!(error(&["braid.stiffness"]).to_string().contains("write braid.stiffness=START"));
     let outside = [Parameter { bounds: Some((0.5, 1.0)), ..free(&m, &["mu"])[0] }];
-    let request = Request::new(&m, &outside, &points);
-    assert!(matches!(identify(&request, &thick).unwrap_err(), IdentifyError::Refused(_)));
+    let request = Request::new(&m, &outside, &points, &thick);
+    assert!(matches!(identify(&request).unwrap_err(), IdentifyError::Refused(_)));
     // A bound that holds the truth away is reported.
     let f = found(&m, &["mu=0.4:0.35:1"], &points, Loss::Squares).unwrap();
     assert!(f.parameters[0].at_bound && !f.parameters[0].identifiable, "{:#?}", f.parameters);
@@ -217,8 +217,8 @@ fn ends_that_give_way_by_too_much_are_not_determined() {
         })
         .collect();
     let free = free(&m, &["mu=0.5", "terminals.seating"]);
-    let request = Request { two_sided: true, ..Request::new(&m, &free, &points) };
-    let f = identify(&request, &|m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
+    let request = Request { two_sided: true, ..Request::new(&m, &free, &points, &with_ends) };
+    let f = identify(&request).unwrap();
     let seating_found = &f.parameters[1];
     assert!((seating_found.value - seating).abs() < 1e-5, "{seating_found:#?}");
     assert!(seating_found.implausible && !seating_found.identifiable && !f.parameters[0].implausible);
@@ -233,8 +233,8 @@ fn a_constant_on_its_bound_is_the_bound() {
     let m = soft();
     let free = free(&m, &["mu", "grip"]);
     let points = bench(&m, 0.0);
-    let request = Request::new(&m, &free, &points);
-    let f = identify(&request, &|m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
+    let request = Request::new(&m, &free, &points, &with_ends);
+    let f = identify(&request).unwrap();
     assert!(f.parameters[1].at_bound && f.parameters[1].value == 0.0, "{:#?}", f.parameters);
     assert!(f.notes.iter().any(|n| n.contains("terminals.grip is at its bound, 0 mm")), "{:?}", f.notes);
 }

@@ -40,11 +40,7 @@ fn of(points: &[DataPoint], history: bool) -> Result<Identification, IdentifyErr
     let m = soft();
     let parse = |text: &str| Parameter::parse(text, &m).unwrap();
     let free = [parse("mu"), parse("friction.lever"), parse("friction.presliding")];
-    let loss = Loss::Squares;
-    identify(
-        &Request { muscle: &m, free: &free, fixed: &[], points, loss, two_sided: false, history },
-        &thick,
-    )
+    identify(&Request { history, ..Request::new(&m, &free, points, &thick) })
 }
 
 #[test]

@@ -7,7 +7,7 @@ use crate::measured::MeasuredPoint;
 use mckibben::cancel::Cancelled;
 use mckibben::model::{ForceModel, ModelError, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube};
-use mckibben::progress::{Progress, Silent};
+use mckibben::progress::Progress;
 use mckibben::rubber::{Law, MooneyRivlin, NeoHookean, Yeoh};
 
 /// Numbers as good as normal ones: the sum of twelve from a linear congruential generator.
@@ -25,6 +25,10 @@ impl Noise {
 
 fn thick(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
     Ok(Box::new(ThickWall::new(m)))
+}
+
+fn with_ends(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+    mckibben::model::ModelKind::ThickWall.build(m)
 }
 
 fn muscle(law: Law, stiffness: BraidStiffness) -> Muscle {
@@ -95,7 +99,7 @@ fn found(
     loss: Loss,
 ) -> Result<Identification, IdentifyError> {
     let free = free(m, names);
-    identify(&Request { loss, ..Request::new(m, &free, points) }, &thick)
+    identify(&Request { loss, ..Request::new(m, &free, points, &thick) })
 }
 
 #[test]
@@ -108,8 +112,8 @@ fn whoever_no_longer_wants_the_answer_gets_none() {
     }
     let m = soft();
     let (free, points) = (free(&m, &["mu"]), bench(&m, 0.0));
-    let request = Request::new(&m, &free, &points);
-    assert_eq!(identify_with(&request, &thick, &Gone).unwrap_err(), IdentifyError::Cancelled(Cancelled));
+    let request = Request { progress: &Gone, ..Request::new(&m, &free, &points, &thick) };
+    assert_eq!(identify(&request).unwrap_err(), IdentifyError::Cancelled(Cancelled));
 }
 
 fn values(m: &Muscle, names: &[&str], points: &[DataPoint]) -> Vec<f64> {
@@ -280,14 +284,13 @@ fn muscles_of_several_lengths_tell_how_far_their_ends_give_way() {
     };
     let points: Vec<DataPoint> = [150.0, 250.0, 400.0].into_iter().flat_map(of_length).collect();
     let free = free(&m, &["mu=0.5", "terminals.seating", "contraction_offset"]);
-    let request = Request::new(&m, &free, &points);
-    let found = identify(&request, &|m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
+    let request = Request::new(&m, &free, &points, &with_ends);
+    let found = identify(&request).unwrap();
     for (p, truth) in found.parameters.iter().zip([0.3, seating, 0.0]) {
         assert!(p.identifiable && (p.value - truth).abs() < 1e-6, "{p:#?}");
     }
     let determined = |points: &[DataPoint]| {
-        let one = Request { points, ..request };
-        let found = identify(&one, &|m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
+        let found = identify(&Request { points, ..request }).unwrap();
         found.notes.iter().any(|note| note.contains("all points are from muscles of one length"))
     };
     assert!(determined(&noisy(&points[..PLACES.len()], 0.5, 3)) && !determined(&points));
@@ -312,8 +315,8 @@ fn muscles_of_several_lengths_tell_slip_and_grip() {
         }
     }
     let free = free(&m, &["mu=0.5", "terminals.slip", "grip"]);
-    let request = Request { two_sided: true, ..Request::new(&m, &free, &points) };
-    let found = identify(&request, &|m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
+    let request = Request { two_sided: true, ..Request::new(&m, &free, &points, &with_ends) };
+    let found = identify(&request).unwrap();
     for (p, (truth, scale)) in found.parameters.iter().zip([(0.3, 0.3), (slip, slip), (grip, grip)]) {
         assert!(p.identifiable && (p.value - truth).abs() < 1e-5 * scale, "{p:#?}");
     }
@@ -343,9 +346,8 @@ fn of_all_laws_the_points_prefer_the_one_that_made_them() {
     }
     let free = [Parameter::free(Target::Modulus)];
     let (muscle, loss) = (&m, Loss::Squares);
-    let request = Request { loss, ..Request::new(muscle, &free, &points) };
-    let build = |m: &Muscle| Ok(Box::new(ThickWall::new(m)) as Box<dyn ForceModel>);
-    let trials = try_laws(&request, &build, &mckibben::progress::Silent).unwrap();
+    let request = Request { loss, ..Request::new(muscle, &free, &points, &thick) };
+    let trials = try_laws(&request).unwrap();
     assert_eq!(trials.len(), Law::KINDS.iter().filter(|k| !k.is_sum).count());
     let best = &trials[0];
     assert_eq!(best.law, "gent");

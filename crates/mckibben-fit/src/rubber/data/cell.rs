@@ -1,6 +1,6 @@
 //! Stress and mode of a row, and what no rubber can bear.
 
-use crate::rubber::mode::Mode;
+use crate::rubber::Mode;
 use mckibben_io::table::{Column, Meaning, Table, TableError};
 
 /// Groups of [`TESTS`](mckibben_io::table::TESTS).

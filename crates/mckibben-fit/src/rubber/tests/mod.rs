@@ -182,8 +182,8 @@ fn a_negative_c01_is_warned_of_and_the_neighbour_offered() {
     let neo = found.laws.iter().find(|l| l.form == named("neo-hookean")).unwrap();
     let (free, held) = (of(false), of(true));
     assert!(free.parameters[1].value < 0.0 && !free.quality.stable);
-    assert!(found.warnings.iter().any(|w| matches!(w, TensionWarning::NegativeC01 { .. })));
-    assert!(found.warnings.contains(&TensionWarning::OneAxis));
+    assert!(found.warnings.iter().any(|w| w.contains("a negative C01")));
+    assert!(found.warnings.iter().any(|w| w.starts_with("uniaxial tests alone")));
     assert!(held.quality.stable && held.parameters[1].value.abs() < 1e-12);
     assert_eq!(held.parameters[1].standard_error, Some(0.0));
     assert!(!held.parameters[1].identifiable);
@@ -223,7 +223,7 @@ fn a_gent_law_that_locks_too_early_is_held_behind_the_muscle() {
     let (free, held) = (&found.laws[0], &found.laws[1]);
     assert!((free.parameters[1].value - 4.0).abs() < 1e-3);
     assert!(!free.quality.stable && held.quality.stable);
-    assert!(found.warnings.iter().any(|w| matches!(w, TensionWarning::Locks { .. })));
+    assert!(found.warnings.iter().any(|w| w.contains("locks at I1")));
 }
 
 #[test]
