@@ -1,7 +1,6 @@
 //! The burst pressure in answers: one value for each muscle and model, and the sentence that comes before all others.
 
-use crate::model::Model;
-use crate::problem::{Problem, ProblemKind};
+use crate::{Model, Problem, ProblemKind};
 use mckibben::analysis::{AnalysisError, Burst, FailureMode, NoBurst, burst};
 use mckibben::cancel;
 use mckibben::model::{ForceModel, ModelError};

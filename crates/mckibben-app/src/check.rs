@@ -5,14 +5,10 @@ pub(crate) mod findings;
 
 pub use findings::{FindingKind, MuscleFinding};
 
-use crate::burst::{PressureLimits, said_of, usual_mpa};
-use crate::fields::MeshFields;
-use crate::muscle::MuscleSummary;
-use crate::muscle_fields::Stated;
-use crate::point::finite;
-use crate::problem::{Problem, ProblemKind};
-use crate::question::{Question, QuestionFields};
-use crate::uncertainty::UncertaintyWords;
+use crate::{
+    MeshFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Question, QuestionFields,
+    UncertaintyWords, finite, muscle_fields::Stated, said_of, usual_mpa,
+};
 use mckibben::analysis::{air_per_stroke, free_contraction, work_per_stroke_j};
 use mckibben::answer;
 use mckibben::muscle::file::to_toml;

@@ -2,9 +2,8 @@
 
 #[cfg(feature = "schema")]
 use crate::annotate::annotate;
-use crate::border::within;
-use crate::problem::{Problem, ProblemKind};
 use crate::*;
+use crate::{Problem, ProblemKind, border::within};
 use mckibben::cancel::Cancel;
 use mckibben::nearest::{meant, nearest};
 use mckibben::progress::Progress;

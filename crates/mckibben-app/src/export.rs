@@ -1,12 +1,9 @@
 //! `export`: a muscle for a controller or a simulator.
 
-use crate::build::BuiltFile;
-use crate::burst::{QUIET_MPA, borne, burst_of, said_of, usual_mpa};
-use crate::fields::{ModelFields, MuscleFields};
-use crate::model::Model;
-use crate::muscle::MuscleSummary;
-use crate::point::{above_zero, finite};
-use crate::problem::{Problem, ProblemKind};
+use crate::{
+    BuiltFile, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, above_zero,
+    borne, burst_of, finite, said_of, usual_mpa,
+};
 use mckibben::answer::{Options, check_range};
 use mckibben::progress::Progress;
 use mckibben_export::{ExportBox, ExportError, ExportedMuscle, Form, FormErrors, Target, Wanted};

@@ -1,15 +1,10 @@
 //! `identify`: constants of rubber, braid and friction from measured or published points.
 
-use crate::curve::{check_count, contractions, list, steps};
-use crate::fields::{Columns, MeshFields, ModelFields, MuscleFields, TextFile, UnderstoodTable};
-use crate::figure;
-use crate::model::Model;
-use crate::muscle::MuscleSummary;
-use crate::point::finite;
-use crate::problem::{Problem, ProblemKind};
-use crate::units::Units;
-use crate::warnings::largest_stretch;
-use crate::words::number;
+use crate::{
+    Columns, MeshFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, TextFile,
+    UnderstoodTable, Units, check_count, contractions, figure, finite, list, number, steps,
+    warnings::largest_stretch,
+};
 use mckibben::answer::Options;
 use mckibben::model::Workspace;
 use mckibben::muscle::file::{parse_muscle, to_toml};

@@ -1,9 +1,6 @@
 //! Muscles that were identified from measured points, each with its bench data, its ± and its terms.
 
-use crate::fields::TextFile;
-use crate::model::Model;
-use crate::muscle::MuscleSummary;
-use crate::problem::Problem;
+use crate::{Model, MuscleSummary, Problem, TextFile};
 use mckibben::analysis::{blocked_force_n, free_contraction};
 use mckibben::answer::Options;
 use mckibben::model::Workspace;

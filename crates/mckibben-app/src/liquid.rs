@@ -1,7 +1,6 @@
 //! Liquids in requests.
 
-use crate::point::above_zero;
-use crate::problem::{Problem, ProblemKind};
+use crate::{Problem, ProblemKind, above_zero};
 use mckibben::liquid::{Liquid, LiquidError, LiquidSupply};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -1,7 +1,6 @@
 //! Loads in requests, and what a muscle does with them.
 
-use crate::fields::TextFile;
-use crate::problem::{Problem, ProblemKind};
+use crate::{Problem, ProblemKind, TextFile};
 use mckibben::answer::Options;
 use mckibben::cancel;
 use mckibben::load::{Balance, Cycle, Load, LoadError, LoadTable, balances, cycle};

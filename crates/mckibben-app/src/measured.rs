@@ -1,10 +1,6 @@
 //! `validate --measured`: the validation report of every measured case: the errors of each fit at fitted points and at predicted points.
 
-use crate::fields::MeshFields;
-use crate::figure;
-use crate::model::Model;
-use crate::problem::{Problem, ProblemKind};
-use crate::units::Units;
+use crate::{MeshFields, Model, Problem, ProblemKind, Units, figure};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use mckibben::size;

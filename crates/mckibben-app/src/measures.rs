@@ -1,7 +1,6 @@
 //! `measures`: every number that describes a muscle, for forms and for readers.
 
-use crate::muscle_fields::STIFFNESS_FIELD;
-use crate::problem::Problem;
+use crate::{Problem, muscle_fields::STIFFNESS_FIELD};
 use mckibben::muscle::Measure;
 use mckibben::muscle::measures::{MEASURES, STIFFNESS, Written};
 use mckibben::units::Dimension;

@@ -1,7 +1,6 @@
 //! Every model there is, by name, and the one policy of which of them answers.
 
-use crate::fields::{Direction, MeshFields, ModelFields, TextFile};
-use crate::problem::{Problem, ProblemKind};
+use crate::{Direction, MeshFields, ModelFields, Problem, ProblemKind, TextFile};
 use mckibben::formula::{Document, Formula, UniversalFormula};
 use mckibben::model::{
     ForceModel, FormulaModel, ModelEntry, ModelError, ModelKind, Paper, Universal, UnknownModel, with_ends,

@@ -1,9 +1,8 @@
 //! From fields to a muscle, and a muscle in a few words.
 
-use crate::fields::{MuscleFields, NamedFields, NamedStiffness, Stiffness, TextFile};
-use crate::problem::{Problem, ProblemKind};
-use crate::units::Units;
-use crate::words;
+use crate::{
+    MuscleFields, NamedFields, NamedStiffness, Problem, ProblemKind, Stiffness, TextFile, Units, words,
+};
 use mckibben::muscle::file::parse_muscle;
 use mckibben::muscle::measures::{
     ANGLE, END_FACTOR, SECTIONS, SLEEVE_DIAMETER, STIFFNESS_FACTOR, STRAND_AREA, STRAND_MODULUS,

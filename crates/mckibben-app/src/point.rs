@@ -1,12 +1,9 @@
 //! `force`, `pressure`, `contraction`: one point of a muscle's behaviour.
 
-use crate::burst::{PressureLimits, QUIET_MPA, put_first, said_of};
-use crate::load::{LoadAnswer, LoadFields, loaded};
-use crate::model::check_both;
-use crate::muscle::MuscleSummary;
-use crate::problem::{Problem, ProblemKind};
-use crate::question::{Question, QuestionFields};
-use crate::uncertainty::UncertaintyWords;
+use crate::{
+    LoadAnswer, LoadFields, MuscleSummary, PressureLimits, Problem, ProblemKind, QUIET_MPA, Question,
+    QuestionFields, UncertaintyWords, check_both, load::loaded, put_first, said_of,
+};
 use mckibben::analysis::source_of;
 use mckibben::answer::{self, Answer, Options};
 use mckibben::cancel;

@@ -1,10 +1,6 @@
 //! A model bound to its muscle, ready to be asked.
 
-use crate::burst::burst_of;
-use crate::fields::{AskFields, ModelFields, MuscleFields};
-use crate::many::BoundModel;
-use crate::model::{Model, check_direction};
-use crate::problem::Problem;
+use crate::{AskFields, BoundModel, Model, ModelFields, MuscleFields, Problem, burst_of, check_direction};
 use mckibben::analysis::Burst;
 use mckibben::answer::Options;
 use mckibben::model::{ForceModel, Workspace};

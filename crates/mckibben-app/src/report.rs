@@ -2,18 +2,11 @@
 
 mod workshop;
 
-use crate::build::BuildRequest;
-use crate::check::{CheckAnswer, CheckRequest, check};
-use crate::compare::{CompareRequest, compare};
-use crate::curve::{CurveRequest, curve};
-use crate::fields::AskFields;
-use crate::many::PointQuantity;
-use crate::point::{ForceRequest, PointAnswer, force, ratio};
-use crate::problem::Problem;
-use crate::rows::{Row, characteristic_rows, muscle_sheets, point_rows};
-use crate::shape::{ShapeRequest, shape};
-use crate::units::Units;
-use crate::words::{number, percent};
+use crate::{
+    AskFields, BuildRequest, CheckAnswer, CheckRequest, CompareRequest, CurveRequest, ForceRequest,
+    PointAnswer, PointQuantity, Problem, ShapeRequest, Units, check, compare, curve, force, number, percent,
+    ratio, rows::Row, rows::characteristic_rows, rows::muscle_sheets, rows::point_rows, shape,
+};
 use mckibben::analysis::Burst;
 use mckibben::curve::Test;
 use mckibben::muscle::file::to_toml;

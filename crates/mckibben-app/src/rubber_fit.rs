@@ -1,11 +1,8 @@
 //! `rubber`: laws from tension tests.
 
-use crate::fields::{Columns, TextFile, UnderstoodTable};
-use crate::figure;
-use crate::identify::readable;
-use crate::muscle::muscle_of;
-use crate::point::above_zero;
-use crate::problem::{Problem, ProblemKind};
+use crate::{
+    Columns, Problem, ProblemKind, TextFile, UnderstoodTable, above_zero, figure, muscle_of, readable,
+};
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Muscle, Rubber};
 use mckibben::progress::Progress;

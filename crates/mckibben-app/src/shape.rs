@@ -1,10 +1,8 @@
 //! `shape`: one point of a muscle's behaviour with the deformed muscle as numbers along it, for front ends that draw it in space.
 
-use crate::fields::{MeshFields, MuscleFields};
-use crate::model::Model;
-use crate::muscle::MuscleSummary;
-use crate::point::{finite, given, pull, ratio};
-use crate::problem::{Problem, ProblemKind};
+use crate::{
+    MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, finite, given, pull, ratio,
+};
 use mckibben::analysis::contraction_or_stretch_at;
 use mckibben::answer::{self, Answer, Options};
 use mckibben::cancel;

@@ -1,13 +1,6 @@
 //! `curve --study`: the paper's thickness study.
 
-use crate::curve::{PointRow, answered};
-use crate::figure;
-use crate::model::Model;
-use crate::muscle::MuscleSummary;
-use crate::problem::Problem;
-use crate::question::QuestionFields;
-use crate::units::Units;
-use crate::warnings;
+use crate::{Model, MuscleSummary, PointRow, Problem, QuestionFields, Units, answered, figure, warnings};
 use mckibben::cancel;
 use mckibben::curve::Test;
 use mckibben::muscle::measures::{LENGTH, OUTER_DIAMETER, WALL, fields};

@@ -1,7 +1,6 @@
 //! `validate`: verification against exact values, validation against measured muscles, and a sweep of random muscles.
 
-use crate::model::Model;
-use crate::problem::Problem;
+use crate::{Model, Problem};
 use mckibben::joint;
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;

@@ -1,7 +1,6 @@
 //! What a command ends with when it does not end well: kind, message, hint, exit code, in the words of the command line.
 
-use crate::spec::{self, Flag};
-use crate::{clean, shown};
+use crate::{Flag, clean, shown, spec};
 use mckibben_app::{Ending, Problem, ProblemKind};
 use mckibben_io::files::ReadError;
 use std::path::Path;

@@ -1,9 +1,7 @@
 //! What is unusual, unknown or uncertain of a muscle, and what to measure first.
 
 use super::{Characteristics, CheckAnswer};
-use crate::problem::Problem;
-use crate::units::Units;
-use crate::words::{number, percent};
+use crate::{Problem, Units, number, percent};
 use mckibben::analysis::{Burst, FailurePressure};
 use mckibben::muscle::Muscle;
 use mckibben::uncertainty::UncertaintyParts;

@@ -1,9 +1,6 @@
 //! What `curve` answers.
 
-use crate::burst::PressureLimits;
-use crate::load::LoadAnswer;
-use crate::muscle::MuscleSummary;
-use crate::problem::Problem;
+use crate::{LoadAnswer, MuscleSummary, PressureLimits, Problem};
 use mckibben::answer::Answer;
 use mckibben::curve::{Curve, CurvePoint, Test};
 use mckibben::status::Status;

@@ -4,16 +4,10 @@ pub(crate) mod answer;
 
 pub use answer::{CurveAnswer, FailedPoint, PointRow};
 
-use crate::burst::{QUIET_MPA, put_first, said_of};
-use crate::figure;
-use crate::load::{LoadFields, loaded};
-use crate::model::check_both;
-use crate::muscle::MuscleSummary;
-use crate::point::{finite, is_ratio, no_ratio, pull};
-use crate::problem::{Problem, ProblemKind};
-use crate::question::QuestionFields;
-use crate::units::Units;
-use crate::warnings;
+use crate::{
+    LoadFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, QuestionFields, Units, check_both, figure,
+    finite, is_ratio, load::loaded, no_ratio, pull, put_first, said_of, warnings,
+};
 use mckibben::analysis::free_contraction;
 use mckibben::answer::{Answer, Options};
 use mckibben::cancel;

@@ -3,12 +3,10 @@
 use super::bought::BoughtAnswer;
 use super::bundle::BundleAnswer;
 use super::request::{OperatingPoint, TorqueWanted};
-use crate::burst::{PressureLimits, put_first, said_of};
-use crate::fields::TextFile;
-use crate::muscle::MuscleSummary;
-use crate::uncertainty::UncertaintyWords;
-use crate::units::Units;
-use crate::words::{braid_name, number, percent, rubber_name};
+use crate::{
+    MuscleSummary, PressureLimits, TextFile, UncertaintyWords, Units, number, percent, put_first, said_of,
+    words::braid_name, words::rubber_name,
+};
 use mckibben::analysis::{Burst, NoBurst};
 use mckibben::liquid::Liquid;
 use mckibben::muscle::file::to_toml;

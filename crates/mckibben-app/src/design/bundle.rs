@@ -1,9 +1,7 @@
 //! A bundle: equal muscles that share what is required, side by side in one circle.
 
 use super::request::DesignRequest;
-use crate::point::above_zero;
-use crate::problem::{Problem, ProblemKind};
-use crate::words::percent;
+use crate::{Problem, ProblemKind, above_zero, percent};
 use mckibben::model::Workspace;
 use mckibben::warning::Warning;
 use mckibben_design::bundle::{MOST, envelope_ratio, touches_at};

@@ -15,11 +15,7 @@ pub use bought::BoughtAnswer;
 pub use bundle::{BundleAnswer, BundlePoint};
 pub use request::{Choice, DesignRequest, ObjectiveWord, OperatingPoint, TorqueWanted, Verify};
 
-use crate::check::findings::not_measured;
-use crate::figure;
-use crate::model::Model;
-use crate::problem::Problem;
-use crate::uncertainty::UncertaintyWords;
+use crate::{Model, Problem, UncertaintyWords, check::findings::not_measured, figure};
 use answer::{muscle_file, not_checked, out_of_reach};
 use mckibben::analysis::{force_on, pressure_at};
 use mckibben::answer::Options;

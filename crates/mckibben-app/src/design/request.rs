@@ -1,14 +1,10 @@
 //! What is wanted, and what may be varied.
 
 use super::policy::{ModelPolicy, SearchedMuscles, near_the_box};
-use crate::fields::{MeshFields, ModelFields, MuscleFields, NamedFields, Stiffness, TextFile};
-use crate::liquid::LiquidFields;
-use crate::load::LoadFields;
-use crate::model::Model;
-use crate::muscle::{rubber, sleeve};
-use crate::point::{above_zero, finite, given, ratio};
-use crate::problem::{Problem, ProblemKind};
-use crate::units::Units;
+use crate::{
+    LiquidFields, LoadFields, MeshFields, Model, ModelFields, MuscleFields, NamedFields, Problem,
+    ProblemKind, Stiffness, TextFile, Units, above_zero, finite, given, ratio, rubber, sleeve,
+};
 use mckibben::muscle::measures::{LENGTH, STRAND_MODULUS};
 use mckibben::muscle::{Braid, Muscle, Tube};
 use mckibben::sleeve::{SleeveEntry, library};

@@ -2,8 +2,7 @@
 
 use super::curves::MOST_BANDS;
 use super::{BAND, caption};
-use crate::joint::answer::{JointAnswer, JointRow};
-use crate::units::Units;
+use crate::{JointAnswer, JointRow, Units};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 
 /// Torque over angle of each family, and the map of angle and stiffness, as far as they are there.

@@ -2,11 +2,7 @@
 
 pub(crate) mod table;
 
-use crate::fields::{MuscleFields, NamedFields, Stiffness, TextFile};
-use crate::figure;
-use crate::model::Model;
-use crate::point::finite;
-use crate::problem::{Problem, ProblemKind};
+use crate::{Model, MuscleFields, NamedFields, Problem, ProblemKind, Stiffness, TextFile, figure, finite};
 use mckibben::formula::{Document, Form, Made, UniversalFormula};
 use mckibben::model::ModelKind;
 use mckibben::progress::Progress;

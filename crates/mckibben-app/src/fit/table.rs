@@ -1,7 +1,6 @@
 //! Tables of points: CSV with the words of the contract, and campaigns on disk.
 
-use crate::fields::TextFile;
-use crate::problem::{Problem, ProblemKind};
+use crate::{Problem, ProblemKind, TextFile};
 use mckibben::formula::Made;
 use mckibben_campaign::fit::data::FitPoint;
 use mckibben_fit::measured::{DataPoint, PointOptions, read_points};

@@ -1,7 +1,6 @@
 //! What `joint` answers.
 
-use crate::burst::PressureLimits;
-use crate::muscle::MuscleSummary;
+use crate::{MuscleSummary, PressureLimits};
 use mckibben::joint::{JointMap, ShutStiffness};
 use mckibben::uncertainty::UncertaintyParts;
 use mckibben::warning::Warning;

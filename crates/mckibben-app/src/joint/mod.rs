@@ -4,17 +4,10 @@ pub(crate) mod answer;
 
 pub use answer::{JointAnswer, JointRow, RestWord};
 
-use crate::burst::{PressureLimits, burst_of, put_first, said_of};
-use crate::fields::{ModelFields, MuscleFields, TextFile};
-use crate::figure;
-use crate::model::Model;
-use crate::muscle::MuscleSummary;
-use crate::point::{above_zero, finite};
-use crate::problem::{Problem, ProblemKind};
-use crate::uncertainty::breakdown;
-use crate::units::{Scale, Units};
-use crate::warnings;
-use crate::words::number;
+use crate::{
+    Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Scale, TextFile,
+    Units, above_zero, breakdown, burst_of, figure, finite, number, put_first, said_of, warnings,
+};
 use mckibben::cancel;
 use mckibben::joint::{Joint, JointError, JointModel, JointPoint, Rest, Turning, parse_joint};
 use mckibben::model::Workspace;

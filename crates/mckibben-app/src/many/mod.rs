@@ -9,9 +9,7 @@ mod point;
 mod slopes;
 pub use slopes::with_parameters;
 
-use crate::fields::{AskFields, ModelFields};
-use crate::model::Model;
-use crate::problem::{Problem, ProblemKind};
+use crate::{AskFields, Model, ModelFields, Problem, ProblemKind};
 use mckibben::answer::Options;
 use mckibben::model::{ForceModel, ModelKind, Workspace};
 use mckibben::muscle::Muscle;

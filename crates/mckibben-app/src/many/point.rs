@@ -1,8 +1,7 @@
 //! A block of points, and one point.
 
 use super::{BoundModel, Many, PointQuantity, Unanswered};
-use crate::point::{finite, ratio};
-use crate::problem::{Problem, ProblemKind};
+use crate::{Problem, ProblemKind, finite, ratio};
 use mckibben::answer;
 use mckibben::cancel;
 use mckibben::model::{Bounds, ModelError, Workspace, pulls_within};

@@ -8,8 +8,7 @@
 //! constants and measures: by the diameter, say, the strands' k in N/mm stays what it is, also where the braid's k follows the diameter.
 
 use super::{BoundModel, Many, PointQuantity};
-use crate::point::finite;
-use crate::problem::Problem;
+use crate::{Problem, finite};
 use mckibben::analysis::{force_on, response_on, slope_by_pressure, stiffness_of};
 use mckibben::differences::slope;
 use mckibben::model::Workspace;

@@ -1,10 +1,6 @@
 //! What `motion` answers.
 
-use crate::burst::PressureLimits;
-use crate::muscle::MuscleSummary;
-use crate::problem::Problem;
-use crate::uncertainty::breakdown;
-use crate::units::{Scale, Units};
+use crate::{MuscleSummary, PressureLimits, Problem, Scale, Units, breakdown};
 use mckibben::uncertainty::UncertaintyParts;
 use mckibben::warning::Warning;
 use mckibben_motion::Motion;

@@ -10,12 +10,10 @@ pub use answer::{EndUncertainty, MotionAnswer, MotionRun};
 pub use request::{MotionRequest, MotionSweep, StepFields};
 pub use simulated::SimulatedDrive;
 
-use crate::burst::{PressureLimits, burst_of, put_first, said_of};
-use crate::fields::{MuscleFields, TextFile};
-use crate::figure;
-use crate::model::Model;
-use crate::point::finite;
-use crate::problem::{Problem, ProblemKind};
+use crate::{
+    Model, MuscleFields, PressureLimits, Problem, ProblemKind, TextFile, burst_of, figure, finite, put_first,
+    said_of,
+};
 use mckibben::joint::Joint;
 use mckibben::model::ForceModel;
 use mckibben::progress::Progress;

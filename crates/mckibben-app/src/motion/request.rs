@@ -1,11 +1,8 @@
 //! What is asked of a drive.
 
-use crate::fields::{ModelFields, TextFile};
-use crate::joint::JointFields;
-use crate::load::LoadFields;
-use crate::point::{finite, given, no_ratio};
-use crate::problem::{Problem, ProblemKind};
-use crate::units::Units;
+use crate::{
+    JointFields, LoadFields, ModelFields, Problem, ProblemKind, TextFile, Units, finite, given, no_ratio,
+};
 use mckibben::units::{Dimension, parse_quantity};
 use mckibben_motion::{Actuator, Command, DriveFile, Subject, Target, Valve, ValveError};
 use schemars::JsonSchema;

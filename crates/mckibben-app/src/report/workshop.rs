@@ -1,7 +1,6 @@
 //! What a report takes from the plan of a build: the drawing, the margins of safety, the sheet of the first test.
 
-use crate::units::Units;
-use crate::words::{fixed, number, percent};
+use crate::{Units, number, percent, words::fixed};
 use mckibben::analysis::{Burst, FailurePressure, SAFETY};
 use mckibben::muscle::Direction;
 use mckibben_build::{Plan, drawing_svg};

@@ -1,10 +1,10 @@
 //! `check` as rows.
 
 use super::{Row, estimated};
-use crate::burst::PressureLimits;
-use crate::check::{Characteristics, CheckAnswer};
-use crate::units::Units;
-use crate::words::{air, braid_name, law_text, number, percent, rubber_name};
+use crate::{
+    Characteristics, CheckAnswer, PressureLimits, Units, number, percent, words::air, words::braid_name,
+    words::law_text, words::rubber_name,
+};
 use mckibben::analysis::SAFETY;
 use mckibben::muscle::{Bulk, EndFactor, Muscle};
 use mckibben::rubber::RubberLaw;

@@ -2,10 +2,7 @@
 
 use super::check::limit_rows;
 use super::{Row, estimated};
-use crate::many::PointQuantity;
-use crate::point::PointAnswer;
-use crate::units::Units;
-use crate::words::{half_width, number, percent, within};
+use crate::{PointAnswer, PointQuantity, Units, number, percent, words::half_width, words::within};
 use mckibben::answer::Answer;
 
 fn of(asked: PointQuantity, answer: &Answer) -> f64 {

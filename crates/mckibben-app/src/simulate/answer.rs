@@ -1,11 +1,7 @@
 //! What a finite-element test answers with.
 
 use super::Simulated;
-use crate::build::BuiltFile;
-use crate::burst::PressureLimits;
-use crate::curve::answer::FailedPoint;
-use crate::muscle::MuscleSummary;
-use crate::problem::Problem;
+use crate::{BuiltFile, FailedPoint, MuscleSummary, PressureLimits, Problem};
 use mckibben::curve::Test;
 use mckibben::model::Response;
 use mckibben::status::Status;

@@ -8,15 +8,10 @@ pub use answer::*;
 #[cfg(feature = "whole")]
 pub(crate) use vtu::with_files;
 
-use crate::burst::{QUIET_MPA, burst_of, put_first, said_of};
-use crate::curve::{check_count, check_test, contractions, forces, list, reach, steps};
-use crate::fields::{MeshFields, MuscleFields};
-use crate::figure;
-use crate::model::Model;
-use crate::muscle::MuscleSummary;
-use crate::problem::{Problem, ProblemKind};
-use crate::units::Units;
-use crate::warnings;
+use crate::{
+    MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, Units, burst_of,
+    check_count, check_test, contractions, figure, forces, list, put_first, reach, said_of, steps, warnings,
+};
 use mckibben::answer::Options;
 use mckibben::cancel;
 use mckibben::curve::Test;

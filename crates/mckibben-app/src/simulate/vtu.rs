@@ -1,10 +1,7 @@
 //! The shapes of a test as files of its answer, for front ends that write no folder.
 
 use super::{Shapes, SimulateAnswer, SimulateRequest, simulate};
-use crate::build::BuiltFile;
-use crate::muscle::MuscleSummary;
-use crate::problem::{Problem, ProblemKind};
-use crate::units::Units;
+use crate::{BuiltFile, MuscleSummary, Problem, ProblemKind, Units};
 use mckibben::model::Response;
 use mckibben::progress::Progress;
 use mckibben::size;

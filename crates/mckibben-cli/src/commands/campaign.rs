@@ -6,13 +6,10 @@ mod status;
 pub use show::{SHOW, show};
 pub use status::{STATUS, status};
 
-use crate::asked::Asked;
-use crate::clean;
-use crate::failure::{Failure, NOT_CONVERGED};
-use crate::format::Format;
-use crate::output::text::{number, place};
-use crate::output::{emit, json, overwrite, warn};
-use crate::progress::{Bar, INTERRUPTED};
+use crate::{
+    Asked, Bar, Failure, Format, NOT_CONVERGED, clean, emit, number, output::json, overwrite, place,
+    progress::INTERRUPTED, warn,
+};
 use mckibben::progress::Progress;
 use mckibben_app::{CampaignMergeRequest, CampaignRequest, ProblemKind, campaign_merge};
 use mckibben_campaign::campaign::Outcome;

@@ -2,12 +2,7 @@
 
 mod formula;
 
-use crate::asked::Asked;
-use crate::failure::Failure;
-use crate::output::text::pairs;
-use crate::output::{FLAT, burst_first};
-use crate::progress::Bar;
-use crate::shown;
+use crate::{Asked, Bar, FLAT, Failure, burst_first, pairs, shown};
 use mckibben::warning::is_of_burst;
 use mckibben_app::rows::{characteristic_rows, muscle_sheets};
 use mckibben_app::{CheckAnswer, FindingKind, ProblemKind, check};

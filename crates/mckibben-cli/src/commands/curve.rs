@@ -1,19 +1,16 @@
 //! `curve isometric|isotonic|isobaric`, and `curve --study`.
 
 use super::study;
-use crate::asked::Asked;
-use crate::failure::Failure;
-use crate::format::Format;
 use crate::output::loaded::loaded as text_of_load;
-use crate::output::text::{Units, columns, half_width, or_dash, percent, percents, within};
-use crate::output::{burst_first, is_json, streamed, warn};
-use crate::progress::Bar;
-use crate::shown;
+use crate::{
+    Asked, Bar, Failure, Format, Units, burst_first, columns, half_width, or_dash, output::is_json,
+    output::text::within, percent, percents, shown, streamed, warn,
+};
 use mckibben::answer::Answer;
 use mckibben::curve::{Curve, Test};
 use mckibben::muscle::Direction;
 use mckibben::warning::Warning;
-use mckibben_app::uncertainty::breakdown;
+use mckibben_app::breakdown;
 use mckibben_app::{CurveAnswer, CurveRequest, PointRow, curve_by_curve};
 
 pub const TEXT: &str = "curve: Family of curves: isometric, isotonic or isobaric

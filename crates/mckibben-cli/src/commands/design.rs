@@ -2,13 +2,7 @@
 
 mod text;
 
-use crate::asked::Asked;
-use crate::failure::{Failure, NO_ANSWER};
-use crate::format::Format;
-use crate::output::text::place;
-use crate::output::{burst_first, check_ending, emit, save};
-use crate::progress::Bar;
-use crate::shown;
+use crate::{Asked, Bar, Failure, Format, NO_ANSWER, burst_first, check_ending, emit, place, save, shown};
 
 pub const TEXT: &str = "design: Find muscles that meet a specification, ranked (the main command)
 Question:

@@ -1,12 +1,6 @@
 //! `fill`: a volume of liquid pushed into a muscle.
 
-use crate::asked::Asked;
-use crate::failure::Failure;
-use crate::output::keyed::{listed, value};
-use crate::output::text::pairs;
-use crate::output::{FLAT, burst_first};
-use crate::progress::Bar;
-use crate::shown;
+use crate::{Asked, Bar, FLAT, Failure, burst_first, listed, pairs, shown, value};
 use mckibben_app::FillAnswer;
 use mckibben_app::rows::{estimated, limit_rows};
 

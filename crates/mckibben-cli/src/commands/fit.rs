@@ -5,11 +5,7 @@ mod text;
 
 pub use text::formula_text;
 
-use crate::asked::Asked;
-use crate::failure::Failure;
-use crate::files;
-use crate::output::{check_ending, json, overwrite, save, save_inside};
-use crate::progress::Bar;
+use crate::{Asked, Bar, Failure, check_ending, files, output::json, overwrite, save, save_inside};
 use mckibben_app::{FitAnswer, FitRequest, NamedFigure};
 use mckibben_report::FigureError;
 use serde::Serialize;

@@ -2,13 +2,7 @@
 
 mod text;
 
-use crate::asked::Asked;
-use crate::failure::Failure;
-use crate::output::text::place;
-use crate::output::{check_ending, save};
-use crate::progress::Bar;
-use crate::quantities::values;
-use crate::shown;
+use crate::{Asked, Bar, Failure, check_ending, place, save, shown, values};
 use mckibben::units::Dimension;
 use mckibben_app::IdentifyRequest;
 use serde_json::json;

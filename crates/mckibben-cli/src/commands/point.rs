@@ -1,12 +1,6 @@
 //! `force`, `pressure`, `contraction`: one point.
 
-use crate::asked::Asked;
-use crate::failure::Failure;
-use crate::output::burst_first;
-use crate::output::loaded::loaded;
-use crate::output::text::pairs;
-use crate::progress::Bar;
-use crate::shown;
+use crate::{Asked, Bar, Failure, burst_first, output::loaded::loaded, pairs, shown};
 use mckibben_app::rows::point_rows;
 use mckibben_app::{PointAnswer, PointQuantity};
 

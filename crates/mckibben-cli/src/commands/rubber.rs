@@ -2,11 +2,7 @@
 
 mod text;
 
-use crate::asked::Asked;
-use crate::failure::{Failure, in_flags};
-use crate::format::Format;
-use crate::output::{check_ending, save, warn};
-use crate::progress::Bar;
+use crate::{Asked, Bar, Failure, Format, check_ending, in_flags, save, warn};
 use mckibben_app::{ConstantRow, RubberFitRequest, rubber_fit};
 use schemars::JsonSchema;
 use serde::Serialize;

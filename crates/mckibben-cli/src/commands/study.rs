@@ -1,11 +1,6 @@
 //! `curve --study thickness`.
 
-use crate::asked::Asked;
-use crate::failure::Failure;
-use crate::output::text::{Units, columns, percents};
-use crate::output::warn;
-use crate::progress::Bar;
-use crate::shown;
+use crate::{Asked, Bar, Failure, Units, columns, percents, shown, warn};
 use mckibben::curve::Test;
 use mckibben::study::StudyPanel;
 use mckibben_app::{StudyAnswer, study};

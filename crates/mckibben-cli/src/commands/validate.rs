@@ -2,12 +2,7 @@
 
 pub mod measured;
 
-use crate::asked::Asked;
-use crate::failure::{Failure, NO_ANSWER};
-use crate::output::keyed::tabled;
-use crate::output::width;
-use crate::progress::Bar;
-use crate::shown;
+use crate::{Asked, Bar, Failure, NO_ANSWER, output::width, shown, tabled};
 use mckibben::verification::{CaseKind, Measure, VerificationRow};
 use mckibben_app::{ProblemKind, SweepAnswer, SweepRequest};
 

@@ -1,9 +1,7 @@
 //! Where results go: standard output, or a file that appears whole or not at all. An existing file is overwritten only with `--overwrite`.
 
 use super::width;
-use crate::asked::Asked;
-use crate::failure::{Failure, in_flags};
-use crate::{clean, progress, shown};
+use crate::{Asked, Failure, clean, in_flags, progress, shown};
 use anstyle::{AnsiColor, Style};
 use mckibben::units::short_numbers;
 use mckibben::warning::is_of_burst;

@@ -1,7 +1,6 @@
 //! The report as PDF, printed by a browser.
 
-use crate::failure::Failure;
-use crate::progress;
+use crate::{Failure, progress};
 use mckibben_app::ProblemKind;
 use std::fs::File;
 use std::io;

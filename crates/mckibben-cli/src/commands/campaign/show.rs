@@ -1,10 +1,6 @@
 //! `campaign show`.
 
-use crate::asked::Asked;
-use crate::failure::Failure;
-use crate::output::keyed::{listed, tabled, value};
-use crate::output::text::pairs;
-use crate::shown;
+use crate::{Asked, Failure, listed, pairs, shown, tabled, value};
 use mckibben_app::campaign_show;
 use mckibben_campaign::campaign::Summary;
 

@@ -1,10 +1,6 @@
 //! `campaign status`.
 
-use crate::asked::Asked;
-use crate::failure::{Failure, NO_ANSWER};
-use crate::output::keyed::{listed, tabled, value};
-use crate::output::text::{pairs, place};
-use crate::shown;
+use crate::{Asked, Failure, NO_ANSWER, listed, pairs, place, shown, tabled, value};
 use mckibben_app::{CampaignStatusRequest, campaign_status};
 use mckibben_campaign::campaign::{CampaignStatus, ShardState, ShardStatus};
 

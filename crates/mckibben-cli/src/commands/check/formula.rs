@@ -1,11 +1,6 @@
 //! `check` of a formula's file.
 
-use crate::asked::Asked;
-use crate::commands::fit::formula_text;
-use crate::failure::Failure;
-use crate::files;
-use crate::format::Format;
-use crate::output::emit;
+use crate::{Asked, Failure, Format, commands::fit::formula_text, emit, files};
 use mckibben_app::{CheckFormulaRequest, Model, ProblemKind, check_formula};
 
 /// Shows a formula: a file, or one that is built in.

@@ -1,8 +1,6 @@
 //! A design for people.
 
-use crate::failure::in_flags;
-use crate::output::keyed::{tabled, value};
-use crate::output::text::{Units, number, or_dash, percent, place};
+use crate::{Units, in_flags, number, or_dash, percent, place, tabled, value};
 use mckibben::analysis::FailureMode;
 use mckibben::liquid::Liquid;
 use mckibben_app::{

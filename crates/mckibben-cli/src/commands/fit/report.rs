@@ -1,11 +1,7 @@
 //! `fit --report`: the paper's campaign computed anew, and how everything compares.
 
 use super::text::ERRORS;
-use crate::asked::Asked;
-use crate::failure::{Failure, NO_ANSWER};
-use crate::output::keyed::tabled;
-use crate::output::text::Units;
-use crate::progress::Bar;
+use crate::{Asked, Bar, Failure, NO_ANSWER, Units, tabled};
 use mckibben_app::{FitReportAnswer, FitReportRequest, fit_report};
 use mckibben_campaign::fit::constants::Constants;
 

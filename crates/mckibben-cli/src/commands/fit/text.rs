@@ -1,7 +1,6 @@
 //! What `fit` tells people.
 
-use crate::output::keyed::{listed, tabled, value};
-use crate::output::text::{Units, number, pairs, place};
+use crate::{Units, listed, number, pairs, place, tabled, value};
 use mckibben::formula::Document;
 use mckibben_app::FitAnswer;
 use mckibben_campaign::fit::signs::signs;

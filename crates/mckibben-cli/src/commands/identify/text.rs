@@ -1,7 +1,6 @@
 //! What was identified, for people.
 
-use crate::output::keyed::tabled;
-use crate::output::text::{Units, number, percent, table, understood};
+use crate::{Units, number, percent, table, tabled, understood};
 use mckibben_app::{IdentifyAnswer, with_error_bar};
 use mckibben_fit::identify::Identification;
 

@@ -1,8 +1,6 @@
 //! What `rubber` tells people.
 
-use crate::output::keyed::{listed, tabled, value};
-use crate::output::text::{number, pairs, place, understood};
-use crate::shown;
+use crate::{listed, number, pairs, place, shown, tabled, understood, value};
 use mckibben::rubber::MUSCLE_HOOP_STRETCH;
 use mckibben_app::{RubberFitAnswer, RubberFitRequest};
 use mckibben_fit::rubber::FittedLaw;

@@ -1,11 +1,6 @@
 //! `validate --measured`: a block a muscle or rubber.
 
-use crate::asked::Asked;
-use crate::failure::Failure;
-use crate::output::keyed::{listed, tabled, value};
-use crate::output::text::{number, pairs};
-use crate::progress::Bar;
-use crate::{files, plot, shown};
+use crate::{Asked, Bar, Failure, files, listed, number, pairs, plot, shown, tabled, value};
 use mckibben_app::{
     MeasuredAnswer, MeasuredBranch, MeasuredCase, MeasuredFit, MeasuredFolder, MeasuredRequest,
     MeasuredResult, MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind, with_error_bar,
