@@ -1,22 +1,15 @@
 //! `build`: from a muscle to report, drawing, plugs, cut list, bill of materials, steps and test sheet.
 
-use crate::burst::{PressureLimits, borne, burst_of, said_of, usual_mpa};
-use crate::check::findings::not_measured;
-use crate::fields::{ModelFields, MuscleFields};
-use crate::model::Model;
-use crate::muscle::MuscleSummary;
-use crate::point::above_zero;
-use crate::problem::{Problem, ProblemKind};
-use crate::report::{TitleBlock, report};
-use crate::shape::ShapeRequest;
-use crate::units::Units;
+use crate::{
+    Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, ShapeRequest,
+    TitleBlock, Units, above_zero, borne, burst_of, not_measured, report::report, said_of, usual_mpa,
+};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use mckibben::analysis::{Burst, blocked_force_n, free_contraction};
 use mckibben::answer::{Options, check_range};
-use mckibben::cancel;
-use mckibben::model::Workspace;
 use mckibben::progress::{Progress, Silent};
+use mckibben::{cancel, model::Workspace};
 use mckibben_build::{BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, Wishes, proof_mpa};
 use mckibben_report::Document;
 use schemars::JsonSchema;

@@ -1,12 +1,9 @@
 //! The burst pressure in answers: one value for each muscle and model, and the sentence that comes before all others.
 
-use crate::model::Model;
-use crate::problem::{Problem, ProblemKind};
+use crate::{Model, Problem, ProblemKind};
 use mckibben::analysis::{AnalysisError, Burst, FailureMode, NoBurst, burst};
-use mckibben::cancel;
 use mckibben::model::{ForceModel, ModelError};
-use mckibben::muscle::Muscle;
-use mckibben::warning::Warning;
+use mckibben::{cancel, muscle::Muscle, warning::Warning};
 use mckibben_build::highest_mpa;
 use schemars::JsonSchema;
 use serde::Serialize;

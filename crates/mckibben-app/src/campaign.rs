@@ -1,7 +1,6 @@
 //! `campaign`, `campaign show`, `campaign merge` and `campaign status`: many finite-element tests from a plan, on disk.
 
-use crate::fields::TextFile;
-use crate::problem::{Problem, ProblemKind};
+use crate::{Problem, ProblemKind, TextFile};
 use mckibben::progress::Progress;
 use mckibben_campaign::campaign::{self, CampaignStatus, Merged, Outcome, Plan, RunOptions, Shard, Summary};
 use schemars::JsonSchema;

@@ -2,19 +2,16 @@
 
 #[cfg(feature = "schema")]
 use crate::annotate::annotate;
-use crate::border::within;
-use crate::problem::{Problem, ProblemKind};
 use crate::*;
-use mckibben::cancel::Cancel;
+use crate::{Problem, ProblemKind, border::within};
 use mckibben::nearest::{meant, nearest};
-use mckibben::progress::Progress;
-use mckibben::units::NamedUnit;
+use mckibben::{cancel::Cancel, progress::Progress, units::NamedUnit};
 #[cfg(feature = "files")]
 use mckibben_campaign::campaign::{CampaignStatus, Merged, Outcome, Summary};
+use mckibben_campaign::fit::results::Results;
 #[cfg(feature = "schema")]
 use schemars::{JsonSchema, Schema, SchemaGenerator, generate::SchemaSettings};
-use serde::Serialize;
-use serde::de::DeserializeOwned;
+use serde::{Serialize, de::DeserializeOwned};
 use serde_json::{Map, Value};
 #[cfg(feature = "schema")]
 use std::borrow::Cow;
@@ -153,7 +150,7 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         command!(long "compare", CompareRequest => CompareAnswer, |r, progress| compare(&r, progress)),
         command!(long "identify", IdentifyRequest => IdentifyAnswer, |r, progress| identify(&r, progress)),
         command!(long "fit", FitRequest => FitAnswer, |r, progress| fit(&r, progress)),
-        command!(long "fit-report", FitReportRequest => FitReportAnswer, |r, progress| fit_report(&r, progress)),
+        command!(long "fit-report", FitReportRequest => Results, |r, progress| fit_report(&r, progress)),
         command!(long "plan", PlanRequest => PlanAnswer, |r, progress| plan(&r, progress)),
         command!("check-formula", CheckFormulaRequest => CheckFormulaAnswer, |r, _progress| check_formula(&r)),
         command!("parts-show", PartShowRequest => PartShowAnswer, |r, _progress| part_show(&r)),

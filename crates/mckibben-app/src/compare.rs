@@ -1,21 +1,12 @@
 //! `compare`: several models, and measured points, with the errors of each.
 
-use crate::curve::{contractions, list, steps};
-use crate::fields::{AskFields, Columns, Direction, MeshFields, MuscleFields, TextFile, UnderstoodTable};
-use crate::figure;
-use crate::model::{Model, check_direction};
-use crate::muscle::MuscleSummary;
-use crate::problem::{Problem, ProblemKind};
-use crate::units::Units;
-use crate::warnings;
-use crate::words::number;
+use crate::{
+    AskFields, Columns, Direction, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind,
+    TextFile, UnderstoodTable, Units, check_direction, contractions, figure, list, number, steps, warnings,
+};
 use mckibben::answer::{Options, point};
 use mckibben::model::{ForceModel, ModelError, Workspace};
-use mckibben::muscle::Muscle;
-use mckibben::muscle::measures::END_FACTOR;
-use mckibben::progress::Progress;
-use mckibben::size;
-use mckibben::warning::Warning;
+use mckibben::{muscle::Muscle, muscle::measures::END_FACTOR, progress::Progress, size, warning::Warning};
 use mckibben_fit::compare::{
     Comparison, MeasuredPoint, VolumeComparison, compare as errors_of, compare_volumes, mean_of_branches,
 };

@@ -1,19 +1,12 @@
 //! `fill`: a volume of liquid pushed into a muscle.
 
-use crate::burst::{PressureLimits, QUIET_MPA, put_first, said_of};
-use crate::liquid::LiquidFields;
-use crate::load::LoadFields;
-use crate::muscle::MuscleSummary;
-use crate::point::{ModelAbout, above_zero, given, ratio};
-use crate::problem::{Problem, ProblemKind};
-use crate::question::QuestionFields;
-use crate::uncertainty::UncertaintyWords;
-use mckibben::analysis::source_of;
-use mckibben::cancel;
+use crate::{
+    LiquidFields, LoadFields, ModelAbout, MuscleSummary, PressureLimits, Problem, ProblemKind, QUIET_MPA,
+    QuestionFields, UncertaintyWords, above_zero, given, put_first, ratio, said_of,
+};
 use mckibben::liquid::{Liquid, LiquidSupply};
 use mckibben::load::{Fill, FillError, Filling, fill as filled};
-use mckibben::progress::Progress;
-use mckibben::uncertainty::basis_of;
+use mckibben::{analysis::source_of, cancel, progress::Progress, uncertainty::basis_of};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

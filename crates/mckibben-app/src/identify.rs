@@ -1,21 +1,13 @@
 //! `identify`: constants of rubber, braid and friction from measured or published points.
 
-use crate::curve::{check_count, contractions, list, steps};
-use crate::fields::{Columns, MeshFields, ModelFields, MuscleFields, TextFile, UnderstoodTable};
-use crate::figure;
-use crate::model::Model;
-use crate::muscle::MuscleSummary;
-use crate::point::finite;
-use crate::problem::{Problem, ProblemKind};
-use crate::units::Units;
-use crate::warnings::largest_stretch;
-use crate::words::number;
-use mckibben::answer::Options;
-use mckibben::model::Workspace;
+use crate::{
+    Columns, MeshFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, TextFile,
+    UnderstoodTable, Units, check_count, contractions, figure, finite, list, number, steps,
+    warnings::largest_stretch,
+};
 use mckibben::muscle::file::{parse_muscle, to_toml};
 use mckibben::muscle::{Direction, Muscle};
-use mckibben::progress::Progress;
-use mckibben::warning::Warning;
+use mckibben::{answer::Options, model::Workspace, progress::Progress, warning::Warning};
 use mckibben_fit::identify::{
     Identification, Identified, IdentifyError, LawTrial, Parameter, PointFit, Request, Target,
     identify_default, try_laws,
@@ -441,7 +433,8 @@ pub fn with_error_bar(p: &Identified) -> (String, String) {
     (number(p.value, digits.max(3)), number(p.half_width, 2))
 }
 
-fn in_one_line(parameters: &[Identified]) -> String {
+/// Constants that were found, each with its ± and what is doubtful of it.
+pub fn in_one_line(parameters: &[Identified]) -> String {
     let one = |p: &Identified| {
         let (value, bar) = with_error_bar(p);
         let doubt = match p {

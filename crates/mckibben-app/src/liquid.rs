@@ -1,13 +1,11 @@
 //! Liquids in requests.
 
-use crate::point::above_zero;
-use crate::problem::{Problem, ProblemKind};
+use crate::{Problem, ProblemKind, above_zero};
 use mckibben::liquid::{Liquid, LiquidError, LiquidSupply};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// What a muscle is filled with.
-#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct LiquidFields {

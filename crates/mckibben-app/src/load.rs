@@ -1,17 +1,13 @@
 //! Loads in requests, and what a muscle does with them.
 
-use crate::fields::TextFile;
-use crate::problem::{Problem, ProblemKind};
-use mckibben::answer::Options;
-use mckibben::cancel;
+use crate::{Problem, ProblemKind, TextFile};
 use mckibben::load::{Balance, Cycle, Load, LoadError, LoadTable, balances, cycle};
 use mckibben::model::{ForceModel, Workspace};
-use mckibben::units::short_numbers;
+use mckibben::{answer::Options, cancel, units::short_numbers};
 use mckibben_io::table::read_load;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
-use std::collections::BTreeMap;
-use std::fmt;
+use std::{collections::BTreeMap, fmt};
 
 /// What a muscle works against.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
@@ -19,10 +15,8 @@ use std::fmt;
 pub struct LoadFields {
     /// A load: `force:300N`, `mass:20kg`, `spring:12N/mm@50N`, `lever:5kg@300mm/40mm/-30deg` (mass, its distance from the pivot, the
     /// pulley's radius, the angle from the horizontal), `table:NAME`; several joined by `+`.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub load: Option<String>,
     /// The tables that it names.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub load_tables: Vec<TextFile>,
 }
 

@@ -1,15 +1,13 @@
 //! `parts list` and `parts show`: everything with a name: tubes, sleeves and rubbers that one can buy or cast, measured muscles, force models.
 
-use crate::braid::{BraidDetails, BraidSummary, sleeve_details, sleeves};
-use crate::fields::TextFile;
-use crate::library::{LibraryDetails, LibraryMuscle, library_details, library_muscles};
-use crate::model::Model;
-use crate::problem::{Problem, ProblemKind};
-use crate::rubber::{RubberDetails, RubberSummary, rubber_details, rubbers};
+use crate::{
+    BraidDetails, BraidSummary, LibraryDetails, LibraryMuscle, Model, Problem, ProblemKind, RubberDetails,
+    RubberSummary, TextFile, library_details, library_muscles, rubber_details, rubbers, sleeve_details,
+    sleeves,
+};
 use mckibben::model::{ModelEntry, ModelError};
-use mckibben::muscle::Muscle;
 use mckibben::nearest::{meant, nearest};
-use mckibben::uncertainty::basis_of;
+use mckibben::{muscle::Muscle, uncertainty::basis_of};
 use mckibben_design::tubes::{self, TubePart};
 use mckibben_fit::validation::library;
 use schemars::JsonSchema;

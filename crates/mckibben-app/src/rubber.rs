@@ -1,7 +1,6 @@
 //! Rubbers of the library.
 
-use crate::muscle::rubber;
-use crate::problem::Problem;
+use crate::{Problem, rubber};
 use mckibben::rubber::library::{self, COVERING, RubberEntry, RubberFit, Standing, Window, WindowLaw};
 use mckibben::rubber::{Law, RubberLaw};
 use schemars::JsonSchema;

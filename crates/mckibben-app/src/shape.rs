@@ -1,21 +1,14 @@
 //! `shape`: one point of a muscle's behaviour with the deformed muscle as numbers along it, for front ends that draw it in space.
 
-use crate::fields::{MeshFields, MuscleFields};
-use crate::model::Model;
-use crate::muscle::MuscleSummary;
-use crate::point::{finite, given, pull, ratio};
-use crate::problem::{Problem, ProblemKind};
-use mckibben::analysis::contraction_or_stretch_at;
+use crate::{
+    MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, finite, given, pull, ratio,
+};
 use mckibben::answer::{self, Answer, Options};
-use mckibben::cancel;
-use mckibben::model::Workspace;
-use mckibben::muscle::Muscle;
-use mckibben::progress::Progress;
+use mckibben::{
+    analysis::contraction_or_stretch_at, cancel, model::Workspace, muscle::Muscle, progress::Progress,
+};
 use mckibben_fem::axisymmetric::{Axisymmetric, Section};
-use mckibben_fem::elements::Elements;
-use mckibben_fem::output::Stations;
-use mckibben_fem::simulation::free_contraction;
-use mckibben_fem::with_ends;
+use mckibben_fem::{elements::Elements, output::Stations, simulation::free_contraction, with_ends};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

@@ -1,7 +1,6 @@
 //! The ± in words: one text for the terminal, the report and the page.
 
-use crate::units::{Scale, Units};
-use crate::words::part;
+use crate::{Scale, Units, words::part};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::uncertainty::{UncertaintyParts, identified_n};
 use schemars::JsonSchema;

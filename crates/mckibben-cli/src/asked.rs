@@ -1,18 +1,12 @@
 //! A command with its flags as they were typed, and the request that they make.
 
-use crate::failure::Failure;
-use crate::files;
-use crate::format::Format;
-use crate::output;
-use crate::plot;
-use crate::quantities::{check_contractions, quantity, values};
-use crate::shown;
-use crate::spec::{Flag, Kind};
+use crate::{
+    Failure, Flag, Format, files, output, plot, quantities::check_contractions, quantity, shown, spec::Kind,
+    values,
+};
 use clap::ArgMatches;
-use mckibben::load::Load;
-use mckibben::muscle::Measure;
-use mckibben::muscle::measures::fields;
 use mckibben::units::{Dimension, Values};
+use mckibben::{load::Load, muscle::Measure, muscle::measures::fields};
 use mckibben_app::{Choice, Columns, MuscleFields, ProblemKind, TextFile, understood};
 use mckibben_design::Tolerances;
 use mckibben_report::Figure;

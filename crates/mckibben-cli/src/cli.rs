@@ -1,13 +1,11 @@
 //! The commands: the text of each, with its flags and examples, and what runs it.
 
-use crate::asked::Asked;
-use crate::commands::{
-    build, campaign, check, compare, curve, design, export, fill, fit, help, identify, joint, motion, parts,
-    point, rubber, schema, serve, simulate, validate,
+use crate::{
+    Asked, Failure, Format, commands::build, commands::campaign, commands::check, commands::compare,
+    commands::curve, commands::design, commands::export, commands::fill, commands::fit, commands::help,
+    commands::identify, commands::joint, commands::motion, commands::parts, commands::point,
+    commands::rubber, commands::schema, commands::serve, commands::simulate, commands::validate, spec::flags,
 };
-use crate::failure::Failure;
-use crate::format::Format;
-use crate::spec::flags;
 use clap::{ArgAction, ArgMatches, Command, CommandFactory, Parser};
 use serde_json::Value;
 

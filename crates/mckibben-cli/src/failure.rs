@@ -1,11 +1,9 @@
 //! What a command ends with when it does not end well: kind, message, hint, exit code, in the words of the command line.
 
-use crate::spec::{self, Flag};
-use crate::{clean, shown};
+use crate::{Flag, clean, shown, spec};
 use mckibben_app::{Ending, Problem, ProblemKind};
 use mckibben_io::files::ReadError;
-use std::path::Path;
-use std::sync::OnceLock;
+use std::{path::Path, sync::OnceLock};
 
 /// A problem as a user of the command line meets it.
 #[derive(Debug)]

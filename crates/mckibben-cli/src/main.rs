@@ -21,16 +21,24 @@ mod shown;
 mod spec;
 mod typed;
 
+use asked::Asked;
 use clap::FromArgMatches;
-use failure::Failure;
+use failure::{Failure, NO_ANSWER, NOT_CONVERGED, in_flags};
 use format::Format;
 use mckibben::threads;
 use mckibben_app::{guarded, panics_are_problems};
-use quantities::unit_hint;
-use std::borrow::Cow;
+use output::keyed::{listed, tabled, value};
+use output::text::{
+    Units, columns, half_width, number, or_dash, pairs, percent, percents, place, table, understood,
+};
+use output::{
+    FLAT, burst_first, check_ending, emit, ending, overwrite, save, save_all, save_inside, streamed, warn,
+};
+use progress::Bar;
+use quantities::{quantity, unit_hint, values};
+use spec::Flag;
 use std::ffi::{OsStr, OsString};
-use std::io::Write;
-use std::process::ExitCode;
+use std::{borrow::Cow, io::Write, process::ExitCode};
 
 fn main() -> ExitCode {
     panics_are_problems();

@@ -1,9 +1,7 @@
 //! Figures into files.
 
-use crate::asked::Asked;
-use crate::failure::Failure;
 use crate::output::{emit, ending, save as save_file};
-use crate::quantities::quantity;
+use crate::{Asked, Failure, quantity};
 use mckibben::units::Dimension;
 use mckibben_app::ProblemKind;
 use mckibben_report::{Figure, FigureError};

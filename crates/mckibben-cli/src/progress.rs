@@ -1,10 +1,8 @@
 //! Progress on a terminal, and the wish to stop by Ctrl-C.
 
-use crate::failure::Failure;
-use crate::output::text::number;
+use crate::{Failure, number};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
-use mckibben::cancel::Cancel;
-use mckibben::progress::Progress;
+use mckibben::{cancel::Cancel, progress::Progress};
 use mckibben_app::Problem;
 use signal_hook::{consts, flag};
 use std::fmt::Write;

@@ -1,7 +1,6 @@
 //! From the texts of flags to numbers.
 
-use crate::failure::Failure;
-use crate::typed::meant;
+use crate::{Failure, typed::meant};
 use mckibben::units::{Dimension, RangeError, Values, parse_quantity, parse_values};
 use mckibben_app::ProblemKind;
 use std::sync::OnceLock;

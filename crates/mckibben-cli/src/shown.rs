@@ -1,11 +1,9 @@
 //! The units in which this run shows quantities to people: those of `--units`; else those of the first pressure, force and length on the
 //! command line; else those of the file that asks; else MPa, N and mm. JSON and CSV have units of their own.
 
-use crate::asked::Asked;
-use crate::spec::Flag;
+use crate::{Asked, Flag};
 use mckibben_app::units::Units;
-use std::borrow::Cow;
-use std::sync::OnceLock;
+use std::{borrow::Cow, sync::OnceLock};
 
 /// Flags whose unit a user wants to read, too. A modulus is not among them: nobody reads pressures in GPa.
 const FLAGS: [&str; 11] = [

@@ -1,10 +1,7 @@
 //! A family of curves of one test.
 
 use super::{BAND, caption};
-use crate::curve::answer::CurveAnswer;
-use crate::load::LoadAnswer;
-use crate::units::Units;
-use crate::words::percent;
+use crate::{CurveAnswer, LoadAnswer, Units, percent};
 use mckibben::curve::{Curve, CurvePoint, Test};
 use mckibben::study::Study;
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};

@@ -2,8 +2,7 @@
 
 use super::curves::{band, line, pull};
 use super::{BAND, caption};
-use crate::units::Units;
-use crate::words::percent;
+use crate::{Units, percent};
 use mckibben::answer::Options;
 use mckibben::curve::{Test, curves};
 use mckibben::model::{ForceModel, Workspace};

@@ -2,8 +2,7 @@
 
 use super::curves::{MOST_BANDS, pull};
 use super::{BAND, caption, has_band, some_of};
-use crate::units::Units;
-use crate::words::percent;
+use crate::{Units, percent};
 use mckibben::analysis::force_on;
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::{Direction, Muscle};

@@ -1,8 +1,7 @@
 //! A motion: position and pressure over time.
 
 use super::{BAND, caption};
-use crate::motion::answer::{MotionAnswer, MotionRun};
-use crate::units::Units;
+use crate::{MotionAnswer, MotionRun, Units};
 use mckibben_motion::Coordinate;
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 

@@ -2,10 +2,7 @@
 
 use super::curves::{axes, label};
 use super::{caption, some_of};
-use crate::muscle::MuscleSummary;
-use crate::simulate::Simulated;
-use crate::units::Units;
-use crate::words::percent;
+use crate::{MuscleSummary, Simulated, Units, percent};
 use mckibben::curve::Test;
 use mckibben_fem::results::Solution;
 use mckibben_report::{Axis, Figure, Palette, Panel, Series};

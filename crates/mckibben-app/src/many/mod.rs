@@ -9,14 +9,9 @@ mod point;
 mod slopes;
 pub use slopes::with_parameters;
 
-use crate::fields::{AskFields, ModelFields};
-use crate::model::Model;
-use crate::problem::{Problem, ProblemKind};
-use mckibben::answer::Options;
+use crate::{AskFields, Model, ModelFields, Problem, ProblemKind};
 use mckibben::model::{ForceModel, ModelKind, Workspace};
-use mckibben::muscle::Muscle;
-use mckibben::progress::Progress;
-use mckibben::threads::Threads;
+use mckibben::{answer::Options, muscle::Muscle, progress::Progress, threads::Threads};
 use mckibben_fit::identify::Target;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};

@@ -1,11 +1,8 @@
 //! What is asked of a drive.
 
-use crate::fields::{ModelFields, TextFile};
-use crate::joint::JointFields;
-use crate::load::LoadFields;
-use crate::point::{finite, given, no_ratio};
-use crate::problem::{Problem, ProblemKind};
-use crate::units::Units;
+use crate::{
+    JointFields, LoadFields, ModelFields, Problem, ProblemKind, TextFile, Units, finite, given, no_ratio,
+};
 use mckibben::units::{Dimension, parse_quantity};
 use mckibben_motion::{Actuator, Command, DriveFile, Subject, Target, Valve, ValveError};
 use schemars::JsonSchema;
@@ -18,12 +15,10 @@ pub struct MotionRequest {
     /// Drive file (TOML).
     pub drive: Option<TextFile>,
     /// Instead of a drive file: a muscle with a load, filled through a valve.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub step: Option<StepFields>,
     /// The muscle file that it names, of a drive with one muscle.
     pub muscle: Option<TextFile>,
     /// The tables that it names: its load's and its commands'.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tables: Vec<TextFile>,
     /// The joint file that it names, with its muscle files.
     #[serde(flatten)]
@@ -46,7 +41,6 @@ pub struct StepFields {
     /// Gauge pressure from 0.05 s on, MPa.
     pub pressure_mpa: Option<f64>,
     /// Gauge pressure of the supply, MPa; default 0.6.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub supply_mpa: Option<f64>,
     /// The valve: its name, or its sonic conductance such as `0.5 L/(s bar)`.
     pub valve: Option<String>,
@@ -55,7 +49,6 @@ pub struct StepFields {
     /// Damping of the load, N s/m.
     pub damping_n_s_per_m: f64,
     /// The end, s; default 2.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub until_s: Option<f64>,
 }
 

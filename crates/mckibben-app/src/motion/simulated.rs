@@ -1,8 +1,7 @@
 //! A drive in a control loop.
 
 use super::{MotionRequest, Moved};
-use crate::point::finite;
-use crate::problem::{Problem, ProblemKind};
+use crate::{Problem, ProblemKind, finite};
 use mckibben::progress::Progress;
 use mckibben_motion::{Coordinate, Drive, DriveFile, Motion, Pushed, Simulation, SingleMuscle, Target};
 use std::sync::Arc;

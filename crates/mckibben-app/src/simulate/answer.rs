@@ -1,15 +1,8 @@
 //! What a finite-element test answers with.
 
 use super::Simulated;
-use crate::build::BuiltFile;
-use crate::burst::PressureLimits;
-use crate::curve::answer::FailedPoint;
-use crate::muscle::MuscleSummary;
-use crate::problem::Problem;
-use mckibben::curve::Test;
-use mckibben::model::Response;
-use mckibben::status::Status;
-use mckibben::warning::Warning;
+use crate::{BuiltFile, FailedPoint, MuscleSummary, PressureLimits, Problem};
+use mckibben::{curve::Test, model::Response, status::Status, warning::Warning};
 use mckibben_fem::results::{ProfilePoint, Sensitivity, StrandState};
 use mckibben_report::Figure;
 use schemars::JsonSchema;

@@ -8,30 +8,21 @@ pub use answer::*;
 #[cfg(feature = "whole")]
 pub(crate) use vtu::with_files;
 
-use crate::burst::{QUIET_MPA, burst_of, put_first, said_of};
-use crate::curve::{check_count, check_test, contractions, forces, list, reach, steps};
-use crate::fields::{MeshFields, MuscleFields};
-use crate::figure;
-use crate::model::Model;
-use crate::muscle::MuscleSummary;
-use crate::problem::{Problem, ProblemKind};
-use crate::units::Units;
-use crate::warnings;
-use mckibben::answer::Options;
-use mckibben::cancel;
-use mckibben::curve::Test;
+use crate::{
+    MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, Units, burst_of,
+    check_count, check_test, contractions, figure, forces, list, put_first, reach, said_of, steps, warnings,
+};
 use mckibben::model::{ModelError, Response, Workspace, notes_of};
 use mckibben::muscle::{Ends, Muscle};
-use mckibben::progress::Progress;
-use mckibben::status::Status;
-use mckibben::warning::overloaded;
-use mckibben_fem::axisymmetric::Axisymmetric;
-use mckibben_fem::elements::Elements;
+use mckibben::{
+    answer::Options, cancel, curve::Test, progress::Progress, status::Status, warning::overloaded,
+};
 use mckibben_fem::output::{Extent, Shape, deck};
-use mckibben_fem::results::Solution;
 use mckibben_fem::simulation::{Given, Simulation, free_contraction};
-use mckibben_fem::three_dimensional::ThreeDimensional;
-use mckibben_fem::{FemError, with_ends};
+use mckibben_fem::{
+    FemError, axisymmetric::Axisymmetric, elements::Elements, results::Solution,
+    three_dimensional::ThreeDimensional, with_ends,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -77,7 +68,6 @@ impl Held {
 }
 
 /// A finite-element test.
-#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SimulateRequest {
     /// Which test.

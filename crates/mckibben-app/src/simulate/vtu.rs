@@ -1,13 +1,8 @@
 //! The shapes of a test as files of its answer, for front ends that write no folder.
 
 use super::{Shapes, SimulateAnswer, SimulateRequest, simulate};
-use crate::build::BuiltFile;
-use crate::muscle::MuscleSummary;
-use crate::problem::{Problem, ProblemKind};
-use crate::units::Units;
-use mckibben::model::Response;
-use mckibben::progress::Progress;
-use mckibben::size;
+use crate::{BuiltFile, MuscleSummary, Problem, ProblemKind, Units};
+use mckibben::{model::Response, progress::Progress, size};
 use mckibben_fem::output::{Extent, Shape, VtuFile, VtuSeries};
 
 /// The files of the points so far.

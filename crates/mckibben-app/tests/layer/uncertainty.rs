@@ -1,8 +1,8 @@
 //! The breakdown of a ± in words.
 
 use mckibben::uncertainty::UncertaintyParts;
-use mckibben_app::uncertainty::{bench, breakdown};
 use mckibben_app::units::Units;
+use mckibben_app::{bench, breakdown};
 
 /// √(159² + 50² + 1²) = 166.7, by hand.
 #[test]

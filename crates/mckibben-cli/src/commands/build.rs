@@ -2,13 +2,10 @@
 
 mod pdf;
 
-use crate::asked::Asked;
-use crate::failure::Failure;
-use crate::output::keyed::{listed, tabled, value};
-use crate::output::text::{pairs, place};
-use crate::output::{FLAT, burst_first, check_ending, ending, save, save_all};
-use crate::progress::Bar;
-use crate::shown;
+use crate::{
+    Asked, Bar, FLAT, Failure, burst_first, check_ending, ending, listed, pairs, place, save, save_all,
+    shown, tabled, value,
+};
 use mckibben_app::{BuildAnswer, BuildRequest, REPORT, build};
 
 pub const TEXT: &str = "build: Build a muscle: report, drawing, plugs, cut list, bill of materials, steps, test sheet

@@ -1,12 +1,6 @@
 //! `compare`: models, and measured points.
 
-use crate::asked::Asked;
-use crate::failure::Failure;
-use crate::output::keyed::{tabled, value};
-use crate::output::text::{Units, percent, place, understood};
-use crate::output::warn;
-use crate::progress::Bar;
-use crate::shown;
+use crate::{Asked, Bar, Failure, Units, percent, place, shown, tabled, understood, value, warn};
 use mckibben_app::{CompareAnswer, CompareRequest, ComparedModel, Direction};
 use serde_json::Value;
 

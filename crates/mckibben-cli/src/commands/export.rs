@@ -1,12 +1,6 @@
 //! `export`: a folder with a muscle for a controller or a simulator.
 
-use crate::asked::Asked;
-use crate::failure::Failure;
-use crate::output::keyed::{listed, tabled, value};
-use crate::output::text::{pairs, place};
-use crate::output::{FLAT, save_all};
-use crate::progress::Bar;
-use crate::shown;
+use crate::{Asked, Bar, FLAT, Failure, listed, pairs, place, save_all, shown, tabled, value};
 use mckibben_app::{ExportAnswer, ExportListRequest, export, export_list};
 use std::path::Path;
 

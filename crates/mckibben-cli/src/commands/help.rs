@@ -1,9 +1,6 @@
 //! `help COMMAND` and `man`: the flags of the commands as text and as manual pages.
 
-use crate::asked::Asked;
-use crate::cli::command;
-use crate::failure::Failure;
-use crate::output::{emit, overwrite, save_inside};
+use crate::{Asked, Failure, cli::command, emit, overwrite, save_inside};
 use clap::Command;
 use clap_complete::Shell;
 use clap_mangen::Man;

@@ -1,15 +1,9 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a joint.
 
-use crate::asked::Asked;
-use crate::failure::Failure;
-use crate::files;
-use crate::output::keyed::{tabled, value};
-use crate::output::text::{Units, number};
-use crate::output::{burst_first, is_text};
-use crate::progress::Bar;
-use crate::shown;
-use mckibben_app::rows::limit_rows;
-use mckibben_app::{JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, TextFile, joint};
+use crate::{Asked, Bar, Failure, Units, burst_first, files, number, output::is_text, shown, tabled, value};
+use mckibben_app::{
+    JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, TextFile, joint, rows::limit_rows,
+};
 use std::path::Path;
 
 pub const TEXT: &str = "joint: Joint with one muscle and a spring, or with two opposed muscles: torque, stiffness, rest position, pressures

@@ -1,16 +1,13 @@
 //! `motion`: a muscle or a joint on a valve, over time.
 
 use super::joint;
-use crate::asked::{Asked, load_tables};
-use crate::failure::Failure;
-use crate::files;
-use crate::output::burst_first;
-use crate::output::keyed::{listed, tabled, value};
-use crate::output::text::{Units, number, pairs};
-use crate::progress::Bar;
-use crate::shown;
-use mckibben_app::rows::limit_rows;
-use mckibben_app::{MotionAnswer, MotionRequest, MotionRun, ProblemKind, Subject, TextFile, motion};
+use crate::{
+    Asked, Bar, Failure, Units, asked::load_tables, burst_first, files, listed, number, pairs, shown, tabled,
+    value,
+};
+use mckibben_app::{
+    MotionAnswer, MotionRequest, MotionRun, ProblemKind, Subject, TextFile, motion, rows::limit_rows,
+};
 use serde_json::json;
 use std::path::Path;
 

@@ -1,11 +1,6 @@
 //! `parts list|show`.
 
-use crate::asked::Asked;
-use crate::failure::Failure;
-use crate::output::keyed::{listed, tabled, value};
-use crate::output::text::{law_text, pairs};
-use crate::output::warn;
-use crate::shown;
+use crate::{Asked, Failure, listed, output::text::law_text, pairs, shown, tabled, value, warn};
 use mckibben_app::{PartShowAnswer, PartsListAnswer, RubberDetails, part_show, parts_list};
 use serde_json::Value;
 

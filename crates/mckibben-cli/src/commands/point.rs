@@ -1,14 +1,7 @@
 //! `force`, `pressure`, `contraction`: one point.
 
-use crate::asked::Asked;
-use crate::failure::Failure;
-use crate::output::burst_first;
-use crate::output::loaded::loaded;
-use crate::output::text::pairs;
-use crate::progress::Bar;
-use crate::shown;
-use mckibben_app::rows::point_rows;
-use mckibben_app::{PointAnswer, PointQuantity};
+use crate::{Asked, Bar, Failure, burst_first, output::loaded::loaded, pairs, shown};
+use mckibben_app::{PointAnswer, PointQuantity, rows::point_rows};
 
 pub const FORCE: &str = "force: Pull at a pressure and contraction: F(P, ε)
 Question: p/pressure_mpa e/contraction @both

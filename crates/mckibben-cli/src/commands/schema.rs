@@ -1,8 +1,6 @@
 //! `schema`: the JSON Schema of requests, answers and files.
 
-use crate::asked::Asked;
-use crate::failure::Failure;
-use crate::output::{check_ending, emit, overwrite, save_inside};
+use crate::{Asked, Failure, check_ending, emit, overwrite, save_inside};
 use mckibben_app::{COMMANDS, bundle, file_schema, schema};
 
 pub const TEXT: &str = "schema: JSON Schema of requests, answers and files

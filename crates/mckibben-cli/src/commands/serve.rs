@@ -1,10 +1,6 @@
 //! `serve`: the workbench in a browser.
 
-use crate::asked::Asked;
-use crate::failure::Failure;
-use crate::format::Format;
-use crate::output::{emit, warn};
-use crate::progress;
+use crate::{Asked, Failure, Format, emit, progress, warn};
 use mckibben_app::ProblemKind;
 use mckibben_server::Config;
 use std::io::ErrorKind;

@@ -1,13 +1,9 @@
 //! `simulate`: one finite-element test with everything it knows.
 
-use crate::asked::Asked;
-use crate::failure::Failure;
-use crate::format::Format;
-use crate::output::keyed::{listed, tabled, value};
-use crate::output::text::{Units, pairs, percent, place};
-use crate::output::{burst_first, check, check_ending, overwrite, save, save_inside};
-use crate::progress::Bar;
-use crate::shown;
+use crate::{
+    Asked, Bar, Failure, Format, Units, burst_first, check_ending, listed, output::check, overwrite, pairs,
+    percent, place, save, save_inside, shown, tabled, value,
+};
 use mckibben::model::Response;
 use mckibben_app::{MuscleSummary, Problem, ProblemKind, Shapes, SimulateAnswer, SimulateRequest, Simulated};
 use mckibben_fem::output::{Extent, Shape, VtuFile, VtuSeries};

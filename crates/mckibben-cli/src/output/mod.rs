@@ -18,10 +18,7 @@ pub use write::{
     save_inside, warn, warn_behind,
 };
 
-use crate::clean;
-use crate::failure::Failure;
-use crate::format::Format;
-use crate::quantities::unit_hint;
+use crate::{Failure, Format, clean, quantities::unit_hint};
 use mckibben::warning::is_of_burst;
 use mckibben_app::{ProblemKind, answer_schema};
 use schemars::JsonSchema;

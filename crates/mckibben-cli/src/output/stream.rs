@@ -1,8 +1,7 @@
 //! JSON row by row: to standard output what does not fit into memory.
 
 use super::{Target, emit, json};
-use crate::failure::Failure;
-use crate::progress;
+use crate::{Failure, progress};
 use mckibben_app::{Problem, ProblemKind};
 use serde::Serialize;
 use serde_json::Value;

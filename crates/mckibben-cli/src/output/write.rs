@@ -1,18 +1,14 @@
 //! Where results go: standard output, or a file that appears whole or not at all. An existing file is overwritten only with `--overwrite`.
 
 use super::width;
-use crate::asked::Asked;
-use crate::failure::{Failure, in_flags};
-use crate::{clean, progress, shown};
+use crate::{Asked, Failure, clean, in_flags, progress, shown};
 use anstyle::{AnsiColor, Style};
-use mckibben::units::short_numbers;
-use mckibben::warning::is_of_burst;
+use mckibben::{units::short_numbers, warning::is_of_burst};
 use mckibben_app::{BuiltFile, ProblemKind};
 use mckibben_io::files::{check_free, put, put_all};
 use std::io::{Error, ErrorKind, Write};
-use std::path::Path;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::{path::Path, sync::Mutex};
 
 /// Whether existing files are overwritten.
 static OVERWRITE: AtomicBool = AtomicBool::new(false);

@@ -1,12 +1,9 @@
 //! The report as PDF, printed by a browser.
 
-use crate::failure::Failure;
-use crate::progress;
+use crate::{Failure, progress};
 use mckibben_app::ProblemKind;
-use std::fs::File;
-use std::io;
 use std::process::{Command, Stdio};
-use std::time::Duration;
+use std::{fs::File, io, time::Duration};
 use tempfile::TempDir;
 
 /// What names of folders of the browser begin with.

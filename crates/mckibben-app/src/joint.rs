@@ -1,33 +1,18 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a muscle against a spring, or of two against each other.
 
-pub(crate) mod answer;
-
-pub use answer::{JointAnswer, JointRow, RestWord};
-
-use crate::burst::{PressureLimits, burst_of, put_first, said_of};
-use crate::fields::{ModelFields, MuscleFields, TextFile};
-use crate::figure;
-use crate::model::Model;
-use crate::muscle::MuscleSummary;
-use crate::point::{above_zero, finite};
-use crate::problem::{Problem, ProblemKind};
-use crate::uncertainty::breakdown;
-use crate::units::{Scale, Units};
-use crate::warnings;
-use crate::words::number;
-use mckibben::cancel;
-use mckibben::joint::{Joint, JointError, JointModel, JointPoint, Rest, Turning, parse_joint};
-use mckibben::model::Workspace;
-use mckibben::muscle::Muscle;
-use mckibben::progress::Progress;
-use mckibben::size;
-use mckibben::threads;
-use mckibben::units::short_numbers;
+use crate::{
+    Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Scale, TextFile,
+    Units, above_zero, breakdown, burst_of, figure, finite, number, put_first, said_of, warnings,
+};
+use mckibben::joint::{Joint, JointError, JointMap, JointModel, JointPoint, Rest, Turning, parse_joint};
 use mckibben::warning::Warning;
+use mckibben::{
+    cancel, model::Workspace, muscle::Muscle, progress::Progress, size, threads, units::short_numbers,
+};
+use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
-use std::path::Path;
+use std::{collections::BTreeMap, path::Path};
 
 /// A joint: its file and those of its muscles.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
@@ -284,17 +269,10 @@ impl Asked<'_> {
         let second = point.muscles.get(1);
         let response = |m: &mckibben::joint::MuscleState| m.answer.response;
         Ok(JointRow {
-            angle_deg: point.angle_deg,
             pressure_1_mpa: point.pressures_mpa.first().copied().unwrap_or(0.0),
             pressure_2_mpa: point.pressures_mpa.get(1).copied(),
-            torque_nm: point.torque_nm,
-            uncertainty_nm: point.uncertainty_nm,
-            uncertainty_parts_nm: point.uncertainty_parts_nm,
             torque_turning_plus_nm: plus,
             torque_turning_minus_nm: minus,
-            stiffness_nm_per_rad: point.stiffness_nm_per_rad,
-            shut: point.shut,
-            stiffness_uncertainty_nm_per_rad: point.stiffness_uncertainty_nm_per_rad,
             rest,
             force_1_n: first.map_or(0.0, |m| response(m).force_n),
             force_2_n: second.map(|m| response(m).force_n),
@@ -304,6 +282,7 @@ impl Asked<'_> {
             arm_2_mm: second.map(|m| m.arm_mm),
             slack_1: first.is_some_and(|m| m.answer.slack),
             slack_2: second.map(|m| m.answer.slack),
+            point,
             ..JointRow::default()
         })
     }
@@ -311,7 +290,7 @@ impl Asked<'_> {
 
 /// The largest ± of the torques, in words.
 fn largest_uncertainty(rows: &[JointRow]) -> Option<String> {
-    let known = rows.iter().filter_map(|row| Some((row.angle_deg, row.uncertainty_parts_nm?)));
+    let known = rows.iter().filter_map(|row| Some((row.point.angle_deg, row.point.uncertainty_parts_nm?)));
     let (angle_deg, parts) = known.max_by(|a, b| a.1.total().total_cmp(&b.1.total()))?;
     let angle = number(if angle_deg.abs() < 1e-9 { 0.0 } else { angle_deg }, 4);
     Some(format!("at φ {angle}°: {}", breakdown(&parts, &Scale::newton_metres())))
@@ -382,4 +361,89 @@ impl From<JointError> for Problem {
             _ => Self::new(ProblemKind::File, message, ""),
         }
     }
+}
+
+/// A point of a joint.
+#[serde_with_macros::skip_serializing_none]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
+pub struct JointRow {
+    /// Angle, torque and stiffness.
+    #[serde(flatten)]
+    pub point: JointPoint,
+    /// Pressure of the first muscle, MPa.
+    pub pressure_1_mpa: f64,
+    /// Pressure of the second muscle, MPa.
+    pub pressure_2_mpa: Option<f64>,
+    /// The torque while the joint turns to +, where the muscles' friction is known, N m.
+    pub torque_turning_plus_nm: Option<f64>,
+    /// The torque while it turns to −, likewise.
+    pub torque_turning_minus_nm: Option<f64>,
+    /// Of a joint at rest: `stable`, `unstable`, at a `limit` of its range, or `loose`: it rests at any angle near this one.
+    pub rest: Option<RestWord>,
+    /// Pull of the first muscle, N.
+    pub force_1_n: f64,
+    /// Pull of the second muscle, N.
+    pub force_2_n: Option<f64>,
+    /// Contraction of the first muscle.
+    pub contraction_1: f64,
+    /// Contraction of the second muscle.
+    pub contraction_2: Option<f64>,
+    /// Moment arm of the first muscle, mm.
+    pub arm_1_mm: f64,
+    /// Moment arm of the second muscle, mm.
+    pub arm_2_mm: Option<f64>,
+    /// Whether the first muscle is slack.
+    pub slack_1: bool,
+    /// Whether the second muscle is slack.
+    pub slack_2: Option<bool>,
+    /// Pressure below which the first muscle is slack at this angle, MPa.
+    pub start_pressure_1_mpa: Option<f64>,
+    /// Pressure below which the second muscle is slack at this angle, MPa.
+    pub start_pressure_2_mpa: Option<f64>,
+    /// Of a joint at rest: 95 % half-width of the angle, from that of the torque and the stiffness, degrees.
+    pub angle_uncertainty_deg: Option<f64>,
+    /// Of pressures that were sought: 95 % half-width of that of the first muscle, by which it alone makes up for that of the torque, MPa.
+    pub pressure_1_uncertainty_mpa: Option<f64>,
+    /// That of the second muscle, likewise, MPa.
+    pub pressure_2_uncertainty_mpa: Option<f64>,
+}
+
+/// How a joint rests.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum RestWord {
+    /// It comes back after a small turn.
+    Stable,
+    /// It does not.
+    Unstable,
+    /// It rests at a limit of its range.
+    Limit,
+    /// No torque acts, and it rests at any angle near this one.
+    Loose,
+}
+
+/// A joint's answer.
+#[serde_with_macros::skip_serializing_none]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct JointAnswer {
+    /// The model's name.
+    pub model: String,
+    /// The muscles.
+    pub muscles: Vec<MuscleSummary>,
+    /// Limits of the angle in degrees.
+    pub range_deg: (f64, f64),
+    /// The points, pressures after pressures.
+    pub points: Vec<JointRow>,
+    /// The pressures that its weakest muscle bears.
+    #[serde(flatten)]
+    pub limits: PressureLimits,
+    /// What the joint reaches, where it was asked for.
+    pub map: Option<JointMap>,
+    /// The largest ± of the torques, in words: `at φ 20°: ± 2.0 N m (95 %): friction unknown 1.7, model against tests 0.8`.
+    pub uncertainty_text: Option<String>,
+    /// Warnings.
+    #[schemars(with = "Vec<String>")]
+    pub warnings: Vec<Warning>,
+    /// The figure, where it was asked for.
+    pub figure: Option<Figure>,
 }
