@@ -78,10 +78,7 @@ pub fn assemble<const TANGENT: bool>(
         for first in (start..end).step_by(PIECE) {
             cancel::check()?;
             let of = (d, m, first..(first + PIECE).min(end));
-            let inverted = with(&m.law, |law| bricks::<TANGENT>(of, s, law, work, &mut totals));
-            if let Some((element, smallest_j)) = inverted {
-                return Err(Stopped::Inverted { element, smallest_j });
-            }
+            with(&m.law, |law| bricks::<TANGENT>(of, s, law, work, &mut totals))?;
         }
     }
     trusses::<TANGENT>(d, s, work, &mut totals);
@@ -109,7 +106,7 @@ pub fn assemble<const TANGENT: bool>(
     let reaction: f64 = d.terminal.iter().map(|&i| work.force[i as usize]).sum();
     totals.pull = 4.0 * (reaction - s.pressure * cap / 3.0);
     if !totals.pull.is_finite() {
-        return Err(Stopped::NotFinite { element: 0 });
+        return Err(Stopped::NotFinite);
     }
     Ok(totals)
 }
@@ -124,7 +121,7 @@ fn bricks<const TANGENT: bool>(
     law: SpatialLaw<'_>,
     work: &mut Assembled,
     totals: &mut Totals,
-) -> Option<(usize, f64)> {
+) -> Result<(), Stopped> {
     match of.0.problem.brick {
         Brick::Linear => {
             let points = std::mem::take(&mut work.points8);
@@ -149,7 +146,7 @@ on_lanes! {
         law: SpatialLaw<'_>,
         work: &mut Assembled,
         totals: &mut Totals,
-    ) -> Option<(usize, f64)> = all
+    ) -> Result<(), Stopped> = all
 }
 
 #[inline(always)]
@@ -160,7 +157,7 @@ fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
     law: SpatialLaw<'_>,
     work: &mut Assembled,
     totals: &mut Totals,
-) -> Option<(usize, f64)> {
+) -> Result<(), Stopped> {
     let mut input = Input::<R, NN, NM>::zero();
     let mut out = Output::<R, NN, NM>::zero();
     let (d, m, Range { start, end: count }) = of;
@@ -198,7 +195,7 @@ fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
             let j = out.smallest_j.lane(lane);
             totals.smallest_j = totals.smallest_j.min(j);
             if j.is_nan() || j <= 0.0 {
-                return Some((e, j));
+                return Err(Stopped::Inverted);
             }
             totals.rubber += out.energy.lane(lane);
             for a in 0..NN {
@@ -234,7 +231,7 @@ fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
             }
         }
     }
-    None
+    Ok(())
 }
 
 fn trusses<const TANGENT: bool>(d: &Discretisation, s: &State, work: &mut Assembled, totals: &mut Totals) {

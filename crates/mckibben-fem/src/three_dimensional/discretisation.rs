@@ -129,8 +129,7 @@ impl Discretisation {
         let free = place.len();
         let pattern = pattern(&problem, &unknown, free)?;
         cancel::check()?;
-        let analysis = Analysis::new(pattern);
-        let analysis = Arc::new(analysis.map_err(|e| FemError::too_large(e.dimension))?);
+        let analysis = Arc::new(Analysis::new(pattern).ok_or_else(|| FemError::too_large(free))?);
         let shear = problem.law.shear_modulus_mpa();
         let materials = Material::all(&problem);
         let (compliance, augment) = (materials[0].compliance, materials[0].augment);

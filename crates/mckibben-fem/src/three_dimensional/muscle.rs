@@ -225,8 +225,7 @@ impl body::Body for MuscleInBricks {
 
     fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64, FemError> {
         let Some((_, section)) = &mut self.section else {
-            let reason = Stopped::Diverged { correction: 0.0 };
-            return Err(FemError::Force { force_n: force, reason });
+            return Err(FemError::Force { force_n: force, reason: Stopped::Diverged });
         };
         section.reach_pressure(force, contraction)?;
         Ok(section.body.state.pressure)
