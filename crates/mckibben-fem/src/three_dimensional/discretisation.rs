@@ -8,7 +8,7 @@ use super::mesh::Brick;
 use super::problem::{Freedom, Problem};
 use crate::FemError;
 use crate::element::brick::{Modes, modes};
-use crate::element::hexahedron::{points8, points27};
+use crate::element::hexahedron::points;
 use crate::element::lanes::Width;
 use crate::solver::body::State;
 use crate::solver::sparse::{Analysis, Pattern};
@@ -290,22 +290,19 @@ fn rounding(stiff: &[Material], rest: &[Modes], greatest: f64) -> f64 {
 }
 
 fn rest_modes(problem: &Problem, count: usize) -> Result<Vec<Modes>, FemError> {
-    fn all<const NN: usize>(
-        problem: &Problem,
-        points: &[crate::element::brick::ShapePoint<NN>],
-        count: usize,
-    ) -> Result<Vec<Modes>, FemError> {
+    fn all<const NN: usize>(problem: &Problem, count: usize) -> Result<Vec<Modes>, FemError> {
+        let points = points();
         let element = |(e, nodes): (usize, &Vec<u32>)| {
             look(e)?;
             let places: [[f64; 3]; NN] = std::array::from_fn(|a| problem.rest(e, nodes[a]));
-            modes(points, &places, count)
+            modes::<NN>(&points, &places, count)
                 .ok_or_else(|| FemError::Refused(format!("mesh: element {e} is turned inside out at rest")))
         };
         problem.bricks.iter().enumerate().map(element).collect()
     }
     match problem.brick {
-        Brick::Linear => all(problem, &points8(), count),
-        Brick::Quadratic => all(problem, &points27(), count),
+        Brick::Linear => all::<8>(problem, count),
+        Brick::Quadratic => all::<27>(problem, count),
     }
 }
 

@@ -9,13 +9,17 @@ use super::{BRICKS, body, prototype, solve, tight};
 use crate::element::spatial::AT;
 use crate::element::truss::Truss;
 use crate::solver::body::Control;
-use crate::three_dimensional::{Body, Brick, BrickMesh, BrickSpec, Problem};
+use crate::three_dimensional::{Body, Brick, BrickMesh, BrickSpec, Problem, Quarter};
 use crate::verification::numerics::laws;
 use crate::verification::{Rows, changed, order_of_newton, rubber};
 use mckibben::differences::{STENCIL, slope};
 use mckibben::muscle::{BraidStiffness, Bulk, Muscle};
 use mckibben::random::Random;
 use mckibben::rubber::Law;
+
+fn tube(half_mm: f64) -> Quarter {
+    Quarter { inner_mm: 12.0, outer_mm: 15.0, half_mm, angle_rad: 0.5 }
+}
 
 /// A small muscle in a random deformed state, with pressures and tensions of their own.
 fn shaken(brick: Brick, law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Option<Body> {
@@ -24,7 +28,7 @@ fn shaken(brick: Brick, law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Opti
         (braid.stiffness, braid.compression) = (stiffness, true);
     })?;
     let spec = BrickSpec { brick, around: Some(2), along: Some(2), through: Some(1), ..BrickSpec::default() };
-    let mesh = BrickMesh::new(12.0, 15.0, 20.0, 0.5, &spec).ok()?;
+    let mesh = BrickMesh::new(&tube(20.0), &spec).ok()?;
     let mut body = body(Problem::of(&muscle, &mesh))?;
     let mut random = Random(7);
     for &i in &body.discretisation.place.clone() {
@@ -145,7 +149,7 @@ fn steps(brick: Brick) -> Option<f64> {
 /// Relative difference of the pull with unknowns numbered backwards.
 fn numbering(brick: Brick) -> Option<f64> {
     let spec = BrickSpec { brick, around: Some(3), along: Some(6), ..BrickSpec::default() };
-    let mesh = BrickMesh::new(12.0, 15.0, 60.0, 0.5, &spec).ok()?;
+    let mesh = BrickMesh::new(&tube(60.0), &spec).ok()?;
     let pull = |back: bool| {
         let mut problem = Problem::of(&Muscle::prototype(), &mesh);
         if back {
