@@ -30,7 +30,7 @@ fn muscle(through: usize, around: usize) -> Continuation<MuscleInBricks> {
 /// The path of the peers, increment by increment.
 fn walk(c: &mut Continuation<MuscleInBricks>, targets: &[(f64, f64)]) -> f64 {
     c.reset();
-    let half = c.body.mesh.half_length_mm();
+    let half = c.body.mesh.tube.half_mm;
     for &(contraction, pressure) in targets {
         c.increment(pressure, -contraction * half).unwrap();
     }

@@ -1,24 +1,11 @@
 //! Why there is no answer.
 
-use crate::solver::newton::Stopped;
+use crate::solver::newton::{LastConverged, Stopped};
 use mckibben::cancel::Cancelled;
 use mckibben::model::ModelError;
 use mckibben::size;
 use mckibben::status::Status;
 use thiserror::Error;
-
-/// The last equilibrium that was found on the way to one that was not.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LastConverged {
-    /// Pressure in MPa.
-    pub pressure_mpa: f64,
-    /// Contraction ratio.
-    pub contraction: f64,
-    /// Pull in N.
-    pub force_n: f64,
-    /// Smallest volume ratio of the rubber.
-    pub smallest_j: f64,
-}
 
 /// Why there is no answer.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -131,7 +118,7 @@ impl FemError {
 /// A reason that lies in the muscle; how a search ended tells its user nothing.
 fn of_muscle(reason: &Stopped) -> String {
     match reason {
-        Stopped::Inverted { .. } | Stopped::NotFinite { .. } => format!(": {reason}"),
+        Stopped::Inverted | Stopped::NotFinite => format!(": {reason}"),
         _ => String::new(),
     }
 }

@@ -53,6 +53,6 @@ pub mod solver;
 pub mod three_dimensional;
 pub mod verification;
 
-pub use error::{FemError, LastConverged};
+pub use error::FemError;
 pub use seated::with_ends;
 pub use simulation::Simulation;

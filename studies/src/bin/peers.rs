@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let start = Instant::now();
     let mut muscle = Continuation::new(MuscleMesh::new(&muscle, &spec)?.at_rest()?);
     let setup = start.elapsed().as_secs_f64();
-    let half = muscle.body.mesh.half_length_mm();
+    let half = muscle.body.mesh.tube.half_mm;
     let mut points = vec![];
     let began = Instant::now();
     for (e, p) in increments(contraction, &pressures)? {

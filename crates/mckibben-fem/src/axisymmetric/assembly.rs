@@ -90,11 +90,7 @@ fn sum<const TANGENT: bool>(
     }
     let end = d.layout.end();
     totals.pull = (0..d.layout.nodes()).map(|i| w.residual[end + 2 * i + 1]).sum();
-    if totals.pull.is_finite() {
-        Ok(totals)
-    } else {
-        Err(Stopped::NotFinite { element: d.elements.len() - 1 })
-    }
+    if totals.pull.is_finite() { Ok(totals) } else { Err(Stopped::NotFinite) }
 }
 
 /// What residuals are compared with.
@@ -145,7 +141,7 @@ impl Scale {
             }
         }
         totals.defect = totals.defect.max(largest * self.force).max(defect);
-        if sum.is_finite() { Ok(()) } else { Err(Stopped::NotFinite { element: slab * l.through }) }
+        if sum.is_finite() { Ok(()) } else { Err(Stopped::NotFinite) }
     }
 }
 
@@ -203,9 +199,8 @@ fn solid<const TANGENT: bool>(
     let c = &mut w.element;
     let memory = d.memory.as_ref().map(|m| (m.softening, &m.seen_mpa[index]));
     let material = Material { law, compliance: d.compliance, memory };
-    let upright = solid::contribute::<TANGENT>(geometry, &u, &material, c);
-    if !upright {
-        return Err(Stopped::Inverted { element: index, smallest_j: c.smallest_j });
+    if !solid::contribute::<TANGENT>(geometry, &u, &material, c) {
+        return Err(Stopped::Inverted);
     }
     totals.smallest_j = totals.smallest_j.min(c.smallest_j);
     totals.rubber += c.energy;

@@ -14,7 +14,6 @@ use super::discretisation::{Discretisation, Ends};
 use super::neighbour::Neighbours;
 use crate::element::q2::{MODES, NODES};
 use crate::element::strand::STRAND_POINTS;
-use crate::solver::Singular;
 use crate::solver::body::{Control, State, Totals};
 use crate::solver::dense;
 use crate::solver::newton::{NewtonSystem, Stopped};
@@ -164,10 +163,8 @@ impl Body {
     pub fn factorise(&mut self) -> Result<Totals, Stopped> {
         self.linearised = false;
         self.totals = assemble::<true>(&self.discretisation, &self.state, &mut self.assembled)?;
-        let (m, block) = (self.station(), self.discretisation.layout.along);
-        self.end
-            .factorise(self.assembled.chain.end(), m)
-            .map_err(|pivot| Stopped::Singular(Singular { block, pivot }))?;
+        let m = self.station();
+        self.end.factorise(self.assembled.chain.end(), m).map_err(|_| Stopped::Singular)?;
         self.linearised = true;
         Ok(self.totals)
     }
@@ -382,11 +379,7 @@ impl NewtonSystem for Body {
             .flat_map(|slab| &self.step[slab * l.stride()..][..2 * m])
             .fold(0.0_f64, |a, x| a.max(x.abs()));
         let size = largest / self.discretisation.radius;
-        if size.is_finite() && dw.is_finite() && dp.is_finite() {
-            Ok(size)
-        } else {
-            Err(Stopped::Diverged { correction: f64::INFINITY })
-        }
+        if size.is_finite() && dw.is_finite() && dp.is_finite() { Ok(size) } else { Err(Stopped::Diverged) }
     }
 
     fn retreat(&mut self, keep: f64) {

@@ -112,14 +112,14 @@ impl<R: Real, const NN: usize, const NM: usize> Output<R, NN, NM> {
 }
 
 #[inline(always)]
-fn determinant<R: Real>(m: &[[R; 3]; 3]) -> R {
+pub(crate) fn determinant<R: Real>(m: &[[R; 3]; 3]) -> R {
     m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
         + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0])
 }
 
 /// det(m) m⁻¹
 #[inline(always)]
-fn adjugate<R: Real>(m: &[[R; 3]; 3]) -> [[R; 3]; 3] {
+pub(crate) fn adjugate<R: Real>(m: &[[R; 3]; 3]) -> [[R; 3]; 3] {
     let c = |a: usize, b: usize, c: usize, d: usize| m[a][b] * m[c][d] - m[a][d] * m[c][b];
     [
         [c(1, 1, 2, 2), c(0, 2, 2, 1), c(0, 1, 1, 2)],
@@ -130,7 +130,7 @@ fn adjugate<R: Real>(m: &[[R; 3]; 3]) -> [[R; 3]; 3] {
 
 /// ∂x/∂ξ
 #[inline(always)]
-fn jacobian<R: Real, const NN: usize>(x: &[[R; 3]; NN], dn: &[[f64; 3]; NN]) -> [[R; 3]; 3] {
+pub(crate) fn jacobian<R: Real, const NN: usize>(x: &[[R; 3]; NN], dn: &[[f64; 3]; NN]) -> [[R; 3]; 3] {
     let mut m = [[R::splat(0.0); 3]; 3];
     for a in 0..NN {
         for j in 0..3 {

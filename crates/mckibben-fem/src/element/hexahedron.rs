@@ -3,30 +3,18 @@
 //! Nodes run like the grid's: ξ first, then η, then ζ, from −1 to 1.
 
 use super::brick::ShapePoint;
-use super::q2::{GAUSS2, GAUSS3};
+use super::q2::{GAUSS2, GAUSS3, functions};
 
 /// Nodes of the linear brick.
 pub const NODES8: usize = 8;
 /// Nodes of the quadratic brick.
 pub const NODES27: usize = 27;
 
-/// Linear functions on −1, 1 and their derivatives.
-fn linear(x: f64) -> ([f64; 2], [f64; 2]) {
-    ([0.5 * (1.0 - x), 0.5 * (1.0 + x)], [-0.5, 0.5])
-}
-
-/// Quadratic functions on −1, 0, 1 and their derivatives.
-fn quadratic(x: f64) -> ([f64; 3], [f64; 3]) {
-    ([0.5 * x * (x - 1.0), 1.0 - x * x, 0.5 * x * (x + 1.0)], [x - 0.5, -2.0 * x, x + 0.5])
-}
-
-fn product<const P: usize, const NN: usize>(
-    rule: impl Fn(f64) -> ([f64; P], [f64; P]),
-    at: [f64; 3],
-    weight: f64,
-) -> ShapePoint<NN> {
-    let [(x, dx), (y, dy), (z, dz)] = at.map(rule);
-    let place = |a: usize| (a % P, a / P % P, a / (P * P));
+/// The brick of NN nodes at a place.
+pub fn at<const NN: usize>(at: [f64; 3], weight: f64) -> ShapePoint<NN> {
+    let p = if NN == NODES8 { 2 } else { 3 };
+    let [(x, dx), (y, dy), (z, dz)] = at.map(|x| functions(p, x));
+    let place = |a: usize| (a % p, a / p % p, a / (p * p));
     ShapePoint {
         at,
         n: std::array::from_fn(|a| {
@@ -41,37 +29,14 @@ fn product<const P: usize, const NN: usize>(
     }
 }
 
-/// The linear brick at a place.
-pub fn at8(at: [f64; 3], weight: f64) -> ShapePoint<NODES8> {
-    product(linear, at, weight)
-}
-
-/// The quadratic brick at a place.
-pub fn at27(at: [f64; 3], weight: f64) -> ShapePoint<NODES27> {
-    product(quadratic, at, weight)
-}
-
-fn cube<const N: usize, const NN: usize>(
-    rule: &[(f64, f64); N],
-    point: impl Fn([f64; 3], f64) -> ShapePoint<NN>,
-) -> Vec<ShapePoint<NN>> {
-    let mut out = Vec::with_capacity(N * N * N);
+/// 2 × 2 × 2 points of the linear brick, 3 × 3 × 3 of the quadratic one.
+pub fn points<const NN: usize>() -> Vec<ShapePoint<NN>> {
+    let rule: &[(f64, f64)] = if NN == NODES8 { &GAUSS2 } else { &GAUSS3 };
+    let mut out = Vec::with_capacity(rule.len().pow(3));
     for (z, wz) in rule {
         for (y, wy) in rule {
-            for (x, wx) in rule {
-                out.push(point([*x, *y, *z], wx * wy * wz));
-            }
+            out.extend(rule.iter().map(|(x, wx)| at([*x, *y, *z], wx * wy * wz)));
         }
     }
     out
-}
-
-/// 2 × 2 × 2 points.
-pub fn points8() -> Vec<ShapePoint<NODES8>> {
-    cube(&GAUSS2, at8)
-}
-
-/// 3 × 3 × 3 points.
-pub fn points27() -> Vec<ShapePoint<NODES27>> {
-    cube(&GAUSS3, at27)
 }

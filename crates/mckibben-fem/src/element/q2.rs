@@ -25,6 +25,11 @@ pub const GAUSS3: [(f64, f64); 3] =
 /// Two-point Gauss rule on [−1, 1]: (point, weight).
 pub const GAUSS2: [(f64, f64); 2] = [(-0.577_350_269_189_625_8, 1.0), (0.577_350_269_189_625_8, 1.0)];
 
+/// Functions of two nodes at −1, 1 or of three at −1, 0, 1, and their derivatives.
+pub(crate) fn functions(nodes: usize, x: f64) -> ([f64; 3], [f64; 3]) {
+    if nodes == 2 { ([0.5 * (1.0 - x), 0.5 * (1.0 + x), 0.0], [-0.5, 0.5, 0.0]) } else { quadratic(x) }
+}
+
 /// Quadratic shape functions of the nodes −1, 0, +1 and their slopes.
 pub fn quadratic(x: f64) -> ([f64; 3], [f64; 3]) {
     ([0.5 * x * (x - 1.0), 1.0 - x * x, 0.5 * x * (x + 1.0)], [x - 0.5, -2.0 * x, x + 0.5])

@@ -8,38 +8,28 @@
 // Components and nodes are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]
 
-use crate::element::q2::{GAUSS2, GAUSS3};
+use crate::element::q2::{GAUSS2, GAUSS3, functions};
 
 /// Values of the shape functions of a face with N nodes at its points: (N, ∂N/∂ξ, ∂N/∂η, weight).
 pub type FacePoint<const N: usize> = ([f64; N], [f64; N], [f64; N], f64);
 
-fn face<const P: usize, const N: usize, const G: usize>(
-    rule: impl Fn(f64) -> ([f64; P], [f64; P]),
-    gauss: &[(f64, f64); G],
-) -> Vec<FacePoint<N>> {
-    let mut out = Vec::with_capacity(G * G);
+/// The points of a face of four nodes (two rows of two: the integrand is of degree two each way) or nine (three rows of three: of degree
+/// five).
+pub fn points<const N: usize>() -> Vec<FacePoint<N>> {
+    let (p, gauss): (usize, &[(f64, f64)]) = if N == 4 { (2, &GAUSS2) } else { (3, &GAUSS3) };
+    let mut out = Vec::with_capacity(N);
     for (b, wb) in gauss {
         for (a, wa) in gauss {
-            let ((x, dx), (y, dy)) = (rule(*a), rule(*b));
+            let ((x, dx), (y, dy)) = (functions(p, *a), functions(p, *b));
             out.push((
-                std::array::from_fn(|k| x[k % P] * y[k / P]),
-                std::array::from_fn(|k| dx[k % P] * y[k / P]),
-                std::array::from_fn(|k| x[k % P] * dy[k / P]),
+                std::array::from_fn(|k| x[k % p] * y[k / p]),
+                std::array::from_fn(|k| dx[k % p] * y[k / p]),
+                std::array::from_fn(|k| x[k % p] * dy[k / p]),
                 wa * wb,
             ));
         }
     }
     out
-}
-
-/// Four nodes (two rows of two): the integrand is of degree two each way.
-pub fn points4() -> Vec<FacePoint<4>> {
-    face(|x| ([0.5 * (1.0 - x), 0.5 * (1.0 + x)], [-0.5, 0.5]), &GAUSS2)
-}
-
-/// Nine nodes (three rows of three): the integrand is of degree five each way.
-pub fn points9() -> Vec<FacePoint<9>> {
-    face(|x| ([0.5 * x * (x - 1.0), 1.0 - x * x, 0.5 * x * (x + 1.0)], [x - 0.5, -2.0 * x, x + 0.5]), &GAUSS3)
 }
 
 /// Volume under a face and its derivatives.

@@ -56,10 +56,10 @@ pub fn increments(contraction: f64, pressures_mpa: &[f64]) -> Result<Vec<(f64, f
 /// The deck of an isometric test: filled up to 0.05 MPa (or the next of the pressures), shortened, filled further.
 pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -> Result<String, DeckError> {
     let mesh = model.mesh();
-    if mesh.brick() != Brick::Linear {
+    if mesh.brick != Brick::Linear {
         return Err(DeckError::Refused("an input deck needs eight-node bricks".into()));
     }
-    if mesh.plug().is_some() {
+    if mesh.plug.is_some() {
         return Err(DeckError::Refused(
             "an input deck has a rigid plane as the terminal: leave out `terminal`".into(),
         ));
@@ -76,7 +76,6 @@ pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -
     }
     let steps = steps(contraction, pressures_mpa)?;
     let muscle = model.muscle();
-    let (inner, outer) = mesh.radii_mm();
     let mut out = String::new();
     let line = |out: &mut String, text: std::fmt::Arguments<'_>| {
         let _ = writeln!(out, "{text}");
@@ -89,10 +88,10 @@ pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -
         ),
     );
     for (key, value) in [
-        ("outer_radius_mm", outer),
-        ("inner_radius_mm", inner),
-        ("half_length_mm", mesh.half_length_mm()),
-        ("angle_deg", mesh.angle_rad().to_degrees()),
+        ("outer_radius_mm", mesh.tube.outer_mm),
+        ("inner_radius_mm", mesh.tube.inner_mm),
+        ("half_length_mm", mesh.tube.half_mm),
+        ("angle_deg", mesh.tube.angle_rad.to_degrees()),
         ("contraction", contraction),
     ] {
         line(&mut out, format_args!("** {key} = {value:?}"));
@@ -104,7 +103,7 @@ pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -
         ),
     );
     line(&mut out, format_args!("*NODE, NSET=NALL"));
-    for (i, x) in mesh.nodes().iter().enumerate() {
+    for (i, x) in mesh.nodes.iter().enumerate() {
         line(&mut out, format_args!("{}, {:?}, {:?}, {:?}", i + 1, x[0], x[1], x[2]));
     }
     line(&mut out, format_args!("*ELEMENT, TYPE=C3D8, ELSET=TUBE"));
@@ -120,7 +119,7 @@ pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -
     rubber(&mut out, &muscle.rubber().law, muscle.rubber().bulk)?;
     line(&mut out, format_args!("*BOUNDARY\nSX, 1, 1\nSY, 2, 2\nSZ, 3, 3\nNEND, 1, 2"));
     for s in steps {
-        let end = -s.contraction * mesh.half_length_mm();
+        let end = -s.contraction * mesh.tube.half_mm;
         line(
             &mut out,
             format_args!("*STEP, NLGEOM, INC=2000\n*STATIC, DIRECT\n{:?}, 1.", 1.0 / s.increments as f64),
@@ -242,7 +241,7 @@ fn sets(out: &mut String, model: &ThreeDimensional) {
     write("*NSET, NSET=NEND", all(&|_, _, k| k == last));
     write("*NSET, NSET=NIN", all(&|i, _, _| i == 0));
     // Bricks at the inner surface; their face with ξ = −1 has number 6.
-    let [through, around, along] = mesh.elements();
+    let [through, around, along] = mesh.elements;
     write("*ELSET, ELSET=EIN", (0..around * along).map(|e| e * through + 1).collect());
 }
 

@@ -4,7 +4,8 @@
 //! [inside | left station | right station]. Going along the chain each slab loses its inside and its left station, and
 //! hands the Schur complement of its right station to the next. What is left is the last station seen from outside.
 
-use super::{Singular, dense};
+use super::dense;
+use super::newton::Stopped;
 
 /// The chain and its factorisation.
 #[derive(Debug, Clone)]
@@ -52,7 +53,7 @@ impl Chain {
     }
 
     /// Adds what came from the slab before and eliminates; slabs go in order.
-    pub fn eliminate(&mut self, slab: usize) -> Result<(), Singular> {
+    pub fn eliminate(&mut self, slab: usize) -> Result<(), Stopped> {
         let (n, m, size) = (self.inside, self.station, self.size());
         let a = &mut self.matrices[slab * size * size..(slab + 1) * size * size];
         for i in 0..m {
@@ -60,7 +61,7 @@ impl Chain {
                 a[(n + i) * size + n + j] += self.end[i * m + j];
             }
         }
-        self.negative += dense::eliminate(a, size, n + m).map_err(|pivot| Singular { block: slab, pivot })?;
+        self.negative += dense::eliminate(a, size, n + m).map_err(|_| Stopped::Singular)?;
         for i in 0..m {
             for j in i..m {
                 self.end[i * m + j] = a[(n + m + i) * size + n + m + j];

@@ -12,11 +12,9 @@
 //! and where that branch ends there is none. A tube that lies loose in its sleeve is, where the taut muscle does not lead to it, inflated from
 //! rest in the same way.
 
-pub use super::interrupted::Interrupted;
-
 use super::body::{Body, Control, State};
 use super::descent::Descent;
-use super::newton::{self, Effort, NewtonOptions, Stopped};
+use super::newton::{self, Effort, Interrupted, NewtonOptions, Stopped};
 use super::trail::{Along, Trail};
 use crate::error::FemError;
 use mckibben::cancel;
@@ -196,7 +194,7 @@ impl<B: Body> Continuation<B> {
         if let Some((start, budget)) = self.allowed {
             let factorisations = self.effort.factorisations - start;
             if factorisations >= budget {
-                return Err(Stopped::Budget { factorisations });
+                return Err(Stopped::Budget);
             }
             options.factorisations = budget - factorisations;
         }

@@ -1,13 +1,21 @@
 //! The stations of a descent in pressure at one length.
 
 use super::body::State;
-use super::growth::growth_of_step;
-use super::interrupted::Interrupted;
+use super::newton::Interrupted;
 
 /// A step is continuous if Newton's method moves no node further than this share of the radius from where the steps before predict it.
 pub(super) const CONTINUOUS: f64 = 0.05;
 /// Share of the highest pressure that is tried first.
 const FIRST: f64 = 0.1;
+/// Of what a step may miss of its prediction, the share that the next one aims at.
+const AIM: f64 = 0.5;
+/// By what factor a step may be larger than the one before.
+const GROWTH: f64 = 4.0;
+
+/// By what factor the next step is larger where the last one `missed` its prediction: that grows with the square of a step.
+pub(super) fn growth_of_step(missed: f64, reach: f64) -> f64 {
+    (AIM * reach / missed).sqrt().clamp(1.0, GROWTH)
+}
 
 /// Stations of a descent: the first has all strands in tension, each continues the one before.
 #[derive(Debug, Clone, Default)]

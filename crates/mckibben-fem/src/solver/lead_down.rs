@@ -3,8 +3,7 @@
 use super::body::{Body, Control};
 use super::continuation::Continuation;
 use super::descent::CONTINUOUS;
-use super::interrupted::Interrupted;
-use super::newton::Stopped;
+use super::newton::{Interrupted, Stopped};
 
 /// How often the pressure is raised, and by what factor, where the strands are not taut yet.
 const TIGHTENINGS: usize = 8;

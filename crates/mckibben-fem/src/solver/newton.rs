@@ -3,7 +3,6 @@
 //! The last correction of a solve is usually so small that the next residual is below the tolerance: it is then looked at
 //! alone, and where a little is left the old tangent corrects once more. Nothing is allocated.
 
-use super::Singular;
 use mckibben::cancel::Cancelled;
 use thiserror::Error;
 
@@ -30,29 +29,16 @@ pub trait NewtonSystem {
 pub enum Stopped {
     /// An element is turned inside out.
     #[error("the wall folds: in one place the rubber would be turned inside out")]
-    Inverted {
-        /// Which element.
-        element: usize,
-        /// Its smallest volume ratio.
-        smallest_j: f64,
-    },
+    Inverted,
     /// A number that is not finite: a law beyond its limit.
     #[error("the rubber is stretched past the limit of its law")]
-    NotFinite {
-        /// Which element.
-        element: usize,
-    },
-    /// A singular tangent.
-    #[error(transparent)]
-    Singular(#[from] Singular),
+    NotFinite,
+    /// A pivot of the tangent that is zero or no number.
+    #[error("the muscle has no stiffness against some change of its shape: it buckles")]
+    Singular,
     /// Corrections that do not become smaller.
     #[error("the iteration for the deformed shape did not converge")]
-    Iterations {
-        /// Iterations done.
-        iterations: usize,
-        /// Last residual.
-        residual: f64,
-    },
+    Iterations,
     /// No equilibrium continues the one before.
     #[error("the equilibrium path from the taut muscle ends before this point")]
     Branch,
@@ -61,25 +47,39 @@ pub enum Stopped {
     Unstable,
     /// The work that a question may cost is spent.
     #[error("the iteration for the deformed shape was stopped because it took too long")]
-    Budget {
-        /// Factorisations done.
-        factorisations: usize,
-    },
+    Budget,
     /// The caller wanted the work to end.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
     /// Corrections beyond any sense.
     #[error("the iteration for the deformed shape diverged")]
-    Diverged {
-        /// Size of the correction.
-        correction: f64,
-    },
+    Diverged,
+}
+
+/// The last equilibrium on a way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LastConverged {
+    /// Pressure in MPa.
+    pub pressure_mpa: f64,
+    /// Contraction ratio.
+    pub contraction: f64,
+    /// Pull in N.
+    pub force_n: f64,
+}
+
+/// Why a walk ended, and the last equilibrium on it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Interrupted {
+    /// Why the last step was given up.
+    pub reason: Stopped,
+    /// The last equilibrium.
+    pub last: LastConverged,
 }
 
 impl Stopped {
     /// Whether further attempts are useless: the allowed work is done.
     pub fn is_final(&self) -> bool {
-        matches!(self, Self::Budget { .. } | Self::Cancelled(_))
+        matches!(self, Self::Budget | Self::Cancelled(_))
     }
 }
 
@@ -178,7 +178,7 @@ pub fn solve<S: NewtonSystem>(
         let size = system.correct()?;
         effort.moved += size;
         if size.is_nan() || size >= options.large {
-            return Err(Stopped::Diverged { correction: size });
+            return Err(Stopped::Diverged);
         }
         if effort.moved > options.reach {
             return Err(Stopped::Branch);
@@ -204,14 +204,13 @@ pub fn solve<S: NewtonSystem>(
         }
         let mut retreats = 0;
         norm = loop {
-            let factorisations = effort.factorisations - before;
-            if factorisations >= options.factorisations {
-                return Err(Stopped::Budget { factorisations });
+            if effort.factorisations - before >= options.factorisations {
+                return Err(Stopped::Budget);
             }
             effort.factorisations += 1;
             match system.linearise() {
                 Ok(norm) => break norm,
-                Err(Stopped::Inverted { .. } | Stopped::NotFinite { .. }) if retreats < RETREATS => {
+                Err(Stopped::Inverted | Stopped::NotFinite) if retreats < RETREATS => {
                     retreats += 1;
                     system.retreat(0.5);
                 }
@@ -224,5 +223,5 @@ pub fn solve<S: NewtonSystem>(
             return Ok(());
         }
     }
-    Err(Stopped::Iterations { iterations: options.iterations, residual: norm })
+    Err(Stopped::Iterations)
 }

@@ -9,8 +9,8 @@
 //!
 //! No pivots are exchanged: systems are ordered and augmented so that none need be.
 
-use super::form::Form;
 use super::kernel::{Kernel, Matrix, STRIP, Shape, Triangle};
+use super::symbolic::Form;
 use std::ops::Range;
 
 /// Strips of so many columns from `first` on.

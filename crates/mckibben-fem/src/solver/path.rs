@@ -2,8 +2,7 @@
 
 use super::body::{Body, Control};
 use super::continuation::Continuation;
-use super::interrupted::Interrupted;
-use super::newton::Stopped;
+use super::newton::{Interrupted, Stopped};
 use super::trail::Along;
 
 impl<B: Body> Continuation<B> {
@@ -48,7 +47,7 @@ impl<B: Body> Continuation<B> {
     /// [`Stopped`]; the body then holds no equilibrium.
     pub fn advance(&mut self, along: Along, value: f64, control: Control) -> Result<(), Stopped> {
         if !self.trail.predict(along, value, self.body.state_mut()) {
-            return Err(Stopped::Diverged { correction: f64::INFINITY });
+            return Err(Stopped::Diverged);
         }
         self.solve(control)
     }

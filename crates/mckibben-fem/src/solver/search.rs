@@ -3,8 +3,8 @@
 //! Single equilibria at given pressures and contractions lead near; from there Newton's method runs with the pull held.
 
 use super::body::{Body, Control};
-use super::continuation::{Continuation, Interrupted, LARGEST_CONTRACTION};
-use super::newton::Stopped;
+use super::continuation::{Continuation, LARGEST_CONTRACTION};
+use super::newton::{Interrupted, Stopped};
 use crate::error::FemError;
 use mckibben::cancel;
 
@@ -18,8 +18,6 @@ const NEARER: f64 = 0.75;
 const BUDGET_TO_THE_END: usize = 250;
 /// Two pulls are one if they differ by less than this share.
 const SAME_PULL: f64 = 1e-6;
-/// Why a search ended that came to no answer and met no reason.
-const NOT_FOUND: Stopped = Stopped::Iterations { iterations: SEARCH_STEPS, residual: f64::INFINITY };
 
 impl<B: Body> Continuation<B> {
     /// Finds the equilibrium with a pull in N at a pressure in MPa by Newton's method with the pull held; its contraction is sought.
@@ -29,7 +27,7 @@ impl<B: Body> Continuation<B> {
     pub fn reach_force(&mut self, force: f64, pressure: f64) -> Result<(), FemError> {
         let mut contraction = self.body.guess_contraction(force, pressure)?;
         let length = 2.0 * self.body.half_length();
-        let mut refused = FemError::Force { force_n: force, reason: NOT_FOUND };
+        let mut refused = FemError::Force { force_n: force, reason: Stopped::Iterations };
         for _ in 0..SEARCH_STEPS {
             if let Err(error) = self.reach(pressure, contraction) {
                 cancel::check()?;
@@ -72,7 +70,7 @@ impl<B: Body> Continuation<B> {
     ) -> Result<(), FemError> {
         let terminal = -contraction * self.body.half_length();
         let scale = self.body.smallest_pressure();
-        let mut refused = FemError::Force { force_n: force, reason: NOT_FOUND };
+        let mut refused = FemError::Force { force_n: force, reason: Stopped::Iterations };
         // The highest pressure without an equilibrium: a shortened muscle may have none before its strands are taut.
         let mut without = f64::NEG_INFINITY;
         let mut with = None;

@@ -3,40 +3,25 @@
 //! The pattern is analysed once (`super::symbolic`); values are filled in and factorised again and again (`super::supernodal`), on one
 //! thread: simulations run side by side. Unknowns are eliminated in the order in which they are numbered.
 
-pub use super::pattern::Pattern;
+pub use super::symbolic::Pattern;
 
-use super::Singular;
-use super::form::Form;
 use super::newton::Stopped;
 use super::substitution::Factor;
-use super::supernodal::{Ended, Lower, Numeric};
-use super::symbolic::Symbolic;
+use super::supernodal::Numeric;
+use super::symbolic::{Form, Symbolic};
 use crate::element::lanes::Width;
 use std::sync::Arc;
-use thiserror::Error;
-
-/// Why a pattern cannot be factorised.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-#[error("there is not enough memory to factorise a matrix of {dimension} unknowns")]
-pub struct TooLarge {
-    /// Number of unknowns.
-    pub dimension: usize,
-}
 
 /// A pattern and where the entries of its factors stand: made once, shared by all matrices with that pattern.
+#[derive(Debug)]
 pub struct Analysis {
     /// Where entries stand.
     pub pattern: Pattern,
     symbolic: Symbolic,
 }
 
-impl std::fmt::Debug for Analysis {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Analysis").field("dimension", &self.pattern.dimension()).finish_non_exhaustive()
-    }
-}
-
 /// A factorised sparse symmetric matrix.
+#[derive(Debug)]
 pub struct SparseCholesky {
     analysis: Arc<Analysis>,
     /// Has room for all entries; filled as far as the last factorisation came.
@@ -49,35 +34,22 @@ pub struct SparseCholesky {
     negative: usize,
 }
 
-impl std::fmt::Debug for SparseCholesky {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("SparseCholesky")
-            .field("analysis", &self.analysis)
-            .field("factor", &self.analysis.symbolic.entries())
-            .finish_non_exhaustive()
-    }
-}
-
 impl Analysis {
-    /// Analyses a pattern.
-    ///
-    /// # Errors
-    /// [`TooLarge`] where there is no memory for it.
-    pub fn new(pattern: Pattern) -> Result<Self, TooLarge> {
-        let symbolic = Symbolic::of(&pattern).ok_or(TooLarge { dimension: pattern.dimension() })?;
-        Ok(Self { pattern, symbolic })
+    /// Analyses a pattern, where there is memory for it.
+    pub fn new(pattern: Pattern) -> Option<Self> {
+        let symbolic = Symbolic::of(&pattern)?;
+        Some(Self { pattern, symbolic })
     }
 }
 
 impl SparseCholesky {
-    /// Memory for a matrix with a pattern.
-    pub fn new(analysis: Arc<Analysis>) -> Result<Self, TooLarge> {
-        let too_large = TooLarge { dimension: analysis.pattern.dimension() };
+    /// Memory for a matrix with a pattern, where there is as much.
+    pub fn new(analysis: Arc<Analysis>) -> Option<Self> {
         let (entries, width) = (analysis.symbolic.entries(), Width::here());
-        let numeric = Numeric::new(analysis.pattern.dimension(), width).ok_or(too_large)?;
+        let numeric = Numeric::new(analysis.pattern.dimension(), width)?;
         let mut factor = Vec::new();
-        factor.try_reserve_exact(entries).map_err(|_| too_large)?;
-        Ok(Self { analysis, factor, numeric, width, memory: vec![], form: None, negative: 0 })
+        factor.try_reserve_exact(entries).ok()?;
+        Some(Self { analysis, factor, numeric, width, memory: vec![], form: None, negative: 0 })
     }
 
     /// Factorises the lower half of a matrix with the pattern.
@@ -86,10 +58,9 @@ impl SparseCholesky {
     /// [`Stopped::Singular`] where a pivot is zero or no number, [`Stopped::Cancelled`].
     pub fn factorise(&mut self, values: &[f64]) -> Result<(), Stopped> {
         let Analysis { pattern, symbolic } = &*self.analysis;
-        let lower = Lower { columns: &pattern.columns, rows: &pattern.rows, values };
         (self.negative, self.form) = (0, None);
         for form in [Form::Positive, Form::Indefinite] {
-            match self.numeric.factorise(form, symbolic, lower, &mut self.factor) {
+            match self.numeric.factorise(form, symbolic, (pattern, values), &mut self.factor) {
                 Ok(()) => {
                     self.form = Some(form);
                     if form == Form::Indefinite {
@@ -97,11 +68,8 @@ impl SparseCholesky {
                     }
                     return Ok(());
                 }
-                Err(Ended::Cancelled(cancelled)) => return Err(cancelled.into()),
-                Err(Ended::Pivot { supernode: block, pivot }) if form == Form::Indefinite => {
-                    return Err(Singular { block, pivot }.into());
-                }
-                Err(Ended::Pivot { .. }) => {}
+                Err(Stopped::Singular) if form == Form::Positive => {}
+                Err(stopped) => return Err(stopped),
             }
         }
         Ok(())

@@ -1,7 +1,6 @@
 //! L x = b and Lᵀ x = b, supernode by supernode: forward with the columns of L, backward with the same ones as rows.
 
-use super::form::Form;
-use super::symbolic::Symbolic;
+use super::symbolic::{Form, Symbolic};
 use crate::element::lanes::{Real, Width, on_lanes};
 
 /// Columns at a time.

@@ -3,12 +3,12 @@
 //! Left-looking (Ng & Peyton 1993 \[ng1993\]). A supernode takes its entries of the matrix; then what every earlier supernode with rows in
 //! it takes off; then its own columns are factorised, panel by panel.
 
-use super::form::Form;
 use super::kernel::{Kernel, Matrix, Shape};
+use super::newton::Stopped;
 use super::panel::Panel;
-use super::symbolic::Symbolic;
+use super::symbolic::{Form, Pattern, Symbolic};
 use crate::element::lanes::Width;
-use mckibben::cancel::{self, Cancelled};
+use mckibben::cancel;
 use std::ops::Range;
 
 /// Columns, rows and depth of a product: 10⁹ operations, some tenths of a second at the most.
@@ -20,24 +20,8 @@ const CHUNK: usize = 256;
 /// Multiplications between two questions whether to go on.
 const PIECE: usize = 50_000_000;
 
-/// Where a matrix has its entries: first entry of each column and rows of the lower half, and the values.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Lower<'a> {
-    pub columns: &'a [u32],
-    pub rows: &'a [u32],
-    pub values: &'a [f64],
-}
-
-/// Why a factorisation ended.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Ended {
-    /// A pivot that is not positive (L Lᵀ) or zero.
-    Pivot { supernode: usize, pivot: usize },
-    /// The caller wanted the work to end.
-    Cancelled(Cancelled),
-}
-
 /// Memory of a factorisation.
+#[derive(Debug)]
 pub(super) struct Numeric {
     kernel: Kernel,
     /// Row of each unknown in the present supernode.
@@ -66,9 +50,9 @@ impl Numeric {
         &mut self,
         form: Form,
         s: &Symbolic,
-        lower: Lower<'_>,
+        (pattern, values): (&Pattern, &[f64]),
         factor: &mut Vec<f64>,
-    ) -> Result<(), Ended> {
+    ) -> Result<(), Stopped> {
         factor.clear();
         for i in 0..s.count() {
             let (columns, height) = (s.columns(i), s.height(i));
@@ -78,8 +62,8 @@ impl Numeric {
             self.worked(columns.len() * height)?;
             let (head, own) = factor.split_at_mut(s.values(i).start);
             for (j, column) in columns.clone().zip(own.chunks_exact_mut(height)) {
-                for k in lower.columns[j] as usize..lower.columns[j + 1] as usize {
-                    column[self.local[lower.rows[k] as usize] as usize] += lower.values[k];
+                for k in pattern.columns[j] as usize..pattern.columns[j + 1] as usize {
+                    column[self.local[pattern.rows[k] as usize] as usize] += values[k];
                 }
             }
             for &d in s.updates(i) {
@@ -90,19 +74,16 @@ impl Numeric {
                 let from = (&head[s.values(d)], s.columns(d).len());
                 self.take_off(form, from, (rows, first..inside), (own, height))?;
             }
-            self.eliminate(form, (own, height, columns.len())).map_err(|ended| match ended {
-                Ended::Pivot { pivot, .. } => Ended::Pivot { supernode: i, pivot },
-                ended => ended,
-            })?;
+            self.eliminate(form, (own, height, columns.len()))?;
         }
         Ok(())
     }
 
-    fn worked(&mut self, work: usize) -> Result<(), Ended> {
+    fn worked(&mut self, work: usize) -> Result<(), Stopped> {
         self.work += work;
         if self.work > PIECE {
             self.work = 0;
-            cancel::check().map_err(Ended::Cancelled)?;
+            cancel::check()?;
         }
         Ok(())
     }
@@ -114,7 +95,7 @@ impl Numeric {
         (from, wide): (&[f64], usize),
         (names, inside): (&[u32], Range<usize>),
         (own, height): (&mut [f64], usize),
-    ) -> Result<(), Ended> {
+    ) -> Result<(), Stopped> {
         let stride = wide + names.len();
         let part = |row: usize, column: usize| Matrix { values: &from[column * stride + row..], stride };
         for columns in pieces(inside, COLUMNS) {
@@ -151,7 +132,7 @@ impl Numeric {
         &mut self,
         form: Form,
         (own, height, width): (&mut [f64], usize, usize),
-    ) -> Result<(), Ended> {
+    ) -> Result<(), Stopped> {
         for columns in pieces(0..width, COLUMNS) {
             let (first, count) = (columns.start, columns.len());
             let (done, own) = own.split_at_mut(first * height);
@@ -173,8 +154,7 @@ impl Numeric {
             let rest = pieces(top..height - first, CHUNK);
             for rows in std::iter::once(0..top).chain(rest) {
                 let work = count * count * rows.len();
-                let pivot = |index: usize| Ended::Pivot { supernode: 0, pivot: first + index };
-                panel.factorise(&mut self.kernel, rows).map_err(pivot)?;
+                panel.factorise(&mut self.kernel, rows).map_err(|_| Stopped::Singular)?;
                 self.worked(work)?;
             }
         }
@@ -184,9 +164,8 @@ impl Numeric {
 
 #[cfg(test)]
 mod tests {
-    use super::super::newton::Stopped;
-    use super::super::sparse::{Analysis, Pattern, SparseCholesky};
-    use super::Symbolic;
+    use super::super::sparse::{Analysis, SparseCholesky};
+    use super::{Pattern, Stopped};
     use crate::element::lanes::tests::each_width;
     use mckibben::cancel::{Cancel, Cancelled};
     use mckibben::random::Random;
@@ -315,16 +294,12 @@ mod tests {
 
     /// A zero on the diagonal that nothing fills, and a number that is none.
     #[test]
-    fn a_singular_matrix_is_refused_at_its_pivot() {
+    fn a_singular_matrix_is_refused() {
         let ((pattern, values), _) = sparse(40, |i, j| i - j < 30 && j != 33 && i != 33, |_| 1.0);
         for value in [0.0, f64::NAN] {
             let mut values = values.clone();
             values[pattern.columns[33] as usize] = value;
-            let Err(Stopped::Singular(at)) = factorised(&(pattern.clone(), values)) else {
-                panic!("a pivot of {value}");
-            };
-            let s = Symbolic::of(&pattern).unwrap();
-            assert_eq!(s.columns(at.block).start + at.pivot, 33);
+            assert_eq!(factorised(&(pattern.clone(), values)).unwrap_err(), Stopped::Singular);
         }
     }
 }

@@ -12,7 +12,6 @@
 //! behind it are merged where few of the entries that result are zeros (Ashcraft & Grimes 1989 \[ashcraft1989\]): wide supernodes are
 //! quick, and a child's rows lie within the parent's columns and rows.
 
-use super::pattern::Pattern;
 use std::ops::Range;
 
 /// Which share of zeros merged supernodes of at most so many columns may have.
@@ -22,6 +21,44 @@ const ZEROS: [(usize, f64); 4] = [(4, 1.0), (16, 0.8), (48, 0.1), (usize::MAX, 0
 const MOST: u64 = i32::MAX as u64;
 
 const NONE: u32 = u32::MAX;
+
+/// The two forms of a factorisation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Form {
+    /// L Lᵀ.
+    Positive,
+    /// L D Lᵀ.
+    Indefinite,
+}
+
+/// The lower half of a symmetric matrix by columns: where entries stand.
+#[derive(Debug, Clone)]
+pub struct Pattern {
+    /// First entry of each column, and the number of all.
+    pub columns: Vec<u32>,
+    /// Row of each entry, rising in each column; the first one is the diagonal.
+    pub rows: Vec<u32>,
+}
+
+impl Pattern {
+    /// Number of unknowns.
+    pub fn dimension(&self) -> usize {
+        self.columns.len().saturating_sub(1)
+    }
+
+    /// Entries of the lower half.
+    pub fn entries(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Where entry (`row`, `column`) of the lower half stands.
+    pub fn position(&self, row: u32, column: u32) -> Option<u32> {
+        let start = *self.columns.get(column as usize)?;
+        let end = *self.columns.get(column as usize + 1)?;
+        let all = self.rows.get(start as usize..end as usize)?;
+        all.binary_search(&row).ok().map(|i| start + i as u32)
+    }
+}
 
 /// The supernodes of a pattern. Each is a matrix by columns: its own rows, then those below.
 #[derive(Debug)]

@@ -2,11 +2,9 @@
 
 use super::body::{Body, Control};
 use super::continuation::{Continuation, TAUT};
-use super::growth::growth_of_step;
-use super::interrupted::Interrupted;
-use super::newton::Stopped;
+use super::descent::growth_of_step;
+use super::newton::{Interrupted, LastConverged, Stopped};
 use super::trail::{Along, Trail};
-use crate::error::LastConverged;
 
 /// Of a shortening at one pressure: the share of it that is tried first, the smallest one, and the share of the radius by which a step aims to
 /// miss its prediction.
@@ -141,7 +139,6 @@ impl<B: Body> Continuation<B> {
             pressure_mpa: self.base.pressure,
             contraction: self.contraction(),
             force_n: totals.pull,
-            smallest_j: totals.smallest_j,
         }
     }
 }

@@ -7,19 +7,25 @@ use super::discretisation::{Discretisation, Material};
 use super::mesh::Brick;
 use super::share::share;
 use crate::element::brick::{Input, Output, ShapePoint, run};
-use crate::element::hexahedron::{NODES8, NODES27, points8, points27};
+use crate::element::hexahedron::{NODES8, NODES27, points};
 use crate::element::lanes::Real;
 use crate::element::lanes::on_lanes;
 use crate::element::spatial::{AT, SpatialLaw, with};
 use crate::element::truss::Truss;
-use crate::load::cavity_faces::{FacePoint, points4, points9, skew, volume};
+use crate::load::cavity_faces::{self, FacePoint, skew, volume};
 use crate::solver::body::{State, Totals};
 use crate::solver::newton::Stopped;
 use mckibben::cancel;
 use std::ops::Range;
+use std::sync::LazyLock;
 
 /// Bricks between two looks at the flag that ends work: some tenths of a second at the most. A multiple of all widths of lanes.
 const PIECE: usize = 1024;
+
+static POINTS8: LazyLock<Vec<ShapePoint<NODES8>>> = LazyLock::new(points);
+static POINTS27: LazyLock<Vec<ShapePoint<NODES27>>> = LazyLock::new(points);
+static FACE4: LazyLock<Vec<FacePoint<4>>> = LazyLock::new(cavity_faces::points);
+static FACE9: LazyLock<Vec<FacePoint<9>>> = LazyLock::new(cavity_faces::points);
 
 /// What an assembly fills.
 #[derive(Debug, Clone)]
@@ -36,10 +42,6 @@ pub struct Assembled {
     pub defect: Vec<f64>,
     /// Direction and strain of the strands, and whether they carry.
     pub strands: Vec<([f64; 3], f64, bool)>,
-    points8: Vec<ShapePoint<NODES8>>,
-    points27: Vec<ShapePoint<NODES27>>,
-    face4: Vec<FacePoint<4>>,
-    face9: Vec<FacePoint<9>>,
 }
 
 impl Assembled {
@@ -53,10 +55,6 @@ impl Assembled {
             gradient: vec![0.0; d.bricks() * d.modes * d.per_brick * 3],
             defect: vec![0.0; d.bricks() * d.modes],
             strands: vec![([0.0; 3], 0.0, false); d.problem.trusses.len()],
-            points8: points8(),
-            points27: points27(),
-            face4: points4(),
-            face9: points9(),
         }
     }
 }
@@ -78,24 +76,13 @@ pub fn assemble<const TANGENT: bool>(
         for first in (start..end).step_by(PIECE) {
             cancel::check()?;
             let of = (d, m, first..(first + PIECE).min(end));
-            let inverted = with(&m.law, |law| bricks::<TANGENT>(of, s, law, work, &mut totals));
-            if let Some((element, smallest_j)) = inverted {
-                return Err(Stopped::Inverted { element, smallest_j });
-            }
+            with(&m.law, |law| bricks::<TANGENT>(of, s, law, work, &mut totals))?;
         }
     }
     trusses::<TANGENT>(d, s, work, &mut totals);
     match d.problem.brick {
-        Brick::Linear => {
-            let points = std::mem::take(&mut work.face4);
-            faces::<4, TANGENT>(&points, d, s, work, &mut totals);
-            work.face4 = points;
-        }
-        Brick::Quadratic => {
-            let points = std::mem::take(&mut work.face9);
-            faces::<9, TANGENT>(&points, d, s, work, &mut totals);
-            work.face9 = points;
-        }
+        Brick::Linear => faces::<4, TANGENT>(&FACE4, d, s, work, &mut totals),
+        Brick::Quadratic => faces::<9, TANGENT>(&FACE9, d, s, work, &mut totals),
     }
     for (f, v) in work.force.iter_mut().zip(&work.cavity) {
         *f -= s.pressure * v;
@@ -109,7 +96,7 @@ pub fn assemble<const TANGENT: bool>(
     let reaction: f64 = d.terminal.iter().map(|&i| work.force[i as usize]).sum();
     totals.pull = 4.0 * (reaction - s.pressure * cap / 3.0);
     if !totals.pull.is_finite() {
-        return Err(Stopped::NotFinite { element: 0 });
+        return Err(Stopped::NotFinite);
     }
     Ok(totals)
 }
@@ -124,20 +111,10 @@ fn bricks<const TANGENT: bool>(
     law: SpatialLaw<'_>,
     work: &mut Assembled,
     totals: &mut Totals,
-) -> Option<(usize, f64)> {
+) -> Result<(), Stopped> {
     match of.0.problem.brick {
-        Brick::Linear => {
-            let points = std::mem::take(&mut work.points8);
-            let out = wide::<8, 1, TANGENT>(of.0.width, &points, of, s, law, work, totals);
-            work.points8 = points;
-            out
-        }
-        Brick::Quadratic => {
-            let points = std::mem::take(&mut work.points27);
-            let out = wide::<27, 4, TANGENT>(of.0.width, &points, of, s, law, work, totals);
-            work.points27 = points;
-            out
-        }
+        Brick::Linear => wide::<8, 1, TANGENT>(of.0.width, &POINTS8, of, s, law, work, totals),
+        Brick::Quadratic => wide::<27, 4, TANGENT>(of.0.width, &POINTS27, of, s, law, work, totals),
     }
 }
 
@@ -149,7 +126,7 @@ on_lanes! {
         law: SpatialLaw<'_>,
         work: &mut Assembled,
         totals: &mut Totals,
-    ) -> Option<(usize, f64)> = all
+    ) -> Result<(), Stopped> = all
 }
 
 #[inline(always)]
@@ -160,7 +137,7 @@ fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
     law: SpatialLaw<'_>,
     work: &mut Assembled,
     totals: &mut Totals,
-) -> Option<(usize, f64)> {
+) -> Result<(), Stopped> {
     let mut input = Input::<R, NN, NM>::zero();
     let mut out = Output::<R, NN, NM>::zero();
     let (d, m, Range { start, end: count }) = of;
@@ -198,7 +175,7 @@ fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
             let j = out.smallest_j.lane(lane);
             totals.smallest_j = totals.smallest_j.min(j);
             if j.is_nan() || j <= 0.0 {
-                return Some((e, j));
+                return Err(Stopped::Inverted);
             }
             totals.rubber += out.energy.lane(lane);
             for a in 0..NN {
@@ -234,7 +211,7 @@ fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
             }
         }
     }
-    None
+    Ok(())
 }
 
 fn trusses<const TANGENT: bool>(d: &Discretisation, s: &State, work: &mut Assembled, totals: &mut Totals) {

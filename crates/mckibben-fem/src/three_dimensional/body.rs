@@ -60,7 +60,7 @@ impl Body {
     pub fn new(discretisation: impl Into<Arc<Discretisation>>) -> Result<Self, FemError> {
         let discretisation = discretisation.into();
         let cholesky = SparseCholesky::new(discretisation.analysis.clone())
-            .map_err(|e| FemError::too_large(e.dimension))?;
+            .ok_or_else(|| FemError::too_large(discretisation.free))?;
         let state = discretisation.rest();
         Ok(Self {
             assembled: Assembled::new(&discretisation),
@@ -268,7 +268,7 @@ impl NewtonSystem for Body {
         let size = largest / self.discretisation.radius;
         let sum = size + step.pressure + step.u.iter().sum::<f64>();
         self.step = step;
-        if sum.is_finite() { Ok(size) } else { Err(Stopped::Diverged { correction: f64::INFINITY }) }
+        if sum.is_finite() { Ok(size) } else { Err(Stopped::Diverged) }
     }
 
     fn retreat(&mut self, keep: f64) {

@@ -8,7 +8,7 @@ use super::mesh::Brick;
 use super::problem::{Freedom, Problem};
 use crate::FemError;
 use crate::element::brick::{Modes, modes};
-use crate::element::hexahedron::{points8, points27};
+use crate::element::hexahedron::points;
 use crate::element::lanes::Width;
 use crate::solver::body::State;
 use crate::solver::sparse::{Analysis, Pattern};
@@ -129,8 +129,7 @@ impl Discretisation {
         let free = place.len();
         let pattern = pattern(&problem, &unknown, free)?;
         cancel::check()?;
-        let analysis = Analysis::new(pattern);
-        let analysis = Arc::new(analysis.map_err(|e| FemError::too_large(e.dimension))?);
+        let analysis = Arc::new(Analysis::new(pattern).ok_or_else(|| FemError::too_large(free))?);
         let shear = problem.law.shear_modulus_mpa();
         let materials = Material::all(&problem);
         let (compliance, augment) = (materials[0].compliance, materials[0].augment);
@@ -291,22 +290,19 @@ fn rounding(stiff: &[Material], rest: &[Modes], greatest: f64) -> f64 {
 }
 
 fn rest_modes(problem: &Problem, count: usize) -> Result<Vec<Modes>, FemError> {
-    fn all<const NN: usize>(
-        problem: &Problem,
-        points: &[crate::element::brick::ShapePoint<NN>],
-        count: usize,
-    ) -> Result<Vec<Modes>, FemError> {
+    fn all<const NN: usize>(problem: &Problem, count: usize) -> Result<Vec<Modes>, FemError> {
+        let points = points();
         let element = |(e, nodes): (usize, &Vec<u32>)| {
             look(e)?;
             let places: [[f64; 3]; NN] = std::array::from_fn(|a| problem.rest(e, nodes[a]));
-            modes(points, &places, count)
+            modes::<NN>(&points, &places, count)
                 .ok_or_else(|| FemError::Refused(format!("mesh: element {e} is turned inside out at rest")))
         };
         problem.bricks.iter().enumerate().map(element).collect()
     }
     match problem.brick {
-        Brick::Linear => all(problem, &points8(), count),
-        Brick::Quadratic => all(problem, &points27(), count),
+        Brick::Linear => all::<8>(problem, count),
+        Brick::Quadratic => all::<27>(problem, count),
     }
 }
 

@@ -4,7 +4,7 @@
 //! strands, and a muscle of another angle is another muscle: the ideal blocked force is π Ro² P (2 cot²θ − 1), a tenth more or less for one
 //! degree at 20°.
 
-use super::mesh::{Brick, BrickMesh, BrickSpec, Match};
+use super::mesh::{Brick, BrickMesh, BrickSpec, Match, Quarter};
 use crate::FemError;
 use mckibben::muscle::Muscle;
 use mckibben::size::MAX_ELEMENTS;
@@ -24,10 +24,10 @@ impl BrickMesh {
     /// the program, or the length, has the braid's angle.
     pub fn check_angle(muscle: &Muscle, spec: &BrickSpec) -> Result<(), FemError> {
         let Some(along) = spec.along.filter(|_| spec.keep == Match::Length) else { return Ok(()) };
-        let (tube, angle) = (muscle.tube(), muscle.braid().angle_rad());
-        let (inner, outer, half) = (tube.inner_radius_mm(), tube.outer_radius_mm(), 0.5 * tube.length_mm);
-        let [through, around, ..] = Self::count(inner, outer, half, angle, spec)?;
-        let natural = |around: usize| spec.rows(outer, half, angle, around);
+        let tube = Quarter::of(muscle);
+        let angle = tube.angle_rad;
+        let [through, around, ..] = Self::count(&tube, spec)?;
+        let natural = |around: usize| spec.rows(&tube, around);
         let meshed = |around: usize, along: usize| (angle.tan() * along as f64 / natural(around)).atan();
         if stands_for(meshed(around, along), angle) {
             return Ok(());

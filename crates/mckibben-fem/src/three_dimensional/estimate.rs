@@ -1,6 +1,6 @@
 //! What a mesh of bricks will need, before it is made.
 
-use super::mesh::{BrickMesh, BrickSpec};
+use super::mesh::{BrickMesh, BrickSpec, Quarter};
 use crate::FemError;
 use mckibben::muscle::Muscle;
 use mckibben::size;
@@ -23,9 +23,7 @@ fn dissected([through, around, along]: [f64; 3]) -> f64 {
 /// # Errors
 /// [`FemError::Large`], or where the numbers give no valid mesh.
 pub(crate) fn admit(spec: &BrickSpec, muscle: &Muscle) -> Result<(), FemError> {
-    let (tube, angle) = (muscle.tube(), muscle.braid().angle_rad());
-    let (inner, outer) = (tube.inner_radius_mm(), tube.outer_radius_mm());
-    let [through, around, along, bonded] = BrickMesh::count(inner, outer, 0.5 * tube.length_mm, angle, spec)?;
+    let [through, around, along, bonded] = BrickMesh::count(&Quarter::of(muscle), spec)?;
     let bricks = [through, around, along + bonded].map(|n| n as f64);
     size::elements("mesh", bricks.iter().product())?;
     let nodes = bricks.map(|n| n * spec.brick.order() as f64 + 1.0);

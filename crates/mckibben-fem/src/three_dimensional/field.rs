@@ -10,8 +10,8 @@ use super::model::ThreeDimensional;
 use super::muscle::MuscleInBricks;
 use super::{Body, Discretisation};
 use crate::FemError;
-use crate::element::brick::ShapePoint;
-use crate::element::hexahedron::{at8, at27};
+use crate::element::brick::{ShapePoint, determinant};
+use crate::element::hexahedron::at;
 use crate::element::q2::GAUSS2;
 use crate::element::spatial::{SpatialLaw, with};
 use crate::simulation::Discretised;
@@ -119,8 +119,8 @@ fn pieces(body: &Body) -> Vec<PieceField> {
 
 /// The plug's bricks with a number of their own for every node.
 fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
-    let grid = mesh.plug()?;
-    let (order, rows, [_, nj, nk]) = (mesh.brick().order(), grid.first_row, mesh.grid());
+    let grid = mesh.plug.as_ref()?;
+    let (order, rows, [_, nj, nk]) = (mesh.brick.order(), grid.first_row, mesh.grid());
     if nk - rows < 2 {
         return None;
     }
@@ -151,8 +151,8 @@ fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
     let mut out = PlugField { nodes: which.iter().map(at).collect(), bricks };
     if let Some(elastic) = body.discretisation.materials.get(1) {
         let field = with(&elastic.law, |law| match order {
-            1 => middles(body, elastic.bricks.clone(), law, &at8([0.0; 3], 1.0)),
-            _ => middles(body, elastic.bricks.clone(), law, &at27([0.0; 3], 1.0)),
+            1 => middles::<8>(body, elastic.bricks.clone(), law),
+            _ => middles::<27>(body, elastic.bricks.clone(), law),
         });
         for (node, n) in out.nodes.iter_mut().zip(&which) {
             *node = NodeField { rest_mm: node.rest_mm, now_mm: node.now_mm, ..field[*n] };
@@ -162,12 +162,8 @@ fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
 }
 
 /// Stretches and stress in the middle of the plug's bricks, averaged at nodes.
-fn middles<const NN: usize>(
-    body: &Body,
-    bricks: Range<usize>,
-    law: SpatialLaw<'_>,
-    p: &ShapePoint<NN>,
-) -> Vec<NodeField> {
+fn middles<const NN: usize>(body: &Body, bricks: Range<usize>, law: SpatialLaw<'_>) -> Vec<NodeField> {
+    let p = &at::<NN>([0.0; 3], 1.0);
     let problem = &body.discretisation.problem;
     let mut out = vec![NodeField::default(); problem.nodes.len()];
     let mut shares = vec![0.0; out.len()];
@@ -220,23 +216,17 @@ fn at_nodes(body: &Body, law: SpatialLaw<'_>) -> Vec<NodeField> {
     let d = &body.discretisation;
     let mut out = vec![NodeField::default(); d.problem.nodes.len()];
     match d.problem.brick {
-        Brick::Linear => fill(body, law, &at8, &[[0.0; 3]], &mut out),
+        Brick::Linear => fill::<8>(body, law, &[[0.0; 3]], &mut out),
         Brick::Quadratic => {
             let g = [GAUSS2[0].0, GAUSS2[1].0];
             let points: Vec<[f64; 3]> = (0..8).map(|k| [g[k % 2], g[k / 2 % 2], g[k / 4]]).collect();
-            fill(body, law, &at27, &points, &mut out);
+            fill::<27>(body, law, &points, &mut out);
         }
     }
     out
 }
 
-fn fill<const NN: usize>(
-    body: &Body,
-    law: SpatialLaw<'_>,
-    at: &dyn Fn([f64; 3], f64) -> ShapePoint<NN>,
-    points: &[[f64; 3]],
-    out: &mut [NodeField],
-) {
+fn fill<const NN: usize>(body: &Body, law: SpatialLaw<'_>, points: &[[f64; 3]], out: &mut [NodeField]) {
     let d = &body.discretisation;
     let corners = if NN == 8 { [-1.0, 1.0].as_slice() } else { &[-1.0, 0.0, 1.0] };
     let p = corners.len();
@@ -271,12 +261,7 @@ fn stress<const NN: usize>(
     p: &ShapePoint<NN>,
 ) -> [f64; 6] {
     let Some((f, at)) = gradient(body, e, nodes, p) else { return [0.0; 6] };
-    let j: f64 = (0..3)
-        .map(|k| {
-            let (a, b) = ((k + 1) % 3, (k + 2) % 3);
-            f[0][k] * (f[1][a] * f[2][b] - f[1][b] * f[2][a])
-        })
-        .sum();
+    let j = determinant(&f);
     let pressure = pressure(&body.discretisation, body, e, at);
     let tau = law.spatial::<f64, false>(&left(&f), j).tau;
     std::array::from_fn(|c| tau[c] / j + if c < 3 { pressure } else { 0.0 })

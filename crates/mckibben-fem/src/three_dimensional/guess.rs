@@ -63,13 +63,13 @@ pub(super) fn carry_over(
     state: &mut State,
 ) {
     let find = Finder::new(section);
-    let tube = mesh.plug().map_or(d.problem.nodes.len(), |p| p.base);
+    let tube = mesh.plug.as_ref().map_or(d.problem.nodes.len(), |p| p.base);
     for (node, x) in d.problem.nodes.iter().enumerate() {
         let r = x[0].hypot(x[1]);
         let (mut dr, mut dz) = (0.0, 0.0);
         // What lies behind the beginning of the bond, and the plug, moves with the terminal.
-        let bonded = node >= tube || x[2] > mesh.half_length_mm();
-        let z = x[2].min(mesh.half_length_mm());
+        let bonded = node >= tube || x[2] > mesh.tube.half_mm;
+        let z = x[2].min(mesh.tube.half_mm);
         find.at(r, z, |n, w| {
             dr += w * (n.now_mm[0] - n.rest_mm[0]);
             dz += w * (n.now_mm[1] - n.rest_mm[1]);
@@ -93,7 +93,7 @@ pub(super) fn carry_over(
             state.p[e * d.modes..(e + 1) * d.modes].fill(0.0);
             continue;
         }
-        find.at(c[0].hypot(c[1]), c[2].min(mesh.half_length_mm()), |n, w| {
+        find.at(c[0].hypot(c[1]), c[2].min(mesh.tube.half_mm), |n, w| {
             mean += w * (n.stress_mpa[0] + n.stress_mpa[1] + n.stress_mpa[2]) / 3.0;
         });
         state.p[e * d.modes..(e + 1) * d.modes].fill(0.0);

@@ -2,7 +2,7 @@
 
 use super::body::Body;
 use super::share::share;
-use crate::element::brick::ShapePoint;
+use crate::element::brick::{ShapePoint, adjugate, determinant, jacobian};
 use crate::element::spatial::PAIRS;
 use crate::element::spatial_stretches::principal_axes;
 use crate::element::truss::{Pull, Truss};
@@ -38,15 +38,6 @@ pub(super) fn largest_principal(f: &[[f64; 3]; 3]) -> f64 {
     principal_axes(&left(f)).0.into_iter().fold(0.0, f64::max).sqrt()
 }
 
-fn inverse(m: &[[f64; 3]; 3]) -> Option<[[f64; 3]; 3]> {
-    let minor = |i: usize, j: usize| {
-        let (a, b, c, d) = ((i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3);
-        m[a][c] * m[b][d] - m[a][d] * m[b][c]
-    };
-    let det: f64 = (0..3).map(|j| m[0][j] * minor(0, j)).sum();
-    (det != 0.0).then(|| [0, 1, 2].map(|i| [0, 1, 2].map(|j| minor(j, i) / det)))
-}
-
 /// F at a point of a brick, and its place in the reference configuration.
 pub(super) fn gradient<const NN: usize>(
     body: &Body,
@@ -54,17 +45,11 @@ pub(super) fn gradient<const NN: usize>(
     nodes: &[u32],
     p: &ShapePoint<NN>,
 ) -> Option<([[f64; 3]; 3], [f64; 3])> {
-    let (mut rest, mut here, mut at) = ([[0.0; 3]; 3], [[0.0; 3]; 3], [0.0; 3]);
-    for (a, node) in nodes.iter().enumerate() {
-        let (x, y) = (body.discretisation.problem.rest(brick, *node), now(body, *node as usize));
-        for i in 0..3 {
-            at[i] += p.n[a] * x[i];
-            for j in 0..3 {
-                rest[i][j] += x[i] * p.dn[a][j];
-                here[i][j] += y[i] * p.dn[a][j];
-            }
-        }
-    }
-    let inverse = inverse(&rest)?;
-    Some((here.map(|row| [0, 1, 2].map(|j| (0..3).map(|k| row[k] * inverse[k][j]).sum())), at))
+    let rest: [[f64; 3]; NN] = std::array::from_fn(|a| body.discretisation.problem.rest(brick, nodes[a]));
+    let here: [[f64; 3]; NN] = std::array::from_fn(|a| now(body, nodes[a] as usize));
+    let (before, after) = (jacobian(&rest, &p.dn), jacobian(&here, &p.dn));
+    let (volume, inverse) = (determinant(&before), adjugate(&before));
+    let f = after.map(|row| [0, 1, 2].map(|j| (0..3).map(|k| row[k] * inverse[k][j]).sum::<f64>() / volume));
+    let at = [0, 1, 2].map(|i| rest.iter().zip(&p.n).map(|(x, n)| n * x[i]).sum());
+    (volume != 0.0).then_some((f, at))
 }

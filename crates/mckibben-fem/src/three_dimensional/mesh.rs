@@ -6,6 +6,7 @@
 
 use super::plug::{Plug, PlugGrid, profile};
 use crate::FemError;
+use mckibben::muscle::Muscle;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
@@ -146,27 +147,27 @@ impl BrickSpec {
         })
     }
 
-    /// Of one cell of the outer grid with `cells` cells around the quarter: its width, and its height with strands at
-    /// `angle`.
-    fn cell(&self, outer: f64, angle: f64, cells: usize) -> (f64, f64) {
-        let chord = 2.0 * self.ring().width(cells) * outer * (FRAC_PI_4 / cells as f64).sin();
-        (chord, chord / angle.tan())
+    /// Of one cell of the outer grid with `cells` cells around the quarter: its width, and its height with strands at the braid's
+    /// angle.
+    fn cell(&self, tube: &Quarter, cells: usize) -> (f64, f64) {
+        let chord = 2.0 * self.ring().width(cells) * tube.outer_mm * (FRAC_PI_4 / cells as f64).sin();
+        (chord, chord / tube.angle_rad.tan())
     }
 
-    /// Rows of bricks along half a length that put the strands at `angle`, as a number that is not whole.
-    pub(super) fn rows(&self, outer: f64, half: f64, angle: f64, around: usize) -> f64 {
+    /// Rows of bricks along half a length that put the strands at the braid's angle, as a number that is not whole.
+    pub(super) fn rows(&self, tube: &Quarter, around: usize) -> f64 {
         let order = self.brick.order();
-        half / (self.cell(outer, angle, around * order).1 * order as f64)
+        tube.half_mm / (self.cell(tube, around * order).1 * order as f64)
     }
 
     /// Bricks around: that number of a few which leaves the smallest part of a row over.
-    fn choose_around(&self, outer: f64, half: f64, angle: f64) -> usize {
+    fn choose_around(&self, tube: &Quarter) -> usize {
         let candidates = match self.brick {
             Brick::Linear => 10..=16,
             Brick::Quadratic => 6..=8,
         };
         let over = |around: &usize| {
-            let rows = self.rows(outer, half, angle, *around);
+            let rows = self.rows(tube, *around);
             (rows - rows.round()).abs()
         };
         candidates.min_by(|a, b| over(a).total_cmp(&over(b))).unwrap_or(12)
@@ -185,18 +186,44 @@ impl Ring {
     }
 }
 
+/// The tube that is divided.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Quarter {
+    /// Inner radius in mm.
+    pub inner_mm: f64,
+    /// Outer radius in mm.
+    pub outer_mm: f64,
+    /// Half length in mm; in a mesh that of the tube only with [`Match::Length`].
+    pub half_mm: f64,
+    /// Angle of the strands in radians.
+    pub angle_rad: f64,
+}
+
+impl Quarter {
+    /// That of a muscle.
+    pub fn of(muscle: &Muscle) -> Self {
+        let tube = muscle.tube();
+        let (inner_mm, outer_mm) = (tube.inner_radius_mm(), tube.outer_radius_mm());
+        let angle_rad = muscle.braid().angle_rad();
+        Self { inner_mm, outer_mm, half_mm: 0.5 * tube.length_mm, angle_rad }
+    }
+}
+
 /// One eighth of a tube at rest, divided into bricks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BrickMesh {
-    brick: Brick,
-    elements: [usize; 3],
-    pub(super) nodes: Vec<[f64; 3]>,
-    inner: f64,
-    outer: f64,
-    half: f64,
-    angle: f64,
-    last_angle: f64,
-    pub(super) plug: Option<PlugGrid>,
+    /// Which brick.
+    pub brick: Brick,
+    /// Bricks through the wall, around and along, with those over the insertion.
+    pub elements: [usize; 3],
+    /// Places at rest in mm.
+    pub nodes: Vec<[f64; 3]>,
+    /// The tube with the half length and the angle that the mesh has.
+    pub tube: Quarter,
+    /// Angle of the strands of the last bricks at the terminal in radians.
+    pub last_angle_rad: f64,
+    /// The terminal as a body.
+    pub plug: Option<PlugGrid>,
 }
 
 /// Most bricks each way.
@@ -218,27 +245,21 @@ impl BrickMesh {
     }
 
     /// Bricks through the wall, around and along, and the last over the insertion, of a tube that is divided so.
-    pub fn count(
-        inner: f64,
-        outer: f64,
-        half: f64,
-        angle: f64,
-        spec: &BrickSpec,
-    ) -> Result<[usize; 4], FemError> {
+    pub fn count(tube: &Quarter, spec: &BrickSpec) -> Result<[usize; 4], FemError> {
         let order = spec.brick.order();
         Self::check(spec)?;
-        let measures = spec.plug.map(|p| p.measures(inner, half)).transpose()?;
+        let measures = spec.plug.map(|p| p.measures(tube.inner_mm, tube.half_mm)).transpose()?;
         let insertion = measures.map_or(0.0, |m| m.0);
         // Where the bond begins the wall bends: one brick through it is too stiff.
         let through = spec.through.unwrap_or(if insertion > 0.0 { 2 } else { 1 });
-        let around = spec.around.unwrap_or_else(|| spec.choose_around(outer, half, angle));
-        let (_, height) = spec.cell(outer, angle, around * order);
-        let natural = spec.rows(outer, half, angle, around).round();
+        let around = spec.around.unwrap_or_else(|| spec.choose_around(tube));
+        let (_, height) = spec.cell(tube, around * order);
+        let natural = spec.rows(tube, around).round();
         let along = spec.along.unwrap_or(natural.clamp(1.0, 2.0 * MOST[2]) as usize);
         Self::check(&BrickSpec { along: Some(along), ..*spec })?;
         // Rows over the insertion are as high as the others.
         let height = if spec.keep == Match::Length && (spec.along.is_some() || along == 1) {
-            half / (along * order) as f64
+            tube.half_mm / (along * order) as f64
         } else {
             height
         };
@@ -251,13 +272,14 @@ impl BrickMesh {
         Ok([through, around, along, bonded])
     }
 
-    /// Divides one eighth of a tube of inner and outer radius and half length (mm) with strands at `angle` (radians).
-    pub fn new(inner: f64, outer: f64, half: f64, angle: f64, spec: &BrickSpec) -> Result<Self, FemError> {
+    /// Divides one eighth of a tube.
+    pub fn new(tube: &Quarter, spec: &BrickSpec) -> Result<Self, FemError> {
         let order = spec.brick.order();
-        let [through, around, along, bonded] = Self::count(inner, outer, half, angle, spec)?;
-        let measures = spec.plug.map(|p| p.measures(inner, half)).transpose()?;
+        let Quarter { inner_mm: inner, outer_mm: outer, half_mm: half, .. } = *tube;
+        let [through, around, along, bonded] = Self::count(tube, spec)?;
+        let measures = spec.plug.map(|p| p.measures(tube.inner_mm, tube.half_mm)).transpose()?;
         let insertion = measures.map_or(0.0, |m| m.0);
-        let (chord, height) = spec.cell(outer, angle, around * order);
+        let (chord, height) = spec.cell(tube, around * order);
         let rows = (along * order) as f64;
         // Height of the rows, and of the last ones at the terminal.
         let (height, last) = match (spec.keep, spec.along) {
@@ -290,7 +312,6 @@ impl BrickMesh {
                 }
             }
         }
-        let (angle, last_angle) = ((chord / height).atan(), (chord / last).atan());
         let plug = spec.plug.zip(measures).map(|(p, (insertion_mm, nose_mm))| PlugGrid {
             material: p.material,
             insertion_mm,
@@ -299,20 +320,11 @@ impl BrickMesh {
             profile: profile(inner, nose_mm, around, order),
             base: nodes.len(),
         });
-        let mut out =
-            Self { brick: spec.brick, elements, nodes, inner, outer, half, angle, last_angle, plug };
+        let tube = Quarter { half_mm: half, angle_rad: (chord / height).atan(), ..*tube };
+        let last_angle_rad = (chord / last).atan();
+        let mut out = Self { brick: spec.brick, elements, nodes, tube, last_angle_rad, plug };
         out.fill_plug(wide, &rows);
         Ok(out)
-    }
-
-    /// Which brick.
-    pub fn brick(&self) -> Brick {
-        self.brick
-    }
-
-    /// Bricks through the wall, around and along, with those over the insertion.
-    pub fn elements(&self) -> [usize; 3] {
-        self.elements
     }
 
     /// Nodes through the wall, around and along.
@@ -320,35 +332,10 @@ impl BrickMesh {
         self.elements.map(|n| n * self.brick.order() + 1)
     }
 
-    /// Places at rest in mm.
-    pub fn nodes(&self) -> &[[f64; 3]] {
-        &self.nodes
-    }
-
     /// Number of the node at (i through the wall, j around, k along).
     pub fn node(&self, i: usize, j: usize, k: usize) -> usize {
         let [ni, nj, _] = self.grid();
         (k * nj + j) * ni + i
-    }
-
-    /// Inner and outer radius of the tube in mm.
-    pub fn radii_mm(&self) -> (f64, f64) {
-        (self.inner, self.outer)
-    }
-
-    /// Half length in mm; that of the tube only with [`Match::Length`].
-    pub fn half_length_mm(&self) -> f64 {
-        self.half
-    }
-
-    /// Angle of the strands in radians.
-    pub fn angle_rad(&self) -> f64 {
-        self.angle
-    }
-
-    /// Angle of the strands of the last bricks at the terminal in radians.
-    pub fn last_angle_rad(&self) -> f64 {
-        self.last_angle
     }
 
     /// Nodes of every brick, as the shape functions want them: through the wall first, then around, then along.
@@ -374,7 +361,7 @@ impl BrickMesh {
 
     /// Area of the terminal's lid, which is round, of the quarter, in mm².
     pub fn lid_mm2(&self) -> f64 {
-        FRAC_PI_4 * self.inner * self.inner
+        FRAC_PI_4 * self.tube.inner_mm * self.tube.inner_mm
     }
 
     /// Area of the inner surface's polygon at the terminal, of the quarter, in mm².
@@ -382,19 +369,13 @@ impl BrickMesh {
         let [_, nj, _] = self.grid();
         let at = |j: usize| self.nodes[self.node(0, j, self.free_rows())];
         let p = self.brick.order();
-        let mut area = 0.0;
-        for j in (0..nj - 1).step_by(p) {
-            if p == 1 {
-                let (a, b) = (at(j), at(j + 1));
-                area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
-            } else {
-                // ½ ∫ x dy − y dx along a parabola through three points.
-                let (a, m, b) = (at(j), at(j + 1), at(j + 2));
-                let cross = |u: [f64; 3], v: [f64; 3]| u[0] * v[1] - u[1] * v[0];
-                area += (4.0 * cross(a, m) + 4.0 * cross(m, b) - cross(a, b)) / 6.0;
-            }
-        }
-        area
+        let cross = |i: usize, j: usize| at(i)[0] * at(j)[1] - at(i)[1] * at(j)[0];
+        let part = |j: usize| match p {
+            1 => 0.5 * cross(j, j + 1),
+            // ½ ∫ x dy − y dx along a parabola through three points.
+            _ => (4.0 * cross(j, j + 1) + 4.0 * cross(j + 1, j + 2) - cross(j, j + 2)) / 6.0,
+        };
+        (0..nj - 1).step_by(p).map(part).sum()
     }
 }
 

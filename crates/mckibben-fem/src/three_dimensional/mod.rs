@@ -8,7 +8,7 @@
 //! | [`Discretisation`], [`Body`] | unknowns numbered; state, tangent and Newton's method |
 //! | [`MuscleMesh`], [`MuscleInBricks`], [`ThreeDimensional`] | the muscle divided; the muscle with a state; the muscle as a force model |
 //!
-//! The deformed place of node n is `mesh.nodes()[n] + state.u[3n..3n + 3]`.
+//! The deformed place of node n is `mesh.nodes[n] + state.u[3n..3n + 3]`.
 
 mod assembly;
 pub mod body;
@@ -32,7 +32,7 @@ pub use assembly::Assembled;
 pub use body::Body;
 pub use discretisation::Discretisation;
 pub use field::{Field, NodeField, PieceField, PlugField};
-pub use mesh::{Brick, BrickMesh, BrickSpec, Match, Ring};
+pub use mesh::{Brick, BrickMesh, BrickSpec, Match, Quarter, Ring};
 pub(crate) use model::ENTRY;
 pub use model::ThreeDimensional;
 pub use muscle::{MuscleInBricks, MuscleMesh};

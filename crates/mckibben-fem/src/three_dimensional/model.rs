@@ -50,7 +50,7 @@ impl ThreeDimensional {
         BrickMesh::check_angle(muscle, spec)?;
         let divided = MuscleMesh::new(muscle, spec)?;
         // What an insertion adds has no limit to compare with.
-        let accuracy = match divided.mesh.plug().is_some_and(|p| p.insertion_mm > 0.0) {
+        let accuracy = match divided.mesh.plug.as_ref().is_some_and(|p| p.insertion_mm > 0.0) {
             true => Accuracy::UNKNOWN,
             false => Accuracy::share(0.0, Reference::Equations),
         };
@@ -95,19 +95,19 @@ fn notes(divided: &MuscleMesh, muscle: &Muscle) -> Vec<String> {
     let (mesh, angle) = (&*divided.mesh, muscle.braid().angle_deg);
     let mut out = Vec::new();
     let degrees = |rad: f64| format!("{:.2}°", rad.to_degrees());
-    if (mesh.angle_rad().to_degrees() - angle).abs() > 0.005 {
-        let meshed = degrees(mesh.angle_rad());
+    if (mesh.tube.angle_rad.to_degrees() - angle).abs() > 0.005 {
+        let meshed = degrees(mesh.tube.angle_rad);
         out.push(format!("the strands of the mesh lie at {meshed}, those of the braid at {angle}°"));
     }
-    if (mesh.last_angle_rad() - mesh.angle_rad()).abs() > 0.01 {
-        let last = degrees(mesh.last_angle_rad());
+    if (mesh.last_angle_rad - mesh.tube.angle_rad).abs() > 0.01 {
+        let last = degrees(mesh.last_angle_rad);
         out.push(format!("in the last row of bricks at the terminal the strands lie at {last}"));
     }
-    let (length, meshed) = (muscle.length_mm(), 2.0 * mesh.half_length_mm());
+    let (length, meshed) = (muscle.length_mm(), 2.0 * mesh.tube.half_mm);
     if (meshed - length).abs() > 1e-6 * length {
         out.push(format!("the mesh is {meshed:.2} mm long, the muscle {length} mm"));
     }
-    if let Some(plug) = mesh.plug() {
+    if let Some(plug) = &mesh.plug {
         let (name, insertion, nose) = (plug.material.name(), plug.insertion_mm, plug.nose_mm);
         let assumed = if divided.insertion_assumed {
             " (assumed, because it is not stated; it reduces the pull by about 5 %)"

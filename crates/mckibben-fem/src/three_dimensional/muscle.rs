@@ -3,7 +3,7 @@
 use super::body::Body;
 use super::discretisation::Discretisation;
 use super::guess::carry_over;
-use super::mesh::{BrickMesh, BrickSpec};
+use super::mesh::{BrickMesh, BrickSpec, Quarter};
 use super::plug::Plug;
 use super::problem::Problem;
 use super::results;
@@ -59,8 +59,7 @@ impl MuscleMesh {
         let insertion_assumed = spec.plug.as_ref().is_some_and(|p| !stated(p));
         let plug = spec.plug.map(|p| Plug { insertion_mm: p.insertion_mm.or(Some(insertion)), ..p });
         let spec = &BrickSpec { plug, ..*spec };
-        let half = 0.5 * tube.length_mm;
-        let mesh = BrickMesh::new(tube.inner_radius_mm(), tube.outer_radius_mm(), half, angle, spec)?;
+        let mesh = BrickMesh::new(&Quarter::of(muscle), spec)?;
         Ok(Self {
             axisymmetric: same_muscle(muscle, &mesh),
             width: PI * muscle.outer_diameter_mm() * angle.cos() / (4 * (mesh.grid()[1] - 1)) as f64,
@@ -92,14 +91,14 @@ impl MuscleMesh {
 /// The axisymmetric model of the same muscle, with the mesh's length and angle and the same strands.
 fn same_muscle(muscle: &Muscle, mesh: &BrickMesh) -> Option<Axisymmetric> {
     let mut tube = muscle.tube().clone();
-    tube.length_mm = 2.0 * mesh.half_length_mm();
+    tube.length_mm = 2.0 * mesh.tube.half_mm;
     let mut braid = muscle.braid().clone();
     if let Some(k) = muscle.family_stiffness_n_per_mm() {
         // Strands of the mesh lie closer together where they are steeper.
-        let ratio = braid.angle_rad().cos() / mesh.angle_rad().cos();
+        let ratio = braid.angle_rad().cos() / mesh.tube.angle_rad.cos();
         braid.stiffness = BraidStiffness::NewtonPerMm(k * ratio);
     }
-    braid.angle_deg = mesh.angle_rad().to_degrees();
+    braid.angle_deg = mesh.tube.angle_rad.to_degrees();
     braid.measured = None;
     let muscle = muscle.with_tube(tube).ok()?.with_braid(braid).ok()?;
     Axisymmetric::new(&muscle).ok()
@@ -225,8 +224,7 @@ impl body::Body for MuscleInBricks {
 
     fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64, FemError> {
         let Some((_, section)) = &mut self.section else {
-            let reason = Stopped::Diverged { correction: 0.0 };
-            return Err(FemError::Force { force_n: force, reason });
+            return Err(FemError::Force { force_n: force, reason: Stopped::Diverged });
         };
         section.reach_pressure(force, contraction)?;
         Ok(section.body.state.pressure)

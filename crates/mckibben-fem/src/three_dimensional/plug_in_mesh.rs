@@ -7,12 +7,12 @@ impl BrickMesh {
     /// Adds the plug's nodes: those on the axis first, then row by row, around, from the axis to the inner surface.
     pub(super) fn fill_plug(&mut self, wide: f64, rows: &[f64]) {
         let Some(plug) = &self.plug else { return };
-        let (order, [_, nj, _]) = (self.brick().order(), self.grid());
+        let (order, [_, nj, _]) = (self.brick.order(), self.grid());
         let rows = &rows[plug.first_row..];
         // The face bends; the rows behind it are plane.
-        let behind = *rows.get(order).unwrap_or(&self.half_length_mm());
+        let behind = *rows.get(order).unwrap_or(&self.tube.half_mm);
         let z = |m: usize, k: usize| {
-            let face = self.half_length_mm() - plug.profile[m].1;
+            let face = self.tube.half_mm - plug.profile[m].1;
             if k >= order { rows[k] } else { face + (behind - face) * k as f64 / order as f64 }
         };
         let mut nodes: Vec<[f64; 3]> = (0..rows.len()).map(|k| [0.0, 0.0, z(0, k)]).collect();
@@ -26,11 +26,6 @@ impl BrickMesh {
             }
         }
         self.nodes.extend(nodes);
-    }
-
-    /// The terminal as a body.
-    pub fn plug(&self) -> Option<&PlugGrid> {
-        self.plug.as_ref()
     }
 
     /// Row of nodes at which the tube's free length ends.
@@ -51,15 +46,15 @@ impl BrickMesh {
     /// Nodes of every brick of the plug, as [`BrickMesh::bricks`] has those of the tube.
     pub fn plug_bricks(&self) -> Vec<Vec<u32>> {
         let Some(plug) = &self.plug else { return vec![] };
-        let (p, [_, nc, nz]) = (self.brick().order(), self.elements());
+        let (p, [_, nc, nz]) = (self.brick.order(), self.elements);
         let count = [plug.columns() / p, nc, nz - plug.first_row / p];
-        self.brick().bricks(count, |m, j, k| self.plug_node(plug, m, j, k))
+        self.brick.bricks(count, |m, j, k| self.plug_node(plug, m, j, k))
     }
 
     /// Nodes of every face of the plug towards the cavity, their normals out of it.
     pub fn plug_face(&self) -> Vec<Vec<u32>> {
         let Some(plug) = &self.plug else { return vec![] };
-        let count = [plug.columns() / self.brick().order(), self.elements()[1]];
-        self.brick().faces(count, |m, j| self.plug_node(plug, m, j, 0))
+        let count = [plug.columns() / self.brick.order(), self.elements[1]];
+        self.brick.faces(count, |m, j| self.plug_node(plug, m, j, 0))
     }
 }

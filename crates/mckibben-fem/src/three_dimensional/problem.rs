@@ -110,7 +110,7 @@ impl Problem {
     /// One eighth of a muscle between bonded rigid terminals.
     pub fn of(muscle: &Muscle, mesh: &BrickMesh) -> Self {
         let ([ni, nj, nk], rubber) = (mesh.grid(), muscle.rubber());
-        let mut freedom = vec![[Freedom::Free; 3]; mesh.nodes().len()];
+        let mut freedom = vec![[Freedom::Free; 3]; mesh.nodes.len()];
         for k in 0..nk {
             for j in 0..nj {
                 for i in 0..ni {
@@ -130,9 +130,9 @@ impl Problem {
                 }
             }
         }
-        let sheet = Sheet { around: nj, along: nk - 1, stride: mesh.brick().order() };
-        let mut order = Vec::with_capacity(mesh.nodes().len());
-        let elastic = mesh.plug().filter(|p| p.material.moduli_mpa().is_some());
+        let sheet = Sheet { around: nj, along: nk - 1, stride: mesh.brick.order() };
+        let mut order = Vec::with_capacity(mesh.nodes.len());
+        let elastic = mesh.plug.as_ref().filter(|p| p.material.moduli_mpa().is_some());
         for (j, k) in sheet.order() {
             // What lies between the axis and the wall stays together with the wall.
             if let Some((plug, k)) = elastic.and_then(|p| Some((p, k.checked_sub(p.first_row)?))) {
@@ -140,7 +140,7 @@ impl Problem {
             }
             order.extend((0..ni).map(|i| mesh.node(i, j, k) as u32));
         }
-        if let Some(plug) = mesh.plug() {
+        if let Some(plug) = &mesh.plug {
             hold_plug(mesh, plug, &mut freedom);
             if elastic.is_some() {
                 order.extend((0..nk - 1 - plug.first_row).map(|k| mesh.plug_node(plug, 0, 0, k) as u32));
@@ -153,12 +153,12 @@ impl Problem {
             others.push(Other { first: bricks.len(), law, bulk: Bulk::Modulus(k) });
             bricks.extend(mesh.plug_bricks());
         }
-        let cap_mm2 = match mesh.plug() {
+        let cap_mm2 = match mesh.plug {
             // The plug's face closes the cavity.
             Some(_) => 0.0,
             None => mesh.polygon_mm2() + 3.0 * (mesh.lid_mm2() - mesh.polygon_mm2()),
         };
-        let nodes = mesh.nodes();
+        let nodes = &mesh.nodes;
         let stiffness_n = strand_stiffness_n(muscle, mesh);
         let trusses = mesh.strands().into_iter().map(|ends| {
             let [a, b] = ends.map(|n| nodes[n as usize]);
@@ -166,7 +166,7 @@ impl Problem {
             (ends, Truss { length_mm, stiffness_n, compression: muscle.braid().compression })
         });
         Self {
-            brick: mesh.brick(),
+            brick: mesh.brick,
             bricks,
             trusses: trusses.collect(),
             faces,
@@ -177,9 +177,9 @@ impl Problem {
             law: rubber.law.clone(),
             bulk: rubber.bulk,
             others,
-            length_mm: Some(mesh.half_length_mm()),
+            length_mm: Some(mesh.tube.half_mm),
             prestretch: muscle.tube().prestretch,
-            nodes: nodes.to_vec(),
+            nodes: nodes.clone(),
         }
     }
 }

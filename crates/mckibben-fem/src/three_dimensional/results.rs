@@ -7,18 +7,13 @@ use super::body::Body;
 use super::kinematics::{gradient, largest_principal, now, pull};
 use super::mesh::{Brick, BrickMesh};
 use crate::FemError;
-use crate::element::brick::ShapePoint;
-use crate::element::hexahedron::{at8, at27};
+use crate::element::brick::{ShapePoint, determinant, jacobian};
+use crate::element::hexahedron::at;
 use crate::results::{Energies, ProfilePoint, Solution, StrandState, StretchAt, StretchOf, largest_of_most};
 use mckibben::cancel;
 use mckibben::model::Response;
 use mckibben::muscle::Muscle;
 use std::f64::consts::{FRAC_PI_4, PI};
-
-/// Radius of the plane part of a plug's face in mm.
-fn plug_flat(mesh: &BrickMesh, nose: f64) -> f64 {
-    mesh.radii_mm().0 - nose
-}
 
 /// Everything the present equilibrium tells; factorises its tangent.
 pub fn solution(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<Solution, FemError> {
@@ -44,13 +39,13 @@ pub fn solution(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<So
 }
 
 fn rest_volume(mesh: &BrickMesh) -> f64 {
-    let Some(plug) = mesh.plug() else { return mesh.lid_mm2() * mesh.half_length_mm() };
+    let Some(plug) = &mesh.plug else { return mesh.lid_mm2() * mesh.tube.half_mm };
     // Less the nose: ∫ (how far it stands out) 2πr dr, a quarter of it.
     let nose = plug.nose_mm;
-    let flat = plug_flat(mesh, nose);
+    let flat = mesh.tube.inner_mm - nose;
     let solid =
         FRAC_PI_4 * flat * flat * nose + 0.5 * PI * (flat * FRAC_PI_4 * nose.powi(2) + nose.powi(3) / 3.0);
-    mesh.lid_mm2() * mesh.half_length_mm() - solid
+    mesh.lid_mm2() * mesh.tube.half_mm - solid
 }
 
 /// The part that every model tells; factorises the tangent.
@@ -102,7 +97,7 @@ fn profile(body: &Body, mesh: &BrickMesh) -> Vec<ProfilePoint> {
         .map(|k| {
             let (outer_z_mm, outer_r_mm) = ring(body, mesh, ni - 1, k);
             let (inner_z_mm, inner_r_mm) = ring(body, mesh, 0, k);
-            let rest_z_mm = mesh.nodes()[mesh.node(0, 0, k)][2];
+            let rest_z_mm = mesh.nodes[mesh.node(0, 0, k)][2];
             ProfilePoint { rest_z_mm, outer_z_mm, outer_r_mm, inner_z_mm, inner_r_mm }
         })
         .collect()
@@ -126,7 +121,7 @@ fn strands(body: &Body, mesh: &BrickMesh, muscle: &Muscle) -> Vec<StrandState> {
             }
             let count = 2.0 * row as f64;
             let per_width = tension / count / width;
-            let z = |k: usize| mesh.nodes()[mesh.node(0, 0, k)][2];
+            let z = |k: usize| mesh.nodes[mesh.node(0, 0, k)][2];
             StrandState {
                 rest_mm: 0.5 * (z(k) + z(k + 1)),
                 stretch: stretch / count,
@@ -142,9 +137,9 @@ fn strands(body: &Body, mesh: &BrickMesh, muscle: &Muscle) -> Vec<StrandState> {
 fn largest_stretch(body: &Body) -> StretchAt {
     const LAYERS: [f64; 3] = [-2.0 / 3.0, 0.0, 2.0 / 3.0];
     largest_of_most(match body.discretisation.problem.brick {
-        Brick::Linear => look(body, &LAYERS.map(|x| at8([x, 0.0, 0.0], 1.0))),
+        Brick::Linear => look(body, &LAYERS.map(|x| at::<8>([x, 0.0, 0.0], 1.0))),
         Brick::Quadratic => {
-            let places = LAYERS.map(|x| LAYERS.map(|z| at27([x, 0.0, z], 1.0)));
+            let places = LAYERS.map(|x| LAYERS.map(|z| at::<27>([x, 0.0, z], 1.0)));
             look(body, places.as_flattened())
         }
     })
@@ -153,10 +148,10 @@ fn largest_stretch(body: &Body) -> StretchAt {
 /// The largest stretch in the row of bricks at the middle plane, on its inner and outer face.
 fn middle_stretch(body: &Body, mesh: &BrickMesh) -> f64 {
     let list = match body.discretisation.problem.brick {
-        Brick::Linear => look(body, &[-1.0, 1.0].map(|x| at8([x, 0.0, -1.0], 1.0))),
-        Brick::Quadratic => look(body, &[-1.0, 1.0].map(|x| at27([x, 0.0, -1.0], 1.0))),
+        Brick::Linear => look(body, &[-1.0, 1.0].map(|x| at::<8>([x, 0.0, -1.0], 1.0))),
+        Brick::Quadratic => look(body, &[-1.0, 1.0].map(|x| at::<27>([x, 0.0, -1.0], 1.0))),
     };
-    let near = 1e-6 * mesh.half_length_mm();
+    let near = 1e-6 * mesh.tube.half_mm;
     list.iter().filter(|s| s.at.rest_mm[1].abs() < near).map(|s| s.at.value).fold(1.0, f64::max)
 }
 
@@ -167,27 +162,11 @@ fn look<const NN: usize>(body: &Body, points: &[ShapePoint<NN>]) -> Vec<StretchO
     for (e, nodes) in d.problem.bricks[d.materials[0].bricks.clone()].iter().enumerate() {
         for p in points {
             let Some((f, _)) = gradient(body, e, nodes, p) else { continue };
-            let places =
-                nodes.iter().zip(p.n).map(|(n, share)| d.problem.nodes[*n as usize].map(|x| share * x));
-            let at = places.fold([0.0; 3], |sum: [f64; 3], x| [0, 1, 2].map(|i| sum[i] + x[i]));
+            let rest: [[f64; 3]; NN] = std::array::from_fn(|a| d.problem.nodes[nodes[a] as usize]);
+            let at = [0, 1, 2].map(|i| rest.iter().zip(p.n).map(|(x, share)| share * x[i]).sum::<f64>());
             let at = StretchAt { value: largest_principal(&f), rest_mm: [at[0].hypot(at[1]), at[2]] };
-            list.push(StretchOf { at, volume: rest_volume_at(body, nodes, p) });
+            list.push(StretchOf { at, volume: determinant(&jacobian(&rest, &p.dn)).abs() });
         }
     }
     list
-}
-
-/// Determinant of a brick's map at rest, in mm³ per unit cube.
-fn rest_volume_at<const NN: usize>(body: &Body, nodes: &[u32], p: &ShapePoint<NN>) -> f64 {
-    let mut j = [[0.0; 3]; 3];
-    for (a, node) in nodes.iter().enumerate() {
-        let x = body.discretisation.problem.nodes[*node as usize];
-        for i in 0..3 {
-            for k in 0..3 {
-                j[i][k] += x[i] * p.dn[a][k];
-            }
-        }
-    }
-    let minor = |a: usize, b: usize| j[1][a] * j[2][b] - j[1][b] * j[2][a];
-    (j[0][0] * minor(1, 2) - j[0][1] * minor(0, 2) + j[0][2] * minor(0, 1)).abs()
 }

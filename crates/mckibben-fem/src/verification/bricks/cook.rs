@@ -5,18 +5,14 @@
 use super::block::Block;
 use super::{body, solve};
 use crate::three_dimensional::{Brick, Freedom};
-use crate::verification::VerificationRow;
+use crate::verification::{Rows, neo_hookean};
 use mckibben::muscle::Bulk;
-use mckibben::rubber::{Law, NeoHookean};
-
-const SOURCE: &str = "H: Cook 1974 [cook1974], membrane, Q1P0, plane strain";
 
 /// u_y of the upper right corner in mm with n × n bricks and F = 100 N.
 fn tip(n: usize) -> Option<f64> {
     let block = Block::new(Brick::Linear, [1, n, n]);
-    let law = Law::NeoHookean(NeoHookean { mu_mpa: 80.1938 });
     // First direction: the thickness (z); second and third: along and across.
-    let mut problem = block.problem(law, Bulk::Modulus(400_889.806), |[t, x, y]| {
+    let mut problem = block.problem(neo_hookean(80.1938), Bulk::Modulus(400_889.806), |[t, x, y]| {
         let (low, high) = (44.0 * x, 44.0 + 16.0 * x);
         [48.0 * x, low + (high - low) * y, t]
     });
@@ -41,20 +37,12 @@ fn tip(n: usize) -> Option<f64> {
 }
 
 /// The rows of H.
-pub fn cook() -> Vec<VerificationRow> {
-    rows(&[(4, 6.0199), (8, 6.6186), (16, 6.8144), (32, 6.8842)])
+pub fn cook(rows: &mut Rows) {
+    meshes(rows, &[(4, 6.0199), (8, 6.6186), (16, 6.8144), (32, 6.8842)]);
 }
 
-/// The finest meshes: some seconds in a program that is optimised, minutes in one that is not.
-pub fn cook_fine() -> Vec<VerificationRow> {
-    rows(&[(64, 6.9115), (128, 6.9231)])
-}
-
-fn rows(meshes: &[(usize, f64)]) -> Vec<VerificationRow> {
-    meshes
-        .iter()
-        .map(|&(n, exact)| {
-            VerificationRow::new(format!("Cook's membrane, {n} × {n}: tip (mm)"), SOURCE, exact, tip(n), 1e-5)
-        })
-        .collect()
+pub(super) fn meshes(rows: &mut Rows, meshes: &[(usize, f64)]) {
+    for &(n, exact) in meshes {
+        rows.add(format!("Cook's membrane, {n} × {n}: tip (mm)"), exact, tip(n), 1e-5);
+    }
 }

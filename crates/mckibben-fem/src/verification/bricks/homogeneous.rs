@@ -6,11 +6,9 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::block::bent_cube;
-use super::{BRICKS, body, push, reaction};
+use super::{BRICKS, body, push};
 use crate::three_dimensional::{Body, Brick, Freedom};
-use crate::verification::VerificationRow;
-
-const SOURCE: &str = "A: Rivlin 1948 [rivlin1948]; Treloar 1975 [treloar1975] (bricks)";
+use crate::verification::Rows;
 
 /// The bent cube; the planes through the origin held, and what `held` says of
 /// (node on the far faces x, y, z; direction).
@@ -30,34 +28,84 @@ fn cube(brick: Brick, held: impl Fn([bool; 3], usize) -> bool) -> Option<(Body, 
 
 /// Nominal stress on the far face x for stretches of the far faces x and, where given, y; and the largest distance of a
 /// node from where the homogeneous state has it.
-fn stress(brick: Brick, x: f64, y: Option<f64>) -> Option<(f64, f64)> {
+fn stress(brick: Brick, x: f64, y: Option<f64>) -> Option<[f64; 2]> {
     let (mut body, far) = cube(brick, |far, i| far[i] && (i == 0 || (i == 1 && y.is_some())))?;
     let stretch = [x, y.unwrap_or(x.powf(-0.5)), 1.0 / (x * y.unwrap_or(x.powf(-0.5)))];
     push(&mut body, 10, |n, i| if far[n][i] { stretch[i] - 1.0 } else { 0.0 })?;
-    let sum = reaction(&mut body, (0..far.len()).filter(|&n| far[n][0]).map(|n| (n, 0)))?;
-    let nodes = &body.discretisation.problem.nodes;
+    body.evaluate().ok()?;
+    let sum = (0..far.len()).filter(|&n| far[n][0]).map(|n| body.assembled.force[3 * n]).sum();
+    Some([sum, distance(&body, |rest, i| (stretch[i] - 1.0) * rest[i])])
+}
+
+/// Largest distance of a node from its displacement in the homogeneous state, of (place at rest, direction).
+fn distance(body: &Body, exact: impl Fn(&[f64; 3], usize) -> f64) -> f64 {
     let mut worst = 0.0_f64;
-    for (n, rest) in nodes.iter().enumerate() {
+    for (n, rest) in body.discretisation.problem.nodes.iter().enumerate() {
         for i in 0..3 {
-            worst = worst.max((body.state.u[3 * n + i] - (stretch[i] - 1.0) * rest[i]).abs());
+            worst = worst.max((body.state.u[3 * n + i] - exact(rest, i)).abs());
         }
     }
-    Some((sum, worst))
+    worst
 }
 
 /// The rows of A.
-pub fn homogeneous() -> Vec<VerificationRow> {
-    let mut rows = Vec::new();
+pub fn homogeneous(rows: &mut Rows) {
     for (brick, name) in BRICKS {
         for (what, y, exact) in
             [("uniaxial", None, 0.385), ("equibiaxial", Some(2.0), 0.708_75), ("planar", Some(1.0), 0.45)]
         {
             let got = stress(brick, 2.0, y);
             let title = format!("{name}, {what} λ = 2: nominal stress (MPa)");
-            rows.push(VerificationRow::new(title, SOURCE, exact, got.map(|g| g.0), 1e-9));
+            rows.add(title, exact, got.map(|g| g[0]), 1e-9);
             let title = format!("{name}, patch test, {what} λ = 2: largest displacement off (mm)");
-            rows.push(VerificationRow::new(title, SOURCE, 0.0, got.map(|g| g.1), 1e-10));
+            rows.add(title, 0.0, got.map(|g| g[1]), 1e-10);
         }
     }
-    rows
+}
+
+const GAMMA: f64 = 1.0;
+
+/// σ12, σ11 − σ33, σ22 − σ33 in MPa of simple shear, and the largest distance of a node from where the homogeneous state has it.
+///
+/// x = X + γ Y: σ12 = 2(C1 + C2)γ, σ11 − σ33 = 2 C1 γ², σ22 − σ33 = −2 C2 γ² (Rivlin 1948). The mean nominal stress P = Σ f⊗X/V over the
+/// nodes (virtual work of an affine displacement) gives σ = P Fᵀ at J = 1. All faces are held at x = X + γ Y; the far face z = 1 is free
+/// along z, so that the pressure is determined.
+fn sheared(brick: Brick) -> Option<([f64; 3], f64)> {
+    let (block, mut problem) = bent_cube(brick);
+    let last = block.grid()[0] - 1;
+    for (node, place) in block.places().iter().enumerate() {
+        if place.iter().any(|&i| i == 0 || i == last) {
+            problem.freedom[node] = [Freedom::Held; 3];
+        }
+        if place[2] == last {
+            problem.freedom[node][2] = Freedom::Free;
+        }
+    }
+    let rest = problem.nodes.clone();
+    let sheared = |rest: &[f64; 3], i: usize| if i == 0 { GAMMA * rest[1] } else { 0.0 };
+    let mut body = body(problem)?;
+    push(&mut body, 10, |n, i| sheared(&rest[n], i))?;
+    body.evaluate().ok()?;
+    let p: [[f64; 3]; 3] = [0, 1, 2].map(|i| {
+        [0, 1, 2].map(|j| rest.iter().enumerate().map(|(n, x)| body.assembled.force[3 * n + i] * x[j]).sum())
+    });
+    let f = [[1.0, GAMMA, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let sigma = |i: usize, j: usize| (0..3).map(|k| p[i][k] * f[j][k]).sum::<f64>();
+    let stress = [sigma(0, 1), sigma(0, 0) - sigma(2, 2), sigma(1, 1) - sigma(2, 2)];
+    Some((stress, distance(&body, sheared)))
+}
+
+/// The rows of simple shear.
+pub fn shear(rows: &mut Rows) {
+    for (brick, name) in BRICKS {
+        let got = sheared(brick);
+        let exact = [
+            ("σ12 (MPa)", 2.0 * (0.10 + 0.02) * GAMMA),
+            ("σ11 − σ33 (MPa)", 2.0 * 0.10 * GAMMA * GAMMA),
+            ("σ22 − σ33 (MPa)", -2.0 * 0.02 * GAMMA * GAMMA),
+        ];
+        rows.each(&format!("{name}, simple shear γ = 1: "), exact, got.map(|g| g.0), 1e-9);
+        let title = format!("{name}, simple shear γ = 1: largest displacement off (mm)");
+        rows.add(title, 0.0, got.map(|g| g.1), 1e-10);
+    }
 }

@@ -5,39 +5,36 @@
 // Components and nodes are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]
 
-use super::pressure::prototype;
-use super::{BRICKS, body, solve, tight};
+use super::{BRICKS, body, prototype, solve, tight};
+use crate::element::spatial::AT;
 use crate::element::truss::Truss;
 use crate::solver::body::Control;
-use crate::solver::newton::{self, Effort};
-use crate::three_dimensional::{Body, Brick, BrickMesh, BrickSpec, Problem};
-use crate::verification::VerificationRow;
-use mckibben::muscle::{Braid, BraidStiffness, Bulk, Muscle};
+use crate::three_dimensional::{Body, Brick, BrickMesh, BrickSpec, Problem, Quarter};
+use crate::verification::numerics::laws;
+use crate::verification::{Rows, changed, order_of_newton, rubber};
+use mckibben::differences::{STENCIL, slope};
+use mckibben::muscle::{BraidStiffness, Bulk, Muscle};
+use mckibben::random::Random;
 use mckibben::rubber::Law;
 
-const SOURCE: &str = "J: numerical conduct (bricks)";
-
-/// Numbers between −½ and ½.
-fn random(seed: &mut u64) -> f64 {
-    *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-    (*seed >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+fn tube(half_mm: f64) -> Quarter {
+    Quarter { inner_mm: 12.0, outer_mm: 15.0, half_mm, angle_rad: 0.5 }
 }
 
 /// A small muscle in a random deformed state, with pressures and tensions of their own.
 fn shaken(brick: Brick, law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Option<Body> {
-    let muscle = Muscle::prototype();
-    let mut tube = muscle.tube().clone();
-    (tube.rubber.law, tube.rubber.bulk, tube.length_mm) = (law, bulk, 40.0);
-    let braid = Braid { stiffness, compression: true, ..Braid::paper() };
-    let muscle = muscle.with_tube(tube).ok()?.with_braid(braid).ok()?;
+    let muscle = changed(|tube, braid| {
+        (tube.rubber.law, tube.rubber.bulk, tube.length_mm) = (law, bulk, 40.0);
+        (braid.stiffness, braid.compression) = (stiffness, true);
+    })?;
     let spec = BrickSpec { brick, around: Some(2), along: Some(2), through: Some(1), ..BrickSpec::default() };
-    let mesh = BrickMesh::new(12.0, 15.0, 20.0, 0.5, &spec).ok()?;
+    let mesh = BrickMesh::new(&tube(20.0), &spec).ok()?;
     let mut body = body(Problem::of(&muscle, &mesh))?;
-    let mut seed = 7;
+    let mut random = Random(7);
     for &i in &body.discretisation.place.clone() {
-        body.state.u[i as usize] = 0.6 * random(&mut seed);
+        body.state.u[i as usize] = random.between(-0.3, 0.3);
     }
-    body.state.p.iter_mut().for_each(|p| *p = 0.4 * random(&mut seed));
+    body.state.p.iter_mut().for_each(|p| *p = random.between(-0.2, 0.2));
     body.state.terminal = 0.7;
     for &i in &body.discretisation.terminal.clone() {
         body.state.u[i as usize] = 0.7;
@@ -57,32 +54,24 @@ fn shaken(brick: Brick, law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Opti
 /// With everything condensed (K finite) the residual is r(u, p) and p follows u: p = K (v − V)/V.
 pub(super) fn tangent_error(body: &mut Body) -> Option<f64> {
     let d = body.discretisation.clone();
-    let incompressible = d.compliance == 0.0;
-    let follow = |b: &mut Body| -> Option<()> {
-        // Of condensed modes, p + γ c/V is what the elements take; put it into p.
-        if !incompressible {
-            b.evaluate().ok()?;
-            for (i, c) in b.assembled.defect.clone().into_iter().enumerate() {
-                b.state.p[i] += d.augment * c / d.rest[i / d.modes].volume;
-            }
-        }
-        b.evaluate().ok()?;
-        for (t, (_, strain, _)) in b.assembled.strands.clone().into_iter().enumerate() {
-            let (compliance, augment) = d.strand[t];
-            if augment * compliance > 0.999 {
-                b.state.q[t] = strain / compliance;
-            }
-        }
-        Some(())
-    };
-    follow(body)?;
-    if incompressible {
-        // The tangent holds p; what the augmentation adds to the geometric part vanishes with the defects.
+    // Of condensed modes, p + γ c/V is what the elements take; put it into p. Of an incompressible rubber the tangent holds p; what the
+    // augmentation adds to the geometric part vanishes with the defects.
+    if d.compliance > 0.0 {
         body.evaluate().ok()?;
+        for (i, c) in body.assembled.defect.iter().enumerate() {
+            body.state.p[i] += d.augment * c / d.rest[i / d.modes].volume;
+        }
+    }
+    body.evaluate().ok()?;
+    for (t, (_, strain, _)) in body.assembled.strands.iter().enumerate() {
+        let (compliance, augment) = d.strand[t];
+        if augment * compliance > 0.999 {
+            body.state.q[t] = strain / compliance;
+        }
     }
     body.assemble().ok()?;
-    let mut seed = 3;
-    let v: Vec<f64> = d.place.iter().map(|_| random(&mut seed)).collect();
+    let mut random = Random(3);
+    let v: Vec<f64> = d.place.iter().map(|_| random.between(-0.5, 0.5)).collect();
     let w = 0.3;
     let mut product = vec![0.0; d.free];
     for c in 0..d.free {
@@ -98,7 +87,7 @@ pub(super) fn tangent_error(body: &mut Body) -> Option<f64> {
     let base = body.state.clone();
     let h = 1e-5;
     let mut change = vec![0.0; d.free];
-    for (step, weight) in [(-2.0, 1.0), (-1.0, -8.0), (1.0, 8.0), (2.0, -1.0)] {
+    for (step, weight) in STENCIL {
         body.state.copy_from(&base);
         for (x, &i) in v.iter().zip(&d.place) {
             body.state.u[i as usize] += step * h * x;
@@ -109,7 +98,7 @@ pub(super) fn tangent_error(body: &mut Body) -> Option<f64> {
         body.state.terminal += step * h * w;
         body.evaluate().ok()?;
         for (c, &i) in change.iter_mut().zip(&d.place) {
-            *c += weight * body.assembled.force[i as usize] / (12.0 * h);
+            *c += weight * body.assembled.force[i as usize] / h;
         }
     }
     body.state.copy_from(&base);
@@ -120,8 +109,7 @@ pub(super) fn tangent_error(body: &mut Body) -> Option<f64> {
 
 /// Change of the energy and of the forces' size when everything is turned.
 fn objectivity(brick: Brick) -> Option<f64> {
-    let law = crate::verification::rubber();
-    let mut body = shaken(brick, law, Bulk::Modulus(20.0), BraidStiffness::NewtonPerMm(300.0))?;
+    let mut body = shaken(brick, rubber(), Bulk::Modulus(20.0), BraidStiffness::NewtonPerMm(300.0))?;
     body.state.pressure = 0.0;
     let before = body.evaluate().ok()?;
     let size = |b: &Body| b.assembled.force.iter().map(|f| f * f).sum::<f64>().sqrt();
@@ -138,24 +126,14 @@ fn objectivity(brick: Brick) -> Option<f64> {
     Some(energy.abs().max((size(&body) / force - 1.0).abs()))
 }
 
-/// log(r3/r2)/log(r2/r1) of the last residuals of a large step.
-fn order_of_newton(brick: Brick) -> Option<f64> {
+fn newton(brick: Brick) -> Option<f64> {
     let mut c = prototype(brick)?;
     c.reach(0.2, 0.05).ok()?;
     let body = &mut c.body.bricks;
-    let half = body.discretisation.half;
-    body.control = Control::Length(-0.09 * half);
+    body.control = Control::Length(-0.09 * body.discretisation.half);
     body.tolerance = 1e-11;
-    let mut seen = Vec::new();
-    newton::solve(body, &tight(), &mut Effort::default(), |r| {
-        seen.push(r);
-        Ok(())
-    })
-    .ok()?;
     // Rounding begins at 1e-12.
-    let above: Vec<f64> = seen.into_iter().filter(|r| *r > 1e-10).collect();
-    let [.., a, b, c] = above.as_slice() else { return None };
-    Some(((c / b).ln() / (b / a).ln()).min(2.0))
+    order_of_newton(body, &tight(), 1e-10)
 }
 
 /// Relative difference of the pull after 4 and after 25 steps of pressure.
@@ -171,7 +149,7 @@ fn steps(brick: Brick) -> Option<f64> {
 /// Relative difference of the pull with unknowns numbered backwards.
 fn numbering(brick: Brick) -> Option<f64> {
     let spec = BrickSpec { brick, around: Some(3), along: Some(6), ..BrickSpec::default() };
-    let mesh = BrickMesh::new(12.0, 15.0, 60.0, 0.5, &spec).ok()?;
+    let mesh = BrickMesh::new(&tube(60.0), &spec).ok()?;
     let pull = |back: bool| {
         let mut problem = Problem::of(&Muscle::prototype(), &mesh);
         if back {
@@ -189,49 +167,35 @@ fn numbering(brick: Brick) -> Option<f64> {
 fn truss() -> f64 {
     let truss = Truss { length_mm: 3.0, stiffness_n: 200.0, compression: true };
     let at = [1.9, 2.1, -1.6];
-    let force = |d: [f64; 3]| {
-        let p = truss.pull(d, 0.0, 0.0);
-        p.direction.map(|n| n * p.tension)
-    };
     let here = truss.pull(at, 0.0, truss.pull(at, 0.0, 0.0).tension);
     let mut worst = 0.0_f64;
-    for j in 0..3 {
-        let h = 1e-5;
-        let moved = |s: f64| {
+    for (i, j) in (0..9).map(|k| (k / 3, k % 3)) {
+        let force = |h: f64| {
             let mut d = at;
-            d[j] += s * h;
-            force(d)
+            d[j] += h;
+            let pull = truss.pull(d, 0.0, 0.0);
+            Ok::<_, ()>(pull.direction[i] * pull.tension)
         };
-        let (up, down) = (moved(1.0), moved(-1.0));
-        for i in 0..3 {
-            let exact = here.tangent[crate::element::spatial::AT[i][j]];
-            worst = worst.max(((up[i] - down[i]) / (2.0 * h) - exact).abs());
-        }
+        let difference = slope(1e-3, force).unwrap_or(f64::INFINITY);
+        worst = worst.max((difference - here.tangent[AT[i][j]]).abs());
     }
     worst / 70.0
 }
 
 /// The rows of J.
-pub fn numerics() -> Vec<VerificationRow> {
-    let mut rows = Vec::new();
+pub fn numerics(rows: &mut Rows) {
     for (brick, name) in BRICKS {
-        for law in crate::verification::numerics::laws() {
-            let title = law.name();
-            let stiffness = BraidStiffness::NewtonPerMm(20.0);
-            let error =
-                shaken(brick, law, Bulk::Modulus(20.0), stiffness).and_then(|mut b| tangent_error(&mut b));
-            let title = format!("{name}, {title}: tangent against differences");
-            rows.push(VerificationRow::new(title, SOURCE, 0.0, error, 1e-8));
+        for law in laws() {
+            let title = format!("{name}, {}: tangent against differences", law.name());
+            let error = shaken(brick, law, Bulk::Modulus(20.0), BraidStiffness::NewtonPerMm(20.0))
+                .and_then(|mut b| tangent_error(&mut b));
+            rows.add(title, 0.0, error, 1e-8);
         }
-        let row = |what: &str, reference: f64, value: Option<f64>, tolerance: f64| {
-            VerificationRow::new(format!("{name}, {what}"), SOURCE, reference, value, tolerance)
-        };
-        rows.push(row("energy and forces after a rotation", 0.0, objectivity(brick), 1e-10));
-        rows.push(row("order of Newton's last residuals (2 or more)", 2.0, order_of_newton(brick), 0.2));
-        rows.push(row("pull after 4 and 25 steps", 0.0, steps(brick), 1e-8));
-        rows.push(row("pull with unknowns numbered backwards", 0.0, numbering(brick), 1e-10));
+        let title = |what: &str| format!("{name}, {what}");
+        rows.add(title("energy and forces after a rotation"), 0.0, objectivity(brick), 1e-10);
+        rows.add(title("order of Newton's last residuals (2 or more)"), 2.0, newton(brick), 0.2);
+        rows.add(title("pull after 4 and 25 steps"), 0.0, steps(brick), 1e-8);
+        rows.add(title("pull with unknowns numbered backwards"), 0.0, numbering(brick), 1e-10);
     }
-    let title = "strand, tangent against differences".into();
-    rows.push(VerificationRow::new(title, SOURCE, 0.0, Some(truss()), 1e-8));
-    rows
+    rows.add("strand, tangent against differences", 0.0, truss(), 1e-8);
 }

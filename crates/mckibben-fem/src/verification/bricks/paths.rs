@@ -2,19 +2,16 @@
 //!
 //! Loaded and held: a bonded muscle under pressure at a given length; strands that carry compression shortened without pressure.
 
-use super::super::numerics::laws;
 use super::muscle::peers;
 use super::numerics::tangent_error;
-use super::pressure::prototype;
-use super::{BRICKS, at_rest, coarse, solve};
+use super::{BRICKS, at_rest, coarse, prototype, solve};
 use crate::solver::continuation::Unstable;
 use crate::three_dimensional::{Body, Brick, BrickSpec};
-use crate::verification::VerificationRow;
-use mckibben::muscle::{Bulk, Muscle};
+use crate::verification::numerics::laws;
+use crate::verification::{Rows, changed};
+use mckibben::muscle::Bulk;
 use mckibben::rubber::Law;
 use nalgebra::DMatrix;
-
-const SOURCE: &str = "J: numerical conduct (bricks)";
 
 /// Relative difference of the pull from the axisymmetric first iterate and after a walk from rest.
 fn walked(brick: Brick, pressure: f64, contraction: f64) -> Option<f64> {
@@ -28,10 +25,7 @@ fn walked(brick: Brick, pressure: f64, contraction: f64) -> Option<f64> {
 
 /// The largest difference between tangent and differences at an equilibrium of an incompressible rubber.
 fn incompressible(brick: Brick, law: Law) -> Option<f64> {
-    let muscle = Muscle::prototype();
-    let mut tube = muscle.tube().clone();
-    (tube.rubber.law, tube.rubber.bulk) = (law, Bulk::Incompressible);
-    let muscle = muscle.with_tube(tube).ok()?;
+    let muscle = changed(|tube, _| (tube.rubber.law, tube.rubber.bulk) = (law, Bulk::Incompressible))?;
     let mut c = at_rest(&muscle, &coarse(brick))?;
     c.reach(0.2, 0.05).ok()?;
     let body = &mut c.body.bricks;
@@ -74,32 +68,27 @@ fn shortened() -> Option<(Vec<Unstable>, usize, usize)> {
 }
 
 /// The rows of paths and stability.
-pub fn paths() -> Vec<VerificationRow> {
-    let mut rows = Vec::new();
+pub fn paths(rows: &mut Rows) {
     for (brick, name) in BRICKS {
         for (p, e) in [(0.2, 0.0), (0.2, 0.1), (0.15, 0.15)] {
             let title = format!("{name}, P {p}, ε {e}: pull after a walk from rest, relative difference");
-            rows.push(VerificationRow::new(title, SOURCE, 0.0, walked(brick, p, e), 1e-8));
+            rows.add(title, 0.0, walked(brick, p, e), 1e-8);
         }
         for law in laws() {
-            let title = law.name();
-            let title = format!("{name}, {title}, incompressible: tangent against differences");
-            rows.push(VerificationRow::new(title, SOURCE, 0.0, incompressible(brick, law), 1e-7));
+            let title = format!("{name}, {}, incompressible: tangent against differences", law.name());
+            rows.add(title, 0.0, incompressible(brick, law), 1e-7);
         }
     }
-    let got = shortened();
-    let reference = got.as_ref().map_or(f64::NAN, |g| g.2 as f64);
-    let pivots = got.as_ref().map(|g| g.1 as f64);
-    let title = "strands in compression, P 0, ε 0.02: negative pivots against eigenvalues".to_owned();
-    rows.push(VerificationRow::new(title, SOURCE, reference, pivots, 0.0));
-    let title = "the same: there are some".to_owned();
-    rows.push(VerificationRow::new(title, SOURCE, 1.0, pivots.map(|n| n.min(1.0)), 0.0));
-    let noticed = got.as_ref().and_then(|g| g.0.first().copied());
+    let (noticed, pivots, eigenvalues) = shortened()
+        .map_or((None, None, None), |(noticed, pivots, values)| {
+            (noticed.first().copied(), Some(pivots as f64), Some(values as f64))
+        });
+    let title = "strands in compression, P 0, ε 0.02: negative pivots against eigenvalues";
+    rows.add(title, eigenvalues, pivots, 0.0);
+    rows.add("the same: there are some", 1.0, pivots.map(|n| n.min(1.0)), 0.0);
     let title = |what: &str| format!("the same: the first unstable step is noticed, {what}");
-    rows.push(VerificationRow::new(title("P (MPa)"), SOURCE, 0.0, noticed.map(|u| u.pressure_mpa), 0.0));
+    rows.add(title("P (MPa)"), 0.0, noticed.map(|u| u.pressure_mpa), 0.0);
     // One of the four contractions that were asked for.
     let place = noticed.map(|u| u.contraction / 0.005);
-    let reference = noticed.map_or(f64::NAN, |u| u.step as f64);
-    rows.push(VerificationRow::new(title("ε over that of a step"), SOURCE, reference, place, 1e-12));
-    rows
+    rows.add(title("ε over that of a step"), noticed.map(|u| u.step as f64), place, 1e-12);
 }

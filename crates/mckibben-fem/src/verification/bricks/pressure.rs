@@ -2,20 +2,9 @@
 //!
 //! Loaded and held: a bonded muscle, pressure at rest length, then shortened at that pressure.
 
-use super::{BRICKS, at_rest, coarse, solve};
-use crate::solver::continuation::Continuation;
-use crate::three_dimensional::{Body, Brick, MuscleInBricks};
-use crate::verification::VerificationRow;
-use mckibben::muscle::Muscle;
-
-const SOURCE: &str = "E: closed cavity, energy (bricks)";
-
-/// A small mesh of the prototype.
-pub(super) fn prototype(brick: Brick) -> Option<Continuation<MuscleInBricks>> {
-    let mut c = at_rest(&Muscle::prototype(), &coarse(brick))?;
-    c.newton.tolerance = 1e-12;
-    Some(c)
-}
+use super::{BRICKS, prototype, solve};
+use crate::three_dimensional::{Body, Brick};
+use crate::verification::{Rows, simpson};
 
 /// (∂F/∂P, −∂V/∂L) in mm².
 fn maxwell(brick: Brick) -> Option<(f64, f64)> {
@@ -33,11 +22,6 @@ fn energy(brick: Brick) -> Option<(f64, f64)> {
     let taken = |b: &Body| (b.state.pressure, 8.0 * b.totals.volume, b.totals.pull, 2.0 * b.state.terminal);
     // Gauss points would need derivatives; Simpson's rule in P dV = d(PV) − V dP and F dL needs none.
     const STEPS: usize = 40;
-    let simpson = |i: usize| match i {
-        0 | STEPS => 1.0,
-        i if i % 2 == 1 => 4.0,
-        _ => 2.0,
-    };
     body.state.pressure = 0.05;
     solve(&mut body, 0.0)?;
     let (p0, v0, ..) = taken(&body);
@@ -46,14 +30,14 @@ fn energy(brick: Brick) -> Option<(f64, f64)> {
     for i in 0..=STEPS {
         body.state.pressure = 0.05 + 0.15 * i as f64 / STEPS as f64;
         solve(&mut body, 0.0)?;
-        volume += simpson(i) * taken(&body).1 * 0.15 / STEPS as f64 / 3.0;
+        volume += simpson(i, STEPS) * taken(&body).1 * 0.15;
     }
     let mut work = 0.0;
     let stroke = -0.05 * half;
     for i in 0..=STEPS {
         solve(&mut body, stroke * i as f64 / STEPS as f64)?;
         // A muscle that is pulled longer takes up F dL.
-        work += simpson(i) * taken(&body).2 * 2.0 * stroke / STEPS as f64 / 3.0;
+        work += simpson(i, STEPS) * taken(&body).2 * 2.0 * stroke;
     }
     let (p, v, ..) = taken(&body);
     let outer = p * v - p0 * v0 - volume + work;
@@ -61,17 +45,11 @@ fn energy(brick: Brick) -> Option<(f64, f64)> {
 }
 
 /// The rows of E.
-pub fn follower_pressure() -> Vec<VerificationRow> {
-    let mut rows = Vec::new();
+pub fn follower_pressure(rows: &mut Rows) {
     for (brick, name) in BRICKS {
-        let got = maxwell(brick);
-        let reference = got.map_or(1.0, |g| g.1);
-        let title = format!("{name}, Maxwell: ∂F/∂P = −∂V/∂L (mm²)");
-        rows.push(VerificationRow::new(title, SOURCE, reference, got.map(|g| g.0), 1e-9));
-        let got = energy(brick);
-        let reference = got.map_or(1.0, |g| g.1);
-        let title = format!("{name}, ∫P dV + ∫F dL = elastic energy (N·mm)");
-        rows.push(VerificationRow::new(title, SOURCE, reference, got.map(|g| g.0), 1e-6));
+        let (by_pressure, by_length) = maxwell(brick).unzip();
+        rows.add(format!("{name}, Maxwell: ∂F/∂P = −∂V/∂L (mm²)"), by_length, by_pressure, 1e-9);
+        let (outer, elastic) = energy(brick).unzip();
+        rows.add(format!("{name}, ∫P dV + ∫F dL = elastic energy (N·mm)"), elastic, outer, 1e-6);
     }
-    rows
 }

@@ -9,9 +9,8 @@
 //! Loaded and held: both supports held, the apex pushed down.
 
 use crate::element::truss::Truss;
-use crate::verification::VerificationRow;
+use crate::verification::Rows;
 
-const SOURCE: &str = "F: von Mises truss, engineering strain (strands)";
 /// E·A in N.
 const EA: f64 = 1000.0;
 /// Half the width in mm.
@@ -37,24 +36,11 @@ fn exact(d: f64) -> f64 {
     2.0 * EA * (H - d) * (1.0 / l - 1.0 / l0)
 }
 
-/// Newton's method on the load from `d` on.
-fn at_load(load: f64, mut d: f64) -> f64 {
-    for _ in 0..40 {
-        let (p, k) = apex(d, true);
-        d += (load - p) / k;
-    }
-    d
-}
-
 /// The rows of F with strands.
-pub fn snap() -> Vec<VerificationRow> {
-    let row = |what: String, reference: f64, ours: f64, tolerance: f64| {
-        VerificationRow::new(what, SOURCE, reference, Some(ours), tolerance)
-    };
-    let mut rows: Vec<VerificationRow> = [0.2, 0.7, 1.4, 2.3]
-        .into_iter()
-        .map(|d| row(format!("two strands, apex down by {d} mm: P (N)"), exact(d), apex(d, true).0, 1e-10))
-        .collect();
+pub fn snap(rows: &mut Rows) {
+    for d in [0.2, 0.7, 1.4, 2.3] {
+        rows.add(format!("two strands, apex down by {d} mm: P (N)"), exact(d), apex(d, true).0, 1e-10);
+    }
     // The limit: Newton's method on the tangent, its slope by a central difference.
     let mut d = 0.3 * H;
     for _ in 0..40 {
@@ -64,20 +50,24 @@ pub fn snap() -> Vec<VerificationRow> {
     }
     let l = (W * W * W.hypot(H)).cbrt();
     let limit = H - (l * l - W * W).sqrt();
-    rows.push(row("two strands, limit point: d (mm)".into(), limit, d, 1e-9));
-    rows.push(row("two strands, limit load: P (N)".into(), exact(limit), apex(d, true).0, 1e-9));
+    rows.add("two strands, limit point: d (mm)", limit, d, 1e-9);
+    rows.add("two strands, limit load: P (N)", exact(limit), apex(d, true).0, 1e-9);
     // Where the formula has the limit load again, by bisection.
     let (mut low, mut high) = (2.0 * H, 4.0 * H);
     for _ in 0..200 {
         let middle = 0.5 * (low + high);
         if exact(middle) < exact(limit) { low = middle } else { high = middle }
     }
-    let landed = at_load(exact(limit), 2.5 * H);
-    rows.push(row("two strands, snapped through under the limit load: d (mm)".into(), low, landed, 1e-9));
+    // Newton's method on the load.
+    let mut landed = 2.5 * H;
+    for _ in 0..40 {
+        let (p, k) = apex(landed, true);
+        landed += (exact(limit) - p) / k;
+    }
+    rows.add("two strands, snapped through under the limit load: d (mm)", low, landed, 1e-9);
     let sign = |d: f64| apex(d, true).1.signum();
-    rows.push(row("two strands, stiffness there is positive".into(), 1.0, sign(landed), 0.0));
+    rows.add("two strands, stiffness there is positive", 1.0, sign(landed), 0.0);
     let both = sign(limit - 0.05) + sign(limit + 0.05);
-    rows.push(row("two strands, stiffness before the limit, past it".into(), 0.0, both, 0.0));
-    rows.push(row("two tension-only strands pushed together: P (N)".into(), 0.0, apex(0.5, false).0, 0.0));
-    rows
+    rows.add("two strands, stiffness before the limit, past it", 0.0, both, 0.0);
+    rows.add("two tension-only strands pushed together: P (N)", 0.0, apex(0.5, false).0, 0.0);
 }

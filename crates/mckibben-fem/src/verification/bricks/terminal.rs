@@ -7,10 +7,8 @@ use super::{BRICKS, at_rest, coarse, solve};
 use crate::solver::body::Totals;
 use crate::solver::continuation::Continuation;
 use crate::three_dimensional::{Brick, BrickSpec, MuscleInBricks, Plug, PlugMaterial};
-use crate::verification::VerificationRow;
+use crate::verification::Rows;
 use mckibben::muscle::Muscle;
-
-const SOURCE: &str = "E: closed cavity, terminals as bodies (bricks)";
 
 fn muscle(brick: Brick, plug: Option<Plug>) -> Option<Continuation<MuscleInBricks>> {
     at_rest(&Muscle::prototype(), &BrickSpec { plug, ..coarse(brick) })
@@ -27,13 +25,11 @@ fn totals(brick: Brick, plug: Option<Plug>, pressure: f64, contraction: f64) -> 
 }
 
 /// The rows of terminals.
-pub fn terminal() -> Vec<VerificationRow> {
+pub fn terminal(rows: &mut Rows) {
     let (rigid, aluminium) = (PlugMaterial::Rigid, PlugMaterial::Aluminium);
-    let mut rows = Vec::new();
     for (brick, name) in BRICKS {
         let mut row = |what: &str, reference: Option<f64>, ours: Option<f64>, tolerance: f64| {
-            let reference = reference.unwrap_or(f64::INFINITY);
-            rows.push(VerificationRow::new(format!("{name}, {what}"), SOURCE, reference, ours, tolerance));
+            rows.add(format!("{name}, {what}"), reference, ours, tolerance);
         };
         let (p, e) = (0.2, 0.1);
         let lid = (|| {
@@ -73,5 +69,4 @@ pub fn terminal() -> Vec<VerificationRow> {
             row(&format!("{what} plug: tangent against differences"), Some(0.0), found.map(|f| f.1), 1e-7);
         }
     }
-    rows
 }

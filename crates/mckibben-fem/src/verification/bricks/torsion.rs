@@ -4,17 +4,17 @@
 
 use super::block::Block;
 use super::{body, push};
-use crate::three_dimensional::{Body, Brick, Freedom};
-use crate::verification::{VerificationRow, rubber};
+use crate::three_dimensional::{Brick, Freedom};
+use crate::verification::{Rows, rubber};
 use mckibben::muscle::Bulk;
 
-const SOURCE: &str = "D: Rivlin 1949 [rivlin1949], torsion";
 const RADIUS: f64 = 5.0;
 /// ψ in rad/mm.
 const TWIST: f64 = 0.05;
 const HEIGHT: f64 = 2.0;
 
-fn twisted(elements: usize) -> Option<(Body, Vec<usize>)> {
+/// Moment and axial force on the top.
+fn loads(elements: usize) -> Option<(f64, f64)> {
     let block = Block::new(Brick::Quadratic, [elements, elements, 1]);
     // The square becomes a disc (the elliptical map).
     let mut problem = block.problem(rubber(), Bulk::Incompressible, |[x, y, z]| {
@@ -41,16 +41,10 @@ fn twisted(elements: usize) -> Option<(Body, Vec<usize>)> {
         }
         [cos * x - sin * y - x, sin * x + cos * y - y, 0.0][i]
     })?;
-    Some((body, top))
-}
-
-/// Moment and axial force on the top.
-fn loads(elements: usize) -> Option<(f64, f64)> {
-    let (mut body, top) = twisted(elements)?;
     body.evaluate().ok()?;
     let (mut moment, mut axial) = (0.0, 0.0);
     for n in top {
-        let (x, f) = (body.discretisation.problem.nodes[n], &body.assembled.force[3 * n..3 * n + 3]);
+        let (x, f) = (nodes[n], &body.assembled.force[3 * n..3 * n + 3]);
         let (px, py) = (x[0] + body.state.u[3 * n], x[1] + body.state.u[3 * n + 1]);
         moment += px * f[1] - py * f[0];
         axial += f[2];
@@ -59,10 +53,8 @@ fn loads(elements: usize) -> Option<(f64, f64)> {
 }
 
 /// The rows of D.
-pub fn torsion() -> Vec<VerificationRow> {
+pub fn torsion(rows: &mut Rows) {
     let (moment, axial) = loads(6).unzip();
-    let row = |name: &str, reference, ours, tolerance| {
-        VerificationRow::new(format!("solid cylinder, torsion: {name}"), SOURCE, reference, ours, tolerance)
-    };
-    vec![row("M (N·mm)", 11.780_972_45, moment, 2e-4), row("N (N)", -0.343_611_70, axial, 2e-3)]
+    rows.add("solid cylinder, torsion: M (N·mm)", 11.780_972_45, moment, 2e-4);
+    rows.add("solid cylinder, torsion: N (N)", -0.343_611_70, axial, 2e-3);
 }

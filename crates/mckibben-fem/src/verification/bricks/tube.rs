@@ -5,11 +5,9 @@
 use super::block::Block;
 use super::{BRICKS, body, drive};
 use crate::three_dimensional::{Brick, Freedom};
-use crate::verification::{VerificationRow, rubber};
+use crate::verification::{Rows, rubber};
 use mckibben::muscle::Bulk;
 use std::f64::consts::FRAC_PI_2;
-
-const SOURCE: &str = "B: Rivlin 1949 [rivlin1949]; Haughton & Ogden 1979 [haughton1979] (bricks)";
 
 /// Inner radius now over that at rest, and N − πa²p in N, of a quarter of a ring of radii `a0`, `b0` and height 1 mm.
 fn ring(
@@ -59,20 +57,17 @@ fn ring(
 }
 
 /// The rows of B.
-pub fn thick_tube() -> Vec<VerificationRow> {
-    let cases = [
+pub fn thick_tube(rows: &mut Rows) {
+    for (radii, stretch, exact, p, force) in [
         ((8.0, 9.5), 1.0, 1.25, 0.022_254_974_0, -1.000_745_23),
         ((8.0, 9.5), 0.8, 1.25, 0.015_417_518_9, -16.130_692_06),
         ((8.0, 9.5), 1.2, 1.25, 0.024_647_538_8, 8.459_104_99),
         ((1.0, 2.0), 1.0, 2.0, 0.137_772_857_4, -0.623_300_96),
-    ];
-    let mut rows = Vec::new();
-    for (radii, stretch, exact, p, force) in cases {
-        let got = ring(Brick::Quadratic, radii, stretch, p, (3, 8));
-        let title = format!("27-node brick, tube {}–{} mm, λz = {stretch}: a/A", radii.0, radii.1);
-        rows.push(VerificationRow::new(title, SOURCE, exact, got.map(|g| g.0), 5e-5));
-        let title = format!("27-node brick, tube {}–{} mm, λz = {stretch}: N − πa²p (N)", radii.0, radii.1);
-        rows.push(VerificationRow::new(title, SOURCE, force, got.map(|g| g.1), 1e-3));
+    ] {
+        let (radius, pull) = ring(Brick::Quadratic, radii, stretch, p, (3, 8)).unzip();
+        let title = |what| format!("27-node brick, tube {}–{} mm, λz = {stretch}: {what}", radii.0, radii.1);
+        rows.add(title("a/A"), exact, radius, 5e-5);
+        rows.add(title("N − πa²p (N)"), force, pull, 1e-3);
     }
     // Displacements of bricks of degree p converge like h^(p+1).
     for ((brick, name), order) in BRICKS.into_iter().zip([2.0, 3.0]) {
@@ -80,8 +75,6 @@ pub fn thick_tube() -> Vec<VerificationRow> {
             ring(brick, (1.0, 2.0), 1.0, 0.137_772_857_4, (2 * n, 4 * n)).map(|g| (g.0 - 2.0).abs())
         };
         let got = error(1).zip(error(2)).map(|(coarse, fine)| (coarse / fine).log2());
-        let title = format!("{name}, order of convergence of a/A");
-        rows.push(VerificationRow::new(title, SOURCE, order, got, 0.1));
+        rows.add(format!("{name}, order of convergence of a/A"), order, got, 0.1);
     }
-    rows
 }
