@@ -5,7 +5,9 @@
 //! b: length of one strand, n: its turns. Source: the paper's (3) after Belforte et al. The printed form has lost its
 //! squares (its dimension is force/length) and stands for one turn; this is F = −P dV/dL.
 
-use super::{Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Response, Workspace};
+use super::{
+    Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Response, Result, Workspace,
+};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -33,7 +35,7 @@ impl Belforte {
     ///
     /// # Errors
     /// [`ModelError::Missing`] without a measured strand. One too short to span the muscle is refused with the muscle.
-    pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
+    pub fn new(muscle: &Muscle) -> Result<Self> {
         let measured = muscle.braid().measured.ok_or(ModelError::Missing {
             model: ENTRY.name,
             missing: "a strand measured on the muscle: `strand_length` and `turns` under [braid] in the muscle file",
@@ -53,12 +55,7 @@ impl ForceModel for Belforte {
         &self.info
     }
 
-    fn response(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
+    fn response(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         let (p, b) = (pressure_mpa, self.b);
         let l = (1.0 - contraction) * self.info.muscle.length_mm();
         if !(l > 0.0 && l < b) {

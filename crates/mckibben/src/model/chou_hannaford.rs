@@ -8,7 +8,7 @@
 
 use super::pantograph::Pantograph;
 use super::{
-    Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Reference, Response, Where,
+    Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelInfo, Reference, Response, Result, Where,
     Workspace,
 };
 use crate::muscle::Muscle;
@@ -46,7 +46,7 @@ impl ChouHannaford {
         Self { info, braid: Pantograph::of(muscle) }
     }
 
-    fn pull(&self, contraction: f64) -> Result<Pull, ModelError> {
+    fn pull(&self, contraction: f64) -> Result<Pull> {
         let g = self.braid.at(contraction)?;
         let bore = g.r - self.info.muscle.wall_mm();
         if bore <= 0.0 {
@@ -66,12 +66,7 @@ impl ForceModel for ChouHannaford {
         &self.info
     }
 
-    fn response(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
+    fn response(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         let pull = self.pull(contraction)?;
         let length = self.info.muscle.length_mm();
         Response {

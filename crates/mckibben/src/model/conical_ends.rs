@@ -14,7 +14,8 @@
 
 use super::pantograph::Pantograph;
 use super::{
-    Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, ModelRange, Response, Workspace,
+    Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, ModelRange, Response, Result,
+    Workspace,
 };
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
@@ -39,7 +40,7 @@ impl ConicalEnds {
     /// # Errors
     /// [`ModelError::Missing`] without a cone factor. Tips that would meet before the largest contraction,
     /// kc > (1 − ε_max)/(2 ε_max), are refused with the muscle already.
-    pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
+    pub fn new(muscle: &Muscle) -> Result<Self> {
         let kc = muscle.terminals().cone_factor.ok_or(ModelError::Missing {
             model: ENTRY.name,
             missing: "a cone factor: `cone_factor = 0.4` under [model.conical-ends] in the muscle file",
@@ -51,7 +52,7 @@ impl ConicalEnds {
     }
 
     /// −P dV/dL of the cylinder with two cones, in N, for comparison.
-    pub fn pull_by_energy(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
+    pub fn pull_by_energy(&self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         let f = self.braid.at(contraction)?.r / self.braid.r0;
         let ends = 1.0 - f * f + 2.0 * self.kc / 3.0 * (1.0 + f - 2.0 * f * f);
         Ok(pressure_mpa * (self.pull(contraction)?.0 + PI * self.braid.r0 * self.braid.r0 * ends))
@@ -64,7 +65,7 @@ impl ConicalEnds {
     }
 
     /// F/P, ∂(F/P)/∂λ, and f.
-    fn pull(&self, contraction: f64) -> Result<(f64, f64, f64), ModelError> {
+    fn pull(&self, contraction: f64) -> Result<(f64, f64, f64)> {
         let g = self.braid.at(contraction)?;
         if contraction > 0.0 && g.l <= 2.0 * self.kc * contraction {
             let lowest = 1.0 - 1.0 / self.braid.cos;
@@ -85,12 +86,7 @@ impl ForceModel for ConicalEnds {
         &self.info
     }
 
-    fn response(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
+    fn response(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         let (pull, pull_l, f) = self.pull(contraction)?;
         Response {
             pressure_mpa,
@@ -123,7 +119,7 @@ mod tests {
     use crate::model::Ideal;
     use crate::muscle::Terminals;
 
-    fn model(cone_factor: Option<f64>) -> Result<ConicalEnds, ModelError> {
+    fn model(cone_factor: Option<f64>) -> Result<ConicalEnds> {
         let terminals = Terminals { cone_factor, ..Terminals::default() };
         ConicalEnds::new(&Muscle::prototype().with_terminals(terminals).unwrap())
     }

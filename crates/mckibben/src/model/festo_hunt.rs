@@ -9,7 +9,7 @@
 use super::root::rising_root;
 use super::{
     Accuracy, BlockedAt, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, ModelRange,
-    Reference, Response, Specimen, Workspace,
+    Reference, Response, Result, Specimen, Workspace,
 };
 use crate::muscle::Muscle;
 use std::f64::consts::FRAC_PI_2;
@@ -104,7 +104,7 @@ impl FestoHunt {
     }
 
     /// The force in N.
-    fn solve(&self, pressure_mpa: f64, e: f64) -> Result<f64, ModelError> {
+    fn solve(&self, pressure_mpa: f64, e: f64) -> Result<f64> {
         let kpa = KPA_PER_MPA * pressure_mpa;
         let error = || self.error(pressure_mpa, e);
         if !(e >= 0.0 && e.is_finite() && kpa.is_finite()) {
@@ -140,12 +140,7 @@ impl ForceModel for FestoHunt {
         &self.info
     }
 
-    fn response(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
+    fn response(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         let force_n = self.solve(pressure_mpa, contraction)?;
         let (_, by_force, by_contraction) = self.pressure(force_n, contraction);
         Ok(Response {

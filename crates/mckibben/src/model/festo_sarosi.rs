@@ -7,7 +7,7 @@
 
 use super::{
     Accuracy, BlockedAt, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, ModelRange,
-    Reference, Response, Specimen, Workspace,
+    Reference, Response, Result, Specimen, Workspace,
 };
 use crate::muscle::Muscle;
 
@@ -135,12 +135,7 @@ impl ForceModel for FestoSarosi {
         &self.info
     }
 
-    fn response(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
+    fn response(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         let Fit { a, b, c, d, .. } = self.fit;
         let bar = BAR_PER_MPA * pressure_mpa;
         let (rest, slope) = self.line(contraction);

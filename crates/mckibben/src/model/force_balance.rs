@@ -7,7 +7,7 @@
 
 use super::pantograph::Pantograph;
 use super::{
-    Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Reference, Response, Where,
+    Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelInfo, Reference, Response, Result, Where,
     Workspace,
 };
 use crate::muscle::Muscle;
@@ -44,7 +44,7 @@ pub(super) struct Balance {
     pub bore_area: f64,
 }
 
-pub(super) fn balance(braid: &Pantograph, contraction: f64) -> Result<Balance, ModelError> {
+pub(super) fn balance(braid: &Pantograph, contraction: f64) -> Result<Balance> {
     let g = braid.at(contraction)?;
     let bore = braid.bore(&g, contraction)?;
     let sin2 = 1.0 - g.cos * g.cos;
@@ -75,12 +75,7 @@ impl ForceModel for ForceBalance {
         &self.info
     }
 
-    fn response(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
+    fn response(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         let b = balance(&self.braid, contraction)?;
         let length = self.info.muscle.length_mm();
         Response {
@@ -113,6 +108,7 @@ impl Inverse for ForceBalance {
 mod tests {
     use super::*;
     use crate::model::Ideal;
+    use crate::model::ModelError;
 
     #[test]
     fn at_rest_it_is_the_closed_form() {

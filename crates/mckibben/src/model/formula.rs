@@ -2,7 +2,7 @@
 
 use super::{
     Accuracy, BlockedAt, Extensions, ForceModel, ForcesError, Interval, ModelError, ModelInfo, ModelRange,
-    Quantity, Reference, Response, Workspace, check_finite, notes, same_length,
+    Quantity, Reference, Response, Result, Workspace, check_finite, notes, same_length,
 };
 use crate::formula::{Body, Formula, GlobalSection, Made, Section};
 use crate::muscle::Muscle;
@@ -49,7 +49,7 @@ impl FormulaModel {
     }
 
     /// F, ∂F/∂ε, ∂F/∂P.
-    fn at(&self, pressure_mpa: f64, contraction: f64) -> Result<[f64; 3], ModelError> {
+    fn at(&self, pressure_mpa: f64, contraction: f64) -> Result<[f64; 3]> {
         let (p, e) = (pressure_mpa, contraction);
         let all = match &self.bound {
             Bound::Paper(s) => [s.force_n(p, e), s.by_contraction(p, e), s.by_pressure(e)],
@@ -68,12 +68,7 @@ impl ForceModel for FormulaModel {
         &self.info
     }
 
-    fn response(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
+    fn response(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         let [force_n, by_contraction, by_pressure] = self.at(pressure_mpa, contraction)?;
         Ok(Response {
             pressure_mpa,
@@ -85,7 +80,7 @@ impl ForceModel for FormulaModel {
         })
     }
 
-    fn force_n(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
+    fn force_n(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         self.at(pressure_mpa, contraction).map(|all| all[0])
     }
 

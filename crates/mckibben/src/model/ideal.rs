@@ -9,8 +9,8 @@
 //! of the paper; its (1.2) is printed without 1/sin²θ0.
 
 use super::{
-    Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Reference, Response, Where,
-    Workspace,
+    Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Reference, Response,
+    Result, Where, Workspace,
 };
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
@@ -62,12 +62,7 @@ impl ForceModel for Ideal {
         &self.info
     }
 
-    fn response(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
+    fn response(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         let l = 1.0 - contraction;
         let cos = self.cos2.sqrt();
         let c = l * cos;

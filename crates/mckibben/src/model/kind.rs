@@ -29,7 +29,7 @@ impl UnknownModel {
 /// What is known of a kind, and how it is made of a muscle between its ends.
 struct KindRow {
     entry: ModelEntry,
-    build: fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError>,
+    build: fn(&Muscle) -> Result<Box<dyn ForceModel>>,
 }
 
 macro_rules! models {
@@ -86,7 +86,7 @@ fn universal(
     model: &'static str,
     formula: Option<std::sync::Arc<UniversalFormula>>,
     muscle: &Muscle,
-) -> Result<Box<dyn ForceModel>, ModelError> {
+) -> Result<Box<dyn ForceModel>> {
     let missing = "its built-in coefficients, which cannot be read; rebuild the program";
     let formula = formula.ok_or(ModelError::Missing { model, missing, key: "" })?;
     Ok(Box::new(Universal::new(formula, muscle)))
@@ -111,7 +111,7 @@ impl ModelKind {
     ///
     /// # Errors
     /// [`ModelError`] where the muscle does not state what the model needs.
-    pub fn build(self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+    pub fn build(self, muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
         with_ends(muscle, self.row().build)
     }
 }

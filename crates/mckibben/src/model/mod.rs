@@ -44,7 +44,7 @@ pub use belforte::Belforte;
 pub use bounds::{Bounds, pulls_within};
 pub use chou_hannaford::ChouHannaford;
 pub use conical_ends::ConicalEnds;
-pub use error::ModelError;
+pub use error::{ModelError, Result};
 pub use extensions::{
     Contact, Extensions, Inverse, Lists, Mesh, Slopes, blocked_scale_n, notes_of, pivoting_n_per_mm,
 };
@@ -95,20 +95,10 @@ pub trait ForceModel: Send + Sync {
     }
 
     /// Everything it has at a pressure in MPa and a contraction ratio; does not look at its range.
-    fn response(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError>;
+    fn response(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response>;
 
     /// The pull alone, in N; tension positive.
-    fn force_n(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<f64, ModelError> {
+    fn force_n(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         Ok(self.response(workspace, pressure_mpa, contraction)?.force_n)
     }
 

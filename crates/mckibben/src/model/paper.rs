@@ -9,7 +9,8 @@
 
 use super::{
     Accuracy, BatchPath, BlockedAt, Bounds, Extensions, ForceModel, ForcesError, Interval, Inverse, Lists,
-    ModelEntry, ModelError, ModelInfo, ModelRange, Quantity, Reference, Response, Workspace, check_finite,
+    ModelEntry, ModelError, ModelInfo, ModelRange, Quantity, Reference, Response, Result, Workspace,
+    check_finite,
 };
 use crate::formula::{Coefficients, Section};
 use crate::muscle::Muscle;
@@ -84,12 +85,7 @@ impl ForceModel for Paper {
         &self.info
     }
 
-    fn response(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
+    fn response(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         let force_n = self.force_n(workspace, pressure_mpa, contraction)?;
         let slope = self.section.by_contraction(pressure_mpa, contraction);
         Ok(Response {
@@ -102,7 +98,7 @@ impl ForceModel for Paper {
         })
     }
 
-    fn force_n(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
+    fn force_n(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         let force = self.section.force_n(pressure_mpa, contraction);
         if force.is_finite() {
             Ok(force)

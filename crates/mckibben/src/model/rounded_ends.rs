@@ -13,7 +13,9 @@
 use super::force_balance::{Balance, balance};
 use super::pantograph::Pantograph;
 use super::root::rising_root;
-use super::{Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Response, Workspace};
+use super::{
+    Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Response, Result, Workspace,
+};
 use crate::muscle::Muscle;
 
 pub(super) const ENTRY: ModelEntry = ModelEntry {
@@ -36,7 +38,7 @@ pub struct RoundedEnds {
 
 impl RoundedEnds {
     /// The model of a muscle.
-    pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
+    pub fn new(muscle: &Muscle) -> Result<Self> {
         let braid = Pantograph::of(muscle);
         let cot2 = (braid.cos / braid.sin).powi(2);
         let least_mm = 2.0 * braid.r0 * cot2;
@@ -50,7 +52,7 @@ impl RoundedEnds {
     }
 
     /// λm and dλm/dλ at a contraction of the whole muscle.
-    fn middle(&self, contraction: f64) -> Result<(f64, f64), ModelError> {
+    fn middle(&self, contraction: f64) -> Result<(f64, f64)> {
         let (l, b) = (1.0 - contraction, &self.braid);
         let length = |lm: f64| match b.at(1.0 - lm) {
             Ok(g) => (lm + 2.0 * (g.r - b.r0) / b.length - l, 1.0 + 2.0 * g.r1 / b.length),
@@ -67,7 +69,7 @@ impl RoundedEnds {
     }
 
     /// The balance of the middle and dλm/dλ.
-    fn balance(&self, contraction: f64) -> Result<(Balance, f64), ModelError> {
+    fn balance(&self, contraction: f64) -> Result<(Balance, f64)> {
         let (lm, slope) = self.middle(contraction)?;
         Ok((balance(&self.braid, 1.0 - lm)?, slope))
     }
@@ -78,12 +80,7 @@ impl ForceModel for RoundedEnds {
         &self.info
     }
 
-    fn response(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
+    fn response(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         let (b, slope) = self.balance(contraction)?;
         Response {
             pressure_mpa,

@@ -161,8 +161,8 @@ pub fn stiffness_uncertainty_n_per_mm(muscle: &Muscle, parts: &UncertaintyParts)
 
 /// The parts of the ± of a pull in N at a pressure and contraction, on a branch of the hysteresis loop; `None` where nobody has measured the
 /// model's error.
-pub fn uncertainty<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn uncertainty(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     (pressure_mpa, contraction): (f64, f64),
     force_n: f64,
@@ -186,8 +186,8 @@ pub fn uncertainty<M: ForceModel + ?Sized>(
 }
 
 /// The parts of the ± of the specimen that was identified, or of any muscle.
-fn of_specimen<M: ForceModel + ?Sized>(
-    model: &M,
+fn of_specimen(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     at: (f64, f64),
     force_n: f64,
@@ -208,19 +208,15 @@ fn of_specimen<M: ForceModel + ?Sized>(
 
 /// 95 % half-width in N of the pull of a muscle that was identified by this model from 10 points on both branches, by the experience of the measured
 /// muscles; `None` for a formula of a bought muscle, and where nobody has measured the model's error.
-pub fn identified_n<M: ForceModel + ?Sized>(
-    model: &M,
-    workspace: &mut Workspace,
-    pressure_mpa: f64,
-) -> Option<f64> {
+pub fn identified_n(model: &dyn ForceModel, workspace: &mut Workspace, pressure_mpa: f64) -> Option<f64> {
     let Accuracy { share_of_blocked, reference, .. } = model.info().accuracy;
     share_of_blocked.filter(|_| !matches!(reference, Reference::ForceMap { .. }))?;
     Some(IDENTIFIED * blocked_n(model, workspace, pressure_mpa)?)
 }
 
 /// What is known of any muscle.
-fn general<M: ForceModel + ?Sized>(
-    model: &M,
+fn general(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     (pressure_mpa, contraction): (f64, f64),
     force_n: f64,
@@ -252,16 +248,12 @@ fn general<M: ForceModel + ?Sized>(
 }
 
 /// The blocked force that shares are taken of.
-fn blocked_n<M: ForceModel + ?Sized>(model: &M, workspace: &mut Workspace, pressure_mpa: f64) -> Option<f64> {
+fn blocked_n(model: &dyn ForceModel, workspace: &mut Workspace, pressure_mpa: f64) -> Option<f64> {
     blocked_scale_n(model, workspace, pressure_mpa).ok().map(f64::abs)
 }
 
 /// The model's own part, where it has one; `None` where nobody has measured it.
-fn formula_n<M: ForceModel + ?Sized>(
-    model: &M,
-    workspace: &mut Workspace,
-    pressure_mpa: f64,
-) -> Option<Option<f64>> {
+fn formula_n(model: &dyn ForceModel, workspace: &mut Workspace, pressure_mpa: f64) -> Option<Option<f64>> {
     let Accuracy { share_of_blocked, blocked_at, .. } = model.info().accuracy;
     let share = share_of_blocked?;
     let at = match blocked_at {
@@ -273,7 +265,7 @@ fn formula_n<M: ForceModel + ?Sized>(
 
 /// The bench of the model's muscle, or of the same one in another length, where it says something of this model: its constants were fitted with it, or with finite elements, from
 /// which the other model's distance is known.
-fn bench_of<M: ForceModel + ?Sized>(model: &M) -> Option<&Bench> {
+fn bench_of(model: &dyn ForceModel) -> Option<&Bench> {
     let bench = model.muscle().bench_of_lengths()?;
     let Accuracy { share_of_blocked, reference, .. } = model.info().accuracy;
     let to_elements = share_of_blocked.is_some() && !matches!(reference, Reference::ForceMap { .. });
@@ -281,8 +273,8 @@ fn bench_of<M: ForceModel + ?Sized>(model: &M) -> Option<&Bench> {
 }
 
 /// The ± on the bench that the muscle was identified from.
-fn of_bench<M: ForceModel + ?Sized>(
-    model: &M,
+fn of_bench(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     bench: &Bench,
     (pressure_mpa, contraction): (f64, f64),
@@ -310,8 +302,8 @@ fn of_bench<M: ForceModel + ?Sized>(
 
 /// Of a muscle whose law of friction was fitted to both branches, what a branch differs by from their mean: the half-width h of the loop, which is no
 /// unknown. A point on a branch lies within h and the ± of the fit, so that both add up: (h + fit)² = fit² + part².
-fn measured_friction_n<M: ForceModel + ?Sized>(
-    model: &M,
+fn measured_friction_n(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     bench: &Bench,
     (pressure_mpa, contraction): (f64, f64),
@@ -346,8 +338,8 @@ fn between(inside: &UncertaintyParts, outside: &UncertaintyParts, x: f64) -> Unc
 }
 
 /// What a pull on one branch may differ by, in N, from an answer on `direction`, besides all else.
-pub fn friction_n<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn friction_n(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     (pressure_mpa, contraction): (f64, f64),
     direction: Direction,

@@ -16,7 +16,7 @@
 //! A muscle between two joints buckles at F = π² EI/(λ² L0²) (Euler), EI here per length now. Shear is left out. Derived here; no measured muscle is known to compare with.
 
 use super::ThickWall;
-use crate::model::{ForceModel, ModelError, WallEnergy};
+use crate::model::{ForceModel, Result, WallEnergy};
 use std::f64::consts::PI;
 
 /// Stiffness against bending at a state, in N mm².
@@ -54,7 +54,7 @@ impl Second {
 
 impl ThickWall {
     /// Stiffness against bending at a pressure and contraction.
-    pub fn bending(&self, pressure_mpa: f64, contraction: f64) -> Result<BendingStiffness, ModelError> {
+    pub fn bending(&self, pressure_mpa: f64, contraction: f64) -> Result<BendingStiffness> {
         let (l, _, _) = self.stretch(pressure_mpa, contraction);
         let s = self.state(pressure_mpa, l)?;
         let (r, rb) = (s.r, s.r + self.offset);
@@ -88,7 +88,7 @@ impl ThickWall {
     }
 
     /// The push in N at which a muscle between two joints buckles, of strands that slide and of strands that are fixed to the tube.
-    pub fn buckling_n(&self, pressure_mpa: f64, contraction: f64) -> Result<(f64, f64), ModelError> {
+    pub fn buckling_n(&self, pressure_mpa: f64, contraction: f64) -> Result<(f64, f64)> {
         let length_mm = (1.0 - contraction) * self.info().muscle.length_mm();
         let of = |stiffness: f64| (PI / length_mm).powi(2) * stiffness;
         let BendingStiffness { sliding_n_mm2, fixed_n_mm2 } = self.bending(pressure_mpa, contraction)?;

@@ -25,7 +25,7 @@ mod tests;
 pub use bending::BendingStiffness;
 pub(super) use equilibrium::State;
 
-use super::{Accuracy, ModelEntry, ModelError, ModelInfo, ModelRange, Reference, Wall, Where, notes};
+use super::{Accuracy, ModelEntry, ModelInfo, ModelRange, Reference, Result, Wall, Where, notes};
 use crate::muscle::{Crimp, EndFactor, Muscle};
 use crate::rubber::Law;
 use std::sync::Arc;
@@ -139,7 +139,7 @@ impl ThickWall {
     }
 
     /// G of the strands' contact in N/mm: (4π/3) pc r cotθ for strands that do not stretch.
-    pub(super) fn pivoting(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
+    pub(super) fn pivoting(&self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         let (l, _, _) = self.stretch(pressure_mpa, contraction);
         let s = self.state(pressure_mpa, l)?;
         let (rb, stretch) = (s.r + self.offset, 1.0 + s.strain);

@@ -26,8 +26,8 @@ mod volume;
 pub use end_point::EndPoint;
 
 use super::{
-    Accuracy, BlockedAt, ForceModel, ForcesError, ModelEntry, ModelError, ModelId, ModelInfo, Reference,
-    Response, ThickWall, Workspace, notes,
+    Accuracy, BlockedAt, ForceModel, ForcesError, ModelEntry, ModelId, ModelInfo, Reference, Response,
+    Result, ThickWall, Workspace, notes,
 };
 use crate::formula::{Form, UniversalFormula};
 use crate::muscle::Muscle;
@@ -156,12 +156,7 @@ impl ForceModel for Universal {
         &self.info
     }
 
-    fn response(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
+    fn response(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         let p = pressure_mpa;
         let place = self.place(workspace, p, contraction)?;
         let (s, volume) = (&place.state, self.volume(p, &place));
@@ -193,12 +188,7 @@ impl ForceModel for Universal {
         self.forces(pressures_mpa, contractions, out)
     }
 
-    fn force_n(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<f64, ModelError> {
+    fn force_n(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         match self.coupled(pressure_mpa, contraction, None) {
             Some(root) => Ok(root.force),
             None => self.searched_force(workspace, pressure_mpa, contraction),
