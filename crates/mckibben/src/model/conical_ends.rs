@@ -13,10 +13,8 @@
 //! formula but pulls π (r² − r0²) P more.
 
 use super::pantograph::Pantograph;
-use super::{
-    Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, ModelRange, Response, Result,
-    Workspace,
-};
+use super::proportional::{PerPressure, Proportional};
+use super::{ModelEntry, ModelError, ModelInfo, ModelRange, Result};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -81,42 +79,27 @@ impl ConicalEnds {
     }
 }
 
-impl ForceModel for ConicalEnds {
-    fn info(&self) -> &ModelInfo {
+impl Proportional for ConicalEnds {
+    fn model(&self) -> &ModelInfo {
         &self.info
     }
 
-    fn response(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
+    fn per_pressure(&self, contraction: f64) -> Result<PerPressure> {
         let (pull, pull_l, f) = self.pull(contraction)?;
-        Response {
-            pressure_mpa,
-            contraction,
-            force_n: pressure_mpa * pull,
+        Ok(PerPressure {
+            f: pull,
+            f_l: pull_l,
             volume_mm3: Some(self.volume(1.0 - contraction, f)),
-            stiffness_n_per_mm: Some(pressure_mpa * pull_l / self.braid.length),
-            force_per_pressure_mm2: Some(pull),
-            bulged_diameter_mm: Some(2.0 * f * self.braid.r0),
-            ..Response::default()
-        }
-        .finite(ENTRY.name)
-    }
-
-    fn extensions(&self) -> Extensions<'_> {
-        Extensions { inverse: Some(self), ..Extensions::default() }
-    }
-}
-
-impl Inverse for ConicalEnds {
-    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        let (pull, _, _) = self.pull(contraction).ok()?;
-        (pull > 0.0).then(|| force_n / pull)
+            diameter_mm: 2.0 * f * self.braid.r0,
+            tension: None,
+        })
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Ideal;
+    use crate::model::{ForceModel, Ideal, Workspace};
     use crate::muscle::Terminals;
 
     fn model(cone_factor: Option<f64>) -> Result<ConicalEnds> {

@@ -40,7 +40,9 @@ impl FormulaModel {
             accuracy: Accuracy {
                 share_of_blocked: Some(formula.errors.half_width()),
                 blocked_at: BlockedAt::Pressure(formula.range.pressure_mpa.1),
-                reference: Reference::OwnTable,
+                reference: Reference::Elements(
+                    "covers 95 % of the points of its own table, and of the muscles held out of it, as stated in the formula's file",
+                ),
             },
             costly: false,
             notes: notes::of_a_simple_tube(&formula.name, muscle),

@@ -69,9 +69,9 @@ models! {
     /// [`RoundedEnds`]
     RoundedEnds = rounded_ends::ENTRY, |m| Ok(Box::new(RoundedEnds::new(m)?));
     /// [`FestoSarosi`], size 10
-    FestoDmsp10 = festo_sarosi::DMSP_10.entry, |m| Ok(Box::new(FestoSarosi::dmsp_10(m)));
+    FestoDmsp10 = festo_sarosi::DMSP_10.entry, |m| Ok(Box::new(FestoSarosi::new(festo_sarosi::DMSP_10, m)));
     /// [`FestoSarosi`], size 20, 200 mm
-    FestoDmsp20 = festo_sarosi::DMSP_20_200.entry, |m| Ok(Box::new(FestoSarosi::dmsp_20_200(m)));
+    FestoDmsp20 = festo_sarosi::DMSP_20_200.entry, |m| Ok(Box::new(FestoSarosi::new(festo_sarosi::DMSP_20_200, m)));
     /// [`FestoHunt`]
     FestoHunt10 = festo_hunt::ENTRY, |m| Ok(Box::new(FestoHunt::new(m)));
     /// [`Universal`]

@@ -11,7 +11,7 @@
 use super::pantograph::Pantograph;
 use super::{
     Accuracy, Extensions, ForceModel, Ideal, Inverse, ModelEntry, ModelError, ModelInfo, Reference, Response,
-    Result, Where, Workspace,
+    Result, Workspace,
 };
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
@@ -53,7 +53,7 @@ impl KluteHannaford {
             key: "tube.material",
         })?;
         let (c10, c01) = (law.c10_mpa, law.c01_mpa);
-        let accuracy = Accuracy::share(0.55, Reference::RandomMuscles(Where::SoftStrands));
+        let accuracy = Accuracy::share(0.55, Reference::SOFT_STRANDS);
         let info = ModelInfo { accuracy, ..ModelInfo::new(&ENTRY, muscle) };
         Ok(Self { info, ideal: Ideal::new(muscle), braid: Pantograph::of(muscle), c10, c01 })
     }

@@ -87,7 +87,7 @@ const BASIS: &str = "model against tests: 3.5 to 4.5 % of the blocked force at t
 pub fn basis_of(accuracy: &Accuracy) -> String {
     match accuracy.reference {
         Reference::Unknown => accuracy.reference.to_string(),
-        Reference::ForceMap { .. } => format!("formula: {}", accuracy.reference),
+        Reference::ForceMap(_) => format!("formula: {}", accuracy.reference),
         _ => format!("formula: {}; {BASIS}", accuracy.reference),
     }
 }
@@ -171,7 +171,7 @@ pub fn uncertainty(
     let at = (pressure_mpa, contraction);
     let own = of_specimen(model, workspace, at, force_n, direction)?;
     // A formula of a bought muscle was held against measured pulls.
-    let of_product = matches!(model.info().accuracy.reference, Reference::ForceMap { .. });
+    let of_product = matches!(model.info().accuracy.reference, Reference::ForceMap(_));
     let (transfer, length) = (transfer_share(model.muscle()), length_share(model.muscle()));
     if of_product || transfer.is_none() && length.is_none() {
         return Some(own);
@@ -210,7 +210,7 @@ fn of_specimen(
 /// muscles; `None` for a formula of a bought muscle, and where nobody has measured the model's error.
 pub fn identified_n(model: &dyn ForceModel, workspace: &mut Workspace, pressure_mpa: f64) -> Option<f64> {
     let Accuracy { share_of_blocked, reference, .. } = model.info().accuracy;
-    share_of_blocked.filter(|_| !matches!(reference, Reference::ForceMap { .. }))?;
+    share_of_blocked.filter(|_| !matches!(reference, Reference::ForceMap(_)))?;
     Some(IDENTIFIED * blocked_n(model, workspace, pressure_mpa)?)
 }
 
@@ -223,7 +223,7 @@ fn general(
     direction: Direction,
 ) -> Option<UncertaintyParts> {
     let formula = formula_n(model, workspace, pressure_mpa)?;
-    if matches!(model.info().accuracy.reference, Reference::ForceMap { .. }) {
+    if matches!(model.info().accuracy.reference, Reference::ForceMap(_)) {
         // Held against measured pulls already.
         return Some(UncertaintyParts { formula, ..UncertaintyParts::default() });
     }
@@ -268,7 +268,7 @@ fn formula_n(model: &dyn ForceModel, workspace: &mut Workspace, pressure_mpa: f6
 fn bench_of(model: &dyn ForceModel) -> Option<&Bench> {
     let bench = model.muscle().bench_of_lengths()?;
     let Accuracy { share_of_blocked, reference, .. } = model.info().accuracy;
-    let to_elements = share_of_blocked.is_some() && !matches!(reference, Reference::ForceMap { .. });
+    let to_elements = share_of_blocked.is_some() && !matches!(reference, Reference::ForceMap(_));
     (bench.model == model.info().name || bench.model == ELEMENTS && to_elements).then_some(bench)
 }
 

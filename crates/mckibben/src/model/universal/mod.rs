@@ -131,7 +131,9 @@ fn info(formula: &UniversalFormula, muscle: &Arc<Muscle>, angle: f64) -> ModelIn
     let accuracy = Accuracy {
         share_of_blocked: Some(fitted + plug_share(muscle, angle)),
         blocked_at: BlockedAt::SamePressure,
-        reference: Reference::HeldOut,
+        reference: Reference::Elements(
+            "covers 95 % of the points of its campaign on muscles left out of the fit, against axisymmetric finite elements, as stated in the formula's file",
+        ),
     };
     let end_factor = muscle.terminals().end_factor.is_some();
     let left_out = [
