@@ -152,8 +152,7 @@ pub(super) fn probe_with(
             let p = if checks[i].excess() > 0.0 { max } else { need(spec, model, workspace, point)? };
             highest = highest.max(p);
             if buckles {
-                // Strands that slide on the tube: the smaller of the two loads.
-                let (least_n, _) = ThickWall::new(muscle).buckling_n(p, point.contraction)?;
+                let least_n = ThickWall::new(muscle).buckling_n(p, point.contraction)?;
                 checks.push(Check::new(Limit::Buckling, point.force_n.abs(), least_n));
             }
             if pumped {

@@ -6,7 +6,7 @@ use crate::analysis::{
     AnalysisError, contraction_or_stretch_at, force_on, free_contraction, pressure_at, response_on,
     slope_by_pressure, start_pressure_mpa, stiffness_of,
 };
-use crate::model::{ForceModel, ModelError, Response, Workspace, notes_of};
+use crate::model::{ForceModel, ModelError, Response, Result, Workspace, notes_of};
 use crate::muscle::Direction;
 use crate::rubber::RubberLaw;
 use crate::uncertainty::{UncertaintyParts, uncertainty};
@@ -53,12 +53,12 @@ pub struct Answer {
 }
 
 /// Checks the model's range; with `extrapolate` a violation becomes a warning.
-pub fn check_range<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn check_range(
+    model: &dyn ForceModel,
     pressure_mpa: f64,
     contraction: f64,
     options: Options,
-) -> Result<Vec<String>, ModelError> {
+) -> Result<Vec<String>> {
     let Err(mut error) = model.info().range.check(&model.info().name, pressure_mpa, contraction) else {
         return Ok(vec![]);
     };
@@ -78,26 +78,26 @@ pub fn check_range<M: ForceModel + ?Sized>(
 ///
 /// # Errors
 /// [`ModelError`] outside of the model's range (unless extrapolating) or where it has no answer.
-pub fn force<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn force(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     pressure_mpa: f64,
     contraction: f64,
     options: Options,
-) -> Result<Answer, ModelError> {
+) -> Result<Answer> {
     let mut answer = point(model, workspace, pressure_mpa, contraction, options)?;
     answer.start_pressure_mpa = start_pressure_mpa(model, workspace, contraction, options).ok();
     Ok(answer)
 }
 
 /// F(P, ε) without P′, which costs a search: for curves.
-pub fn point<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn point(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     pressure_mpa: f64,
     contraction: f64,
     options: Options,
-) -> Result<Answer, ModelError> {
+) -> Result<Answer> {
     point_beyond(model, workspace, pressure_mpa, contraction, options, &mut None)
 }
 
@@ -111,8 +111,8 @@ pub(crate) struct SlackState {
 
 impl SlackState {
     /// None where the model finds no free contraction at this pressure.
-    fn at<M: ForceModel + ?Sized>(
-        model: &M,
+    fn at(
+        model: &dyn ForceModel,
         workspace: &mut Workspace,
         pressure_mpa: f64,
         options: Options,
@@ -128,14 +128,14 @@ impl SlackState {
 
 /// The same where it may be known already how the muscle hangs at this pressure: if it was shortened by more than that and is not asked
 /// for its push it is slack, and the model is not asked. What is found of it is left in `hanging` for the next point of this pressure.
-pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
-    model: &M,
+pub(crate) fn point_beyond(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     pressure_mpa: f64,
     contraction: f64,
     options: Options,
     hanging: &mut Option<SlackState>,
-) -> Result<Answer, ModelError> {
+) -> Result<Answer> {
     let options = options.of(model.muscle());
     let said = check_range(model, pressure_mpa, contraction, options)?;
     let mut warnings: Vec<Warning> = said.into_iter().map(Warning::from).collect();
@@ -221,8 +221,8 @@ pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
 ///
 /// # Errors
 /// [`AnalysisError::NoPressure`] with the nearest reachable pull, or the model's.
-pub fn pressure<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn pressure(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     force_n: f64,
     contraction: f64,
@@ -278,8 +278,8 @@ const STRETCHED: &str =
 ///
 /// # Errors
 /// [`AnalysisError::NoContraction`] with the nearest reachable pull, or the model's.
-pub fn contraction<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn contraction(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     force_n: f64,
     pressure_mpa: f64,
@@ -298,8 +298,8 @@ pub fn contraction<M: ForceModel + ?Sized>(
 ///
 /// # Errors
 /// As those of [`pressure`].
-pub fn sought_pressure<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn sought_pressure(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     force_n: f64,
     contraction: f64,
@@ -322,8 +322,8 @@ pub fn sought_pressure<M: ForceModel + ?Sized>(
 ///
 /// # Errors
 /// As those of [`contraction`].
-pub fn sought_contraction<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn sought_contraction(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     force_n: f64,
     pressure_mpa: f64,
@@ -343,8 +343,8 @@ pub fn sought_contraction<M: ForceModel + ?Sized>(
 }
 
 /// That a pull which was found is one of broken strands.
-fn broken<M: ForceModel + ?Sized>(
-    model: &M,
+fn broken(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     (pressure_mpa, contraction): (f64, f64),
     force_n: f64,
@@ -360,13 +360,13 @@ fn broken<M: ForceModel + ?Sized>(
 ///
 /// # Errors
 /// The model's.
-pub fn borne_force<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn borne_force(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     pressure_mpa: f64,
     contraction: f64,
     direction: Direction,
-) -> Result<f64, ModelError> {
+) -> Result<f64> {
     if strand_strength_n(model.muscle()).is_none() {
         return force_on(model, workspace, pressure_mpa, contraction, direction);
     }

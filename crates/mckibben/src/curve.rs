@@ -58,8 +58,8 @@ pub struct Curve {
 /// A family of curves: `fixed` holds ε, F or P of each curve, `along` the P or ε of its points.
 ///
 /// Points without an answer carry their reason; the others stand.
-pub fn curves<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn curves(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     test: Test,
     fixed: &[f64],
@@ -80,8 +80,8 @@ pub fn curves<M: ForceModel + ?Sized>(
     fixed.iter().map(curve).collect()
 }
 
-fn point<M: ForceModel + ?Sized>(
-    model: &M,
+fn point(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     test: Test,
     fixed: f64,

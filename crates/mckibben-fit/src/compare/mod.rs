@@ -28,8 +28,8 @@ pub struct Comparison {
 }
 
 /// Compares a model with measured points. Where the model is slack it counts as 0 N.
-pub fn compare<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn compare(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     points: &[MeasuredPoint],
     options: Options,
@@ -84,8 +84,8 @@ pub struct VolumeComparison {
 }
 
 /// Compares the cavity of a model with measured volumes; `None` of a model without one, and without volumes.
-pub fn compare_volumes<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn compare_volumes(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     points: &[DataPoint],
     options: Options,

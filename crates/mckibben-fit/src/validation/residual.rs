@@ -50,7 +50,7 @@ fn half_width_n(model: &dyn ForceModel, w: &mut Workspace, point: &DataPoint, bl
         BlockedAt::Pressure(p) => blocked_scale_n(model, w, p).ok()?,
     };
     let own_n = accuracy.share_of_blocked? * scale_n;
-    if matches!(accuracy.reference, Reference::ForceMap { .. }) {
+    if matches!(accuracy.reference, Reference::ForceMap(_)) {
         return Some(own_n);
     }
     let elsewhere_n =

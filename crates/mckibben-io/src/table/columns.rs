@@ -77,11 +77,11 @@ impl Vocabulary {
             let word = plain(name);
             let by_name = self.entries().find(|e| e.name == word);
             let by_word = || {
-                let says = |e: &&Entry| e.own().contains(&word) || e.words().contains(&word);
+                let says = |e: &&Entry| e.own.contains(&word) || e.people.contains(&word);
                 self.entries().find(says)
             };
             let entry = by_name.or_else(by_word).ok_or_else(|| {
-                let names: Vec<&str> = self.entries().map(|e| e.name).collect();
+                let names: Vec<&str> = self.entries().map(|e| e.name.as_str()).collect();
                 let meant = meant(nearest(name, names.iter().copied()));
                 TableError::Refused(format!(
                     "`columns`: {what} have no quantity \"{name}\"{meant}; they have {known}",
@@ -139,7 +139,7 @@ impl Choice {
         let found = match unit.filter(|u| !u.is_empty()) {
             Some(unit) => {
                 let typed = vocabulary.unit_of(self.entry, unit).ok_or_else(|| {
-                    let (unit, name, units) = (short(unit), self.entry.name, vocabulary.units(self.entry));
+                    let (unit, name, units) = (short(unit), &self.entry.name, vocabulary.units(self.entry));
                     TableError::Refused(format!(
                         "`columns`: \"{unit}\" is not a unit of {name}; its units are {units}"
                     ))

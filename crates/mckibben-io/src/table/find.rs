@@ -216,7 +216,7 @@ fn find(
         let entry = need.any_of.first().and_then(|m| vocabulary.entry(*m));
         let unit = entry.and_then(|e| e.dimension).map_or("", |d| d.unit_inside().name);
         let colon = if unit.is_empty() { "" } else { ":" };
-        format!("{name}=\"{heading}{colon}{unit}\"", name = entry.map_or("", |e| e.name))
+        format!("{name}=\"{heading}{colon}{unit}\"", name = entry.map_or("", |e| &e.name))
     };
     if let Some(first) = rows.first().filter(|row| row.len() > 0 && row.fields().all(is_number)) {
         let numbered = vocabulary.needed.iter().enumerate().map(|(i, n)| example(n, &format!("#{}", i + 1)));
@@ -343,7 +343,7 @@ fn unambiguous(
         if !best.iter().skip(1).copied().all(|a| same(&a)) {
             return Err(TableError::Refused(format!(
                 "the columns {found} could all be {name}: select one with `columns` {name}=\"{example}\"",
-                name = vocabulary.entry(column.meaning).map_or("", |e| e.name),
+                name = vocabulary.entry(column.meaning).map_or("", |e| &e.name),
                 found = listed(best.iter().map(|a| headings[a.0.index])),
                 example = if best.iter().skip(1).any(|a| headings[a.0.index] == headings[column.index]) {
                     format!("#{}", column.index + 1)

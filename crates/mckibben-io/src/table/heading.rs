@@ -1,6 +1,6 @@
 //! What a heading says: a quantity and its unit, in whatever spelling.
 
-use super::vocabulary::{Entry, Meaning, Vocabulary};
+use super::vocabulary::{Entry, Meaning, Vocabulary, is_spoken};
 use crate::units::{Dimension, Unit};
 
 /// What a heading means.
@@ -26,37 +26,6 @@ pub(crate) enum HeadingUnit {
 const WORD: usize = 100;
 const WITH_FILLERS: usize = 200;
 const LAST: usize = 300;
-
-/// Words that say how or where, not what.
-const FILLERS: [&str; 27] = [
-    "abs",
-    "absolute",
-    "absolut",
-    "absoluter",
-    "absolue",
-    "absoluta",
-    "gauge",
-    "measured",
-    "mean",
-    "average",
-    "avg",
-    "muscle",
-    "axial",
-    "internal",
-    "actual",
-    "sensor",
-    "cell",
-    "relative",
-    "rel",
-    "gemessen",
-    "gemessene",
-    "gemessener",
-    "mittlere",
-    "mittlerer",
-    "mesuree",
-    "moyenne",
-    "medida",
-];
 
 /// A heading in plain form: lower case, no accents, everything that is no letter or digit as an underscore, `%` as
 /// `percent`.
@@ -120,14 +89,10 @@ pub(crate) fn other_unit(heading: &str) -> Option<&str> {
     (electrical || Dimension::all().any(|d| d.unit(said).is_some())).then_some(said)
 }
 
-/// Words of absolute pressure.
-const ABSOLUTE: [&str; 9] =
-    ["abs", "absolute", "absolut", "absoluter", "absolue", "absoluta", "absolutdruck", "bara", "psia"];
-
 /// Whether a heading of pressures says that they are absolute.
 pub fn is_absolute(heading: &str) -> bool {
     let plain = plain(heading);
-    plain.split('_').any(|w| ABSOLUTE.contains(&w)) || ["(a)", "[a]"].iter().any(|a| heading.contains(a))
+    plain.split('_').any(|w| is_spoken("absolute", w)) || ["(a)", "[a]"].iter().any(|a| heading.contains(a))
 }
 
 /// What is in brackets that hold all of a text.
@@ -159,13 +124,13 @@ fn label(words: &str) -> String {
 
 /// How well a heading with a plain label names a quantity; `None` where it does not.
 fn rank(heading: &str, label: &str, entry: &Entry) -> Option<usize> {
-    if let Some(place) = entry.own().iter().position(|own| own.eq_ignore_ascii_case(heading)) {
+    if let Some(place) = entry.own.iter().position(|own| own.eq_ignore_ascii_case(heading)) {
         return Some(place);
     }
     if entry.knows(label) {
         return Some(WORD);
     }
-    let kept: Vec<&str> = label.split('_').filter(|w| !FILLERS.contains(w)).collect();
+    let kept: Vec<&str> = label.split('_').filter(|w| !is_spoken("fillers", w)).collect();
     let kept = kept.join("_");
     if kept != label && entry.knows(&kept) {
         return Some(WITH_FILLERS);

@@ -100,7 +100,7 @@ impl Table {
             });
             UnderstoodColumn {
                 column: column.heading.clone(),
-                quantity: self.vocabulary.entry(column.meaning).map_or("", |e| e.name).to_owned(),
+                quantity: self.vocabulary.entry(column.meaning).map_or("", |e| &e.name).to_owned(),
                 unit: column.unit.map_or("", |u| u.name).to_owned(),
                 range,
                 note: self.noted(column, note.as_deref()),

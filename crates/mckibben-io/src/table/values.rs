@@ -164,7 +164,7 @@ impl Table {
             return Ok(None);
         }
         let found = words.iter().find(|w| w.0 == plain(text)).map(|w| w.1);
-        let name = self.entry(column).map_or("", |e| e.name);
+        let name = self.entry(column).map_or("", |e| &e.name);
         found.map(Some).ok_or_else(|| TableError::word(line, name, text, known))
     }
 
@@ -212,7 +212,7 @@ impl Table {
 
     /// Name and units of what a column holds.
     fn units_of(&self, column: &Column) -> (&str, String) {
-        self.entry(column).map_or(("", String::new()), |e| (e.name, self.vocabulary.units(e)))
+        self.entry(column).map_or(("", String::new()), |e| (e.name.as_str(), self.vocabulary.units(e)))
     }
 
     pub(super) fn wrong_unit(&self, line: u64, column: &Column, unit: &str, clash: String) -> TableError {

@@ -4,12 +4,17 @@
 //! ([`plain`](super::heading::plain)). Umlauts lose their dots, so that their other spelling (`ue`) is beside them.
 
 use crate::units::Dimension;
+use serde::Deserialize;
+use serde::de::IntoDeserializer;
+use serde::de::value::{Error as ValueError, StrDeserializer};
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Deref;
 use std::sync::LazyLock;
 use toml_edit::{DocumentMut, TableLike};
 
 /// What a column means.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Meaning {
     Pressure,
     /// ε.
@@ -53,6 +58,7 @@ pub enum Meaning {
     /// λ.
     Stretch,
     /// Of a sheet, across the first.
+    #[serde(rename = "stretch_2")]
     Stretch2,
     /// λ − 1.
     Strain,
@@ -62,9 +68,11 @@ pub enum Meaning {
     Extension,
     /// Force over the area at rest.
     NominalStress,
+    #[serde(rename = "nominal_stress_2")]
     NominalStress2,
     /// Force over the present area.
     TrueStress,
+    #[serde(rename = "true_stress_2")]
     TrueStress2,
     /// σ1 − σ2.
     TrueStressDifference,
@@ -86,26 +94,47 @@ impl Meaning {
     }
 }
 
-/// A quantity with its words.
-#[derive(Debug)]
-pub(crate) struct Entry {
-    pub(crate) meaning: Meaning,
+/// The words of a quantity, and what they mean.
+#[derive(Debug, Default)]
+pub(crate) struct Words {
     /// Its name in `columns` and in answers.
-    pub(crate) name: &'static str,
+    pub(crate) name: String,
     /// `None` for words and plain numbers.
     pub(crate) dimension: Option<Dimension>,
     /// What the same words mean with a unit of another dimension: contraction in mm is a shortening.
     pub(crate) otherwise: Option<Meaning>,
+    /// Headings of our own, the best liked first; they go before all others.
+    pub(crate) own: Vec<String>,
+    /// Words of people for it; two columns of the same quantity are ambiguous.
+    pub(crate) people: Vec<String>,
+    last: Vec<String>,
+    /// All of them without the joints between words.
+    joined: BTreeSet<String>,
+}
+
+/// A quantity with its words.
+#[derive(Debug)]
+pub(crate) struct Entry {
+    pub(crate) meaning: Meaning,
+    words: &'static Words,
+}
+
+impl Deref for Entry {
+    type Target = Words;
+
+    fn deref(&self) -> &Words {
+        self.words
+    }
 }
 
 /// The quantities of one kind of table.
 #[derive(Debug)]
 pub struct Vocabulary {
-    meanings: &'static [Meaning],
+    meanings: Vec<Meaning>,
     /// What a table of this kind is called, for messages.
     pub(crate) what: &'static str,
     /// What there must be: any one of each group. The first name stands for the group in messages.
-    pub(crate) needed: &'static [Need],
+    pub(crate) needed: Vec<Need>,
 }
 
 /// A group of quantities of which one must be there.
@@ -114,19 +143,9 @@ pub(crate) struct Need {
     /// In the plural, for messages.
     pub(crate) wanted: &'static str,
     /// The first that is there is taken.
-    pub(crate) any_of: &'static [Meaning],
+    pub(crate) any_of: Vec<Meaning>,
     /// Headings that would do.
     pub(crate) names: &'static str,
-}
-
-/// The words of a quantity.
-#[derive(Debug, Default)]
-struct Words {
-    own: Vec<String>,
-    people: Vec<String>,
-    last: Vec<String>,
-    /// All of them without the joints between words.
-    joined: BTreeSet<String>,
 }
 
 /// As in `ContractionRatio` and `restlength`.
@@ -134,16 +153,42 @@ fn joined(label: &str) -> String {
     label.replace('_', "")
 }
 
+/// What a word of the data files stands for.
+fn named<'a, T: Deserialize<'a>>(word: &'a str) -> Option<T> {
+    let word: StrDeserializer<'a, ValueError> = word.into_deserializer();
+    T::deserialize(word).ok()
+}
+
 /// The words of `data/words.toml`, of all languages together.
 static WORDS: LazyLock<BTreeMap<String, Words>> =
     LazyLock::new(|| read(include_str!("../../data/words.toml")).unwrap_or_default());
 
+static ENTRIES: LazyLock<Vec<Entry>> = LazyLock::new(|| {
+    let entry = |(key, words): (&String, &'static Words)| Some(Entry { meaning: named(key)?, words });
+    WORDS.iter().filter_map(entry).collect()
+});
+
 fn read(text: &str) -> Option<BTreeMap<String, Words>> {
     let table: DocumentMut = text.parse().ok()?;
-    let words = |lists: &dyn TableLike| {
-        let mut words = Words::default();
+    let words = |key: &str, lists: &dyn TableLike| {
+        let mut words = Words { name: key.to_owned(), ..Words::default() };
         for (language, list) in lists.iter() {
-            let said = list.as_array()?.iter().map(|word| word.as_str().map(str::to_owned));
+            let list = match (language, list.as_str()) {
+                ("name", Some(name)) => {
+                    words.name = name.to_owned();
+                    continue;
+                }
+                ("dimension", Some(word)) => {
+                    words.dimension = Some(named(word)?);
+                    continue;
+                }
+                ("otherwise", Some(word)) => {
+                    words.otherwise = Some(named(word)?);
+                    continue;
+                }
+                _ => list.as_array()?,
+            };
+            let said = list.iter().map(|word| word.as_str().map(str::to_owned));
             let list = match language {
                 "own" => &mut words.own,
                 "last" => &mut words.last,
@@ -154,7 +199,7 @@ fn read(text: &str) -> Option<BTreeMap<String, Words>> {
         words.joined = words.own.iter().chain(&words.people).map(|word| joined(word)).collect();
         Some(words)
     };
-    table.iter().map(|(key, lists)| Some((key.to_owned(), words(lists.as_table_like()?)?))).collect()
+    table.iter().map(|(key, lists)| Some((key.to_owned(), words(key, lists.as_table_like()?)?))).collect()
 }
 
 /// Words for a value of a column of words, such as `branch_contraction`, in plain form.
@@ -162,33 +207,34 @@ pub fn spoken(value: &str) -> impl Iterator<Item = &'static str> + use<> {
     WORDS.get(value).into_iter().flat_map(|words| words.own.iter().chain(&words.people)).map(String::as_str)
 }
 
-impl Entry {
-    fn in_data(&self) -> Option<&'static Words> {
-        WORDS.get(if self.meaning == Meaning::JointAngle { "joint_angle" } else { self.name })
-    }
+/// Whether a plain word is one of those for a value.
+pub(crate) fn is_spoken(value: &str, word: &str) -> bool {
+    spoken(value).any(|known| known == word)
+}
 
-    /// Headings of our own, the best liked first; they go before all others.
-    pub(crate) fn own(&self) -> &'static [String] {
-        self.in_data().map_or(&[], |words| &words.own)
-    }
-
+impl Words {
     /// Whether a plain label is a word for it where no other column is it: a weight hangs on a muscle beside a load cell.
     pub(crate) fn knows_last(&self, label: &str) -> bool {
-        self.in_data().is_some_and(|words| words.last.iter().any(|word| word == label))
+        self.last.iter().any(|word| word == label)
     }
 
     /// Whether a plain label is one of its words.
     pub(crate) fn knows(&self, label: &str) -> bool {
-        self.in_data().is_some_and(|words| words.joined.contains(&joined(label)))
-    }
-
-    /// Words of people for it; two columns of the same quantity are ambiguous.
-    pub(crate) fn words(&self) -> &'static [String] {
-        self.in_data().map_or(&[], |words| &words.people)
+        self.joined.contains(&joined(label))
     }
 }
 
 impl Vocabulary {
+    /// A kind of `data/tables.txt`.
+    fn of(kind: &str) -> Self {
+        let mut lines = include_str!("../../data/tables.txt").lines().map(cells);
+        let head = lines.find(|(_, cells)| cells[0] == kind).unwrap_or_default().1;
+        let needed = lines.map_while(|(below, [wanted, any_of, names])| {
+            below.then(|| Need { wanted, any_of: meanings(any_of), names })
+        });
+        Self { what: head[1], meanings: meanings(head[2]), needed: needed.collect() }
+    }
+
     pub(crate) fn entries(&self) -> impl Iterator<Item = &'static Entry> {
         self.meanings.iter().filter_map(|m| ENTRIES.iter().find(|e| e.meaning == *m))
     }
@@ -203,211 +249,32 @@ impl Vocabulary {
     }
 }
 
-const fn of(meaning: Meaning, name: &'static str, dimension: Option<Dimension>) -> Entry {
-    Entry { meaning, name, dimension, otherwise: None }
+/// Whether a line belongs to the kind above it, and its cells.
+fn cells(line: &'static str) -> (bool, [&'static str; 3]) {
+    let mut cells = line.split(" | ").map(str::trim);
+    (line.starts_with(' '), [(); 3].map(|()| cells.next().unwrap_or_default()))
 }
 
-const fn or(meaning: Meaning, name: &'static str, dimension: Dimension, otherwise: Meaning) -> Entry {
-    Entry { meaning, name, dimension: Some(dimension), otherwise: Some(otherwise) }
+fn meanings(words: &str) -> Vec<Meaning> {
+    words.split(' ').filter_map(named).collect()
 }
-
-const ENTRIES: &[Entry] = &[
-    of(Meaning::Pressure, "pressure", Some(Dimension::Pressure)),
-    or(Meaning::Contraction, "contraction", Dimension::Ratio, Meaning::Shortening),
-    or(Meaning::Shortening, "shortening", Dimension::Length, Meaning::Contraction),
-    of(Meaning::Length, "length", Some(Dimension::Length)),
-    of(Meaning::RestLength, "rest_length", Some(Dimension::Length)),
-    of(Meaning::Force, "force", Some(Dimension::Force)),
-    of(Meaning::Volume, "volume", Some(Dimension::Volume)),
-    of(Meaning::Branch, "branch", None),
-    of(Meaning::Measured, "measured", None),
-    of(Meaning::Status, "status", None),
-    of(Meaning::ForceError, "force_error", Some(Dimension::Force)),
-    of(Meaning::ContractionError, "contraction_error", Some(Dimension::Ratio)),
-    of(Meaning::PressureError, "pressure_error", Some(Dimension::Pressure)),
-    of(Meaning::VolumeError, "volume_error", Some(Dimension::Volume)),
-    of(Meaning::Weight, "weight", None),
-    of(Meaning::OuterDiameter, "outer_diameter", Some(Dimension::Length)),
-    of(Meaning::Wall, "wall", Some(Dimension::Length)),
-    of(Meaning::Angle, "angle", Some(Dimension::Angle)),
-    of(Meaning::Time, "time", Some(Dimension::Time)),
-    of(Meaning::Opening, "opening", Some(Dimension::Ratio)),
-    of(Meaning::JointAngle, "angle", Some(Dimension::Angle)),
-    of(Meaning::Mode, "mode", None),
-    of(Meaning::Stretch, "stretch", Some(Dimension::Ratio)),
-    of(Meaning::Stretch2, "stretch_2", Some(Dimension::Ratio)),
-    or(Meaning::Strain, "strain", Dimension::Ratio, Meaning::Extension),
-    of(Meaning::TrueStrain, "true_strain", Some(Dimension::Ratio)),
-    or(Meaning::Extension, "extension", Dimension::Length, Meaning::Strain),
-    of(Meaning::NominalStress, "nominal_stress", Some(Dimension::Pressure)),
-    of(Meaning::NominalStress2, "nominal_stress_2", Some(Dimension::Pressure)),
-    of(Meaning::TrueStress, "true_stress", Some(Dimension::Pressure)),
-    of(Meaning::TrueStress2, "true_stress_2", Some(Dimension::Pressure)),
-    of(Meaning::TrueStressDifference, "true_stress_difference", Some(Dimension::Pressure)),
-];
-
-const fn over_time(needed: &'static [Need]) -> Vocabulary {
-    Vocabulary { what: "a command", needed, meanings: OVER_TIME }
-}
-
-const TIMES: Need = Need { wanted: "times", any_of: &[Meaning::Time], names: "time_s or Time [ms]" };
-
-const OVER_TIME: &[Meaning] = &[
-    Meaning::Time,
-    Meaning::Pressure,
-    Meaning::Contraction,
-    Meaning::Opening,
-    Meaning::Volume,
-    Meaning::JointAngle,
-];
 
 /// A rubber strip over time.
-pub const HISTORIES: Vocabulary = Vocabulary {
-    what: "a test over time",
-    needed: &[
-        TIMES,
-        Need { wanted: "stretches", any_of: &[Meaning::Stretch], names: "stretch" },
-        Need {
-            wanted: "stresses",
-            any_of: &[Meaning::NominalStress],
-            names: "nominal_stress_mpa (or _kpa, _psi)",
-        },
-    ],
-    meanings: &[Meaning::Time, Meaning::Stretch, Meaning::NominalStress],
-};
-
-pub(crate) const PRESSURES: Vocabulary = over_time(&[
-    TIMES,
-    Need {
-        wanted: "pressures",
-        any_of: &[Meaning::Pressure],
-        names: "pressure_mpa, pressure_bar or Pressure [psi]",
-    },
-]);
-
-/// Openings of a valve over time.
-pub(crate) const OPENINGS: Vocabulary =
-    over_time(&[TIMES, Need { wanted: "openings", any_of: &[Meaning::Opening], names: "opening (-1 to 1)" }]);
-
-/// Volumes of a liquid over time.
-pub(crate) const VOLUMES: Vocabulary = over_time(&[
-    TIMES,
-    Need { wanted: "volumes", any_of: &[Meaning::Volume], names: "volume_mm3 or volume_ml" },
-]);
-
-pub(crate) const CONTRACTIONS: Vocabulary = over_time(&[
-    TIMES,
-    Need {
-        wanted: "contractions",
-        any_of: &[Meaning::Contraction],
-        names: "contraction or contraction_percent",
-    },
-]);
-
-/// Angles of a joint over time.
-pub(crate) const ANGLES: Vocabulary = over_time(&[
-    TIMES,
-    Need { wanted: "angles", any_of: &[Meaning::JointAngle], names: "angle_deg or Angle [rad]" },
-]);
-
-/// A load over the shortening of the muscle that meets it.
-pub(crate) const LOADS: Vocabulary = Vocabulary {
-    what: "a load",
-    needed: &[
-        Need {
-            wanted: "shortenings",
-            any_of: &[Meaning::Shortening, Meaning::Contraction],
-            names: "Shortening [mm] or contraction",
-        },
-        Need { wanted: "forces", any_of: &[Meaning::Force], names: "force_n, Force [kN] or Force [lbf]" },
-    ],
-    meanings: POINTS.meanings,
-};
-
+pub static HISTORIES: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::of("histories"));
 /// Measured points of a muscle.
-pub const POINTS: Vocabulary = Vocabulary {
-    what: "measured points",
-    needed: &[
-        Need {
-            wanted: "pressures",
-            any_of: &[Meaning::Pressure],
-            names: "pressure_mpa, pressure_kpa, pressure_bar or Pressure [psi]",
-        },
-        Need {
-            wanted: "contractions",
-            any_of: &[Meaning::Contraction, Meaning::Shortening, Meaning::Length],
-            names: "contraction, contraction_percent, Shortening [mm] or Length [mm]",
-        },
-        Need {
-            wanted: "forces",
-            any_of: &[Meaning::Force, Meaning::Volume],
-            names: "force_n, Force [kN] or Force [lbf] (or volumes: Volume [mL])",
-        },
-    ],
-    meanings: &[
-        Meaning::Pressure,
-        Meaning::Contraction,
-        Meaning::Shortening,
-        Meaning::Length,
-        Meaning::RestLength,
-        Meaning::Force,
-        Meaning::Volume,
-        Meaning::VolumeError,
-        Meaning::Branch,
-        Meaning::Measured,
-        Meaning::Status,
-        Meaning::ForceError,
-        Meaning::ContractionError,
-        Meaning::PressureError,
-        Meaning::Weight,
-        Meaning::OuterDiameter,
-        Meaning::Wall,
-        Meaning::Angle,
-    ],
-};
-
+pub static POINTS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::of("points"));
 /// Tension tests of a rubber.
-pub const TESTS: Vocabulary = Vocabulary {
-    what: "tension tests",
-    needed: &[
-        Need {
-            wanted: "stretches",
-            any_of: &[
-                Meaning::Stretch,
-                Meaning::Strain,
-                Meaning::TrueStrain,
-                Meaning::Extension,
-                Meaning::Length,
-            ],
-            names: "stretch, engineering_strain, strain_percent or extension_mm",
-        },
-        Need {
-            wanted: "stresses",
-            any_of: &[
-                Meaning::NominalStress,
-                Meaning::TrueStress,
-                Meaning::Force,
-                Meaning::TrueStressDifference,
-            ],
-            names: "nominal_stress_mpa (or _kpa, _psi), true_stress_mpa or force_n",
-        },
-    ],
-    meanings: &[
-        Meaning::Stretch,
-        Meaning::Stretch2,
-        Meaning::Strain,
-        Meaning::TrueStrain,
-        Meaning::Extension,
-        Meaning::Length,
-        Meaning::NominalStress,
-        Meaning::TrueStress,
-        Meaning::NominalStress2,
-        Meaning::TrueStress2,
-        Meaning::TrueStressDifference,
-        Meaning::Force,
-        Meaning::Mode,
-    ],
-};
+pub static TESTS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::of("tests"));
+/// A load over the shortening of the muscle that meets it.
+pub(crate) static LOADS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::of("loads"));
+pub(crate) static PRESSURES: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::of("pressures"));
+/// Openings of a valve over time.
+pub(crate) static OPENINGS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::of("openings"));
+/// Volumes of a liquid over time.
+pub(crate) static VOLUMES: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::of("volumes"));
+pub(crate) static CONTRACTIONS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::of("contractions"));
+/// Angles of a joint over time.
+pub(crate) static ANGLES: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::of("angles"));
 
 #[cfg(test)]
 mod tests {
@@ -416,12 +283,11 @@ mod tests {
 
     #[test]
     fn words_are_plain_and_mean_one_thing() {
-        for vocabulary in [POINTS, TESTS, HISTORIES, PRESSURES] {
+        for vocabulary in [&POINTS, &TESTS, &HISTORIES, &PRESSURES] {
             let mut seen = vec![];
             for entry in vocabulary.entries() {
                 assert!(vocabulary.entry(entry.meaning).is_some_and(|e| e.name == entry.name));
-                assert!(entry.in_data().is_some(), "{}", entry.name);
-                for word in entry.own().iter().chain(entry.words()) {
+                for word in entry.own.iter().chain(&entry.people) {
                     assert_eq!(plain(word), *word, "{word}");
                     // `deformation` is a mode in our own tables, a strain with a unit in French ones.
                     assert!(!seen.contains(&word) || word == "deformation", "{word} is there twice");

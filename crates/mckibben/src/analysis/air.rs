@@ -1,6 +1,6 @@
 //! Air that a stroke takes.
 
-use super::error::AnalysisError;
+use super::error::{AnalysisError, Result};
 use crate::model::{ForceModel, Workspace};
 use serde::Serialize;
 
@@ -30,12 +30,12 @@ pub struct Air {
 ///
 /// # Errors
 /// [`AnalysisError::Unknown`] for a model without volume; the model's own errors.
-pub fn air_per_stroke<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn air_per_stroke(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     pressure_mpa: f64,
     contraction: f64,
-) -> Result<Air, AnalysisError> {
+) -> Result<Air> {
     let unknown = || AnalysisError::Unknown { model: model.info().name.to_string(), quantity: "the volume" };
     let volume_mm3 = model.response(workspace, pressure_mpa, contraction)?.volume_mm3.ok_or_else(unknown)?;
     let rest = model.response(workspace, 0.0, 0.0)?.volume_mm3.ok_or_else(unknown)?;

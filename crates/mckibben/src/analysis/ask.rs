@@ -1,7 +1,7 @@
 //! How a model is asked, and what it says on a branch of the hysteresis loop.
 
 use crate::cancel;
-use crate::model::{ForceModel, ModelError, Response, Workspace, pivoting_n_per_mm};
+use crate::model::{ForceModel, ModelError, Response, Result, Workspace, pivoting_n_per_mm};
 use crate::muscle::{Direction, Friction, Muscle};
 use serde::{Deserialize, Serialize};
 
@@ -30,17 +30,17 @@ impl Options {
 }
 
 /// The friction that counts: none for the mean of both branches.
-pub(super) fn friction<M: ForceModel + ?Sized>(model: &M, direction: Direction) -> Option<&Friction> {
+pub(super) fn friction(model: &dyn ForceModel, direction: Direction) -> Option<&Friction> {
     model.muscle().friction().filter(|_| !direction.is_mean())
 }
 
 /// The friction that counts, in N, signed.
-fn friction_n<M: ForceModel + ?Sized>(
-    model: &M,
+fn friction_n(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     (pressure_mpa, contraction): (f64, f64),
     direction: Direction,
-) -> Result<f64, ModelError> {
+) -> Result<f64> {
     let Some(friction) = friction(model, direction) else { return Ok(0.0) };
     let rule = friction.force_n(pressure_mpa, direction);
     if friction.lever_mm == 0.0 || pressure_mpa.is_nan() || pressure_mpa <= 0.0 {
@@ -51,24 +51,24 @@ fn friction_n<M: ForceModel + ?Sized>(
 }
 
 /// Half the width of the hysteresis loop by the friction that the muscle states, C P^β + μw G, in N; 0 where it states none.
-pub fn friction_half_width_n<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn friction_half_width_n(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     pressure_mpa: f64,
     contraction: f64,
-) -> Result<f64, ModelError> {
+) -> Result<f64> {
     friction_n(model, workspace, (pressure_mpa, contraction), Direction::Elongation)
 }
 
 /// What a model says, with the friction of the muscle's braid in a direction of motion: F = F_model ± (C P^β + μw G), and its slopes in
 /// pressure and contraction with those of G.
-pub fn response_on<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn response_on(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     pressure_mpa: f64,
     contraction: f64,
     direction: Direction,
-) -> Result<Response, ModelError> {
+) -> Result<Response> {
     cancel::check().map_err(ModelError::Cancelled)?;
     let found = model.response(workspace, pressure_mpa, contraction)?;
     // The point is the one that was asked for, to the last bit: a model may compute with 1 − ε.
@@ -98,25 +98,25 @@ pub fn response_on<M: ForceModel + ?Sized>(
 }
 
 /// The pull alone, in N, likewise.
-pub fn force_on<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn force_on(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     pressure_mpa: f64,
     contraction: f64,
     direction: Direction,
-) -> Result<f64, ModelError> {
+) -> Result<f64> {
     cancel::check().map_err(ModelError::Cancelled)?;
     let force_n = model.force_n(workspace, pressure_mpa, contraction)?;
     Ok(force_n + friction_n(model, workspace, (pressure_mpa, contraction), direction)?)
 }
 
 /// K = ∂F/∂L in N/mm of a response: the model's, or by differences of its pull where it does not state it.
-pub fn stiffness_of<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn stiffness_of(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     response: &Response,
     direction: Direction,
-) -> Result<f64, ModelError> {
+) -> Result<f64> {
     const STEP: f64 = 1e-5;
     if let Some(k) = response.stiffness_n_per_mm {
         return Ok(k);
@@ -127,12 +127,12 @@ pub fn stiffness_of<M: ForceModel + ?Sized>(
 }
 
 /// ∂F/∂P in mm² of a point that a model answered: the model's, or by differences of its pull.
-pub fn slope_by_pressure<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn slope_by_pressure(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     response: &Response,
     direction: Direction,
-) -> Result<f64, ModelError> {
+) -> Result<f64> {
     const STEP: f64 = 1e-4;
     if let Some(slope) = response.force_per_pressure_mm2 {
         return Ok(slope);
@@ -144,7 +144,7 @@ pub fn slope_by_pressure<M: ForceModel + ?Sized>(
 }
 
 /// Where an answer comes from: the model's source, and that of the friction.
-pub fn source_of<M: ForceModel + ?Sized>(model: &M, direction: Direction) -> String {
+pub fn source_of(model: &dyn ForceModel, direction: Direction) -> String {
     let branch = match (friction(model, direction), direction) {
         (None, _) | (_, Direction::Mean) => return model.info().source.to_string(),
         (_, Direction::Contraction) => "branch of shortening",

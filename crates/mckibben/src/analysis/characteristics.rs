@@ -1,17 +1,17 @@
 //! Blocked force, free contraction, dead pressure and work.
 
 use super::ask::{Options, force_on};
-use super::error::AnalysisError;
+use super::error::Result;
 use super::inverse::{contraction_at, pressure_at};
 use crate::model::{ForceModel, Workspace};
 
 /// Blocked force F(P, 0) in N.
-pub fn blocked_force_n<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn blocked_force_n(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     pressure_mpa: f64,
     options: Options,
-) -> Result<f64, AnalysisError> {
+) -> Result<f64> {
     Ok(force_on(model, workspace, pressure_mpa, 0.0, options.direction)?)
 }
 
@@ -19,12 +19,12 @@ pub fn blocked_force_n<M: ForceModel + ?Sized>(
 ///
 /// # Errors
 /// As [`contraction_at`]; a model whose range ends while it still pulls has no free contraction.
-pub fn free_contraction<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn free_contraction(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     pressure_mpa: f64,
     options: Options,
-) -> Result<f64, AnalysisError> {
+) -> Result<f64> {
     let known = options.extrapolate || model.info().range.pressure_mpa.0 <= 0.0;
     if pressure_mpa == 0.0 && known && model.muscle().tube().prestretch == 1.0 {
         return Ok(0.0);
@@ -37,12 +37,12 @@ pub fn free_contraction<M: ForceModel + ?Sized>(
 /// # Errors
 /// As [`pressure_at`]: no pressure in the model's range makes it pull at this contraction; also where it pulls already at the
 /// lowest pressure of a range that does not begin at zero, since P′ lies below.
-pub fn start_pressure_mpa<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn start_pressure_mpa(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     contraction: f64,
     options: Options,
-) -> Result<f64, AnalysisError> {
+) -> Result<f64> {
     let lowest = model.info().range.pressure_mpa.0;
     // Without pressure a shortened muscle may have no equilibrium at all: then it does not pull either.
     let extends = model.muscle().is_extensile();
@@ -54,14 +54,14 @@ pub fn start_pressure_mpa<M: ForceModel + ?Sized>(
 }
 
 /// Work in J that the muscle does at constant pressure from ε = `from` to ε = `to`: L0 ∫ F dε.
-pub fn work_per_stroke_j<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn work_per_stroke_j(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     pressure_mpa: f64,
     from: f64,
     to: f64,
     options: Options,
-) -> Result<f64, AnalysisError> {
+) -> Result<f64> {
     // Ten panels of four-point Gauss; the curves are smooth.
     const PANELS: usize = 10;
     let h = (to - from) / PANELS as f64;

@@ -4,6 +4,9 @@ use crate::model::ModelError;
 use crate::status::Status;
 use thiserror::Error;
 
+/// The answer to a question about a model, or why it has none.
+pub type Result<T, E = AnalysisError> = std::result::Result<T, E>;
+
 /// Why a question about a model has no answer.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum AnalysisError {

@@ -5,7 +5,7 @@
 //! Friction is no part of a model: with it only samples are left.
 
 use super::ask::{Options, force_on, friction, response_on};
-use super::error::AnalysisError;
+use super::error::{AnalysisError, Result};
 use super::sweep::{Sweep, places};
 use crate::cancel;
 use crate::model::root::rising_root;
@@ -38,7 +38,7 @@ struct Fineness {
 }
 
 impl Fineness {
-    fn of<M: ForceModel + ?Sized>(model: &M) -> Self {
+    fn of(model: &dyn ForceModel) -> Self {
         match model.info().costly {
             true => Self { pressure: (0.02, 1.5), branch: 24, beyond: 6, closing: 12 },
             false => Self { pressure: (2e-4, 1.25), branch: 80, beyond: 40, closing: 60 },
@@ -47,7 +47,7 @@ impl Fineness {
 }
 
 /// The model's own inverse, where nothing is added to its pull.
-fn own<M: ForceModel + ?Sized>(model: &M, direction: Direction) -> Option<&dyn Inverse> {
+fn own(model: &dyn ForceModel, direction: Direction) -> Option<&dyn Inverse> {
     model.extensions().inverse.filter(|_| friction(model, direction).is_none())
 }
 
@@ -58,7 +58,7 @@ fn within((low, high): (f64, f64), place: f64) -> Option<f64> {
 }
 
 /// The refusal of a companion for a pull that is further from the nearest than the models are apart, in the model's name.
-fn refused<T>(by_companion: Result<T, AnalysisError>, name: &str) -> Result<(), AnalysisError> {
+fn refused<T>(by_companion: Result<T>, name: &str) -> Result<()> {
     let Err(mut error) = by_companion else { return Ok(()) };
     let (AnalysisError::NoPressure { model, force_n, nearest_force_n, .. }
     | AnalysisError::NoContraction { model, force_n, nearest_force_n, .. }) = &mut error
@@ -77,13 +77,13 @@ fn refused<T>(by_companion: Result<T, AnalysisError>, name: &str) -> Result<(), 
 /// # Errors
 /// [`AnalysisError::NoPressure`] with the nearest pull there is (without `two_sided` a muscle that would push hangs slack and pulls 0 N);
 /// the model's error where it has no answer at all.
-pub fn pressure_at<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn pressure_at(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     force_n: f64,
     contraction: f64,
     options: Options,
-) -> Result<f64, AnalysisError> {
+) -> Result<f64> {
     let (info, options) = (model.info(), options.of(model.muscle()));
     let (lowest, limit) = info.range.pressure_mpa;
     let highest = if options.extrapolate { HIGHEST_PRESSURE_MPA } else { limit.min(HIGHEST_PRESSURE_MPA) };
@@ -145,8 +145,8 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
 
 /// The pressure in MPa at which the pull rises through `force_n`, below one at which it is more, by Newton's method from there: three to five answers of
 /// the model. Where a pull rises and falls with the pressure it need not be the smallest, which [`pressure_at`] gives. `None` where it finds none.
-pub fn pressure_below<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn pressure_below(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     force_n: f64,
     contraction: f64,
@@ -209,13 +209,13 @@ enum Stretch {
 /// # Errors
 /// [`AnalysisError::NoContraction`] for a pull that the model does not reach, with the nearest there is (without `two_sided` a muscle that
 /// would push hangs slack and pulls 0 N).
-pub fn contraction_at<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn contraction_at(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     force_n: f64,
     pressure_mpa: f64,
     options: Options,
-) -> Result<f64, AnalysisError> {
+) -> Result<f64> {
     let options = options.of(model.muscle());
     let stretch = if options.two_sided { Stretch::Whole } else { Stretch::None };
     contraction_down_to(model, workspace, force_n, pressure_mpa, options, stretch)
@@ -223,26 +223,26 @@ pub fn contraction_at<M: ForceModel + ?Sized>(
 
 /// [`contraction_at`] of a muscle that may be stretched: a pull above the blocked force has a contraction below zero, wherever the model's
 /// range goes there, down to where the strands are straight and give way a little (with `two_sided` down to the end of the range).
-pub fn contraction_or_stretch_at<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn contraction_or_stretch_at(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     force_n: f64,
     pressure_mpa: f64,
     options: Options,
-) -> Result<f64, AnalysisError> {
+) -> Result<f64> {
     let options = options.of(model.muscle());
     let stretch = if options.two_sided { Stretch::Whole } else { Stretch::Straight };
     contraction_down_to(model, workspace, force_n, pressure_mpa, options, stretch)
 }
 
-fn contraction_down_to<M: ForceModel + ?Sized>(
-    model: &M,
+fn contraction_down_to(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     force_n: f64,
     pressure_mpa: f64,
     options: Options,
     stretch: Stretch,
-) -> Result<f64, AnalysisError> {
+) -> Result<f64> {
     let info = model.info();
     let longest = if model.muscle().is_extensile() { -LARGEST_EXTENSION } else { -LARGEST_CONTRACTION };
     let range = match (info.range.contraction, options.extrapolate) {

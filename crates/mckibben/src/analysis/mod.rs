@@ -16,7 +16,7 @@ pub use ask::{
 };
 pub use burst::{Burst, FailureMode, FailurePressure, NoBurst, SAFETY, burst};
 pub use characteristics::{blocked_force_n, free_contraction, start_pressure_mpa, work_per_stroke_j};
-pub use error::AnalysisError;
+pub use error::{AnalysisError, Result};
 pub use golden::{Abscissa, golden};
 pub(crate) use inverse::{HIGHEST_PRESSURE_MPA, straight_strands};
 pub use inverse::{contraction_at, contraction_or_stretch_at, pressure_at, pressure_below};

@@ -7,7 +7,7 @@
 use super::golden::golden;
 use super::root::{RootError, find_root};
 use crate::cancel;
-use crate::model::ModelError;
+use crate::model::{ModelError, Result};
 
 /// Halvings towards the edge of the places that have a value.
 const HALVINGS: usize = 40;
@@ -43,14 +43,14 @@ pub(super) struct Sweep<F> {
     pub lost: Option<ModelError>,
 }
 
-impl<F: FnMut(f64) -> Result<f64, ModelError>> Sweep<F> {
+impl<F: FnMut(f64) -> Result<f64>> Sweep<F> {
     /// No samples yet; `steps` of each search for an extremum.
     pub fn new(steps: usize, at: F) -> Self {
         Self { at, samples: vec![], steps, refused: None, lost: None }
     }
 
     /// Takes a sample.
-    pub fn sample(&mut self, place: f64) -> Result<Option<f64>, ModelError> {
+    pub fn sample(&mut self, place: f64) -> Result<Option<f64>> {
         let i = self.samples.partition_point(|s| s.0 < place);
         if let Some(known) = self.samples.get(i).filter(|s| s.0 == place) {
             return Ok(known.1);
@@ -68,7 +68,7 @@ impl<F: FnMut(f64) -> Result<f64, ModelError>> Sweep<F> {
     }
 
     /// Samples at `parts` + 1 places from one end to another.
-    pub fn fill(&mut self, ends: (f64, f64), parts: usize) -> Result<(), ModelError> {
+    pub fn fill(&mut self, ends: (f64, f64), parts: usize) -> Result<()> {
         places(ends, parts).try_for_each(|place| self.sample(place).map(|_| ()))
     }
 
@@ -79,7 +79,7 @@ impl<F: FnMut(f64) -> Result<f64, ModelError>> Sweep<F> {
         places: impl Iterator<Item = f64>,
         falling: bool,
         ends: impl Fn(Option<f64>, Option<f64>) -> bool,
-    ) -> Result<Option<f64>, ModelError> {
+    ) -> Result<Option<f64>> {
         let mut before = None;
         for place in places {
             let from = self.samples.len().saturating_sub(2);
@@ -103,7 +103,7 @@ impl<F: FnMut(f64) -> Result<f64, ModelError>> Sweep<F> {
 
     /// Halves the way from each sample to the next: `least` times, and up to `most` times where the function is so curved that it may reach zero
     /// between two of them. With `least` 0 ways are left out whose ends are further from zero than from each other.
-    pub fn finer(&mut self, (least, most): (usize, usize)) -> Result<(), ModelError> {
+    pub fn finer(&mut self, (least, most): (usize, usize)) -> Result<()> {
         let near = |pair: &&[Sample]| match (pair[0].1, pair[1].1) {
             (Some(a), Some(b)) => least > 0 || a.abs().min(b.abs()) <= (a - b).abs(),
             _ => true,
@@ -133,7 +133,7 @@ impl<F: FnMut(f64) -> Result<f64, ModelError>> Sweep<F> {
 
     /// All zeros, with more samples where the function may reach zero between those there are: at the edges of what has a value, beside the
     /// ends of each run of values, and at extrema towards zero.
-    pub fn all(&mut self) -> Result<Vec<Zero>, ModelError> {
+    pub fn all(&mut self) -> Result<Vec<Zero>> {
         self.edges(0)?;
         for (end, next) in self.ends() {
             if (end.1 > 0.0) == (next.1 > 0.0) && end.1.abs() <= next.1.abs() {
@@ -147,7 +147,7 @@ impl<F: FnMut(f64) -> Result<f64, ModelError>> Sweep<F> {
     }
 
     /// Samples towards each edge of what has a value, from a sample on; of few steps none where the values move away from zero.
-    fn edges(&mut self, from: usize) -> Result<(), ModelError> {
+    fn edges(&mut self, from: usize) -> Result<()> {
         let samples = self.samples.clone();
         for i in from + 1..samples.len() {
             let (mut with, mut without, end, next) = match (samples[i - 1], samples[i]) {
@@ -186,7 +186,7 @@ impl<F: FnMut(f64) -> Result<f64, ModelError>> Sweep<F> {
     }
 
     /// A sample at each extremum towards zero, from a sample on.
-    fn extrema(&mut self, from: usize) -> Result<(), ModelError> {
+    fn extrema(&mut self, from: usize) -> Result<()> {
         for three in self.samples[from..].to_vec().windows(3) {
             let [(left, Some(a)), (middle, Some(b)), (right, Some(c))] = *three else { continue };
             let sign = b.signum();
@@ -203,7 +203,7 @@ impl<F: FnMut(f64) -> Result<f64, ModelError>> Sweep<F> {
     }
 
     /// The zeros between samples of different sign, from a sample on.
-    pub fn zeros(&mut self, from: usize) -> Result<Vec<Zero>, ModelError> {
+    pub fn zeros(&mut self, from: usize) -> Result<Vec<Zero>> {
         let mut zeros: Vec<Zero> = vec![];
         for pair in self.samples[from..].windows(2) {
             let [(a, Some(va)), (b, Some(vb))] = *pair else { continue };

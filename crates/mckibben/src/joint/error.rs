@@ -5,6 +5,9 @@ use crate::cancel::Cancelled;
 use crate::model::ModelError;
 use thiserror::Error;
 
+/// The answer of a joint, or why it has none.
+pub type Result<T, E = JointError> = std::result::Result<T, E>;
+
 /// Why a joint has no answer.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum JointError {

@@ -1,6 +1,6 @@
 //! Pressures for an angle, a torque and a stiffness.
 
-use super::{JointError, JointModel, JointPoint, Turning};
+use super::{JointError, JointModel, JointPoint, Result, Turning};
 use crate::analysis::{
     AnalysisError, RootError, find_root, force_on, pressure_at, response_on, stiffness_of,
 };
@@ -46,7 +46,7 @@ impl JointModel<'_> {
         workspaces: &mut [Workspace],
         wanted: JointTarget,
         max_pressure_mpa: f64,
-    ) -> Result<JointPoint, JointError> {
+    ) -> Result<JointPoint> {
         self.check_angle(wanted.angle_deg)?;
         let angle = wanted.angle_deg.to_radians();
         let mut here = vec![];
@@ -141,7 +141,7 @@ impl Line<'_, '_> {
         (low <= high + 1e-9).then_some((low, high.max(low)))
     }
 
-    fn pressures(&self, workspaces: &mut [Workspace], first_n: f64) -> Result<Vec<f64>, JointError> {
+    fn pressures(&self, workspaces: &mut [Workspace], first_n: f64) -> Result<Vec<f64>> {
         let pulls = [first_n, self.second(first_n)];
         let each = self.here.iter().zip(workspaces.iter_mut()).zip(pulls).enumerate();
         each.map(|(i, ((here, workspace), pull))| {
@@ -163,7 +163,7 @@ impl Line<'_, '_> {
     }
 
     /// Σ (K Δ′² − F Δ″) in N m/rad.
-    fn stiffness(&self, workspaces: &mut [Workspace], first_n: f64) -> Result<f64, JointError> {
+    fn stiffness(&self, workspaces: &mut [Workspace], first_n: f64) -> Result<f64> {
         let pressures = self.pressures(workspaces, first_n)?;
         let mut sum = 0.0;
         for (i, (here, p)) in self.here.iter().zip(pressures).enumerate() {

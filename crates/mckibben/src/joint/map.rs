@@ -1,7 +1,7 @@
 //! Which angles and stiffnesses a joint reaches.
 
 use super::model::Fixed;
-use super::{JointError, JointModel, Rest, ShutStiffness};
+use super::{JointError, JointModel, Rest, Result, ShutStiffness};
 use crate::model::{Interval, ModelError, Quantity, Workspace};
 use crate::progress::Progress;
 use crate::threads::Threads;
@@ -64,12 +64,7 @@ impl JointModel<'_> {
     ///
     /// # Errors
     /// [`JointError`]; that of a model's range where the map leaves it, unless the joint extrapolates; that of the first gap where there are only gaps.
-    pub fn map(
-        &self,
-        max_pressure_mpa: f64,
-        count: usize,
-        progress: &dyn Progress,
-    ) -> Result<JointMap, JointError> {
+    pub fn map(&self, max_pressure_mpa: f64, count: usize, progress: &dyn Progress) -> Result<JointMap> {
         self.outside(max_pressure_mpa)?;
         let count = count.max(2);
         let grid: Vec<f64> = (0..count).map(|i| max_pressure_mpa * i as f64 / (count - 1) as f64).collect();
@@ -81,7 +76,7 @@ impl JointModel<'_> {
             free.push(grid.iter().map(|p| self.free(i, workspace, *p)).collect::<Result<Vec<_>, _>>()?);
         }
         type Rest = Result<Option<MapPoint>, (Vec<f64>, JointError)>;
-        let row = |&i: &usize| -> Result<Vec<Rest>, JointError> {
+        let row = |&i: &usize| -> Result<Vec<Rest>> {
             progress.check()?;
             let mut workspaces = self.workspaces();
             // The last two angles.
@@ -135,7 +130,7 @@ impl JointModel<'_> {
     ///
     /// # Errors
     /// [`JointError::Muscle`] with the range, unless the joint extrapolates.
-    pub fn outside(&self, max_pressure_mpa: f64) -> Result<Vec<String>, JointError> {
+    pub fn outside(&self, max_pressure_mpa: f64) -> Result<Vec<String>> {
         let (low, high) = self.joint().range_deg();
         let mut said = vec![];
         for (i, workspace) in self.workspaces().iter_mut().enumerate() {
@@ -172,11 +167,7 @@ impl JointModel<'_> {
     }
 
     /// The stable rest nearest to an angle.
-    fn rest_near(
-        &self,
-        fixed: &mut Fixed<'_>,
-        near_deg: Option<f64>,
-    ) -> Result<Option<MapPoint>, JointError> {
+    fn rest_near(&self, fixed: &mut Fixed<'_>, near_deg: Option<f64>) -> Result<Option<MapPoint>> {
         let (low, high) = self.joint().range_deg();
         let (low, high) = (low.to_radians(), high.to_radians());
         let mut angle = near_deg.unwrap_or(0.0).to_radians().clamp(low, high);
@@ -228,7 +219,7 @@ impl JointModel<'_> {
         Ok(Some(point(angle, slope, shut, matches!(rest, Rest::Limit { .. }))))
     }
 
-    fn torques(&self, max_mpa: f64) -> Result<Vec<(f64, f64, f64)>, JointError> {
+    fn torques(&self, max_mpa: f64) -> Result<Vec<(f64, f64, f64)>> {
         let mut workspaces = self.workspaces();
         let (low, high) = self.joint().range_deg();
         let two = self.joint().muscles().len() == 2;

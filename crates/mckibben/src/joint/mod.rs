@@ -21,7 +21,7 @@ mod tests;
 mod uncertainty;
 pub mod verification;
 
-pub use error::JointError;
+pub use error::{JointError, Result};
 pub use file::{JointFile, parse_joint};
 pub use inverse::JointTarget;
 pub use map::{JointMap, MapGap, MapPoint};

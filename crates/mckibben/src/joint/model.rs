@@ -1,6 +1,6 @@
 //! Torque and stiffness at pressures and an angle.
 
-use super::{Joint, JointError, ShutStiffness};
+use super::{Joint, JointError, Result, ShutStiffness};
 use crate::analysis::{
     AnalysisError, Options, free_contraction, response_on, start_pressure_mpa, stiffness_of,
 };
@@ -94,11 +94,7 @@ impl<'m> JointModel<'m> {
     ///
     /// # Errors
     /// [`JointError::Muscles`] where these are not as many.
-    pub fn new(
-        joint: &'m Joint,
-        models: Vec<&'m dyn ForceModel>,
-        extrapolate: bool,
-    ) -> Result<Self, JointError> {
+    pub fn new(joint: &'m Joint, models: Vec<&'m dyn ForceModel>, extrapolate: bool) -> Result<Self> {
         if models.len() == joint.muscles().len() {
             let mut digests = joint.muscles().iter().map(|m| m.muscle.digest());
             let alike = digests.next().is_some_and(|first| digests.all(|other| other == first));
@@ -131,7 +127,7 @@ impl<'m> JointModel<'m> {
         Options { extrapolate: self.extrapolate, direction, ..Options::default() }
     }
 
-    pub(super) fn check_angle(&self, angle_deg: f64) -> Result<(), JointError> {
+    pub(super) fn check_angle(&self, angle_deg: f64) -> Result<()> {
         let (low_deg, high_deg) = self.joint.range_deg();
         if (low_deg..=high_deg).contains(&angle_deg) {
             Ok(())
@@ -147,7 +143,7 @@ impl<'m> JointModel<'m> {
         pressures_mpa: &[f64],
         angle_deg: f64,
         turning: Turning,
-    ) -> Result<JointPoint, JointError> {
+    ) -> Result<JointPoint> {
         self.point(workspaces, pressures_mpa, angle_deg, turning, &mut vec![None; self.models.len()])
     }
 
@@ -157,7 +153,7 @@ impl<'m> JointModel<'m> {
         workspaces: &mut [Workspace],
         pressures_mpa: &[f64],
         angles_deg: &[f64],
-    ) -> Vec<Result<JointPoint, JointError>> {
+    ) -> Vec<Result<JointPoint>> {
         // How a slack muscle hangs depends on its pressure alone.
         let hanging = &mut vec![None; self.models.len()];
         let one = |&angle: &f64| self.point(workspaces, pressures_mpa, angle, Turning::Mean, hanging);
@@ -182,7 +178,7 @@ impl<'m> JointModel<'m> {
         angle_deg: f64,
         turning: Turning,
         hanging: &mut [Option<SlackState>],
-    ) -> Result<JointPoint, JointError> {
+    ) -> Result<JointPoint> {
         self.check_pressures(pressures_mpa)?;
         self.check_angle(angle_deg)?;
         let angle = angle_deg.to_radians();
@@ -224,7 +220,7 @@ impl<'m> JointModel<'m> {
         })
     }
 
-    pub(super) fn check_pressures(&self, pressures_mpa: &[f64]) -> Result<(), JointError> {
+    pub(super) fn check_pressures(&self, pressures_mpa: &[f64]) -> Result<()> {
         if pressures_mpa.len() == self.models.len() {
             Ok(())
         } else {
@@ -237,7 +233,7 @@ impl<'m> JointModel<'m> {
         &self,
         workspaces: &'w mut [Workspace],
         pressures_mpa: &[f64],
-    ) -> Result<Fixed<'w>, JointError> {
+    ) -> Result<Fixed<'w>> {
         self.check_pressures(pressures_mpa)?;
         let each = workspaces.iter_mut().zip(pressures_mpa).enumerate();
         let free = each.map(|(i, (workspace, &p))| self.free(i, workspace, p)).collect::<Result<_, _>>()?;
@@ -251,7 +247,7 @@ impl<'m> JointModel<'m> {
         muscle: usize,
         workspace: &mut Workspace,
         pressure_mpa: f64,
-    ) -> Result<Option<f64>, JointError> {
+    ) -> Result<Option<f64>> {
         let options = self.options(Direction::Mean);
         match free_contraction(self.models[muscle], workspace, pressure_mpa, options) {
             Ok(e) => Ok(Some(e)),
@@ -262,11 +258,7 @@ impl<'m> JointModel<'m> {
     }
 
     /// (τ in N m, dτ/dφ, what shut valves add to −dτ/dφ) at fixed pressures.
-    pub(super) fn torque(
-        &self,
-        fixed: &mut Fixed<'_>,
-        angle: f64,
-    ) -> Result<(f64, f64, ShutStiffness), JointError> {
+    pub(super) fn torque(&self, fixed: &mut Fixed<'_>, angle: f64) -> Result<(f64, f64, ShutStiffness)> {
         let (mut torque, mut slope) = self.joint.passive_nm(angle);
         let mut shut = ShutStiffness::NONE;
         for i in 0..self.models.len() {

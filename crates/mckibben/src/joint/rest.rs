@@ -1,7 +1,7 @@
 //! Where a joint comes to rest.
 
 use super::model::Fixed;
-use super::{JointError, JointModel};
+use super::{JointError, JointModel, Result};
 use crate::analysis::find_root;
 use crate::model::Workspace;
 
@@ -56,7 +56,7 @@ impl JointModel<'_> {
         workspaces: &mut [Workspace],
         pressures_mpa: &[f64],
         outside_nm: f64,
-    ) -> Result<Vec<Rest>, JointError> {
+    ) -> Result<Vec<Rest>> {
         self.rests_at(&mut self.fixed(workspaces, pressures_mpa)?, outside_nm)
     }
 
@@ -64,7 +64,7 @@ impl JointModel<'_> {
     ///
     /// # Errors
     /// That of the first angle without a state, where no stable rest is found.
-    pub(super) fn rests_beside_gaps(&self, fixed: &mut Fixed<'_>) -> Result<Vec<Rest>, JointError> {
+    pub(super) fn rests_beside_gaps(&self, fixed: &mut Fixed<'_>) -> Result<Vec<Rest>> {
         let (low, high) = self.joint().range_deg();
         let angle = |i: usize| (low + (high - low) * i as f64 / SCAN as f64).to_radians();
         // First and last of the angles of each part with states.
@@ -100,7 +100,7 @@ impl JointModel<'_> {
         }
     }
 
-    pub(super) fn rests_at(&self, fixed: &mut Fixed<'_>, outside_nm: f64) -> Result<Vec<Rest>, JointError> {
+    pub(super) fn rests_at(&self, fixed: &mut Fixed<'_>, outside_nm: f64) -> Result<Vec<Rest>> {
         let (low, high) = self.joint().range_deg();
         self.rests_between(fixed, (low.to_radians(), high.to_radians()), outside_nm)
     }
@@ -110,7 +110,7 @@ impl JointModel<'_> {
         fixed: &mut Fixed<'_>,
         (low, high): (f64, f64),
         outside_nm: f64,
-    ) -> Result<Vec<Rest>, JointError> {
+    ) -> Result<Vec<Rest>> {
         let mut at = |angle: f64| Ok::<_, JointError>(self.torque(fixed, angle)?.0 + outside_nm);
         let mut found = vec![];
         let mut before = (low, at(low)?);
@@ -154,11 +154,7 @@ impl JointModel<'_> {
 }
 
 /// Where the torque begins between an angle without one and an angle with one.
-fn edge(
-    at: &mut impl FnMut(f64) -> Result<f64, JointError>,
-    mut without: f64,
-    mut with: f64,
-) -> Result<f64, JointError> {
+fn edge(at: &mut impl FnMut(f64) -> Result<f64>, mut without: f64, mut with: f64) -> Result<f64> {
     while (with - without).abs() > TOLERANCE.max(4.0 * f64::EPSILON * with.abs()) {
         let middle = 0.5 * (without + with);
         if at(middle)? == 0.0 { without = middle } else { with = middle }

@@ -16,6 +16,9 @@ use super::model::MuscleState;
 use crate::model::Workspace;
 use crate::uncertainty::{Shifts, UncertaintyParts, stiffness_uncertainty_n_per_mm};
 
+/// The place of the friction among the parts.
+const FRICTION: usize = 5;
+
 impl JointModel<'_> {
     /// The parts of the ± of the torque in N m; `None` where that of a muscle's pull is not known.
     pub(super) fn torque_uncertainty(
@@ -27,25 +30,15 @@ impl JointModel<'_> {
             .iter()
             .map(|m| Some((m.answer.uncertainty_parts_n?, 1e-3 * m.arm_mm)))
             .collect::<Option<_>>()?;
-        let joined = |part: fn(&UncertaintyParts) -> Option<f64>, add: fn(f64, f64) -> f64| {
-            each.iter().filter_map(|(parts, arm)| Some((part(parts)? * arm).abs())).reduce(add)
+        let joined = |i: usize| {
+            let add = if i == FRICTION { |a, b| a + b } else { f64::hypot };
+            each.iter().filter_map(|(parts, arm)| Some((parts.parts()[i]? * arm).abs())).reduce(add)
         };
-        let shared = self.shared_shifts(workspaces, muscles, &each);
-        let (rubber, braid) = match &shared {
-            Some(shifts) => (shifts.rubber(), shifts.braid()),
-            None => (joined(|p| p.rubber, f64::hypot), joined(|p| p.braid, f64::hypot)),
-        };
-        Some(UncertaintyParts {
-            formula: joined(|p| p.formula, f64::hypot),
-            mesh: joined(|p| p.mesh, f64::hypot),
-            rubber,
-            braid,
-            measured: joined(|p| p.measured, f64::hypot),
-            friction: joined(|p| p.friction, |a, b| a + b),
-            fit: joined(|p| p.fit, f64::hypot),
-            transfer: joined(|p| p.transfer, f64::hypot),
-            length_transfer: joined(|p| p.length_transfer, f64::hypot),
-            friction_is_stated: each.iter().all(|(parts, _)| parts.friction_is_stated),
+        let stated = each.iter().all(|(parts, _)| parts.friction_is_stated);
+        let parts = UncertaintyParts::of(std::array::from_fn(joined), stated);
+        Some(match self.shared_shifts(workspaces, muscles, &each) {
+            Some(shifts) => UncertaintyParts { rubber: shifts.rubber(), braid: shifts.braid(), ..parts },
+            None => parts,
         })
     }
 

@@ -77,8 +77,8 @@ impl From<ModelError> for LoadError {
 /// Every equilibrium at a pressure, by rising contraction; at least one.
 ///
 /// Sought from the length at rest (with `two_sided` from where the strands are straight) to the free contraction.
-pub fn balances<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn balances(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     load: &Load,
     pressure_mpa: f64,

@@ -106,8 +106,8 @@ impl From<ModelError> for FillError {
 }
 
 /// The muscle after a volume was pushed in.
-pub fn fill<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn fill(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     filling: &Filling<'_>,
     options: Options,

@@ -5,7 +5,8 @@
 //! b: length of one strand, n: its turns. Source: the paper's (3) after Belforte et al. The printed form has lost its
 //! squares (its dimension is force/length) and stands for one turn; this is F = −P dV/dL.
 
-use super::{Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Response, Workspace};
+use super::proportional::{PerPressure, Proportional};
+use super::{ModelEntry, ModelError, ModelInfo, Result};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -33,7 +34,7 @@ impl Belforte {
     ///
     /// # Errors
     /// [`ModelError::Missing`] without a measured strand. One too short to span the muscle is refused with the muscle.
-    pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
+    pub fn new(muscle: &Muscle) -> Result<Self> {
         let measured = muscle.braid().measured.ok_or(ModelError::Missing {
             model: ENTRY.name,
             missing: "a strand measured on the muscle: `strand_length` and `turns` under [braid] in the muscle file",
@@ -44,57 +45,30 @@ impl Belforte {
     }
 }
 
-fn no_shape(contraction: f64, straight: f64) -> ModelError {
-    ModelError::Geometry { contraction, lowest: 1.0 - straight, highest: 1.0 }
-}
-
-impl ForceModel for Belforte {
-    fn info(&self) -> &ModelInfo {
+impl Proportional for Belforte {
+    fn model(&self) -> &ModelInfo {
         &self.info
     }
 
-    fn response(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
-        let (p, b) = (pressure_mpa, self.b);
-        let l = (1.0 - contraction) * self.info.muscle.length_mm();
+    fn per_pressure(&self, contraction: f64) -> Result<PerPressure> {
+        let (b, length) = (self.b, self.info.muscle.length_mm());
+        let l = (1.0 - contraction) * length;
         if !(l > 0.0 && l < b) {
-            return Err(no_shape(contraction, b / self.info.muscle.length_mm()));
+            return Err(ModelError::Geometry { contraction, lowest: 1.0 - b / length, highest: 1.0 });
         }
-        let per_pressure = (3.0 * l * l - b * b) / self.n2;
+        let f = (3.0 * l * l - b * b) / self.n2;
         // π D²/4 = (b² − L²)/(4π n²); axial balance of a cut: F + P π D²/4 = (sum of tensions) · L/b.
         let area = (b * b - l * l) / self.n2;
-        let tension = p * (per_pressure + area) * b / l;
-        Response {
-            pressure_mpa,
-            contraction,
-            force_n: p * per_pressure,
+        Ok(PerPressure {
+            f,
+            f_l: 6.0 * l * length / self.n2,
             volume_mm3: Some(area * l),
-            stiffness_n_per_mm: Some(6.0 * p * l / self.n2),
-            force_per_pressure_mm2: Some(per_pressure),
-            bulged_diameter_mm: Some(2.0 * (area / PI).sqrt()),
-            ..Response::default()
-        }
-        .with_braid_tension(tension, self.info.muscle.braid().strands.map(|s| s.count))
-        .finite(ENTRY.name)
+            diameter_mm: 2.0 * (area / PI).sqrt(),
+            tension: Some((f + area) * b / l),
+        })
     }
 
-    fn extensions(&self) -> Extensions<'_> {
-        Extensions { inverse: Some(self), ..Extensions::default() }
-    }
-}
-
-impl Inverse for Belforte {
-    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        let l = (1.0 - contraction) * self.info.muscle.length_mm();
-        let per_pressure = (3.0 * l * l - self.b * self.b) / self.n2;
-        (per_pressure > 0.0 && l > 0.0 && l < self.b).then(|| force_n / per_pressure)
-    }
-
-    fn contraction_at_pull(&self, _: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
+    fn contraction_of(&self, force_n: f64, pressure_mpa: f64) -> Option<f64> {
         let l2 = (self.b * self.b + self.n2 * force_n / pressure_mpa) / 3.0;
         (pressure_mpa > 0.0 && l2 > 0.0 && l2 < self.b * self.b)
             .then(|| 1.0 - l2.sqrt() / self.info.muscle.length_mm())
@@ -104,7 +78,7 @@ impl Inverse for Belforte {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Ideal;
+    use crate::model::{ForceModel, Ideal, Workspace};
     use crate::muscle::{Braid, MeasuredStrand};
 
     fn with_strand(strand_length_mm: f64, turns: f64) -> Muscle {

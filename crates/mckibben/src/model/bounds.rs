@@ -43,8 +43,8 @@ fn nearest((low, high): (f64, f64), v: f64) -> f64 {
 
 /// [`ForceModel::forces_n`] of points (pressures in MPa, contractions) that all lie within `bounds`, slack ones 0; false where one of them
 /// does not, or has no answer, and then the places hold nothing.
-pub fn pulls_within<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn pulls_within(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     lists: [&[f64]; 2],
     bounds: &Bounds,

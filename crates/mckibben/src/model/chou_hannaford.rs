@@ -7,10 +7,8 @@
 //! agrees with the volume above.
 
 use super::pantograph::Pantograph;
-use super::{
-    Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Reference, Response, Where,
-    Workspace,
-};
+use super::proportional::{PerPressure, Proportional};
+use super::{Accuracy, ModelEntry, ModelInfo, Reference, Result};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -30,79 +28,40 @@ pub struct ChouHannaford {
     braid: Pantograph,
 }
 
-/// F/P, its derivative in λ, and the cavity's cross-section.
-struct Pull {
-    f: f64,
-    f_l: f64,
-    bore_area: f64,
-    diameter: f64,
-}
-
 impl ChouHannaford {
     /// The model of a muscle.
     pub fn new(muscle: &Muscle) -> Self {
-        let accuracy = Accuracy::share(0.75, Reference::RandomMuscles(Where::SoftStrands));
+        let accuracy = Accuracy::share(0.75, Reference::SOFT_STRANDS);
         let info = ModelInfo { accuracy, ..ModelInfo::new(&ENTRY, muscle) };
         Self { info, braid: Pantograph::of(muscle) }
     }
+}
 
-    fn pull(&self, contraction: f64) -> Result<Pull, ModelError> {
+impl Proportional for ChouHannaford {
+    fn model(&self) -> &ModelInfo {
+        &self.info
+    }
+
+    fn per_pressure(&self, contraction: f64) -> Result<PerPressure> {
         let g = self.braid.at(contraction)?;
         let bore = g.r - self.info.muscle.wall_mm();
         if bore <= 0.0 {
             return Err(self.braid.no_shape(contraction));
         }
-        Ok(Pull {
+        Ok(PerPressure {
             f: -PI * (bore * bore + 2.0 * bore * g.r1 * g.l),
             f_l: -2.0 * PI * (2.0 * bore * g.r1 + g.r1 * g.r1 * g.l + bore * g.r2 * g.l),
-            bore_area: PI * bore * bore,
-            diameter: 2.0 * g.r,
+            volume_mm3: Some(PI * bore * bore * (1.0 - contraction) * self.braid.length),
+            diameter_mm: 2.0 * g.r,
+            tension: None,
         })
-    }
-}
-
-impl ForceModel for ChouHannaford {
-    fn info(&self) -> &ModelInfo {
-        &self.info
-    }
-
-    fn response(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
-        let pull = self.pull(contraction)?;
-        let length = self.info.muscle.length_mm();
-        Response {
-            pressure_mpa,
-            contraction,
-            force_n: pressure_mpa * pull.f,
-            volume_mm3: Some(pull.bore_area * (1.0 - contraction) * length),
-            stiffness_n_per_mm: Some(pressure_mpa * pull.f_l / length),
-            force_per_pressure_mm2: Some(pull.f),
-            bulged_diameter_mm: Some(pull.diameter),
-            ..Response::default()
-        }
-        .finite(ENTRY.name)
-    }
-
-    fn extensions(&self) -> Extensions<'_> {
-        Extensions { inverse: Some(self), ..Extensions::default() }
-    }
-}
-
-impl Inverse for ChouHannaford {
-    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        let pull = self.pull(contraction).ok()?;
-        (pull.f > 0.0).then(|| force_n / pull.f)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Ideal;
+    use crate::model::{ForceModel, Ideal, Workspace};
 
     #[test]
     fn it_is_the_published_formula() {

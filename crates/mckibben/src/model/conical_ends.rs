@@ -13,9 +13,8 @@
 //! formula but pulls π (r² − r0²) P more.
 
 use super::pantograph::Pantograph;
-use super::{
-    Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, ModelRange, Response, Workspace,
-};
+use super::proportional::{PerPressure, Proportional};
+use super::{ModelEntry, ModelError, ModelInfo, ModelRange, Result};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -39,7 +38,7 @@ impl ConicalEnds {
     /// # Errors
     /// [`ModelError::Missing`] without a cone factor. Tips that would meet before the largest contraction,
     /// kc > (1 − ε_max)/(2 ε_max), are refused with the muscle already.
-    pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
+    pub fn new(muscle: &Muscle) -> Result<Self> {
         let kc = muscle.terminals().cone_factor.ok_or(ModelError::Missing {
             model: ENTRY.name,
             missing: "a cone factor: `cone_factor = 0.4` under [model.conical-ends] in the muscle file",
@@ -51,7 +50,7 @@ impl ConicalEnds {
     }
 
     /// −P dV/dL of the cylinder with two cones, in N, for comparison.
-    pub fn pull_by_energy(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
+    pub fn pull_by_energy(&self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         let f = self.braid.at(contraction)?.r / self.braid.r0;
         let ends = 1.0 - f * f + 2.0 * self.kc / 3.0 * (1.0 + f - 2.0 * f * f);
         Ok(pressure_mpa * (self.pull(contraction)?.0 + PI * self.braid.r0 * self.braid.r0 * ends))
@@ -64,7 +63,7 @@ impl ConicalEnds {
     }
 
     /// F/P, ∂(F/P)/∂λ, and f.
-    fn pull(&self, contraction: f64) -> Result<(f64, f64, f64), ModelError> {
+    fn pull(&self, contraction: f64) -> Result<(f64, f64, f64)> {
         let g = self.braid.at(contraction)?;
         if contraction > 0.0 && g.l <= 2.0 * self.kc * contraction {
             let lowest = 1.0 - 1.0 / self.braid.cos;
@@ -80,50 +79,30 @@ impl ConicalEnds {
     }
 }
 
-impl ForceModel for ConicalEnds {
-    fn info(&self) -> &ModelInfo {
+impl Proportional for ConicalEnds {
+    fn model(&self) -> &ModelInfo {
         &self.info
     }
 
-    fn response(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
+    fn per_pressure(&self, contraction: f64) -> Result<PerPressure> {
         let (pull, pull_l, f) = self.pull(contraction)?;
-        Response {
-            pressure_mpa,
-            contraction,
-            force_n: pressure_mpa * pull,
+        Ok(PerPressure {
+            f: pull,
+            f_l: pull_l,
             volume_mm3: Some(self.volume(1.0 - contraction, f)),
-            stiffness_n_per_mm: Some(pressure_mpa * pull_l / self.braid.length),
-            force_per_pressure_mm2: Some(pull),
-            bulged_diameter_mm: Some(2.0 * f * self.braid.r0),
-            ..Response::default()
-        }
-        .finite(ENTRY.name)
-    }
-
-    fn extensions(&self) -> Extensions<'_> {
-        Extensions { inverse: Some(self), ..Extensions::default() }
-    }
-}
-
-impl Inverse for ConicalEnds {
-    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        let (pull, _, _) = self.pull(contraction).ok()?;
-        (pull > 0.0).then(|| force_n / pull)
+            diameter_mm: 2.0 * f * self.braid.r0,
+            tension: None,
+        })
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Ideal;
+    use crate::model::{ForceModel, Ideal, Workspace};
     use crate::muscle::Terminals;
 
-    fn model(cone_factor: Option<f64>) -> Result<ConicalEnds, ModelError> {
+    fn model(cone_factor: Option<f64>) -> Result<ConicalEnds> {
         let terminals = Terminals { cone_factor, ..Terminals::default() };
         ConicalEnds::new(&Muscle::prototype().with_terminals(terminals).unwrap())
     }

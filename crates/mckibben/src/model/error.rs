@@ -9,6 +9,9 @@ fn list(violations: &[RangeViolation], make: &[String]) -> String {
     violations.iter().map(ToString::to_string).chain(make.iter().cloned()).collect::<Vec<_>>().join("; ")
 }
 
+/// What a model answers, or why it has no answer.
+pub type Result<T, E = ModelError> = std::result::Result<T, E>;
+
 /// Why a model has no answer at a pressure and contraction.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ModelError {

@@ -1,6 +1,6 @@
 //! What some models can do besides answering: one trait each, reached by [`ForceModel::extensions`].
 
-use super::{Bounds, ForceModel, ModelError, ThickWall, Workspace};
+use super::{Bounds, ForceModel, Result, ThickWall, Workspace};
 
 /// What a model can do besides answering; nothing by default.
 #[derive(Clone, Copy, Default)]
@@ -47,13 +47,13 @@ pub trait Slopes {
         pressure_mpa: f64,
         contraction: f64,
         names: &[String],
-    ) -> Option<Result<Vec<f64>, ModelError>>;
+    ) -> Option<Result<Vec<f64>>>;
 }
 
 /// A model with a mesh, or with one inside.
 pub trait Mesh {
     /// The pull at rest length in N, of which errors are a share: by a faster model where this one is slow.
-    fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64, ModelError>;
+    fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64>;
 
     /// What the mesh errs by in N, of the pull `force_n` that the model gave there, where the blocked force is `blocked_n`; `None`
     /// without a mesh.
@@ -80,7 +80,7 @@ pub trait Contact {
         workspace: &mut Workspace,
         pressure_mpa: f64,
         contraction: f64,
-    ) -> Result<f64, ModelError>;
+    ) -> Result<f64>;
 }
 
 /// A model with its own way for lists within bounds.
@@ -96,7 +96,7 @@ pub fn pivoting_n_per_mm<M: ForceModel + ?Sized>(
     workspace: &mut Workspace,
     pressure_mpa: f64,
     contraction: f64,
-) -> Result<f64, ModelError> {
+) -> Result<f64> {
     match model.extensions().contact {
         Some(contact) => contact.pivoting_n_per_mm(workspace, pressure_mpa, contraction),
         None => ThickWall::new(model.muscle()).pivoting(pressure_mpa, contraction),
@@ -108,7 +108,7 @@ pub fn blocked_scale_n<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
     pressure_mpa: f64,
-) -> Result<f64, ModelError> {
+) -> Result<f64> {
     match model.extensions().mesh {
         Some(mesh) => mesh.blocked_scale_n(workspace, pressure_mpa),
         None => model.force_n(workspace, pressure_mpa, 0.0),

@@ -9,7 +9,7 @@
 use super::root::rising_root;
 use super::{
     Accuracy, BlockedAt, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, ModelRange,
-    Reference, Response, Specimen, Workspace,
+    Reference, Response, Result, Workspace,
 };
 use crate::muscle::Muscle;
 use std::f64::consts::FRAC_PI_2;
@@ -79,12 +79,9 @@ impl FestoHunt {
             accuracy: Accuracy {
                 share_of_blocked: Some(0.09),
                 blocked_at: BlockedAt::Pressure(0.45),
-                reference: Reference::ForceMap {
-                    muscle: "DMSP-10-250",
-                    points: 24,
-                    rms_n: 17.0,
-                    specimen: Specimen::ContractionFromLength,
-                },
+                reference: Reference::ForceMap(
+                    "rms 17 N on the 24 points of the static force map of a DMSP-10-250 (Martens & Boblan 2017) that lie in the box, with the largest contraction taken from the length",
+                ),
             },
             notes: vec![format!(
                 "the preset festo-hunt-10 describes a Festo muscle of 10 mm with a largest contraction of {e_max:.4}; tube, wall, braid and rubber of the muscle are ignored"
@@ -104,7 +101,7 @@ impl FestoHunt {
     }
 
     /// The force in N.
-    fn solve(&self, pressure_mpa: f64, e: f64) -> Result<f64, ModelError> {
+    fn solve(&self, pressure_mpa: f64, e: f64) -> Result<f64> {
         let kpa = KPA_PER_MPA * pressure_mpa;
         let error = || self.error(pressure_mpa, e);
         if !(e >= 0.0 && e.is_finite() && kpa.is_finite()) {
@@ -140,12 +137,7 @@ impl ForceModel for FestoHunt {
         &self.info
     }
 
-    fn response(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
+    fn response(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         let force_n = self.solve(pressure_mpa, contraction)?;
         let (_, by_force, by_contraction) = self.pressure(force_n, contraction);
         Ok(Response {

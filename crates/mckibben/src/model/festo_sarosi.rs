@@ -7,7 +7,7 @@
 
 use super::{
     Accuracy, BlockedAt, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, ModelRange,
-    Reference, Response, Specimen, Workspace,
+    Reference, Response, Result, Workspace,
 };
 use crate::muscle::Muscle;
 
@@ -47,12 +47,9 @@ pub(super) const DMSP_10: Fit = Fit {
     accuracy: Accuracy {
         share_of_blocked: Some(0.25),
         blocked_at: BlockedAt::Pressure(0.6),
-        reference: Reference::ForceMap {
-            muscle: "DMSP-10-250",
-            points: 40,
-            rms_n: 73.0,
-            specimen: Specimen::PullsLess,
-        },
+        reference: Reference::ForceMap(
+            "rms 73 N on the 40 points of the static force map of a DMSP-10-250 (Martens & Boblan 2017), another specimen than the fitted one, which pulls less",
+        ),
     },
 };
 
@@ -73,12 +70,9 @@ pub(super) const DMSP_20_200: Fit = Fit {
     accuracy: Accuracy {
         share_of_blocked: Some(0.11),
         blocked_at: BlockedAt::Pressure(0.6),
-        reference: Reference::ForceMap {
-            muscle: "DMSP-20-300",
-            points: 55,
-            rms_n: 98.0,
-            specimen: Specimen::Longer,
-        },
+        reference: Reference::ForceMap(
+            "rms 98 N on 55 points of the static force map of a DMSP-20-300 (Martens & Boblan 2017), another and longer specimen than the fitted one",
+        ),
     },
 };
 
@@ -94,17 +88,8 @@ pub struct FestoSarosi {
 }
 
 impl FestoSarosi {
-    /// The DMSP-10, inner diameter 10 mm.
-    pub fn dmsp_10(muscle: &Muscle) -> Self {
-        Self::new(DMSP_10, muscle)
-    }
-
-    /// The DMSP-20-200N, inner diameter 20 mm, length 200 mm.
-    pub fn dmsp_20_200(muscle: &Muscle) -> Self {
-        Self::new(DMSP_20_200, muscle)
-    }
-
-    fn new(fit: Fit, muscle: &Muscle) -> Self {
+    /// The DMSP-10 (inner diameter 10 mm) or the DMSP-20-200N (20 mm, length 200 mm).
+    pub(super) fn new(fit: Fit, muscle: &Muscle) -> Self {
         let (name, make) = (fit.entry.name, fit.make);
         let info = ModelInfo {
             range: ModelRange {
@@ -135,12 +120,7 @@ impl ForceModel for FestoSarosi {
         &self.info
     }
 
-    fn response(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
+    fn response(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         let Fit { a, b, c, d, .. } = self.fit;
         let bar = BAR_PER_MPA * pressure_mpa;
         let (rest, slope) = self.line(contraction);
@@ -184,8 +164,8 @@ mod tests {
     fn blocked_forces_at_6_bar() {
         let m = Muscle::prototype();
         // (6a + b) + 6e + f by hand.
-        let ten = FestoSarosi::dmsp_10(&m).force_n(&mut Workspace::new(), 0.6, 0.0).unwrap();
-        let twenty = FestoSarosi::dmsp_20_200(&m).force_n(&mut Workspace::new(), 0.6, 0.0).unwrap();
+        let ten = FestoSarosi::new(DMSP_10, &m).force_n(&mut Workspace::new(), 0.6, 0.0).unwrap();
+        let twenty = FestoSarosi::new(DMSP_20_200, &m).force_n(&mut Workspace::new(), 0.6, 0.0).unwrap();
         assert!((ten - 595.2357192).abs() < 1e-6, "{ten}");
         assert!((twenty - 1752.2759849).abs() < 1e-6, "{twenty}");
     }
@@ -193,7 +173,7 @@ mod tests {
     #[test]
     fn in_their_box_they_fall_with_contraction_and_rise_with_pressure() {
         let m = Muscle::prototype();
-        for model in [FestoSarosi::dmsp_10(&m), FestoSarosi::dmsp_20_200(&m)] {
+        for model in [FestoSarosi::new(DMSP_10, &m), FestoSarosi::new(DMSP_20_200, &m)] {
             for i in 0..=20 {
                 for j in 0..=25 {
                     let p = model.info.range.pressure_mpa.1 * f64::from(i) / 20.0;

@@ -6,10 +6,8 @@
 //! Sources: Ferraresi et al. (2001) \[ferraresi2001\]; Kothera & Wereley (2009) \[kothera2009\]; Tondu (2012) \[tondu2012\] eq. (18).
 
 use super::pantograph::Pantograph;
-use super::{
-    Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Reference, Response, Where,
-    Workspace,
-};
+use super::proportional::{PerPressure, Proportional};
+use super::{Accuracy, ModelEntry, ModelInfo, Reference, Result};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -30,21 +28,7 @@ pub struct ForceBalance {
     braid: Pantograph,
 }
 
-/// The balance at one stretch of the muscle's cylinder, per unit of pressure.
-pub(super) struct Balance {
-    /// F/P
-    pub f: f64,
-    /// ∂(F/P)/∂λ
-    pub f_l: f64,
-    /// Sum of strand tensions over P
-    pub tension: f64,
-    /// Outer diameter
-    pub diameter: f64,
-    /// π ri²
-    pub bore_area: f64,
-}
-
-pub(super) fn balance(braid: &Pantograph, contraction: f64) -> Result<Balance, ModelError> {
+pub(super) fn balance(braid: &Pantograph, contraction: f64) -> Result<PerPressure> {
     let g = braid.at(contraction)?;
     let bore = braid.bore(&g, contraction)?;
     let sin2 = 1.0 - g.cos * g.cos;
@@ -52,67 +36,38 @@ pub(super) fn balance(braid: &Pantograph, contraction: f64) -> Result<Balance, M
     let cot2_l = 2.0 * g.cos * braid.cos / (sin2 * sin2);
     let both = g.r * bore.r;
     let both_l = g.r1 * bore.r + g.r * bore.r1;
-    Ok(Balance {
+    Ok(PerPressure {
         f: 2.0 * PI * both * cot2 - PI * bore.r * bore.r,
         f_l: 2.0 * PI * (both_l * cot2 + both * cot2_l - bore.r * bore.r1),
-        tension: 2.0 * PI * both * cot2 / g.cos,
-        diameter: 2.0 * g.r,
-        bore_area: PI * bore.r * bore.r,
+        volume_mm3: Some(PI * bore.r * bore.r * (1.0 - contraction) * braid.length),
+        diameter_mm: 2.0 * g.r,
+        tension: Some(2.0 * PI * both * cot2 / g.cos),
     })
 }
 
 impl ForceBalance {
     /// The model of a muscle.
     pub fn new(muscle: &Muscle) -> Self {
-        let accuracy = Accuracy::share(0.77, Reference::RandomMuscles(Where::SoftStrands));
+        let accuracy = Accuracy::share(0.77, Reference::SOFT_STRANDS);
         let info = ModelInfo { accuracy, ..ModelInfo::new(&ENTRY, muscle) };
         Self { info, braid: Pantograph::of(muscle) }
     }
 }
 
-impl ForceModel for ForceBalance {
-    fn info(&self) -> &ModelInfo {
+impl Proportional for ForceBalance {
+    fn model(&self) -> &ModelInfo {
         &self.info
     }
 
-    fn response(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
-        let b = balance(&self.braid, contraction)?;
-        let length = self.info.muscle.length_mm();
-        Response {
-            pressure_mpa,
-            contraction,
-            force_n: pressure_mpa * b.f,
-            volume_mm3: Some(b.bore_area * (1.0 - contraction) * length),
-            stiffness_n_per_mm: Some(pressure_mpa * b.f_l / length),
-            force_per_pressure_mm2: Some(b.f),
-            bulged_diameter_mm: Some(b.diameter),
-            ..Response::default()
-        }
-        .with_braid_tension(pressure_mpa * b.tension, self.info.muscle.braid().strands.map(|s| s.count))
-        .finite(ENTRY.name)
-    }
-
-    fn extensions(&self) -> Extensions<'_> {
-        Extensions { inverse: Some(self), ..Extensions::default() }
-    }
-}
-
-impl Inverse for ForceBalance {
-    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        let b = balance(&self.braid, contraction).ok()?;
-        (b.f > 0.0).then(|| force_n / b.f)
+    fn per_pressure(&self, contraction: f64) -> Result<PerPressure> {
+        balance(&self.braid, contraction)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Ideal;
+    use crate::model::{ForceModel, Ideal, ModelError, Workspace};
 
     #[test]
     fn at_rest_it_is_the_closed_form() {

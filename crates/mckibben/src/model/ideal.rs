@@ -9,8 +9,8 @@
 //! of the paper; its (1.2) is printed without 1/sin²θ0.
 
 use super::{
-    Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Reference, Response, Where,
-    Workspace,
+    Accuracy, Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Reference, Response,
+    Result, Workspace,
 };
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
@@ -20,6 +20,8 @@ pub(super) const ENTRY: ModelEntry = ModelEntry {
     description: "cylinder without wall, rubber and ends",
     source: "Chou & Hannaford 1996 [chou1996]; Antonelli et al. 2018 [antonelli2018], (1)",
 };
+
+const COMPARED: &str = "95 % of 5491 points on 1000 random muscles (L0/D0 5–20, strand strain up to 6 %) against axisymmetric finite elements; the error is one of excess, largest for soft strands and thick walls";
 
 /// The ideal formula (1). F in N for P in MPa and D0 in mm.
 ///
@@ -39,7 +41,7 @@ impl Ideal {
     pub fn new(muscle: &Muscle) -> Self {
         let (sin, cos) = muscle.braid().angle_rad().sin_cos();
         let d0 = muscle.outer_diameter_mm();
-        let accuracy = Accuracy::share(0.93, Reference::RandomMuscles(Where::SoftStrandsAndThickWalls));
+        let accuracy = Accuracy::share(0.93, Reference::Elements(COMPARED));
         let info = ModelInfo { accuracy, ..ModelInfo::new(&ENTRY, muscle) };
         Self { area: PI * d0 * d0 / (4.0 * sin * sin), cos2: cos * cos, info }
     }
@@ -62,12 +64,7 @@ impl ForceModel for Ideal {
         &self.info
     }
 
-    fn response(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
+    fn response(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         let l = 1.0 - contraction;
         let cos = self.cos2.sqrt();
         let c = l * cos;

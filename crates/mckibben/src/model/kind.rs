@@ -29,7 +29,7 @@ impl UnknownModel {
 /// What is known of a kind, and how it is made of a muscle between its ends.
 struct KindRow {
     entry: ModelEntry,
-    build: fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError>,
+    build: fn(&Muscle) -> Result<Box<dyn ForceModel>>,
 }
 
 macro_rules! models {
@@ -69,9 +69,9 @@ models! {
     /// [`RoundedEnds`]
     RoundedEnds = rounded_ends::ENTRY, |m| Ok(Box::new(RoundedEnds::new(m)?));
     /// [`FestoSarosi`], size 10
-    FestoDmsp10 = festo_sarosi::DMSP_10.entry, |m| Ok(Box::new(FestoSarosi::dmsp_10(m)));
+    FestoDmsp10 = festo_sarosi::DMSP_10.entry, |m| Ok(Box::new(FestoSarosi::new(festo_sarosi::DMSP_10, m)));
     /// [`FestoSarosi`], size 20, 200 mm
-    FestoDmsp20 = festo_sarosi::DMSP_20_200.entry, |m| Ok(Box::new(FestoSarosi::dmsp_20_200(m)));
+    FestoDmsp20 = festo_sarosi::DMSP_20_200.entry, |m| Ok(Box::new(FestoSarosi::new(festo_sarosi::DMSP_20_200, m)));
     /// [`FestoHunt`]
     FestoHunt10 = festo_hunt::ENTRY, |m| Ok(Box::new(FestoHunt::new(m)));
     /// [`Universal`]
@@ -86,7 +86,7 @@ fn universal(
     model: &'static str,
     formula: Option<std::sync::Arc<UniversalFormula>>,
     muscle: &Muscle,
-) -> Result<Box<dyn ForceModel>, ModelError> {
+) -> Result<Box<dyn ForceModel>> {
     let missing = "its built-in coefficients, which cannot be read; rebuild the program";
     let formula = formula.ok_or(ModelError::Missing { model, missing, key: "" })?;
     Ok(Box::new(Universal::new(formula, muscle)))
@@ -111,7 +111,7 @@ impl ModelKind {
     ///
     /// # Errors
     /// [`ModelError`] where the muscle does not state what the model needs.
-    pub fn build(self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+    pub fn build(self, muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
         with_ends(muscle, self.row().build)
     }
 }

@@ -11,7 +11,7 @@
 use super::pantograph::Pantograph;
 use super::{
     Accuracy, Extensions, ForceModel, Ideal, Inverse, ModelEntry, ModelError, ModelInfo, Reference, Response,
-    Where, Workspace,
+    Result, Workspace,
 };
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
@@ -46,14 +46,14 @@ impl KluteHannaford {
     ///
     /// # Errors
     /// [`ModelError::Missing`] where the rubber is neither Mooney–Rivlin nor neo-Hookean.
-    pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
+    pub fn new(muscle: &Muscle) -> Result<Self> {
         let law = muscle.rubber().law.as_mooney_rivlin().ok_or(ModelError::Missing {
             model: ENTRY.name,
             missing: "a mooney-rivlin or neo-hookean rubber; for other laws take the thick-wall model",
             key: "tube.material",
         })?;
         let (c10, c01) = (law.c10_mpa, law.c01_mpa);
-        let accuracy = Accuracy::share(0.55, Reference::RandomMuscles(Where::SoftStrands));
+        let accuracy = Accuracy::share(0.55, Reference::SOFT_STRANDS);
         let info = ModelInfo { accuracy, ..ModelInfo::new(&ENTRY, muscle) };
         Ok(Self { info, ideal: Ideal::new(muscle), braid: Pantograph::of(muscle), c10, c01 })
     }
@@ -86,12 +86,7 @@ impl ForceModel for KluteHannaford {
         &self.info
     }
 
-    fn response(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
+    fn response(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         let mut response = self.ideal.response(workspace, pressure_mpa, contraction)?;
         let elastic = self.elastic(1.0 - contraction);
         let rubber = PI * self.braid.section;

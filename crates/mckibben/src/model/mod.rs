@@ -25,6 +25,7 @@ mod notes;
 mod pantograph;
 mod paper;
 mod paper_batch;
+mod proportional;
 mod quadrature;
 mod range;
 mod response;
@@ -39,12 +40,12 @@ mod wall_energy;
 mod wall_mooney;
 mod workspace;
 
-pub use accuracy::{Accuracy, BlockedAt, Reference, Specimen, Where};
+pub use accuracy::{Accuracy, BlockedAt, Reference};
 pub use belforte::Belforte;
 pub use bounds::{Bounds, pulls_within};
 pub use chou_hannaford::ChouHannaford;
 pub use conical_ends::ConicalEnds;
-pub use error::ModelError;
+pub use error::{ModelError, Result};
 pub use extensions::{
     Contact, Extensions, Inverse, Lists, Mesh, Slopes, blocked_scale_n, notes_of, pivoting_n_per_mm,
 };
@@ -65,7 +66,7 @@ pub use range::ModelRange;
 pub use response::Response;
 pub use rounded_ends::RoundedEnds;
 pub use seated::{Seated, with_ends};
-pub use thick_wall::{BendingStiffness, ThickWall};
+pub use thick_wall::ThickWall;
 pub use tondu_lopez::TonduLopez;
 pub use universal::{EndPoint, Universal};
 pub use wall::Wall;
@@ -95,20 +96,10 @@ pub trait ForceModel: Send + Sync {
     }
 
     /// Everything it has at a pressure in MPa and a contraction ratio; does not look at its range.
-    fn response(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError>;
+    fn response(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response>;
 
     /// The pull alone, in N; tension positive.
-    fn force_n(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<f64, ModelError> {
+    fn force_n(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         Ok(self.response(workspace, pressure_mpa, contraction)?.force_n)
     }
 

@@ -4,7 +4,7 @@
 //!
 //! with λ = 1 − ε and ' = d/dλ (the paper's (2)).
 
-use super::ModelError;
+use super::{ModelError, Result};
 use crate::muscle::Muscle;
 
 /// The muscle's measures that the pantograph needs.
@@ -54,7 +54,7 @@ impl Pantograph {
     }
 
     /// Shape at a contraction.
-    pub fn at(&self, contraction: f64) -> Result<Shape, ModelError> {
+    pub fn at(&self, contraction: f64) -> Result<Shape> {
         let l = 1.0 - contraction;
         let cos = l * self.cos;
         if !(l > 0.0 && cos < 1.0) {
@@ -67,7 +67,7 @@ impl Pantograph {
     }
 
     /// ri² = r² − (Ro² − Ri²)/λ: the wall keeps its volume.
-    pub fn bore(&self, s: &Shape, contraction: f64) -> Result<Bore, ModelError> {
+    pub fn bore(&self, s: &Shape, contraction: f64) -> Result<Bore> {
         let r = (s.r * s.r - self.section / s.l).sqrt();
         if r > 0.0 {
             Ok(Bore { r, r1: (2.0 * s.r * s.r1 + self.section / (s.l * s.l)) / (2.0 * r) })

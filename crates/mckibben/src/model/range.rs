@@ -1,7 +1,7 @@
 //! Where a model may be asked.
 
-use super::ModelError;
 use super::interval::{Interval, Quantity, RangeViolation};
+use super::{ModelError, Result};
 use crate::muscle::Muscle;
 use serde::{Serialize, Serializer};
 
@@ -96,7 +96,7 @@ impl ModelRange {
     }
 
     /// Refuses what is outside.
-    pub fn check(&self, model: &str, pressure_mpa: f64, contraction: f64) -> Result<(), ModelError> {
+    pub fn check(&self, model: &str, pressure_mpa: f64, contraction: f64) -> Result<()> {
         let violations = self.violations(pressure_mpa, contraction);
         if violations.is_empty() && self.make.is_empty() {
             return Ok(());

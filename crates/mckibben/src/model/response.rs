@@ -1,6 +1,6 @@
 //! What a model knows at one pressure and contraction.
 
-use super::ModelError;
+use super::{ModelError, Result};
 use serde::{Deserialize, Serialize};
 
 /// One point of a muscle's behaviour. What a model does not have is `None`.
@@ -64,7 +64,7 @@ impl Response {
     }
 
     /// The response, or [`ModelError::NotFinite`] where its force is none (a pressure that is not a number).
-    pub(crate) fn finite(self, model: &str) -> Result<Self, ModelError> {
+    pub(crate) fn finite(self, model: &str) -> Result<Self> {
         let Self { pressure_mpa, contraction, force_n, .. } = self;
         if force_n.is_finite() {
             Ok(self)

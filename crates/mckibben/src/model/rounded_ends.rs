@@ -10,10 +10,11 @@
 //! bulged more than the muscle as a whole), and the pull with it. The strand in the ends is taken as if it belonged to
 //! the middle. Kothera et al. was not at hand in full; this reading is derived from the sentence above.
 
-use super::force_balance::{Balance, balance};
+use super::force_balance::balance;
 use super::pantograph::Pantograph;
+use super::proportional::{PerPressure, Proportional};
 use super::root::rising_root;
-use super::{Extensions, ForceModel, Inverse, ModelEntry, ModelError, ModelInfo, Response, Workspace};
+use super::{ModelEntry, ModelError, ModelInfo, Result};
 use crate::muscle::Muscle;
 
 pub(super) const ENTRY: ModelEntry = ModelEntry {
@@ -36,7 +37,7 @@ pub struct RoundedEnds {
 
 impl RoundedEnds {
     /// The model of a muscle.
-    pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
+    pub fn new(muscle: &Muscle) -> Result<Self> {
         let braid = Pantograph::of(muscle);
         let cot2 = (braid.cos / braid.sin).powi(2);
         let least_mm = 2.0 * braid.r0 * cot2;
@@ -50,7 +51,7 @@ impl RoundedEnds {
     }
 
     /// λm and dλm/dλ at a contraction of the whole muscle.
-    fn middle(&self, contraction: f64) -> Result<(f64, f64), ModelError> {
+    fn middle(&self, contraction: f64) -> Result<(f64, f64)> {
         let (l, b) = (1.0 - contraction, &self.braid);
         let length = |lm: f64| match b.at(1.0 - lm) {
             Ok(g) => (lm + 2.0 * (g.r - b.r0) / b.length - l, 1.0 + 2.0 * g.r1 / b.length),
@@ -65,55 +66,24 @@ impl RoundedEnds {
         let lm = rising_root(1e-12, self.turn, l.min(self.turn), 0.0, length).ok_or(error)?;
         Ok((lm, 1.0 / length(lm).1))
     }
-
-    /// The balance of the middle and dλm/dλ.
-    fn balance(&self, contraction: f64) -> Result<(Balance, f64), ModelError> {
-        let (lm, slope) = self.middle(contraction)?;
-        Ok((balance(&self.braid, 1.0 - lm)?, slope))
-    }
 }
 
-impl ForceModel for RoundedEnds {
-    fn info(&self) -> &ModelInfo {
+impl Proportional for RoundedEnds {
+    fn model(&self) -> &ModelInfo {
         &self.info
     }
 
-    fn response(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
-        let (b, slope) = self.balance(contraction)?;
-        Response {
-            pressure_mpa,
-            contraction,
-            force_n: pressure_mpa * b.f,
-            stiffness_n_per_mm: Some(pressure_mpa * b.f_l * slope / self.braid.length),
-            force_per_pressure_mm2: Some(b.f),
-            bulged_diameter_mm: Some(b.diameter),
-            ..Response::default()
-        }
-        .with_braid_tension(pressure_mpa * b.tension, self.info.muscle.braid().strands.map(|s| s.count))
-        .finite(ENTRY.name)
-    }
-
-    fn extensions(&self) -> Extensions<'_> {
-        Extensions { inverse: Some(self), ..Extensions::default() }
-    }
-}
-
-impl Inverse for RoundedEnds {
-    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        let (b, _) = self.balance(contraction).ok()?;
-        (b.f > 0.0).then(|| force_n / b.f)
+    fn per_pressure(&self, contraction: f64) -> Result<PerPressure> {
+        let (lm, slope) = self.middle(contraction)?;
+        let middle = balance(&self.braid, 1.0 - lm)?;
+        Ok(PerPressure { f_l: middle.f_l * slope, volume_mm3: None, ..middle })
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::ForceBalance;
+    use crate::model::{ForceBalance, ForceModel, Workspace};
     use crate::muscle::Tube;
 
     fn long(length_mm: f64) -> Muscle {

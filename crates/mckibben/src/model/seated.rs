@@ -7,7 +7,7 @@
 
 use super::{
     Contact, Extensions, ForceModel, Inverse, Mesh, ModelError, ModelId, ModelInfo, ModelRange, Response,
-    Slopes, Workspace, blocked_scale_n, pivoting_n_per_mm,
+    Result, Slopes, Workspace, blocked_scale_n, pivoting_n_per_mm,
 };
 use crate::differences::slope;
 use crate::muscle::{EndState, Ends, InnerPull, Muscle};
@@ -88,12 +88,7 @@ impl<M: ForceModel + ?Sized> Seated<M> {
     }
 
     /// The ends at a point, and what the muscle between them answers there.
-    fn end_state(
-        &self,
-        workspace: &mut Workspace,
-        p: f64,
-        e: f64,
-    ) -> Result<(EndState, Response), ModelError> {
+    fn end_state(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<(EndState, Response)> {
         let mut last = None;
         let slips = self.ends.slip_mm_per_n > 0.0;
         let found = self.solve_ends(workspace, p, e, |workspace, x| {
@@ -181,12 +176,12 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
         &self.info
     }
 
-    fn response(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
+    fn response(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<Response> {
         let (state, found) = self.end_state(workspace, p, e)?;
         Ok(self.whole(&state, found))
     }
 
-    fn force_n(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<f64, ModelError> {
+    fn force_n(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<f64> {
         if self.ends.slip_mm_per_n > 0.0 {
             return Ok(self.end_state(workspace, p, e)?.1.force_n);
         }
@@ -228,7 +223,7 @@ impl<M: ForceModel + ?Sized> Slopes for Seated<M> {
         p: f64,
         e: f64,
         names: &[String],
-    ) -> Option<Result<Vec<f64>, ModelError>> {
+    ) -> Option<Result<Vec<f64>>> {
         let (state, found) = match self.end_state(workspace, p, e) {
             Ok(found) => found,
             Err(error) => return Some(Err(error)),
@@ -250,7 +245,7 @@ impl<M: ForceModel + ?Sized> Slopes for Seated<M> {
 }
 
 impl<M: ForceModel + ?Sized> Mesh for Seated<M> {
-    fn blocked_scale_n(&self, workspace: &mut Workspace, p: f64) -> Result<f64, ModelError> {
+    fn blocked_scale_n(&self, workspace: &mut Workspace, p: f64) -> Result<f64> {
         blocked_scale_n(&*self.inner, workspace, p)
     }
 
@@ -272,7 +267,7 @@ impl<M: ForceModel + ?Sized> Mesh for Seated<M> {
 }
 
 impl<M: ForceModel + ?Sized> Contact for Seated<M> {
-    fn pivoting_n_per_mm(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<f64, ModelError> {
+    fn pivoting_n_per_mm(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<f64> {
         let state = self.end_state(workspace, p, e)?.0;
         let inner = pivoting_n_per_mm(&*self.inner, workspace, p, state.between);
         // Of the whole muscle's change of length the strands get a share.

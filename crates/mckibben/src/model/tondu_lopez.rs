@@ -4,7 +4,9 @@
 //!
 //! Source: Tondu & Lopez (2000) \[tondu2000\], whose text was not at hand: the formula is taken from Tondu's review (2012) \[tondu2012\].
 
-use super::{Extensions, ForceModel, Ideal, Inverse, ModelEntry, ModelError, ModelInfo, Response, Workspace};
+use super::{
+    Extensions, ForceModel, Ideal, Inverse, ModelEntry, ModelError, ModelInfo, Response, Result, Workspace,
+};
 use crate::muscle::{EndFactor, Muscle};
 use std::f64::consts::PI;
 
@@ -28,7 +30,7 @@ pub struct TonduLopez {
 
 impl TonduLopez {
     /// The model of a muscle whose end factor is known.
-    pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
+    pub fn new(muscle: &Muscle) -> Result<Self> {
         let factor = muscle.terminals().end_factor.ok_or(ModelError::Missing {
             model: ENTRY.name,
             missing: "an end factor: `end_factor = 1.29` under [model.tondu-lopez] in the muscle file",
@@ -43,12 +45,7 @@ impl ForceModel for TonduLopez {
         &self.info
     }
 
-    fn response(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
+    fn response(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         let (p, k) = (pressure_mpa, self.factor.at(pressure_mpa));
         let middle = self.ideal.response(workspace, p, k * contraction)?;
         let stiffness = middle.stiffness_n_per_mm.map(|s| k * s);
@@ -95,7 +92,7 @@ mod tests {
     use super::*;
     use crate::muscle::Terminals;
 
-    fn model(end_factor: Option<EndFactor>) -> Result<TonduLopez, ModelError> {
+    fn model(end_factor: Option<EndFactor>) -> Result<TonduLopez> {
         let terminals = Terminals { end_factor, ..Terminals::default() };
         TonduLopez::new(&Muscle::prototype().with_terminals(terminals).unwrap())
     }

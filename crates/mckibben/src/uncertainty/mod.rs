@@ -87,7 +87,7 @@ const BASIS: &str = "model against tests: 3.5 to 4.5 % of the blocked force at t
 pub fn basis_of(accuracy: &Accuracy) -> String {
     match accuracy.reference {
         Reference::Unknown => accuracy.reference.to_string(),
-        Reference::ForceMap { .. } => format!("formula: {}", accuracy.reference),
+        Reference::ForceMap(_) => format!("formula: {}", accuracy.reference),
         _ => format!("formula: {}; {BASIS}", accuracy.reference),
     }
 }
@@ -120,20 +120,43 @@ pub struct UncertaintyParts {
 }
 
 impl UncertaintyParts {
+    /// The parts in the order of their fields.
+    pub(crate) fn parts(&self) -> [Option<f64>; 9] {
+        let Self { formula, mesh, rubber, braid, measured, friction, fit, .. } = *self;
+        [formula, mesh, rubber, braid, measured, friction, fit, self.transfer, self.length_transfer]
+    }
+
+    /// From the parts in the order of their fields.
+    pub(crate) fn of(parts: [Option<f64>; 9], friction_is_stated: bool) -> Self {
+        let [formula, mesh, rubber, braid, measured, friction, fit, transfer, length_transfer] = parts;
+        Self {
+            formula,
+            mesh,
+            rubber,
+            braid,
+            measured,
+            friction,
+            fit,
+            transfer,
+            length_transfer,
+            friction_is_stated,
+        }
+    }
+
     /// The parts with their names, those that there are.
     pub fn named(&self) -> impl Iterator<Item = (&'static str, f64)> {
-        let all = [
-            ("formula", self.formula),
-            ("mesh", self.mesh),
-            ("rubber", self.rubber),
-            ("stiffness of the braid", self.braid),
-            ("model against tests", self.measured),
-            (if self.friction_is_stated { "friction" } else { "friction unknown" }, self.friction),
-            ("fit", self.fit),
-            ("another specimen", self.transfer),
-            ("another length", self.length_transfer),
+        let names = [
+            "formula",
+            "mesh",
+            "rubber",
+            "stiffness of the braid",
+            "model against tests",
+            if self.friction_is_stated { "friction" } else { "friction unknown" },
+            "fit",
+            "another specimen",
+            "another length",
         ];
-        all.into_iter().filter_map(|(name, part)| Some((name, part?)))
+        names.into_iter().zip(self.parts()).filter_map(|(name, part)| Some((name, part?)))
     }
 
     /// With so much of `fit` that the sum is no less.
@@ -161,22 +184,21 @@ pub fn stiffness_uncertainty_n_per_mm(muscle: &Muscle, parts: &UncertaintyParts)
 
 /// The parts of the ± of a pull in N at a pressure and contraction, on a branch of the hysteresis loop; `None` where nobody has measured the
 /// model's error.
-pub fn uncertainty<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn uncertainty(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     (pressure_mpa, contraction): (f64, f64),
     force_n: f64,
     direction: Direction,
 ) -> Option<UncertaintyParts> {
-    let at = (pressure_mpa, contraction);
-    let own = of_specimen(model, workspace, at, force_n, direction)?;
-    // A formula of a bought muscle was held against measured pulls.
-    let of_product = matches!(model.info().accuracy.reference, Reference::ForceMap { .. });
+    let mut pull = Pull { model, workspace, pressure_mpa, contraction, force_n, direction };
+    let own = pull.of_specimen()?;
     let (transfer, length) = (transfer_share(model.muscle()), length_share(model.muscle()));
-    if of_product || transfer.is_none() && length.is_none() {
+    // A formula of a bought muscle was held against measured pulls.
+    if is_of_product(model) || transfer.is_none() && length.is_none() {
         return Some(own);
     }
-    let blocked = blocked_n(model, workspace, pressure_mpa)?;
+    let blocked = pull.blocked_n(pressure_mpa)?;
     let of_blocked = |share: f64| share * blocked;
     Some(UncertaintyParts {
         transfer: transfer.map(of_blocked),
@@ -185,169 +207,137 @@ pub fn uncertainty<M: ForceModel + ?Sized>(
     })
 }
 
-/// The parts of the ± of the specimen that was identified, or of any muscle.
-fn of_specimen<M: ForceModel + ?Sized>(
-    model: &M,
-    workspace: &mut Workspace,
-    at: (f64, f64),
-    force_n: f64,
-    direction: Direction,
-) -> Option<UncertaintyParts> {
-    let (pressure_mpa, contraction) = at;
-    let Some(bench) = bench_of(model) else { return general(model, workspace, at, force_n, direction) };
-    let own = model.muscle().bench().is_some();
-    let outside = if own { bench.outside(pressure_mpa, contraction) } else { 1.0 };
-    let inside = if outside < 1.0 { Some(of_bench(model, workspace, bench, at, direction)?) } else { None };
-    let general = if outside > 0.0 { Some(general(model, workspace, at, force_n, direction)?) } else { None };
-    let parts = match (inside, general) {
-        (Some(inside), Some(general)) => Some(between(&inside, &general, outside)),
-        (one, other) => one.or(other),
-    };
-    parts.map(|parts| parts.at_least(bench.scatter_n))
-}
-
 /// 95 % half-width in N of the pull of a muscle that was identified by this model from 10 points on both branches, by the experience of the measured
 /// muscles; `None` for a formula of a bought muscle, and where nobody has measured the model's error.
-pub fn identified_n<M: ForceModel + ?Sized>(
-    model: &M,
-    workspace: &mut Workspace,
-    pressure_mpa: f64,
-) -> Option<f64> {
-    let Accuracy { share_of_blocked, reference, .. } = model.info().accuracy;
-    share_of_blocked.filter(|_| !matches!(reference, Reference::ForceMap { .. }))?;
-    Some(IDENTIFIED * blocked_n(model, workspace, pressure_mpa)?)
+pub fn identified_n(model: &dyn ForceModel, workspace: &mut Workspace, pressure_mpa: f64) -> Option<f64> {
+    model.info().accuracy.share_of_blocked.filter(|_| !is_of_product(model))?;
+    Some(IDENTIFIED * blocked_scale_n(model, workspace, pressure_mpa).ok()?.abs())
 }
 
-/// What is known of any muscle.
-fn general<M: ForceModel + ?Sized>(
-    model: &M,
-    workspace: &mut Workspace,
-    (pressure_mpa, contraction): (f64, f64),
-    force_n: f64,
-    direction: Direction,
-) -> Option<UncertaintyParts> {
-    let formula = formula_n(model, workspace, pressure_mpa)?;
-    if matches!(model.info().accuracy.reference, Reference::ForceMap { .. }) {
-        // Held against measured pulls already.
-        return Some(UncertaintyParts { formula, ..UncertaintyParts::default() });
-    }
-    let blocked = blocked_n(model, workspace, pressure_mpa)?;
-    let muscle = model.muscle();
-    let shifts = Shifts::of(workspace, muscle, (pressure_mpa, contraction));
-    Some(UncertaintyParts {
-        formula,
-        mesh: model
-            .extensions()
-            .mesh
-            .and_then(|mesh| mesh.mesh_error_n(workspace, pressure_mpa, contraction, force_n, blocked)),
-        rubber: shifts.rubber(),
-        braid: shifts.braid(),
-        measured: Some(measured_n(muscle, blocked, contraction)),
-        friction: Some(friction_n(model, workspace, (pressure_mpa, contraction), direction, blocked)),
-        fit: None,
-        transfer: None,
-        length_transfer: None,
-        friction_is_stated: muscle.friction().is_some(),
-    })
-}
-
-/// The blocked force that shares are taken of.
-fn blocked_n<M: ForceModel + ?Sized>(model: &M, workspace: &mut Workspace, pressure_mpa: f64) -> Option<f64> {
-    blocked_scale_n(model, workspace, pressure_mpa).ok().map(f64::abs)
-}
-
-/// The model's own part, where it has one; `None` where nobody has measured it.
-fn formula_n<M: ForceModel + ?Sized>(
-    model: &M,
-    workspace: &mut Workspace,
-    pressure_mpa: f64,
-) -> Option<Option<f64>> {
-    let Accuracy { share_of_blocked, blocked_at, .. } = model.info().accuracy;
-    let share = share_of_blocked?;
-    let at = match blocked_at {
-        BlockedAt::SamePressure => pressure_mpa,
-        BlockedAt::Pressure(p) => p,
-    };
-    if share > 0.0 { Some(Some(share * blocked_n(model, workspace, at)?)) } else { Some(None) }
+/// Whether it is a formula of a bought muscle.
+fn is_of_product(model: &dyn ForceModel) -> bool {
+    matches!(model.info().accuracy.reference, Reference::ForceMap(_))
 }
 
 /// The bench of the model's muscle, or of the same one in another length, where it says something of this model: its constants were fitted with it, or with finite elements, from
 /// which the other model's distance is known.
-fn bench_of<M: ForceModel + ?Sized>(model: &M) -> Option<&Bench> {
+fn bench_of(model: &dyn ForceModel) -> Option<&Bench> {
     let bench = model.muscle().bench_of_lengths()?;
-    let Accuracy { share_of_blocked, reference, .. } = model.info().accuracy;
-    let to_elements = share_of_blocked.is_some() && !matches!(reference, Reference::ForceMap { .. });
+    let to_elements = model.info().accuracy.share_of_blocked.is_some() && !is_of_product(model);
     (bench.model == model.info().name || bench.model == ELEMENTS && to_elements).then_some(bench)
 }
 
-/// The ± on the bench that the muscle was identified from.
-fn of_bench<M: ForceModel + ?Sized>(
-    model: &M,
-    workspace: &mut Workspace,
-    bench: &Bench,
-    (pressure_mpa, contraction): (f64, f64),
+/// A pull whose ± is asked for.
+struct Pull<'a> {
+    model: &'a dyn ForceModel,
+    workspace: &'a mut Workspace,
+    pressure_mpa: f64,
+    contraction: f64,
+    force_n: f64,
     direction: Direction,
-) -> Option<UncertaintyParts> {
-    let formula =
-        if bench.model == model.info().name { None } else { formula_n(model, workspace, pressure_mpa)? };
-    let known = match model.muscle().friction() {
-        None => bench.saw_the_loop(),
-        Some(_) => !direction.is_mean() && bench.branches.contains(&direction),
-    };
-    let fit_n = bench.half_width_n(pressure_mpa, contraction);
-    let friction = if known {
-        None
-    } else {
-        let blocked = blocked_n(model, workspace, pressure_mpa)?;
-        let general = friction_n(model, workspace, (pressure_mpa, contraction), direction, blocked);
-        let measured = measured_friction_n(model, workspace, bench, (pressure_mpa, contraction), fit_n);
-        Some(measured.map_or(general, |measured| measured.min(general)))
-    };
-    let fit = Some(fit_n);
-    let friction_is_stated = model.muscle().friction().is_some();
-    Some(UncertaintyParts { formula, friction, fit, friction_is_stated, ..UncertaintyParts::default() })
 }
 
-/// Of a muscle whose law of friction was fitted to both branches, what a branch differs by from their mean: the half-width h of the loop, which is no
-/// unknown. A point on a branch lies within h and the ± of the fit, so that both add up: (h + fit)² = fit² + part².
-fn measured_friction_n<M: ForceModel + ?Sized>(
-    model: &M,
-    workspace: &mut Workspace,
-    bench: &Bench,
-    (pressure_mpa, contraction): (f64, f64),
-    fit_n: f64,
-) -> Option<f64> {
-    model.muscle().friction().filter(|_| Direction::BRANCHES.iter().all(|b| bench.branches.contains(b)))?;
-    let half = friction_half_width_n(model, workspace, pressure_mpa, contraction).ok()?;
-    Some((half * (half + 2.0 * fit_n)).sqrt())
+impl Pull<'_> {
+    /// The parts of the ± of the specimen that was identified, or of any muscle.
+    fn of_specimen(&mut self) -> Option<UncertaintyParts> {
+        let Some(bench) = bench_of(self.model) else { return self.of_any() };
+        let own = self.model.muscle().bench().is_some();
+        let outside = if own { bench.outside(self.pressure_mpa, self.contraction) } else { 1.0 };
+        let inside = if outside < 1.0 { Some(self.of_bench(bench)?) } else { None };
+        let general = if outside > 0.0 { Some(self.of_any()?) } else { None };
+        let parts = match (inside, general) {
+            (Some(inside), Some(general)) => Some(between(&inside, &general, outside)),
+            (one, other) => one.or(other),
+        };
+        parts.map(|parts| parts.at_least(bench.scatter_n))
+    }
+
+    /// What is known of any muscle.
+    fn of_any(&mut self) -> Option<UncertaintyParts> {
+        let formula = self.formula_n()?;
+        if is_of_product(self.model) {
+            // Held against measured pulls already.
+            return Some(UncertaintyParts { formula, ..UncertaintyParts::default() });
+        }
+        let (p, e, muscle) = (self.pressure_mpa, self.contraction, self.model.muscle());
+        let blocked = self.blocked_n(p)?;
+        let shifts = Shifts::of(self.workspace, muscle, (p, e));
+        let mesh = self.model.extensions().mesh;
+        Some(UncertaintyParts {
+            formula,
+            mesh: mesh.and_then(|mesh| mesh.mesh_error_n(self.workspace, p, e, self.force_n, blocked)),
+            rubber: shifts.rubber(),
+            braid: shifts.braid(),
+            measured: Some(measured_n(muscle, blocked, e)),
+            friction: Some(friction_n(self.model, self.workspace, (p, e), self.direction, blocked)),
+            friction_is_stated: muscle.friction().is_some(),
+            ..UncertaintyParts::default()
+        })
+    }
+
+    /// The blocked force that shares are taken of.
+    fn blocked_n(&mut self, pressure_mpa: f64) -> Option<f64> {
+        blocked_scale_n(self.model, self.workspace, pressure_mpa).ok().map(f64::abs)
+    }
+
+    /// The model's own part, where it has one; `None` where nobody has measured it.
+    fn formula_n(&mut self) -> Option<Option<f64>> {
+        let Accuracy { share_of_blocked, blocked_at, .. } = self.model.info().accuracy;
+        let share = share_of_blocked?;
+        let at = match blocked_at {
+            BlockedAt::SamePressure => self.pressure_mpa,
+            BlockedAt::Pressure(p) => p,
+        };
+        if share > 0.0 { Some(Some(share * self.blocked_n(at)?)) } else { Some(None) }
+    }
+
+    /// The ± on the bench that the muscle was identified from.
+    fn of_bench(&mut self, bench: &Bench) -> Option<UncertaintyParts> {
+        let formula = if bench.model == self.model.info().name { None } else { self.formula_n()? };
+        let known = match self.model.muscle().friction() {
+            None => bench.saw_the_loop(),
+            Some(_) => !self.direction.is_mean() && bench.branches.contains(&self.direction),
+        };
+        let at = (self.pressure_mpa, self.contraction);
+        let fit_n = bench.half_width_n(at.0, at.1);
+        let friction = if known {
+            None
+        } else {
+            let blocked = self.blocked_n(at.0)?;
+            let general = friction_n(self.model, self.workspace, at, self.direction, blocked);
+            let measured = self.measured_friction_n(bench, fit_n);
+            Some(measured.map_or(general, |measured| measured.min(general)))
+        };
+        let friction_is_stated = self.model.muscle().friction().is_some();
+        let fit = Some(fit_n);
+        Some(UncertaintyParts { formula, friction, fit, friction_is_stated, ..UncertaintyParts::default() })
+    }
+
+    /// Of a muscle whose law of friction was fitted to both branches, what a branch differs by from their mean: the half-width h of the loop, which is no
+    /// unknown. A point on a branch lies within h and the ± of the fit, so that both add up: (h + fit)² = fit² + part².
+    fn measured_friction_n(&mut self, bench: &Bench, fit_n: f64) -> Option<f64> {
+        let both = Direction::BRANCHES.iter().all(|b| bench.branches.contains(b));
+        self.model.muscle().friction().filter(|_| both)?;
+        let (p, e) = (self.pressure_mpa, self.contraction);
+        let half = friction_half_width_n(self.model, self.workspace, p, e).ok()?;
+        Some((half * (half + 2.0 * fit_n)).sqrt())
+    }
 }
 
 /// Squares of the parts, weighted by 1 − x and x.
 fn between(inside: &UncertaintyParts, outside: &UncertaintyParts, x: f64) -> UncertaintyParts {
-    let part = |of: fn(&UncertaintyParts) -> Option<f64>| match (of(inside), of(outside)) {
-        (None, None) => None,
-        (a, b) => {
-            let square = |v: Option<f64>| v.unwrap_or(0.0).powi(2);
-            Some(((1.0 - x) * square(a) + x * square(b)).sqrt())
-        }
+    let (inner, outer) = (inside.parts(), outside.parts());
+    let part = |i: usize| {
+        let square = |v: Option<f64>| v.unwrap_or(0.0).powi(2);
+        let mixed = ((1.0 - x) * square(inner[i]) + x * square(outer[i])).sqrt();
+        inner[i].or(outer[i]).map(|_| mixed)
     };
-    UncertaintyParts {
-        formula: part(|p| p.formula),
-        mesh: part(|p| p.mesh),
-        rubber: part(|p| p.rubber),
-        braid: part(|p| p.braid),
-        measured: part(|p| p.measured),
-        friction: part(|p| p.friction),
-        fit: part(|p| p.fit),
-        transfer: None,
-        length_transfer: None,
-        friction_is_stated: inside.friction_is_stated,
-    }
+    UncertaintyParts::of(std::array::from_fn(part), inside.friction_is_stated)
 }
 
 /// What a pull on one branch may differ by, in N, from an answer on `direction`, besides all else.
-pub fn friction_n<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn friction_n(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     (pressure_mpa, contraction): (f64, f64),
     direction: Direction,

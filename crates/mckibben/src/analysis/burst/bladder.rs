@@ -7,7 +7,7 @@ use super::failure::{FailurePressure, NoBurst};
 use super::radii::Radii;
 use crate::analysis::ask::Options;
 use crate::analysis::characteristics::free_contraction;
-use crate::analysis::error::AnalysisError;
+use crate::analysis::error::{AnalysisError, Result};
 use crate::analysis::root::{RootError, find_root};
 use crate::model::{ModelError, ModelKind, Workspace};
 use crate::muscle::{Muscle, NEUTRAL_ANGLE_DEG};
@@ -30,7 +30,7 @@ pub fn stretch_at_break(muscle: &Muscle) -> Option<f64> {
 }
 
 /// The pressure at which the rubber of the unloaded muscle tears, below one at which another part fails.
-pub fn tearing(muscle: &Muscle, below_mpa: Option<f64>) -> Result<FailurePressure, AnalysisError> {
+pub fn tearing(muscle: &Muscle, below_mpa: Option<f64>) -> Result<FailurePressure> {
     let Some(breaks) = stretch_at_break(muscle) else {
         return Ok(FailurePressure::Unknown(NoBurst::NoElongation));
     };
@@ -39,7 +39,7 @@ pub fn tearing(muscle: &Muscle, below_mpa: Option<f64>) -> Result<FailurePressur
         return Ok(FailurePressure::None);
     }
     let (model, mut workspace) = (ModelKind::ThickWall.build(muscle)?, Workspace::new());
-    let mut over = |p: f64| -> Result<f64, AnalysisError> {
+    let mut over = |p: f64| -> Result<f64> {
         let free = free_contraction(&*model, &mut workspace, p, Options::extrapolating())?;
         Ok(model.response(&mut workspace, p, free)?.max_stretch.unwrap_or(1.0) - breaks)
     };

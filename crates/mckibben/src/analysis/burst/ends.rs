@@ -7,7 +7,7 @@
 
 use super::failure::{FailurePressure, NoBurst};
 use super::strands::overloaded;
-use crate::analysis::error::AnalysisError;
+use crate::analysis::error::Result;
 use crate::model::ForceModel;
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
@@ -16,7 +16,7 @@ use std::f64::consts::PI;
 ///
 /// # Errors
 /// [`AnalysisError`] where the work is cancelled, or the model has no answer at all.
-pub fn pull_off<M: ForceModel + ?Sized>(model: &M) -> Result<FailurePressure, AnalysisError> {
+pub fn pull_off(model: &dyn ForceModel) -> Result<FailurePressure> {
     let muscle = model.muscle();
     let Some(bears) = muscle.terminals().pull_off_n else {
         return Ok(FailurePressure::Unknown(NoBurst::NoPullOff));

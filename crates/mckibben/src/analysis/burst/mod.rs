@@ -21,14 +21,14 @@ pub mod strands;
 
 pub use failure::{Burst, FailureMode, FailurePressure, NoBurst, SAFETY};
 
-use super::error::AnalysisError;
+use super::error::Result;
 use crate::model::ForceModel;
 
 /// The burst pressure of a model's muscle.
 ///
 /// # Errors
 /// [`AnalysisError`] where the work is cancelled, or the model has no answer at all.
-pub fn burst<M: ForceModel + ?Sized>(model: &M) -> Result<Burst, AnalysisError> {
+pub fn burst(model: &dyn ForceModel) -> Result<Burst> {
     let muscle = model.muscle();
     let (strands, from_thick_wall) = strands::breaking(model)?;
     let (mesh, ends) = (mesh::herniation(muscle), ends::pull_off(model)?);

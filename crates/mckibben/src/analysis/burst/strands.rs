@@ -12,7 +12,7 @@
 //! so of the answer in question.
 
 use super::failure::{Burst, FailurePressure, NoBurst};
-use crate::analysis::error::AnalysisError;
+use crate::analysis::error::{AnalysisError, Result};
 use crate::analysis::root::{RootError, find_root};
 use crate::model::{ForceModel, ModelError, ModelKind, Response, Workspace};
 
@@ -27,7 +27,7 @@ const EDGE: f64 = 1e-6;
 ///
 /// # Errors
 /// [`AnalysisError`] where the work is cancelled, or the model has no answer at all.
-pub fn breaking<M: ForceModel + ?Sized>(model: &M) -> Result<(FailurePressure, bool), AnalysisError> {
+pub fn breaking(model: &dyn ForceModel) -> Result<(FailurePressure, bool)> {
     match (Burst::missing(model.muscle()), model.muscle().braid().strands.and_then(|s| s.strength_n)) {
         (None, Some(strength)) => overloaded(model, &|r| r.strand_tension_n, strength),
         (missing, _) => Ok((FailurePressure::Unknown(missing.unwrap_or(NoBurst::NoStrength)), false)),
@@ -38,19 +38,17 @@ pub fn breaking<M: ForceModel + ?Sized>(model: &M) -> Result<(FailurePressure, b
 pub(super) type Load<'a> = dyn Fn(&Response) -> Option<f64> + 'a;
 
 /// The pressure at which a part of the blocked muscle carries what it bears, in N, and whether the thick-wall model gave it.
-pub(super) fn overloaded<M: ForceModel + ?Sized>(
-    model: &M,
+pub(super) fn overloaded(
+    model: &dyn ForceModel,
     load: &Load<'_>,
     bears: f64,
-) -> Result<(FailurePressure, bool), AnalysisError> {
+) -> Result<(FailurePressure, bool)> {
     let thick = ModelKind::ThickWall.build(model.muscle())?;
     // Of the infinitely long muscle: where the other begins to search.
     let mut of_thick = Blocked { model: &*thick, workspace: Workspace::new(), load, bears };
     let near = of_thick.fails_near(1.0);
-    let found = match model.extensions().companion {
-        Some(model) => Blocked { model, workspace: Workspace::new(), load, bears }.fails_near(guess(&near)),
-        None => Blocked { model, workspace: Workspace::new(), load, bears }.fails_near(guess(&near)),
-    };
+    let model = model.extensions().companion.unwrap_or(model);
+    let found = Blocked { model, workspace: Workspace::new(), load, bears }.fails_near(guess(&near));
     match found {
         Err(AnalysisError::Unknown { .. }) => Ok((closed(near?, &mut of_thick), true)),
         found => Ok((closed(found?, &mut of_thick), false)),
@@ -63,7 +61,7 @@ enum Found {
     Ends(f64),
 }
 
-fn guess(near: &Result<Found, AnalysisError>) -> f64 {
+fn guess(near: &Result<Found>) -> f64 {
     match near {
         Ok(Found::Fails(p) | Found::Ends(p)) => *p,
         Err(_) => 1.0,
@@ -71,7 +69,7 @@ fn guess(near: &Result<Found, AnalysisError>) -> f64 {
 }
 
 /// A muscle without an equilibrium has burst: where the infinitely long one has none beyond the same pressure, too.
-fn closed(found: Found, thick: &mut Blocked<'_, dyn ForceModel>) -> FailurePressure {
+fn closed(found: Found, thick: &mut Blocked<'_>) -> FailurePressure {
     const BEYOND: f64 = 1.1;
     match found {
         Found::Fails(pressure_mpa) => FailurePressure::At(pressure_mpa),
@@ -83,16 +81,16 @@ fn closed(found: Found, thick: &mut Blocked<'_, dyn ForceModel>) -> FailurePress
 }
 
 /// A part of the blocked muscle under a model.
-struct Blocked<'m, M: ForceModel + ?Sized> {
-    model: &'m M,
+struct Blocked<'m> {
+    model: &'m dyn ForceModel,
     workspace: Workspace,
     load: &'m Load<'m>,
     bears: f64,
 }
 
-impl<M: ForceModel + ?Sized> Blocked<'_, M> {
+impl Blocked<'_> {
     /// What it carries less what it bears, in N.
-    fn over(&mut self, pressure_mpa: f64) -> Result<f64, AnalysisError> {
+    fn over(&mut self, pressure_mpa: f64) -> Result<f64> {
         let response = self.model.response(&mut self.workspace, pressure_mpa, 0.0)?;
         let unknown =
             AnalysisError::Unknown { model: self.model.info().name.to_string(), quantity: "strand tension" };
@@ -100,7 +98,7 @@ impl<M: ForceModel + ?Sized> Blocked<'_, M> {
     }
 
     /// The pressure at which it fails, sought from one that is thought to be near.
-    fn fails_near(&mut self, near: f64) -> Result<Found, AnalysisError> {
+    fn fails_near(&mut self, near: f64) -> Result<Found> {
         const STRIDE: f64 = 1.05;
         let bears = self.bears;
         // (pressure, excess) below and above, and a pressure without an answer.
@@ -143,7 +141,7 @@ impl<M: ForceModel + ?Sized> Blocked<'_, M> {
         }
     }
 
-    fn between(&mut self, low: f64, high: f64) -> Result<Found, AnalysisError> {
+    fn between(&mut self, low: f64, high: f64) -> Result<Found> {
         match find_root(|p| self.over(p), low, high, TOLERANCE * high) {
             Ok(p) => Ok(Found::Fails(p)),
             Err(RootError::Function(error)) => Err(error),

@@ -1,7 +1,7 @@
 //! Liquid that a stroke takes.
 
 use super::way::cavity_mm3;
-use crate::analysis::AnalysisError;
+use crate::analysis::Result;
 use crate::liquid::LiquidSupply;
 use crate::model::{ForceModel, Workspace};
 
@@ -18,13 +18,13 @@ pub struct LiquidStroke {
 ///
 /// # Errors
 /// [`AnalysisError::Unknown`] for a model without volume; the model's own errors.
-pub fn liquid_per_stroke<M: ForceModel + ?Sized>(
-    model: &M,
+pub fn liquid_per_stroke(
+    model: &dyn ForceModel,
     workspace: &mut Workspace,
     LiquidSupply { liquid, dead_volume_mm3 }: &LiquidSupply,
     pressure_mpa: f64,
     contraction: f64,
-) -> Result<LiquidStroke, AnalysisError> {
+) -> Result<LiquidStroke> {
     let there_mm3 = cavity_mm3(model, workspace, pressure_mpa, contraction)?;
     let rest_mm3 = cavity_mm3(model, workspace, 0.0, 0.0)?;
     let volume_mm3 = liquid.pushed_mm3((rest_mm3, there_mm3), *dead_volume_mm3, pressure_mpa);

@@ -2,8 +2,8 @@
 
 use super::filling::Filling;
 use crate::analysis::{
-    AnalysisError, Options, RootError, find_root, force_on, pressure_at, response_on, slope_by_pressure,
-    stiffness_of,
+    AnalysisError, Options, Result, RootError, find_root, force_on, pressure_at, response_on,
+    slope_by_pressure, stiffness_of,
 };
 use crate::model::{ForceModel, ModelError, Workspace, gauss};
 
@@ -26,21 +26,21 @@ pub(super) enum Leg {
 }
 
 /// The muscle on its way.
-pub(super) struct Way<'a, M: ?Sized> {
-    pub(super) model: &'a M,
+pub(super) struct Way<'a> {
+    pub(super) model: &'a dyn ForceModel,
     pub(super) filling: Filling<'a>,
     pub(super) rest_mm3: f64,
     pub(super) length_mm: f64,
     pub(super) options: Options,
 }
 
-impl<M: ForceModel + ?Sized> Way<'_, M> {
+impl Way<'_> {
     pub(super) fn load_n(&self, contraction: f64) -> f64 {
         self.filling.load.map_or(0.0, |load| load.force_n(contraction * self.length_mm))
     }
 
     /// (P, ε) at a place of a leg.
-    pub(super) fn place(&self, w: &mut Workspace, leg: Leg, at: f64) -> Result<(f64, f64), AnalysisError> {
+    pub(super) fn place(&self, w: &mut Workspace, leg: Leg, at: f64) -> Result<(f64, f64)> {
         match leg {
             Leg::At(contraction) => Ok((at, contraction)),
             Leg::Load => Ok((pressure_at(self.model, w, self.load_n(at), at, self.options)?, at)),
@@ -48,7 +48,7 @@ impl<M: ForceModel + ?Sized> Way<'_, M> {
     }
 
     /// ΔV that brings the muscle to a place of a leg, in mm³.
-    pub(super) fn pushed_mm3(&self, w: &mut Workspace, leg: Leg, at: f64) -> Result<f64, AnalysisError> {
+    pub(super) fn pushed_mm3(&self, w: &mut Workspace, leg: Leg, at: f64) -> Result<f64> {
         let (p, e) = self.place(w, leg, at)?;
         let cavity_mm3 = cavity_mm3(self.model, w, p, e)?;
         Ok(self.filling.liquid.pushed_mm3((self.rest_mm3, cavity_mm3), self.filling.dead_volume_mm3, p))
@@ -60,7 +60,7 @@ impl<M: ForceModel + ?Sized> Way<'_, M> {
         w: &mut Workspace,
         leg: Leg,
         (from, to): (f64, f64),
-    ) -> Result<Result<f64, f64>, AnalysisError> {
+    ) -> Result<Result<f64, f64>> {
         if from == to {
             return Ok(Err(to));
         }
@@ -105,12 +105,7 @@ impl<M: ForceModel + ?Sized> Way<'_, M> {
     }
 
     /// (∫ P dV, what friction took) in J along a part of a leg.
-    pub(super) fn works_j(
-        &self,
-        w: &mut Workspace,
-        leg: Leg,
-        (from, to): (f64, f64),
-    ) -> Result<(f64, f64), AnalysisError> {
+    pub(super) fn works_j(&self, w: &mut Workspace, leg: Leg, (from, to): (f64, f64)) -> Result<(f64, f64)> {
         let (mut cavity, mut friction) = (0.0, 0.0);
         let direction = self.options.direction;
         for &(x, weight) in gauss(POINTS) {
@@ -139,12 +134,12 @@ impl<M: ForceModel + ?Sized> Way<'_, M> {
     }
 }
 
-pub(super) fn cavity_mm3<M: ForceModel + ?Sized>(
-    model: &M,
+pub(super) fn cavity_mm3(
+    model: &dyn ForceModel,
     w: &mut Workspace,
     pressure_mpa: f64,
     contraction: f64,
-) -> Result<f64, AnalysisError> {
+) -> Result<f64> {
     let unknown = || AnalysisError::Unknown { model: model.info().name.to_string(), quantity: "the volume" };
     model.response(w, pressure_mpa, contraction)?.volume_mm3.ok_or_else(unknown)
 }
@@ -158,12 +153,12 @@ pub(super) struct Slopes {
 }
 
 impl Slopes {
-    pub(super) fn at<M: ForceModel + ?Sized>(
-        model: &M,
+    pub(super) fn at(
+        model: &dyn ForceModel,
         w: &mut Workspace,
         (p, e): (f64, f64),
         options: Options,
-    ) -> Result<Self, AnalysisError> {
+    ) -> Result<Self> {
         const STEP: f64 = 1e-5;
         let direction = options.direction;
         let r = response_on(model, w, p, e, direction)?;

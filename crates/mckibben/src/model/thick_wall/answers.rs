@@ -1,7 +1,7 @@
 //! What the thick-wall model answers, and what it can do besides.
 
 use super::ThickWall;
-use crate::model::{Contact, Extensions, ForceModel, Inverse, ModelError, ModelInfo, Response, Workspace};
+use crate::model::{Contact, Extensions, ForceModel, Inverse, ModelInfo, Response, Result, Workspace};
 use crate::muscle::EndFactor;
 use std::f64::consts::PI;
 
@@ -10,12 +10,7 @@ impl ForceModel for ThickWall {
         &self.info
     }
 
-    fn response(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
+    fn response(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         let (l, l_eps, l_p) = self.stretch(pressure_mpa, contraction);
         let s = self.state(pressure_mpa, l)?;
         let length = self.info.muscle.length_mm();
@@ -37,7 +32,7 @@ impl ForceModel for ThickWall {
         Ok(response.with_braid_tension(s.tension, self.info.muscle.braid().strands.map(|s| s.count)))
     }
 
-    fn force_n(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
+    fn force_n(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         let (l, _, _) = self.stretch(pressure_mpa, contraction);
         Ok(self.state(pressure_mpa, l)?.force)
     }
@@ -62,12 +57,7 @@ impl Inverse for ThickWall {
 }
 
 impl Contact for ThickWall {
-    fn pivoting_n_per_mm(
-        &self,
-        _: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<f64, ModelError> {
+    fn pivoting_n_per_mm(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         self.pivoting(pressure_mpa, contraction)
     }
 }

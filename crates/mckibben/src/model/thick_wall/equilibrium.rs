@@ -1,7 +1,7 @@
 //! Equilibrium of the infinitely long muscle: one scalar equation in the outer radius.
 
 use super::ThickWall;
-use crate::model::{ModelError, WallEnergy};
+use crate::model::{ModelError, Result, WallEnergy};
 use crate::muscle::Crimp;
 use crate::rubber::RubberLaw;
 use std::f64::consts::PI;
@@ -102,17 +102,12 @@ impl ThickWall {
     }
 
     /// Equilibrium at a pressure and an axial stretch.
-    pub(super) fn state(&self, p: f64, l: f64) -> Result<State, ModelError> {
+    pub(super) fn state(&self, p: f64, l: f64) -> Result<State> {
         self.state_near(p, l, None)
     }
 
     /// The same from a guess of the outer radius.
-    pub(in crate::model) fn state_near(
-        &self,
-        p: f64,
-        l: f64,
-        near: Option<f64>,
-    ) -> Result<State, ModelError> {
+    pub(in crate::model) fn state_near(&self, p: f64, l: f64, near: Option<f64>) -> Result<State> {
         let contraction = 1.0 - l;
         let straight = 1.0 / self.cos2.sqrt();
         if !(l > 0.0 && l.is_finite()) || (self.k.is_none() && l >= straight) {
@@ -171,12 +166,12 @@ impl ThickWall {
     }
 
     /// The tube alone, short of the braid at `r_braid`.
-    fn without_braid(&self, p: f64, l: f64, r_braid: f64) -> Result<State, ModelError> {
+    fn without_braid(&self, p: f64, l: f64, r_braid: f64) -> Result<State> {
         let lowest = (self.wall.section() / l).sqrt();
         self.solve(0.0, p, l, lowest, r_braid, r_braid)
     }
 
-    fn extensible(&self, k: f64, p: f64, l: f64, near: Option<f64>) -> Result<State, ModelError> {
+    fn extensible(&self, k: f64, p: f64, l: f64, near: Option<f64>) -> Result<State> {
         let lowest = (self.wall.section() / l).sqrt();
         let at_rest = self.pantograph(l).max(lowest);
         let b = self.sin2 / (self.rs * self.rs);
@@ -188,7 +183,7 @@ impl ThickWall {
     }
 
     /// Root of ∂Π/∂r between `low` (bore closed) and `high`, by Newton's method kept inside the bracket.
-    fn solve(&self, k: f64, p: f64, l: f64, low: f64, high: f64, guess: f64) -> Result<State, ModelError> {
+    fn solve(&self, k: f64, p: f64, l: f64, low: f64, high: f64, guess: f64) -> Result<State> {
         let (mut low, mut high, mut r) = (low, high, guess);
         let scale = 2.0 * PI * self.ro * (p.abs() + self.law.shear_modulus_mpa());
         let mut residual = f64::INFINITY;
@@ -257,16 +252,7 @@ impl ThickWall {
     }
 
     #[allow(clippy::too_many_arguments)]
-    fn at(
-        &self,
-        k: f64,
-        p: f64,
-        l: f64,
-        r: f64,
-        w: &WallEnergy,
-        b: &BraidEnergy,
-        g_r: f64,
-    ) -> Result<State, ModelError> {
+    fn at(&self, k: f64, p: f64, l: f64, r: f64, w: &WallEnergy, b: &BraidEnergy, g_r: f64) -> Result<State> {
         if g_r <= 0.0 {
             return Err(ModelError::Overstretched {
                 pressure_mpa: p,
@@ -340,7 +326,7 @@ impl ThickWall {
         None
     }
 
-    pub(super) fn finite(&self, w: WallEnergy, l: f64, r: f64) -> Result<WallEnergy, ModelError> {
+    pub(super) fn finite(&self, w: WallEnergy, l: f64, r: f64) -> Result<WallEnergy> {
         if w.l.is_finite() && w.r.is_finite() && w.ll.is_finite() { Ok(w) } else { Err(self.locked(l, r)) }
     }
 

@@ -22,10 +22,9 @@ mod square;
 #[cfg(test)]
 mod tests;
 
-pub use bending::BendingStiffness;
 pub(super) use equilibrium::State;
 
-use super::{Accuracy, ModelEntry, ModelError, ModelInfo, ModelRange, Reference, Wall, Where, notes};
+use super::{Accuracy, ModelEntry, ModelInfo, ModelRange, Reference, Result, Wall, notes};
 use crate::muscle::{Crimp, EndFactor, Muscle};
 use crate::rubber::Law;
 use std::sync::Arc;
@@ -35,6 +34,16 @@ pub(super) const ENTRY: ModelEntry = ModelEntry {
     description: "energy of a long muscle: any rubber, any wall, strands that stretch",
     source: "energy of the infinitely long muscle: Liu & Rahn 2003 [liu2003] for rigid strands, extended here to strands that stretch",
 };
+
+/// The error over D0/L0 as a share of the blocked force, with strands that stretch and with others.
+const STRETCHING: (f64, &str) = (
+    0.76,
+    "0.76 D0/L0 of the blocked force covers 95 % of 5491 points on 1000 random muscles (L0/D0 5–20, strand strain up to 6 %) against axisymmetric finite elements: the ends, which this model neglects; it mostly predicts too much pull",
+);
+const RIGID: (f64, &str) = (
+    0.65,
+    "0.65 D0/L0 of the blocked force covers 95 % of 5491 points on 1000 random muscles (L0/D0 5–20) against axisymmetric finite elements with inextensible strands: the ends, which this model neglects",
+);
 
 /// The thick-wall energy model for any rubber law.
 ///
@@ -66,9 +75,7 @@ impl ThickWall {
         let (lay, k) = (muscle.strand_lay(), muscle.family_stiffness_n_per_mm());
         // The ends are what this model leaves out: their share of the force goes like D0/L0.
         let share = muscle.outer_diameter_mm() / muscle.length_mm();
-        let stretching = k.is_some();
-        let per_slenderness = if stretching { 0.76 } else { 0.65 };
-        let reference = Reference::RandomMuscles(Where::Ends { per_slenderness, stretching });
+        let (per_slenderness, compared) = if k.is_some() { STRETCHING } else { RIGID };
         let bulk = notes::incompressible(ENTRY.name, muscle);
         Self {
             info: ModelInfo {
@@ -76,7 +83,7 @@ impl ThickWall {
                 source: ENTRY.source.into(),
                 muscle: Arc::new(muscle.clone()),
                 range: ModelRange::of(muscle),
-                accuracy: Accuracy::share(per_slenderness * share, reference),
+                accuracy: Accuracy::share(per_slenderness * share, Reference::Elements(compared)),
                 costly: false,
                 notes: bulk
                     .into_iter()
@@ -139,7 +146,7 @@ impl ThickWall {
     }
 
     /// G of the strands' contact in N/mm: (4π/3) pc r cotθ for strands that do not stretch.
-    pub(super) fn pivoting(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
+    pub(super) fn pivoting(&self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         let (l, _, _) = self.stretch(pressure_mpa, contraction);
         let s = self.state(pressure_mpa, l)?;
         let (rb, stretch) = (s.r + self.offset, 1.0 + s.strain);

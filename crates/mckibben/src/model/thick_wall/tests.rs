@@ -1,8 +1,7 @@
 //! The thick wall against verification G, its limits, and its own derivatives.
 
 use super::*;
-use crate::model::ForceModel;
-use crate::model::Workspace;
+use crate::model::{ForceModel, ModelError, Workspace};
 use crate::muscle::measures::PRESTRETCH;
 use crate::muscle::{Braid, BraidStiffness, Crimp, Rubber, Terminals, Tube};
 use crate::rubber::{MooneyRivlin, RubberLaw};

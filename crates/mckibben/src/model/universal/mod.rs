@@ -26,8 +26,8 @@ mod volume;
 pub use end_point::EndPoint;
 
 use super::{
-    Accuracy, BlockedAt, ForceModel, ForcesError, ModelEntry, ModelError, ModelId, ModelInfo, Reference,
-    Response, ThickWall, Workspace, notes,
+    Accuracy, BlockedAt, ForceModel, ForcesError, ModelEntry, ModelId, ModelInfo, Reference, Response,
+    Result, ThickWall, Workspace, notes,
 };
 use crate::formula::{Form, UniversalFormula};
 use crate::muscle::Muscle;
@@ -131,7 +131,9 @@ fn info(formula: &UniversalFormula, muscle: &Arc<Muscle>, angle: f64) -> ModelIn
     let accuracy = Accuracy {
         share_of_blocked: Some(fitted + plug_share(muscle, angle)),
         blocked_at: BlockedAt::SamePressure,
-        reference: Reference::HeldOut,
+        reference: Reference::Elements(
+            "covers 95 % of the points of its campaign on muscles left out of the fit, against axisymmetric finite elements, as stated in the formula's file",
+        ),
     };
     let end_factor = muscle.terminals().end_factor.is_some();
     let left_out = [
@@ -156,12 +158,7 @@ impl ForceModel for Universal {
         &self.info
     }
 
-    fn response(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Response, ModelError> {
+    fn response(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         let p = pressure_mpa;
         let place = self.place(workspace, p, contraction)?;
         let (s, volume) = (&place.state, self.volume(p, &place));
@@ -193,12 +190,7 @@ impl ForceModel for Universal {
         self.forces(pressures_mpa, contractions, out)
     }
 
-    fn force_n(
-        &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<f64, ModelError> {
+    fn force_n(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         match self.coupled(pressure_mpa, contraction, None) {
             Some(root) => Ok(root.force),
             None => self.searched_force(workspace, pressure_mpa, contraction),

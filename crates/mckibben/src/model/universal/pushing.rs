@@ -7,7 +7,7 @@
 use super::Universal;
 use super::search::{Middle, SearchPoint};
 use crate::model::thick_wall::State;
-use crate::model::{ModelError, Workspace};
+use crate::model::{Result, Workspace};
 use crate::rubber::RubberLaw;
 
 const ITERATIONS: usize = 60;
@@ -97,7 +97,7 @@ impl Universal {
         p: f64,
         contraction: f64,
         l: f64,
-    ) -> Result<SearchPoint, ModelError> {
+    ) -> Result<SearchPoint> {
         let missing = || Self::not_converged(p, contraction, f64::NAN);
         let state = self.zone.wall.state_near(p, l, None)?;
         let zero = self.zero(workspace, p).ok_or_else(missing)?;

@@ -5,7 +5,7 @@ use super::Universal;
 use super::coupled::LEAST_SLOPE;
 use super::dual::Dual;
 use crate::model::thick_wall::State;
-use crate::model::{ModelError, Workspace};
+use crate::model::{ModelError, Result, Workspace};
 
 /// Newton steps in λ; three are usual.
 pub(super) const ITERATIONS: usize = 60;
@@ -65,13 +65,7 @@ impl Universal {
     }
 
     /// The middle at λ, from guesses of the radius and of λs at the sections of the end.
-    fn tried(
-        &self,
-        p: f64,
-        l: f64,
-        near: Option<f64>,
-        sections: Option<[f64; 2]>,
-    ) -> Result<Middle, ModelError> {
+    fn tried(&self, p: f64, l: f64, near: Option<f64>, sections: Option<[f64; 2]>) -> Result<Middle> {
         let state = self.zone.wall.state_near(p, l, near)?;
         self.middle(p, l, state, sections).ok_or_else(|| Self::not_converged(p, 1.0 - l, f64::NAN))
     }
@@ -87,7 +81,7 @@ impl Universal {
     }
 
     /// The middle, and the last small step in λ that is still to be taken; λ above `low`.
-    fn nested(&self, p: f64, contraction: f64, start: f64, low: f64) -> Result<(Middle, f64), ModelError> {
+    fn nested(&self, p: f64, contraction: f64, start: f64, low: f64) -> Result<(Middle, f64)> {
         let (mut l, mut low, mut high) = (start, low, f64::INFINITY);
         let (mut near, mut good, mut residual) = (None, None::<f64>, f64::NAN);
         for _ in 0..ITERATIONS {
@@ -136,7 +130,7 @@ impl Universal {
         workspace: &mut Workspace,
         p: f64,
         contraction: f64,
-    ) -> Result<Result<(Middle, f64), f64>, ModelError> {
+    ) -> Result<Result<(Middle, f64), f64>> {
         if !(p.is_finite() && contraction.is_finite()) {
             return Err(ModelError::NotFinite {
                 model: self.info.name.to_string(),
@@ -162,12 +156,7 @@ impl Universal {
     }
 
     /// F by this search.
-    pub(super) fn searched_force(
-        &self,
-        workspace: &mut Workspace,
-        p: f64,
-        contraction: f64,
-    ) -> Result<f64, ModelError> {
+    pub(super) fn searched_force(&self, workspace: &mut Workspace, p: f64, contraction: f64) -> Result<f64> {
         let force_n = match self.pulling(workspace, p, contraction)? {
             Ok((m, step)) => m.state.force + m.state.force_l * step,
             Err(l) => self.zone.wall.state_near(p, l, None)?.force,
@@ -180,12 +169,7 @@ impl Universal {
     }
 
     /// The middle at a question, with its derivatives.
-    pub(super) fn place(
-        &self,
-        workspace: &mut Workspace,
-        p: f64,
-        contraction: f64,
-    ) -> Result<SearchPoint, ModelError> {
+    pub(super) fn place(&self, workspace: &mut Workspace, p: f64, contraction: f64) -> Result<SearchPoint> {
         let (l, near, sections) = match self.coupled(p, contraction, None) {
             Some(root) => (root.l, Some(root.r), Some(root.end.stretches)),
             None => match self.pulling(workspace, p, contraction)? {

@@ -1,0 +1,68 @@
+//! Formulas whose pull is in proportion to the pressure: F = P f(ε).
+
+use super::{Extensions, ForceModel, Inverse, ModelInfo, Response, Result, Workspace};
+
+/// What such a formula says at a contraction, per unit of pressure.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct PerPressure {
+    /// F/P
+    pub f: f64,
+    /// ∂(F/P)/∂λ
+    pub f_l: f64,
+    /// Volume of the cavity, at any pressure
+    pub volume_mm3: Option<f64>,
+    /// Outer diameter, at any pressure
+    pub diameter_mm: f64,
+    /// Sum of strand tensions over P
+    pub tension: Option<f64>,
+}
+
+/// A formula of this kind; it is a force model by this alone.
+pub(super) trait Proportional: Send + Sync {
+    fn model(&self) -> &ModelInfo;
+
+    fn per_pressure(&self, contraction: f64) -> Result<PerPressure>;
+
+    /// As [`Inverse::contraction_at_pull`].
+    fn contraction_of(&self, _force_n: f64, _pressure_mpa: f64) -> Option<f64> {
+        None
+    }
+}
+
+impl<T: Proportional> ForceModel for T {
+    fn info(&self) -> &ModelInfo {
+        self.model()
+    }
+
+    fn response(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
+        let (info, at) = (self.model(), self.per_pressure(contraction)?);
+        let response = Response {
+            pressure_mpa,
+            contraction,
+            force_n: pressure_mpa * at.f,
+            volume_mm3: at.volume_mm3,
+            stiffness_n_per_mm: Some(pressure_mpa * at.f_l / info.muscle.length_mm()),
+            force_per_pressure_mm2: Some(at.f),
+            bulged_diameter_mm: Some(at.diameter_mm),
+            ..Response::default()
+        };
+        let strands = info.muscle.braid().strands.map(|s| s.count);
+        let tension = at.tension.map(|tension| pressure_mpa * tension);
+        tension.map_or(response, |n| response.with_braid_tension(n, strands)).finite(&info.name)
+    }
+
+    fn extensions(&self) -> Extensions<'_> {
+        Extensions { inverse: Some(self), ..Extensions::default() }
+    }
+}
+
+impl<T: Proportional> Inverse for T {
+    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
+        let f = self.per_pressure(contraction).ok()?.f;
+        (f > 0.0).then(|| force_n / f)
+    }
+
+    fn contraction_at_pull(&self, _: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
+        self.contraction_of(force_n, pressure_mpa)
+    }
+}
