@@ -217,6 +217,6 @@ impl From<ReportError> for Problem {
             ReportError::Fit(_, error) => Self::from(error),
             ReportError::Rubber(_, error) => Self::from(error),
         };
-        Self { message: short_numbers(&message).into_owned(), ..problem }
+        Self { message: mckibben::units::short_numbers(&message).into_owned(), ..problem }
     }
 }
