@@ -29,10 +29,8 @@ pub struct CheckRequest {
     /// Working pressure, MPa; 0.25 MPa, or the allowed pressure where that is lower.
     pub pressure_mpa: Option<f64>,
     /// Only its data and what follows from them: no model is asked.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub only_data: bool,
     /// Add the equivalent muscle file to the answer.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub muscle_file: bool,
 }
 

@@ -93,10 +93,8 @@ impl Transform for InGroup {
 #[schemars(transform = InGroup("model"))]
 pub struct ModelFields {
     /// Name of the model, or of one of the formulas.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub model: Option<String>,
     /// Files of fitted formulas, which are models by the names of their files.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub formulas: Vec<TextFile>,
     /// The mesh of finite elements.
     #[serde(flatten)]
@@ -104,7 +102,6 @@ pub struct ModelFields {
 }
 
 /// The mesh of finite elements.
-#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 #[schemars(transform = InGroup("model"))]
@@ -114,14 +111,10 @@ pub struct MeshFields {
     /// (2x12x39), with :quadratic or :circle behind.
     pub mesh: Option<String>,
     /// Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
-    #[serde(rename = "match", skip_serializing_if = "is_default")]
+    #[serde(rename = "match")]
     pub keep: Match,
     /// Terminal of `fe3d` that is a body; without it a rigid plane.
     pub terminal: Option<Plug>,
-}
-
-fn is_default<T: Default + PartialEq>(value: &T) -> bool {
-    *value == T::default()
 }
 
 /// How a model is asked.
@@ -130,12 +123,9 @@ fn is_default<T: Default + PartialEq>(value: &T) -> bool {
 #[schemars(transform = InGroup("model"))]
 pub struct AskFields {
     /// Compute outside the model's range too, with a warning.
-    #[serde(skip_serializing_if = "is_default")]
     pub extrapolate: bool,
     /// Give the negative force, not slack, where the muscle would have to push.
-    #[serde(skip_serializing_if = "is_default")]
     pub two_sided: bool,
     /// Branch of the friction hysteresis; needs the braid's friction.
-    #[serde(skip_serializing_if = "is_default")]
     pub direction: Direction,
 }

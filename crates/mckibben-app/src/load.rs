@@ -18,10 +18,8 @@ use std::fmt;
 pub struct LoadFields {
     /// A load: `force:300N`, `mass:20kg`, `spring:12N/mm@50N`, `lever:5kg@300mm/40mm/-30deg` (mass, its distance from the pivot, the
     /// pulley's radius, the angle from the horizontal), `table:NAME`; several joined by `+`.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub load: Option<String>,
     /// The tables that it names.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub load_tables: Vec<TextFile>,
 }
 

@@ -32,13 +32,10 @@ pub struct DesignRequest {
     #[serde(flatten)]
     pub load: LoadFields,
     /// Required torques of a joint with two equal opposed muscles on a pulley, instead of operating points.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub torques: Vec<TorqueWanted>,
     /// Largest angle of the joint to either side of the neutral angle, degrees; default: the largest of `torques`.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub largest_angle_deg: Option<f64>,
     /// Radii of the pulley, mm; default: searched.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub radius_mm: Option<Choice>,
     /// Pressure of the supply, MPa.
     pub max_pressure_mpa: Option<f64>,
@@ -51,16 +48,12 @@ pub struct DesignRequest {
     pub max_bulged_diameter_mm: Option<f64>,
     /// Largest liquid volume that is pushed in up to the operating points, mm³: what the syringe or pump gives; of a bundle to all its muscles
     /// together. It needs `liquid`.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub max_liquid_volume_mm3: Option<f64>,
     /// Equal muscles side by side that share what is required, 1 to 1000; default 1.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub bundle: Option<u32>,
     /// Largest diameter of the circle around all muscles at the operating points, mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub max_envelope_mm: Option<f64>,
     /// Distance between the axes of neighbours of a bundle, mm; default: that of the largest envelope, or the bulged diameter.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub pitch_mm: Option<f64>,
     /// Smallest ratio of the pressure at which strands break or clamps let go to the maximum pressure; the tube, which leaks, has half of it; default 4; 0 for none.
     pub min_burst_margin: Option<f64>,
@@ -71,10 +64,8 @@ pub struct DesignRequest {
     /// the validated range.
     pub max_strand_strain: Option<f64>,
     /// The muscle is guided on its way, so that it cannot buckle under its push.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub guided: bool,
     /// Share of muscles, from 0.5 to 0.999, that meet the requirement by the ±: 0.95 asks for it of the lower end of the ±.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub guaranteed: Option<f64>,
     /// Quantity to rank by.
     pub objective: ObjectiveWord,
@@ -82,13 +73,10 @@ pub struct DesignRequest {
     pub muscle: Option<TextFile>,
     /// Search free diameters and walls with the rubber and the braid of the paper, or those that are given, instead of tubes and sleeves as sold. So
     /// does any of `muscle`, `outer_diameter_mm`, `wall_mm`, `angle_deg`, `strand_length_per_turn_mm` and `stiffness`.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub continuous: bool,
     /// Tubes as sold or cast, by name; default: all that are sold, and those that can be cast of `dragon-skin-30` or of `rubbers`.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tubes: Vec<String>,
     /// Tubes of your own (TOML, as the catalogue), in place of the catalogue.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub parts: Option<TextFile>,
     /// Outer diameters D0 at rest, mm.
     pub outer_diameter_mm: Option<Choice>,

@@ -15,12 +15,10 @@ pub struct MotionRequest {
     /// Drive file (TOML).
     pub drive: Option<TextFile>,
     /// Instead of a drive file: a muscle with a load, filled through a valve.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub step: Option<StepFields>,
     /// The muscle file that it names, of a drive with one muscle.
     pub muscle: Option<TextFile>,
     /// The tables that it names: its load's and its commands'.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tables: Vec<TextFile>,
     /// The joint file that it names, with its muscle files.
     #[serde(flatten)]
@@ -43,7 +41,6 @@ pub struct StepFields {
     /// Gauge pressure from 0.05 s on, MPa.
     pub pressure_mpa: Option<f64>,
     /// Gauge pressure of the supply, MPa; default 0.6.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub supply_mpa: Option<f64>,
     /// The valve: its name, or its sonic conductance such as `0.5 L/(s bar)`.
     pub valve: Option<String>,
@@ -52,7 +49,6 @@ pub struct StepFields {
     /// Damping of the load, N s/m.
     pub damping_n_s_per_m: f64,
     /// The end, s; default 2.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub until_s: Option<f64>,
 }
 

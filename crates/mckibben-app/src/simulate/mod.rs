@@ -72,7 +72,6 @@ impl Held {
 }
 
 /// A finite-element test.
-#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SimulateRequest {
     /// Which test.
