@@ -2,10 +2,8 @@
 
 use crate::{Model, Problem, ProblemKind};
 use mckibben::analysis::{AnalysisError, Burst, FailureMode, NoBurst, burst};
-use mckibben::cancel;
 use mckibben::model::{ForceModel, ModelError};
-use mckibben::muscle::Muscle;
-use mckibben::warning::Warning;
+use mckibben::{cancel, muscle::Muscle, warning::Warning};
 use mckibben_build::highest_mpa;
 use schemars::JsonSchema;
 use serde::Serialize;

@@ -10,11 +10,9 @@ use crate::{
     UncertaintyWords, finite, muscle_fields::Stated, said_of, usual_mpa,
 };
 use mckibben::analysis::{air_per_stroke, free_contraction, work_per_stroke_j};
-use mckibben::answer;
-use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{BuildSheet, Bulk, Muscle, MuscleKind};
-use mckibben::progress::Progress;
 use mckibben::rubber::{RubberLaw, library};
+use mckibben::{answer, muscle::file::to_toml, progress::Progress};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

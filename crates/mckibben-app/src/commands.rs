@@ -4,16 +4,13 @@
 use crate::annotate::annotate;
 use crate::*;
 use crate::{Problem, ProblemKind, border::within};
-use mckibben::cancel::Cancel;
 use mckibben::nearest::{meant, nearest};
-use mckibben::progress::Progress;
-use mckibben::units::NamedUnit;
+use mckibben::{cancel::Cancel, progress::Progress, units::NamedUnit};
 #[cfg(feature = "files")]
 use mckibben_campaign::campaign::{CampaignStatus, Merged, Outcome, Summary};
 #[cfg(feature = "schema")]
 use schemars::{JsonSchema, Schema, SchemaGenerator, generate::SchemaSettings};
-use serde::Serialize;
-use serde::de::DeserializeOwned;
+use serde::{Serialize, de::DeserializeOwned};
 use serde_json::{Map, Value};
 #[cfg(feature = "schema")]
 use std::borrow::Cow;

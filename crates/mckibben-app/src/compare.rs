@@ -6,11 +6,7 @@ use crate::{
 };
 use mckibben::answer::{Options, point};
 use mckibben::model::{ForceModel, ModelError, Workspace};
-use mckibben::muscle::Muscle;
-use mckibben::muscle::measures::END_FACTOR;
-use mckibben::progress::Progress;
-use mckibben::size;
-use mckibben::warning::Warning;
+use mckibben::{muscle::Muscle, muscle::measures::END_FACTOR, progress::Progress, size, warning::Warning};
 use mckibben_fit::compare::{
     Comparison, MeasuredPoint, VolumeComparison, compare as errors_of, compare_volumes, mean_of_branches,
 };

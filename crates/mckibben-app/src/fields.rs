@@ -5,8 +5,7 @@ pub use mckibben::muscle::Direction;
 pub use mckibben::muscle::measures::MeasureValues;
 use mckibben_fem::three_dimensional::{Match, Plug};
 pub use mckibben_io::table::{Columns, Understood, UnderstoodColumn};
-use schemars::transform::Transform;
-use schemars::{JsonSchema, Schema};
+use schemars::{JsonSchema, Schema, transform::Transform};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
 

@@ -4,12 +4,9 @@ use crate::{
     LiquidFields, LoadFields, ModelAbout, MuscleSummary, PressureLimits, Problem, ProblemKind, QUIET_MPA,
     QuestionFields, UncertaintyWords, above_zero, given, put_first, ratio, said_of,
 };
-use mckibben::analysis::source_of;
-use mckibben::cancel;
 use mckibben::liquid::{Liquid, LiquidSupply};
 use mckibben::load::{Fill, FillError, Filling, fill as filled};
-use mckibben::progress::Progress;
-use mckibben::uncertainty::basis_of;
+use mckibben::{analysis::source_of, cancel, progress::Progress, uncertainty::basis_of};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -5,12 +5,9 @@ use crate::{
     UnderstoodTable, Units, check_count, contractions, figure, finite, list, number, steps,
     warnings::largest_stretch,
 };
-use mckibben::answer::Options;
-use mckibben::model::Workspace;
 use mckibben::muscle::file::{parse_muscle, to_toml};
 use mckibben::muscle::{Direction, Muscle};
-use mckibben::progress::Progress;
-use mckibben::warning::Warning;
+use mckibben::{answer::Options, model::Workspace, progress::Progress, warning::Warning};
 use mckibben_fit::identify::{
     Identification, Identified, IdentifyError, LawTrial, Parameter, PointFit, Request, Target,
     identify_default, identify_with, try_laws,

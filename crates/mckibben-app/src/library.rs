@@ -2,12 +2,8 @@
 
 use crate::{Model, MuscleSummary, Problem, TextFile};
 use mckibben::analysis::{blocked_force_n, free_contraction};
-use mckibben::answer::Options;
-use mckibben::model::Workspace;
-use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Direction, Muscle};
-use mckibben::threads;
-use mckibben::uncertainty::uncertainty;
+use mckibben::{answer::Options, model::Workspace, muscle::file::to_toml, threads, uncertainty::uncertainty};
 use mckibben_fit::validation::case::Facts;
 use mckibben_fit::validation::library::{self, Agreement, PREFIX, agreement, library};
 use schemars::JsonSchema;

@@ -1,16 +1,13 @@
 //! Loads in requests, and what a muscle does with them.
 
 use crate::{Problem, ProblemKind, TextFile};
-use mckibben::answer::Options;
-use mckibben::cancel;
 use mckibben::load::{Balance, Cycle, Load, LoadError, LoadTable, balances, cycle};
 use mckibben::model::{ForceModel, Workspace};
-use mckibben::units::short_numbers;
+use mckibben::{answer::Options, cancel, units::short_numbers};
 use mckibben_io::table::read_load;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
-use std::collections::BTreeMap;
-use std::fmt;
+use std::{collections::BTreeMap, fmt};
 
 /// What a muscle works against.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]

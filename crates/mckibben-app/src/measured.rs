@@ -1,16 +1,13 @@
 //! `validate --measured`: the validation report of every measured case: the errors of each fit at fitted points and at predicted points.
 
 use crate::{MeshFields, Model, Problem, ProblemKind, Units, figure};
-use mckibben::muscle::Muscle;
-use mckibben::progress::Progress;
-use mckibben::size;
-use mckibben_fit::identify::Identified;
-use mckibben_fit::rubber::Parameter;
+use mckibben::{muscle::Muscle, progress::Progress, size};
 use mckibben_fit::validation::case::{CaseError, Measurement, MuscleCase, measurements};
 pub use mckibben_fit::validation::case::{CaseFiles as MeasuredFolder, Facts as MeasuredFacts};
 pub use mckibben_fit::validation::report::MeasuredBranch;
 use mckibben_fit::validation::report::{FitResult, Group, ReportError, report};
 use mckibben_fit::validation::rubber::{self, RubberCase, RubberFitResult, RubberGroup};
+use mckibben_fit::{identify::Identified, rubber::Parameter};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -1,9 +1,8 @@
 //! `measures`: every number that describes a muscle, for forms and for readers.
 
 use crate::{Problem, muscle_fields::STIFFNESS_FIELD};
-use mckibben::muscle::Measure;
 use mckibben::muscle::measures::{MEASURES, STIFFNESS, Written};
-use mckibben::units::Dimension;
+use mckibben::{muscle::Measure, units::Dimension};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -9,8 +9,7 @@ use mckibben::muscle::Muscle;
 use mckibben_fem::axisymmetric::MeshSpec;
 use mckibben_fem::elements::{Elements, MeshTextError, section};
 use mckibben_fem::three_dimensional::{BrickSpec, Match};
-use std::fmt;
-use std::sync::Arc;
+use std::{fmt, sync::Arc};
 
 /// A force model that is not yet bound to a muscle: a closed form, a fitted formula, or finite elements with their mesh.
 #[derive(Debug, Clone, PartialEq)]

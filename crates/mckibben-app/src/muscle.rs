@@ -3,20 +3,17 @@
 use crate::{
     MuscleFields, NamedFields, NamedStiffness, Problem, ProblemKind, Stiffness, TextFile, Units, words,
 };
-use mckibben::muscle::file::parse_muscle;
 use mckibben::muscle::measures::{
     ANGLE, END_FACTOR, SECTIONS, SLEEVE_DIAMETER, STIFFNESS_FACTOR, STRAND_AREA, STRAND_MODULUS,
     STRAND_STRENGTH, STRANDS, STRANDS_PER_CARRIER, fields,
 };
 use mckibben::muscle::{Braid, BraidStiffness, EndFactor, Measure, Muscle, Parts, Rubber, Strands};
-use mckibben::rubber::library;
 use mckibben::sleeve::{self, Sleeve, SleeveError};
+use mckibben::{muscle::file::parse_muscle, rubber::library};
 use mckibben_fit::validation::library as muscles;
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::borrow::Cow;
-use std::f64::consts::PI;
-use std::path::Path;
+use std::{borrow::Cow, f64::consts::PI, path::Path};
 
 impl MuscleFields {
     /// The muscle that file and fields describe.

@@ -4,14 +4,12 @@ use crate::fields::{InGroup, Stiffness, TextFile, name_or_file};
 use mckibben::muscle::measures::{ANGLE, LENGTH, MeasureValues, OUTER_DIAMETER, STIFFNESS, WALL, fields};
 use mckibben::muscle::{Measure, Muscle};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::de::value::MapAccessDeserializer;
 use serde::de::{Error as _, MapAccess, Visitor};
-use serde::ser::SerializeMap;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{
+    Deserialize, Deserializer, Serialize, Serializer, de::value::MapAccessDeserializer, ser::SerializeMap,
+};
 use serde_json::{Map, Value};
-use std::borrow::Cow;
-use std::fmt;
-use std::sync::LazyLock;
+use std::{borrow::Cow, fmt, sync::LazyLock};
 
 /// A muscle: a muscle file, and values that replace those of the file. Default values are those of the paper's
 /// prototype: D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid `paper`.

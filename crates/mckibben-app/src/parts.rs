@@ -6,9 +6,8 @@ use crate::{
     sleeves,
 };
 use mckibben::model::{ModelEntry, ModelError};
-use mckibben::muscle::Muscle;
 use mckibben::nearest::{meant, nearest};
-use mckibben::uncertainty::basis_of;
+use mckibben::{muscle::Muscle, uncertainty::basis_of};
 use mckibben_design::tubes::{self, TubePart};
 use mckibben_fit::validation::library;
 use schemars::JsonSchema;

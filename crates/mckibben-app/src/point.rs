@@ -4,14 +4,12 @@ use crate::{
     LoadAnswer, LoadFields, MuscleSummary, PressureLimits, Problem, ProblemKind, QUIET_MPA, Question,
     QuestionFields, UncertaintyWords, check_both, load::loaded, put_first, said_of,
 };
-use mckibben::analysis::source_of;
 use mckibben::answer::{self, Answer, Options};
-use mckibben::cancel;
 use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::Direction;
-use mckibben::progress::Progress;
-use mckibben::uncertainty::basis_of;
-use mckibben::units::NamedUnit;
+use mckibben::{
+    analysis::source_of, cancel, muscle::Direction, progress::Progress, uncertainty::basis_of,
+    units::NamedUnit,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

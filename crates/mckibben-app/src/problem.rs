@@ -1,14 +1,9 @@
 //! Why a request has no answer: one type for every front end.
 
-use mckibben::analysis::AnalysisError;
-use mckibben::cancel::Cancelled;
-use mckibben::formula::FormulaError;
-use mckibben::model::ModelError;
-use mckibben::muscle::MuscleError;
-use mckibben::muscle::file::FileError;
-use mckibben::size::TooLarge;
-use mckibben::study::StudyError;
-use mckibben::units::short_numbers;
+use mckibben::{
+    analysis::AnalysisError, cancel::Cancelled, formula::FormulaError, model::ModelError,
+    muscle::MuscleError, muscle::file::FileError, size::TooLarge, study::StudyError, units::short_numbers,
+};
 use mckibben_campaign::campaign::CampaignError;
 use mckibben_design::{SpecError, SpreadError, ToleranceError};
 use mckibben_fem::FemError;

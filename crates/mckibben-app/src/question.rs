@@ -1,10 +1,8 @@
 //! A model bound to its muscle, ready to be asked.
 
 use crate::{AskFields, BoundModel, Model, ModelFields, MuscleFields, Problem, burst_of, check_direction};
-use mckibben::analysis::Burst;
-use mckibben::answer::Options;
 use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::Muscle;
+use mckibben::{analysis::Burst, answer::Options, muscle::Muscle};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -7,11 +7,9 @@ use crate::{
     PointAnswer, PointQuantity, Problem, ShapeRequest, Units, check, compare, curve, force, number, percent,
     ratio, rows::Row, rows::characteristic_rows, rows::muscle_sheets, rows::point_rows, shape,
 };
-use mckibben::analysis::Burst;
-use mckibben::curve::Test;
-use mckibben::muscle::file::to_toml;
-use mckibben::progress::Progress;
-use mckibben::warning::is_of_burst;
+use mckibben::{
+    analysis::Burst, curve::Test, muscle::file::to_toml, progress::Progress, warning::is_of_burst,
+};
 use mckibben_build::Plan;
 use mckibben_report::{Body, Document, Figure, Part};
 use schemars::JsonSchema;

@@ -3,11 +3,8 @@
 use crate::{
     Columns, Problem, ProblemKind, TextFile, UnderstoodTable, above_zero, figure, muscle_of, readable,
 };
-use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Muscle, Rubber};
-use mckibben::progress::Progress;
-use mckibben::rubber::over_time::OgdenRoxburgh;
-use mckibben::size;
+use mckibben::{muscle::file::to_toml, progress::Progress, rubber::over_time::OgdenRoxburgh, size};
 use mckibben_fit::rubber::{
     FitSettings, FittedLaw, Form, LawQuality, Measure, Mode, Parameter, ReadOptions, TensionFitError,
     fit_tension_with, read_tests,
@@ -18,8 +15,7 @@ use mckibben_fit::rubber_over_time::{
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
-use std::path::Path;
+use std::{collections::BTreeMap, path::Path};
 
 /// Tension tests, and the laws to fit.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]

@@ -3,17 +3,12 @@
 use crate::{
     MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, finite, given, pull, ratio,
 };
-use mckibben::analysis::contraction_or_stretch_at;
 use mckibben::answer::{self, Answer, Options};
-use mckibben::cancel;
-use mckibben::model::Workspace;
-use mckibben::muscle::Muscle;
-use mckibben::progress::Progress;
+use mckibben::{
+    analysis::contraction_or_stretch_at, cancel, model::Workspace, muscle::Muscle, progress::Progress,
+};
 use mckibben_fem::axisymmetric::{Axisymmetric, Section};
-use mckibben_fem::elements::Elements;
-use mckibben_fem::output::Stations;
-use mckibben_fem::simulation::free_contraction;
-use mckibben_fem::with_ends;
+use mckibben_fem::{elements::Elements, output::Stations, simulation::free_contraction, with_ends};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

@@ -1,12 +1,9 @@
 //! `curve --study`: the paper's thickness study.
 
 use crate::{Model, MuscleSummary, PointRow, Problem, QuestionFields, Units, answered, figure, warnings};
-use mckibben::cancel;
-use mckibben::curve::Test;
 use mckibben::muscle::measures::{LENGTH, OUTER_DIAMETER, WALL, fields};
-use mckibben::progress::Progress;
 use mckibben::study::{Finding, Study, StudyPanel, thickness};
-use mckibben::warning::Warning;
+use mckibben::{cancel, curve::Test, progress::Progress, warning::Warning};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};

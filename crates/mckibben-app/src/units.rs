@@ -4,9 +4,7 @@ use crate::words::{aligned, half_width, number, within};
 use mckibben::units::{Dimension, Unit};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use std::borrow::Cow;
-use std::fmt;
-use std::str::FromStr;
+use std::{borrow::Cow, fmt, str::FromStr};
 
 /// Values inside (MPa, N, mm, and quotients of these) below which nobody measures anything: what rounding leaves of zero.
 const NOTHING: f64 = 1e-9;

@@ -1,12 +1,7 @@
 //! `validate`: verification against exact values, validation against measured muscles, and a sweep of random muscles.
 
 use crate::{Model, Problem};
-use mckibben::joint;
-use mckibben::muscle::Muscle;
-use mckibben::progress::Progress;
-use mckibben::size;
-use mckibben::threads;
-use mckibben::verification::VerificationRow;
+use mckibben::{joint, muscle::Muscle, progress::Progress, size, threads, verification::VerificationRow};
 use mckibben_campaign::fit::held_out;
 use mckibben_fem::axisymmetric::sweep::{Sweep, SweepRow, question};
 use mckibben_fem::verification;

@@ -1,10 +1,9 @@
 //! Sentences for a whole answer, once each, in place of one a point.
 
-use mckibben::analysis::Options;
 use mckibben::answer::{Answer, point};
 use mckibben::model::{ForceModel, Response, Workspace};
-use mckibben::muscle::Muscle;
 use mckibben::warning::{Warning, of_response};
+use mckibben::{analysis::Options, muscle::Muscle};
 
 /// What points of a muscle warn of: each sentence once, of each kind the gravest.
 pub(crate) fn of_points<'a>(answers: impl Iterator<Item = &'a Answer>) -> Vec<Warning> {

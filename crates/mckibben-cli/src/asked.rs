@@ -5,10 +5,8 @@ use crate::{
     values,
 };
 use clap::ArgMatches;
-use mckibben::load::Load;
-use mckibben::muscle::Measure;
-use mckibben::muscle::measures::fields;
 use mckibben::units::{Dimension, Values};
+use mckibben::{load::Load, muscle::Measure, muscle::measures::fields};
 use mckibben_app::{Choice, Columns, MuscleFields, ProblemKind, TextFile, understood};
 use mckibben_design::Tolerances;
 use mckibben_report::Figure;

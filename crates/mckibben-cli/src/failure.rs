@@ -3,8 +3,7 @@
 use crate::{Flag, clean, shown, spec};
 use mckibben_app::{Ending, Problem, ProblemKind};
 use mckibben_io::files::ReadError;
-use std::path::Path;
-use std::sync::OnceLock;
+use std::{path::Path, sync::OnceLock};
 
 /// A problem as a user of the command line meets it.
 #[derive(Debug)]

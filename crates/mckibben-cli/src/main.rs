@@ -37,10 +37,8 @@ use output::{
 use progress::Bar;
 use quantities::{quantity, unit_hint, values};
 use spec::Flag;
-use std::borrow::Cow;
 use std::ffi::{OsStr, OsString};
-use std::io::Write;
-use std::process::ExitCode;
+use std::{borrow::Cow, io::Write, process::ExitCode};
 
 fn main() -> ExitCode {
     panics_are_problems();

@@ -2,12 +2,10 @@
 //! whoever reads it.
 
 use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
-use clap::error::Error;
-use clap::{Arg, Command};
+use clap::{Arg, Command, error::Error};
 use mckibben::{rubber, sleeve};
 use mckibben_app::{ExportListRequest, Model, export_list};
-use mckibben_fit::rubber::Form;
-use mckibben_fit::validation::library;
+use mckibben_fit::{rubber::Form, validation::library};
 use std::ffi::OsStr;
 
 /// A text, for which there are names.

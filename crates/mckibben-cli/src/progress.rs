@@ -2,8 +2,7 @@
 
 use crate::{Failure, number};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
-use mckibben::cancel::Cancel;
-use mckibben::progress::Progress;
+use mckibben::{cancel::Cancel, progress::Progress};
 use mckibben_app::Problem;
 use signal_hook::{consts, flag};
 use std::fmt::Write;

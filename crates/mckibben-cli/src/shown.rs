@@ -3,8 +3,7 @@
 
 use crate::{Asked, Flag};
 use mckibben_app::units::Units;
-use std::borrow::Cow;
-use std::sync::OnceLock;
+use std::{borrow::Cow, sync::OnceLock};
 
 /// Flags whose unit a user wants to read, too. A modulus is not among them: nobody reads pressures in GPa.
 const FLAGS: [&str; 11] = [

@@ -9,9 +9,8 @@
 use crate::names;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Arg, ArgAction, ValueHint, value_parser};
-use mckibben::muscle::Measure;
 use mckibben::muscle::measures::{ANGLE, STRAND_MODULUS, fields};
-use mckibben::units::Dimension;
+use mckibben::{muscle::Measure, units::Dimension};
 use mckibben_app::units::Units;
 use serde_json::Value;
 

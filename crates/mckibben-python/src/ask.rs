@@ -1,7 +1,6 @@
 //! Every command by name, and quantities as users write them.
 
-use crate::error::Wrong;
-use crate::{run, value};
+use crate::{error::Wrong, run, value};
 use mckibben::units::{Dimension, NamedUnit, Values, parse_quantity, parse_values};
 use mckibben_app::{Problem, ProblemKind, ask_value, bundle, find};
 use pyo3::prelude::*;

@@ -1,7 +1,6 @@
 //! Files that users name, through the workspace's doors in and out, and TOML as maps and lists.
 
-use crate::error::Wrong;
-use crate::value;
+use crate::{error::Wrong, value};
 use mckibben::{formula, muscle};
 use mckibben_app::{JointFields, MotionRequest, Problem, ProblemKind, Subject, TextFile};
 use mckibben_io::table;

@@ -1,14 +1,12 @@
 //! A fitted formula as a function of arrays, over muscles of any diameter and wall.
 
-use crate::error::Wrong;
-use crate::run;
+use crate::{error::Wrong, run};
 use mckibben::formula::{Body, Document, Formula as Fitted, GlobalSection, Section};
 use mckibben_app::{Problem, ProblemKind};
 use numpy::{PyReadonlyArray2, PyReadwriteArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use std::f64::consts::PI;
-use std::path::Path;
+use std::{f64::consts::PI, path::Path};
 
 /// How far a point may be outside of the range by rounding.
 const EDGE: f64 = 1e-12;

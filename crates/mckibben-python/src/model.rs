@@ -1,7 +1,6 @@
 //! A model bound to its muscle, asked for arrays.
 
-use crate::error::Wrong;
-use crate::{run, value};
+use crate::{error::Wrong, run, value};
 use mckibben::progress::Progress;
 use mckibben_app::{
     AskFields, BoundModel, Many, ModelFields, PointQuantity, TextFile, Unanswered, muscle_of, understood,

@@ -1,10 +1,7 @@
 //! Muscles as the text of their file: what a muscle of Python holds, and by which it is compared, hashed and pickled.
 
-use crate::error::Wrong;
-use crate::{run, value};
-use mckibben::muscle::Muscle;
-use mckibben::muscle::file::to_toml;
-use mckibben::rubber::RubberLaw;
+use crate::{error::Wrong, run, value};
+use mckibben::{muscle::Muscle, muscle::file::to_toml, rubber::RubberLaw};
 use mckibben_app::{MuscleFields, Problem, ProblemKind, TextFile, muscle_of, understood, with_parameters};
 use mckibben_fit::identify::{Target, own_value};
 use pyo3::prelude::*;

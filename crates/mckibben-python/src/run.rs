@@ -5,14 +5,12 @@
 //! was raised is what the call ends with.
 
 use crate::error::Wrong;
-use mckibben::cancel::Cancel;
-use mckibben::progress::Progress;
+use mckibben::{cancel::Cancel, progress::Progress};
 use mckibben_app::{Problem, ProblemKind, within};
 use pyo3::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
-use std::thread;
-use std::time::Duration;
+use std::{thread, time::Duration};
 
 /// How often the calling thread looks at signals and progress.
 const TICK: Duration = Duration::from_millis(50);

@@ -1,7 +1,6 @@
 //! A drive in a control loop.
 
-use crate::error::Wrong;
-use crate::{run, value};
+use crate::{error::Wrong, run, value};
 use mckibben_app::{MotionRequest, SimulatedDrive, understood};
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;

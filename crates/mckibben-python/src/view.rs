@@ -1,7 +1,6 @@
 //! The muscle in space, and reports, as pages in one piece.
 
-use crate::error::Wrong;
-use crate::{run, value};
+use crate::{error::Wrong, run, value};
 use mckibben_app::{BuildRequest, Problem, ProblemKind, ShapeRequest, body, build, understood};
 use mckibben_report::Document;
 use pyo3::prelude::*;

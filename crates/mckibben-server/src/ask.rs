@@ -1,20 +1,16 @@
 //! `POST /api/COMMAND`.
 
 use crate::refusal::Refusal;
-use axum::Json;
-use axum::extract::rejection::JsonRejection;
 use axum::extract::{Path, State};
 use axum::http::header::{ACCEPT, CONTENT_TYPE};
 use axum::http::{HeaderMap, StatusCode};
 use axum::response::{IntoResponse, Response};
-use mckibben::cancel::Cancel;
-use mckibben::progress::Silent;
-use mckibben::threads::Threads;
+use axum::{Json, extract::rejection::JsonRejection};
+use mckibben::{cancel::Cancel, progress::Silent, threads::Threads};
 use mckibben_app::Problem;
 use serde_json::Value;
 use std::sync::{Arc, LazyLock};
-use tokio::sync::Semaphore;
-use tokio::task::spawn_blocking;
+use tokio::{sync::Semaphore, task::spawn_blocking};
 
 /// The content type of packed answers.
 const PACKED: &str = "application/octet-stream";

@@ -10,16 +10,10 @@ mod door;
 mod page;
 mod refusal;
 
-use axum::extract::DefaultBodyLimit;
-use axum::middleware::from_fn_with_state;
 use axum::routing::{Router, get, post};
-use axum::serve::ListenerExt;
-use std::future::IntoFuture;
-use std::io;
-use std::sync::Arc;
-use std::time::Duration;
-use tokio::sync::Semaphore;
-use tokio::time::sleep;
+use axum::{extract::DefaultBodyLimit, middleware::from_fn_with_state, serve::ListenerExt};
+use std::{future::IntoFuture, io, sync::Arc, time::Duration};
+use tokio::{sync::Semaphore, time::sleep};
 use tower_http::compression::{CompressionLayer, CompressionLevel};
 
 /// After the wish to end, requests have this time to end by themselves.

@@ -1,8 +1,7 @@
 //! Why a request is not answered: `{"error": {"kind", "message", "hint", …}}`, as on the command line.
 
-use axum::Json;
-use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
+use axum::{Json, http::StatusCode};
 use mckibben_app::{Problem, ProblemKind};
 use serde_json::json;
 

@@ -3,9 +3,8 @@
 use super::{Characteristics, CheckAnswer};
 use crate::{Problem, Units, number, percent};
 use mckibben::analysis::{Burst, FailurePressure};
-use mckibben::muscle::Muscle;
-use mckibben::uncertainty::UncertaintyParts;
 use mckibben::warning::{Warning, is_of_burst};
+use mckibben::{muscle::Muscle, uncertainty::UncertaintyParts};
 use mckibben_fit::validation::case::{MuscleCase, muscles};
 use schemars::JsonSchema;
 use serde::Serialize;

@@ -1,11 +1,8 @@
 //! What `curve` answers.
 
 use crate::{LoadAnswer, MuscleSummary, PressureLimits, Problem};
-use mckibben::answer::Answer;
 use mckibben::curve::{Curve, CurvePoint, Test};
-use mckibben::status::Status;
-use mckibben::units::short_numbers;
-use mckibben::warning::Warning;
+use mckibben::{answer::Answer, status::Status, units::short_numbers, warning::Warning};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};

@@ -8,16 +8,13 @@ use crate::{
     LoadFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, QuestionFields, Units, check_both, figure,
     finite, is_ratio, load::loaded, no_ratio, pull, put_first, said_of, warnings,
 };
-use mckibben::analysis::free_contraction;
 use mckibben::answer::{Answer, Options};
-use mckibben::cancel;
 use mckibben::curve::{Curve, Test, curves};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{Direction, Muscle};
-use mckibben::progress::Progress;
-use mckibben::size;
-use mckibben::units::Values;
-use mckibben::warning::Warning;
+use mckibben::{
+    analysis::free_contraction, cancel, progress::Progress, size, units::Values, warning::Warning,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

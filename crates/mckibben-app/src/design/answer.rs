@@ -8,13 +8,11 @@ use crate::{
     words::braid_name, words::rubber_name,
 };
 use mckibben::analysis::{Burst, NoBurst};
-use mckibben::liquid::Liquid;
-use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Braid, BraidStiffness};
-use mckibben::warning::Warning;
-use mckibben_design::tubes::rubbers;
+use mckibben::{liquid::Liquid, muscle::file::to_toml, warning::Warning};
 use mckibben_design::{
     BraidChoice, Candidate, CandidatePoint, Demand, Lift, Limit, Outcome, Rejected, Relaxation, Spec, Spread,
+    tubes::rubbers,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;

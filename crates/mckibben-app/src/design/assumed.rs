@@ -2,10 +2,9 @@
 
 use super::request::DesignRequest;
 use crate::words::{number, percent};
-use mckibben::analysis::FailureMode;
 use mckibben::muscle::{Braid, BraidStiffness, Muscle};
-use mckibben::progress::Progress;
 use mckibben::sleeve::{Helix, SleeveShape, library};
+use mckibben::{analysis::FailureMode, progress::Progress};
 use mckibben_design::tubes::{LEAST_CAST_WALL_MM, rubbers};
 use mckibben_design::{
     BraidChoice, Build, Closest, Demand, Models, Reason, Relaxation, Spec, design_with, fits,

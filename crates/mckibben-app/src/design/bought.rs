@@ -7,10 +7,8 @@
 
 use super::request::{Choice, DesignRequest};
 use crate::model::Model;
-use mckibben::analysis::force_on;
-use mckibben::model::Workspace;
 use mckibben::muscle::{Muscle, Tube};
-use mckibben::uncertainty::uncertainty;
+use mckibben::{analysis::force_on, model::Workspace, uncertainty::uncertainty};
 use mckibben_design::{Limits, OperatingPoint, Spec, fits};
 use mckibben_fit::validation::library::{PREFIX, library};
 use schemars::JsonSchema;

@@ -2,8 +2,7 @@
 
 use super::request::DesignRequest;
 use crate::{Problem, ProblemKind, above_zero, percent};
-use mckibben::model::Workspace;
-use mckibben::warning::Warning;
+use mckibben::{model::Workspace, warning::Warning};
 use mckibben_design::bundle::{MOST, envelope_ratio, touches_at};
 use mckibben_design::{Build, Candidate, CandidatePoint, Demand, Spec};
 use schemars::JsonSchema;

@@ -18,11 +18,9 @@ pub use request::{Choice, DesignRequest, ObjectiveWord, OperatingPoint, TorqueWa
 use crate::{Model, Problem, UncertaintyWords, check::findings::not_measured, figure};
 use answer::{muscle_file, not_checked, out_of_reach};
 use mckibben::analysis::{force_on, pressure_at};
-use mckibben::answer::Options;
 use mckibben::model::{ForceModel, ModelError, Workspace};
-use mckibben::muscle::Muscle;
 use mckibben::progress::{CancelOnly, Progress};
-use mckibben::uncertainty::uncertainty;
+use mckibben::{answer::Options, muscle::Muscle, uncertainty::uncertainty};
 use mckibben_design::{
     Build, Candidate, CandidatePoint, Models, Outcome, Spec, Spread, Tolerances, design_joint, design_with,
     fits, spread,

@@ -8,8 +8,7 @@ use crate::{
 use mckibben::muscle::measures::{LENGTH, STRAND_MODULUS};
 use mckibben::muscle::{Braid, Muscle, Tube};
 use mckibben::sleeve::{SleeveEntry, library};
-use mckibben::units::Values;
-use mckibben::warning::strand_strength_n;
+use mckibben::{units::Values, warning::strand_strength_n};
 use mckibben_design::tubes::{self, TubePart};
 use mckibben_design::{
     BraidChoice, Demand, JointDemand, Lift, Limits, SAFETY, Spec, Tolerances, VALIDATED_STRAND_STRAIN,

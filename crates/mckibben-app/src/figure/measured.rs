@@ -3,12 +3,9 @@
 use super::caption;
 use super::curves::pull;
 use crate::units::Units;
-use mckibben::model::Workspace;
-use mckibben::muscle::Muscle;
-use mckibben_fit::identify::Build;
+use mckibben::{model::Workspace, muscle::Muscle};
 use mckibben_fit::measured::{DataPoint, Section, mean_of_data};
-use mckibben_fit::validation::case::MuscleCase;
-use mckibben_fit::validation::report::FitResult;
+use mckibben_fit::{identify::Build, validation::case::MuscleCase, validation::report::FitResult};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series};
 
 /// Pressures of a panel at most; of more some are shown.

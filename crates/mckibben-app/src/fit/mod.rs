@@ -4,8 +4,7 @@ pub(crate) mod table;
 
 use crate::{Model, MuscleFields, NamedFields, Problem, ProblemKind, Stiffness, TextFile, figure, finite};
 use mckibben::formula::{Document, Form, Made, UniversalFormula};
-use mckibben::model::ModelKind;
-use mckibben::progress::Progress;
+use mckibben::{model::ModelKind, progress::Progress};
 use mckibben_campaign::fit::results::{Results, results};
 use mckibben_campaign::fit::tables::{Table, tables};
 use mckibben_campaign::fit::{FitError, FittedFormula, Method, Request, Rules, SlackRule, ThinRule, make};

@@ -2,8 +2,7 @@
 
 use crate::{MuscleSummary, PressureLimits};
 use mckibben::joint::{JointMap, ShutStiffness};
-use mckibben::uncertainty::UncertaintyParts;
-use mckibben::warning::Warning;
+use mckibben::{uncertainty::UncertaintyParts, warning::Warning};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::Serialize;

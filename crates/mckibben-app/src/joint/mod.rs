@@ -8,19 +8,14 @@ use crate::{
     Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Scale, TextFile,
     Units, above_zero, breakdown, burst_of, figure, finite, number, put_first, said_of, warnings,
 };
-use mckibben::cancel;
 use mckibben::joint::{Joint, JointError, JointModel, JointPoint, Rest, Turning, parse_joint};
-use mckibben::model::Workspace;
-use mckibben::muscle::Muscle;
-use mckibben::progress::Progress;
-use mckibben::size;
-use mckibben::threads;
-use mckibben::units::short_numbers;
-use mckibben::warning::Warning;
+use mckibben::{
+    cancel, model::Workspace, muscle::Muscle, progress::Progress, size, threads, units::short_numbers,
+    warning::Warning,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
-use std::path::Path;
+use std::{collections::BTreeMap, path::Path};
 
 /// A joint: its file and those of its muscles.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]

@@ -10,11 +10,8 @@ mod slopes;
 pub use slopes::with_parameters;
 
 use crate::{AskFields, Model, ModelFields, Problem, ProblemKind};
-use mckibben::answer::Options;
 use mckibben::model::{ForceModel, ModelKind, Workspace};
-use mckibben::muscle::Muscle;
-use mckibben::progress::Progress;
-use mckibben::threads::Threads;
+use mckibben::{answer::Options, muscle::Muscle, progress::Progress, threads::Threads};
 use mckibben_fit::identify::Target;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};

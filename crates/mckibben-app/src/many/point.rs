@@ -2,10 +2,8 @@
 
 use super::{BoundModel, Many, PointQuantity, Unanswered};
 use crate::{Problem, ProblemKind, finite, ratio};
-use mckibben::answer;
-use mckibben::cancel;
 use mckibben::model::{Bounds, ModelError, Workspace, pulls_within};
-use mckibben::warning::strand_strength_n;
+use mckibben::{answer, cancel, warning::strand_strength_n};
 use std::f64::consts::PI;
 
 /// What rounding leaves of no pull, as a share of the pressure on the outer section.

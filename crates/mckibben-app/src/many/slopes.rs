@@ -10,10 +10,8 @@
 use super::{BoundModel, Many, PointQuantity};
 use crate::{Problem, finite};
 use mckibben::analysis::{force_on, response_on, slope_by_pressure, stiffness_of};
-use mckibben::differences::slope;
-use mckibben::model::Workspace;
 use mckibben::muscle::{BraidStiffness, Muscle};
-use mckibben::rubber::RubberLaw;
+use mckibben::{differences::slope, model::Workspace, rubber::RubberLaw};
 use mckibben_fit::identify::{Candidate, Target, own_value};
 
 /// Step of differences in θ, relative. With fourth-order differences their error is below 1e-9 of the derivative.

@@ -1,8 +1,7 @@
 //! What `motion` answers.
 
 use crate::{MuscleSummary, PressureLimits, Problem, Scale, Units, breakdown};
-use mckibben::uncertainty::UncertaintyParts;
-use mckibben::warning::Warning;
+use mckibben::{uncertainty::UncertaintyParts, warning::Warning};
 use mckibben_motion::Motion;
 use mckibben_report::Figure;
 use schemars::JsonSchema;

@@ -14,10 +14,7 @@ use crate::{
     Model, MuscleFields, PressureLimits, Problem, ProblemKind, TextFile, burst_of, figure, finite, put_first,
     said_of,
 };
-use mckibben::joint::Joint;
-use mckibben::model::ForceModel;
-use mckibben::progress::Progress;
-use mckibben::warning::Warning;
+use mckibben::{joint::Joint, model::ForceModel, progress::Progress, warning::Warning};
 use mckibben_motion::{
     Actuated, Command, Drive, DriveFile, Hysteresis, Linear, Mechanism, Motion, MotionError, Names,
     SingleMuscle, Subject, Tables, Target, Tolerance, drive_names, parse_drive, run_as_far, size, with_value,

@@ -2,10 +2,8 @@
 
 use super::{EndUncertainty, MotionRun, Moved};
 use crate::units::Units;
-use mckibben::answer::Options;
 use mckibben::joint::{JointModel, Turning};
-use mckibben::load::balances;
-use mckibben::model::Workspace;
+use mckibben::{answer::Options, load::balances, model::Workspace};
 use mckibben_motion::{DriveFile, Target};
 
 /// A contraction that is nearer to a stop than this is on it.

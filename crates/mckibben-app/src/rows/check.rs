@@ -5,9 +5,8 @@ use crate::{
     Characteristics, CheckAnswer, PressureLimits, Units, number, percent, words::air, words::braid_name,
     words::law_text, words::rubber_name,
 };
-use mckibben::analysis::SAFETY;
 use mckibben::muscle::{Bulk, EndFactor, Muscle};
-use mckibben::rubber::RubberLaw;
+use mckibben::{analysis::SAFETY, rubber::RubberLaw};
 
 /// A heading and its rows.
 pub type Sheet = (&'static str, Vec<Row>);

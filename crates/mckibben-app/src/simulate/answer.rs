@@ -2,10 +2,7 @@
 
 use super::Simulated;
 use crate::{BuiltFile, FailedPoint, MuscleSummary, PressureLimits, Problem};
-use mckibben::curve::Test;
-use mckibben::model::Response;
-use mckibben::status::Status;
-use mckibben::warning::Warning;
+use mckibben::{curve::Test, model::Response, status::Status, warning::Warning};
 use mckibben_fem::results::{ProfilePoint, Sensitivity, StrandState};
 use mckibben_report::Figure;
 use schemars::JsonSchema;

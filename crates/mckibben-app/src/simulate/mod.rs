@@ -12,21 +12,17 @@ use crate::{
     MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, Units, burst_of,
     check_count, check_test, contractions, figure, forces, list, put_first, reach, said_of, steps, warnings,
 };
-use mckibben::answer::Options;
-use mckibben::cancel;
-use mckibben::curve::Test;
 use mckibben::model::{ModelError, Response, Workspace, notes_of};
 use mckibben::muscle::{Ends, Muscle};
-use mckibben::progress::Progress;
-use mckibben::status::Status;
-use mckibben::warning::overloaded;
-use mckibben_fem::axisymmetric::Axisymmetric;
-use mckibben_fem::elements::Elements;
+use mckibben::{
+    answer::Options, cancel, curve::Test, progress::Progress, status::Status, warning::overloaded,
+};
 use mckibben_fem::output::{Extent, Shape, deck};
-use mckibben_fem::results::Solution;
 use mckibben_fem::simulation::{Given, Simulation, free_contraction};
-use mckibben_fem::three_dimensional::ThreeDimensional;
-use mckibben_fem::{FemError, with_ends};
+use mckibben_fem::{
+    FemError, axisymmetric::Axisymmetric, elements::Elements, results::Solution,
+    three_dimensional::ThreeDimensional, with_ends,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -2,9 +2,7 @@
 
 use super::{Shapes, SimulateAnswer, SimulateRequest, simulate};
 use crate::{BuiltFile, MuscleSummary, Problem, ProblemKind, Units};
-use mckibben::model::Response;
-use mckibben::progress::Progress;
-use mckibben::size;
+use mckibben::{model::Response, progress::Progress, size};
 use mckibben_fem::output::{Extent, Shape, VtuFile, VtuSeries};
 
 /// The files of the points so far.

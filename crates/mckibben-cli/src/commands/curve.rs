@@ -6,12 +6,9 @@ use crate::{
     Asked, Bar, Failure, Format, Units, burst_first, columns, half_width, or_dash, output::is_json,
     output::text::within, percent, percents, shown, streamed, warn,
 };
-use mckibben::answer::Answer;
 use mckibben::curve::{Curve, Test};
-use mckibben::muscle::Direction;
-use mckibben::warning::Warning;
-use mckibben_app::breakdown;
-use mckibben_app::{CurveAnswer, CurveRequest, PointRow, curve_by_curve};
+use mckibben::{answer::Answer, muscle::Direction, warning::Warning};
+use mckibben_app::{CurveAnswer, CurveRequest, PointRow, breakdown, curve_by_curve};
 
 pub const TEXT: &str = "curve: Family of curves: isometric, isotonic or isobaric
 Question: :test!^study

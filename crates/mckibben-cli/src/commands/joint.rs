@@ -1,8 +1,9 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a joint.
 
 use crate::{Asked, Bar, Failure, Units, burst_first, files, number, output::is_text, shown, tabled, value};
-use mckibben_app::rows::limit_rows;
-use mckibben_app::{JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, TextFile, joint};
+use mckibben_app::{
+    JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, TextFile, joint, rows::limit_rows,
+};
 use std::path::Path;
 
 pub const TEXT: &str = "joint: Joint with one muscle and a spring, or with two opposed muscles: torque, stiffness, rest position, pressures

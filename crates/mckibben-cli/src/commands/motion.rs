@@ -5,8 +5,9 @@ use crate::{
     Asked, Bar, Failure, Units, asked::load_tables, burst_first, files, listed, number, pairs, shown, tabled,
     value,
 };
-use mckibben_app::rows::limit_rows;
-use mckibben_app::{MotionAnswer, MotionRequest, MotionRun, ProblemKind, Subject, TextFile, motion};
+use mckibben_app::{
+    MotionAnswer, MotionRequest, MotionRun, ProblemKind, Subject, TextFile, motion, rows::limit_rows,
+};
 use serde_json::json;
 use std::path::Path;
 

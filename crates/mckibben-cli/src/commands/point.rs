@@ -1,8 +1,7 @@
 //! `force`, `pressure`, `contraction`: one point.
 
 use crate::{Asked, Bar, Failure, burst_first, output::loaded::loaded, pairs, shown};
-use mckibben_app::rows::point_rows;
-use mckibben_app::{PointAnswer, PointQuantity};
+use mckibben_app::{PointAnswer, PointQuantity, rows::point_rows};
 
 pub const FORCE: &str = "force: Pull at a pressure and contraction: F(P, ε)
 Question: p/pressure_mpa e/contraction @both

@@ -1,8 +1,7 @@
 //! `curve --study thickness`.
 
 use crate::{Asked, Bar, Failure, Units, columns, percents, shown, warn};
-use mckibben::curve::Test;
-use mckibben::study::StudyPanel;
+use mckibben::{curve::Test, study::StudyPanel};
 use mckibben_app::{StudyAnswer, study};
 
 pub fn run(asked: &Asked) -> Result<u8, Failure> {

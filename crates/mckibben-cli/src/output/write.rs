@@ -3,14 +3,12 @@
 use super::width;
 use crate::{Asked, Failure, clean, in_flags, progress, shown};
 use anstyle::{AnsiColor, Style};
-use mckibben::units::short_numbers;
-use mckibben::warning::is_of_burst;
+use mckibben::{units::short_numbers, warning::is_of_burst};
 use mckibben_app::{BuiltFile, ProblemKind};
 use mckibben_io::files::{check_free, put, put_all};
 use std::io::{Error, ErrorKind, Write};
-use std::path::Path;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::{path::Path, sync::Mutex};
 
 /// Whether existing files are overwritten.
 static OVERWRITE: AtomicBool = AtomicBool::new(false);

@@ -2,10 +2,8 @@
 
 use crate::{Failure, progress};
 use mckibben_app::ProblemKind;
-use std::fs::File;
-use std::io;
 use std::process::{Command, Stdio};
-use std::time::Duration;
+use std::{fs::File, io, time::Duration};
 use tempfile::TempDir;
 
 /// What names of folders of the browser begin with.

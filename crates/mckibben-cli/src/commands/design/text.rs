@@ -1,8 +1,7 @@
 //! A design for people.
 
 use crate::{Units, in_flags, number, or_dash, percent, place, tabled, value};
-use mckibben::analysis::FailureMode;
-use mckibben::liquid::Liquid;
+use mckibben::{analysis::FailureMode, liquid::Liquid};
 use mckibben_app::{
     BoughtAnswer, CandidateAnswer, ClosestAnswer, DemandAnswer, DesignAnswer, OperatingPoint, RejectedAnswer,
     SearchedAnswer, TorqueWanted,
