@@ -1,18 +1,15 @@
 //! `campaign`, `campaign run|show|merge|status`.
 
-mod show;
-mod status;
-
-pub use show::{SHOW, show};
-pub use status::{STATUS, status};
-
 use crate::{
-    Asked, Bar, Failure, Format, NOT_CONVERGED, clean, emit, number, output::json, overwrite, place,
-    progress::INTERRUPTED, warn,
+    Asked, Bar, Failure, Format, NO_ANSWER, NOT_CONVERGED, clean, emit, listed, number, output::json,
+    overwrite, pairs, place, progress::INTERRUPTED, shown, tabled, value, warn,
 };
 use mckibben::progress::Progress;
-use mckibben_app::{CampaignMergeRequest, CampaignRequest, ProblemKind, campaign_merge};
-use mckibben_campaign::campaign::Outcome;
+use mckibben_app::{
+    CampaignMergeRequest, CampaignRequest, CampaignStatusRequest, ProblemKind, campaign_merge, campaign_show,
+    campaign_status,
+};
+use mckibben_campaign::campaign::{CampaignStatus, Outcome, ShardState, ShardStatus, Summary};
 use std::time::{Duration, Instant};
 
 pub const TEXT: &str = "campaign: Many finite-element tests from a plan into one Parquet table; an interrupted run continues
@@ -110,4 +107,69 @@ pub fn merge(asked: &Asked) -> Result<u8, Failure> {
         let out = place(&merged.output);
         format!("{} points of {} muscles are in {out}\n", merged.points, merged.muscles)
     })
+}
+
+pub const SHOW: &str =
+    "campaign show: Summary of a campaign: muscles, points, failures by cause, ranges, origin
+:campaign<FILE.parquet_or_DIR>! | A campaign: one file, or a folder of parts
+@output
+Example:
+  mckibben campaign plans/paper.toml -o campaign.parquet
+  mckibben campaign show campaign.parquet";
+
+pub fn show(asked: &Asked) -> Result<u8, Failure> {
+    let summary = campaign_show(&asked.request()?)?;
+    asked.show(&summary, "ranges", || summary_text(&summary))
+}
+
+fn summary_text(s: &Summary) -> String {
+    let u = shown::units();
+    let keys = "muscles points points_wanted points_per_muscle answered failed model sampling seed version=mckibben plan_sha256";
+    let mut out = pairs(&listed(&value(s), keys, &u)) + "\n";
+    out += &tabled(&s.ranges, "name=_ smallest:6~ largest:6~", &u);
+    for (status, f) in &s.failed {
+        out.push_str(&format!("\nThe first {status} is of muscle {}: {}\n", f.first_muscle, f.first_cause));
+    }
+    if s.missing_parts > 0 {
+        let all = s.provenance.parts();
+        out.push_str(&format!(
+            "\nIncomplete: {} of {all} parts are present; run the campaign again to continue.\n",
+            all - s.missing_parts
+        ));
+    }
+    for damaged in &s.damaged {
+        out.push_str(&format!("Damaged: {damaged}\n"));
+    }
+    out
+}
+
+pub const STATUS: &str = "campaign status: How far a folder of parts is, shard by shard: done, running, missing; exit code 1 where a shard is missing
+:folder<DIR>! | The folder of parts
+@output
+Example:
+  mckibben campaign plans/paper.toml -o parts/ --shard 1/1
+  mckibben campaign status parts/";
+
+pub fn status(asked: &Asked) -> Result<u8, Failure> {
+    let request = CampaignStatusRequest { output: asked.path("folder").unwrap_or_default() };
+    let status = campaign_status(&request)?;
+    asked.show(&status, "shards", || status_text(&status))?;
+    Ok(if status.shards_missing > 0 { NO_ANSWER } else { 0 })
+}
+
+fn status_text(s: &CampaignStatus) -> String {
+    let mut out = format!("{} of {} parts are in {}\n", s.parts, s.parts_wanted, place(&s.output));
+    let shards = "shards_wanted=shards shards_done=done shards_running=running shards_missing=missing";
+    out += &pairs(&listed(&value(s), shards, &shown::units()));
+    let open: Vec<&ShardStatus> = s.shards.iter().filter(|s| s.state != ShardState::Done).collect();
+    if !open.is_empty() {
+        out += &format!("\n{}", tabled(&open, "shard state parts parts_wanted=of", &shown::units()));
+    }
+    for part in &s.damaged {
+        out.push_str(&format!("Cut off: {}\n", place(part)));
+    }
+    if s.shards_missing > 0 {
+        out.push_str("\nSomething is missing that nothing computes: run the shards again.\n");
+    }
+    out
 }

@@ -1,11 +1,11 @@
 //! `check`: what is known of a muscle, whether it is plausible, what is not known, and what to measure first; or a formula's file.
 
-mod formula;
-
-use crate::{Asked, Bar, FLAT, Failure, burst_first, pairs, shown};
+use crate::{
+    Asked, Bar, FLAT, Failure, Format, burst_first, commands::fit::formula_text, emit, files, pairs, shown,
+};
 use mckibben::warning::is_of_burst;
 use mckibben_app::rows::{characteristic_rows, muscle_sheets};
-use mckibben_app::{CheckAnswer, FindingKind, ProblemKind, check};
+use mckibben_app::{CheckAnswer, CheckFormulaRequest, FindingKind, Model, ProblemKind, check, check_formula};
 use std::path::Path;
 
 pub const TEXT: &str = "check: What is known of a muscle, whether it is plausible, what it bears, and what to measure first; or a formula's file
@@ -27,7 +27,7 @@ fn is_formula(word: &str) -> bool {
 pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let word = asked.text("file").or_else(|| asked.text("muscle"));
     if let Some(word) = word.filter(|word| is_formula(word)) {
-        return formula::show(&word, asked);
+        return show_formula(&word, asked);
     }
     if asked.is("latex") {
         let message = "--latex is of a formula, not of a muscle";
@@ -68,4 +68,24 @@ fn text(answer: &CheckAnswer) -> String {
         out.extend(said.iter().map(|line| format!("  - {}\n", shown::sentence(line))));
     }
     out
+}
+
+/// Shows a formula: a file, or one that is built in.
+fn show_formula(word: &str, asked: &Asked) -> Result<u8, Failure> {
+    let built_in = Model::is_taken(word);
+    let file = if built_in { None } else { files::formula(word)? };
+    if file.is_none() && !built_in {
+        let message = format!("{word}: cannot be read: there is no such file");
+        return Err(Failure::input(ProblemKind::Formula, message, "`mckibben fit` writes such files"));
+    }
+    if asked.text("pressure_mpa").is_some() {
+        return Err(Failure::input(ProblemKind::Usage, "--pressure is of a muscle, not of a formula", ""));
+    }
+    let latex = asked.is("latex");
+    let answer =
+        check_formula(&CheckFormulaRequest { file, name: built_in.then(|| word.to_owned()), latex })?;
+    match answer.latex.as_ref().filter(|_| asked.format == Format::Text) {
+        Some(latex) => emit(latex, asked.path("output").as_deref()).map(|()| 0),
+        None => asked.show(&answer, "terms", || formula_text(&answer.formula, true)),
+    }
 }

@@ -1,15 +1,16 @@
 //! `fit`: from a table of points to a formula.
 
-mod report;
-mod text;
-
-pub use text::formula_text;
-
-use crate::{Asked, Bar, Failure, check_ending, files, output::json, overwrite, save, save_inside};
-use mckibben_app::{FitAnswer, FitRequest, NamedFigure};
+use crate::{
+    Asked, Bar, Failure, NO_ANSWER, Units, check_ending, files, listed, number, output::json, overwrite,
+    pairs, place, save, save_inside, tabled, value,
+};
+use mckibben::formula::Document;
+use mckibben_app::{FitAnswer, FitReportAnswer, FitReportRequest, FitRequest, NamedFigure, fit_report};
+use mckibben_campaign::fit::{FittedFormula, PaperMethod};
+use mckibben_campaign::{fit::constants::Constants, fit::signs::signs};
 use mckibben_report::FigureError;
 use serde::Serialize;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 use std::path::Path;
 
 pub const TEXT: &str = "fit: Fit a formula to a table of finite-element points, with its errors and its range
@@ -33,7 +34,7 @@ Examples:
 
 pub fn run(asked: &Asked) -> Result<u8, Failure> {
     let target = asked.path("output");
-    let Some(path) = asked.path("file") else { return report::run(asked) };
+    let Some(path) = asked.path("file") else { return report(asked) };
     check_ending(target.as_deref(), &["json"])?;
     let (tables, plots) = (asked.path("folder"), asked.path("plots"));
     let mut request: FitRequest = asked.request()?;
@@ -53,7 +54,7 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
         save_inside(folder, figures, overwrite())?;
     }
     save(target.as_deref(), answer.formula_file().as_bytes())?;
-    asked.print(&answer, "terms", || text::of(&answer, target.as_deref()))
+    asked.print(&answer, "terms", || as_text(&answer, target.as_deref()))
 }
 
 /// All tables in one file.
@@ -72,4 +73,134 @@ fn write_tables(folder: &Path, answer: &mut FitAnswer) -> Result<(), Failure> {
     let method = answer.fitted.as_ref().map_or("", |f| &f.formula.provenance.method);
     files.push(("tables.json".into(), format!("{:#}\n", json(&Tables { method, tables })?)));
     save_inside(folder, files, overwrite())
+}
+
+/// What a formula is and where it holds.
+const FORMULA: &str = "name kind form equation range made_for.length_mm=L0 made_for.angle_deg=θ0 made_for.rubber.name=rubber made_for.rubber.law=law made_for.rubber.constants=constants made_for.braid=braid provenance.method=method provenance.points=points provenance.table=table provenance.data_hash=data provenance.plan_hash=plan provenance.version=mckibben";
+const ERRORS: &str = "name=points_that_pull points=number muscles rms_of_blocked=rms:3% p95_of_blocked=95_%_of_them:3% p99_of_blocked=99_%:3% max_of_blocked=largest:3% max_of_isobar=(12):3% max_n=largest:3~";
+
+/// A formula with its errors, and with its terms where they are asked for. All is in the units of the formula.
+pub fn formula_text(formula: &Document, terms: bool) -> String {
+    let (f, u) = (value(formula), Units::default());
+    let mut out = pairs(&listed(&f, FORMULA, &u));
+    if terms {
+        let list = f["terms"].as_array().map_or(&[][..], Vec::as_slice);
+        out += &format!("\nTerms\n\n{}", tabled(list, "value:7~ unit name", &u));
+    }
+    let errors = &f["errors"];
+    let against = errors["against"].as_str().unwrap_or_default();
+    out + &format!("\nErrors against {against}\n\n{}", tabled(&error_rows(errors), ERRORS, &u))
+}
+
+/// The errors of all points, of those that were left out, and by region.
+fn error_rows(errors: &Value) -> Vec<Value> {
+    let held_out = errors["held_out"]["outer_diameters_mm"].as_array().into_iter().flatten();
+    let held_out: Vec<String> = held_out.filter_map(|d| Some(number(d.as_f64()?, 4))).collect();
+    let named = [
+        ("fit", "all fitted".to_owned()),
+        ("held_out", format!("held out: D0 {}", held_out.join(", "))),
+        ("left_out", "muscles left out, a fifth at a time".to_owned()),
+    ];
+    let mut rows: Vec<(String, Value)> = named.map(|(key, name)| (name, errors[key].clone())).into();
+    for region in errors["regions"].as_array().into_iter().flatten() {
+        let name = region["quantity"].as_str().unwrap_or_default();
+        let at = region["value"].as_f64().map_or_else(String::new, |v| number(v, 4));
+        rows.push((format!("{name} {at}"), region.clone()));
+    }
+    let there = rows.into_iter().filter(|(_, row)| row.is_object());
+    there
+        .map(|(name, mut row)| {
+            row["name"] = name.into();
+            row
+        })
+        .collect()
+}
+
+/// A fitted formula, and where it was written.
+fn as_text(answer: &FitAnswer, output: Option<&Path>) -> String {
+    let mut out = formula_text(&answer.formula, answer.fitted.is_none());
+    out.extend(answer.fitted.as_ref().map(|fitted| way(fitted, answer.failed)));
+    if let Some(path) = output {
+        out.push_str(&format!("\nThe formula is in {0}: --model {0}\n", place(path)));
+    }
+    out
+}
+
+/// What was found on the way to a formula for muscles of one make.
+fn way(f: &FittedFormula, failed: usize) -> String {
+    let mut out = format!("\n{} points were not used, {failed} had no answer\n", f.unused);
+    if let Some(g) = &f.global {
+        out += &format!("{} of {} candidate terms", g.terms.terms.len(), g.candidates);
+        let step = g.steps.get(g.terms.terms.len().saturating_sub(1));
+        let left_out = step.and_then(|step| step.left_out).map(|v| 100.0 * v);
+        out.extend(
+            left_out.map(|v| format!(", chosen by rms {v:.3} % on inner diameters left out one at a time")),
+        );
+        out.push('\n');
+    }
+    out.extend(f.paper.as_ref().map(signs_text));
+    out
+}
+
+/// R² of the steps, curves that a rule changed, and the signs of section 3.3.1.
+fn signs_text(m: &PaperMethod) -> String {
+    let smallest = |list: &mut dyn Iterator<Item = f64>| list.fold(1.0, f64::min);
+    let steps = [
+        ("F over ε (5)", smallest(&mut m.curves.iter().filter_map(|c| c.abc).map(|f| f.r2))),
+        ("a, b, c over P (8)", smallest(&mut m.lines.iter().flat_map(|l| l.lines).map(|f| f.r2))),
+        (
+            "m, q over s (9)",
+            smallest(&mut m.walls.iter().flat_map(|w| w.parabolas.into_iter().flatten()).map(|f| f.r2)),
+        ),
+        ("X over D0 (11)", smallest(&mut m.r2.into_iter().flatten())),
+    ];
+    let list: Vec<String> = steps.iter().map(|(name, r2)| format!("{name} {r2:.4}")).collect();
+    let mut out = format!("\nSmallest R² of each step: {}\n", list.join("; "));
+    for c in m.curves.iter().filter(|c| !c.rule.is_empty()) {
+        let (d, s, p) = (c.outer_diameter_mm, c.wall_mm, c.pressure_mpa);
+        out.push_str(&format!("Curve D0 {d}, s {s} mm at {p} MPa: {}\n", c.rule));
+    }
+    out.push_str("\nSigns that section 3.3.1 of the paper states (pairs of neighbouring curves)\n\n");
+    let rows = signs(m).into_iter().map(|s| {
+        json!({
+            "outer_diameter_mm": s.outer_diameter_mm,
+            "statement": format!("{} {} with {}", s.coefficient, if s.rises { "rises" } else { "falls" }, s.with),
+            "pairs": format!("{} of {}", s.holding, s.pairs),
+            "holds": s.holds(),
+        })
+    });
+    let rows: Vec<Value> = rows.collect();
+    out + &tabled(&rows, "outer_diameter_mm=D0 statement pairs holds", &Units::default())
+}
+
+fn report(asked: &Asked) -> Result<u8, Failure> {
+    let answer = fit_report(&FitReportRequest {}, &Bar::new("steps"))?;
+    asked.show(&answer, "findings", || report_text(&answer))?;
+    Ok(if answer.ok() { 0 } else { NO_ANSWER })
+}
+
+const FINDINGS: &str = "at_most_of_blocked=at_most:3~% max_of_blocked=largest:3% rms_of_blocked=rms:3% max_of_isobar=(12):3% max_n=largest:3 points comparison outer_diameter_mm=worst_at_D0 wall_mm=s pressure_mpa=P contraction=ε";
+
+fn report_text(answer: &FitReportAnswer) -> String {
+    let r = &answer.results;
+    let u = Units::default();
+    let mut out = String::from(
+        "In % of the finite elements' blocked force of the same muscle at 0.25 MPa, over points where they pull\n\n",
+    );
+    out.push_str(&tabled(&r.findings, FINDINGS, &u));
+    let (c, shipped) = (&r.constants, Constants::shipped());
+    out.push_str(&format!(
+        "\nFitted constants: C10 {:.4} MPa, k {:.0} N/mm at D0 40, growing like D0^{:.2} (shipped: {}, {}, {})\n",
+        c.c10_mpa,
+        c.stiffness_at_40_n_per_mm,
+        c.exponent,
+        shipped.c10_mpa,
+        shipped.stiffness_at_40_n_per_mm,
+        shipped.exponent
+    ));
+    out.push_str(&format!("global has {} terms\n", r.global_terms));
+    out.push_str(
+        "\nRandom muscles of any size and material, where they pull, in % of the blocked force at the same pressure\n\n",
+    );
+    out + &tabled(&r.random_muscles, &format!("model {ERRORS}"), &u)
 }

@@ -19,5 +19,4 @@ pub mod rubber;
 pub mod schema;
 pub mod serve;
 pub mod simulate;
-pub mod study;
 pub mod validate;

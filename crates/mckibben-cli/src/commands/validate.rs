@@ -1,10 +1,17 @@
 //! `validate`: verification and validation, each with its table.
 
-pub mod measured;
-
-use crate::{Asked, Bar, Failure, NO_ANSWER, output::width, shown, tabled};
+use crate::{
+    Asked, Bar, Failure, NO_ANSWER, files, listed, number, output::width, pairs, plot, shown, tabled, value,
+};
 use mckibben::verification::{CaseKind, Measure, VerificationRow};
-use mckibben_app::{ProblemKind, SweepAnswer, SweepRequest};
+use mckibben_app::{
+    MeasuredAnswer, MeasuredBranch, MeasuredCase, MeasuredFit, MeasuredFolder, MeasuredRequest,
+    MeasuredResult, MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind, SweepAnswer,
+    SweepRequest, with_error_bar,
+};
+use mckibben_fit::validation::case::built_in;
+use serde_json::Value;
+use std::path::Path;
 
 pub const TEXT: &str = "validate: Verification against exact values and validation against measured muscles
 all | Also compute the finest meshes (some seconds more)
@@ -30,7 +37,7 @@ pub fn run(asked: &Asked) -> Result<u8, Failure> {
         return Ok(if answer.ok() { 0 } else { NO_ANSWER });
     }
     if asked.text("measured").is_some() {
-        return measured::run(asked);
+        return run_measured(asked);
     }
     if asked.path("plot").is_some() {
         let message = "--plot draws the measured muscles: it requires --measured";
@@ -103,4 +110,159 @@ fn as_text(cases: &[VerificationRow]) -> String {
         summary += "\nSources of the cases: mckibben validate --format csv\n";
     }
     out + &summary
+}
+
+fn run_measured(asked: &Asked) -> Result<u8, Failure> {
+    plot::check(asked)?;
+    let figure = asked.path("plot").map(|_| shown::units());
+    let folder = asked.path("measured").filter(|path| !path.as_os_str().is_empty());
+    let only: Vec<String> =
+        asked.texts("only").iter().flat_map(|t| t.split(',')).map(str::to_owned).collect();
+    let cases = chosen(cases(folder.as_deref())?, &only)?;
+    let mut answer = mckibben_app::measured(
+        &MeasuredRequest { cases, model: asked.text("model"), figure },
+        &Bar::new("fits"),
+    )?;
+    asked.draw(&mut answer.figure)?;
+    let rows = if answer.results.is_empty() { "stresses" } else { "results" };
+    asked.show(&answer, rows, || measured_text(&answer))
+}
+
+/// The cases of a folder, or those that are built in.
+fn cases(folder: Option<&Path>) -> Result<Vec<MeasuredFolder>, Failure> {
+    let Some(folder) = folder else {
+        let built_in = built_in().into_iter();
+        return Ok(built_in
+            .map(|f| MeasuredFolder {
+                name: f.name,
+                case: f.case,
+                muscle: f.muscle,
+                points: f.points,
+                identified: String::new(),
+            })
+            .collect());
+    };
+    folders(folder)
+}
+
+/// The measured muscle or rubber of a folder, or those of the folders in it.
+fn folders(folder: &Path) -> Result<Vec<MeasuredFolder>, Failure> {
+    let unread = |e: &dyn std::fmt::Display| {
+        Failure::input(ProblemKind::File, format!("{}: {e}", folder.display()), "")
+    };
+    if folder.join("case.toml").is_file() {
+        return Ok(vec![one(folder)?]);
+    }
+    let mut list = vec![];
+    let entries = std::fs::read_dir(folder).map_err(|e| unread(&e))?;
+    for entry in entries {
+        let path = entry.map_err(|e| unread(&e))?.path();
+        if path.join("case.toml").is_file() {
+            list.push(one(&path)?);
+        }
+    }
+    list.sort_by(|a, b| a.name.cmp(&b.name));
+    if list.is_empty() {
+        let message = format!("{}: no folder in it contains a case.toml", folder.display());
+        let hint = "a measured muscle is a folder with case.toml, muscle.toml and points.csv, a measured rubber one without muscle.toml";
+        return Err(Failure::input(ProblemKind::MissingInput, message, hint));
+    }
+    Ok(list)
+}
+
+/// The files of a folder. A measured rubber has no muscle, and a folder of no library no identified one.
+fn one(folder: &Path) -> Result<MeasuredFolder, Failure> {
+    let if_there = |name: &str| match folder.join(name) {
+        path if path.is_file() => files::text(&path).map(|file| file.text),
+        _ => Ok(String::new()),
+    };
+    let name = std::fs::canonicalize(folder).ok();
+    let name = name.as_deref().unwrap_or(folder).file_name();
+    Ok(MeasuredFolder {
+        name: name.map(|n| n.to_string_lossy().into_owned()).unwrap_or_default(),
+        case: files::text(&folder.join("case.toml"))?.text,
+        muscle: if_there("muscle.toml")?,
+        points: files::table(&folder.join("points.csv"))?.text,
+        identified: if_there("identified.toml")?,
+    })
+}
+
+fn chosen(all: Vec<MeasuredFolder>, only: &[String]) -> Result<Vec<MeasuredFolder>, Failure> {
+    if let Some(name) = only.iter().find(|name| !all.iter().any(|c| c.name == **name)) {
+        let known: Vec<&str> = all.iter().map(|c| c.name.as_str()).collect();
+        let message =
+            format!("there is no measured muscle or rubber \"{name}\"; there are {}", known.join(", "));
+        return Err(Failure::input(ProblemKind::Usage, message, ""));
+    }
+    Ok(all.into_iter().filter(|c| only.is_empty() || only.contains(&c.name)).collect())
+}
+
+fn measured_text(answer: &MeasuredAnswer) -> String {
+    let head = format!(
+        "Validation: {} against measured muscles. Bias is measured − computed; % is of the blocked force; within ± is the share of the points inside the ±. Errors by contraction: --format json\n",
+        answer.model
+    );
+    let cases = answer.cases.iter().map(|case| muscle(case, &answer.results));
+    let rubbers = answer.rubbers.iter().map(|case| rubber(case, &answer.stresses));
+    let head = if answer.cases.is_empty() { None } else { Some(head) };
+    head.into_iter().chain(cases).chain(rubbers).collect()
+}
+
+const FACTS: &str = "name=folder source terms known unknown points";
+const STRESSES: &str = "rms_mpa=rms:3~ relative=of_the_measured:3%~ bias_mpa=bias:3~ largest_mpa=largest:3~ points to_stretch:3 blind of fit";
+const RESULTS: &str = "rms_n=rms:3 rms_of_blocked=of_the_blocked_force:3% bias_n=bias:3 largest_n=largest:3 points unanswered held=within_±:3% blind of fitted_to fit";
+const BRANCHES: &str = "branch points rms_n=rms:3 bias_n=bias:3 held=within_±:3% of";
+
+fn rubber(case: &MeasuredRubber, stresses: &[MeasuredStress]) -> String {
+    let one = |f: &MeasuredRubberFit| {
+        let constants = f.parameters.iter().map(|p| format!("{} {} {}", p.name, number(p.value, 3), p.unit));
+        let branches = f.prony.iter().map(|(g, t)| format!("g {} at {} s", number(*g, 2), number(*t, 2)));
+        let doubt = if f.stable { vec![] } else { vec!["not stable in a muscle".to_owned()] };
+        let parts: Vec<String> =
+            constants.chain(branches).map(|t| t.trim().to_owned()).chain(doubt).collect();
+        (f.fit.clone(), parts.join(", "))
+    };
+    let found: Vec<(String, String)> = case.fits.iter().map(one).collect();
+    let own: Vec<_> = stresses.iter().filter(|s| s.case == case.facts.name).collect();
+    let title = format!("{}; % is of the measured stress", case.facts.title);
+    block(&title, &value(case), &found, &tabled(&own, STRESSES, &shown::units()))
+}
+
+fn muscle(case: &MeasuredCase, results: &[MeasuredResult]) -> String {
+    let fits = case.fits.iter().filter(|f| !f.parameters.is_empty());
+    let found: Vec<(String, String)> =
+        fits.map(|f| (format!("{} [{}]", f.fit, f.fitted_to), values(f))).collect();
+    let own: Vec<_> = results.iter().filter(|r| r.case == case.facts.name).collect();
+    let branches = own.iter().flat_map(|r| {
+        let row = |branch: &MeasuredBranch| {
+            let mut row = value(branch);
+            row["of"] = format!("{} [{}]", r.fit, r.group.of).into();
+            row
+        };
+        r.group.by_branch.iter().map(row).collect::<Vec<Value>>()
+    });
+    let branches: Vec<Value> = branches.collect();
+    let u = shown::units();
+    let mut errors = tabled(&own, RESULTS, &u);
+    if !branches.is_empty() {
+        errors += &format!("\nBranches\n{}", tabled(&branches, BRANCHES, &u));
+    }
+    block(&format!("{}, points that pull", case.facts.title), &value(case), &found, &errors)
+}
+
+/// What is known of a case, what was found, and how far it is off.
+fn block(title: &str, case: &Value, found: &[(String, String)], errors: &str) -> String {
+    let facts = pairs(&listed(case, FACTS, &shown::units()));
+    format!("\n{title}\n\n{facts}\nFound, ± 95 %\n{}\n{errors}", pairs(found))
+}
+
+fn values(fit: &MeasuredFit) -> String {
+    let one = |p: &mckibben_fit::identify::Identified| {
+        let (value, bar) = with_error_bar(p);
+        let bar = if bar == "–" { String::new() } else { format!(" ± {bar}") };
+        let unit = if p.unit.is_empty() { String::new() } else { format!(" {}", p.unit) };
+        let doubt = if p.identifiable { "" } else { " (not identifiable)" };
+        format!("{} {value}{bar}{unit}{doubt}", p.name)
+    };
+    fit.parameters.iter().map(one).collect::<Vec<_>>().join(", ")
 }
